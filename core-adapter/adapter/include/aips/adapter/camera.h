@@ -1,0 +1,60 @@
+// What the engine asks of a host's camera, sampler and film.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string_view>
+
+#include "aips/adapter/scene.h"
+
+namespace aips {
+
+/// Film position in pixels (y down) and lens position in [0,1)^2.
+struct CameraSample {
+    Vec2 film;
+    Vec2 lens;
+};
+
+/// A camera ray with the size of its pixel's footprint.
+struct CameraRay {
+    Ray ray;
+    float width = 0;   ///< radius of the footprint at the origin, scene units
+    float spread = 0;  ///< its growth per unit of distance
+};
+
+class Camera {
+  public:
+    virtual ~Camera() = default;
+    virtual CameraRay generate(const CameraSample& sample, float time) const = 0;
+    virtual float shutter_open() const = 0;
+    virtual float shutter_close() const = 0;
+};
+
+class Sampler {
+  public:
+    virtual ~Sampler() = default;
+    /// Sample number `number` of pixel (x, y), a pure function of its arguments.
+    virtual CameraSample camera_sample(std::uint64_t number, std::uint32_t x,
+                                       std::uint32_t y) const = 0;
+};
+
+class Film {
+  public:
+    virtual ~Film() = default;
+    virtual std::uint32_t width() const = 0;
+    virtual std::uint32_t height() const = 0;
+    /// Adds a pass: `radiance[i * groups + g]` of sample i at `positions[i]`. `weight` > 0 is the
+    /// pass's share in the mean over passes.
+    virtual void add_pass(std::span<const Vec2> positions, std::span<const Rgb> radiance,
+                          std::uint32_t groups, double weight) = 0;
+};
+
+/// Where the engine's messages go.
+class Log {
+  public:
+    virtual ~Log() = default;
+    virtual void info(std::string_view message) = 0;
+    virtual void warning(std::string_view message) = 0;
+};
+
+}  // namespace aips

@@ -1,0 +1,76 @@
+// The engine: adaptive importance photon shooting as a pass loop on abstract host types.
+//
+// References: Liu & Zheng 2014 (guidance), Knaus & Zwicker 2011 (progressive radius), Hachisuka &
+// Jensen 2009 (eye paths renewed in each pass), Jensen 1996 (photon mapping).
+#pragma once
+
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "aips/adapter/camera.h"
+#include "aips/adapter/scene.h"
+#include "aips/adapter/settings.h"
+
+namespace aips {
+
+/// The host's parts; they outlive the engine.
+struct Host {
+    const Scene& scene;
+    const Camera& camera;
+    const Sampler& sampler;
+    Film& film;
+    Log& log;
+};
+
+/// What one pass did.
+struct PassReport {
+    std::uint64_t photon_paths = 0;
+    std::uint64_t rays = 0;
+    std::uint32_t eye_paths = 0;
+    float radius = 0;  ///< of the density estimate, scene units; 0 when no photons were shot
+};
+
+/// Totals of a render so far.
+struct EngineStatistics {
+    std::uint64_t passes = 0;
+    std::uint64_t eye_paths = 0;
+    std::uint64_t eye_rays = 0;  ///< shadow rays included
+    std::uint64_t photon_paths = 0;
+    std::uint64_t photon_rays = 0;
+    std::uint64_t landings = 0;  ///< stored
+    std::uint64_t gathered = 0;  ///< photon contributions to visible points
+    std::uint64_t bounces = 0;
+    std::uint64_t guided_bounces = 0;
+    std::uint64_t guide_nodes = 0;
+    std::uint64_t guide_bytes = 0;
+    double eye_seconds = 0, photon_seconds = 0, gather_seconds = 0, guide_seconds = 0;
+    float radius = 0;              ///< of the last pass
+    std::size_t memory_bytes = 0;  ///< held by the engine now
+    std::size_t memory_bound_bytes = 0;
+    /// Contributions refused because they were not finite or negative, by material.
+    std::vector<std::pair<std::string, std::uint64_t>> refused;
+};
+
+/// Renders one pass after another. The image is a pure function of (scene, settings, passes):
+/// threads and their timing have no influence.
+class Engine {
+  public:
+    /// Throws std::invalid_argument for settings that contradict each other. Logs the settings, the
+    /// memory bound and what the scene does not need.
+    Engine(const Host& host, const Settings& settings);
+    ~Engine();
+    Engine(const Engine&) = delete;
+    Engine& operator=(const Engine&) = delete;
+
+    /// Renders pass number `pass` and adds it to the film; passes are rendered in order from 0.
+    PassReport render_pass(std::uint64_t pass);
+    EngineStatistics statistics() const;
+
+  private:
+    class State;
+    std::unique_ptr<State> state_;
+};
+
+}  // namespace aips

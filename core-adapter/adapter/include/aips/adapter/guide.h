@@ -1,0 +1,59 @@
+// What decides where photon paths go. guide=none has no Guide at all.
+#pragma once
+
+#include <cstdint>
+#include <memory_resource>
+#include <span>
+
+#include "aips/adapter/bsdf.h"
+#include "aips/core/landing.h"
+
+namespace aips {
+
+/// Where a photon is about to scatter through a non-specular lobe.
+struct GuideVertex {
+    Vec3 position;
+    Vec3 shading_normal;
+    Vec3 wo;           ///< unit, back to where the photon came from
+    const Bsdf* bsdf;  ///< never null
+};
+
+/// A guided density of directions at one vertex. Lives in dropped memory: trivially destructible.
+class GuidedDirections {
+  public:
+    /// Draws a unit direction from u in [0,1)^2; its density is `pdf`.
+    virtual Vec3 sample(Vec2 u) const = 0;
+    /// Density per steradian; integrates to 1 over the sphere.
+    virtual float pdf(Vec3 direction) const = 0;
+
+  protected:
+    ~GuidedDirections() = default;
+};
+
+/// Counts of a guide, for logs, tests and the statistics file.
+struct GuideStatistics {
+    std::size_t nodes = 0;
+    std::size_t memory_bytes = 0;
+    std::uint64_t updates = 0;
+};
+
+/// Learns between iterations, and is frozen (const, usable from many threads) within them.
+class Guide {
+  public:
+    virtual ~Guide() = default;
+
+    /// A new pass with these visible points begins (weights, eq. 7).
+    virtual void begin_pass(std::span<const Vec3> visible_points, std::uint64_t eye_paths) = 0;
+    /// Photon paths of iteration number `iteration` of this pass.
+    virtual std::uint32_t iteration_paths(std::uint64_t iteration) const = 0;
+    /// Whether that iteration follows the guide; the first of a pass does not.
+    virtual bool guides(std::uint64_t iteration) const = 0;
+    /// The density to mix with the Bsdf at a vertex; null where the guide knows nothing.
+    virtual const GuidedDirections* directions(const GuideVertex& vertex,
+                                               std::pmr::memory_resource& memory) const = 0;
+    /// Learns from an iteration's landings, in their order.
+    virtual void update(std::span<const Landing> landings) = 0;
+    virtual GuideStatistics statistics() const = 0;
+};
+
+}  // namespace aips

@@ -1,0 +1,105 @@
+// What the engine asks of a host's scene and lights.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <limits>
+#include <memory_resource>
+#include <span>
+#include <string>
+
+#include "aips/adapter/bsdf.h"
+#include "aips/core/bounds.h"
+
+namespace aips {
+
+/// A ray in the host's scene; `medium` is the host's own mark of what it travels in.
+struct Ray {
+    Vec3 origin;
+    Vec3 direction;  ///< unit
+    float time = 0;  ///< one value per pass, shared by eye and photon paths
+    const void* medium = nullptr;
+};
+
+/// Index of a light in Scene::lights(); kNoLight for none.
+using LightIndex = std::uint32_t;
+inline constexpr LightIndex kNoLight = std::numeric_limits<LightIndex>::max();
+
+/// Where a ray meets a surface. What follows `bsdf` is the host's: the engine only hands it back.
+struct SurfacePoint {
+    Vec3 position;
+    Vec3 geometric_normal;       ///< unit, the surface's front
+    Vec3 shading_normal;         ///< unit, in the geometric normal's hemisphere
+    float distance = 0;          ///< along the ray, scene units
+    Rgb transmittance{1, 1, 1};  ///< of the medium passed
+    Rgb emitted;                 ///< radiance towards the ray's origin
+    LightIndex light = kNoLight;
+    const Bsdf* bsdf = nullptr;      ///< null: absorbs everything
+    std::uint32_t material = 0;      ///< index of a name, for reports
+    std::uint32_t primitive = 0;     ///< within the light's shape
+    Vec3 position_error;             ///< rounding error bound per coordinate
+    const void* interior = nullptr;  ///< medium behind the surface
+    const void* exterior = nullptr;  ///< medium before it
+};
+
+/// A photon as it leaves a light.
+struct Emission {
+    Ray ray;
+    Rgb power;  ///< emitted radiance * cosine / density, watts; not divided by the number of paths
+};
+
+/// A direction to a light, as next-event estimation draws it.
+struct DirectSample {
+    Vec3 wi;             ///< unit, towards the light
+    float distance = 0;  ///< infinity for lights at infinity
+    Rgb radiance;        ///< unoccluded, along wi; for delta lights irradiance facing wi
+    float pdf = 0;       ///< per steradian; 1 for delta lights
+    bool delta = false;
+    Vec3 light_error;  ///< rounding error bound of the light point, host's
+};
+
+class Light {
+  public:
+    virtual ~Light() = default;
+    virtual std::uint32_t group() const = 0;  ///< light group (layer of the film)
+    virtual float power() const = 0;          ///< about, in watts; 0 only for a dead light
+    virtual bool at_infinity() const = 0;     ///< seen by rays that leave the scene
+    /// Draws a photon from primary coordinates in [0,1)^4; false if nothing leaves there.
+    virtual bool emit(const std::array<float, 4>& u, Emission& emission) const = 0;
+    /// Draws a direction towards the light from a point.
+    virtual bool sample_direct(const SurfacePoint& from, Vec2 u, DirectSample& sample) const = 0;
+    /// Density of sample_direct for the direction wi from `from`, which meets the light at `at`
+    /// (null for lights at infinity).
+    virtual float pdf_direct(const SurfacePoint& from, Vec3 wi, const SurfacePoint* at) const = 0;
+    /// Radiance seen in a direction that leaves the scene; black for other lights.
+    virtual Rgb escaped(Vec3 direction) const = 0;
+};
+
+/// What is known of a scene before any ray is traced.
+struct SceneFacts {
+    bool has_receivers = true;  ///< some surface has a diffuse or glossy lobe
+    bool has_media = false;
+    std::size_t max_bsdf_bytes = 0;  ///< most memory that one intersect() takes
+};
+
+/// All const members may be called from many threads.
+class Scene {
+  public:
+    virtual ~Scene() = default;
+    /// Nearest surface; its Bsdf is built in `memory` and lives as long as that does.
+    virtual bool intersect(const Ray& ray, SurfacePoint& point,
+                           std::pmr::memory_resource& memory) const = 0;
+    /// The ray that leaves `point` along `direction`, free of self-intersection.
+    virtual Ray spawn(const SurfacePoint& point, Vec3 direction, float time) const = 0;
+    /// Share of light that reaches `point` from the sampled light point; passes straight through
+    /// null surfaces and architectural glass, and is dimmed by media.
+    virtual Rgb visibility(const SurfacePoint& point, const DirectSample& light,
+                           float time) const = 0;
+    virtual std::span<const Light* const> lights() const = 0;
+    virtual std::span<const std::string> material_names() const = 0;
+    virtual std::uint32_t light_groups() const = 0;  ///< at least 1
+    virtual Bounds bounds() const = 0;               ///< of all surfaces
+    virtual SceneFacts facts() const = 0;
+};
+
+}  // namespace aips

@@ -1,0 +1,51 @@
+// The engine's settings, with their defaults.
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+namespace aips {
+
+enum class Mode : std::uint8_t {
+    Progressive,  ///< new eye paths in every pass, shrinking radius (Knaus & Zwicker 2011)
+    PhotonMap     ///< one eye pass, frozen; fixed radius (Jensen 1996)
+};
+
+enum class GuideKind : std::uint8_t {
+    None,  ///< plain photon shooting
+    Paper  ///< Liu & Zheng 2014
+};
+
+/// Everything that a user may set. Names of the parameters: plugin/parameters.cpp.
+struct Settings {
+    Mode mode = Mode::Progressive;
+    GuideKind guide = GuideKind::Paper;
+    std::uint64_t seed = 0;
+
+    std::uint32_t max_eye_depth = 16;     ///< surfaces that an eye path may meet
+    std::uint32_t max_photon_depth = 16;  ///< surfaces that a photon path may meet
+    std::uint32_t photons_per_pass = 1'000'000;
+    std::uint32_t hit_points_per_pass = 0;  ///< eye paths a pass; 0: one a pixel (photonmap: four)
+    double start_radius = 0;  ///< in mean pixel footprints at the visible points; 0: automatic
+    double alpha = 0.7;       ///< share of variance reduction in the radius schedule
+    bool include_environment = true;    ///< lights at infinity are seen by eye rays
+    bool direct_light_sampling = true;  ///< direct light by shadow rays instead of photons
+    bool store_glossy = false;          ///< glossy lobes receive photons instead of bouncing
+
+    double guide_share = 0.5;  ///< share of guided directions in the one-sample mixture
+    std::uint32_t iteration_photons = 4000;  ///< photon paths between two updates of the guide
+    std::uint32_t initial_photons = 1000;    ///< unguided paths at the start of each pass
+    std::uint32_t node_photons = 32;         ///< photons that a node holds before it splits
+    std::uint32_t tree_depth = 64;
+    std::uint32_t max_nodes = 16384;   ///< leaves of the guide's kd-tree
+    std::uint32_t cdf_resolution = 8;  ///< cells per side of a directional table
+    double error_alpha = 0.4;          ///< weight of the last pass's error (eq. 8)
+};
+
+/// Checks what no single range can: throws std::invalid_argument with one clear message.
+void validate(const Settings& settings);
+
+/// The settings in effect, one "name = value" each, for the log at the start of a render.
+std::string describe(const Settings& settings);
+
+}  // namespace aips

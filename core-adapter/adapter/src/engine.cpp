@@ -1,0 +1,182 @@
+// The pass loop: eye pass, photon pass, estimate, film.
+#include "aips/adapter/engine.h"
+
+#include <cmath>
+
+#include "aips/core/radius_schedule.h"
+#include "aips/core/random.h"
+#include "memory_bound.h"
+#include "needs.h"
+#include "paper_guide.h"
+#include "photon_pass.h"
+#include "pixel_estimate.h"
+#include "stopwatch.h"
+
+namespace aips {
+namespace {
+
+/// Photon paths after which the radius schedule has made one step of Knaus & Zwicker (2011): a
+/// constant, so that methods with other numbers of photons per pass keep equal radii at equal work.
+constexpr double kReferencePaths = 1e6;
+/// Automatic start radius in pixel footprints.
+constexpr double kAutomaticRadius = 2;
+/// Eye paths per pixel of mode=photonmap unless hitpointperpass says otherwise.
+constexpr std::uint32_t kPhotonMapPathsPerPixel = 4;
+/// The radius never falls below this share of the scene's diagonal, where single precision ends.
+constexpr double kMinRadiusShare = 1e-7;
+
+std::uint32_t eye_paths_per_pass(const Host& host, const Settings& settings) {
+    if (settings.hit_points_per_pass) return settings.hit_points_per_pass;
+    const std::uint32_t pixels = host.film.width() * host.film.height();
+    return settings.mode == Mode::PhotonMap ? pixels * kPhotonMapPathsPerPixel : pixels;
+}
+
+std::unique_ptr<Guide> make_guide(const Needs& needs, const Scene& scene,
+                                  const Settings& settings) {
+    if (!needs.guide) return nullptr;
+    return std::make_unique<PaperGuide>(scene.bounds(), settings);
+}
+
+}  // namespace
+
+class Engine::State {
+  public:
+    State(const Host& host, const Settings& settings)
+        : host_(host),
+          settings_(settings),
+          eye_paths_(eye_paths_per_pass(host, settings)),
+          needs_(analyse(host.scene, settings)),
+          direct_light_(host.scene),
+          refusals_(host.scene.material_names()),
+          guide_(make_guide(needs_, host.scene, settings)),
+          photon_pass_(host.scene, settings_, guide_.get()) {
+        statistics_.memory_bound_bytes = memory_bound(host.scene, settings, eye_paths_);
+        log_start();
+    }
+
+    PassReport render_pass(std::uint64_t pass) {
+        const float time = pass_time(pass);
+        PassReport report;
+        report.eye_paths = trace_eye_paths(pass, time);
+        const std::uint64_t eye_rays = report.eye_paths ? image_.rays : 0;
+        const std::uint64_t rays_before = photon_pass_.totals().counts.rays;
+        if (needs_.photons && !image_.visible_points.empty()) {
+            report.radius = radius_at(pass);
+            report.photon_paths =
+                photon_pass_.shoot(pass, time, image_, report.radius, refusals_, flux_);
+        } else {
+            flux_.reset(image_.visible_points.size(), image_.groups);
+        }
+        estimate_pixels(image_, flux_, report.radius, report.photon_paths, refusals_, radiance_);
+        host_.film.add_pass(image_.positions, radiance_, image_.groups,
+                            double(settings_.photons_per_pass));
+        report.rays = eye_rays + photon_pass_.totals().counts.rays - rays_before;
+        count(report, eye_rays);
+        return report;
+    }
+
+    EngineStatistics statistics() const {
+        EngineStatistics s = statistics_;
+        const PhotonPassTotals& photons = photon_pass_.totals();
+        s.photon_paths = photons.counts.paths;
+        s.photon_rays = photons.counts.rays;
+        s.landings = photons.counts.landings;
+        s.bounces = photons.counts.bounces;
+        s.guided_bounces = photons.counts.guided_bounces;
+        s.gathered = photons.gathered;
+        s.photon_seconds = photons.photon_seconds;
+        s.gather_seconds = photons.gather_seconds;
+        s.guide_seconds = photons.guide_seconds;
+        if (guide_) {
+            s.guide_nodes = guide_->statistics().nodes;
+            s.guide_bytes = guide_->statistics().memory_bytes;
+        }
+        s.memory_bytes = memory_bytes();
+        s.refused = refusals_.by_material();
+        return s;
+    }
+
+  private:
+    void log_start() {
+        host_.log.info("engine: " + describe(settings_));
+        host_.log.info("engine memory: at most " +
+                       std::to_string((statistics_.memory_bound_bytes >> 20) + 1) + " MiB");
+        for (const std::string& skipped : needs_.skipped)
+            host_.log.info("skipped " + skipped);
+    }
+
+    /// One moment of the shutter interval for all paths of a pass.
+    float pass_time(std::uint64_t pass) const {
+        RandomStream random(settings_.seed, pass, 0, RandomDomain::Time);
+        const float open = host_.camera.shutter_open();
+        return open + (host_.camera.shutter_close() - open) * random.next();
+    }
+
+    /// Returns the eye paths traced: none in the later passes of mode=photonmap.
+    std::uint32_t trace_eye_paths(std::uint64_t pass, float time) {
+        if (settings_.mode == Mode::PhotonMap && traced_eye_pass_) return 0;
+        const Stopwatch watch(statistics_.eye_seconds);
+        const EyePassInput input{host_.scene,         host_.camera, host_.sampler,
+                                 direct_light_,       settings_,    host_.film.width(),
+                                 host_.film.height(), eye_paths_};
+        trace_eye_pass(input, pass, time, refusals_, image_);
+        traced_eye_pass_ = true;
+        return eye_paths_;
+    }
+
+    /// Radius of the density estimate: from the first visible points' pixel footprints, then as a
+    /// function of the photon paths shot before this pass.
+    float radius_at(std::uint64_t pass) {
+        const double floor = kMinRadiusShare * double(host_.scene.bounds().diagonal());
+        if (!(initial_radius_ > 0)) {
+            const double scale =
+                settings_.start_radius > 0 ? settings_.start_radius : kAutomaticRadius;
+            initial_radius_ = std::max(scale * 2 * image_.mean_footprint(), floor);
+        }
+        if (settings_.mode == Mode::PhotonMap) return float(initial_radius_);
+        const double shot = double(pass) * double(settings_.photons_per_pass);
+        return knaus_zwicker_radius(initial_radius_, shot, kReferencePaths, settings_.alpha, floor);
+    }
+
+    void count(const PassReport& report, std::uint64_t eye_rays) {
+        ++statistics_.passes;
+        statistics_.eye_paths += report.eye_paths;
+        statistics_.eye_rays += eye_rays;
+        statistics_.radius = report.radius;
+    }
+
+    std::size_t memory_bytes() const {
+        return image_.memory_bytes() + flux_.flux.capacity() * sizeof(Rgb) +
+               radiance_.capacity() * sizeof(Rgb) + photon_pass_.memory_bytes() +
+               (guide_ ? guide_->statistics().memory_bytes : 0);
+    }
+
+    Host host_;
+    Settings settings_;
+    std::uint32_t eye_paths_;
+    Needs needs_;
+    DirectLight direct_light_;
+    Refusals refusals_;
+    std::unique_ptr<Guide> guide_;
+    PhotonPass photon_pass_;
+    EyeImage image_;
+    PhotonFlux flux_;
+    std::vector<Rgb> radiance_;
+    EngineStatistics statistics_;
+    double initial_radius_ = 0;
+    bool traced_eye_pass_ = false;
+};
+
+Engine::Engine(const Host& host, const Settings& settings) {
+    validate(settings);
+    state_ = std::make_unique<State>(host, settings);
+}
+Engine::~Engine() = default;
+PassReport Engine::render_pass(std::uint64_t pass) {
+    return state_->render_pass(pass);
+}
+EngineStatistics Engine::statistics() const {
+    return state_->statistics();
+}
+
+}  // namespace aips

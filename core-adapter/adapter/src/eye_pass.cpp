@@ -1,0 +1,85 @@
+// The eye pass, in blocks of eye paths that are joined in order.
+#include "eye_pass.h"
+
+#include <tbb/parallel_for.h>
+
+#include "eye_path.h"
+
+namespace aips {
+namespace {
+
+constexpr std::uint32_t kPathsPerBlock = 1024;
+
+/// What one block adds to the pass besides the per-path arrays.
+struct Block {
+    std::vector<VisiblePoint> visible_points;
+    double footprint_sum = 0;
+    std::uint64_t rays = 0;
+};
+
+void trace_block(const EyePassInput& in, std::uint64_t pass, float time, std::uint32_t first,
+                 std::uint32_t last, Refusals& refusals, EyeImage& image, Arena& arena,
+                 Block& block) {
+    const std::uint64_t pixels = std::uint64_t(in.width) * in.height;
+    for (std::uint32_t i = first; i < last; ++i) {
+        // Consecutive eye paths walk over the film again and again, whatever their number per pass.
+        const std::uint64_t serial = pass * in.paths + i;
+        const std::uint64_t pixel = serial % pixels;
+        const CameraSample sample = in.sampler.camera_sample(
+            serial / pixels, std::uint32_t(pixel % in.width), std::uint32_t(pixel / in.width));
+        RandomStream random(in.settings.seed, pass, i, RandomDomain::Eye);
+        image.positions[i] = sample.film;
+        const EyePathResult result = trace_eye_path(
+            in, in.camera.generate(sample, time), random, refusals, arena,
+            std::span(image.radiance).subspan(std::size_t(i) * image.groups, image.groups));
+        block.rays += result.rays;
+        if (result.has_visible_point) {
+            block.visible_points.push_back(result.visible_point);
+            block.visible_points.back().sample = i;
+            block.footprint_sum += result.footprint;
+        }
+    }
+}
+
+void join_blocks(std::vector<Block>& blocks, EyeImage& image) {
+    image.visible_points.clear();
+    image.footprint_sum = 0;
+    image.rays = 0;
+    for (Block& block : blocks) {
+        image.visible_points.insert(image.visible_points.end(), block.visible_points.begin(),
+                                    block.visible_points.end());
+        image.footprint_sum += block.footprint_sum;
+        image.rays += block.rays;
+        block = {};
+    }
+}
+
+}  // namespace
+
+std::size_t EyeImage::memory_bytes() const {
+    std::size_t bytes = positions.capacity() * sizeof(Vec2) + radiance.capacity() * sizeof(Rgb) +
+                        visible_points.capacity() * sizeof(VisiblePoint);
+    for (const Arena& arena : arenas)
+        bytes += arena.bytes_reserved();
+    return bytes;
+}
+
+void trace_eye_pass(const EyePassInput& in, std::uint64_t pass, float time, Refusals& refusals,
+                    EyeImage& image) {
+    const std::uint32_t block_count = (in.paths + kPathsPerBlock - 1) / kPathsPerBlock;
+    image.groups = in.scene.light_groups();
+    image.positions.resize(in.paths);
+    image.radiance.assign(std::size_t(in.paths) * image.groups, Rgb{});
+    image.arenas.resize(block_count);
+    image.visible_points.reserve(in.paths);
+    std::vector<Block> blocks(block_count);
+    tbb::parallel_for(0u, block_count, [&](std::uint32_t b) {
+        image.arenas[b].reset();
+        const std::uint32_t first = b * kPathsPerBlock;
+        const std::uint32_t last = std::min(in.paths, first + kPathsPerBlock);
+        trace_block(in, pass, time, first, last, refusals, image, image.arenas[b], blocks[b]);
+    });
+    join_blocks(blocks, image);
+}
+
+}  // namespace aips

@@ -1,0 +1,164 @@
+// One eye path: bounces through the lobes that do not take photons, ends at one that does. Which
+// strategy owns which class of paths is tabulated in docs/path-classes.md.
+#include "eye_path.h"
+
+namespace aips {
+namespace {
+
+/// State of an eye path between two surfaces.
+class EyePath {
+  public:
+    EyePath(const EyePassInput& input, const CameraRay& camera_ray, RandomStream& random,
+            Refusals& refusals, Arena& arena, std::span<Rgb> radiance)
+        : in_(input),
+          camera_ray_(camera_ray),
+          random_(random),
+          refusals_(refusals),
+          arena_(arena),
+          radiance_(radiance),
+          ray_(camera_ray.ray) {}
+
+    EyePathResult trace() {
+        for (std::uint32_t depth = 1; depth <= in_.settings.max_eye_depth; ++depth) {
+            const auto mark = arena_.mark();
+            SurfacePoint point;
+            ++result_.rays;
+            if (!in_.scene.intersect(ray_, point, arena_)) {
+                add_escaped();
+                break;
+            }
+            throughput_ *= point.transmittance;
+            travelled_ += point.distance;
+            add_emitted(point);
+            const bool go_on = point.bsdf && scatter(point, depth == in_.settings.max_eye_depth);
+            if (result_.has_visible_point) {
+                if (!result_.visible_point.bsdf) arena_.rewind(mark);
+                break;
+            }
+            arena_.rewind(mark);
+            if (!go_on) break;
+        }
+        return result_;
+    }
+
+  private:
+    /// Share of the light met by the current ray that shadow rays from the last vertex leave to it.
+    float emission_weight(LightIndex light, const SurfacePoint* at) const {
+        if (last_was_specular_) return 1;
+        const float pdf_light = in_.direct_light.pdf(light, last_vertex_, ray_.direction, at);
+        return bounce_pdf_ / (bounce_pdf_ + pdf_light);
+    }
+
+    void add(const Rgb& value, std::uint32_t group, std::uint32_t origin) {
+        if (refusals_.accept(value, origin)) radiance_[group] += value;
+    }
+
+    void add_emitted(const SurfacePoint& point) {
+        if (point.light == kNoLight || is_black(point.emitted)) return;
+        const std::uint32_t group = in_.scene.lights()[point.light]->group();
+        add(throughput_ * point.emitted * emission_weight(point.light, &point), group,
+            point.material);
+    }
+
+    void add_escaped() {
+        if (last_was_specular_ && !in_.settings.include_environment) return;
+        const auto lights = in_.scene.lights();
+        for (LightIndex i = 0; i < lights.size(); ++i) {
+            if (!lights[i]->at_infinity()) continue;
+            const Rgb seen = lights[i]->escaped(ray_.direction);
+            if (is_black(seen)) continue;
+            add(throughput_ * seen * emission_weight(i, nullptr), lights[i]->group(), kLightOrigin);
+        }
+    }
+
+    /// Direct light, then either a visible point or a bounce. False when the path ends.
+    bool scatter(const SurfacePoint& point, bool last) {
+        const Vec3 wo = -ray_.direction;
+        const LobeMask lobes = point.bsdf->lobes();
+        const LobeMask receiving = lobes & receiving_lobes(in_.settings);
+        const LobeMask bouncing = lobes & ~receiving;
+        const float store_pdf = store_probability(point, wo, receiving, last ? 0 : bouncing);
+
+        if (in_.settings.direct_light_sampling && (lobes & kNonSpecular)) {
+            const LobeMask shared = bouncing & kNonSpecular;
+            const DirectLightQuery query{point,     wo,     ray_.time, throughput_,
+                                         receiving, shared, bouncing,  last ? 0 : 1 - store_pdf};
+            result_.rays += in_.direct_light.estimate(query, random_, refusals_, radiance_);
+        }
+        if (receiving && (store_pdf == 1 || random_.next() < store_pdf)) {
+            store(point, wo, receiving, store_pdf);
+            return false;
+        }
+        if (last || !bouncing) return false;
+        throughput_ *= 1 / (1 - store_pdf);
+        return bounce(point, wo, bouncing, 1 - store_pdf);
+    }
+
+    /// Probability of ending here rather than bouncing on: by albedo, kept away from 0 and 1.
+    static float store_probability(const SurfacePoint& point, Vec3 wo, LobeMask receiving,
+                                   LobeMask bouncing) {
+        if (!receiving) return 0;
+        if (!bouncing) return 1;
+        const float store = luminance(point.bsdf->albedo(wo, receiving));
+        const float bounce = luminance(point.bsdf->albedo(wo, bouncing));
+        if (!(store + bounce > 0)) return 0.5f;
+        return std::clamp(store / (store + bounce), 0.1f, 0.9f);
+    }
+
+    void store(const SurfacePoint& point, Vec3 wo, LobeMask receiving, float store_pdf) {
+        VisiblePoint& v = result_.visible_point;
+        v.position = point.position;
+        v.geometric_normal = point.geometric_normal;
+        v.shading_normal = point.shading_normal;
+        v.wo = wo;
+        v.throughput = throughput_ * (1 / store_pdf);
+        v.receiving = receiving;
+        v.material = point.material;
+        v.bsdf = point.bsdf->lambertian(v.kd) ? nullptr : point.bsdf;
+        result_.footprint = camera_ray_.width + camera_ray_.spread * travelled_;
+        result_.has_visible_point = refusals_.accept(v.throughput, point.material);
+    }
+
+    bool bounce(const SurfacePoint& point, Vec3 wo, LobeMask mask, float choice_pdf) {
+        const Vec2 u = random_.next2();
+        BsdfSample sample;
+        if (!point.bsdf->sample(wo, u, random_.next(), Transport::Radiance, mask, sample)) {
+            return false;
+        }
+        throughput_ *= sample.weight;
+        if (!refusals_.accept(throughput_, point.material) || is_black(throughput_)) return false;
+        if (!sample.straight) {
+            last_was_specular_ = sample.lobe == kSpecular || !in_.settings.direct_light_sampling;
+            bounce_pdf_ = choice_pdf * sample.pdf;
+            last_vertex_ = point;
+            last_vertex_.bsdf = nullptr;
+        }
+        ray_ = in_.scene.spawn(point, sample.wi, ray_.time);
+        return true;
+    }
+
+    const EyePassInput& in_;
+    const CameraRay& camera_ray_;
+    RandomStream& random_;
+    Refusals& refusals_;
+    Arena& arena_;
+    std::span<Rgb> radiance_;
+
+    Ray ray_;
+    Rgb throughput_ = kWhite;
+    float travelled_ = 0;
+    bool last_was_specular_ = true;  // the camera counts as specular: no shadow rays from it
+    float bounce_pdf_ = 0;           // of the last scattering that was not straight
+    SurfacePoint last_vertex_;       // where that was
+    EyePathResult result_;
+};
+
+}  // namespace
+
+EyePathResult trace_eye_path(const EyePassInput& input, const CameraRay& camera_ray,
+                             RandomStream& random, Refusals& refusals, Arena& arena,
+                             std::span<Rgb> radiance) {
+    return EyePath(input, camera_ray, random, refusals, arena, radiance).trace();
+}
+
+}  // namespace aips

@@ -1,0 +1,24 @@
+// One eye path.
+#pragma once
+
+#include <span>
+
+#include "eye_pass.h"
+
+namespace aips {
+
+/// What one eye path found besides radiance.
+struct EyePathResult {
+    bool has_visible_point = false;
+    VisiblePoint visible_point;
+    float footprint = 0;  ///< radius of the pixel's footprint at the visible point
+    std::uint32_t rays = 0;
+};
+
+/// Follows a camera ray; adds emission and direct light to `radiance` (one entry a light group).
+/// A Bsdf that the visible point needs stays in `arena`, everything else is taken back.
+EyePathResult trace_eye_path(const EyePassInput& input, const CameraRay& camera_ray,
+                             RandomStream& random, Refusals& refusals, Arena& arena,
+                             std::span<Rgb> radiance);
+
+}  // namespace aips

@@ -1,0 +1,69 @@
+// Density estimation at the visible points.
+#include "gather.h"
+
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
+#include <atomic>
+
+namespace aips {
+namespace {
+
+/// Photons of surfaces turned by more than 45 degrees belong to another surface.
+constexpr float kMinNormalAgreement = 0.7071f;
+/// Half thickness of the slab around the tangent plane, in radii: a sphere of radius R bends away
+/// by r^2 / (2 R), so this takes all photons of surfaces with R >= r.
+constexpr float kSlab = 0.5f;
+
+/// Ratio of the cosine that the Bsdf wants (shading normal) to the one that the density of
+/// landings has (geometric normal), for the photon's direction.
+float normal_ratio(const VisiblePoint& point, Vec3 wi) {
+    if (point.shading_normal == point.geometric_normal) return 1;
+    const float geometric = abs_dot(wi, point.geometric_normal);
+    return geometric > 0 ? abs_dot(wi, point.shading_normal) / geometric : 0;
+}
+
+/// f * power of one landing, without the constant f of Lambertian points; black if rejected.
+Rgb contribution(const VisiblePoint& point, const Landing& landing) {
+    if (!point.bsdf) {
+        const bool same_side = (dot(landing.direction, point.geometric_normal) > 0) ==
+                               (dot(point.wo, point.geometric_normal) > 0);
+        return same_side ? landing.power * normal_ratio(point, landing.direction) : Rgb{};
+    }
+    // The photon's power already is flux; f alone remains, in the direction of radiance.
+    return landing.power * normal_ratio(point, landing.direction) *
+           point.bsdf->evaluate(point.wo, landing.direction, Transport::Radiance, point.receiving);
+}
+
+}  // namespace
+
+bool on_same_surface(const VisiblePoint& point, Vec3 position, Vec3 normal, float radius) {
+    return abs_dot(normal, point.geometric_normal) >= kMinNormalAgreement &&
+           abs_dot(position - point.position, point.geometric_normal) <= kSlab * radius;
+}
+
+void gather_photons(const EyeImage& image, const LandingGrid& grid, float radius,
+                    Refusals& refusals, PhotonFlux& result) {
+    const std::uint32_t groups = image.groups;
+    std::atomic<std::uint64_t> gathered{0};
+    tbb::parallel_for(
+        tbb::blocked_range<std::size_t>(0, image.visible_points.size(), 256),
+        [&](const tbb::blocked_range<std::size_t>& range) {
+            std::uint64_t count = 0;
+            for (std::size_t i = range.begin(); i < range.end(); ++i) {
+                const VisiblePoint& point = image.visible_points[i];
+                Rgb* flux = &result.flux[i * groups];
+                grid.for_each_in_radius(point.position, radius, [&](const Landing& landing) {
+                    if (!on_same_surface(point, landing.position, landing.normal, radius)) return;
+                    const Rgb value = contribution(point, landing);
+                    if (is_black(value) || !refusals.accept(value, point.material)) return;
+                    flux[landing.light_group] += value;
+                    ++count;
+                });
+            }
+            gathered.fetch_add(count, std::memory_order_relaxed);
+        });
+    result.gathered += gathered.load();
+}
+
+}  // namespace aips

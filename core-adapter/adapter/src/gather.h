@@ -1,0 +1,36 @@
+// Density estimation: photons around each visible point.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "aips/core/photon_grid.h"
+#include "eye_pass.h"
+#include "refusals.h"
+
+namespace aips {
+
+/// What photons have brought to the visible points of a pass so far.
+struct PhotonFlux {
+    /// [visible point * groups + group]: sum over photons within the radius of f * power (watts per
+    /// steradian), f being left out for Lambertian points (it is constant there).
+    std::vector<Rgb> flux;
+    std::uint64_t gathered = 0;  ///< photons accepted, over all visible points
+
+    void reset(std::size_t visible_points, std::uint32_t groups) {
+        flux.assign(visible_points * groups, Rgb{});
+        gathered = 0;
+    }
+};
+
+/// Adds the landings in `grid` within `radius` of each visible point. Landings on a surface that
+/// faces elsewhere, or on the other side of the visible point's, are left out. Every point sums
+/// its photons in the grid's order, so the result does not depend on the number of threads.
+void gather_photons(const EyeImage& image, const LandingGrid& grid, float radius,
+                    Refusals& refusals, PhotonFlux& flux);
+
+/// Whether a landing is on the visible point's own surface: similar normals, and within a slab
+/// around the point's tangent plane, which keeps light from leaking across thin walls.
+bool on_same_surface(const VisiblePoint& point, Vec3 position, Vec3 normal, float radius);
+
+}  // namespace aips

@@ -1,0 +1,12 @@
+// Probability of choosing each light, for photons and shadow rays: in proportion to its power.
+#pragma once
+
+#include "aips/adapter/scene.h"
+#include "aips/core/discrete_distribution.h"
+
+namespace aips {
+
+/// Distribution over Scene::lights(); empty if no light emits.
+DiscreteDistribution light_choice(const Scene& scene);
+
+}  // namespace aips

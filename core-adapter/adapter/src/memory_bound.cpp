@@ -1,0 +1,44 @@
+// Bound of the engine's memory.
+#include "memory_bound.h"
+
+#include "eye_pass.h"
+#include "paper_guide.h"
+#include "photon_pass.h"
+
+namespace aips {
+namespace {
+
+/// Vectors grow by doubling: their capacity may be twice what they hold.
+constexpr std::size_t kGrowth = 2;
+
+std::size_t eye_bytes(const Scene& scene, std::size_t paths) {
+    const std::size_t groups = scene.light_groups();
+    const std::size_t image = sizeof(Vec2) + groups * sizeof(Rgb) + sizeof(VisiblePoint);
+    const std::size_t estimate = 2 * groups * sizeof(Rgb);  // flux and radiance
+    const std::size_t arenas = scene.facts().max_bsdf_bytes + Arena::kChunkBytes / 512;
+    // While blocks are joined, their visible points exist twice; positions are copied for grids.
+    const std::size_t transient = kGrowth * sizeof(VisiblePoint) + sizeof(Vec3);
+    return paths * (image + estimate + arenas + transient) + Arena::kChunkBytes;
+}
+
+/// Landings of the store that waits, of one iteration (twice: blocks, then joined), and the grid.
+std::size_t photon_bytes(const Settings& s) {
+    const std::size_t iteration =
+        std::size_t{s.guide == GuideKind::None ? kPlainIterationPaths
+                                               : std::max(s.iteration_photons, s.initial_photons)} *
+        s.max_photon_depth;
+    const std::size_t waiting = std::max<std::size_t>(kLandingCapacity, iteration);
+    return (waiting + 2 * iteration) * kGrowth * sizeof(Landing) +
+           LandingGrid::memory_bound_bytes(waiting);
+}
+
+}  // namespace
+
+std::size_t memory_bound(const Scene& scene, const Settings& settings, std::uint32_t eye_paths) {
+    const std::size_t guide =
+        settings.guide == GuideKind::None ? 0 : PaperGuide::memory_bound_bytes(settings);
+    return eye_bytes(scene, eye_paths) + OccupancyGrid::memory_bound_bytes(eye_paths) +
+           photon_bytes(settings) + guide;
+}
+
+}  // namespace aips

@@ -1,0 +1,43 @@
+// guide=paper: the adaptive importance photon shooting of Liu & Zheng 2014.
+//
+// Where the text leaves room or is not exact, the choice made is marked "departure" at its place;
+// docs/paper-guide.md lists them together.
+#pragma once
+
+#include "aips/adapter/guide.h"
+#include "aips/adapter/settings.h"
+#include "aips/core/bounds.h"
+#include "aips/core/error_criterion.h"
+#include "aips/core/kd_tree.h"
+#include "aips/core/paper_tables.h"
+
+namespace aips {
+
+class PaperGuide final : public Guide {
+  public:
+    PaperGuide(const Bounds& scene, const Settings& settings);
+
+    void begin_pass(std::span<const Vec3> visible_points, std::uint64_t eye_paths) override;
+    std::uint32_t iteration_paths(std::uint64_t iteration) const override;
+    bool guides(std::uint64_t iteration) const override { return iteration > 0; }
+    const GuidedDirections* directions(const GuideVertex& vertex,
+                                       std::pmr::memory_resource& memory) const override;
+    void update(std::span<const Landing> landings) override;
+    GuideStatistics statistics() const override;
+
+    const NodeTree& tree() const { return tree_; }
+    const PaperTables& tables() const { return tables_; }
+
+    static std::size_t memory_bound_bytes(const Settings& settings);
+
+  private:
+    std::uint32_t initial_photons_, iteration_photons_;
+    PaperErrorCriterion criterion_;
+    NodeTree tree_;
+    PaperTables tables_;
+    std::vector<Vec3> first_points_;  // visible points of the first pass, until the tree is split
+    std::uint64_t first_eye_paths_ = 0;
+    std::uint64_t passes_ = 0, updates_ = 0;
+};
+
+}  // namespace aips

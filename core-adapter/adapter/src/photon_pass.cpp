@@ -1,0 +1,75 @@
+// The photon pass.
+#include "photon_pass.h"
+
+#include "light_choice.h"
+#include "stopwatch.h"
+
+namespace aips {
+
+PhotonPass::PhotonPass(const Scene& scene, const Settings& settings, Guide* guide)
+    : scene_(scene), settings_(settings), guide_(guide), light_choice_(light_choice(scene)) {}
+
+std::uint64_t PhotonPass::shoot(std::uint64_t pass, float time, const EyeImage& image, float radius,
+                                Refusals& refusals, PhotonFlux& flux) {
+    flux.reset(image.visible_points.size(), image.groups);
+    std::vector<Vec3> positions;
+    positions.reserve(image.visible_points.size());
+    for (const VisiblePoint& point : image.visible_points)
+        positions.push_back(point.position);
+    occupancy_.build(positions, radius);
+    if (guide_) guide_->begin_pass(positions, image.positions.size());
+
+    const std::uint32_t total = settings_.photons_per_pass;
+    waiting_.clear();
+    std::uint64_t iteration = 0;
+    for (std::uint32_t first = 0; first < total; ++iteration) {
+        const std::uint32_t wanted =
+            guide_ ? guide_->iteration_paths(iteration) : kPlainIterationPaths;
+        const std::uint32_t count = std::min(wanted, total - first);
+        const bool guided = guide_ && guide_->guides(iteration);
+        // A guide learns from all landings; without one only those near visible points matter.
+        const PhotonInput input{scene_,
+                                settings_,
+                                light_choice_,
+                                guided ? guide_ : nullptr,
+                                guide_ ? nullptr : &occupancy_,
+                                pass,
+                                time};
+        {
+            const Stopwatch watch(totals_.photon_seconds);
+            iteration_.clear();
+            totals_.counts +=
+                trace_photons(input, pass * total, first, count, refusals, iteration_);
+        }
+        if (guide_) {
+            const Stopwatch watch(totals_.guide_seconds);
+            guide_->update(iteration_.landings());
+        }
+        if (waiting_.landings().size() + iteration_.landings().size() > kLandingCapacity) {
+            gather(image, radius, refusals, flux);
+        }
+        for (const Landing& landing : iteration_.landings()) {
+            if (!guide_ || occupancy_.near_visible_point(landing.position)) {
+                waiting_.append({&landing, 1});
+            }
+        }
+        first += count;
+    }
+    gather(image, radius, refusals, flux);
+    totals_.gathered += flux.gathered;
+    return total;
+}
+
+void PhotonPass::gather(const EyeImage& image, float radius, Refusals& refusals, PhotonFlux& flux) {
+    const Stopwatch watch(totals_.gather_seconds);
+    grid_.build(waiting_.landings(), radius);
+    gather_photons(image, grid_, radius, refusals, flux);
+    waiting_.clear();
+}
+
+std::size_t PhotonPass::memory_bytes() const {
+    return waiting_.memory_bytes() + iteration_.memory_bytes() + grid_.memory_bytes() +
+           occupancy_.memory_bytes();
+}
+
+}  // namespace aips

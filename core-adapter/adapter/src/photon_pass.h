@@ -1,0 +1,54 @@
+// The photon pass: iterations of photon paths, guide updates between them, gathers when the
+// landings fill their store.
+#pragma once
+
+#include <memory>
+
+#include "aips/adapter/engine.h"
+#include "gather.h"
+#include "needs.h"
+#include "photon_iteration.h"
+
+namespace aips {
+
+/// Seconds and counts of photon passes so far.
+struct PhotonPassTotals {
+    PhotonCounts counts;
+    std::uint64_t gathered = 0;
+    double photon_seconds = 0, gather_seconds = 0, guide_seconds = 0;
+};
+
+/// Most landings that wait for a gather.
+inline constexpr std::uint32_t kLandingCapacity = 1u << 20;
+
+/// Paths of an unguided iteration: enough for all threads, few enough for the store's capacity.
+inline constexpr std::uint32_t kPlainIterationPaths = 1u << 14;
+
+/// Shoots the photons of one pass onto the visible points of an eye image.
+class PhotonPass {
+  public:
+    /// `guide` may be null.
+    PhotonPass(const Scene& scene, const Settings& settings, Guide* guide);
+
+    /// Fills `flux` for the visible points in `image`; returns the photon paths shot.
+    std::uint64_t shoot(std::uint64_t pass, float time, const EyeImage& image, float radius,
+                        Refusals& refusals, PhotonFlux& flux);
+
+    const PhotonPassTotals& totals() const { return totals_; }
+    std::size_t memory_bytes() const;
+
+  private:
+    void gather(const EyeImage& image, float radius, Refusals& refusals, PhotonFlux& flux);
+
+    const Scene& scene_;
+    const Settings& settings_;
+    Guide* guide_;
+    DiscreteDistribution light_choice_;
+    OccupancyGrid occupancy_;
+    LandingStore waiting_;    // near visible points, not gathered yet
+    LandingStore iteration_;  // all landings of one guided iteration
+    LandingGrid grid_;
+    PhotonPassTotals totals_;
+};
+
+}  // namespace aips

@@ -1,0 +1,112 @@
+// One photon path. Weights are adjoint Bsdf * cosine / (density actually used), at every bounce.
+#include "photon_path.h"
+
+#include "aips/core/low_discrepancy.h"
+#include "eye_pass.h"
+#include "scatter_photon.h"
+
+namespace aips {
+namespace {
+
+/// Least probability with which a photon survives a bounce; bounds its gain in power.
+constexpr float kMinSurvival = 0.05f;
+
+/// A photon between two surfaces.
+struct Photon {
+    Ray ray;
+    Rgb power;
+    Vec3 previous;  // where it last left a surface or the light
+    std::uint32_t group = 0;
+    bool straight = true;  // has met nothing but null surfaces and architectural glass
+};
+
+/// Primary coordinates are an Owen-scrambled Sobol' sequence over all photons of the render: four
+/// dimensions for the light's coordinates, the fifth chooses the light.
+bool emit(const PhotonInput& in, std::uint64_t serial, Refusals& refusals, Photon& photon) {
+    const auto scramble =
+        static_cast<std::uint32_t>(in.settings.seed * 0x9E3779B97F4A7C15ull >> 32);
+    const auto u = [&](unsigned dimension) { return sobol_owen(serial, dimension, scramble); };
+    const auto lights = in.scene.lights();
+    const auto chosen = in.light_choice.sample(lights.size() > 1 ? u(4) : 0.5f);
+    Emission emission;
+    if (!lights[chosen.index]->emit({u(0), u(1), u(2), u(3)}, emission)) return false;
+    photon.ray = emission.ray;
+    photon.ray.time = in.time;
+    photon.power = emission.power / chosen.pdf;
+    photon.previous = emission.ray.origin;
+    photon.group = lights[chosen.index]->group();
+    return refusals.accept(photon.power, kLightOrigin) && !is_black(photon.power);
+}
+
+void store_landing(const PhotonInput& in, const SurfacePoint& point, const Photon& photon,
+                   std::uint32_t depth, std::uint32_t index, std::vector<Landing>& landings,
+                   PhotonCounts& counts) {
+    if (in.occupancy && !in.occupancy->near_visible_point(point.position)) return;
+    Landing landing;
+    landing.position = point.position;
+    landing.direction = -photon.ray.direction;
+    landing.power = photon.power;
+    landing.previous = photon.previous;
+    landing.normal = point.geometric_normal;
+    landing.depth = static_cast<std::uint16_t>(depth);
+    landing.light_group = static_cast<std::uint16_t>(photon.group);
+    landing.path = index;
+    landings.push_back(landing);
+    ++counts.landings;
+}
+
+/// Probability of going on, fixed before the direction is drawn: by the power that is expected to
+/// leave, against the power at emission, so that photons keep about equal power.
+float survival(const SurfacePoint& point, const Photon& photon, float emitted_power) {
+    const Rgb albedo = point.bsdf->albedo(-photon.ray.direction, kAllLobes);
+    return std::clamp(max_component(photon.power * albedo) / emitted_power, kMinSurvival, 1.0f);
+}
+
+}  // namespace
+
+PhotonCounts& PhotonCounts::operator+=(const PhotonCounts& o) {
+    paths += o.paths;
+    rays += o.rays;
+    bounces += o.bounces;
+    guided_bounces += o.guided_bounces;
+    landings += o.landings;
+    return *this;
+}
+
+void trace_photon_path(const PhotonInput& in, std::uint64_t serial, std::uint32_t index,
+                       Refusals& refusals, Arena& arena, std::vector<Landing>& landings,
+                       PhotonCounts& counts) {
+    ++counts.paths;
+    Photon photon;
+    if (!emit(in, serial, refusals, photon)) return;
+    const float emitted_power = max_component(photon.power);
+    RandomStream random(in.settings.seed, in.pass, index, RandomDomain::Photon);
+    const LobeMask receiving = receiving_lobes(in.settings);
+
+    for (std::uint32_t depth = 1;; ++depth) {
+        arena.reset();
+        SurfacePoint point;
+        ++counts.rays;
+        if (!in.scene.intersect(photon.ray, point, arena) || !point.bsdf) return;
+        photon.power *= point.transmittance;
+        const bool owned_by_shadow_rays = photon.straight && in.settings.direct_light_sampling;
+        if ((point.bsdf->lobes() & receiving) && !owned_by_shadow_rays) {
+            store_landing(in, point, photon, depth, index, landings, counts);
+        }
+        if (depth >= in.settings.max_photon_depth) return;
+
+        const float survive = survival(point, photon, emitted_power);
+        if (survive < 1 && random.next() >= survive) return;
+        ScatteredPhoton scattered;
+        if (!scatter_photon(in, point, -photon.ray.direction, random, arena, counts, scattered)) {
+            return;
+        }
+        photon.power = photon.power * scattered.weight / survive;
+        if (!refusals.accept(photon.power, point.material) || is_black(photon.power)) return;
+        photon.straight = photon.straight && scattered.straight;
+        photon.previous = point.position;
+        photon.ray = in.scene.spawn(point, scattered.direction, in.time);
+    }
+}
+
+}  // namespace aips

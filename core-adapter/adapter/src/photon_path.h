@@ -1,0 +1,47 @@
+// One photon path: emitted, scattered, and what it leaves where it lands.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "aips/adapter/guide.h"
+#include "aips/adapter/scene.h"
+#include "aips/adapter/settings.h"
+#include "aips/core/arena.h"
+#include "aips/core/discrete_distribution.h"
+#include "aips/core/landing.h"
+#include "aips/core/occupancy.h"
+#include "aips/core/random.h"
+#include "refusals.h"
+
+namespace aips {
+
+/// Counts over photon paths.
+struct PhotonCounts {
+    std::uint64_t paths = 0;
+    std::uint64_t rays = 0;
+    std::uint64_t bounces = 0;         ///< scatterings through non-specular lobes
+    std::uint64_t guided_bounces = 0;  ///< of these, directions drawn from the guide
+    std::uint64_t landings = 0;        ///< stored
+
+    PhotonCounts& operator+=(const PhotonCounts& other);
+};
+
+/// The parts that photon paths work with; frozen during an iteration.
+struct PhotonInput {
+    const Scene& scene;
+    const Settings& settings;
+    const DiscreteDistribution& light_choice;
+    const Guide* guide = nullptr;              ///< null: unguided
+    const OccupancyGrid* occupancy = nullptr;  ///< landings elsewhere are not stored; null: all are
+    std::uint64_t pass = 0;
+    float time = 0;
+};
+
+/// Traces path number `serial` of the render (`index` of its pass) and appends its landings.
+/// Landings that shadow rays own (docs/path-classes.md) are dropped.
+void trace_photon_path(const PhotonInput& input, std::uint64_t serial, std::uint32_t index,
+                       Refusals& refusals, Arena& arena, std::vector<Landing>& landings,
+                       PhotonCounts& counts);
+
+}  // namespace aips

@@ -1,0 +1,16 @@
+// From gathered flux to the radiance of eye paths.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "gather.h"
+
+namespace aips {
+
+/// Radiance per eye path and light group: what the eye path saw itself plus the photon estimate
+/// sum(f * power) / (pi r^2 N), N being the photon paths shot in the pass.
+void estimate_pixels(const EyeImage& image, const PhotonFlux& flux, float radius,
+                     std::uint64_t photon_paths, Refusals& refusals, std::vector<Rgb>& radiance);
+
+}  // namespace aips

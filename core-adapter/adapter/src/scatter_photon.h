@@ -1,0 +1,24 @@
+// One bounce of a photon: the one-sample mixture of Bsdf and guide.
+#pragma once
+
+#include "photon_path.h"
+
+namespace aips {
+
+/// Direction that a photon takes, and what its power is multiplied with.
+struct ScatteredPhoton {
+    Vec3 direction;
+    Rgb weight;
+    bool straight = false;
+};
+
+/// Draws a direction; false when the photon is absorbed. Specular lobes are never guided.
+bool scatter_photon(const PhotonInput& input, const SurfacePoint& point, Vec3 wo,
+                    RandomStream& random, Arena& arena, PhotonCounts& counts,
+                    ScatteredPhoton& result);
+
+/// Veach's factor for photons at shading normals (1997, section 5.3.2): with it, photon power
+/// counts flux through the geometric surface while the Bsdf takes cosines to the shading normal.
+float adjoint_shading_factor(const SurfacePoint& point, Vec3 wo, Vec3 wi);
+
+}  // namespace aips

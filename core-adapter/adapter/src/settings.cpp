@@ -1,0 +1,46 @@
+// Checks and description of the engine's settings.
+#include "aips/adapter/settings.h"
+
+#include <sstream>
+#include <stdexcept>
+
+namespace aips {
+
+void validate(const Settings& s) {
+    if (s.photons_per_pass == 0) throw std::invalid_argument("photonperpass must be at least 1");
+    if (s.max_eye_depth == 0) throw std::invalid_argument("maxeyedepth must be at least 1");
+    if (!(s.guide_share >= 0 && s.guide_share < 1)) {
+        throw std::invalid_argument(
+            "guideshare must be in [0, 1): without a share of BSDF sampling the guide could miss "
+            "directions that carry light");
+    }
+    if (!(s.alpha > 0 && s.alpha <= 1)) throw std::invalid_argument("alpha must be in (0, 1]");
+    if (!(s.error_alpha >= 0 && s.error_alpha < 1)) {
+        throw std::invalid_argument("erroralpha must be in [0, 1)");
+    }
+    if (s.cdf_resolution == 0) throw std::invalid_argument("cdfresolution must be at least 1");
+}
+
+std::string describe(const Settings& s) {
+    std::ostringstream out;
+    out << "mode = " << (s.mode == Mode::Progressive ? "progressive" : "photonmap")
+        << ", guide = " << (s.guide == GuideKind::Paper ? "paper" : "none")
+        << ", maxeyedepth = " << s.max_eye_depth << ", maxphotondepth = " << s.max_photon_depth
+        << ", photonperpass = " << s.photons_per_pass << " paths";
+    if (s.hit_points_per_pass) out << ", hitpointperpass = " << s.hit_points_per_pass;
+    if (s.start_radius > 0) {
+        out << ", startradius = " << s.start_radius << " pixel footprints";
+    } else {
+        out << ", startradius = automatic";
+    }
+    out << ", alpha = " << s.alpha << ", seed = " << s.seed;
+    if (s.guide == GuideKind::Paper) {
+        out << ", guideshare = " << s.guide_share << ", iterationphotons = " << s.iteration_photons
+            << " paths, nodephotons = " << s.node_photons << ", treedepth = " << s.tree_depth
+            << ", maxnodes = " << s.max_nodes << ", cdfresolution = " << s.cdf_resolution << "x"
+            << s.cdf_resolution << ", erroralpha = " << s.error_alpha;
+    }
+    return out.str();
+}
+
+}  // namespace aips

@@ -1,0 +1,23 @@
+// A landing: one stored arrival of a photon path at a surface.
+#pragma once
+
+#include <cstdint>
+
+#include "aips/core/rgb.h"
+#include "aips/core/vector.h"
+
+namespace aips {
+
+/// One arrival of a photon path, before it scatters.
+struct Landing {
+    Vec3 position;                  ///< where it landed
+    Vec3 direction;                 ///< unit, back to where the photon came from
+    Rgb power;                      ///< watts, not divided by the number of photon paths
+    Vec3 previous;                  ///< where the path last left a surface, or the light
+    Vec3 normal;                    ///< unit geometric normal of the surface, of either side
+    std::uint32_t path = 0;         ///< number of the photon path in its pass
+    std::uint16_t depth = 0;        ///< surfaces met so far, this one included: 1 from the light
+    std::uint16_t light_group = 0;  ///< group of the light that emitted the path
+};
+
+}  // namespace aips

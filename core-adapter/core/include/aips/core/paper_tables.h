@@ -1,0 +1,104 @@
+// The paper's directional tables: errors of the nodes that each node sees.
+// Source: Liu & Zheng 2014, sections 5.2 and 5.3, eq. 5 and 6.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "aips/core/directional_table.h"
+#include "aips/core/kd_tree.h"
+#include "aips/core/landing.h"
+#include "aips/core/sampling.h"
+
+namespace aips {
+
+struct PaperTableSettings {
+    int resolution = 8;  ///< cells a side, 1 to 64
+    /// Least error of a direction, as a share of the mean over directions with a neighbour; in
+    /// (0, 1]. Directions without a neighbour get it too.
+    float floor_share = 0.1f;
+    /// Departure: a segment tells both of its ends of each other, not only the earlier one.
+    bool both_ends = false;
+};
+
+/// One table of p(w) = e_w / mean e (eq. 5) a node, on the cylindrical equal-area square of world
+/// directions (square_to_uniform_sphere).
+class PaperTables {
+  public:
+    /// Throws std::invalid_argument when a setting is out of range.
+    explicit PaperTables(const PaperTableSettings& settings);
+
+    /// After an iteration: makes tables for new nodes (copies of those that they split from), takes
+    /// in the neighbours that the landings name, with the tree's present errors, and rebuilds the
+    /// tables of the nodes concerned.
+    void update(const NodeTree& tree, std::span<const Landing> landings);
+    /// At the end of a pass: what each direction has learned counts as one neighbour from now on.
+    void end_pass();
+
+    /// p(w) of a node, n * n cells in the layout of DirectionalTable::build, each > 0, mean 1;
+    /// uniform for a node that has never been updated.
+    std::span<const float> relative_error(std::uint32_t node) const;
+    /// Unit world direction at the centre of each cell.
+    std::span<const Vec3> cell_directions() const { return directions_; }
+    int resolution() const { return settings_.resolution; }
+
+    std::size_t memory_bytes() const;
+    /// Upper bound of memory_bytes() for trees of at most `max_nodes`.
+    static std::size_t memory_bound_bytes(std::uint32_t max_nodes, int resolution);
+
+  private:
+    /// Errors seen in one direction.
+    struct Seen {
+        double sum = 0;
+        float count = 0;
+    };
+
+    void add_nodes(const NodeTree& tree);
+    void see(std::uint32_t from, Vec3 direction, double error);
+    void rebuild(std::uint32_t node);
+    std::size_t cells() const { return directions_.size(); }
+
+    PaperTableSettings settings_;
+    std::vector<Vec3> directions_;         // [cell]
+    std::vector<Seen> seen_;               // [node * cells + cell]
+    std::vector<float> relative_;          // [node * cells + cell]
+    std::vector<float> uniform_;           // [cell]
+    std::vector<std::uint8_t> touched_;    // [node]
+    std::vector<std::uint32_t> to_build_;  // touched nodes
+};
+
+/// Eq. 6 before normalisation: products[i] = p(w_i) * bsdf_pdf(w_i) at the cell centres w_i, ready
+/// for CellWeights. `bsdf_pdf` maps a world direction to a density per steradian; what it returns
+/// is sanitized. All spans have the same size.
+template <class BsdfPdf>
+void multiply_by_bsdf(std::span<const float> relative_error, std::span<const Vec3> directions,
+                      BsdfPdf&& bsdf_pdf, std::span<float> products) {
+    for (std::size_t i = 0; i < products.size(); ++i) {
+        products[i] =
+            sanitized_weight(relative_error[i] * sanitized_weight(bsdf_pdf(directions[i])));
+    }
+}
+
+/// A direction and its density per steradian.
+struct DirectionSample {
+    Vec3 direction;
+    float pdf = 0;
+};
+
+/// Draws a world direction from a table on the cylindrical square (a DirectionalTable or
+/// CellWeights that is not empty).
+template <class Table>
+DirectionSample sample_direction(const Table& table, Vec2 u) {
+    const SquareSample s = table.sample(u);
+    return {square_to_uniform_sphere(s.point), s.pdf * (0.25f * kInvPi)};
+}
+
+/// Density per steradian of sample_direction at a unit direction.
+template <class Table>
+float direction_pdf(const Table& table, Vec3 direction) {
+    return table.pdf(uniform_sphere_to_square(direction)) * (0.25f * kInvPi);
+}
+
+}  // namespace aips

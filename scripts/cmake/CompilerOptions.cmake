@@ -1,0 +1,25 @@
+# Options that every target of the project shares: standard, warnings, sanitizers, IPO, host tuning.
+option(AIPS_WERROR "Treat warnings as errors (CI does)" OFF)
+option(AIPS_IPO "Inter-procedural optimisation" OFF)
+option(AIPS_NATIVE "Tune for this machine's processor (-march=native)" OFF)
+set(AIPS_SANITIZE "" CACHE STRING "Sanitizers, e.g. address,undefined or thread")
+
+set(CMAKE_CXX_STANDARD 20)
+set(CMAKE_CXX_STANDARD_REQUIRED ON)
+set(CMAKE_CXX_EXTENSIONS OFF)
+set(CMAKE_POSITION_INDEPENDENT_CODE ON)
+set(CMAKE_CXX_VISIBILITY_PRESET hidden)
+set(CMAKE_VISIBILITY_INLINES_HIDDEN ON)
+
+if(AIPS_IPO)
+  set(CMAKE_INTERPROCEDURAL_OPTIMIZATION ON)
+endif()
+if(AIPS_SANITIZE)
+  add_compile_options(-fsanitize=${AIPS_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=all)
+  add_link_options(-fsanitize=${AIPS_SANITIZE})
+endif()
+
+add_library(aips_compile_options INTERFACE)
+target_compile_options(aips_compile_options INTERFACE -Wall -Wextra -Wpedantic -Wshadow
+  -Wnon-virtual-dtor -Woverloaded-virtual -fno-math-errno -ffp-contract=off
+  $<$<BOOL:${AIPS_WERROR}>:-Werror> $<$<BOOL:${AIPS_NATIVE}>:-march=native>)

@@ -1,0 +1,40 @@
+// Protects: the same bits for any number of threads, and different images for different seeds.
+#include <gtest/gtest.h>
+#include <tbb/global_control.h>
+
+#include "render_mock.h"
+
+namespace {
+
+using namespace aips;
+
+std::vector<Rgb> image_with(unsigned threads, GuideKind guide, std::uint64_t seed) {
+    const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
+    mock::Material glossy;
+    glossy.kind = mock::Material::Kind::LambertAndMirror;
+    glossy.specular = {0.3f, 0.3f, 0.3f};
+    const mock::Scene scene = mock::lamp_box({}, glossy);
+    Settings settings = mock::small_settings(seed, 20000);
+    settings.guide = guide;
+    const auto camera = mock::camera_along_y({0, -0.9f, 0}, 1, 40, 30);
+    return mock::render(scene, camera, 40, 30, settings, 3).film.image();
+}
+
+class Determinism : public testing::TestWithParam<GuideKind> {};
+
+TEST_P(Determinism, SameBitsForAnyNumberOfThreads) {
+    const auto one = image_with(1, GetParam(), 11);
+    EXPECT_EQ(one, image_with(2, GetParam(), 11));
+    EXPECT_EQ(one, image_with(7, GetParam(), 11));
+}
+
+TEST_P(Determinism, SeedsDiffer) {
+    EXPECT_NE(image_with(2, GetParam(), 11), image_with(2, GetParam(), 12));
+}
+
+INSTANTIATE_TEST_SUITE_P(Guides, Determinism, testing::Values(GuideKind::None, GuideKind::Paper),
+                         [](const auto& test) {
+                             return test.param == GuideKind::None ? "none" : "paper";
+                         });
+
+}  // namespace

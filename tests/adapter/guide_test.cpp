@@ -1,0 +1,126 @@
+// Protects the first rule of guiding: it changes variance, never expectation; and that guide=paper
+// learns what the paper says (weights where eye rays end, errors, nodes that split).
+#include "paper_guide.h"
+
+#include <gtest/gtest.h>
+
+#include "aips/core/arena.h"
+#include "aips/core/random.h"
+#include "block_test.h"
+#include "render_mock.h"
+
+namespace {
+
+using namespace aips;
+
+constexpr std::uint32_t kWidth = 32, kHeight = 24;
+
+/// Block means of renders with different seeds; `scale` plants a bias.
+statistics::BlockMeans renders(GuideKind guide, unsigned seeds, double scale,
+                               std::uint64_t first_seed) {
+    mock::Material ball;
+    ball.kind = mock::Material::Kind::LambertAndMirror;
+    ball.specular = {0.3f, 0.3f, 0.3f};
+    const mock::Scene scene = mock::lamp_box({}, ball);
+    const auto camera = mock::camera_along_y({0, -0.95f, 0}, 1, kWidth, kHeight);
+    statistics::BlockMeans means;
+    for (unsigned s = 0; s < seeds; ++s) {
+        // alpha 1 keeps the radius, and a fixed start radius is the same for both: equal bias.
+        Settings settings = mock::small_settings(first_seed + s, 8000);
+        settings.guide = guide;
+        settings.start_radius = 3;
+        settings.iteration_photons = 1000;
+        settings.initial_photons = 500;
+        settings.direct_light_sampling =
+            false;  // all light by photons: more for the guide to spoil
+        const auto r = mock::render(scene, camera, kWidth, kHeight, settings, 6);
+        std::vector<double> luminances;
+        for (const Rgb& pixel : r.film.image())
+            luminances.push_back(scale * luminance(pixel));
+        means.push_back(statistics::block_means(luminances, kWidth, kHeight, 8));
+    }
+    return means;
+}
+
+/// 13 tests per comparison at a family-wise significance of 1 %, fixed seeds.
+TEST(PaperGuide, SameExpectationAsUnguided) {
+    const auto plain = renders(GuideKind::None, 24, 1, 1000);
+    const auto guided = renders(GuideKind::Paper, 24, 1, 2000);
+    const auto same = statistics::compare(plain, guided, 0.01);
+    EXPECT_FALSE(same.differs()) << same.describe();
+    EXPECT_LT(same.detectable, 0.02) << same.describe();
+    auto biased = guided;
+    for (auto& seed : biased) {
+        for (double& block : seed)
+            block *= 1.02;
+    }
+    const auto found = statistics::compare(plain, biased, 0.01);
+    EXPECT_TRUE(found.differs()) << "a planted bias of 2 % went unnoticed: " << found.describe();
+}
+
+Settings guide_settings() {
+    Settings settings;
+    settings.node_photons = 8;
+    settings.max_nodes = 64;
+    return settings;
+}
+
+Landing landing_at(Vec3 position, Vec3 previous, float power) {
+    Landing landing;
+    landing.position = position;
+    landing.previous = previous;
+    landing.direction = normalize(previous - position);
+    landing.power = {power, power, power};
+    landing.depth = 2;
+    return landing;
+}
+
+/// Photons of uneven power on the floor [0,1]^2, seen by eye rays in its corner near the origin.
+TEST(PaperGuide, ErrorsAndTablesFollowVisibleNoise) {
+    Bounds box;
+    box.extend(Vec3{0, 0, 0});
+    box.extend(Vec3{1, 1, 1});
+    PaperGuide guide(box, guide_settings());
+    std::vector<Vec3> eye(100, Vec3{0.1f, 0.1f, 0});
+    for (int pass = 0; pass < 3; ++pass) {
+        guide.begin_pass(eye, eye.size());
+        std::vector<Landing> landings;
+        RandomStream random(5, std::uint64_t(pass), 0, RandomDomain::Photon);
+        for (int i = 0; i < 400; ++i) {
+            const Vec2 u = random.next2();
+            landings.push_back(landing_at({u.x, u.y, 0}, {0.5f, 0.5f, 1}, 0.5f + random.next()));
+            // What the ceiling's middle sees of the floor.
+            landings.push_back(landing_at({0.5f, 0.5f, 1}, {u.x, u.y, 0}, 1));
+        }
+        guide.update(landings);
+    }
+    const NodeTree& tree = guide.tree();
+    EXPECT_GT(tree.node_count(), 8u);
+    EXPECT_LE(tree.node_count(), 64u);
+    const Node& seen = tree.node(tree.locate({0.1f, 0.1f, 0}));
+    const Node& unseen = tree.node(tree.locate({0.9f, 0.9f, 0}));
+    EXPECT_GT(seen.weight, unseen.weight);
+    EXPECT_GT(seen.error, unseen.error);
+
+    // From the ceiling, the direction to the seen corner is worth more than the opposite one.
+    Arena arena;
+    const Bsdf* matte = mock::make_bsdf({}, {0, 0, -1}, {0, 0, -1}, arena);
+    const GuidedDirections* directions =
+        guide.directions({{0.5f, 0.5f, 1}, {0, 0, -1}, {0, 0, -1}, matte}, arena);
+    ASSERT_NE(directions, nullptr);
+    EXPECT_GT(directions->pdf(normalize(Vec3{-0.4f, -0.4f, -1})),
+              directions->pdf(normalize(Vec3{0.4f, 0.4f, -1})));
+}
+
+TEST(PaperGuide, FirstIterationOfAPassIsPlain) {
+    Bounds box;
+    box.extend(Vec3{0, 0, 0});
+    box.extend(Vec3{1, 1, 1});
+    const PaperGuide guide(box, guide_settings());
+    EXPECT_FALSE(guide.guides(0));
+    EXPECT_TRUE(guide.guides(1));
+    EXPECT_EQ(guide.iteration_paths(0), guide_settings().initial_photons);
+    EXPECT_EQ(guide.iteration_paths(7), guide_settings().iteration_photons);
+}
+
+}  // namespace

@@ -1,0 +1,39 @@
+// Protects: memory is bounded by parameters, the bound is stated at the start, and passes do not
+// make it grow.
+#include <gtest/gtest.h>
+
+#include "render_mock.h"
+
+namespace {
+
+using namespace aips;
+
+class Memory : public testing::TestWithParam<GuideKind> {};
+
+TEST_P(Memory, StaysBelowTheBoundAndFlat) {
+    const mock::Scene scene = mock::lamp_box({}, {});
+    const auto camera = mock::camera_along_y({0, -0.9f, 0}, 1, 32, 24);
+    Settings settings = mock::small_settings(71, 20000);
+    settings.guide = GetParam();
+    settings.max_nodes = 512;
+    const mock::Sampler sampler(1);
+    mock::Film film(32, 24);
+    mock::Log log;
+    Engine engine({scene, camera, sampler, film, log}, settings);
+    for (std::uint64_t pass = 0; pass < 6; ++pass)
+        engine.render_pass(pass);
+    const auto early = engine.statistics();
+    for (std::uint64_t pass = 6; pass < 30; ++pass)
+        engine.render_pass(pass);
+    const auto late = engine.statistics();
+    EXPECT_LE(late.memory_bytes, late.memory_bound_bytes);
+    EXPECT_LE(double(late.memory_bytes), 1.02 * double(early.memory_bytes));
+    EXPECT_LE(late.guide_nodes, settings.max_nodes);
+}
+
+INSTANTIATE_TEST_SUITE_P(Guides, Memory, testing::Values(GuideKind::None, GuideKind::Paper),
+                         [](const auto& test) {
+                             return test.param == GuideKind::None ? "none" : "paper";
+                         });
+
+}  // namespace

@@ -1,0 +1,61 @@
+// Renders mock scenes with the engine.
+#include "render_mock.h"
+
+namespace mock {
+
+using namespace aips;
+
+Rendering render(const Scene& scene, const Camera& camera, std::uint32_t width,
+                 std::uint32_t height, const Settings& settings, std::uint32_t passes) {
+    Rendering result{Film(width, height, scene.light_groups()), {}, {}};
+    const Sampler sampler(settings.seed);
+    Engine engine({scene, camera, sampler, result.film, result.log}, settings);
+    for (std::uint32_t pass = 0; pass < passes; ++pass)
+        engine.render_pass(pass);
+    result.statistics = engine.statistics();
+    return result;
+}
+
+double mean_luminance(const std::vector<Rgb>& image, std::uint32_t width, std::uint32_t x0,
+                      std::uint32_t y0, std::uint32_t x1, std::uint32_t y1) {
+    double sum = 0;
+    for (std::uint32_t y = y0; y < y1; ++y) {
+        for (std::uint32_t x = x0; x < x1; ++x)
+            sum += luminance(image[y * width + x]);
+    }
+    return sum / (double(x1 - x0) * double(y1 - y0));
+}
+
+Settings small_settings(std::uint64_t seed, std::uint32_t photons) {
+    Settings settings;
+    settings.seed = seed;
+    settings.guide = GuideKind::None;
+    settings.photons_per_pass = photons;
+    settings.alpha = 1;
+    return settings;
+}
+
+Camera camera_along_y(Vec3 eye, float half, std::uint32_t width, std::uint32_t height) {
+    const float aspect = float(height) / float(width);
+    return {eye, {0, 1, 0}, {half, 0, 0}, {0, 0, -half * aspect}, width, height};
+}
+
+Scene lamp_box(const Material& wall, const Material& ball) {
+    Scene scene;
+    Surface walls;
+    walls.material = wall;
+    scene.add_box({-1, -1, -1}, {1, 1, 1}, walls);
+    Surface matte;
+    matte.shape = Ball{{0.35f, 0.3f, -0.6f}, 0.4f, false};
+    matte.material = ball;
+    scene.add(matte);
+    Surface lamp;
+    lamp.shape = Quad{{-0.3f, -0.3f, 0.98f}, {0, 0.6f, 0}, {0.6f, 0, 0}};
+    lamp.material.reflectance = {0, 0, 0};
+    lamp.emitted = {10, 10, 10};
+    scene.add(lamp);
+    scene.finish();
+    return scene;
+}
+
+}  // namespace mock

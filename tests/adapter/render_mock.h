@@ -1,0 +1,36 @@
+// Renders mock scenes with the engine; common ground of the adapter's tests.
+#pragma once
+
+#include <cstdint>
+
+#include "aips/adapter/engine.h"
+#include "mock_camera.h"
+#include "mock_scene.h"
+
+namespace mock {
+
+/// A rendered image and what the engine says of it.
+struct Rendering {
+    Film film;
+    aips::EngineStatistics statistics;
+    Log log;
+};
+
+/// Renders `passes` passes of `scene`.
+Rendering render(const Scene& scene, const Camera& camera, std::uint32_t width,
+                 std::uint32_t height, const aips::Settings& settings, std::uint32_t passes);
+
+/// Mean luminance of a w x h image inside the rectangle [x0, x1) x [y0, y1).
+double mean_luminance(const std::vector<aips::Rgb>& image, std::uint32_t width, std::uint32_t x0,
+                      std::uint32_t y0, std::uint32_t x1, std::uint32_t y1);
+
+/// Settings for small test renders: unguided, progressive, a fixed radius (alpha 1) if asked for.
+aips::Settings small_settings(std::uint64_t seed, std::uint32_t photons);
+
+/// A camera at `eye` looking along +y with z up, image plane half-width `half` at distance 1.
+Camera camera_along_y(aips::Vec3 eye, float half, std::uint32_t width, std::uint32_t height);
+
+/// A white box [-1,1]^3 with a quad lamp under its ceiling and a matte ball on its floor.
+Scene lamp_box(const Material& wall, const Material& ball);
+
+}  // namespace mock

@@ -1,0 +1,120 @@
+// Protects the one-sample mixture: whatever the guide says, the mean of the weights is the same.
+#include <gtest/gtest.h>
+
+#include "aips/core/sampling.h"
+#include "mock_bsdf.h"
+#include "render_mock.h"
+#include "scatter_photon.h"
+
+namespace {
+
+using namespace aips;
+
+/// A guide with one fixed, lopsided density: cosine-distributed around a tilted axis.
+class TiltedDirections final : public GuidedDirections {
+  public:
+    explicit TiltedDirections(Vec3 axis) : axis_(axis) {}
+    Vec3 sample(Vec2 u) const override {
+        return Frame(axis_).to_world(square_to_cosine_hemisphere(u));
+    }
+    float pdf(Vec3 d) const override { return std::max(0.0f, dot(d, axis_)) * kInvPi; }
+
+  private:
+    Vec3 axis_;
+};
+
+class TiltedGuide final : public Guide {
+  public:
+    void begin_pass(std::span<const Vec3>, std::uint64_t) override {}
+    std::uint32_t iteration_paths(std::uint64_t) const override { return 1; }
+    bool guides(std::uint64_t) const override { return true; }
+    const GuidedDirections* directions(const GuideVertex&,
+                                       std::pmr::memory_resource&) const override {
+        return &directions_;
+    }
+    void update(std::span<const Landing>) override {}
+    GuideStatistics statistics() const override { return {}; }
+
+  private:
+    TiltedDirections directions_{normalize(Vec3{0.8f, 0.1f, 0.4f})};
+};
+
+/// Mean of weight * g(direction) over many scatterings, with its standard error.
+struct Estimate {
+    double mean = 0, standard_error = 0;
+};
+
+Estimate estimate(const mock::Material& material, const Guide* guide, float share) {
+    const mock::Scene scene = mock::lamp_box({}, {});
+    Settings settings;
+    settings.guide_share = share;
+    const DiscreteDistribution lights;
+    const PhotonInput input{scene, settings, lights, guide, nullptr, 0, 0};
+    Arena arena;
+    SurfacePoint point;
+    point.geometric_normal = {0, 0, 1};
+    point.shading_normal = normalize(Vec3{0.2f, 0, 1});
+    PhotonCounts counts;
+    constexpr int kSamples = 400000;
+    double sum = 0, squares = 0;
+    for (int i = 0; i < kSamples; ++i) {
+        arena.reset();
+        point.bsdf = mock::make_bsdf(material, point.geometric_normal, point.shading_normal, arena);
+        RandomStream random(7, guide ? 1 : 0, std::uint32_t(i), RandomDomain::Photon);
+        ScatteredPhoton s;
+        double value = 0;
+        if (scatter_photon(input, point, normalize(Vec3{-0.5f, 0.2f, 0.9f}), random, arena, counts,
+                           s)) {
+            value = luminance(s.weight) * (1 + s.direction.x + 0.5 * s.direction.y);
+        }
+        sum += value;
+        squares += value * value;
+    }
+    const double mean = sum / kSamples;
+    return {mean, std::sqrt((squares / kSamples - mean * mean) / kSamples)};
+}
+
+TEST(ScatterPhoton, GuideLeavesTheMeanAlone) {
+    const TiltedGuide guide;
+    using Kind = mock::Material::Kind;
+    for (const Kind kind : {Kind::Lambert, Kind::Phong, Kind::LambertAndMirror, Kind::Mirror}) {
+        mock::Material material;
+        material.kind = kind;
+        material.specular = {0.3f, 0.3f, 0.3f};
+        material.exponent = 5;
+        const Estimate plain = estimate(material, nullptr, 0.5f);
+        for (const float share : {0.0f, 0.5f, 0.9f}) {
+            const Estimate guided = estimate(material, &guide, share);
+            const double error = std::hypot(plain.standard_error, guided.standard_error);
+            // 12 comparisons; 4 standard errors keep the chance of a false alarm below 1e-3.
+            EXPECT_LE(std::abs(guided.mean - plain.mean), 4 * error + 1e-6)
+                << "material " << int(kind) << " share " << share;
+        }
+    }
+}
+
+/// The defensive share of Bsdf sampling bounds the weight: f cos / p <= f cos / ((1-a) p_bsdf).
+TEST(ScatterPhoton, DefensiveShareBoundsTheWeight) {
+    const TiltedGuide guide;
+    const mock::Scene scene = mock::lamp_box({}, {});
+    Settings settings;
+    settings.guide_share = 0.75;
+    const DiscreteDistribution lights;
+    const PhotonInput input{scene, settings, lights, &guide, nullptr, 0, 0};
+    Arena arena;
+    SurfacePoint point;
+    point.geometric_normal = point.shading_normal = {0, 0, 1};
+    PhotonCounts counts;
+    for (std::uint32_t i = 0; i < 100000; ++i) {
+        arena.reset();
+        point.bsdf = mock::make_bsdf({}, point.geometric_normal, point.shading_normal, arena);
+        RandomStream random(8, 0, i, RandomDomain::Photon);
+        ScatteredPhoton s;
+        if (scatter_photon(input, point, {0, 0, 1}, random, arena, counts, s)) {
+            ASSERT_LE(s.weight.r, 0.5f / 0.25f * 1.0001f);
+        }
+    }
+    EXPECT_NEAR(double(counts.guided_bounces) / double(counts.bounces), 0.75, 0.01);
+}
+
+}  // namespace

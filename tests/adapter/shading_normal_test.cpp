@@ -1,0 +1,90 @@
+// Protects Veach's adjoint factor for shading normals: photons and shadow rays see the same
+// brightness on a surface whose shading normal is tilted, and light that such a surface passes on
+// by photons equals what eye paths find.
+#include <gtest/gtest.h>
+
+#include "render_mock.h"
+
+namespace {
+
+using namespace aips;
+
+constexpr std::uint32_t kSize = 16;
+
+mock::Scene tilted_floor(Vec3 tilt, bool hide_lambert) {
+    mock::Scene scene;
+    mock::Surface ground;
+    ground.shape = mock::Quad{{-2, -2, 0}, {4, 0, 0}, {0, 4, 0}};
+    ground.normal_tilt = tilt;
+    ground.material.hide_lambert = hide_lambert;
+    scene.add(ground);
+    mock::Surface lamp;
+    lamp.shape = mock::Quad{{0.5f, -0.5f, 2}, {0, 1, 0}, {1, 0, 0}};
+    lamp.material.reflectance = {0, 0, 0};
+    lamp.emitted = {5, 5, 5};
+    scene.add(lamp);
+    scene.finish();
+    return scene;
+}
+
+double mean_of(const mock::Scene& scene, const mock::Camera& camera, Settings settings) {
+    settings.start_radius = 2;
+    return mock::render(scene, camera, kSize, kSize, settings, 40).film.mean();
+}
+
+TEST(ShadingNormal, DirectLightByPhotonsEqualsShadowRays) {
+    const mock::Camera down{{0, 0, 1}, {0, 0, -1}, {0.3f, 0, 0}, {0, 0.3f, 0}, kSize, kSize};
+    for (const bool hide : {false, true}) {
+        const mock::Scene scene = tilted_floor({0.5f, 0, 0}, hide);
+        Settings settings = mock::small_settings(41, 60000);
+        const double rays = mean_of(scene, down, settings);
+        settings.direct_light_sampling = false;
+        EXPECT_NEAR(mean_of(scene, down, settings) / rays, 1, 0.01);
+    }
+}
+
+/// Floor with tilted normals lights a ceiling: L D(tilted) D E. The ceiling's brightness by photons
+/// has a closed counterpart: the radiance of the floor integrated over the ceiling's view, which
+/// the engine itself gives when the floor is seen instead of shining (shadow rays at the floor).
+TEST(ShadingNormal, LightPassedOnMatchesRadianceSeen) {
+    mock::Scene scene;
+    mock::Surface floor;
+    floor.shape = mock::Quad{{-1, -1, 0}, {2, 0, 0}, {0, 2, 0}};
+    floor.normal_tilt = {0.6f, 0, 0};
+    scene.add(floor);
+    mock::Surface receiver;  // a small dark-sided patch that faces the floor
+    receiver.shape = mock::Quad{{-0.1f, -0.1f, 0.5f}, {0, 0.2f, 0}, {0.2f, 0, 0}};
+    receiver.material.reflectance = {0.8f, 0.8f, 0.8f};
+    scene.add(receiver);
+    scene.add_point_light({2, 0, 1.5f}, {4, 4, 4});
+    scene.finish();
+
+    // Irradiance at the patch from the floor as eyes see it: mean over a cosine-weighted
+    // hemisphere.
+    constexpr std::uint32_t kWide = 200;
+    Settings settings = mock::small_settings(42, 1000);
+    settings.max_photon_depth = 1;  // direct light only: shadow rays
+    double seen = 0, weight = 0;
+    const float half = 8;
+    const mock::Camera down{{0, 0, 0.4999f}, {0, 0, -1}, {half, 0, 0}, {0, half, 0}, kWide, kWide};
+    const auto image = mock::render(scene, down, kWide, kWide, settings, 4).film.image();
+    for (std::uint32_t i = 0; i < kWide * kWide; ++i) {
+        const double x = half * (2 * (double(i % kWide) + 0.5) / kWide - 1);
+        const double y = half * (2 * (double(i / kWide) + 0.5) / kWide - 1);
+        const double w = 1 / ((1 + x * x + y * y) * (1 + x * x + y * y));  // cosine * solid angle
+        seen += w * luminance(image[i]);
+        weight += w;
+    }
+    // The image plane covers all but a sliver of the hemisphere, where nothing is lit.
+    const double irradiance = seen * (2 * half / kWide) * (2 * half / kWide);
+    const double expected = 0.8 / 3.14159265 * irradiance;
+
+    Settings photons = mock::small_settings(43, 200000);
+    photons.max_photon_depth = 2;
+    photons.start_radius = 1;
+    const mock::Camera up{{0, 0, 0.1f}, {0, 0, 1}, {0.1f, 0, 0}, {0, 0.1f, 0}, kSize, kSize};
+    const double shone = mock::render(scene, up, kSize, kSize, photons, 60).film.mean();
+    EXPECT_NEAR(shone / expected, 1, 0.02);
+}
+
+}  // namespace

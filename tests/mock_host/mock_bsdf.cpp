@@ -1,0 +1,230 @@
+// Materials of the mock host.
+#include "mock_bsdf.h"
+
+#include <new>
+
+#include "aips/core/sampling.h"
+
+namespace mock {
+namespace {
+
+using namespace aips;
+
+/// Common part: normals, and which side two directions lie on.
+class SurfaceBsdf : public Bsdf {
+  protected:
+    SurfaceBsdf(Vec3 ng, Vec3 ns) : ng_(ng), ns_(ns) {}
+    ~SurfaceBsdf() = default;
+
+    bool same_side(Vec3 a, Vec3 b) const { return (dot(a, ng_) > 0) == (dot(b, ng_) > 0); }
+    Vec3 normal_towards(Vec3 w) const { return dot(w, ng_) > 0 ? ns_ : -ns_; }
+    Vec3 reflect(Vec3 wo) const { return ns_ * (2 * dot(wo, ns_)) - wo; }
+
+    Vec3 ng_, ns_;
+};
+
+class Lambert final : public SurfaceBsdf {
+  public:
+    Lambert(Vec3 ng, Vec3 ns, Rgb kd, bool hide) : SurfaceBsdf(ng, ns), kd_(kd), hide_(hide) {}
+
+    LobeMask lobes() const override { return kDiffuse; }
+    Rgb evaluate(Vec3 wo, Vec3 wi, Transport, LobeMask mask) const override {
+        return (mask & kDiffuse) && same_side(wo, wi) ? kd_ * kInvPi : Rgb{};
+    }
+    float pdf(Vec3 wo, Vec3 wi, LobeMask mask) const override {
+        if (!(mask & kDiffuse) || !same_side(wo, wi)) return 0;
+        return std::max(0.0f, dot(wi, normal_towards(wo))) * kInvPi;
+    }
+    bool sample(Vec3 wo, Vec2 u, float, Transport, LobeMask mask, BsdfSample& s) const override {
+        if (!(mask & kDiffuse)) return false;
+        s.wi = Frame(normal_towards(wo)).to_world(square_to_cosine_hemisphere(u));
+        if (!same_side(wo, s.wi)) return false;
+        s.pdf = pdf(wo, s.wi, mask);
+        s.weight = kd_;
+        s.lobe = kDiffuse;
+        s.straight = false;
+        return s.pdf > 0;
+    }
+    Rgb albedo(Vec3, LobeMask mask) const override { return mask & kDiffuse ? kd_ : Rgb{}; }
+    bool lambertian(Rgb& kd) const override {
+        kd = kd_;
+        return !hide_;
+    }
+
+  private:
+    Rgb kd_;
+    bool hide_;
+};
+
+class Mirror final : public SurfaceBsdf {
+  public:
+    Mirror(Vec3 ng, Vec3 ns, Rgb kr) : SurfaceBsdf(ng, ns), kr_(kr) {}
+
+    LobeMask lobes() const override { return kSpecular; }
+    Rgb evaluate(Vec3, Vec3, Transport, LobeMask) const override { return {}; }
+    float pdf(Vec3, Vec3, LobeMask) const override { return 0; }
+    bool sample(Vec3 wo, Vec2, float, Transport, LobeMask mask, BsdfSample& s) const override {
+        if (!(mask & kSpecular)) return false;
+        s = {reflect(wo), kr_, 0, kSpecular, false};
+        return same_side(wo, s.wi);
+    }
+    Rgb albedo(Vec3, LobeMask mask) const override { return mask & kSpecular ? kr_ : Rgb{}; }
+
+  private:
+    Rgb kr_;
+};
+
+/// Passes light straight on.
+class Null final : public Bsdf {
+  public:
+    LobeMask lobes() const override { return kSpecular; }
+    Rgb evaluate(Vec3, Vec3, Transport, LobeMask) const override { return {}; }
+    float pdf(Vec3, Vec3, LobeMask) const override { return 0; }
+    bool sample(Vec3 wo, Vec2, float, Transport, LobeMask mask, BsdfSample& s) const override {
+        s = {-wo, kWhite, 0, kSpecular, true};
+        return mask & kSpecular;
+    }
+    Rgb albedo(Vec3, LobeMask mask) const override { return mask & kSpecular ? kWhite : Rgb{}; }
+};
+
+/// Smooth dielectric: Fresnel decides between reflection and refraction.
+class Glass final : public SurfaceBsdf {
+  public:
+    Glass(Vec3 ng, Vec3 ns, float index) : SurfaceBsdf(ng, ns), index_(index) {}
+
+    LobeMask lobes() const override { return kSpecular; }
+    Rgb evaluate(Vec3, Vec3, Transport, LobeMask) const override { return {}; }
+    float pdf(Vec3, Vec3, LobeMask) const override { return 0; }
+    bool sample(Vec3 wo, Vec2, float u_lobe, Transport transport, LobeMask mask,
+                BsdfSample& s) const override {
+        if (!(mask & kSpecular)) return false;
+        const Vec3 n = normal_towards(wo);
+        const float eta = dot(wo, ng_) > 0 ? 1 / index_ : index_;  // incident over transmitted
+        const float cos_i = dot(wo, n);
+        if (cos_i <= 0) return false;
+        const float sin2_t = eta * eta * (1 - cos_i * cos_i);
+        const float cos_t = std::sqrt(std::max(0.0f, 1 - sin2_t));
+        if (u_lobe < fresnel(eta, cos_i, sin2_t, cos_t)) {
+            s = {reflect(wo), kWhite, 0, kSpecular, false};
+            return same_side(wo, s.wi);
+        }
+        // Radiance that comes through the surface is squeezed into another solid angle.
+        const float scale = transport == Transport::Radiance ? eta * eta : 1.0f;
+        s = {n * (eta * cos_i - cos_t) - wo * eta, kWhite * scale, 0, kSpecular, false};
+        return !same_side(wo, s.wi);
+    }
+    Rgb albedo(Vec3, LobeMask mask) const override { return mask & kSpecular ? kWhite : Rgb{}; }
+
+  private:
+    static float fresnel(float eta, float cos_i, float sin2_t, float cos_t) {
+        if (sin2_t >= 1) return 1;
+        const float parallel = (cos_i - eta * cos_t) / (cos_i + eta * cos_t);
+        const float perpendicular = (eta * cos_i - cos_t) / (eta * cos_i + cos_t);
+        return 0.5f * (parallel * parallel + perpendicular * perpendicular);
+    }
+    float index_;
+};
+
+/// Modified Phong lobe, normalised so that its albedo is at most `ks`.
+class Phong final : public SurfaceBsdf {
+  public:
+    Phong(Vec3 ng, Vec3 ns, Rgb ks, float n) : SurfaceBsdf(ng, ns), ks_(ks), n_(n) {}
+
+    LobeMask lobes() const override { return kGlossy; }
+    Rgb evaluate(Vec3 wo, Vec3 wi, Transport, LobeMask mask) const override {
+        if (!(mask & kGlossy) || !same_side(wo, wi)) return {};
+        const float c = std::max(0.0f, dot(reflect(wo), wi));
+        return ks_ * ((n_ + 2) / (2 * kPi) * std::pow(c, n_));
+    }
+    float pdf(Vec3 wo, Vec3 wi, LobeMask mask) const override {
+        if (!(mask & kGlossy) || !same_side(wo, wi)) return 0;
+        return (n_ + 1) / (2 * kPi) * std::pow(std::max(0.0f, dot(reflect(wo), wi)), n_);
+    }
+    bool sample(Vec3 wo, Vec2 u, float, Transport t, LobeMask mask, BsdfSample& s) const override {
+        if (!(mask & kGlossy)) return false;
+        const float c = std::pow(u.x, 1 / (n_ + 1));
+        const float r = std::sqrt(std::max(0.0f, 1 - c * c));
+        const float phi = 2 * kPi * u.y;
+        s.wi = Frame(reflect(wo)).to_world({r * std::cos(phi), r * std::sin(phi), c});
+        s.pdf = pdf(wo, s.wi, mask);
+        if (!(s.pdf > 0)) return false;
+        s.weight = evaluate(wo, s.wi, t, mask) * (abs_dot(s.wi, ns_) / s.pdf);
+        s.lobe = kGlossy;
+        s.straight = false;
+        return true;
+    }
+    Rgb albedo(Vec3, LobeMask mask) const override { return mask & kGlossy ? ks_ : Rgb{}; }
+
+  private:
+    Rgb ks_;
+    float n_;
+};
+
+/// Diffuse paint under a perfect mirror film: the lobes that one eye path must choose between.
+class LambertAndMirror final : public SurfaceBsdf {
+  public:
+    LambertAndMirror(Vec3 ng, Vec3 ns, Rgb kd, Rgb kr)
+        : SurfaceBsdf(ng, ns), diffuse_(ng, ns, kd, true), mirror_(ng, ns, kr) {}
+
+    LobeMask lobes() const override { return kDiffuse | kSpecular; }
+    Rgb evaluate(Vec3 wo, Vec3 wi, Transport t, LobeMask mask) const override {
+        return diffuse_.evaluate(wo, wi, t, mask);
+    }
+    float pdf(Vec3 wo, Vec3 wi, LobeMask mask) const override {
+        return diffuse_probability(mask) * diffuse_.pdf(wo, wi, mask);
+    }
+    bool sample(Vec3 wo, Vec2 u, float u_lobe, Transport t, LobeMask mask,
+                BsdfSample& s) const override {
+        const float p = diffuse_probability(mask);
+        const bool chosen = u_lobe < p;
+        const bool ok =
+            chosen ? diffuse_.sample(wo, u, 0, t, mask, s) : mirror_.sample(wo, u, 0, t, mask, s);
+        const float choice = chosen ? p : 1 - p;
+        s.weight = s.weight / choice;
+        s.pdf *= choice;
+        return ok;
+    }
+    Rgb albedo(Vec3 wo, LobeMask mask) const override {
+        return diffuse_.albedo(wo, mask) + mirror_.albedo(wo, mask);
+    }
+
+  private:
+    static float diffuse_probability(LobeMask mask) {
+        if (!(mask & kDiffuse)) return 0;
+        return mask & kSpecular ? 0.5f : 1.0f;
+    }
+    Lambert diffuse_;
+    Mirror mirror_;
+};
+
+template <class T, class... Args>
+const Bsdf* place(std::pmr::memory_resource& memory, Args... args) {
+    return new (memory.allocate(sizeof(T), alignof(T))) T(args...);
+}
+
+}  // namespace
+
+const aips::Bsdf* make_bsdf(const Material& m, aips::Vec3 ng, aips::Vec3 ns,
+                            std::pmr::memory_resource& memory) {
+    switch (m.kind) {
+        case Material::Kind::Lambert:
+            return place<Lambert>(memory, ng, ns, m.reflectance, m.hide_lambert);
+        case Material::Kind::Mirror:
+            return place<Mirror>(memory, ng, ns, m.reflectance);
+        case Material::Kind::Glass:
+            return place<Glass>(memory, ng, ns, m.index);
+        case Material::Kind::Null:
+            return place<Null>(memory);
+        case Material::Kind::Phong:
+            return place<Phong>(memory, ng, ns, m.reflectance, m.exponent);
+        case Material::Kind::LambertAndMirror:
+            return place<LambertAndMirror>(memory, ng, ns, m.reflectance, m.specular);
+    }
+    return nullptr;
+}
+
+std::size_t max_bsdf_bytes() {
+    return sizeof(LambertAndMirror) + alignof(std::max_align_t);
+}
+
+}  // namespace mock

@@ -1,0 +1,170 @@
+// Lights of the mock host: each samples photons and directions with densities that agree.
+#include "mock_lights.h"
+
+#include "aips/core/sampling.h"
+
+namespace mock {
+namespace {
+
+using namespace aips;
+
+/// A point on an emitting surface and its front normal.
+struct SurfaceSample {
+    Vec3 position, normal;
+};
+
+/// A one-sided diffuse emitter of which uniform points can be drawn.
+class DiffuseAreaLight : public Light {
+  public:
+    DiffuseAreaLight(Rgb radiance, float area, std::uint32_t group)
+        : radiance_(radiance), area_(area), group_(group) {}
+
+    std::uint32_t group() const override { return group_; }
+    float power() const override { return kPi * area_ * luminance(radiance_); }
+    bool at_infinity() const override { return false; }
+    Rgb escaped(Vec3) const override { return {}; }
+
+    bool emit(const std::array<float, 4>& u, Emission& emission) const override {
+        const SurfaceSample s = point({u[0], u[1]});
+        const Vec3 d = Frame(s.normal).to_world(square_to_cosine_hemisphere({u[2], u[3]}));
+        emission.ray = {s.position + s.normal * (1e-5f * std::sqrt(area_)), d, 0, nullptr};
+        emission.power = radiance_ * (kPi * area_);
+        return true;
+    }
+    bool sample_direct(const SurfacePoint& from, Vec2 u, DirectSample& sample) const override {
+        const SurfaceSample s = point(u);
+        const Vec3 to = s.position - from.position;
+        sample.distance = length(to);
+        if (!(sample.distance > 0)) return false;
+        sample.wi = to / sample.distance;
+        sample.pdf = density(s.normal, sample.wi, sample.distance);
+        sample.radiance = radiance_;
+        return sample.pdf > 0;
+    }
+    float pdf_direct(const SurfacePoint& from, Vec3 wi, const SurfacePoint* at) const override {
+        return at ? density(at->geometric_normal, wi, length(at->position - from.position)) : 0;
+    }
+
+  protected:
+    virtual SurfaceSample point(Vec2 u) const = 0;
+
+  private:
+    float density(Vec3 normal, Vec3 wi, float distance) const {
+        const float cosine = -dot(normal, wi);
+        return cosine > 0 ? distance * distance / (cosine * area_) : 0;
+    }
+    Rgb radiance_;
+    float area_;
+    std::uint32_t group_;
+};
+
+class QuadLight final : public DiffuseAreaLight {
+  public:
+    QuadLight(const Quad& q, Rgb radiance, std::uint32_t group)
+        : DiffuseAreaLight(radiance, length(cross(q.edge_u, q.edge_v)), group),
+          quad_(q),
+          normal_(normalize(cross(q.edge_u, q.edge_v))) {}
+
+  private:
+    SurfaceSample point(Vec2 u) const override {
+        return {quad_.corner + quad_.edge_u * u.x + quad_.edge_v * u.y, normal_};
+    }
+    Quad quad_;
+    Vec3 normal_;
+};
+
+class BallLight final : public DiffuseAreaLight {
+  public:
+    BallLight(const Ball& b, Rgb radiance, std::uint32_t group)
+        : DiffuseAreaLight(radiance, 4 * kPi * b.radius * b.radius, group), ball_(b) {}
+
+  private:
+    SurfaceSample point(Vec2 u) const override {
+        const Vec3 d = square_to_uniform_sphere(u);
+        return {ball_.center + d * ball_.radius, ball_.inside_out ? -d : d};
+    }
+    Ball ball_;
+};
+
+class PointLight final : public Light {
+  public:
+    PointLight(Vec3 position, Rgb intensity) : position_(position), intensity_(intensity) {}
+    std::uint32_t group() const override { return 0; }
+    float power() const override { return 4 * kPi * luminance(intensity_); }
+    bool at_infinity() const override { return false; }
+    Rgb escaped(Vec3) const override { return {}; }
+    bool emit(const std::array<float, 4>& u, Emission& emission) const override {
+        emission.ray = {position_, square_to_uniform_sphere({u[2], u[3]}), 0, nullptr};
+        emission.power = intensity_ * (4 * kPi);
+        return true;
+    }
+    bool sample_direct(const SurfacePoint& from, Vec2, DirectSample& sample) const override {
+        const Vec3 to = position_ - from.position;
+        sample.distance = length(to);
+        if (!(sample.distance > 0)) return false;
+        sample.wi = to / sample.distance;
+        sample.radiance = intensity_ / (sample.distance * sample.distance);
+        sample.pdf = 1;
+        sample.delta = true;
+        return true;
+    }
+    float pdf_direct(const SurfacePoint&, Vec3, const SurfacePoint*) const override { return 0; }
+
+  private:
+    Vec3 position_;
+    Rgb intensity_;
+};
+
+class Environment final : public Light {
+  public:
+    Environment(const Bounds& bounds, Rgb radiance)
+        : center_(bounds.center()), radius_(bounds.diagonal() / 2), radiance_(radiance) {}
+    std::uint32_t group() const override { return 0; }
+    float power() const override {
+        return 4 * kPi * kPi * radius_ * radius_ * luminance(radiance_);
+    }
+    bool at_infinity() const override { return true; }
+    Rgb escaped(Vec3) const override { return radiance_; }
+    bool emit(const std::array<float, 4>& u, Emission& emission) const override {
+        const Vec3 d = square_to_uniform_sphere({u[0], u[1]});
+        const Vec2 disk = square_to_concentric_disk({u[2], u[3]});
+        const Vec3 offset = Frame(d).to_world({disk.x * radius_, disk.y * radius_, -radius_});
+        emission.ray = {center_ + offset, d, 0, nullptr};
+        emission.power = radiance_ * (4 * kPi * kPi * radius_ * radius_);
+        return true;
+    }
+    bool sample_direct(const SurfacePoint&, Vec2 u, DirectSample& sample) const override {
+        sample.wi = square_to_uniform_sphere(u);
+        sample.distance = std::numeric_limits<float>::infinity();
+        sample.radiance = radiance_;
+        sample.pdf = 1 / (4 * kPi);
+        return true;
+    }
+    float pdf_direct(const SurfacePoint&, Vec3, const SurfacePoint*) const override {
+        return 1 / (4 * kPi);
+    }
+
+  private:
+    Vec3 center_;
+    float radius_;
+    Rgb radiance_;
+};
+
+}  // namespace
+
+std::unique_ptr<aips::Light> make_quad_light(const Quad& quad, aips::Rgb radiance,
+                                             std::uint32_t group) {
+    return std::make_unique<QuadLight>(quad, radiance, group);
+}
+std::unique_ptr<aips::Light> make_ball_light(const Ball& ball, aips::Rgb radiance,
+                                             std::uint32_t group) {
+    return std::make_unique<BallLight>(ball, radiance, group);
+}
+std::unique_ptr<aips::Light> make_point_light(aips::Vec3 position, aips::Rgb intensity) {
+    return std::make_unique<PointLight>(position, intensity);
+}
+std::unique_ptr<aips::Light> make_environment(const aips::Bounds& bounds, aips::Rgb radiance) {
+    return std::make_unique<Environment>(bounds, radiance);
+}
+
+}  // namespace mock

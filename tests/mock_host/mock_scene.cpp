@@ -1,0 +1,188 @@
+// The mock host's scene: brute-force intersection in double precision.
+#include "mock_scene.h"
+
+#include "aips/core/sampling.h"
+#include "mock_lights.h"
+
+namespace mock {
+namespace {
+
+using aips::Vec3;
+
+struct Vec3d {
+    double x, y, z;
+};
+Vec3d wide(Vec3 v) {
+    return {v.x, v.y, v.z};
+}
+Vec3d operator-(Vec3d a, Vec3d b) {
+    return {a.x - b.x, a.y - b.y, a.z - b.z};
+}
+double dot(Vec3d a, Vec3d b) {
+    return a.x * b.x + a.y * b.y + a.z * b.z;
+}
+Vec3d cross(Vec3d a, Vec3d b) {
+    return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
+
+/// Nearest distance in (t_min, t_max), or a negative number.
+double hit_distance(const Quad& q, Vec3d o, Vec3d d, double t_min, double t_max) {
+    const Vec3d u = wide(q.edge_u), v = wide(q.edge_v), n = cross(u, v);
+    const double along = dot(n, d);
+    if (along == 0) return -1;
+    const Vec3d to = wide(q.corner) - o;
+    const double t = dot(n, to) / along;
+    if (!(t > t_min && t < t_max)) return -1;
+    const Vec3d p{o.x + d.x * t - q.corner.x, o.y + d.y * t - q.corner.y,
+                  o.z + d.z * t - q.corner.z};
+    const double nn = dot(n, n);
+    const double a = dot(cross(p, v), n) / nn, b = dot(cross(u, p), n) / nn;
+    return a >= 0 && a <= 1 && b >= 0 && b <= 1 ? t : -1;
+}
+
+double hit_distance(const Ball& ball, Vec3d o, Vec3d d, double t_min, double t_max) {
+    const Vec3d oc = o - wide(ball.center);
+    const double b = dot(oc, d), c = dot(oc, oc) - double(ball.radius) * ball.radius;
+    const double disc = b * b - c;
+    if (disc < 0) return -1;
+    const double root = std::sqrt(disc);
+    for (const double t : {-b - root, -b + root}) {
+        if (t > t_min && t < t_max) return t;
+    }
+    return -1;
+}
+
+Vec3 front_normal(const Quad& q, Vec3) {
+    return normalize(cross(q.edge_u, q.edge_v));
+}
+Vec3 front_normal(const Ball& b, Vec3 p) {
+    const Vec3 n = normalize(p - b.center);
+    return b.inside_out ? -n : n;
+}
+
+void extend(aips::Bounds& bounds, const Quad& q) {
+    for (const Vec3 p :
+         {q.corner, q.corner + q.edge_u, q.corner + q.edge_v, q.corner + q.edge_u + q.edge_v}) {
+        bounds.extend(p);
+    }
+}
+void extend(aips::Bounds& bounds, const Ball& b) {
+    const Vec3 r{b.radius, b.radius, b.radius};
+    bounds.extend(b.center - r);
+    bounds.extend(b.center + r);
+}
+
+}  // namespace
+
+void Scene::add_point_light(Vec3 position, aips::Rgb intensity) {
+    lights_.push_back(make_point_light(position, intensity));
+}
+
+void Scene::add_environment(aips::Rgb radiance) {
+    aips::Bounds bounds;
+    for (const Surface& s : surfaces_) {
+        std::visit([&](const auto& shape) { extend(bounds, shape); }, s.shape);
+    }
+    lights_.push_back(make_environment(bounds, radiance));
+}
+
+void Scene::add_box(Vec3 lo, Vec3 hi, const Surface& wall) {
+    const Vec3 e = hi - lo, x{e.x, 0, 0}, y{0, e.y, 0}, z{0, 0, e.z};
+    for (const Quad& quad : {Quad{lo, x, y}, Quad{lo, y, z}, Quad{lo, z, x}, Quad{hi, -y, -x},
+                             Quad{hi, -z, -y}, Quad{hi, -x, -z}}) {
+        Surface s = wall;
+        s.shape = quad;
+        add(s);
+    }
+}
+
+void Scene::finish() {
+    light_of_surface_.assign(surfaces_.size(), aips::kNoLight);
+    for (std::size_t i = 0; i < surfaces_.size(); ++i) {
+        const Surface& s = surfaces_[i];
+        names_.push_back("surface " + std::to_string(i));
+        std::visit([&](const auto& shape) { extend(bounds_, shape); }, s.shape);
+        if (is_black(s.emitted)) continue;
+        light_of_surface_[i] = static_cast<aips::LightIndex>(lights_.size());
+        if (const Quad* quad = std::get_if<Quad>(&s.shape)) {
+            lights_.push_back(make_quad_light(*quad, s.emitted, s.light_group));
+        } else {
+            lights_.push_back(make_ball_light(std::get<Ball>(s.shape), s.emitted, s.light_group));
+        }
+    }
+    for (const auto& light : lights_)
+        light_pointers_.push_back(light.get());
+}
+
+bool Scene::nearest(const aips::Ray& ray, double t_max, Hit& hit) const {
+    if (on_ray) on_ray(ray.time);
+    const Vec3d o = wide(ray.origin), d = wide(ray.direction);
+    // The smallest step that single-precision positions of this scene can resolve.
+    const double t_min = 1e-5 * bounds_.diagonal();
+    bool found = false;
+    for (std::size_t i = 0; i < surfaces_.size(); ++i) {
+        const double t =
+            std::visit([&](const auto& shape) { return hit_distance(shape, o, d, t_min, t_max); },
+                       surfaces_[i].shape);
+        if (t > 0) {
+            t_max = t;
+            hit = {t, i};
+            found = true;
+        }
+    }
+    return found;
+}
+
+bool Scene::intersect(const aips::Ray& ray, aips::SurfacePoint& point,
+                      std::pmr::memory_resource& memory) const {
+    Hit hit;
+    if (!nearest(ray, std::numeric_limits<double>::infinity(), hit)) return false;
+    const Surface& surface = surfaces_[hit.surface];
+    point.distance = static_cast<float>(hit.t);
+    point.position = ray.origin + ray.direction * point.distance;
+    point.geometric_normal = std::visit(
+        [&](const auto& shape) { return front_normal(shape, point.position); }, surface.shape);
+    point.shading_normal = surface.normal_tilt == Vec3{}
+                               ? point.geometric_normal
+                               : normalize(point.geometric_normal + surface.normal_tilt);
+    const bool front = dot(ray.direction, point.geometric_normal) < 0;
+    point.light = front ? light_of_surface_[hit.surface] : aips::kNoLight;
+    point.emitted = front ? surface.emitted : aips::Rgb{};
+    point.material = static_cast<std::uint32_t>(hit.surface);
+    point.bsdf = make_bsdf(surface.material, point.geometric_normal, point.shading_normal, memory);
+    return true;
+}
+
+aips::Ray Scene::spawn(const aips::SurfacePoint& point, Vec3 direction, float time) const {
+    return {point.position, direction, time, nullptr};
+}
+
+aips::Rgb Scene::visibility(const aips::SurfacePoint& point, const aips::DirectSample& light,
+                            float time) const {
+    const aips::Ray ray = spawn(point, light.wi, time);
+    double from = 0;
+    const double end = double(light.distance) - 1e-5 * bounds_.diagonal();
+    for (int passed = 0; passed < 64; ++passed) {
+        aips::Ray rest = ray;
+        rest.origin = ray.origin + ray.direction * static_cast<float>(from);
+        Hit hit;
+        if (!nearest(rest, end - from, hit)) return aips::kWhite;
+        if (surfaces_[hit.surface].material.kind != Material::Kind::Null) return {};
+        from += hit.t;
+    }
+    return {};
+}
+
+aips::SceneFacts Scene::facts() const {
+    aips::SceneFacts facts;
+    facts.has_receivers = false;
+    for (const Surface& s : surfaces_) {
+        const auto kind = s.material.kind;
+        facts.has_receivers |= kind == Material::Kind::Lambert || kind == Material::Kind::Phong ||
+                               kind == Material::Kind::LambertAndMirror;
+    }
+    facts.max_bsdf_bytes = max_bsdf_bytes();
+    return facts;
+}
+
+}  // namespace mock

@@ -1,0 +1,81 @@
+// The mock host's scene: analytic quads and spheres, lights on them, all in memory. It is also the
+// worked example of docs/host-adapter.md.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "aips/adapter/scene.h"
+#include "mock_bsdf.h"
+
+namespace mock {
+
+/// Parallelogram corner + s * edge_u + t * edge_v; its front is cross(edge_u, edge_v).
+struct Quad {
+    aips::Vec3 corner, edge_u, edge_v;
+};
+
+/// Sphere with its front outside; `inside_out` turns it.
+struct Ball {
+    aips::Vec3 center;
+    float radius = 1;
+    bool inside_out = false;
+};
+
+/// A shape, what it is made of, and what it emits from its front.
+struct Surface {
+    std::variant<Quad, Ball> shape;
+    Material material;
+    aips::Rgb emitted{0, 0, 0};
+    aips::Vec3 normal_tilt{0, 0, 0};  ///< added to the shading normal (breaks it on purpose)
+    std::uint32_t light_group = 0;
+};
+
+/// A small scene. Surfaces and lights are added first, then `finish` is called once.
+class Scene final : public aips::Scene {
+  public:
+    void add(Surface surface) { surfaces_.push_back(std::move(surface)); }
+    /// Isotropic point light of `intensity` watts per steradian.
+    void add_point_light(aips::Vec3 position, aips::Rgb intensity);
+    /// Constant radiance from all around.
+    void add_environment(aips::Rgb radiance);
+    /// The six inner walls of the box [lower, upper], all alike.
+    void add_box(aips::Vec3 lower, aips::Vec3 upper, const Surface& wall);
+    void set_light_groups(std::uint32_t groups) { light_groups_ = groups; }
+    void finish();
+
+    bool intersect(const aips::Ray& ray, aips::SurfacePoint& point,
+                   std::pmr::memory_resource& memory) const override;
+    aips::Ray spawn(const aips::SurfacePoint& point, aips::Vec3 direction,
+                    float time) const override;
+    aips::Rgb visibility(const aips::SurfacePoint& point, const aips::DirectSample& light,
+                         float time) const override;
+    std::span<const aips::Light* const> lights() const override { return light_pointers_; }
+    std::span<const std::string> material_names() const override { return names_; }
+    std::uint32_t light_groups() const override { return light_groups_; }
+    aips::Bounds bounds() const override { return bounds_; }
+    aips::SceneFacts facts() const override;
+
+    /// Called with the time of every ray traced, if set (tests of one time per pass).
+    std::function<void(float)> on_ray;
+
+  private:
+    struct Hit {
+        double t = 0;
+        std::size_t surface = 0;
+    };
+    bool nearest(const aips::Ray& ray, double t_max, Hit& hit) const;
+
+    std::vector<Surface> surfaces_;
+    std::vector<aips::LightIndex> light_of_surface_;
+    std::vector<std::unique_ptr<aips::Light>> lights_;
+    std::vector<const aips::Light*> light_pointers_;
+    std::vector<std::string> names_;
+    std::uint32_t light_groups_ = 1;
+    aips::Bounds bounds_;
+};
+
+}  // namespace mock

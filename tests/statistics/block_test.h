@@ -1,0 +1,36 @@
+// Are two renderers' images equal in expectation? Welch tests on block means over seeds, corrected
+// for the number of blocks.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace statistics {
+
+/// One sample of block means: [seed][block].
+using BlockMeans = std::vector<std::vector<double>>;
+
+struct Comparison {
+    double smallest_p = 1;  ///< over the blocks and the mean of all blocks
+    double threshold = 0;   ///< Sidak-corrected significance a single test must fall below
+    std::size_t tests = 0;
+    double mean_ratio = 0;  ///< mean of b over mean of a
+    /// Relative difference of the whole image's mean that would be found with 90 % probability.
+    double detectable = 0;
+    bool differs() const { return smallest_p < threshold; }
+    std::string describe() const;
+};
+
+/// Compares a and b (each at least 3 seeds of equally many blocks) at family-wise `significance`.
+/// Blocks without spread and without difference are skipped.
+Comparison compare(const BlockMeans& a, const BlockMeans& b, double significance);
+
+/// Two-sided p of Student's t with `degrees` (> 0, any real) of freedom.
+double student_p(double t, double degrees);
+
+/// Means of size x size blocks of a width x height image of luminances.
+std::vector<double> block_means(const std::vector<double>& luminance, std::size_t width,
+                                std::size_t height, std::size_t size);
+
+}  // namespace statistics

@@ -1,0 +1,32 @@
+// When a render ends.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include "lxs/host/command_line.h"
+#include "lxs/imaging/imaging.h"
+#include "lxs/sdk/log.h"
+
+namespace lxs {
+
+/// Passes rendered when neither the command line nor the scene says when to stop.
+inline constexpr std::uint64_t kDefaultPasses = 16;
+
+/// A render ends when any of its budgets is used up; checked between passes.
+struct Budget {
+    std::optional<std::uint64_t> passes;
+    std::optional<double> seconds;
+
+    bool used_up(std::uint64_t passes_done, double seconds_gone) const;
+    /// Seconds left at the speed so far; nothing before the first pass.
+    std::optional<double> remaining(std::uint64_t passes_done, double seconds_gone) const;
+    std::string text() const;
+};
+
+/// The command line's budget, else the film's haltspp and halttime, else kDefaultPasses (and says
+/// so).
+Budget choose_budget(const CommandLine& command, const FileFilm& film, Log& log);
+
+}  // namespace lxs

@@ -1,0 +1,41 @@
+// The command line of lxsrender.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "lxs/host/exit_code.h"
+
+namespace lxs {
+
+enum class Verbosity : std::uint8_t { Quiet, Normal, Verbose };
+
+struct CommandLine {
+    std::string scene;                    ///< file, "-" for standard input
+    std::optional<std::string> output;    ///< EXR file; the PNG stands beside it
+    unsigned threads = 0;                 ///< 0: all processors
+    std::optional<std::uint64_t> passes;  ///< budget; at most one of passes and seconds is given
+    std::optional<double> seconds;
+    std::optional<std::uint64_t> seed;
+    std::vector<std::string> overrides;     ///< plugin.parameter=value
+    std::optional<std::string> integrator;  ///< instead of the scene's
+    bool strict = false;                    ///< unknown parameters are errors
+    std::vector<std::string> plugin_paths;
+    std::optional<std::string> statistics;  ///< JSON file
+    Verbosity verbosity = Verbosity::Normal;
+
+    bool list_plugins = false;
+    std::optional<std::string> describe;  ///< name of a plugin
+    bool markdown = false;
+};
+
+/// Fills `command`. Returns an exit code if there is nothing left to do: after --help and --version
+/// (printed on standard output), and after a mistake (printed on standard error).
+std::optional<ExitCode> parse_command_line(int argc, const char* const* argv, CommandLine& command);
+
+/// Version of the project, e.g. "0.1.0".
+std::string version();
+
+}  // namespace lxs

@@ -1,0 +1,34 @@
+// Exit codes of lxsrender: `--help` and docs/errors.md say the same.
+#pragma once
+
+#include <array>
+#include <string_view>
+
+namespace lxs {
+
+enum class ExitCode : int {
+    Success = 0,
+    InternalError = 1,
+    Usage = 2,
+    BadInput = 3,
+    PluginFailure = 4,
+    OutputFailure = 5,
+    Interrupted = 130
+};
+
+struct ExitCodeMeaning {
+    ExitCode code;
+    std::string_view meaning;
+};
+
+inline constexpr std::array kExitCodes = {
+    ExitCodeMeaning{ExitCode::Success, "the image is written"},
+    ExitCodeMeaning{ExitCode::InternalError, "internal error or out of memory"},
+    ExitCodeMeaning{ExitCode::Usage, "the command line is not understood"},
+    ExitCodeMeaning{ExitCode::BadInput, "bad scene, or a bad value given by --set or --integrator"},
+    ExitCodeMeaning{ExitCode::PluginFailure, "a plugin module can't be loaded"},
+    ExitCodeMeaning{ExitCode::OutputFailure, "an output file can't be written"},
+    ExitCodeMeaning{ExitCode::Interrupted, "interrupted; the passes so far are written"},
+};
+
+}  // namespace lxs

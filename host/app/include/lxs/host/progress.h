@@ -1,0 +1,39 @@
+// Shows how far a render is: a live line on a terminal, log lines now and then elsewhere.
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "lxs/host/budget.h"
+#include "lxs/host/console_log.h"
+
+namespace lxs {
+
+/// What a render has done so far.
+struct RenderTotals {
+    std::uint64_t passes = 0;
+    std::uint64_t photon_paths = 0;
+    std::uint64_t rays = 0;
+    double samples_per_pixel = 0;
+    double seconds = 0;      ///< wall time of the passes
+    double cpu_seconds = 0;  ///< of all threads in the passes
+};
+
+/// One line: pass, photons/s, rays/s, elapsed, remaining, resident memory.
+std::string progress_text(const RenderTotals& totals, const Budget& budget,
+                          std::uint64_t resident_bytes);
+
+class Progress {
+  public:
+    Progress(ConsoleLog& log, const Budget& budget) : log_(log), budget_(budget) {}
+    void show(const RenderTotals& totals);
+    /// Takes the live line away and logs the last state.
+    void finish(const RenderTotals& totals);
+
+  private:
+    ConsoleLog& log_;
+    const Budget& budget_;
+    double next_line_seconds_ = 0;
+};
+
+}  // namespace lxs

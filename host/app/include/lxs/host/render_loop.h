@@ -1,0 +1,25 @@
+// Pass after pass until a budget is used up or the user interrupts.
+#pragma once
+
+#include <functional>
+
+#include "lxs/host/budget.h"
+#include "lxs/host/interruption.h"
+#include "lxs/host/progress.h"
+#include "lxs/sdk/integrator.h"
+
+namespace lxs {
+
+struct RenderLoop {
+    Integrator& integrator;
+    const Budget& budget;
+    const Interruption& interruption;
+    Progress& progress;
+    double snapshot_interval = 0;  ///< seconds between snapshots; 0: none
+    std::function<void(const RenderTotals&)> write_snapshot;
+
+    /// Renders; the totals are of all passes done.
+    RenderTotals run();
+};
+
+}  // namespace lxs

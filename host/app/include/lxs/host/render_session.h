@@ -1,0 +1,39 @@
+// A scene made ready to render: read, checked, built.
+#pragma once
+
+#include <map>
+#include <memory>
+#include <string>
+
+#include "lxs/host/command_line.h"
+#include "lxs/host/input_diagnostics.h"
+#include "lxs/host/integrator_choice.h"
+#include "lxs/host/output_files.h"
+#include "lxs/host/plugin_library.h"
+#include "lxs/imaging/imaging.h"
+#include "lxs/sdk/scene.h"
+
+namespace lxs {
+
+/// Seconds of wall time by phase: load, build, render, write.
+using PhaseTimes = std::map<std::string, double>;
+
+/// Owns the host's part of a render. The plugin library must outlive it.
+struct RenderSession {
+    std::unique_ptr<FileFilm> film;
+    std::unique_ptr<Camera> camera;
+    std::unique_ptr<Sampler> sampler;
+    std::unique_ptr<Scene> scene;
+    std::unique_ptr<Integrator> integrator;
+    std::string integrator_name;
+    std::uint64_t seed = 0;
+    OutputFiles files;
+    PhaseTimes times;
+};
+
+/// Everything that can be wrong with the input or the output's place is found here. Throws
+/// InputError, std::system_error (the scene file can't be read), PluginFailure, OutputFailure.
+RenderSession prepare_session(const CommandLine& command, const PluginLibrary& plugins,
+                              InputDiagnostics& diagnostics, ConsoleLog& log);
+
+}  // namespace lxs

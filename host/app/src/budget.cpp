@@ -1,0 +1,46 @@
+// When a render ends.
+#include "lxs/host/budget.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace lxs {
+
+bool Budget::used_up(std::uint64_t passes_done, double seconds_gone) const {
+    return (passes && passes_done >= *passes) || (seconds && seconds_gone >= *seconds);
+}
+
+std::optional<double> Budget::remaining(std::uint64_t passes_done, double seconds_gone) const {
+    std::optional<double> left;
+    if (seconds) left = std::max(0.0, *seconds - seconds_gone);
+    if (passes && passes_done > 0) {
+        const double pass_seconds = seconds_gone / static_cast<double>(passes_done);
+        const auto passes_left = *passes - std::min(*passes, passes_done);
+        const double by_passes = pass_seconds * static_cast<double>(passes_left);
+        left = std::min(left.value_or(by_passes), by_passes);
+    }
+    return left;
+}
+
+std::string Budget::text() const {
+    if (passes && seconds) return fmt::format("{} passes or {} s", *passes, *seconds);
+    if (passes) return fmt::format("{} passes", *passes);
+    return fmt::format("{} s", seconds.value_or(0));
+}
+
+Budget choose_budget(const CommandLine& command, const FileFilm& film, Log& log) {
+    Budget budget{command.passes, command.seconds};
+    if (budget.passes || budget.seconds) return budget;
+    if (film.halt_passes() > 0) budget.passes = film.halt_passes();
+    if (film.halt_time_seconds() > 0) budget.seconds = film.halt_time_seconds();
+    if (budget.passes || budget.seconds) return budget;
+    log.info(fmt::format(
+        "neither the scene (haltspp, halttime) nor the command line (--passes, --time) says when "
+        "to stop: rendering {} passes",
+        kDefaultPasses));
+    budget.passes = kDefaultPasses;
+    return budget;
+}
+
+}  // namespace lxs

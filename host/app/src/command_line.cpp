@@ -1,0 +1,120 @@
+// The command line of lxsrender.
+#include "lxs/host/command_line.h"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <filesystem>
+#include <limits>
+
+namespace lxs {
+namespace {
+
+std::string exit_code_help() {
+    std::string text = "Exit codes:\n";
+    for (const auto& [code, meaning] : kExitCodes) {
+        text += fmt::format("  {:>3}  {}\n", static_cast<int>(code), meaning);
+    }
+    return text;
+}
+
+std::string check_exr_name(const std::string& name) {
+    return std::filesystem::path(name).extension() == ".exr" ? ""
+                                                             : "the name must end in .exr: " + name;
+}
+
+std::string check_override(const std::string& text) {
+    const auto dot = text.find('.');
+    const auto equals = text.find('=');
+    const bool whole =
+        dot != std::string::npos && equals != std::string::npos && dot > 0 && dot + 1 < equals;
+    return whole ? "" : "expected plugin.parameter=value, found \"" + text + "\"";
+}
+
+std::string check_positive(const std::string& text) {
+    double value = 0;
+    const bool read = CLI::detail::lexical_cast(text, value);
+    return read && value > 0 && value < std::numeric_limits<double>::infinity()
+               ? ""
+               : "expected a number above 0, found \"" + text + "\"";
+}
+
+void add_output_options(CLI::App& app, CommandLine& command) {
+    app.add_option("-o,--output", command.output,
+                   "EXR file to write, the PNG beside it (default: the film's file name in the "
+                   "current folder)")
+        ->check(CLI::Validator(check_exr_name, "FILE.exr"));
+    app.add_option("--stats", command.statistics, "JSON file to write with settings, times, counts")
+        ->type_name("FILE.json");
+}
+
+void add_render_options(CLI::App& app, CommandLine& command) {
+    app.add_option("--threads", command.threads, "number of threads (default: all processors)")
+        ->check(CLI::Range(1u, 1024u));
+    auto* passes = app.add_option("--passes", command.passes,
+                                  "passes to render (path: samples per pixel); overrides the "
+                                  "scene's haltspp and halttime")
+                       ->check(CLI::PositiveNumber);
+    app.add_option("--time", command.seconds,
+                   "seconds to render, checked between passes; overrides haltspp and halttime")
+        ->check(CLI::Validator(check_positive, "SECONDS"))
+        ->excludes(passes);
+    app.add_option("--seed", command.seed, "seed of all random numbers (default: 0)");
+    app.add_option("--integrator", command.integrator,
+                   "surface integrator, instead of the scene's choice")
+        ->type_name("NAME");
+    app.add_option("--set", command.overrides, "give a parameter of an integrator; may be repeated")
+        ->type_name("plugin.parameter=value")
+        ->expected(1)
+        ->take_all()
+        ->check(CLI::Validator(check_override, ""));
+    app.add_flag("--strict", command.strict, "unknown parameters are errors");
+}
+
+void add_plugin_options(CLI::App& app, CommandLine& command) {
+    app.add_option("--plugin-path", command.plugin_paths,
+                   "folder with plugin modules, before the installed ones; may be repeated")
+        ->type_name("DIR")
+        ->expected(1)
+        ->take_all();
+    auto* list = app.add_flag("--list-plugins", command.list_plugins, "list the integrators");
+    auto* describe = app.add_option("--describe", command.describe, "list a plugin's parameters")
+                         ->type_name("NAME")
+                         ->excludes(list);
+    app.add_flag("--markdown", command.markdown, "--describe as a Markdown table")->needs(describe);
+}
+
+}  // namespace
+
+std::string version() {
+    return LXS_VERSION;
+}
+
+std::optional<ExitCode> parse_command_line(int argc, const char* const* argv,
+                                           CommandLine& command) {
+    CLI::App app("Renders a LuxRender scene file (.lxs) to OpenEXR and PNG.", "lxsrender");
+    app.set_version_flag("--version", version());
+    app.footer(exit_code_help());
+    app.add_option("scene", command.scene, "scene file, - for standard input")
+        ->type_name("SCENE.lxs");
+    add_output_options(app, command);
+    add_render_options(app, command);
+    add_plugin_options(app, command);
+    bool quiet = false;
+    bool verbose = false;
+    auto* quiet_flag = app.add_flag("--quiet", quiet, "print warnings and errors only");
+    app.add_flag("--verbose", verbose, "print more")->excludes(quiet_flag);
+    try {
+        app.parse(argc, argv);
+        if (command.scene.empty() && !command.list_plugins && !command.describe) {
+            throw CLI::RequiredError("SCENE.lxs");
+        }
+    } catch (const CLI::ParseError& error) {
+        return app.exit(error) == 0 ? ExitCode::Success : ExitCode::Usage;
+    }
+    if (quiet) command.verbosity = Verbosity::Quiet;
+    if (verbose) command.verbosity = Verbosity::Verbose;
+    return std::nullopt;
+}
+
+}  // namespace lxs

@@ -1,0 +1,113 @@
+// Which integrator renders a scene, and with which parameters.
+#include "lxs/host/integrator_choice.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <array>
+#include <string_view>
+
+#include "lxs/host/parameter_override.h"
+#include "lxs/language/read_scene.h"
+
+namespace lxs {
+namespace {
+
+/// LuxRender's integrator where a scene names none.
+constexpr std::string_view kDefaultIntegrator = "path";
+/// Renderer names that say the same as a SurfaceIntegrator of that name.
+constexpr std::array<std::string_view, 2> kPhotonRenderers = {"aips", "sppm"};
+/// Integrators that these renderers may run.
+constexpr std::array<std::string_view, 3> kPhotonIntegrators = {"aips", "exphotonmap", "sppm"};
+
+bool contains(auto&& names, std::string_view name) {
+    return std::find(std::begin(names), std::end(names), name) != std::end(names);
+}
+
+const ParameterSet* statement(const SceneContents& contents, const std::string& name) {
+    const auto found = contents.options.find(name);
+    return found == contents.options.end() ? nullptr : &found->second.parameters;
+}
+
+/// Statements that change nothing here must at least name something that LuxRender knows.
+void check_name(const SceneContents& contents, const std::string& kind,
+                std::span<const std::string_view> also_known) {
+    const ParameterSet* set = statement(contents, kind);
+    if (set == nullptr) return;
+    std::vector<std::string> known(also_known.begin(), also_known.end());
+    const auto table = known_plugin_names().find(kind);
+    if (table != known_plugin_names().end()) {
+        known.insert(known.end(), table->second.begin(), table->second.end());
+    }
+    std::sort(known.begin(), known.end());
+    known.erase(std::unique(known.begin(), known.end()), known.end());
+    if (!contains(known, set->plugin))
+        throw InputError(set->where, unknown_name_message(kind, set->plugin, known));
+}
+
+/// What the scene asks for, whether or not there is such a plugin.
+ParameterSet scene_choice(const SceneContents& contents, Diagnostics& diagnostics) {
+    const ParameterSet* renderer = statement(contents, "Renderer");
+    const bool photon_renderer =
+        renderer != nullptr && contains(kPhotonRenderers, renderer->plugin);
+    if (const ParameterSet* set = statement(contents, "SurfaceIntegrator")) {
+        if (photon_renderer && !contains(kPhotonIntegrators, set->plugin)) {
+            diagnostics.warning(renderer->where, fmt::format("Renderer \"{}\" has no effect with "
+                                                             "SurfaceIntegrator \"{}\"",
+                                                             renderer->plugin, set->plugin));
+        }
+        return *set;
+    }
+    ParameterSet set;
+    set.plugin = photon_renderer ? renderer->plugin : kDefaultIntegrator;
+    set.where = photon_renderer ? renderer->where : contents.end;
+    return set;
+}
+
+/// Leaves out the parameters that `plugin` doesn't declare.
+void keep_declared(const IntegratorPlugin& plugin, ParameterSet& set, Log& log) {
+    std::vector<std::string> dropped;
+    std::erase_if(set.values, [&](const ParameterValue& value) {
+        const bool declared =
+            std::any_of(plugin.parameters.begin(), plugin.parameters.end(),
+                        [&](const auto& declaration) { return declaration.name == value.name; });
+        if (!declared) dropped.push_back(value.name);
+        return !declared;
+    });
+    if (!dropped.empty()) {
+        log.info(fmt::format("the scene's parameters unknown to \"{}\" are left out: {}",
+                             plugin.name, fmt::join(dropped, ", ")));
+    }
+}
+
+}  // namespace
+
+IntegratorChoice choose_integrator(const CommandLine& command, const SceneContents& contents,
+                                   const PluginLibrary& plugins, Diagnostics& diagnostics,
+                                   Log& log) {
+    check_name(contents, "Renderer", kPhotonRenderers);
+    check_name(contents, "VolumeIntegrator", {});
+    check_name(contents, "Accelerator", {});
+
+    IntegratorChoice choice;
+    choice.parameters = scene_choice(contents, diagnostics);
+    const std::string named = choice.parameters.plugin;
+    if (command.integrator) {
+        choice.parameters.plugin = *command.integrator;
+        choice.parameters.where = command_line_location("--integrator " + *command.integrator);
+    }
+    choice.integrator = plugins.find(choice.parameters.plugin);
+    if (choice.integrator == nullptr) {
+        throw InputError(
+            choice.parameters.where,
+            unknown_name_message("SurfaceIntegrator", choice.parameters.plugin, plugins.names()));
+    }
+    if (choice.parameters.plugin != named) {
+        keep_declared(*choice.integrator->plugin, choice.parameters, log);
+    }
+    apply_overrides(command.overrides, plugins, choice.parameters, log);
+    return choice;
+}
+
+}  // namespace lxs

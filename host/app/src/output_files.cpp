@@ -1,0 +1,59 @@
+// Where the outputs of a render go.
+#include "lxs/host/output_files.h"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <filesystem>
+#include <system_error>
+
+#include "lxs/host/failure.h"
+
+namespace lxs {
+namespace {
+
+namespace fs = std::filesystem;
+
+[[noreturn]] void fail(const std::string& path, int error) {
+    throw OutputFailure(
+        fmt::format("cannot write '{}': {}", path, std::generic_category().message(error)));
+}
+
+/// Permissions alone don't tell (read-only mounts, root): only a file that was made does.
+void check_folder_of(const std::string& path) {
+    if (fs::is_directory(path)) fail(path, EISDIR);
+    const fs::path folder = fs::path(path).parent_path();
+    std::string probe = ((folder.empty() ? "." : folder) / ".lxsrender-XXXXXX").string();
+    const int descriptor = ::mkstemp(probe.data());
+    if (descriptor < 0) fail(path, errno);
+    ::close(descriptor);
+    ::unlink(probe.c_str());
+}
+
+}  // namespace
+
+OutputFiles choose_output_files(const CommandLine& command, const FileFilm& film) {
+    OutputFiles files;
+    files.exr = command.output ? *command.output : film.base_name() + ".exr";
+    files.png = fs::path(files.exr).replace_extension(".png").string();
+    files.statistics = command.statistics.value_or("");
+    return files;
+}
+
+void check_writable(const OutputFiles& files) {
+    check_folder_of(files.exr);
+    if (fs::is_directory(files.png)) fail(files.png, EISDIR);
+    if (!files.statistics.empty()) check_folder_of(files.statistics);
+}
+
+void write_images(const OutputFiles& files, const FileFilm& film, const ImageMetadata& metadata) {
+    try {
+        film.write_exr(files.exr, metadata);
+        film.write_png(files.png);
+    } catch (const std::runtime_error& error) {
+        throw OutputFailure(error.what());
+    }
+}
+
+}  // namespace lxs

@@ -1,0 +1,42 @@
+// What this process uses of the machine.
+#include "lxs/host/process_usage.h"
+
+#include <sys/resource.h>
+#include <unistd.h>
+
+#include <fstream>
+
+namespace lxs {
+namespace {
+
+rusage own_usage() {
+    rusage usage{};
+    ::getrusage(RUSAGE_SELF, &usage);
+    return usage;
+}
+
+double seconds(const timeval& time) {
+    return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
+}
+
+}  // namespace
+
+double cpu_seconds() {
+    const rusage usage = own_usage();
+    return seconds(usage.ru_utime) + seconds(usage.ru_stime);
+}
+
+std::uint64_t resident_bytes() {
+    std::ifstream file("/proc/self/statm");
+    std::uint64_t total_pages = 0;
+    std::uint64_t resident_pages = 0;
+    if (!(file >> total_pages >> resident_pages)) return 0;
+    return resident_pages * static_cast<std::uint64_t>(::sysconf(_SC_PAGESIZE));
+}
+
+std::uint64_t peak_resident_bytes() {
+    constexpr std::uint64_t kKibibyte = 1024;  // the unit of ru_maxrss on Linux
+    return static_cast<std::uint64_t>(own_usage().ru_maxrss) * kKibibyte;
+}
+
+}  // namespace lxs

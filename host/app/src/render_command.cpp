@@ -1,0 +1,193 @@
+// Carries out a command line.
+#include "lxs/host/render_command.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <tbb/global_control.h>
+
+#include <chrono>
+#include <cstdio>
+#include <filesystem>
+#include <new>
+#include <optional>
+#include <span>
+
+#include "lxs/host/catalogue.h"
+#include "lxs/host/failure.h"
+#include "lxs/host/render_loop.h"
+#include "lxs/host/render_session.h"
+#include "lxs/host/statistics_file.h"
+#include "lxs/imaging/atomic_file.h"
+
+namespace lxs {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double seconds_since(Clock::time_point start) {
+    return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+void load_plugins(const CommandLine& command, PluginLibrary& plugins) {
+    for (const std::string& folder : command.plugin_paths)
+        plugins.load_folder(folder);
+    const auto own = own_plugin_folder();
+    if (!own.empty()) plugins.load_folder(own);
+}
+
+void log_scene(const RenderSession& session, ConsoleLog& log) {
+    const SceneFacts facts = session.scene->facts();
+    log.info(fmt::format("scene: {} triangles, {} lights, {} materials; image {} x {}",
+                         facts.triangles, session.scene->lights().size(),
+                         session.scene->material_names().size(), session.film->width(),
+                         session.film->height()));
+    std::vector<std::string_view> skipped;
+    if (!facts.has_image_textures) skipped.emplace_back("image textures (no texture system)");
+    if (!facts.has_media) skipped.emplace_back("media");
+    if (!facts.has_motion) skipped.emplace_back("motion");
+    if (!skipped.empty()) {
+        log.info(fmt::format("skipped, as the scene has none: {}", fmt::join(skipped, ", ")));
+    }
+    log.debug(fmt::format("film: {} MB", session.film->memory_bytes() / 1'000'000));
+}
+
+/// No times in here: the same scene, settings and seed give the same file, bit for bit.
+ImageMetadata metadata(const CommandLine& command, const RenderSession& session,
+                       const RenderTotals& totals) {
+    return {{"integrator", session.integrator_name},
+            {"passes", fmt::to_string(totals.passes)},
+            {"scene", std::filesystem::path(command.scene).filename().string()},
+            {"seed", fmt::to_string(session.seed)},
+            {"software", "lxsrender " + version()}};
+}
+
+void write_outputs(const CommandLine& command, RenderSession& session, const RenderTotals& totals) {
+    const auto start = Clock::now();
+    write_images(session.files, *session.film, metadata(command, session, totals));
+    session.times["write"] += seconds_since(start);
+}
+
+void write_statistics(const CommandLine& command, const RenderSession& session,
+                      const RenderTotals& totals, bool interrupted) {
+    if (session.files.statistics.empty()) return;
+    const std::string text = statistics_json(command, session, totals, interrupted);
+    try {
+        write_file_atomically(session.files.statistics, std::as_bytes(std::span(text)));
+    } catch (const std::runtime_error& error) {
+        throw OutputFailure(error.what());
+    }
+}
+
+void prepare_integrator(RenderSession& session, const CommandLine& command, ConsoleLog& log) {
+    const RenderContext context{*session.scene,
+                                *session.camera,
+                                *session.sampler,
+                                *session.film,
+                                log,
+                                {command.threads, session.seed}};
+    try {
+        session.integrator->prepare(context);
+    } catch (const InputError&) {
+        throw;
+    } catch (const std::runtime_error& error) {
+        throw SceneFailure(fmt::format("{}: \"{}\" can't render it: {}", command.scene,
+                                       session.integrator_name, error.what()));
+    }
+}
+
+ExitCode finish(const CommandLine& command, RenderSession& session, const RenderTotals& totals,
+                bool interrupted, ConsoleLog& log) {
+    if (totals.passes == 0) {
+        log.warning("interrupted before the first pass: there is no image to write");
+        return ExitCode::Interrupted;
+    }
+    write_outputs(command, session, totals);
+    write_statistics(command, session, totals, interrupted);
+    if (session.film->refused_samples() > 0) {
+        log.warning(fmt::format("the film refused {} samples that were not finite or negative",
+                                session.film->refused_samples()));
+    }
+    log.info(fmt::format("wrote {} and {}", session.files.exr, session.files.png));
+    if (interrupted) log.warning(fmt::format("interrupted after {} passes", totals.passes));
+    return interrupted ? ExitCode::Interrupted : ExitCode::Success;
+}
+
+ExitCode render(const CommandLine& command, const PluginLibrary& plugins, ConsoleLog& log) {
+    std::optional<tbb::global_control> thread_limit;
+    if (command.threads > 0) {
+        thread_limit.emplace(tbb::global_control::max_allowed_parallelism, command.threads);
+    }
+    InputDiagnostics diagnostics(log, command.strict);
+    RenderSession session = prepare_session(command, plugins, diagnostics, log);
+    log_scene(session, log);
+    const Budget budget = choose_budget(command, *session.film, log);
+    log.info(fmt::format("rendering {} with \"{}\", seed {}", budget.text(),
+                         session.integrator_name, session.seed));
+
+    const auto start = Clock::now();
+    const Interruption interruption;
+    prepare_integrator(session, command, log);
+    Progress progress(log, budget);
+    RenderLoop loop{.integrator = *session.integrator,
+                    .budget = budget,
+                    .interruption = interruption,
+                    .progress = progress,
+                    .snapshot_interval = session.film->write_interval_seconds(),
+                    .write_snapshot = [&](const RenderTotals& totals) {
+                        write_outputs(command, session, totals);
+                    }};
+    const RenderTotals totals = loop.run();
+    session.times["render"] = seconds_since(start) - session.times["write"];
+    return finish(command, session, totals, interruption.requested(), log);
+}
+
+ExitCode describe(const CommandLine& command, const PluginLibrary& plugins, ConsoleLog& log) {
+    const std::string text = describe_plugin(*command.describe, plugins, command.markdown);
+    if (text.empty()) {
+        log.error(unknown_name_message("plugin", *command.describe, plugins.names()));
+        return ExitCode::Usage;
+    }
+    std::fputs(text.c_str(), stdout);
+    return ExitCode::Success;
+}
+
+ExitCode run(const CommandLine& command, PluginLibrary& plugins, ConsoleLog& log) {
+    load_plugins(command, plugins);
+    if (command.list_plugins) {
+        std::fputs(list_plugins(plugins).c_str(), stdout);
+        return ExitCode::Success;
+    }
+    if (command.describe) return describe(command, plugins, log);
+    return render(command, plugins, log);
+}
+
+}  // namespace
+
+ExitCode carry_out(const CommandLine& command, ConsoleLog& log) {
+    // Outlives the handlers below: an exception that a module threw may need the module's code.
+    PluginLibrary plugins;
+    try {
+        return run(command, plugins, log);
+    } catch (const InputError& error) {
+        log.verbatim(error.what());
+        return ExitCode::BadInput;
+    } catch (const SceneFailure& error) {
+        log.error(error.what());
+        return ExitCode::BadInput;
+    } catch (const PluginFailure& error) {
+        log.error(error.what());
+        return ExitCode::PluginFailure;
+    } catch (const OutputFailure& error) {
+        log.error(error.what());
+        return ExitCode::OutputFailure;
+    } catch (const std::bad_alloc&) {
+        log.error("out of memory");
+    } catch (const std::exception& error) {
+        log.error(fmt::format("internal error: {}", error.what()));
+    } catch (...) {
+        log.error("internal error: an exception of unknown type");
+    }
+    return ExitCode::InternalError;
+}
+
+}  // namespace lxs

@@ -1,0 +1,39 @@
+// Pass after pass until a budget is used up or the user interrupts.
+#include "lxs/host/render_loop.h"
+
+#include <chrono>
+
+#include "lxs/host/process_usage.h"
+
+namespace lxs {
+
+RenderTotals RenderLoop::run() {
+    using Clock = std::chrono::steady_clock;
+    const auto start = Clock::now();
+    const auto seconds_gone = [&] {
+        return std::chrono::duration<double>(Clock::now() - start).count();
+    };
+    const double cpu_start = cpu_seconds();
+    double last_snapshot = 0;
+    RenderTotals totals;
+    // At least one pass, however small the budget: without one there is no image.
+    while (!interruption.requested() &&
+           (totals.passes == 0 || !budget.used_up(totals.passes, totals.seconds))) {
+        if (snapshot_interval > 0 && totals.seconds - last_snapshot >= snapshot_interval) {
+            write_snapshot(totals);
+            last_snapshot = seconds_gone();
+        }
+        const PassReport report = integrator.render_pass(totals.passes);
+        ++totals.passes;
+        totals.photon_paths += report.photon_paths;
+        totals.rays += report.rays;
+        totals.samples_per_pixel += report.samples_per_pixel;
+        totals.seconds = seconds_gone();
+        totals.cpu_seconds = cpu_seconds() - cpu_start;
+        progress.show(totals);
+    }
+    progress.finish(totals);
+    return totals;
+}
+
+}  // namespace lxs

@@ -1,0 +1,103 @@
+// A scene made ready to render: read, checked, built.
+#include "lxs/host/render_session.h"
+
+#include <fmt/format.h>
+
+#include <chrono>
+#include <system_error>
+
+#include "lxs/host/failure.h"
+#include "lxs/language/read_scene.h"
+#include "lxs/tracing/trace_scene.h"
+
+namespace lxs {
+namespace {
+
+/// Adds the time between construction and destruction to a phase.
+class PhaseTimer {
+  public:
+    PhaseTimer(PhaseTimes& times, const char* phase)
+        : seconds_(times[phase]), start_(std::chrono::steady_clock::now()) {}
+    ~PhaseTimer() {
+        seconds_ +=
+            std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+    }
+    PhaseTimer(const PhaseTimer&) = delete;
+    PhaseTimer& operator=(const PhaseTimer&) = delete;
+
+  private:
+    double& seconds_;
+    std::chrono::steady_clock::time_point start_;
+};
+
+SceneContents load(const std::string& path, Diagnostics& diagnostics) {
+    Registry registry;
+    register_shapes(registry);
+    register_shading(registry);
+    try {
+        return read_scene(path, registry, diagnostics);
+    } catch (const std::system_error& error) {
+        throw SceneFailure(error.what());
+    }
+}
+
+void check_camera(const SceneContents& contents, Diagnostics& diagnostics) {
+    if (contents.options.contains("Camera")) return;
+    diagnostics.warning(contents.end,
+                        "the scene has no Camera statement; using LuxRender's default: a "
+                        "perspective camera with fov 90 at the origin, looking along +z");
+}
+
+/// The command line's seed, else the integrator's parameter "seed", else 0.
+std::uint64_t choose_seed(const CommandLine& command, const ParameterReader& parameters) {
+    if (command.seed) return *command.seed;
+    return parameters.given("seed") ? static_cast<std::uint64_t>(parameters.integer("seed", 0)) : 0;
+}
+
+void create_chosen(RenderSession& session, const CommandLine& command,
+                   const IntegratorChoice& choice, Diagnostics& diagnostics) {
+    const ParameterReader reader(choice.parameters, choice.integrator->plugin->parameters,
+                                 diagnostics);
+    session.integrator_name = choice.parameters.plugin;
+    session.seed = choose_seed(command, reader);
+    session.integrator = create_integrator(*choice.integrator, reader);
+}
+
+void build_scene(RenderSession& session, SceneContents contents, Diagnostics& diagnostics) {
+    const SourceLocation end = contents.end;
+    const std::string directory = contents.directory;
+    const auto resolve = [&](const std::string& name, const SourceLocation& where) {
+        return resolve_asset(name, directory, where);
+    };
+    session.scene = make_trace_scene(std::move(contents), resolve, diagnostics);
+    if (session.scene->lights().empty()) {
+        throw InputError(end,
+                         "the scene has no light: expected a LightSource, or a Shape after an "
+                         "AreaLightSource");
+    }
+}
+
+}  // namespace
+
+RenderSession prepare_session(const CommandLine& command, const PluginLibrary& plugins,
+                              InputDiagnostics& diagnostics, ConsoleLog& log) {
+    RenderSession session;
+    SceneContents contents;
+    {
+        const PhaseTimer timer(session.times, "load");
+        contents = load(command.scene, diagnostics);
+    }
+    const PhaseTimer timer(session.times, "build");
+    const IntegratorChoice choice = choose_integrator(command, contents, plugins, diagnostics, log);
+    create_chosen(session, command, choice, diagnostics);
+    check_camera(contents, diagnostics);
+    session.film = make_film(contents, diagnostics);
+    session.files = choose_output_files(command, *session.film);
+    check_writable(session.files);
+    session.camera = make_camera(contents, *session.film, diagnostics);
+    session.sampler = make_sampler(contents, session.seed, diagnostics);
+    build_scene(session, std::move(contents), diagnostics);
+    return session;
+}
+
+}  // namespace lxs

@@ -1,0 +1,85 @@
+// The JSON file that a render leaves beside its image.
+#include "lxs/host/statistics_file.h"
+
+#include <nlohmann/json.hpp>
+
+#include "lxs/host/process_usage.h"
+
+namespace lxs {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+double per(double count, double seconds) {
+    return seconds > 0 ? count / seconds : 0;
+}
+
+Json settings(const CommandLine& command, const RenderSession& session) {
+    Json json;
+    json["scene"] = command.scene;
+    json["integrator"] = session.integrator_name;
+    json["seed"] = session.seed;
+    json["threads"] = command.threads;
+    json["set"] = command.overrides;
+    if (command.passes) json["passes"] = *command.passes;
+    if (command.seconds) json["seconds"] = *command.seconds;
+    return json;
+}
+
+Json scene_facts(const RenderSession& session) {
+    const SceneFacts facts = session.scene->facts();
+    Json json;
+    json["width"] = session.film->width();
+    json["height"] = session.film->height();
+    json["triangles"] = facts.triangles;
+    json["lights"] = session.scene->lights().size();
+    json["light groups"] = session.scene->light_groups();
+    json["materials"] = session.scene->material_names().size();
+    json["receivers"] = facts.has_receivers;
+    json["glossy"] = facts.has_glossy;
+    json["specular"] = facts.has_specular;
+    json["transmission"] = facts.has_transmission;
+    json["media"] = facts.has_media;
+    json["motion"] = facts.has_motion;
+    json["image textures"] = facts.has_image_textures;
+    return json;
+}
+
+Json counts(const RenderTotals& totals) {
+    const auto photons = static_cast<double>(totals.photon_paths);
+    const auto rays = static_cast<double>(totals.rays);
+    Json json;
+    json["passes"] = totals.passes;
+    json["samples per pixel"] = totals.samples_per_pixel;
+    json["photon paths"] = totals.photon_paths;
+    json["rays"] = totals.rays;
+    json["photon paths per second"] = per(photons, totals.seconds);
+    json["rays per second"] = per(rays, totals.seconds);
+    json["photon paths per CPU second"] = per(photons, totals.cpu_seconds);
+    json["rays per CPU second"] = per(rays, totals.cpu_seconds);
+    return json;
+}
+
+}  // namespace
+
+std::string statistics_json(const CommandLine& command, const RenderSession& session,
+                            const RenderTotals& totals, bool interrupted) {
+    Json json;
+    json["version"] = version();
+    json["interrupted"] = interrupted;
+    json["settings"] = settings(command, session);
+    json["scene"] = scene_facts(session);
+    json["seconds"] = session.times;
+    json["render CPU seconds"] = totals.cpu_seconds;
+    json["counts"] = counts(totals);
+    json["peak memory bytes"] = peak_resident_bytes();
+    json["film memory bytes"] = session.film->memory_bytes();
+    json["refused film samples"] = session.film->refused_samples();
+    Json& own = json[session.integrator_name] = Json::object();
+    for (const auto& [name, value] : session.integrator->statistics()) {
+        std::visit([&, &key = name](const auto& figure) { own[key] = figure; }, value);
+    }
+    return json.dump(2) + '\n';
+}
+
+}  // namespace lxs

@@ -1,0 +1,51 @@
+// Camera, sampler, pixel filter and film, made from a scene's option statements.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "lxs/scene/contents.h"
+#include "lxs/sdk/camera.h"
+#include "lxs/sdk/film.h"
+
+namespace lxs {
+
+/// Key and value texts that go into the header of an EXR file.
+using ImageMetadata = std::map<std::string, std::string>;
+
+/// What the film keeps beyond the interface that integrators see.
+class FileFilm : public Film {
+ public:
+    /// File name of the Film statement without suffix ("filename"), default "luxout".
+    virtual std::string base_name() const = 0;
+    virtual double halt_time_seconds() const = 0;        ///< "halttime", 0: none
+    virtual std::uint64_t halt_passes() const = 0;       ///< "haltspp", 0: none
+    virtual double write_interval_seconds() const = 0;   ///< "writeinterval"
+    virtual std::uint64_t refused_samples() const = 0;
+    virtual std::size_t memory_bytes() const = 0;
+
+    /// The mean image over passes and light groups: width * height, row by row, linear radiance.
+    virtual std::vector<Rgb> image() const = 0;
+    /// Writes linear 32-bit float radiance; each light group (if more than one) and each extra
+    /// layer as a named layer. Written beside and renamed; throws std::runtime_error with the path
+    /// and the cause, leaving an older file whole.
+    virtual void write_exr(const std::string& path, const ImageMetadata& metadata) const = 0;
+    /// Writes the tonemapped 8-bit sRGB image, written beside and renamed likewise.
+    virtual void write_png(const std::string& path) const = 0;
+};
+
+/// Film, with the pixel filter inside, from the "Film" and "PixelFilter" statements.
+std::unique_ptr<FileFilm> make_film(const SceneContents& contents, Diagnostics& diagnostics);
+
+/// Camera from the "Camera" statement; needs the film's full resolution and crop window.
+std::unique_ptr<Camera> make_camera(const SceneContents& contents, const Film& film,
+                                    Diagnostics& diagnostics);
+
+/// Camera samples: Owen-scrambled (0,2)-sequences over the passes, per pixel; checks "Sampler".
+std::unique_ptr<Sampler> make_sampler(const SceneContents& contents, std::uint64_t seed,
+                                      Diagnostics& diagnostics);
+
+}  // namespace lxs

@@ -1,0 +1,204 @@
+// Cameras: perspective and orthographic with a thin lens, and the environment (panorama) camera.
+#include <cmath>
+#include <numbers>
+
+#include "camera_settings.h"
+#include "lxs/imaging/imaging.h"
+
+namespace lxs {
+namespace {
+
+using Vec3d = Imath::V3d;
+
+struct Point2 {
+    double x, y;
+};
+
+/// Area-preserving map of the unit square to the unit disk (Shirley & Chiu 1997).
+Point2 concentric_disk(const Vec2& u) {
+    const double x = 2.0 * u.x - 1, y = 2.0 * u.y - 1;
+    if (x == 0 && y == 0) return {0, 0};
+    constexpr double kQuarter = std::numbers::pi / 4;
+    const bool wide = std::abs(x) > std::abs(y);
+    const double r = wide ? x : y;
+    const double angle = wide ? kQuarter * (y / x) : 2 * kQuarter - kQuarter * (x / y);
+    return {r * std::cos(angle), r * std::sin(angle)};
+}
+
+/// Film position in pixels of the window -> screen coordinates (y up).
+class Screen {
+  public:
+    Screen(const CameraSettings& settings, const FilmFrame& frame)
+        : x_step_((settings.screen[1] - settings.screen[0]) / frame.x_resolution),
+          y_step_((settings.screen[2] - settings.screen[3]) / frame.y_resolution),
+          x_origin_(settings.screen[0] + frame.x * x_step_),
+          y_origin_(settings.screen[3] + frame.y * y_step_) {}
+
+    Point2 at(const Vec2& film) const {
+        return {x_origin_ + film.x * x_step_, y_origin_ + film.y * y_step_};
+    }
+    double pixel_area() const { return std::abs(x_step_ * y_step_); }
+
+  private:
+    double x_step_, y_step_, x_origin_, y_origin_;
+};
+
+/// What all cameras share: the frame of camera space in the world, depths, shutter, medium.
+class SceneCamera : public Camera {
+  public:
+    SceneCamera(const CameraSettings& settings, const Medium* medium)
+        : settings_(settings),
+          x_axis_(axis(settings.to_world, 0)),
+          y_axis_(axis(settings.to_world, 1)),
+          z_axis_(axis(settings.to_world, 2)),
+          position_(axis(settings.to_world, 3)),
+          medium_(medium) {}
+
+    float shutter_open() const override { return settings_.shutter_open; }
+    float shutter_close() const override { return settings_.shutter_close; }
+
+  protected:
+    const CameraSettings& settings() const { return settings_; }
+    const Vec3d& x_axis() const { return x_axis_; }
+    const Vec3d& y_axis() const { return y_axis_; }
+    const Vec3d& z_axis() const { return z_axis_; }
+    const Vec3d& position() const { return position_; }
+
+    Vec3d to_world(double x, double y, double z) const {
+        return x_axis_ * x + y_axis_ * y + z_axis_ * z;
+    }
+
+    /// The ray from `origin` along `step`, the way in the world per unit of camera-space depth,
+    /// between the clipping depths.
+    CameraRay clipped_ray(const Vec3d& origin, const Vec3d& step, float time) const {
+        const double length = step.length();
+        CameraRay result;
+        result.ray.origin = Vec3(origin + step * settings_.hither);
+        result.ray.direction = Vec3(step / length);
+        result.ray.time = time;
+        result.ray.medium = medium_;
+        if (settings_.yon < 1e30) {
+            result.ray.t_max = static_cast<float>((settings_.yon - settings_.hither) * length);
+        }
+        return result;
+    }
+
+    /// Point of the lens plane for this sample, camera space.
+    Point2 lens_point(const CameraSample& sample) const {
+        if (settings_.lens_radius == 0) return {0, 0};
+        const Point2 disk = concentric_disk(sample.lens);
+        return {disk.x * settings_.lens_radius, disk.y * settings_.lens_radius};
+    }
+
+  private:
+    static Vec3d axis(const Matrix& m, int row) { return {m[row][0], m[row][1], m[row][2]}; }
+
+    CameraSettings settings_;
+    Vec3d x_axis_, y_axis_, z_axis_, position_;
+    const Medium* medium_;
+};
+
+class PerspectiveCamera final : public SceneCamera {
+  public:
+    PerspectiveCamera(const CameraSettings& settings, const FilmFrame& frame, const Medium* medium)
+        : SceneCamera(settings, medium),
+          screen_(settings, frame),
+          tangent_(std::tan(settings.fov / 360 * std::numbers::pi)),
+          pixel_volume_(screen_.pixel_area() * tangent_ * tangent_ *
+                        std::abs(x_axis().cross(y_axis()).dot(z_axis()))) {}
+
+    CameraRay generate(const CameraSample& sample, float time) const override {
+        const Point2 p = screen_.at(sample.film);
+        const Point2 lens = lens_point(sample);
+        // Where this ray meets the plane of focus, seen from the lens point, per unit of depth.
+        const Vec3d step = to_world(p.x * tangent_ - lens.x / settings().focal_distance,
+                                    p.y * tangent_ - lens.y / settings().focal_distance, 1);
+        CameraRay result = clipped_ray(position() + to_world(lens.x, lens.y, 0), step, time);
+        // The pixel's parallelogram at depth 1, seen along the ray, divided by the distance squared
+        // is its solid angle; the footprint's radius is half a side of the square of that area.
+        const double length = step.length();
+        const double solid_angle = pixel_volume_ / (length * length * length);
+        result.spread = static_cast<float>(0.5 * std::sqrt(solid_angle));
+        result.width = static_cast<float>(result.spread * settings().hither * length);
+        return result;
+    }
+
+  private:
+    Screen screen_;
+    double tangent_;
+    double pixel_volume_;  ///< pixel at depth 1 times depth 1, world units
+};
+
+class OrthographicCamera final : public SceneCamera {
+  public:
+    OrthographicCamera(const CameraSettings& settings, const FilmFrame& frame, const Medium* medium)
+        : SceneCamera(settings, medium),
+          screen_(settings, frame),
+          pixel_volume_(screen_.pixel_area() * std::abs(x_axis().cross(y_axis()).dot(z_axis()))) {}
+
+    CameraRay generate(const CameraSample& sample, float time) const override {
+        const Point2 p = screen_.at(sample.film);
+        const Point2 lens = lens_point(sample);
+        const Vec3d step =
+            to_world(-lens.x / settings().focal_distance, -lens.y / settings().focal_distance, 1);
+        CameraRay result =
+            clipped_ray(position() + to_world(p.x + lens.x, p.y + lens.y, 0), step, time);
+        result.width = static_cast<float>(0.5 * std::sqrt(pixel_volume_ / step.length()));
+        return result;
+    }
+
+  private:
+    Screen screen_;
+    double pixel_volume_;
+};
+
+/// Longitude to the right over the image's width, its centre forward; latitude from +y (top) to -y.
+class EnvironmentCamera final : public SceneCamera {
+  public:
+    EnvironmentCamera(const CameraSettings& settings, const FilmFrame& frame, const Medium* medium)
+        : SceneCamera(settings, medium),
+          frame_(frame),
+          longitude_step_(2 * std::numbers::pi / frame.x_resolution),
+          latitude_step_(std::numbers::pi / frame.y_resolution) {}
+
+    CameraRay generate(const CameraSample& sample, float time) const override {
+        const double longitude = (sample.film.x + frame_.x) * longitude_step_ - std::numbers::pi;
+        const double polar = (sample.film.y + frame_.y) * latitude_step_;
+        const double sine = std::sin(polar);
+        const Vec3d step =
+            to_world(sine * std::sin(longitude), std::cos(polar), sine * std::cos(longitude));
+        CameraRay result = clipped_ray(position(), step, time);
+        // At the poles a pixel is no narrower than the sine half a pixel away makes it.
+        const double solid_angle =
+            longitude_step_ * latitude_step_ * std::max(std::abs(sine), latitude_step_ / 2);
+        result.spread = static_cast<float>(0.5 * std::sqrt(solid_angle));
+        result.width = static_cast<float>(result.spread * settings().hither * step.length());
+        return result;
+    }
+
+  private:
+    FilmFrame frame_;
+    double longitude_step_, latitude_step_;
+};
+
+}  // namespace
+
+std::unique_ptr<Camera> make_camera(const SceneContents& contents, const Film& film,
+                                    Diagnostics& diagnostics) {
+    FilmFrame frame = read_film_frame(contents);
+    frame.width = film.width();
+    frame.height = film.height();
+    const CameraSettings settings = read_camera_settings(contents, frame, diagnostics);
+    const Medium* medium = contents.camera_medium.get();
+    switch (settings.projection) {
+        case Projection::Orthographic:
+            return std::make_unique<OrthographicCamera>(settings, frame, medium);
+        case Projection::Environment:
+            return std::make_unique<EnvironmentCamera>(settings, frame, medium);
+        case Projection::Perspective:
+            break;
+    }
+    return std::make_unique<PerspectiveCamera>(settings, frame, medium);
+}
+
+}  // namespace lxs

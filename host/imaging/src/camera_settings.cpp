@@ -1,0 +1,181 @@
+// What the Camera statement asks for.
+#include "camera_settings.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string_view>
+#include <vector>
+
+#include "option_choice.h"
+
+namespace lxs {
+namespace {
+
+using enum ParameterType;
+
+constexpr std::array<std::string_view, 2> kShutterDistributions{"uniform", "gaussian"};
+constexpr std::array<std::string_view, 5> kLensDistributions{
+    "uniform", "exponential", "inverse exponential", "gaussian", "inverse gaussian"};
+
+constexpr ParameterDeclaration kCommon[] = {
+    {"shutteropen", Float, "0", "Time at which the shutter opens."},
+    {"shutterclose", Float, "1", "Time at which the shutter closes."},
+    {.name = "shutterdistribution",
+     .type = String,
+     .default_text = "uniform",
+     .doc = "Ignored: times are uniform.",
+     .choices = kShutterDistributions},
+    {"hither", Float, "", "Depth at which rays start, scene units; at the lens if not given.", 0},
+    {"yon", Float, "1e30", "Depth at which rays end, scene units.", 0},
+    {.name = "screenwindow",
+     .type = Float,
+     .default_text = "",
+     .doc = "Visible part x0 x1 y0 y1 of the screen; by default -1 to 1 along the shorter axis.",
+     .array = true},
+    {"frameaspectratio", Float, "", "Width by height of the screen; by default the image's.", 1e-6,
+     1e6},
+};
+
+constexpr ParameterDeclaration kLens[] = {
+    {"lensradius", Float, "0", "Radius of the lens, scene units; 0: a pinhole.", 0},
+    {"focaldistance", Float, "1e30", "Depth at which the image is sharp, scene units."},
+    {"autofocus", Bool, "false", "Ignored: focaldistance counts."},
+};
+
+constexpr ParameterDeclaration kPerspective[] = {
+    {"fov", Float, "90", "Angle of view along the shorter axis, degrees."},
+    {"blades", Integer, "0", "Ignored: the aperture is round."},
+    {"power", Integer, "3", "Ignored: the aperture is uniform."},
+    {.name = "distribution",
+     .type = String,
+     .default_text = "uniform",
+     .doc = "Ignored: the aperture is uniform.",
+     .choices = kLensDistributions},
+};
+
+std::vector<ParameterDeclaration> declarations(Projection projection) {
+    std::vector<ParameterDeclaration> all(std::begin(kCommon), std::end(kCommon));
+    if (projection != Projection::Environment) {
+        all.insert(all.end(), std::begin(kLens), std::end(kLens));
+    }
+    if (projection == Projection::Perspective) {
+        all.insert(all.end(), std::begin(kPerspective), std::end(kPerspective));
+    }
+    return all;
+}
+
+Projection projection_of(const std::string& plugin) {
+    if (plugin == "orthographic") return Projection::Orthographic;
+    if (plugin == "environment") return Projection::Environment;
+    return Projection::Perspective;
+}
+
+Matrix camera_to_world(const OptionStatement& statement) {
+    try {
+        return statement.transform.inverse(true);
+    } catch (const std::exception&) {
+        throw InputError(statement.parameters.where,
+                         "the camera's transform is singular: it has no inverse");
+    }
+}
+
+std::array<double, 4> read_screen(const ParameterReader& reader, const FilmFrame& frame) {
+    if (reader.given("screenwindow")) {
+        const auto values = reader.numbers("screenwindow");
+        if (values.size() != 4) {
+            reader.fail("screenwindow",
+                        fmt::format("screenwindow takes 4 numbers, found {}", values.size()));
+        }
+        if (values[0] == values[1] || values[2] == values[3]) {
+            reader.fail("screenwindow", "screenwindow is empty");
+        }
+        return {values[0], values[1], values[2], values[3]};
+    }
+    const double image_aspect = static_cast<double>(frame.x_resolution) / frame.y_resolution;
+    const double aspect = reader.number("frameaspectratio", image_aspect);
+    if (aspect > 1) return {-aspect, aspect, -1, 1};
+    return {-1, 1, -1 / aspect, 1 / aspect};
+}
+
+void read_depths(const ParameterReader& reader, CameraSettings& settings) {
+    settings.hither = reader.number("hither", settings.hither);
+    settings.yon = reader.number("yon", settings.yon);
+    if (settings.yon <= settings.hither) {
+        reader.fail("yon", fmt::format("yon is {}, but must be beyond hither, {}", settings.yon,
+                                       settings.hither));
+    }
+}
+
+void read_shutter(const ParameterReader& reader, CameraSettings& settings) {
+    settings.shutter_open = static_cast<float>(reader.number("shutteropen", 0));
+    settings.shutter_close = static_cast<float>(reader.number("shutterclose", 1));
+    if (settings.shutter_close < settings.shutter_open) {
+        reader.diagnostics().warning(reader.where("shutterclose"),
+                                     "the shutter closes before it opens; the times are swapped");
+        std::swap(settings.shutter_open, settings.shutter_close);
+    }
+    if (reader.string("shutterdistribution", "uniform") != "uniform") {
+        reader.diagnostics().warning(reader.where("shutterdistribution"),
+                                     "\"shutterdistribution\" has no effect: times are uniform");
+    }
+}
+
+void read_lens(const ParameterReader& reader, CameraSettings& settings) {
+    settings.lens_radius = reader.number("lensradius", 0);
+    settings.focal_distance = reader.number("focaldistance", settings.focal_distance);
+    if (settings.focal_distance <= 0) {
+        reader.fail("focaldistance", fmt::format("focaldistance is {}, but must be positive",
+                                                 settings.focal_distance));
+    }
+    if (settings.lens_radius > 0 && reader.boolean("autofocus", false)) {
+        reader.diagnostics().warning(
+            reader.where("autofocus"),
+            fmt::format("\"autofocus\" has no effect: the focal distance is {}",
+                        settings.focal_distance));
+    }
+}
+
+void read_perspective(const ParameterReader& reader, CameraSettings& settings) {
+    settings.fov = reader.number("fov", settings.fov);
+    if (!(settings.fov > 0 && settings.fov < 180)) {
+        reader.fail("fov",
+                    fmt::format("fov is {}, but must lie between 0 and 180 degrees", settings.fov));
+    }
+    if (settings.lens_radius == 0) return;
+    if (reader.integer("blades", 0) > 2) {
+        reader.diagnostics().warning(reader.where("blades"),
+                                     "\"blades\" has no effect: the aperture is round");
+    }
+    if (reader.string("distribution", "uniform") != "uniform") {
+        reader.diagnostics().warning(reader.where("distribution"),
+                                     "\"distribution\" has no effect: the aperture is uniform");
+    }
+}
+
+}  // namespace
+
+CameraSettings read_camera_settings(const SceneContents& contents, const FilmFrame& frame,
+                                    Diagnostics& diagnostics) {
+    const OptionChoice choice = choose_option(contents, "Camera", "perspective",
+                                              {"environment", "orthographic", "perspective"});
+    if (!choice.given) {
+        diagnostics.warning(contents.end,
+                            "the scene has no Camera; a perspective camera of 90 degrees at the "
+                            "origin looks along +z");
+    }
+    CameraSettings settings;
+    settings.projection = projection_of(choice.statement.parameters.plugin);
+    settings.to_world = camera_to_world(choice.statement);
+    const std::vector<ParameterDeclaration> declared = declarations(settings.projection);
+    const ParameterReader reader(choice.statement.parameters, declared, diagnostics);
+    settings.screen = read_screen(reader, frame);
+    read_depths(reader, settings);
+    read_shutter(reader, settings);
+    if (settings.projection != Projection::Environment) read_lens(reader, settings);
+    if (settings.projection == Projection::Perspective) read_perspective(reader, settings);
+    return settings;
+}
+
+}  // namespace lxs

@@ -1,0 +1,32 @@
+// OpenEXR files in memory.
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "film_settings.h"
+#include "lxs/imaging/imaging.h"
+
+namespace lxs {
+
+/// A layer of three channels; "" names the image itself (R, G, B), others "name.R" and so on.
+struct ColorLayer {
+    std::string name;
+    std::vector<Rgb> values;
+};
+
+/// A layer of one channel, "name.Y".
+struct FloatLayer {
+    std::string name;
+    std::span<const float> values;
+};
+
+/// The bytes of a scan-line EXR (32-bit float, ZIP) with the frame's window as data window. All
+/// layers have width * height values. Throws std::exception when OpenEXR refuses a name.
+std::vector<std::byte> encode_exr(const FilmFrame& frame, std::span<const ColorLayer> colors,
+                                  std::span<const FloatLayer> floats,
+                                  const ImageMetadata& metadata);
+
+}  // namespace lxs

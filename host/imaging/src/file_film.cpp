@@ -1,0 +1,129 @@
+// The film that writes image files (LuxRender's "fleximage").
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <new>
+#include <stdexcept>
+
+#include "exr_encoder.h"
+#include "film_accumulator.h"
+#include "film_settings.h"
+#include "lxs/imaging/atomic_file.h"
+#include "lxs/imaging/imaging.h"
+#include "png_encoder.h"
+
+namespace lxs {
+namespace {
+
+/// What `encode` gives; its exceptions then name the file that isn't written.
+template <class Encode>
+std::vector<std::byte> encode_for(const std::string& path, const Encode& encode) {
+    try {
+        return encode();
+    } catch (const std::exception& error) {
+        throw std::runtime_error(fmt::format("cannot write '{}': {}", path, error.what()));
+    }
+}
+
+class FlexImage final : public FileFilm {
+  public:
+    FlexImage(FilmSettings settings, std::vector<std::string> group_names,
+              const PixelFilter& filter)
+        : settings_(std::move(settings)),
+          group_names_(std::move(group_names)),
+          accumulator_(width(), height(), light_groups(), filter) {}
+
+    std::uint32_t width() const override { return settings_.frame.width; }
+    std::uint32_t height() const override { return settings_.frame.height; }
+    std::uint32_t light_groups() const override {
+        return static_cast<std::uint32_t>(group_names_.size());
+    }
+    void add_pass(const PassSamples& samples) override { accumulator_.add(samples); }
+    void clear() override { accumulator_.clear(); }
+    void set_layer(std::string_view name, std::span<const float> values) override;
+
+    std::string base_name() const override { return settings_.base_name; }
+    double halt_time_seconds() const override { return settings_.halt_time_seconds; }
+    std::uint64_t halt_passes() const override { return settings_.halt_passes; }
+    double write_interval_seconds() const override { return settings_.write_interval_seconds; }
+    std::uint64_t refused_samples() const override { return accumulator_.refused_samples(); }
+    std::size_t memory_bytes() const override;
+
+    std::vector<Rgb> image() const override;
+    void write_exr(const std::string& path, const ImageMetadata& metadata) const override;
+    void write_png(const std::string& path) const override;
+
+  private:
+    std::size_t pixels() const { return std::size_t{width()} * height(); }
+
+    FilmSettings settings_;
+    std::vector<std::string> group_names_;
+    FilmAccumulator accumulator_;
+    std::map<std::string, std::vector<float>, std::less<>> layers_;
+};
+
+void FlexImage::set_layer(std::string_view name, std::span<const float> values) {
+    if (name.empty() || values.size() != pixels()) {
+        throw std::invalid_argument(
+            fmt::format("film: layer '{}' has {} values, not {}", name, values.size(), pixels()));
+    }
+    std::vector<float>& layer = layers_[std::string(name)];
+    layer.assign(values.begin(), values.end());
+    std::replace_if(
+        layer.begin(), layer.end(), [](float v) { return !std::isfinite(v); }, 0.0f);
+}
+
+std::size_t FlexImage::memory_bytes() const {
+    return accumulator_.memory_bytes() + layers_.size() * pixels() * sizeof(float);
+}
+
+std::vector<Rgb> FlexImage::image() const {
+    std::vector<Rgb> image(pixels());
+    accumulator_.resolve_total(image);
+    return image;
+}
+
+void FlexImage::write_exr(const std::string& path, const ImageMetadata& metadata) const {
+    std::vector<ColorLayer> colors{{"", image()}};
+    for (std::uint32_t g = 0; light_groups() > 1 && g < light_groups(); ++g) {
+        colors.push_back({group_names_[g], std::vector<Rgb>(pixels())});
+        accumulator_.resolve_group(g, colors.back().values);
+    }
+    std::vector<FloatLayer> floats;
+    for (const auto& [name, values] : layers_) {
+        floats.push_back({name, values});
+    }
+    write_file_atomically(path, encode_for(path, [&] {
+                              return encode_exr(settings_.frame, colors, floats, metadata);
+                          }));
+}
+
+void FlexImage::write_png(const std::string& path) const {
+    const std::vector<std::uint8_t> rgb = tone_map(image(), settings_.tone_map);
+    write_file_atomically(path, encode_for(path, [&] {
+                              return encode_png(width(), height(), settings_.tone_map.gamma, rgb);
+                          }));
+}
+
+}  // namespace
+
+std::unique_ptr<FileFilm> make_film(const SceneContents& contents, Diagnostics& diagnostics) {
+    FilmSettings settings = read_film_settings(contents, diagnostics);
+    const PixelFilter filter = make_pixel_filter(contents, diagnostics);
+    std::vector<std::string> groups = contents.light_groups;
+    if (groups.empty()) groups.emplace_back("default");
+    const FilmFrame frame = settings.frame;
+    const std::size_t group_count = groups.size();
+    try {
+        return std::make_unique<FlexImage>(std::move(settings), std::move(groups), filter);
+    } catch (const std::bad_alloc&) {
+        const auto film = contents.options.find("Film");
+        throw InputError(
+            film == contents.options.end() ? contents.end : film->second.parameters.where,
+            fmt::format("not enough memory for a film of {} x {} pixels and {} light groups",
+                        frame.width, frame.height, group_count));
+    }
+}
+
+}  // namespace lxs

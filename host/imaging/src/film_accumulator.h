@@ -1,0 +1,53 @@
+// Sums of filtered samples per pixel and light group, over all passes.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "lxs/sdk/film.h"
+#include "pixel_filter.h"
+
+namespace lxs {
+
+/// Estimates each pixel as sum(f w L) / sum(f w) over all samples: f the filter, w the weight of
+/// the sample's pass. Each pixel gathers its samples in a fixed order (cells row by row, within a
+/// cell as given), so that the bits depend on neither the number of threads nor their schedule.
+/// Sums are in double precision: 10^4 passes stay far below a float's rounding.
+class FilmAccumulator {
+  public:
+    FilmAccumulator(std::uint32_t width, std::uint32_t height, std::uint32_t groups,
+                    const PixelFilter& filter);
+
+    /// Throws std::invalid_argument if the pass is malformed (sizes, groups, weight): a bug of the
+    /// caller. Samples that are not finite or negative are refused whole and counted.
+    void add(const PassSamples& pass);
+    /// Forgets all samples; the count of refused ones stays.
+    void clear();
+
+    /// Mean of one light group, or of the sum of all, per pixel; never negative or infinite.
+    void resolve_group(std::uint32_t group, std::span<Rgb> image) const;
+    void resolve_total(std::span<Rgb> image) const;
+
+    std::uint64_t refused_samples() const { return refused_; }
+    /// Bytes held at one sample per pixel and pass, or more if a pass brought more.
+    std::size_t memory_bytes() const;
+
+  private:
+    void check(const PassSamples& pass) const;
+    void find_cells(const PassSamples& pass);
+    void sort_by_cell();
+    void gather_row(const PassSamples& pass, std::uint32_t y, std::span<double> pixel);
+
+    std::uint32_t width_, height_, groups_;
+    PixelFilter filter_;
+    /// Per pixel: sum of weights, then the weighted sums R, G, B of each light group.
+    std::vector<double> sums_;
+    std::uint64_t refused_ = 0;
+    // Kept between passes, so that passes after the first allocate nothing.
+    std::vector<std::uint32_t> cell_of_sample_;
+    std::vector<std::uint32_t> cell_begin_;  ///< per cell, and the end: index into `order_`
+    std::vector<std::uint32_t> order_;       ///< samples by cell
+};
+
+}  // namespace lxs

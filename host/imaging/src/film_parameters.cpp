@@ -1,0 +1,242 @@
+// The declared parameters of the films.
+#include "film_parameters.h"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <cmath>
+#include <string>
+
+namespace lxs {
+namespace {
+
+using enum ParameterType;
+
+constexpr std::array<std::string_view, 7> kToneMapKernels{
+    "autolinear", "linear", "reinhard", "contrast", "maxwhite", "nonlinear", "falsecolors"};
+constexpr std::array<std::string_view, 4> kClampMethods{"lum", "hue", "cut", "darken"};
+constexpr double kTiny = 1e-6;
+constexpr double kHuge = 1e12;
+
+constexpr ParameterDeclaration kPicture[] = {
+    {"xresolution", Integer, "800", "Width of the whole image, pixels."},
+    {"yresolution", Integer, "600", "Height of the whole image, pixels."},
+    {.name = "cropwindow",
+     .type = Float,
+     .default_text = "0 1 0 1",
+     .doc = "Rendered part x0 x1 y0 y1 of the image, as fractions from the upper left.",
+     .minimum = 0,
+     .maximum = 1,
+     .array = true},
+    {"filename", String, "luxout", "Name of the output files, without suffix."},
+    {"writeinterval", Integer, "60", "Seconds between two writes of the image; 0: at the end."},
+    {"halttime", Integer, "-1", "Seconds after which the render ends; not positive: never."},
+    {"haltspp", Integer, "-1", "Passes after which the render ends; not positive: never."},
+    {.name = "tonemapkernel",
+     .type = String,
+     .default_text = "autolinear",
+     .doc = "Tone mapping of the PNG.",
+     .choices = kToneMapKernels},
+    {"gamma", Float, "2.2", "Gamma of the PNG.", 0.1, 10},
+    {.name = "ldr_clamp_method",
+     .type = String,
+     .default_text = "lum",
+     .doc = "What becomes of colours beyond the display's range: desaturated (lum), darkened (hue, "
+            "darken) or cut per channel.",
+     .choices = kClampMethods},
+    {"linear_sensitivity", Float, "50", "ISO speed of kernel linear.", 0, kHuge},
+    {"linear_exposure", Float, "1", "Exposure time of kernel linear, seconds.", 0, kHuge},
+    {"linear_fstop", Float, "2.8", "F-number of kernel linear.", kTiny, kHuge},
+    {"linear_gamma", Float, "1", "Gamma that the exposure of kernel linear allows for.", 0, 10},
+    {"reinhard_prescale", Float, "1", "Scale before the curve of kernel reinhard.", 0, kHuge},
+    {"reinhard_postscale", Float, "1", "Scale after the curve of kernel reinhard.", 0, kHuge},
+    {"reinhard_burn", Float, "6", "Scaled luminance that becomes white in kernel reinhard.", kTiny,
+     kHuge},
+    {"contrast_ywa", Float, "1", "Adaptation luminance of kernel contrast, cd m^-2.", 0, kHuge},
+};
+
+/// Taken from any scene without a word: the picture is the same with or without them, or
+/// warn_of_ignored_film_parameters speaks when their value matters.
+constexpr ParameterDeclaration kAccepted[] = {
+    {"write_exr", Bool, "false", "Ignored: the EXR is always written."},
+    {"write_exr_channels", String, "RGB", "Ignored: the EXR holds RGB."},
+    {"write_exr_halftype", Bool, "true", "Ignored: the EXR holds 32-bit floats."},
+    {"write_exr_compressiontype", String, "PIZ (lossless)", "Ignored: always lossless (ZIP)."},
+    {"write_exr_applyimaging", Bool, "true", "Ignored: the EXR holds raw radiance."},
+    {"write_exr_gamutclamp", Bool, "true", "Ignored: the EXR holds raw radiance."},
+    {"write_exr_ZBuf", Bool, "false", "Ignored: no depth channel is written."},
+    {"write_exr_zbuf_normalizationtype", String, "None", "Ignored: no depth channel is written."},
+    {"write_exr_straightcolors", Bool, "false", "Ignored: there is no alpha channel."},
+    {"write_png", Bool, "true", "Ignored: the PNG is always written."},
+    {"write_png_channels", String, "RGB", "Ignored: the PNG holds RGB."},
+    {"write_png_16bit", Bool, "false", "Ignored: the PNG has 8 bits per channel."},
+    {"write_png_gamutclamp", Bool, "true", "Ignored: colours are clamped by ldr_clamp_method."},
+    {"write_png_ZBuf", Bool, "false", "Ignored: no depth image is written."},
+    {"write_png_zbuf_normalizationtype", String, "Min/Max", "Ignored: no depth image is written."},
+    {"write_tga", Bool, "false", "Ignored: no TGA file is written."},
+    {"write_tga_channels", String, "RGB", "Ignored: no TGA file is written."},
+    {"write_tga_gamutclamp", Bool, "true", "Ignored: no TGA file is written."},
+    {"write_tga_ZBuf", Bool, "false", "Ignored: no TGA file is written."},
+    {"write_tga_zbuf_normalizationtype", String, "Min/Max", "Ignored: no TGA file is written."},
+    {"write_resume_flm", Bool, "false", "Ignored: no FLM file is written."},
+    {"restart_resume_flm", Bool, "false", "Ignored: no FLM file is read."},
+    {"write_flm_direct", Bool, "false", "Ignored: no FLM file is written."},
+    {"flmwriteinterval", Integer, "60", "Ignored: no FLM file is written."},
+    {"displayinterval", Integer, "12", "Ignored: there is no window."},
+    {"tilecount", Integer, "0", "Ignored: the film isn't tiled."},
+    {"convergencestep", Float, "32", "Ignored: convergence isn't tested."},
+    {"haltthreshold", Float, "-1", "Ignored: convergence isn't tested."},
+    {"disable_noisemap_update", Bool, "false", "Ignored: there is no noise map."},
+    {"usersamplingmap_filename", String, "", "Ignored: all pixels get as many samples."},
+    {"premultiplyalpha", Bool, "false", "Ignored: there is no alpha channel."},
+    {"outlierrejection_k", Integer, "0", "Ignored: no sample is rejected as an outlier."},
+    {"reject_warmup", Integer, "64", "Ignored: no sample is rejected as an outlier."},
+    {"filterquality", Integer, "", "Ignored: the pixel filter's table has one size."},
+    {"debug", Bool, "false", "Ignored."},
+    {.name = "colorspace_red",
+     .type = Float,
+     .default_text = "0.63 0.34",
+     .doc = "Ignored: colours are linear RGB as the scene gives them.",
+     .array = true},
+    {.name = "colorspace_green",
+     .type = Float,
+     .default_text = "0.31 0.595",
+     .doc = "Ignored: colours are linear RGB as the scene gives them.",
+     .array = true},
+    {.name = "colorspace_blue",
+     .type = Float,
+     .default_text = "0.155 0.07",
+     .doc = "Ignored: colours are linear RGB as the scene gives them.",
+     .array = true},
+    {.name = "colorspace_white",
+     .type = Float,
+     .default_text = "0.314275 0.329411",
+     .doc = "Ignored: colours are linear RGB as the scene gives them.",
+     .array = true},
+    {"cameraresponse", String, "", "Ignored: no film response curve is applied."},
+    {"false_method", String, "linear", "Ignored: there are no false colours."},
+    {"false_colorscale", String, "std", "Ignored: there are no false colours."},
+    {"false_max", Float, "0", "Ignored: there are no false colours."},
+    {"false_min", Float, "0", "Ignored: there are no false colours."},
+    {"bloom_enabled", Bool, "false", "Ignored: no lens effects."},
+    {"bloom_radius", Float, "0.07", "Ignored: no lens effects."},
+    {"bloom_weight", Float, "0.25", "Ignored: no lens effects."},
+    {"vignetting_enabled", Bool, "false", "Ignored: no lens effects."},
+    {"vignetting_scale", Float, "0.4", "Ignored: no lens effects."},
+    {"abberation_enabled", Bool, "false", "Ignored: no lens effects."},
+    {"abberation_amount", Float, "0.005", "Ignored: no lens effects."},
+    {"glare_enabled", Bool, "false", "Ignored: no lens effects."},
+    {"glare_amount", Float, "0.03", "Ignored: no lens effects."},
+    {"glare_radius", Float, "0.03", "Ignored: no lens effects."},
+    {"glare_blades", Integer, "3", "Ignored: no lens effects."},
+    {"glare_threshold", Float, "0.5", "Ignored: no lens effects."},
+    {"glarelashesfilename", String, "", "Ignored: no lens effects."},
+    {"glarepupilfilename", String, "", "Ignored: no lens effects."},
+};
+
+constexpr ParameterDeclaration kMultiImage[] = {
+    {.name = "tonemapper",
+     .type = String,
+     .default_text = "autolinear",
+     .doc = "Old name of tonemapkernel.",
+     .choices = kToneMapKernels},
+    {"hdr_filename", String, "", "Old name of filename; a suffix is dropped."},
+    {"hdr_writeinterval", Integer, "60", "Old name of writeinterval, seconds."},
+    {"igi_filename", String, "", "Ignored: no IGI file is written."},
+    {"igi_writeinterval", Integer, "60", "Ignored: no IGI file is written."},
+    {"ldr_filename", String, "", "Ignored: the PNG is named like the EXR."},
+    {"ldr_writeinterval", Integer, "60", "Ignored: the PNG is written with the EXR."},
+    {"ldr_displayinterval", Integer, "12", "Ignored: there is no window."},
+    {"dither", Float, "0", "Ignored: the PNG isn't dithered."},
+};
+
+struct IgnoredFlag {
+    std::string_view name, consequence;
+};
+
+constexpr IgnoredFlag kIgnoredFlags[] = {
+    {"write_exr_halftype", "the EXR always holds 32-bit floats"},
+    {"write_exr_applyimaging", "the EXR always holds raw linear radiance"},
+    {"write_exr_ZBuf", "no depth channel is written"},
+    {"write_png_ZBuf", "no depth image is written"},
+    {"write_png_16bit", "the PNG has 8 bits per channel"},
+    {"write_tga", "no TGA file is written"},
+    {"write_resume_flm", "no FLM file is written"},
+    {"restart_resume_flm", "no FLM file is read"},
+    {"write_flm_direct", "no FLM file is written"},
+    {"premultiplyalpha", "there is no alpha channel"},
+    {"bloom_enabled", "no lens effects are applied"},
+    {"vignetting_enabled", "no lens effects are applied"},
+    {"abberation_enabled", "no lens effects are applied"},
+    {"glare_enabled", "no lens effects are applied"},
+};
+
+struct IgnoredText {
+    std::string_view name, neutral, consequence;
+};
+
+constexpr IgnoredText kIgnoredTexts[] = {
+    {"write_exr_channels", "RGB", "the EXR holds RGB"},
+    {"write_png_channels", "RGB", "the PNG holds RGB"},
+    {"cameraresponse", "", "no film response curve is applied"},
+    {"usersamplingmap_filename", "", "all pixels get as many samples"},
+};
+
+void warn(const ParameterReader& reader, std::string_view name, std::string_view consequence) {
+    reader.diagnostics().warning(reader.where(name),
+                                 fmt::format("\"{}\" has no effect: {}", name, consequence));
+}
+
+struct Chromaticity {
+    std::string_view name;
+    double x, y;
+};
+
+/// LuxRender's default primaries (SMPTE "C").
+constexpr Chromaticity kColorSpace[] = {{"colorspace_red", 0.63, 0.34},
+                                        {"colorspace_green", 0.31, 0.595},
+                                        {"colorspace_blue", 0.155, 0.07},
+                                        {"colorspace_white", 0.314275, 0.329411}};
+
+void warn_of_color_space(const ParameterReader& reader) {
+    for (const Chromaticity& expected : kColorSpace) {
+        const auto given = reader.numbers(expected.name);
+        if (given.empty()) continue;
+        const bool same = given.size() == 2 && std::abs(given[0] - expected.x) < 1e-3 &&
+                          std::abs(given[1] - expected.y) < 1e-3;
+        if (same) continue;
+        warn(reader, expected.name, "colours stay linear RGB as the scene gives them");
+        return;
+    }
+}
+
+}  // namespace
+
+std::vector<ParameterDeclaration> film_parameters(std::string_view plugin) {
+    std::vector<ParameterDeclaration> all(std::begin(kPicture), std::end(kPicture));
+    all.insert(all.end(), std::begin(kAccepted), std::end(kAccepted));
+    if (plugin == "multiimage") {
+        all.insert(all.end(), std::begin(kMultiImage), std::end(kMultiImage));
+    }
+    return all;
+}
+
+void warn_of_ignored_film_parameters(const ParameterReader& reader) {
+    for (const IgnoredFlag& flag : kIgnoredFlags) {
+        if (reader.boolean(flag.name, false)) warn(reader, flag.name, flag.consequence);
+    }
+    for (const IgnoredText& text : kIgnoredTexts) {
+        if (reader.string(text.name, text.neutral) != text.neutral) {
+            warn(reader, text.name, text.consequence);
+        }
+    }
+    if (reader.integer("outlierrejection_k", 0) > 0) {
+        warn(reader, "outlierrejection_k", "no sample is rejected as an outlier");
+    }
+    if (reader.number("haltthreshold", -1) > 0) {
+        warn(reader, "haltthreshold", "convergence isn't tested");
+    }
+    warn_of_color_space(reader);
+}
+
+}  // namespace lxs

@@ -1,0 +1,38 @@
+// What the Film statement asks for.
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "lxs/scene/contents.h"
+#include "tone_map.h"
+
+namespace lxs {
+
+/// The image and the window of it that is rendered, pixels.
+struct FilmFrame {
+    std::uint32_t x_resolution = 800, y_resolution = 600;
+    std::uint32_t x = 0, y = 0;  ///< upper left pixel of the window
+    std::uint32_t width = 800, height = 600;
+};
+
+/// Most pixels of an image (16384 x 8192). The film's sums take 8 + 24 bytes per light group and
+/// pixel: 4.3 GB for this many with one group.
+inline constexpr std::uint64_t kMaxFilmPixels = std::uint64_t{1} << 27;
+
+struct FilmSettings {
+    FilmFrame frame;
+    std::string base_name = "luxout";
+    double halt_time_seconds = 0;
+    std::uint64_t halt_passes = 0;
+    double write_interval_seconds = 60;
+    ToneMapSettings tone_map;
+};
+
+/// Reads and checks the Film statement; throws InputError, warns of what has no effect.
+FilmSettings read_film_settings(const SceneContents& contents, Diagnostics& diagnostics);
+
+/// The frame alone, for whom warnings of the Film statement are not meant.
+FilmFrame read_film_frame(const SceneContents& contents);
+
+}  // namespace lxs

@@ -1,0 +1,141 @@
+// Camera samples: Owen-scrambled (0,2)-sequences over the passes, one per pixel and purpose.
+// Sources: Burley 2020, "Practical Hash-based Owen Scrambling" (shuffling, scrambling, its hash);
+// Kollig & Keller 2002 (the second Sobol' dimension); Steele et al. 2014 (64-bit mixing).
+#include <array>
+#include <cmath>
+#include <string_view>
+
+#include "lxs/imaging/imaging.h"
+#include "option_choice.h"
+
+namespace lxs {
+namespace {
+
+using enum ParameterType;
+
+std::uint64_t mix(std::uint64_t x) {
+    x += 0x9e3779b97f4a7c15u;
+    x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9u;
+    x = (x ^ (x >> 27)) * 0x94d049bb133111ebu;
+    return x ^ (x >> 31);
+}
+
+std::uint32_t reverse_bits(std::uint32_t x) {
+    x = __builtin_bswap32(x);
+    x = ((x & 0x0f0f0f0fu) << 4) | ((x >> 4) & 0x0f0f0f0fu);
+    x = ((x & 0x33333333u) << 2) | ((x >> 2) & 0x33333333u);
+    return ((x & 0x55555555u) << 1) | ((x >> 1) & 0x55555555u);
+}
+
+/// Hash in which each bit depends on lower ones only (Burley 2020, section 3, after Laine &
+/// Karras).
+std::uint32_t laine_karras(std::uint32_t x, std::uint32_t seed) {
+    x += seed;
+    x ^= x * 0x6c50b47cu;
+    x ^= x * 0xb82f1e52u;
+    x ^= x * 0xc7afe638u;
+    x ^= x * 0x8d22f6e6u;
+    return x;
+}
+
+/// Owen scrambling: each bit is flipped by a hash of the higher ones.
+std::uint32_t nested_scramble(std::uint32_t x, std::uint32_t seed) {
+    return reverse_bits(laine_karras(reverse_bits(x), seed));
+}
+
+/// Point `index` of the (0,2)-sequence: van der Corput's and the second Sobol' dimension.
+std::array<std::uint32_t, 2> zero_two_sequence(std::uint32_t index) {
+    std::uint32_t second = 0;
+    std::uint32_t direction = 0x80000000u;
+    for (std::uint32_t i = index; i != 0; i >>= 1) {
+        if ((i & 1u) != 0) second ^= direction;
+        direction ^= direction >> 1;
+    }
+    return {reverse_bits(index), second};
+}
+
+float to_unit(std::uint32_t x) {
+    return static_cast<float>(x >> 8) * 0x1p-24f;
+}
+
+/// Scrambled point of a sequence of its own for every `key`; its order is shuffled too, so that
+/// points of several keys can be put together as if they were of higher dimension.
+Vec2 scrambled_point(std::uint32_t index, std::uint64_t key) {
+    const std::uint64_t first = mix(key), second = mix(first);
+    const auto point = zero_two_sequence(nested_scramble(index, static_cast<std::uint32_t>(first)));
+    return {to_unit(nested_scramble(point[0], static_cast<std::uint32_t>(second))),
+            to_unit(nested_scramble(point[1], static_cast<std::uint32_t>(second >> 32)))};
+}
+
+class OwenSampler final : public Sampler {
+  public:
+    explicit OwenSampler(std::uint64_t seed) : seed_(mix(seed)) {}
+
+    CameraSample camera_sample(std::uint64_t pass, std::uint32_t x,
+                               std::uint32_t y) const override {
+        const auto index = static_cast<std::uint32_t>(pass);
+        // Passes beyond 2^32 begin new sequences.
+        const std::uint64_t pixel = mix(seed_ ^ mix((std::uint64_t{y} << 32) | x)) + (pass >> 32);
+        const Vec2 within = scrambled_point(index, mix(pixel));
+        CameraSample sample;
+        sample.film = Vec2(inside(x, within.x), inside(y, within.y));
+        sample.lens = scrambled_point(index, mix(~pixel));
+        return sample;
+    }
+
+  private:
+    /// Keeps rounding from lifting the sum into the next pixel.
+    static float inside(std::uint32_t pixel, float offset) {
+        const auto low = static_cast<float>(pixel);
+        return std::min(low + offset, std::nextafter(low + 1, 0.0f));
+    }
+
+    std::uint64_t seed_;
+};
+
+constexpr std::array<std::string_view, 6> kPixelSamplers{"grid",           "hilbert", "linear",
+                                                         "lowdiscrepancy", "tile",    "vegas"};
+
+constexpr ParameterDeclaration kParameters[] = {
+    {"pixelsamples", Integer, "4", "Ignored: a pass has one sample per pixel.", 0},
+    {"xsamples", Integer, "2", "Ignored: a pass has one sample per pixel."},
+    {"ysamples", Integer, "2", "Ignored: a pass has one sample per pixel."},
+    {.name = "pixelsampler",
+     .type = String,
+     .default_text = "vegas",
+     .doc = "Ignored: a pass covers the whole image.",
+     .choices = kPixelSamplers},
+    {"noiseaware", Bool, "false", "Ignored: all pixels get as many samples."},
+};
+
+constexpr ParameterDeclaration kMarkovChain[] = {
+    {"maxconsecrejects", Integer, "512", "Ignored: there are no Markov chains."},
+    {"largemutationprob", Float, "0.4", "Ignored: there are no Markov chains."},
+    {"mutationrange", Float, "", "Ignored: there are no Markov chains."},
+    {"usevariance", Bool, "false", "Ignored: there are no Markov chains."},
+    {"usecooldown", Bool, "true", "Ignored: there are no Markov chains."},
+    {"initsamples", Integer, "", "Ignored: there are no Markov chains."},
+    {"chainlength", Integer, "", "Ignored: there are no Markov chains."},
+    {"stratawidth", Integer, "", "Ignored: there are no Markov chains."},
+};
+
+}  // namespace
+
+std::unique_ptr<Sampler> make_sampler(const SceneContents& contents, std::uint64_t seed,
+                                      Diagnostics& diagnostics) {
+    const OptionChoice choice = choose_option(contents, "Sampler", "random",
+                                              {"erpt", "lowdiscrepancy", "metropolis", "random"});
+    const ParameterSet& set = choice.statement.parameters;
+    std::vector<ParameterDeclaration> declared(std::begin(kParameters), std::end(kParameters));
+    const bool markov_chain = set.plugin == "metropolis" || set.plugin == "erpt";
+    if (markov_chain) {
+        declared.insert(declared.end(), std::begin(kMarkovChain), std::end(kMarkovChain));
+        diagnostics.warning(set.where,
+                            "Sampler \"" + set.plugin +
+                                "\" has no effect: every pixel gets the same number of samples");
+    }
+    const ParameterReader reader(set, declared, diagnostics);
+    return std::make_unique<OwenSampler>(seed);
+}
+
+}  // namespace lxs

@@ -1,0 +1,147 @@
+// From linear radiance to 8-bit display values.
+#include "tone_map.h"
+
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace lxs {
+namespace {
+
+using Kernel = ToneMapSettings::Kernel;
+using Clamp = ToneMapSettings::Clamp;
+
+/// Linear value that a display of this gamma shows at code 118 of 255, LuxRender's middle grey.
+double middle_grey(double gamma) {
+    return std::pow(118.0 / 255.0, gamma);
+}
+
+/// Statistics of the pixels that are not black, so that empty borders don't brighten the rest.
+struct ImageStatistics {
+    double mean = 0;      ///< arithmetic mean of luminance
+    double log_mean = 0;  ///< geometric mean of luminance
+    double maximum = 0;   ///< of any channel
+    double maximum_luminance = 0;
+
+    explicit ImageStatistics(std::span<const Rgb> image) {
+        double sum = 0, log_sum = 0;
+        std::size_t count = 0;
+        for (const Rgb& c : image) {
+            const double y = luminance(c);
+            maximum = std::max(maximum, static_cast<double>(max_component(c)));
+            if (!(y > 0)) continue;
+            maximum_luminance = std::max(maximum_luminance, y);
+            sum += y;
+            log_sum += std::log(y);
+            ++count;
+        }
+        if (count == 0) return;
+        mean = sum / static_cast<double>(count);
+        log_mean = std::exp(log_sum / static_cast<double>(count));
+    }
+};
+
+/// A tone curve: output = input * scale * (1 + y / white^2) / (1 + y) for y = luminance * key, or
+/// plainly input * scale when `key` is 0.
+struct ToneCurve {
+    double scale = 1;
+    double key = 0;
+    double inverse_white_squared = 0;
+
+    double factor(double y) const {
+        const double l = y * key;
+        return scale * (1 + l * inverse_white_squared) / (1 + l);
+    }
+};
+
+double linear_scale(const ToneMapSettings& s) {
+    // LuxRender's exposure rule: the energy time * speed / f-number^2 against middle grey.
+    return s.linear_exposure / (s.linear_fstop * s.linear_fstop) * s.linear_sensitivity * 0.065 *
+           middle_grey(s.linear_gamma);
+}
+
+double contrast_scale(double world_adaptation) {
+    // Ward 1994: equal visibility of contrasts on a display of 100 cd m^-2, adapted to its half.
+    constexpr double kDisplayMaximum = 100;
+    const double quotient =
+        (1.219 + std::pow(kDisplayMaximum / 2, 0.4)) / (1.219 + std::pow(world_adaptation, 0.4));
+    return std::pow(quotient, 2.5) / kDisplayMaximum;
+}
+
+ToneCurve reinhard_curve(const ToneMapSettings& s, double log_mean) {
+    // Reinhard et al. 2002, equations 1, 2 and 4, with the lower of their key values.
+    constexpr double kKey = 0.1;
+    const double scale = kKey / log_mean;
+    ToneCurve curve{.scale = scale * s.reinhard_postscale, .key = scale * s.reinhard_prescale};
+    curve.inverse_white_squared = 1 / (s.reinhard_burn * s.reinhard_burn);
+    return curve;
+}
+
+ToneCurve make_curve(std::span<const Rgb> image, const ToneMapSettings& s) {
+    const ImageStatistics statistics(image);
+    if (!(statistics.maximum > 0) || !(statistics.mean > 0)) return {};
+    switch (s.kernel) {
+        case Kernel::AutoLinear:
+            return {.scale = 1.25 / statistics.mean * middle_grey(s.gamma)};
+        case Kernel::Linear:
+            return {.scale = linear_scale(s)};
+        case Kernel::Reinhard:
+            return reinhard_curve(s, statistics.log_mean);
+        case Kernel::Contrast:
+            return {.scale = contrast_scale(s.contrast_ywa)};
+        case Kernel::MaxWhite:
+            return {.scale = 1 / statistics.maximum};
+        case Kernel::NonLinear: {
+            // Reinhard's curve on the unscaled luminance, the brightest pixel becoming white.
+            const double white = statistics.maximum_luminance;
+            return {.scale = 1, .key = 1, .inverse_white_squared = 1 / (white * white)};
+        }
+    }
+    return {};
+}
+
+struct Colour {
+    double r, g, b;
+};
+
+Colour clamp_to_display(Colour c, double y, Clamp clamp) {
+    const double brightest = std::max({c.r, c.g, c.b});
+    if (brightest > 1 && clamp == Clamp::Hue) {
+        c = {c.r / brightest, c.g / brightest, c.b / brightest};
+    } else if (brightest > 1 && clamp == Clamp::Luminance) {
+        const double grey = std::min(y, 1.0);
+        const double t = brightest > grey ? (1 - grey) / (brightest - grey) : 0;
+        c = {grey + t * (c.r - grey), grey + t * (c.g - grey), grey + t * (c.b - grey)};
+    }
+    return {std::clamp(c.r, 0.0, 1.0), std::clamp(c.g, 0.0, 1.0), std::clamp(c.b, 0.0, 1.0)};
+}
+
+std::uint8_t encode(double value, double inverse_gamma) {
+    return static_cast<std::uint8_t>(std::floor(255 * std::pow(value, inverse_gamma) + 0.5));
+}
+
+}  // namespace
+
+std::vector<std::uint8_t> tone_map(std::span<const Rgb> image, const ToneMapSettings& settings) {
+    const ToneCurve curve = make_curve(image, settings);
+    const double inverse_gamma = 1 / settings.gamma;
+    std::vector<std::uint8_t> bytes(3 * image.size());
+    const auto convert = [&](const tbb::blocked_range<std::size_t>& range) {
+        for (std::size_t i = range.begin(); i != range.end(); ++i) {
+            const Rgb& in = image[i];
+            const double y = luminance(in);
+            const double f = curve.factor(y);
+            const Colour c =
+                clamp_to_display({f * in.x, f * in.y, f * in.z}, f * y, settings.clamp);
+            bytes[3 * i] = encode(c.r, inverse_gamma);
+            bytes[3 * i + 1] = encode(c.g, inverse_gamma);
+            bytes[3 * i + 2] = encode(c.b, inverse_gamma);
+        }
+    };
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, image.size(), 4096), convert);
+    return bytes;
+}
+
+}  // namespace lxs

@@ -1,0 +1,46 @@
+// From linear radiance to 8-bit display values.
+// Sources: Reinhard et al. 2002 (photographic tone reproduction); Ward 1994 (contrast-based scale).
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "lxs/sdk/types.h"
+
+namespace lxs {
+
+/// LuxRender's tone mapping parameters, with its defaults.
+struct ToneMapSettings {
+    enum class Kernel : std::uint8_t {
+        AutoLinear,
+        Linear,
+        Reinhard,
+        Contrast,
+        MaxWhite,
+        NonLinear
+    };
+    /// What becomes of colours that are brighter than the display in some channel.
+    enum class Clamp : std::uint8_t {
+        Luminance,  ///< desaturated until they fit
+        Hue,        ///< darkened as a whole
+        Cut         ///< each channel on its own
+    };
+
+    Kernel kernel = Kernel::AutoLinear;
+    Clamp clamp = Clamp::Luminance;
+    double gamma = 2.2;              ///< of the display: a value is encoded as value^(1 / gamma)
+    double linear_sensitivity = 50;  ///< ISO speed
+    double linear_exposure = 1;      ///< seconds
+    double linear_fstop = 2.8;
+    double linear_gamma = 1;
+    double reinhard_prescale = 1, reinhard_postscale = 1;
+    double reinhard_burn = 6;  ///< luminance, in units of the mapped key, that becomes white
+    double contrast_ywa = 1;   ///< world adaptation luminance, cd m^-2
+};
+
+/// Interleaved RGB bytes of `image`, which must be finite and not negative.
+std::vector<std::uint8_t> tone_map(std::span<const Rgb> image, const ToneMapSettings& settings);
+
+}  // namespace lxs

@@ -1,0 +1,119 @@
+// The integrator `path`: one sample a pixel and pass, rows in parallel.
+#include "path/path_integrator.h"
+
+#include <fmt/format.h>
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cstddef>
+
+namespace lxs {
+
+void MaterialRefusals::refuse(std::uint32_t material) {
+    const std::size_t index = std::min<std::size_t>(material, counts_.size() - 1);
+    counts_[index].fetch_add(1, std::memory_order_relaxed);
+}
+
+std::uint64_t MaterialRefusals::total() const {
+    std::uint64_t sum = 0;
+    for (std::size_t i = 0; i < counts_.size(); ++i)
+        sum += count(i);
+    return sum;
+}
+
+std::uint64_t MaterialRefusals::count(std::size_t index) const {
+    return counts_[index].load(std::memory_order_relaxed);
+}
+
+void PathIntegrator::prepare(const RenderContext& context) {
+    context_.emplace(context);
+    const std::size_t pixels = std::size_t{context.film.width()} * context.film.height();
+    positions_.resize(pixels);
+    radiance_.resize(pixels * context.film.light_groups());
+    refusals_ = std::make_unique<MaterialRefusals>(context.scene.material_names().size());
+    tracer_.emplace(context.scene, settings_, *refusals_);
+    context.log.info("path: " + settings_.text());
+}
+
+PassReport PathIntegrator::render_pass(std::uint64_t pass) {
+    const std::uint32_t height = context_->film.height();
+    std::fill(radiance_.begin(), radiance_.end(), Rgb(0.0f));
+    std::vector<Counts> counts(height);
+    const std::size_t bsdf_bytes = context_->scene.facts().max_bsdf_bytes;
+    tbb::parallel_for(tbb::blocked_range<std::uint32_t>(0, height), [&](const auto& rows) {
+        std::vector<std::byte> buffer(bsdf_bytes + alignof(std::max_align_t));
+        std::pmr::monotonic_buffer_resource memory(buffer.data(), buffer.size());
+        for (std::uint32_t y = rows.begin(); y != rows.end(); ++y) {
+            counts[y] = render_row(pass, y, memory);
+        }
+    });
+    context_->film.add_pass({.positions = positions_,
+                             .radiance = radiance_,
+                             .groups = context_->film.light_groups(),
+                             .weight = 1});
+    PassReport report;
+    for (const Counts& row : counts) {
+        report.rays += row.rays;
+        total_.bounces += row.bounces;
+    }
+    total_.rays += report.rays;
+    paths_ += positions_.size();
+    warn_of_refusals();
+    return report;
+}
+
+PathIntegrator::Counts PathIntegrator::render_row(std::uint64_t pass, std::uint32_t y,
+                                                  std::pmr::monotonic_buffer_resource& memory) {
+    const RenderContext& context = *context_;
+    const std::uint32_t width = context.film.width();
+    const std::uint32_t groups = context.film.light_groups();
+    const float open = context.camera.shutter_open();
+    const float shutter = context.camera.shutter_close() - open;
+    Counts counts;
+    for (std::uint32_t x = 0; x < width; ++x) {
+        const std::size_t pixel = std::size_t{y} * width + x;
+        RandomStream random(context.settings.seed, pass, static_cast<std::uint32_t>(pixel));
+        const CameraSample sample = context.sampler.camera_sample(pass, x, y);
+        const CameraRay camera = context.camera.generate(sample, open + shutter * random.next());
+        PathResult result{.radiance = std::span(radiance_).subspan(pixel * groups, groups)};
+        tracer_->trace(camera.ray, random, memory, result);
+        positions_[pixel] = sample.film;
+        counts.rays += result.rays;
+        counts.bounces += result.bounces;
+    }
+    return counts;
+}
+
+void PathIntegrator::warn_of_refusals() {
+    if (warned_ || refusals_->total() == 0) return;
+    warned_ = true;
+    const auto names = context_->scene.material_names();
+    for (std::size_t i = 0; i <= names.size(); ++i) {
+        if (refusals_->count(i) == 0) continue;
+        const std::string where =
+            i < names.size() ? fmt::format("at material \"{}\"", names[i]) : "from outside";
+        context_->log.warning(fmt::format(
+            "path: refused a contribution {} that is no finite positive number", where));
+    }
+}
+
+Statistics PathIntegrator::statistics() const {
+    Statistics statistics{{"paths", paths_}, {"rays", total_.rays}};
+    if (paths_ > 0) {
+        statistics.emplace_back("bounces per path",
+                                static_cast<double>(total_.bounces) / static_cast<double>(paths_));
+    }
+    if (!refusals_) return statistics;
+    statistics.emplace_back("refused contributions", refusals_->total());
+    const auto names = context_->scene.material_names();
+    for (std::size_t i = 0; i <= names.size(); ++i) {
+        if (refusals_->count(i) == 0) continue;
+        statistics.emplace_back(
+            "refused contributions at " + (i < names.size() ? names[i] : "the environment"),
+            refusals_->count(i));
+    }
+    return statistics;
+}
+
+}  // namespace lxs

@@ -1,0 +1,41 @@
+// Settings of the integrator `path`: declaration, defaults, parsing, printing.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+
+#include "lxs/sdk/parameters.h"
+
+namespace lxs {
+
+/// How a path's end is chosen at random before maxdepth.
+enum class RouletteStrategy : std::uint8_t {
+    Efficiency,   ///< go on with the probability min(1, largest channel of the throughput)
+    Probability,  ///< go on with a fixed probability
+    None
+};
+
+/// Which lights a vertex asks for direct light.
+enum class LightStrategy : std::uint8_t {
+    All,      ///< every light
+    Uniform,  ///< one, all equally likely
+    Power,    ///< one, in proportion to its power
+    LogPower  ///< one, in proportion to log(1 + power)
+};
+
+struct PathSettings {
+    std::uint32_t max_depth = 16;  ///< most bounces of a path; straight passage is no bounce
+    RouletteStrategy roulette = RouletteStrategy::Efficiency;
+    float continue_probability = 0.65f;  ///< of RouletteStrategy::Probability
+    bool include_environment = true;     ///< the camera sees lights at infinity directly
+    bool direct_light_sampling = true;
+    LightStrategy lights = LightStrategy::Power;
+
+    static std::span<const ParameterDeclaration> declarations();
+    static PathSettings read(const ParameterReader& parameters);
+    /// One line for the log.
+    std::string text() const;
+};
+
+}  // namespace lxs

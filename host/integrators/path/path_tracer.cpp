@@ -1,0 +1,200 @@
+// Unidirectional path tracing of one camera ray.
+#include "path/path_tracer.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace lxs {
+namespace {
+
+/// Bounces before Russian roulette begins: LuxRender's number.
+constexpr std::uint32_t kRouletteStart = 3;
+/// A ray caught between surfaces that let it pass straight must end some day.
+constexpr std::uint32_t kMaxStraight = 1000;
+constexpr LobeMask kScattering = kDiffuse | kGlossy;
+
+/// Veach 1997, eq. 9.11 with exponent 2, written so that large densities don't overflow.
+float power_heuristic(float pdf, float other_pdf) {
+    const float ratio = other_pdf / pdf;
+    return 1 / (1 + ratio * ratio);
+}
+
+bool valid(const Rgb& c) {
+    return std::isfinite(c.x) && std::isfinite(c.y) && std::isfinite(c.z) && c.x >= 0 && c.y >= 0 &&
+           c.z >= 0;
+}
+
+Ray leave(const SurfaceHit& hit, const Vec3& direction, float time) {
+    Ray ray;
+    ray.origin = offset_origin(hit.p, hit.p_error, hit.ng, direction);
+    ray.direction = direction;
+    ray.time = time;
+    ray.medium = direction.dot(hit.ng) > 0 ? hit.exterior : hit.interior;
+    return ray;
+}
+
+/// Segment from a surface to a sampled light point, both ends moved off their surfaces by the
+/// bounds of their rounding errors.
+Ray shadow_ray(const SurfaceHit& hit, const DirectSample& sample, float time) {
+    Ray ray = leave(hit, sample.wi, time);
+    if (!std::isfinite(sample.distance)) return ray;
+    const Vec3 to_light = hit.p + sample.wi * sample.distance - ray.origin;
+    const float distance = to_light.length();
+    if (!(distance > 0)) return ray;
+    ray.direction = to_light / distance;
+    const Vec3 d(std::abs(ray.direction.x), std::abs(ray.direction.y), std::abs(ray.direction.z));
+    constexpr float kRounding = 8 * std::numeric_limits<float>::epsilon();
+    ray.t_max = std::max(0.0f, distance * (1 - kRounding) - 2 * d.dot(sample.light_error));
+    return ray;
+}
+
+}  // namespace
+
+/// The last vertex at which the path changed direction.
+struct PathTracer::Vertex {
+    Vec3 p{0.0f};
+    Vec3 n{0.0f};
+    float pdf = 0;  ///< of the direction it left with; 0 at the camera and after a specular lobe
+};
+
+struct PathTracer::State {
+    Ray ray;
+    RandomStream& random;
+    PathResult& result;
+    Rgb throughput{1.0f};
+    Vertex left;
+    std::uint32_t bounces = 0;
+    std::uint32_t straight = 0;
+};
+
+PathTracer::PathTracer(const Scene& scene, const PathSettings& settings, RefusalCounter& refusals)
+    : scene_(scene),
+      settings_(settings),
+      lights_(scene.lights(), settings.lights),
+      refusals_(refusals) {}
+
+void PathTracer::trace(const Ray& camera_ray, RandomStream& random,
+                       std::pmr::monotonic_buffer_resource& memory, PathResult& result) const {
+    State state{.ray = camera_ray, .random = random, .result = result, .left = {}};
+    for (;;) {
+        memory.release();
+        SurfaceHit hit;
+        ++result.rays;
+        if (!scene_.intersect(state.ray, hit, memory)) {
+            add_escaped(state);
+            break;
+        }
+        state.throughput *= hit.transmittance;
+        add_emitted(state, hit);
+        if (hit.bsdf == nullptr) break;
+        if (state.bounces < settings_.max_depth) add_direct(state, hit);
+        if (!scatter(state, hit)) break;
+    }
+    result.bounces += state.bounces;
+}
+
+void PathTracer::add(State& state, const Rgb& contribution, std::uint32_t group,
+                     std::uint32_t material) const {
+    if (valid(contribution)) {
+        state.result.radiance[group] += contribution;
+    } else {
+        refusals_.refuse(material);
+    }
+}
+
+/// Share of a light met by a scattered ray that next-event estimation leaves to it.
+float PathTracer::light_weight(const State& state, const Light& light, const Vec3& light_p,
+                               const Vec3& light_n, std::uint32_t primitive) const {
+    if (!settings_.direct_light_sampling || state.left.pdf == 0) return 1;
+    const float pdf = light.pdf_direct(state.left.p, state.left.n, state.ray.direction, light_p,
+                                       light_n, primitive);
+    return power_heuristic(state.left.pdf, pdf * lights_.probability(&light));
+}
+
+void PathTracer::add_emitted(State& state, const SurfaceHit& hit) const {
+    if (hit.light == nullptr || is_black(hit.emitted)) return;
+    const float weight = light_weight(state, *hit.light, hit.p, hit.ng, hit.primitive);
+    add(state, state.throughput * hit.emitted * weight, hit.light->group(), hit.material);
+}
+
+void PathTracer::add_escaped(State& state) const {
+    if (lights_.at_infinity().empty()) return;
+    if (state.bounces == 0 && !settings_.include_environment) return;
+    if (state.ray.medium != nullptr) state.throughput *= scene_.transmittance(state.ray);
+    const Vec3& direction = state.ray.direction;
+    for (const Light* light : lights_.at_infinity()) {
+        const Rgb radiance = light->escaped(direction);
+        if (is_black(radiance)) continue;
+        const float weight = light_weight(state, *light, Vec3(0.0f), Vec3(0.0f), 0);
+        add(state, state.throughput * radiance * weight, light->group(), kNoMaterial);
+    }
+}
+
+void PathTracer::add_direct(State& state, const SurfaceHit& hit) const {
+    if (!settings_.direct_light_sampling || (hit.bsdf->lobes() & kScattering) == 0) return;
+    for (std::size_t i = 0; i < lights_.choices(); ++i) {
+        const float u = state.random.next();
+        const LightChoice choice = lights_.choose(i, u);
+        const Rgb light = direct_light(state, hit, choice, state.random.next_2d());
+        add(state, state.throughput * light, choice.light->group(), hit.material);
+    }
+}
+
+Rgb PathTracer::direct_light(State& state, const SurfaceHit& hit, const LightChoice& choice,
+                             const Vec2& u) const {
+    const Vec3 wo = -state.ray.direction;
+    DirectSample sample;
+    if (!choice.light->sample_direct(hit.p, hit.ns, u, sample) || !(sample.pdf > 0)) {
+        return Rgb(0.0f);
+    }
+    const Rgb f = hit.bsdf->evaluate(wo, sample.wi, Transport::Radiance, kAllLobes);
+    if (is_black(f) || is_black(sample.radiance)) return Rgb(0.0f);
+    ++state.result.rays;
+    const Rgb passed = scene_.transmittance(shadow_ray(hit, sample, state.ray.time));
+    if (is_black(passed)) return Rgb(0.0f);
+    const float pdf = sample.pdf * choice.probability;
+    const float weight =
+        sample.delta ? 1.0f : power_heuristic(pdf, hit.bsdf->pdf(wo, sample.wi, kAllLobes));
+    const float cosine = std::abs(hit.ns.dot(sample.wi));
+    return f * sample.radiance * passed * (cosine * weight / pdf);
+}
+
+/// Draws the next direction; false when the path ends here.
+bool PathTracer::scatter(State& state, const SurfaceHit& hit) const {
+    // A path at its last bounce may still pass straight to a light, as its shadow rays may.
+    const bool last = state.bounces >= settings_.max_depth;
+    if (last && (hit.bsdf->lobes() & kSpecular) == 0) return false;
+
+    const Vec2 u = state.random.next_2d();
+    BsdfSample sample;
+    if (!hit.bsdf->sample(-state.ray.direction, u, state.random.next(), Transport::Radiance,
+                          kAllLobes, sample)) {
+        return false;
+    }
+    if (!sample.straight && last) return false;
+    if (!valid(sample.weight)) {
+        refusals_.refuse(hit.material);
+        return false;
+    }
+    state.throughput *= sample.weight;
+    if (is_black(state.throughput)) return false;
+    state.ray = leave(hit, sample.wi, state.ray.time);
+    if (sample.straight) return ++state.straight < kMaxStraight;
+
+    ++state.bounces;
+    state.left = {hit.p, hit.ns, (sample.lobe & kSpecular) != 0 ? 0.0f : sample.pdf};
+    return survives_roulette(state);
+}
+
+bool PathTracer::survives_roulette(State& state) const {
+    if (state.bounces <= kRouletteStart || settings_.roulette == RouletteStrategy::None)
+        return true;
+    const float probability = settings_.roulette == RouletteStrategy::Probability
+                                  ? settings_.continue_probability
+                                  : std::min(1.0f, max_component(state.throughput));
+    if (state.random.next() >= probability) return false;
+    state.throughput /= probability;
+    return true;
+}
+
+}  // namespace lxs

@@ -1,0 +1,69 @@
+// Unidirectional path tracing of one camera ray.
+//
+// References: Kajiya 1986, "The rendering equation"; Veach 1997, "Robust Monte Carlo methods for
+// light transport simulation", chapter 9 (multiple importance sampling, power heuristic).
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <memory_resource>
+#include <span>
+
+#include "lxs/sdk/scene.h"
+#include "path/light_selector.h"
+#include "path/path_settings.h"
+#include "path/random_stream.h"
+
+namespace lxs {
+
+/// Material index of what came from outside of all surfaces.
+inline constexpr std::uint32_t kNoMaterial = std::numeric_limits<std::uint32_t>::max();
+
+/// Told of every contribution that was not a finite number or negative; called from many threads.
+class RefusalCounter {
+  public:
+    virtual ~RefusalCounter() = default;
+    virtual void refuse(std::uint32_t material) = 0;
+};
+
+/// What one path gave.
+struct PathResult {
+    std::span<Rgb> radiance;  ///< one entry a light group, added to
+    std::uint64_t rays = 0;
+    std::uint64_t bounces = 0;
+};
+
+/// Estimates the radiance that arrives along a camera ray. Light reaches a path vertex in two ways
+/// that share each light path by the power heuristic: next-event estimation, and a scattered ray
+/// that meets the light. Both pass straight through null materials and architectural glass, which
+/// is no bounce: the scattered ray keeps the density and position of the vertex it left.
+class PathTracer {
+  public:
+    PathTracer(const Scene& scene, const PathSettings& settings, RefusalCounter& refusals);
+
+    void trace(const Ray& camera_ray, RandomStream& random,
+               std::pmr::monotonic_buffer_resource& memory, PathResult& result) const;
+
+  private:
+    struct Vertex;
+    struct State;
+
+    void add(State& state, const Rgb& contribution, std::uint32_t group,
+             std::uint32_t material) const;
+    void add_emitted(State& state, const SurfaceHit& hit) const;
+    void add_escaped(State& state) const;
+    void add_direct(State& state, const SurfaceHit& hit) const;
+    Rgb direct_light(State& state, const SurfaceHit& hit, const LightChoice& choice,
+                     const Vec2& u) const;
+    float light_weight(const State& state, const Light& light, const Vec3& light_p,
+                       const Vec3& light_n, std::uint32_t primitive) const;
+    bool scatter(State& state, const SurfaceHit& hit) const;
+    bool survives_roulette(State& state) const;
+
+    const Scene& scene_;
+    PathSettings settings_;
+    LightSelector lights_;
+    RefusalCounter& refusals_;
+};
+
+}  // namespace lxs

@@ -1,0 +1,33 @@
+// Reads a LuxRender 1.x scene file and everything it includes.
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "lxs/scene/contents.h"
+#include "lxs/scene/registry.h"
+#include "lxs/sdk/diagnostics.h"
+
+namespace lxs {
+
+/// Reads `path` ("-": standard input). Throws InputError (bad input) or std::system_error (the
+/// file can't be read).
+SceneContents read_scene(const std::string& path, const Registry& registry,
+                         Diagnostics& diagnostics);
+
+/// The same from memory; `directory` is where relative names are looked up.
+SceneContents read_scene_text(const std::string& text, const std::string& name,
+                              const std::string& directory, const Registry& registry,
+                              Diagnostics& diagnostics);
+
+/// Path of an asset named in a scene: against the main scene's folder, then its basename there,
+/// then the including file's folder. Throws InputError at `where` if none exists.
+std::string resolve_asset(const std::string& name, const std::string& main_directory,
+                          const SourceLocation& where);
+
+/// Every plugin name of LuxRender 1.9 by statement ("Material", "Shape", ...), rendered or not:
+/// a name in here that the host does not render yet is reported as such, any other as unknown.
+const std::map<std::string, std::vector<std::string>>& known_plugin_names();
+
+}  // namespace lxs

@@ -1,0 +1,36 @@
+// AreaLightSource "area".
+#include "area_emission.h"
+
+#include "constant_texture.h"
+#include "lxs/language/read_scene.h"
+#include "lxs/lights/lights.h"
+
+namespace lxs {
+
+AreaEmission make_area_emission(const ParameterSet& set, const AssetContext& assets,
+                                Diagnostics& diagnostics) {
+    if (set.plugin != "area") {
+        throw InputError(set.where,
+                         unknown_name_message("area light", set.plugin,
+                                              known_plugin_names().at("AreaLightSource")));
+    }
+    const ParameterReader parameters(set, area_light_parameters(), diagnostics);
+    AreaEmission emission;
+    const auto texture = parameters.texture_name("L");
+    if (texture) {
+        emission.radiance = assets.color_texture(*texture, parameters.where("L"));
+    } else {
+        const Rgb radiance = parameters.color("L", Rgb(1.0f));
+        if (std::min({radiance.x, radiance.y, radiance.z}) < 0) {
+            parameters.fail("L", "an area light's L must not be negative");
+        }
+        emission.radiance = std::make_shared<ConstantTexture<Rgb>>(radiance);
+    }
+    emission.gain = static_cast<float>(parameters.number("gain", emission.gain));
+    emission.power = static_cast<float>(parameters.number("power", emission.power));
+    emission.efficacy = static_cast<float>(parameters.number("efficacy", emission.efficacy));
+    emission.where = set.where;
+    return emission;
+}
+
+}  // namespace lxs

@@ -1,0 +1,101 @@
+// Reading of files, include cycles and depth.
+#include "included_files.h"
+
+#include <cerrno>
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+#include <limits>
+#include <system_error>
+
+#include "lxs/language/read_scene.h"
+
+namespace lxs {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr int kMaxIncludeDepth = 32;
+
+[[noreturn]] void fail_reading(const std::string& path, int error) {
+    throw std::system_error(error, std::generic_category(), "can't read " + in_quotes(path));
+}
+
+std::string read_stream(const std::string& path, std::istream& stream, std::size_t expected_size) {
+    constexpr std::size_t kBlock = 1 << 20;
+    constexpr std::size_t kMaxSize = std::numeric_limits<std::uint32_t>::max();  // columns fit
+    std::string text;
+    text.reserve(expected_size + kBlock + 1);
+    std::size_t size = 0;
+    while (stream) {
+        if (size > kMaxSize) fail_reading(path, EFBIG);
+        text.resize(size + kBlock);
+        stream.read(text.data() + size, kBlock);
+        size += static_cast<std::size_t>(stream.gcount());
+    }
+    text.resize(size);
+    return text;
+}
+
+/// Names that lead to one file compare equal.
+fs::path identity(const std::string& name) {
+    std::error_code ignored;
+    return fs::weakly_canonical(name, ignored);
+}
+
+/// "a.lxs -> b.lxs -> a.lxs": how `file` comes to include `name` again.
+std::string cycle_text(const SourceFile& file, const std::string& name) {
+    std::string text = in_quotes(name);
+    for (const SourceFile* f = &file; f; f = f->included_by.get()) {
+        text.insert(0, in_quotes(f->name) + " -> ");
+        if (identity(f->name) == identity(name)) break;
+    }
+    return text;
+}
+
+void check_chain(const Name& include, const std::string& path) {
+    int depth = 1;
+    for (const SourceFile* f = include.where.file.get(); f; f = f->included_by.get(), ++depth) {
+        if (identity(f->name) == identity(path)) {
+            throw InputError(include.where,
+                             "Include leads in a circle: " + cycle_text(*include.where.file, path));
+        }
+    }
+    if (depth - 1 > kMaxIncludeDepth) {
+        throw InputError(include.where, "Include nests deeper than " +
+                                            std::to_string(kMaxIncludeDepth) + " levels");
+    }
+}
+
+}  // namespace
+
+std::string read_text(const std::string& path) {
+    if (path == "-") return read_stream(path, std::cin, 0);
+    std::error_code ignored;
+    if (fs::is_directory(path, ignored)) fail_reading(path, EISDIR);
+    errno = 0;
+    std::ifstream stream(path, std::ios::binary);
+    if (!stream) fail_reading(path, errno != 0 ? errno : EIO);
+    const std::uintmax_t size = fs::file_size(path, ignored);
+    std::string text = read_stream(path, stream, ignored ? 0 : size);
+    if (stream.bad()) fail_reading(path, errno != 0 ? errno : EIO);
+    return text;
+}
+
+std::shared_ptr<const SourceFile> open_include(const Name& file,
+                                               const std::string& main_directory) {
+    const std::string path = resolve_asset(file.text, main_directory, file.where);
+    check_chain(file, path);
+    auto source = std::make_shared<SourceFile>();
+    source->name = path;
+    source->included_by = file.where.file;
+    source->include_line = file.where.line;
+    try {
+        source->text = std::make_shared<const std::string>(read_text(path));
+    } catch (const std::system_error& error) {
+        throw InputError(file.where, error.what());
+    }
+    return source;
+}
+
+}  // namespace lxs

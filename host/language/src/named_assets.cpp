@@ -1,0 +1,77 @@
+// Look-up of named textures, materials and volumes.
+#include "named_assets.h"
+
+#include "lxs/language/read_scene.h"
+
+namespace lxs {
+namespace {
+
+template <class Map>
+std::vector<std::string> names_of(const Map& map) {
+    std::vector<std::string> names;
+    names.reserve(map.size());
+    for (const auto& entry : map)
+        names.push_back(entry.first);
+    return names;
+}
+
+}  // namespace
+
+std::string NamedAssets::resolve(const std::string& name, const SourceLocation& where) const {
+    return resolve_asset(name, directory_, where);
+}
+
+std::shared_ptr<const FloatTexture> NamedAssets::float_texture(const std::string& name,
+                                                               const SourceLocation& where) const {
+    const auto found = float_textures_.find(name);
+    if (found != float_textures_.end()) return found->second;
+    fail_texture("float", name, names_of(float_textures_), where);
+}
+
+std::shared_ptr<const ColorTexture> NamedAssets::color_texture(const std::string& name,
+                                                               const SourceLocation& where) const {
+    const auto found = color_textures_.find(name);
+    if (found != color_textures_.end()) return found->second;
+    fail_texture("color", name, names_of(color_textures_), where);
+}
+
+std::shared_ptr<const FresnelTexture> NamedAssets::fresnel_texture(
+    const std::string& name, const SourceLocation& where) const {
+    const auto found = fresnel_textures_.find(name);
+    if (found != fresnel_textures_.end()) return found->second;
+    fail_texture("fresnel", name, names_of(fresnel_textures_), where);
+}
+
+std::shared_ptr<const Material> NamedAssets::material(const std::string& name,
+                                                      const SourceLocation& where) const {
+    return indexed_material({name, where}).material;
+}
+
+const IndexedMaterial& NamedAssets::indexed_material(const Name& name) const {
+    const auto found = materials_.find(name.text);
+    if (found != materials_.end()) return found->second;
+    throw InputError(name.where,
+                     unknown_name_message("named material", name.text, names_of(materials_)));
+}
+
+std::shared_ptr<const Medium> NamedAssets::medium(const Name& name) const {
+    const auto found = media_.find(name.text);
+    if (found != media_.end()) return found->second;
+    throw InputError(name.where, unknown_name_message("named volume", name.text, names_of(media_)));
+}
+
+void NamedAssets::fail_texture(const std::string& wanted_type, const std::string& name,
+                               const std::vector<std::string>& known,
+                               const SourceLocation& where) const {
+    std::string found_type;
+    if (float_textures_.count(name) > 0) found_type = "float";
+    if (color_textures_.count(name) > 0) found_type = "color";
+    if (fresnel_textures_.count(name) > 0) found_type = "fresnel";
+    if (found_type.empty()) {
+        throw InputError(where, unknown_name_message(wanted_type + " texture", name, known));
+    }
+    throw InputError(where, "texture " + in_quotes(name) + " is of type " + found_type +
+                                ", expected type " + wanted_type);
+}
+
+}  // namespace lxs

@@ -1,0 +1,67 @@
+// What a scene has named so far: textures, materials, volumes; and where its files are.
+#pragma once
+
+#include <map>
+#include <string>
+#include <utility>
+
+#include "arguments.h"
+#include "lxs/scene/registry.h"
+
+namespace lxs {
+
+/// A material and its place in SceneContents::material_names.
+struct IndexedMaterial {
+    std::shared_ptr<const Material> material;
+    std::uint32_t index = 0;
+};
+
+/// Definitions return false when the name was taken; the new meaning counts from then on.
+class NamedAssets final : public AssetContext {
+  public:
+    explicit NamedAssets(std::string directory) : directory_(std::move(directory)) {}
+
+    const std::string& directory() const { return directory_; }
+    std::string resolve(const std::string& name, const SourceLocation& where) const override;
+    std::shared_ptr<const FloatTexture> float_texture(const std::string& name,
+                                                      const SourceLocation& where) const override;
+    std::shared_ptr<const ColorTexture> color_texture(const std::string& name,
+                                                      const SourceLocation& where) const override;
+    std::shared_ptr<const FresnelTexture> fresnel_texture(
+        const std::string& name, const SourceLocation& where) const override;
+    std::shared_ptr<const Material> material(const std::string& name,
+                                             const SourceLocation& where) const override;
+    /// Throw InputError naming near names if there is no such material or volume.
+    const IndexedMaterial& indexed_material(const Name& name) const;
+    std::shared_ptr<const Medium> medium(const Name& name) const;
+
+    bool define(const std::string& name, std::shared_ptr<const FloatTexture> texture) {
+        return float_textures_.insert_or_assign(name, std::move(texture)).second;
+    }
+    bool define(const std::string& name, std::shared_ptr<const ColorTexture> texture) {
+        return color_textures_.insert_or_assign(name, std::move(texture)).second;
+    }
+    bool define(const std::string& name, std::shared_ptr<const FresnelTexture> texture) {
+        return fresnel_textures_.insert_or_assign(name, std::move(texture)).second;
+    }
+    bool define(const std::string& name, IndexedMaterial material) {
+        return materials_.insert_or_assign(name, std::move(material)).second;
+    }
+    bool define(const std::string& name, std::shared_ptr<const Medium> medium) {
+        return media_.insert_or_assign(name, std::move(medium)).second;
+    }
+
+  private:
+    [[noreturn]] void fail_texture(const std::string& wanted_type, const std::string& name,
+                                   const std::vector<std::string>& known,
+                                   const SourceLocation& where) const;
+
+    std::string directory_;
+    std::map<std::string, std::shared_ptr<const FloatTexture>> float_textures_;
+    std::map<std::string, std::shared_ptr<const ColorTexture>> color_textures_;
+    std::map<std::string, std::shared_ptr<const FresnelTexture>> fresnel_textures_;
+    std::map<std::string, IndexedMaterial> materials_;
+    std::map<std::string, std::shared_ptr<const Medium>> media_;
+};
+
+}  // namespace lxs

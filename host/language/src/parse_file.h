@@ -1,0 +1,13 @@
+// Parses the text of one file into statements.
+#pragma once
+
+#include <memory>
+
+#include "statement_builder.h"
+
+namespace lxs {
+
+/// Calls `handler` with each statement of `file`, in order. Throws InputError on bad syntax.
+void parse_file(const std::shared_ptr<const SourceFile>& file, const StatementHandler& handler);
+
+}  // namespace lxs

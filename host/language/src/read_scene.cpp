@@ -1,0 +1,37 @@
+// Entry points of the scene reader.
+#include "lxs/language/read_scene.h"
+
+#include <filesystem>
+
+#include "included_files.h"
+#include "scene_reader.h"
+
+namespace lxs {
+namespace {
+
+SceneContents read_source(std::string text, const std::string& name, const std::string& directory,
+                          const Registry& registry, Diagnostics& diagnostics) {
+    auto file = std::make_shared<SourceFile>();
+    file->name = name;
+    file->text = std::make_shared<const std::string>(std::move(text));
+    SceneReader reader(directory.empty() ? "." : directory, registry, diagnostics);
+    reader.read(file);
+    return reader.finish();
+}
+
+}  // namespace
+
+SceneContents read_scene(const std::string& path, const Registry& registry,
+                         Diagnostics& diagnostics) {
+    const std::string name = path == "-" ? "<standard input>" : path;
+    const std::string directory = std::filesystem::path(path).parent_path().string();
+    return read_source(read_text(path), name, directory, registry, diagnostics);
+}
+
+SceneContents read_scene_text(const std::string& text, const std::string& name,
+                              const std::string& directory, const Registry& registry,
+                              Diagnostics& diagnostics) {
+    return read_source(text, name, directory, registry, diagnostics);
+}
+
+}  // namespace lxs

@@ -1,0 +1,154 @@
+// Dispatch of statements, the world block, included files.
+#include "scene_reader.h"
+
+#include "included_files.h"
+#include "parse_file.h"
+
+namespace lxs {
+
+const std::map<std::string, SceneReader::Rule>& SceneReader::rules() {
+    using Self = SceneReader;
+    static const std::map<std::string, Rule> table = {
+        {"Accelerator", {&Self::option, Block::BeforeWorld}},
+        {"AreaLightSource", {&Self::area_light_source, Block::World}},
+        {"AttributeBegin", {&Self::attribute_begin, Block::World}},
+        {"AttributeEnd", {&Self::attribute_end, Block::World}},
+        {"Camera", {&Self::option, Block::BeforeWorld}},
+        {"ConcatTransform", {&Self::concat_transform, Block::Anywhere, true}},
+        {"CoordSysTransform", {&Self::coord_sys_transform, Block::Anywhere, true}},
+        {"CoordinateSystem", {&Self::coordinate_system}},
+        {"Exterior", {&Self::exterior}},
+        {"Film", {&Self::option, Block::BeforeWorld}},
+        {"Identity", {&Self::identity, Block::Anywhere, true}},
+        {"Include", {&Self::include}},
+        {"Interior", {&Self::interior}},
+        {"LightGroup", {&Self::light_group, Block::World}},
+        {"LightSource", {&Self::light_source, Block::World}},
+        {"LookAt", {&Self::look_at_statement, Block::Anywhere, true}},
+        {"MakeNamedMaterial", {&Self::make_named_material}},
+        {"MakeNamedVolume", {&Self::make_named_volume}},
+        {"Material", {&Self::material, Block::World}},
+        {"MotionBegin", {&Self::motion_begin}},
+        {"MotionEnd", {&Self::motion_end, Block::Anywhere, true}},
+        {"MotionInstance", {&Self::motion_instance, Block::World}},
+        {"NamedMaterial", {&Self::named_material, Block::World}},
+        {"ObjectBegin", {&Self::object_begin, Block::World}},
+        {"ObjectEnd", {&Self::object_end, Block::World}},
+        {"ObjectInstance", {&Self::object_instance, Block::World}},
+        {"PixelFilter", {&Self::option, Block::BeforeWorld}},
+        {"PortalInstance", {&Self::portal_instance, Block::World}},
+        {"PortalShape", {&Self::portal_shape, Block::World}},
+        {"Renderer", {&Self::option, Block::BeforeWorld}},
+        {"ReverseOrientation", {&Self::reverse_orientation, Block::World}},
+        {"Rotate", {&Self::rotate, Block::Anywhere, true}},
+        {"Sampler", {&Self::option, Block::BeforeWorld}},
+        {"Scale", {&Self::scale, Block::Anywhere, true}},
+        {"SearchPath", {&Self::search_path}},
+        {"Shape", {&Self::shape, Block::World}},
+        {"SurfaceIntegrator", {&Self::option, Block::BeforeWorld}},
+        {"Texture", {&Self::texture}},
+        {"Transform", {&Self::transform, Block::Anywhere, true}},
+        {"TransformBegin", {&Self::transform_begin}},
+        {"TransformEnd", {&Self::transform_end}},
+        {"Translate", {&Self::translate, Block::Anywhere, true}},
+        {"Volume", {&Self::volume_region, Block::World}},
+        {"VolumeIntegrator", {&Self::option, Block::BeforeWorld}},
+        {"VolumeRegion", {&Self::volume_region, Block::World}},
+        {"WorldBegin", {&Self::world_begin, Block::BeforeWorld}},
+        {"WorldEnd", {&Self::world_end, Block::World}},
+    };
+    return table;
+}
+
+SceneReader::SceneReader(const std::string& directory, const Registry& registry,
+                         Diagnostics& diagnostics)
+    : diagnostics_(diagnostics),
+      assets_(directory),
+      factory_(registry, assets_, diagnostics_),
+      objects_(diagnostics_) {
+    contents_.directory = directory;
+    coordinate_systems_["world"] = Matrix();
+}
+
+void SceneReader::read(const std::shared_ptr<const SourceFile>& file) {
+    parse_file(file, [this](Statement& statement) { execute(statement); });
+}
+
+SceneContents SceneReader::finish() {
+    if (!in_world_ && !ended_) {
+        throw InputError(last_statement_, "the scene ends without WorldBegin");
+    }
+    if (!ended_) throw InputError(last_statement_, "the scene ends without WorldEnd");
+    if (contents_.light_groups.empty()) contents_.light_groups.emplace_back("default");
+    return std::move(contents_);
+}
+
+void SceneReader::execute(Statement& statement) {
+    last_statement_ = statement.where;
+    if (ended_) {
+        diagnostics_.warning(statement.where, "what follows WorldEnd is not read");
+        return;
+    }
+    const auto rule = rules().find(statement.name);
+    if (rule == rules().end()) {
+        const std::string message = "unknown statement " + in_quotes(statement.name);
+        std::vector<std::string> known;
+        for (const auto& entry : rules())
+            known.push_back(entry.first);
+        const std::string nearest = nearest_name(statement.name, known);
+        throw InputError(statement.where,
+                         nearest.empty() ? message : message + "; did you mean " + nearest + "?");
+    }
+    check_place(statement, rule->second);
+    (this->*rule->second.method)(statement);
+}
+
+void SceneReader::check_place(const Statement& statement, const Rule& rule) const {
+    if (motion_ && !rule.in_motion) {
+        throw InputError(statement.where,
+                         statement.name + " between MotionBegin and MotionEnd: only transforms");
+    }
+    if (rule.block == Block::World && !in_world_) {
+        throw InputError(statement.where, statement.name + " stands after WorldBegin only");
+    }
+    if (rule.block == Block::BeforeWorld && in_world_) {
+        throw InputError(statement.where, statement.name + " stands before WorldBegin only");
+    }
+}
+
+void SceneReader::world_begin(Statement& statement) {
+    expect_no_arguments(statement);
+    scopes_.transform = Matrix();
+    in_world_ = true;
+}
+
+void SceneReader::world_end(Statement& statement) {
+    expect_no_arguments(statement);
+    if (const SourceLocation* object = objects_.open()) {
+        throw InputError(*object, "ObjectBegin is not closed by ObjectEnd");
+    }
+    contents_.end = statement.where;
+    contents_.camera_medium = scopes_.graphics.exterior;
+    scopes_.close_all(diagnostics_);
+    Inheritance fallback;
+    if (objects_.lacks_material()) {
+        const IndexedMaterial& material = default_material();
+        fallback.material = material.material;
+        fallback.material_index = material.index;
+    }
+    objects_.finish(fallback, contents_);
+    in_world_ = false;
+    ended_ = true;
+}
+
+void SceneReader::include(Statement& statement) {
+    const Name file = take_only_name(statement);
+    read(open_include(file, contents_.directory));
+}
+
+void SceneReader::search_path(Statement& statement) {
+    take_only_name(statement);
+    diagnostics_.warning(statement.where, "SearchPath has no effect");
+}
+
+}  // namespace lxs

@@ -1,0 +1,121 @@
+// Interprets the statements of a scene: what each means for the graphics state and the contents.
+#pragma once
+
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "lxs/scene/contents.h"
+#include "lxs/scene/registry.h"
+#include "named_assets.h"
+#include "object_library.h"
+#include "once_diagnostics.h"
+#include "plugin_factory.h"
+#include "scope_stack.h"
+#include "statement.h"
+
+namespace lxs {
+
+class SceneReader {
+  public:
+    /// `directory`: where file names in the scene are looked up.
+    SceneReader(const std::string& directory, const Registry& registry, Diagnostics& diagnostics);
+
+    /// Reads a file and what it includes. Throws InputError.
+    void read(const std::shared_ptr<const SourceFile>& file);
+    /// The scene, after the main file. Throws InputError if it has no end.
+    SceneContents finish();
+
+  private:
+    /// Where a statement may stand.
+    enum class Block : std::uint8_t { Anywhere, BeforeWorld, World };
+    using Method = void (SceneReader::*)(Statement&);
+    struct Rule {
+        Method method;
+        Block block = Block::Anywhere;
+        bool in_motion = false;  ///< also between MotionBegin and MotionEnd
+    };
+    static const std::map<std::string, Rule>& rules();
+    void execute(Statement& statement);
+    void check_place(const Statement& statement, const Rule& rule) const;
+
+    // scene_reader.cpp: blocks and files
+    void world_begin(Statement& statement);
+    void world_end(Statement& statement);
+    void include(Statement& statement);
+    void search_path(Statement& statement);
+
+    // option_statements.cpp
+    void option(Statement& statement);
+
+    // transform_statements.cpp
+    void identity(Statement& statement);
+    void translate(Statement& statement);
+    void scale(Statement& statement);
+    void rotate(Statement& statement);
+    void look_at_statement(Statement& statement);
+    void transform(Statement& statement);
+    void concat_transform(Statement& statement);
+    void coordinate_system(Statement& statement);
+    void coord_sys_transform(Statement& statement);
+    void transform_begin(Statement& statement);
+    void transform_end(Statement& statement);
+    void motion_begin(Statement& statement);
+    void motion_end(Statement& statement);
+    /// Sets the current transform; within a motion only the first one counts.
+    void set_transform(const Matrix& matrix, const SourceLocation& where);
+    void concatenate(const Matrix& matrix, const SourceLocation& where);
+
+    // world_statements.cpp
+    void attribute_begin(Statement& statement);
+    void attribute_end(Statement& statement);
+    void reverse_orientation(Statement& statement);
+    void texture(Statement& statement);
+    void material(Statement& statement);
+    void make_named_material(Statement& statement);
+    void named_material(Statement& statement);
+    void make_named_volume(Statement& statement);
+    void interior(Statement& statement);
+    void exterior(Statement& statement);
+    void volume_region(Statement& statement);
+    void light_group(Statement& statement);
+    void light_source(Statement& statement);
+    void area_light_source(Statement& statement);
+    void shape(Statement& statement);
+    void portal_shape(Statement& statement);
+    void portal_instance(Statement& statement);
+    void object_begin(Statement& statement);
+    void object_end(Statement& statement);
+    void object_instance(Statement& statement);
+    void motion_instance(Statement& statement);
+
+    IndexedMaterial add_material(const ParameterSet& set, std::string name);
+    const IndexedMaterial& default_material();
+    std::uint32_t group_index(const std::string& name);
+    Inheritance inheritance() const;
+    void warn_redefined(bool is_new, const char* noun, const Name& name);
+
+    /// Between MotionBegin and MotionEnd.
+    struct Motion {
+        SourceLocation where;
+        std::size_t times = 0;       ///< as listed
+        std::size_t transforms = 0;  ///< so far
+    };
+
+    OnceDiagnostics diagnostics_;
+    NamedAssets assets_;
+    PluginFactory factory_;
+    ObjectLibrary objects_;
+    ScopeStack scopes_;
+    std::map<std::string, Matrix> coordinate_systems_;
+    std::map<std::string, std::uint32_t> group_indices_;
+    IndexedMaterial default_material_;
+    std::optional<Motion> motion_;
+    SceneContents contents_;
+    SourceLocation last_statement_;
+    bool in_world_ = false;
+    bool ended_ = false;
+};
+
+}  // namespace lxs

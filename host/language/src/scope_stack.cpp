@@ -1,0 +1,63 @@
+// Scopes of the graphics state.
+#include "scope_stack.h"
+
+#include <algorithm>
+
+namespace lxs {
+namespace {
+
+std::string_view statement_stem(ScopeKind kind) {
+    switch (kind) {
+        case ScopeKind::Transform:
+            return "Transform";
+        case ScopeKind::Attribute:
+            return "Attribute";
+        case ScopeKind::Object:
+            return "Object";
+    }
+    return {};
+}
+
+void warn_unclosed(ScopeKind kind, const SourceLocation& where, Diagnostics& diagnostics) {
+    const std::string stem(statement_stem(kind));
+    diagnostics.warning(where, stem + "Begin is not closed by " + stem + "End");
+}
+
+}  // namespace
+
+void ScopeStack::begin(ScopeKind kind, const SourceLocation& where) {
+    scopes_.push_back({kind, where, transform, graphics});
+}
+
+void ScopeStack::end(ScopeKind kind, const SourceLocation& where, Diagnostics& diagnostics) {
+    // The order of ScopeKind: an end closes forgotten scopes of lesser kind, never a greater one.
+    const auto found = std::find_if(scopes_.rbegin(), scopes_.rend(),
+                                    [&](const Scope& scope) { return scope.kind >= kind; });
+    if (found == scopes_.rend() || found->kind != kind) {
+        const std::string stem(statement_stem(kind));
+        diagnostics.warning(where, stem + "End without " + stem + "Begin is ignored");
+        return;
+    }
+    for (auto inner = scopes_.rbegin(); inner != found; ++inner) {
+        warn_unclosed(inner->kind, inner->where, diagnostics);
+    }
+    const auto depth = static_cast<std::size_t>(scopes_.rend() - found);
+    while (scopes_.size() >= depth)
+        pop();
+}
+
+void ScopeStack::close_all(Diagnostics& diagnostics) {
+    for (const Scope& scope : scopes_)
+        warn_unclosed(scope.kind, scope.where, diagnostics);
+    while (!scopes_.empty())
+        pop();
+}
+
+void ScopeStack::pop() {
+    Scope& scope = scopes_.back();
+    transform = scope.transform;
+    if (scope.kind != ScopeKind::Transform) graphics = std::move(scope.graphics);
+    scopes_.pop_back();
+}
+
+}  // namespace lxs

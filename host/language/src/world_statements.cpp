@@ -1,0 +1,245 @@
+// Statements of the world block: attributes, named things, lights, shapes, objects.
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "area_emission.h"
+#include "scene_reader.h"
+
+namespace lxs {
+namespace {
+
+/// Takes the parameter "string type" out of a set: MakeNamedMaterial's plugin name.
+Name take_type(ParameterSet& set, std::string_view fallback) {
+    Name type{std::string(fallback), set.where};
+    for (const ParameterValue& value : set.values) {
+        if (value.name != "type") continue;
+        const auto* strings = std::get_if<std::vector<std::string>>(&value.values);
+        if (!strings || strings->size() != 1 || value.type != "string") {
+            throw InputError(value.where,
+                             "the material's type is written \"string type\" [\"name\"]");
+        }
+        type = {strings->front(), value.value_where.empty() ? value.where : value.value_where[0]};
+    }
+    std::erase_if(set.values, [](const ParameterValue& value) { return value.name == "type"; });
+    return type;
+}
+
+}  // namespace
+
+void SceneReader::attribute_begin(Statement& statement) {
+    expect_no_arguments(statement);
+    scopes_.begin(ScopeKind::Attribute, statement.where);
+}
+
+void SceneReader::attribute_end(Statement& statement) {
+    expect_no_arguments(statement);
+    scopes_.end(ScopeKind::Attribute, statement.where, diagnostics_);
+}
+
+void SceneReader::reverse_orientation(Statement& statement) {
+    expect_no_arguments(statement);
+    scopes_.graphics.reverse_orientation = !scopes_.graphics.reverse_orientation;
+}
+
+void SceneReader::texture(Statement& statement) {
+    const Name name = take_name(statement, 0);
+    const Name type = take_name(statement, 1);
+    const ParameterSet set = take_parameters(statement, 3, take_name(statement, 2));
+    bool is_new = false;
+    if (type.text == "float") {
+        is_new = assets_.define(name.text, factory_.float_texture(set, scopes_.transform));
+    } else if (type.text == "color") {
+        is_new = assets_.define(name.text, factory_.color_texture(set, scopes_.transform));
+    } else if (type.text == "fresnel") {
+        is_new = assets_.define(name.text, factory_.fresnel_texture(set, scopes_.transform));
+    } else {
+        throw InputError(type.where, unknown_name_message("texture type", type.text,
+                                                          {"float", "color", "fresnel"}));
+    }
+    warn_redefined(is_new, "texture", name);
+}
+
+IndexedMaterial SceneReader::add_material(const ParameterSet& set, std::string name) {
+    IndexedMaterial added;
+    added.material = factory_.material(set, scopes_.transform);
+    added.index = static_cast<std::uint32_t>(contents_.material_names.size());
+    contents_.material_names.push_back(std::move(name));
+    return added;
+}
+
+void SceneReader::material(Statement& statement) {
+    const ParameterSet set = take_plugin(statement);
+    const SourceLocation& where = statement.where;
+    const IndexedMaterial made =
+        add_material(set, fmt::format("{} ({}:{})", set.plugin, where.file->name, where.line));
+    scopes_.graphics.material = made.material;
+    scopes_.graphics.material_index = made.index;
+}
+
+void SceneReader::make_named_material(Statement& statement) {
+    const Name name = take_name(statement, 0);
+    ParameterSet set = take_parameters(statement, 1, name);
+    const Name type = take_type(set, "matte");
+    set.plugin = type.text;
+    set.where = type.where;
+    warn_redefined(assets_.define(name.text, add_material(set, name.text)), "material", name);
+}
+
+void SceneReader::named_material(Statement& statement) {
+    const IndexedMaterial& named = assets_.indexed_material(take_only_name(statement));
+    scopes_.graphics.material = named.material;
+    scopes_.graphics.material_index = named.index;
+}
+
+const IndexedMaterial& SceneReader::default_material() {
+    if (!default_material_.material) {
+        ParameterSet matte;
+        matte.plugin = "matte";
+        default_material_ = add_material(matte, "default");
+    }
+    return default_material_;
+}
+
+void SceneReader::make_named_volume(Statement& statement) {
+    const Name name = take_name(statement, 0);
+    const ParameterSet set = take_parameters(statement, 2, take_name(statement, 1));
+    const bool is_new = assets_.define(name.text, factory_.medium(set, scopes_.transform));
+    warn_redefined(is_new, "volume", name);
+}
+
+void SceneReader::interior(Statement& statement) {
+    const Name name = take_only_name(statement);
+    scopes_.graphics.interior = name.text.empty() ? nullptr : assets_.medium(name);
+}
+
+void SceneReader::exterior(Statement& statement) {
+    const Name name = take_only_name(statement);
+    scopes_.graphics.exterior = name.text.empty() ? nullptr : assets_.medium(name);
+}
+
+void SceneReader::volume_region(Statement& statement) {
+    take_plugin(statement);
+    diagnostics_.warning(statement.where, "volume regions are not rendered");
+}
+
+void SceneReader::light_group(Statement& statement) {
+    const Name name = take_name(statement, 0);
+    const ParameterSet set = take_parameters(statement, 1, name);
+    if (!set.values.empty()) {
+        diagnostics_.warning(set.values.front().where,
+                             "parameters of LightGroup have no effect here");
+    }
+    scopes_.graphics.light_group = name.text.empty() ? "default" : name.text;
+}
+
+std::uint32_t SceneReader::group_index(const std::string& name) {
+    const auto next = static_cast<std::uint32_t>(contents_.light_groups.size());
+    const auto [entry, is_new] = group_indices_.try_emplace(name, next);
+    if (is_new) contents_.light_groups.push_back(name);
+    return entry->second;
+}
+
+void SceneReader::light_source(Statement& statement) {
+    LightDescription light;
+    light.parameters = take_plugin(statement);
+    light.to_world = scopes_.transform;
+    light.group = group_index(scopes_.graphics.light_group);
+    light.medium = scopes_.graphics.exterior;
+    if (objects_.open()) {
+        objects_.add(std::move(light));
+    } else {
+        contents_.lights.push_back(std::move(light));
+    }
+}
+
+void SceneReader::area_light_source(Statement& statement) {
+    const ParameterSet set = take_plugin(statement);
+    scopes_.graphics.emission =
+        std::make_shared<AreaEmission>(make_area_emission(set, assets_, diagnostics_));
+}
+
+void SceneReader::shape(Statement& statement) {
+    const ParameterSet set = take_plugin(statement);
+    const GraphicsState& graphics = scopes_.graphics;
+    std::optional<Geometry> geometry = factory_.shape(set, scopes_.transform);
+    if (!geometry) return;
+    Primitive primitive;
+    primitive.geometry = std::move(*geometry);
+    primitive.material = graphics.material;
+    primitive.material_index = graphics.material_index;
+    primitive.interior = graphics.interior;
+    primitive.exterior = graphics.exterior;
+    if (graphics.emission) {
+        primitive.emission = *graphics.emission;
+        primitive.emission->group = group_index(graphics.light_group);
+    }
+    const bool mirrors = scopes_.transform.determinant() < 0;
+    primitive.reverse_orientation = graphics.reverse_orientation != mirrors;
+    primitive.where = statement.where;
+    if (objects_.open()) {
+        objects_.add(std::move(primitive));
+        return;
+    }
+    if (!primitive.material) {
+        const IndexedMaterial& fallback = default_material();
+        primitive.material = fallback.material;
+        primitive.material_index = fallback.index;
+    }
+    contents_.primitives.push_back(std::move(primitive));
+}
+
+void SceneReader::portal_shape(Statement& statement) {
+    take_plugin(statement);
+    diagnostics_.warning(statement.where, "portals are not used: they only guide sampling");
+}
+
+void SceneReader::portal_instance(Statement& statement) {
+    take_only_name(statement);
+    diagnostics_.warning(statement.where, "portals are not used: they only guide sampling");
+}
+
+Inheritance SceneReader::inheritance() const {
+    const GraphicsState& graphics = scopes_.graphics;
+    return {graphics.material, graphics.material_index, graphics.interior, graphics.exterior};
+}
+
+void SceneReader::object_begin(Statement& statement) {
+    objects_.begin(take_only_name(statement));
+    scopes_.begin(ScopeKind::Object, statement.where);
+}
+
+void SceneReader::object_end(Statement& statement) {
+    expect_no_arguments(statement);
+    objects_.end(statement.where);
+    scopes_.end(ScopeKind::Object, statement.where, diagnostics_);
+}
+
+void SceneReader::object_instance(Statement& statement) {
+    objects_.place(take_only_name(statement), scopes_.transform, inheritance(), contents_);
+}
+
+void SceneReader::motion_instance(Statement& statement) {
+    const Name name = take_name(statement, 0);
+    // "name" start end "coordinate system at the end"
+    const bool well_formed =
+        statement.arguments.size() == 3 &&
+        std::holds_alternative<std::vector<double>>(statement.arguments[1].values) &&
+        std::get<std::vector<double>>(statement.arguments[1].values).size() == 2;
+    if (!well_formed) {
+        throw InputError(statement.where,
+                         "MotionInstance takes \"object\" start end \"coordinate system\"");
+    }
+    take_name(statement, 2);
+    diagnostics_.warning(statement.where,
+                         "motion is not rendered yet: the first transform is used");
+    objects_.place(name, scopes_.transform, inheritance(), contents_);
+}
+
+void SceneReader::warn_redefined(bool is_new, const char* noun, const Name& name) {
+    if (is_new) return;
+    diagnostics_.warning(name.where, fmt::format("{} {} is defined again: uses below take this one",
+                                                 noun, in_quotes(name.text)));
+}
+
+}  // namespace lxs

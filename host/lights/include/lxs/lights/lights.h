@@ -1,0 +1,53 @@
+// Makes light sources from what the scene reader found.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "lxs/scene/contents.h"
+#include "lxs/sdk/light.h"
+
+namespace lxs {
+
+/// Sphere around all surfaces, which lights at infinity emit onto.
+struct SceneSphere {
+    Vec3 center{0.0f};
+    float radius = 1;
+};
+
+/// Finds an image file for a light (infinite maps).
+using AssetResolver =
+    std::function<std::string(const std::string& name, const SourceLocation& where)>;
+
+/// Lights without geometry: point, spot, distant, infinite, sun, sky; sunsky gives two. Throws
+/// InputError; an unknown name's message lists the known ones.
+std::vector<std::unique_ptr<Light>> make_lights(const LightDescription& description,
+                                                const SceneSphere& sphere,
+                                                const AssetResolver& resolve,
+                                                Diagnostics& diagnostics);
+
+/// The light of an emissive shape; `instance_to_world` is the identity outside of instances.
+/// Throws InputError for a shape of zero area.
+std::unique_ptr<Light> make_area_light(const Primitive& primitive,
+                                       const Matrix& instance_to_world);
+
+/// Radiance that an area light sends from its front; the tracer asks it at a hit.
+class AreaLight : public Light {
+ public:
+    /// Radiance leaving point `p` with front normal `n` and texture coordinates `uv` towards `wo`.
+    virtual Rgb radiance(const Vec3& p, const Vec3& n, const Vec2& uv, const Vec3& wo) const = 0;
+};
+
+/// Names that make_lights knows, with their declared parameters, for docs and messages.
+struct LightPlugin {
+    std::string name;
+    std::vector<ParameterDeclaration> parameters;
+};
+const std::vector<LightPlugin>& light_plugins();
+
+/// Declared parameters of AreaLightSource "area"; the reader makes AreaEmission from them.
+std::span<const ParameterDeclaration> area_light_parameters();
+
+}  // namespace lxs

@@ -1,0 +1,32 @@
+// Radiance over an emitting surface: a constant or a texture, times a scale.
+#pragma once
+
+#include <memory>
+
+#include "lxs/scene/texture.h"
+
+namespace lxs {
+
+class EmittedRadiance {
+  public:
+    explicit EmittedRadiance(std::shared_ptr<const ColorTexture> texture);
+    void scale_by(float factor) { scale_ *= factor; }
+    bool is_constant() const { return constant_; }
+    /// Radiance in W sr^-1 m^-2, finite and >= 0.
+    Rgb at(const Vec3& p, const Vec3& n, const Vec2& uv) const {
+        return constant_ ? value_ * scale_ : textured(p, n, uv);
+    }
+
+  private:
+    Rgb textured(const Vec3& p, const Vec3& n, const Vec2& uv) const;
+
+    std::shared_ptr<const ColorTexture> texture_;
+    Rgb value_{0.0f};
+    float scale_ = 1;
+    bool constant_ = true;
+};
+
+/// Negative and non-finite components set to zero.
+Rgb non_negative(const Rgb& c);
+
+}  // namespace lxs

@@ -1,0 +1,48 @@
+// Base of lights at infinity: photons start on a disk beside the scene's sphere.
+#include "environment_light.h"
+
+#include <cmath>
+
+#include "warp.h"
+
+namespace lxs {
+
+EnvironmentLight::EnvironmentLight(LightPlacement placement, std::string_view kind,
+                                   const SceneSphere& sphere)
+    : placement_(std::move(placement)), kind_(kind), sphere_(sphere) {
+    if (!(sphere_.radius > 0) || !std::isfinite(sphere_.radius)) sphere_ = SceneSphere{};
+}
+
+void EnvironmentLight::set_fluence(const Rgb& fluence) {
+    power_ = kPi * sphere_.radius * sphere_.radius * luminance(fluence);
+}
+
+bool EnvironmentLight::sample_emission(const std::array<float, 4>& u,
+                                       EmissionSample& sample) const {
+    SkyDirection sky;
+    if (!sample_direction(Vec2(u[2], u[3]), sky)) return false;
+    const Vec2 d = concentric_disk(u[0], u[1]);
+    const Frame frame(sky.wi);
+    // A little beyond the sphere, so that rounding puts no surface behind the origin.
+    constexpr float kBeyond = 1.01f;
+    sample.ray = Ray{};
+    sample.ray.origin =
+        sphere_.center + (frame.x * d.x + frame.y * d.y + sky.wi * kBeyond) * sphere_.radius;
+    sample.ray.direction = -sky.wi;
+    sample.ray.medium = placement_.medium.get();
+    sample.power = sky.radiance * (kPi * sphere_.radius * sphere_.radius / sky.pdf);
+    sample.normal = Vec3(0.0f);
+    return !is_black(sample.power);
+}
+
+bool EnvironmentLight::sample_direct(const Vec3& /*p*/, const Vec3& /*n*/, const Vec2& u,
+                                     DirectSample& sample) const {
+    SkyDirection sky;
+    sample.pdf = 0;
+    if (!sample_direction(u, sky)) return false;
+    sample = {sky.wi,   std::numeric_limits<float>::infinity(), Vec3(0.0f), sky.radiance, sky.pdf,
+              sky.delta};
+    return true;
+}
+
+}  // namespace lxs

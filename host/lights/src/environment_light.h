@@ -1,0 +1,48 @@
+// Base of lights at infinity: photons start on a disk beside the scene's sphere.
+#pragma once
+
+#include "light_placement.h"
+#include "lxs/lights/lights.h"
+
+namespace lxs {
+
+/// A direction towards a light at infinity.
+struct SkyDirection {
+    Vec3 wi{0.0f};       ///< unit, towards the light
+    Rgb radiance{0.0f};  ///< for a single direction: irradiance on a surface facing it
+    float pdf = 0;       ///< per steradian; 1 for a single direction
+    bool delta = false;
+};
+
+class EnvironmentLight : public Light {
+  public:
+    std::string_view kind() const override { return kind_; }
+    std::uint32_t group() const override { return placement_.group; }
+    float power() const override { return power_; }
+    bool at_infinity() const override { return true; }
+
+    bool sample_emission(const std::array<float, 4>& u, EmissionSample& sample) const override;
+    bool sample_direct(const Vec3& p, const Vec3& n, const Vec2& u,
+                       DirectSample& sample) const override;
+    float pdf_direct(const Vec3& /*p*/, const Vec3& /*n*/, const Vec3& wi, const Vec3& /*light_p*/,
+                     const Vec3& /*light_n*/, std::uint32_t /*primitive*/) const override {
+        return direction_density(wi);
+    }
+
+  protected:
+    /// `kind` must outlive the light (a literal).
+    EnvironmentLight(LightPlacement placement, std::string_view kind, const SceneSphere& sphere);
+
+    virtual bool sample_direction(const Vec2& u, SkyDirection& direction) const = 0;
+    virtual float direction_density(const Vec3& wi) const = 0;
+    /// Sets power() from the integral of the radiance over all directions.
+    void set_fluence(const Rgb& fluence);
+
+  private:
+    LightPlacement placement_;
+    std::string_view kind_;
+    SceneSphere sphere_;
+    float power_ = 0;
+};
+
+}  // namespace lxs

@@ -1,0 +1,111 @@
+// Radiance image over all directions, latitude-longitude mapping.
+#include "latlong_map.h"
+
+#include <OpenImageIO/imageio.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include "emitted_radiance.h"
+
+namespace lxs {
+
+LatLongMap::LatLongMap(std::size_t width, std::size_t height, std::vector<Rgb> pixels)
+    : width_(width), height_(height), pixels_(std::move(pixels)) {
+    for (Rgb& c : pixels_)
+        c = non_negative(c);
+}
+
+LatLongMap LatLongMap::read(const std::string& path, float gamma, const SourceLocation& where) {
+    const auto file = OIIO::ImageInput::open(path);
+    if (!file) {
+        throw InputError(where,
+                         fmt::format("cannot read image \"{}\": {}", path, OIIO::geterror()));
+    }
+    const OIIO::ImageSpec& spec = file->spec();
+    const std::size_t channels = static_cast<std::size_t>(spec.nchannels);
+    const std::size_t count = static_cast<std::size_t>(spec.width) * spec.height;
+    std::vector<float> values(count * channels);
+    if (!file->read_image(0, 0, 0, spec.nchannels, OIIO::TypeDesc::FLOAT, values.data())) {
+        throw InputError(where,
+                         fmt::format("cannot read image \"{}\": {}", path, file->geterror()));
+    }
+    std::vector<Rgb> pixels(count);
+    const bool grey = channels < 3;
+    for (std::size_t i = 0; i < count; ++i) {
+        const float* v = &values[i * channels];
+        pixels[i] = non_negative(grey ? Rgb(v[0]) : Rgb(v[0], v[1], v[2]));
+        if (gamma == 1) continue;
+        for (int k = 0; k < 3; ++k)
+            pixels[i][k] = std::pow(pixels[i][k], gamma);
+    }
+    return LatLongMap(static_cast<std::size_t>(spec.width), static_cast<std::size_t>(spec.height),
+                      std::move(pixels));
+}
+
+const Rgb& LatLongMap::pixel(std::ptrdiff_t x, std::ptrdiff_t y) const {
+    const auto w = static_cast<std::ptrdiff_t>(width_), h = static_cast<std::ptrdiff_t>(height_);
+    const std::ptrdiff_t column = x < 0 ? x + w : (x >= w ? x - w : x);
+    const std::ptrdiff_t row = std::clamp<std::ptrdiff_t>(y, 0, h - 1);
+    return pixels_[static_cast<std::size_t>(row * w + column)];
+}
+
+Rgb LatLongMap::lookup(const Vec2& st) const {
+    const float x = std::clamp(st.x, 0.0f, 1.0f) * static_cast<float>(width_) - 0.5f;
+    const float y = std::clamp(st.y, 0.0f, 1.0f) * static_cast<float>(height_) - 0.5f;
+    const auto x0 = static_cast<std::ptrdiff_t>(std::floor(x));
+    const auto y0 = static_cast<std::ptrdiff_t>(std::floor(y));
+    const float dx = x - static_cast<float>(x0), dy = y - static_cast<float>(y0);
+    return (pixel(x0, y0) * (1 - dx) + pixel(x0 + 1, y0) * dx) * (1 - dy) +
+           (pixel(x0, y0 + 1) * (1 - dx) + pixel(x0 + 1, y0 + 1) * dx) * dy;
+}
+
+float LatLongMap::mean_luminance(std::ptrdiff_t x, std::ptrdiff_t y) const {
+    constexpr std::array<float, 3> kTent = {0.125f, 0.75f, 0.125f};
+    float sum = 0;
+    for (int j = 0; j < 3; ++j) {
+        for (int i = 0; i < 3; ++i)
+            sum += kTent[i] * kTent[j] * luminance(pixel(x + i - 1, y + j - 1));
+    }
+    return sum;
+}
+
+Piecewise2D LatLongMap::importance() const {
+    // Larger maps share cells: a finer grid costs memory and no longer lowers the variance.
+    constexpr std::size_t kMaxWidth = 2048, kMaxHeight = 1024;
+    const std::size_t w = std::min(width_, kMaxWidth), h = std::min(height_, kMaxHeight);
+    std::vector<double> sums(w * h, 0.0);
+    std::vector<std::uint32_t> counts(w * h, 0);
+    for (std::size_t y = 0; y < height_; ++y) {
+        for (std::size_t x = 0; x < width_; ++x) {
+            const std::size_t i = (y * h / height_) * w + x * w / width_;
+            sums[i] +=
+                mean_luminance(static_cast<std::ptrdiff_t>(x), static_cast<std::ptrdiff_t>(y));
+            ++counts[i];
+        }
+    }
+    std::vector<float> weights(w * h);
+    for (std::size_t i = 0; i < w * h; ++i) {
+        const std::size_t row = i / w;
+        const double t = (static_cast<double>(row) + 0.5) / static_cast<double>(h);
+        weights[i] = static_cast<float>(sums[i] / counts[i] * std::sin(std::numbers::pi * t));
+    }
+    return Piecewise2D(w, h, weights);
+}
+
+Rgb LatLongMap::fluence() const {
+    Imath::V3d sum(0.0);
+    const double step = std::numbers::pi / static_cast<double>(height_);
+    for (std::size_t y = 0; y < height_; ++y) {
+        const double band =
+            std::cos(step * static_cast<double>(y)) - std::cos(step * static_cast<double>(y + 1));
+        for (std::size_t x = 0; x < width_; ++x)
+            sum += Imath::V3d(pixels_[y * width_ + x]) * band;
+    }
+    return Rgb(sum * (2 * std::numbers::pi / static_cast<double>(width_)));
+}
+
+}  // namespace lxs

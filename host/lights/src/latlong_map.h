@@ -1,0 +1,37 @@
+// Radiance image over all directions, latitude-longitude mapping.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "lxs/sdk/diagnostics.h"
+#include "lxs/sdk/types.h"
+#include "piecewise_2d.h"
+
+namespace lxs {
+
+class LatLongMap {
+  public:
+    /// Pixels row by row, top row first.
+    LatLongMap(std::size_t width, std::size_t height, std::vector<Rgb> pixels);
+    /// Reads an image file; each value is raised to `gamma` (1: used as stored). Throws InputError
+    /// at `where` if the file can't be read.
+    static LatLongMap read(const std::string& path, float gamma, const SourceLocation& where);
+
+    /// Value at `st` in [0,1]^2, bilinear; s wraps around, t stops at the poles.
+    Rgb lookup(const Vec2& st) const;
+    /// Density over the unit square following luminance * sin(pi t), positive wherever lookup is.
+    Piecewise2D importance() const;
+    /// Integral of the map over all directions.
+    Rgb fluence() const;
+
+  private:
+    const Rgb& pixel(std::ptrdiff_t x, std::ptrdiff_t y) const;
+    /// Mean luminance of the bilinear interpolant over one pixel.
+    float mean_luminance(std::ptrdiff_t x, std::ptrdiff_t y) const;
+
+    std::size_t width_, height_;
+    std::vector<Rgb> pixels_;
+};
+
+}  // namespace lxs

@@ -1,0 +1,16 @@
+// What every light carries besides its emission.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+
+#include "lxs/scene/medium.h"
+
+namespace lxs {
+
+struct LightPlacement {
+    std::uint32_t group = 0;               ///< light group, index into the scene's names
+    std::shared_ptr<const Medium> medium;  ///< that emitted light travels in; null for vacuum
+};
+
+}  // namespace lxs

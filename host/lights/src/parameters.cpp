@@ -1,0 +1,236 @@
+// Declared parameters of all light sources.
+#include <array>
+
+#include "lxs/lights/lights.h"
+
+namespace lxs {
+namespace {
+
+using Type = ParameterType;
+
+constexpr ParameterDeclaration kGain{
+    .name = "gain", .default_text = "1", .doc = "Factor on the light's emission.", .minimum = 0};
+constexpr ParameterDeclaration kColor{
+    .name = "L",
+    .type = Type::Color,
+    .default_text = "1 1 1",
+    .doc = "Emission: cd of point and spot, cd/m^2 of infinite, 1/10417 lx of distant."};
+constexpr ParameterDeclaration power(std::string_view default_text) {
+    return {
+        .name = "power",
+        .default_text = default_text,
+        .doc =
+            "Electrical power in watts; with efficacy it sets the emitted flux, 0 leaves L alone.",
+        .minimum = 0};
+}
+constexpr ParameterDeclaration efficacy(std::string_view default_text) {
+    return {.name = "efficacy",
+            .default_text = default_text,
+            .doc = "Lumens emitted per watt of power, 0 leaves L alone.",
+            .minimum = 0};
+}
+constexpr ParameterDeclaration kFrom{.name = "from",
+                                     .type = Type::Point,
+                                     .default_text = "0 0 0",
+                                     .doc = "Position, in the light's space."};
+constexpr ParameterDeclaration kTo{.name = "to",
+                                   .type = Type::Point,
+                                   .default_text = "0 0 1",
+                                   .doc = "Point that the light aims at."};
+constexpr ParameterDeclaration kSunDirection{.name = "sundir",
+                                             .type = Type::Vector,
+                                             .default_text = "0 0 1",
+                                             .doc = "Direction towards the sun."};
+constexpr ParameterDeclaration kTurbidity{
+    .name = "turbidity",
+    .default_text = "2",
+    .doc = "Haze: 2 is a very clear sky, 10 a hazy one; the model holds up to about 10.",
+    .minimum = 1,
+    .maximum = 64};
+constexpr ParameterDeclaration kRelativeSize{
+    .name = "relsize",
+    .default_text = "1",
+    .doc = "Radius of the sun's disk, relative to the real one.",
+    .minimum = 0.001,
+    .maximum = 215};
+constexpr ParameterDeclaration kImportance{.name = "importance",
+                                           .default_text = "1",
+                                           .doc = "Share of samples spent on the light.",
+                                           .no_effect = true};
+constexpr ParameterDeclaration kSamples{.name = "nsamples",
+                                        .type = Type::Integer,
+                                        .default_text = "1",
+                                        .doc = "Shadow rays a point.",
+                                        .no_effect = true};
+constexpr ParameterDeclaration kIes{.name = "iesname",
+                                    .type = Type::String,
+                                    .default_text = "",
+                                    .doc = "Photometric profile of a luminaire.",
+                                    .no_effect = true};
+constexpr ParameterDeclaration kProfileMap{.name = "mapname",
+                                           .type = Type::String,
+                                           .default_text = "",
+                                           .doc = "Image of the emission by direction.",
+                                           .no_effect = true};
+constexpr ParameterDeclaration kFlip{.name = "flipz",
+                                     .type = Type::Bool,
+                                     .default_text = "false",
+                                     .doc = "Turns the photometric profile upside down.",
+                                     .no_effect = true};
+
+constexpr ParameterDeclaration coefficient(std::string_view name, std::string_view doc) {
+    return {.name = name, .default_text = "1", .doc = doc};
+}
+constexpr std::array kSkyCoefficients = {
+    coefficient("horizonbrightness", "Factor on coefficient A of the sky's luminance."),
+    coefficient("horizonsize", "Factor on coefficient B of the sky's luminance."),
+    coefficient("sunhalobrightness", "Factor on coefficient C of the sky's luminance."),
+    coefficient("sunhalosize", "Factor on coefficient D of the sky's luminance."),
+    coefficient("backscattering", "Factor on coefficient E of the sky's luminance."),
+    coefficient("aconst", "Old name of horizonbrightness."),
+    coefficient("bconst", "Old name of horizonsize."),
+    coefficient("cconst", "Old name of sunhalobrightness."),
+    coefficient("dconst", "Old name of sunhalosize."),
+    coefficient("econst", "Old name of backscattering."),
+};
+
+constexpr std::array<std::string_view, 3> kMappings = {"latlong", "angular", "vcross"};
+
+using Declarations = std::vector<ParameterDeclaration>;
+
+Declarations infinite_parameters() {
+    return {kColor,
+            kGain,
+            {.name = "mapname",
+             .type = Type::String,
+             .default_text = "",
+             .doc = "Image of the radiance by direction; without it the light is constant."},
+            {.name = "mapping",
+             .type = Type::String,
+             .default_text = "latlong",
+             .doc = "Layout of the image; all are read as latlong.",
+             .choices = kMappings},
+            {.name = "gamma",
+             .default_text = "1",
+             .doc = "Exponent on the image's values, 1 for linear images.",
+             .minimum = 0.01,
+             .maximum = 10},
+            kSamples,
+            kImportance};
+}
+
+Declarations sky_parameters() {
+    Declarations all = {kSunDirection, kTurbidity, kGain, kSamples, kImportance};
+    all.insert(all.end(), kSkyCoefficients.begin(), kSkyCoefficients.end());
+    return all;
+}
+
+Declarations sun_and_sky_parameters() {
+    Declarations all = sky_parameters();
+    all.push_back(kRelativeSize);
+    return all;
+}
+
+Declarations spot_parameters() {
+    return {kColor,
+            kGain,
+            power("0"),
+            efficacy("0"),
+            kFrom,
+            kTo,
+            {.name = "coneangle",
+             .default_text = "30",
+             .doc = "Half angle of the cone, degrees.",
+             .minimum = 0,
+             .maximum = 180},
+            {.name = "conedeltaangle",
+             .default_text = "5",
+             .doc = "Width of the falloff at the cone's rim, degrees.",
+             .minimum = 0,
+             .maximum = 180},
+            kIes,
+            kProfileMap,
+            kFlip,
+            kImportance};
+}
+
+Declarations point_parameters() {
+    return {kColor, kGain,       power("0"), efficacy("0"), kFrom,
+            kIes,   kProfileMap, kFlip,      kSamples,      kImportance};
+}
+
+Declarations distant_parameters() {
+    return {kColor,
+            kGain,
+            kFrom,
+            kTo,
+            {.name = "theta",
+             .default_text = "0",
+             .doc = "Half angle that the light subtends, degrees; 0 is parallel light.",
+             .minimum = 0,
+             .maximum = 90},
+            kSamples,
+            kImportance};
+}
+
+Declarations goniometric_parameters() {
+    Declarations all = point_parameters();
+    all.push_back({.name = "I",
+                   .type = Type::Color,
+                   .default_text = "1 1 1",
+                   .doc = "Intensity, W/sr (older name of L)."});
+    return all;
+}
+
+Declarations projection_parameters() {
+    Declarations all = goniometric_parameters();
+    all.push_back({.name = "fov",
+                   .default_text = "45",
+                   .doc = "Angle of the projected image, degrees.",
+                   .no_effect = true});
+    return all;
+}
+
+}  // namespace
+
+const std::vector<LightPlugin>& light_plugins() {
+    static const std::vector<LightPlugin> plugins = {
+        {"distant", distant_parameters()},
+        {"goniometric", goniometric_parameters()},
+        {"infinite", infinite_parameters()},
+        {"infinitesample", infinite_parameters()},
+        {"point", point_parameters()},
+        {"projection", projection_parameters()},
+        {"sky", sky_parameters()},
+        {"sky2", sky_parameters()},
+        {"spot", spot_parameters()},
+        {"sun", {kSunDirection, kTurbidity, kRelativeSize, kGain, kSamples, kImportance}},
+        {"sunsky", sun_and_sky_parameters()},
+        {"sunsky2", sun_and_sky_parameters()},
+    };
+    return plugins;
+}
+
+std::span<const ParameterDeclaration> area_light_parameters() {
+    static constexpr std::array kParameters = {
+        ParameterDeclaration{
+            .name = "L",
+            .type = Type::ColorTexture,
+            .default_text = "1 1 1",
+            .doc =
+                "Luminance, cd/m^2; only its colour counts where power and efficacy are above 0."},
+        kGain,
+        // LuxRender's area lights, unlike its point and spot lights, have a power unless told not
+        // to.
+        power("100"),
+        efficacy("17"),
+        kIes,
+        kProfileMap,
+        kFlip,
+        kSamples,
+        kImportance,
+    };
+    return kParameters;
+}
+
+}  // namespace lxs

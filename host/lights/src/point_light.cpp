@@ -1,0 +1,72 @@
+// Lights at a point: isotropic, and spot with a falloff.
+#include "point_light.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace lxs {
+namespace {
+
+float one_minus_cos(float angle) {
+    const float s = std::sin(angle / 2);
+    return 2 * s * s;
+}
+
+}  // namespace
+
+bool PointLight::sample_emission(const std::array<float, 4>& u, EmissionSample& sample) const {
+    sample.power = intensity_ * falloff_integral();
+    sample.normal = Vec3(0.0f);
+    sample.ray = Ray{};
+    sample.ray.origin = position_;
+    sample.ray.direction = sample_direction(u[2], u[3]);
+    sample.ray.medium = placement_.medium.get();
+    return !is_black(sample.power);
+}
+
+bool PointLight::sample_direct(const Vec3& p, const Vec3& /*n*/, const Vec2& /*u*/,
+                               DirectSample& sample) const {
+    sample.pdf = 0;
+    const Vec3 to_light = position_ - p;
+    const float distance2 = to_light.length2();
+    if (!(distance2 > 0)) return false;
+    const float distance = std::sqrt(distance2);
+    const Vec3 wi = to_light / distance;
+    const float share = falloff(-wi);
+    const float scale = share / distance2;
+    if (!(scale > 0) || !std::isfinite(scale * max_component(intensity_))) return false;
+    sample = {wi, distance, Vec3(0.0f), intensity_ * scale, 1.0f, true};
+    return true;
+}
+
+SpotLight::SpotLight(LightPlacement placement, const Vec3& position, const Vec3& axis,
+                     const Rgb& intensity, const SpotCone& cone)
+    : PointLight(std::move(placement), position, intensity),
+      frame_(axis),
+      inner_(one_minus_cos(cone.inner)),
+      outer_(one_minus_cos(cone.outer)) {}
+
+float SpotLight::falloff(const Vec3& w) const {
+    const float x = (w - frame_.z).length2() / 2;  // 1 - cosine of unit vectors
+    if (x >= outer_) return 0;
+    if (x <= inner_) return 1;
+    const float share = (outer_ - x) / (outer_ - inner_);
+    return (share * share) * (share * share);
+}
+
+float SpotLight::falloff_integral() const {
+    return 2 * kPi * (inner_ + (outer_ - inner_) / 5);
+}
+
+Vec3 SpotLight::sample_direction(float u0, float u1) const {
+    const float fade = (outer_ - inner_) / 5;
+    const float target = u0 * (inner_ + fade);
+    float x = target;
+    if (target > inner_) {
+        const float rest = std::clamp(1.0f - (target - inner_) / fade, 0.0f, 1.0f);
+        x = outer_ - (outer_ - inner_) * std::pow(rest, 0.2f);
+    }
+    return frame_.to_world(around_z(x, u1)).normalized();
+}
+
+}  // namespace lxs

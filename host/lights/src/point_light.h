@@ -1,0 +1,69 @@
+// Lights at a point: isotropic, and spot with a falloff.
+#pragma once
+
+#include "light_placement.h"
+#include "lxs/sdk/light.h"
+#include "warp.h"
+
+namespace lxs {
+
+/// Isotropic light at a point.
+class PointLight : public Light {
+  public:
+    /// `intensity` in W/sr.
+    PointLight(LightPlacement placement, const Vec3& position, const Rgb& intensity)
+        : placement_(std::move(placement)), position_(position), intensity_(intensity) {}
+
+    std::string_view kind() const override { return "point"; }
+    std::uint32_t group() const override { return placement_.group; }
+    float power() const override { return 4 * kPi * luminance(intensity_); }
+    bool sample_emission(const std::array<float, 4>& u, EmissionSample& sample) const override;
+    bool sample_direct(const Vec3& p, const Vec3& n, const Vec2& u,
+                       DirectSample& sample) const override;
+    float pdf_direct(const Vec3&, const Vec3&, const Vec3&, const Vec3&, const Vec3&,
+                     std::uint32_t) const override {
+        return 0;
+    }
+
+  protected:
+    const Rgb& intensity() const { return intensity_; }
+    /// Share of `intensity` sent along the unit vector `w`.
+    virtual float falloff(const Vec3& /*w*/) const { return 1; }
+    /// Direction drawn in proportion to the falloff.
+    virtual Vec3 sample_direction(float u0, float u1) const { return uniform_sphere(u0, u1); }
+    /// Integral of the falloff over the sphere of directions.
+    virtual float falloff_integral() const { return 4 * kPi; }
+
+  private:
+    LightPlacement placement_;
+    Vec3 position_;
+    Rgb intensity_;
+};
+
+/// Half angles of a spot's cone, radians: constant up to `inner`, nothing beyond `outer`.
+struct SpotCone {
+    float inner = 0;
+    float outer = 0;
+};
+
+/// Spot light: within the transition the intensity falls with the fourth power of the cosine's
+/// share (Pharr & Humphreys 2010, section 12.2.1, the law of LuxRender's spot).
+class SpotLight final : public PointLight {
+  public:
+    SpotLight(LightPlacement placement, const Vec3& position, const Vec3& axis,
+              const Rgb& intensity, const SpotCone& cone);
+
+    std::string_view kind() const override { return "spot"; }
+    float power() const override { return falloff_integral() * luminance(intensity()); }
+
+  private:
+    float falloff(const Vec3& w) const override;
+    Vec3 sample_direction(float u0, float u1) const override;
+    float falloff_integral() const override;
+
+    Frame frame_;
+    // 1 - cosine, which keeps narrow cones precise.
+    float inner_ = 0, outer_ = 0;
+};
+
+}  // namespace lxs

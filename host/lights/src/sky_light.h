@@ -1,0 +1,28 @@
+// Light of the clear sky.
+#pragma once
+
+#include "environment_light.h"
+#include "piecewise_2d.h"
+#include "rotation.h"
+#include "sky_model.h"
+
+namespace lxs {
+
+/// Directions below the horizon shine like the horizon above them, as in LuxRender 1.9.
+class SkyLight final : public EnvironmentLight {
+  public:
+    SkyLight(LightPlacement placement, const SceneSphere& sphere, const Rotation& rotation,
+             const SkyModel& model, float gain);
+    Rgb escaped(const Vec3& direction) const override;
+
+  private:
+    bool sample_direction(const Vec2& u, SkyDirection& direction) const override;
+    float direction_density(const Vec3& wi) const override;
+
+    Rotation rotation_;
+    SkyModel model_;
+    Piecewise2D importance_;  ///< over azimuth and height, equal solid angles
+    float gain_;
+};
+
+}  // namespace lxs

@@ -1,0 +1,16 @@
+// Colour of sunlight: solar spectrum, attenuated by the atmosphere, as linear RGB.
+#pragma once
+
+#include "lxs/sdk/types.h"
+
+namespace lxs {
+
+/// Linear Rec. 709 colour of CIE XYZ; negative components become zero.
+Rgb rgb_of_xyz(const Imath::V3d& xyz);
+
+/// Colour of the sun's disk seen through the atmosphere, its luminance in cd m^-2, for
+/// a sun `cos_zenith` = cosine of its zenith angle and a `turbidity` from 1 (Preetham, Shirley &
+/// Smits 1999, appendix A.2). Black at and below the horizon.
+Rgb sun_radiance(double cos_zenith, double turbidity);
+
+}  // namespace lxs

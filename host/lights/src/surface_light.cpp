@@ -1,0 +1,92 @@
+// Base of area lights: emission and direct sampling by area, given points on the surface.
+#include "surface_light.h"
+
+#include <cmath>
+
+#include "lxs/sdk/scene.h"
+#include "warp.h"
+
+namespace lxs {
+
+SurfaceLight::SurfaceLight(const Primitive& primitive, const AreaEmission& emission)
+    : placement_{emission.group, primitive.exterior}, radiance_(emission.radiance) {}
+
+void SurfaceLight::set_emission(const AreaEmission& emission, double area,
+                                const SourceLocation& where) {
+    if (!(area > 0) || !std::isfinite(area) || !(static_cast<float>(1 / area) > 0) ||
+        !std::isfinite(static_cast<float>(1 / area))) {
+        throw InputError(where, "an area light needs a shape of non-zero, finite area");
+    }
+    const double emitting = kPi * area;
+    float luminance_mean = mean_luminance(area);
+    if (emission.power > 0 && emission.efficacy > 0 && luminance_mean > 0) {
+        // Colours are photometric: a luminance of 1 is 1 cd m^-2, so lumens need no conversion.
+        const double lumens = double(emission.power) * emission.efficacy * emission.gain;
+        const float factor = static_cast<float>(lumens / (emitting * luminance_mean));
+        radiance_.scale_by(factor);
+        luminance_mean *= factor;
+    } else {
+        radiance_.scale_by(emission.gain);
+        luminance_mean *= emission.gain;
+    }
+    power_ = static_cast<float>(emitting * luminance_mean);
+}
+
+float SurfaceLight::mean_luminance(double area) const {
+    if (radiance_.is_constant()) return luminance(radiance_.at(Vec3(0.0f), Vec3(0.0f), Vec2(0.0f)));
+    // Importance-corrected mean over a grid: the estimate only steers the choice of lights, except
+    // with power and efficacy, where LuxRender too takes a mean of the texture.
+    constexpr std::size_t kGrid = 32;
+    double sum = 0;
+    for (std::size_t i = 0; i < kGrid * kGrid; ++i) {
+        const SurfacePoint s = sample_surface(grid_center(i, kGrid));
+        if (s.density > 0) sum += luminance(emitted(s)) / (s.density * area);
+    }
+    return static_cast<float>(sum / (kGrid * kGrid));
+}
+
+bool SurfaceLight::sample_emission(const std::array<float, 4>& u, EmissionSample& sample) const {
+    const SurfacePoint s = sample_surface(Vec2(u[0], u[1]));
+    if (!(s.density > 0)) return false;
+    const Vec3 direction = Frame(s.n).to_world(cosine_hemisphere(u[2], u[3]));
+    // Le cos / (density * cos / pi): the cosine cancels.
+    sample.power = emitted(s) * (kPi / s.density);
+    sample.normal = s.n;
+    sample.ray = Ray{};
+    sample.ray.origin = offset_origin(s.p, s.p_error, s.n, direction);
+    sample.ray.direction = direction;
+    sample.ray.medium = placement_.medium.get();
+    return !is_black(sample.power);
+}
+
+bool SurfaceLight::sample_direct(const Vec3& p, const Vec3& /*n*/, const Vec2& u,
+                                 DirectSample& sample) const {
+    const SurfacePoint s = sample_surface(u);
+    const Vec3 to_light = s.p - p;
+    const float distance2 = to_light.length2();
+    sample.pdf = 0;
+    if (!(s.density > 0) || !(distance2 > 0)) return false;
+    const float distance = std::sqrt(distance2);
+    const Vec3 wi = to_light / distance;
+    const float cosine = -(s.n ^ wi);
+    if (!(cosine > 0)) return false;
+    const float pdf = distance2 * s.density / cosine;
+    if (!(pdf > 0) || !std::isfinite(pdf)) return false;
+    sample = {wi, distance, s.p_error, emitted(s), pdf, false};
+    return true;
+}
+
+float SurfaceLight::pdf_direct(const Vec3& p, const Vec3& /*n*/, const Vec3& wi,
+                               const Vec3& light_p, const Vec3& light_n,
+                               std::uint32_t /*primitive*/) const {
+    const float cosine = -(light_n ^ wi);
+    if (!(cosine > 0)) return 0;
+    const float pdf = (light_p - p).length2() * area_density(light_p) / cosine;
+    return std::isfinite(pdf) ? pdf : 0;
+}
+
+Rgb SurfaceLight::radiance(const Vec3& p, const Vec3& n, const Vec2& uv, const Vec3& wo) const {
+    return (n ^ wo) > 0 ? radiance_.at(p, n, uv) : Rgb(0.0f);
+}
+
+}  // namespace lxs

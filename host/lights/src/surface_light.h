@@ -1,0 +1,57 @@
+// Base of area lights: emission and direct sampling by area, given points on the surface.
+#pragma once
+
+#include <cstdint>
+
+#include "emitted_radiance.h"
+#include "light_placement.h"
+#include "lxs/lights/lights.h"
+
+namespace lxs {
+
+/// A point drawn on an emitting surface, world space.
+struct SurfacePoint {
+    Vec3 p{0.0f};
+    Vec3 p_error{0.0f};  ///< bound of p's rounding error per coordinate
+    Vec3 n{0.0f};        ///< unit, the side that emits
+    Vec2 uv{0.0f};
+    float density = 0;  ///< per unit of area; 0 means nothing was drawn
+};
+
+/// One-sided diffuse emitter. Derived classes call `set_emission` once their area is known.
+class SurfaceLight : public AreaLight {
+  public:
+    std::string_view kind() const override { return "area"; }
+    std::uint32_t group() const override { return placement_.group; }
+    float power() const override { return power_; }
+
+    bool sample_emission(const std::array<float, 4>& u, EmissionSample& sample) const override;
+    bool sample_direct(const Vec3& p, const Vec3& n, const Vec2& u,
+                       DirectSample& sample) const override;
+    float pdf_direct(const Vec3& p, const Vec3& n, const Vec3& wi, const Vec3& light_p,
+                     const Vec3& light_n, std::uint32_t primitive) const override;
+    Rgb radiance(const Vec3& p, const Vec3& n, const Vec2& uv, const Vec3& wo) const override;
+
+  protected:
+    SurfaceLight(const Primitive& primitive, const AreaEmission& emission);
+
+    /// Draws a point of the surface.
+    virtual SurfacePoint sample_surface(const Vec2& u) const = 0;
+    /// Density per unit of area with which sample_surface draws the point `p`.
+    virtual float area_density(const Vec3& p) const = 0;
+
+    /// Sets gain, flux and power() for a surface of `area`; throws InputError at `where` if the
+    /// area is zero or not finite.
+    void set_emission(const AreaEmission& emission, double area, const SourceLocation& where);
+    bool has_constant_emission() const { return radiance_.is_constant(); }
+    Rgb emitted(const SurfacePoint& s) const { return radiance_.at(s.p, s.n, s.uv); }
+
+  private:
+    float mean_luminance(double area) const;
+
+    LightPlacement placement_;
+    EmittedRadiance radiance_;
+    float power_ = 0;
+};
+
+}  // namespace lxs

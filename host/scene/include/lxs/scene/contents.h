@@ -1,0 +1,80 @@
+// A scene as the reader leaves it: everything resolved and owned, nothing traced yet.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "lxs/scene/geometry.h"
+#include "lxs/scene/material.h"
+#include "lxs/sdk/light.h"
+#include "lxs/sdk/parameters.h"
+
+namespace lxs {
+
+/// Emission of a shape (AreaLightSource "area").
+struct AreaEmission {
+    std::shared_ptr<const ColorTexture> radiance;  ///< L, without gain
+    float gain = 1;
+    float power = 0;     ///< electrical watts; with efficacy > 0 it sets the emitted flux
+    float efficacy = 0;  ///< lumens per watt
+    std::uint32_t group = 0;
+    SourceLocation where;
+};
+
+/// A shape with all that applies to it.
+struct Primitive {
+    Geometry geometry;
+    std::shared_ptr<const Material> material;
+    std::uint32_t material_index = 0;  ///< into SceneContents::material_names
+    std::shared_ptr<const Medium> interior, exterior;
+    std::optional<AreaEmission> emission;
+    bool reverse_orientation = false;  ///< ReverseOrientation in force xor mirroring transform
+    SourceLocation where;
+};
+
+/// A named object (ObjectBegin/End); its primitives are in object space.
+struct ObjectDefinition {
+    std::string name;
+    std::vector<Primitive> primitives;
+};
+
+/// One placed copy of an object.
+struct Instance {
+    std::size_t object = 0;  ///< index into SceneContents::objects
+    Matrix to_world;
+};
+
+/// A light without geometry: its parameters and where it stands.
+struct LightDescription {
+    ParameterSet parameters;
+    Matrix to_world;
+    std::uint32_t group = 0;
+    std::shared_ptr<const Medium> medium;  ///< Exterior in force: photons start in it
+};
+
+/// Plugin choice of one option statement (Camera, Film, Sampler, ...).
+struct OptionStatement {
+    ParameterSet parameters;
+    Matrix transform;  ///< the current transform where the statement stood
+};
+
+struct SceneContents {
+    /// By statement name: "Camera", "Film", "PixelFilter", "Sampler", "SurfaceIntegrator",
+    /// "Renderer", "VolumeIntegrator", "Accelerator". Absent when the scene has no such statement.
+    std::map<std::string, OptionStatement> options;
+    std::vector<Primitive> primitives;  ///< world space
+    std::vector<ObjectDefinition> objects;
+    std::vector<Instance> instances;
+    std::vector<LightDescription> lights;
+    std::vector<std::string> light_groups;  ///< at least "default"
+    std::vector<std::string> material_names;
+    std::shared_ptr<const Medium> camera_medium;  ///< Exterior in force at WorldEnd
+    std::string directory;  ///< of the main scene file: asset names resolve against it
+    SourceLocation end;     ///< of WorldEnd, for messages about what is missing
+};
+
+}  // namespace lxs

@@ -1,0 +1,47 @@
+// Materials: build a Bsdf at a surface point.
+#pragma once
+
+#include <memory_resource>
+
+#include "lxs/scene/medium.h"
+#include "lxs/scene/texture.h"
+#include "lxs/sdk/bsdf.h"
+
+namespace lxs {
+
+/// What a material reads of a surface point.
+struct ShadingPoint {
+    TexturePoint texture;
+    Vec3 ng{0.0f};    ///< geometric normal, unit
+    Vec3 ns{0.0f};    ///< shading normal, unit, in the hemisphere of ng
+    Vec3 dpdu{0.0f};  ///< tangent along u; zero when unknown
+    const Medium* interior = nullptr;
+    const Medium* exterior = nullptr;
+};
+
+/// What a material can do anywhere on a surface, known when the scene is loaded.
+struct MaterialFacts {
+    LobeMask lobes = 0;            ///< all kinds that may occur
+    bool transmits = false;
+    bool straight = false;         ///< may pass light undeviated (null, architectural glass, mixes)
+    bool reads_image = false;
+    std::size_t max_bsdf_bytes = 0;  ///< most memory that one scatter() takes
+};
+
+class Material {
+ public:
+    virtual ~Material() = default;
+    /// Builds the Bsdf in `memory`; null when nothing scatters (black).
+    virtual const Bsdf* scatter(const ShadingPoint& point,
+                                std::pmr::memory_resource& memory) const = 0;
+    virtual MaterialFacts facts() const = 0;
+    /// Share of light that passes straight through towards `direction` (null material: 1;
+    /// architectural glass: its transmission; mixes: the mean); 0 for everything else. Shadow rays
+    /// multiply it. Only called if facts().straight.
+    virtual Rgb straight_transmittance(const ShadingPoint& /*point*/,
+                                       const Vec3& /*direction*/) const {
+        return Rgb(0.0f);
+    }
+};
+
+}  // namespace lxs

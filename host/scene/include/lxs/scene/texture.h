@@ -1,0 +1,43 @@
+// Textures: functions of a surface point.
+#pragma once
+
+#include <memory>
+#include <optional>
+
+// First, or g++ 12 calls the enumerators of ParameterType shadows of the aliases below.
+#include "lxs/sdk/parameters.h"
+#include "lxs/sdk/types.h"
+
+namespace lxs {
+
+/// The part of a surface point that textures read.
+struct TexturePoint {
+    Vec3 p{0.0f};   ///< world space
+    Vec3 n{0.0f};   ///< shading normal
+    Vec2 uv{0.0f};
+};
+
+/// A texture with values of type T (float, Rgb).
+template <class T>
+class Texture {
+ public:
+    virtual ~Texture() = default;
+    virtual T evaluate(const TexturePoint& point) const = 0;
+    /// The value if it is the same everywhere: materials prepare for it once.
+    virtual std::optional<T> constant() const { return std::nullopt; }
+    /// True if an image file is read.
+    virtual bool reads_image() const { return false; }
+};
+
+/// Complex index of refraction per RGB channel.
+struct FresnelValue {
+    Rgb eta{1.5f};
+    Rgb k{0.0f};
+    bool conductor = false;
+};
+
+using FloatTexture = Texture<float>;
+using ColorTexture = Texture<Rgb>;
+using FresnelTexture = Texture<FresnelValue>;
+
+}  // namespace lxs

@@ -1,0 +1,56 @@
+// What a surface integrator plugin implements. The host owns the loop over passes, budgets,
+// progress and output; the integrator renders one pass at a time.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "lxs/sdk/camera.h"
+#include "lxs/sdk/film.h"
+#include "lxs/sdk/log.h"
+#include "lxs/sdk/scene.h"
+
+namespace lxs {
+
+/// What a render is asked to be; fixed for its whole length.
+struct RenderSettings {
+    unsigned threads = 0;     ///< 0: all; the host has already limited oneTBB to it
+    std::uint64_t seed = 0;
+};
+
+/// The parts of the host that an integrator works with; they outlive it.
+struct RenderContext {
+    const Scene& scene;
+    const Camera& camera;
+    const Sampler& sampler;
+    Film& film;
+    Log& log;
+    RenderSettings settings;
+};
+
+/// What one pass did, for progress and budgets.
+struct PassReport {
+    std::uint64_t photon_paths = 0;
+    std::uint64_t rays = 0;
+    double samples_per_pixel = 1;
+};
+
+/// Named figures for the statistics file, in the order given.
+using Statistics =
+    std::vector<std::pair<std::string, std::variant<double, std::uint64_t, std::string>>>;
+
+class Integrator {
+ public:
+    virtual ~Integrator() = default;
+    /// Called once, before the first pass. Throws std::runtime_error with one clear message when
+    /// the scene can't be rendered.
+    virtual void prepare(const RenderContext& context) = 0;
+    /// Renders pass number `pass` (from 0) and adds it to the film.
+    virtual PassReport render_pass(std::uint64_t pass) = 0;
+    virtual Statistics statistics() const { return {}; }
+};
+
+}  // namespace lxs

@@ -1,0 +1,74 @@
+// The scene as integrators see it.
+#pragma once
+
+#include <cstdint>
+#include <memory_resource>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "lxs/sdk/bsdf.h"
+#include "lxs/sdk/light.h"
+#include "lxs/sdk/types.h"
+
+namespace lxs {
+
+/// Where a ray meets a surface.
+struct SurfaceHit {
+    Vec3 p{0.0f};             ///< position, world space
+    Vec3 p_error{0.0f};       ///< bound of p's rounding error per coordinate, tracing included
+    Vec3 ng{0.0f};            ///< geometric normal, unit, the surface's own (front) side
+    Vec3 ns{0.0f};            ///< shading normal, unit, in the hemisphere of ng
+    Vec2 uv{0.0f};            ///< texture coordinates
+    Vec3 dpdu{0.0f};          ///< tangent along u; zero when unknown
+    float distance = 0;       ///< along the ray
+    Rgb transmittance{1.0f};  ///< of the ray's medium over `distance`
+    const Bsdf* bsdf = nullptr;       ///< null: scatters nothing
+    const Light* light = nullptr;     ///< emissive surface's light, else null
+    Rgb emitted{0.0f};                ///< radiance it sends towards the ray's origin
+    const Medium* interior = nullptr;  ///< medium behind the surface (-ng)
+    const Medium* exterior = nullptr;  ///< medium before it (+ng)
+    std::uint32_t primitive = 0;      ///< triangle within the light's shape (Light::pdf_direct)
+    std::uint32_t material = 0;       ///< index into Scene::material_names()
+};
+
+/// Facts about a scene that let an integrator leave out what the scene doesn't need.
+struct SceneFacts {
+    bool has_receivers = false;    ///< some surface has a diffuse or glossy lobe
+    bool has_glossy = false;
+    bool has_specular = false;     ///< some surface has a specular lobe
+    bool has_transmission = false; ///< some surface lets light through
+    bool has_media = false;
+    bool has_motion = false;
+    bool has_image_textures = false;
+    std::size_t triangles = 0;
+    std::size_t max_bsdf_bytes = 0;  ///< most memory that one `intersect` takes from its resource
+};
+
+/// Moves a ray's origin off a surface: `p` displaced along the geometric normal by the bound of its
+/// rounding error, to the side that `direction` points to (Pharr et al. 2016, section 3.9.5).
+Vec3 offset_origin(const Vec3& p, const Vec3& p_error, const Vec3& ng, const Vec3& direction);
+
+/// A loaded scene. All const members may be called from many threads at once.
+class Scene {
+ public:
+    virtual ~Scene() = default;
+
+    /// Nearest surface along `ray`; builds its Bsdf in `memory` (see Bsdf for lifetime).
+    virtual bool intersect(const Ray& ray, SurfaceHit& hit,
+                           std::pmr::memory_resource& memory) const = 0;
+    /// Share of light that arrives over the segment from `ray.origin` to `ray.t_max`, which the
+    /// caller has shortened to stop before the light: 0 when blocked. Null materials and
+    /// architectural glass let it pass undeviated; media absorb.
+    virtual Rgb transmittance(const Ray& ray) const = 0;
+
+    virtual std::span<const Light* const> lights() const = 0;
+    /// Names of the light groups, by index; at least one ("default").
+    virtual std::span<const std::string> light_groups() const = 0;
+    virtual std::span<const std::string> material_names() const = 0;
+    /// Box around all surfaces, lights at infinity left out; empty for an empty scene.
+    virtual Bounds bounds() const = 0;
+    virtual SceneFacts facts() const = 0;
+};
+
+}  // namespace lxs

@@ -1,0 +1,99 @@
+// Text of located messages: position, source line, caret, include chain.
+#include "lxs/sdk/diagnostics.h"
+
+#include <algorithm>
+
+namespace lxs {
+namespace {
+
+constexpr std::size_t kExcerptBytes = 96;  // of a source line, around the caret
+constexpr std::size_t kContextBytes = 40;  // kept before the caret when the line is cut
+constexpr std::size_t kQuotedBytes = 120;
+
+bool is_continuation(char c) {
+    return (static_cast<unsigned char>(c) & 0xC0) == 0x80;
+}
+bool is_control(char c) {
+    return static_cast<unsigned char>(c) < 0x20 || c == 0x7F;
+}
+
+/// Line number `line` (from 1) of `text` without its line end; empty if there is no such line.
+std::string_view source_line(std::string_view text, std::uint32_t line) {
+    for (std::uint32_t current = 1; current < line; ++current) {
+        const std::size_t newline = text.find('\n');
+        if (newline == std::string_view::npos) return {};
+        text.remove_prefix(newline + 1);
+    }
+    text = text.substr(0, text.find('\n'));
+    if (!text.empty() && text.back() == '\r') text.remove_suffix(1);
+    return text;
+}
+
+/// Moves `offset` back to the first byte of the UTF-8 character that it lies in.
+std::size_t character_start(std::string_view text, std::size_t offset) {
+    for (int i = 0; i < 3 && offset > 0 && offset < text.size(); ++i) {
+        if (!is_continuation(text[offset])) break;
+        --offset;
+    }
+    return offset;
+}
+
+std::string printable(std::string_view text) {
+    std::string result(text);
+    std::replace_if(
+        result.begin(), result.end(), [](char c) { return c != '\t' && is_control(c); }, '?');
+    return result;
+}
+
+/// The source line, cut around `column` (from 1, bytes) if it is long, and a line with the caret.
+std::string excerpt(std::string_view line, std::uint32_t column) {
+    const std::size_t caret = std::min<std::size_t>(std::max(column, 1u) - 1, line.size());
+    std::size_t begin = 0;
+    std::size_t end = line.size();
+    if (line.size() > kExcerptBytes) {
+        if (caret > kContextBytes) begin = character_start(line, caret - kContextBytes);
+        end = character_start(line, std::min(begin + kExcerptBytes, line.size()));
+    }
+    std::string source = "  ";
+    std::string marker = "  ";
+    if (begin > 0) {
+        source += "...";
+        marker += "   ";
+    }
+    source += printable(line.substr(begin, end - begin));
+    if (end < line.size()) source += "...";
+    for (const char c : line.substr(begin, caret - begin)) {
+        if (!is_continuation(c)) marker += c == '\t' ? '\t' : ' ';
+    }
+    return source + '\n' + marker + "^";
+}
+
+}  // namespace
+
+std::string format_message(const SourceLocation& where, const std::string& severity,
+                           const std::string& message) {
+    if (!where.file) return severity + ": " + message;
+    const SourceFile& file = *where.file;
+    std::string text = file.name + ":";
+    if (where.line > 0) {
+        text += std::to_string(where.line) + ":" + std::to_string(where.column) + ":";
+    }
+    text += " " + severity + ": " + message;
+    if (file.text && where.line > 0) {
+        text += '\n';
+        text += excerpt(source_line(*file.text, where.line), where.column);
+    }
+    for (const SourceFile* f = &file; f->included_by; f = f->included_by.get()) {
+        text += "\nincluded from " + f->included_by->name + ":" + std::to_string(f->include_line);
+    }
+    return text;
+}
+
+std::string in_quotes(std::string_view text) {
+    const bool cut = text.size() > kQuotedBytes;
+    std::string shown = printable(cut ? text.substr(0, character_start(text, kQuotedBytes)) : text);
+    std::replace(shown.begin(), shown.end(), '\t', ' ');
+    return '"' + shown + (cut ? "..." : "") + '"';
+}
+
+}  // namespace lxs

@@ -1,0 +1,75 @@
+// Suggestions for misspelt names, by edit distance.
+#include <algorithm>
+#include <cctype>
+
+#include "lxs/sdk/diagnostics.h"
+
+namespace lxs {
+namespace {
+
+constexpr std::size_t kLongestName = 64;  // longer ones are no misspelling of a known name
+
+std::string lower_case(std::string text) {
+    std::transform(text.begin(), text.end(), text.begin(),
+                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    return text;
+}
+
+/// Optimal string alignment distance: insertions, deletions, substitutions and swaps of two
+/// neighbouring characters cost 1 each.
+std::size_t edit_distance(const std::string& a, const std::string& b) {
+    std::vector<std::size_t> before_last(b.size() + 1);
+    std::vector<std::size_t> last(b.size() + 1);
+    std::vector<std::size_t> row(b.size() + 1);
+    for (std::size_t j = 0; j <= b.size(); ++j)
+        row[j] = j;
+    for (std::size_t i = 1; i <= a.size(); ++i) {
+        before_last.swap(last);
+        last.swap(row);
+        row[0] = i;
+        for (std::size_t j = 1; j <= b.size(); ++j) {
+            const std::size_t substitution = last[j - 1] + (a[i - 1] == b[j - 1] ? 0 : 1);
+            row[j] = std::min({last[j] + 1, row[j - 1] + 1, substitution});
+            const bool swapped = i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1];
+            if (swapped) row[j] = std::min(row[j], before_last[j - 2] + 1);
+        }
+    }
+    return row[b.size()];
+}
+
+}  // namespace
+
+std::string nearest_name(const std::string& name, const std::vector<std::string>& known) {
+    if (name.empty() || name.size() > kLongestName) return {};
+    const std::string wanted = lower_case(name);
+    // A third of the letters may be wrong: "tonemappkernal" is near, "fog" and "box" are not.
+    std::size_t best_distance = std::max<std::size_t>(1, name.size() / 3) + 1;
+    std::string best;
+    for (const std::string& candidate : known) {
+        if (candidate.size() > kLongestName) continue;
+        const std::size_t distance = edit_distance(wanted, lower_case(candidate));
+        if (distance < best_distance) {
+            best_distance = distance;
+            best = candidate;
+        }
+    }
+    return best;
+}
+
+std::string unknown_name_message(std::string_view kind, const std::string& name,
+                                 const std::vector<std::string>& known) {
+    std::string message = "unknown " + std::string(kind) + " " + in_quotes(name);
+    const std::string nearest = nearest_name(name, known);
+    if (!nearest.empty()) message += "; did you mean \"" + nearest + "\"?";
+    if (known.empty()) return message + "; none is known";
+    message += nearest.empty() ? "; known: " : " Known: ";
+    std::string list = nearest;
+    for (const std::string& candidate : known) {
+        if (candidate == nearest) continue;
+        if (!list.empty()) list += ", ";
+        list += candidate;
+    }
+    return message + list;
+}
+
+}  // namespace lxs

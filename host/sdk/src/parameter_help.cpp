@@ -1,0 +1,84 @@
+// Help made from parameter declarations: aligned text and Markdown.
+#include <algorithm>
+#include <array>
+
+#include "lxs/sdk/parameters.h"
+#include "parameter_text.h"
+
+namespace lxs {
+namespace {
+
+std::string joined_choices(const ParameterDeclaration& declaration) {
+    std::string text;
+    for (const std::string_view choice : declaration.choices) {
+        if (!text.empty()) text += ", ";
+        text += choice;
+    }
+    return text;
+}
+
+/// Name, type, default, allowed values, doc.
+std::array<std::string, 5> columns(const ParameterDeclaration& declaration) {
+    std::string type(type_name(declaration.type));
+    if (declaration.array) type += " list";
+    const std::string allowed =
+        declaration.choices.empty() ? range_text(declaration) : joined_choices(declaration);
+    std::string doc(declaration.doc);
+    if (declaration.no_effect) doc += doc.empty() ? "Has no effect." : " Has no effect.";
+    return {std::string(declaration.name), type, std::string(declaration.default_text), allowed,
+            doc};
+}
+
+/// '|' would end a Markdown table cell.
+std::string markdown_cell(const std::string& text) {
+    std::string cell;
+    for (const char c : text) {
+        if (c == '|') cell += '\\';
+        cell += c;
+    }
+    return cell;
+}
+
+}  // namespace
+
+std::string describe_text(std::span<const ParameterDeclaration> declarations) {
+    std::size_t name_width = 0;
+    std::size_t type_width = 0;
+    std::size_t default_width = 0;
+    for (const ParameterDeclaration& declaration : declarations) {
+        const auto [name, type, fallback, allowed, doc] = columns(declaration);
+        name_width = std::max(name_width, name.size());
+        type_width = std::max(type_width, type.size());
+        default_width = std::max(default_width, fallback.size());
+    }
+    const auto padded = [](std::string text, std::size_t width) {
+        text.resize(width + 2, ' ');
+        return text;
+    };
+    std::string text;
+    for (const ParameterDeclaration& declaration : declarations) {
+        const auto [name, type, fallback, allowed, doc] = columns(declaration);
+        text += "  " + padded(name, name_width) + padded(type, type_width) +
+                padded(fallback, default_width) + doc;
+        if (!allowed.empty()) text += " (" + allowed + ")";
+        text += '\n';
+    }
+    return text;
+}
+
+std::string describe_markdown(std::span<const ParameterDeclaration> declarations) {
+    std::string text = "| name | type | default | allowed | meaning |\n";
+    text += "| --- | --- | --- | --- | --- |\n";
+    for (const ParameterDeclaration& declaration : declarations) {
+        text += "|";
+        for (const std::string& cell : columns(declaration)) {
+            if (!cell.empty()) text += ' ';
+            text += markdown_cell(cell);
+            text += " |";
+        }
+        text += '\n';
+    }
+    return text;
+}
+
+}  // namespace lxs

@@ -1,0 +1,24 @@
+// Smooth dielectric interface: reflection and refraction.
+#pragma once
+
+#include "specular_bsdf.h"
+
+namespace lxs::shading {
+
+class GlassBsdf final : public SpecularBsdf {
+  public:
+    /// `eta`: index behind the surface (-ng) / index before it (+ng).
+    GlassBsdf(const Rgb& kr, const Rgb& kt, float eta, const Vec3& ng, const Vec3& ns)
+        : kr_(kr), kt_(kt), eta_(eta), ng_(ng), ns_(ns) {}
+
+    bool sample(const Vec3& wo, const Vec2& u, float u_lobe, Transport transport, LobeMask mask,
+                BsdfSample& sample) const override;
+    Rgb albedo(const Vec3& wo, LobeMask mask) const override;
+
+  private:
+    Rgb kr_, kt_;
+    float eta_;
+    Vec3 ng_, ns_;
+};
+
+}  // namespace lxs::shading

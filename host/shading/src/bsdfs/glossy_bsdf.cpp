@@ -1,0 +1,140 @@
+// Diffuse base under a rough coating.
+#include "glossy_bsdf.h"
+
+#include <algorithm>
+
+namespace lxs::shading {
+namespace {
+
+constexpr float kMinCosine = 1e-6f;
+constexpr float kBelowOne = 0x1.fffffep-1f;
+
+Rgb min_of(const Rgb& a, const Rgb& b) {
+    return {std::min(a.x, b.x), std::min(a.y, b.y), std::min(a.z, b.z)};
+}
+
+/// Cosine between a direction and the half vector of the pair.
+float half_cosine(const Vec3& wo, const Vec3& wi) {
+    return std::sqrt(std::max(0.0f, 0.5f * (1 + wo.dot(wi))));
+}
+
+}  // namespace
+
+Rgb GlossyBsdf::bounce_color() const {
+    constexpr float kMeanOfGrazing = 1.0f / 21;  // cosine-weighted mean of (1 - cos)^5
+    return coating_.reflectance + (Rgb(1.0f) - coating_.reflectance) * kMeanOfGrazing;
+}
+
+GlossyBsdf::Side GlossyBsdf::side(const Vec3& w) const {
+    const float cosine = std::abs(w.dot(facets_.ns()));
+    const MicrofacetAlbedo::Entry facets =
+        MicrofacetAlbedo::table().at(cosine, facets_.roughness());
+    const Rgb& r0 = coating_.reflectance;
+    Rgb coat = r0 * facets.constant + (Rgb(1.0f) - r0) * facets.grazing;
+    if (coating_.multibounce) coat += bounce_color() * (1 - facets.constant);
+    return {cosine, facets, min_of(coat, Rgb(1.0f))};
+}
+
+Rgb GlossyBsdf::base(const Side& o, const Side& i, const Rgb& fresnel) const {
+    const Rgb white(1.0f);
+    Rgb f = min_of(kd_ * (white - fresnel), min_of(white - o.coat, white - i.coat)) * kInvPi;
+    if (!is_black(coating_.optical_depth)) {
+        const float crossings =
+            1 / std::max(o.cosine, kMinCosine) + 1 / std::max(i.cosine, kMinCosine);
+        for (int c = 0; c < 3; ++c)
+            f[c] *= std::exp(-coating_.optical_depth[c] * crossings);
+    }
+    return f;
+}
+
+Rgb GlossyBsdf::coat_diffuse(const Side& o, const Side& i) const {
+    const float lost = 1 - MicrofacetAlbedo::table().average(facets_.roughness());
+    if (!(lost > 1e-6f)) return Rgb(0.0f);
+    // Kulla & Conty 2017, slide 13: albedo 1 - E(cos_o).
+    const float f = (1 - o.facets.constant) * (1 - i.facets.constant) * kInvPi / lost;
+    return bounce_color() * f;
+}
+
+Rgb GlossyBsdf::base_albedo(const Side& o) const {
+    return min_of(kd_ * (Rgb(1.0f) - coating_.reflectance), Rgb(1.0f) - o.coat);
+}
+
+GlossyBsdf::Choice GlossyBsdf::choose(const Side& o, LobeMask mask) const {
+    Choice choice;
+    const float coat = mask & kGlossy ? max_component(o.coat) : 0.0f;
+    const float base = mask & kDiffuse ? max_component(base_albedo(o)) : 0.0f;
+    const bool can_coat = mask & kGlossy, can_base = (mask & kDiffuse) && !black_base_;
+    float p_coat = coat + base > 0 ? coat / (coat + base) : 0.5f;
+    // Both parts keep a share: their estimates are means over channels and directions.
+    p_coat = !can_base ? 1.0f : !can_coat ? 0.0f : std::clamp(p_coat, 0.1f, 0.9f);
+    const float p_facets = coating_.multibounce ? std::max(0.25f, o.facets.constant) : 1.0f;
+    choice.facets = p_coat * p_facets;
+    choice.coat_diffuse = p_coat - choice.facets;
+    choice.base = 1 - p_coat;
+    return choice;
+}
+
+float GlossyBsdf::density(const Choice& choice, const HalfVector* half, float cos_i) const {
+    const float diffuse = (choice.coat_diffuse + choice.base) * cos_i * kInvPi;
+    return half && choice.facets > 0 ? diffuse + choice.facets * facets_.pdf(*half) : diffuse;
+}
+
+Rgb GlossyBsdf::value(const Side& o, const Side& i, float cosine, const HalfVector* half,
+                      LobeMask mask) const {
+    const Rgb fresnel = fresnel_schlick(cosine, coating_.reflectance);
+    Rgb sum(0.0f);
+    if ((mask & kDiffuse) && !black_base_) sum += base(o, i, fresnel);
+    if (mask & kGlossy) {
+        if (half) sum += fresnel * facets_.value(*half);
+        if (coating_.multibounce) sum += coat_diffuse(o, i);
+    }
+    return sum;
+}
+
+Rgb GlossyBsdf::evaluate(const Vec3& wo, const Vec3& wi, Transport, LobeMask mask) const {
+    if (!(mask & lobes()) || !same_side(wo, wi, facets_.ng())) return Rgb(0.0f);
+    HalfVector half;
+    const bool seen = facets_.half_vector(wo, wi, half);
+    return value(side(wo), side(wi), half_cosine(wo, wi), seen ? &half : nullptr, mask);
+}
+
+float GlossyBsdf::pdf(const Vec3& wo, const Vec3& wi, LobeMask mask) const {
+    if (!(mask & lobes()) || !same_side(wo, wi, facets_.ng())) return 0;
+    HalfVector half;
+    const bool seen = facets_.half_vector(wo, wi, half);
+    return density(choose(side(wo), mask), seen ? &half : nullptr, std::abs(wi.dot(facets_.ns())));
+}
+
+bool GlossyBsdf::sample(const Vec3& wo, const Vec2& u, float u_lobe, Transport, LobeMask mask,
+                        BsdfSample& sample) const {
+    if (!(mask & lobes())) return false;
+    const Side o = side(wo);
+    const Choice choice = choose(o, mask);
+    Vec3 wi;
+    HalfVector half;
+    if (u_lobe < choice.facets) {
+        const float rest = std::min(u_lobe / choice.facets, kBelowOne);
+        if (!facets_.sample(wo, u, rest, wi, half)) return false;
+    } else if (!sample_cosine(wo, facets_.ng(), facets_.ns(), u, wi)) {
+        return false;
+    }
+    const bool seen = facets_.half_vector(wo, wi, half);
+    const HalfVector* pair = seen ? &half : nullptr;
+    const Side i = side(wi);
+    const float pdf = density(choice, pair, i.cosine);
+    if (!(pdf > 0)) return false;
+    const Rgb f = value(o, i, half_cosine(wo, wi), pair, mask);
+    const bool coat = u_lobe < choice.facets + choice.coat_diffuse;
+    sample = {wi, f * (i.cosine / pdf), pdf, coat ? kGlossy : kDiffuse, false, false};
+    return true;
+}
+
+Rgb GlossyBsdf::albedo(const Vec3& wo, LobeMask mask) const {
+    const Side o = side(wo);
+    Rgb sum(0.0f);
+    if (mask & kGlossy) sum += o.coat;
+    if (mask & kDiffuse) sum += base_albedo(o);
+    return sum;
+}
+
+}  // namespace lxs::shading

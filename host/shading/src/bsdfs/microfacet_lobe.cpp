@@ -1,0 +1,62 @@
+// Reflection by a surface of Schlick microfacets.
+#include "microfacet_lobe.h"
+
+#include <algorithm>
+
+namespace lxs::shading {
+
+bool MicrofacetLobe::half_vector(const Vec3& wo, const Vec3& wi, HalfVector& half) const {
+    const float side = wo.dot(ng_);
+    if (!(side * wi.dot(ng_) > 0)) return false;
+    half.wo = frame_.to_local(wo);
+    half.wi = frame_.to_local(wi);
+    if (side < 0) {
+        half.wo.z = -half.wo.z;
+        half.wi.z = -half.wi.z;
+    }
+    if (!(half.wo.z > 0) || !(half.wi.z > 0)) return false;
+    half.h = (half.wo + half.wi).normalized();
+    half.cosine = half.wo.dot(half.h);
+    return half.cosine > 0 && half.h.z > 0;
+}
+
+float MicrofacetLobe::shadowing(const HalfVector& half) const {
+    const float cos_o = half.wo.z, cos_i = half.wi.z;
+    const float schlick =
+        distribution_.shadowing_over_cosine(cos_o) * distribution_.shadowing_over_cosine(cos_i);
+    // Dividing by the larger of both bounds keeps f reciprocal and its albedo at most 1.
+    const float bound =
+        std::max(distribution_.reflected_bound(cos_o), distribution_.reflected_bound(cos_i));
+    return schlick / std::max(1.0f, bound);
+}
+
+float MicrofacetLobe::value(const HalfVector& half) const {
+    return 0.25f * distribution_.density(half.h) * shadowing(half);
+}
+
+float MicrofacetLobe::pdf(const HalfVector& half) const {
+    // Visible facets of V-cavities: D_s min(1, 2 h.z cos_o / (wo.h)) / cos_o, over 4 for wi.
+    const float masking_over_cosine = std::min(1 / half.wo.z, 2 * half.h.z / half.cosine);
+    return 0.25f * distribution_.sampling_density(half.h) * masking_over_cosine;
+}
+
+bool MicrofacetLobe::sample(const Vec3& wo, const Vec2& u, float u_choice, Vec3& wi,
+                            HalfVector& half) const {
+    const float side = wo.dot(ng_) < 0 ? -1.0f : 1.0f;
+    Vec3 local = frame_.to_local(wo);
+    local.z *= side;
+    if (!(local.z > 0)) return false;
+    // One wall of the V-cavity that h stands in, chosen by the area that wo sees of it
+    // (Heitz & d'Eon 2014, algorithm 2).
+    Vec3 h = distribution_.sample(u);
+    const Vec3 other(-h.x, -h.y, h.z);
+    const float seen = std::max(0.0f, local.dot(h)), seen_other = std::max(0.0f, local.dot(other));
+    if (u_choice * (seen + seen_other) >= seen) h = other;
+    Vec3 reflected = reflect(local, h);
+    if (!(reflected.z > 0)) return false;
+    reflected.z *= side;
+    wi = frame_.to_world(reflected).normalized();
+    return half_vector(wo, wi, half);
+}
+
+}  // namespace lxs::shading

@@ -1,0 +1,45 @@
+// Reflection by a surface of Schlick microfacets, Fresnel term left out.
+// Sources: Schlick 1994; Heitz & d'Eon 2014, "Importance Sampling Microfacet-Based BSDFs using the
+// Distribution of Visible Normals" (V-cavities, for sampling only).
+#pragma once
+
+#include "schlick_distribution.h"
+
+namespace lxs::shading {
+
+/// Two directions and their half vector in local coordinates, on the side where local z > 0.
+struct HalfVector {
+    Vec3 wo{0.0f}, wi{0.0f}, h{0.0f};
+    float cosine = 0;  ///< wo.h = wi.h, > 0
+};
+
+/// f = D G / (4 cos_o cos_i) with Schlick's product of shadowing terms for G, as LuxRender has it,
+/// but scaled down at grazing angles, where that would send back more light than arrives.
+class MicrofacetLobe {
+  public:
+    MicrofacetLobe(const SchlickDistribution& distribution, const Frame& frame, const Vec3& ng)
+        : distribution_(distribution), frame_(frame), ng_(ng) {}
+
+    const Vec3& ng() const { return ng_; }
+    const Vec3& ns() const { return frame_.n; }
+    float roughness() const { return distribution_.roughness(); }
+
+    /// False when the two directions don't see each other by reflection.
+    bool half_vector(const Vec3& wo, const Vec3& wi, HalfVector& half) const;
+    /// f without Fresnel term.
+    float value(const HalfVector& half) const;
+    /// Density of `sample`.
+    float pdf(const HalfVector& half) const;
+    /// Draws wi among the facets visible from wo; `u_choice` in [0,1). False if wi is shadowed.
+    bool sample(const Vec3& wo, const Vec2& u, float u_choice, Vec3& wi, HalfVector& half) const;
+
+  private:
+    /// G / (cos_o cos_i).
+    float shadowing(const HalfVector& half) const;
+
+    SchlickDistribution distribution_;
+    Frame frame_;
+    Vec3 ng_;
+};
+
+}  // namespace lxs::shading

@@ -1,0 +1,20 @@
+// What all Bsdfs share that consist of Dirac deltas only.
+#pragma once
+
+#include "frame.h"
+#include "lxs/sdk/bsdf.h"
+
+namespace lxs::shading {
+
+/// A Bsdf that `evaluate` and `pdf` never see.
+class SpecularBsdf : public Bsdf {
+  public:
+    LobeMask lobes() const final { return kSpecular; }
+    Rgb evaluate(const Vec3&, const Vec3&, Transport, LobeMask) const final { return Rgb(0.0f); }
+    float pdf(const Vec3&, const Vec3&, LobeMask) const final { return 0; }
+
+  protected:
+    ~SpecularBsdf() = default;
+};
+
+}  // namespace lxs::shading

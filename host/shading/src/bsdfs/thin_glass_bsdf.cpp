@@ -1,0 +1,47 @@
+// Architectural glass: one rule for eye paths, photons and shadow rays.
+#include "thin_glass_bsdf.h"
+
+#include "fresnel.h"
+
+namespace lxs::shading {
+namespace {
+
+float thin_fresnel(float eta, float cos_o) {
+    return fresnel_dielectric(std::abs(cos_o), std::max(eta, 1 / eta));
+}
+
+}  // namespace
+
+Rgb thin_glass_transmission(const Rgb& kt, float eta, float cos_o) {
+    return kt * (1 - thin_fresnel(eta, cos_o));
+}
+
+Rgb ThinGlassBsdf::reflection(const Vec3& wo) const {
+    return wo.dot(ng_) > 0 ? kr_ * thin_fresnel(eta_, wo.dot(ns_)) : Rgb(0.0f);
+}
+
+bool ThinGlassBsdf::sample(const Vec3& wo, const Vec2&, float u_lobe, Transport, LobeMask mask,
+                           BsdfSample& sample) const {
+    if (!(mask & kSpecular)) return false;
+    const float cos_o = wo.dot(ns_);
+    const Rgb reflected = reflection(wo);
+    const Rgb transmitted = thin_glass_transmission(kt_, eta_, cos_o);
+    const float total = max_component(reflected) + max_component(transmitted);
+    if (!(total > 0)) return false;
+    const float p_reflect = max_component(reflected) / total;
+    if (u_lobe >= p_reflect) {
+        sample = {-wo, transmitted / (1 - p_reflect), 0, kSpecular, true, true};
+        return true;
+    }
+    const Vec3 wi = reflect(wo, ns_);
+    sample = {wi, reflected / p_reflect, 0, kSpecular, false, false};
+    return same_side(wo, wi, ng_);
+}
+
+Rgb ThinGlassBsdf::albedo(const Vec3& wo, LobeMask mask) const {
+    if (!(mask & kSpecular)) return Rgb(0.0f);
+    const float cos_o = wo.dot(ns_);
+    return reflection(wo) + thin_glass_transmission(kt_, eta_, cos_o);
+}
+
+}  // namespace lxs::shading

@@ -1,0 +1,31 @@
+// Architectural glass: reflects on its front side, lets light through undeviated.
+#pragma once
+
+#include "specular_bsdf.h"
+
+namespace lxs::shading {
+
+/// Share of light that architectural glass lets through under the cosine `cos_o` (either sign);
+/// the angle is the one in the medium of lower index on both sides, since nothing bends.
+/// LuxRender's images show the same: (1 - F) at each crossing, no reflection from behind.
+Rgb thin_glass_transmission(const Rgb& kt, float eta, float cos_o);
+
+class ThinGlassBsdf final : public SpecularBsdf {
+  public:
+    /// `eta`: index behind the surface (-ng) / index before it (+ng).
+    ThinGlassBsdf(const Rgb& kr, const Rgb& kt, float eta, const Vec3& ng, const Vec3& ns)
+        : kr_(kr), kt_(kt), eta_(eta), ng_(ng), ns_(ns) {}
+
+    bool sample(const Vec3& wo, const Vec2& u, float u_lobe, Transport transport, LobeMask mask,
+                BsdfSample& sample) const override;
+    Rgb albedo(const Vec3& wo, LobeMask mask) const override;
+
+  private:
+    Rgb reflection(const Vec3& wo) const;
+
+    Rgb kr_, kt_;
+    float eta_;
+    Vec3 ng_, ns_;
+};
+
+}  // namespace lxs::shading

@@ -1,0 +1,28 @@
+// Parameters that every material has.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "lxs/scene/registry.h"
+
+namespace lxs::shading {
+
+/// `own` and then the parameters of all materials: bump map and LuxRender's compositing flags.
+std::vector<ParameterDeclaration> with_common_parameters(std::vector<ParameterDeclaration> own);
+
+/// Warns of common parameters that are set and change nothing yet.
+void warn_of_common_parameters(const ParameterReader& reader, const AssetContext& assets);
+
+/// Declarations of thin-film thickness and index, and a warning when the film would be visible.
+std::vector<ParameterDeclaration> film_parameters();
+void warn_of_film(const ParameterReader& reader, const AssetContext& assets);
+
+/// Roughness along u and v with LuxRender's names and default.
+std::vector<ParameterDeclaration> roughness_parameters(std::string_view default_text);
+
+/// `a` followed by `b`.
+std::vector<ParameterDeclaration> joined(std::vector<ParameterDeclaration> a,
+                                         const std::vector<ParameterDeclaration>& b);
+
+}  // namespace lxs::shading

@@ -1,0 +1,84 @@
+// Material "glass": smooth dielectric in vacuum, solid or architectural.
+#include "bsdfs/thin_glass_bsdf.h"
+#include "common_parameters.h"
+#include "glass_surface.h"
+#include "material_plugins.h"
+#include "prepared_texture.h"
+
+namespace lxs::shading {
+namespace {
+
+constexpr float kMinIndex = 0.05f, kMaxIndex = 20;
+
+class GlassMaterial final : public Material {
+  public:
+    GlassMaterial(PreparedColor kr, PreparedColor kt, PreparedFloat index, PreparedFloat cauchy_b,
+                  bool architectural)
+        : kr_(std::move(kr)),
+          kt_(std::move(kt)),
+          index_(std::move(index)),
+          cauchy_b_(std::move(cauchy_b)),
+          architectural_(architectural) {}
+
+    const Bsdf* scatter(const ShadingPoint& point,
+                        std::pmr::memory_resource& memory) const override {
+        return scatter_glass(glass_at(point.texture), architectural_, point, memory);
+    }
+    MaterialFacts facts() const override {
+        MaterialFacts facts = glass_facts(architectural_);
+        facts.reads_image = kr_.reads_image() || kt_.reads_image() || index_.reads_image() ||
+                            cauchy_b_.reads_image();
+        return facts;
+    }
+    Rgb straight_transmittance(const ShadingPoint& point, const Vec3& direction) const override {
+        if (!architectural_) return Rgb(0.0f);
+        const GlassPoint glass = glass_at(point.texture);
+        return thin_glass_transmission(glass.kt, glass.eta, direction.dot(point.ns));
+    }
+
+  private:
+    GlassPoint glass_at(const TexturePoint& point) const {
+        // Without dispersion: Cauchy's formula for the middle of the visible spectrum.
+        constexpr float kMiddle = 0.55f;  // micrometres
+        const float index = index_.at(point) + cauchy_b_.at(point) / (kMiddle * kMiddle);
+        return {kr_.at(point), kt_.at(point), limited(index, kMinIndex, kMaxIndex)};
+    }
+
+    PreparedColor kr_, kt_;
+    PreparedFloat index_, cauchy_b_;
+    bool architectural_;
+};
+
+std::shared_ptr<const Material> create(const ParameterReader& reader, const AssetContext& assets,
+                                       const Matrix&) {
+    warn_of_common_parameters(reader, assets);
+    warn_of_film(reader, assets);
+    auto cauchy_b = read_limited(reader, assets, "cauchyb", 0, 0, 1);
+    if (!cauchy_b.is(0)) {
+        reader.diagnostics().warning(reader.where("cauchyb"),
+                                     "dispersion is not rendered yet; the index for 550 nm is "
+                                     "used");
+    }
+    return std::make_shared<GlassMaterial>(
+        read_reflectance(reader, assets, "Kr", Rgb(1.0f)),
+        read_reflectance(reader, assets, "Kt", Rgb(1.0f)),
+        read_limited(reader, assets, "index", 1.5f, kMinIndex, kMaxIndex), std::move(cauchy_b),
+        reader.boolean("architectural", false));
+}
+
+}  // namespace
+
+MaterialFactory glass_plugin() {
+    return {with_common_parameters(joined(
+                {{"Kr", ParameterType::ColorTexture, "1 1 1", "colour of reflected light, 0 to 1"},
+                 {"Kt", ParameterType::ColorTexture, "1 1 1", "colour of refracted light, 0 to 1"},
+                 {"index", ParameterType::FloatTexture, "1.5", "index of refraction", 0},
+                 {"cauchyb", ParameterType::FloatTexture, "0",
+                  "Cauchy's B, square micrometres (dispersion is not rendered yet)", 0},
+                 {"architectural", ParameterType::Bool, "false",
+                  "let light through undeviated, shadow rays too"}},
+                film_parameters())),
+            &create};
+}
+
+}  // namespace lxs::shading

@@ -1,0 +1,19 @@
+// What "glass" and "glass2" have in common: one dielectric interface, solid or architectural.
+#pragma once
+
+#include "lxs/scene/material.h"
+
+namespace lxs::shading {
+
+/// Colours and index ratio at one point.
+struct GlassPoint {
+    Rgb kr{1.0f}, kt{1.0f};
+    float eta = 1.5f;  ///< index behind the surface / index before it
+};
+
+/// Bsdf of a solid or architectural glass surface.
+const Bsdf* scatter_glass(const GlassPoint& glass, bool architectural, const ShadingPoint& point,
+                          std::pmr::memory_resource& memory);
+MaterialFacts glass_facts(bool architectural);
+
+}  // namespace lxs::shading

@@ -1,0 +1,19 @@
+// The material plugins, one factory each; defined in the file named after the plugin.
+#pragma once
+
+#include "lxs/scene/registry.h"
+
+namespace lxs::shading {
+
+MaterialFactory matte_plugin();
+MaterialFactory mirror_plugin();
+MaterialFactory glass_plugin();
+MaterialFactory glass2_plugin();
+MaterialFactory metal_plugin();
+MaterialFactory metal2_plugin();
+MaterialFactory shinymetal_plugin();
+MaterialFactory glossy_plugin();
+MaterialFactory mix_plugin();
+MaterialFactory null_plugin();
+
+}  // namespace lxs::shading

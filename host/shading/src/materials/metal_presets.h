@@ -1,0 +1,22 @@
+// Measured optical constants of metals, by LuxRender's names.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "lxs/scene/texture.h"
+#include "lxs/sdk/parameters.h"
+
+namespace lxs::shading {
+
+/// Wavelengths that stand for red, green and blue, nanometres.
+inline constexpr std::array<float, 3> kRgbWavelengths{650, 532, 450};
+
+/// Declarations of "name" and "filename".
+std::vector<ParameterDeclaration> metal_preset_parameters();
+
+/// Constants of the metal that "name" says (default aluminium). Files of measurements aren't read:
+/// a located warning, and aluminium stands in. Throws InputError for an unknown name.
+FresnelValue read_metal_preset(const ParameterReader& reader);
+
+}  // namespace lxs::shading

@@ -1,0 +1,49 @@
+// Material "mirror": ideal reflection.
+#include "bsdfs/mirror_bsdf.h"
+#include "bsdfs/place_bsdf.h"
+#include "common_parameters.h"
+#include "material_plugins.h"
+#include "prepared_texture.h"
+
+namespace lxs::shading {
+namespace {
+
+class MirrorMaterial final : public Material {
+  public:
+    explicit MirrorMaterial(PreparedColor kr) : kr_(std::move(kr)) {}
+
+    const Bsdf* scatter(const ShadingPoint& point,
+                        std::pmr::memory_resource& memory) const override {
+        const Rgb kr = kr_.at(point.texture);
+        if (is_black(kr)) return nullptr;
+        return place_bsdf<MirrorBsdf>(memory, kr, point.ng, point.ns);
+    }
+    MaterialFacts facts() const override {
+        MaterialFacts facts;
+        facts.lobes = kSpecular;
+        facts.reads_image = kr_.reads_image();
+        facts.max_bsdf_bytes = kBsdfBytes<MirrorBsdf>;
+        return facts;
+    }
+
+  private:
+    PreparedColor kr_;
+};
+
+std::shared_ptr<const Material> create(const ParameterReader& reader, const AssetContext& assets,
+                                       const Matrix&) {
+    warn_of_common_parameters(reader, assets);
+    warn_of_film(reader, assets);
+    return std::make_shared<MirrorMaterial>(read_reflectance(reader, assets, "Kr", Rgb(1.0f)));
+}
+
+}  // namespace
+
+MaterialFactory mirror_plugin() {
+    return {with_common_parameters(
+                joined({{"Kr", ParameterType::ColorTexture, "1 1 1", "reflectance, 0 to 1"}},
+                       film_parameters())),
+            &create};
+}
+
+}  // namespace lxs::shading

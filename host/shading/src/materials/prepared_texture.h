@@ -1,0 +1,72 @@
+// A texture as a material uses it: limited to what makes sense, its value kept if it is constant.
+#pragma once
+
+#include <memory>
+#include <string_view>
+
+#include "lxs/scene/registry.h"
+
+namespace lxs::shading {
+
+/// `value` limited to [lowest, highest]; NaN becomes `lowest`.
+inline float limited(float value, float lowest, float highest) {
+    return value >= lowest ? std::min(value, highest) : lowest;
+}
+inline Rgb limited(const Rgb& value, float lowest, float highest) {
+    return {limited(value.x, lowest, highest), limited(value.y, lowest, highest),
+            limited(value.z, lowest, highest)};
+}
+
+template <class T>
+class PreparedTexture {
+  public:
+    PreparedTexture(std::shared_ptr<const Texture<T>> texture, float lowest, float highest)
+        : lowest_(lowest), highest_(highest) {
+        if (const std::optional<T> value = texture->constant()) {
+            constant_ = limited(*value, lowest, highest);
+        } else {
+            texture_ = std::move(texture);
+        }
+    }
+    T at(const TexturePoint& point) const {
+        return texture_ ? limited(texture_->evaluate(point), lowest_, highest_) : constant_;
+    }
+    /// True if the value is `value` everywhere.
+    bool is(const T& value) const { return !texture_ && constant_ == value; }
+    bool reads_image() const { return texture_ && texture_->reads_image(); }
+
+  private:
+    T constant_{};
+    float lowest_, highest_;
+    std::shared_ptr<const Texture<T>> texture_;  ///< null for a constant
+};
+
+using PreparedFloat = PreparedTexture<float>;
+using PreparedColor = PreparedTexture<Rgb>;
+
+/// A reflectance or transmittance: limited to [0, 1] per channel, with a warning at the parameter
+/// if a constant lies outside.
+PreparedColor read_reflectance(const ParameterReader& reader, const AssetContext& assets,
+                               std::string_view name, const Rgb& fallback);
+/// A colour without upper limit (absorption).
+PreparedColor read_positive_color(const ParameterReader& reader, const AssetContext& assets,
+                                  std::string_view name, const Rgb& fallback);
+PreparedFloat read_limited(const ParameterReader& reader, const AssetContext& assets,
+                           std::string_view name, float fallback, float lowest, float highest);
+
+/// Optical constants, kept if they are constant.
+class PreparedFresnel {
+  public:
+    explicit PreparedFresnel(std::shared_ptr<const FresnelTexture> texture);
+    explicit PreparedFresnel(const FresnelValue& value) : constant_(value) {}
+    FresnelValue at(const TexturePoint& point) const {
+        return texture_ ? texture_->evaluate(point) : constant_;
+    }
+    bool reads_image() const { return texture_ && texture_->reads_image(); }
+
+  private:
+    FresnelValue constant_;
+    std::shared_ptr<const FresnelTexture> texture_;
+};
+
+}  // namespace lxs::shading

@@ -1,0 +1,25 @@
+// The microfacets of rough materials, from u and v roughness textures.
+#pragma once
+
+#include "bsdfs/microfacet_lobe.h"
+#include "lxs/scene/material.h"
+#include "prepared_texture.h"
+
+namespace lxs::shading {
+
+class RoughSurface {
+  public:
+    /// Reads "uroughness" and "vroughness"; an old scene's "roughness" stands for both.
+    RoughSurface(const ParameterReader& reader, const AssetContext& assets);
+
+    MicrofacetLobe at(const ShadingPoint& point) const {
+        const SchlickDistribution distribution(u_.at(point.texture), v_.at(point.texture));
+        return {distribution, Frame(point.ns, point.dpdu), point.ng};
+    }
+    bool reads_image() const { return u_.reads_image() || v_.reads_image(); }
+
+  private:
+    PreparedFloat u_, v_;
+};
+
+}  // namespace lxs::shading

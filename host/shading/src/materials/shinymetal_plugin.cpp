@@ -1,0 +1,59 @@
+// Material "shinymetal": a rough and a mirror-like metallic reflection.
+#include "bsdfs/place_bsdf.h"
+#include "bsdfs/shiny_metal_bsdf.h"
+#include "common_parameters.h"
+#include "material_plugins.h"
+#include "rough_surface.h"
+
+namespace lxs::shading {
+namespace {
+
+class ShinyMetalMaterial final : public Material {
+  public:
+    ShinyMetalMaterial(PreparedColor ks, PreparedColor kr, RoughSurface surface)
+        : ks_(std::move(ks)), kr_(std::move(kr)), surface_(std::move(surface)) {}
+
+    const Bsdf* scatter(const ShadingPoint& point,
+                        std::pmr::memory_resource& memory) const override {
+        return place_bsdf<ShinyMetalBsdf>(memory, fresnel_from_reflectance(ks_.at(point.texture)),
+                                          fresnel_from_reflectance(kr_.at(point.texture)),
+                                          surface_.at(point));
+    }
+    MaterialFacts facts() const override {
+        MaterialFacts facts;
+        facts.lobes = kGlossy | kSpecular;
+        facts.reads_image = ks_.reads_image() || kr_.reads_image() || surface_.reads_image();
+        facts.max_bsdf_bytes = kBsdfBytes<ShinyMetalBsdf>;
+        return facts;
+    }
+
+  private:
+    PreparedColor ks_, kr_;
+    RoughSurface surface_;
+};
+
+std::shared_ptr<const Material> create(const ParameterReader& reader, const AssetContext& assets,
+                                       const Matrix&) {
+    warn_of_common_parameters(reader, assets);
+    warn_of_film(reader, assets);
+    return std::make_shared<ShinyMetalMaterial>(read_reflectance(reader, assets, "Ks", Rgb(1.0f)),
+                                                read_reflectance(reader, assets, "Kr", Rgb(1.0f)),
+                                                RoughSurface(reader, assets));
+}
+
+}  // namespace
+
+MaterialFactory shinymetal_plugin() {
+    const std::vector<ParameterDeclaration> own{
+        {"Kr", ParameterType::ColorTexture, "1 1 1",
+         "reflectance of the mirror-like part at normal incidence, 0 to 1"},
+        {"Ks", ParameterType::ColorTexture, "1 1 1",
+         "reflectance of the rough part at normal incidence, 0 to 1"},
+        {"roughness", ParameterType::FloatTexture, "0.1", "old name for both u and v roughness",
+         0}};
+    return {
+        with_common_parameters(joined(joined(own, roughness_parameters("0.1")), film_parameters())),
+        &create};
+}
+
+}  // namespace lxs::shading

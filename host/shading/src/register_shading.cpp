@@ -1,0 +1,49 @@
+// The textures, materials and media of the host, by the names scene files use.
+#include "lxs/scene/registry.h"
+#include "materials/material_plugins.h"
+#include "media/media_plugins.h"
+#include "textures/texture_plugins.h"
+
+namespace lxs {
+namespace {
+
+void register_textures(Registry& registry) {
+    registry.float_textures["constant"] = shading::constant_float_plugin();
+    registry.float_textures["scale"] = shading::scale_float_plugin();
+    registry.float_textures["mix"] = shading::mix_float_plugin();
+    registry.float_textures["checkerboard"] = shading::checkerboard_plugin();
+    registry.color_textures["constant"] = shading::constant_color_plugin();
+    registry.color_textures["scale"] = shading::scale_color_plugin();
+    registry.color_textures["mix"] = shading::mix_color_plugin();
+    registry.fresnel_textures["constant"] = shading::constant_fresnel_plugin();
+    registry.fresnel_textures["fresnelcolor"] = shading::fresnelcolor_plugin();
+    registry.fresnel_textures["fresnelname"] = shading::fresnelname_plugin();
+    registry.fresnel_textures["cauchy"] = shading::cauchy_plugin();
+    shading::register_imagemaps(registry);
+}
+
+void register_materials(Registry& registry) {
+    registry.materials["matte"] = shading::matte_plugin();
+    registry.materials["mirror"] = shading::mirror_plugin();
+    registry.materials["glass"] = shading::glass_plugin();
+    registry.materials["glass2"] = shading::glass2_plugin();
+    registry.materials["metal"] = shading::metal_plugin();
+    registry.materials["metal2"] = shading::metal2_plugin();
+    registry.materials["shinymetal"] = shading::shinymetal_plugin();
+    registry.materials["glossy"] = shading::glossy_plugin();
+    registry.materials["substrate"] = shading::glossy_plugin();
+    registry.materials["plastic"] = shading::glossy_plugin();
+    registry.materials["mix"] = shading::mix_plugin();
+    registry.materials["null"] = shading::null_plugin();
+}
+
+}  // namespace
+
+void register_shading(Registry& registry) {
+    register_textures(registry);
+    register_materials(registry);
+    registry.media["clear"] = shading::clear_plugin();
+    registry.media["homogeneous"] = shading::homogeneous_plugin();
+}
+
+}  // namespace lxs

@@ -1,0 +1,92 @@
+// Texture "checkerboard": two textures in alternating squares of (u, v) or cubes of space.
+#include <array>
+#include <cmath>
+
+#include "texture_parameters.h"
+#include "texture_plugins.h"
+#include "uv_mapping.h"
+
+namespace lxs::shading {
+namespace {
+
+/// Parity of the cell with corner `cell`; computed in floating point, so that no coordinate
+/// overflows.
+bool odd(float cell) {
+    return std::fmod(std::abs(cell), 2.0f) == 1.0f;
+}
+
+class Checkerboard2 final : public FloatTexture {
+  public:
+    Checkerboard2(std::shared_ptr<const FloatTexture> first,
+                  std::shared_ptr<const FloatTexture> second, const UvMapping& mapping)
+        : first_(std::move(first)), second_(std::move(second)), mapping_(mapping) {}
+    float evaluate(const TexturePoint& point) const override {
+        const Vec2 st = mapping_(point);
+        const bool second = odd(std::floor(st.x)) != odd(std::floor(st.y));
+        return (second ? second_ : first_)->evaluate(point);
+    }
+    bool reads_image() const override { return first_->reads_image() || second_->reads_image(); }
+
+  private:
+    std::shared_ptr<const FloatTexture> first_, second_;
+    UvMapping mapping_;
+};
+
+class Checkerboard3 final : public FloatTexture {
+  public:
+    Checkerboard3(std::shared_ptr<const FloatTexture> first,
+                  std::shared_ptr<const FloatTexture> second, const Matrix& to_texture)
+        : first_(std::move(first)), second_(std::move(second)), to_texture_(to_texture) {}
+    float evaluate(const TexturePoint& point) const override {
+        const Vec3 p = point.p * to_texture_;
+        const bool second = (odd(std::floor(p.x)) != odd(std::floor(p.y))) != odd(std::floor(p.z));
+        return (second ? second_ : first_)->evaluate(point);
+    }
+    bool reads_image() const override { return first_->reads_image() || second_->reads_image(); }
+
+  private:
+    std::shared_ptr<const FloatTexture> first_, second_;
+    Imath::M44f to_texture_;
+};
+
+Matrix inverse_or_fail(const ParameterReader& reader, const Matrix& to_world) {
+    try {
+        return to_world.inverse(true);
+    } catch (const std::invalid_argument&) {
+        reader.fail("dimension", "checkerboard: the transform in force cannot be inverted");
+    }
+}
+
+std::shared_ptr<const FloatTexture> create(const ParameterReader& reader,
+                                           const AssetContext& assets, const Matrix& to_world) {
+    auto first = read_float_texture(reader, assets, "tex1", 1);
+    auto second = read_float_texture(reader, assets, "tex2", 0);
+    if (reader.integer("dimension", 2) == 2)
+        return std::make_shared<Checkerboard2>(first, second, read_uv_mapping(reader));
+    return std::make_shared<Checkerboard3>(first, second, inverse_or_fail(reader, to_world));
+}
+
+}  // namespace
+
+FloatTextureFactory checkerboard_plugin() {
+    ParameterDeclaration dimension{"dimension", ParameterType::Integer, "2",
+                                   "2: squares in (u, v); 3: cubes in space"};
+    dimension.minimum = 2;
+    dimension.maximum = 3;
+    ParameterDeclaration aamode{"aamode", ParameterType::String, "closedform",
+                                "antialiasing of LuxRender"};
+    ParameterDeclaration coordinates{"coordinates", ParameterType::String, "global",
+                                     "space of a three-dimensional pattern"};
+    aamode.no_effect = coordinates.no_effect = true;
+    std::vector<ParameterDeclaration> parameters{
+        dimension,
+        {"tex1", ParameterType::FloatTexture, "1", "value of the first squares"},
+        {"tex2", ParameterType::FloatTexture, "0", "value of the others"},
+        aamode,
+        coordinates};
+    const std::vector<ParameterDeclaration> mapping = uv_mapping_parameters();
+    parameters.insert(parameters.end(), mapping.begin(), mapping.end());
+    return {parameters, &create};
+}
+
+}  // namespace lxs::shading

@@ -1,0 +1,43 @@
+// OpenImageIO's texture system as the image textures of one registry share it.
+#pragma once
+
+#include <OpenImageIO/Imath.h>
+#include <OpenImageIO/texture.h>
+
+#include <memory>
+#include <mutex>
+#include <string>
+
+#include "lxs/sdk/parameters.h"
+
+namespace lxs::shading {
+
+/// The texture system, created with the first image texture and never without one.
+class ImageCache {
+  public:
+    ImageCache() = default;
+    ~ImageCache();
+    ImageCache(const ImageCache&) = delete;
+    ImageCache& operator=(const ImageCache&) = delete;
+
+    /// An image made ready for lookups.
+    struct Image {
+        OIIO::TextureSystem* system = nullptr;
+        OIIO::TextureSystem::TextureHandle* handle = nullptr;
+        int channels = 0;
+        int alpha_channel = -1;
+    };
+
+    /// Opens the file `path` and reads it once; values that are not finite or negative are
+    /// reported in one warning. Throws InputError at `reader`'s filename when it can't be read.
+    Image open(const std::string& path, float gamma, const ParameterReader& reader);
+
+  private:
+    void create();
+
+    std::mutex mutex_;
+    OIIO::ImageCache* cache_ = nullptr;
+    OIIO::TextureSystem* system_ = nullptr;
+};
+
+}  // namespace lxs::shading

@@ -1,0 +1,188 @@
+// Texture "imagemap": an image file, looked up by OpenImageIO's texture system.
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "constant_texture.h"
+#include "image_cache.h"
+#include "texture_plugins.h"
+#include "uv_mapping.h"
+
+namespace lxs::shading {
+namespace {
+
+constexpr std::array<std::string_view, 4> kWraps{"repeat", "black", "white", "clamp"};
+constexpr std::array<std::string_view, 4> kFilters{"bilinear", "nearest", "mipmap_trilinear",
+                                                   "mipmap_ewa"};
+constexpr std::array<std::string_view, 6> kChannels{"mean", "red",   "green",
+                                                    "blue", "alpha", "colored_mean"};
+
+/// What float and colour lookups have in common.
+class ImageLookup {
+  public:
+    ImageLookup(const ParameterReader& reader, const AssetContext& assets,
+                std::shared_ptr<ImageCache> cache);
+
+    const ImageCache::Image& image() const { return image_; }
+    float gain() const { return gain_; }
+    /// `count` channels of the image from `first` on.
+    void read(const TexturePoint& point, int first, int count, float* values) const;
+    /// Red, green, blue; grey images give three equal values.
+    Rgb color(const TexturePoint& point) const;
+
+  private:
+    /// The same place in a coordinate that doesn't overflow OpenImageIO's texel numbers.
+    float near_image(float x) const {
+        return repeats_ ? x - std::floor(x) : std::clamp(x, -1.0f, 2.0f);
+    }
+
+    std::shared_ptr<ImageCache> cache_;
+    ImageCache::Image image_;
+    OIIO::TextureOpt options_;
+    UvMapping mapping_;
+    float gain_;
+    bool repeats_, white_outside_;
+};
+
+ImageLookup::ImageLookup(const ParameterReader& reader, const AssetContext& assets,
+                         std::shared_ptr<ImageCache> cache)
+    : cache_(std::move(cache)), mapping_(read_uv_mapping(reader)) {
+    if (!reader.given("filename")) reader.fail("filename", "imagemap: \"filename\" is missing");
+    const std::string path =
+        assets.resolve(reader.string("filename", ""), reader.where("filename"));
+    image_ = cache_->open(path, static_cast<float>(reader.number("gamma", 2.2)), reader);
+    gain_ = static_cast<float>(reader.number("gain", 1));
+    const std::string wrap = reader.string("wrap", "repeat");
+    repeats_ = wrap == "repeat";
+    white_outside_ = wrap == "white";
+    options_.swrap = options_.twrap = repeats_          ? OIIO::TextureOpt::WrapPeriodic
+                                      : wrap == "black" ? OIIO::TextureOpt::WrapBlack
+                                                        : OIIO::TextureOpt::WrapClamp;
+    options_.mipmode = OIIO::TextureOpt::MipModeNoMIP;
+    options_.interpmode = reader.string("filtertype", "bilinear") == "nearest"
+                              ? OIIO::TextureOpt::InterpClosest
+                              : OIIO::TextureOpt::InterpBilinear;
+}
+
+void ImageLookup::read(const TexturePoint& point, int first, int count, float* values) const {
+    const Vec2 st = mapping_(point);
+    const bool inside = st.x >= 0 && st.x <= 1 && st.y >= 0 && st.y <= 1;
+    std::fill_n(values, count, 1.0f);
+    if ((white_outside_ && !inside) || !std::isfinite(st.x) || !std::isfinite(st.y)) return;
+    OIIO::TextureOpt options = options_;
+    options.firstchannel = first;
+    image_.system->texture(image_.handle, nullptr, options, near_image(st.x), near_image(st.y), 0,
+                           0, 0, 0, count, values);
+}
+
+Rgb ImageLookup::color(const TexturePoint& point) const {
+    Rgb value(1.0f);
+    const int count = image_.channels >= 3 ? 3 : 1;
+    read(point, 0, count, &value.x);
+    if (count == 1) value = Rgb(value.x);
+    return value * gain_;
+}
+
+class ColorImageTexture final : public ColorTexture {
+  public:
+    explicit ColorImageTexture(ImageLookup lookup) : lookup_(std::move(lookup)) {}
+    Rgb evaluate(const TexturePoint& point) const override { return lookup_.color(point); }
+    bool reads_image() const override { return true; }
+
+  private:
+    ImageLookup lookup_;
+};
+
+class FloatImageTexture final : public FloatTexture {
+  public:
+    enum class Channel : std::uint8_t { Mean, Luminance, Single };
+
+    FloatImageTexture(ImageLookup lookup, Channel channel, int index)
+        : lookup_(std::move(lookup)), channel_(channel), index_(index) {}
+    float evaluate(const TexturePoint& point) const override {
+        if (channel_ == Channel::Single) {
+            float value = 1;
+            lookup_.read(point, index_, 1, &value);
+            return value * lookup_.gain();
+        }
+        const Rgb color = lookup_.color(point);
+        return channel_ == Channel::Luminance ? luminance(color)
+                                              : (color.x + color.y + color.z) / 3;
+    }
+    bool reads_image() const override { return true; }
+
+  private:
+    ImageLookup lookup_;
+    Channel channel_;
+    int index_;
+};
+
+std::shared_ptr<const FloatTexture> create_float(const ParameterReader& reader,
+                                                 const AssetContext& assets,
+                                                 const std::shared_ptr<ImageCache>& cache) {
+    using Channel = FloatImageTexture::Channel;
+    ImageLookup lookup(reader, assets, cache);
+    const std::string name = reader.string("channel", "mean");
+    if (name == "mean" || name == "colored_mean") {
+        const Channel channel = name == "mean" ? Channel::Mean : Channel::Luminance;
+        return std::make_shared<FloatImageTexture>(std::move(lookup), channel, 0);
+    }
+    const ImageCache::Image& image = lookup.image();
+    const int colored = name == "green" ? 1 : name == "blue" ? 2 : 0;
+    int index = image.channels >= 3 ? colored : 0;
+    if (name == "alpha") {
+        if (image.alpha_channel < 0) return std::make_shared<ConstantTexture<float>>(1.0f);
+        index = image.alpha_channel;
+    }
+    return std::make_shared<FloatImageTexture>(std::move(lookup), Channel::Single, index);
+}
+
+ParameterDeclaration choice(std::string_view name, std::string_view fallback, std::string_view doc,
+                            std::span<const std::string_view> choices) {
+    ParameterDeclaration declaration{name, ParameterType::String, fallback, doc};
+    declaration.choices = choices;
+    return declaration;
+}
+
+ParameterDeclaration ignored(std::string_view name, ParameterType type, std::string_view fallback,
+                             std::string_view doc) {
+    ParameterDeclaration declaration{name, type, fallback, doc};
+    declaration.no_effect = true;
+    return declaration;
+}
+
+std::vector<ParameterDeclaration> imagemap_parameters() {
+    std::vector<ParameterDeclaration> parameters{
+        {"filename", ParameterType::String, "", "image file"},
+        {"gamma", ParameterType::Float, "2.2", "values are raised to this power", 1e-3},
+        {"gain", ParameterType::Float, "1", "factor on the linear values", 0},
+        choice("wrap", "repeat", "what lies outside the image", kWraps),
+        choice("filtertype", "bilinear", "texels are interpolated unless \"nearest\"", kFilters),
+        ignored("maxanisotropy", ParameterType::Float, "8", "limit of the mip-map filter"),
+        ignored("discardmipmaps", ParameterType::Integer, "0", "finest levels left out"),
+        ignored("trilinear", ParameterType::Bool, "false", "old form of filtertype")};
+    const std::vector<ParameterDeclaration> mapping = uv_mapping_parameters();
+    parameters.insert(parameters.end(), mapping.begin(), mapping.end());
+    return parameters;
+}
+
+}  // namespace
+
+void register_imagemaps(Registry& registry) {
+    auto cache = std::make_shared<ImageCache>();
+    const ParameterDeclaration channel =
+        choice("channel", "mean", "channel of the image that is read", kChannels);
+    std::vector<ParameterDeclaration> float_parameters = imagemap_parameters();
+    float_parameters.push_back(channel);
+    registry.float_textures["imagemap"] = {
+        float_parameters, [cache](const ParameterReader& reader, const AssetContext& assets,
+                                  const Matrix&) { return create_float(reader, assets, cache); }};
+    registry.color_textures["imagemap"] = {
+        imagemap_parameters(),
+        [cache](const ParameterReader& reader, const AssetContext& assets,
+                const Matrix&) -> std::shared_ptr<const ColorTexture> {
+            return std::make_shared<ColorImageTexture>(ImageLookup(reader, assets, cache));
+        }};
+}
+
+}  // namespace lxs::shading

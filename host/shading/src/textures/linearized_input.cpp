@@ -1,0 +1,100 @@
+// An image file as OpenImageIO is to cache it.
+#include "linearized_input.h"
+
+#include <cmath>
+#include <vector>
+
+namespace lxs::shading {
+namespace {
+
+constexpr const char* kPathAttribute = "lxs:path";
+constexpr const char* kGammaAttribute = "lxs:gamma";
+
+}  // namespace
+
+OIIO::ImageSpec LinearizedInput::configuration(const std::string& path, float gamma) {
+    OIIO::ImageSpec configuration;
+    configuration.attribute(kPathAttribute, path);
+    configuration.attribute(kGammaAttribute, gamma);
+    return configuration;
+}
+
+bool LinearizedInput::open(const std::string& /*name*/, OIIO::ImageSpec& /*spec*/) {
+    errorfmt("an image texture needs its configuration");
+    return false;
+}
+
+bool LinearizedInput::open(const std::string& /*name*/, OIIO::ImageSpec& spec,
+                           const OIIO::ImageSpec& configuration) {
+    OIIO::ImageSpec reading;
+    reading.attribute("oiio:UnassociatedAlpha", 1);
+    const std::string path(configuration.get_string_attribute(kPathAttribute));
+    gamma_ = configuration.get_float_attribute(kGammaAttribute, 1.0f);
+    file_ = OIIO::ImageInput::open(path, &reading);
+    if (!file_) {
+        errorfmt("{}", OIIO::geterror());
+        return false;
+    }
+    m_spec = file_->spec();
+    m_spec.set_format(OIIO::TypeDesc::FLOAT);
+    m_spec.channelformats.clear();
+    if (m_spec.depth > 1 || m_spec.width < 1 || m_spec.height < 1 || m_spec.nchannels < 1) {
+        errorfmt("not a two-dimensional image");
+        return false;
+    }
+    spec = m_spec;
+    return true;
+}
+
+bool LinearizedInput::close() {
+    file_.reset();
+    return true;
+}
+
+bool LinearizedInput::forward_error() {
+    errorfmt("{}", file_ ? file_->geterror() : std::string("not open"));
+    return false;
+}
+
+void LinearizedInput::linearize(float* values, std::size_t pixels) {
+    const int channels = m_spec.nchannels;
+    for (std::size_t i = 0; i < pixels * channels; ++i) {
+        if (!(values[i] >= 0) || !std::isfinite(values[i])) {
+            values[i] = 0;
+            ++refused_;
+        } else if (gamma_ != 1 && static_cast<int>(i % channels) != m_spec.alpha_channel) {
+            values[i] = std::pow(values[i], gamma_);
+        }
+    }
+}
+
+bool LinearizedInput::read_native_scanline(int /*subimage*/, int /*miplevel*/, int y, int z,
+                                           void* data) {
+    if (!file_ || !file_->read_scanline(y, z, OIIO::TypeDesc::FLOAT, data)) return forward_error();
+    linearize(static_cast<float*>(data), m_spec.width);
+    return true;
+}
+
+bool LinearizedInput::read_native_tile(int /*subimage*/, int /*miplevel*/, int x, int y, int z,
+                                       void* data) {
+    if (!file_ || !file_->read_tile(x, y, z, OIIO::TypeDesc::FLOAT, data)) return forward_error();
+    linearize(static_cast<float*>(data), m_spec.tile_pixels());
+    return true;
+}
+
+bool LinearizedInput::read_through() {
+    const bool tiled = m_spec.tile_width > 0;
+    const int width = tiled ? m_spec.tile_width : m_spec.width;
+    const int height = tiled ? m_spec.tile_height : 1;
+    std::vector<float> values(std::size_t{1} * width * height * m_spec.nchannels);
+    for (int y = m_spec.y; y < m_spec.y + m_spec.height; y += height) {
+        for (int x = m_spec.x; x < m_spec.x + m_spec.width; x += width) {
+            const bool read = tiled ? read_native_tile(0, 0, x, y, 0, values.data())
+                                    : read_native_scanline(0, 0, y, 0, values.data());
+            if (!read) return false;
+        }
+    }
+    return true;
+}
+
+}  // namespace lxs::shading

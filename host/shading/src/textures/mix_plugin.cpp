@@ -1,0 +1,31 @@
+// Texture "mix": a blend of two textures.
+#include "binary_texture.h"
+#include "texture_parameters.h"
+#include "texture_plugins.h"
+
+namespace lxs::shading {
+namespace {
+
+template <class T>
+typename TextureKind<T>::Factory mix_plugin() {
+    using Kind = TextureKind<T>;
+    return {{{"tex1", Kind::kParameter, "0", "value where amount is 0"},
+             {"tex2", Kind::kParameter, "1", "value where amount is 1"},
+             {"amount", ParameterType::FloatTexture, "0.5", "share of tex2, 0 to 1"}},
+            [](const ParameterReader& reader, const AssetContext& assets, const Matrix&) {
+                return std::make_shared<MixTexture<T>>(
+                    Kind::read(reader, assets, "tex1", 0), Kind::read(reader, assets, "tex2", 1),
+                    read_float_texture(reader, assets, "amount", 0.5f));
+            }};
+}
+
+}  // namespace
+
+FloatTextureFactory mix_float_plugin() {
+    return mix_plugin<float>();
+}
+ColorTextureFactory mix_color_plugin() {
+    return mix_plugin<Rgb>();
+}
+
+}  // namespace lxs::shading

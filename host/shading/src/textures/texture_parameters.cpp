@@ -1,0 +1,33 @@
+// Reads textured parameters.
+#include "texture_parameters.h"
+
+namespace lxs::shading {
+
+std::shared_ptr<const FloatTexture> read_float_texture(const ParameterReader& reader,
+                                                       const AssetContext& assets,
+                                                       std::string_view name, float fallback) {
+    if (const auto texture = reader.texture_name(name))
+        return assets.float_texture(*texture, reader.where(name));
+    const auto value = static_cast<float>(reader.number(name, fallback));
+    return std::make_shared<ConstantTexture<float>>(value);
+}
+
+std::shared_ptr<const ColorTexture> read_color_texture(const ParameterReader& reader,
+                                                       const AssetContext& assets,
+                                                       std::string_view name, const Rgb& fallback) {
+    if (const auto texture = reader.texture_name(name))
+        return assets.color_texture(*texture, reader.where(name));
+    return std::make_shared<ConstantTexture<Rgb>>(reader.color(name, fallback));
+}
+
+std::shared_ptr<const FresnelTexture> read_fresnel_texture(const ParameterReader& reader,
+                                                           const AssetContext& assets,
+                                                           std::string_view name, float fallback) {
+    if (const auto texture = reader.texture_name(name))
+        return assets.fresnel_texture(*texture, reader.where(name));
+    FresnelValue value;
+    value.eta = Rgb(static_cast<float>(reader.number(name, fallback)));
+    return std::make_shared<ConstantTexture<FresnelValue>>(value);
+}
+
+}  // namespace lxs::shading

@@ -1,0 +1,14 @@
+// Names of the shape plugins.
+#include "shape_factories.h"
+
+namespace lxs {
+
+void register_shapes(Registry& registry) {
+    for (const char* name : {"mesh", "trianglemesh", "barytrianglemesh", "waldtrianglemesh"})
+        registry.shapes[name] = make_mesh_factory();
+    registry.shapes["plymesh"] = make_ply_factory();
+    registry.shapes["sphere"] = make_sphere_factory();
+    registry.shapes["disk"] = make_disk_factory();
+}
+
+}  // namespace lxs

@@ -1,0 +1,13 @@
+// The shape plugins, one function each.
+#pragma once
+
+#include "lxs/scene/registry.h"
+
+namespace lxs {
+
+ShapeFactory make_mesh_factory();    ///< mesh, trianglemesh, barytrianglemesh, waldtrianglemesh
+ShapeFactory make_ply_factory();     ///< plymesh
+ShapeFactory make_sphere_factory();  ///< sphere
+ShapeFactory make_disk_factory();    ///< disk
+
+}  // namespace lxs

@@ -1,0 +1,57 @@
+// Spheres and disks, intersected in double precision in their own space.
+#pragma once
+
+#include "affine_map.h"
+#include "lxs/scene/geometry.h"
+
+namespace lxs {
+
+/// A point of a quadric in the space of its enclosing object.
+struct QuadricPoint {
+    Imath::V3d p;
+    Imath::V3d normal;  ///< unit; the side that dpdu x dpdv points to
+    Imath::V3d dpdu;    ///< zero at a pole
+    Vec2 uv;
+};
+
+/// A sphere or disk, cut as declared, ready to be traced. Coordinates: u = phi / phi_max; v runs
+/// from z_min to z_max by polar angle (sphere) or from the rim inwards (disk), as in LuxRender.
+class QuadricShape {
+  public:
+    explicit QuadricShape(const Quadric& quadric);
+
+    /// Nearest intersection in [t_min, t_max]. The direction need not be of unit length. Errors
+    /// come from the origin's own rounding only: all is computed in double precision, with the
+    /// cancellation-free root of Haines et al. 2019 (Ray Tracing Gems, chapter 7).
+    bool intersect(const Vec3& origin, const Vec3& direction, float t_min, float t_max,
+                   float& t) const;
+    /// The point of the surface nearest to origin + t * direction, for a `t` from `intersect`.
+    QuadricPoint point(const Imath::V3d& origin, const Imath::V3d& direction, float t) const;
+    /// Box in the space of the enclosing object, rounded outwards.
+    Bounds bounds() const;
+    /// Bound of the rounding of double precision in `point` and `intersect`, as a length.
+    double rounding() const { return rounding_; }
+
+  private:
+    struct Roots {
+        double t[2];
+        int count;
+    };
+    Roots roots(const Imath::V3d& origin, const Imath::V3d& direction) const;
+    bool keeps(const Imath::V3d& p) const;
+    QuadricPoint sphere_point(Imath::V3d p) const;
+    QuadricPoint disk_point(Imath::V3d p) const;
+
+    AffineMap map_;  ///< from the shape's own space
+    bool is_sphere_ = false;
+    bool mirrored_ = false;
+    bool whole_ = false;  ///< a full sphere
+    double radius_ = 1, inner_radius_ = 0;
+    double z_min_ = 0, z_max_ = 0;  ///< of the sphere; of a disk: its height, twice
+    double phi_max_ = 0;
+    double theta_min_ = 0, theta_range_ = 1;  ///< polar angle at z_min; from there to z_max
+    double ring_ = 1;                         ///< width of the disk
+    double rounding_ = 0;
+};
+
+}  // namespace lxs

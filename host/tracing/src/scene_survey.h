@@ -1,0 +1,18 @@
+// Facts about a scene that decide what of tracing and rendering it needs.
+#pragma once
+
+#include "lxs/scene/contents.h"
+#include "lxs/sdk/scene.h"
+
+namespace lxs {
+
+/// What tracing itself needs to know beyond SceneFacts.
+struct SceneSurvey {
+    SceneFacts facts;           ///< facts.triangles counts stored triangles, instances once
+    bool has_straight = false;  ///< some surface may pass light undeviated
+};
+
+/// Looks at all primitives, of objects too.
+SceneSurvey survey(const SceneContents& contents);
+
+}  // namespace lxs

@@ -1,0 +1,75 @@
+// Builds the table of surfaces from primitives.
+#include "surface.h"
+
+namespace lxs {
+namespace {
+
+Surface describe(const Primitive& primitive) {
+    Surface surface;
+    surface.material = primitive.material.get();
+    surface.material_index = primitive.material_index;
+    surface.interior = primitive.interior.get();
+    surface.exterior = primitive.exterior.get();
+    surface.reversed = primitive.reverse_orientation;
+    surface.straight = primitive.material && primitive.material->facts().straight;
+    return surface;
+}
+
+void refer_to_mesh(Surface& surface, const TriangleMesh& mesh, Bounds& bounds) {
+    surface.positions = mesh.positions.data();
+    surface.indices = mesh.indices.data();
+    if (!mesh.normals.empty()) surface.normals = mesh.normals.data();
+    if (!mesh.uvs.empty()) surface.uvs = mesh.uvs.data();
+    for (const std::uint32_t index : mesh.indices)
+        bounds.extendBy(mesh.positions[index]);
+}
+
+}  // namespace
+
+SurfaceGroup make_surface_group(std::vector<Primitive>& primitives) {
+    SurfaceGroup group;
+    group.surfaces.reserve(primitives.size());
+    for (Primitive& primitive : primitives) {
+        Surface surface = describe(primitive);
+        if (auto* mesh = std::get_if<TriangleMesh>(&primitive.geometry)) {
+            mesh->positions.reserve(mesh->positions.size() + 1);
+            refer_to_mesh(surface, *mesh, group.bounds);
+        } else {
+            surface.quadric = std::make_unique<QuadricShape>(std::get<Quadric>(primitive.geometry));
+            group.bounds.extendBy(surface.quadric->bounds());
+        }
+        if (primitive.emission) surface.emissive_index = group.emissive_count++;
+        group.surfaces.push_back(std::move(surface));
+    }
+    return group;
+}
+
+void add_surfaces(EmbreeScene& scene, const SurfaceGroup& group,
+                  const std::vector<Primitive>& primitives) {
+    for (std::uint32_t id = 0; id < primitives.size(); ++id) {
+        const Surface& surface = group.surfaces[id];
+        const auto surface_class = surface.straight ? SurfaceClass::Straight : SurfaceClass::Opaque;
+        if (surface.quadric) {
+            scene.add_quadric(id, *surface.quadric, surface_class);
+        } else if (const auto& mesh = std::get<TriangleMesh>(primitives[id].geometry);
+                   !mesh.indices.empty()) {
+            scene.add_mesh(id, mesh, surface_class);
+        }
+    }
+}
+
+Bounds transformed(const Bounds& box, const Matrix& to_world) {
+    Bounds result;
+    if (box.isEmpty()) return result;
+    for (int corner = 0; corner < 8; ++corner) {
+        const Imath::V3d p((corner & 1) ? box.max.x : box.min.x,
+                           (corner & 2) ? box.max.y : box.min.y,
+                           (corner & 4) ? box.max.z : box.min.z);
+        Imath::V3d image;
+        to_world.multVecMatrix(p, image);
+        result.extendBy(Vec3(image));
+    }
+    return result;
+}
+
+}  // namespace lxs

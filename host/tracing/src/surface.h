@@ -1,0 +1,50 @@
+// Table of surfaces: what a hit needs to know of a primitive, compact and ready.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "embree_scene.h"
+#include "lxs/scene/contents.h"
+#include "quadric_shape.h"
+
+namespace lxs {
+
+/// One primitive as hits see it; refers to data that SceneContents owns.
+struct Surface {
+    static constexpr std::uint32_t kNotEmissive = ~0u;
+
+    const Vec3* positions = nullptr;  ///< null for a quadric
+    const std::uint32_t* indices = nullptr;
+    const Vec3* normals = nullptr;  ///< null: flat
+    const Vec2* uvs = nullptr;      ///< null: none
+    std::unique_ptr<const QuadricShape> quadric;
+    const Material* material = nullptr;
+    const Medium* interior = nullptr;
+    const Medium* exterior = nullptr;
+    std::uint32_t material_index = 0;
+    std::uint32_t emissive_index = kNotEmissive;  ///< among the emissive surfaces of its group
+    bool reversed = false;                        ///< the front is the other side
+    bool straight = false;                        ///< may pass light undeviated
+};
+
+/// The surfaces of the world or of one object: geometry ids are indices into it.
+struct SurfaceGroup {
+    std::vector<Surface> surfaces;
+    Bounds bounds;  ///< of all surfaces, in the group's own space; empty if there are none
+    std::uint32_t emissive_count = 0;
+};
+
+/// Tables of `primitives`, which must stay where they are. Makes room for one vertex behind each
+/// mesh (see EmbreeScene::add_mesh).
+SurfaceGroup make_surface_group(std::vector<Primitive>& primitives);
+
+/// Adds the group's geometry to `scene`, ids from 0. Empty meshes are left out.
+void add_surfaces(EmbreeScene& scene, const SurfaceGroup& group,
+                  const std::vector<Primitive>& primitives);
+
+/// Box around the image of `box` under `to_world`.
+Bounds transformed(const Bounds& box, const Matrix& to_world);
+
+}  // namespace lxs

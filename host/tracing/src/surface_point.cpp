@@ -1,0 +1,145 @@
+// Reconstruction of surface points with error bounds after Pharr, Jakob and Humphreys 2016,
+// "Physically Based Rendering", 3rd edition, section 3.9, extended by the kernel's own error.
+//
+// The position itself is computed in double precision, so that its error is its final rounding.
+// What remains is the error with which the kernel sees the surface when a ray leaves this point.
+#include "surface_point.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace lxs {
+namespace {
+
+using Imath::V3d;
+
+constexpr double kUnitRoundoff = 0x1p-24;  // single precision, round to nearest
+
+// The kernel (Embree's watertight test after Davidovic et al. 2012, "3D rasterization: a bridge
+// between rasterization and ray casting") takes corners v_i relative to the origin, the normal N as
+// a cross product of edges, and the distance as (v_0 . N) / (d . N). A ray that starts near the
+// triangle must see the sign of v_0 . N right. Let w be the triangle's extents: |v_i| <= w and
+// |edges| <= w hold per coordinate; subtracting the origin rounds by u w, so edges are off by at
+// most 3u w, each component of N, a sum of two products, by 14u times the product of the two other
+// extents. All summed, v_0 . N is off by at most 66u w_x w_y w_z (6 from v_0, 42 from N, 18 from
+// the scalar product). Divided by |N| this is a distance along the normal. It is zero for triangles
+// in a coordinate plane, for which the kernel is exact.
+//
+// The bound is the triangle's own. A coplanar neighbour that is larger by orders of magnitude and
+// lies askew may still be met from within its own rounding error (u times its size) of the common
+// edge; covering that would mean offsets by the largest triangle of a mesh everywhere.
+constexpr double kPlaneError = 66 * kUnitRoundoff;
+
+double plane_error(const V3d& e1, const V3d& e2, double normal_length) {
+    double extents = kPlaneError;
+    for (int k = 0; k < 3; ++k) {
+        extents *= std::max({0.0, e1[k], e2[k]}) - std::min({0.0, e1[k], e2[k]});
+    }
+    return extents / normal_length;
+}
+
+/// Rounds `p` into the hit. `error` adds to every coordinate's bound. Twice the unit roundoff: p's
+/// own rounding, and that of moving an origin by the bound.
+void set_position(const V3d& p, double error, SurfaceHit& hit) {
+    hit.p = Vec3(p);
+    const auto all = static_cast<float>(error);
+    hit.p_error = Vec3(std::abs(hit.p.x), std::abs(hit.p.y), std::abs(hit.p.z)) * 0x1p-23f +
+                  Vec3(all, all, all);
+}
+
+/// Tangent along u from the texture coordinates of the corners; zero where they don't give one.
+Vec3 tangent(const Vec2& uv0, const Vec2& uv1, const Vec2& uv2, const V3d& e1, const V3d& e2) {
+    const V3d d1(uv1.x - uv0.x, uv1.y - uv0.y, 0), d2(uv2.x - uv0.x, uv2.y - uv0.y, 0);
+    const double determinant = d1.x * d2.y - d1.y * d2.x;
+    if (!(std::abs(determinant) > 1e-30)) return Vec3(0.0f);
+    return Vec3((e1 * d2.y - e2 * d1.y) / determinant);
+}
+
+Vec3 normalized_or(const Vec3& v, const Vec3& fallback) {
+    const float length2 = v.dot(v);
+    return length2 > 1e-20f ? v / std::sqrt(length2) : fallback;
+}
+
+void locate_on_triangle(const Surface& surface, const InstanceTransform* instance,
+                        const RawHit& raw, SurfaceHit& hit) {
+    const std::uint32_t* corner = surface.indices + 3 * static_cast<std::size_t>(raw.primitive);
+    const std::uint32_t i0 = corner[0], i1 = corner[1], i2 = corner[2];
+    const V3d p0(surface.positions[i0]);
+    const V3d e1 = V3d(surface.positions[i1]) - p0, e2 = V3d(surface.positions[i2]) - p0;
+    V3d normal = e1.cross(e2);
+    const double length = normal.length();
+    normal *= (surface.reversed ? -1 : 1) / length;
+    const V3d p = p0 + e1 * static_cast<double>(raw.u) + e2 * static_cast<double>(raw.v);
+    const double error = plane_error(e1, e2, length);
+
+    Vec3 shading(0.0f);
+    if (surface.normals) {
+        shading = surface.normals[i0] * (1 - raw.u - raw.v) + surface.normals[i1] * raw.u +
+                  surface.normals[i2] * raw.v;
+    }
+    hit.uv = Vec2(0.5f, 0.5f);  // as LuxRender where a mesh has no coordinates
+    hit.dpdu = Vec3(0.0f);
+    if (surface.uvs) {
+        const Vec2 &uv0 = surface.uvs[i0], &uv1 = surface.uvs[i1], &uv2 = surface.uvs[i2];
+        hit.uv = uv0 * (1 - raw.u - raw.v) + uv1 * raw.u + uv2 * raw.v;
+        hit.dpdu = tangent(uv0, uv1, uv2, e1, e2);
+    }
+    if (instance) {
+        const AffineMap& map = instance->map();
+        normal = map.normal(normal);
+        // A distance along the object's normal, times the ratio of world to object heights.
+        const double height_ratio = 1 / normal.length();
+        normal *= height_ratio;
+        set_position(map.point(p), error * height_ratio, hit);
+        hit.p_error += instance->tracing_error(hit.p);
+        if (surface.normals) shading = Vec3(map.normal(V3d(shading)));
+        hit.dpdu = Vec3(map.vector(V3d(hit.dpdu)));
+    } else {
+        set_position(p, error, hit);
+    }
+    hit.ng = Vec3(normal);
+    if (!surface.normals) {
+        hit.ns = hit.ng;
+        return;
+    }
+    shading = normalized_or(shading, hit.ng);
+    hit.ns = shading.dot(hit.ng) < 0 ? -shading : shading;
+}
+
+void locate_on_quadric(const Surface& surface, const InstanceTransform* instance, const Ray& ray,
+                       const RawHit& raw, SurfaceHit& hit) {
+    V3d origin(ray.origin), direction(ray.direction);
+    if (instance) {
+        origin = instance->map().inverse_point(origin);
+        direction = instance->map().inverse_vector(direction);
+    }
+    QuadricPoint point = surface.quadric->point(origin, direction, raw.distance);
+    double error = surface.quadric->rounding();
+    if (instance) {
+        point.p = instance->map().point(point.p);
+        const V3d image = instance->map().normal(point.normal);
+        error /= image.length();
+        point.normal = image.normalized();
+        point.dpdu = instance->map().vector(point.dpdu);
+    }
+    set_position(point.p, error, hit);
+    if (instance) hit.p_error += instance->tracing_error(hit.p);
+    hit.ng = Vec3(surface.reversed ? -point.normal : point.normal);
+    hit.ns = hit.ng;
+    hit.uv = point.uv;
+    hit.dpdu = Vec3(point.dpdu);
+}
+
+}  // namespace
+
+void locate(const Surface& surface, const InstanceTransform* instance, const Ray& ray,
+            const RawHit& raw, SurfaceHit& hit) {
+    hit.distance = raw.distance;
+    if (surface.positions) {
+        locate_on_triangle(surface, instance, raw, hit);
+    } else {
+        locate_on_quadric(surface, instance, ray, raw, hit);
+    }
+}
+
+}  // namespace lxs

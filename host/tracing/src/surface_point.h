@@ -1,0 +1,16 @@
+// Points of surfaces, reconstructed accurately from what the ray-tracing kernel reports.
+#pragma once
+
+#include "embree_scene.h"
+#include "lxs/sdk/scene.h"
+#include "placement.h"
+#include "surface.h"
+
+namespace lxs {
+
+/// Writes the geometric members of `hit` (p, p_error, ng, ns, uv, dpdu) for a hit on `surface`.
+/// `instance` is null for surfaces that stand in the world.
+void locate(const Surface& surface, const InstanceTransform* instance, const Ray& ray,
+            const RawHit& raw, SurfaceHit& hit);
+
+}  // namespace lxs

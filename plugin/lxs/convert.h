@@ -1,0 +1,51 @@
+// Conversions between the engine's and the host's vocabulary types.
+#pragma once
+
+#include "aips/adapter/scene.h"
+#include "lxs/sdk/scene.h"
+
+namespace aips::shim {
+
+inline Vec3 from(const lxs::Vec3& v) {
+    return {v.x, v.y, v.z};
+}
+inline Rgb from(const lxs::Rgb& c) {
+    return {c.x, c.y, c.z};
+}
+inline lxs::Vec3 to(Vec3 v) {
+    return {v.x, v.y, v.z};
+}
+inline lxs::Vec2 to(Vec2 v) {
+    return {v.x, v.y};
+}
+inline lxs::Rgb to(Rgb c) {
+    return {c.r, c.g, c.b};
+}
+inline lxs::Transport to(Transport t) {
+    return t == Transport::Radiance ? lxs::Transport::Radiance : lxs::Transport::Power;
+}
+
+inline Ray from(const lxs::Ray& ray) {
+    return {from(ray.origin), from(ray.direction), ray.time, ray.medium};
+}
+inline lxs::Ray to(const Ray& ray) {
+    lxs::Ray r;
+    r.origin = to(ray.origin);
+    r.direction = to(ray.direction);
+    r.time = ray.time;
+    r.medium = static_cast<const lxs::Medium*>(ray.medium);
+    return r;
+}
+
+/// The part of a hit that the engine hands back to the host.
+inline lxs::SurfaceHit to_hit(const SurfacePoint& point) {
+    lxs::SurfaceHit hit;
+    hit.p = to(point.position);
+    hit.p_error = to(point.position_error);
+    hit.ng = to(point.geometric_normal);
+    hit.interior = static_cast<const lxs::Medium*>(point.interior);
+    hit.exterior = static_cast<const lxs::Medium*>(point.exterior);
+    return hit;
+}
+
+}  // namespace aips::shim

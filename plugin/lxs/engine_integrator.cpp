@@ -1,0 +1,45 @@
+// The engine as a surface integrator of the host.
+#include "engine_integrator.h"
+
+namespace aips::shim {
+
+void EngineIntegrator::prepare(const lxs::RenderContext& context) {
+    if (context.settings.seed != 0) settings_.seed = context.settings.seed;
+    shims_.reset(new Shims{SceneShim(context.scene), CameraShim(context.camera),
+                           SamplerShim(context.sampler), FilmShim(context.film),
+                           LogShim(context.log)});
+    pixels_ = double(context.film.width()) * double(context.film.height());
+    engine_ = std::make_unique<Engine>(
+        Host{shims_->scene, shims_->camera, shims_->sampler, shims_->film, shims_->log}, settings_);
+}
+
+lxs::PassReport EngineIntegrator::render_pass(std::uint64_t pass) {
+    const PassReport report = engine_->render_pass(pass);
+    return {report.photon_paths, report.rays, double(report.eye_paths) / pixels_};
+}
+
+lxs::Statistics EngineIntegrator::statistics() const {
+    const EngineStatistics s = engine_->statistics();
+    lxs::Statistics out{{"eye_paths", s.eye_paths},
+                        {"eye_rays", s.eye_rays},
+                        {"photon_paths", s.photon_paths},
+                        {"photon_rays", s.photon_rays},
+                        {"landings_stored", s.landings},
+                        {"photons_gathered", s.gathered},
+                        {"bounces", s.bounces},
+                        {"guided_bounces", s.guided_bounces},
+                        {"guide_nodes", s.guide_nodes},
+                        {"guide_bytes", s.guide_bytes},
+                        {"eye_seconds", s.eye_seconds},
+                        {"photon_seconds", s.photon_seconds},
+                        {"gather_seconds", s.gather_seconds},
+                        {"guide_seconds", s.guide_seconds},
+                        {"radius", double(s.radius)},
+                        {"engine_bytes", std::uint64_t{s.memory_bytes}},
+                        {"engine_bound_bytes", std::uint64_t{s.memory_bound_bytes}}};
+    for (const auto& [material, count] : s.refused)
+        out.emplace_back("refused: " + material, count);
+    return out;
+}
+
+}  // namespace aips::shim

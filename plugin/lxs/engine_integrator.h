@@ -1,0 +1,36 @@
+// The engine as a surface integrator of the host.
+#pragma once
+
+#include <memory>
+
+#include "aips/adapter/engine.h"
+#include "lxs/sdk/integrator.h"
+#include "scene_shim.h"
+
+namespace aips::shim {
+
+class EngineIntegrator final : public lxs::Integrator {
+  public:
+    explicit EngineIntegrator(const Settings& settings) : settings_(settings) {}
+
+    void prepare(const lxs::RenderContext& context) override;
+    lxs::PassReport render_pass(std::uint64_t pass) override;
+    lxs::Statistics statistics() const override;
+
+  private:
+    /// The host's parts in the engine's terms; they live as long as the engine.
+    struct Shims {
+        SceneShim scene;
+        CameraShim camera;
+        SamplerShim sampler;
+        FilmShim film;
+        LogShim log;
+    };
+
+    Settings settings_;
+    std::unique_ptr<Shims> shims_;
+    std::unique_ptr<Engine> engine_;
+    double pixels_ = 1;
+};
+
+}  // namespace aips::shim

@@ -1,0 +1,159 @@
+// The host's scene, lights and scattering functions in the engine's terms.
+#include "scene_shim.h"
+
+#include <new>
+
+#include "convert.h"
+#include "lxs/sdk/rays.h"
+
+namespace aips::shim {
+namespace {
+
+/// Lobe masks have the same bits on both sides.
+static_assert(kDiffuse == lxs::kDiffuse && kGlossy == lxs::kGlossy && kSpecular == lxs::kSpecular);
+
+class BsdfShim final : public Bsdf {
+  public:
+    explicit BsdfShim(const lxs::Bsdf& bsdf) : bsdf_(bsdf) {}
+
+    LobeMask lobes() const override { return bsdf_.lobes(); }
+    Rgb evaluate(Vec3 wo, Vec3 wi, Transport transport, LobeMask mask) const override {
+        return from(bsdf_.evaluate(to(wo), to(wi), to(transport), mask));
+    }
+    float pdf(Vec3 wo, Vec3 wi, LobeMask mask) const override {
+        return bsdf_.pdf(to(wo), to(wi), mask);
+    }
+    bool sample(Vec3 wo, Vec2 u, float u_lobe, Transport transport, LobeMask mask,
+                BsdfSample& sample) const override {
+        lxs::BsdfSample s;
+        if (!bsdf_.sample(to(wo), to(u), u_lobe, to(transport), mask, s)) return false;
+        sample = {from(s.wi), from(s.weight), s.pdf, s.lobe, s.straight};
+        return true;
+    }
+    Rgb albedo(Vec3 wo, LobeMask mask) const override { return from(bsdf_.albedo(to(wo), mask)); }
+    bool lambertian(Rgb& kd) const override {
+        lxs::Rgb value;
+        if (!bsdf_.lambertian(value)) return false;
+        kd = from(value);
+        return true;
+    }
+
+  private:
+    const lxs::Bsdf& bsdf_;
+};
+
+class LightShim final : public Light {
+  public:
+    explicit LightShim(const lxs::Light& light) : light_(light) {}
+
+    std::uint32_t group() const override { return light_.group(); }
+    float power() const override { return light_.power(); }
+    bool at_infinity() const override { return light_.at_infinity(); }
+    bool emit(const std::array<float, 4>& u, Emission& emission) const override {
+        lxs::EmissionSample s;
+        if (!light_.sample_emission(u, s)) return false;
+        emission = {from(s.ray), from(s.power)};
+        return true;
+    }
+    bool sample_direct(const SurfacePoint& point, Vec2 u, DirectSample& sample) const override {
+        lxs::DirectSample s;
+        if (!light_.sample_direct(to(point.position), to(point.shading_normal), to(u), s)) {
+            return false;
+        }
+        sample = {from(s.wi), s.distance, from(s.radiance), s.pdf, s.delta, from(s.light_error)};
+        return true;
+    }
+    float pdf_direct(const SurfacePoint& point, Vec3 wi, const SurfacePoint* at) const override {
+        return light_.pdf_direct(to(point.position), to(point.shading_normal), to(wi),
+                                 at ? to(at->position) : lxs::Vec3(0.0f),
+                                 at ? to(at->geometric_normal) : lxs::Vec3(0.0f),
+                                 at ? at->primitive : 0);
+    }
+    Rgb escaped(Vec3 direction) const override { return from(light_.escaped(to(direction))); }
+
+  private:
+    const lxs::Light& light_;
+};
+
+}  // namespace
+
+SceneShim::SceneShim(const lxs::Scene& scene) : scene_(scene) {
+    for (const lxs::Light* light : scene.lights()) {
+        index_of_.emplace(light, static_cast<LightIndex>(lights_.size()));
+        lights_.push_back(std::make_unique<LightShim>(*light));
+        light_pointers_.push_back(lights_.back().get());
+    }
+}
+
+SceneShim::~SceneShim() = default;
+
+bool SceneShim::intersect(const Ray& ray, SurfacePoint& point,
+                          std::pmr::memory_resource& memory) const {
+    lxs::SurfaceHit hit;
+    if (!scene_.intersect(to(ray), hit, memory)) return false;
+    point.position = from(hit.p);
+    point.geometric_normal = from(hit.ng);
+    point.shading_normal = from(hit.ns);
+    point.distance = hit.distance;
+    point.transmittance = from(hit.transmittance);
+    point.emitted = from(hit.emitted);
+    point.light = hit.light ? index_of_.at(hit.light) : kNoLight;
+    point.material = hit.material;
+    point.primitive = hit.primitive;
+    point.position_error = from(hit.p_error);
+    point.interior = hit.interior;
+    point.exterior = hit.exterior;
+    if (hit.bsdf) {
+        point.bsdf = new (memory.allocate(sizeof(BsdfShim), alignof(BsdfShim))) BsdfShim(*hit.bsdf);
+    }
+    return true;
+}
+
+Ray SceneShim::spawn(const SurfacePoint& point, Vec3 direction, float time) const {
+    return from(lxs::spawn_ray(to_hit(point), to(direction), time));
+}
+
+Rgb SceneShim::visibility(const SurfacePoint& point, const DirectSample& light, float time) const {
+    lxs::DirectSample s;
+    s.wi = to(light.wi);
+    s.distance = light.distance;
+    s.light_error = to(light.light_error);
+    return from(scene_.transmittance(lxs::shadow_ray(to_hit(point), s, time)));
+}
+
+Bounds SceneShim::bounds() const {
+    const lxs::Bounds b = scene_.bounds();
+    return b.isEmpty() ? Bounds{} : Bounds{from(b.min), from(b.max)};
+}
+
+SceneFacts SceneShim::facts() const {
+    const lxs::SceneFacts f = scene_.facts();
+    return {f.has_receivers, f.has_media, f.max_bsdf_bytes + sizeof(BsdfShim) + alignof(BsdfShim)};
+}
+
+CameraRay CameraShim::generate(const CameraSample& sample, float time) const {
+    lxs::CameraSample s;
+    s.film = to(sample.film);
+    s.lens = to(sample.lens);
+    const lxs::CameraRay ray = camera_.generate(s, time);
+    return {from(ray.ray), ray.width, ray.spread};
+}
+
+CameraSample SamplerShim::camera_sample(std::uint64_t number, std::uint32_t x,
+                                        std::uint32_t y) const {
+    const lxs::CameraSample s = sampler_.camera_sample(number, x, y);
+    return {{s.film.x, s.film.y}, {s.lens.x, s.lens.y}};
+}
+
+void FilmShim::add_pass(std::span<const Vec2> positions, std::span<const Rgb> radiance,
+                        std::uint32_t groups, double weight) {
+    positions_.clear();
+    radiance_.clear();
+    for (const Vec2 p : positions)
+        positions_.push_back(to(p));
+    for (const Rgb c : radiance)
+        radiance_.push_back(to(c));
+    film_.add_pass({positions_, radiance_, groups, weight});
+}
+
+}  // namespace aips::shim

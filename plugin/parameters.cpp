@@ -1,0 +1,181 @@
+// Declarations of all parameters, and the settings made from them. Names follow LuxRender's sppm
+// where it has one, so that a scene changes only the plugin's name.
+#include "parameters.h"
+
+#include <array>
+#include <vector>
+
+namespace aips {
+namespace {
+
+using lxs::ParameterDeclaration;
+using lxs::ParameterType;
+
+constexpr std::array<std::string_view, 2> kModes{"progressive", "photonmap"};
+constexpr std::array<std::string_view, 2> kGuides{"paper", "none"};
+constexpr double kMaxCount = 4294967295.0;
+
+constexpr ParameterDeclaration integer(std::string_view name, std::string_view value,
+                                       std::string_view doc, double minimum,
+                                       double maximum = kMaxCount) {
+    return {name, ParameterType::Integer, value, doc, minimum, maximum};
+}
+
+constexpr ParameterDeclaration no_effect(std::string_view name, ParameterType type,
+                                         std::string_view value, std::string_view doc) {
+    ParameterDeclaration d{name, type, value, doc};
+    d.no_effect = true;
+    return d;
+}
+
+/// What all three plugins take.
+std::vector<ParameterDeclaration> common_declarations() {
+    return {
+        integer("maxeyedepth", "16", "Most surfaces that an eye path meets.", 1, 1024),
+        integer("maxphotondepth", "16", "Most surfaces that a photon path meets.", 1, 1024),
+        integer("photonperpass", "1000000", "Photon paths shot in each pass.", 1),
+        integer("hitpointperpass", "0",
+                "Eye paths traced in each pass; 0: one per pixel (mode photonmap: four).", 0),
+        {"startradius", ParameterType::Float, "0",
+         "Radius of the first density estimate, in mean pixel footprints (widths) at the visible "
+         "points; 0: automatic (2).",
+         0, 1e6},
+        {"alpha", ParameterType::Float, "0.7",
+         "Share of the variance reduction in the radius schedule (Knaus and Zwicker 2011), above 0 "
+         "up to 1; 1 keeps the radius.",
+         1e-3, 1},
+        {"includeenvironment", ParameterType::Bool, "true",
+         "Lights at infinity are seen by eye rays and mirrored by specular surfaces."},
+        {"directlightsampling", ParameterType::Bool, "true",
+         "Direct light comes from shadow rays; photons then carry the rest."},
+        {"storeglossy", ParameterType::Bool, "false",
+         "Glossy lobes take photons instead of bouncing the eye path."},
+        integer("seed", "0", "Seed of all random numbers; --seed overrides it.", 0,
+                9007199254740992.0),
+    };
+}
+
+std::vector<ParameterDeclaration> guide_declarations() {
+    ParameterDeclaration mode{"mode", ParameterType::String, "progressive",
+                              "Progressive photon mapping, or a photon map seen by one frozen eye "
+                              "pass with a fixed radius."};
+    mode.choices = kModes;
+    ParameterDeclaration guide{"guide", ParameterType::String, "paper",
+                               "What decides where photons go: the adaptive tables of Liu and "
+                               "Zheng 2014, or nothing."};
+    guide.choices = kGuides;
+    return {
+        mode,
+        guide,
+        {"guideshare", ParameterType::Float, "0.5",
+         "Share of directions drawn from the guide; the rest comes from the BSDF.", 0, 0.99},
+        integer("iterationphotons", "4000", "Photon paths between two updates of the guide.", 1),
+        integer("initialphotons", "1000", "Unguided photon paths at the start of each pass.", 1),
+        integer("nodephotons", "32", "Photons that a node of the guide holds before it splits.", 2,
+                65536),
+        integer("treedepth", "64", "Greatest depth of the guide's kd-tree.", 1, 128),
+        integer("maxnodes", "16384", "Most nodes (leaves) of the guide's kd-tree.", 1, 1048576),
+        integer("cdfresolution", "8", "Cells per side of a node's directional table.", 1, 64),
+        {"erroralpha", ParameterType::Float, "0.4",
+         "Weight of the last pass in a node's error (eq. 8).", 0, 0.99},
+    };
+}
+
+/// LuxRender's other sppm parameters: accepted so that its scenes load as they are.
+std::vector<ParameterDeclaration> foreign_declarations() {
+    using T = ParameterType;
+    return {
+        no_effect("useproba", T::Bool, "true", "The schedule of Knaus and Zwicker is always used."),
+        no_effect("lookupaccel", T::String, "hashgrid", "A hashed grid is always used."),
+        no_effect("pixelsampler", T::String, "hilbert", "Pixels are always visited in rows."),
+        no_effect("photonsampler", T::String, "halton",
+                  "Photons always start from a scrambled Sobol' sequence."),
+        no_effect("parallelhashgridspare", T::Float, "1", "Size of LuxRender's hash grid."),
+        no_effect("wavelengthstratificationpasses", T::Integer, "8", "Rendering is in RGB."),
+        no_effect("schedulerblocksize", T::Integer, "0", "Size of LuxRender's work packets."),
+        no_effect("startk", T::Integer, "30", "Neighbours of LuxRender's first estimate."),
+        no_effect("debug", T::Bool, "false", "LuxRender's own debugging output."),
+    };
+}
+
+void append(std::vector<ParameterDeclaration>& to, const std::vector<ParameterDeclaration>& from) {
+    to.insert(to.end(), from.begin(), from.end());
+}
+
+/// LuxRender's parameters of exphotonmap that have no meaning here.
+std::vector<ParameterDeclaration> foreign_map_declarations() {
+    using T = ParameterType;
+    return {
+        no_effect("renderingmode", T::String, "directlighting", "Shadow rays plus photons."),
+        no_effect("finalgather", T::Bool, "true", "Photons are seen directly."),
+        no_effect("finalgathersamples", T::Integer, "32", "Photons are seen directly."),
+        no_effect("causticphotons", T::Integer, "20000", "One map holds all photons."),
+        no_effect("indirectphotons", T::Integer, "200000", "One map holds all photons."),
+        no_effect("directphotons", T::Integer, "200000", "One map holds all photons."),
+        no_effect("radiancephotons", T::Integer, "200000", "No radiance photons."),
+        no_effect("nphotonsused", T::Integer, "50", "The radius is fixed."),
+        no_effect("maxphotondist", T::Float, "0.1", "See startradius."),
+        no_effect("maxdepth", T::Integer, "5", "See maxeyedepth."),
+    };
+}
+
+std::vector<ParameterDeclaration> declarations_of(PluginKind kind) {
+    std::vector<ParameterDeclaration> all;
+    if (kind == PluginKind::Aips) append(all, guide_declarations());
+    append(all, common_declarations());
+    append(all,
+           kind == PluginKind::ExPhotonMap ? foreign_map_declarations() : foreign_declarations());
+    return all;
+}
+
+void read_common(const lxs::ParameterReader& in, Settings& s) {
+    const auto count = [&](std::string_view name, std::uint32_t value) {
+        return static_cast<std::uint32_t>(in.integer(name, value));
+    };
+    s.max_eye_depth = count("maxeyedepth", s.max_eye_depth);
+    s.max_photon_depth = count("maxphotondepth", s.max_photon_depth);
+    s.photons_per_pass = count("photonperpass", s.photons_per_pass);
+    s.hit_points_per_pass = count("hitpointperpass", s.hit_points_per_pass);
+    s.start_radius = in.number("startradius", s.start_radius);
+    s.alpha = in.number("alpha", s.alpha);
+    s.include_environment = in.boolean("includeenvironment", s.include_environment);
+    s.direct_light_sampling = in.boolean("directlightsampling", s.direct_light_sampling);
+    s.store_glossy = in.boolean("storeglossy", s.store_glossy);
+    s.seed = static_cast<std::uint64_t>(in.integer("seed", 0));
+}
+
+void read_guide(const lxs::ParameterReader& in, Settings& s) {
+    const auto count = [&](std::string_view name, std::uint32_t value) {
+        return static_cast<std::uint32_t>(in.integer(name, value));
+    };
+    s.mode = in.string("mode", "progressive") == "photonmap" ? Mode::PhotonMap : Mode::Progressive;
+    s.guide = in.string("guide", "paper") == "none" ? GuideKind::None : GuideKind::Paper;
+    s.guide_share = in.number("guideshare", s.guide_share);
+    s.iteration_photons = count("iterationphotons", s.iteration_photons);
+    s.initial_photons = count("initialphotons", s.initial_photons);
+    s.node_photons = count("nodephotons", s.node_photons);
+    s.tree_depth = count("treedepth", s.tree_depth);
+    s.max_nodes = count("maxnodes", s.max_nodes);
+    s.cdf_resolution = count("cdfresolution", s.cdf_resolution);
+    s.error_alpha = in.number("erroralpha", s.error_alpha);
+}
+
+}  // namespace
+
+std::span<const ParameterDeclaration> parameter_declarations(PluginKind kind) {
+    static const std::array<std::vector<ParameterDeclaration>, 3> all{
+        declarations_of(PluginKind::Aips), declarations_of(PluginKind::Sppm),
+        declarations_of(PluginKind::ExPhotonMap)};
+    return all[static_cast<std::size_t>(kind)];
+}
+
+Settings read_settings(PluginKind kind, const lxs::ParameterReader& parameters) {
+    Settings settings;
+    read_common(parameters, settings);
+    settings.guide = GuideKind::None;
+    if (kind == PluginKind::Aips) read_guide(parameters, settings);
+    if (kind == PluginKind::ExPhotonMap) settings.mode = Mode::PhotonMap;
+    return settings;
+}
+
+}  // namespace aips

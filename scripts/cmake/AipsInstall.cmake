@@ -1,0 +1,49 @@
+# What `cmake --install` puts in place: libraries and headers for host adapters (CMake package
+# `aips` and aips.pc), the plugin SDK (lxs::sdk), the plugin modules and lxsrender.
+include(CMakePackageConfigHelpers)
+
+set(aips_cmake_dir ${CMAKE_INSTALL_LIBDIR}/cmake/aips)
+set(aips_plugin_dir ${CMAKE_INSTALL_LIBDIR}/aips/plugins)
+
+# Installed archives must also serve a linker that knows nothing of GCC's link-time optimisation.
+function(aips_keep_object_code)
+  foreach(target ${ARGN})
+    get_target_property(type ${target} TYPE)
+    if(AIPS_IPO AND CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND NOT type STREQUAL "INTERFACE_LIBRARY")
+      target_compile_options(${target} PRIVATE -ffat-lto-objects)
+    endif()
+  endforeach()
+endfunction()
+
+aips_keep_object_code(aips_core aips_adapter)
+install(TARGETS aips_core aips_adapter EXPORT aipsTargets)
+install(EXPORT aipsTargets NAMESPACE aips:: DESTINATION ${aips_cmake_dir})
+install(DIRECTORY
+  ${PROJECT_SOURCE_DIR}/core-adapter/core/include/
+  ${PROJECT_SOURCE_DIR}/core-adapter/adapter/include/
+  DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
+
+if(AIPS_BUILD_HOST)
+  aips_keep_object_code(lxs_sdk)
+  install(TARGETS lxs_sdk EXPORT lxsTargets)
+  install(EXPORT lxsTargets NAMESPACE lxs:: DESTINATION ${aips_cmake_dir})
+  install(DIRECTORY ${PROJECT_SOURCE_DIR}/host/sdk/include/
+    DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
+  install(TARGETS lxs_path aips_plugin LIBRARY DESTINATION ${aips_plugin_dir})
+  install(TARGETS lxsrender)
+endif()
+
+configure_package_config_file(
+  ${CMAKE_CURRENT_LIST_DIR}/aipsConfig.cmake.in ${PROJECT_BINARY_DIR}/aipsConfig.cmake
+  INSTALL_DESTINATION ${aips_cmake_dir}
+  PATH_VARS aips_plugin_dir)
+write_basic_package_version_file(
+  ${PROJECT_BINARY_DIR}/aipsConfigVersion.cmake COMPATIBILITY SameMinorVersion)
+install(FILES
+  ${PROJECT_BINARY_DIR}/aipsConfig.cmake ${PROJECT_BINARY_DIR}/aipsConfigVersion.cmake
+  DESTINATION ${aips_cmake_dir})
+
+file(RELATIVE_PATH aips_prefix_from_pc
+  /${CMAKE_INSTALL_LIBDIR}/pkgconfig /)
+configure_file(${CMAKE_CURRENT_LIST_DIR}/aips.pc.in ${PROJECT_BINARY_DIR}/aips.pc @ONLY)
+install(FILES ${PROJECT_BINARY_DIR}/aips.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)

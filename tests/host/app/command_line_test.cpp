@@ -1,0 +1,177 @@
+// Protects the command line: what each option does, and the messages and exit codes of mistakes.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "lxsrender_process.h"
+
+namespace lxs::test {
+namespace {
+
+using testing::HasSubstr;
+using testing::Not;
+
+class CommandLineTest : public testing::Test {
+  protected:
+    RunResult run(std::vector<std::string> arguments, const std::string& input = "") {
+        return run_lxsrender(folder_, std::move(arguments), input);
+    }
+    TemporaryFolder folder_;
+};
+
+TEST_F(CommandLineTest, HelpNamesOptionsAndExitCodes) {
+    const RunResult result = run({"--help"});
+    EXPECT_EQ(result.exit_code, 0);
+    for (const char* text : {"SCENE.lxs", "--passes", "--time", "--set", "--strict", "--stats",
+                             "Exit codes:", "130  interrupted"}) {
+        EXPECT_THAT(result.out, HasSubstr(text));
+    }
+}
+
+TEST_F(CommandLineTest, VersionIsPrinted) {
+    const RunResult result = run({"--version"});
+    EXPECT_EQ(result.exit_code, 0);
+    EXPECT_THAT(result.out, testing::MatchesRegex("[0-9]+\\.[0-9]+\\.[0-9]+\n"));
+}
+
+TEST_F(CommandLineTest, MistakesExitWithTwoAndSayWhatIsWrong) {
+    const struct {
+        std::vector<std::string> arguments;
+        std::string message;
+    } cases[] = {
+        {{}, "SCENE.lxs is required"},
+        {{"a.lxs", "--bogus"}, "--bogus"},
+        {{"a.lxs", "--passes", "0"}, "--passes"},
+        {{"a.lxs", "--passes", "many"}, "--passes"},
+        {{"a.lxs", "--time", "-1"}, "expected a number above 0, found \"-1\""},
+        {{"a.lxs", "--passes", "1", "--time", "1"}, "excludes"},
+        {{"a.lxs", "--threads", "0"}, "--threads"},
+        {{"a.lxs", "--set", "maxdepth=3"}, "expected plugin.parameter=value, found"},
+        {{"a.lxs", "-o", "a.png"}, "the name must end in .exr: a.png"},
+        {{"a.lxs", "--quiet", "--verbose"}, "excludes"},
+        {{"--markdown"}, "--describe"},
+        {{"--describe", "pth"}, "unknown plugin \"pth\"; did you mean \"path\"?"},
+    };
+    for (const auto& [arguments, message] : cases) {
+        const RunResult result = run(arguments);
+        EXPECT_EQ(result.exit_code, 2) << message;
+        EXPECT_THAT(result.err, HasSubstr(message));
+    }
+}
+
+TEST_F(CommandLineTest, ListPluginsNamesTheIntegratorsThatComeWithTheRenderer) {
+    const RunResult result = run({"--list-plugins"});
+    EXPECT_EQ(result.exit_code, 0);
+    for (const char* name : {"aips ", "exphotonmap ", "path ", "sppm "}) {
+        EXPECT_THAT(result.out, HasSubstr(name));
+    }
+}
+
+TEST_F(CommandLineTest, DescribeListsParametersOfIntegratorsAndOfTheHostsOwnPlugins) {
+    const RunResult path = run({"--describe", "path"});
+    EXPECT_EQ(path.exit_code, 0);
+    EXPECT_THAT(path.out, HasSubstr("SurfaceIntegrator \"path\""));
+    EXPECT_THAT(path.out, HasSubstr("maxdepth"));
+    EXPECT_THAT(run({"--describe", "path", "--markdown"}).out,
+                HasSubstr("| maxdepth | integer | 16 |"));
+    const RunResult matte = run({"--describe", "matte"});
+    EXPECT_THAT(matte.out, HasSubstr("Material \"matte\""));
+    EXPECT_THAT(matte.out, HasSubstr("sigma"));
+}
+
+TEST_F(CommandLineTest, SceneComesFromStandardInputForADash) {
+    const RunResult result = run({"-", "--passes", "1"}, small_scene());
+    EXPECT_EQ(result.exit_code, 0) << result.err;
+    EXPECT_TRUE(folder_.has("out.exr"));
+    EXPECT_TRUE(folder_.has("out.png"));
+}
+
+TEST_F(CommandLineTest, SetOverridesTheScenesParameter) {
+    folder_.write("a.lxs", small_scene("SurfaceIntegrator \"path\" \"integer maxdepth\" [9]"));
+    const RunResult result = run({"a.lxs", "--passes", "1", "--set", "path.maxdepth=3", "--set",
+                                  "path.directlightsampling=false"});
+    EXPECT_EQ(result.exit_code, 0) << result.err;
+    EXPECT_THAT(result.err, HasSubstr("maxdepth 3 bounces"));
+    EXPECT_THAT(result.err, HasSubstr("directlightsampling false"));
+}
+
+TEST_F(CommandLineTest, BadOverridesAreErrorsThatNameTheOption) {
+    folder_.write("a.lxs", small_scene());
+    const struct {
+        std::string set, message;
+    } cases[] = {
+        {"pth.maxdepth=3", "command line: --set pth.maxdepth=3: error: unknown integrator \"pth\""},
+        {"path.maxdeth=3", "unknown path parameter \"maxdeth\"; did you mean \"maxdepth\"?"},
+        {"path.maxdepth=deep", "expected a number, found \"deep\""},
+        {"path.maxdepth=-3", "\"maxdepth\" is out of range"},
+        {"path.includeenvironment=yes", "expected true or false, found \"yes\""},
+        {"path.rrstrategy=lucky", "\"lucky\"; known: efficiency, probability, none"},
+    };
+    for (const auto& [set, message] : cases) {
+        const RunResult result = run({"a.lxs", "--passes", "1", "--set", set});
+        EXPECT_EQ(result.exit_code, 3) << set;
+        EXPECT_THAT(result.err, HasSubstr(message));
+        EXPECT_THAT(result.err, HasSubstr("command line: --set " + set));
+    }
+}
+
+TEST_F(CommandLineTest, OverrideOfAnotherIntegratorWarns) {
+    folder_.write("a.lxs", small_scene());
+    const RunResult result = run({"a.lxs", "--passes", "1", "--set", "sppm.alpha=0.5"});
+    EXPECT_EQ(result.exit_code, 0) << result.err;
+    EXPECT_THAT(result.err, HasSubstr("--set sppm.alpha=0.5 has no effect"));
+}
+
+TEST_F(CommandLineTest, IntegratorOverridesTheSceneAndKeepsWhatItDeclares) {
+    folder_.write("a.lxs", small_scene("Renderer \"sppm\"\n"
+                                       "SurfaceIntegrator \"sppm\" \"float alpha\" [0.5]\n"
+                                       "  \"bool includeenvironment\" [\"false\"]"));
+    const RunResult result = run({"a.lxs", "--passes", "1", "--integrator", "path"});
+    EXPECT_EQ(result.exit_code, 0) << result.err;
+    EXPECT_THAT(result.err, HasSubstr("parameters unknown to \"path\" are left out: alpha"));
+    EXPECT_THAT(result.err, HasSubstr("includeenvironment false"));
+}
+
+TEST_F(CommandLineTest, UnknownIntegratorListsTheKnownOnes) {
+    folder_.write("a.lxs", small_scene());
+    const RunResult result = run({"a.lxs", "--integrator", "pathh"});
+    EXPECT_EQ(result.exit_code, 3);
+    EXPECT_THAT(result.err,
+                HasSubstr("command line: --integrator pathh: error: unknown SurfaceIntegrator "
+                          "\"pathh\"; did you mean \"path\"? Known: path, aips"));
+}
+
+TEST_F(CommandLineTest, RendererImpliesItsIntegrator) {
+    folder_.write("a.lxs", small_scene("Renderer \"sppm\""));
+    const RunResult result = run({"a.lxs", "--passes", "1"});
+    EXPECT_EQ(result.exit_code, 0) << result.err;
+    EXPECT_THAT(result.err, HasSubstr("with \"sppm\""));
+}
+
+TEST_F(CommandLineTest, QuietSaysNothingAboutAHealthyRender) {
+    folder_.write("a.lxs", small_scene());
+    const RunResult result = run({"a.lxs", "--passes", "1", "--quiet"});
+    EXPECT_EQ(result.exit_code, 0);
+    EXPECT_EQ(result.err, "");
+    EXPECT_EQ(result.out, "");
+}
+
+TEST_F(CommandLineTest, LogSaysWhatTheSceneDoesNotNeed) {
+    folder_.write("a.lxs", small_scene());
+    const RunResult result = run({"a.lxs", "--passes", "1"});
+    EXPECT_THAT(result.err, HasSubstr("skipped, as the scene has none: image textures (no texture "
+                                      "system), media, motion"));
+}
+
+TEST_F(CommandLineTest, StrictTurnsUnknownParametersIntoErrors) {
+    folder_.write("a.lxs", small_scene("SurfaceIntegrator \"path\" \"integer maxdeph\" [3]"));
+    const RunResult lax = run({"a.lxs", "--passes", "1"});
+    EXPECT_EQ(lax.exit_code, 0);
+    EXPECT_THAT(lax.err, HasSubstr("warning: path: unknown parameter \"maxdeph\"; did you mean "
+                                   "\"maxdepth\"?"));
+    const RunResult strict = run({"a.lxs", "--passes", "1", "--strict"});
+    EXPECT_EQ(strict.exit_code, 3);
+    EXPECT_THAT(strict.err, HasSubstr("error: path: unknown parameter \"maxdeph\""));
+}
+
+}  // namespace
+}  // namespace lxs::test

@@ -1,0 +1,102 @@
+// Protects the loading of plugin modules: each way in which one can be wrong has its own message.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "lxsrender_process.h"
+
+namespace lxs::test {
+namespace {
+
+using testing::HasSubstr;
+
+constexpr const char* kTroublesome = TEST_MODULES "/troublesome";
+
+class PluginModuleTest : public testing::Test {
+  protected:
+    RunResult list(const std::string& plugin_folder) {
+        return run_lxsrender(folder_, {"--list-plugins", "--plugin-path", plugin_folder});
+    }
+    RunResult render(const std::string& integrator) {
+        folder_.write("scene.lxs", small_scene());
+        return run_lxsrender(folder_, {"scene.lxs", "--passes", "1", "--integrator", integrator,
+                                       "--plugin-path", kTroublesome});
+    }
+    TemporaryFolder folder_;
+};
+
+TEST_F(PluginModuleTest, AnotherAbiVersion) {
+    const RunResult result = list(TEST_MODULES "/wrong_abi");
+    EXPECT_EQ(result.exit_code, 4);
+    EXPECT_THAT(result.err, HasSubstr("wrong_abi.so': built for version 42 of the plugin SDK, but "
+                                      "this lxsrender has version 1; build the module again"));
+}
+
+TEST_F(PluginModuleTest, EntryFunctionThatThrows) {
+    const RunResult result = list(TEST_MODULES "/throwing_entry");
+    EXPECT_EQ(result.exit_code, 4);
+    EXPECT_THAT(result.err, HasSubstr("throwing_entry.so': its entry function failed: the licence "
+                                      "has run out"));
+}
+
+TEST_F(PluginModuleTest, NoEntryFunction) {
+    const RunResult result = list(TEST_MODULES "/no_entry");
+    EXPECT_EQ(result.exit_code, 4);
+    EXPECT_THAT(result.err, HasSubstr("no_entry.so': no plugin of lxsrender: it has no function "
+                                      "lxs_plugin_module"));
+}
+
+TEST_F(PluginModuleTest, NameThatIsAlreadyTaken) {
+    const RunResult result = list(TEST_MODULES "/duplicate_name");
+    EXPECT_EQ(result.exit_code, 4);
+    EXPECT_THAT(result.err, HasSubstr("integrator \"path\" is already offered by '"));
+    EXPECT_THAT(result.err, HasSubstr("duplicate_name.so'"));
+}
+
+TEST_F(PluginModuleTest, FileThatIsNoSharedLibrary) {
+    folder_.write("broken.so", "this is no shared library");
+    const RunResult result = list(folder_.path().string());
+    EXPECT_EQ(result.exit_code, 4);
+    EXPECT_THAT(result.err, HasSubstr("broken.so': can't be loaded: "));
+}
+
+TEST_F(PluginModuleTest, FolderThatIsMissing) {
+    const RunResult result = list("/no/such/folder");
+    EXPECT_EQ(result.exit_code, 4);
+    EXPECT_THAT(result.err,
+                HasSubstr("plugin folder '/no/such/folder': No such file or directory"));
+}
+
+TEST_F(PluginModuleTest, PathGivenTwiceLoadsOnce) {
+    const std::string folder = kTroublesome;
+    const RunResult result = run_lxsrender(
+        folder_, {"--list-plugins", "--plugin-path", folder, "--plugin-path", folder + "/."});
+    EXPECT_EQ(result.exit_code, 0) << result.err;
+    EXPECT_THAT(result.out, HasSubstr("sleeper"));
+}
+
+TEST_F(PluginModuleTest, IntegratorThatCannotBeMade) {
+    const RunResult throwing = render("throwing");
+    EXPECT_EQ(throwing.exit_code, 4);
+    EXPECT_THAT(throwing.err, HasSubstr("creating integrator \"throwing\" failed: no such luck"));
+    const RunResult absent = render("absent");
+    EXPECT_EQ(absent.exit_code, 4);
+    EXPECT_THAT(absent.err, HasSubstr("creating integrator \"absent\" gave none"));
+}
+
+// The exception's code lies in the module, which must still be loaded when it is reported.
+TEST_F(PluginModuleTest, BadInputThatAModuleFinds) {
+    const RunResult result = render("picky");
+    EXPECT_EQ(result.exit_code, 3);
+    EXPECT_THAT(result.err, HasSubstr("command line: --integrator picky: error: picky: takes no "
+                                      "scene of yours"));
+}
+
+TEST_F(PluginModuleTest, IntegratorThatRefusesTheScene) {
+    const RunResult result = render("refuser");
+    EXPECT_EQ(result.exit_code, 3);
+    EXPECT_THAT(result.err, HasSubstr("error: scene.lxs: \"refuser\" can't render it: it only "
+                                      "renders on Sundays"));
+}
+
+}  // namespace
+}  // namespace lxs::test

@@ -1,0 +1,125 @@
+// Protects files that are being replaced: an error leaves the older file whole and nothing beside
+// it, and says which file and why.
+#include "lxs/imaging/atomic_file.h"
+
+#include <gtest/gtest.h>
+#include <signal.h>
+#include <sys/resource.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include "scene_options.h"
+
+namespace lxs::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::span<const std::byte> bytes_of(const std::string& text) {
+    return std::as_bytes(std::span(text));
+}
+
+std::string write_error(const std::string& path, const std::string& text) {
+    try {
+        write_file_atomically(path, bytes_of(text));
+    } catch (const std::runtime_error& error) {
+        return error.what();
+    }
+    return "";
+}
+
+/// Lets no file of this process grow beyond `size`, and turns the signal for it into an error.
+class FileSizeLimit {
+  public:
+    explicit FileSizeLimit(rlim_t size) : handler_(::signal(SIGXFSZ, SIG_IGN)) {
+        ::getrlimit(RLIMIT_FSIZE, &older_);
+        rlimit limit = older_;
+        limit.rlim_cur = size;
+        ::setrlimit(RLIMIT_FSIZE, &limit);
+    }
+    ~FileSizeLimit() {
+        ::setrlimit(RLIMIT_FSIZE, &older_);
+        ::signal(SIGXFSZ, handler_);
+    }
+    FileSizeLimit(const FileSizeLimit&) = delete;
+    FileSizeLimit& operator=(const FileSizeLimit&) = delete;
+
+  private:
+    rlimit older_{};
+    void (*handler_)(int);
+};
+
+TEST(AtomicFile, WritesAndReplaces) {
+    const TemporaryFolder folder;
+    const std::string path = folder / "image";
+    write_file_atomically(path, bytes_of("first"));
+    EXPECT_EQ(content_of(path), "first");
+    ::chmod(path.c_str(), 0640);
+    write_file_atomically(path, bytes_of("second"));
+    EXPECT_EQ(content_of(path), "second");
+    struct stat status {};
+    ASSERT_EQ(::stat(path.c_str(), &status), 0);
+    EXPECT_EQ(status.st_mode & 0777, 0640u) << "the older file's mode is kept";
+    EXPECT_EQ(folder.entries(), 1u);
+}
+
+TEST(AtomicFile, AFullDiskLeavesTheOlderFileWhole) {
+    const TemporaryFolder folder;
+    const std::string path = folder / "image";
+    write_file_atomically(path, bytes_of("older"));
+    std::string error;
+    {
+        const FileSizeLimit limit(1000);
+        error = write_error(path, std::string(5000, 'x'));
+    }
+    EXPECT_EQ(error, "cannot write '" + path + "': File too large");
+    EXPECT_EQ(content_of(path), "older");
+    EXPECT_EQ(folder.entries(), 1u) << "the temporary file is removed";
+}
+
+TEST(AtomicFile, ADeviceIsWrittenInPlace) {
+    EXPECT_EQ(write_error("/dev/full", "text"),
+              "cannot write '/dev/full': No space left on device");
+    EXPECT_TRUE(fs::is_character_file("/dev/full")) << "a rename would replace the device";
+    EXPECT_EQ(write_error("/dev/null", "text"), "");
+    EXPECT_TRUE(fs::is_character_file("/dev/null"));
+}
+
+TEST(AtomicFile, MissingFolder) {
+    const TemporaryFolder folder;
+    const std::string path = folder / "none/image";
+    EXPECT_EQ(write_error(path, "text"), "cannot write '" + path + "': No such file or directory");
+}
+
+TEST(AtomicFile, ReadOnlyFolder) {
+    if (::geteuid() == 0) GTEST_SKIP() << "root writes everywhere";
+    const TemporaryFolder folder;
+    const std::string inner = folder / "inner";
+    fs::create_directory(inner);
+    write_file_atomically(inner + "/image", bytes_of("older"));
+    fs::permissions(inner, fs::perms::owner_read | fs::perms::owner_exec);
+    EXPECT_EQ(write_error(inner + "/image", "text"),
+              "cannot write '" + inner + "/image': Permission denied");
+    EXPECT_EQ(content_of(inner + "/image"), "older");
+    fs::permissions(inner, fs::perms::owner_all);
+}
+
+TEST(AtomicFile, AFolderIsNoFile) {
+    const TemporaryFolder folder;
+    const std::string path = folder / "image";
+    fs::create_directory(path);
+    EXPECT_EQ(write_error(path, "text"), "cannot write '" + path + "': Is a directory");
+    EXPECT_EQ(folder.entries(), 1u);
+}
+
+TEST(AtomicFile, ASymbolicLinkStaysALink) {
+    const TemporaryFolder folder;
+    write_file_atomically(folder / "target", bytes_of("older"));
+    fs::create_symlink(folder / "target", folder / "link");
+    write_file_atomically(folder / "link", bytes_of("newer"));
+    EXPECT_TRUE(fs::is_symlink(folder / "link"));
+    EXPECT_EQ(content_of(folder / "target"), "newer");
+}
+
+}  // namespace
+}  // namespace lxs::test

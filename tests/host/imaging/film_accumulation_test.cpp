@@ -1,0 +1,220 @@
+// Protects the film's sums: unbiased filtering, weights of passes, refusal of bad samples, and the
+// same bits for any number of threads.
+#include <gtest/gtest.h>
+#include <tbb/global_control.h>
+#include <tbb/task_arena.h>
+
+#include <cmath>
+#include <cstring>
+#include <limits>
+#include <random>
+
+#include "lxs/imaging/imaging.h"
+#include "scene_options.h"
+
+namespace lxs::test {
+namespace {
+
+std::unique_ptr<FileFilm> make(const SceneContents& contents) {
+    RecordedDiagnostics diagnostics;
+    return make_film(contents, diagnostics);
+}
+
+struct Samples {
+    std::vector<Vec2> positions;
+    std::vector<Rgb> radiance;
+
+    PassSamples pass(double weight = 1, std::uint32_t groups = 1) const {
+        return {positions, radiance, groups, weight};
+    }
+};
+
+/// `count` samples at random places; radiance of each group from `value(random number)`.
+template <class Value>
+Samples random_samples(const Film& film, std::size_t count, unsigned seed, const Value& value) {
+    std::mt19937 generator(seed);
+    std::uniform_real_distribution<float> x(0, static_cast<float>(film.width()));
+    std::uniform_real_distribution<float> y(0, static_cast<float>(film.height()));
+    std::uniform_real_distribution<float> unit(0, 1);
+    Samples samples;
+    for (std::size_t i = 0; i < count; ++i) {
+        samples.positions.emplace_back(x(generator), y(generator));
+        for (std::uint32_t g = 0; g < film.light_groups(); ++g) {
+            samples.radiance.push_back(value(unit(generator)));
+        }
+    }
+    return samples;
+}
+
+/// One sample in the middle of every pixel.
+Samples pixel_centres(const Film& film, const Rgb& radiance) {
+    Samples samples;
+    for (std::uint32_t y = 0; y < film.height(); ++y) {
+        for (std::uint32_t x = 0; x < film.width(); ++x) {
+            samples.positions.emplace_back(static_cast<float>(x) + 0.5f,
+                                           static_cast<float>(y) + 0.5f);
+            samples.radiance.push_back(radiance);
+        }
+    }
+    return samples;
+}
+
+bool same_bits(const std::vector<Rgb>& a, const std::vector<Rgb>& b) {
+    return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(Rgb)) == 0;
+}
+
+TEST(FilmAccumulation, ConstantStaysConstantUnderEveryFilter) {
+    for (const char* name :
+         {"blackmanharris", "box", "catmullrom", "gaussian", "mitchell", "sinc", "triangle"}) {
+        SceneContents contents = scene_of_size(13, 9);
+        set_option(contents, "PixelFilter", name, {});
+        const auto film = make(contents);
+        const Rgb constant(0.25f, 3.0f, 1e4f);
+        for (unsigned pass = 0; pass < 8; ++pass) {
+            Samples samples = pixel_centres(*film, constant);
+            std::mt19937 generator(pass);
+            std::uniform_real_distribution<float> jitter(-0.5f, 0.49f);
+            for (Vec2& p : samples.positions) {
+                p += Vec2(jitter(generator), jitter(generator));
+            }
+            film->add_pass(samples.pass(1.0 + pass));
+        }
+        for (const Rgb& pixel : film->image()) {
+            EXPECT_FLOAT_EQ(pixel.x, constant.x) << name;
+            EXPECT_FLOAT_EQ(pixel.y, constant.y) << name;
+            EXPECT_FLOAT_EQ(pixel.z, constant.z) << name;
+        }
+        EXPECT_EQ(film->refused_samples(), 0u);
+    }
+}
+
+TEST(FilmAccumulation, BoxOfOnePixelKeepsSamplesInTheirPixel) {
+    const auto film = make(scene_of_size(4, 3));
+    Samples samples{{Vec2(1.0f, 2.0f), Vec2(1.999f, 2.999f)}, {Rgb(2.0f), Rgb(4.0f)}};
+    film->add_pass(samples.pass());
+    const std::vector<Rgb> image = film->image();
+    for (std::size_t i = 0; i < image.size(); ++i) {
+        EXPECT_EQ(image[i].x, i == 2 * 4 + 1 ? 3.0f : 0.0f) << i;
+    }
+}
+
+TEST(FilmAccumulation, GatherEqualsTheDefinition) {
+    // The same sums written down naively: every pixel against every sample.
+    SceneContents contents = scene_of_size(17, 11);
+    set_option(contents, "PixelFilter", "triangle", {real("xwidth", 1.7), real("ywidth", 2.2)});
+    const auto film = make(contents);
+    const Samples samples = random_samples(*film, 400, 3, [](float u) { return Rgb(u); });
+    film->add_pass(samples.pass());
+    const std::vector<Rgb> image = film->image();
+    for (int y = 0; y < 11; ++y) {
+        for (int x = 0; x < 17; ++x) {
+            double sum = 0, weight = 0;
+            for (std::size_t i = 0; i < samples.positions.size(); ++i) {
+                const double f = std::max(0.0, 1.7 - std::abs(samples.positions[i].x - (x + 0.5))) *
+                                 std::max(0.0, 2.2 - std::abs(samples.positions[i].y - (y + 0.5)));
+                sum += f * samples.radiance[i].x;
+                weight += f;
+            }
+            EXPECT_NEAR(image[static_cast<std::size_t>(y * 17 + x)].x, sum / weight, 0.02);
+        }
+    }
+}
+
+TEST(FilmAccumulation, SameBitsForAnyNumberOfThreads) {
+    SceneContents contents = scene_of_size(64, 48);
+    contents.light_groups = {"default", "sun"};
+    set_option(contents, "PixelFilter", "mitchell", {});
+    std::vector<std::vector<Rgb>> images;
+    for (const int threads : {1, 2, 7}) {
+        const tbb::global_control control(tbb::global_control::max_allowed_parallelism,
+                                          static_cast<std::size_t>(threads));
+        tbb::task_arena arena(threads);
+        arena.execute([&] {
+            const auto film = make(contents);
+            for (unsigned pass = 0; pass < 5; ++pass) {
+                const Samples samples = random_samples(
+                    *film, 3072, pass, [](float u) { return Rgb(u, 1 / (u + 1e-3f), u * u); });
+                film->add_pass(samples.pass(1 + 0.1 * pass, 2));
+            }
+            images.push_back(film->image());
+        });
+    }
+    EXPECT_TRUE(same_bits(images[0], images[1]));
+    EXPECT_TRUE(same_bits(images[0], images[2]));
+}
+
+TEST(FilmAccumulation, MeanOverPassesIsWeighted) {
+    const auto film = make(scene_of_size(3, 2));
+    film->add_pass(pixel_centres(*film, Rgb(1.0f)).pass(1000));
+    film->add_pass(pixel_centres(*film, Rgb(5.0f)).pass(3000));
+    for (const Rgb& pixel : film->image()) {
+        EXPECT_EQ(pixel.x, 4.0f);
+    }
+    film->clear();
+    for (const Rgb& pixel : film->image()) {
+        EXPECT_EQ(pixel.x, 0.0f);
+    }
+    film->add_pass(pixel_centres(*film, Rgb(7.0f)).pass());
+    EXPECT_EQ(film->image().front().x, 7.0f) << "cleared passes must not come back";
+}
+
+TEST(FilmAccumulation, ManyPassesDoNotDrift) {
+    // 0.1f has no short binary fraction: in single precision 10^4 sums would be off by 1e-4.
+    const auto film = make(scene_of_size(2, 2));
+    const Samples samples = pixel_centres(*film, Rgb(0.1f));
+    for (int pass = 0; pass < 10000; ++pass) {
+        film->add_pass(samples.pass(1e6 + pass));
+    }
+    EXPECT_EQ(film->image().front().x, 0.1f);
+}
+
+TEST(FilmAccumulation, BadSamplesAreRefusedAndCounted) {
+    const auto film = make(scene_of_size(2, 2));
+    const float nan = std::nanf(""), infinity = std::numeric_limits<float>::infinity();
+    Samples samples = pixel_centres(*film, Rgb(2.0f));
+    samples.positions.insert(samples.positions.end(), 5, Vec2(0.5f, 0.5f));
+    samples.positions.back().x = nan;
+    for (const Rgb& bad :
+         {Rgb(nan, 1, 1), Rgb(1, infinity, 1), Rgb(1, 1, -1e-6f), Rgb(-infinity), Rgb(1.0f)}) {
+        samples.radiance.push_back(bad);
+    }
+    film->add_pass(samples.pass());
+    EXPECT_EQ(film->refused_samples(), 5u);
+    for (const Rgb& pixel : film->image()) {
+        EXPECT_EQ(pixel.x, 2.0f);
+    }
+}
+
+TEST(FilmAccumulation, NegativeLobesGiveNoNegativePixels) {
+    SceneContents contents = scene_of_size(9, 9);
+    set_option(contents, "PixelFilter", "mitchell", {});
+    const auto film = make(contents);
+    Samples samples = pixel_centres(*film, Rgb(0.0f));
+    samples.radiance[40] = Rgb(1e30f);
+    film->add_pass(samples.pass());
+    for (const Rgb& pixel : film->image()) {
+        EXPECT_GE(pixel.x, 0.0f);
+        EXPECT_TRUE(std::isfinite(pixel.x));
+    }
+}
+
+TEST(FilmAccumulation, MalformedPassesAreTheCallersBug) {
+    const auto film = make(scene_of_size(2, 2));
+    const Samples samples = pixel_centres(*film, Rgb(1.0f));
+    EXPECT_THROW(film->add_pass(samples.pass(1, 2)), std::invalid_argument);
+    EXPECT_THROW(film->add_pass(samples.pass(0)), std::invalid_argument);
+    EXPECT_THROW(film->add_pass(samples.pass(std::nan(""))), std::invalid_argument);
+    EXPECT_THROW(film->set_layer("radius", std::vector<float>(3)), std::invalid_argument);
+}
+
+TEST(FilmAccumulation, MemoryDoesNotGrowWithPasses) {
+    const auto film = make(scene_of_size(32, 32));
+    const std::size_t before = film->memory_bytes();
+    for (int pass = 0; pass < 50; ++pass) {
+        film->add_pass(pixel_centres(*film, Rgb(1.0f)).pass());
+    }
+    EXPECT_EQ(film->memory_bytes(), before);
+}
+
+}  // namespace
+}  // namespace lxs::test

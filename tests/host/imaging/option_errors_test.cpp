@@ -1,0 +1,124 @@
+// Pins the messages about bad option statements.
+#include <gtest/gtest.h>
+
+#include "lxs/imaging/imaging.h"
+#include "scene_options.h"
+
+namespace lxs::test {
+namespace {
+
+std::string film_error(std::vector<ParameterValue> values) {
+    SceneContents contents = empty_scene();
+    set_option(contents, "Film", "fleximage", std::move(values));
+    RecordedDiagnostics diagnostics;
+    return input_error([&] { make_film(contents, diagnostics); });
+}
+
+struct CameraResult {
+    std::string error;
+    RecordedDiagnostics diagnostics;
+};
+
+CameraResult camera(const std::string& plugin, std::vector<ParameterValue> values,
+                    const Matrix& transform = Matrix()) {
+    SceneContents contents = scene_of_size(8, 8);
+    if (!plugin.empty()) {
+        set_option(contents, "Camera", plugin, std::move(values)).transform = transform;
+    }
+    CameraResult result;
+    const auto film = make_film(contents, result.diagnostics);
+    result.error = input_error([&] { make_camera(contents, *film, result.diagnostics); });
+    return result;
+}
+
+TEST(FilmErrors, ResolutionOutOfRange) {
+    EXPECT_EQ(film_error({integer("xresolution", 0)}),
+              "scene.lxs:2:5: error: xresolution is 0, but must be from 1 to 134217728");
+    EXPECT_EQ(film_error({integer("yresolution", -5)}),
+              "scene.lxs:2:5: error: yresolution is -5, but must be from 1 to 134217728");
+    EXPECT_EQ(film_error({integer("xresolution", 1e6), integer("yresolution", 1e6)}),
+              "scene.lxs:2:5: error: 1000000 x 1000000 pixels are 1000000000000, more than the "
+              "limit of 134217728");
+}
+
+TEST(FilmErrors, CropWindowNeedsFourNumbers) {
+    EXPECT_EQ(film_error({numbers("float", "cropwindow", {0, 1, 0})}),
+              "scene.lxs:2:5: error: cropwindow takes 4 numbers, found 3");
+}
+
+TEST(FilmErrors, EmptyFileName) {
+    EXPECT_EQ(film_error({text("filename", "")}), "scene.lxs:2:5: error: filename is empty");
+}
+
+TEST(OptionErrors, UnknownPluginsListTheKnownOnes) {
+    RecordedDiagnostics diagnostics;
+    SceneContents contents = empty_scene();
+    set_option(contents, "Film", "flexiimage", {});
+    EXPECT_EQ(input_error([&] { make_film(contents, diagnostics); }),
+              "scene.lxs:1:6: error: unknown Film \"flexiimage\"; known: fleximage, multiimage; "
+              "did you mean \"fleximage\"?");
+    contents = empty_scene();
+    set_option(contents, "PixelFilter", "zzz", {});
+    EXPECT_EQ(input_error([&] { make_film(contents, diagnostics); }),
+              "scene.lxs:1:6: error: unknown PixelFilter \"zzz\"; known: blackmanharris, box, "
+              "catmullrom, gaussian, mitchell, sinc, triangle");
+    contents = empty_scene();
+    set_option(contents, "Sampler", "zzz", {});
+    EXPECT_EQ(input_error([&] { make_sampler(contents, 0, diagnostics); }),
+              "scene.lxs:1:6: error: unknown Sampler \"zzz\"; known: erpt, lowdiscrepancy, "
+              "metropolis, random");
+    EXPECT_EQ(camera("realistic", {}).error,
+              "scene.lxs:1:6: error: unknown Camera \"realistic\"; known: environment, "
+              "orthographic, perspective");
+}
+
+TEST(CameraErrors, ImpossibleParameters) {
+    EXPECT_EQ(camera("perspective", {real("fov", 180)}).error,
+              "scene.lxs:2:5: error: fov is 180, but must lie between 0 and 180 degrees");
+    EXPECT_EQ(camera("perspective", {numbers("float", "screenwindow", {1, 1, 0, 1})}).error,
+              "scene.lxs:2:5: error: screenwindow is empty");
+    EXPECT_EQ(camera("perspective", {numbers("float", "screenwindow", {1, 2})}).error,
+              "scene.lxs:2:5: error: screenwindow takes 4 numbers, found 2");
+    EXPECT_EQ(camera("perspective", {real("hither", 2), real("yon", 1)}).error,
+              "scene.lxs:2:5: error: yon is 1, but must be beyond hither, 2");
+    EXPECT_EQ(camera("orthographic", {real("focaldistance", 0)}).error,
+              "scene.lxs:2:5: error: focaldistance is 0, but must be positive");
+    Matrix flat;
+    flat.setScale(Imath::V3d(1, 1, 0));
+    EXPECT_EQ(camera("perspective", {}, flat).error,
+              "scene.lxs:1:6: error: the camera's transform is singular: it has no inverse");
+}
+
+TEST(CameraErrors, WarningsSayWhatHasNoEffect) {
+    using Lines = std::vector<std::string>;
+    EXPECT_EQ(camera("", {}).diagnostics.warnings,
+              Lines{"scene.lxs:9:1: warning: the scene has no Camera; a perspective camera of 90 "
+                    "degrees at the origin looks along +z"});
+    EXPECT_EQ(
+        camera("perspective",
+               {flag("autofocus", true), real("lensradius", 0.1), real("focaldistance", 4)})
+            .diagnostics.warnings,
+        Lines{"scene.lxs:2:5: warning: \"autofocus\" has no effect: the focal distance is 4"});
+    EXPECT_TRUE(camera("perspective", {flag("autofocus", true)}).diagnostics.warnings.empty())
+        << "a pinhole is sharp everywhere";
+    EXPECT_EQ(camera("perspective", {real("shutteropen", 1), real("shutterclose", 0)})
+                  .diagnostics.warnings,
+              Lines{"scene.lxs:2:5: warning: the shutter closes before it opens; the times are "
+                    "swapped"});
+}
+
+TEST(SamplerErrors, MarkovChainSamplersAreNamedOnce) {
+    SceneContents contents = empty_scene();
+    set_option(contents, "Sampler", "metropolis",
+               {real("largemutationprob", 0.4), flag("noiseaware", false),
+                integer("maxconsecrejects", 512), flag("usecooldown", true)});
+    RecordedDiagnostics diagnostics;
+    make_sampler(contents, 0, diagnostics);
+    EXPECT_EQ(diagnostics.warnings,
+              std::vector<std::string>{"scene.lxs:1:6: warning: Sampler \"metropolis\" has no "
+                                       "effect: every pixel gets the same number of samples"});
+    EXPECT_TRUE(diagnostics.unknown.empty());
+}
+
+}  // namespace
+}  // namespace lxs::test

@@ -1,0 +1,114 @@
+// Scenes that consist of option statements only, built in the tests' own words.
+#pragma once
+
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "lxs/scene/contents.h"
+
+namespace lxs::test {
+
+/// Keeps what was said; a test looks at it afterwards.
+class RecordedDiagnostics : public Diagnostics {
+  public:
+    std::vector<std::string> warnings, unknown;
+
+    void warning(const SourceLocation& where, const std::string& message) override {
+        warnings.push_back(format_message(where, "warning", message));
+    }
+    void unknown_parameter(const SourceLocation& where, const std::string& message) override {
+        unknown.push_back(format_message(where, "warning", message));
+    }
+};
+
+/// A place in "scene.lxs" without text, so that messages are one line.
+inline SourceLocation place(std::uint32_t line, std::uint32_t column) {
+    static const auto file =
+        std::make_shared<const SourceFile>(SourceFile{"scene.lxs", nullptr, nullptr, 0});
+    return {file, line, column};
+}
+
+inline ParameterValue numbers(const std::string& type, const std::string& name,
+                              std::vector<double> values) {
+    return {type, name, std::move(values), place(2, 5), {}};
+}
+inline ParameterValue integer(const std::string& name, double value) {
+    return numbers("integer", name, {value});
+}
+inline ParameterValue real(const std::string& name, double value) {
+    return numbers("float", name, {value});
+}
+inline ParameterValue text(const std::string& name, const std::string& value) {
+    return {"string", name, std::vector<std::string>{value}, place(2, 5), {}};
+}
+inline ParameterValue flag(const std::string& name, bool value) {
+    return {"bool", name, std::vector<bool>{value}, place(2, 5), {}};
+}
+
+/// A scene with one light group and no statement.
+inline SceneContents empty_scene() {
+    SceneContents contents;
+    contents.light_groups = {"default"};
+    contents.end = place(9, 1);
+    return contents;
+}
+
+inline OptionStatement& set_option(SceneContents& contents, const std::string& statement,
+                                   const std::string& plugin, std::vector<ParameterValue> values) {
+    OptionStatement& option = contents.options[statement];
+    option.parameters = {plugin, place(1, 6), std::move(values)};
+    return option;
+}
+
+/// A scene with a film of this size and the box filter of one pixel.
+inline SceneContents scene_of_size(int width, int height) {
+    SceneContents contents = empty_scene();
+    set_option(contents, "Film", "fleximage",
+               {integer("xresolution", width), integer("yresolution", height)});
+    set_option(contents, "PixelFilter", "box", {});
+    return contents;
+}
+
+/// Runs `action` and gives the text of the InputError that it throws, "" if none.
+template <class Action>
+std::string input_error(const Action& action) {
+    try {
+        action();
+    } catch (const InputError& error) {
+        return error.what();
+    }
+    return "";
+}
+
+/// A folder of its own for a test, removed with all it holds.
+class TemporaryFolder {
+  public:
+    TemporaryFolder() {
+        std::string pattern = (std::filesystem::temp_directory_path() / "lxs-XXXXXX").string();
+        path_ = mkdtemp(pattern.data());
+    }
+    ~TemporaryFolder() { std::filesystem::remove_all(path_); }
+    TemporaryFolder(const TemporaryFolder&) = delete;
+    TemporaryFolder& operator=(const TemporaryFolder&) = delete;
+
+    std::string operator/(const std::string& name) const { return (path_ / name).string(); }
+    std::size_t entries() const {
+        const auto files = std::filesystem::directory_iterator(path_);
+        return static_cast<std::size_t>(std::distance(begin(files), end(files)));
+    }
+
+  private:
+    std::filesystem::path path_;
+};
+
+inline std::string content_of(const std::string& path) {
+    std::ostringstream content;
+    content << std::ifstream(path, std::ios::binary).rdbuf();
+    return content.str();
+}
+
+}  // namespace lxs::test

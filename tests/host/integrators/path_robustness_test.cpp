@@ -1,0 +1,60 @@
+// Protects determinism, and that nothing but finite light reaches the film.
+#include <gtest/gtest.h>
+#include <tbb/global_control.h>
+
+#include <cmath>
+
+#include "path/path_integrator.h"
+#include "path_render.h"
+
+namespace lxs::test {
+namespace {
+
+std::string lit_spheres() {
+    return camera_above(6, 40) + "AttributeBegin\nAreaLightSource \"area\" \"color L\" [5 4 3]\n" +
+           square(3, 1, true) +
+           "AttributeEnd\nLightGroup \"sky\"\nLightSource \"infinite\" \"color L\" [1 1 2]\n"
+           "LightGroup \"\"\nMaterial \"glass\"\nShape \"sphere\" \"float radius\" [0.8]\n"
+           "Translate 1.5 0 0\nMaterial \"mirror\"\nShape \"sphere\" \"float radius\" [0.7]\n"
+           "Material \"matte\"\n" +
+           square(-1, 9) + "WorldEnd\n";
+}
+
+TEST(PathRobustness, SameBitsForAnyNumberOfThreads) {
+    std::vector<std::vector<Rgb>> images;
+    for (const std::size_t threads : {1u, 2u, 7u}) {
+        const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
+        images.push_back(render_image(lit_spheres(), {}, 8));
+    }
+    EXPECT_EQ(images[0], images[1]);
+    EXPECT_EQ(images[0], images[2]);
+}
+
+TEST(PathRobustness, HealthySceneGivesFiniteLightAndRefusesNothing) {
+    Statistics statistics;
+    for (const Rgb& pixel : render_image(lit_spheres(), {}, 64, &statistics)) {
+        for (int c = 0; c < 3; ++c) {
+            EXPECT_TRUE(std::isfinite(pixel[c]));
+            EXPECT_GE(pixel[c], 0);
+        }
+    }
+    for (const auto& [name, value] : statistics) {
+        if (name == "refused contributions") {
+            EXPECT_EQ(std::get<std::uint64_t>(value), 0u);
+        }
+    }
+}
+
+TEST(PathRobustness, RefusalsAreCountedByMaterial) {
+    MaterialRefusals refusals(2);
+    refusals.refuse(1);
+    refusals.refuse(1);
+    refusals.refuse(kNoMaterial);
+    EXPECT_EQ(refusals.count(0), 0u);
+    EXPECT_EQ(refusals.count(1), 2u);
+    EXPECT_EQ(refusals.count(2), 1u);
+    EXPECT_EQ(refusals.total(), 3u);
+}
+
+}  // namespace
+}  // namespace lxs::test

@@ -1,0 +1,104 @@
+// Texts of located messages, and suggestions for misspelt names.
+#include "lxs/sdk/diagnostics.h"
+
+#include <gtest/gtest.h>
+
+namespace lxs {
+namespace {
+
+SourceLocation place(const std::string& text, std::uint32_t line, std::uint32_t column) {
+    auto file = std::make_shared<SourceFile>();
+    file->name = "a.lxs";
+    file->text = std::make_shared<const std::string>(text);
+    return {file, line, column};
+}
+
+TEST(FormatMessage, ShowsPositionSourceLineAndCaret) {
+    EXPECT_EQ(format_message(place("WorldBegin\nShpe \"box\"\n", 2, 6), "error", "bad"),
+              "a.lxs:2:6: error: bad\n"
+              "  Shpe \"box\"\n"
+              "       ^");
+}
+
+TEST(FormatMessage, WithoutFileIsTheBareMessage) {
+    EXPECT_EQ(format_message({}, "warning", "text"), "warning: text");
+}
+
+TEST(FormatMessage, CommandLineHasNoExcerpt) {
+    auto file = std::make_shared<SourceFile>();
+    file->name = "--set a.b=c";
+    EXPECT_EQ(format_message({file, 0, 0}, "error", "bad"), "--set a.b=c: error: bad");
+}
+
+TEST(FormatMessage, ShowsTheIncludeChainInnermostFirst) {
+    auto main = std::make_shared<SourceFile>();
+    main->name = "main.lxs";
+    auto middle = std::make_shared<SourceFile>();
+    middle->name = "b.lxo";
+    middle->included_by = main;
+    middle->include_line = 7;
+    auto inner = std::make_shared<SourceFile>();
+    inner->name = "c.lxm";
+    inner->text = std::make_shared<const std::string>("x");
+    inner->included_by = middle;
+    inner->include_line = 3;
+    EXPECT_EQ(format_message({inner, 1, 1}, "error", "bad"),
+              "c.lxm:1:1: error: bad\n  x\n  ^\n"
+              "included from b.lxo:3\n"
+              "included from main.lxs:7");
+}
+
+TEST(FormatMessage, CaretFollowsTabsAndUtf8AndDropsCarriageReturn) {
+    EXPECT_EQ(format_message(place("\t\"\xC3\xA4\" x\r\n", 1, 7), "error", "bad"),
+              "a.lxs:1:7: error: bad\n"
+              "  \t\"\xC3\xA4\" x\n"
+              "  \t    ^");
+}
+
+TEST(FormatMessage, CutsLongLinesAroundTheCaret) {
+    const std::string line = std::string(5000, 'a') + "X" + std::string(5000, 'b');
+    const std::string message = format_message(place(line, 1, 5001), "error", "bad");
+    const std::string expected = "a.lxs:1:5001: error: bad\n  ..." + std::string(40, 'a') + "X" +
+                                 std::string(55, 'b') + "...\n" + std::string(45, ' ') + "^";
+    EXPECT_EQ(message, expected);
+}
+
+TEST(FormatMessage, ShowsNoControlCharacters) {
+    const std::string message = format_message(place("a\x1b[2J\x07", 1, 1), "error", "bad");
+    EXPECT_EQ(message.find('\x1b'), std::string::npos);
+    EXPECT_EQ(message.find('\x07'), std::string::npos);
+}
+
+TEST(FormatMessage, SurvivesPositionsBeyondTheText) {
+    EXPECT_EQ(format_message(place("a\n", 9, 9), "error", "bad"), "a.lxs:9:9: error: bad\n  \n  ^");
+    EXPECT_EQ(format_message(place("", 1, 1), "error", "bad"), "a.lxs:1:1: error: bad\n  \n  ^");
+}
+
+TEST(NearestName, FindsMisspellings) {
+    const std::vector<std::string> known{"tonemapkernel", "matte", "mirror", "radius"};
+    EXPECT_EQ(nearest_name("tonemappkernal", known), "tonemapkernel");
+    EXPECT_EQ(nearest_name("Matte", known), "matte");
+    EXPECT_EQ(nearest_name("raduis", known), "radius");
+}
+
+TEST(NearestName, IsEmptyWhenNothingIsNear) {
+    EXPECT_EQ(nearest_name("cloth", {"matte", "mirror"}), "");
+    EXPECT_EQ(nearest_name("", {"a"}), "");
+    EXPECT_EQ(nearest_name(std::string(1000000, 'x'), {"a"}), "");
+}
+
+TEST(UnknownNameMessage, ListsTheNearestFirst) {
+    EXPECT_EQ(unknown_name_message("material", "mirorr", {"glass", "matte", "mirror"}),
+              "unknown material \"mirorr\"; did you mean \"mirror\"? Known: mirror, glass, matte");
+    EXPECT_EQ(unknown_name_message("material", "zzzz", {"glass", "matte"}),
+              "unknown material \"zzzz\"; known: glass, matte");
+    EXPECT_EQ(unknown_name_message("object", "a", {}), "unknown object \"a\"; none is known");
+}
+
+TEST(InQuotes, CutsLongTextAndHidesControlCharacters) {
+    EXPECT_EQ(in_quotes("a\nb"), "\"a?b\"");
+    EXPECT_EQ(in_quotes(std::string(200, 'x')), '"' + std::string(120, 'x') + "...\"");
+}
+
+}  // namespace
+}  // namespace lxs

@@ -1,0 +1,100 @@
+// Plugin names: unknown ones, and stand-ins for those that LuxRender knows and we don't render.
+#include <gtest/gtest.h>
+
+#include "scene_fakes.h"
+
+namespace lxs::test {
+namespace {
+
+using Messages = std::vector<std::string>;
+
+void expect_start(const std::string& text, const std::string& start) {
+    EXPECT_EQ(text.substr(0, start.size()), start);
+}
+
+TEST(PluginNames, UnknownOnesAreErrorsWithTheNearestFirst) {
+    const std::string shape = error_of_world("Shape \"shpere\"");
+    expect_start(shape,
+                 "test.lxs:2:7: error: unknown shape \"shpere\"; did you mean \"sphere\"? Known: "
+                 "sphere, barytrianglemesh, cone,");
+    EXPECT_NE(shape.find("trianglemesh"), std::string::npos);
+    expect_start(error_of_world("Material \"mate\""),
+                 "test.lxs:2:10: error: unknown material \"mate\"; did you mean \"matte\"? Known: "
+                 "matte, carpaint,");
+    expect_start(error_of_world("MakeNamedMaterial \"m\"\n\"string type\" [\"glas\"]"),
+                 "test.lxs:3:16: error: unknown material \"glas\"; did you mean \"glass\"?");
+    expect_start(error_of_world("Texture \"t\" \"float\" \"imgemap\""),
+                 "test.lxs:2:21: error: unknown float texture \"imgemap\"; did you mean "
+                 "\"imagemap\"?");
+    expect_start(error_of_world("MakeNamedVolume \"v\" \"claer\""),
+                 "test.lxs:2:21: error: unknown volume \"claer\"; did you mean \"clear\"?");
+}
+
+TEST(PluginNames, MaterialStandInIsGreyMatteOrItsKd) {
+    CollectingDiagnostics diagnostics;
+    const SceneContents contents = read_world(
+        "Material \"cloth\" \"float repeat_u\" [3]\nShape \"sphere\"\n"
+        "Material \"velvet\" \"color Kd\" [1 0 0]\nShape \"sphere\"",
+        diagnostics);
+    EXPECT_EQ(fake(contents.primitives.at(0)).kd(), Rgb(0.5f));
+    EXPECT_EQ(fake(contents.primitives.at(1)).kd(), Rgb(1, 0, 0));
+    EXPECT_EQ(
+        diagnostics.messages,
+        (Messages{"test.lxs:2:10: warning: material \"cloth\" is not rendered yet: matte with "
+                  "its Kd, or grey, is used instead",
+                  "test.lxs:4:10: warning: material \"velvet\" is not rendered yet: matte with "
+                  "its Kd, or grey, is used instead"}));
+}
+
+TEST(PluginNames, ShapesAreLeftOut) {
+    CollectingDiagnostics diagnostics;
+    const SceneContents contents = read_world("Shape \"torus\"\nShape \"torus\"", diagnostics);
+    EXPECT_TRUE(contents.primitives.empty());
+    EXPECT_EQ(
+        diagnostics.messages,
+        (Messages{"test.lxs:2:7: warning: shape \"torus\" is not rendered yet: it is left out"}));
+}
+
+TEST(PluginNames, TexturesAndVolumesStandIn) {
+    CollectingDiagnostics diagnostics;
+    const SceneContents contents = read_world(
+        "Texture \"b\" \"color\" \"brick\"\nTexture \"m\" \"float\" \"fbm\"\n"
+        "Texture \"n\" \"fresnel\" \"cauchy\"\n"
+        "MakeNamedVolume \"fog\" \"homogeneous\" \"float fresnel\" [1.2] \"color sigma_s\" [1 1 "
+        "1]\n"
+        "Material \"matte\" \"texture Kd\" [\"b\"] Interior \"fog\" Shape \"sphere\"",
+        diagnostics);
+    EXPECT_EQ(fake(contents.primitives.at(0)).kd(), Rgb(0.5f));
+    EXPECT_FLOAT_EQ(contents.primitives[0].interior->index(), 1.2f);
+    EXPECT_EQ(
+        diagnostics.messages,
+        (Messages{"test.lxs:2:21: warning: color texture \"brick\" is not rendered yet: a grey "
+                  "of 0.5 is used instead",
+                  "test.lxs:3:21: warning: float texture \"fbm\" is not rendered yet: the "
+                  "constant 1 is used instead",
+                  "test.lxs:4:23: warning: fresnel texture \"cauchy\" is not rendered yet: the "
+                  "index 1.5 is used instead",
+                  "test.lxs:5:23: warning: volume \"homogeneous\" is not rendered yet: a clear "
+                  "one with its index is used instead"}));
+}
+
+TEST(PluginNames, WrongParameterTypeIsLocated) {
+    EXPECT_EQ(
+        error_of_text("WorldBegin\nShape \"sphere\"\n  \"string radius\" [\"big\"]\nWorldEnd"),
+        "test.lxs:3:3: error: sphere: \"radius\" takes \"float radius\" [number], found a value "
+        "of type string\n"
+        "    \"string radius\" [\"big\"]\n"
+        "    ^");
+}
+
+TEST(PluginNames, UnknownParameterWarnsWithTheNearest) {
+    CollectingDiagnostics diagnostics;
+    read_world("Shape \"sphere\" \"float raduis\" [1]", diagnostics);
+    EXPECT_EQ(
+        diagnostics.messages,
+        (Messages{"test.lxs:2:16: warning: sphere: unknown parameter \"raduis\"; did you mean "
+                  "\"radius\"?"}));
+}
+
+}  // namespace
+}  // namespace lxs::test

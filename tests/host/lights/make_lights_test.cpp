@@ -1,0 +1,102 @@
+// Statements become lights: names, declarations, messages, groups and media.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "light_cases.h"
+
+namespace lxs::test {
+namespace {
+
+std::string error_of(const std::string& plugin, const std::vector<ParameterValue>& values,
+                     const Matrix& to_world = Matrix()) {
+    RecordedDiagnostics diagnostics;
+    try {
+        make(plugin, values, diagnostics, to_world);
+    } catch (const InputError& error) {
+        return error.what();
+    }
+    return "";
+}
+
+bool contains(const std::string& text, const std::string& part) {
+    return text.find(part) != std::string::npos;
+}
+
+TEST(MakeLights, EveryPluginIsRenderedFromItsDefaults) {
+    for (const LightPlugin& plugin : light_plugins()) {
+        RecordedDiagnostics diagnostics;
+        const Lights lights = make(plugin.name, {}, diagnostics);
+        EXPECT_EQ(lights.size(), contains(plugin.name, "sunsky") ? 2u : 1u) << plugin.name;
+    }
+}
+
+TEST(MakeLights, UnknownNameListsTheKnownOnes) {
+    EXPECT_TRUE(contains(error_of("lamp", {}),
+                         "unknown light source \"lamp\"; known: distant, goniometric, infinite, "
+                         "infinitesample, point, projection, sky, sky2, spot, sun, sunsky, "
+                         "sunsky2"));
+}
+
+TEST(MakeLights, UnrenderedLightsAreSaid) {
+    RecordedDiagnostics diagnostics;
+    const Lights lights = make("goniometric", {numbers("color", "I", {2, 2, 2})}, diagnostics);
+    ASSERT_EQ(diagnostics.warnings.size(), 1u);
+    EXPECT_EQ(diagnostics.warnings[0],
+              "light \"goniometric\" is rendered as a point light, its image is left out");
+    EXPECT_NEAR(lights[0]->power(), 8 * 3.14159265, 1e-3);
+    make("infinite", {text("mapname", probe_image()), text("mapping", "angular")}, diagnostics);
+    EXPECT_EQ(diagnostics.warnings.back(),
+              "mapping \"angular\" is not rendered, the image is read as latlong");
+}
+
+TEST(MakeLights, DirectionsMustExist) {
+    EXPECT_TRUE(contains(error_of("spot", {numbers("point", "from", {0, 0, 1})}),
+                         "\"from\" gives the light no direction"));
+    EXPECT_TRUE(contains(error_of("sun", {numbers("vector", "sundir", {0, 0, 0})}),
+                         "\"sundir\" gives the light no direction"));
+    EXPECT_TRUE(
+        contains(error_of("sky", {}, scaling(1, 0, 1)), "the light's transform is singular"));
+    EXPECT_TRUE(contains(error_of("spot", {numbers("float", "coneangle", {0})}),
+                         "a spot light needs a cone angle above 0"));
+}
+
+TEST(MakeLights, GroupAndMediumGoWithTheLight) {
+    LightDescription description;
+    description.parameters.plugin = "point";
+    description.group = 3;
+    description.medium = std::make_shared<const Medium>(Rgb(1.0f), 1.3f);
+    RecordedDiagnostics diagnostics;
+    const Lights lights = make_lights(description, scene_sphere(), {}, diagnostics);
+    EXPECT_EQ(lights[0]->group(), 3u);
+    EmissionSample s;
+    ASSERT_TRUE(lights[0]->sample_emission({0.5f, 0.5f, 0.5f, 0.5f}, s));
+    EXPECT_EQ(s.ray.medium, description.medium.get());
+}
+
+TEST(MakeLights, ParametersOfRealScenesAreKnown) {
+    RecordedDiagnostics diagnostics;
+    make("sunsky",
+         {numbers("float", "gain", {1}), numbers("float", "importance", {1}),
+          numbers("float", "turbidity", {2.2}), numbers("integer", "nsamples", {4}),
+          numbers("vector", "sundir", {-0.3, -0.5, 0.7})},
+         diagnostics);
+    ASSERT_EQ(diagnostics.warnings.size(), 1u);
+    EXPECT_TRUE(contains(diagnostics.warnings[0], "have no effect here"));
+}
+
+// LuxRender's area lights have 100 W at 17 lm/W unless a scene says otherwise.
+TEST(AreaLightParameters, PowerIsDeclaredWithLuxRendersDefault) {
+    const auto declared = area_light_parameters();
+    const auto default_of = [&](std::string_view name) {
+        const auto found = std::find_if(declared.begin(), declared.end(),
+                                        [&](const auto& p) { return p.name == name; });
+        return found == declared.end() ? std::string_view() : found->default_text;
+    };
+    EXPECT_EQ(default_of("power"), "100");
+    EXPECT_EQ(default_of("efficacy"), "17");
+    EXPECT_EQ(default_of("L"), "1 1 1");
+}
+
+}  // namespace
+}  // namespace lxs::test

@@ -1,0 +1,147 @@
+// Sun and sky: brightness and colour of LuxRender 1.9's images, horizon, transforms.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "light_cases.h"
+
+namespace lxs::test {
+namespace {
+
+constexpr double kPi = std::numbers::pi;
+
+// Irradiances, lx, that LuxRender 1.9's images imply for a floor under sun (0.5, -0.6, 0.7) at
+// turbidity 2.2.
+const Rgb luxrender_sun(68330, 56660, 47590);
+const Rgb luxrender_sky(19550, 28280, 50170);
+
+ParameterValue sundir(double x, double y, double z) {
+    return numbers("vector", "sundir", {x, y, z});
+}
+
+Rgb irradiance(const Light& light, const Vec3& n) {
+    constexpr std::size_t kSide = 128;
+    Imath::V3d sum(0.0);
+    for (std::size_t i = 0; i < kSide * kSide; ++i) {
+        const std::size_t row = i / kSide, column = i % kSide;
+        const Vec2 u((float(column) + 0.5f) / kSide, (float(row) + 0.5f) / kSide);
+        DirectSample s;
+        if (light.sample_direct(Vec3(0.0f), n, u, s))
+            sum += Imath::V3d(s.radiance) * double(std::max(0.0f, s.wi ^ n) / s.pdf);
+    }
+    return Rgb(sum / double(kSide * kSide));
+}
+
+TEST(Sun, IrradianceOfLuxRendersSun) {
+    const auto light =
+        make_one("sun", {sundir(0.5, -0.6, 0.7), numbers("float", "turbidity", {2.2})});
+    const Rgb e = irradiance(*light, Vec3(0, 0, 1));
+    EXPECT_NEAR(e.x / luxrender_sun.x, 1, 0.02);
+    EXPECT_NEAR(e.y / luxrender_sun.y, 1, 0.02);
+    EXPECT_NEAR(e.z / luxrender_sun.z, 1, 0.02);
+}
+
+TEST(Sun, SizeOfItsDisk) {
+    for (const double size : {1.0, 10.0}) {
+        const auto light = make_one("sun", {sundir(0, 0, 1), numbers("float", "relsize", {size})});
+        const double radius = size * 695500.0 / 149600000.0;
+        const auto seen_at = [&](double angle) {
+            return light->escaped(Vec3(float(std::sin(angle)), 0, float(std::cos(angle))));
+        };
+        EXPECT_FALSE(is_black(seen_at(radius * 0.99)));
+        EXPECT_TRUE(is_black(seen_at(radius * 1.01)));
+    }
+}
+
+TEST(Sun, RedAndDimTowardsTheHorizonThenGone) {
+    float last = std::numeric_limits<float>::infinity();
+    for (const double z : {1.0, 0.5, 0.1, 0.01, 1e-6}) {
+        const double x = std::sqrt(1 - z * z);
+        const auto light = make_one("sun", {sundir(x, 0, z)});
+        const Rgb l = light->escaped(Vec3(float(x), 0, float(z)).normalized());
+        EXPECT_TRUE(std::isfinite(l.x) && l.x >= 0 && std::isfinite(l.z) && l.z >= 0) << z;
+        EXPECT_LT(luminance(l), last);
+        last = luminance(l);
+        if (z < 0.2) {
+            EXPECT_GT(l.x, l.z);
+        }
+    }
+    for (const double z : {0.0, -0.3}) {
+        RecordedDiagnostics diagnostics;
+        const Lights lights = make("sun", {sundir(1, 0, z)}, diagnostics);
+        EXPECT_EQ(lights[0]->power(), 0);
+        ASSERT_EQ(diagnostics.warnings.size(), 1u);
+        EXPECT_EQ(diagnostics.warnings[0], "the sun stands below the horizon and sends no light");
+        EmissionSample s;
+        EXPECT_FALSE(lights[0]->sample_emission({0.5f, 0.5f, 0.5f, 0.5f}, s));
+    }
+}
+
+// LuxRender's image over the published model is 1.14 at turbidity 2.2; ours is scaled by 1.11.
+TEST(Sky, IrradianceOfLuxRendersSky) {
+    const auto light =
+        make_one("sky", {sundir(0.5, -0.6, 0.7), numbers("float", "turbidity", {2.2})});
+    const Rgb e = irradiance(*light, Vec3(0, 0, 1));
+    EXPECT_NEAR(e.x / luxrender_sky.x, 1, 0.05);
+    EXPECT_NEAR(e.y / luxrender_sky.y, 1, 0.05);
+    EXPECT_NEAR(e.z / luxrender_sky.z, 1, 0.05);
+    EXPECT_GT(e.z, e.x) << "the sky is blue";
+}
+
+// Below its horizon the sky goes on at the horizon's brightness: LuxRender's images show it.
+TEST(Sky, ContinuesBelowTheHorizon) {
+    const auto light = make_one("sky", {sundir(0, 0, 1)});
+    const Rgb above = light->escaped(Vec3(1, 0, 0.0005f).normalized());
+    const Rgb below = light->escaped(Vec3(1, 0, -0.0005f).normalized());
+    EXPECT_NEAR(above.y / below.y, 1, 0.01);
+    EXPECT_FALSE(is_black(light->escaped(Vec3(0, 0, -1))));
+}
+
+TEST(Sky, FiniteForEverySunAndTurbidity) {
+    for (const double turbidity : {1.0, 1.7, 2.0, 10.0, 64.0}) {
+        for (const double z : {1.0, 0.3, 0.0, -0.01, -1.0}) {
+            const auto light = make_one("sky", {sundir(std::sqrt(1 - z * z), 0, z),
+                                                numbers("float", "turbidity", {turbidity})});
+            EXPECT_TRUE(std::isfinite(light->power()) && light->power() >= 0);
+            Random random(43);
+            for (int i = 0; i < 500; ++i) {
+                DirectSample s;
+                if (!light->sample_direct(Vec3(0.0f), {}, Vec2(random(), random()), s)) continue;
+                ASSERT_TRUE(std::isfinite(max_component(s.radiance) / s.pdf));
+                ASSERT_TRUE(s.radiance.x >= 0 && s.radiance.y >= 0 && s.radiance.z >= 0);
+            }
+        }
+    }
+}
+
+TEST(Sky, CoefficientsScaleTheModel) {
+    const auto plain = make_one("sky", {sundir(0, 0, 1)});
+    const auto old_name = make_one("sky", {sundir(0, 0, 1), numbers("float", "cconst", {3})});
+    const auto new_name =
+        make_one("sky", {sundir(0, 0, 1), numbers("float", "sunhalobrightness", {3})});
+    const Vec3 w = Vec3(1, 0, 0.3f).normalized();
+    EXPECT_NE(plain->escaped(w).y, new_name->escaped(w).y);
+    EXPECT_EQ(old_name->escaped(w).y, new_name->escaped(w).y);
+}
+
+TEST(SunAndSky, ShareTheirParametersAndTransform) {
+    RecordedDiagnostics diagnostics;
+    Matrix tilted;
+    tilted.setAxisAngle(Imath::V3d(1, 0, 0), kPi / 2);  // +z to -y
+    const Lights lights = make("sunsky", {sundir(0, 0, 1)}, diagnostics, tilted);
+    ASSERT_EQ(lights.size(), 2u);
+    EXPECT_EQ(lights[0]->kind(), "sun");
+    EXPECT_EQ(lights[1]->kind(), "sky");
+    EXPECT_FALSE(is_black(lights[0]->escaped(Vec3(0, -1, 0))));
+    EXPECT_TRUE(is_black(lights[0]->escaped(Vec3(0, 0, 1))));
+    EXPECT_TRUE(diagnostics.warnings.empty());
+    EXPECT_EQ(make("sunsky2", {sundir(0, 0, 1)}, diagnostics).size(), 2u);
+    ASSERT_EQ(diagnostics.warnings.size(), 1u);
+    EXPECT_EQ(diagnostics.warnings[0],
+              "light \"sunsky2\" is rendered with the Preetham sky in place of the "
+              "Hosek-Wilkie sky");
+}
+
+}  // namespace
+}  // namespace lxs::test

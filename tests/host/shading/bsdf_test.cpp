@@ -1,0 +1,264 @@
+// Every material's Bsdf: sampling, density and value agree; reciprocity; no gain of energy;
+// finite, non-negative results for any input; memory as announced.
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+
+#include "bsdf_statistics.h"
+#include "bsdfs/frame.h"
+#include "shading_fixture.h"
+
+namespace lxs {
+namespace {
+
+struct Case {
+    const char* name;
+    std::vector<ParameterValue> values;
+    const char* plugin;
+};
+
+std::ostream& operator<<(std::ostream& out, const Case& c) {
+    return out << c.name;
+}
+
+std::vector<ParameterValue> roughness(double u, double v) {
+    return {number("uroughness", u), number("vroughness", v)};
+}
+std::vector<ParameterValue> with(std::vector<ParameterValue> a,
+                                 const std::vector<ParameterValue>& b) {
+    a.insert(a.end(), b.begin(), b.end());
+    return a;
+}
+
+const Rgb white(1.0f), tinted(0.7f, 0.4f, 0.1f), dull(0.05f, 0.06f, 0.07f);
+
+std::vector<Case> cases() {
+    return {
+        {"matte", {color("Kd", tinted)}, "matte"},
+        {"matte_white", {color("Kd", white)}, "matte"},
+        {"matte_sigma", {color("Kd", white), number("sigma", 30)}, "matte"},
+        {"matte_sigma90", {color("Kd", white), number("sigma", 90)}, "matte"},
+        {"mirror", {}, "mirror"},
+        {"glass", {}, "glass"},
+        {"glass_tinted", {color("Kt", tinted), number("index", 2.4)}, "glass"},
+        {"glass_architectural", {flag("architectural", true)}, "glass"},
+        {"metal", roughness(0.15, 0.15), "metal"},
+        {"metal_gold_rough", with(roughness(0.8, 0.8), {text("name", "gold")}), "metal"},
+        {"metal_grain", roughness(0.1, 0.35), "metal"},
+        {"metal_grain_v", roughness(0.5, 0.2), "metal"},
+        {"metal2_dielectric", roughness(0.3, 0.3), "metal2"},
+        {"metal2_ideal", with(roughness(0.4, 0.4), {number("fresnel", 4e3)}), "metal2"},
+        {"metal2_ideal_smooth", with(roughness(0.12, 0.12), {number("fresnel", 4e3)}), "metal2"},
+        {"metal2_ideal_grain", with(roughness(0.1, 0.9), {number("fresnel", 4e3)}), "metal2"},
+        {"shinymetal_full", roughness(0.2, 0.2), "shinymetal"},
+        {"shinymetal", with(roughness(0.25, 0.25), {color("Kr", Rgb(0.3f)), color("Ks", tinted)}),
+         "shinymetal"},
+        {"glossy", with(roughness(0.2, 0.2), {color("Kd", tinted), color("Ks", dull)}), "glossy"},
+        {"glossy_white", with(roughness(0.15, 0.15), {color("Kd", white), color("Ks", dull)}),
+         "glossy"},
+        {"glossy_white_rough", with(roughness(1, 1), {color("Kd", white), number("index", 1.5)}),
+         "glossy"},
+        {"glossy_multibounce",
+         with(roughness(0.6, 0.6),
+              {color("Kd", white), color("Ks", Rgb(0.3f)), flag("multibounce", true)}),
+         "glossy"},
+        {"glossy_full_multibounce", with(roughness(0.7, 0.7), {flag("multibounce", true)}),
+         "glossy"},
+        {"glossy_absorbing",
+         with(roughness(0.2, 0.3),
+              {color("Kd", white), color("Ks", dull), color("Ka", tinted), number("d", 0.3)}),
+         "glossy"},
+        {"glossy_black_base", with(roughness(0.2, 0.2), {color("Kd", Rgb(0.0f))}), "glossy"},
+        {"null", {}, "null"},
+        {"mix_two_lobes",
+         {text("namedmaterial1", "metal"), text("namedmaterial2", "matte"), number("amount", 0.3)},
+         "mix"},
+        {"mix_specular",
+         {text("namedmaterial1", "mirror"), text("namedmaterial2", "glossy"),
+          number("amount", 0.6)},
+         "mix"},
+        {"mix_null", {text("namedmaterial1", "null"), text("namedmaterial2", "matte")}, "mix"}};
+}
+
+class BsdfTest : public ::testing::TestWithParam<Case> {
+  protected:
+    BsdfTest() {
+        scene_.materials["metal"] = scene_.make_material("metal", roughness(0.2, 0.2));
+        scene_.materials["matte"] = scene_.make_material("matte", {color("Kd", tinted)});
+        scene_.materials["mirror"] = scene_.make_material("mirror");
+        scene_.materials["null"] = scene_.make_material("null");
+        scene_.materials["glossy"] =
+            scene_.make_material("glossy", {color("Ks", dull), number("uroughness", 0.3)});
+        material_ = scene_.make_material(GetParam().plugin, GetParam().values);
+    }
+    const Bsdf& at(const ShadingPoint& point) {
+        const Bsdf* bsdf = memory_.scatter(*material_, point);
+        EXPECT_NE(bsdf, nullptr);
+        return *bsdf;
+    }
+
+    ShadingFixture scene_;
+    BsdfMemory memory_;
+    std::shared_ptr<const Material> material_;
+};
+
+/// A point with a bent shading normal and a grain that isn't perpendicular to it.
+ShadingPoint bent_point() {
+    return shading_point({0.3f, -0.5f, 0.8f}, {0.42f, -0.4f, 0.8f}, {0.7f, 0.4f, 0.2f});
+}
+
+Vec3 tilted(const Vec3& n, float degrees, float azimuth) {
+    const float theta = degrees * shading::kPi / 180;
+    return shading::Frame(n).to_world({std::sin(theta) * std::cos(azimuth),
+                                       std::sin(theta) * std::sin(azimuth), std::cos(theta)});
+}
+
+// 29 cases with 8 tests each: Sidak-corrected to 0.2 % for all of them together.
+constexpr double kSignificance = 1e-5;
+
+TEST_P(BsdfTest, SamplesFollowTheDensity) {
+    const ShadingPoint point = bent_point();
+    const Bsdf& bsdf = at(point);
+    std::uint32_t seed = 1;
+    for (const float degrees : {5.0f, 50.0f, 78.0f, 130.0f}) {
+        const Vec3 wo = tilted(point.ns, degrees, 0.7f * degrees);
+        for (const LobeMask mask : {kAllLobes, LobeMask(kDiffuse | kGlossy)}) {
+            if (!(bsdf.lobes() & mask & (kDiffuse | kGlossy))) continue;
+            EXPECT_GT(chi_square_p_value(bsdf, wo, point.ng, mask, ++seed), kSignificance)
+                << "wo at " << degrees << " degrees, lobes " << int{mask};
+        }
+    }
+}
+
+TEST_P(BsdfTest, EachLobeAloneFollowsItsDensity) {
+    const ShadingPoint point = bent_point();
+    const Bsdf& bsdf = at(point);
+    if (!(bsdf.lobes() & kDiffuse) || !(bsdf.lobes() & kGlossy)) return;
+    for (const LobeMask mask : {kDiffuse, kGlossy}) {
+        const Vec3 wo = tilted(point.ns, 40, 1);
+        EXPECT_GT(chi_square_p_value(bsdf, wo, point.ng, mask, mask), kSignificance);
+    }
+}
+
+TEST_P(BsdfTest, WeightIsValueTimesCosineOverDensity) {
+    const ShadingPoint point = bent_point();
+    const Bsdf& bsdf = at(point);
+    UniformSource u(3);
+    for (int i = 0; i < 5000; ++i) {
+        const Vec3 wo = u.direction();
+        const auto mask = static_cast<LobeMask>(i % 8);
+        BsdfSample sample;
+        const Vec2 uv = u.pair();
+        if (!bsdf.sample(wo, uv, u(), Transport::Radiance, mask, sample)) continue;
+        ASSERT_TRUE(sample.lobe & mask & bsdf.lobes());
+        ASSERT_NEAR(sample.wi.length(), 1, 1e-5);
+        ASSERT_EQ(sample.transmitted, wo.dot(point.ng) * sample.wi.dot(point.ng) < 0);
+        if (sample.lobe == kSpecular) {
+            ASSERT_EQ(sample.pdf, 0);
+            continue;
+        }
+        const Rgb f = bsdf.evaluate(wo, sample.wi, Transport::Radiance, mask);
+        const float pdf = bsdf.pdf(wo, sample.wi, mask);
+        ASSERT_NEAR(sample.pdf, pdf, 2e-3f * pdf);
+        for (int c = 0; c < 3; ++c) {
+            const float weight = f[c] * std::abs(sample.wi.dot(point.ns)) / pdf;
+            ASSERT_NEAR(sample.weight[c], weight, 2e-3f * weight + 1e-6f);
+        }
+    }
+}
+
+TEST_P(BsdfTest, IsReciprocal) {
+    const ShadingPoint point = bent_point();
+    const Bsdf& bsdf = at(point);
+    UniformSource u(4);
+    for (int i = 0; i < 5000; ++i) {
+        const Vec3 a = u.direction(), b = u.direction();
+        const Rgb forth = bsdf.evaluate(a, b, Transport::Radiance, kAllLobes);
+        const Rgb back = bsdf.evaluate(b, a, Transport::Power, kAllLobes);
+        for (int c = 0; c < 3; ++c)
+            ASSERT_NEAR(forth[c], back[c], 1e-4f * forth[c] + 1e-6f);
+    }
+}
+
+TEST_P(BsdfTest, NeverReflectsMoreThanArrives) {
+    const ShadingPoint point = shading_point({0, 0, 1}, {0, 0, 1}, {1, 0.3f, 0});
+    const Bsdf& bsdf = at(point);
+    // What the tabulated albedos of coatings can be wrong by.
+    constexpr float kTableError = 4e-3f;
+    for (const float degrees : {1.0f, 30.0f, 60.0f, 75.0f, 85.0f, 88.0f, 89.5f, 100.0f, 170.0f}) {
+        for (const float azimuth : {0.3f, 1.9f}) {
+            const Vec3 wo = tilted(point.ns, degrees, azimuth);
+            const MeanWeight mean = mean_weight(bsdf, wo, Transport::Power, 20000, 5);
+            for (int c = 0; c < 3; ++c) {
+                EXPECT_LE(mean.mean[c], 1 + 5 * mean.deviation[c] + kTableError)
+                    << degrees << " degrees";
+            }
+            const Rgb albedo = bsdf.albedo(wo, kAllLobes);
+            EXPECT_LE(max_component(albedo), 1.0001f);
+        }
+    }
+}
+
+TEST_P(BsdfTest, MeanWeightIsTheIntegral) {
+    const ShadingPoint point = bent_point();
+    const Bsdf& bsdf = at(point);
+    if (bsdf.lobes() & kSpecular) return;  // the integral does not see deltas
+    const Vec3 wo = tilted(point.ns, 35, 2);
+    const MeanWeight mean = mean_weight(bsdf, wo, Transport::Radiance, 100000, 6);
+    const Rgb integral = integrated_albedo(bsdf, wo, point.ns);
+    for (int c = 0; c < 3; ++c)
+        EXPECT_NEAR(mean.mean[c], integral[c], 5 * mean.deviation[c] + 3e-3f);
+}
+
+TEST_P(BsdfTest, AnyInputGivesFiniteResults) {
+    UniformSource u(8);
+    const auto check = [](const Rgb& value) {
+        ASSERT_TRUE(std::isfinite(value.x) && std::isfinite(value.y) && std::isfinite(value.z));
+        ASSERT_TRUE(value.x >= 0 && value.y >= 0 && value.z >= 0);
+    };
+    for (int i = 0; i < 20000; ++i) {
+        const Vec3 ng = i % 5 == 0 ? Vec3(0, 0, 1) : u.direction();
+        Vec3 ns = i % 3 == 0 ? ng : (ng + u.direction() * 0.99f).normalized();
+        if (ns.dot(ng) <= 0) ns = ng;
+        const Vec3 dpdu = i % 7 == 0 ? Vec3(0.0f) : i % 7 == 1 ? ns : u.direction();
+        const Bsdf& bsdf = at(shading_point(ng, ns, dpdu));
+        Vec3 wo = u.direction(), wi = u.direction();
+        const Vec3 tangent = shading::Frame(i % 2 ? ns : ng).s;
+        if (i % 4 == 1) wo = tangent;
+        if (i % 4 == 2) wo = (tangent + ns * 1e-7f).normalized();
+        if (i % 11 == 0) wi = wo;
+        if (i % 11 == 1) wi = -wo;
+        if (i % 11 == 2) wi = shading::reflect(wo, ns);
+        const auto mask = static_cast<LobeMask>(i % 8);
+        check(bsdf.evaluate(wo, wi, Transport::Radiance, mask));
+        check(bsdf.albedo(wo, mask));
+        const float pdf = bsdf.pdf(wo, wi, mask);
+        ASSERT_TRUE(std::isfinite(pdf) && pdf >= 0);
+        const float edges[] = {0.0f, 0x1.fffffep-1f, u()};
+        BsdfSample sample;
+        if (!bsdf.sample(wo, {edges[i % 3], edges[i / 3 % 3]}, edges[i / 9 % 3], Transport::Power,
+                         mask, sample))
+            continue;
+        check(sample.weight);
+        ASSERT_TRUE(std::isfinite(sample.pdf) && sample.pdf >= 0);
+        ASSERT_NEAR(sample.wi.length(), 1, 1e-4);
+    }
+}
+
+TEST_P(BsdfTest, TakesNoMoreMemoryThanAnnounced) {
+    std::array<std::byte, 4096> buffer;
+    const std::size_t announced = material_->facts().max_bsdf_bytes;
+    ASSERT_LE(announced, buffer.size() - 1);
+    std::pmr::monotonic_buffer_resource memory(buffer.data() + 1, announced,
+                                               std::pmr::null_memory_resource());
+    const Bsdf* bsdf = material_->scatter(bent_point(), memory);
+    ASSERT_NE(bsdf, nullptr);
+    EXPECT_EQ(bsdf->lobes() & ~material_->facts().lobes, 0);
+}
+
+INSTANTIATE_TEST_SUITE_P(Materials, BsdfTest, ::testing::ValuesIn(cases()),
+                         [](const auto& instance) { return std::string(instance.param.name); });
+
+}  // namespace
+}  // namespace lxs

@@ -1,0 +1,165 @@
+// Image textures: orientation, wrapping, gamma, channels, and files that can't be used.
+#include <OpenImageIO/imageio.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <limits>
+
+#include "shading_fixture.h"
+
+namespace lxs {
+namespace {
+
+class ImagemapTest : public ::testing::Test {
+  protected:
+    ImagemapTest()
+        : folder_(std::filesystem::temp_directory_path() /
+                  ("lxs_imagemap_" +
+                   std::string(::testing::UnitTest::GetInstance()->current_test_info()->name()))) {
+        std::filesystem::create_directories(folder_);
+    }
+    ~ImagemapTest() override { std::filesystem::remove_all(folder_); }
+
+    /// Writes floats as the format of the name's ending; returns the path.
+    std::string write(const std::string& name, int width, int height, int channels,
+                      const std::vector<float>& values) {
+        std::string path = (folder_ / name).string();
+        OIIO::ImageSpec spec(
+            width, height, channels,
+            name.ends_with(".exr") ? OIIO::TypeDesc::FLOAT : OIIO::TypeDesc::UINT8);
+        spec.attribute("oiio:UnassociatedAlpha", 1);
+        const auto out = OIIO::ImageOutput::create(path);
+        EXPECT_TRUE(out && out->open(path, spec));
+        EXPECT_TRUE(out->write_image(OIIO::TypeDesc::FLOAT, values.data()));
+        out->close();
+        return path;
+    }
+    /// 2 x 2: red, green above; blue, white below.
+    std::string quadrants() {
+        return write("quadrants.png", 2, 2, 3, {1, 0, 0, 0, 1, 0, 0, 0, 1, 1, 1, 1});
+    }
+    Rgb look(const ColorTexture& texture, float u, float v) {
+        TexturePoint point;
+        point.uv = {u, v};
+        return texture.evaluate(point);
+    }
+    void expect_near(const Rgb& a, const Rgb& b) {
+        for (int c = 0; c < 3; ++c)
+            EXPECT_NEAR(a[c], b[c], 1e-3f) << a << " against " << b;
+    }
+
+    std::filesystem::path folder_;
+    ShadingFixture scene_;
+};
+
+// LuxRender's v runs downwards in the image; its exporters write vscale -1.
+TEST_F(ImagemapTest, OriginIsTheUpperLeftCorner) {
+    const auto map = scene_.make_color("imagemap", {text("filename", quadrants())});
+    expect_near(look(*map, 0.25f, 0.25f), {1, 0, 0});
+    expect_near(look(*map, 0.75f, 0.25f), {0, 1, 0});
+    expect_near(look(*map, 0.25f, 0.75f), {0, 0, 1});
+    expect_near(look(*map, 0.5f, 0.25f), {0.5f, 0.5f, 0});
+    EXPECT_TRUE(map->reads_image());
+    EXPECT_FALSE(map->constant());
+}
+
+TEST_F(ImagemapTest, ScaleAndShiftPlaceTheImage) {
+    const auto map = scene_.make_color(
+        "imagemap", {text("filename", quadrants()), number("vscale", -1), number("vdelta", 1)});
+    expect_near(look(*map, 0.25f, 0.75f), {1, 0, 0});
+}
+
+TEST_F(ImagemapTest, WrapsAsTold) {
+    const auto wrapped = [&](const char* wrap) {
+        const auto map =
+            scene_.make_color("imagemap", {text("filename", quadrants()), text("wrap", wrap)});
+        return look(*map, 1.25f, 0.25f);
+    };
+    expect_near(wrapped("repeat"), {1, 0, 0});
+    expect_near(wrapped("black"), {0, 0, 0});
+    expect_near(wrapped("white"), {1, 1, 1});
+    expect_near(wrapped("clamp"), {0, 1, 0});
+    EXPECT_THROW(wrapped("mirror"), InputError);
+}
+
+TEST_F(ImagemapTest, GammaIsUndoneBeforeInterpolation) {
+    const std::string path = write("step.exr", 2, 1, 3, {0, 0, 0, 0.5f, 0.5f, 0.5f});
+    const auto map = scene_.make_color(
+        "imagemap", {text("filename", path), number("gamma", 2), number("gain", 4)});
+    expect_near(look(*map, 0.75f, 0.5f), Rgb(1.0f));
+    expect_near(look(*map, 0.5f, 0.5f), Rgb(0.5f));
+}
+
+TEST_F(ImagemapTest, ChannelsOfFloatMaps) {
+    const std::string path = write("one.png", 1, 1, 4, {0.2f, 0.4f, 0.6f, 0.8f});
+    const auto channel = [&](const char* name) {
+        const auto map = scene_.make_float(
+            "imagemap", {text("filename", path), number("gamma", 1), text("channel", name)});
+        return map->evaluate({});
+    };
+    EXPECT_NEAR(channel("mean"), 0.4f, 1e-3f);
+    EXPECT_NEAR(channel("red"), 0.2f, 1e-3f);
+    EXPECT_NEAR(channel("green"), 0.4f, 1e-3f);
+    EXPECT_NEAR(channel("blue"), 0.6f, 1e-3f);
+    EXPECT_NEAR(channel("alpha"), 0.8f, 1e-3f);
+    EXPECT_NEAR(channel("colored_mean"), luminance({0.2f, 0.4f, 0.6f}), 1e-3f);
+}
+
+TEST_F(ImagemapTest, GreyImagesServeForColours) {
+    const std::string path = write("grey.png", 1, 1, 1, {0.6f});
+    const auto map = scene_.make_color("imagemap", {text("filename", path), number("gamma", 1)});
+    expect_near(look(*map, 0.5f, 0.5f), Rgb(0.6f));
+    const auto alpha =
+        scene_.make_float("imagemap", {text("filename", path), text("channel", "alpha")});
+    EXPECT_EQ(alpha->evaluate({}), 1);
+}
+
+TEST_F(ImagemapTest, BadValuesAreRefusedAndReportedOnce) {
+    const float nan = std::numeric_limits<float>::quiet_NaN();
+    const float inf = std::numeric_limits<float>::infinity();
+    const std::string path = write("bad.exr", 2, 1, 3, {nan, -1, 0.5f, inf, 1, 1});
+    const auto map = scene_.make_color("imagemap", {text("filename", path), number("gamma", 1)});
+    for (int i = -40; i < 40; ++i) {
+        const Rgb value = look(*map, 0.05f * static_cast<float>(i), 0.3f);
+        for (int c = 0; c < 3; ++c)
+            ASSERT_TRUE(std::isfinite(value[c]) && value[c] >= 0);
+    }
+    ASSERT_EQ(scene_.diagnostics.warnings.size(), 1u);
+    EXPECT_NE(scene_.diagnostics.warnings[0].find("3 values that are not finite or negative"),
+              std::string::npos);
+}
+
+TEST_F(ImagemapTest, LookupsAtAnyCoordinateAreFinite) {
+    const auto map = scene_.make_color("imagemap", {text("filename", quadrants())});
+    const float inf = std::numeric_limits<float>::infinity();
+    for (const float u : {0.0f, 1.0f, -0.0f, 1e9f, -1e30f, inf, std::nanf("")}) {
+        const Rgb value = look(*map, u, 0.3f);
+        EXPECT_TRUE(std::isfinite(value.x) && value.x >= 0) << u;
+    }
+}
+
+TEST_F(ImagemapTest, DamagedAndMissingFilesAreErrorsThatNameThem) {
+    const std::string whole = quadrants();
+    const std::string damaged = (folder_ / "damaged.png").string();
+    std::ifstream in(whole, std::ios::binary);
+    std::string bytes((std::istreambuf_iterator<char>(in)), {});
+    std::ofstream(damaged, std::ios::binary) << bytes.substr(0, bytes.size() / 2);
+    const std::string no_image = (folder_ / "text.png").string();
+    std::ofstream(no_image) << "not an image";
+    for (const std::string& path : {damaged, no_image, (folder_ / "missing.png").string()}) {
+        try {
+            scene_.make_color("imagemap", {text("filename", path)});
+            ADD_FAILURE() << "no error for " << path;
+        } catch (const InputError& error) {
+            EXPECT_NE(std::string(error.what()).find("cannot read image \"" + path + "\""),
+                      std::string::npos)
+                << error.what();
+        }
+    }
+    EXPECT_THROW(scene_.make_color("imagemap"), InputError);
+}
+
+}  // namespace
+}  // namespace lxs

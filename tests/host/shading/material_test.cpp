@@ -1,0 +1,153 @@
+// What materials say of themselves, read from their parameters, and warn of.
+#include <gtest/gtest.h>
+
+#include "bsdf_statistics.h"
+#include "bsdfs/fresnel.h"
+#include "shading_fixture.h"
+
+namespace lxs {
+namespace {
+
+class MaterialTest : public ::testing::Test {
+  protected:
+    ShadingFixture scene_;
+    BsdfMemory memory_;
+};
+
+TEST_F(MaterialTest, MatteIsLambertianUnlessItIsRough) {
+    Rgb kd;
+    const auto smooth = scene_.make_material("matte");
+    ASSERT_TRUE(memory_.scatter(*smooth, shading_point())->lambertian(kd));
+    EXPECT_EQ(kd, Rgb(0.9f));
+    const auto rough = scene_.make_material("matte", {number("sigma", 20)});
+    EXPECT_FALSE(memory_.scatter(*rough, shading_point())->lambertian(kd));
+}
+
+TEST_F(MaterialTest, BlackMatteScattersNothing) {
+    const auto black = scene_.make_material("matte", {color("Kd", Rgb(0.0f))});
+    EXPECT_EQ(memory_.scatter(*black, shading_point()), nullptr);
+    EXPECT_EQ(black->facts().lobes, 0);
+}
+
+TEST_F(MaterialTest, BlackCoatedBaseHasNoDiffuseLobe) {
+    const auto black = scene_.make_material("glossy", {color("Kd", Rgb(0.0f))});
+    EXPECT_EQ(black->facts().lobes, kGlossy);
+    EXPECT_EQ(memory_.scatter(*black, shading_point())->lobes(), kGlossy);
+}
+
+TEST_F(MaterialTest, MixOfMattesIsLambertian) {
+    scene_.materials["a"] = scene_.make_material("matte", {color("Kd", {0.8f, 0.2f, 0})});
+    scene_.materials["b"] = scene_.make_material("matte", {color("Kd", {0, 0.6f, 0})});
+    const auto mix = scene_.make_material(
+        "mix", {text("namedmaterial1", "a"), text("namedmaterial2", "b"), number("amount", 0.25)});
+    Rgb kd;
+    ASSERT_TRUE(memory_.scatter(*mix, shading_point())->lambertian(kd));
+    EXPECT_NEAR(kd.x, 0.6f, 1e-6f);
+    EXPECT_NEAR(kd.y, 0.3f, 1e-6f);
+}
+
+TEST_F(MaterialTest, MixWithNullLetsItsShareOfShadowRaysThrough) {
+    scene_.materials["matte"] = scene_.make_material("matte");
+    scene_.materials["null"] = scene_.make_material("null");
+    const auto mix = scene_.make_material(
+        "mix",
+        {text("namedmaterial1", "matte"), text("namedmaterial2", "null"), number("amount", 0.3)});
+    EXPECT_TRUE(mix->facts().straight);
+    EXPECT_NEAR(mix->straight_transmittance(shading_point(), {0, 0, 1}).x, 0.3f, 1e-6f);
+    const MeanWeight mean = mean_weight(*memory_.scatter(*mix, shading_point()), {0, 0, 1},
+                                        Transport::Radiance, 10000, 1);
+    EXPECT_NEAR(mean.mean.x, 0.3f + 0.7f * 0.9f, 5 * mean.deviation.x);
+}
+
+TEST_F(MaterialTest, MixWithoutPartsIsAnError) {
+    EXPECT_THROW(scene_.make_material("mix"), InputError);
+}
+
+TEST_F(MaterialTest, IndexOverridesTheColourOfTheCoating) {
+    const auto glossy = scene_.make_material(
+        "glossy", {number("index", 1.5), color("Ks", Rgb(0.9f)), color("Kd", Rgb(0.0f))});
+    const Bsdf* bsdf = memory_.scatter(*glossy, shading_point());
+    EXPECT_NEAR(bsdf->albedo({0, 0, 1}, kAllLobes).x, 0.04f, 0.01f);
+}
+
+TEST_F(MaterialTest, OldNamesAreGlossy) {
+    for (const char* name : {"substrate", "plastic"}) {
+        const auto material = scene_.make_material(name, {number("roughness", 0.01)});
+        EXPECT_EQ(material->facts().lobes, kDiffuse | kGlossy) << name;
+    }
+    EXPECT_TRUE(scene_.diagnostics.unknown.empty());
+}
+
+TEST_F(MaterialTest, SharedParametersOfLuxRenderAreKnownToAll) {
+    scene_.materials["m"] = scene_.make_material("matte");
+    for (const auto& [name, factory] : scene_.registry.materials) {
+        std::vector<ParameterValue> values{flag("compo_visible_material", true),
+                                           number("compo_override_alpha_value", 0),
+                                           number("bumpmapsampledistance", 0.001)};
+        if (name == "mix") {
+            values.push_back(text("namedmaterial1", "m"));
+            values.push_back(text("namedmaterial2", "m"));
+        }
+        EXPECT_NE(scene_.make_material(name, values), nullptr);
+    }
+    EXPECT_TRUE(scene_.diagnostics.unknown.empty());
+}
+
+TEST_F(MaterialTest, BumpMapsAreWarnedOfUnlessTheyAreFlat) {
+    scene_.floats["flat"] = scene_.make_float("constant");
+    scene_.floats["checks"] = scene_.make_float("checkerboard");
+    scene_.make_material("matte", {texture("bumpmap", "flat")});
+    EXPECT_TRUE(scene_.diagnostics.warnings.empty());
+    scene_.make_material("matte", {texture("bumpmap", "checks")});
+    ASSERT_EQ(scene_.diagnostics.warnings.size(), 1u);
+    EXPECT_EQ(scene_.diagnostics.warnings[0], "bump maps are not rendered yet");
+    EXPECT_EQ(scene_.diagnostics.lines[0], 7u);
+}
+
+TEST_F(MaterialTest, WhatIsNotRenderedIsWarnedOf) {
+    scene_.make_material("glass", {number("film", 300)});
+    scene_.make_material("glass", {number("cauchyb", 0.01)});
+    scene_.make_material("glass2", {flag("dispersion", true)});
+    scene_.make_material("metal", {text("filename", "brass.nk")});
+    scene_.make_material("matte", {color("Kd", {1.5f, 0, 0})});
+    const std::vector<std::string> expected{
+        "thin films are not rendered yet",
+        "dispersion is not rendered yet; the index for 550 nm is used",
+        "dispersion is not rendered yet",
+        "files of measured metals are not read yet; aluminium stands in",
+        "\"Kd\" is limited to 0 to 1"};
+    EXPECT_EQ(scene_.diagnostics.warnings, expected);
+}
+
+TEST_F(MaterialTest, UnknownMetalIsAnErrorThatListsTheKnownOnes) {
+    try {
+        scene_.make_material("metal", {text("name", "unobtainium")});
+        FAIL() << "no error";
+    } catch (const InputError& error) {
+        EXPECT_NE(std::string(error.what())
+                      .find("\"amorphous carbon\", \"silver\", \"gold\", "
+                            "\"copper\", \"aluminium\""),
+                  std::string::npos);
+    }
+}
+
+// Reflectances at normal incidence that the sources' tables give for these wavelengths.
+TEST_F(MaterialTest, MeasuredMetalsHaveTheirColours) {
+    const auto reflectance = [&](const char* name) {
+        const auto fresnel = scene_.make_fresnel("fresnelname", {text("name", name)});
+        return shading::fresnel_conductor(1, *fresnel->constant());
+    };
+    const Rgb silver = reflectance("silver"), gold = reflectance("gold");
+    const Rgb copper = reflectance("copper"), aluminium = reflectance("aluminium");
+    EXPECT_GT(silver.z, 0.97f);
+    EXPECT_GT(gold.x, 0.95f);
+    EXPECT_LT(gold.z, 0.45f);
+    EXPECT_GT(copper.x, 0.9f);
+    EXPECT_LT(copper.y, 0.65f);
+    EXPECT_NEAR(aluminium.x, 0.905f, 0.01f);
+    EXPECT_NEAR(aluminium.z, 0.923f, 0.01f);
+    EXPECT_LT(max_component(reflectance("amorphous carbon")), 0.25f);
+}
+
+}  // namespace
+}  // namespace lxs

@@ -1,0 +1,173 @@
+// Meshes written out in a scene: what they become, and the message for each way to get them wrong.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "shape_fixture.h"
+
+namespace lxs::test {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+const ParameterValue square = numbers("point", "P", {0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0});
+const ParameterValue two_triangles = numbers("integer", "triindices", {0, 1, 2, 0, 2, 3});
+
+TEST(MeshShape, AllNamesMakeTheSameMesh) {
+    for (const char* name : {"mesh", "trianglemesh", "barytrianglemesh", "waldtrianglemesh"}) {
+        const TriangleMesh mesh = make_mesh(name, {square, two_triangles});
+        EXPECT_THAT(mesh.indices, ElementsAre(0, 1, 2, 0, 2, 3)) << name;
+        EXPECT_EQ(mesh.positions.size(), 4u);
+        EXPECT_TRUE(mesh.normals.empty());
+        EXPECT_TRUE(mesh.uvs.empty());
+    }
+}
+
+TEST(MeshShape, OlderNamesOfLists) {
+    const TriangleMesh mesh =
+        make_mesh("trianglemesh", {square, numbers("integer", "indices", {0, 1, 2}),
+                                   numbers("float", "st", {0, 0, 1, 0, 1, 1, 0, 1})});
+    EXPECT_THAT(mesh.indices, ElementsAre(0, 1, 2));
+    EXPECT_EQ(mesh.uvs.at(2), Vec2(1, 1));
+}
+
+TEST(MeshShape, QuadrilateralsBecomeTwoTriangles) {
+    const TriangleMesh mesh =
+        make_mesh("mesh", {square, numbers("integer", "quadindices", {0, 1, 2, 3})});
+    EXPECT_THAT(mesh.indices, ElementsAre(0, 1, 2, 0, 2, 3));
+}
+
+TEST(MeshShape, IsTransformed) {
+    const Matrix m =
+        Matrix().setScale(Imath::V3d(1, 1, 2)) * Matrix().setTranslation(Imath::V3d(0, 0, 5));
+    const TriangleMesh mesh = make_mesh("mesh",
+                                        {numbers("point", "P", {0, 0, 0, 1, 0, 1, 0, 1, 0}),
+                                         numbers("integer", "triindices", {0, 1, 2}),
+                                         numbers("normal", "N", {-1, 0, 1, -1, 0, 1, -3, 0, 3})},
+                                        m);
+    EXPECT_EQ(mesh.positions[1], Vec3(1, 0, 7));
+    for (const Vec3& n : mesh.normals) {
+        EXPECT_NEAR(n.x, -2 / std::sqrt(5.0f), 1e-6f);
+        EXPECT_NEAR(n.z, 1 / std::sqrt(5.0f), 1e-6f);
+    }
+}
+
+TEST(MeshShape, MirroringKeepsNormalsOnTheirSide) {
+    const TriangleMesh mesh = make_mesh(
+        "mesh",
+        {square, two_triangles, numbers("normal", "N", {0, 0, 1, 0, 0, 1, 0, 0, 1, 0, 0, 1})},
+        Matrix().setScale(Imath::V3d(-1, 1, 1)));
+    EXPECT_EQ(mesh.normals[0], Vec3(0, 0, 1));
+}
+
+TEST(MeshShape, ZeroNormalsBecomeGeometric) {
+    const TriangleMesh mesh = make_mesh(
+        "mesh",
+        {square, two_triangles, numbers("normal", "N", {0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0})});
+    EXPECT_EQ(mesh.normals[0], Vec3(0, 0, 1));
+    EXPECT_EQ(mesh.normals[1], Vec3(0, 1, 0));
+    EXPECT_EQ(mesh.normals[2], Vec3(0, 0, 1));
+}
+
+TEST(MeshShape, DegenerateTrianglesAreDroppedAndCounted) {
+    RecordedDiagnostics diagnostics;
+    const Geometry geometry =
+        make_shape("mesh",
+                   {numbers("point", "P", {0, 0, 0, 1, 0, 0, 2, 0, 0, 0, 1, 0}),
+                    numbers("integer", "triindices", {0, 1, 2, 0, 1, 3, 3, 3, 1})},
+                   diagnostics);
+    EXPECT_THAT(std::get<TriangleMesh>(geometry).indices, ElementsAre(0, 1, 3));
+    EXPECT_THAT(diagnostics.warnings, ElementsAre("2 triangles without area left out"));
+}
+
+TEST(MeshShape, SmallTrianglesAreNotDegenerate) {
+    const TriangleMesh mesh = make_mesh("mesh", {square, two_triangles},
+                                        Matrix().setScale(Imath::V3d(1e-12, 1e-12, 1e-12)));
+    EXPECT_EQ(mesh.indices.size(), 6u);
+}
+
+TEST(MeshShape, SubdivisionWarnsAtItsPlace) {
+    RecordedDiagnostics diagnostics;
+    make_shape("mesh", {square, two_triangles, numbers("integer", "nsubdivlevels", {2})},
+               diagnostics);
+    EXPECT_THAT(diagnostics.warnings,
+                ElementsAre("subdivision is not rendered yet: the mesh is shown as it is given"));
+    EXPECT_THAT(diagnostics.lines, ElementsAre(4));
+}
+
+TEST(MeshShape, AcceptsLuxRendersParametersAndCatchesMisspelling) {
+    RecordedDiagnostics diagnostics;
+    make_shape("mesh", {square, two_triangles, text("name", "floor")}, diagnostics);
+    EXPECT_TRUE(diagnostics.warnings.empty());
+    make_shape("mesh", {square, two_triangles, flag("generatetangent", false)}, diagnostics);
+    EXPECT_EQ(diagnostics.warnings.size(), 1u);
+    EXPECT_THAT(diagnostics.warnings[0], HasSubstr("generatetangents"));
+}
+
+TEST(MeshShapeErrors, MissingPositions) {
+    EXPECT_THAT(error_of("mesh", {two_triangles}),
+                HasSubstr("a mesh needs vertex positions: \"point P\" [...]"));
+}
+
+TEST(MeshShapeErrors, MissingTriangles) {
+    EXPECT_THAT(error_of("mesh", {square}),
+                HasSubstr("a mesh needs triangles: \"integer triindices\" [...]"));
+}
+
+TEST(MeshShapeErrors, IndexOutOfRange) {
+    EXPECT_THAT(
+        error_of("mesh", {square, numbers("integer", "triindices", {0, 1, 2, 0, 9, 3})}),
+        HasSubstr("\"triindices\" names vertex 9 at position 4 (triangle 1), but \"P\" has 4 "
+                  "vertices, numbered from 0"));
+    EXPECT_THAT(error_of("mesh", {square, numbers("integer", "triindices", {0, -1, 2})}),
+                HasSubstr("names vertex -1 at position 1 (triangle 0)"));
+    EXPECT_THAT(error_of("mesh", {square, numbers("integer", "quadindices", {0, 1, 2, 4})}),
+                HasSubstr("\"quadindices\" names vertex 4 at position 3 (quadrilateral 0)"));
+}
+
+TEST(MeshShapeErrors, CountsThatDoNotFit) {
+    EXPECT_THAT(error_of("mesh", {square, numbers("integer", "triindices", {0, 1, 2, 0})}),
+                HasSubstr("\"triindices\" has 4 values, which is not a multiple of 3"));
+    EXPECT_THAT(error_of("mesh", {square, two_triangles, numbers("normal", "N", {0, 0, 1})}),
+                HasSubstr("\"N\" has 1 normals, but \"P\" has 4 vertices"));
+    EXPECT_THAT(error_of("mesh", {square, two_triangles, numbers("float", "uv", {0, 0, 1})}),
+                HasSubstr("\"uv\" has 3 values, but \"P\" has 4 vertices: expected 8"));
+}
+
+TEST(MeshShapeErrors, NumbersThatAreNone) {
+    const ParameterValue one = numbers("integer", "triindices", {0, 1, 2});
+    const double infinity = std::numeric_limits<double>::infinity();
+    EXPECT_THAT(error_of("mesh", {numbers("point", "P", {0, 0, 0, 1, infinity, 0, 0, 1, 0}), one}),
+                HasSubstr("vertex 1 of \"P\" is not finite: (1, inf, 0)"));
+    EXPECT_THAT(error_of("mesh", {numbers("point", "P", {0, 0, 0, 1, 1e200, 0, 0, 1, 0}), one}),
+                HasSubstr("vertex 1 of \"P\" is not finite: (1, inf, 0)"));
+    EXPECT_THAT(error_of("mesh", {numbers("point", "P", {0, 0, 0, 1, 2e18, 0, 0, 1, 0}), one}),
+                HasSubstr("vertex 1 of \"P\" is beyond 1e+18"));
+    EXPECT_THAT(error_of("mesh", {square, two_triangles,
+                                  numbers("float", "uv", {0, 0, 0, infinity, 0, 0, 0, 0})}),
+                HasSubstr("pair 1 of \"uv\" is not finite: (0, inf)"));
+    EXPECT_THAT(error_of("mesh", {square, two_triangles,
+                                  numbers("normal", "N", {0, 0, 1, 0, 0, 1, 0, 0, 1, 0, 0, 1e99})}),
+                HasSubstr("normal 3 of \"N\" is not finite"));
+    // The parameter reader refuses NaN before the mesh sees it.
+    const double nan = std::nan("");
+    EXPECT_THAT(error_of("mesh", {numbers("point", "P", {0, 0, 0, 1, nan, 0, 0, 1, 0}), one}),
+                HasSubstr("\"P\""));
+}
+
+TEST(MeshShapeErrors, TransformOutOfRange) {
+    EXPECT_THAT(
+        error_of("mesh", {square, two_triangles}, Matrix().setScale(Imath::V3d(1e30, 1, 1))),
+        HasSubstr("the current transform moves vertex 1 out of range"));
+}
+
+TEST(MeshShapeErrors, StandAtTheParameter) {
+    EXPECT_THAT(error_of("mesh", {square, numbers("integer", "triindices", {0, 1, 7})}),
+                testing::StartsWith("scene.lxs:3:1: error: \"triindices\" names vertex 7"));
+    EXPECT_THAT(error_of("mesh", {square}), testing::StartsWith("scene.lxs:1:1: error: "));
+}
+
+}  // namespace
+}  // namespace lxs::test

@@ -1,0 +1,59 @@
+// Spheres and disks: defaults, cuts, and the message for each way to get them wrong.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "shape_fixture.h"
+
+namespace lxs::test {
+namespace {
+
+using testing::HasSubstr;
+
+Quadric make_quadric(const std::string& plugin, std::vector<ParameterValue> values,
+                     const Matrix& to_world = Matrix()) {
+    RecordedDiagnostics diagnostics;
+    return std::get<Quadric>(make_shape(plugin, std::move(values), diagnostics, to_world));
+}
+
+TEST(SphereShape, DefaultIsWhole) {
+    const auto sphere = std::get<Sphere>(make_quadric("sphere", {}).shape);
+    EXPECT_EQ(sphere.radius, 1);
+    EXPECT_EQ(sphere.z_min, -1);
+    EXPECT_EQ(sphere.z_max, 1);
+    EXPECT_EQ(sphere.phi_max, 360);
+    const auto large =
+        std::get<Sphere>(make_quadric("sphere", {numbers("float", "radius", {2.5})}).shape);
+    EXPECT_EQ(large.z_min, -2.5f);
+    EXPECT_EQ(large.z_max, 2.5f);
+}
+
+TEST(SphereShape, CutsAreClampedAndOrdered) {
+    const auto sphere = std::get<Sphere>(
+        make_quadric("sphere", {numbers("float", "zmin", {0.5}), numbers("float", "zmax", {-7})})
+            .shape);
+    EXPECT_EQ(sphere.z_min, -1);
+    EXPECT_EQ(sphere.z_max, 0.5f);
+}
+
+TEST(SphereShape, Errors) {
+    EXPECT_THAT(error_of("sphere", {numbers("float", "radius", {0})}),
+                HasSubstr("\"radius\" is 0: expected a number above 0"));
+    EXPECT_NE(error_of("sphere", {numbers("float", "radius", {-1})}), "");
+    EXPECT_NE(error_of("sphere", {numbers("float", "radius", {std::nan("")})}), "");
+    EXPECT_THAT(error_of("sphere", {numbers("float", "zmin", {2}), numbers("float", "zmax", {3})}),
+                HasSubstr("\"zmin\" 2 and \"zmax\" 3 leave nothing of a sphere of radius 1"));
+    EXPECT_THAT(error_of("sphere", {}, Matrix().setScale(Imath::V3d(1, 0, 1))),
+                HasSubstr("the current transform can't be inverted"));
+}
+
+TEST(DiskShape, DefaultsAndErrors) {
+    const auto disk = std::get<Disk>(make_quadric("disk", {}).shape);
+    EXPECT_EQ(disk.radius, 1);
+    EXPECT_EQ(disk.inner_radius, 0);
+    EXPECT_EQ(disk.height, 0);
+    EXPECT_THAT(error_of("disk", {numbers("float", "innerradius", {1})}),
+                HasSubstr("\"innerradius\" is 1: expected at least 0 and less than the radius 1"));
+}
+
+}  // namespace
+}  // namespace lxs::test

@@ -1,0 +1,43 @@
+// Scenes of a few primitives with materials that do as little as possible.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "lxs/scene/contents.h"
+#include "lxs/sdk/scene.h"
+#include "lxs/tracing/trace_scene.h"
+
+namespace lxs::test {
+
+/// Says it is diffuse; its Bsdf scatters nothing.
+std::shared_ptr<const Material> matte();
+/// Passes `share` of the light straight on, scatters nothing.
+std::shared_ptr<const Material> straight(const Rgb& share);
+
+TriangleMesh triangle(const Vec3& a, const Vec3& b, const Vec3& c);
+/// Two triangles: corner, corner + u, corner + u + v, corner + v; normal along u x v.
+TriangleMesh rectangle(const Vec3& corner, const Vec3& u, const Vec3& v);
+Quadric sphere(float radius, const Matrix& to_world);
+Quadric disk(float radius, const Matrix& to_world);
+
+Primitive primitive(Geometry geometry, std::shared_ptr<const Material> material = matte());
+AreaEmission emission(const Rgb& radiance);
+
+Matrix translation(double x, double y, double z);
+Matrix scaling(double x, double y, double z);
+/// About `axis` by `angle` radians.
+Matrix rotation(const Imath::V3d& axis, double angle);
+
+/// `contents` with at least the default group, traced. Warnings are dropped.
+std::unique_ptr<Scene> trace(SceneContents contents);
+std::unique_ptr<Scene> trace(std::vector<Primitive> primitives);
+/// One object made of `primitives` and an instance of it per transform.
+SceneContents instanced(std::vector<Primitive> primitives, const std::vector<Matrix>& transforms);
+
+Ray ray(const Vec3& origin, const Vec3& direction);
+/// Scene::intersect with memory of its own; the Bsdf is not to be used.
+bool hit(const Scene& scene, const Ray& ray, SurfaceHit& result);
+
+}  // namespace lxs::test

@@ -69,6 +69,6 @@ constexpr std::array<SobolByteTables, kSobolDimensions> all_tables() {
 
 }  // namespace
 
-constexpr std::array<SobolByteTables, kSobolDimensions> kSobolTables = all_tables();
+constexpr std::array<SobolByteTables, kSobolDimensions> sobol_tables = all_tables();
 
 }  // namespace aips

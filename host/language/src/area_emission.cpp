@@ -27,8 +27,9 @@ AreaEmission make_area_emission(const ParameterSet& set, const AssetContext& ass
         emission.radiance = std::make_shared<ConstantTexture<Rgb>>(radiance);
     }
     emission.gain = static_cast<float>(parameters.number("gain", emission.gain));
-    emission.power = static_cast<float>(parameters.number("power", emission.power));
-    emission.efficacy = static_cast<float>(parameters.number("efficacy", emission.efficacy));
+    // LuxRender's defaults: a lamp of 100 W at 17 lm/W unless the scene sets both to 0.
+    emission.power = static_cast<float>(parameters.number("power", 100));
+    emission.efficacy = static_cast<float>(parameters.number("efficacy", 17));
     emission.where = set.where;
     return emission;
 }

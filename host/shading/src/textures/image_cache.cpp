@@ -39,20 +39,23 @@ void check(LinearizedInput& input, const std::string& path, float gamma,
 }  // namespace
 
 ImageCache::~ImageCache() {
+    for (const OIIO::ustring& name : names_)
+        system_->invalidate(name, true);
     if (system_) OIIO::TextureSystem::destroy(system_);
-    if (cache_) OIIO::ImageCache::destroy(cache_);
 }
 
 void ImageCache::create() {
-    cache_ = OIIO::ImageCache::create(false);
-    cache_->attribute("max_memory_MB", kCacheMegabytes);
-    cache_->attribute("autotile", kTileSize);
-    cache_->attribute("automip", 0);
-    cache_->attribute("accept_untiled", 1);
-    cache_->attribute("accept_unmipped", 1);
-    cache_->attribute("forcefloat", 1);
-    system_ = OIIO::TextureSystem::create(false, cache_);
+    // The process-wide one: OpenImageIO 2.4 deletes a private one through a base class without a
+    // virtual destructor.
+    system_ = OIIO::TextureSystem::create(true);
     system_->attribute("gray_to_rgb", 1);
+    OIIO::ImageCache* cache = system_->imagecache();
+    cache->attribute("max_memory_MB", kCacheMegabytes);
+    cache->attribute("autotile", kTileSize);
+    cache->attribute("automip", 0);
+    cache->attribute("accept_untiled", 1);
+    cache->attribute("accept_unmipped", 1);
+    cache->attribute("forcefloat", 1);
 }
 
 ImageCache::Image ImageCache::open(const std::string& path, float gamma,
@@ -63,7 +66,9 @@ ImageCache::Image ImageCache::open(const std::string& path, float gamma,
     if (!system_) create();
     const OIIO::ustring name(fmt::format("{}?gamma={}", path, gamma));
     const OIIO::ImageSpec configuration = LinearizedInput::configuration(path, gamma);
-    cache_->add_file(name, &LinearizedInput::create, &configuration);
+    system_->imagecache()->add_file(name, &LinearizedInput::create, &configuration);
+    system_->invalidate(name, true);  // another scene may have read an older version of the file
+    names_.push_back(name);
     auto* handle = system_->get_texture_handle(name);
     if (!handle || !system_->good(handle)) {
         reader.fail("filename", fmt::format("cannot read image \"{}\": {}", path,

@@ -7,6 +7,7 @@
 #include <memory>
 #include <mutex>
 #include <string>
+#include <vector>
 
 #include "lxs/sdk/parameters.h"
 
@@ -36,8 +37,8 @@ class ImageCache {
     void create();
 
     std::mutex mutex_;
-    OIIO::ImageCache* cache_ = nullptr;
     OIIO::TextureSystem* system_ = nullptr;
+    std::vector<OIIO::ustring> names_;  ///< of the virtual files opened, given back at the end
 };
 
 }  // namespace lxs::shading

@@ -16,7 +16,7 @@ inline constexpr unsigned kSobolDimensions = 8;
 /// The generator matrix of one dimension: [byte of the index][its value] -> XOR of columns, with
 /// the bits of the result reversed (least significant first), as scrambling wants them.
 using SobolByteTables = std::array<std::array<std::uint32_t, 256>, 4>;
-extern const std::array<SobolByteTables, kSobolDimensions> kSobolTables;
+extern const std::array<SobolByteTables, kSobolDimensions> sobol_tables;
 
 /// Mirrors the 32 bits.
 constexpr std::uint32_t reverse_bits(std::uint32_t x) {
@@ -49,7 +49,7 @@ constexpr std::uint32_t laine_karras_permutation(std::uint32_t x, std::uint32_t 
 /// Point `index` of the Sobol' sequence in `dimension` (unchecked), before scrambling: a fraction
 /// of 32 bits, the least significant bit first.
 inline std::uint32_t sobol_reversed_bits(std::uint32_t index, unsigned dimension) {
-    const SobolByteTables& t = kSobolTables[dimension];
+    const SobolByteTables& t = sobol_tables[dimension];
     return t[0][index & 255u] ^ t[1][(index >> 8) & 255u] ^ t[2][(index >> 16) & 255u] ^
            t[3][index >> 24];
 }

@@ -80,7 +80,8 @@ inline Vec2 cosine_hemisphere_to_square(Vec3 w) {
 /// Inverse of square_to_uniform_sphere for a unit direction: the cylindrical equal-area map. A
 /// density q on the square is q / (4 pi) per steradian.
 inline Vec2 uniform_sphere_to_square(Vec3 w) {
-    const float turn = std::atan2(w.y, w.x) * (0.5f * kInvPi);
+    // Adding zero drops the sign of zeros, on which the angle at the poles would hang.
+    const float turn = std::atan2(w.y + 0.0f, w.x + 0.0f) * (0.5f * kInvPi);
     return {clamp_to_unit(0.5f * (1 - w.z)), clamp_to_unit(turn < 0 ? turn + 1 : turn)};
 }
 

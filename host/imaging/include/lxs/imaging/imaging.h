@@ -18,12 +18,12 @@ using ImageMetadata = std::map<std::string, std::string>;
 
 /// What the film keeps beyond the interface that integrators see.
 class FileFilm : public Film {
- public:
+  public:
     /// File name of the Film statement without suffix ("filename"), default "luxout".
     virtual std::string base_name() const = 0;
-    virtual double halt_time_seconds() const = 0;        ///< "halttime", 0: none
-    virtual std::uint64_t halt_passes() const = 0;       ///< "haltspp", 0: none
-    virtual double write_interval_seconds() const = 0;   ///< "writeinterval"
+    virtual double halt_time_seconds() const = 0;       ///< "halttime", 0: none
+    virtual std::uint64_t halt_passes() const = 0;      ///< "haltspp", 0: none
+    virtual double write_interval_seconds() const = 0;  ///< "writeinterval"
     virtual std::uint64_t refused_samples() const = 0;
     virtual std::size_t memory_bytes() const = 0;
 

@@ -30,12 +30,11 @@ std::vector<std::unique_ptr<Light>> make_lights(const LightDescription& descript
 
 /// The light of an emissive shape; `instance_to_world` is the identity outside of instances.
 /// Throws InputError for a shape of zero area.
-std::unique_ptr<Light> make_area_light(const Primitive& primitive,
-                                       const Matrix& instance_to_world);
+std::unique_ptr<Light> make_area_light(const Primitive& primitive, const Matrix& instance_to_world);
 
 /// Radiance that an area light sends from its front; the tracer asks it at a hit.
 class AreaLight : public Light {
- public:
+  public:
     /// Radiance leaving point `p` with front normal `n` and texture coordinates `uv` towards `wo`.
     virtual Rgb radiance(const Vec3& p, const Vec3& n, const Vec2& uv, const Vec3& wo) const = 0;
 };

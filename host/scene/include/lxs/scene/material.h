@@ -21,15 +21,15 @@ struct ShadingPoint {
 
 /// What a material can do anywhere on a surface, known when the scene is loaded.
 struct MaterialFacts {
-    LobeMask lobes = 0;            ///< all kinds that may occur
+    LobeMask lobes = 0;  ///< all kinds that may occur
     bool transmits = false;
-    bool straight = false;         ///< may pass light undeviated (null, architectural glass, mixes)
+    bool straight = false;  ///< may pass light undeviated (null, architectural glass, mixes)
     bool reads_image = false;
     std::size_t max_bsdf_bytes = 0;  ///< most memory that one scatter() takes
 };
 
 class Material {
- public:
+  public:
     virtual ~Material() = default;
     /// Builds the Bsdf in `memory`; null when nothing scatters (black).
     virtual const Bsdf* scatter(const ShadingPoint& point,

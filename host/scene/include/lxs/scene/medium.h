@@ -7,14 +7,14 @@ namespace lxs {
 
 /// Clear, absorbing medium (LuxRender volume "clear"): Beer-Lambert attenuation.
 class Medium {
- public:
+  public:
     /// `absorption` per unit of distance; `index` of refraction for glass2.
     Medium(const Rgb& absorption, float index) : absorption_(absorption), index_(index) {}
     Rgb transmittance(float distance) const;
     float index() const { return index_; }
     bool absorbs() const { return !is_black(absorption_); }
 
- private:
+  private:
     Rgb absorption_;
     float index_;
 };

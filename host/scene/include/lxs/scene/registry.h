@@ -16,16 +16,17 @@ namespace lxs {
 
 /// Resolves asset names and textures for factories.
 class AssetContext {
- public:
+  public:
     virtual ~AssetContext() = default;
     /// Path of the asset `name` (against the main scene's folder, then the including file's);
     /// throws InputError at `where` if there is no such file.
     virtual std::string resolve(const std::string& name, const SourceLocation& where) const = 0;
-    /// Named textures; throw InputError at `where` listing near names if unknown or of another type.
-    virtual std::shared_ptr<const FloatTexture> float_texture(const std::string& name,
-                                                              const SourceLocation& where) const = 0;
-    virtual std::shared_ptr<const ColorTexture> color_texture(const std::string& name,
-                                                              const SourceLocation& where) const = 0;
+    /// Named textures; throw InputError at `where` listing near names if unknown or of another
+    /// type.
+    virtual std::shared_ptr<const FloatTexture> float_texture(
+        const std::string& name, const SourceLocation& where) const = 0;
+    virtual std::shared_ptr<const ColorTexture> color_texture(
+        const std::string& name, const SourceLocation& where) const = 0;
     virtual std::shared_ptr<const FresnelTexture> fresnel_texture(
         const std::string& name, const SourceLocation& where) const = 0;
     /// Named materials (mix); throws likewise.
@@ -58,7 +59,7 @@ struct Registry {
     std::map<std::string, FresnelTextureFactory> fresnel_textures;
 };
 
-void register_shapes(Registry& registry);     ///< host/shapes
-void register_shading(Registry& registry);    ///< host/shading: textures, materials, media
+void register_shapes(Registry& registry);   ///< host/shapes
+void register_shading(Registry& registry);  ///< host/shading: textures, materials, media
 
 }  // namespace lxs

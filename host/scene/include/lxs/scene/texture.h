@@ -12,15 +12,15 @@ namespace lxs {
 
 /// The part of a surface point that textures read.
 struct TexturePoint {
-    Vec3 p{0.0f};   ///< world space
-    Vec3 n{0.0f};   ///< shading normal
+    Vec3 p{0.0f};  ///< world space
+    Vec3 n{0.0f};  ///< shading normal
     Vec2 uv{0.0f};
 };
 
 /// A texture with values of type T (float, Rgb).
 template <class T>
 class Texture {
- public:
+  public:
     virtual ~Texture() = default;
     virtual T evaluate(const TexturePoint& point) const = 0;
     /// The value if it is the same everywhere: materials prepare for it once.

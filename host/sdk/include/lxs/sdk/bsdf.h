@@ -36,7 +36,7 @@ struct BsdfSample {
 /// Lives in the memory handed to Material::scatter and is never destroyed: implementations must be
 /// trivially destructible.
 class Bsdf {
- public:
+  public:
     /// The lobes that exist here.
     virtual LobeMask lobes() const = 0;
     /// f(wo, wi) per steradian, without cosine, over the non-specular lobes in `mask`.
@@ -56,7 +56,7 @@ class Bsdf {
     /// lobe), true and Kd is written; lets integrators keep it compactly.
     virtual bool lambertian(Rgb& /*kd*/) const { return false; }
 
- protected:
+  protected:
     ~Bsdf() = default;
 };
 

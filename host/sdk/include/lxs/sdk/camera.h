@@ -21,7 +21,7 @@ struct CameraRay {
 };
 
 class Camera {
- public:
+  public:
     virtual ~Camera() = default;
     /// A ray of weight 1; `time` is given by the integrator so that one pass shares it.
     virtual CameraRay generate(const CameraSample& sample, float time) const = 0;
@@ -31,7 +31,7 @@ class Camera {
 
 /// Gives the camera samples of a render: a pure function of (seed, pass, pixel).
 class Sampler {
- public:
+  public:
     virtual ~Sampler() = default;
     /// Sample number `pass` of pixel (x, y); its film position lies within that pixel.
     virtual CameraSample camera_sample(std::uint64_t pass, std::uint32_t x,

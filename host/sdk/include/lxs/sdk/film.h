@@ -20,7 +20,7 @@ struct PassSamples {
 };
 
 class Film {
- public:
+  public:
     virtual ~Film() = default;
     virtual std::uint32_t width() const = 0;   ///< of the rendered window, pixels
     virtual std::uint32_t height() const = 0;  ///< of the rendered window, pixels

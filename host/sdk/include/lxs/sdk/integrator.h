@@ -17,7 +17,7 @@ namespace lxs {
 
 /// What a render is asked to be; fixed for its whole length.
 struct RenderSettings {
-    unsigned threads = 0;     ///< 0: all; the host has already limited oneTBB to it
+    unsigned threads = 0;  ///< 0: all; the host has already limited oneTBB to it
     std::uint64_t seed = 0;
 };
 
@@ -43,7 +43,7 @@ using Statistics =
     std::vector<std::pair<std::string, std::variant<double, std::uint64_t, std::string>>>;
 
 class Integrator {
- public:
+  public:
     virtual ~Integrator() = default;
     /// Called once, before the first pass. Throws std::runtime_error with one clear message when
     /// the scene can't be rendered.

@@ -11,9 +11,9 @@ namespace lxs {
 
 /// A photon leaving a light (Light::sample_emission).
 struct EmissionSample {
-    Ray ray;                 ///< origin already offset robustly off the emitting surface
-    Rgb power{0.0f};         ///< Le * |cos| / (density of position and direction), watts
-    Vec3 normal{0.0f};       ///< emitting surface's geometric normal; zero for point-like lights
+    Ray ray;            ///< origin already offset robustly off the emitting surface
+    Rgb power{0.0f};    ///< Le * |cos| / (density of position and direction), watts
+    Vec3 normal{0.0f};  ///< emitting surface's geometric normal; zero for point-like lights
 };
 
 /// A direction from a surface point to a light (Light::sample_direct).
@@ -29,7 +29,7 @@ struct DirectSample {
 
 /// A light source. Emissive geometry has one Light per shape.
 class Light {
- public:
+  public:
     virtual ~Light() = default;
 
     /// Plugin name, e.g. "area", "point".

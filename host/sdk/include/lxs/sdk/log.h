@@ -6,7 +6,7 @@
 namespace lxs {
 
 class Log {
- public:
+  public:
     virtual ~Log() = default;
     virtual void info(std::string_view message) = 0;
     virtual void warning(std::string_view message) = 0;

@@ -38,9 +38,9 @@ inline constexpr const char* kEntryName = "lxs_plugin_module";
 }  // namespace lxs
 
 /// Defines the entry function of a module.
-#define LXS_PLUGIN_MODULE(module_name, plugins)                                                 \
-    extern "C" __attribute__((visibility("default"))) const lxs::PluginModule*                  \
-    lxs_plugin_module() {                                                                       \
-        static const lxs::PluginModule module{lxs::kAbiVersion, module_name, plugins};          \
-        return &module;                                                                         \
+#define LXS_PLUGIN_MODULE(module_name, plugins)                                        \
+    extern "C" __attribute__((visibility("default"))) const lxs::PluginModule*         \
+    lxs_plugin_module() {                                                              \
+        static const lxs::PluginModule module{lxs::kAbiVersion, module_name, plugins}; \
+        return &module;                                                                \
     }

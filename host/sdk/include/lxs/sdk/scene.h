@@ -15,29 +15,29 @@ namespace lxs {
 
 /// Where a ray meets a surface.
 struct SurfaceHit {
-    Vec3 p{0.0f};             ///< position, world space
-    Vec3 p_error{0.0f};       ///< bound of p's rounding error per coordinate, tracing included
-    Vec3 ng{0.0f};            ///< geometric normal, unit, the surface's own (front) side
-    Vec3 ns{0.0f};            ///< shading normal, unit, in the hemisphere of ng
-    Vec2 uv{0.0f};            ///< texture coordinates
-    Vec3 dpdu{0.0f};          ///< tangent along u; zero when unknown
-    float distance = 0;       ///< along the ray
-    Rgb transmittance{1.0f};  ///< of the ray's medium over `distance`
-    const Bsdf* bsdf = nullptr;       ///< null: scatters nothing
-    const Light* light = nullptr;     ///< emissive surface's light, else null
-    Rgb emitted{0.0f};                ///< radiance it sends towards the ray's origin
+    Vec3 p{0.0f};                  ///< position, world space
+    Vec3 p_error{0.0f};            ///< bound of p's rounding error per coordinate, tracing included
+    Vec3 ng{0.0f};                 ///< geometric normal, unit, the surface's own (front) side
+    Vec3 ns{0.0f};                 ///< shading normal, unit, in the hemisphere of ng
+    Vec2 uv{0.0f};                 ///< texture coordinates
+    Vec3 dpdu{0.0f};               ///< tangent along u; zero when unknown
+    float distance = 0;            ///< along the ray
+    Rgb transmittance{1.0f};       ///< of the ray's medium over `distance`
+    const Bsdf* bsdf = nullptr;    ///< null: scatters nothing
+    const Light* light = nullptr;  ///< emissive surface's light, else null
+    Rgb emitted{0.0f};             ///< radiance it sends towards the ray's origin
     const Medium* interior = nullptr;  ///< medium behind the surface (-ng)
     const Medium* exterior = nullptr;  ///< medium before it (+ng)
-    std::uint32_t primitive = 0;      ///< triangle within the light's shape (Light::pdf_direct)
-    std::uint32_t material = 0;       ///< index into Scene::material_names()
+    std::uint32_t primitive = 0;       ///< triangle within the light's shape (Light::pdf_direct)
+    std::uint32_t material = 0;        ///< index into Scene::material_names()
 };
 
 /// Facts about a scene that let an integrator leave out what the scene doesn't need.
 struct SceneFacts {
-    bool has_receivers = false;    ///< some surface has a diffuse or glossy lobe
+    bool has_receivers = false;  ///< some surface has a diffuse or glossy lobe
     bool has_glossy = false;
-    bool has_specular = false;     ///< some surface has a specular lobe
-    bool has_transmission = false; ///< some surface lets light through
+    bool has_specular = false;      ///< some surface has a specular lobe
+    bool has_transmission = false;  ///< some surface lets light through
     bool has_media = false;
     bool has_motion = false;
     bool has_image_textures = false;
@@ -51,7 +51,7 @@ Vec3 offset_origin(const Vec3& p, const Vec3& p_error, const Vec3& ng, const Vec
 
 /// A loaded scene. All const members may be called from many threads at once.
 class Scene {
- public:
+  public:
     virtual ~Scene() = default;
 
     /// Nearest surface along `ray`; builds its Bsdf in `memory` (see Bsdf for lifetime).

@@ -30,8 +30,14 @@ struct Ray {
     const Medium* medium = nullptr;  ///< the medium the ray travels in, null for vacuum
 };
 
-inline float luminance(const Rgb& c) { return 0.2126f * c.x + 0.7152f * c.y + 0.0722f * c.z; }
-inline float max_component(const Rgb& c) { return std::max(c.x, std::max(c.y, c.z)); }
-inline bool is_black(const Rgb& c) { return c.x == 0 && c.y == 0 && c.z == 0; }
+inline float luminance(const Rgb& c) {
+    return 0.2126f * c.x + 0.7152f * c.y + 0.0722f * c.z;
+}
+inline float max_component(const Rgb& c) {
+    return std::max(c.x, std::max(c.y, c.z));
+}
+inline bool is_black(const Rgb& c) {
+    return c.x == 0 && c.y == 0 && c.z == 0;
+}
 
 }  // namespace lxs

@@ -141,8 +141,9 @@ TEST_F(ImagemapTest, LookupsAtAnyCoordinateAreFinite) {
 }
 
 TEST_F(ImagemapTest, DamagedAndMissingFilesAreErrorsThatNameThem) {
-    const std::string whole = quadrants();
-    const std::string damaged = (folder_ / "damaged.png").string();
+    const std::vector<float> pixels(std::size_t{64} * 64 * 3, 0.5f);
+    const std::string whole = write("whole.exr", 64, 64, 3, pixels);
+    const std::string damaged = (folder_ / "damaged.exr").string();
     std::ifstream in(whole, std::ios::binary);
     std::string bytes((std::istreambuf_iterator<char>(in)), {});
     std::ofstream(damaged, std::ios::binary) << bytes.substr(0, bytes.size() / 2);

@@ -45,8 +45,7 @@ ImageCache::~ImageCache() {
 }
 
 void ImageCache::create() {
-    // The process-wide one: OpenImageIO 2.4 deletes a private one through a base class without a
-    // virtual destructor.
+    // The process-wide one: OpenImageIO 2.4 frees a private one with the wrong size.
     system_ = OIIO::TextureSystem::create(true);
     system_->attribute("gray_to_rgb", 1);
     OIIO::ImageCache* cache = system_->imagecache();

@@ -1,0 +1,39 @@
+// Protects the absolute scale of light end to end: scenes/furnace.lxs against its closed form.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "rendered_image.h"
+
+namespace {
+
+/// Mean of the middle of the image: the view of the far wall, away from the edges of the box.
+double middle(const render::Image& image) {
+    const auto l = image.luminance();
+    double sum = 0;
+    std::size_t count = 0;
+    for (std::size_t y = image.height * 3 / 8; y < image.height * 5 / 8; ++y) {
+        for (std::size_t x = image.width * 3 / 8; x < image.width * 5 / 8; ++x, ++count) {
+            sum += l[y * image.width + x];
+        }
+    }
+    return sum / double(count);
+}
+
+TEST(FurnaceScene, ClosedFormWithEveryGuideAndMode) {
+    const render::Folder folder;
+    const auto scene = render::small_scene("furnace", folder, 80, 60);
+    const double expected = 2 * (1 - std::pow(0.5, 17));
+    for (const std::string guide : {"none", "paper"}) {
+        for (const std::string mode : {"progressive", "photonmap"}) {
+            const auto image = render::render(
+                scene,
+                "--passes 12 --seed 3 --set aips.photonperpass=100000 --set aips.guide=" + guide +
+                    " --set aips.mode=" + mode,
+                folder);
+            EXPECT_NEAR(middle(image), expected, 0.01 * expected) << guide << " " << mode;
+        }
+    }
+}
+
+}  // namespace

@@ -1,0 +1,37 @@
+// Protects: a long render takes no more memory than a short one, and no more than was announced.
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "rendered_image.h"
+
+namespace {
+
+/// Peak resident memory in bytes and the integrator's statistics of a run.
+nlohmann::json run(const std::filesystem::path& scene, int passes, const render::Folder& folder) {
+    const auto stats = folder.path() / "stats.json";
+    render::render(scene,
+                   "--passes " + std::to_string(passes) +
+                       " --set aips.photonperpass=30000 --set aips.maxnodes=1024 --stats '" +
+                       stats.string() + "'",
+                   folder);
+    std::ifstream in(stats);
+    return nlohmann::json::parse(in);
+}
+
+TEST(MemoryGrowth, FlatAfterTheNodeCap) {
+    const render::Folder folder;
+    const auto scene = render::small_scene("glass-ball", folder, 120, 80);
+    const auto early = run(scene, 10, folder);
+    const auto late = run(scene, 120, folder);
+    const auto peak = [](const nlohmann::json& j) {
+        return j.at("peak memory bytes").get<double>();
+    };
+    EXPECT_LE(peak(late), 1.02 * peak(early));
+    const auto& engine = late.at("aips");
+    EXPECT_LE(engine.at("engine_bytes").get<double>(),
+              engine.at("engine_bound_bytes").get<double>());
+}
+
+}  // namespace

@@ -1,0 +1,47 @@
+// Protects: `path` and `aips` converge to the same image, and what is left between them is the bias
+// of the radius, falling with it.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iostream>
+
+#include "block_test.h"
+#include "rendered_image.h"
+
+namespace {
+
+constexpr int kSize = 96;
+
+double median_difference(const render::Image& a, const render::Image& b) {
+    const auto ma = statistics::block_means(a.luminance(), kSize, kSize, 16);
+    const auto mb = statistics::block_means(b.luminance(), kSize, kSize, 16);
+    std::vector<double> differences;
+    for (std::size_t i = 0; i < ma.size(); ++i)
+        differences.push_back(std::abs(ma[i] / mb[i] - 1));
+    std::sort(differences.begin(), differences.end());
+    return differences[differences.size() / 2];
+}
+
+TEST(PathAgreement, CornellBoxAndTheBiasOfTheRadius) {
+    const render::Folder folder;
+    const auto scene = render::small_scene("cornell-box", folder, kSize, kSize);
+    const auto reference =
+        render::render(scene, "--integrator path --set path.maxdepth=12 --passes 1500", folder);
+    std::vector<double> sequence;
+    for (const std::string radius : {"16", "4", "1"}) {
+        const auto image = render::render(
+            scene,
+            "--passes 24 --set aips.guide=none --set aips.alpha=1 --set aips.photonperpass=200000 "
+            "--set aips.startradius=" +
+                radius,
+            folder);
+        sequence.push_back(median_difference(image, reference));
+        std::cout << "radius " << radius << " footprints: median block difference "
+                  << 100 * sequence.back() << " %\n";
+    }
+    EXPECT_LT(sequence[2], 0.01);
+    EXPECT_LT(sequence[1], sequence[0]);
+}
+
+}  // namespace

@@ -1,0 +1,102 @@
+// Renders a scene file with lxsrender and reads the image back.
+#include "rendered_image.h"
+
+#include <OpenImageIO/imagebuf.h>
+
+#include <array>
+#include <cstdio>
+#include <cstdlib>
+#include <fstream>
+#include <memory>
+#include <regex>
+#include <sstream>
+#include <stdexcept>
+
+namespace render {
+namespace fs = std::filesystem;
+
+std::vector<double> Image::luminance() const {
+    std::vector<double> values(width * height);
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        values[i] = 0.2126 * double(rgb[3 * i]) + 0.7152 * double(rgb[3 * i + 1]) +
+                    0.0722 * double(rgb[3 * i + 2]);
+    }
+    return values;
+}
+
+Image read_image(const fs::path& file) {
+    OIIO::ImageBuf buffer(file.string());
+    if (!buffer.read(0, 0, true, OIIO::TypeDesc::FLOAT) || buffer.nchannels() < 3) {
+        throw std::runtime_error("cannot read " + file.string() + ": " + buffer.geterror());
+    }
+    Image image{std::size_t(buffer.spec().width), std::size_t(buffer.spec().height), {}};
+    image.rgb.resize(image.width * image.height * 3);
+    OIIO::ROI roi = buffer.roi();
+    roi.chend = 3;
+    buffer.get_pixels(roi, OIIO::TypeDesc::FLOAT, image.rgb.data());
+    return image;
+}
+
+Folder::Folder() {
+    std::string name = (fs::temp_directory_path() / "aips-render-XXXXXX").string();
+    if (!mkdtemp(name.data())) throw std::runtime_error("cannot make a folder " + name);
+    path_ = name;
+}
+
+Folder::~Folder() {
+    std::error_code ignored;
+    fs::remove_all(path_, ignored);
+}
+
+std::string output_of(const std::string& command) {
+    const auto close = [](std::FILE* pipe) { return pclose(pipe); };
+    std::unique_ptr<std::FILE, decltype(close)> pipe(popen(command.c_str(), "r"), close);
+    std::string text;
+    std::array<char, 4096> buffer;
+    while (const std::size_t n = std::fread(buffer.data(), 1, buffer.size(), pipe.get())) {
+        text.append(buffer.data(), n);
+    }
+    if (pclose(pipe.release()) != 0) throw std::runtime_error(command + "\n" + text);
+    return text;
+}
+
+Image render(const fs::path& scene, const std::string& arguments, const Folder& folder) {
+    const fs::path output = folder.path() / "out.exr";
+    output_of(std::string(LXSRENDER) + " '" + scene.string() + "' -o '" + output.string() + "' " +
+              arguments + " 2>&1");
+    return read_image(output);
+}
+
+fs::path edited_scene(const fs::path& scene, const Folder& folder,
+                      const std::vector<std::pair<std::string, std::string>>& replacements) {
+    std::ifstream in(scene);
+    std::stringstream content;
+    content << in.rdbuf();
+    std::string text = content.str();
+    for (const auto& [from, to] : replacements) {
+        const auto at = text.find(from);
+        if (at == std::string::npos) throw std::runtime_error(scene.string() + ": no " + from);
+        text.replace(at, from.size(), to);
+    }
+    const fs::path copy = folder.path() / scene.filename();
+    std::ofstream(copy) << text;
+    return copy;
+}
+
+fs::path small_scene(const std::string& name, const Folder& folder, int width, int height) {
+    const fs::path copy = edited_scene(fs::path(SCENES) / (name + ".lxs"), folder, {});
+    std::ifstream in(copy);
+    std::stringstream content;
+    content << in.rdbuf();
+    std::string text = content.str();
+    const std::array<std::pair<const char*, int>, 2> sizes{
+        {{"xresolution", width}, {"yresolution", height}}};
+    for (const auto& [key, size] : sizes) {
+        text = std::regex_replace(text, std::regex(std::string(key) + "\" \\[\\d+\\]"),
+                                  std::string(key) + "\" [" + std::to_string(size) + "]");
+    }
+    std::ofstream(copy) << text;
+    return copy;
+}
+
+}  // namespace render

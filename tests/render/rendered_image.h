@@ -1,0 +1,53 @@
+// Renders a scene file with lxsrender and reads the image back.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace render {
+
+/// Linear radiance of an EXR, row by row, three floats a pixel.
+struct Image {
+    std::size_t width = 0, height = 0;
+    std::vector<float> rgb;
+
+    std::vector<double> luminance() const;
+};
+
+/// Throws std::runtime_error if the file can't be read.
+Image read_image(const std::filesystem::path& file);
+
+/// A folder that goes away with the test.
+class Folder {
+  public:
+    Folder();
+    ~Folder();
+    Folder(const Folder&) = delete;
+    Folder& operator=(const Folder&) = delete;
+    const std::filesystem::path& path() const { return path_; }
+
+  private:
+    std::filesystem::path path_;
+};
+
+/// Runs lxsrender on `scene` with more arguments, output in `folder`; throws std::runtime_error
+/// with all it said unless it exits with 0.
+Image render(const std::filesystem::path& scene, const std::string& arguments,
+             const Folder& folder);
+
+/// Copies a scene into `folder` with texts replaced; throws if a text isn't there.
+std::filesystem::path edited_scene(
+    const std::filesystem::path& scene, const Folder& folder,
+    const std::vector<std::pair<std::string, std::string>>& replacements);
+
+/// One of scenes/ at width x height pixels.
+std::filesystem::path small_scene(const std::string& name, const Folder& folder, int width,
+                                  int height);
+
+/// Standard output of a command; throws std::runtime_error unless it exits with 0.
+std::string output_of(const std::string& command);
+
+}  // namespace render

@@ -1,0 +1,24 @@
+// Protects: the same EXR, bit for bit, for any number of threads.
+#include <gtest/gtest.h>
+
+#include "rendered_image.h"
+
+namespace {
+
+TEST(ThreadBits, SameExrWithOneTwoAndSevenThreads) {
+    const render::Folder folder;
+    for (const std::string scene : {"glass-ball", "cornell-box"}) {
+        const auto file = render::small_scene(scene, folder, 120, 80);
+        for (const std::string guide : {"none", "paper"}) {
+            const std::string arguments =
+                "--passes 3 --seed 5 --set aips.photonperpass=40000 --set aips.guide=" + guide;
+            const auto one = render::render(file, arguments + " --threads 1", folder);
+            const auto two = render::render(file, arguments + " --threads 2", folder);
+            const auto seven = render::render(file, arguments + " --threads 7", folder);
+            EXPECT_EQ(one.rgb, two.rgb) << scene << " " << guide;
+            EXPECT_EQ(one.rgb, seven.rgb) << scene << " " << guide;
+        }
+    }
+}
+
+}  // namespace

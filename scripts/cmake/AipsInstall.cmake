@@ -29,7 +29,7 @@ if(AIPS_BUILD_HOST)
   install(EXPORT lxsTargets NAMESPACE lxs:: DESTINATION ${aips_cmake_dir})
   install(DIRECTORY ${PROJECT_SOURCE_DIR}/host/sdk/include/
     DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
-  install(TARGETS lxs_path aips_plugin LIBRARY DESTINATION ${aips_plugin_dir})
+  install(TARGETS lxs_path aips LIBRARY DESTINATION ${aips_plugin_dir})
   install(TARGETS lxsrender)
 endif()
 

@@ -14,7 +14,8 @@ constexpr double kLargestZ = 4.5;
 constexpr int kPasses = 512;
 
 std::string lamp(double half_side) {
-    return "AttributeBegin\nAreaLightSource \"area\" \"color L\" [5 4 3]\n" +
+    return "AttributeBegin\nAreaLightSource \"area\" \"color L\" [5 4 3] \"float power\" [0] "
+           "\"float efficacy\" [0]\n" +
            square(3, half_side, true) + "AttributeEnd\n";
 }
 

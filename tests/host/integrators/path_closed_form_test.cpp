@@ -16,7 +16,8 @@ constexpr double kPi = std::numbers::pi;
 std::string furnace() {
     return camera_above(0.3, 60) +
            "Material \"matte\" \"color Kd\" [0.5 0.5 0.5]\n"
-           "AreaLightSource \"area\" \"color L\" [1 1 1]\n"
+           "AreaLightSource \"area\" \"color L\" [1 1 1] \"float power\" [0] "
+           "\"float efficacy\" [0]\n"
            "ReverseOrientation\nShape \"sphere\" \"float radius\" [2]\nWorldEnd\n";
 }
 
@@ -57,7 +58,9 @@ TEST(PathClosedForm, UniformSkyOnAFloorGivesKd) {
 // A square lamp of half side 1 at height 2 above the point: form factor of four quarter squares.
 TEST(PathClosedForm, AreaLightGivesItsFormFactor) {
     const std::string scene =
-        camera_above(1) + "AttributeBegin\nAreaLightSource \"area\" \"color L\" [9 9 9]\n" +
+        camera_above(1) +
+        "AttributeBegin\nAreaLightSource \"area\" \"color L\" [9 9 9] \"float power\" [0] "
+        "\"float efficacy\" [0]\n" +
         square(2, 1, true) + "AttributeEnd\nMaterial \"matte\" \"color Kd\" [0.5 0.5 0.5]\n" +
         square(0, 3) + "WorldEnd\n";
     const double a = 0.5;  // half side over height

@@ -11,7 +11,9 @@ namespace lxs::test {
 namespace {
 
 std::string lit_spheres() {
-    return camera_above(6, 40) + "AttributeBegin\nAreaLightSource \"area\" \"color L\" [5 4 3]\n" +
+    return camera_above(6, 40) +
+           "AttributeBegin\nAreaLightSource \"area\" \"color L\" [5 4 3] \"float power\" [0] "
+           "\"float efficacy\" [0]\n" +
            square(3, 1, true) +
            "AttributeEnd\nLightGroup \"sky\"\nLightSource \"infinite\" \"color L\" [1 1 2]\n"
            "LightGroup \"\"\nMaterial \"glass\"\nShape \"sphere\" \"float radius\" [0.8]\n"

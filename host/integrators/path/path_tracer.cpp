@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "lxs/sdk/rays.h"
+
 namespace lxs {
 namespace {
 
@@ -24,19 +26,10 @@ bool valid(const Rgb& c) {
            c.z >= 0;
 }
 
-Ray leave(const SurfaceHit& hit, const Vec3& direction, float time) {
-    Ray ray;
-    ray.origin = offset_origin(hit.p, hit.p_error, hit.ng, direction);
-    ray.direction = direction;
-    ray.time = time;
-    ray.medium = direction.dot(hit.ng) > 0 ? hit.exterior : hit.interior;
-    return ray;
-}
-
 /// Segment from a surface to a sampled light point, both ends moved off their surfaces by the
 /// bounds of their rounding errors.
-Ray shadow_ray(const SurfaceHit& hit, const DirectSample& sample, float time) {
-    Ray ray = leave(hit, sample.wi, time);
+Ray segment_to_light(const SurfaceHit& hit, const DirectSample& sample, float time) {
+    Ray ray = spawn_ray(hit, sample.wi, time);
     if (!std::isfinite(sample.distance)) return ray;
     const Vec3 to_light = hit.p + sample.wi * sample.distance - ray.origin;
     const float distance = to_light.length();
@@ -150,7 +143,7 @@ Rgb PathTracer::direct_light(State& state, const SurfaceHit& hit, const LightCho
     const Rgb f = hit.bsdf->evaluate(wo, sample.wi, Transport::Radiance, kAllLobes);
     if (is_black(f) || is_black(sample.radiance)) return Rgb(0.0f);
     ++state.result.rays;
-    const Rgb passed = scene_.transmittance(shadow_ray(hit, sample, state.ray.time));
+    const Rgb passed = scene_.transmittance(segment_to_light(hit, sample, state.ray.time));
     if (is_black(passed)) return Rgb(0.0f);
     const float pdf = sample.pdf * choice.probability;
     const float weight =
@@ -178,7 +171,7 @@ bool PathTracer::scatter(State& state, const SurfaceHit& hit) const {
     }
     state.throughput *= sample.weight;
     if (is_black(state.throughput)) return false;
-    state.ray = leave(hit, sample.wi, state.ray.time);
+    state.ray = spawn_ray(hit, sample.wi, state.ray.time);
     if (sample.straight) return ++state.straight < kMaxStraight;
 
     ++state.bounces;

@@ -28,7 +28,7 @@ std::vector<Landing> scattered(std::size_t count, Vec3 center, float spread, std
 void expect_like_brute_force(const LandingGrid& grid, std::span<const Landing> landings, Vec3 p,
                              float radius) {
     std::vector<int> visits(landings.size());
-    grid.for_each_in_radius(p, radius, [&](const Landing& l) { ++visits[l.path]; });
+    grid.for_each_in_radius(p, radius, [&](const GridPhoton& photon) { ++visits[photon.index]; });
     const float reach = std::min(radius, grid.radius());
     for (std::size_t i = 0; i < landings.size(); ++i) {
         const bool inside = length_squared(landings[i].position - p) <= reach * reach;
@@ -105,11 +105,52 @@ TEST(LandingGrid, OrderIsAFunctionOfTheLandings) {
     const auto visits = [](const LandingGrid& grid) {
         std::vector<std::uint32_t> order;
         grid.for_each_in_radius({0.1f, 0, 0}, 0.2f,
-                                [&](const Landing& l) { order.push_back(l.path); });
+                                [&](const GridPhoton& p) { order.push_back(p.index); });
         return order;
     };
     EXPECT_FALSE(visits(first).empty());
     EXPECT_EQ(visits(first), visits(second));
+}
+
+// The sums of a gather run in the grid's order: it must not depend on who sorted which part.
+TEST(LandingGrid, SameOrderHoweverItsJobsAreRun) {
+    const auto landings = scattered(50000, {0, 0, 0}, 1, 8);  // several chunks and partitions
+    LandingGrid forward, backward;
+    forward.build(landings, 0.1f);
+    backward.build(landings, 0.1f, [](std::uint32_t count, const Job& job) {
+        for (std::uint32_t i = count; i-- > 0;)
+            job(i);
+    });
+    const auto visits = [](const LandingGrid& grid) {
+        std::vector<std::uint32_t> order;
+        grid.for_each_in_radius({0.1f, 0, 0}, 0.1f,
+                                [&](const GridPhoton& p) { order.push_back(p.index); });
+        return order;
+    };
+    EXPECT_GT(visits(forward).size(), 10u);
+    EXPECT_EQ(visits(forward), visits(backward));
+    expect_like_brute_force(forward, landings, {0.1f, 0, 0}, 0.1f);
+}
+
+TEST(LandingGrid, CopiesWhatAGatherNeeds) {
+    Landing landing;
+    landing.position = {1, 2, 3};
+    landing.direction = {0, 0, 1};
+    landing.power = {4, 5, 6};
+    landing.normal = {0, 1, 0};
+    landing.light_group = 7;
+    LandingGrid grid;
+    grid.build({&landing, 1}, 1);
+    int visits = 0;
+    grid.for_each_in_radius({1, 2, 3}, 1, [&](const GridPhoton& p) {
+        ++visits;
+        EXPECT_EQ(p.position, landing.position);
+        EXPECT_EQ(p.direction, landing.direction);
+        EXPECT_EQ(p.power, landing.power);
+        EXPECT_EQ(p.normal, landing.normal);
+        EXPECT_EQ(p.light_group, 7u);
+    });
+    EXPECT_EQ(visits, 1);
 }
 
 TEST(LandingGrid, LeavesOutWhatIsNotFinite) {
@@ -120,7 +161,7 @@ TEST(LandingGrid, LeavesOutWhatIsNotFinite) {
     grid.build(landings, 1);
     EXPECT_EQ(grid.size(), 8u);
     int visits = 0;
-    const auto count = [&](const Landing&) { ++visits; };
+    const auto count = [&](const GridPhoton&) { ++visits; };
     grid.for_each_in_radius({0, 0, 0}, 1, count);
     EXPECT_EQ(visits, 8);
     const float nan = std::numeric_limits<float>::quiet_NaN();
@@ -133,7 +174,7 @@ TEST(LandingGrid, LeavesOutWhatIsNotFinite) {
 TEST(LandingGrid, EmptyAndBadRadius) {
     LandingGrid grid;
     int visits = 0;
-    const auto count = [&](const Landing&) { ++visits; };
+    const auto count = [&](const GridPhoton&) { ++visits; };
     grid.for_each_in_radius({0, 0, 0}, 1, count);
     grid.build({}, 1);
     grid.for_each_in_radius({0, 0, 0}, 1, count);

@@ -24,7 +24,7 @@ float normal_ratio(const VisiblePoint& point, Vec3 wi) {
 }
 
 /// f * power of one landing, without the constant f of Lambertian points; black if rejected.
-Rgb contribution(const VisiblePoint& point, const Landing& landing) {
+Rgb contribution(const VisiblePoint& point, const GridPhoton& landing) {
     if (!point.bsdf) {
         const bool same_side = (dot(landing.direction, point.geometric_normal) > 0) ==
                                (dot(point.wo, point.geometric_normal) > 0);
@@ -53,7 +53,7 @@ void gather_photons(const EyeImage& image, const LandingGrid& grid, float radius
             for (std::size_t i = range.begin(); i < range.end(); ++i) {
                 const VisiblePoint& point = image.visible_points[i];
                 Rgb* flux = &result.flux[i * groups];
-                grid.for_each_in_radius(point.position, radius, [&](const Landing& landing) {
+                grid.for_each_in_radius(point.position, radius, [&](const GridPhoton& landing) {
                     if (!on_same_surface(point, landing.position, landing.normal, radius)) return;
                     const Rgb value = contribution(point, landing);
                     if (is_black(value) || !refusals.accept(value, point.material)) return;

@@ -1,6 +1,8 @@
 // The photon pass.
 #include "photon_pass.h"
 
+#include <tbb/parallel_for.h>
+
 #include "light_choice.h"
 #include "stopwatch.h"
 
@@ -48,11 +50,7 @@ std::uint64_t PhotonPass::shoot(std::uint64_t pass, float time, const EyeImage& 
         if (waiting_.landings().size() + iteration_.landings().size() > kLandingCapacity) {
             gather(image, radius, refusals, flux);
         }
-        for (const Landing& landing : iteration_.landings()) {
-            if (!guide_ || occupancy_.near_visible_point(landing.position)) {
-                waiting_.append({&landing, 1});
-            }
-        }
+        keep_near_visible_points();
         first += count;
     }
     gather(image, radius, refusals, flux);
@@ -60,9 +58,20 @@ std::uint64_t PhotonPass::shoot(std::uint64_t pass, float time, const EyeImage& 
     return total;
 }
 
+void PhotonPass::keep_near_visible_points() {
+    if (!guide_) {  // already done where they were stored
+        waiting_.append(iteration_.landings());
+        return;
+    }
+    for (const Landing& landing : iteration_.landings()) {
+        if (occupancy_.near_visible_point(landing.position)) waiting_.append({&landing, 1});
+    }
+}
+
 void PhotonPass::gather(const EyeImage& image, float radius, Refusals& refusals, PhotonFlux& flux) {
     const Stopwatch watch(totals_.gather_seconds);
-    grid_.build(waiting_.landings(), radius);
+    grid_.build(waiting_.landings(), radius,
+                [](std::uint32_t count, const Job& job) { tbb::parallel_for(0u, count, job); });
     gather_photons(image, grid_, radius, refusals, flux);
     waiting_.clear();
 }

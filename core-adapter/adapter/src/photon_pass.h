@@ -38,6 +38,7 @@ class PhotonPass {
     std::size_t memory_bytes() const;
 
   private:
+    void keep_near_visible_points();
     void gather(const EyeImage& image, float radius, Refusals& refusals, PhotonFlux& flux);
 
     const Scene& scene_;

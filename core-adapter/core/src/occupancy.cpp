@@ -8,7 +8,8 @@ namespace {
 
 /// Bits per visible point: neighbouring points share cells, so most of them stay clear.
 constexpr std::size_t kBitsPerPoint = 16;
-constexpr std::size_t kMinBits = 1024;
+constexpr std::size_t kBlockBits = 512;
+constexpr std::size_t kMinBits = 2 * kBlockBits;
 constexpr std::size_t kMaxBits = std::size_t(1) << 31;
 
 std::size_t table_bits(std::size_t points) {
@@ -27,7 +28,7 @@ double axis_gap(double scaled, std::int64_t c) {
 void OccupancyGrid::build(std::span<const Vec3> points, float radius) {
     cells_ = CellGrid(radius);
     const std::size_t bits = table_bits(points.size());
-    mask_ = bits - 1;
+    block_mask_ = bits / kBlockBits - 1;
     bits_.reserve(bits / 64);
     bits_.assign(bits / 64, 0);
     for (const Vec3& point : points) {
@@ -45,8 +46,8 @@ void OccupancyGrid::mark_ball(Vec3 point) {
             const double gap_yz = gap_z + axis_gap(cells_.scaled(point.y), y);
             for (std::int64_t x = range.lower.x; x <= range.upper.x; ++x) {
                 if (gap_yz + axis_gap(cells_.scaled(point.x), x) > reach_squared) continue;
-                const std::uint64_t bit = hash_cell({x, y, z}) & mask_;
-                bits_[bit >> 6] |= std::uint64_t(1) << (bit & 63);
+                const Cell cell{x, y, z};
+                bits_[word(cell)] |= std::uint64_t(1) << bit(cell);
             }
         }
     }

@@ -1,4 +1,6 @@
-// Counting sort of landings into hash buckets.
+// Counting sort of landings into hash buckets, in two steps: into partitions of buckets, chunk by
+// chunk, then each partition by itself. Chunks and partitions are fixed by the input, never by the
+// number of threads, and both steps are stable.
 #include "aips/core/photon_grid.h"
 
 #include <bit>
@@ -9,68 +11,142 @@ namespace {
 constexpr std::uint32_t kNoBucket = 0xFFFFFFFFu;
 /// Keeps bucket numbers in 31 bits.
 constexpr std::size_t kMaxBucketCount = std::size_t(1) << 30;
+/// A partition's photons fit a second-level cache while it is sorted (a million landings: 4096
+/// photons of 56 bytes in each).
+constexpr std::uint32_t kMaxPartitions = 256;
+constexpr std::size_t kChunkLandings = std::size_t(1) << 14;
 
 /// About one landing a bucket.
 std::size_t bucket_count(std::size_t landings) {
     return std::bit_ceil(std::clamp<std::size_t>(landings, 1, kMaxBucketCount));
 }
 
+std::uint32_t chunk_count(std::size_t landings) {
+    return static_cast<std::uint32_t>((landings + kChunkLandings - 1) / kChunkLandings);
+}
+
+GridPhoton photon(const Landing& landing, std::uint32_t index) {
+    return {landing.position, landing.direction,   landing.power,
+            landing.normal,   landing.light_group, index};
+}
+
 }  // namespace
 
-void LandingGrid::build(std::span<const Landing> landings, float radius) {
-    landings_ = landings;
+void LandingGrid::build(std::span<const Landing> landings, float radius,
+                        const ParallelFor& parallel) {
     cells_ = CellGrid(radius);
     mask_ = static_cast<std::uint32_t>(bucket_count(landings.size()) - 1);
+    const auto bits = static_cast<unsigned>(std::bit_width(mask_));
+    const unsigned partition_bits = std::bit_width(kMaxPartitions - 1);
+    partition_shift_ = bits > partition_bits ? bits - partition_bits : 0;
     reserve(landings.size());
-    count_buckets();
-    scatter_entries();
+    count_partitions(landings, parallel);
+    scan_partitions();
+    scatter_keys(parallel);
+    parallel(partition_count(), [&](std::uint32_t p) { sort_partition(landings, p); });
 }
 
 // Sizes in powers of two: growth is rare, and bounded by the largest build.
 void LandingGrid::reserve(std::size_t landings) {
     const std::size_t capacity = std::bit_ceil(std::max<std::size_t>(landings, 1));
-    bucket_of_.reserve(capacity);
-    entries_.reserve(capacity);
+    bucket_.reserve(capacity);
+    keys_.reserve(capacity);
+    positions_.reserve(capacity);
+    photons_.reserve(capacity);
     start_.reserve(bucket_count(capacity) + 1);
+    cursor_.reserve(std::size_t(chunk_count(capacity)) * kMaxPartitions);
+    partition_start_.reserve(kMaxPartitions + 1);
 }
 
-// Afterwards start_[b + 1] counts the landings of bucket b.
-void LandingGrid::count_buckets() {
-    start_.assign(std::size_t(mask_) + 2, 0);
-    bucket_of_.resize(landings_.size());
-    for (std::size_t i = 0; i < landings_.size(); ++i) {
-        const Vec3 p = landings_[i].position;
-        bucket_of_[i] = is_finite(p) ? bucket(cells_.cell(p)) : kNoBucket;
-        if (bucket_of_[i] != kNoBucket) ++start_[bucket_of_[i] + 1];
-    }
+std::uint32_t LandingGrid::partition_count() const {
+    return (mask_ >> partition_shift_) + 1;
 }
 
-// Stable: within a bucket, entries keep the order of the landings.
-void LandingGrid::scatter_entries() {
+void LandingGrid::count_partitions(std::span<const Landing> landings, const ParallelFor& parallel) {
+    const std::uint32_t partitions = partition_count();
+    bucket_.resize(landings.size());
+    cursor_.assign(std::size_t(chunk_count(landings.size())) * partitions, 0);
+    parallel(chunk_count(landings.size()), [&](std::uint32_t chunk) {
+        std::uint32_t* count = &cursor_[std::size_t(chunk) * partitions];
+        const std::size_t first = chunk * kChunkLandings;
+        const std::size_t last = std::min(first + kChunkLandings, landings.size());
+        for (std::size_t i = first; i < last; ++i) {
+            const Vec3 p = landings[i].position;
+            bucket_[i] = is_finite(p) ? bucket(cells_.cell(p)) : kNoBucket;
+            if (bucket_[i] != kNoBucket) ++count[bucket_[i] >> partition_shift_];
+        }
+    });
+}
+
+// Turns counts into places: partition by partition, and within one chunk by chunk.
+void LandingGrid::scan_partitions() {
+    const std::uint32_t partitions = partition_count();
+    partition_start_.assign(partitions + 1, 0);
     std::uint32_t sum = 0;
-    for (std::uint32_t& s : start_) {  // start_[b + 1] becomes the first entry of bucket b
-        const std::uint32_t count = s;
-        s = sum;
-        sum += count;
+    for (std::uint32_t p = 0; p < partitions; ++p) {
+        partition_start_[p] = sum;
+        for (std::size_t i = p; i < cursor_.size(); i += partitions) {
+            const std::uint32_t count = cursor_[i];
+            cursor_[i] = sum;
+            sum += count;
+        }
     }
-    entries_.resize(sum);
-    for (std::size_t i = 0; i < landings_.size(); ++i) {
-        if (bucket_of_[i] == kNoBucket) continue;
-        entries_[start_[bucket_of_[i] + 1]++] = {landings_[i].position,
-                                                 static_cast<std::uint32_t>(i)};
+    partition_start_[partitions] = sum;
+    keys_.resize(sum);
+    positions_.resize(sum);
+    photons_.resize(sum);
+    start_.resize(std::size_t(mask_) + 2);
+    start_.back() = sum;
+}
+
+void LandingGrid::scatter_keys(const ParallelFor& parallel) {
+    const std::uint32_t partitions = partition_count();
+    parallel(chunk_count(bucket_.size()), [&](std::uint32_t chunk) {
+        std::uint32_t* next = &cursor_[std::size_t(chunk) * partitions];
+        const std::size_t first = chunk * kChunkLandings;
+        const std::size_t last = std::min(first + kChunkLandings, bucket_.size());
+        for (std::size_t i = first; i < last; ++i) {
+            if (bucket_[i] == kNoBucket) continue;
+            keys_[next[bucket_[i] >> partition_shift_]++] = {bucket_[i],
+                                                             static_cast<std::uint32_t>(i)};
+        }
+    });
+}
+
+void LandingGrid::sort_partition(std::span<const Landing> landings, std::uint32_t partition) {
+    const std::span keys = std::span(keys_).subspan(
+        partition_start_[partition], partition_start_[partition + 1] - partition_start_[partition]);
+    const std::size_t first = std::size_t(partition) << partition_shift_;
+    const std::span start = std::span(start_).subspan(first, std::size_t(1) << partition_shift_);
+    std::ranges::fill(start, 0);
+    for (const Keyed& key : keys)
+        ++start[key.bucket - first];
+    // From behind: each start moves from the end of its bucket to its beginning.
+    std::uint32_t end = partition_start_[partition];
+    for (std::uint32_t& s : start)
+        s = end += s;
+    for (auto key = keys.rbegin(); key != keys.rend(); ++key) {
+        const std::uint32_t place = --start[key->bucket - first];
+        positions_[place] = landings[key->index].position;
+        photons_[place] = photon(landings[key->index], key->index);
     }
-    // Each start_[b + 1] has moved to the end of bucket b, which is the start of bucket b + 1.
 }
 
 std::size_t LandingGrid::memory_bytes() const {
-    return start_.capacity() * sizeof(std::uint32_t) +
-           bucket_of_.capacity() * sizeof(std::uint32_t) + entries_.capacity() * sizeof(Entry);
+    return (start_.capacity() + bucket_.capacity() + cursor_.capacity() +
+            partition_start_.capacity()) *
+               sizeof(std::uint32_t) +
+           keys_.capacity() * sizeof(Keyed) + positions_.capacity() * sizeof(Vec3) +
+           photons_.capacity() * sizeof(GridPhoton);
 }
 
 std::size_t LandingGrid::memory_bound_bytes(std::size_t max_landings) {
     const std::size_t capacity = std::bit_ceil(std::max<std::size_t>(max_landings, 1));
-    return (bucket_count(capacity) + 1 + capacity) * sizeof(std::uint32_t) +
-           capacity * sizeof(Entry);
+    const std::size_t numbers = bucket_count(capacity) + 1 + capacity +
+                                std::size_t(chunk_count(capacity)) * kMaxPartitions +
+                                kMaxPartitions + 1;
+    return numbers * sizeof(std::uint32_t) +
+           capacity * (sizeof(Keyed) + sizeof(Vec3) + sizeof(GridPhoton));
 }
 
 }  // namespace aips

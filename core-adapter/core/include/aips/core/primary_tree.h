@@ -1,0 +1,127 @@
+// A learned density over a light's primary coordinates: the emission guide of one light.
+//
+// A kd-tree over [0,1)^4 whose leaves hold the second moment of what photons that started there
+// were worth. The density that minimises the variance of a sum is proportional to the root of the
+// integrand's second moment; piecewise constant, to sqrt(integral of f^2 / volume) in each leaf.
+// Sources: Lepage 1978 (VEGAS: importance sampling by a learned piecewise constant density);
+// Clarberg et al. 2005 (hierarchical warping); defensive mixture: Hesterberg 1995.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace aips {
+
+/// Coordinates from which a light emits a photon, in [0, 1)^4.
+using PrimaryPoint = std::array<float, 4>;
+
+struct PrimaryTreeSettings {
+    std::uint32_t max_leaves = 4096;  ///< in [1, 2^24]
+    /// Photons with a score (or seeds) that a leaf must have met before it is split, >= 1.
+    std::uint32_t split_count = 32;
+    /// Least fall of the tree's mass by a split, as a share of the whole.
+    double split_gain = 1e-4;
+    /// Photon paths whose scores count in full; older ones are forgotten in proportion.
+    double memory_paths = 4e6;
+};
+
+/// A point drawn from a PrimaryTree, and its density over [0, 1)^4.
+struct PrimarySample {
+    PrimaryPoint point;
+    float pdf = 1;
+};
+
+/// How the density is mixed; what remains of 1 is the learned density.
+struct PrimaryMixture {
+    double plain = 1;  ///< share of the uniform density (defensive), > 0
+    double seeds = 0;  ///< share of the density of seeds
+};
+
+/// Learns between blocks of photons by add(), add_seed() and update(); const in between, when it
+/// may be used from many threads. Deterministic: a function of the sequence of calls.
+class PrimaryTree {
+  public:
+    /// One leaf. Throws std::invalid_argument when a setting is out of range.
+    explicit PrimaryTree(const PrimaryTreeSettings& settings = {});
+
+    /// Warps u in [0, 1)^4, coordinate by coordinate and monotonically in each cell, so that the
+    /// stratification of a low-discrepancy sequence survives.
+    PrimarySample sample(const PrimaryPoint& u) const;
+    /// Density of sample() at a point.
+    float pdf(const PrimaryPoint& point) const;
+
+    /// A photon that started at `point`, drawn with the density `pdf` > 0 over all lights and
+    /// coordinates, was worth `score` >= 0: the square of its part in the image, at the power that
+    /// it carried (which is divided by pdf already). Others are refused.
+    void add(const PrimaryPoint& point, double pdf, double score);
+    /// A point where photons ought to start, found from the eye: shapes the density of seeds only.
+    void add_seed(const PrimaryPoint& point, double weight);
+    /// After `paths` further photon paths of all lights: forgets, splits what pays to be split.
+    void update(double paths);
+    /// Sets the density from what was learned so far. With nothing learned (no seeds), the shares
+    /// of the learned (seeds') density go to the plain one.
+    void set_mixture(const PrimaryMixture& mixture);
+
+    /// Sum over leaves of sqrt(integral of f^2 * volume): what this light is worth in a choice
+    /// between lights; 0 before anything was learned.
+    double mass() const;
+    /// Estimate of the integral of f^2 / p over the density that is set: the second moment of the
+    /// image's part that these photons carry.
+    double second_moment() const;
+    /// The same, had the plain density been used.
+    double plain_second_moment() const;
+    std::uint32_t leaf_count() const { return static_cast<std::uint32_t>(leaves_.size()); }
+    std::size_t memory_bytes() const;
+    /// Upper bound of memory_bytes(), from the settings alone.
+    static std::size_t memory_bound_bytes(const PrimaryTreeSettings& settings);
+
+  private:
+    static constexpr std::uint32_t kLeafAxis = 4;
+
+    /// Interior: halves its box across `axis`; children are `first` and `first` + 1. Leaf: `first`
+    /// is its number.
+    struct Node {
+        std::uint32_t axis = kLeafAxis;
+        std::uint32_t first = 0;
+        double probability = 1;
+        double lower_share = 0.5;  ///< probability of the lower child, given this node
+    };
+
+    /// Sums over what fell into a leaf, whole and into the lower half along each axis.
+    struct Sums {
+        double whole = 0;
+        std::array<double, 4> lower{};
+
+        void add(const std::array<bool, 4>& is_lower, double value);
+        void scale(double factor);
+        /// The part in the lower or upper half; how it lies along the other axes is unknown.
+        Sums half(unsigned axis, bool upper) const;
+    };
+
+    struct Leaf {
+        std::array<float, 4> corner{};
+        std::array<float, 4> side{1, 1, 1, 1};
+        double volume = 1;
+        double paths = 0;  ///< all lights' photon paths that `score` stands for
+        Sums score;        ///< of Q p: `whole` / paths estimates the integral of f^2
+        Sums seeds;        ///< of seed weights
+        Sums met;          ///< scored photons and seeds
+        double pdf = 1;    ///< density that is set
+    };
+
+    std::uint32_t locate(const PrimaryPoint& point) const;
+    std::array<bool, 4> lower_halves(const Leaf& leaf, const PrimaryPoint& point) const;
+    double leaf_mass(const Leaf& leaf) const;
+    double split_gain(const Leaf& leaf, unsigned axis, double mass, double seeds) const;
+    void split_leaves();
+    void split(std::uint32_t node, unsigned axis);
+    void set_probabilities();
+
+    PrimaryTreeSettings settings_;
+    std::vector<Node> nodes_;
+    std::vector<Leaf> leaves_;
+};
+
+}  // namespace aips

@@ -1,0 +1,237 @@
+// Protects the emission guide's density: exact, normalised, bounded below, and worth its while.
+#include "aips/core/primary_tree.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <stdexcept>
+
+#include "aips/core/random.h"
+#include "chi_square.h"
+
+namespace aips {
+namespace {
+
+constexpr double kSignificance = 1e-4;
+constexpr PrimaryMixture kGuided{.plain = 0.1, .seeds = 0};
+
+using Integrand = std::function<double(const PrimaryPoint&)>;
+
+PrimaryPoint random_point(RandomStream& random) {
+    return {random.next(), random.next(), random.next(), random.next()};
+}
+
+/// 1 in a box that fills 1/625 of the space, and faint elsewhere; its integral is kBoxIntegral.
+double box(const PrimaryPoint& u) {
+    bool inside = true;
+    for (const float x : u)
+        inside = inside && x >= 0.6f && x < 0.8f;
+    return inside ? 1 : 1e-3;
+}
+constexpr double kBoxVolume = 0.2 * 0.2 * 0.2 * 0.2;
+constexpr double kBoxIntegral = kBoxVolume + 1e-3 * (1 - kBoxVolume);
+constexpr double kBoxSquared = kBoxVolume + 1e-6 * (1 - kBoxVolume);
+
+/// Sums of f / p over draws, and of its square.
+struct Estimate {
+    double mean = 0, second_moment = 0;
+    double standard_error(int draws) const {
+        return std::sqrt((second_moment - mean * mean) / draws);
+    }
+};
+
+Estimate integrate(const PrimaryTree& tree, const Integrand& f, int draws, std::uint64_t seed) {
+    RandomStream random(seed, 0, 0, RandomDomain::Guide);
+    Estimate e;
+    for (int i = 0; i < draws; ++i) {
+        const PrimarySample s = tree.sample(random_point(random));
+        const double value = f(s.point) / double(s.pdf);
+        e.mean += value / draws;
+        e.second_moment += value * value / draws;
+    }
+    return e;
+}
+
+/// Blocks of photons shot by the tree's own density, each worth (f / p)^2.
+void learn(PrimaryTree& tree, const Integrand& f, int blocks, int paths, std::uint64_t seed) {
+    for (int b = 0; b < blocks; ++b) {
+        RandomStream random(seed, std::uint64_t(b), 0, RandomDomain::Guide);
+        for (int i = 0; i < paths; ++i) {
+            const PrimarySample s = tree.sample(random_point(random));
+            const double worth = f(s.point) / double(s.pdf);
+            tree.add(s.point, double(s.pdf), worth * worth);
+        }
+        tree.update(paths);
+        tree.set_mixture(kGuided);
+    }
+}
+
+TEST(PrimaryTree, UntrainedIsTheIdentity) {
+    const PrimaryTree tree;
+    const PrimaryPoint u{0.125f, 0.5f, 0.75f, 0.99f};
+    EXPECT_EQ(tree.sample(u).point, u);
+    EXPECT_EQ(tree.sample(u).pdf, 1.0f);
+    EXPECT_EQ(tree.mass(), 0.0);
+}
+
+TEST(PrimaryTree, DrawsFollowThePdf) {
+    PrimaryTree tree;
+    learn(tree, box, 12, 20000, 1);
+    ASSERT_GT(tree.leaf_count(), 50u);
+    constexpr int kDraws = 200000, kBins = 10;
+    for (unsigned axis = 0; axis < 4; ++axis) {
+        std::vector<double> observed(kBins * kBins), expected(kBins * kBins);
+        RandomStream random(2, axis, 0, RandomDomain::Guide);
+        const unsigned other = (axis + 1) % 4;
+        const auto bin = [&](const PrimaryPoint& p) {
+            return std::size_t(p[axis] * kBins) * kBins + std::size_t(p[other] * kBins);
+        };
+        for (int i = 0; i < kDraws; ++i) {
+            const PrimarySample s = tree.sample(random_point(random));
+            for (const float x : s.point)
+                ASSERT_TRUE(x >= 0 && x < 1);
+            ASSERT_FLOAT_EQ(s.pdf, tree.pdf(s.point));
+            ++observed[bin(s.point)];
+        }
+        // The pdf's marginal, by many plain points: a second, independent sample's noise is added.
+        constexpr int kPlain = 4000000;
+        std::vector<double> squares(expected.size());
+        for (int i = 0; i < kPlain; ++i) {
+            const PrimaryPoint p = random_point(random);
+            const double value = double(tree.pdf(p)) * kDraws / kPlain;
+            expected[bin(p)] += value;
+            squares[bin(p)] += value * value;
+        }
+        double statistic = 0;
+        for (std::size_t k = 0; k < expected.size(); ++k) {
+            const double difference = observed[k] - expected[k];
+            statistic += difference * difference / (expected[k] + squares[k]);
+        }
+        // 99 degrees of freedom: beyond 160 with probability 1e-4.
+        EXPECT_LT(statistic, 160) << "axis " << axis;
+    }
+}
+
+TEST(PrimaryTree, DensityIntegratesToOneAndIsBoundedBelow) {
+    PrimaryTree tree;
+    learn(tree, box, 10, 20000, 3);
+    RandomStream random(4, 0, 0, RandomDomain::Guide);
+    double inverse = 0;
+    constexpr int kDraws = 100000;
+    for (int i = 0; i < kDraws; ++i) {
+        const PrimarySample s = tree.sample(random_point(random));
+        ASSERT_GE(s.pdf, float(kGuided.plain) * (1 - 1e-6f));
+        inverse += 1 / double(s.pdf) / kDraws;
+    }
+    // E[1 / p] over draws from p is the volume of the domain; each term is in (0, 10].
+    EXPECT_NEAR(inverse, 1, 4 * std::sqrt(10.0 / kDraws));
+}
+
+TEST(PrimaryTree, EstimatesStayUnbiasedAndBecomeFarBetter) {
+    PrimaryTree tree;
+    const PrimaryTree plain;
+    learn(tree, box, 12, 20000, 5);
+    constexpr int kDraws = 100000;
+    const Estimate guided = integrate(tree, box, kDraws, 6);
+    EXPECT_NEAR(guided.mean, kBoxIntegral, 4 * guided.standard_error(kDraws));
+    const Estimate unguided = integrate(plain, box, kDraws, 7);
+    const auto variance = [](const Estimate& e) { return e.second_moment - e.mean * e.mean; };
+    EXPECT_GT(variance(unguided) / variance(guided), 30);
+}
+
+TEST(PrimaryTree, KnowsItsSecondMoments) {
+    PrimaryTree tree;
+    learn(tree, box, 25, 20000, 8);
+    EXPECT_NEAR(tree.plain_second_moment() / kBoxSquared, 1, 0.1);
+    const Estimate guided = integrate(tree, box, 200000, 9);
+    EXPECT_NEAR(tree.second_moment() / guided.second_moment, 1, 0.1);
+    // Cauchy and Schwarz: the mass lies between the integral and the root of the second moment.
+    EXPECT_GT(tree.mass(), 0.95 * kBoxIntegral);
+    EXPECT_LT(tree.mass(), std::sqrt(kBoxSquared));
+}
+
+TEST(PrimaryTree, KeepsStratification) {
+    PrimaryTree tree;
+    learn(tree, box, 8, 20000, 10);
+    // Along one coordinate the warp is monotone within what the others choose.
+    float last = -1;
+    for (int i = 0; i < 1000; ++i) {
+        const float x = tree.sample({float(i) / 1000, 0.999f, 0.999f, 0.999f}).point[0];
+        ASSERT_GE(x, last);
+        last = x;
+    }
+}
+
+TEST(PrimaryTree, SeedsShapeTheDensityBeforeAnythingIsLearned) {
+    PrimaryTree tree;
+    RandomStream random(11, 0, 0, RandomDomain::Guide);
+    for (int round = 0; round < 10; ++round) {
+        for (int i = 0; i < 500; ++i) {
+            PrimaryPoint p = random_point(random);
+            for (float& x : p)
+                x = 0.7f + 0.05f * x;
+            tree.add_seed(p, 1);
+        }
+        tree.update(0);
+    }
+    tree.set_mixture({.plain = 0.2, .seeds = 0.5});
+    EXPECT_GT(tree.pdf({0.72f, 0.72f, 0.72f, 0.72f}), 50.0f);
+    EXPECT_NEAR(tree.pdf({0.1f, 0.1f, 0.1f, 0.1f}), 0.5f, 1e-3f);  // what nothing learned leaves
+    EXPECT_EQ(tree.mass(), 0.0);
+}
+
+TEST(PrimaryTree, ForgetsWhatIsOutdated) {
+    PrimaryTreeSettings settings;
+    settings.memory_paths = 40000;
+    PrimaryTree tree(settings);
+    const Integrand left = [](const PrimaryPoint& u) { return u[0] < 0.5f ? 1.0 : 0.0; };
+    const Integrand right = [](const PrimaryPoint& u) { return u[0] >= 0.5f ? 1.0 : 0.0; };
+    learn(tree, left, 5, 20000, 12);
+    EXPECT_GT(tree.pdf({0.2f, 0.5f, 0.5f, 0.5f}), tree.pdf({0.8f, 0.5f, 0.5f, 0.5f}));
+    learn(tree, right, 10, 20000, 13);
+    EXPECT_LT(tree.pdf({0.2f, 0.5f, 0.5f, 0.5f}), tree.pdf({0.8f, 0.5f, 0.5f, 0.5f}));
+}
+
+TEST(PrimaryTree, RefusesBadScoresAndSettings) {
+    PrimaryTree tree;
+    const PrimaryPoint p{0.5f, 0.5f, 0.5f, 0.5f};
+    const double nan = std::numeric_limits<double>::quiet_NaN();
+    for (const double bad : {nan, -1.0, 0.0, std::numeric_limits<double>::infinity()}) {
+        tree.add(p, 1, bad);
+        tree.add_seed(p, bad);
+    }
+    tree.add(p, nan, 1);
+    tree.update(100);
+    tree.set_mixture(kGuided);
+    EXPECT_EQ(tree.mass(), 0.0);
+    EXPECT_EQ(tree.pdf(p), 1.0f);
+    EXPECT_THROW(PrimaryTree({.max_leaves = 0}), std::invalid_argument);
+    EXPECT_THROW(PrimaryTree({.split_count = 0}), std::invalid_argument);
+    EXPECT_THROW(PrimaryTree({.split_gain = nan}), std::invalid_argument);
+    EXPECT_THROW(PrimaryTree({.memory_paths = 0}), std::invalid_argument);
+}
+
+// A delta at one point: sides stop shrinking, leaves stop multiplying, memory stays.
+TEST(PrimaryTree, AllPhotonsAtOnePoint) {
+    PrimaryTreeSettings settings;
+    settings.max_leaves = 64;
+    settings.split_count = 1;
+    settings.split_gain = 0;
+    PrimaryTree tree(settings);
+    const std::size_t bytes = tree.memory_bytes();
+    for (int round = 0; round < 200; ++round) {
+        tree.add({0.3f, 0.3f, 0.3f, 0.3f}, 1, 1);
+        tree.update(1);
+        tree.set_mixture(kGuided);
+    }
+    EXPECT_LE(tree.leaf_count(), 64u);
+    EXPECT_EQ(tree.memory_bytes(), bytes);
+    EXPECT_LE(bytes, PrimaryTree::memory_bound_bytes(settings));
+    const PrimarySample s = tree.sample({0.5f, 0.5f, 0.5f, 0.5f});
+    EXPECT_TRUE(std::isfinite(s.pdf) && s.pdf > 0);
+}
+
+}  // namespace
+}  // namespace aips

@@ -141,12 +141,9 @@ TEST(PrimaryTree, EstimatesStayUnbiasedAndBecomeFarBetter) {
     EXPECT_GT(variance(unguided) / variance(guided), 30);
 }
 
-TEST(PrimaryTree, KnowsItsSecondMoments) {
+TEST(PrimaryTree, MassMeasuresTheLightsPartInTheImage) {
     PrimaryTree tree;
-    learn(tree, box, 25, 20000, 8);
-    EXPECT_NEAR(tree.plain_second_moment() / kBoxSquared, 1, 0.1);
-    const Estimate guided = integrate(tree, box, 200000, 9);
-    EXPECT_NEAR(tree.second_moment() / guided.second_moment, 1, 0.1);
+    learn(tree, box, 12, 20000, 8);
     // Cauchy and Schwarz: the mass lies between the integral and the root of the second moment.
     EXPECT_GT(tree.mass(), 0.95 * kBoxIntegral);
     EXPECT_LT(tree.mass(), std::sqrt(kBoxSquared));

@@ -243,22 +243,6 @@ double PrimaryTree::mass() const {
     return sum;
 }
 
-double PrimaryTree::second_moment() const {
-    double sum = 0;
-    for (const Leaf& leaf : leaves_) {
-        if (leaf.paths > 0) sum += leaf.score.whole / leaf.pdf / leaf.paths;
-    }
-    return sum;
-}
-
-double PrimaryTree::plain_second_moment() const {
-    double sum = 0;
-    for (const Leaf& leaf : leaves_) {
-        if (leaf.paths > 0) sum += leaf.score.whole / leaf.paths;
-    }
-    return sum;
-}
-
 std::size_t PrimaryTree::memory_bytes() const {
     return nodes_.capacity() * sizeof(Node) + leaves_.capacity() * sizeof(Leaf);
 }

@@ -67,11 +67,6 @@ class PrimaryTree {
     /// Sum over leaves of sqrt(integral of f^2 * volume): what this light is worth in a choice
     /// between lights; 0 before anything was learned.
     double mass() const;
-    /// Estimate of the integral of f^2 / p over the density that is set: the second moment of the
-    /// image's part that these photons carry.
-    double second_moment() const;
-    /// The same, had the plain density been used.
-    double plain_second_moment() const;
     std::uint32_t leaf_count() const { return static_cast<std::uint32_t>(leaves_.size()); }
     std::size_t memory_bytes() const;
     /// Upper bound of memory_bytes(), from the settings alone.

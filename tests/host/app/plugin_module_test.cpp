@@ -74,6 +74,18 @@ TEST_F(PluginModuleTest, PathGivenTwiceLoadsOnce) {
     EXPECT_THAT(result.out, HasSubstr("sleeper"));
 }
 
+// A module under work stands in for the installed one, whose integrators have the same names.
+TEST_F(PluginModuleTest, FirstFileOfANameIsTaken) {
+    const std::filesystem::path work = folder_.path() / "work";
+    std::filesystem::create_directory(work);
+    std::filesystem::copy_file(std::filesystem::path(kTroublesome) / "troublesome.so",
+                               work / "troublesome.so");
+    const RunResult result = run_lxsrender(
+        folder_, {"--list-plugins", "--plugin-path", work.string(), "--plugin-path", kTroublesome});
+    EXPECT_EQ(result.exit_code, 0) << result.err;
+    EXPECT_THAT(result.out, HasSubstr("sleeper"));
+}
+
 TEST_F(PluginModuleTest, IntegratorThatCannotBeMade) {
     const RunResult throwing = render("throwing");
     EXPECT_EQ(throwing.exit_code, 4);

@@ -26,8 +26,9 @@ class PluginLibrary {
     PluginLibrary(const PluginLibrary&) = delete;
     PluginLibrary& operator=(const PluginLibrary&) = delete;
 
-    /// Loads every module (*.so) of a folder, by name; one that is already loaded is left out.
-    /// Throws PluginFailure, also when a module offers a name that is already taken.
+    /// Loads every module (*.so) of a folder, by name. A file of the same name in a folder loaded
+    /// before hides this folder's, so that a module under work stands in for the installed one.
+    /// Throws PluginFailure, also when another file offers a name that is already taken.
     void load_folder(const std::filesystem::path& folder);
 
     /// Null if no module offers this name.

@@ -95,7 +95,8 @@ RenderSession prepare_session(const CommandLine& command, const PluginLibrary& p
     session.files = choose_output_files(command, *session.film);
     check_writable(session.files);
     session.camera = make_camera(contents, *session.film, diagnostics);
-    session.sampler = make_sampler(contents, session.seed, diagnostics);
+    session.sampler = make_sampler(contents, session.seed, diagnostics,
+                                   choice.integrator->plugin->runs_metropolis);
     build_scene(session, std::move(contents), diagnostics);
     return session;
 }

@@ -40,6 +40,7 @@ class FlexImage final : public FileFilm {
         return static_cast<std::uint32_t>(group_names_.size());
     }
     void add_pass(const PassSamples& samples) override { accumulator_.add(samples); }
+    void add_splats(const PassSplats& splats) override { accumulator_.add_splats(splats); }
     void clear() override { accumulator_.clear(); }
     void set_layer(std::string_view name, std::span<const float> values) override;
 

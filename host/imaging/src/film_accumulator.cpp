@@ -40,13 +40,6 @@ struct CellRange {
     }
 };
 
-/// Mean from sums: the lobes of a filter may be negative, an image may not.
-float mean(double sum, double weight) {
-    if (!(weight > 0)) return 0;
-    return static_cast<float>(
-        std::clamp(sum / weight, 0.0, static_cast<double>(std::numeric_limits<float>::max())));
-}
-
 }  // namespace
 
 FilmAccumulator::FilmAccumulator(std::uint32_t width, std::uint32_t height, std::uint32_t groups,
@@ -103,33 +96,57 @@ void FilmAccumulator::sort_by_cell() {
     }
 }
 
-void FilmAccumulator::gather_row(const PassSamples& pass, std::uint32_t y,
-                                 std::span<double> pixel) {
+void FilmAccumulator::gather_pixel(const PassSamples& pass, std::uint32_t x, std::uint32_t y,
+                                   std::span<double> pixel) const {
+    std::fill(pixel.begin(), pixel.end(), 0.0);
     const CellRange rows(y, filter_.radius_y(), height_);
-    for (std::uint32_t x = 0; x < width_; ++x) {
-        std::fill(pixel.begin(), pixel.end(), 0.0);
-        const CellRange columns(x, filter_.radius_x(), width_);
-        const Vec2 centre(static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f);
-        for (std::uint32_t row = rows.first; row <= rows.last; ++row) {
-            const std::size_t first_cell = std::size_t{row} * width_;
-            const std::uint32_t end = cell_begin_[first_cell + columns.last + 1];
-            for (std::uint32_t k = cell_begin_[first_cell + columns.first]; k < end; ++k) {
-                const std::uint32_t i = order_[k];
-                const Vec2& p = pass.positions[i];
-                const double f = filter_.weight(p.x - centre.x, p.y - centre.y);
-                if (f == 0) continue;
-                pixel[0] += f;
-                const Rgb* radiance = &pass.radiance[std::size_t{i} * groups_];
-                for (std::uint32_t g = 0; g < groups_; ++g) {
-                    pixel[3 * g + 1] += f * radiance[g].x;
-                    pixel[3 * g + 2] += f * radiance[g].y;
-                    pixel[3 * g + 3] += f * radiance[g].z;
-                }
+    const CellRange columns(x, filter_.radius_x(), width_);
+    const Vec2 centre(static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f);
+    for (std::uint32_t row = rows.first; row <= rows.last; ++row) {
+        const std::size_t first_cell = std::size_t{row} * width_;
+        const std::uint32_t end = cell_begin_[first_cell + columns.last + 1];
+        for (std::uint32_t k = cell_begin_[first_cell + columns.first]; k < end; ++k) {
+            const std::uint32_t i = order_[k];
+            const Vec2& p = pass.positions[i];
+            const double f = filter_.weight(p.x - centre.x, p.y - centre.y);
+            if (f == 0) continue;
+            pixel[0] += f;
+            const Rgb* radiance = &pass.radiance[std::size_t{i} * groups_];
+            for (std::uint32_t g = 0; g < groups_; ++g) {
+                pixel[3 * g + 1] += f * radiance[g].x;
+                pixel[3 * g + 2] += f * radiance[g].y;
+                pixel[3 * g + 3] += f * radiance[g].z;
             }
         }
+    }
+}
+
+void FilmAccumulator::gather_row(const PassSamples& pass, std::uint32_t y,
+                                 std::span<double> pixel) {
+    for (std::uint32_t x = 0; x < width_; ++x) {
+        gather_pixel(pass, x, y, pixel);
         double* sums = &sums_[(std::size_t{y} * width_ + x) * pixel.size()];
         for (std::size_t c = 0; c < pixel.size(); ++c) {
             sums[c] += pass.weight * pixel[c];
+        }
+    }
+}
+
+/// Integral of the filter around a pixel's centre over the film alone.
+double FilmAccumulator::filter_on_film(std::uint32_t x, std::uint32_t y) const {
+    return filter_integral_->over(x + 0.5, width_ - x - 0.5, y + 0.5, height_ - y - 0.5);
+}
+
+void FilmAccumulator::gather_splats(const PassSamples& pass, std::uint32_t y,
+                                    std::span<double> pixel) {
+    const std::size_t channels = pixel.size() - 1;
+    for (std::uint32_t x = 0; x < width_; ++x) {
+        const double on_film = filter_on_film(x, y);
+        if (!(on_film > 0)) continue;  // as a mean with a sum of weights that isn't positive
+        gather_pixel(pass, x, y, pixel);
+        double* sums = &splats_[(std::size_t{y} * width_ + x) * channels];
+        for (std::size_t c = 0; c < channels; ++c) {
+            sums[c] += pixel[c + 1] / on_film;
         }
     }
 }
@@ -146,35 +163,67 @@ void FilmAccumulator::add(const PassSamples& pass) {
     });
 }
 
+void FilmAccumulator::add_splats(const PassSplats& splats) {
+    const PassSamples pass{splats.positions, splats.radiance, splats.groups, splats.samples};
+    check(pass);
+    if (!filter_integral_) {
+        filter_integral_.emplace(filter_);
+        splats_.resize(std::size_t{width_} * height_ * 3 * groups_);
+    }
+    find_cells(pass);
+    sort_by_cell();
+    tbb::parallel_for(tbb::blocked_range<std::uint32_t>(0, height_), [&](const auto& rows) {
+        std::vector<double> pixel(1 + 3 * std::size_t{groups_});
+        for (std::uint32_t y = rows.begin(); y != rows.end(); ++y) {
+            gather_splats(pass, y, pixel);
+        }
+    });
+    splat_samples_ += splats.samples;
+}
+
 void FilmAccumulator::clear() {
     std::fill(sums_.begin(), sums_.end(), 0.0);
+    std::fill(splats_.begin(), splats_.end(), 0.0);
+    splat_samples_ = 0;
+}
+
+/// A pixel's value summed over light groups: the mean of samples, and the splats.
+Rgb FilmAccumulator::resolve(std::size_t pixel, std::uint32_t first_group,
+                             std::uint32_t end_group) const {
+    const std::size_t channels = 3 * std::size_t{groups_};
+    const double* sums = &sums_[pixel * (1 + channels)];
+    const double pixels = static_cast<double>(width_) * height_;
+    Rgb value;
+    for (std::size_t c = 0; c < 3; ++c) {
+        double mean = 0, splats = 0;
+        for (std::uint32_t g = first_group; g < end_group; ++g) {
+            mean += sums[1 + 3 * g + c];
+            if (!splats_.empty()) splats += splats_[pixel * channels + 3 * g + c];
+        }
+        mean = *sums > 0 ? mean / *sums : 0;
+        if (splat_samples_ > 0) mean += splats * pixels / splat_samples_;
+        // The lobes of a filter may be negative, an image may not.
+        value[static_cast<int>(c)] = static_cast<float>(
+            std::clamp(mean, 0.0, static_cast<double>(std::numeric_limits<float>::max())));
+    }
+    return value;
 }
 
 void FilmAccumulator::resolve_group(std::uint32_t group, std::span<Rgb> image) const {
-    const std::size_t stride = 1 + 3 * std::size_t{groups_};
-    for (std::size_t i = 0; i < image.size(); ++i) {
-        const double* pixel = &sums_[i * stride];
-        const double* sum = pixel + 1 + 3 * std::size_t{group};
-        image[i] = Rgb(mean(sum[0], *pixel), mean(sum[1], *pixel), mean(sum[2], *pixel));
-    }
+    for (std::size_t i = 0; i < image.size(); ++i)
+        image[i] = resolve(i, group, group + 1);
 }
 
 void FilmAccumulator::resolve_total(std::span<Rgb> image) const {
-    const std::size_t stride = 1 + 3 * std::size_t{groups_};
-    for (std::size_t i = 0; i < image.size(); ++i) {
-        const double* pixel = &sums_[i * stride];
-        double total[3] = {0, 0, 0};
-        for (std::size_t c = 0; c + 1 < stride; ++c) {
-            total[c % 3] += pixel[1 + c];
-        }
-        image[i] = Rgb(mean(total[0], *pixel), mean(total[1], *pixel), mean(total[2], *pixel));
-    }
+    for (std::size_t i = 0; i < image.size(); ++i)
+        image[i] = resolve(i, 0, groups_);
 }
 
 std::size_t FilmAccumulator::memory_bytes() const {
     const std::size_t cells = std::size_t{width_} * height_;
     const std::size_t samples = std::max(cells, cell_of_sample_.capacity());
-    return sums_.capacity() * sizeof(double) + (cells + 2 + 2 * samples) * sizeof(std::uint32_t);
+    return (sums_.capacity() + splats_.capacity()) * sizeof(double) +
+           (cells + 2 + 2 * samples) * sizeof(std::uint32_t);
 }
 
 }  // namespace lxs

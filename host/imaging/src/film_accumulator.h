@@ -2,16 +2,18 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
+#include "filter_integral.h"
 #include "lxs/sdk/film.h"
 #include "pixel_filter.h"
 
 namespace lxs {
 
 /// Estimates each pixel as sum(f w L) / sum(f w) over all samples: f the filter, w the weight of
-/// the sample's pass. Each pixel gathers its samples in a fixed order (cells row by row, within a
+/// the sample's pass; splats are kept apart and added (see Film::add_splats). Each pixel gathers its samples in a fixed order (cells row by row, within a
 /// cell as given), so that the bits depend on neither the number of threads nor their schedule.
 /// Sums are in double precision: 10^4 passes stay far below a float's rounding.
 class FilmAccumulator {
@@ -22,7 +24,9 @@ class FilmAccumulator {
     /// Throws std::invalid_argument if the pass is malformed (sizes, groups, weight): a bug of the
     /// caller. Samples that are not finite or negative are refused whole and counted.
     void add(const PassSamples& pass);
-    /// Forgets all samples; the count of refused ones stays.
+    /// Likewise, by the rule of Film::add_splats.
+    void add_splats(const PassSplats& splats);
+    /// Forgets all samples and splats; the count of refused ones stays.
     void clear();
 
     /// Mean of one light group, or of the sum of all, per pixel; never negative or infinite.
@@ -37,12 +41,21 @@ class FilmAccumulator {
     void check(const PassSamples& pass) const;
     void find_cells(const PassSamples& pass);
     void sort_by_cell();
+    void gather_pixel(const PassSamples& pass, std::uint32_t x, std::uint32_t y,
+                      std::span<double> pixel) const;
     void gather_row(const PassSamples& pass, std::uint32_t y, std::span<double> pixel);
+    void gather_splats(const PassSamples& pass, std::uint32_t y, std::span<double> pixel);
+    double filter_on_film(std::uint32_t x, std::uint32_t y) const;
+    Rgb resolve(std::size_t pixel, std::uint32_t first_group, std::uint32_t end_group) const;
 
     std::uint32_t width_, height_, groups_;
     PixelFilter filter_;
     /// Per pixel: sum of weights, then the weighted sums R, G, B of each light group.
     std::vector<double> sums_;
+    /// Per pixel: sums of f * radiance / F, as R, G, B of each light group. Empty without splats.
+    std::vector<double> splats_;
+    double splat_samples_ = 0;
+    std::optional<FilterIntegral> filter_integral_;
     std::uint64_t refused_ = 0;
     // Kept between passes, so that passes after the first allocate nothing.
     std::vector<std::uint32_t> cell_of_sample_;

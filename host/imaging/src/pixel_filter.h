@@ -32,9 +32,11 @@ class PixelFilter {
         return table_[iy * kCells + ix];
     }
 
-  private:
     static constexpr std::size_t kCells = 64;  ///< per axis: 16 KB, which the L1 cache holds
+    /// Weight anywhere in a cell of the table: column and row count from the centre outwards.
+    float cell(std::size_t column, std::size_t row) const { return table_[row * kCells + column]; }
 
+  private:
     float radius_x_, radius_y_;
     float scale_x_, scale_y_;
     std::array<float, kCells * kCells> table_;

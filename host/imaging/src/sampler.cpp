@@ -1,8 +1,12 @@
 // Camera samples: Owen-scrambled (0,2)-sequences over the passes, one per pixel and purpose.
 // Sources: Burley 2020, "Practical Hash-based Owen Scrambling" (shuffling, scrambling, its hash);
 // Kollig & Keller 2002 (the second Sobol' dimension); Steele et al. 2014 (64-bit mixing).
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
+#include <optional>
+#include <span>
 #include <string_view>
 
 #include "lxs/imaging/imaging.h"
@@ -69,7 +73,12 @@ Vec2 scrambled_point(std::uint32_t index, std::uint64_t key) {
 
 class OwenSampler final : public Sampler {
   public:
-    explicit OwenSampler(std::uint64_t seed) : seed_(mix(seed)) {}
+    OwenSampler(std::uint64_t seed, const std::optional<MetropolisSettings>& metropolis)
+        : seed_(mix(seed)), metropolis_(metropolis) {}
+
+    const MetropolisSettings* metropolis() const override {
+        return metropolis_ ? &*metropolis_ : nullptr;
+    }
 
     CameraSample camera_sample(std::uint64_t pass, std::uint32_t x,
                                std::uint32_t y) const override {
@@ -91,6 +100,7 @@ class OwenSampler final : public Sampler {
     }
 
     std::uint64_t seed_;
+    std::optional<MetropolisSettings> metropolis_;
 };
 
 constexpr std::array<std::string_view, 6> kPixelSamplers{"grid",           "hilbert", "linear",
@@ -105,7 +115,39 @@ constexpr ParameterDeclaration kParameters[] = {
      .default_text = "vegas",
      .doc = "Ignored: a pass covers the whole image.",
      .choices = kPixelSamplers},
+};
+constexpr ParameterDeclaration kNoiseAware[] = {
     {"noiseaware", Bool, "false", "Ignored: all pixels get as many samples."},
+};
+
+constexpr ParameterDeclaration kMetropolis[] = {
+    {"largemutationprob", Float, "0.4", "Probability of drawing all of a sample anew.", 0, 1},
+    {"maxconsecrejects", Integer, "512",
+     "Rejections in a row after which the next sample that carries light is accepted whatever its "
+     "brightness, which biases slightly; 0: never.",
+     0, 4294967295.0},
+    {"mutationrange", Float, "",
+     "Farthest that a small mutation moves a sample, pixels; by default 1/32 of width + height.",
+     0.001, 1e6},
+    {.name = "usevariance",
+     .type = Bool,
+     .default_text = "false",
+     .doc = "Brightness alone guides the chains.",
+     .no_effect = true},
+    {.name = "usecooldown",
+     .type = Bool,
+     .default_text = "true",
+     .doc = "Chains start from plain samples chosen by brightness and need no warming up.",
+     .no_effect = true},
+    {.name = "noiseaware",
+     .type = Bool,
+     .default_text = "false",
+     .doc = "Brightness alone guides the chains.",
+     .no_effect = true},
+    {.name = "initsamples",
+     .type = Integer,
+     .doc = "One plain sample a pixel, at least 16384 and at most 262144, seeds the chains.",
+     .no_effect = true},
 };
 
 constexpr ParameterDeclaration kMarkovChain[] = {
@@ -119,23 +161,40 @@ constexpr ParameterDeclaration kMarkovChain[] = {
     {"stratawidth", Integer, "", "Ignored: there are no Markov chains."},
 };
 
+MetropolisSettings read_metropolis(const ParameterReader& reader) {
+    MetropolisSettings settings;
+    settings.large_probability = reader.number("largemutationprob", settings.large_probability);
+    settings.max_consecutive_rejects = static_cast<std::uint32_t>(
+        reader.integer("maxconsecrejects", settings.max_consecutive_rejects));
+    settings.film_range = reader.number("mutationrange", settings.film_range);
+    return settings;
+}
+
 }  // namespace
 
 std::unique_ptr<Sampler> make_sampler(const SceneContents& contents, std::uint64_t seed,
-                                      Diagnostics& diagnostics) {
+                                      Diagnostics& diagnostics, bool runs_metropolis) {
     const OptionChoice choice = choose_option(contents, "Sampler", "random",
                                               {"erpt", "lowdiscrepancy", "metropolis", "random"});
     const ParameterSet& set = choice.statement.parameters;
     std::vector<ParameterDeclaration> declared(std::begin(kParameters), std::end(kParameters));
-    const bool markov_chain = set.plugin == "metropolis" || set.plugin == "erpt";
-    if (markov_chain) {
-        declared.insert(declared.end(), std::begin(kMarkovChain), std::end(kMarkovChain));
+    const auto declare = [&](std::span<const ParameterDeclaration> more) {
+        std::copy(more.begin(), more.end(), std::back_inserter(declared));
+    };
+    if (set.plugin == "metropolis" && runs_metropolis) {
+        declare(kMetropolis);
+        const ParameterReader reader(set, declared, diagnostics);
+        return std::make_unique<OwenSampler>(seed, read_metropolis(reader));
+    }
+    declare(kNoiseAware);
+    if (set.plugin == "metropolis" || set.plugin == "erpt") {
+        declare(kMarkovChain);
         diagnostics.warning(set.where,
                             "Sampler \"" + set.plugin +
                                 "\" has no effect: every pixel gets the same number of samples");
     }
     const ParameterReader reader(set, declared, diagnostics);
-    return std::make_unique<OwenSampler>(seed);
+    return std::make_unique<OwenSampler>(seed, std::nullopt);
 }
 
 }  // namespace lxs

@@ -11,7 +11,7 @@ std::unique_ptr<lxs::Integrator> create_path(const lxs::ParameterReader& paramet
 std::span<const lxs::IntegratorPlugin> plugins() {
     static const lxs::IntegratorPlugin list[] = {
         {"path", "Path tracing with next-event estimation and multiple importance sampling.",
-         lxs::PathSettings::declarations(), &create_path}};
+         lxs::PathSettings::declarations(), &create_path, true}};
     return list;
 }
 

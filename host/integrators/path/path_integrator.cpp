@@ -1,4 +1,4 @@
-// The integrator `path`: one sample a pixel and pass, rows in parallel.
+// The integrator `path`: one sample a pixel and pass, rows in parallel, or Markov chains.
 #include "path/path_integrator.h"
 
 #include <fmt/format.h>
@@ -28,18 +28,32 @@ std::uint64_t MaterialRefusals::count(std::size_t index) const {
 
 void PathIntegrator::prepare(const RenderContext& context) {
     context_.emplace(context);
-    const std::size_t pixels = std::size_t{context.film.width()} * context.film.height();
-    positions_.resize(pixels);
-    radiance_.resize(pixels * context.film.light_groups());
     refusals_ = std::make_unique<MaterialRefusals>(context.scene.material_names().size());
     tracer_.emplace(context.scene, settings_, *refusals_);
     context.log.info("path: " + settings_.text());
+    if (const MetropolisSettings* metropolis = context.sampler.metropolis()) {
+        metropolis_.emplace(context, *tracer_, *metropolis);
+        context.log.info("path: " + metropolis_->text());
+        return;
+    }
+    const std::size_t pixels = std::size_t{context.film.width()} * context.film.height();
+    positions_.resize(pixels);
+    radiance_.resize(pixels * context.film.light_groups());
 }
 
 PassReport PathIntegrator::render_pass(std::uint64_t pass) {
+    const PathCounts counts = metropolis_ ? metropolis_->render_pass() : render_pixels(pass);
+    total_ += counts;
+    warn_of_refusals();
+    PassReport report;
+    report.rays = counts.rays;
+    return report;
+}
+
+PathCounts PathIntegrator::render_pixels(std::uint64_t pass) {
     const std::uint32_t height = context_->film.height();
     std::fill(radiance_.begin(), radiance_.end(), Rgb(0.0f));
-    std::vector<Counts> counts(height);
+    std::vector<PathCounts> counts(height);
     const std::size_t bsdf_bytes = context_->scene.facts().max_bsdf_bytes;
     tbb::parallel_for(tbb::blocked_range<std::uint32_t>(0, height), [&](const auto& rows) {
         std::vector<std::byte> buffer(bsdf_bytes + alignof(std::max_align_t));
@@ -52,25 +66,21 @@ PassReport PathIntegrator::render_pass(std::uint64_t pass) {
                              .radiance = radiance_,
                              .groups = context_->film.light_groups(),
                              .weight = 1});
-    PassReport report;
-    for (const Counts& row : counts) {
-        report.rays += row.rays;
-        total_.bounces += row.bounces;
-    }
-    total_.rays += report.rays;
-    paths_ += positions_.size();
-    warn_of_refusals();
-    return report;
+    PathCounts sum;
+    for (const PathCounts& row : counts)
+        sum += row;
+    return sum;
 }
 
-PathIntegrator::Counts PathIntegrator::render_row(std::uint64_t pass, std::uint32_t y,
-                                                  std::pmr::monotonic_buffer_resource& memory) {
+PathCounts PathIntegrator::render_row(std::uint64_t pass, std::uint32_t y,
+                                      std::pmr::monotonic_buffer_resource& memory) {
     const RenderContext& context = *context_;
     const std::uint32_t width = context.film.width();
     const std::uint32_t groups = context.film.light_groups();
     const float open = context.camera.shutter_open();
     const float shutter = context.camera.shutter_close() - open;
-    Counts counts;
+    PathCounts counts;
+    counts.paths = width;
     for (std::uint32_t x = 0; x < width; ++x) {
         const std::size_t pixel = std::size_t{y} * width + x;
         RandomStream random(context.settings.seed, pass, static_cast<std::uint32_t>(pixel));
@@ -99,10 +109,14 @@ void PathIntegrator::warn_of_refusals() {
 }
 
 Statistics PathIntegrator::statistics() const {
-    Statistics statistics{{"paths", paths_}, {"rays", total_.rays}};
-    if (paths_ > 0) {
+    Statistics statistics{{"paths", total_.paths}, {"rays", total_.rays}};
+    if (total_.paths > 0) {
         statistics.emplace_back("bounces per path",
-                                static_cast<double>(total_.bounces) / static_cast<double>(paths_));
+                                static_cast<double>(total_.bounces) / static_cast<double>(total_.paths));
+    }
+    if (metropolis_) {
+        const Statistics of_chains = metropolis_->statistics();
+        statistics.insert(statistics.end(), of_chains.begin(), of_chains.end());
     }
     if (!refusals_) return statistics;
     statistics.emplace_back("refused contributions", refusals_->total());

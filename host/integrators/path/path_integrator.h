@@ -1,4 +1,4 @@
-// The integrator `path`: one sample a pixel and pass, rows in parallel.
+// The integrator `path`: one sample a pixel and pass, rows in parallel, or Markov chains.
 #pragma once
 
 #include <atomic>
@@ -7,8 +7,10 @@
 #include <vector>
 
 #include "lxs/sdk/integrator.h"
+#include "path/metropolis_renderer.h"
 #include "path/path_settings.h"
 #include "path/path_tracer.h"
+#include "path/random_stream.h"
 
 namespace lxs {
 
@@ -35,13 +37,9 @@ class PathIntegrator : public Integrator {
     Statistics statistics() const override;
 
   private:
-    struct Counts {
-        std::uint64_t rays = 0;
-        std::uint64_t bounces = 0;
-    };
-
-    Counts render_row(std::uint64_t pass, std::uint32_t y,
-                      std::pmr::monotonic_buffer_resource& memory);
+    PathCounts render_pixels(std::uint64_t pass);
+    PathCounts render_row(std::uint64_t pass, std::uint32_t y,
+                          std::pmr::monotonic_buffer_resource& memory);
     void warn_of_refusals();
 
     PathSettings settings_;
@@ -50,8 +48,8 @@ class PathIntegrator : public Integrator {
     std::optional<PathTracer> tracer_;
     std::vector<Vec2> positions_;  ///< of this pass, row by row
     std::vector<Rgb> radiance_;    ///< [pixel * light groups + group]
-    std::uint64_t paths_ = 0;
-    Counts total_;
+    PathCounts total_;
+    std::optional<MetropolisRenderer> metropolis_;  ///< if the scene's sampler asks for it
     bool warned_ = false;
 };
 

@@ -52,7 +52,7 @@ struct PathTracer::Vertex {
 
 struct PathTracer::State {
     Ray ray;
-    RandomStream& random;
+    PrimarySample& random;
     PathResult& result;
     Rgb throughput{1.0f};
     Vertex left;
@@ -66,7 +66,7 @@ PathTracer::PathTracer(const Scene& scene, const PathSettings& settings, Refusal
       lights_(scene.lights(), settings.lights),
       refusals_(refusals) {}
 
-void PathTracer::trace(const Ray& camera_ray, RandomStream& random,
+void PathTracer::trace(const Ray& camera_ray, PrimarySample& random,
                        std::pmr::monotonic_buffer_resource& memory, PathResult& result) const {
     State state{.ray = camera_ray, .random = random, .result = result, .left = {}};
     for (;;) {

@@ -12,7 +12,7 @@
 #include "lxs/sdk/scene.h"
 #include "path/light_selector.h"
 #include "path/path_settings.h"
-#include "path/random_stream.h"
+#include "path/primary_sample.h"
 
 namespace lxs {
 
@@ -41,7 +41,7 @@ class PathTracer {
   public:
     PathTracer(const Scene& scene, const PathSettings& settings, RefusalCounter& refusals);
 
-    void trace(const Ray& camera_ray, RandomStream& random,
+    void trace(const Ray& camera_ray, PrimarySample& random,
                std::pmr::monotonic_buffer_resource& memory, PathResult& result) const;
 
   private:

@@ -45,7 +45,9 @@ std::unique_ptr<Camera> make_camera(const SceneContents& contents, const Film& f
                                     Diagnostics& diagnostics);
 
 /// Camera samples: Owen-scrambled (0,2)-sequences over the passes, per pixel; checks "Sampler".
+/// With `runs_metropolis` it passes on the settings of Sampler "metropolis", else it warns that
+/// there are no Markov chains.
 std::unique_ptr<Sampler> make_sampler(const SceneContents& contents, std::uint64_t seed,
-                                      Diagnostics& diagnostics);
+                                      Diagnostics& diagnostics, bool runs_metropolis = false);
 
 }  // namespace lxs

@@ -29,10 +29,23 @@ class Camera {
     virtual float shutter_close() const = 0;
 };
 
+/// What `Sampler "metropolis"` asks of an integrator that runs Markov chains: Kelemen et al. 2002,
+/// "A simple and robust mutation strategy for the Metropolis light transport algorithm".
+struct MetropolisSettings {
+    double large_probability = 0.4;  ///< of drawing all of a sample anew, in [0, 1]
+    /// Rejections in a row after which the next sample that carries light is accepted whatever its
+    /// brightness, which biases slightly; 0: never.
+    std::uint32_t max_consecutive_rejects = 512;
+    double film_range = 0;  ///< farthest that a small mutation moves a sample on the film, pixels
+};
+
 /// Gives the camera samples of a render: a pure function of (seed, pass, pixel).
 class Sampler {
   public:
     virtual ~Sampler() = default;
+    /// Not null if the scene wants samples from Markov chains, which choose their own places on
+    /// the film. Only integrators whose plugin declares `runs_metropolis` are told so.
+    virtual const MetropolisSettings* metropolis() const { return nullptr; }
     /// Sample number `pass` of pixel (x, y); its film position lies within that pixel.
     virtual CameraSample camera_sample(std::uint64_t pass, std::uint32_t x,
                                        std::uint32_t y) const = 0;

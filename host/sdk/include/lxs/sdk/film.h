@@ -19,6 +19,18 @@ struct PassSamples {
     double weight = 1;
 };
 
+/// Samples whose density over the film says how bright it is: they may lie anywhere, each with a
+/// radiance already divided by its density, as the samples of Markov chains and of light paths do.
+struct PassSplats {
+    std::span<const Vec2> positions;  ///< film positions in pixels, in any order
+    /// Contribution of splat i in light group g at [i * groups + g], over its density with respect
+    /// to a uniform distribution over the film; finite and not negative.
+    std::span<const Rgb> radiance;
+    std::uint32_t groups = 1;
+    /// Samples drawn, > 0, those left out because they are black among them.
+    double samples = 1;
+};
+
 class Film {
   public:
     virtual ~Film() = default;
@@ -30,6 +42,12 @@ class Film {
     /// so that an image has the same bits for any number of threads. Samples that are not finite or
     /// negative are refused and counted.
     virtual void add_pass(const PassSamples& samples) = 0;
+    /// Adds samples without dividing by how many fell near a pixel: over all calls, a pixel gains
+    /// pixels / sum(samples) * sum(f * radiance) / F with f the filter and F its integral over the
+    /// part of the film that it covers. In the mean a uniform density of splats thus gives a
+    /// constant image up to the borders, and the image's sum is that of the splats. What add_pass
+    /// gives is kept apart and summed with it. Order and refusals as with add_pass.
+    virtual void add_splats(const PassSplats& splats) = 0;
     /// Forgets all passes so far (after learning passes that must not stay in the image).
     virtual void clear() = 0;
     /// Replaces the extra float layer `name` (debug views): width * height values, row by row.

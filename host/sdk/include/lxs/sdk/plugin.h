@@ -15,7 +15,7 @@
 namespace lxs {
 
 /// Raised with every change of the SDK's headers that changes their binary layout.
-inline constexpr std::uint32_t kAbiVersion = 1;
+inline constexpr std::uint32_t kAbiVersion = 2;
 
 /// One surface integrator that a module offers.
 struct IntegratorPlugin {
@@ -23,6 +23,8 @@ struct IntegratorPlugin {
     std::string_view doc;   ///< one sentence
     std::span<const ParameterDeclaration> parameters;
     std::unique_ptr<Integrator> (*create)(const ParameterReader& parameters);
+    /// Heeds Sampler::metropolis(); others get plain samples, and the user a warning.
+    bool runs_metropolis = false;
 };
 
 /// What a module's entry function returns.

@@ -1,0 +1,35 @@
+// A camera path as a function of its point in primary sample space.
+#pragma once
+
+#include <cstddef>
+#include <memory_resource>
+#include <vector>
+
+#include "lxs/sdk/integrator.h"
+#include "path/metropolis_chain.h"
+#include "path/path_tracer.h"
+
+namespace lxs {
+
+/// Traces the camera path that starts anywhere on the film: dimensions 0 and 1 are the place on the
+/// film, 2 and 3 on the lens, 4 the time, the others as the path asks for them. Brightness is the
+/// luminance of all light groups. For use by one thread.
+class PathTarget final : public MetropolisTarget {
+  public:
+    PathTarget(const RenderContext& context, const PathTracer& tracer);
+
+    void evaluate(PrimarySample& sample, Contribution& contribution) override;
+
+    std::uint64_t paths() const { return paths_; }
+    std::uint64_t rays() const { return rays_; }
+    std::uint64_t bounces() const { return bounces_; }
+
+  private:
+    const RenderContext& context_;
+    const PathTracer& tracer_;
+    std::vector<std::byte> buffer_;
+    std::pmr::monotonic_buffer_resource memory_;
+    std::uint64_t paths_ = 0, rays_ = 0, bounces_ = 0;
+};
+
+}  // namespace lxs

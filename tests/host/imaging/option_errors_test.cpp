@@ -120,5 +120,36 @@ TEST(SamplerErrors, MarkovChainSamplersAreNamedOnce) {
     EXPECT_TRUE(diagnostics.unknown.empty());
 }
 
+TEST(SamplerErrors, MetropolisSettingsReachIntegratorsThatRunChains) {
+    SceneContents contents = empty_scene();
+    set_option(contents, "Sampler", "metropolis",
+               {real("largemutationprob", 0.3), integer("maxconsecrejects", 64),
+                real("mutationrange", 12)});
+    RecordedDiagnostics diagnostics;
+    const auto sampler = make_sampler(contents, 0, diagnostics, true);
+    ASSERT_NE(sampler->metropolis(), nullptr);
+    EXPECT_FLOAT_EQ(static_cast<float>(sampler->metropolis()->large_probability), 0.3f);
+    EXPECT_EQ(sampler->metropolis()->max_consecutive_rejects, 64u);
+    EXPECT_EQ(sampler->metropolis()->film_range, 12);
+    EXPECT_TRUE(diagnostics.warnings.empty() && diagnostics.unknown.empty());
+    EXPECT_EQ(make_sampler(contents, 0, diagnostics)->metropolis(), nullptr);
+    EXPECT_EQ(make_sampler(empty_scene(), 0, diagnostics, true)->metropolis(), nullptr);
+}
+
+TEST(SamplerErrors, MetropolisParametersAreChecked) {
+    SceneContents contents = empty_scene();
+    RecordedDiagnostics diagnostics;
+    set_option(contents, "Sampler", "metropolis",
+               {flag("usevariance", true), flag("usecooldown", true), flag("noiseaware", true)});
+    make_sampler(contents, 0, diagnostics, true);
+    EXPECT_EQ(diagnostics.warnings,
+              (std::vector<std::string>{"scene.lxs:2:5: warning: metropolis: \"usevariance\", "
+                                        "\"usecooldown\", \"noiseaware\" have no effect here"}));
+    set_option(contents, "Sampler", "metropolis", {real("largemutationprob", 1.5)});
+    EXPECT_EQ(input_error([&] { make_sampler(contents, 0, diagnostics, true); }),
+              "scene.lxs:2:5: error: metropolis: \"largemutationprob\" is out of range: 1.5 is not "
+              "between 0 and 1");
+}
+
 }  // namespace
 }  // namespace lxs::test

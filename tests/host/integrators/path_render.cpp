@@ -44,7 +44,7 @@ class Render {
         SceneContents contents = read_scene_text(film + text, "test", ".", registry, messages_);
         film_ = make_film(contents, messages_);
         camera_ = make_camera(contents, *film_, messages_);
-        sampler_ = make_sampler(contents, seed, messages_);
+        sampler_ = make_sampler(contents, seed, messages_, true);
         scene_ = make_trace_scene(std::move(contents), {}, messages_);
         integrator_.prepare({*scene_, *camera_, *sampler_, *film_, messages_, {0, seed}});
     }
@@ -112,8 +112,8 @@ MeanRadiance render_mean(const std::string& text, const PathSettings& settings, 
 }
 
 std::vector<Rgb> render_image(const std::string& text, const PathSettings& settings, int passes,
-                              Statistics* statistics) {
-    Render render(text, settings, 1);
+                              Statistics* statistics, std::uint64_t seed) {
+    Render render(text, settings, seed);
     std::vector<Rgb> image = render.image(passes);
     if (statistics != nullptr) *statistics = render.statistics();
     return image;

@@ -29,7 +29,7 @@ MeanRadiance render_mean(const std::string& text, const PathSettings& settings =
 
 /// The whole image, row by row.
 std::vector<Rgb> render_image(const std::string& text, const PathSettings& settings, int passes,
-                              Statistics* statistics = nullptr);
+                              Statistics* statistics = nullptr, std::uint64_t seed = 1);
 
 /// |a - b| in units of their joint standard error, the largest over the channels.
 double z_score(const MeanRadiance& a, const MeanRadiance& b);

@@ -1,0 +1,120 @@
+// Protects `path` under Sampler "metropolis": the expectation of plain path tracing, the same bits
+// for any number of threads, closed forms, light groups and figures.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+#include <tbb/global_control.h>
+
+#include <cmath>
+#include <iostream>
+#include <map>
+
+#include "block_test.h"
+#include "path_render.h"
+
+namespace lxs::test {
+namespace {
+
+const std::string kMetropolis = "Sampler \"metropolis\"\n";
+constexpr std::size_t kSize = 8;  ///< of the images that render_image gives
+
+/// A glossy floor, a glass ball with its caustic, a lamp, a dim sky of its own light group.
+std::string still_life() {
+    return camera_above(4, 50) +
+           "AttributeBegin\nAreaLightSource \"area\" \"color L\" [2 1.6 1.2] \"float power\" [0] "
+           "\"float efficacy\" [0]\nTranslate 1 0 0\n" +
+           square(3, 1.2, true) +
+           "AttributeEnd\nLightGroup \"sky\"\nLightSource \"infinite\" \"color L\" [.1 .1 .2]\n"
+           "LightGroup \"\"\nAttributeBegin\nMaterial \"glass\" \"float index\" [1.5]\n"
+           "Translate 0.4 0.3 0.6\nShape \"sphere\" \"float radius\" [0.5]\nAttributeEnd\n"
+           "Material \"glossy\" \"color Kd\" [0.5 0.3 0.3] \"color Ks\" [0.3 0.3 0.3] "
+           "\"float uroughness\" [0.2] \"float vroughness\" [0.2]\n" +
+           square(0, 4) + "WorldEnd\n";
+}
+
+statistics::BlockMeans block_means(const std::string& scene, int passes, std::uint64_t seed) {
+    constexpr int kRenders = 10;
+    statistics::BlockMeans means;
+    for (int i = 0; i < kRenders; ++i) {
+        std::vector<double> luminances;
+        for (const Rgb& pixel : render_image(scene, {}, passes, nullptr, seed++))
+            luminances.push_back(luminance(pixel));
+        means.push_back(statistics::block_means(luminances, kSize, kSize, 2));
+    }
+    return means;
+}
+
+// 17 tests a sampler at a family-wise significance of 1e-3, fixed seeds.
+TEST(MetropolisPath, HasTheExpectationOfPlainPaths) {
+    const auto plain = block_means(still_life(), 4096, 100);
+    for (const std::string sampler : {"Sampler \"metropolis\" \"integer maxconsecrejects\" [0]\n",
+                                      "Sampler \"metropolis\" \"float largemutationprob\" [0.1]\n",
+                                      "Sampler \"metropolis\" \"float largemutationprob\" [1]\n",
+                                      "Sampler \"metropolis\" \"float mutationrange\" [4]\n"}) {
+        auto chains = block_means(sampler + still_life(), 2048, 200);
+        const auto same = statistics::compare(plain, chains, 1e-3);
+        std::cout << sampler << "  " << same.describe() << "\n";
+        EXPECT_FALSE(same.differs()) << same.describe();
+        for (auto& render : chains) {
+            for (double& block : render)
+                block *= 1.02;
+        }
+        EXPECT_TRUE(statistics::compare(plain, chains, 1e-3).differs())
+            << "a planted bias of 2 % went unnoticed";
+    }
+}
+
+// The furnace of path_closed_form_test: albedo 0.5, radiance 1, every depth.
+TEST(MetropolisPath, FurnaceSumsTheBouncesThatMaxdepthAllows) {
+    const std::string furnace =
+        kMetropolis + camera_above(0.3, 60) +
+        "Material \"matte\" \"color Kd\" [0.5 0.5 0.5]\n"
+        "AreaLightSource \"area\" \"color L\" [1 1 1] \"float power\" [0] "
+        "\"float efficacy\" [0]\n"
+        "ReverseOrientation\nShape \"sphere\" \"float radius\" [2]\nWorldEnd\n";
+    for (const std::uint32_t depth : {0u, 1u, 16u}) {
+        PathSettings settings;
+        settings.max_depth = depth;
+        const double expected = (1 - std::pow(0.5, depth + 1)) / 0.5;
+        double sum = 0;
+        for (const Rgb& pixel : render_image(furnace, settings, 1024))
+            sum += pixel.y;
+        EXPECT_NEAR(sum / (kSize * kSize) / expected, 1, 0.01) << "depth " << depth;
+    }
+}
+
+TEST(MetropolisPath, SameBitsForAnyNumberOfThreads) {
+    std::vector<std::vector<Rgb>> images;
+    for (const std::size_t threads : {1u, 2u, 7u}) {
+        const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
+        images.push_back(render_image(kMetropolis + still_life(), {}, 20));
+    }
+    EXPECT_EQ(images[0], images[1]);
+    EXPECT_EQ(images[0], images[2]);
+    EXPECT_NE(images[0], render_image(kMetropolis + still_life(), {}, 20, nullptr, 2));
+}
+
+TEST(MetropolisPath, FiguresAreSane) {
+    Statistics statistics;
+    for (const Rgb& pixel : render_image(kMetropolis + still_life(), {}, 64, &statistics)) {
+        for (int c = 0; c < 3; ++c) {
+            EXPECT_TRUE(std::isfinite(pixel[c]));
+            EXPECT_GE(pixel[c], 0);
+        }
+    }
+    const std::map<std::string, Statistics::value_type::second_type> of(statistics.begin(),
+                                                                        statistics.end());
+    const auto count = [&](const char* name) { return std::get<std::uint64_t>(of.at(name)); };
+    const auto figure = [&](const char* name) { return std::get<double>(of.at(name)); };
+    EXPECT_EQ(count("metropolis mutations"), 64 * kSize * kSize);
+    EXPECT_EQ(count("paths"), count("metropolis mutations") + 16384);
+    EXPECT_EQ(count("refused contributions"), 0u);
+    EXPECT_GT(figure("metropolis acceptance rate"), 0.1);
+    EXPECT_LT(figure("metropolis acceptance rate"), 1);
+    EXPECT_GT(figure("metropolis acceptance rate of small steps"),
+              figure("metropolis acceptance rate of large steps"));
+    EXPECT_GT(count("metropolis plain samples for b"), 16384u);
+    EXPECT_GT(figure("metropolis b"), 0);
+}
+
+}  // namespace
+}  // namespace lxs::test

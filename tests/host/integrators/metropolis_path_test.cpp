@@ -31,10 +31,10 @@ std::string still_life() {
            square(0, 4) + "WorldEnd\n";
 }
 
-statistics::BlockMeans block_means(const std::string& scene, int passes, std::uint64_t seed) {
-    constexpr int kRenders = 10;
+statistics::BlockMeans block_means(const std::string& scene, int passes, std::uint64_t seed,
+                                   int renders = 10) {
     statistics::BlockMeans means;
-    for (int i = 0; i < kRenders; ++i) {
+    for (int i = 0; i < renders; ++i) {
         std::vector<double> luminances;
         for (const Rgb& pixel : render_image(scene, {}, passes, nullptr, seed++))
             luminances.push_back(luminance(pixel));
@@ -61,6 +61,22 @@ TEST(MetropolisPath, HasTheExpectationOfPlainPaths) {
         EXPECT_TRUE(statistics::compare(plain, chains, 1e-3).differs())
             << "a planted bias of 2 % went unnoticed";
     }
+}
+
+// Chains that started anywhere but in proportion to brightness would show it before they forget: a
+// lamp before a sky thirty times dimmer.
+TEST(MetropolisPath, FirstPassHasTheExpectationToo) {
+    const std::string scene = camera_above(4, 50) +
+                              "LightSource \"infinite\" \"color L\" [.3 .3 .3]\n" +
+                              "AreaLightSource \"area\" \"color L\" [9 9 9] \"float power\" [0] "
+                              "\"float efficacy\" [0]\nMaterial \"matte\" \"color Kd\" [0 0 0]\n" +
+                              square(0, 0.8) + "WorldEnd\n";
+    const auto plain = block_means(scene, 256, 100);
+    const auto first = block_means(
+        "Sampler \"metropolis\" \"float largemutationprob\" [0.02]\n" + scene, 1, 1000, 200);
+    const auto same = statistics::compare(plain, first, 1e-3);
+    std::cout << same.describe() << "\n";
+    EXPECT_FALSE(same.differs()) << same.describe();
 }
 
 // The furnace of path_closed_form_test: albedo 0.5, radiance 1, every depth.

@@ -13,9 +13,10 @@
 namespace lxs {
 
 /// Estimates each pixel as sum(f w L) / sum(f w) over all samples: f the filter, w the weight of
-/// the sample's pass; splats are kept apart and added (see Film::add_splats). Each pixel gathers its samples in a fixed order (cells row by row, within a
-/// cell as given), so that the bits depend on neither the number of threads nor their schedule.
-/// Sums are in double precision: 10^4 passes stay far below a float's rounding.
+/// the sample's pass; splats are kept apart and added (see Film::add_splats). Each pixel gathers
+/// its samples in a fixed order (cells row by row, within a cell as given), so that the bits depend
+/// on neither the number of threads nor their schedule. Sums are in double precision: 10^4 passes
+/// stay far below a float's rounding.
 class FilmAccumulator {
   public:
     FilmAccumulator(std::uint32_t width, std::uint32_t height, std::uint32_t groups,

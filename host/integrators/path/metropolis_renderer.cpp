@@ -21,18 +21,7 @@ double share(std::uint64_t part, std::uint64_t whole) {
     return whole > 0 ? static_cast<double>(part) / static_cast<double>(whole) : 0;
 }
 
-PathCounts counts_of(const PathTarget& target) {
-    return {target.paths(), target.rays(), target.bounces()};
-}
-
 }  // namespace
-
-PathCounts& PathCounts::operator+=(const PathCounts& other) {
-    paths += other.paths;
-    rays += other.rays;
-    bounces += other.bounces;
-    return *this;
-}
 
 MetropolisRenderer::MetropolisRenderer(const RenderContext& context, const PathTracer& tracer,
                                        const MetropolisSettings& settings)
@@ -43,11 +32,11 @@ MetropolisRenderer::MetropolisRenderer(const RenderContext& context, const PathT
     radiance_.resize(positions_.size() * context.film.light_groups());
     for (std::size_t i = 0; i < chains; ++i) {
         const std::size_t first = pixels * i / chains, end = pixels * (i + 1) / chains;
-        lanes_.push_back({.chain = MetropolisChain(settings, context.film.width(),
-                                                   context.film.height(), context.settings.seed,
-                                                   static_cast<std::uint32_t>(i)),
-                          .mutations = end - first,
-                          .first_splat = first + i});
+        lanes_.push_back(
+            {.chain = MetropolisChain(settings, context.film.width(), context.film.height(),
+                                      context.settings.seed, static_cast<std::uint32_t>(i)),
+             .mutations = end - first,
+             .first_splat = first + i});
     }
 }
 
@@ -80,12 +69,9 @@ void MetropolisRenderer::run_lane(Lane& lane, const MeanBrightness& b, PathTarge
     const std::size_t room = lane.mutations + 1;
     SplatList splats{std::span(positions_).subspan(lane.first_splat, room),
                      std::span(radiance_).subspan(lane.first_splat * groups, room * groups)};
-    const PathCounts before = counts_of(target);
     lane.counts = lane.chain.run(lane.mutations, b, target, splats);
     lane.splats = splats.used;
-    const PathCounts after = counts_of(target);
-    lane.paths = {after.paths - before.paths, after.rays - before.rays,
-                  after.bounces - before.bounces};
+    lane.paths = target.take_counts();
 }
 
 /// Closes the gaps between the lanes' splats and hands them to the film.
@@ -121,8 +107,8 @@ PathCounts MetropolisRenderer::seed_chains() {
         plain_brightness_ = total;
         guess_ = mean_brightness();
         start_chains(brightness, total);
-        context_.log.info(fmt::format("path: mean brightness {} from {} plain samples", guess_,
-                                      plain_samples_));
+        context_.log.info(
+            fmt::format("path: mean brightness {} from {} plain samples", guess_, plain_samples_));
     } else if (!warned_) {
         warned_ = true;
         context_.log.warning(
@@ -148,7 +134,7 @@ std::vector<double> MetropolisRenderer::plain_brightness(PathCounts& counts) con
                               brightness[i] = contribution.brightness;
                           }
                           const std::lock_guard lock(counting);
-                          counts += counts_of(target);
+                          counts += target.take_counts();
                       });
     return brightness;
 }
@@ -169,30 +155,29 @@ void MetropolisRenderer::start_chains(const std::vector<double>& brightness, dou
             if (brightness[i] > 0) last_lit = i;
             sum += brightness[i++];
         }
-        lanes_[k].chain.start(plain_sample(first + (i < brightness.size() ? i : last_lit)),
-                              target);
+        lanes_[k].chain.start(plain_sample(first + (i < brightness.size() ? i : last_lit)), target);
     }
 }
 
 /// Estimate of b from all plain samples and large steps so far.
 double MetropolisRenderer::mean_brightness() const {
     const std::uint64_t samples = plain_samples_ + total_.large;
-    return samples > 0 ? (plain_brightness_ + total_.large_brightness) /
-                             static_cast<double>(samples)
-                       : 0;
+    return samples > 0
+               ? (plain_brightness_ + total_.large_brightness) / static_cast<double>(samples)
+               : 0;
 }
 
 Statistics MetropolisRenderer::statistics() const {
-    return {{"metropolis chains", std::uint64_t{lanes_.size()}},
-            {"metropolis mutations", total_.mutations},
-            {"metropolis acceptance rate", share(total_.accepted, total_.mutations)},
-            {"metropolis acceptance rate of large steps",
-             share(total_.accepted_large, total_.large)},
-            {"metropolis acceptance rate of small steps",
-             share(total_.accepted - total_.accepted_large, total_.mutations - total_.large)},
-            {"metropolis forced acceptances", total_.forced},
-            {"metropolis plain samples for b", plain_samples_ + total_.large},
-            {"metropolis b", mean_brightness()}};
+    return {
+        {"metropolis chains", std::uint64_t{lanes_.size()}},
+        {"metropolis mutations", total_.mutations},
+        {"metropolis acceptance rate", share(total_.accepted, total_.mutations)},
+        {"metropolis acceptance rate of large steps", share(total_.accepted_large, total_.large)},
+        {"metropolis acceptance rate of small steps",
+         share(total_.accepted - total_.accepted_large, total_.mutations - total_.large)},
+        {"metropolis forced acceptances", total_.forced},
+        {"metropolis plain samples for b", plain_samples_ + total_.large},
+        {"metropolis b", mean_brightness()}};
 }
 
 }  // namespace lxs

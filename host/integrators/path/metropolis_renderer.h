@@ -12,15 +12,6 @@
 
 namespace lxs {
 
-/// Paths traced and what they took.
-struct PathCounts {
-    std::uint64_t paths = 0;
-    std::uint64_t rays = 0;
-    std::uint64_t bounces = 0;
-
-    PathCounts& operator+=(const PathCounts& other);
-};
-
 /// Runs a number of chains that depends on the image's size alone, each from pass to pass; a pass
 /// makes as many mutations as the film has pixels. The first pass also draws plain samples: they
 /// estimate b and seed the chains. b is estimated further from all large steps; each pass is scaled

@@ -36,11 +36,8 @@ void PathTarget::evaluate(PrimarySample& sample, Contribution& contribution) {
 
     contribution.brightness = 0;
     for (const Rgb& radiance : contribution.radiance)
-        contribution.brightness +=
-            std::min(luminance(radiance), std::numeric_limits<float>::max());
-    ++paths_;
-    rays_ += result.rays;
-    bounces_ += result.bounces;
+        contribution.brightness += std::min(luminance(radiance), std::numeric_limits<float>::max());
+    counts_ += {1, result.rays, result.bounces};
 }
 
 }  // namespace lxs

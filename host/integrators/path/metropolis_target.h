@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <memory_resource>
+#include <utility>
 #include <vector>
 
 #include "lxs/sdk/integrator.h"
@@ -20,16 +21,15 @@ class PathTarget final : public MetropolisTarget {
 
     void evaluate(PrimarySample& sample, Contribution& contribution) override;
 
-    std::uint64_t paths() const { return paths_; }
-    std::uint64_t rays() const { return rays_; }
-    std::uint64_t bounces() const { return bounces_; }
+    /// What was traced since the last call.
+    PathCounts take_counts() { return std::exchange(counts_, {}); }
 
   private:
     const RenderContext& context_;
     const PathTracer& tracer_;
     std::vector<std::byte> buffer_;
     std::pmr::monotonic_buffer_resource memory_;
-    std::uint64_t paths_ = 0, rays_ = 0, bounces_ = 0;
+    PathCounts counts_;
 };
 
 }  // namespace lxs

@@ -10,7 +10,9 @@ std::unique_ptr<lxs::Integrator> create_path(const lxs::ParameterReader& paramet
 
 std::span<const lxs::IntegratorPlugin> plugins() {
     static const lxs::IntegratorPlugin list[] = {
-        {"path", "Path tracing with next-event estimation and multiple importance sampling.",
+        {"path",
+         "Path tracing with next-event estimation and multiple importance sampling; Markov "
+         "chains under Sampler \"metropolis\".",
          lxs::PathSettings::declarations(), &create_path, true}};
     return list;
 }

@@ -111,8 +111,8 @@ void PathIntegrator::warn_of_refusals() {
 Statistics PathIntegrator::statistics() const {
     Statistics statistics{{"paths", total_.paths}, {"rays", total_.rays}};
     if (total_.paths > 0) {
-        statistics.emplace_back("bounces per path",
-                                static_cast<double>(total_.bounces) / static_cast<double>(total_.paths));
+        statistics.emplace_back("bounces per path", static_cast<double>(total_.bounces) /
+                                                        static_cast<double>(total_.paths));
     }
     if (metropolis_) {
         const Statistics of_chains = metropolis_->statistics();

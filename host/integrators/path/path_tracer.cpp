@@ -43,6 +43,13 @@ Ray segment_to_light(const SurfaceHit& hit, const DirectSample& sample, float ti
 
 }  // namespace
 
+PathCounts& PathCounts::operator+=(const PathCounts& other) {
+    paths += other.paths;
+    rays += other.rays;
+    bounces += other.bounces;
+    return *this;
+}
+
 /// The last vertex at which the path changed direction.
 struct PathTracer::Vertex {
     Vec3 p{0.0f};

@@ -33,6 +33,15 @@ struct PathResult {
     std::uint64_t bounces = 0;
 };
 
+/// Paths traced and what they took.
+struct PathCounts {
+    std::uint64_t paths = 0;
+    std::uint64_t rays = 0;
+    std::uint64_t bounces = 0;
+
+    PathCounts& operator+=(const PathCounts& other);
+};
+
 /// Estimates the radiance that arrives along a camera ray. Light reaches a path vertex in two ways
 /// that share each light path by the power heuristic: next-event estimation, and a scattered ray
 /// that meets the light. Both pass straight through null materials and architectural glass, which

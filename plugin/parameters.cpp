@@ -13,6 +13,7 @@ using lxs::ParameterType;
 
 constexpr std::array<std::string_view, 2> kModes{"progressive", "photonmap"};
 constexpr std::array<std::string_view, 2> kGuides{"paper", "none"};
+constexpr std::array<std::string_view, 2> kPhotonSamplers{"halton", "amc"};
 constexpr double kMaxCount = 4294967295.0;
 
 constexpr ParameterDeclaration integer(std::string_view name, std::string_view value,
@@ -81,6 +82,15 @@ std::vector<ParameterDeclaration> guide_declarations() {
     };
 }
 
+ParameterDeclaration photon_sampler_declaration() {
+    ParameterDeclaration d{"photonsampler", ParameterType::String, "halton",
+                           "Where unguided photon paths come from: halton, a low-discrepancy "
+                           "sequence (scrambled Sobol'); amc, adaptive Markov chains on the paths "
+                           "that reach visible points (Hachisuka and Jensen 2011)."};
+    d.choices = kPhotonSamplers;
+    return d;
+}
+
 /// LuxRender's other sppm parameters: accepted so that its scenes load as they are.
 std::vector<ParameterDeclaration> foreign_declarations() {
     using T = ParameterType;
@@ -88,8 +98,6 @@ std::vector<ParameterDeclaration> foreign_declarations() {
         no_effect("useproba", T::Bool, "true", "The schedule of Knaus and Zwicker is always used."),
         no_effect("lookupaccel", T::String, "hashgrid", "A hashed grid is always used."),
         no_effect("pixelsampler", T::String, "hilbert", "Pixels are always visited in rows."),
-        no_effect("photonsampler", T::String, "halton",
-                  "Photons always start from a scrambled Sobol' sequence."),
         no_effect("parallelhashgridspare", T::Float, "1", "Size of LuxRender's hash grid."),
         no_effect("wavelengthstratificationpasses", T::Integer, "8", "Rendering is in RGB."),
         no_effect("schedulerblocksize", T::Integer, "0", "Size of LuxRender's work packets."),
@@ -123,6 +131,7 @@ std::vector<ParameterDeclaration> declarations_of(PluginKind kind) {
     std::vector<ParameterDeclaration> all;
     if (kind == PluginKind::Aips) append(all, guide_declarations());
     append(all, common_declarations());
+    if (kind != PluginKind::ExPhotonMap) all.push_back(photon_sampler_declaration());
     append(all,
            kind == PluginKind::ExPhotonMap ? foreign_map_declarations() : foreign_declarations());
     return all;
@@ -160,6 +169,19 @@ void read_guide(const lxs::ParameterReader& in, Settings& s) {
     s.error_alpha = in.number("erroralpha", s.error_alpha);
 }
 
+/// A guide decides itself where photon paths go. A scene of LuxRender's sppm that asks for amc
+/// renders under guides too: a warning, not an error.
+void read_photon_sampler(const lxs::ParameterReader& in, Settings& s) {
+    if (in.string("photonsampler", "halton") != "amc") return;
+    if (s.guide == GuideKind::None) {
+        s.photon_sampler = PhotonSampler::AdaptiveChains;
+    } else {
+        in.diagnostics().warning(in.where("photonsampler"),
+                                 "photonsampler \"amc\" is ignored: the guide decides where photon "
+                                 "paths go; it takes effect with guide \"none\"");
+    }
+}
+
 }  // namespace
 
 std::span<const ParameterDeclaration> parameter_declarations(PluginKind kind) {
@@ -174,7 +196,11 @@ Settings read_settings(PluginKind kind, const lxs::ParameterReader& parameters) 
     read_common(parameters, settings);
     settings.guide = GuideKind::None;
     if (kind == PluginKind::Aips) read_guide(parameters, settings);
-    if (kind == PluginKind::ExPhotonMap) settings.mode = Mode::PhotonMap;
+    if (kind == PluginKind::ExPhotonMap) {
+        settings.mode = Mode::PhotonMap;
+    } else {
+        read_photon_sampler(parameters, settings);
+    }
     return settings;
 }
 

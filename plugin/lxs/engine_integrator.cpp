@@ -37,6 +37,11 @@ lxs::Statistics EngineIntegrator::statistics() const {
                         {"radius", double(s.radius)},
                         {"engine_bytes", std::uint64_t{s.memory_bytes}},
                         {"engine_bound_bytes", std::uint64_t{s.memory_bound_bytes}}};
+    if (s.uniform_paths > 0) {
+        out.emplace_back("uniform_paths", s.uniform_paths);
+        out.emplace_back("visible_uniform_paths", s.visible_paths);
+        out.emplace_back("mutation_size", s.mutation_size);
+    }
     for (const auto& [material, count] : s.refused)
         out.emplace_back("refused: " + material, count);
     return out;

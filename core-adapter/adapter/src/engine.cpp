@@ -87,6 +87,11 @@ class Engine::State {
         s.photon_seconds = photons.photon_seconds;
         s.gather_seconds = photons.gather_seconds;
         s.guide_seconds = photons.guide_seconds;
+        if (const PhotonChains* chains = photon_pass_.chains()) {
+            s.uniform_paths = chains->totals().uniform;
+            s.visible_paths = chains->totals().visible;
+            s.mutation_size = chains->mutation_size();
+        }
         if (guide_) {
             s.guide_nodes = guide_->statistics().nodes;
             s.guide_bytes = guide_->statistics().memory_bytes;

@@ -21,6 +21,10 @@ struct PhotonFlux {
         flux.assign(visible_points * groups, Rgb{});
         gathered = 0;
     }
+    void scale(double factor) {
+        for (Rgb& sum : flux)
+            sum = sum * float(factor);
+    }
 };
 
 /// Adds the landings in `grid` within `radius` of each visible point. Landings on a surface that

@@ -28,8 +28,10 @@ std::size_t photon_bytes(const Settings& s) {
                                                : std::max(s.iteration_photons, s.initial_photons)} *
         s.max_photon_depth;
     const std::size_t waiting = std::max<std::size_t>(kLandingCapacity, iteration);
+    const bool chains = s.photon_sampler == PhotonSampler::AdaptiveChains;
     return (waiting + 2 * iteration) * kGrowth * sizeof(Landing) +
-           LandingGrid::memory_bound_bytes(waiting);
+           LandingGrid::memory_bound_bytes(waiting) +
+           (chains ? PhotonChains::memory_bound_bytes(s) : 0);
 }
 
 }  // namespace

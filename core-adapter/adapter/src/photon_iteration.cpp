@@ -27,7 +27,8 @@ PhotonCounts trace_photons(const PhotonInput& input, std::uint64_t paths_before_
         const std::uint32_t begin = first + b * kPathsPerBlock;
         const std::uint32_t end = std::min(first + count, begin + kPathsPerBlock);
         for (std::uint32_t i = begin; i < end; ++i) {
-            trace_photon_path(input, paths_before_pass + i, i, refusals, arena, blocks[b].landings,
+            SequencePath numbers(input.settings.seed, input.pass, paths_before_pass + i, i);
+            trace_photon_path(input, numbers, i, refusals, arena, blocks[b].landings,
                               blocks[b].counts);
         }
     });

@@ -9,7 +9,9 @@
 namespace aips {
 
 PhotonPass::PhotonPass(const Scene& scene, const Settings& settings, Guide* guide)
-    : scene_(scene), settings_(settings), guide_(guide), light_choice_(light_choice(scene)) {}
+    : scene_(scene), settings_(settings), guide_(guide), light_choice_(light_choice(scene)) {
+    if (settings.photon_sampler == PhotonSampler::AdaptiveChains) chains_.emplace(settings);
+}
 
 std::uint64_t PhotonPass::shoot(std::uint64_t pass, float time, const EyeImage& image, float radius,
                                 Refusals& refusals, PhotonFlux& flux) {
@@ -20,13 +22,15 @@ std::uint64_t PhotonPass::shoot(std::uint64_t pass, float time, const EyeImage& 
         positions.push_back(point.position);
     occupancy_.build(positions, radius);
     if (guide_) guide_->begin_pass(positions, image.positions.size());
+    if (chains_) chains_->begin_pass();
 
     const std::uint32_t total = settings_.photons_per_pass;
     waiting_.clear();
     std::uint64_t iteration = 0;
     for (std::uint32_t first = 0; first < total; ++iteration) {
-        const std::uint32_t wanted =
-            guide_ ? guide_->iteration_paths(iteration) : kPlainIterationPaths;
+        const std::uint32_t wanted = guide_    ? guide_->iteration_paths(iteration)
+                                     : chains_ ? chains_->round_paths()
+                                               : kPlainIterationPaths;
         const std::uint32_t count = std::min(wanted, total - first);
         const bool guided = guide_ && guide_->guides(iteration);
         // A guide learns from all landings; without one only those near visible points matter.
@@ -41,7 +45,8 @@ std::uint64_t PhotonPass::shoot(std::uint64_t pass, float time, const EyeImage& 
             const Stopwatch watch(totals_.photon_seconds);
             iteration_.clear();
             totals_.counts +=
-                trace_photons(input, pass * total, first, count, refusals, iteration_);
+                chains_ ? chains_->trace(input, count, refusals, iteration_)
+                        : trace_photons(input, pass * total, first, count, refusals, iteration_);
         }
         if (guide_) {
             const Stopwatch watch(totals_.guide_seconds);
@@ -54,6 +59,7 @@ std::uint64_t PhotonPass::shoot(std::uint64_t pass, float time, const EyeImage& 
         first += count;
     }
     gather(image, radius, refusals, flux);
+    if (chains_) flux.scale(chains_->end_pass(total));
     totals_.gathered += flux.gathered;
     return total;
 }
@@ -78,7 +84,7 @@ void PhotonPass::gather(const EyeImage& image, float radius, Refusals& refusals,
 
 std::size_t PhotonPass::memory_bytes() const {
     return waiting_.memory_bytes() + iteration_.memory_bytes() + grid_.memory_bytes() +
-           occupancy_.memory_bytes();
+           occupancy_.memory_bytes() + (chains_ ? chains_->memory_bytes() : 0);
 }
 
 }  // namespace aips

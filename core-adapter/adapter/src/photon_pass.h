@@ -3,11 +3,12 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 
 #include "aips/adapter/engine.h"
 #include "gather.h"
 #include "needs.h"
-#include "photon_iteration.h"
+#include "photon_chains.h"
 
 namespace aips {
 
@@ -35,6 +36,8 @@ class PhotonPass {
                         Refusals& refusals, PhotonFlux& flux);
 
     const PhotonPassTotals& totals() const { return totals_; }
+    /// Null unless photonsampler=amc.
+    const PhotonChains* chains() const { return chains_ ? &*chains_ : nullptr; }
     std::size_t memory_bytes() const;
 
   private:
@@ -46,6 +49,7 @@ class PhotonPass {
     Guide* guide_;
     DiscreteDistribution light_choice_;
     OccupancyGrid occupancy_;
+    std::optional<PhotonChains> chains_;
     LandingStore waiting_;    // near visible points, not gathered yet
     LandingStore iteration_;  // all landings of one guided iteration
     LandingGrid grid_;

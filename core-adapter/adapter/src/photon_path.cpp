@@ -1,7 +1,7 @@
 // One photon path. Weights are adjoint Bsdf * cosine / (density actually used), at every bounce.
 #include "photon_path.h"
 
-#include "aips/core/low_discrepancy.h"
+#include "aips/core/primary_path.h"
 #include "eye_pass.h"
 #include "scatter_photon.h"
 
@@ -20,16 +20,15 @@ struct Photon {
     bool straight = true;  // has met nothing but null surfaces and architectural glass
 };
 
-/// Primary coordinates are an Owen-scrambled Sobol' sequence over all photons of the render: four
-/// dimensions for the light's coordinates, the fifth chooses the light.
-bool emit(const PhotonInput& in, std::uint64_t serial, Refusals& refusals, Photon& photon) {
-    const auto scramble =
-        static_cast<std::uint32_t>(in.settings.seed * 0x9E3779B97F4A7C15ull >> 32);
-    const auto u = [&](unsigned dimension) { return sobol_owen(serial, dimension, scramble); };
+/// Four numbers for the light's coordinates, the fifth chooses the light.
+template <class Numbers>
+bool emit(const PhotonInput& in, Numbers& numbers, Refusals& refusals, Photon& photon) {
     const auto lights = in.scene.lights();
-    const auto chosen = in.light_choice.sample(lights.size() > 1 ? u(4) : 0.5f);
+    const auto chosen = in.light_choice.sample(lights.size() > 1 ? numbers.emission(4) : 0.5f);
+    const std::array<float, 4> u{numbers.emission(0), numbers.emission(1), numbers.emission(2),
+                                 numbers.emission(3)};
     Emission emission;
-    if (!lights[chosen.index]->emit({u(0), u(1), u(2), u(3)}, emission)) return false;
+    if (!lights[chosen.index]->emit(u, emission)) return false;
     photon.ray = emission.ray;
     photon.ray.time = in.time;
     photon.power = emission.power / chosen.pdf;
@@ -73,14 +72,14 @@ PhotonCounts& PhotonCounts::operator+=(const PhotonCounts& o) {
     return *this;
 }
 
-void trace_photon_path(const PhotonInput& in, std::uint64_t serial, std::uint32_t index,
+template <class Numbers>
+void trace_photon_path(const PhotonInput& in, Numbers& numbers, std::uint32_t index,
                        Refusals& refusals, Arena& arena, std::vector<Landing>& landings,
                        PhotonCounts& counts) {
     ++counts.paths;
     Photon photon;
-    if (!emit(in, serial, refusals, photon)) return;
+    if (!emit(in, numbers, refusals, photon)) return;
     const float emitted_power = max_component(photon.power);
-    RandomStream random(in.settings.seed, in.pass, index, RandomDomain::Photon);
     const LobeMask receiving = receiving_lobes(in.settings);
 
     for (std::uint32_t depth = 1;; ++depth) {
@@ -95,6 +94,7 @@ void trace_photon_path(const PhotonInput& in, std::uint64_t serial, std::uint32_
         }
         if (depth >= in.settings.max_photon_depth) return;
 
+        auto& random = numbers.bounce(depth);
         const float survive = survival(point, photon, emitted_power);
         if (survive < 1 && random.next() >= survive) return;
         ScatteredPhoton scattered;
@@ -108,5 +108,10 @@ void trace_photon_path(const PhotonInput& in, std::uint64_t serial, std::uint32_
         photon.ray = in.scene.spawn(point, scattered.direction, in.time);
     }
 }
+
+template void trace_photon_path(const PhotonInput&, SequencePath&, std::uint32_t, Refusals&, Arena&,
+                                std::vector<Landing>&, PhotonCounts&);
+template void trace_photon_path(const PhotonInput&, PrimaryPath&, std::uint32_t, Refusals&, Arena&,
+                                std::vector<Landing>&, PhotonCounts&);
 
 }  // namespace aips

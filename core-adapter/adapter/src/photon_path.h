@@ -10,6 +10,7 @@
 #include "aips/core/arena.h"
 #include "aips/core/discrete_distribution.h"
 #include "aips/core/landing.h"
+#include "aips/core/low_discrepancy.h"
 #include "aips/core/occupancy.h"
 #include "aips/core/random.h"
 #include "refusals.h"
@@ -38,9 +39,30 @@ struct PhotonInput {
     float time = 0;
 };
 
-/// Traces path number `serial` of the render (`index` of its pass) and appends its landings.
-/// Landings that shadow rays own (docs/path-classes.md) are dropped.
-void trace_photon_path(const PhotonInput& input, std::uint64_t serial, std::uint32_t index,
+/// The numbers of a path of the plain sampler: the emission's are an Owen-scrambled Sobol' sequence
+/// over all photons of the render, those of the bounces a stream addressed by the photon.
+class SequencePath {
+  public:
+    /// Path number `serial` of the render, `index` of its pass.
+    SequencePath(std::uint64_t seed, std::uint64_t pass, std::uint64_t serial, std::uint32_t index)
+        : serial_(serial),
+          scramble_(static_cast<std::uint32_t>(seed * 0x9E3779B97F4A7C15ull >> 32)),
+          random_(seed, pass, index, RandomDomain::Photon) {}
+
+    float emission(unsigned dimension) const { return sobol_owen(serial_, dimension, scramble_); }
+    RandomStream& bounce(std::uint32_t /*depth*/) { return random_; }
+
+  private:
+    std::uint64_t serial_;
+    std::uint32_t scramble_;
+    RandomStream random_;
+};
+
+/// Traces a path with the given numbers (SequencePath, or PrimaryPath of a Markov chain), `index`
+/// of its pass, and appends its landings. Landings that shadow rays own (docs/path-classes.md) are
+/// dropped.
+template <class Numbers>
+void trace_photon_path(const PhotonInput& input, Numbers& numbers, std::uint32_t index,
                        Refusals& refusals, Arena& arena, std::vector<Landing>& landings,
                        PhotonCounts& counts);
 

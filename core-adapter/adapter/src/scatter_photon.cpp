@@ -1,12 +1,15 @@
 // One bounce of a photon.
 #include "scatter_photon.h"
 
+#include "aips/core/primary_path.h"
+
 namespace aips {
 namespace {
 
 /// A Bsdf sample over the lobes in `mask` as it is.
+template <class Numbers>
 bool scatter_by_bsdf(const SurfacePoint& point, Vec3 wo, LobeMask mask, float mask_pdf,
-                     RandomStream& random, ScatteredPhoton& result, LobeMask& lobe) {
+                     Numbers& random, ScatteredPhoton& result, LobeMask& lobe) {
     const Vec2 u = random.next2();
     BsdfSample sample;
     if (!point.bsdf->sample(wo, u, random.next(), Transport::Power, mask, sample)) return false;
@@ -28,8 +31,9 @@ float specular_probability(const Bsdf& bsdf, Vec3 wo, LobeMask lobes) {
 
 /// One-sample mixture: the guide with probability `share`, else the Bsdf; weighed by the density
 /// of both together, so that any guide leaves the expectation as it is.
+template <class Numbers>
 bool scatter_by_mixture(const GuidedDirections& guided, float share, const SurfacePoint& point,
-                        Vec3 wo, float mask_pdf, RandomStream& random, PhotonCounts& counts,
+                        Vec3 wo, float mask_pdf, Numbers& random, PhotonCounts& counts,
                         ScatteredPhoton& result) {
     const float u_choice = random.next();
     const Vec2 u = random.next2();
@@ -65,7 +69,8 @@ float adjoint_shading_factor(const SurfacePoint& point, Vec3 wo, Vec3 wi) {
     return in > 0 ? out / in : 0;
 }
 
-bool scatter_photon(const PhotonInput& in, const SurfacePoint& point, Vec3 wo, RandomStream& random,
+template <class Numbers>
+bool scatter_photon(const PhotonInput& in, const SurfacePoint& point, Vec3 wo, Numbers& random,
                     Arena& arena, PhotonCounts& counts, ScatteredPhoton& result) {
     const LobeMask lobes = point.bsdf->lobes();
     LobeMask lobe = 0;
@@ -86,5 +91,10 @@ bool scatter_photon(const PhotonInput& in, const SurfacePoint& point, Vec3 wo, R
     if (lobe & kNonSpecular) ++counts.bounces;
     return scattered;
 }
+
+template bool scatter_photon(const PhotonInput&, const SurfacePoint&, Vec3, RandomStream&, Arena&,
+                             PhotonCounts&, ScatteredPhoton&);
+template bool scatter_photon(const PhotonInput&, const SurfacePoint&, Vec3, PrimaryPath&, Arena&,
+                             PhotonCounts&, ScatteredPhoton&);
 
 }  // namespace aips

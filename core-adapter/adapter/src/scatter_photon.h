@@ -12,10 +12,11 @@ struct ScatteredPhoton {
     bool straight = false;
 };
 
-/// Draws a direction; false when the photon is absorbed. Specular lobes are never guided.
-bool scatter_photon(const PhotonInput& input, const SurfacePoint& point, Vec3 wo,
-                    RandomStream& random, Arena& arena, PhotonCounts& counts,
-                    ScatteredPhoton& result);
+/// Draws a direction from `random` (RandomStream or PrimaryPath); false when the photon is
+/// absorbed. Specular lobes are never guided.
+template <class Numbers>
+bool scatter_photon(const PhotonInput& input, const SurfacePoint& point, Vec3 wo, Numbers& random,
+                    Arena& arena, PhotonCounts& counts, ScatteredPhoton& result);
 
 /// Veach's factor for photons at shading normals (1997, section 5.3.2): with it, photon power
 /// counts flux through the geometric surface while the Bsdf takes cosines to the shading normal.

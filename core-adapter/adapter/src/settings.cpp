@@ -18,6 +18,9 @@ void validate(const Settings& s) {
     if (!(s.error_alpha >= 0 && s.error_alpha < 1)) {
         throw std::invalid_argument("erroralpha must be in [0, 1)");
     }
+    if (s.photon_sampler == PhotonSampler::AdaptiveChains && s.guide != GuideKind::None) {
+        throw std::invalid_argument("photonsampler amc needs guide none");
+    }
     if (s.cdf_resolution == 0) throw std::invalid_argument("cdfresolution must be at least 1");
 }
 
@@ -34,6 +37,7 @@ std::string describe(const Settings& s) {
         out << ", startradius = automatic";
     }
     out << ", alpha = " << s.alpha << ", seed = " << s.seed;
+    if (s.photon_sampler == PhotonSampler::AdaptiveChains) out << ", photonsampler = amc";
     if (s.guide == GuideKind::Paper) {
         out << ", guideshare = " << s.guide_share << ", iterationphotons = " << s.iteration_photons
             << " paths, nodephotons = " << s.node_photons << ", treedepth = " << s.tree_depth

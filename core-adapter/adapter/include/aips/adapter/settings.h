@@ -16,10 +16,17 @@ enum class GuideKind : std::uint8_t {
     Paper  ///< Liu & Zheng 2014
 };
 
+/// Where the random numbers of unguided photon paths come from.
+enum class PhotonSampler : std::uint8_t {
+    Sequence,       ///< emission from an Owen-scrambled Sobol' sequence
+    AdaptiveChains  ///< Markov chains on the visible paths (Hachisuka & Jensen 2011)
+};
+
 /// Everything that a user may set. Names of the parameters: plugin/parameters.cpp.
 struct Settings {
     Mode mode = Mode::Progressive;
     GuideKind guide = GuideKind::Paper;
+    PhotonSampler photon_sampler = PhotonSampler::Sequence;  ///< AdaptiveChains: guide none only
     std::uint64_t seed = 0;
 
     std::uint32_t max_eye_depth = 16;     ///< surfaces that an eye path may meet

@@ -18,7 +18,9 @@ enum class RandomDomain : std::uint8_t {
     Guide,        ///< choices of a guide's training
     Time,         ///< the moment of a pass; index 0
     Camera,       ///< film and lens positions, where they do not share the eye path's stream
-    Emission      ///< primary coordinates of photon paths without a low-discrepancy sequence
+    Emission,     ///< primary coordinates of photon paths without a low-discrepancy sequence
+    UniformPath,  ///< independent paths of Markov chains; index: step * chains + chain
+    MutatedPath   ///< mutations of Markov chains; index: step * chains + chain
 };
 
 /// The top 24 bits as a number in [0, 1); never 1, all 2^24 values equally likely.

@@ -1,0 +1,56 @@
+// photonsampler=amc: photon paths from adaptive Markov chains (Hachisuka & Jensen 2011).
+#pragma once
+
+#include "aips/core/visibility_chain.h"
+#include "photon_iteration.h"
+
+namespace aips {
+
+/// Chains that walk among the photon paths which reach visible points. Their number is fixed, each
+/// is sequential, and their landings are joined in order: the result does not depend on the number
+/// of threads. See docs/photon-samplers.md for what is exact about them.
+class PhotonChains {
+  public:
+    explicit PhotonChains(const Settings& settings) : chains_(kChains), settings_(settings) {}
+
+    /// Chains forget their paths: those of the last pass are not distributed as this pass's
+    /// visible points and radius ask for. The size of mutations is kept.
+    void begin_pass();
+
+    /// Photon paths of the next round: short at first, so that the first visible path soon serves
+    /// all chains.
+    std::uint32_t round_paths() const;
+
+    /// Traces exactly `count` photon paths, independent and mutated ones together, and appends the
+    /// landings of the recorded states. A path is visible when it leaves a landing, so
+    /// `input.occupancy` must be there and `input.guide` must not.
+    PhotonCounts trace(const PhotonInput& input, std::uint32_t count, Refusals& refusals,
+                       LandingStore& store);
+
+    /// Ends the pass. Returns what this pass's landings, summed, must be multiplied with to stand
+    /// for `paths` independent photon paths: visible / uniform * paths / recorded. 0 when no path
+    /// was visible: then the pass has traced independent paths only, and says that they found
+    /// nothing.
+    double end_pass(std::uint32_t paths);
+
+    /// Over the whole render.
+    const ChainCounts& totals() const { return totals_; }
+    double mutation_size() const { return mutation_size_.size(); }
+    std::size_t memory_bytes() const;
+    static std::size_t memory_bound_bytes(const Settings& settings);
+
+  private:
+    using Chain = VisibilityChain<std::vector<Landing>>;
+
+    static constexpr std::uint32_t kChains = 64;
+
+    void learn(const ChainCounts& counts);
+    void spread_states();
+
+    std::vector<Chain> chains_;
+    const Settings& settings_;
+    MutationSize mutation_size_;
+    ChainCounts pass_, not_learned_, totals_;
+};
+
+}  // namespace aips

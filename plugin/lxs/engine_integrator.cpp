@@ -37,9 +37,9 @@ lxs::Statistics EngineIntegrator::statistics() const {
                         {"radius", double(s.radius)},
                         {"engine_bytes", std::uint64_t{s.memory_bytes}},
                         {"engine_bound_bytes", std::uint64_t{s.memory_bound_bytes}}};
-    if (s.uniform_paths > 0) {
-        out.emplace_back("uniform_paths", s.uniform_paths);
-        out.emplace_back("visible_uniform_paths", s.visible_paths);
+    if (s.measured_paths > 0) {
+        out.emplace_back("measured_paths", s.measured_paths);
+        out.emplace_back("visible_paths", s.visible_paths);
         out.emplace_back("mutation_size", s.mutation_size);
     }
     for (const auto& [material, count] : s.refused)

@@ -57,6 +57,16 @@ TEST(Furnace, PaperGuide) {
     EXPECT_NEAR(measured(scene, settings, 20), furnace_radiance(8), 0.01 * furnace_radiance(8));
 }
 
+TEST(Furnace, AdaptiveChains) {
+    const mock::Scene scene = furnace({});
+    for (const bool direct : {true, false}) {
+        Settings settings = mock::small_settings(8, 40000);
+        settings.photon_sampler = PhotonSampler::AdaptiveChains;
+        settings.direct_light_sampling = direct;
+        EXPECT_NEAR(measured(scene, settings, 20), furnace_radiance(8), 0.01 * furnace_radiance(8));
+    }
+}
+
 TEST(Furnace, PhotonMapMode) {
     for (const GuideKind guide : {GuideKind::None, GuideKind::Paper}) {
         const mock::Scene scene = furnace({});

@@ -88,7 +88,7 @@ class Engine::State {
         s.gather_seconds = photons.gather_seconds;
         s.guide_seconds = photons.guide_seconds;
         if (const PhotonChains* chains = photon_pass_.chains()) {
-            s.uniform_paths = chains->totals().uniform;
+            s.measured_paths = chains->totals().measured;
             s.visible_paths = chains->totals().visible;
             s.mutation_size = chains->mutation_size();
         }

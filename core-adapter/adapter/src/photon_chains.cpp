@@ -19,6 +19,12 @@ struct Round {
     ChainCounts chain;
 };
 
+/// Chain c's share of `paths` paths. Rounds but the last share evenly, so that the shares of the
+/// rounds add up to the share of the pass.
+constexpr std::uint32_t share_of(std::uint32_t c, std::uint32_t paths) {
+    return paths / PhotonChains::kChains + (c < paths % PhotonChains::kChains ? 1 : 0);
+}
+
 /// A state that lasted several steps lands once, with the power of all of them.
 void record(std::span<const Landing> state, std::uint32_t repeats, std::vector<Landing>& landings) {
     for (Landing landing : state) {
@@ -29,10 +35,11 @@ void record(std::span<const Landing> state, std::uint32_t repeats, std::vector<L
 
 }  // namespace
 
-void PhotonChains::begin_pass() {
+void PhotonChains::begin_pass(std::uint32_t paths) {
+    paths_ = paths;
     pass_ = {};
-    for (Chain& chain : chains_)
-        chain.begin_pass();
+    for (std::uint32_t c = 0; c < kChains; ++c)
+        chains_[c].begin_pass((share_of(c, paths) + 1) / 2);
 }
 
 std::uint32_t PhotonChains::round_paths() const {
@@ -48,9 +55,8 @@ PhotonCounts PhotonChains::trace(const PhotonInput& input, std::uint32_t count, 
     tbb::parallel_for(0u, kChains, [&](std::uint32_t c) {
         Arena& arena = arenas.local();
         Round& round = rounds[c];
-        const std::uint32_t paths = count / kChains + (c < count % kChains ? 1 : 0);
         chains_[c].run(
-            {input.settings.seed, input.pass, c, kChains}, paths, exponent,
+            {input.settings.seed, input.pass, c, kChains}, share_of(c, count), exponent,
             [&](PrimaryPath& path, std::vector<Landing>& state, std::uint64_t number) {
                 state.clear();
                 trace_photon_path(input, path, std::uint32_t(number), refusals, arena, state,
@@ -98,15 +104,15 @@ void PhotonChains::spread_states() {
     }
 }
 
-double PhotonChains::end_pass(std::uint32_t paths) {
+double PhotonChains::end_pass() {
     totals_ += pass_;
     if (const std::uint64_t steps = not_learned_.mutated / kChains) {
         mutation_size_.learn(double(not_learned_.accepted) / double(not_learned_.mutated), steps);
         not_learned_ = {};
     }
     if (pass_.recorded == 0) return 0;
-    const double visible_share = double(pass_.visible) / double(pass_.uniform);
-    return visible_share * double(paths) / double(pass_.recorded);
+    const double visible_share = double(pass_.visible) / double(pass_.measured);
+    return visible_share * double(paths_) / double(pass_.recorded);
 }
 
 std::size_t PhotonChains::memory_bytes() const {

@@ -11,11 +11,13 @@ namespace aips {
 /// of threads. See docs/photon-samplers.md for what is exact about them.
 class PhotonChains {
   public:
+    static constexpr std::uint32_t kChains = 64;
+
     explicit PhotonChains(const Settings& settings) : chains_(kChains), settings_(settings) {}
 
     /// Chains forget their paths: those of the last pass are not distributed as this pass's
-    /// visible points and radius ask for. The size of mutations is kept.
-    void begin_pass();
+    /// visible points and radius ask for. The size of mutations is kept. `paths`: of this pass.
+    void begin_pass(std::uint32_t paths);
 
     /// Photon paths of the next round: short at first, so that the first visible path soon serves
     /// all chains.
@@ -28,10 +30,9 @@ class PhotonChains {
                        LandingStore& store);
 
     /// Ends the pass. Returns what this pass's landings, summed, must be multiplied with to stand
-    /// for `paths` independent photon paths: visible / uniform * paths / recorded. 0 when no path
-    /// was visible: then the pass has traced independent paths only, and says that they found
-    /// nothing.
-    double end_pass(std::uint32_t paths);
+    /// for as many independent photon paths as the pass has: visible / measured * paths / recorded.
+    /// 0 when no measured path was visible: then the pass says that they found nothing.
+    double end_pass();
 
     /// Over the whole render.
     const ChainCounts& totals() const { return totals_; }
@@ -42,14 +43,13 @@ class PhotonChains {
   private:
     using Chain = VisibilityChain<std::vector<Landing>>;
 
-    static constexpr std::uint32_t kChains = 64;
-
     void learn(const ChainCounts& counts);
     void spread_states();
 
     std::vector<Chain> chains_;
     const Settings& settings_;
     MutationSize mutation_size_;
+    std::uint32_t paths_ = 0;  // of this pass
     ChainCounts pass_, not_learned_, totals_;
 };
 

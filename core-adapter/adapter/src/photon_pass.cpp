@@ -22,7 +22,7 @@ std::uint64_t PhotonPass::shoot(std::uint64_t pass, float time, const EyeImage& 
         positions.push_back(point.position);
     occupancy_.build(positions, radius);
     if (guide_) guide_->begin_pass(positions, image.positions.size());
-    if (chains_) chains_->begin_pass();
+    if (chains_) chains_->begin_pass(settings_.photons_per_pass);
 
     const std::uint32_t total = settings_.photons_per_pass;
     waiting_.clear();
@@ -59,7 +59,7 @@ std::uint64_t PhotonPass::shoot(std::uint64_t pass, float time, const EyeImage& 
         first += count;
     }
     gather(image, radius, refusals, flux);
-    if (chains_) flux.scale(chains_->end_pass(total));
+    if (chains_) flux.scale(chains_->end_pass());
     totals_.gathered += flux.gathered;
     return total;
 }

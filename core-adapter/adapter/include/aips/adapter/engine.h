@@ -43,8 +43,9 @@ struct EngineStatistics {
     std::uint64_t gathered = 0;  ///< photon contributions to visible points
     std::uint64_t bounces = 0;
     std::uint64_t guided_bounces = 0;
-    std::uint64_t uniform_paths = 0;  ///< photonsampler=amc: independent photon paths
-    std::uint64_t visible_paths = 0;  ///< of these, those that reached a visible point
+    /// photonsampler=amc: independent photon paths that measure which share reaches visible points
+    std::uint64_t measured_paths = 0;
+    std::uint64_t visible_paths = 0;  ///< of these, those that did
     double mutation_size = 0;         ///< photonsampler=amc: see docs/photon-samplers.md
     std::uint64_t guide_nodes = 0;
     std::uint64_t guide_bytes = 0;

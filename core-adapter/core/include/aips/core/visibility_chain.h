@@ -10,16 +10,18 @@
 
 namespace aips {
 
-/// Counts over chains. The visible share of all paths is estimated by visible / uniform.
+/// Counts over chains. The visible share of all paths is estimated by visible / measured.
 struct ChainCounts {
     std::uint64_t uniform = 0;   ///< independent paths traced
-    std::uint64_t visible = 0;   ///< of these, visible
+    std::uint64_t measured = 0;  ///< of these, the ones that measure the visible share
+    std::uint64_t visible = 0;   ///< of the measured, visible
     std::uint64_t mutated = 0;   ///< mutated paths traced
     std::uint64_t accepted = 0;  ///< of these, visible
     std::uint64_t recorded = 0;  ///< steps that left the chain at a visible path
 
     ChainCounts& operator+=(const ChainCounts& o) {
         uniform += o.uniform;
+        measured += o.measured;
         visible += o.visible;
         mutated += o.mutated;
         accepted += o.accepted;
@@ -40,16 +42,20 @@ struct ChainAddress {
 /// Given where the independent paths were visible, each recorded state is distributed uniformly
 /// over the visible paths, from the first step on: it starts at an independent visible path, and
 /// the moves (an independent visible path; a symmetric mutation accepted when visible) keep that
-/// distribution. So the mean over recorded states times visible / uniform is the mean over all
-/// paths, without start-up bias, as long as the size of mutations does not depend on the states.
+/// distribution. So the mean over recorded states times visible / measured is the mean over all
+/// paths, without start-up bias, as long as the size of mutations does not depend on the states
+/// and the number of measured paths is fixed: within a budget of paths, more visible ones leave
+/// time for more independent ones, and counting all of them would be biased where few are visible.
 template <class Payload>
 class VisibilityChain {
   public:
     bool has_state() const { return has_state_; }
-    /// Before the first step of a pass.
-    void begin_pass() {
+    /// Before the first step of a pass. The first `measured` independent paths measure the visible
+    /// share; half of the pass's paths, rounded up, are sure to be independent.
+    void begin_pass(std::uint64_t measured) {
         has_state_ = false;
         step_ = 0;
+        measured_ = measured;
     }
     /// Goes on from the state of another chain, which must have one.
     void adopt(const VisibilityChain& other) {
@@ -77,9 +83,11 @@ class VisibilityChain {
             return true;
         };
         while (paths > 0) {
+            const bool measuring = step_ < measured_;
             ++counts.uniform;
+            counts.measured += measuring;
             if (propose(RandomDomain::UniformPath, {})) {
-                ++counts.visible;
+                counts.visible += measuring;
             } else if (has_state_ && paths > 0) {
                 // Where no path is left for a mutation the state lasts: a valid, idle step.
                 ++counts.mutated;
@@ -106,7 +114,8 @@ class VisibilityChain {
         Payload payload;
     };
     State current_, proposed_;
-    std::uint64_t step_ = 0;  // of this pass
+    std::uint64_t step_ = 0;      // of this pass
+    std::uint64_t measured_ = 0;  // steps of this pass that measure
     bool has_state_ = false;
 };
 

@@ -1,0 +1,215 @@
+// Protects photonsampler=amc: Markov chains change the variance of photons, never their
+// expectation; they are the same for any number of threads, of bounded memory, and harmless where
+// no photon path is visible.
+#include "photon_chains.h"
+
+#include <gtest/gtest.h>
+#include <tbb/global_control.h>
+
+#include "block_test.h"
+#include "render_mock.h"
+
+namespace {
+
+using namespace aips;
+
+constexpr std::uint32_t kWidth = 32, kHeight = 24;
+
+struct View {
+    mock::Scene scene;
+    mock::Camera camera;
+};
+
+View box_view() {
+    mock::Material ball;
+    ball.kind = mock::Material::Kind::LambertAndMirror;
+    ball.specular = {0.3f, 0.3f, 0.3f};
+    return {mock::lamp_box({}, ball), mock::camera_along_y({0, -0.95f, 0}, 1, kWidth, kHeight)};
+}
+
+/// A patch of 0.8 x 0.6 in the middle of a floor of half width `half` under a lamp as wide: few
+/// photon paths reach it. A wall beside the patch brings light of two bounces.
+View wide_view(float half) {
+    mock::Scene scene;
+    mock::Surface ground;
+    ground.shape = mock::Quad{{-half, -half, 0}, {2 * half, 0, 0}, {0, 2 * half, 0}};
+    scene.add(ground);
+    mock::Surface wall;
+    wall.shape = mock::Quad{{0.6f, -1, 0}, {0, 2, 0}, {0, 0, 1}};
+    scene.add(wall);
+    mock::Surface lamp;
+    lamp.shape = mock::Quad{{-half, -half, 3}, {0, 2 * half, 0}, {2 * half, 0, 0}};
+    lamp.material.reflectance = {0, 0, 0};
+    lamp.emitted = {1, 1, 1};
+    scene.add(lamp);
+    scene.finish();
+    return {std::move(scene), {{0, 0, 1}, {0, 0, -1}, {0.4f, 0, 0}, {0, 0.3f, 0}, kWidth, kHeight}};
+}
+
+Settings chain_settings(std::uint64_t seed, std::uint32_t photons, PhotonSampler sampler,
+                        double start_radius = 3) {
+    // alpha 1 keeps the radius, and a fixed start radius is the same for both: equal bias.
+    Settings settings = mock::small_settings(seed, photons);
+    settings.photon_sampler = sampler;
+    settings.start_radius = start_radius;
+    settings.direct_light_sampling = false;  // all light by photons
+    return settings;
+}
+
+std::vector<double> luminances(const mock::Film& film) {
+    std::vector<double> values;
+    for (const Rgb& pixel : film.image())
+        values.push_back(luminance(pixel));
+    return values;
+}
+
+/// Block means of renders with different seeds.
+statistics::BlockMeans renders(const View& view, PhotonSampler sampler, unsigned seeds,
+                               std::uint64_t first_seed, std::uint32_t photons,
+                               std::uint32_t passes) {
+    statistics::BlockMeans means;
+    for (unsigned s = 0; s < seeds; ++s) {
+        const Settings settings = chain_settings(first_seed + s, photons, sampler);
+        const auto r = mock::render(view.scene, view.camera, kWidth, kHeight, settings, passes);
+        means.push_back(statistics::block_means(luminances(r.film), kWidth, kHeight, 8));
+    }
+    return means;
+}
+
+/// 13 tests per comparison at a family-wise significance of 1 %, fixed seeds. A planted bias of
+/// `planted` must be found.
+void expect_same(const View& view, unsigned seeds, std::uint32_t photons, std::uint32_t passes,
+                 double planted) {
+    const auto plain = renders(view, PhotonSampler::Sequence, seeds, 1000, photons, passes);
+    auto chains = renders(view, PhotonSampler::AdaptiveChains, seeds, 2000, photons, passes);
+    const auto same = statistics::compare(plain, chains, 0.01);
+    std::cout << same.describe() << "\n";
+    EXPECT_FALSE(same.differs()) << same.describe();
+    EXPECT_LT(same.detectable, planted) << same.describe();
+    for (auto& seed : chains) {
+        for (double& block : seed)
+            block *= 1 + planted;
+    }
+    EXPECT_TRUE(statistics::compare(plain, chains, 0.01).differs());
+}
+
+TEST(PhotonChains, SameExpectationInABox) {
+    expect_same(box_view(), 24, 8000, 8, 0.02);
+}
+
+/// Few paths a pass: some measured paths are visible, and the chains begin anew in each of 60
+/// passes per seed. A start-up bias, or one of the visible share, would show.
+TEST(PhotonChains, SameExpectationWhereFewPathsAreVisible) {
+    expect_same(wide_view(2), 40, 500, 60, 0.06);
+}
+
+/// Mean over pixels of the variance over seeds.
+double pixel_variance(const View& view, PhotonSampler sampler, unsigned seeds) {
+    std::vector<double> sums(std::size_t{kWidth} * kHeight), squares(sums);
+    for (unsigned s = 0; s < seeds; ++s) {
+        const Settings settings = chain_settings(3000 + s, 40000, sampler, 0.5);
+        const auto values =
+            luminances(mock::render(view.scene, view.camera, kWidth, kHeight, settings, 6).film);
+        for (std::size_t i = 0; i < values.size(); ++i) {
+            sums[i] += values[i];
+            squares[i] += values[i] * values[i];
+        }
+    }
+    double variance = 0;
+    for (std::size_t i = 0; i < sums.size(); ++i)
+        variance += (squares[i] - sums[i] * sums[i] / seeds) / (seeds - 1);
+    return variance / double(sums.size());
+}
+
+/// What the method is for.
+TEST(PhotonChains, LowerVarianceWhereFewPathsAreVisible) {
+    const View view = wide_view(10);
+    const double ratio = pixel_variance(view, PhotonSampler::Sequence, 12) /
+                         pixel_variance(view, PhotonSampler::AdaptiveChains, 12);
+    std::cout << "variance of plain photons over that of chains: " << ratio << "\n";
+    EXPECT_GT(ratio, 4);
+}
+
+/// Lamp and camera in rooms of their own: each path misses, all are counted, the image is black.
+TEST(PhotonChains, NothingVisibleEndsCleanly) {
+    mock::Scene scene;
+    mock::Surface wall;
+    scene.add_box({-1, -1, -1}, {1, 1, 1}, wall);
+    mock::Surface box = wall;
+    scene.add_box({4, -1, -1}, {6, 1, 1}, box);
+    scene.add_point_light({5, 0, 0}, {1, 1, 1});
+    scene.finish();
+    const auto camera = mock::camera_along_y({0, -0.9f, 0}, 1, kWidth, kHeight);
+    const auto settings = chain_settings(5, 5000, PhotonSampler::AdaptiveChains);
+    const auto r = mock::render(scene, camera, kWidth, kHeight, settings, 3);
+    EXPECT_EQ(r.film.mean(), 0);
+    EXPECT_EQ(r.statistics.photon_paths, 15000u);
+    EXPECT_EQ(r.statistics.visible_paths, 0u);
+    EXPECT_EQ(r.statistics.landings, 0u);
+    EXPECT_EQ(r.statistics.refused.size(), 0u);
+}
+
+/// Budgets that do not divide by the number of chains, or are below it.
+TEST(PhotonChains, TracesExactlyThePathsAskedFor) {
+    const View view = box_view();
+    for (const std::uint32_t photons : {1u, 63u, 65u, 1000u, 16385u}) {
+        const auto settings = chain_settings(6, photons, PhotonSampler::AdaptiveChains);
+        const auto r = mock::render(view.scene, view.camera, kWidth, kHeight, settings, 3);
+        EXPECT_EQ(r.statistics.photon_paths, 3 * photons);
+        EXPECT_TRUE(std::isfinite(r.film.mean()));
+        // Each chain measures half of its paths, rounded up.
+        EXPECT_GE(r.statistics.measured_paths, 3 * (photons + 1) / 2 - 3);
+        EXPECT_LE(r.statistics.measured_paths, 3 * (photons / 2 + PhotonChains::kChains));
+    }
+}
+
+TEST(PhotonChains, SameBitsForAnyNumberOfThreads) {
+    const View view = wide_view(10);
+    const auto image_with = [&](int threads) {
+        const tbb::global_control limit(tbb::global_control::max_allowed_parallelism,
+                                        std::size_t(threads));
+        const auto settings = chain_settings(7, 20000, PhotonSampler::AdaptiveChains);
+        return mock::render(view.scene, view.camera, kWidth, kHeight, settings, 3).film.image();
+    };
+    const auto one = image_with(1);
+    EXPECT_EQ(one, image_with(2));
+    EXPECT_EQ(one, image_with(7));
+}
+
+TEST(PhotonChains, MemoryStaysBelowTheBoundAndFlat) {
+    const View view = wide_view(10);
+    const auto settings = chain_settings(8, 20000, PhotonSampler::AdaptiveChains);
+    const mock::Sampler sampler(1);
+    mock::Film film(kWidth, kHeight);
+    mock::Log log;
+    Engine engine({view.scene, view.camera, sampler, film, log}, settings);
+    for (std::uint64_t pass = 0; pass < 6; ++pass)
+        engine.render_pass(pass);
+    const auto early = engine.statistics();
+    for (std::uint64_t pass = 6; pass < 30; ++pass)
+        engine.render_pass(pass);
+    const auto late = engine.statistics();
+    EXPECT_LE(late.memory_bytes, late.memory_bound_bytes);
+    EXPECT_LE(double(late.memory_bytes), 1.02 * double(early.memory_bytes));
+}
+
+/// The mutation size leaves its start and settles where about the wanted share is accepted.
+TEST(PhotonChains, MutationSizeAdaptsToTheScene) {
+    const View view = wide_view(10);
+    const auto settings = chain_settings(9, 40000, PhotonSampler::AdaptiveChains);
+    const auto wide = mock::render(view.scene, view.camera, kWidth, kHeight, settings, 8);
+    EXPECT_LT(wide.statistics.mutation_size, 0.5);
+    EXPECT_GE(wide.statistics.mutation_size, MutationSize::kFloor);
+    const View box = box_view();
+    const auto well_lit = mock::render(box.scene, box.camera, kWidth, kHeight, settings, 8);
+    EXPECT_GT(well_lit.statistics.mutation_size, 1);
+}
+
+TEST(PhotonChains, ContradictAGuide) {
+    Settings settings = chain_settings(1, 1000, PhotonSampler::AdaptiveChains);
+    EXPECT_NO_THROW(validate(settings));
+    settings.guide = GuideKind::Paper;
+    EXPECT_THROW(validate(settings), std::invalid_argument);
+}
+
+}  // namespace

@@ -22,7 +22,7 @@ std::size_t eye_bytes(const Scene& scene, std::size_t paths) {
 }
 
 /// Landings of the store that waits, of one iteration (twice: blocks, then joined), and the grid.
-std::size_t photon_bytes(const Settings& s) {
+std::size_t photon_bytes(const Settings& s, std::uint32_t eye_paths) {
     const std::size_t iteration =
         std::size_t{s.guide == GuideKind::None ? kPlainIterationPaths
                                                : std::max(s.iteration_photons, s.initial_photons)} *
@@ -31,7 +31,7 @@ std::size_t photon_bytes(const Settings& s) {
     const bool chains = s.photon_sampler == PhotonSampler::AdaptiveChains;
     return (waiting + 2 * iteration) * kGrowth * sizeof(Landing) +
            LandingGrid::memory_bound_bytes(waiting) +
-           (chains ? PhotonChains::memory_bound_bytes(s) : 0);
+           (chains ? PhotonChains::memory_bound_bytes(s, eye_paths) : 0);
 }
 
 }  // namespace
@@ -40,7 +40,7 @@ std::size_t memory_bound(const Scene& scene, const Settings& settings, std::uint
     const std::size_t guide =
         settings.guide == GuideKind::None ? 0 : PaperGuide::memory_bound_bytes(settings);
     return eye_bytes(scene, eye_paths) + OccupancyGrid::memory_bound_bytes(eye_paths) +
-           photon_bytes(settings) + guide;
+           photon_bytes(settings, eye_paths) + guide;
 }
 
 }  // namespace aips

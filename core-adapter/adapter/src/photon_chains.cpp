@@ -35,7 +35,9 @@ void record(std::span<const Landing> state, std::uint32_t repeats, std::vector<L
 
 }  // namespace
 
-void PhotonChains::begin_pass(std::uint32_t paths) {
+void PhotonChains::begin_pass(std::span<const Vec3> visible_points, float radius,
+                              std::uint32_t paths) {
+    reach_.build(visible_points, radius);
     paths_ = paths;
     pass_ = {};
     for (std::uint32_t c = 0; c < kChains; ++c)
@@ -51,6 +53,8 @@ PhotonCounts PhotonChains::trace(const PhotonInput& input, std::uint32_t count, 
                                  LandingStore& store) {
     std::vector<Round> rounds(kChains);
     tbb::enumerable_thread_specific<Arena> arenas;
+    PhotonInput exact = input;
+    exact.reach = &reach_;
     const float exponent = mutation_size_.exponent();
     tbb::parallel_for(0u, kChains, [&](std::uint32_t c) {
         Arena& arena = arenas.local();
@@ -59,7 +63,7 @@ PhotonCounts PhotonChains::trace(const PhotonInput& input, std::uint32_t count, 
             {input.settings.seed, input.pass, c, kChains}, share_of(c, count), exponent,
             [&](PrimaryPath& path, std::vector<Landing>& state, std::uint64_t number) {
                 state.clear();
-                trace_photon_path(input, path, std::uint32_t(number), refusals, arena, state,
+                trace_photon_path(exact, path, std::uint32_t(number), refusals, arena, state,
                                   round.photons);
                 return !state.empty();
             },
@@ -116,7 +120,7 @@ double PhotonChains::end_pass() {
 }
 
 std::size_t PhotonChains::memory_bytes() const {
-    std::size_t bytes = 0;
+    std::size_t bytes = reach_.memory_bytes();
     for (const Chain& chain : chains_) {
         bytes += sizeof(Chain) + chain.coordinate_bytes() +
                  (chain.current().capacity() + chain.proposed().capacity()) * sizeof(Landing);
@@ -124,13 +128,14 @@ std::size_t PhotonChains::memory_bytes() const {
     return bytes;
 }
 
-std::size_t PhotonChains::memory_bound_bytes(const Settings& settings) {
+std::size_t PhotonChains::memory_bound_bytes(const Settings& settings, std::uint32_t eye_paths) {
     constexpr std::size_t kGrowth = 2;  // vectors grow by doubling
     const std::size_t state = max_coordinates(settings.max_photon_depth) * sizeof(Coordinate) +
                               settings.max_photon_depth * sizeof(Landing);
     // A current and a proposed state; what lasts from the last round is recorded in this one too.
     const std::size_t carried = 2 * settings.max_photon_depth * sizeof(Landing);
-    return kChains * (sizeof(Chain) + kGrowth * (2 * state + carried));
+    return PointGrid::memory_bound_bytes(eye_paths) +
+           kChains * (sizeof(Chain) + kGrowth * (2 * state + carried));
 }
 
 }  // namespace aips

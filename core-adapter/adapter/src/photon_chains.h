@@ -13,19 +13,19 @@ class PhotonChains {
   public:
     static constexpr std::uint32_t kChains = 64;
 
-    explicit PhotonChains(const Settings& settings) : chains_(kChains), settings_(settings) {}
+    PhotonChains() : chains_(kChains) {}
 
     /// Chains forget their paths: those of the last pass are not distributed as this pass's
     /// visible points and radius ask for. The size of mutations is kept. `paths`: of this pass.
-    void begin_pass(std::uint32_t paths);
+    void begin_pass(std::span<const Vec3> visible_points, float radius, std::uint32_t paths);
 
     /// Photon paths of the next round: short at first, so that the first visible path soon serves
     /// all chains.
     std::uint32_t round_paths() const;
 
     /// Traces exactly `count` photon paths, independent and mutated ones together, and appends the
-    /// landings of the recorded states. A path is visible when it leaves a landing, so
-    /// `input.occupancy` must be there and `input.guide` must not.
+    /// landings of the recorded states. A path is visible when it leaves a landing within the
+    /// radius of a visible point; `input.occupancy` must be there and `input.guide` must not.
     PhotonCounts trace(const PhotonInput& input, std::uint32_t count, Refusals& refusals,
                        LandingStore& store);
 
@@ -38,7 +38,7 @@ class PhotonChains {
     const ChainCounts& totals() const { return totals_; }
     double mutation_size() const { return mutation_size_.size(); }
     std::size_t memory_bytes() const;
-    static std::size_t memory_bound_bytes(const Settings& settings);
+    static std::size_t memory_bound_bytes(const Settings& settings, std::uint32_t eye_paths);
 
   private:
     using Chain = VisibilityChain<std::vector<Landing>>;
@@ -47,7 +47,8 @@ class PhotonChains {
     void spread_states();
 
     std::vector<Chain> chains_;
-    const Settings& settings_;
+    // The false hits of hashed occupancy would outnumber the visible paths of a wide scene.
+    PointGrid reach_;
     MutationSize mutation_size_;
     std::uint32_t paths_ = 0;  // of this pass
     ChainCounts pass_, not_learned_, totals_;

@@ -10,7 +10,7 @@ namespace aips {
 
 PhotonPass::PhotonPass(const Scene& scene, const Settings& settings, Guide* guide)
     : scene_(scene), settings_(settings), guide_(guide), light_choice_(light_choice(scene)) {
-    if (settings.photon_sampler == PhotonSampler::AdaptiveChains) chains_.emplace(settings);
+    if (settings.photon_sampler == PhotonSampler::AdaptiveChains) chains_.emplace();
 }
 
 std::uint64_t PhotonPass::shoot(std::uint64_t pass, float time, const EyeImage& image, float radius,
@@ -22,7 +22,7 @@ std::uint64_t PhotonPass::shoot(std::uint64_t pass, float time, const EyeImage& 
         positions.push_back(point.position);
     occupancy_.build(positions, radius);
     if (guide_) guide_->begin_pass(positions, image.positions.size());
-    if (chains_) chains_->begin_pass(settings_.photons_per_pass);
+    if (chains_) chains_->begin_pass(positions, radius, settings_.photons_per_pass);
 
     const std::uint32_t total = settings_.photons_per_pass;
     waiting_.clear();

@@ -41,6 +41,7 @@ void store_landing(const PhotonInput& in, const SurfacePoint& point, const Photo
                    std::uint32_t depth, std::uint32_t index, std::vector<Landing>& landings,
                    PhotonCounts& counts) {
     if (in.occupancy && !in.occupancy->near_visible_point(point.position)) return;
+    if (in.reach && !in.reach->any_within_radius(point.position)) return;
     Landing landing;
     landing.position = point.position;
     landing.direction = -photon.ray.direction;

@@ -12,6 +12,7 @@
 #include "aips/core/landing.h"
 #include "aips/core/low_discrepancy.h"
 #include "aips/core/occupancy.h"
+#include "aips/core/point_grid.h"
 #include "aips/core/random.h"
 #include "refusals.h"
 
@@ -37,6 +38,7 @@ struct PhotonInput {
     const OccupancyGrid* occupancy = nullptr;  ///< landings elsewhere are not stored; null: all are
     std::uint64_t pass = 0;
     float time = 0;
+    const PointGrid* reach = nullptr;  ///< with occupancy: the exact test; may be null
 };
 
 /// The numbers of a path of the plain sampler: the emission's are an Owen-scrambled Sobol' sequence

@@ -32,6 +32,7 @@ class FlexImage final : public FileFilm {
               const PixelFilter& filter)
         : settings_(std::move(settings)),
           group_names_(std::move(group_names)),
+          filter_(filter),
           accumulator_(width(), height(), light_groups(), filter) {}
 
     std::uint32_t width() const override { return settings_.frame.width; }
@@ -41,7 +42,8 @@ class FlexImage final : public FileFilm {
     }
     void add_pass(const PassSamples& samples) override { accumulator_.add(samples); }
     void add_splats(const PassSplats& splats) override { accumulator_.add_splats(splats); }
-    void clear() override { accumulator_.clear(); }
+    void add_layer_pass(std::string_view name, const PassSamples& samples) override;
+    void clear() override;
     void set_layer(std::string_view name, std::span<const float> values) override;
 
     std::string base_name() const override { return settings_.base_name; }
@@ -60,9 +62,34 @@ class FlexImage final : public FileFilm {
 
     FilmSettings settings_;
     std::vector<std::string> group_names_;
+    PixelFilter filter_;
     FilmAccumulator accumulator_;
+    std::map<std::string, FilmAccumulator, std::less<>> color_layers_;
     std::map<std::string, std::vector<float>, std::less<>> layers_;
 };
+
+void FlexImage::add_layer_pass(std::string_view name, const PassSamples& samples) {
+    const bool is_group = light_groups() > 1 && std::find(group_names_.begin(), group_names_.end(),
+                                                          name) != group_names_.end();
+    if (name.empty() || is_group) {
+        throw std::runtime_error(fmt::format(
+            "film: no layer can be named '{}', which is the image or a light group", name));
+    }
+    auto layer = color_layers_.find(name);
+    if (layer == color_layers_.end()) {
+        layer =
+            color_layers_.emplace(std::string(name), FilmAccumulator(width(), height(), 1, filter_))
+                .first;
+    }
+    layer->second.add(samples);
+}
+
+void FlexImage::clear() {
+    accumulator_.clear();
+    for (auto& [name, layer] : color_layers_) {
+        layer.clear();
+    }
+}
 
 void FlexImage::set_layer(std::string_view name, std::span<const float> values) {
     if (name.empty() || values.size() != pixels()) {
@@ -76,7 +103,11 @@ void FlexImage::set_layer(std::string_view name, std::span<const float> values) 
 }
 
 std::size_t FlexImage::memory_bytes() const {
-    return accumulator_.memory_bytes() + layers_.size() * pixels() * sizeof(float);
+    std::size_t bytes = accumulator_.memory_bytes() + layers_.size() * pixels() * sizeof(float);
+    for (const auto& [name, layer] : color_layers_) {
+        bytes += layer.memory_bytes();
+    }
+    return bytes;
 }
 
 std::vector<Rgb> FlexImage::image() const {
@@ -90,6 +121,10 @@ void FlexImage::write_exr(const std::string& path, const ImageMetadata& metadata
     for (std::uint32_t g = 0; light_groups() > 1 && g < light_groups(); ++g) {
         colors.push_back({group_names_[g], std::vector<Rgb>(pixels())});
         accumulator_.resolve_group(g, colors.back().values);
+    }
+    for (const auto& [name, layer] : color_layers_) {
+        colors.push_back({name, std::vector<Rgb>(pixels())});
+        layer.resolve_total(colors.back().values);
     }
     std::vector<FloatLayer> floats;
     for (const auto& [name, values] : layers_) {

@@ -27,8 +27,8 @@ class PluginModuleTest : public testing::Test {
 TEST_F(PluginModuleTest, AnotherAbiVersion) {
     const RunResult result = list(TEST_MODULES "/wrong_abi");
     EXPECT_EQ(result.exit_code, 4);
-    EXPECT_THAT(result.err, HasSubstr("wrong_abi.so': built for version 42 of the plugin SDK, but "
-                                      "this lxsrender has version 1; build the module again"));
+    EXPECT_THAT(result.err, HasSubstr("wrong_abi.so': built for version 43 of the plugin SDK, but "
+                                      "this lxsrender has version 2; build the module again"));
 }
 
 TEST_F(PluginModuleTest, EntryFunctionThatThrows) {

@@ -1,5 +1,6 @@
 // Protects the film's sums: unbiased filtering, weights of passes, refusal of bad samples, and the
 // same bits for any number of threads.
+#include <OpenImageIO/imagebuf.h>
 #include <gtest/gtest.h>
 #include <tbb/global_control.h>
 #include <tbb/task_arena.h>
@@ -205,6 +206,46 @@ TEST(FilmAccumulation, MalformedPassesAreTheCallersBug) {
     EXPECT_THROW(film->add_pass(samples.pass(0)), std::invalid_argument);
     EXPECT_THROW(film->add_pass(samples.pass(std::nan(""))), std::invalid_argument);
     EXPECT_THROW(film->set_layer("radius", std::vector<float>(3)), std::invalid_argument);
+}
+
+/// A colour layer that is given the image's samples is the image, bit for bit, and the image does
+/// not notice its layers.
+TEST(FilmAccumulation, ColourLayersGoThroughTheSameFilterAndMean) {
+    const TemporaryFolder folder;
+    const auto film = make(scene_of_size(9, 7)), alone = make(scene_of_size(9, 7));
+    for (unsigned pass = 0; pass < 3; ++pass) {
+        const Samples samples =
+            random_samples(*film, 200, pass, [](float u) { return Rgb(u, 2 * u, u * u); });
+        film->add_pass(samples.pass(1.0 + pass));
+        film->add_layer_pass("copy", samples.pass(1.0 + pass));
+        alone->add_pass(samples.pass(1.0 + pass));
+    }
+    EXPECT_TRUE(same_bits(film->image(), alone->image()));
+    film->write_exr(folder / "out.exr", {});
+    const OIIO::ImageBuf read(folder / "out.exr");
+    ASSERT_EQ(read.nchannels(), 6);
+    for (int i = 0; i < 63; ++i) {
+        for (const char* channel : {"R", "G", "B"}) {
+            EXPECT_EQ(read.getchannel(i % 9, i / 9, 0, read.spec().channelindex(channel)),
+                      read.getchannel(i % 9, i / 9, 0,
+                                      read.spec().channelindex(std::string("copy.") + channel)));
+        }
+    }
+    EXPECT_GT(film->memory_bytes(), alone->memory_bytes());
+    film->clear();
+    film->write_exr(folder / "cleared.exr", {});
+    const OIIO::ImageBuf cleared(folder / "cleared.exr");
+    EXPECT_EQ(cleared.getchannel(4, 3, 0, cleared.spec().channelindex("copy.G")), 0);
+}
+
+TEST(FilmAccumulation, ALayerMayNotTakeALightGroupsName) {
+    SceneContents contents = scene_of_size(2, 2);
+    contents.light_groups = {"default", "photons"};
+    const auto film = make(contents);
+    const Samples samples = pixel_centres(*film, Rgb(1.0f));
+    EXPECT_THROW(film->add_layer_pass("photons", samples.pass()), std::runtime_error);
+    EXPECT_THROW(film->add_layer_pass("", samples.pass()), std::runtime_error);
+    EXPECT_THROW(film->add_layer_pass("other", samples.pass(1, 2)), std::invalid_argument);
 }
 
 TEST(FilmAccumulation, MemoryDoesNotGrowWithPasses) {

@@ -48,7 +48,11 @@ class Film {
     /// constant image up to the borders, and the image's sum is that of the splats. What add_pass
     /// gives is kept apart and summed with it. Order and refusals as with add_pass.
     virtual void add_splats(const PassSplats& splats) = 0;
-    /// Forgets all passes so far (after learning passes that must not stay in the image).
+    /// Adds one pass of the extra colour layer `name`, through the same filter and into the same
+    /// kind of mean as the image; `samples` has one group.
+    virtual void add_layer_pass(std::string_view name, const PassSamples& samples) = 0;
+    /// Forgets all passes so far (after learning passes that must not stay in the image), those of
+    /// extra colour layers too.
     virtual void clear() = 0;
     /// Replaces the extra float layer `name` (debug views): width * height values, row by row.
     virtual void set_layer(std::string_view name, std::span<const float> values) = 0;

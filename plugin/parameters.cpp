@@ -51,6 +51,10 @@ std::vector<ParameterDeclaration> common_declarations() {
          "Direct light comes from shadow rays; photons then carry the rest."},
         {"storeglossy", ParameterType::Bool, "false",
          "Glossy lobes take photons instead of bouncing the eye path."},
+        {"debuglayers", ParameterType::Bool, "false",
+         "Adds layers to the EXR: the photons' part of the image, photon density, the guide's "
+         "nodes "
+         "(docs/debug-layers.md)."},
         integer("seed", "0", "Seed of all random numbers; --seed overrides it.", 0,
                 9007199254740992.0),
     };
@@ -150,6 +154,7 @@ void read_common(const lxs::ParameterReader& in, Settings& s) {
     s.include_environment = in.boolean("includeenvironment", s.include_environment);
     s.direct_light_sampling = in.boolean("directlightsampling", s.direct_light_sampling);
     s.store_glossy = in.boolean("storeglossy", s.store_glossy);
+    s.debug_layers = in.boolean("debuglayers", s.debug_layers);
     s.seed = static_cast<std::uint64_t>(in.integer("seed", 0));
 }
 

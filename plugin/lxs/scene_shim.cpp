@@ -145,15 +145,25 @@ CameraSample SamplerShim::camera_sample(std::uint64_t number, std::uint32_t x,
     return {{s.film.x, s.film.y}, {s.lens.x, s.lens.y}};
 }
 
-void FilmShim::add_pass(std::span<const Vec2> positions, std::span<const Rgb> radiance,
-                        std::uint32_t groups, double weight) {
+lxs::PassSamples FilmShim::converted(std::span<const Vec2> positions, std::span<const Rgb> radiance,
+                                     std::uint32_t groups, double weight) {
     positions_.clear();
     radiance_.clear();
     for (const Vec2 p : positions)
         positions_.push_back(to(p));
     for (const Rgb c : radiance)
         radiance_.push_back(to(c));
-    film_.add_pass({positions_, radiance_, groups, weight});
+    return {positions_, radiance_, groups, weight};
+}
+
+void FilmShim::add_pass(std::span<const Vec2> positions, std::span<const Rgb> radiance,
+                        std::uint32_t groups, double weight) {
+    film_.add_pass(converted(positions, radiance, groups, weight));
+}
+
+void FilmShim::add_layer_pass(std::string_view name, std::span<const Vec2> positions,
+                              std::span<const Rgb> values, double weight) {
+    film_.add_layer_pass(name, converted(positions, values, 1, weight));
 }
 
 }  // namespace aips::shim

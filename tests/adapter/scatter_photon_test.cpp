@@ -34,6 +34,8 @@ class TiltedGuide final : public Guide {
     }
     void update(std::span<const Landing>) override {}
     GuideStatistics statistics() const override { return {}; }
+    std::uint32_t node_at(Vec3) const override { return 0; }
+    GuideNode node(std::uint32_t) const override { return {}; }
 
   private:
     TiltedDirections directions_{normalize(Vec3{0.8f, 0.1f, 0.4f})};

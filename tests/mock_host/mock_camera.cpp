@@ -1,6 +1,8 @@
 // Camera, sampler and film of the mock host.
 #include "mock_camera.h"
 
+#include <stdexcept>
+
 #include "aips/core/random.h"
 
 namespace mock {
@@ -45,6 +47,17 @@ void Film::add_pass(std::span<const Vec2> positions, std::span<const Rgb> radian
         }
     }
     ++passes_;
+}
+
+void Film::add_layer_pass(std::string_view name, std::span<const Vec2> positions,
+                          std::span<const Rgb> values, double weight) {
+    color_layers_.try_emplace(std::string(name), width_, height_)
+        .first->second.add_pass(positions, values, 1, weight);
+}
+
+void Film::set_layer(std::string_view name, std::span<const float> values) {
+    if (values.size() != weights_.size()) throw std::invalid_argument("mock film: layer size");
+    layers_[std::string(name)].assign(values.begin(), values.end());
 }
 
 std::vector<Rgb> Film::image(int group) const {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -48,17 +49,25 @@ class Film final : public aips::Film {
     std::uint32_t height() const override { return height_; }
     void add_pass(std::span<const aips::Vec2> positions, std::span<const aips::Rgb> radiance,
                   std::uint32_t groups, double weight) override;
+    void add_layer_pass(std::string_view name, std::span<const aips::Vec2> positions,
+                        std::span<const aips::Rgb> values, double weight) override;
+    void set_layer(std::string_view name, std::span<const float> values) override;
 
     /// Mean over all samples, row by row; of one light group or (default) all together.
     std::vector<aips::Rgb> image(int group = -1) const;
     /// Mean luminance of the image.
     double mean() const;
     std::uint32_t passes() const { return passes_; }
+    /// Extra layers by name: films of colour layers, values of float layers.
+    const std::map<std::string, Film, std::less<>>& color_layers() const { return color_layers_; }
+    const std::map<std::string, std::vector<float>, std::less<>>& layers() const { return layers_; }
 
   private:
     std::uint32_t width_, height_, groups_, passes_ = 0;
     std::vector<double> sums_;     // [(pixel * groups + group) * 3 + channel]
     std::vector<double> weights_;  // [pixel]
+    std::map<std::string, Film, std::less<>> color_layers_;
+    std::map<std::string, std::vector<float>, std::less<>> layers_;
 };
 
 /// Keeps what is logged.

@@ -2,9 +2,11 @@
 #include "aips/adapter/engine.h"
 
 #include <cmath>
+#include <optional>
 
 #include "aips/core/radius_schedule.h"
 #include "aips/core/random.h"
+#include "debug_layers.h"
 #include "memory_bound.h"
 #include "needs.h"
 #include "paper_guide.h"
@@ -51,6 +53,7 @@ class Engine::State {
           guide_(make_guide(needs_, host.scene, settings)),
           photon_pass_(host.scene, settings_, guide_.get()) {
         statistics_.memory_bound_bytes = memory_bound(host.scene, settings, eye_paths_);
+        if (settings.debug_layers) add_debug_layers();
         log_start();
     }
 
@@ -68,8 +71,12 @@ class Engine::State {
             flux_.reset(image_.visible_points.size(), image_.groups);
         }
         estimate_pixels(image_, flux_, report.radius, report.photon_paths, refusals_, radiance_);
-        host_.film.add_pass(image_.positions, radiance_, image_.groups,
-                            double(settings_.photons_per_pass));
+        const auto weight = double(settings_.photons_per_pass);
+        host_.film.add_pass(image_.positions, radiance_, image_.groups, weight);
+        if (layers_) {
+            layers_->add_pass(image_, flux_, report.radius, radiance_, weight,
+                              photon_pass_.bounces());
+        }
         report.rays = eye_rays + photon_pass_.totals().counts.rays - rays_before;
         count(report, eye_rays);
         return report;
@@ -102,6 +109,14 @@ class Engine::State {
     }
 
   private:
+    void add_debug_layers() {
+        flux_.count_photons = true;
+        layers_.emplace(host_.film, guide_.get());
+        statistics_.memory_bound_bytes +=
+            DebugLayers::memory_bound_bytes(std::size_t{host_.film.width()} * host_.film.height(),
+                                            eye_paths_, guide_ ? settings_.max_nodes : 0);
+    }
+
     void log_start() {
         host_.log.info("engine: " + describe(settings_));
         host_.log.info("engine memory: at most " +
@@ -151,9 +166,9 @@ class Engine::State {
     }
 
     std::size_t memory_bytes() const {
-        return image_.memory_bytes() + flux_.flux.capacity() * sizeof(Rgb) +
-               radiance_.capacity() * sizeof(Rgb) + photon_pass_.memory_bytes() +
-               (guide_ ? guide_->statistics().memory_bytes : 0);
+        return image_.memory_bytes() + flux_.memory_bytes() + radiance_.capacity() * sizeof(Rgb) +
+               photon_pass_.memory_bytes() + (guide_ ? guide_->statistics().memory_bytes : 0) +
+               (layers_ ? layers_->memory_bytes() : 0);
     }
 
     Host host_;
@@ -167,6 +182,7 @@ class Engine::State {
     EyeImage image_;
     PhotonFlux flux_;
     std::vector<Rgb> radiance_;
+    std::optional<DebugLayers> layers_;
     EngineStatistics statistics_;
     double initial_radius_ = 0;
     bool traced_eye_pass_ = false;

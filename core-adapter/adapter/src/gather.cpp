@@ -53,6 +53,7 @@ void gather_photons(const EyeImage& image, const LandingGrid& grid, float radius
             for (std::size_t i = range.begin(); i < range.end(); ++i) {
                 const VisiblePoint& point = image.visible_points[i];
                 Rgb* flux = &result.flux[i * groups];
+                const std::uint64_t before = count;
                 grid.for_each_in_radius(point.position, radius, [&](const GridPhoton& landing) {
                     if (!on_same_surface(point, landing.position, landing.normal, radius)) return;
                     const Rgb value = contribution(point, landing);
@@ -60,6 +61,7 @@ void gather_photons(const EyeImage& image, const LandingGrid& grid, float radius
                     flux[landing.light_group] += value;
                     ++count;
                 });
+                if (result.count_photons) result.photons[i] += std::uint32_t(count - before);
             }
             gathered.fetch_add(count, std::memory_order_relaxed);
         });

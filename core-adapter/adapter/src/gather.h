@@ -15,10 +15,17 @@ struct PhotonFlux {
     /// [visible point * groups + group]: sum over photons within the radius of f * power (watts per
     /// steradian), f being left out for Lambertian points (it is constant there).
     std::vector<Rgb> flux;
-    std::uint64_t gathered = 0;  ///< photons accepted, over all visible points
+    std::uint64_t gathered = 0;          ///< photons accepted, over all visible points
+    bool count_photons = false;          ///< fill `photons`
+    std::vector<std::uint32_t> photons;  ///< accepted per visible point; empty unless asked for
+
+    std::size_t memory_bytes() const {
+        return flux.capacity() * sizeof(Rgb) + photons.capacity() * sizeof(std::uint32_t);
+    }
 
     void reset(std::size_t visible_points, std::uint32_t groups) {
         flux.assign(visible_points * groups, Rgb{});
+        if (count_photons) photons.assign(visible_points, 0);
         gathered = 0;
     }
     void scale(double factor) {

@@ -91,6 +91,11 @@ GuideStatistics PaperGuide::statistics() const {
     return {tree_.node_count(), tree_.memory_bytes() + tables_.memory_bytes(), updates_};
 }
 
+GuideNode PaperGuide::node(std::uint32_t number) const {
+    const Node& node = tree_.node(number);
+    return {node.weight, node.error, node.parent};
+}
+
 std::size_t PaperGuide::memory_bound_bytes(const Settings& s) {
     return NodeTree::memory_bound_bytes(tree_settings(s)) +
            PaperTables::memory_bound_bytes(s.max_nodes, static_cast<int>(s.cdf_resolution));

@@ -24,6 +24,8 @@ class PaperGuide final : public Guide {
                                        std::pmr::memory_resource& memory) const override;
     void update(std::span<const Landing> landings) override;
     GuideStatistics statistics() const override;
+    std::uint32_t node_at(Vec3 position) const override { return tree_.locate(position); }
+    GuideNode node(std::uint32_t number) const override;
 
     const NodeTree& tree() const { return tree_; }
     const PaperTables& tables() const { return tables_; }

@@ -11,6 +11,7 @@ namespace aips {
 PhotonPass::PhotonPass(const Scene& scene, const Settings& settings, Guide* guide)
     : scene_(scene), settings_(settings), guide_(guide), light_choice_(light_choice(scene)) {
     if (settings.photon_sampler == PhotonSampler::AdaptiveChains) chains_.emplace();
+    if (guide && settings.debug_layers) bounces_.emplace(*guide, settings.max_nodes);
 }
 
 std::uint64_t PhotonPass::shoot(std::uint64_t pass, float time, const EyeImage& image, float radius,
@@ -23,6 +24,7 @@ std::uint64_t PhotonPass::shoot(std::uint64_t pass, float time, const EyeImage& 
     occupancy_.build(positions, radius);
     if (guide_) guide_->begin_pass(positions, image.positions.size());
     if (chains_) chains_->begin_pass(positions, radius, settings_.photons_per_pass);
+    if (bounces_) bounces_->begin_pass();
 
     const std::uint32_t total = settings_.photons_per_pass;
     waiting_.clear();
@@ -40,7 +42,8 @@ std::uint64_t PhotonPass::shoot(std::uint64_t pass, float time, const EyeImage& 
                                 guided ? guide_ : nullptr,
                                 guide_ ? nullptr : &occupancy_,
                                 pass,
-                                time};
+                                time,
+                                bounces_ ? &*bounces_ : nullptr};
         {
             const Stopwatch watch(totals_.photon_seconds);
             iteration_.clear();
@@ -51,6 +54,7 @@ std::uint64_t PhotonPass::shoot(std::uint64_t pass, float time, const EyeImage& 
         if (guide_) {
             const Stopwatch watch(totals_.guide_seconds);
             guide_->update(iteration_.landings());
+            if (bounces_) bounces_->follow_splits();
         }
         if (waiting_.landings().size() + iteration_.landings().size() > kLandingCapacity) {
             gather(image, radius, refusals, flux);
@@ -84,7 +88,8 @@ void PhotonPass::gather(const EyeImage& image, float radius, Refusals& refusals,
 
 std::size_t PhotonPass::memory_bytes() const {
     return waiting_.memory_bytes() + iteration_.memory_bytes() + grid_.memory_bytes() +
-           occupancy_.memory_bytes() + (chains_ ? chains_->memory_bytes() : 0);
+           occupancy_.memory_bytes() + (chains_ ? chains_->memory_bytes() : 0) +
+           (bounces_ ? bounces_->memory_bytes() : 0);
 }
 
 }  // namespace aips

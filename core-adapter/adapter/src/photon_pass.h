@@ -38,6 +38,8 @@ class PhotonPass {
     const PhotonPassTotals& totals() const { return totals_; }
     /// Null unless photonsampler=amc.
     const PhotonChains* chains() const { return chains_ ? &*chains_ : nullptr; }
+    /// Bounces of the last pass by the guide's node; null without a guide or debug layers.
+    const BounceTally* bounces() const { return bounces_ ? &*bounces_ : nullptr; }
     std::size_t memory_bytes() const;
 
   private:
@@ -53,6 +55,7 @@ class PhotonPass {
     LandingStore waiting_;    // near visible points, not gathered yet
     LandingStore iteration_;  // all landings of one guided iteration
     LandingGrid grid_;
+    std::optional<BounceTally> bounces_;  // debug layers of a guide only
     PhotonPassTotals totals_;
 };
 

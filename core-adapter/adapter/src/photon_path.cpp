@@ -98,10 +98,14 @@ void trace_photon_path(const PhotonInput& in, Numbers& numbers, std::uint32_t in
         auto& random = numbers.bounce(depth);
         const float survive = survival(point, photon, emitted_power);
         if (survive < 1 && random.next() >= survive) return;
+        const std::uint64_t bounces = counts.bounces, guided_bounces = counts.guided_bounces;
         ScatteredPhoton scattered;
-        if (!scatter_photon(in, point, -photon.ray.direction, random, arena, counts, scattered)) {
-            return;
+        const bool left =
+            scatter_photon(in, point, -photon.ray.direction, random, arena, counts, scattered);
+        if (in.bounces && counts.bounces > bounces) {
+            in.bounces->count(point.position, counts.guided_bounces > guided_bounces);
         }
+        if (!left) return;
         photon.power = photon.power * scattered.weight / survive;
         if (!refusals.accept(photon.power, point.material) || is_black(photon.power)) return;
         photon.straight = photon.straight && scattered.straight;

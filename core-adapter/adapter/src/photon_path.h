@@ -14,6 +14,7 @@
 #include "aips/core/occupancy.h"
 #include "aips/core/point_grid.h"
 #include "aips/core/random.h"
+#include "bounce_tally.h"
 #include "refusals.h"
 
 namespace aips {
@@ -38,6 +39,7 @@ struct PhotonInput {
     const OccupancyGrid* occupancy = nullptr;  ///< landings elsewhere are not stored; null: all are
     std::uint64_t pass = 0;
     float time = 0;
+    BounceTally* bounces = nullptr;    ///< counts bounces by node, for debug layers; may be null
     const PointGrid* reach = nullptr;  ///< with occupancy: the exact test; may be null
 };
 

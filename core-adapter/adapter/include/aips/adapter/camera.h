@@ -47,6 +47,12 @@ class Film {
     /// pass's share in the mean over passes.
     virtual void add_pass(std::span<const Vec2> positions, std::span<const Rgb> radiance,
                           std::uint32_t groups, double weight) = 0;
+    /// Adds a pass of the extra colour layer `name`: `values[i]` at `positions[i]`, filtered and
+    /// averaged as the image is.
+    virtual void add_layer_pass(std::string_view name, std::span<const Vec2> positions,
+                                std::span<const Rgb> values, double weight) = 0;
+    /// Replaces the extra float layer `name`: width * height values, row by row.
+    virtual void set_layer(std::string_view name, std::span<const float> values) = 0;
 };
 
 /// Where the engine's messages go.

@@ -37,6 +37,13 @@ struct GuideStatistics {
     std::uint64_t updates = 0;
 };
 
+/// What a guide knows of one node, for debug views.
+struct GuideNode {
+    double weight = 0;         ///< w of eq. 7, summed over passes
+    double error = 0;          ///< feature error, eq. 2 or 8: finite, >= 0
+    std::uint32_t parent = 0;  ///< node that it split from: a lower number, or 0 for node 0
+};
+
 /// Learns between iterations, and is frozen (const, usable from many threads) within them.
 class Guide {
   public:
@@ -54,6 +61,10 @@ class Guide {
     /// Learns from an iteration's landings, in their order.
     virtual void update(std::span<const Landing> landings) = 0;
     virtual GuideStatistics statistics() const = 0;
+    /// Number of the node at a position, below statistics().nodes; nodes are numbered in the order
+    /// in which they split off, and keep their numbers.
+    virtual std::uint32_t node_at(Vec3 position) const = 0;
+    virtual GuideNode node(std::uint32_t number) const = 0;
 };
 
 }  // namespace aips

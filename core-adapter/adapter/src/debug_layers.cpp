@@ -1,0 +1,88 @@
+// Photon part, photon density, and the views of the guide's nodes.
+#include "debug_layers.h"
+
+#include <algorithm>
+#include <limits>
+
+#include "aips/core/sampling.h"
+
+namespace aips {
+namespace {
+
+std::uint32_t pixel_index(float position, std::uint32_t size) {
+    return position > 0 ? std::uint32_t(std::min(position, float(size - 1))) : 0;
+}
+
+}  // namespace
+
+DebugLayers::DebugLayers(Film& film, const Guide* guide) : film_(film) {
+    const std::size_t pixels = std::size_t{film.width()} * film.height();
+    densities_.resize(pixels);
+    density_layer_.resize(pixels);
+    if (guide) node_layers_.emplace(film, *guide);
+}
+
+void DebugLayers::add_pass(const EyeImage& image, const PhotonFlux& flux, float radius,
+                           std::span<const Rgb> radiance, double weight,
+                           const BounceTally* bounces) {
+    find_pixels(image.positions);
+    add_photon_part(image, radiance, weight);
+    add_photon_density(image, flux, radius, weight);
+    if (node_layers_) node_layers_->show(image, pixel_of_path_, *bounces);
+}
+
+void DebugLayers::find_pixels(std::span<const Vec2> positions) {
+    pixel_of_path_.resize(positions.size());
+    std::transform(positions.begin(), positions.end(), pixel_of_path_.begin(), [&](Vec2 p) {
+        return pixel_index(p.y, film_.height()) * film_.width() + pixel_index(p.x, film_.width());
+    });
+}
+
+// What the film was given less what the eye pass gave: whatever the estimator, the image is the sum
+// of the photon part and of the eye's.
+void DebugLayers::add_photon_part(const EyeImage& image, std::span<const Rgb> radiance,
+                                  double weight) {
+    photon_part_.assign(image.positions.size(), Rgb{});
+    for (std::size_t i = 0; i < radiance.size(); ++i) {
+        const Rgb &all = radiance[i], &eye = image.radiance[i];
+        photon_part_[i / image.groups] += {all.r - eye.r, all.g - eye.g, all.b - eye.b};
+    }
+    film_.add_layer_pass("photons", image.positions, photon_part_, weight);
+}
+
+void DebugLayers::add_photon_density(const EyeImage& image, const PhotonFlux& flux, float radius,
+                                     double weight) {
+    for (const std::uint32_t pixel : pixel_of_path_)
+        densities_[pixel].weight += weight;
+    // In double: r^2 leaves the range of float in tiny scenes.
+    const double disk = double(kPi) * double(radius) * double(radius);
+    for (std::size_t i = 0; i < image.visible_points.size() && disk > 0; ++i) {
+        const std::uint32_t pixel = pixel_of_path_[image.visible_points[i].sample];
+        densities_[pixel].sum += weight * double(flux.photons[i]) / disk;
+    }
+    std::transform(densities_.begin(), densities_.end(), density_layer_.begin(),
+                   [](const WeightedSum& density) {
+                       const double mean = density.weight > 0 ? density.sum / density.weight : 0;
+                       return float(std::min(mean, double(std::numeric_limits<float>::max())));
+                   });
+    film_.set_layer("photondensity", density_layer_);
+}
+
+std::size_t DebugLayers::memory_bytes() const {
+    return pixel_of_path_.capacity() * sizeof(std::uint32_t) +
+           photon_part_.capacity() * sizeof(Rgb) + densities_.capacity() * sizeof(WeightedSum) +
+           density_layer_.capacity() * sizeof(float) +
+           (node_layers_ ? node_layers_->memory_bytes() : 0);
+}
+
+std::size_t DebugLayers::memory_bound_bytes(std::size_t pixels, std::size_t eye_paths,
+                                            std::uint32_t nodes) {
+    const std::size_t counts = sizeof(std::uint32_t);  // PhotonFlux::photons
+    const std::size_t paths = eye_paths * (sizeof(std::uint32_t) + sizeof(Rgb) + counts);
+    const std::size_t layers = pixels * (sizeof(WeightedSum) + sizeof(float));
+    const std::size_t guide =
+        NodeLayers::memory_bound_bytes(pixels) + BounceTally::memory_bound_bytes(nodes);
+    return paths + layers + (nodes ? guide : 0);
+}
+
+}  // namespace aips

@@ -1,0 +1,54 @@
+// What a render knows besides its image, as extra layers of the film (docs/debug-layers.md).
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "gather.h"
+#include "node_layers.h"
+
+namespace aips {
+
+/// The debug layers of a render. They only read: the image is the same with and without them, and
+/// they depend on the number of threads as little as it does.
+class DebugLayers {
+  public:
+    /// The film and the guide outlive the layers; `guide` may be null, its layers then don't exist.
+    DebugLayers(Film& film, const Guide* guide);
+
+    /// Adds a pass whose samples, `radiance` of `weight`, the film has. `flux` counts photons per
+    /// visible point, found within `radius` (0: no photons were shot); `bounces` is not null with a
+    /// guide.
+    void add_pass(const EyeImage& image, const PhotonFlux& flux, float radius,
+                  std::span<const Rgb> radiance, double weight, const BounceTally* bounces);
+
+    std::size_t memory_bytes() const;
+    /// Bound of memory_bytes() and of the counts that photon passes keep for these layers. `nodes`:
+    /// most nodes of the guide, 0 without.
+    static std::size_t memory_bound_bytes(std::size_t pixels, std::size_t eye_paths,
+                                          std::uint32_t nodes);
+
+  private:
+    void find_pixels(std::span<const Vec2> positions);
+    void add_photon_part(const EyeImage& image, std::span<const Rgb> radiance, double weight);
+    void add_photon_density(const EyeImage& image, const PhotonFlux& flux, float radius,
+                            double weight);
+
+    /// Of photon densities seen in a pixel, over all passes.
+    struct WeightedSum {
+        double weight = 0;
+        double sum = 0;
+    };
+
+    Film& film_;
+    std::vector<std::uint32_t> pixel_of_path_;
+    std::vector<Rgb> photon_part_;        // [eye path]
+    std::vector<WeightedSum> densities_;  // [pixel]
+    std::vector<float> density_layer_;    // [pixel]
+    std::optional<NodeLayers> node_layers_;
+};
+
+}  // namespace aips

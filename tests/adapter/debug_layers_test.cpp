@@ -41,6 +41,8 @@ struct Method {
     const char* name;
     GuideKind guide;
     Mode mode;
+
+    friend std::ostream& operator<<(std::ostream& out, const Method& m) { return out << m.name; }
 };
 
 class DebugLayers : public testing::TestWithParam<Method> {

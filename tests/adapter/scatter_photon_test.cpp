@@ -119,4 +119,42 @@ TEST(ScatterPhoton, DefensiveShareBoundsTheWeight) {
     EXPECT_NEAR(double(counts.guided_bounces) / double(counts.bounces), 0.75, 0.01);
 }
 
+/// Tilted shading normals: a share of directions about the geometric normal keeps the mean that the
+/// Bsdf's own samples have with Veach's factor, and bounds what those leave without bound:
+/// f cos / p <= Kd / pi |wi.ng| |wo.ns| / |wo.ng| / (|wi.ng| / (2 pi)).
+TEST(ScatterPhoton, TiltedNormalKeepsTheMeanAndBoundsTheWeight) {
+    const mock::Scene scene = mock::lamp_box({}, {});
+    const Settings settings;
+    const DiscreteDistribution lights;
+    const PhotonInput input{scene, settings, lights, nullptr, nullptr, 0, 0};
+    Arena arena;
+    SurfacePoint point;
+    point.geometric_normal = {0, 0, 1};
+    point.shading_normal = normalize(Vec3{1, 0, 1});
+    const mock::Material material;
+    point.bsdf = mock::make_bsdf(material, point.geometric_normal, point.shading_normal, arena);
+    const Vec3 wo = normalize(Vec3{0.5f, 0.2f, 0.9f});
+    const double bound = 2 * double(material.reflectance.r) * abs_dot(wo, point.shading_normal) /
+                         abs_dot(wo, point.geometric_normal);
+    PhotonCounts counts;
+    constexpr int kSamples = 400000;
+    double sum = 0, squares = 0;
+    for (int i = 0; i < kSamples; ++i) {
+        RandomStream random(9, 0, std::uint32_t(i), RandomDomain::Photon);
+        ScatteredPhoton s;
+        double value = 0;
+        if (scatter_photon(input, point, wo, random, arena, counts, s)) {
+            ASSERT_LE(s.weight.r, 1.0001 * bound);
+            value = double(s.weight.r) * (1 + s.direction.x);
+        }
+        sum += value;
+        squares += value * value;
+    }
+    // The integral of Kd / pi |wi.ng| |wo.ns| / |wo.ng| (1 + wi.x) over the hemisphere about ng:
+    // the mean of the x of a cosine-distributed direction is 0.
+    const double mean = sum / kSamples;
+    const double error = std::sqrt((squares / kSamples - mean * mean) / kSamples);
+    EXPECT_NEAR(mean, bound / 2, 4 * error);
+}
+
 }  // namespace

@@ -4,7 +4,10 @@
 #include <algorithm>
 #include <boost/math/distributions/students_t.hpp>
 #include <cmath>
+#include <limits>
 #include <sstream>
+#include <tuple>
+#include <utility>
 
 namespace statistics {
 namespace {
@@ -35,11 +38,20 @@ double degrees(const Moments& a, const Moments& b) {
             b.variance_of_mean * b.variance_of_mean / (b.count - 1));
 }
 
-double welch_p(const Moments& a, const Moments& b) {
+double welch_p(const Moments& a, const Moments& b, double allowed) {
     const double variance = a.variance_of_mean + b.variance_of_mean;
-    const double difference = b.mean - a.mean;
-    if (variance <= 0) return std::abs(difference) <= 1e-6 * std::abs(a.mean) ? 1 : 0;
+    const double difference = std::max(0.0, std::abs(b.mean - a.mean) - allowed * std::abs(a.mean));
+    if (variance <= 0) return difference <= 1e-6 * std::abs(a.mean) ? 1 : 0;
     return student_p(difference / std::sqrt(variance), degrees(a, b));
+}
+
+/// Relative difference that a test at significance `threshold` finds with 90 % probability.
+double detectable(const Moments& a, const Moments& b, double threshold) {
+    const double variance = a.variance_of_mean + b.variance_of_mean;
+    if (variance <= 0) return a.mean != 0 ? 0 : std::numeric_limits<double>::infinity();
+    const boost::math::students_t t(std::max(1.0, degrees(a, b)));
+    const double critical = quantile(complement(t, threshold / 2)) + quantile(t, 0.9);
+    return critical * std::sqrt(variance) / std::abs(a.mean);
 }
 
 double mean_of(const std::vector<double>& blocks) {
@@ -56,32 +68,50 @@ double student_p(double t, double degrees_of_freedom) {
     return 2 * cdf(complement(distribution, std::abs(t)));
 }
 
-Comparison compare(const BlockMeans& a, const BlockMeans& b, double significance) {
+Comparison compare(const BlockMeans& a, const BlockMeans& b, double significance, double allowed) {
     Comparison result;
     const std::size_t blocks = a.front().size();
     result.tests = blocks + 1;
     result.threshold = 1 - std::pow(1 - significance, 1.0 / double(result.tests));
+    const auto test = [&](auto&& value) {
+        const Moments ma = moments(a.size(), [&](std::size_t i) { return value(a[i]); });
+        const Moments mb = moments(b.size(), [&](std::size_t i) { return value(b[i]); });
+        result.smallest_p = std::min(result.smallest_p, welch_p(ma, mb, allowed));
+        return std::pair{mb.mean / ma.mean, allowed + detectable(ma, mb, result.threshold)};
+    };
+    std::vector<double> in_blocks;
     for (std::size_t k = 0; k < blocks; ++k) {
-        const Moments ma = moments(a.size(), [&](std::size_t i) { return a[i][k]; });
-        const Moments mb = moments(b.size(), [&](std::size_t i) { return b[i][k]; });
-        result.smallest_p = std::min(result.smallest_p, welch_p(ma, mb));
+        const double difference = test([&](const std::vector<double>& v) { return v[k]; }).second;
+        if (std::isfinite(difference)) in_blocks.push_back(difference);
     }
-    const Moments ma = moments(a.size(), [&](std::size_t i) { return mean_of(a[i]); });
-    const Moments mb = moments(b.size(), [&](std::size_t i) { return mean_of(b[i]); });
-    result.smallest_p = std::min(result.smallest_p, welch_p(ma, mb));
-    result.mean_ratio = mb.mean / ma.mean;
-    const boost::math::students_t t(std::max(1.0, degrees(ma, mb)));
-    const double critical = quantile(complement(t, result.threshold / 2)) + quantile(t, 0.9);
-    result.detectable =
-        critical * std::sqrt(ma.variance_of_mean + mb.variance_of_mean) / std::abs(ma.mean);
+    std::sort(in_blocks.begin(), in_blocks.end());
+    if (!in_blocks.empty()) result.detectable_in_block = in_blocks[in_blocks.size() / 2];
+    std::tie(result.mean_ratio, result.detectable) = test(mean_of);
     return result;
+}
+
+BlockMeans select(const BlockMeans& means, const std::vector<std::size_t>& blocks) {
+    BlockMeans selected(means.size());
+    for (std::size_t i = 0; i < means.size(); ++i) {
+        for (const std::size_t k : blocks)
+            selected[i].push_back(means[i][k]);
+    }
+    return selected;
+}
+
+BlockMeans scaled(BlockMeans means, double factor) {
+    for (auto& blocks : means) {
+        for (double& block : blocks)
+            block *= factor;
+    }
+    return means;
 }
 
 std::string Comparison::describe() const {
     std::ostringstream out;
     out << "mean ratio " << mean_ratio << ", smallest p " << smallest_p << " of " << tests
         << " tests (threshold " << threshold << "), detectable difference of the mean "
-        << 100 * detectable << " %";
+        << 100 * detectable << " %, of the median block " << 100 * detectable_in_block << " %";
     return out.str();
 }
 

@@ -18,13 +18,23 @@ struct Comparison {
     double mean_ratio = 0;  ///< mean of b over mean of a
     /// Relative difference of the whole image's mean that would be found with 90 % probability.
     double detectable = 0;
+    /// The same of the median block, among those that have any light.
+    double detectable_in_block = 0;
     bool differs() const { return smallest_p < threshold; }
     std::string describe() const;
 };
 
 /// Compares a and b (each at least 3 seeds of equally many blocks) at family-wise `significance`.
-/// Blocks without spread and without difference are skipped.
-Comparison compare(const BlockMeans& a, const BlockMeans& b, double significance);
+/// Blocks without spread and without difference are skipped. A difference counts only beyond
+/// `allowed`, a known relative bias of b, in each block and in the mean.
+Comparison compare(const BlockMeans& a, const BlockMeans& b, double significance,
+                   double allowed = 0);
+
+/// Some of the blocks alone: a region of the image.
+BlockMeans select(const BlockMeans& means, const std::vector<std::size_t>& blocks);
+
+/// All values times `factor`: a planted bias, to show that a comparison would find it.
+BlockMeans scaled(BlockMeans means, double factor);
 
 /// Two-sided p of Student's t with `degrees` (> 0, any real) of freedom.
 double student_p(double t, double degrees);

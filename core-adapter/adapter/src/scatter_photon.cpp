@@ -2,6 +2,7 @@
 #include "scatter_photon.h"
 
 #include "aips/core/primary_path.h"
+#include "aips/core/sampling.h"
 
 namespace aips {
 namespace {
@@ -29,19 +30,43 @@ float specular_probability(const Bsdf& bsdf, Vec3 wo, LobeMask lobes) {
     return std::clamp(specular / (specular + other), 0.1f, 0.9f);
 }
 
-/// One-sample mixture: the guide with probability `share`, else the Bsdf; weighed by the density
-/// of both together, so that any guide leaves the expectation as it is.
+/// Densities that a direction is drawn from, one of them at random.
+struct Mixture {
+    const GuidedDirections* guided = nullptr;
+    float guided_share = 0;
+    float geometric_share = 0;  // cosine about the geometric normal, on the side of wo
+    float mask_pdf = 1;         // probability of having come to non-specular lobes at all
+};
+
+/// Share of the cosine about the geometric normal where the shading normal is tilted against it.
+/// A Bsdf draws by the cosine to the shading normal; the quotient of the two cosines in
+/// adjoint_shading_factor then has no bound, nor the photon's power a finite variance. With this
+/// share diffuse lobes' weights are bounded.
+float geometric_share(const SurfacePoint& point, Vec3 wo, LobeMask lobes) {
+    if (point.geometric_normal == point.shading_normal || !(lobes & kDiffuse)) return 0;
+    const float diffuse = luminance(point.bsdf->albedo(wo, kDiffuse));
+    const float all = luminance(point.bsdf->albedo(wo, lobes & kNonSpecular));
+    return all > 0 ? 0.5f * std::min(diffuse / all, 1.0f) : 0;
+}
+
+/// One-sample mixture of guide, cosine and Bsdf, weighed by the density of all together, so that
+/// any shares leave the expectation as it is.
 template <class Numbers>
-bool scatter_by_mixture(const GuidedDirections& guided, float share, const SurfacePoint& point,
-                        Vec3 wo, float mask_pdf, Numbers& random, PhotonCounts& counts,
-                        ScatteredPhoton& result) {
+bool scatter_by_mixture(const Mixture& mixture, const SurfacePoint& point, Vec3 wo, Numbers& random,
+                        PhotonCounts& counts, ScatteredPhoton& result) {
+    const float rest = 1 - mixture.guided_share;
+    const float geometric = rest * mixture.geometric_share;
+    const Vec3 normal =
+        dot(wo, point.geometric_normal) > 0 ? point.geometric_normal : -point.geometric_normal;
     const float u_choice = random.next();
     const Vec2 u = random.next2();
     const float u_lobe = random.next();
     Vec3 wi;
-    if (u_choice < share) {
-        wi = guided.sample(u);
+    if (u_choice < mixture.guided_share) {
+        wi = mixture.guided->sample(u);
         ++counts.guided_bounces;
+    } else if (u_choice < mixture.guided_share + geometric) {
+        wi = Frame(normal).to_world(square_to_cosine_hemisphere(u));
     } else {
         BsdfSample sample;
         if (!point.bsdf->sample(wo, u, u_lobe, Transport::Power, kNonSpecular, sample)) {
@@ -49,8 +74,10 @@ bool scatter_by_mixture(const GuidedDirections& guided, float share, const Surfa
         }
         wi = sample.wi;
     }
-    const float pdf =
-        mask_pdf * (share * guided.pdf(wi) + (1 - share) * point.bsdf->pdf(wo, wi, kNonSpecular));
+    float pdf = (rest - geometric) * point.bsdf->pdf(wo, wi, kNonSpecular);
+    if (mixture.guided) pdf += mixture.guided_share * mixture.guided->pdf(wi);
+    if (geometric > 0) pdf += geometric * std::max(0.0f, dot(wi, normal)) * kInvPi;
+    pdf *= mixture.mask_pdf;
     if (!(pdf > 0)) return false;
     const float cosine = abs_dot(wi, point.shading_normal);
     result.direction = wi;
@@ -74,18 +101,23 @@ bool scatter_photon(const PhotonInput& in, const SurfacePoint& point, Vec3 wo, N
                     Arena& arena, PhotonCounts& counts, ScatteredPhoton& result) {
     const LobeMask lobes = point.bsdf->lobes();
     LobeMask lobe = 0;
-    if (in.guide && (lobes & kNonSpecular)) {
-        const GuidedDirections* guided =
-            in.guide->directions({point.position, point.shading_normal, wo, point.bsdf}, arena);
-        if (guided) {
-            const float specular = specular_probability(*point.bsdf, wo, lobes);
-            if (specular > 0 && random.next() < specular) {
-                return scatter_by_bsdf(point, wo, kSpecular, specular, random, result, lobe);
-            }
-            ++counts.bounces;
-            return scatter_by_mixture(*guided, float(in.settings.guide_share), point, wo,
-                                      1 - specular, random, counts, result);
+    Mixture mixture;
+    if (lobes & kNonSpecular) {
+        if (in.guide) {
+            mixture.guided =
+                in.guide->directions({point.position, point.shading_normal, wo, point.bsdf}, arena);
         }
+        mixture.guided_share = mixture.guided ? float(in.settings.guide_share) : 0;
+        mixture.geometric_share = geometric_share(point, wo, lobes);
+    }
+    if (mixture.guided || mixture.geometric_share > 0) {
+        const float specular = specular_probability(*point.bsdf, wo, lobes);
+        if (specular > 0 && random.next() < specular) {
+            return scatter_by_bsdf(point, wo, kSpecular, specular, random, result, lobe);
+        }
+        ++counts.bounces;
+        mixture.mask_pdf = 1 - specular;
+        return scatter_by_mixture(mixture, point, wo, random, counts, result);
     }
     const bool scattered = scatter_by_bsdf(point, wo, lobes, 1, random, result, lobe);
     if (lobe & kNonSpecular) ++counts.bounces;

@@ -1,9 +1,9 @@
 // AreaLightSource "area".
 #include "area_emission.h"
 
-#include "constant_texture.h"
 #include "lxs/language/read_scene.h"
 #include "lxs/lights/lights.h"
+#include "lxs/scene/constant_texture.h"
 
 namespace lxs {
 

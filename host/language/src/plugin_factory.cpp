@@ -5,8 +5,8 @@
 
 #include <algorithm>
 
-#include "constant_texture.h"
 #include "lxs/language/read_scene.h"
+#include "lxs/scene/constant_texture.h"
 
 namespace lxs {
 namespace {

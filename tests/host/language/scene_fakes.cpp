@@ -1,19 +1,10 @@
 // Fakes for tests of the scene reader.
 #include "scene_fakes.h"
 
+#include "lxs/scene/constant_texture.h"
+
 namespace lxs::test {
 namespace {
-
-template <class T>
-class FakeTexture final : public Texture<T> {
-  public:
-    explicit FakeTexture(const T& value) : value_(value) {}
-    T evaluate(const TexturePoint&) const override { return value_; }
-    std::optional<T> constant() const override { return value_; }
-
-  private:
-    T value_;
-};
 
 using Type = ParameterType;
 
@@ -110,18 +101,18 @@ Registry fake_registry() {
         {declare("value", Type::Float)},
         [](const ParameterReader& parameters, const AssetContext&, const Matrix&) {
             const auto value = static_cast<float>(parameters.number("value", 1));
-            return std::make_shared<FakeTexture<float>>(value);
+            return std::make_shared<ConstantTexture<float>>(value);
         }};
     registry.color_textures["constant"] = {
         {declare("value", Type::Color)},
         [](const ParameterReader& parameters, const AssetContext&, const Matrix&) {
-            return std::make_shared<FakeTexture<Rgb>>(parameters.color("value", Rgb(1.0f)));
+            return std::make_shared<ConstantTexture<Rgb>>(parameters.color("value", Rgb(1.0f)));
         }};
     registry.color_textures["imagemap"] = {
         {declare("filename", Type::String)},
         [](const ParameterReader& parameters, const AssetContext& assets, const Matrix&) {
             assets.resolve(parameters.string("filename", ""), parameters.where("filename"));
-            return std::make_shared<FakeTexture<Rgb>>(Rgb(0.25f));
+            return std::make_shared<ConstantTexture<Rgb>>(Rgb(0.25f));
         }};
     return registry;
 }
@@ -134,12 +125,13 @@ Registry accepting_registry() {
     accept_all<std::shared_ptr<const Medium>>(registry.media, "MakeNamedVolume",
                                               std::make_shared<Medium>(Rgb(0.0f), 1.0f));
     accept_all<std::shared_ptr<const FloatTexture>>(registry.float_textures, "Texture float",
-                                                    std::make_shared<FakeTexture<float>>(1.0f));
-    accept_all<std::shared_ptr<const ColorTexture>>(registry.color_textures, "Texture color",
-                                                    std::make_shared<FakeTexture<Rgb>>(Rgb(1.0f)));
+                                                    std::make_shared<ConstantTexture<float>>(1.0f));
+    accept_all<std::shared_ptr<const ColorTexture>>(
+        registry.color_textures, "Texture color",
+        std::make_shared<ConstantTexture<Rgb>>(Rgb(1.0f)));
     accept_all<std::shared_ptr<const FresnelTexture>>(
         registry.fresnel_textures, "Texture fresnel",
-        std::make_shared<FakeTexture<FresnelValue>>(FresnelValue{}));
+        std::make_shared<ConstantTexture<FresnelValue>>(FresnelValue{}));
     return registry;
 }
 

@@ -7,18 +7,10 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "lxs/scene/constant_texture.h"
+
 namespace lxs::test {
 namespace {
-
-class ConstantColor final : public ColorTexture {
-  public:
-    explicit ConstantColor(const Rgb& color) : color_(color) {}
-    Rgb evaluate(const TexturePoint& /*point*/) const override { return color_; }
-    std::optional<Rgb> constant() const override { return color_; }
-
-  private:
-    Rgb color_;
-};
 
 using Meet = std::function<std::optional<LightHit>(const Vec3&, const Vec3&)>;
 
@@ -171,7 +163,7 @@ std::unique_ptr<Light> make_one(const std::string& plugin,
 }
 
 std::shared_ptr<const ColorTexture> constant_color(const Rgb& color) {
-    return std::make_shared<ConstantColor>(color);
+    return std::make_shared<ConstantTexture<Rgb>>(color);
 }
 
 Primitive emissive(Geometry geometry, const Rgb& radiance) {

@@ -4,6 +4,8 @@
 #include <array>
 #include <new>
 
+#include "lxs/scene/constant_texture.h"
+
 namespace lxs::test {
 namespace {
 
@@ -52,16 +54,6 @@ class Straight : public Material {
     Rgb share_;
 };
 
-class ConstantColor : public ColorTexture {
-  public:
-    explicit ConstantColor(const Rgb& value) : value_(value) {}
-    Rgb evaluate(const TexturePoint&) const override { return value_; }
-    std::optional<Rgb> constant() const override { return value_; }
-
-  private:
-    Rgb value_;
-};
-
 class SilentDiagnostics : public Diagnostics {
   public:
     void warning(const SourceLocation&, const std::string&) override {}
@@ -107,7 +99,7 @@ Primitive primitive(Geometry geometry, std::shared_ptr<const Material> material)
 
 AreaEmission emission(const Rgb& radiance) {
     AreaEmission result;
-    result.radiance = std::make_shared<ConstantColor>(radiance);
+    result.radiance = std::make_shared<ConstantTexture<Rgb>>(radiance);
     return result;
 }
 

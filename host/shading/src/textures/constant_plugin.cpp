@@ -1,5 +1,5 @@
 // Texture "constant": one value everywhere.
-#include "constant_texture.h"
+#include "lxs/scene/constant_texture.h"
 #include "texture_plugins.h"
 
 namespace lxs::shading {

@@ -3,8 +3,8 @@
 #include <array>
 #include <cmath>
 
-#include "constant_texture.h"
 #include "image_cache.h"
+#include "lxs/scene/constant_texture.h"
 #include "texture_plugins.h"
 #include "uv_mapping.h"
 

@@ -4,7 +4,7 @@
 #include <memory>
 #include <string_view>
 
-#include "constant_texture.h"
+#include "lxs/scene/constant_texture.h"
 #include "lxs/scene/registry.h"
 
 namespace lxs::shading {

@@ -4,6 +4,7 @@
 
 #include "camera_settings.h"
 #include "lxs/imaging/imaging.h"
+#include "lxs/sdk/warp.h"
 
 namespace lxs {
 namespace {
@@ -13,17 +14,6 @@ using Vec3d = Imath::V3d;
 struct Point2 {
     double x, y;
 };
-
-/// Area-preserving map of the unit square to the unit disk (Shirley & Chiu 1997).
-Point2 concentric_disk(const Vec2& u) {
-    const double x = 2.0 * u.x - 1, y = 2.0 * u.y - 1;
-    if (x == 0 && y == 0) return {0, 0};
-    constexpr double kQuarter = std::numbers::pi / 4;
-    const bool wide = std::abs(x) > std::abs(y);
-    const double r = wide ? x : y;
-    const double angle = wide ? kQuarter * (y / x) : 2 * kQuarter - kQuarter * (x / y);
-    return {r * std::cos(angle), r * std::sin(angle)};
-}
 
 /// Film position in pixels of the window -> screen coordinates (y up).
 class Screen {
@@ -86,7 +76,7 @@ class SceneCamera : public Camera {
     /// Point of the lens plane for this sample, camera space.
     Point2 lens_point(const CameraSample& sample) const {
         if (settings_.lens_radius == 0) return {0, 0};
-        const Point2 disk = concentric_disk(sample.lens);
+        const Imath::V2d disk = square_to_concentric_disk(Imath::V2d(sample.lens));
         return {disk.x * settings_.lens_radius, disk.y * settings_.lens_radius};
     }
 

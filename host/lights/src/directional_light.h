@@ -39,7 +39,7 @@ class ConeLight final : public EnvironmentLight {
     float direction_density(const Vec3& wi) const override {
         return inside(wi) ? 1.0f / (2 * kPi * extent_) : 0.0f;
     }
-    bool inside(const Vec3& w) const { return (w - frame_.z).length2() <= 2 * extent_; }
+    bool inside(const Vec3& w) const { return (w - frame_.n).length2() <= 2 * extent_; }
 
     Frame frame_;
     float extent_;  ///< 1 - cosine of the half angle

@@ -21,13 +21,13 @@ bool EnvironmentLight::sample_emission(const std::array<float, 4>& u,
                                        EmissionSample& sample) const {
     SkyDirection sky;
     if (!sample_direction(Vec2(u[2], u[3]), sky)) return false;
-    const Vec2 d = concentric_disk(u[0], u[1]);
+    const Vec2 d = square_to_concentric_disk(Vec2(u[0], u[1]));
     const Frame frame(sky.wi);
     // A little beyond the sphere, so that rounding puts no surface behind the origin.
     constexpr float kBeyond = 1.01f;
     sample.ray = Ray{};
     sample.ray.origin =
-        sphere_.center + (frame.x * d.x + frame.y * d.y + sky.wi * kBeyond) * sphere_.radius;
+        sphere_.center + (frame.s * d.x + frame.t * d.y + sky.wi * kBeyond) * sphere_.radius;
     sample.ray.direction = -sky.wi;
     sample.ray.medium = placement_.medium.get();
     sample.power = sky.radiance * (kPi * sphere_.radius * sphere_.radius / sky.pdf);

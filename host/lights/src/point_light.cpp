@@ -47,7 +47,7 @@ SpotLight::SpotLight(LightPlacement placement, const Vec3& position, const Vec3&
       outer_(one_minus_cos(cone.outer)) {}
 
 float SpotLight::falloff(const Vec3& w) const {
-    const float x = (w - frame_.z).length2() / 2;  // 1 - cosine of unit vectors
+    const float x = (w - frame_.n).length2() / 2;  // 1 - cosine of unit vectors
     if (x >= outer_) return 0;
     if (x <= inner_) return 1;
     const float share = (outer_ - x) / (outer_ - inner_);

@@ -48,7 +48,7 @@ float SurfaceLight::mean_luminance(double area) const {
 bool SurfaceLight::sample_emission(const std::array<float, 4>& u, EmissionSample& sample) const {
     const SurfacePoint s = sample_surface(Vec2(u[0], u[1]));
     if (!(s.density > 0)) return false;
-    const Vec3 direction = Frame(s.n).to_world(cosine_hemisphere(u[2], u[3]));
+    const Vec3 direction = Frame(s.n).to_world(square_to_cosine_hemisphere(Vec2(u[2], u[3])));
     // Le cos / (density * cos / pi): the cosine cancels.
     sample.power = emitted(s) * (kPi / s.density);
     sample.normal = s.n;

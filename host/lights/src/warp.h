@@ -4,43 +4,12 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <numbers>
+#include <limits>
 
-#include "lxs/sdk/types.h"
+#include "lxs/sdk/frame.h"
+#include "lxs/sdk/warp.h"
 
 namespace lxs {
-
-inline constexpr float kPi = std::numbers::pi_v<float>;
-
-/// Orthonormal basis around a unit vector (Duff et al. 2017, "Building an orthonormal basis,
-/// revisited").
-struct Frame {
-    Vec3 x, y, z;
-    explicit Frame(const Vec3& n) : z(n) {
-        const float sign = std::copysign(1.0f, n.z);
-        const float a = -1.0f / (sign + n.z);
-        const float b = n.x * n.y * a;
-        x = Vec3(1.0f + sign * n.x * n.x * a, sign * b, -sign * n.x);
-        y = Vec3(b, sign + n.y * n.y * a, -n.y);
-    }
-    Vec3 to_world(const Vec3& v) const { return x * v.x + y * v.y + z * v.z; }
-};
-
-/// Area-preserving map of the square onto the unit disk (Shirley & Chiu 1997).
-inline Vec2 concentric_disk(float u0, float u1) {
-    const float a = 2.0f * u0 - 1.0f, b = 2.0f * u1 - 1.0f;
-    if (a == 0 && b == 0) return Vec2(0.0f);
-    const bool wide = std::abs(a) > std::abs(b);
-    const float r = wide ? a : b;
-    const float phi = wide ? (kPi / 4) * (b / a) : kPi / 2 - (kPi / 4) * (a / b);
-    return Vec2(r * std::cos(phi), r * std::sin(phi));
-}
-
-/// Direction about +z with density cos / pi (Malley's method).
-inline Vec3 cosine_hemisphere(float u0, float u1) {
-    const Vec2 d = concentric_disk(u0, u1);
-    return Vec3(d.x, d.y, std::sqrt(std::max(0.0f, 1.0f - d.x * d.x - d.y * d.y)));
-}
 
 /// Direction about +z whose cosine is `1 - one_minus_cos`, at azimuth 2 pi u. The cosine comes as
 /// its distance from 1 so that narrow cones keep their precision.

@@ -5,13 +5,11 @@
 #include <cmath>
 #include <vector>
 
-#include "bsdfs/frame.h"
+#include "lxs/sdk/frame.h"
+#include "lxs/sdk/warp.h"
 
 namespace lxs {
 namespace {
-
-using shading::Frame;
-using shading::kPi;
 
 constexpr int kCosines = 24, kAngles = 36;
 

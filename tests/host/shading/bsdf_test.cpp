@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "bsdf_statistics.h"
-#include "bsdfs/frame.h"
+#include "bsdfs/directions.h"
 #include "shading_fixture.h"
 
 namespace lxs {
@@ -109,9 +109,9 @@ ShadingPoint bent_point() {
 }
 
 Vec3 tilted(const Vec3& n, float degrees, float azimuth) {
-    const float theta = degrees * shading::kPi / 180;
-    return shading::Frame(n).to_world({std::sin(theta) * std::cos(azimuth),
-                                       std::sin(theta) * std::sin(azimuth), std::cos(theta)});
+    const float theta = degrees * kPi / 180;
+    return Frame(n).to_world({std::sin(theta) * std::cos(azimuth),
+                              std::sin(theta) * std::sin(azimuth), std::cos(theta)});
 }
 
 // 29 cases with 8 tests each: Sidak-corrected to 0.2 % for all of them together.
@@ -224,7 +224,7 @@ TEST_P(BsdfTest, AnyInputGivesFiniteResults) {
         const Vec3 dpdu = i % 7 == 0 ? Vec3(0.0f) : i % 7 == 1 ? ns : u.direction();
         const Bsdf& bsdf = at(shading_point(ng, ns, dpdu));
         Vec3 wo = u.direction(), wi = u.direction();
-        const Vec3 tangent = shading::Frame(i % 2 ? ns : ng).s;
+        const Vec3 tangent = Frame(i % 2 ? ns : ng).s;
         if (i % 4 == 1) wo = tangent;
         if (i % 4 == 2) wo = (tangent + ns * 1e-7f).normalized();
         if (i % 11 == 0) wi = wo;

@@ -1,7 +1,7 @@
 // Ideal diffuse reflection.
 #pragma once
 
-#include "frame.h"
+#include "directions.h"
 #include "lxs/sdk/bsdf.h"
 
 namespace lxs::shading {

@@ -1,7 +1,6 @@
 // Weighted sum of two Bsdfs.
 #pragma once
 
-#include "frame.h"
 #include "lxs/sdk/bsdf.h"
 
 namespace lxs::shading {

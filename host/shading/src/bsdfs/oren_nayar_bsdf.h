@@ -2,7 +2,7 @@
 // Source: Oren & Nayar 1994, "Generalization of Lambert's Reflectance Model", qualitative model.
 #pragma once
 
-#include "frame.h"
+#include "directions.h"
 #include "lxs/sdk/bsdf.h"
 
 namespace lxs::shading {

@@ -2,7 +2,7 @@
 // Rendering", section 4, which LuxRender's metals and glossy coatings use.
 #pragma once
 
-#include "frame.h"
+#include "directions.h"
 
 namespace lxs::shading {
 

@@ -1,7 +1,7 @@
 // What all Bsdfs share that consist of Dirac deltas only.
 #pragma once
 
-#include "frame.h"
+#include "directions.h"
 #include "lxs/sdk/bsdf.h"
 
 namespace lxs::shading {

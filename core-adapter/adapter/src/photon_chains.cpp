@@ -133,7 +133,7 @@ std::size_t PhotonChains::memory_bound_bytes(const Settings& settings, std::uint
     const std::size_t state = max_coordinates(settings.max_photon_depth) * sizeof(Coordinate) +
                               settings.max_photon_depth * sizeof(Landing);
     // A current and a proposed state; what lasts from the last round is recorded in this one too.
-    const std::size_t carried = 2 * settings.max_photon_depth * sizeof(Landing);
+    const std::size_t carried = 2 * sizeof(Landing) * settings.max_photon_depth;
     return PointGrid::memory_bound_bytes(eye_paths) +
            kChains * (sizeof(Chain) + kGrowth * (2 * state + carried));
 }

@@ -71,7 +71,6 @@ class VisibilityChain {
              Record&& record, ChainCounts& counts) {
         std::uint32_t repeats = 0;
         const auto propose = [&](RandomDomain domain, std::span<const Coordinate> from) {
-            --paths;
             const std::uint64_t number = step_ * address.chains + address.chain;
             const RandomStream random(address.seed, address.pass, number, domain);
             proposed_.coordinates.clear();
@@ -84,12 +83,14 @@ class VisibilityChain {
         };
         while (paths > 0) {
             const bool measuring = step_ < measured_;
+            --paths;
             ++counts.uniform;
             counts.measured += measuring;
             if (propose(RandomDomain::UniformPath, {})) {
                 counts.visible += measuring;
             } else if (has_state_ && paths > 0) {
                 // Where no path is left for a mutation the state lasts: a valid, idle step.
+                --paths;
                 ++counts.mutated;
                 counts.accepted += propose(RandomDomain::MutatedPath, current_.coordinates);
             }

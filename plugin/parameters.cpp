@@ -2,6 +2,7 @@
 // where it has one, so that a scene changes only the plugin's name.
 #include "parameters.h"
 
+#include <algorithm>
 #include <array>
 #include <vector>
 
@@ -11,7 +12,8 @@ namespace {
 using lxs::ParameterDeclaration;
 using lxs::ParameterType;
 
-constexpr std::array<std::string_view, 2> kModes{"progressive", "photonmap"};
+/// By number of Mode.
+constexpr std::array<std::string_view, 3> kModes{"progressive", "photonmap", "ppm"};
 constexpr std::array<std::string_view, 2> kGuides{"paper", "none"};
 constexpr std::array<std::string_view, 2> kPhotonSamplers{"halton", "amc"};
 constexpr double kMaxCount = 4294967295.0;
@@ -29,21 +31,26 @@ constexpr ParameterDeclaration no_effect(std::string_view name, ParameterType ty
     return d;
 }
 
-/// What all three plugins take.
+/// What all plugins take.
 std::vector<ParameterDeclaration> common_declarations() {
     return {
         integer("maxeyedepth", "16", "Most surfaces that an eye path meets.", 1, 1024),
         integer("maxphotondepth", "16", "Most surfaces that a photon path meets.", 1, 1024),
         integer("photonperpass", "1000000", "Photon paths shot in each pass.", 1),
         integer("hitpointperpass", "0",
-                "Eye paths traced in each pass; 0: one per pixel (mode photonmap: four).", 0),
+                "Eye paths traced in each pass; 0: one per pixel (modes photonmap and ppm, whose "
+                "one eye pass is kept: four).",
+                0),
         {"startradius", ParameterType::Float, "0",
-         "Radius of the first density estimate, in mean pixel footprints (widths) at the visible "
-         "points; 0: automatic (2).",
+         "Radius of the first density estimate, the same at all visible points, in their mean "
+         "pixel "
+         "footprints (widths); 0: automatic (2).",
          0, 1e6},
         {"alpha", ParameterType::Float, "0.7",
-         "Share of the variance reduction in the radius schedule (Knaus and Zwicker 2011), above 0 "
-         "up to 1; 1 keeps the radius.",
+         "Share of the variance reduction in the radius schedule (Knaus and Zwicker 2011), in ppm "
+         "the "
+         "share of each pass's photons that a hit point keeps (Hachisuka et al. 2008); 1 keeps the "
+         "radius.",
          1e-3, 1},
         {"includeenvironment", ParameterType::Bool, "true",
          "Lights at infinity are seen by eye rays and mirrored by specular surfaces."},
@@ -62,8 +69,9 @@ std::vector<ParameterDeclaration> common_declarations() {
 
 std::vector<ParameterDeclaration> guide_declarations() {
     ParameterDeclaration mode{"mode", ParameterType::String, "progressive",
-                              "Progressive photon mapping, or a photon map seen by one frozen eye "
-                              "pass with a fixed radius."};
+                              "Stochastic progressive photon mapping; a photon map seen by one "
+                              "frozen eye pass with a fixed radius; or progressive photon mapping "
+                              "with frozen hit points, each with its own radius."};
     mode.choices = kModes;
     ParameterDeclaration guide{"guide", ParameterType::String, "paper",
                                "What decides where photons go: the adaptive tables of Liu and "
@@ -99,7 +107,8 @@ ParameterDeclaration photon_sampler_declaration() {
 std::vector<ParameterDeclaration> foreign_declarations() {
     using T = ParameterType;
     return {
-        no_effect("useproba", T::Bool, "true", "The schedule of Knaus and Zwicker is always used."),
+        no_effect("useproba", T::Bool, "true",
+                  "The integrator decides: a schedule (Knaus and Zwicker), in ppm the photons."),
         no_effect("lookupaccel", T::String, "hashgrid", "A hashed grid is always used."),
         no_effect("pixelsampler", T::String, "hilbert", "Pixels are always visited in rows."),
         no_effect("parallelhashgridspare", T::Float, "1", "Size of LuxRender's hash grid."),
@@ -162,7 +171,8 @@ void read_guide(const lxs::ParameterReader& in, Settings& s) {
     const auto count = [&](std::string_view name, std::uint32_t value) {
         return static_cast<std::uint32_t>(in.integer(name, value));
     };
-    s.mode = in.string("mode", "progressive") == "photonmap" ? Mode::PhotonMap : Mode::Progressive;
+    s.mode = static_cast<Mode>(
+        std::find(kModes.begin(), kModes.end(), in.string("mode", kModes[0])) - kModes.begin());
     s.guide = in.string("guide", "paper") == "none" ? GuideKind::None : GuideKind::Paper;
     s.guide_share = in.number("guideshare", s.guide_share);
     s.iteration_photons = count("iterationphotons", s.iteration_photons);
@@ -190,9 +200,9 @@ void read_photon_sampler(const lxs::ParameterReader& in, Settings& s) {
 }  // namespace
 
 std::span<const ParameterDeclaration> parameter_declarations(PluginKind kind) {
-    static const std::array<std::vector<ParameterDeclaration>, 3> all{
+    static const std::array<std::vector<ParameterDeclaration>, 4> all{
         declarations_of(PluginKind::Aips), declarations_of(PluginKind::Sppm),
-        declarations_of(PluginKind::ExPhotonMap)};
+        declarations_of(PluginKind::Ppm), declarations_of(PluginKind::ExPhotonMap)};
     return all[static_cast<std::size_t>(kind)];
 }
 
@@ -201,6 +211,7 @@ Settings read_settings(PluginKind kind, const lxs::ParameterReader& parameters) 
     read_common(parameters, settings);
     settings.guide = GuideKind::None;
     if (kind == PluginKind::Aips) read_guide(parameters, settings);
+    if (kind == PluginKind::Ppm) settings.mode = Mode::Ppm;
     if (kind == PluginKind::ExPhotonMap) {
         settings.mode = Mode::PhotonMap;
     } else {

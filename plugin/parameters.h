@@ -10,7 +10,7 @@
 namespace aips {
 
 /// Which plugin name is being set up.
-enum class PluginKind { Aips, Sppm, ExPhotonMap };
+enum class PluginKind { Aips, Sppm, Ppm, ExPhotonMap };
 
 /// Declared parameters of the plugin.
 std::span<const lxs::ParameterDeclaration> parameter_declarations(PluginKind kind);

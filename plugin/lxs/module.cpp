@@ -1,4 +1,4 @@
-// Registration of `aips` and of the two baselines it is measured against.
+// Registration of `aips` and of the baselines it is measured against.
 #include <stdexcept>
 
 #include "engine_integrator.h"
@@ -23,6 +23,8 @@ const lxs::IntegratorPlugin kPlugins[] = {
      aips::parameter_declarations(aips::PluginKind::Aips), &create<aips::PluginKind::Aips>},
     {"sppm", "Stochastic progressive photon mapping, unguided: the baseline.",
      aips::parameter_declarations(aips::PluginKind::Sppm), &create<aips::PluginKind::Sppm>},
+    {"ppm", "Progressive photon mapping with fixed hit points, unguided: the baseline.",
+     aips::parameter_declarations(aips::PluginKind::Ppm), &create<aips::PluginKind::Ppm>},
     {"exphotonmap", "Photon mapping with a fixed radius, unguided: the baseline.",
      aips::parameter_declarations(aips::PluginKind::ExPhotonMap),
      &create<aips::PluginKind::ExPhotonMap>},

@@ -8,7 +8,8 @@ namespace {
 
 using namespace aips;
 
-std::vector<Rgb> image_with(unsigned threads, GuideKind guide, std::uint64_t seed) {
+std::vector<Rgb> image_with(unsigned threads, GuideKind guide, std::uint64_t seed,
+                            Mode mode = Mode::Progressive) {
     const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
     mock::Material glossy;
     glossy.kind = mock::Material::Kind::LambertAndMirror;
@@ -16,6 +17,8 @@ std::vector<Rgb> image_with(unsigned threads, GuideKind guide, std::uint64_t see
     const mock::Scene scene = mock::lamp_box({}, glossy);
     Settings settings = mock::small_settings(seed, 20000);
     settings.guide = guide;
+    settings.mode = mode;
+    settings.alpha = 0.7;
     const auto camera = mock::camera_along_y({0, -0.9f, 0}, 1, 40, 30);
     return mock::render(scene, camera, 40, 30, settings, 3).film.image();
 }
@@ -26,6 +29,12 @@ TEST_P(Determinism, SameBitsForAnyNumberOfThreads) {
     const auto one = image_with(1, GetParam(), 11);
     EXPECT_EQ(one, image_with(2, GetParam(), 11));
     EXPECT_EQ(one, image_with(7, GetParam(), 11));
+}
+
+TEST_P(Determinism, SameBitsForAnyNumberOfThreadsWithARadiusPerPoint) {
+    const auto one = image_with(1, GetParam(), 11, Mode::Ppm);
+    EXPECT_EQ(one, image_with(2, GetParam(), 11, Mode::Ppm));
+    EXPECT_EQ(one, image_with(7, GetParam(), 11, Mode::Ppm));
 }
 
 TEST_P(Determinism, SeedsDiffer) {

@@ -67,13 +67,17 @@ TEST(Furnace, AdaptiveChains) {
     }
 }
 
-TEST(Furnace, PhotonMapMode) {
-    for (const GuideKind guide : {GuideKind::None, GuideKind::Paper}) {
-        const mock::Scene scene = furnace({});
-        Settings settings = mock::small_settings(4, 40000);
-        settings.mode = Mode::PhotonMap;
-        settings.guide = guide;
-        EXPECT_NEAR(measured(scene, settings, 20), furnace_radiance(8), 0.01 * furnace_radiance(8));
+TEST(Furnace, FrozenEyePass) {
+    const mock::Scene scene = furnace({});
+    for (const Mode mode : {Mode::PhotonMap, Mode::Ppm}) {
+        for (const GuideKind guide : {GuideKind::None, GuideKind::Paper}) {
+            Settings settings = mock::small_settings(4, 40000);
+            settings.mode = mode;
+            settings.alpha = 0.7;
+            settings.guide = guide;
+            EXPECT_NEAR(measured(scene, settings, 20), furnace_radiance(8),
+                        0.01 * furnace_radiance(8));
+        }
     }
 }
 

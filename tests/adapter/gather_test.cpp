@@ -1,6 +1,8 @@
 // Protects the gather: each photon counts once, only on its own surface and its own side.
 #include <gtest/gtest.h>
 
+#include <limits>
+
 #include "gather.h"
 #include "render_mock.h"
 
@@ -18,19 +20,24 @@ Landing landing_at(Vec3 position, Vec3 direction, Vec3 normal) {
 }
 
 /// What one Lambertian point at the origin, facing +z, seen from above, receives.
-Rgb gathered(const std::vector<Landing>& landings, float radius) {
+PhotonFlux flux_at_origin(const std::vector<Landing>& landings, const SearchRadii& radii,
+                          Rgb kd = kWhite) {
     EyeImage image;
     VisiblePoint point;
     point.geometric_normal = point.shading_normal = point.wo = {0, 0, 1};
-    point.kd = kWhite;
+    point.kd = kd;
     image.visible_points = {point};
     LandingGrid grid;
-    grid.build(landings, radius);
+    grid.build(landings, radii.largest);
     Refusals refusals({});
     PhotonFlux flux;
     flux.reset(1, 1);
-    gather_photons(image, grid, radius, refusals, flux);
-    return flux.flux[0];
+    gather_photons(image, grid, radii, refusals, flux);
+    return flux;
+}
+
+Rgb gathered(const std::vector<Landing>& landings, float radius) {
+    return flux_at_origin(landings, radius).flux[0];
 }
 
 TEST(Gather, CountsEachPhotonOnceWhateverTheHashDoes) {
@@ -58,6 +65,42 @@ TEST(Gather, LeavesOutOtherSidesAndSurfaces) {
     EXPECT_TRUE(is_black(gathered({landing_at({0, 0, -0.08f}, {0, 0, 1}, up)}, 0.1f)));
     // Outside of the radius.
     EXPECT_TRUE(is_black(gathered({landing_at({0.11f, 0, 0}, {0, 0, 1}, up)}, 0.1f)));
+}
+
+/// Only photons that bring light count: a count of others would shrink the radii of mode=ppm.
+TEST(Gather, CountsTheAcceptedPhotonsOfEachPoint) {
+    const Vec3 up{0, 0, 1};
+    const Landing good = landing_at({}, up, up);
+    Landing invalid = good, dark = good;
+    invalid.power.g = std::numeric_limits<float>::quiet_NaN();
+    dark.power = {};
+    const std::vector<Landing> landings{good,
+                                        landing_at({}, {0, 0, -1}, up),
+                                        landing_at({}, {1, 0, 1}, {1, 0, 0}),
+                                        landing_at({0.11f, 0, 0}, up, up),
+                                        invalid,
+                                        dark,
+                                        good};
+    EXPECT_EQ(flux_at_origin(landings, 0.1f).accepted[0], 2u);
+    EXPECT_EQ(flux_at_origin(landings, 0.1f).gathered, 2u);
+    // A wall that absorbs what the photon carries.
+    Landing green = good;
+    green.power = {0, 1, 0};
+    EXPECT_EQ(flux_at_origin({green}, 0.1f, {1, 0, 1}).accepted[0], 0u);
+    EXPECT_EQ(flux_at_origin({green}, 0.1f, {0, 1, 0}).accepted[0], 1u);
+}
+
+/// A point takes what lies within its own radius, whatever the largest is that the grid serves.
+TEST(Gather, RadiusPerPoint) {
+    const Vec3 up{0, 0, 1};
+    std::vector<Landing> landings;
+    for (int i = 0; i < 20; ++i)
+        landings.push_back(landing_at({0.01f * float(i) + 0.005f, 0, 0}, up, up));
+    const std::vector<float> own{0.1f};
+    SearchRadii radii(0.2f);
+    EXPECT_EQ(flux_at_origin(landings, radii).accepted[0], 20u);
+    radii.per_point = own;
+    EXPECT_EQ(flux_at_origin(landings, radii).accepted[0], 10u);
 }
 
 /// A thin wall between a lit and a dark room: nothing leaks through, whatever the radius.

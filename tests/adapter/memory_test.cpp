@@ -2,19 +2,23 @@
 // make it grow.
 #include <gtest/gtest.h>
 
+#include <tuple>
+
 #include "render_mock.h"
 
 namespace {
 
 using namespace aips;
 
-class Memory : public testing::TestWithParam<GuideKind> {};
+class Memory : public testing::TestWithParam<std::tuple<GuideKind, Mode>> {};
 
 TEST_P(Memory, StaysBelowTheBoundAndFlat) {
     const mock::Scene scene = mock::lamp_box({}, {});
     const auto camera = mock::camera_along_y({0, -0.9f, 0}, 1, 32, 24);
     Settings settings = mock::small_settings(71, 20000);
-    settings.guide = GetParam();
+    settings.guide = std::get<0>(GetParam());
+    settings.mode = std::get<1>(GetParam());
+    settings.alpha = 0.7;
     settings.max_nodes = 512;
     const mock::Sampler sampler(1);
     mock::Film film(32, 24);
@@ -31,9 +35,9 @@ TEST_P(Memory, StaysBelowTheBoundAndFlat) {
     EXPECT_LE(late.guide_nodes, settings.max_nodes);
 }
 
-INSTANTIATE_TEST_SUITE_P(Guides, Memory, testing::Values(GuideKind::None, GuideKind::Paper),
-                         [](const auto& test) {
-                             return test.param == GuideKind::None ? "none" : "paper";
-                         });
+INSTANTIATE_TEST_SUITE_P(GuidesAndModes, Memory,
+                         testing::Combine(testing::Values(GuideKind::None, GuideKind::Paper),
+                                          testing::Values(Mode::Progressive, Mode::PhotonMap,
+                                                          Mode::Ppm)));
 
 }  // namespace

@@ -13,7 +13,7 @@ TEST(Documentation, ParameterPageMatchesTheDeclarations) {
     std::ifstream in(std::string(DOCS) + "/parameters.md");
     std::stringstream page;
     page << in.rdbuf();
-    for (const std::string plugin : {"aips", "sppm", "exphotonmap"}) {
+    for (const std::string plugin : {"aips", "sppm", "ppm", "exphotonmap"}) {
         const std::string table =
             render::output_of(std::string(LXSRENDER) + " --describe " + plugin + " --markdown");
         ASSERT_FALSE(table.empty());

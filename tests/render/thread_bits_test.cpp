@@ -5,6 +5,15 @@
 
 namespace {
 
+TEST(ThreadBits, Ppm) {
+    const render::Folder folder;
+    const auto file = render::small_scene("glass-ball", folder, 120, 80);
+    const std::string arguments =
+        "--integrator ppm --passes 3 --seed 5 --set ppm.photonperpass=40000 --threads ";
+    EXPECT_EQ(render::render(file, arguments + "1", folder).rgb,
+              render::render(file, arguments + "7", folder).rgb);
+}
+
 TEST(ThreadBits, SameExrWithOneTwoAndSevenThreads) {
     const render::Folder folder;
     for (const std::string scene : {"glass-ball", "cornell-box"}) {

@@ -22,12 +22,12 @@ DebugLayers::DebugLayers(Film& film, const Guide* guide) : film_(film) {
     if (guide) node_layers_.emplace(film, *guide);
 }
 
-void DebugLayers::add_pass(const EyeImage& image, const PhotonFlux& flux, float radius,
+void DebugLayers::add_pass(const EyeImage& image, const PhotonFlux& flux, const SearchRadii& radii,
                            std::span<const Rgb> radiance, double weight,
                            const BounceTally* bounces) {
     find_pixels(image.positions);
     add_photon_part(image, radiance, weight);
-    add_photon_density(image, flux, radius, weight);
+    add_photon_density(image, flux, radii, weight);
     if (node_layers_) node_layers_->show(image, pixel_of_path_, *bounces);
 }
 
@@ -50,15 +50,15 @@ void DebugLayers::add_photon_part(const EyeImage& image, std::span<const Rgb> ra
     film_.add_layer_pass("photons", image.positions, photon_part_, weight);
 }
 
-void DebugLayers::add_photon_density(const EyeImage& image, const PhotonFlux& flux, float radius,
-                                     double weight) {
+void DebugLayers::add_photon_density(const EyeImage& image, const PhotonFlux& flux,
+                                     const SearchRadii& radii, double weight) {
     for (const std::uint32_t pixel : pixel_of_path_)
         densities_[pixel].weight += weight;
-    // In double: r^2 leaves the range of float in tiny scenes.
-    const double disk = double(kPi) * double(radius) * double(radius);
-    for (std::size_t i = 0; i < image.visible_points.size() && disk > 0; ++i) {
+    for (std::size_t i = 0; i < image.visible_points.size() && radii.largest > 0; ++i) {
+        // In double: r^2 leaves the range of float in tiny scenes.
+        const double disk = double(kPi) * double(radii.of(i)) * double(radii.of(i));
         const std::uint32_t pixel = pixel_of_path_[image.visible_points[i].sample];
-        densities_[pixel].sum += weight * double(flux.photons[i]) / disk;
+        densities_[pixel].sum += weight * double(flux.accepted[i]) / disk;
     }
     std::transform(densities_.begin(), densities_.end(), density_layer_.begin(),
                    [](const WeightedSum& density) {
@@ -77,8 +77,7 @@ std::size_t DebugLayers::memory_bytes() const {
 
 std::size_t DebugLayers::memory_bound_bytes(std::size_t pixels, std::size_t eye_paths,
                                             std::uint32_t nodes) {
-    const std::size_t counts = sizeof(std::uint32_t);  // PhotonFlux::photons
-    const std::size_t paths = eye_paths * (sizeof(std::uint32_t) + sizeof(Rgb) + counts);
+    const std::size_t paths = eye_paths * (sizeof(std::uint32_t) + sizeof(Rgb));
     const std::size_t layers = pixels * (sizeof(WeightedSum) + sizeof(float));
     const std::size_t guide =
         NodeLayers::memory_bound_bytes(pixels) + BounceTally::memory_bound_bytes(nodes);

@@ -20,21 +20,21 @@ class DebugLayers {
     DebugLayers(Film& film, const Guide* guide);
 
     /// Adds a pass whose samples, `radiance` of `weight`, the film has. `flux` counts photons per
-    /// visible point, found within `radius` (0: no photons were shot); `bounces` is not null with a
+    /// visible point, found within `radii` (0: no photons were shot); `bounces` is not null with a
     /// guide.
-    void add_pass(const EyeImage& image, const PhotonFlux& flux, float radius,
+    void add_pass(const EyeImage& image, const PhotonFlux& flux, const SearchRadii& radii,
                   std::span<const Rgb> radiance, double weight, const BounceTally* bounces);
 
     std::size_t memory_bytes() const;
-    /// Bound of memory_bytes() and of the counts that photon passes keep for these layers. `nodes`:
-    /// most nodes of the guide, 0 without.
+    /// Bound of memory_bytes() and of the bounce tally. `nodes`: most nodes of the guide, 0
+    /// without.
     static std::size_t memory_bound_bytes(std::size_t pixels, std::size_t eye_paths,
                                           std::uint32_t nodes);
 
   private:
     void find_pixels(std::span<const Vec2> positions);
     void add_photon_part(const EyeImage& image, std::span<const Rgb> radiance, double weight);
-    void add_photon_density(const EyeImage& image, const PhotonFlux& flux, float radius,
+    void add_photon_density(const EyeImage& image, const PhotonFlux& flux, const SearchRadii& radii,
                             double weight);
 
     /// Of photon densities seen in a pixel, over all passes.

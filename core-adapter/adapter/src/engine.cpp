@@ -1,10 +1,8 @@
 // The pass loop: eye pass, photon pass, estimate, film.
 #include "aips/adapter/engine.h"
 
-#include <cmath>
 #include <optional>
 
-#include "aips/core/radius_schedule.h"
 #include "aips/core/random.h"
 #include "debug_layers.h"
 #include "memory_bound.h"
@@ -12,25 +10,19 @@
 #include "paper_guide.h"
 #include "photon_pass.h"
 #include "pixel_estimate.h"
+#include "radius_policy.h"
 #include "stopwatch.h"
 
 namespace aips {
 namespace {
 
-/// Photon paths after which the radius schedule has made one step of Knaus & Zwicker (2011): a
-/// constant, so that methods with other numbers of photons per pass keep equal radii at equal work.
-constexpr double kReferencePaths = 1e6;
-/// Automatic start radius in pixel footprints.
-constexpr double kAutomaticRadius = 2;
-/// Eye paths per pixel of mode=photonmap unless hitpointperpass says otherwise.
-constexpr std::uint32_t kPhotonMapPathsPerPixel = 4;
-/// The radius never falls below this share of the scene's diagonal, where single precision ends.
-constexpr double kMinRadiusShare = 1e-7;
+/// Eye paths per pixel of a frozen eye pass unless hitpointperpass says otherwise.
+constexpr std::uint32_t kFrozenPathsPerPixel = 4;
 
 std::uint32_t eye_paths_per_pass(const Host& host, const Settings& settings) {
     if (settings.hit_points_per_pass) return settings.hit_points_per_pass;
     const std::uint32_t pixels = host.film.width() * host.film.height();
-    return settings.mode == Mode::PhotonMap ? pixels * kPhotonMapPathsPerPixel : pixels;
+    return freezes_eye_pass(settings.mode) ? pixels * kFrozenPathsPerPixel : pixels;
 }
 
 std::unique_ptr<Guide> make_guide(const Needs& needs, const Scene& scene,
@@ -51,7 +43,8 @@ class Engine::State {
           direct_light_(host.scene),
           refusals_(host.scene.material_names()),
           guide_(make_guide(needs_, host.scene, settings)),
-          photon_pass_(host.scene, settings_, guide_.get()) {
+          photon_pass_(host.scene, settings_, guide_.get()),
+          radius_policy_(make_radius_policy(settings, host.scene)) {
         statistics_.memory_bound_bytes = memory_bound(host.scene, settings, eye_paths_);
         if (settings.debug_layers) add_debug_layers();
         log_start();
@@ -60,23 +53,24 @@ class Engine::State {
     PassReport render_pass(std::uint64_t pass) {
         const float time = pass_time(pass);
         PassReport report;
+        SearchRadii radii;
         report.eye_paths = trace_eye_paths(pass, time);
         const std::uint64_t eye_rays = report.eye_paths ? image_.rays : 0;
         const std::uint64_t rays_before = photon_pass_.totals().counts.rays;
         if (needs_.photons && !image_.visible_points.empty()) {
-            report.radius = radius_at(pass);
-            report.photon_paths =
-                photon_pass_.shoot(pass, time, image_, report.radius, refusals_, flux_);
+            radii = radius_policy_->before_pass(pass, image_);
+            report.radius = radii.mean;
+            report.photon_paths = photon_pass_.shoot(pass, time, image_, radii, refusals_, flux_);
         } else {
             flux_.reset(image_.visible_points.size(), image_.groups);
         }
-        estimate_pixels(image_, flux_, report.radius, report.photon_paths, refusals_, radiance_);
+        estimate_pixels(image_, flux_, radii, report.photon_paths, refusals_, radiance_);
         const auto weight = double(settings_.photons_per_pass);
         host_.film.add_pass(image_.positions, radiance_, image_.groups, weight);
         if (layers_) {
-            layers_->add_pass(image_, flux_, report.radius, radiance_, weight,
-                              photon_pass_.bounces());
+            layers_->add_pass(image_, flux_, radii, radiance_, weight, photon_pass_.bounces());
         }
+        if (report.photon_paths) radius_policy_->after_pass(flux_);
         report.rays = eye_rays + photon_pass_.totals().counts.rays - rays_before;
         count(report, eye_rays);
         return report;
@@ -110,7 +104,6 @@ class Engine::State {
 
   private:
     void add_debug_layers() {
-        flux_.count_photons = true;
         layers_.emplace(host_.film, guide_.get());
         statistics_.memory_bound_bytes +=
             DebugLayers::memory_bound_bytes(std::size_t{host_.film.width()} * host_.film.height(),
@@ -125,16 +118,18 @@ class Engine::State {
             host_.log.info("skipped " + skipped);
     }
 
-    /// One moment of the shutter interval for all paths of a pass.
+    /// One moment of the shutter interval for all paths of a pass; frozen visible points stay where
+    /// their surfaces were, so that all photons meet the scene of that moment.
     float pass_time(std::uint64_t pass) const {
+        if (freezes_eye_pass(settings_.mode)) pass = 0;
         RandomStream random(settings_.seed, pass, 0, RandomDomain::Time);
         const float open = host_.camera.shutter_open();
         return open + (host_.camera.shutter_close() - open) * random.next();
     }
 
-    /// Returns the eye paths traced: none in the later passes of mode=photonmap.
+    /// Returns the eye paths traced: none in later passes if the first is frozen.
     std::uint32_t trace_eye_paths(std::uint64_t pass, float time) {
-        if (settings_.mode == Mode::PhotonMap && traced_eye_pass_) return 0;
+        if (freezes_eye_pass(settings_.mode) && traced_eye_pass_) return 0;
         const Stopwatch watch(statistics_.eye_seconds);
         const EyePassInput input{host_.scene,         host_.camera, host_.sampler,
                                  direct_light_,       settings_,    host_.film.width(),
@@ -142,20 +137,6 @@ class Engine::State {
         trace_eye_pass(input, pass, time, refusals_, image_);
         traced_eye_pass_ = true;
         return eye_paths_;
-    }
-
-    /// Radius of the density estimate: from the first visible points' pixel footprints, then as a
-    /// function of the photon paths shot before this pass.
-    float radius_at(std::uint64_t pass) {
-        const double floor = kMinRadiusShare * double(host_.scene.bounds().diagonal());
-        if (!(initial_radius_ > 0)) {
-            const double scale =
-                settings_.start_radius > 0 ? settings_.start_radius : kAutomaticRadius;
-            initial_radius_ = std::max(scale * 2 * image_.mean_footprint(), floor);
-        }
-        if (settings_.mode == Mode::PhotonMap) return float(initial_radius_);
-        const double shot = double(pass) * double(settings_.photons_per_pass);
-        return knaus_zwicker_radius(initial_radius_, shot, kReferencePaths, settings_.alpha, floor);
     }
 
     void count(const PassReport& report, std::uint64_t eye_rays) {
@@ -167,7 +148,8 @@ class Engine::State {
 
     std::size_t memory_bytes() const {
         return image_.memory_bytes() + flux_.memory_bytes() + radiance_.capacity() * sizeof(Rgb) +
-               photon_pass_.memory_bytes() + (guide_ ? guide_->statistics().memory_bytes : 0) +
+               photon_pass_.memory_bytes() + radius_policy_->memory_bytes() +
+               (guide_ ? guide_->statistics().memory_bytes : 0) +
                (layers_ ? layers_->memory_bytes() : 0);
     }
 
@@ -179,12 +161,12 @@ class Engine::State {
     Refusals refusals_;
     std::unique_ptr<Guide> guide_;
     PhotonPass photon_pass_;
+    std::unique_ptr<RadiusPolicy> radius_policy_;
     EyeImage image_;
     PhotonFlux flux_;
     std::vector<Rgb> radiance_;
     std::optional<DebugLayers> layers_;
     EngineStatistics statistics_;
-    double initial_radius_ = 0;
     bool traced_eye_pass_ = false;
 };
 

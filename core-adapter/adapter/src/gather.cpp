@@ -42,28 +42,32 @@ bool on_same_surface(const VisiblePoint& point, Vec3 position, Vec3 normal, floa
            abs_dot(position - point.position, point.geometric_normal) <= kSlab * radius;
 }
 
-void gather_photons(const EyeImage& image, const LandingGrid& grid, float radius,
+void gather_photons(const EyeImage& image, const LandingGrid& grid, const SearchRadii& radii,
                     Refusals& refusals, PhotonFlux& result) {
     const std::uint32_t groups = image.groups;
     std::atomic<std::uint64_t> gathered{0};
     tbb::parallel_for(
         tbb::blocked_range<std::size_t>(0, image.visible_points.size(), 256),
         [&](const tbb::blocked_range<std::size_t>& range) {
-            std::uint64_t count = 0;
+            std::uint64_t total = 0;
             for (std::size_t i = range.begin(); i < range.end(); ++i) {
                 const VisiblePoint& point = image.visible_points[i];
+                const float radius = radii.of(i);
+                // Left out of the flux, but what it absorbs is no contribution.
+                const Rgb f = point.bsdf ? kWhite : point.kd;
+                std::uint32_t count = 0;
                 Rgb* flux = &result.flux[i * groups];
-                const std::uint64_t before = count;
                 grid.for_each_in_radius(point.position, radius, [&](const GridPhoton& landing) {
                     if (!on_same_surface(point, landing.position, landing.normal, radius)) return;
                     const Rgb value = contribution(point, landing);
-                    if (is_black(value) || !refusals.accept(value, point.material)) return;
+                    if (is_black(value * f) || !refusals.accept(value, point.material)) return;
                     flux[landing.light_group] += value;
                     ++count;
                 });
-                if (result.count_photons) result.photons[i] += std::uint32_t(count - before);
+                result.accepted[i] += count;
+                total += count;
             }
-            gathered.fetch_add(count, std::memory_order_relaxed);
+            gathered.fetch_add(total, std::memory_order_relaxed);
         });
     result.gathered += gathered.load();
 }

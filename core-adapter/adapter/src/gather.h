@@ -7,6 +7,7 @@
 #include "aips/core/photon_grid.h"
 #include "eye_pass.h"
 #include "refusals.h"
+#include "search_radii.h"
 
 namespace aips {
 
@@ -15,29 +16,29 @@ struct PhotonFlux {
     /// [visible point * groups + group]: sum over photons within the radius of f * power (watts per
     /// steradian), f being left out for Lambertian points (it is constant there).
     std::vector<Rgb> flux;
-    std::uint64_t gathered = 0;          ///< photons accepted, over all visible points
-    bool count_photons = false;          ///< fill `photons`
-    std::vector<std::uint32_t> photons;  ///< accepted per visible point; empty unless asked for
-
-    std::size_t memory_bytes() const {
-        return flux.capacity() * sizeof(Rgb) + photons.capacity() * sizeof(std::uint32_t);
-    }
+    /// [visible point]: photons accepted, over all light groups (fewer than 2^32 in a pass). One
+    /// that brings no light, be it refused or absorbed, is not accepted.
+    std::vector<std::uint32_t> accepted;
+    std::uint64_t gathered = 0;  ///< photons accepted, over all visible points
 
     void reset(std::size_t visible_points, std::uint32_t groups) {
         flux.assign(visible_points * groups, Rgb{});
-        if (count_photons) photons.assign(visible_points, 0);
+        accepted.assign(visible_points, 0);
         gathered = 0;
     }
     void scale(double factor) {
         for (Rgb& sum : flux)
             sum = sum * float(factor);
     }
+    std::size_t memory_bytes() const {
+        return flux.capacity() * sizeof(Rgb) + accepted.capacity() * sizeof(std::uint32_t);
+    }
 };
 
-/// Adds the landings in `grid` within `radius` of each visible point. Landings on a surface that
+/// Adds the landings in `grid` within its radius of each visible point. Landings on a surface that
 /// faces elsewhere, or on the other side of the visible point's, are left out. Every point sums
 /// its photons in the grid's order, so the result does not depend on the number of threads.
-void gather_photons(const EyeImage& image, const LandingGrid& grid, float radius,
+void gather_photons(const EyeImage& image, const LandingGrid& grid, const SearchRadii& radii,
                     Refusals& refusals, PhotonFlux& flux);
 
 /// Whether a landing is on the visible point's own surface: similar normals, and within a slab

@@ -4,6 +4,7 @@
 #include "eye_pass.h"
 #include "paper_guide.h"
 #include "photon_pass.h"
+#include "ppm_radius.h"
 
 namespace aips {
 namespace {
@@ -14,7 +15,8 @@ constexpr std::size_t kGrowth = 2;
 std::size_t eye_bytes(const Scene& scene, std::size_t paths) {
     const std::size_t groups = scene.light_groups();
     const std::size_t image = sizeof(Vec2) + groups * sizeof(Rgb) + sizeof(VisiblePoint);
-    const std::size_t estimate = 2 * groups * sizeof(Rgb);  // flux and radiance
+    // Flux, its photons, and radiance.
+    const std::size_t estimate = 2 * groups * sizeof(Rgb) + sizeof(std::uint32_t);
     const std::size_t arenas = scene.facts().max_bsdf_bytes + Arena::kChunkBytes / 512;
     // While blocks are joined, their visible points exist twice; positions are copied for grids.
     const std::size_t transient = kGrowth * sizeof(VisiblePoint) + sizeof(Vec3);
@@ -39,8 +41,10 @@ std::size_t photon_bytes(const Settings& s, std::uint32_t eye_paths) {
 std::size_t memory_bound(const Scene& scene, const Settings& settings, std::uint32_t eye_paths) {
     const std::size_t guide =
         settings.guide == GuideKind::None ? 0 : PaperGuide::memory_bound_bytes(settings);
+    const std::size_t radii =
+        settings.mode == Mode::Ppm ? PpmRadius::memory_bound_bytes(eye_paths) : 0;
     return eye_bytes(scene, eye_paths) + OccupancyGrid::memory_bound_bytes(eye_paths) +
-           photon_bytes(settings, eye_paths) + guide;
+           photon_bytes(settings, eye_paths) + guide + radii;
 }
 
 }  // namespace aips

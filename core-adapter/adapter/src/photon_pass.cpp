@@ -14,16 +14,16 @@ PhotonPass::PhotonPass(const Scene& scene, const Settings& settings, Guide* guid
     if (guide && settings.debug_layers) bounces_.emplace(*guide, settings.max_nodes);
 }
 
-std::uint64_t PhotonPass::shoot(std::uint64_t pass, float time, const EyeImage& image, float radius,
-                                Refusals& refusals, PhotonFlux& flux) {
+std::uint64_t PhotonPass::shoot(std::uint64_t pass, float time, const EyeImage& image,
+                                const SearchRadii& radii, Refusals& refusals, PhotonFlux& flux) {
     flux.reset(image.visible_points.size(), image.groups);
     std::vector<Vec3> positions;
     positions.reserve(image.visible_points.size());
     for (const VisiblePoint& point : image.visible_points)
         positions.push_back(point.position);
-    occupancy_.build(positions, radius);
+    occupancy_.build(positions, radii.largest);
     if (guide_) guide_->begin_pass(positions, image.positions.size());
-    if (chains_) chains_->begin_pass(positions, radius, settings_.photons_per_pass);
+    if (chains_) chains_->begin_pass(positions, radii.largest, settings_.photons_per_pass);
     if (bounces_) bounces_->begin_pass();
 
     const std::uint32_t total = settings_.photons_per_pass;
@@ -57,12 +57,12 @@ std::uint64_t PhotonPass::shoot(std::uint64_t pass, float time, const EyeImage& 
             if (bounces_) bounces_->follow_splits();
         }
         if (waiting_.landings().size() + iteration_.landings().size() > kLandingCapacity) {
-            gather(image, radius, refusals, flux);
+            gather(image, radii, refusals, flux);
         }
         keep_near_visible_points();
         first += count;
     }
-    gather(image, radius, refusals, flux);
+    gather(image, radii, refusals, flux);
     if (chains_) flux.scale(chains_->end_pass());
     totals_.gathered += flux.gathered;
     return total;
@@ -78,11 +78,12 @@ void PhotonPass::keep_near_visible_points() {
     }
 }
 
-void PhotonPass::gather(const EyeImage& image, float radius, Refusals& refusals, PhotonFlux& flux) {
+void PhotonPass::gather(const EyeImage& image, const SearchRadii& radii, Refusals& refusals,
+                        PhotonFlux& flux) {
     const Stopwatch watch(totals_.gather_seconds);
-    grid_.build(waiting_.landings(), radius,
+    grid_.build(waiting_.landings(), radii.largest,
                 [](std::uint32_t count, const Job& job) { tbb::parallel_for(0u, count, job); });
-    gather_photons(image, grid_, radius, refusals, flux);
+    gather_photons(image, grid_, radii, refusals, flux);
     waiting_.clear();
 }
 

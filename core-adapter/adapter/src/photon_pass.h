@@ -32,8 +32,8 @@ class PhotonPass {
     PhotonPass(const Scene& scene, const Settings& settings, Guide* guide);
 
     /// Fills `flux` for the visible points in `image`; returns the photon paths shot.
-    std::uint64_t shoot(std::uint64_t pass, float time, const EyeImage& image, float radius,
-                        Refusals& refusals, PhotonFlux& flux);
+    std::uint64_t shoot(std::uint64_t pass, float time, const EyeImage& image,
+                        const SearchRadii& radii, Refusals& refusals, PhotonFlux& flux);
 
     const PhotonPassTotals& totals() const { return totals_; }
     /// Null unless photonsampler=amc.
@@ -44,7 +44,8 @@ class PhotonPass {
 
   private:
     void keep_near_visible_points();
-    void gather(const EyeImage& image, float radius, Refusals& refusals, PhotonFlux& flux);
+    void gather(const EyeImage& image, const SearchRadii& radii, Refusals& refusals,
+                PhotonFlux& flux);
 
     const Scene& scene_;
     const Settings& settings_;

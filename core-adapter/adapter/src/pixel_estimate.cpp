@@ -7,16 +7,16 @@
 
 namespace aips {
 
-void estimate_pixels(const EyeImage& image, const PhotonFlux& flux, float radius,
+void estimate_pixels(const EyeImage& image, const PhotonFlux& flux, const SearchRadii& radii,
                      std::uint64_t photon_paths, Refusals& refusals, std::vector<Rgb>& radiance) {
     radiance.assign(image.radiance.begin(), image.radiance.end());
     if (photon_paths == 0) return;
-    // In double: r^2 times the number of paths leaves the range of float in tiny scenes.
-    const double disk = double(kPi) * double(radius) * double(radius);
-    const double scale = 1 / (disk * double(photon_paths));
     const std::uint32_t groups = image.groups;
     tbb::parallel_for(std::size_t{0}, image.visible_points.size(), [&](std::size_t i) {
         const VisiblePoint& point = image.visible_points[i];
+        // In double: r^2 times the number of paths leaves the range of float in tiny scenes.
+        const double radius = double(radii.of(i));
+        const double scale = 1 / (double(kPi) * radius * radius * double(photon_paths));
         const Rgb f = point.bsdf ? kWhite : point.kd * kInvPi;
         for (std::uint32_t g = 0; g < groups; ++g) {
             const Rgb sum = flux.flux[i * groups + g];

@@ -24,9 +24,25 @@ void validate(const Settings& s) {
     if (s.cdf_resolution == 0) throw std::invalid_argument("cdfresolution must be at least 1");
 }
 
+namespace {
+
+const char* name(Mode mode) {
+    switch (mode) {
+        case Mode::Progressive:
+            return "progressive";
+        case Mode::PhotonMap:
+            return "photonmap";
+        case Mode::Ppm:
+            return "ppm";
+    }
+    return "";
+}
+
+}  // namespace
+
 std::string describe(const Settings& s) {
     std::ostringstream out;
-    out << "mode = " << (s.mode == Mode::Progressive ? "progressive" : "photonmap")
+    out << "mode = " << name(s.mode)
         << ", guide = " << (s.guide == GuideKind::Paper ? "paper" : "none")
         << ", maxeyedepth = " << s.max_eye_depth << ", maxphotondepth = " << s.max_photon_depth
         << ", photonperpass = " << s.photons_per_pass << " paths";

@@ -19,7 +19,8 @@ constexpr std::string_view kDefaultIntegrator = "path";
 /// Renderer names that say the same as a SurfaceIntegrator of that name.
 constexpr std::array<std::string_view, 2> kPhotonRenderers = {"aips", "sppm"};
 /// Integrators that these renderers may run.
-constexpr std::array<std::string_view, 3> kPhotonIntegrators = {"aips", "exphotonmap", "sppm"};
+constexpr std::array<std::string_view, 4> kPhotonIntegrators = {"aips", "exphotonmap", "ppm",
+                                                                "sppm"};
 
 bool contains(auto&& names, std::string_view name) {
     return std::find(std::begin(names), std::end(names), name) != std::end(names);

@@ -126,7 +126,7 @@ TEST_F(BadInputTest, IntegratorOfLuxRenderThatIsNoPlugin) {
     const std::string error = error_of(small_scene("SurfaceIntegrator \"bidirectional\""));
     EXPECT_THAT(error, HasSubstr("scene.lxs:5:"));
     EXPECT_THAT(error, HasSubstr("error: unknown SurfaceIntegrator \"bidirectional\""));
-    EXPECT_THAT(error, HasSubstr("aips, exphotonmap, path, sppm"));
+    EXPECT_THAT(error, HasSubstr("aips, exphotonmap, path, ppm, sppm"));
 }
 
 TEST_F(BadInputTest, UnknownRendererVolumeIntegratorAndAccelerator) {

@@ -61,7 +61,7 @@ TEST_F(CommandLineTest, MistakesExitWithTwoAndSayWhatIsWrong) {
 TEST_F(CommandLineTest, ListPluginsNamesTheIntegratorsThatComeWithTheRenderer) {
     const RunResult result = run({"--list-plugins"});
     EXPECT_EQ(result.exit_code, 0);
-    for (const char* name : {"aips ", "exphotonmap ", "path ", "sppm "}) {
+    for (const char* name : {"aips ", "exphotonmap ", "path ", "ppm ", "sppm "}) {
         EXPECT_THAT(result.out, HasSubstr(name));
     }
 }

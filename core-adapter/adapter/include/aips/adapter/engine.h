@@ -1,7 +1,8 @@
 // The engine: adaptive importance photon shooting as a pass loop on abstract host types.
 //
-// References: Liu & Zheng 2014 (guidance), Knaus & Zwicker 2011 (progressive radius), Hachisuka &
-// Jensen 2009 (eye paths renewed in each pass), Jensen 1996 (photon mapping).
+// References: Liu & Zheng 2014 (guidance), Knaus & Zwicker 2011 (progressive radius), Hachisuka,
+// Ogaki & Jensen 2008 (a radius per visible point), Hachisuka & Jensen 2009 (eye paths renewed in
+// each pass), Jensen 1996 (photon mapping).
 #pragma once
 
 #include <memory>
@@ -29,7 +30,9 @@ struct PassReport {
     std::uint64_t photon_paths = 0;
     std::uint64_t rays = 0;
     std::uint32_t eye_paths = 0;
-    float radius = 0;  ///< of the density estimate, scene units; 0 when no photons were shot
+    /// Of the density estimate, scene units (mode=ppm: mean over the visible points); 0 when no
+    /// photons were shot.
+    float radius = 0;
 };
 
 /// Totals of a render so far.

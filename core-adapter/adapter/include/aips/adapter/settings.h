@@ -8,8 +8,14 @@ namespace aips {
 
 enum class Mode : std::uint8_t {
     Progressive,  ///< new eye paths in every pass, shrinking radius (Knaus & Zwicker 2011)
-    PhotonMap     ///< one eye pass, frozen; fixed radius (Jensen 1996)
+    PhotonMap,    ///< one eye pass, frozen; fixed radius (Jensen 1996)
+    Ppm  ///< one eye pass, frozen; a radius per visible point (Hachisuka, Ogaki & Jensen 2008)
 };
+
+/// Whether all passes see the visible points of one eye pass.
+constexpr bool freezes_eye_pass(Mode mode) {
+    return mode != Mode::Progressive;
+}
 
 enum class GuideKind : std::uint8_t {
     None,  ///< plain photon shooting
@@ -32,9 +38,9 @@ struct Settings {
     std::uint32_t max_eye_depth = 16;     ///< surfaces that an eye path may meet
     std::uint32_t max_photon_depth = 16;  ///< surfaces that a photon path may meet
     std::uint32_t photons_per_pass = 1'000'000;
-    std::uint32_t hit_points_per_pass = 0;  ///< eye paths a pass; 0: one a pixel (photonmap: four)
+    std::uint32_t hit_points_per_pass = 0;  ///< eye paths a pass; 0: one a pixel (frozen: four)
     double start_radius = 0;  ///< in mean pixel footprints at the visible points; 0: automatic
-    double alpha = 0.7;       ///< share of variance reduction in the radius schedule
+    double alpha = 0.7;       ///< how slowly the radius shrinks: 1 keeps it
     bool include_environment = true;    ///< lights at infinity are seen by eye rays
     bool direct_light_sampling = true;  ///< direct light by shadow rays instead of photons
     bool store_glossy = false;          ///< glossy lobes receive photons instead of bouncing

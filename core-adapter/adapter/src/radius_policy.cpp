@@ -1,0 +1,33 @@
+// Choice of the radius policy, and where all of them start.
+#include "radius_policy.h"
+
+#include <algorithm>
+
+#include "ppm_radius.h"
+#include "scheduled_radius.h"
+
+namespace aips {
+namespace {
+
+/// Automatic start radius in pixel footprints.
+constexpr double kAutomaticRadius = 2;
+/// Smallest radius as a share of the scene's diagonal.
+constexpr double kMinRadiusShare = 1e-7;
+
+}  // namespace
+
+std::unique_ptr<RadiusPolicy> make_radius_policy(const Settings& settings, const Scene& scene) {
+    if (settings.mode == Mode::Ppm) return std::make_unique<PpmRadius>(settings, scene);
+    return std::make_unique<ScheduledRadius>(settings, scene);
+}
+
+double smallest_radius(const Scene& scene) {
+    return kMinRadiusShare * double(scene.bounds().diagonal());
+}
+
+double initial_radius(const Settings& settings, const EyeImage& image, double smallest) {
+    const double footprints = settings.start_radius > 0 ? settings.start_radius : kAutomaticRadius;
+    return std::max(footprints * 2 * image.mean_footprint(), smallest);
+}
+
+}  // namespace aips

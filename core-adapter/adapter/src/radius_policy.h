@@ -1,0 +1,33 @@
+// How the radii of the density estimate go on from pass to pass: all that the modes' estimates
+// differ in. The estimate of a pass is sum(f * power) / (pi r^2 N) in each of them, the image is
+// the film's mean over passes.
+#pragma once
+
+#include <memory>
+
+#include "aips/adapter/scene.h"
+#include "gather.h"
+
+namespace aips {
+
+class RadiusPolicy {
+  public:
+    virtual ~RadiusPolicy() = default;
+    /// Radii for pass number `pass` onto the visible points of `image` (at least one); they hold
+    /// until after_pass().
+    virtual SearchRadii before_pass(std::uint64_t pass, const EyeImage& image) = 0;
+    /// Takes note of the photons that the pass has gathered with these radii.
+    virtual void after_pass(const PhotonFlux& flux) = 0;
+    virtual std::size_t memory_bytes() const = 0;
+};
+
+std::unique_ptr<RadiusPolicy> make_radius_policy(const Settings& settings, const Scene& scene);
+
+/// The smallest radius, scene units: below it single precision ends.
+double smallest_radius(const Scene& scene);
+
+/// Radius of the first pass, the same for all visible points: startradius times their mean pixel
+/// footprint (width), at least `smallest`.
+double initial_radius(const Settings& settings, const EyeImage& image, double smallest);
+
+}  // namespace aips

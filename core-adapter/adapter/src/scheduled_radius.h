@@ -1,0 +1,25 @@
+// One radius for all visible points, known before any photon is shot.
+#pragma once
+
+#include "radius_policy.h"
+
+namespace aips {
+
+/// mode=progressive: a function of the photon paths shot before the pass (Knaus & Zwicker 2011).
+/// mode=photonmap: the same in all passes.
+class ScheduledRadius final : public RadiusPolicy {
+  public:
+    ScheduledRadius(const Settings& settings, const Scene& scene)
+        : settings_(settings), smallest_(smallest_radius(scene)) {}
+
+    SearchRadii before_pass(std::uint64_t pass, const EyeImage& image) override;
+    void after_pass(const PhotonFlux& /*flux*/) override {}
+    std::size_t memory_bytes() const override { return 0; }
+
+  private:
+    Settings settings_;
+    double smallest_;
+    double initial_ = 0;  // from the first visible points' pixel footprints
+};
+
+}  // namespace aips

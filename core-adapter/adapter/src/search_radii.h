@@ -1,0 +1,24 @@
+// The radii within which visible points search for photons.
+#pragma once
+
+#include <cstddef>
+#include <span>
+
+namespace aips {
+
+/// Radii of one pass, scene units: one for all visible points, or one for each.
+struct SearchRadii {
+    SearchRadii() = default;
+    /// The same radius for all.
+    SearchRadii(float radius) : largest(radius), mean(radius) {}
+
+    float of(std::size_t visible_point) const {
+        return per_point.empty() ? largest : per_point[visible_point];
+    }
+
+    float largest = 0;  ///< grids are built for it
+    float mean = 0;
+    std::span<const float> per_point;  ///< empty if all are the same
+};
+
+}  // namespace aips

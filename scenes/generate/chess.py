@@ -6,7 +6,7 @@ One unit is a centimetre; squares are 5 wide.
 import math
 
 from mesh import Mesh
-from revolution import arc, revolve, smooth
+from revolution import arc, ball, revolve, smooth
 
 SEGMENTS = 32
 
@@ -33,7 +33,7 @@ def pawn():
     return revolve(
         foot(1.5) + [smooth([(0.93, 1.1), (0.66, 1.7), (0.5, 2.6), (0.46, 3.2)])]
         + collar(0.95, 3.2, 0.46, 0.5)
-        + [arc((0.0, 4.16), 0.83, -53, 90, 10)], SEGMENTS)
+        + [ball((0.5, 3.5), 0.83, 10)], SEGMENTS)
 
 
 def rook():
@@ -50,7 +50,7 @@ def bishop():
         foot(1.7) + [smooth([(1.054, 1.1), (0.74, 1.9), (0.55, 3.2), (0.5, 4.3)])]
         + collar(1.05, 4.3, 0.5, 0.52)
         + [smooth([(0.52, 4.6), (0.8, 5.05), (0.86, 5.5), (0.66, 6.1), (0.3, 6.7), (0.17, 6.9)]),
-           arc((0.0, 7.06), 0.235, -43, 90, 6)], SEGMENTS)
+           ball((0.17, 6.9), 0.235, 6)], SEGMENTS)
 
 
 def queen():
@@ -59,7 +59,7 @@ def queen():
         + collar(1.2, 5.6, 0.56, 0.6)
         + [smooth([(0.6, 5.9), (0.72, 6.6), (1.05, 7.35), (1.16, 7.5)]),
            smooth([(1.16, 7.5), (1.0, 7.45), (0.8, 7.62), (0.4, 7.86), (0.22, 7.92)], 3),
-           arc((0.0, 8.14), 0.31, -45, 90, 6)], SEGMENTS)
+           ball((0.22, 7.92), 0.31, 6)], SEGMENTS)
 
 
 def king():

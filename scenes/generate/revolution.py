@@ -28,6 +28,13 @@ def arc(centre, radius, start, end, steps):
     return [(0.0 if abs(r) < 1e-9 else r, z) for r, z in points]
 
 
+def ball(neck, radius, steps):
+    """Arc of a ball that sits on the (radius, height) point `neck`, up to the axis."""
+    rise = math.sqrt(radius * radius - neck[0] * neck[0])
+    start = -math.degrees(math.asin(rise / radius))
+    return [neck, *arc((0.0, neck[1] + rise), radius, start, 90, steps)[1:]]
+
+
 def revolve(sections, segments, mesh=None):
     """Turns profile sections around the z axis.
 

@@ -96,6 +96,9 @@ fs::path small_scene(const std::string& name, const Folder& folder, int width, i
                                   std::string(key) + "\" [" + std::to_string(size) + "]");
     }
     std::ofstream(copy) << text;
+    // Meshes and included parts are looked for beside the scene.
+    const fs::path meshes = folder.path() / "meshes";
+    if (!fs::exists(meshes)) fs::create_directory_symlink(fs::path(SCENES) / "meshes", meshes);
     return copy;
 }
 

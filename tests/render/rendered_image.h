@@ -43,7 +43,7 @@ std::filesystem::path edited_scene(
     const std::filesystem::path& scene, const Folder& folder,
     const std::vector<std::pair<std::string, std::string>>& replacements);
 
-/// One of scenes/ at width x height pixels.
+/// One of scenes/ at width x height pixels, with a link to scenes/meshes beside it.
 std::filesystem::path small_scene(const std::string& name, const Folder& folder, int width,
                                   int height);
 

@@ -6,8 +6,6 @@
 #include <cmath>
 #include <limits>
 #include <sstream>
-#include <tuple>
-#include <utility>
 
 namespace statistics {
 namespace {
@@ -45,20 +43,47 @@ double welch_p(const Moments& a, const Moments& b, double allowed) {
     return student_p(difference / std::sqrt(variance), degrees(a, b));
 }
 
-/// Relative difference that a test at significance `threshold` finds with 90 % probability.
-double detectable(const Moments& a, const Moments& b, double threshold) {
-    const double variance = a.variance_of_mean + b.variance_of_mean;
-    if (variance <= 0) return a.mean != 0 ? 0 : std::numeric_limits<double>::infinity();
-    const boost::math::students_t t(std::max(1.0, degrees(a, b)));
+/// Relative difference of means around `mean` that a test at significance `threshold` finds with
+/// 90 % probability.
+double detectable(double mean, double variance, double degrees, double threshold) {
+    if (variance <= 0) return mean != 0 ? 0 : std::numeric_limits<double>::infinity();
+    const boost::math::students_t t(std::max(1.0, degrees));
     const double critical = quantile(complement(t, threshold / 2)) + quantile(t, 0.9);
-    return critical * std::sqrt(variance) / std::abs(a.mean);
+    return critical * std::sqrt(variance) / std::abs(mean);
 }
+
+/// What one test says.
+struct Verdict {
+    double p = 1, ratio = 1, detectable = 0;
+};
 
 double mean_of(const std::vector<double>& blocks) {
     double sum = 0;
     for (const double b : blocks)
         sum += b;
     return sum / double(blocks.size());
+}
+
+/// One test a block, one of the mean of all; `test` takes what it looks at and the threshold.
+template <class Test>
+Comparison all_tests(std::size_t blocks, double significance, Test&& test) {
+    Comparison result;
+    result.tests = blocks + 1;
+    result.threshold = 1 - std::pow(1 - significance, 1.0 / double(result.tests));
+    std::vector<double> in_blocks;
+    for (std::size_t k = 0; k < blocks; ++k) {
+        const Verdict v =
+            test([&](const std::vector<double>& means) { return means[k]; }, result.threshold);
+        result.smallest_p = std::min(result.smallest_p, v.p);
+        if (std::isfinite(v.detectable)) in_blocks.push_back(v.detectable);
+    }
+    std::sort(in_blocks.begin(), in_blocks.end());
+    if (!in_blocks.empty()) result.detectable_in_block = in_blocks[in_blocks.size() / 2];
+    const Verdict v = test(mean_of, result.threshold);
+    result.smallest_p = std::min(result.smallest_p, v.p);
+    result.mean_ratio = v.ratio;
+    result.detectable = v.detectable;
+    return result;
 }
 
 }  // namespace
@@ -69,25 +94,27 @@ double student_p(double t, double degrees_of_freedom) {
 }
 
 Comparison compare(const BlockMeans& a, const BlockMeans& b, double significance, double allowed) {
-    Comparison result;
-    const std::size_t blocks = a.front().size();
-    result.tests = blocks + 1;
-    result.threshold = 1 - std::pow(1 - significance, 1.0 / double(result.tests));
-    const auto test = [&](auto&& value) {
+    return all_tests(a.front().size(), significance, [&](auto&& value, double threshold) {
         const Moments ma = moments(a.size(), [&](std::size_t i) { return value(a[i]); });
         const Moments mb = moments(b.size(), [&](std::size_t i) { return value(b[i]); });
-        result.smallest_p = std::min(result.smallest_p, welch_p(ma, mb, allowed));
-        return std::pair{mb.mean / ma.mean, allowed + detectable(ma, mb, result.threshold)};
-    };
-    std::vector<double> in_blocks;
-    for (std::size_t k = 0; k < blocks; ++k) {
-        const double difference = test([&](const std::vector<double>& v) { return v[k]; }).second;
-        if (std::isfinite(difference)) in_blocks.push_back(difference);
-    }
-    std::sort(in_blocks.begin(), in_blocks.end());
-    if (!in_blocks.empty()) result.detectable_in_block = in_blocks[in_blocks.size() / 2];
-    std::tie(result.mean_ratio, result.detectable) = test(mean_of);
-    return result;
+        const double variance = ma.variance_of_mean + mb.variance_of_mean;
+        return Verdict{welch_p(ma, mb, allowed), mb.mean / ma.mean,
+                       allowed + detectable(ma.mean, variance, degrees(ma, mb), threshold)};
+    });
+}
+
+Comparison compare_paired(const BlockMeans& a, const BlockMeans& b, double significance) {
+    return all_tests(a.front().size(), significance, [&](auto&& value, double threshold) {
+        const Moments ma = moments(a.size(), [&](std::size_t i) { return value(a[i]); });
+        const Moments difference =
+            moments(a.size(), [&](std::size_t i) { return value(b[i]) - value(a[i]); });
+        const double free = difference.count - 1, variance = difference.variance_of_mean;
+        const double p = variance > 0
+                             ? student_p(difference.mean / std::sqrt(variance), free)
+                             : (std::abs(difference.mean) <= 1e-6 * std::abs(ma.mean) ? 1 : 0);
+        return Verdict{p, 1 + difference.mean / ma.mean,
+                       detectable(ma.mean, variance, free, threshold)};
+    });
 }
 
 BlockMeans select(const BlockMeans& means, const std::vector<std::size_t>& blocks) {

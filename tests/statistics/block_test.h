@@ -30,6 +30,10 @@ struct Comparison {
 Comparison compare(const BlockMeans& a, const BlockMeans& b, double significance,
                    double allowed = 0);
 
+/// The same for renders made in pairs of one seed, of which a large part is equal by construction
+/// (eye paths, shadow rays, photons' first surfaces): t-tests of the differences within the pairs.
+Comparison compare_paired(const BlockMeans& a, const BlockMeans& b, double significance);
+
 /// Some of the blocks alone: a region of the image.
 BlockMeans select(const BlockMeans& means, const std::vector<std::size_t>& blocks);
 

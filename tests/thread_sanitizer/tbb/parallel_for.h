@@ -1,0 +1,77 @@
+// Stands in for oneTBB's header of this name in builds with the thread sanitizer. The packaged
+// oneTBB is not instrumented: the sanitizer does not see how its threads wait for each other, and
+// reports all they share. Here the threads are the standard library's, whose start and end it sees;
+// nothing else orders one piece of work before another, so that a race in a body is always one in
+// the sanitizer's eyes too.
+#pragma once
+
+#include <tbb/blocked_range.h>
+#include <tbb/global_control.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cstddef>
+#include <exception>
+#include <mutex>
+#include <thread>
+#include <vector>
+
+namespace tbb {
+namespace sanitized {
+
+/// Calls piece(i) once for each i below `pieces`, from as many threads as oneTBB would take; throws
+/// the first exception of a piece when all threads have ended.
+template <class Piece>
+void run(std::size_t pieces, const Piece& piece) {
+    std::atomic<std::size_t> next{0};
+    std::mutex failing;
+    std::exception_ptr failure;
+    const auto work = [&] {
+        // Relaxed: taking a piece must not look like waiting for the one before.
+        for (std::size_t i = 0; (i = next.fetch_add(1, std::memory_order_relaxed)) < pieces;) {
+            try {
+                piece(i);
+            } catch (...) {
+                const std::lock_guard lock(failing);
+                if (!failure) failure = std::current_exception();
+            }
+        }
+    };
+    const std::size_t allowed =
+        global_control::active_value(global_control::max_allowed_parallelism);
+    std::vector<std::thread> threads;
+    for (std::size_t t = 1; t < std::min(pieces, allowed); ++t)
+        threads.emplace_back(work);
+    work();
+    for (std::thread& thread : threads)
+        thread.join();
+    if (failure) std::rethrow_exception(failure);
+}
+
+}  // namespace sanitized
+
+/// As oneTBB's, in pieces of the range's grain size.
+template <class Value, class Body>
+void parallel_for(const blocked_range<Value>& range, const Body& body) {
+    const std::size_t grain = range.grainsize();
+    sanitized::run((range.size() + grain - 1) / grain, [&](std::size_t i) {
+        const std::size_t begin = i * grain, end = std::min(begin + grain, range.size());
+        body(blocked_range<Value>(range.begin() + static_cast<Value>(begin),
+                                  range.begin() + static_cast<Value>(end), grain));
+    });
+}
+
+/// As oneTBB's, in up to 64 pieces.
+template <class Index, class Body>
+void parallel_for(Index first, Index last, const Body& body) {
+    if (!(first < last)) return;
+    const std::size_t count = static_cast<std::size_t>(last - first);
+    const std::size_t grain = (count + 63) / 64;
+    parallel_for(blocked_range<std::size_t>(0, count, grain),
+                 [&](const blocked_range<std::size_t>& range) {
+                     for (std::size_t i = range.begin(); i < range.end(); ++i)
+                         body(static_cast<Index>(first + static_cast<Index>(i)));
+                 });
+}
+
+}  // namespace tbb

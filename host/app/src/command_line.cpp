@@ -68,6 +68,12 @@ void add_render_options(CLI::App& app, CommandLine& command) {
         ->expected(1)
         ->take_all()
         ->check(CLI::Validator(check_override, ""));
+    app.add_option("--width", command.width,
+                   "width of the image in pixels, instead of the scene's; the height follows")
+        ->type_name("PIXELS")
+        ->check(CLI::Range(1u, 65536u));
+    app.add_option("--sampler", command.sampler, "sampler, instead of the scene's choice")
+        ->type_name("NAME");
     app.add_flag("--strict", command.strict, "unknown parameters are errors");
 }
 

@@ -7,6 +7,7 @@
 #include <system_error>
 
 #include "lxs/host/failure.h"
+#include "lxs/host/statement_override.h"
 #include "lxs/language/read_scene.h"
 #include "lxs/tracing/trace_scene.h"
 
@@ -86,6 +87,7 @@ RenderSession prepare_session(const CommandLine& command, const PluginLibrary& p
     {
         const PhaseTimer timer(session.times, "load");
         contents = load(command.scene, diagnostics);
+        apply_statement_overrides(command, contents);
     }
     const PhaseTimer timer(session.times, "build");
     const IntegratorChoice choice = choose_integrator(command, contents, plugins, diagnostics, log);

@@ -1,0 +1,72 @@
+// `--width` and `--sampler`: options that stand above the scene's own statements.
+#include "lxs/host/statement_override.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "lxs/host/parameter_override.h"
+
+namespace lxs {
+namespace {
+
+/// LuxRender's, where a scene says nothing.
+constexpr double kDefaultWidth = 800, kDefaultHeight = 600;
+
+/// The last number given as `name`, if it is one that an image can have; whatever else stands there
+/// is for the film to complain of.
+double read_size(const ParameterSet& set, std::string_view name, double fallback) {
+    double size = fallback;
+    for (const ParameterValue& value : set.values) {
+        const auto* numbers = std::get_if<std::vector<double>>(&value.values);
+        if (value.name == name && numbers != nullptr && numbers->size() == 1)
+            size = numbers->front();
+    }
+    return size;
+}
+
+void set_size(ParameterSet& set, const std::string& name, double size,
+              const SourceLocation& where) {
+    std::erase_if(set.values, [&](const ParameterValue& value) { return value.name == name; });
+    ParameterValue value;
+    value.type = "integer";
+    value.name = name;
+    value.where = where;
+    value.values = std::vector<double>{size};
+    set.values.push_back(std::move(value));
+}
+
+/// The statement `name`, made if the scene has none.
+ParameterSet& statement(SceneContents& contents, const std::string& name,
+                        const std::string& plugin) {
+    auto& parameters = contents.options[name].parameters;
+    if (parameters.plugin.empty()) {
+        parameters.plugin = plugin;
+        parameters.where = contents.end;
+    }
+    return parameters;
+}
+
+void set_width(std::uint32_t width, SceneContents& contents) {
+    ParameterSet& film = statement(contents, "Film", "fleximage");
+    const double old_width = read_size(film, "xresolution", kDefaultWidth);
+    const double old_height = read_size(film, "yresolution", kDefaultHeight);
+    if (!(old_width >= 1) || !(old_height >= 1)) return;
+    const SourceLocation where = command_line_location(fmt::format("--width {}", width));
+    set_size(film, "xresolution", width, where);
+    set_size(film, "yresolution", std::max(1.0, std::round(old_height * width / old_width)), where);
+}
+
+}  // namespace
+
+void apply_statement_overrides(const CommandLine& command, SceneContents& contents) {
+    if (command.width) set_width(*command.width, contents);
+    if (!command.sampler) return;
+    ParameterSet& sampler = statement(contents, "Sampler", *command.sampler);
+    if (sampler.plugin != *command.sampler) sampler.values.clear();
+    sampler.plugin = *command.sampler;
+    sampler.where = command_line_location("--sampler " + *command.sampler);
+}
+
+}  // namespace lxs

@@ -1,0 +1,152 @@
+// The command line of aips-bench.
+#include "bench_command_line.h"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cmath>
+
+namespace bench {
+namespace {
+
+const CLI::Validator& positive() {
+    static const CLI::Validator check(
+        [](const std::string& text) {
+            double value = 0;
+            const bool read = CLI::detail::lexical_cast(text, value);
+            return read && value > 0 && std::isfinite(value)
+                       ? std::string()
+                       : "expected a number above 0, found \"" + text + "\"";
+        },
+        "SECONDS");
+    return check;
+}
+
+std::string check_override(const std::string& text) {
+    const auto dot = text.find('.');
+    const auto equals = text.find('=');
+    const bool whole =
+        dot != std::string::npos && equals != std::string::npos && dot > 0 && dot + 1 < equals;
+    return whole ? "" : "expected plugin.parameter=value, found \"" + text + "\"";
+}
+
+void add_tables(CLI::App& app, BenchCommandLine& command) {
+    app.add_option("--references", command.references,
+                   "folder of the reference images (default: out/bench-references)")
+        ->type_name("DIR");
+    app.add_option("--method-table", command.method_table,
+                   "methods (default: tests/bench/methods.json of the sources)")
+        ->type_name("FILE.json");
+    app.add_option("--scene-table", command.scene_table,
+                   "scenes' reference methods (default: tests/bench/scenes.json of the sources)")
+        ->type_name("FILE.json");
+    app.add_option("--scene-folder", command.scene_folder,
+                   "where scenes are found by name (default: scenes of the sources)")
+        ->type_name("DIR");
+}
+
+void add_rendering(CLI::App& app, BenchCommandLine& command) {
+    app.add_option("--scenes", command.scenes, "names or .lxs files, separated by commas")
+        ->delimiter(',')
+        ->required();
+    app.add_option("--threads", command.threads, "threads of a render (default: all processors)")
+        ->check(CLI::Range(1u, 1024u));
+    app.add_option("--width", command.width_px,
+                   "width of the images in pixels (default: the scenes' own)")
+        ->type_name("PIXELS")
+        ->check(CLI::Range(1u, 65536u));
+    add_tables(app, command);
+}
+
+void add_run(CLI::App& app, BenchCommandLine& command) {
+    CLI::App& run = *app.add_subcommand("run", "render, measure and summarise a study");
+    add_rendering(run, command);
+    run.add_option("--methods", command.methods, "names, separated by commas")
+        ->delimiter(',')
+        ->required();
+    run.add_option("--budgets", command.budgets_s, "seconds, separated by commas")
+        ->delimiter(',')
+        ->check(positive());
+    run.add_option("--seeds", command.seeds, "number of seeds (default: 3)")
+        ->check(CLI::Range(1u, 1000u));
+    run.add_option("--out", command.folder, "folder of the study")->type_name("DIR")->required();
+    run.add_option("--variants", command.variants, "fixed, shipped or both (default)")
+        ->delimiter(',')
+        ->check(CLI::IsMember({"fixed", "shipped"}));
+    run.add_option("--clock", command.clock, "clock that has to pass the budgets (default: both)")
+        ->check(CLI::IsMember({"both", "cpu", "wall"}));
+    run.add_option("--set", command.set,
+                   "override for all methods with that integrator; may be repeated")
+        ->type_name("plugin.parameter=value")
+        ->expected(1)
+        ->take_all()
+        ->check(CLI::Validator(check_override, ""));
+    run.add_option("--baseline", command.baseline, "method that ratios refer to (default: sppm)");
+    run.add_flag("--photon-part", command.photon_part,
+                 "photon methods keep their photons' part apart; this takes a little of their "
+                 "time");
+    run.callback([&command] { command.command = Command::Run; });
+}
+
+void add_reference(CLI::App& app, BenchCommandLine& command) {
+    CLI::App& reference = *app.add_subcommand("reference", "add to the reference images of scenes");
+    add_rendering(reference, command);
+    reference.add_option("--seconds", command.seconds, "wall seconds for each scene (default: 60)")
+        ->check(positive());
+    reference.add_flag("--up-to", command.up_to,
+                       "only what is missing to that many seconds in all");
+    reference.callback([&command] { command.command = Command::Reference; });
+}
+
+void add_others(CLI::App& app, BenchCommandLine& command) {
+    CLI::App& table = *app.add_subcommand("table", "print a study's comparisons as Markdown");
+    table.add_option("dir", command.folder, "folder of the study")->type_name("DIR")->required();
+    table.add_option("--clock", command.clock, "cpu (default) or wall")
+        ->check(CLI::IsMember({"cpu", "wall"}));
+    table.callback([&command] { command.command = Command::Table; });
+    // What `run` and `reference` start for each render; nothing for users.
+    CLI::App& one = *app.add_subcommand("render-one", "")->group("");
+    one.add_option("job", command.folder)->required();
+    one.callback([&command] { command.command = Command::RenderOne; });
+}
+
+std::string exit_code_help() {
+    std::string text = "Exit codes:\n";
+    for (const auto& [code, meaning] : kExitCodes)
+        text += fmt::format("  {:>3}  {}\n", static_cast<int>(code), meaning);
+    return text;
+}
+
+void check_repetition(const std::vector<std::string>& names, const char* option) {
+    for (auto name = names.begin(); name != names.end(); ++name) {
+        if (std::find(names.begin(), name, *name) != name) {
+            throw CLI::ValidationError(option, fmt::format("\"{}\" is given twice", *name));
+        }
+    }
+}
+
+}  // namespace
+
+std::optional<ExitCode> parse_command_line(int argc, const char* const* argv,
+                                           BenchCommandLine& command) {
+    CLI::App app("Measures rendering methods: run time against error (docs/benchmark.md).",
+                 "aips-bench");
+    app.require_subcommand(1);
+    app.footer(exit_code_help());
+    add_run(app, command);
+    add_reference(app, command);
+    add_others(app, command);
+    try {
+        app.parse(argc, argv);
+        check_repetition(command.scenes, "--scenes");
+        check_repetition(command.methods, "--methods");
+        check_repetition(command.variants, "--variants");
+    } catch (const CLI::ParseError& error) {
+        return app.exit(error) == 0 ? ExitCode::Success : ExitCode::Usage;
+    }
+    std::sort(command.budgets_s.begin(), command.budgets_s.end());
+    return std::nullopt;
+}
+
+}  // namespace bench

@@ -1,0 +1,67 @@
+// Images of a study on disk: what an EXR holds, by layer.
+#include "image_file.h"
+
+#include <OpenImageIO/imagebufalgo.h>
+#include <fmt/format.h>
+
+#include <array>
+#include <system_error>
+
+#include "lxs/host/failure.h"
+#include "study_file.h"
+
+namespace bench {
+namespace {
+
+namespace fs = std::filesystem;
+constexpr std::array kChannels{"R", "G", "B"};
+
+std::string channel_name(const std::string& layer, const char* channel) {
+    return layer.empty() ? channel : layer + '.' + channel;
+}
+
+}  // namespace
+
+std::optional<Image> read_layer(const fs::path& file, const std::string& layer) {
+    Image whole(file.string());
+    if (!whole.read(0, 0, true, OIIO::TypeDesc::FLOAT)) {
+        throw StudyError(fmt::format("cannot read '{}': {}", file.string(), whole.geterror()));
+    }
+    std::array<int, kChannels.size()> order{};
+    for (std::size_t i = 0; i < kChannels.size(); ++i) {
+        order[i] = whole.spec().channelindex(channel_name(layer, kChannels[i]));
+        if (order[i] < 0) return std::nullopt;
+    }
+    return OIIO::ImageBufAlgo::channels(whole, int(order.size()), order);
+}
+
+Image read_image(const fs::path& file) {
+    auto image = read_layer(file, "");
+    if (!image) {
+        throw StudyError(fmt::format("'{}' has no channels R, G and B", file.string()));
+    }
+    return *std::move(image);
+}
+
+void write_layers(const fs::path& file, const std::vector<NamedLayer>& layers) {
+    Image all;
+    for (const NamedLayer& layer : layers) {
+        std::vector<std::string> names;
+        for (const char* channel : kChannels)
+            names.push_back(channel_name(layer.name, channel));
+        const Image named =
+            OIIO::ImageBufAlgo::channels(layer.image, int(names.size()), {}, {}, names);
+        all = all.initialized() ? OIIO::ImageBufAlgo::channel_append(all, named) : named;
+    }
+    make_folder(file.parent_path());
+    const fs::path beside = file.string() + ".tmp";
+    const bool written = all.write(beside.string(), OIIO::TypeDesc::FLOAT, "openexr");
+    std::error_code error;
+    if (written) fs::rename(beside, file, error);
+    if (!written || error) {
+        throw lxs::OutputFailure(fmt::format("cannot write '{}': {}", file.string(),
+                                             written ? error.message() : all.geterror()));
+    }
+}
+
+}  // namespace bench

@@ -1,0 +1,109 @@
+// aips-bench: run time against error.
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <exception>
+#include <fstream>
+
+#include "bench_command_line.h"
+#include "comparison_table.h"
+#include "lxs/host/failure.h"
+#include "measured_render.h"
+#include "reference_command.h"
+#include "run_command.h"
+#include "study_summary.h"
+
+namespace {
+
+using namespace bench;
+
+std::filesystem::path or_default(const std::string& given, const char* fallback) {
+    return given.empty() ? fallback : given;
+}
+
+std::vector<BenchScene> find_scenes(const BenchCommandLine& command) {
+    std::vector<BenchScene> scenes;
+    for (const std::string& name : command.scenes) {
+        scenes.push_back(find_scene(name, or_default(command.scene_table, BENCH_SCENE_TABLE),
+                                    or_default(command.scene_folder, BENCH_SCENES)));
+    }
+    return scenes;
+}
+
+ExitCode run(const BenchCommandLine& command, const lxs::PluginLibrary& plugins,
+             lxs::ConsoleLog& log) {
+    RunRequest request;
+    request.study = {find_scenes(command), command.methods, command.variants, command.seeds,
+                     command.budgets_s,    command.threads, command.width_px, command.clock,
+                     command.set,          command.baseline};
+    request.photon_part = command.photon_part;
+    request.folder = command.folder;
+    request.references = command.references;
+    const auto table = read_method_table(or_default(command.method_table, BENCH_METHOD_TABLE));
+    const lxs::Interruption interruption;
+    return run_study(request, table, plugins, interruption, log);
+}
+
+ExitCode reference(const BenchCommandLine& command, const lxs::PluginLibrary& plugins,
+                   lxs::ConsoleLog& log) {
+    const ReferenceRequest request{find_scenes(command), command.seconds,  command.up_to,
+                                   command.threads,      command.width_px, command.references};
+    const auto table = read_method_table(or_default(command.method_table, BENCH_METHOD_TABLE));
+    const lxs::Interruption interruption;
+    return make_references(request, table, plugins, interruption, log);
+}
+
+ExitCode print_table(const BenchCommandLine& command) {
+    const Json summary =
+        read_json(std::filesystem::path(command.folder) / "summary.json", kSummarySchema);
+    const std::string clock = command.clock == "wall" ? "wall" : "cpu";
+    std::fputs(comparison_table(summary, clock).c_str(), stdout);
+    return ExitCode::Success;
+}
+
+ExitCode render_one(const BenchCommandLine& command, lxs::ConsoleLog& log) {
+    const RenderJob job = render_job_from(read_json(command.folder));
+    write_json(job.result, measured_render(job, log));
+    return ExitCode::Success;
+}
+
+ExitCode carry_out(const BenchCommandLine& command, lxs::PluginLibrary& plugins,
+                   lxs::ConsoleLog& log) {
+    if (command.command == Command::Table) return print_table(command);
+    if (command.command == Command::RenderOne) return render_one(command, log);
+    plugins.load_folder(lxs::own_plugin_folder());
+    return command.command == Command::Run ? run(command, plugins, log)
+                                           : reference(command, plugins, log);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    BenchCommandLine command;
+    if (const auto done = parse_command_line(argc, argv, command)) return static_cast<int>(*done);
+    lxs::ConsoleLog log(lxs::Verbosity::Normal);
+    // Outlives the handlers below: an exception that a module threw may need the module's code.
+    lxs::PluginLibrary plugins;
+    ExitCode code = ExitCode::InternalError;
+    try {
+        code = carry_out(command, plugins, log);
+    } catch (const lxs::InputError& error) {
+        log.verbatim(error.what());
+        code = ExitCode::BadInput;
+    } catch (const StudyError& error) {
+        log.error(error.what());
+        code = ExitCode::BadInput;
+    } catch (const lxs::SceneFailure& error) {
+        log.error(error.what());
+        code = ExitCode::BadInput;
+    } catch (const lxs::PluginFailure& error) {
+        log.error(error.what());
+        code = ExitCode::PluginFailure;
+    } catch (const lxs::OutputFailure& error) {
+        log.error(error.what());
+        code = ExitCode::OutputFailure;
+    } catch (const std::exception& error) {
+        log.error(fmt::format("internal error: {}", error.what()));
+    }
+    return static_cast<int>(code);
+}

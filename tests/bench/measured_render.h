@@ -1,0 +1,13 @@
+// One render with its times, memory and snapshots: what happens inside a run's own process.
+#pragma once
+
+#include "lxs/host/console_log.h"
+#include "run_settings.h"
+
+namespace bench {
+
+/// Renders and writes the snapshots; returns what was measured (see docs/benchmark.md, without the
+/// errors). Throws as lxs::prepare_session does, lxs::SceneFailure, lxs::OutputFailure.
+Json measured_render(const RenderJob& job, lxs::ConsoleLog& log);
+
+}  // namespace bench

@@ -1,0 +1,59 @@
+// Which scenes there are, and what their references are made with: tests/bench/scenes.json.
+#include "scene_table.h"
+
+#include <fmt/format.h>
+
+#include <regex>
+#include <set>
+#include <system_error>
+#include <vector>
+
+#include "checksum.h"
+#include "study_file.h"
+
+namespace bench {
+namespace {
+
+namespace fs = std::filesystem;
+
+void add_with_named_files(const fs::path& file, const fs::path& folder, std::set<fs::path>& files) {
+    if (!files.insert(file.lexically_normal()).second ||
+        !file.extension().string().starts_with(".lx"))
+        return;
+    const std::string text = read_file(file);
+    static const std::regex quoted("\"([^\"\n]+)\"");
+    for (std::sregex_iterator match(text.begin(), text.end(), quoted), end; match != end; ++match) {
+        const fs::path named = folder / (*match)[1].str();
+        std::error_code no_such_file;
+        if (fs::is_regular_file(named, no_such_file)) add_with_named_files(named, folder, files);
+    }
+}
+
+}  // namespace
+
+BenchScene find_scene(const std::string& name, const fs::path& table, const fs::path& folder) {
+    BenchScene scene;
+    const fs::path path(name);
+    const bool is_path = path.extension() == ".lxs";
+    scene.name = is_path ? path.stem().string() : name;
+    scene.file = is_path ? path : folder / (name + ".lxs");
+    if (!fs::is_regular_file(scene.file)) {
+        throw StudyError(
+            fmt::format("unknown scene \"{}\": there is no file '{}'", name, scene.file.string()));
+    }
+    const Json listed = read_json(table);
+    for (const Json& entry : listed.at("scenes")) {
+        if (!is_path && entry.at("name") == name) {
+            scene.references = entry.at("references").get<std::array<std::string, 2>>();
+        }
+    }
+    return scene;
+}
+
+std::string scene_checksum(const fs::path& file) {
+    std::set<fs::path> files;
+    add_with_named_files(file, file.parent_path(), files);
+    return sha1_of_files({files.begin(), files.end()});
+}
+
+}  // namespace bench

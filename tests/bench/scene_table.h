@@ -1,0 +1,26 @@
+// Which scenes there are, and what their references are made with: tests/bench/scenes.json.
+#pragma once
+
+#include <array>
+#include <filesystem>
+#include <string>
+
+namespace bench {
+
+struct BenchScene {
+    std::string name;
+    std::filesystem::path file;
+    /// Reference methods of images 1 and 2. Where both need a radius, a third image at half of it
+    /// shows the bias.
+    std::array<std::string, 2> references{"photons", "photons"};
+};
+
+/// `name` as listed in `table` or found as `folder`/NAME.lxs, or the path of a .lxs file. Throws
+/// StudyError if there is no such file.
+BenchScene find_scene(const std::string& name, const std::filesystem::path& table,
+                      const std::filesystem::path& folder);
+
+/// Checksum of the scene file and of every file that a text in quotes in it names, and so on.
+std::string scene_checksum(const std::filesystem::path& file);
+
+}  // namespace bench

@@ -82,6 +82,10 @@ void add_run(CLI::App& app, BenchCommandLine& command) {
         ->expected(1)
         ->take_all()
         ->check(CLI::Validator(check_override, ""));
+    run.add_option("--photons-per-pass", command.photons_per_pass,
+                   "photon paths in each pass of every photon method (default: the method table's)")
+        ->type_name("COUNT")
+        ->check(CLI::Range(1u, 4294967295u));
     run.add_option("--baseline", command.baseline, "method that ratios refer to (default: sppm)");
     run.add_flag("--photon-part", command.photon_part,
                  "photon methods keep their photons' part apart; this takes a little of their "

@@ -25,6 +25,7 @@ struct BenchCommandLine {
     std::string clock = "both";
     std::vector<std::string> set;
     std::string baseline = "sppm";
+    std::optional<unsigned> photons_per_pass;
     bool photon_part = false;
     std::string folder;  ///< --out of run, DIR of table, JOB of render-one
     std::string references = "out/bench-references";

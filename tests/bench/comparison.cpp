@@ -150,7 +150,7 @@ Json compare_methods(const Json& runs, const Json& study) {
     for_each_group(study, [&](const Group& group) {
         for (const Budget& budget : budgets_of(study)) {
             for (const char* part : {"image", "photons"}) {
-                for (const char* metric : {"mse", "relmse"}) {
+                for (const char* metric : {"mse", "relmse", "relmse_rest"}) {
                     if (auto entry = compare_groups(runs, study, group, budget, part, metric))
                         list.push_back(*std::move(entry));
                 }

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <limits>
 #include <numeric>
 #include <stdexcept>
@@ -44,17 +43,19 @@ std::vector<float> mean_over_channels(const Image& image) {
     return means;
 }
 
-WorstPixels worst_pixels(const Image& relative) {
+/// Fills `worst` and `relmse_rest`.
+void part_worst(const Image& relative, ImageError& error) {
     std::vector<float> errors = mean_over_channels(relative);
-    const double all = std::accumulate(errors.begin(), errors.end(), 0.0);
-    WorstPixels worst;
-    worst.pixels = std::max<std::size_t>(1, std::size_t(kWorstShare * double(errors.size())));
-    const auto end = errors.begin() + std::ptrdiff_t(worst.pixels);
-    std::nth_element(errors.begin(), end - 1, errors.end(), std::greater<>());
-    const double sum = std::accumulate(errors.begin(), end, 0.0);
-    worst.relmse = sum / double(worst.pixels);
-    worst.share = all > 0 ? sum / all : 0;
-    return worst;
+    const auto pixels = std::max<std::size_t>(1, std::size_t(kWorstShare * double(errors.size())));
+    const auto end = errors.begin() + std::ptrdiff_t(pixels);
+    std::nth_element(errors.begin(), end - 1, errors.end(),
+                     [](float a, float b) { return std::abs(a) > std::abs(b); });
+    const double worst = std::accumulate(errors.begin(), end, 0.0);
+    const double rest = std::accumulate(end, errors.end(), 0.0);
+    error.worst.pixels = pixels;
+    error.worst.relmse = worst / double(pixels);
+    error.worst.share = worst + rest > 0 ? worst / (worst + rest) : 0;
+    if (errors.size() > pixels) error.relmse_rest = rest / double(errors.size() - pixels);
 }
 
 }  // namespace
@@ -92,7 +93,7 @@ ImageError measure_error(const Image& image, const Image& first, const Image& se
     error.rmse = std::sqrt(std::max(0.0, error.mse));
     const Image relative = relative_to(product, first, second, error.epsilon);
     error.relmse = mean_value(relative);
-    error.worst = worst_pixels(relative);
+    part_worst(relative, error);
     return error;
 }
 

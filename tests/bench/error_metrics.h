@@ -13,7 +13,7 @@ using Image = OIIO::ImageBuf;
 /// Share of the pixels that are reported apart: the worst 0.1 %.
 inline constexpr double kWorstShare = 0.001;
 
-/// The pixels with the largest relative squared errors.
+/// The pixels whose (I-R1)(I-R2) / (R1 R2 + epsilon) is of the largest magnitude.
 struct WorstPixels {
     std::size_t pixels = 0;  ///< kWorstShare of all, at least one
     double relmse = 0;       ///< mean over these pixels alone
@@ -22,10 +22,11 @@ struct WorstPixels {
 
 /// Averages are over all pixels and channels, nothing trimmed.
 struct ImageError {
-    double mse = 0;      ///< mean of (I-R1)(I-R2), radiance^2; noise may make it negative
-    double rmse = 0;     ///< root of mse, 0 where that is negative
-    double relmse = 0;   ///< mean of (I-R1)(I-R2) / (R1 R2 + epsilon)
-    double epsilon = 0;  ///< radiance^2
+    double mse = 0;          ///< mean of (I-R1)(I-R2), radiance^2; noise may make it negative
+    double rmse = 0;         ///< root of mse, 0 where that is negative
+    double relmse = 0;       ///< mean of (I-R1)(I-R2) / (R1 R2 + epsilon)
+    double relmse_rest = 0;  ///< of all pixels but the worst; 0 if there are no others
+    double epsilon = 0;      ///< radiance^2
     WorstPixels worst;
 };
 

@@ -39,7 +39,8 @@ ExitCode run(const BenchCommandLine& command, const lxs::PluginLibrary& plugins,
     request.photon_part = command.photon_part;
     request.folder = command.folder;
     request.references = command.references;
-    const auto table = read_method_table(or_default(command.method_table, BENCH_METHOD_TABLE));
+    auto table = read_method_table(or_default(command.method_table, BENCH_METHOD_TABLE));
+    table.photons_per_pass = command.photons_per_pass.value_or(table.photons_per_pass);
     const lxs::Interruption interruption;
     return run_study(request, table, plugins, interruption, log);
 }

@@ -221,10 +221,10 @@ bool grow(const ReferenceRequest& request, const BenchScene& scene,
           lxs::ConsoleLog& log) {
     const double gone = request.up_to ? seconds_so_far(folder.metadata) : 0;
     const double seconds = request.seconds - gone;
-    // A remainder that is shorter than a chunk is not worth its loading time.
-    if (seconds < kShortestChunk * double(images.size())) return true;
-    const int rounds =
-        std::clamp(int(seconds / (kShortestChunk * double(images.size()))), 1, kChunks);
+    const double shortest_round = kShortestChunk * double(images.size());
+    // A remainder that is shorter than a round of chunks is not worth its loading time.
+    if (request.up_to && seconds < shortest_round) return true;
+    const int rounds = std::clamp(int(seconds / shortest_round), 1, kChunks);
     const Build build = this_build();
     for (int round = 0; round < rounds; ++round) {
         for (ReferenceImage& image : images) {

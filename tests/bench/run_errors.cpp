@@ -13,6 +13,7 @@ Json to_json(const ImageError& error) {
     return {{"mse", error.mse},
             {"rmse", error.rmse},
             {"relmse", error.relmse},
+            {"relmse_rest", error.relmse_rest},
             {"epsilon", error.epsilon},
             {"worst",
              {{"pixels", error.worst.pixels},
@@ -55,7 +56,7 @@ Json efficiency(const Json& error, double seconds) {
 
 Json part_at(const Json& snapshots, const std::string& clock, double budget_s, const char* part) {
     Json figures = Json::object();
-    for (const char* figure : {"mse", "rmse", "relmse"}) {
+    for (const char* figure : {"mse", "rmse", "relmse", "relmse_rest"}) {
         const auto points = curve(snapshots, clock, part, figure);
         if (points.empty()) return nullptr;
         const auto error = error_at(points, budget_s);

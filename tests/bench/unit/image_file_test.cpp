@@ -1,0 +1,40 @@
+// Protects images on disk: layers come back as written, missing ones are told from damaged files.
+#include "image_file.h"
+
+#include <gtest/gtest.h>
+
+#include "bench_process.h"
+#include "study_file.h"
+#include "synthetic_image.h"
+
+namespace bench::test {
+namespace {
+
+TEST(ImageFile, LayersComeBackAsWritten) {
+    const TemporaryFolder folder;
+    std::mt19937 random(1);
+    const Image image = noisy_image(7, 5, 1, 0.3, random);
+    const Image photons = noisy_image(7, 5, 2, 0.3, random);
+    const auto file = folder.path() / "deeper" / "a.exr";
+    write_layers(file, {{"", image}, {kPhotonLayer, photons}});
+    for (int c = 0; c < 3; ++c) {
+        EXPECT_EQ(read_image(file).getchannel(6, 4, 0, c), image.getchannel(6, 4, 0, c));
+        EXPECT_EQ(read_layer(file, kPhotonLayer)->getchannel(2, 3, 0, c),
+                  photons.getchannel(2, 3, 0, c));
+    }
+    EXPECT_FALSE(read_layer(file, "nothing"));
+    EXPECT_FALSE(std::filesystem::exists(file.string() + ".tmp"));
+}
+
+TEST(ImageFile, UnreadableFilesAreNamed) {
+    const TemporaryFolder folder;
+    const auto file = folder.path() / "bad.exr";
+    folder.write("bad.exr", "no image");
+    EXPECT_THROW(read_image(file), StudyError);
+    EXPECT_THROW(read_image(folder.path() / "none.exr"), StudyError);
+    EXPECT_THROW(read_json(file), StudyError);
+    EXPECT_THROW(read_json(folder.path() / "none.json"), StudyError);
+}
+
+}  // namespace
+}  // namespace bench::test

@@ -23,13 +23,14 @@ std::size_t eye_bytes(const Scene& scene, std::size_t paths) {
     return paths * (image + estimate + arenas + transient) + Arena::kChunkBytes;
 }
 
-/// Landings of the store that waits, of one iteration (twice: blocks, then joined), and the grid.
+/// Landings of the store that waits, of one iteration (twice with a guide: blocks, then joined),
+/// and the grid.
 std::size_t photon_bytes(const Settings& s, std::uint32_t eye_paths) {
     const std::size_t iteration =
         std::size_t{s.guide == GuideKind::None ? kPlainIterationPaths
                                                : std::max(s.iteration_photons, s.initial_photons)} *
         s.max_photon_depth;
-    const std::size_t waiting = std::max<std::size_t>(kLandingCapacity, iteration);
+    const std::size_t waiting = kLandingCapacity + iteration;
     const bool chains = s.photon_sampler == PhotonSampler::AdaptiveChains;
     return (waiting + 2 * iteration) * kGrowth * sizeof(Landing) +
            LandingGrid::memory_bound_bytes(waiting) +

@@ -1,6 +1,8 @@
 // An iteration: a block of photon paths traced with a frozen guide.
 #pragma once
 
+#include <tbb/enumerable_thread_specific.h>
+
 #include "photon_path.h"
 
 namespace aips {
@@ -10,8 +12,6 @@ class LandingStore {
   public:
     std::span<const Landing> landings() const { return landings_; }
     void clear() { landings_.clear(); }
-    /// Makes room once, so that memory is taken before the first pass and never grows beyond it.
-    void reserve(std::size_t count) { landings_.reserve(count); }
     std::size_t memory_bytes() const { return landings_.capacity() * sizeof(Landing); }
     void append(std::span<const Landing> landings) {
         landings_.insert(landings_.end(), landings.begin(), landings.end());
@@ -21,10 +21,25 @@ class LandingStore {
     std::vector<Landing> landings_;
 };
 
-/// Traces `count` paths from number `first` of the pass and appends their landings to `store`. The
-/// result does not depend on the number of threads.
-PhotonCounts trace_photons(const PhotonInput& input, std::uint64_t paths_before_pass,
-                           std::uint32_t first, std::uint32_t count, Refusals& refusals,
-                           LandingStore& store);
+/// Traces photon paths in parallel blocks, whose memory it keeps.
+class PhotonTracer {
+  public:
+    /// Traces `count` paths from number `first` of the pass and appends their landings to `store`.
+    /// The result does not depend on the number of threads.
+    PhotonCounts trace(const PhotonInput& input, std::uint64_t paths_before_pass,
+                       std::uint32_t first, std::uint32_t count, Refusals& refusals,
+                       LandingStore& store);
+
+    std::size_t memory_bytes() const;
+
+  private:
+    struct Block {
+        std::vector<Landing> landings;
+        PhotonCounts counts;
+    };
+
+    std::vector<Block> blocks_;
+    tbb::enumerable_thread_specific<Arena> arenas_;
+};
 
 }  // namespace aips

@@ -14,26 +14,26 @@ PhotonPass::PhotonPass(const Scene& scene, const Settings& settings, Guide* guid
     if (guide && settings.debug_layers) bounces_.emplace(*guide, settings.max_nodes);
 }
 
-std::uint64_t PhotonPass::shoot(std::uint64_t pass, float time, const EyeImage& image,
-                                const SearchRadii& radii, Refusals& refusals, PhotonFlux& flux) {
-    flux.reset(image.visible_points.size(), image.groups);
+void PhotonPass::begin_pass(const EyeImage& image, float largest_radius) {
     std::vector<Vec3> positions;
     positions.reserve(image.visible_points.size());
     for (const VisiblePoint& point : image.visible_points)
         positions.push_back(point.position);
-    occupancy_.build(positions, radii.largest);
+    occupancy_.build(positions, largest_radius);
     if (guide_) guide_->begin_pass(positions, image.positions.size());
-    if (chains_) chains_->begin_pass(positions, radii.largest, settings_.photons_per_pass);
+    if (chains_) chains_->begin_pass(positions, largest_radius, settings_.photons_per_pass);
     if (bounces_) bounces_->begin_pass();
-
-    const std::uint32_t total = settings_.photons_per_pass;
     waiting_.clear();
+}
+
+std::uint64_t PhotonPass::shoot(std::uint64_t pass, float time, const EyeImage& image,
+                                const SearchRadii& radii, Refusals& refusals, PhotonFlux& flux) {
+    flux.reset(image.visible_points.size(), image.groups);
+    begin_pass(image, radii.largest);
+    const std::uint32_t total = settings_.photons_per_pass;
     std::uint64_t iteration = 0;
     for (std::uint32_t first = 0; first < total; ++iteration) {
-        const std::uint32_t wanted = guide_    ? guide_->iteration_paths(iteration)
-                                     : chains_ ? chains_->round_paths()
-                                               : kPlainIterationPaths;
-        const std::uint32_t count = std::min(wanted, total - first);
+        const std::uint32_t count = std::min(iteration_paths(iteration), total - first);
         const bool guided = guide_ && guide_->guides(iteration);
         // A guide learns from all landings; without one only those near visible points matter.
         const PhotonInput input{scene_,
@@ -44,22 +44,9 @@ std::uint64_t PhotonPass::shoot(std::uint64_t pass, float time, const EyeImage& 
                                 pass,
                                 time,
                                 bounces_ ? &*bounces_ : nullptr};
-        {
-            const Stopwatch watch(totals_.photon_seconds);
-            iteration_.clear();
-            totals_.counts +=
-                chains_ ? chains_->trace(input, count, refusals, iteration_)
-                        : trace_photons(input, pass * total, first, count, refusals, iteration_);
-        }
-        if (guide_) {
-            const Stopwatch watch(totals_.guide_seconds);
-            guide_->update(iteration_.landings());
-            if (bounces_) bounces_->follow_splits();
-        }
-        if (waiting_.landings().size() + iteration_.landings().size() > kLandingCapacity) {
-            gather(image, radii, refusals, flux);
-        }
-        keep_near_visible_points();
+        trace(input, first, count, refusals);
+        if (guide_) learn();
+        if (waiting_.landings().size() > kLandingCapacity) gather(image, radii, refusals, flux);
         first += count;
     }
     gather(image, radii, refusals, flux);
@@ -68,14 +55,28 @@ std::uint64_t PhotonPass::shoot(std::uint64_t pass, float time, const EyeImage& 
     return total;
 }
 
-void PhotonPass::keep_near_visible_points() {
-    if (!guide_) {  // already done where they were stored
-        waiting_.append(iteration_.landings());
-        return;
-    }
+std::uint32_t PhotonPass::iteration_paths(std::uint64_t iteration) const {
+    if (guide_) return guide_->iteration_paths(iteration);
+    return chains_ ? chains_->round_paths() : kPlainIterationPaths;
+}
+
+void PhotonPass::trace(const PhotonInput& input, std::uint32_t first, std::uint32_t count,
+                       Refusals& refusals) {
+    const Stopwatch watch(totals_.photon_seconds);
+    LandingStore& store = guide_ ? iteration_ : waiting_;
+    totals_.counts += chains_ ? chains_->trace(input, count, refusals, store)
+                              : tracer_.trace(input, input.pass * settings_.photons_per_pass, first,
+                                              count, refusals, store);
+}
+
+void PhotonPass::learn() {
+    const Stopwatch watch(totals_.guide_seconds);
+    guide_->update(iteration_.landings());
+    if (bounces_) bounces_->follow_splits();
     for (const Landing& landing : iteration_.landings()) {
         if (occupancy_.near_visible_point(landing.position)) waiting_.append({&landing, 1});
     }
+    iteration_.clear();
 }
 
 void PhotonPass::gather(const EyeImage& image, const SearchRadii& radii, Refusals& refusals,
@@ -88,9 +89,9 @@ void PhotonPass::gather(const EyeImage& image, const SearchRadii& radii, Refusal
 }
 
 std::size_t PhotonPass::memory_bytes() const {
-    return waiting_.memory_bytes() + iteration_.memory_bytes() + grid_.memory_bytes() +
-           occupancy_.memory_bytes() + (chains_ ? chains_->memory_bytes() : 0) +
-           (bounces_ ? bounces_->memory_bytes() : 0);
+    return tracer_.memory_bytes() + waiting_.memory_bytes() + iteration_.memory_bytes() +
+           grid_.memory_bytes() + occupancy_.memory_bytes() +
+           (chains_ ? chains_->memory_bytes() : 0) + (bounces_ ? bounces_->memory_bytes() : 0);
 }
 
 }  // namespace aips

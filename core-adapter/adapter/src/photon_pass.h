@@ -19,7 +19,7 @@ struct PhotonPassTotals {
     double photon_seconds = 0, gather_seconds = 0, guide_seconds = 0;
 };
 
-/// Most landings that wait for a gather.
+/// Landings that wait for a gather; one iteration may exceed it.
 inline constexpr std::uint32_t kLandingCapacity = 1u << 20;
 
 /// Paths of an unguided iteration: enough for all threads, few enough for the store's capacity.
@@ -43,7 +43,11 @@ class PhotonPass {
     std::size_t memory_bytes() const;
 
   private:
-    void keep_near_visible_points();
+    void begin_pass(const EyeImage& image, float largest_radius);
+    std::uint32_t iteration_paths(std::uint64_t iteration) const;
+    void trace(const PhotonInput& input, std::uint32_t first, std::uint32_t count,
+               Refusals& refusals);
+    void learn();
     void gather(const EyeImage& image, const SearchRadii& radii, Refusals& refusals,
                 PhotonFlux& flux);
 
@@ -53,6 +57,7 @@ class PhotonPass {
     DiscreteDistribution light_choice_;
     OccupancyGrid occupancy_;
     std::optional<PhotonChains> chains_;
+    PhotonTracer tracer_;
     LandingStore waiting_;    // near visible points, not gathered yet
     LandingStore iteration_;  // all landings of one guided iteration
     LandingGrid grid_;

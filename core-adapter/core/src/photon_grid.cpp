@@ -1,152 +1,52 @@
-// Counting sort of landings into hash buckets, in two steps: into partitions of buckets, chunk by
-// chunk, then each partition by itself. Chunks and partitions are fixed by the input, never by the
-// number of threads, and both steps are stable.
+// Copies of landings in the order of their cells.
 #include "aips/core/photon_grid.h"
 
-#include <bit>
+#include <algorithm>
 
 namespace aips {
 namespace {
 
-constexpr std::uint32_t kNoBucket = 0xFFFFFFFFu;
-/// Keeps bucket numbers in 31 bits.
-constexpr std::size_t kMaxBucketCount = std::size_t(1) << 30;
-/// A partition's photons fit a second-level cache while it is sorted (a million landings: 4096
-/// photons of 56 bytes in each).
-constexpr std::uint32_t kMaxPartitions = 256;
-constexpr std::size_t kChunkLandings = std::size_t(1) << 14;
+constexpr std::size_t kChunk = std::size_t(1) << 14;
 
-/// About one landing a bucket.
-std::size_t bucket_count(std::size_t landings) {
-    return std::bit_ceil(std::clamp<std::size_t>(landings, 1, kMaxBucketCount));
-}
-
-std::uint32_t chunk_count(std::size_t landings) {
-    return static_cast<std::uint32_t>((landings + kChunkLandings - 1) / kChunkLandings);
-}
-
-GridPhoton photon(const Landing& landing, std::uint32_t index) {
-    return {landing.position, landing.direction,   landing.power,
-            landing.normal,   landing.light_group, index};
+/// Runs work(first, last) over [0, count) in chunks.
+template <class Work>
+void in_chunks(std::size_t count, const ParallelFor& parallel, Work work) {
+    parallel(static_cast<std::uint32_t>((count + kChunk - 1) / kChunk), [&](std::uint32_t chunk) {
+        const std::size_t first = chunk * kChunk;
+        work(first, std::min(first + kChunk, count));
+    });
 }
 
 }  // namespace
 
 void LandingGrid::build(std::span<const Landing> landings, float radius,
                         const ParallelFor& parallel) {
-    cells_ = CellGrid(radius);
-    mask_ = static_cast<std::uint32_t>(bucket_count(landings.size()) - 1);
-    const auto bits = static_cast<unsigned>(std::bit_width(mask_));
-    const unsigned partition_bits = std::bit_width(kMaxPartitions - 1);
-    partition_shift_ = bits > partition_bits ? bits - partition_bits : 0;
-    reserve(landings.size());
-    count_partitions(landings, parallel);
-    scan_partitions();
-    scatter_keys(parallel);
-    parallel(partition_count(), [&](std::uint32_t p) { sort_partition(landings, p); });
-}
-
-// Sizes in powers of two: growth is rare, and bounded by the largest build.
-void LandingGrid::reserve(std::size_t landings) {
-    const std::size_t capacity = std::bit_ceil(std::max<std::size_t>(landings, 1));
-    bucket_.reserve(capacity);
-    keys_.reserve(capacity);
-    positions_.reserve(capacity);
-    photons_.reserve(capacity);
-    start_.reserve(bucket_count(capacity) + 1);
-    cursor_.reserve(std::size_t(chunk_count(capacity)) * kMaxPartitions);
-    partition_start_.reserve(kMaxPartitions + 1);
-}
-
-std::uint32_t LandingGrid::partition_count() const {
-    return (mask_ >> partition_shift_) + 1;
-}
-
-void LandingGrid::count_partitions(std::span<const Landing> landings, const ParallelFor& parallel) {
-    const std::uint32_t partitions = partition_count();
-    bucket_.resize(landings.size());
-    cursor_.assign(std::size_t(chunk_count(landings.size())) * partitions, 0);
-    parallel(chunk_count(landings.size()), [&](std::uint32_t chunk) {
-        std::uint32_t* count = &cursor_[std::size_t(chunk) * partitions];
-        const std::size_t first = chunk * kChunkLandings;
-        const std::size_t last = std::min(first + kChunkLandings, landings.size());
-        for (std::size_t i = first; i < last; ++i) {
-            const Vec3 p = landings[i].position;
-            bucket_[i] = is_finite(p) ? bucket(cells_.cell(p)) : kNoBucket;
-            if (bucket_[i] != kNoBucket) ++count[bucket_[i] >> partition_shift_];
+    positions_.reserve(rounded_capacity(landings.size()));
+    photons_.reserve(rounded_capacity(landings.size()));
+    positions_.resize(landings.size());
+    in_chunks(landings.size(), parallel, [&](std::size_t first, std::size_t last) {
+        for (std::size_t i = first; i < last; ++i)
+            positions_[i] = landings[i].position;
+    });
+    cells_.build(positions_, radius, parallel);
+    photons_.resize(cells_.size());
+    in_chunks(photons_.size(), parallel, [&](std::size_t first, std::size_t last) {
+        for (std::size_t slot = first; slot < last; ++slot) {
+            const std::uint32_t i = cells_.order()[slot];
+            const Landing& l = landings[i];
+            photons_[slot] = {l.position, l.direction, l.power, l.normal, l.light_group, i};
         }
     });
-}
-
-// Turns counts into places: partition by partition, and within one chunk by chunk.
-void LandingGrid::scan_partitions() {
-    const std::uint32_t partitions = partition_count();
-    partition_start_.assign(partitions + 1, 0);
-    std::uint32_t sum = 0;
-    for (std::uint32_t p = 0; p < partitions; ++p) {
-        partition_start_[p] = sum;
-        for (std::size_t i = p; i < cursor_.size(); i += partitions) {
-            const std::uint32_t count = cursor_[i];
-            cursor_[i] = sum;
-            sum += count;
-        }
-    }
-    partition_start_[partitions] = sum;
-    keys_.resize(sum);
-    positions_.resize(sum);
-    photons_.resize(sum);
-    start_.resize(std::size_t(mask_) + 2);
-    start_.back() = sum;
-}
-
-void LandingGrid::scatter_keys(const ParallelFor& parallel) {
-    const std::uint32_t partitions = partition_count();
-    parallel(chunk_count(bucket_.size()), [&](std::uint32_t chunk) {
-        std::uint32_t* next = &cursor_[std::size_t(chunk) * partitions];
-        const std::size_t first = chunk * kChunkLandings;
-        const std::size_t last = std::min(first + kChunkLandings, bucket_.size());
-        for (std::size_t i = first; i < last; ++i) {
-            if (bucket_[i] == kNoBucket) continue;
-            keys_[next[bucket_[i] >> partition_shift_]++] = {bucket_[i],
-                                                             static_cast<std::uint32_t>(i)};
-        }
-    });
-}
-
-void LandingGrid::sort_partition(std::span<const Landing> landings, std::uint32_t partition) {
-    const std::span keys = std::span(keys_).subspan(
-        partition_start_[partition], partition_start_[partition + 1] - partition_start_[partition]);
-    const std::size_t first = std::size_t(partition) << partition_shift_;
-    const std::span start = std::span(start_).subspan(first, std::size_t(1) << partition_shift_);
-    std::ranges::fill(start, 0);
-    for (const Keyed& key : keys)
-        ++start[key.bucket - first];
-    // From behind: each start moves from the end of its bucket to its beginning.
-    std::uint32_t end = partition_start_[partition];
-    for (std::uint32_t& s : start)
-        s = end += s;
-    for (auto key = keys.rbegin(); key != keys.rend(); ++key) {
-        const std::uint32_t place = --start[key->bucket - first];
-        positions_[place] = landings[key->index].position;
-        photons_[place] = photon(landings[key->index], key->index);
-    }
 }
 
 std::size_t LandingGrid::memory_bytes() const {
-    return (start_.capacity() + bucket_.capacity() + cursor_.capacity() +
-            partition_start_.capacity()) *
-               sizeof(std::uint32_t) +
-           keys_.capacity() * sizeof(Keyed) + positions_.capacity() * sizeof(Vec3) +
+    return cells_.memory_bytes() + positions_.capacity() * sizeof(Vec3) +
            photons_.capacity() * sizeof(GridPhoton);
 }
 
 std::size_t LandingGrid::memory_bound_bytes(std::size_t max_landings) {
-    const std::size_t capacity = std::bit_ceil(std::max<std::size_t>(max_landings, 1));
-    const std::size_t numbers = bucket_count(capacity) + 1 + capacity +
-                                std::size_t(chunk_count(capacity)) * kMaxPartitions +
-                                kMaxPartitions + 1;
-    return numbers * sizeof(std::uint32_t) +
-           capacity * (sizeof(Keyed) + sizeof(Vec3) + sizeof(GridPhoton));
+    return CellSort::memory_bound_bytes(max_landings) +
+           rounded_capacity(max_landings) * (sizeof(Vec3) + sizeof(GridPhoton));
 }
 
 }  // namespace aips

@@ -75,7 +75,7 @@ PhotonWorkload recorded() {
     Refusals refusals(scene.material_names());
     LandingStore store;
     tbb::task_arena(1).execute([&] {
-        trace_photons({scene, settings, lights}, 0, 0, work.paths, refusals, store);
+        PhotonTracer().trace({scene, settings, lights}, 0, 0, work.paths, refusals, store);
     });
     work.landings.assign(store.landings().begin(), store.landings().end());
     return work;

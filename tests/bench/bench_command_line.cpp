@@ -31,13 +31,17 @@ std::string check_override(const std::string& text) {
     return whole ? "" : "expected plugin.parameter=value, found \"" + text + "\"";
 }
 
+void add_method_table(CLI::App& app, BenchCommandLine& command) {
+    app.add_option("--method-table", command.method_table,
+                   "methods (default: tests/bench/methods.json of the sources)")
+        ->type_name("FILE.json");
+}
+
 void add_tables(CLI::App& app, BenchCommandLine& command) {
     app.add_option("--references", command.references,
                    "folder of the reference images (default: out/bench-references)")
         ->type_name("DIR");
-    app.add_option("--method-table", command.method_table,
-                   "methods (default: tests/bench/methods.json of the sources)")
-        ->type_name("FILE.json");
+    add_method_table(app, command);
     app.add_option("--scene-table", command.scene_table,
                    "scenes' reference methods (default: tests/bench/scenes.json of the sources)")
         ->type_name("FILE.json");
@@ -109,6 +113,9 @@ void add_others(CLI::App& app, BenchCommandLine& command) {
     table.add_option("--clock", command.clock, "cpu (default) or wall")
         ->check(CLI::IsMember({"cpu", "wall"}));
     table.callback([&command] { command.command = Command::Table; });
+    CLI::App& methods = *app.add_subcommand("methods", "print the methods that this build can run");
+    add_method_table(methods, command);
+    methods.callback([&command] { command.command = Command::Methods; });
     // What `run` and `reference` start for each render; nothing for users.
     CLI::App& one = *app.add_subcommand("render-one", "")->group("");
     one.add_option("job", command.folder)->required();

@@ -11,7 +11,7 @@
 namespace bench {
 
 /// Which of the commands is asked for.
-enum class Command : std::uint8_t { Run, Reference, Table, RenderOne };
+enum class Command : std::uint8_t { Run, Reference, Table, Methods, RenderOne };
 
 struct BenchCommandLine {
     Command command = Command::Run;

@@ -9,6 +9,7 @@
 #include "comparison_table.h"
 #include "lxs/host/failure.h"
 #include "measured_render.h"
+#include "method_check.h"
 #include "reference_command.h"
 #include "run_command.h"
 #include "study_summary.h"
@@ -68,11 +69,28 @@ ExitCode render_one(const BenchCommandLine& command, lxs::ConsoleLog& log) {
     return ExitCode::Success;
 }
 
+/// Names on standard output; why the others are left out on standard error.
+ExitCode print_methods(const BenchCommandLine& command, const lxs::PluginLibrary& plugins,
+                       lxs::ConsoleLog& log) {
+    const auto table = read_method_table(or_default(command.method_table, BENCH_METHOD_TABLE));
+    for (const Method& method : table.methods) {
+        try {
+            check_method(method, overrides(table, method, kFixed, {}), plugins,
+                         std::filesystem::temp_directory_path(), log);
+            std::puts(method.name.c_str());
+        } catch (const StudyError& error) {
+            log.info(error.what());
+        }
+    }
+    return ExitCode::Success;
+}
+
 ExitCode carry_out(const BenchCommandLine& command, lxs::PluginLibrary& plugins,
                    lxs::ConsoleLog& log) {
     if (command.command == Command::Table) return print_table(command);
     if (command.command == Command::RenderOne) return render_one(command, log);
     plugins.load_folder(lxs::own_plugin_folder());
+    if (command.command == Command::Methods) return print_methods(command, plugins, log);
     return command.command == Command::Run ? run(command, plugins, log)
                                            : reference(command, plugins, log);
 }

@@ -2,6 +2,7 @@
 #include "method_check.h"
 
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <span>
 #include <string_view>
@@ -37,7 +38,8 @@ class WarningsAreErrors : public lxs::InputDiagnostics {
 /// The ball's scene file, gone with the object.
 class BallScene {
   public:
-    explicit BallScene(const fs::path& folder) : file_(folder / "method-check.lxs") {
+    explicit BallScene(const fs::path& folder)
+        : file_(folder / fmt::format("method-check-{}.lxs", ::getpid())) {
         make_folder(folder);
         lxs::write_file_atomically(file_.string(), std::as_bytes(std::span(kBall)));
     }

@@ -8,6 +8,7 @@
 
 #include "method_check.h"
 #include "photon_part.h"
+#include "radius_check.h"
 #include "render_process.h"
 #include "run_errors.h"
 #include "run_record.h"
@@ -114,8 +115,10 @@ ExitCode run_study(const RunRequest& request, const MethodTable& table,
         }
         runs.push_back(*std::move(run));
     }
-    write_json(request.folder / "summary.json",
-               summarise(request.folder, request.study, table, runs, references));
+    const Json summary = summarise(request.folder, request.study, table, runs, references);
+    for (const std::string& warning : radius_warnings(summary))
+        log.warning(warning);
+    write_json(request.folder / "summary.json", summary);
     return failed ? ExitCode::RunsFailed : ExitCode::Success;
 }
 

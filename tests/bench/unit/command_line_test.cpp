@@ -69,8 +69,20 @@ TEST(BenchCommandLine, UnknownNamesExitWithThreeBeforeAnythingIsRendered) {
         EXPECT_EQ(result.exit_code, 3) << arguments << result.text;
         EXPECT_THAT(result.text, HasSubstr(message)) << arguments;
         EXPECT_FALSE(std::filesystem::exists(folder.path() / "o/runs"));
-        EXPECT_FALSE(std::filesystem::exists(folder.path() / "o/method-check.lxs"));
+        const auto study = folder.path() / "o";
+        EXPECT_TRUE(!std::filesystem::exists(study) || std::filesystem::is_empty(study));
     }
+}
+
+TEST(BenchCommandLine, MethodsListsThoseThatThisBuildCanRun) {
+    const TemporaryFolder folder;
+    folder.write("m.json", R"({"photons_per_pass": 10, "fixed_startradius": 2, "references": [],
+      "methods": [{"name": "plain", "integrator": "sppm", "description": ""},
+                  {"name": "odd", "integrator": "oddity", "description": ""}]})");
+    const BenchResult result = run_bench(folder, "methods --method-table m.json");
+    EXPECT_EQ(result.exit_code, 0);
+    EXPECT_THAT(result.text, HasSubstr("method \"odd\" can't be run by this build"));
+    EXPECT_THAT(result.text, HasSubstr("\nplain\n"));
 }
 
 TEST(BenchCommandLine, UnwritableFolderExitsWithFive) {

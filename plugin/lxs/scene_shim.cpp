@@ -60,7 +60,7 @@ class LightShim final : public Light {
         if (!light_.sample_direct(to(point.position), to(point.shading_normal), to(u), s)) {
             return false;
         }
-        sample = {from(s.wi), s.distance, from(s.radiance), s.pdf, s.delta, from(s.light_error)};
+        sample = {from(s.wi), s.distance, from(s.radiance), s.pdf, s.delta, from(s.segment_end)};
         return true;
     }
     float pdf_direct(const SurfacePoint& point, Vec3 wi, const SurfacePoint* at) const override {
@@ -117,7 +117,7 @@ Rgb SceneShim::visibility(const SurfacePoint& point, const DirectSample& light, 
     lxs::DirectSample s;
     s.wi = to(light.wi);
     s.distance = light.distance;
-    s.light_error = to(light.light_error);
+    s.segment_end = to(light.segment_end);
     return from(scene_.transmittance(lxs::shadow_ray(to_hit(point), s, time)));
 }
 

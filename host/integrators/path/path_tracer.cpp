@@ -26,21 +26,6 @@ bool valid(const Rgb& c) {
            c.z >= 0;
 }
 
-/// Segment from a surface to a sampled light point, both ends moved off their surfaces by the
-/// bounds of their rounding errors.
-Ray segment_to_light(const SurfaceHit& hit, const DirectSample& sample, float time) {
-    Ray ray = spawn_ray(hit, sample.wi, time);
-    if (!std::isfinite(sample.distance)) return ray;
-    const Vec3 to_light = hit.p + sample.wi * sample.distance - ray.origin;
-    const float distance = to_light.length();
-    if (!(distance > 0)) return ray;
-    ray.direction = to_light / distance;
-    const Vec3 d(std::abs(ray.direction.x), std::abs(ray.direction.y), std::abs(ray.direction.z));
-    constexpr float kRounding = 8 * std::numeric_limits<float>::epsilon();
-    ray.t_max = std::max(0.0f, distance * (1 - kRounding) - 2 * d.dot(sample.light_error));
-    return ray;
-}
-
 }  // namespace
 
 PathCounts& PathCounts::operator+=(const PathCounts& other) {
@@ -150,7 +135,7 @@ Rgb PathTracer::direct_light(State& state, const SurfaceHit& hit, const LightCho
     const Rgb f = hit.bsdf->evaluate(wo, sample.wi, Transport::Radiance, kAllLobes);
     if (is_black(f) || is_black(sample.radiance)) return Rgb(0.0f);
     ++state.result.rays;
-    const Rgb passed = scene_.transmittance(segment_to_light(hit, sample, state.ray.time));
+    const Rgb passed = scene_.transmittance(shadow_ray(hit, sample, state.ray.time));
     if (is_black(passed)) return Rgb(0.0f);
     const float pdf = sample.pdf * choice.probability;
     const float weight =

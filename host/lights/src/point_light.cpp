@@ -35,7 +35,7 @@ bool PointLight::sample_direct(const Vec3& p, const Vec3& /*n*/, const Vec2& /*u
     const float share = falloff(-wi);
     const float scale = share / distance2;
     if (!(scale > 0) || !std::isfinite(scale * max_component(intensity_))) return false;
-    sample = {wi, distance, Vec3(0.0f), intensity_ * scale, 1.0f, true};
+    sample = {wi, distance, position_, intensity_ * scale, 1.0f, true};
     return true;
 }
 

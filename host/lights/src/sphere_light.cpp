@@ -66,7 +66,7 @@ bool SphereLight::sample_direct(const Vec3& p, const Vec3& /*n*/, const Vec2& u,
     const float t = distance * (1.0f - one_minus_cos) - std::sqrt(std::max(0.0f, half_chord2));
     if (!(t > 0)) return false;
     const SurfacePoint s = point_at((p + wi * t - center_).normalized());
-    sample = {wi, t, s.p_error, emitted(s), pdf, false};
+    sample = {wi, t, segment_end(s, wi, t), emitted(s), pdf, false};
     return true;
 }
 

@@ -8,6 +8,13 @@
 
 namespace lxs {
 
+Vec3 segment_end(const SurfacePoint& s, const Vec3& wi, float distance) {
+    // Rounding of a direction's coordinates displaces its end by a share of the distance; so does
+    // the kernel's, which takes the surface relative to the ray's origin.
+    const Vec3 error = s.p_error + Vec3(rounding_bound(8) * distance);
+    return offset_origin(s.p, error, s.n, -wi);
+}
+
 SurfaceLight::SurfaceLight(const Primitive& primitive, const AreaEmission& emission)
     : placement_{emission.group, primitive.exterior}, radiance_(emission.radiance) {}
 
@@ -72,7 +79,7 @@ bool SurfaceLight::sample_direct(const Vec3& p, const Vec3& /*n*/, const Vec2& u
     if (!(cosine > 0)) return false;
     const float pdf = distance2 * s.density / cosine;
     if (!(pdf > 0) || !std::isfinite(pdf)) return false;
-    sample = {wi, distance, s.p_error, emitted(s), pdf, false};
+    sample = {wi, distance, segment_end(s, wi, distance), emitted(s), pdf, false};
     return true;
 }
 

@@ -18,6 +18,9 @@ struct SurfacePoint {
     float density = 0;  ///< per unit of area; 0 means nothing was drawn
 };
 
+/// DirectSample::segment_end for a point met along the unit vector `wi` after `distance`.
+Vec3 segment_end(const SurfacePoint& s, const Vec3& wi, float distance);
+
 /// One-sided diffuse emitter. Derived classes call `set_emission` once their area is known.
 class SurfaceLight : public AreaLight {
   public:

@@ -3,26 +3,12 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <random>
 
 #include "fakes.h"
+#include "random_directions.h"
 
 namespace lxs::test {
 namespace {
-
-using Random = std::mt19937;
-
-float uniform(Random& random, float low, float high) {
-    // Not std::uniform_real_distribution: its stream differs between libraries.
-    return low + (high - low) * static_cast<float>(random() >> 8) * 0x1p-24f;
-}
-
-Vec3 random_direction(Random& random) {
-    const float z = uniform(random, -1, 1);
-    const float phi = uniform(random, 0, 6.2831853f);
-    const float r = std::sqrt(std::max(0.0f, 1 - z * z));
-    return {r * std::cos(phi), r * std::sin(phi), z};
-}
 
 /// A unit direction on the side of `n` at a sine of elevation from 1e-6 (grazing) to 1.
 Vec3 leaving_direction(Random& random, const Vec3& n) {

@@ -55,7 +55,7 @@ struct DirectSample {
     Rgb radiance;        ///< unoccluded, along wi; for delta lights irradiance facing wi
     float pdf = 0;       ///< per steradian; 1 for delta lights
     bool delta = false;
-    Vec3 light_error;  ///< rounding error bound of the light point, host's
+    Vec3 segment_end;  ///< where shadow segments end, for the host's Scene::visibility
 };
 
 class Light {

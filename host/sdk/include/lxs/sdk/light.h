@@ -20,7 +20,8 @@ struct EmissionSample {
 struct DirectSample {
     Vec3 wi{0.0f};           ///< unit, towards the light
     float distance = 0;      ///< to the sampled light point; infinity for lights at infinity
-    Vec3 light_error{0.0f};  ///< bound of the rounding error of the light point, per coordinate
+    Vec3 segment_end{0.0f};  ///< where a segment to the light point ends: off the light's surface
+                             ///< by the bounds of rounding; unused for lights at infinity
     Rgb radiance{0.0f};      ///< arriving along wi if unoccluded; for delta lights the
                              ///< irradiance on a surface facing wi
     float pdf = 0;           ///< per steradian; 1 for delta lights; 0 means nothing was sampled

@@ -1,6 +1,8 @@
 // Rays that leave a surface: robust origins, the right medium, shadow rays that stop at the light.
 #pragma once
 
+#include <cmath>
+
 #include "lxs/sdk/light.h"
 #include "lxs/sdk/scene.h"
 
@@ -16,17 +18,15 @@ inline Ray spawn_ray(const SurfaceHit& hit, const Vec3& direction, float time) {
     return ray;
 }
 
-/// The segment from a hit to a sampled light point that stops short of the light's own surface:
-/// by the bound of the light point's rounding error and 1e-5 of the distance, so that it depends
-/// on no scale and a light is not shadowed by itself.
+/// The segment from a hit to a sampled light point. Both ends stand off their surfaces by the
+/// bounds of rounding, along the normals, so that neither surface shadows itself at any scale or
+/// angle.
 inline Ray shadow_ray(const SurfaceHit& hit, const DirectSample& light, float time) {
     Ray ray = spawn_ray(hit, light.wi, time);
-    if (std::isfinite(light.distance)) {
-        const Vec3 target = hit.p + light.wi * light.distance;
-        const Vec3& e = light.light_error;
-        const float length = (target - ray.origin).dot(light.wi);
-        ray.t_max = std::max(0.0f, length * (1 - 1e-5f) - 2 * (e.x + e.y + e.z));
-    }
+    if (!std::isfinite(light.distance)) return ray;
+    const Vec3 to_end = light.segment_end - ray.origin;
+    ray.t_max = to_end.length();
+    if (ray.t_max > 0) ray.direction = to_end / ray.t_max;
     return ray;
 }
 

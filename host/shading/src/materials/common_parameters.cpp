@@ -1,17 +1,11 @@
 // Parameters that every material has.
 #include "common_parameters.h"
 
+#include "ignored_parameter.h"
 #include "textures/texture_parameters.h"
 
 namespace lxs::shading {
 namespace {
-
-ParameterDeclaration ignored(std::string_view name, ParameterType type, std::string_view fallback,
-                             std::string_view doc) {
-    ParameterDeclaration declaration{name, type, fallback, doc};
-    declaration.no_effect = true;
-    return declaration;
-}
 
 std::vector<ParameterDeclaration> compositing_parameters() {
     using enum ParameterType;

@@ -2,6 +2,7 @@
 #include <array>
 #include <cmath>
 
+#include "ignored_parameter.h"
 #include "texture_parameters.h"
 #include "texture_plugins.h"
 #include "uv_mapping.h"
@@ -73,17 +74,13 @@ FloatTextureFactory checkerboard_plugin() {
                                    "2: squares in (u, v); 3: cubes in space"};
     dimension.minimum = 2;
     dimension.maximum = 3;
-    ParameterDeclaration aamode{"aamode", ParameterType::String, "closedform",
-                                "antialiasing of LuxRender"};
-    ParameterDeclaration coordinates{"coordinates", ParameterType::String, "global",
-                                     "space of a three-dimensional pattern"};
-    aamode.no_effect = coordinates.no_effect = true;
     std::vector<ParameterDeclaration> parameters{
         dimension,
         {"tex1", ParameterType::FloatTexture, "1", "value of the first squares"},
         {"tex2", ParameterType::FloatTexture, "0", "value of the others"},
-        aamode,
-        coordinates};
+        ignored("aamode", ParameterType::String, "closedform", "antialiasing of LuxRender"),
+        ignored("coordinates", ParameterType::String, "global",
+                "space of a three-dimensional pattern")};
     const std::vector<ParameterDeclaration> mapping = uv_mapping_parameters();
     parameters.insert(parameters.end(), mapping.begin(), mapping.end());
     return {parameters, &create};

@@ -3,6 +3,7 @@
 #include <array>
 #include <cmath>
 
+#include "ignored_parameter.h"
 #include "image_cache.h"
 #include "lxs/scene/constant_texture.h"
 #include "texture_plugins.h"
@@ -141,13 +142,6 @@ ParameterDeclaration choice(std::string_view name, std::string_view fallback, st
                             std::span<const std::string_view> choices) {
     ParameterDeclaration declaration{name, ParameterType::String, fallback, doc};
     declaration.choices = choices;
-    return declaration;
-}
-
-ParameterDeclaration ignored(std::string_view name, ParameterType type, std::string_view fallback,
-                             std::string_view doc) {
-    ParameterDeclaration declaration{name, type, fallback, doc};
-    declaration.no_effect = true;
     return declaration;
 }
 

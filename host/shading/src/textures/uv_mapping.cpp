@@ -5,6 +5,8 @@
 
 #include <array>
 
+#include "ignored_parameter.h"
+
 namespace lxs::shading {
 namespace {
 
@@ -15,17 +17,13 @@ constexpr std::array<std::string_view, 4> kMappings{"uv", "spherical", "cylindri
 std::vector<ParameterDeclaration> uv_mapping_parameters() {
     ParameterDeclaration mapping{"mapping", ParameterType::String, "uv", "how (u, v) are found"};
     mapping.choices = kMappings;
-    ParameterDeclaration v1{"v1", ParameterType::Vector, "1 0 0", "first axis of a planar mapping"};
-    ParameterDeclaration v2{"v2", ParameterType::Vector, "0 1 0",
-                            "second axis of a planar mapping"};
-    v1.no_effect = v2.no_effect = true;
     return {mapping,
             {"uscale", ParameterType::Float, "1", "repetitions along u"},
             {"vscale", ParameterType::Float, "1", "repetitions along v"},
             {"udelta", ParameterType::Float, "0", "shift along u"},
             {"vdelta", ParameterType::Float, "0", "shift along v"},
-            v1,
-            v2};
+            ignored("v1", ParameterType::Vector, "1 0 0", "first axis of a planar mapping"),
+            ignored("v2", ParameterType::Vector, "0 1 0", "second axis of a planar mapping")};
 }
 
 UvMapping read_uv_mapping(const ParameterReader& reader) {

@@ -1,0 +1,51 @@
+// A light's scene statement in the terms in which lights are made.
+#pragma once
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "emitted_radiance.h"
+#include "light_placement.h"
+#include "lxs/lights/lights.h"
+#include "rotation.h"
+
+namespace lxs {
+
+using Lights = std::vector<std::unique_ptr<Light>>;
+
+/// One light statement while its lights are made.
+struct LightStatement {
+    const ParameterReader& reader;
+    const LightDescription& description;
+    const SceneSphere& sphere;
+    const AssetResolver& resolve;
+
+    LightPlacement placement() const { return {description.group, description.medium}; }
+    float number(std::string_view name, double fallback) const {
+        return static_cast<float>(reader.number(name, fallback));
+    }
+    Rgb color(std::string_view name) const { return non_negative(reader.color(name, Rgb(1.0f))); }
+    /// L times gain.
+    Rgb emission() const { return non_negative(color("L") * number("gain", 1)); }
+    Vec3 world_point(const Vec3& p) const {
+        Imath::V3d q;
+        description.to_world.multVecMatrix(Imath::V3d(p), q);
+        return Vec3(q);
+    }
+    /// Unit direction of a non-zero vector in world space; throws at the parameter `name`.
+    Vec3 unit(const Imath::V3d& v, std::string_view name) const {
+        const double length = v.length();
+        if (!(length > 0) || !std::isfinite(length))
+            reader.fail(name, fmt::format("\"{}\" gives the light no direction", name));
+        return Vec3(v / length);
+    }
+    Vec3 from_to_direction() const {
+        const Vec3 from = world_point(reader.vector("from", Vec3(0.0f)));
+        const Vec3 to = world_point(reader.vector("to", Vec3(0, 0, 1)));
+        return unit(Imath::V3d(to) - Imath::V3d(from), reader.given("to") ? "to" : "from");
+    }
+    Rotation rotation() const { return Rotation(description.to_world, reader.where()); }
+};
+
+}  // namespace lxs

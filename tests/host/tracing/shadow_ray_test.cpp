@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <functional>
 
 #include "fakes.h"
 #include "lxs/sdk/rays.h"
@@ -17,7 +18,7 @@ struct Counts {
     int drawn = 0, blocked = 0;
 };
 
-void count(const Scene& scene, const SurfaceHit& hit, Random& random, Counts& counts) {
+void draw(const Scene& scene, const SurfaceHit& hit, Random& random, Counts& counts) {
     DirectSample sample;
     const Vec2 u(uniform(random, 0, 1), uniform(random, 0, 1));
     if (!scene.lights().front()->sample_direct(hit.p, hit.ns, u, sample)) return;
@@ -47,6 +48,17 @@ Primitive lamp(Geometry geometry) {
     return result;
 }
 
+/// A point without error that faces anywhere.
+SurfaceHit in_the_air(Random& random, const Vec3& p) {
+    SurfaceHit hit;
+    hit.p = p;
+    hit.ng = hit.ns = random_direction(random);
+    return hit;
+}
+
+using MakeScene = std::function<std::unique_ptr<Scene>(const Matrix& placement)>;
+using MakeHit = std::function<SurfaceHit(const Scene&, Random&, const Matrix& placement)>;
+
 struct Case {
     float scale;
     float offset;  ///< of the lamp's centre from the origin, in multiples of `scale`
@@ -54,6 +66,21 @@ struct Case {
 
 class ShadowRay : public testing::TestWithParam<Case> {
   protected:
+    /// Shadow rays from hits to the scene's lamp, over random placements.
+    Counts count(std::uint32_t seed, const MakeScene& make_scene, const MakeHit& make_hit) const {
+        Random random(seed);
+        Counts counts;
+        for (int i = 0; i < kPlacements; ++i) {
+            const Matrix m = placement(random);
+            const auto scene = make_scene(m);
+            for (int k = 0; k < kRays; ++k)
+                draw(*scene, make_hit(*scene, random, m), random, counts);
+        }
+        EXPECT_GT(counts.drawn, kPlacements * kRays / 2);
+        return counts;
+    }
+
+  private:
     /// A lamp of about unit size, turned at random, to the case's scale and place.
     Matrix placement(Random& random) const {
         const auto [scale, offset] = GetParam();
@@ -74,87 +101,60 @@ SurfaceHit point_before_plane(Random& random, const Matrix& m, float resolution)
     const float height = std::max(resolution, distance * std::pow(10.0f, uniform(random, -5, 0)));
     const Vec3 d = random_direction(random);
     const Vec3 along = Vec3(d.x, d.y, 0).normalized();
-    SurfaceHit hit;
-    hit.p = image(along * distance + Vec3(0, 0, height), m);
-    hit.ng = hit.ns = random_direction(random);
-    return hit;
+    return in_the_air(random, image(along * distance + Vec3(0, 0, height), m));
 }
 
 TEST_P(ShadowRay, MeetsNoFlatLamp) {
     // What rounding leaves of coordinates: nearer points may well lie behind the lamp.
     const float resolution = 1e-6f * (1 + GetParam().offset);
-    for (const bool round : {false, true}) {
-        Random random(1);
-        Counts counts;
-        for (int i = 0; i < kPlacements; ++i) {
-            const Matrix m = placement(random);
-            const auto scene = trace({round ? lamp(disk(1, m)) : lamp(placed(panel(1, 0), m))});
-            for (int k = 0; k < kRays; ++k)
-                count(*scene, point_before_plane(random, m, resolution), random, counts);
-        }
-        EXPECT_EQ(counts.blocked, 0) << "round: " << round;
-        EXPECT_GT(counts.drawn, kPlacements * kRays / 2);
-    }
+    const auto point = [&](const Scene&, Random& random, const Matrix& m) {
+        return point_before_plane(random, m, resolution);
+    };
+    const auto square = [](const Matrix& m) { return trace({lamp(placed(panel(1, 0), m))}); };
+    EXPECT_EQ(count(1, square, point).blocked, 0);
+    const auto round = [](const Matrix& m) { return trace({lamp(disk(1, m))}); };
+    EXPECT_EQ(count(2, round, point).blocked, 0);
 }
 
 TEST_P(ShadowRay, MeetsNoBall) {
-    Random random(2);
-    Counts counts;
-    for (int i = 0; i < kPlacements; ++i) {
-        const Matrix m = placement(random);
-        const auto scene = trace({lamp(sphere(1, m))});
-        for (int k = 0; k < kRays; ++k) {
-            const float height = std::pow(10.0f, uniform(random, -5, 2));
-            SurfaceHit hit;
-            hit.p = image(random_direction(random) * (1 + height), m);
-            hit.ng = hit.ns = random_direction(random);
-            count(*scene, hit, random, counts);
-        }
-    }
-    EXPECT_EQ(counts.blocked, 0);
-    EXPECT_GT(counts.drawn, kPlacements * kRays / 2);
+    const auto ball = [](const Matrix& m) { return trace({lamp(sphere(1, m))}); };
+    const auto point = [](const Scene&, Random& random, const Matrix& m) {
+        const float height = std::pow(10.0f, uniform(random, -5, 2));
+        return in_the_air(random, image(random_direction(random) * (1 + height), m));
+    };
+    EXPECT_EQ(count(3, ball, point).blocked, 0);
 }
 
 TEST_P(ShadowRay, LeavesTheWallBesideALamp) {
-    // Lamp and wall share an edge: the wall's points see the lamp at all elevations.
-    Random random(3);
-    Counts counts;
-    for (int i = 0; i < kPlacements; ++i) {
-        const Matrix m = placement(random);
+    // The wall's points see the lamp at all elevations. A gap of more than rounding between them:
+    // no lamp point may lie within the wall's own error.
+    const auto corner = [](const Matrix& m) {
         const TriangleMesh wall = rectangle(Vec3(-1, -1, 0), Vec3(2, 0, 0), Vec3(0, 0, 2));
-        const auto scene = trace({lamp(placed(panel(1, 0), m)), primitive(placed(wall, m))});
+        return trace({lamp(placed(panel(0.999f, 0), m)), primitive(placed(wall, m))});
+    };
+    const auto wall_point = [](const Scene& scene, Random& random, const Matrix& m) {
+        const float height = std::pow(10.0f, uniform(random, -3, 0));
         const Vec3 eye = image(Vec3(0, 0.5f, 0.7f), m);
-        for (int k = 0; k < kRays; ++k) {
-            const float height = std::pow(10.0f, uniform(random, -3, 0));
-            const Vec3 target = image(Vec3(uniform(random, -0.9f, 0.9f), -1, height), m);
-            SurfaceHit wall_point;
-            if (hit(*scene, ray(eye, (target - eye).normalized()), wall_point))
-                count(*scene, wall_point, random, counts);
-        }
-    }
-    EXPECT_EQ(counts.blocked, 0);
-    EXPECT_GT(counts.drawn, kPlacements * kRays / 2);
+        const Vec3 target = image(Vec3(uniform(random, -0.9f, 0.9f), -1, height), m);
+        SurfaceHit result;
+        EXPECT_TRUE(hit(scene, ray(eye, (target - eye).normalized()), result));
+        return result;
+    };
+    EXPECT_EQ(count(4, corner, wall_point).blocked, 0);
 }
 
 TEST_P(ShadowRay, IsBlockedByAScreenCloseToTheLamp) {
     // A thousandth of the lamp's size before it, at a hundred of its sizes from the origin still
     // far more than rounding.
-    Random random(4);
-    Counts counts;
-    for (int i = 0; i < kPlacements; ++i) {
-        const Matrix m = placement(random);
-        const auto scene =
-            trace({lamp(placed(panel(1, 0), m)), primitive(placed(panel(2, 1e-3f), m))});
-        for (int k = 0; k < kRays; ++k) {
-            const Vec3 p(uniform(random, -3, 3), uniform(random, -3, 3), uniform(random, 0.1f, 3));
-            SurfaceHit hit;
-            hit.p = image(p, m);
-            hit.ng = hit.ns = random_direction(random);
-            count(*scene, hit, random, counts);
-        }
-    }
+    const auto screened = [](const Matrix& m) {
+        return trace({lamp(placed(panel(1, 0), m)), primitive(placed(panel(2, 1e-3f), m))});
+    };
+    const auto point = [](const Scene&, Random& random, const Matrix& m) {
+        const Vec3 p(uniform(random, -3, 3), uniform(random, -3, 3), uniform(random, 0.1f, 3));
+        return in_the_air(random, image(p, m));
+    };
+    const Counts counts = count(5, screened, point);
     EXPECT_EQ(counts.blocked, counts.drawn);
-    EXPECT_GT(counts.drawn, kPlacements * kRays / 2);
 }
 
 }  // namespace

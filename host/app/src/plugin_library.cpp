@@ -97,10 +97,9 @@ PluginLibrary::~PluginLibrary() = default;
 
 void PluginLibrary::load_folder(const fs::path& folder) {
     for (const fs::path& file : modules_in(folder)) {
-        const bool shadowed =
-            std::any_of(modules_.begin(), modules_.end(), [&](const Module& module) {
-                return module.file().filename() == file.filename();
-            });
+        const bool shadowed = std::any_of(
+            modules_.begin(), modules_.end(),
+            [&](const Module& module) { return module.file().filename() == file.filename(); });
         if (!shadowed) load(file);
     }
 }

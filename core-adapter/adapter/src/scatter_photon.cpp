@@ -62,7 +62,7 @@ bool scatter_by_mixture(const Mixture& mixture, const SurfacePoint& point, Vec3 
     const Vec2 u = random.next2();
     const float u_lobe = random.next();
     Vec3 wi;
-    if (u_choice < mixture.guided_share) {
+    if (mixture.guided && u_choice < mixture.guided_share) {
         wi = mixture.guided->sample(u);
         ++counts.guided_bounces;
     } else if (u_choice < mixture.guided_share + geometric) {

@@ -107,6 +107,23 @@ void add_reference(CLI::App& app, BenchCommandLine& command) {
     reference.callback([&command] { command.command = Command::Reference; });
 }
 
+void add_report(CLI::App& app, BenchCommandLine& command) {
+    CLI::App& report =
+        *app.add_subcommand("report", "write a study as one HTML page that opens offline");
+    report.add_option("dir", command.folder, "folder of the study")->type_name("DIR")->required();
+    report.add_option("--out", command.report_file, "the page (default: DIR/report.html)")
+        ->type_name("FILE.html");
+    report
+        .add_option("--references", command.references,
+                    "folder of the reference images (default: out/bench-references)")
+        ->type_name("DIR");
+    report
+        .add_option("--page", command.report_page,
+                    "page without data (default: what the target bench-report-assets built)")
+        ->type_name("FILE.html");
+    report.callback([&command] { command.command = Command::Report; });
+}
+
 void add_others(CLI::App& app, BenchCommandLine& command) {
     CLI::App& table = *app.add_subcommand("table", "print a study's comparisons as Markdown");
     table.add_option("dir", command.folder, "folder of the study")->type_name("DIR")->required();
@@ -147,6 +164,7 @@ std::optional<ExitCode> parse_command_line(int argc, const char* const* argv,
     app.footer(exit_code_help());
     add_run(app, command);
     add_reference(app, command);
+    add_report(app, command);
     add_others(app, command);
     try {
         app.parse(argc, argv);

@@ -11,7 +11,7 @@
 namespace bench {
 
 /// Which of the commands is asked for.
-enum class Command : std::uint8_t { Run, Reference, Table, Methods, RenderOne };
+enum class Command : std::uint8_t { Run, Reference, Table, Report, Methods, RenderOne };
 
 struct BenchCommandLine {
     Command command = Command::Run;
@@ -27,9 +27,10 @@ struct BenchCommandLine {
     std::string baseline = "sppm";
     std::optional<unsigned> photons_per_pass;
     bool photon_part = false;
-    std::string folder;  ///< --out of run, DIR of table, JOB of render-one
+    std::string folder;  ///< --out of run, DIR of table and report, JOB of render-one
     std::string references = "out/bench-references";
     std::string method_table, scene_table, scene_folder;
+    std::string report_file, report_page;
     double seconds = 60;
     bool up_to = false;
 };

@@ -5,7 +5,7 @@
 
 #include "error_ratio.h"
 #include "image_file.h"
-#include "method_table.h"
+#include "run_group.h"
 #include "seed_statistics.h"
 
 namespace bench {
@@ -13,21 +13,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A group of runs that differ by their seed alone.
-struct Group {
-    std::string scene, method, variant;
-};
-
-const Json* find_run(const Json& runs, const Group& group, const Json& seed) {
-    for (const Json& run : runs) {
-        const Json& settings = run.at("settings");
-        const Json& variant = settings.at("variant");
-        if (settings.at("scene") == group.scene && settings.at("method") == group.method &&
-            (variant == group.variant || variant == kAny) && settings.at("seed") == seed)
-            return &run;
-    }
-    return nullptr;
-}
+using Group = RunGroup;
 
 /// A budget on a clock.
 struct Budget {

@@ -11,6 +11,7 @@
 #include "measured_render.h"
 #include "method_check.h"
 #include "reference_command.h"
+#include "report_command.h"
 #include "run_command.h"
 #include "study_summary.h"
 
@@ -63,6 +64,17 @@ ExitCode print_table(const BenchCommandLine& command) {
     return ExitCode::Success;
 }
 
+ExitCode report(const BenchCommandLine& command, lxs::ConsoleLog& log) {
+    const std::filesystem::path study = command.folder;
+    const ReportRequest request{
+        study, command.references, or_default(command.report_page, BENCH_REPORT_PAGE),
+        command.report_file.empty() ? study / "report.html"
+                                    : std::filesystem::path(command.report_file)};
+    write_report(request);
+    log.info(fmt::format("report: {}", request.output.string()));
+    return ExitCode::Success;
+}
+
 ExitCode render_one(const BenchCommandLine& command, lxs::ConsoleLog& log) {
     const RenderJob job = render_job_from(read_json(command.folder));
     write_json(job.result, measured_render(job, log));
@@ -88,6 +100,7 @@ ExitCode print_methods(const BenchCommandLine& command, const lxs::PluginLibrary
 ExitCode carry_out(const BenchCommandLine& command, lxs::PluginLibrary& plugins,
                    lxs::ConsoleLog& log) {
     if (command.command == Command::Table) return print_table(command);
+    if (command.command == Command::Report) return report(command, log);
     if (command.command == Command::RenderOne) return render_one(command, log);
     plugins.load_folder(lxs::own_plugin_folder());
     if (command.command == Command::Methods) return print_methods(command, plugins, log);

@@ -1,0 +1,23 @@
+// Which part of a scene's images a report magnifies.
+#pragma once
+
+#include <span>
+
+#include "display_image.h"
+
+namespace bench {
+
+struct CropSize {
+    int width_px = 0, height_px = 0;
+};
+
+/// The crop in which what is shown of `images` differs most from what is shown of `truth`: sum over
+/// pixels, channels and images of the absolute difference of 8-bit values. No image counts for more
+/// than another, so that the choice favours none. Crops that don't fit are cut to the image.
+Crop choose_crop(std::span<const Image* const> images, const Image& truth, const ToneMap& map,
+                 const CropSize& size);
+
+/// The whole image, tone-mapped after being made at most 320 pixels wide.
+DisplayImage overview(const Image& image, const ToneMap& map);
+
+}  // namespace bench

@@ -1,0 +1,63 @@
+// A table of factors against the baseline: scenes down, methods across, a colour for who is ahead.
+import { element } from "./dom.js";
+import { figure, geometricMean } from "./numbers.js";
+
+/** "win" or "loss" if the whole interval is on one side of 1, "open" if not. */
+export function verdict({ value, low, high, bound }, lowerWins) {
+  if (bound) {
+    const above = bound === "at least" && value > 1, below = bound === "at most" && value < 1;
+    if (above || below) return above !== lowerWins ? "win" : "loss";
+    return "open";
+  }
+  if (low === null || high === null || (low <= 1 && high >= 1)) return "open";
+  return high < 1 === lowerWins ? "win" : "loss";
+}
+
+const boundSigns = { "at least": "\u2265\u202f", "at most": "\u2264\u202f" };
+
+function factor({ value, low, high, bound, seeds }, name, studySeeds) {
+  const interval = bound ? "beyond the measured times"
+    : low === null ? "one seed" : `[${figure(low, 2)}, ${figure(high, 2)}]`;
+  const fewer = seeds < studySeeds ? `, ${seeds} of ${studySeeds} seeds` : "";
+  return [
+    element("span", { class: "factor" }, `${boundSigns[bound] ?? ""}${figure(value, bound ? 2 : 3)}`),
+    element("span", { class: "interval" }, interval + fewer),
+  ];
+}
+
+function cell(entry, { lowerWins, metric, studySeeds }) {
+  if (!entry) return element("td", { class: "none" }, "\u2013");
+  const outcome = verdict(entry, lowerWins);
+  return element("td", { class: outcome, "data-verdict": outcome }, factor(entry, metric, studySeeds));
+}
+
+function totals(entries, lowerWins) {
+  const measured = entries.filter((entry) => entry && !entry.bound && entry.value > 0);
+  const outcomes = entries.filter(Boolean).map((entry) => verdict(entry, lowerWins));
+  const count = (name) => outcomes.filter((outcome) => outcome === name).length;
+  if (outcomes.length === 0) return element("td", { class: "none" }, "\u2013");
+  return element("td", null,
+    element("span", { class: "factor" }, measured.length ? figure(geometricMean(measured.map((e) => e.value))) : "\u2013"),
+    element("span", { class: "interval" }, `${count("win")} ahead, ${count("loss")} behind, ${count("open")} open`));
+}
+
+/**
+ * find(scene, method, metric) gives {value, low, high, bound, seeds} or nothing. `metrics` are the
+ * rows within a scene: [key, name].
+ */
+export function ratioTable({ caption, scenes, methods, metrics, find, lowerWins, studySeeds, looks }) {
+  const head = element("tr", null, element("th", { scope: "col" }, "Scene"), element("th", { scope: "col" }, "Error"),
+    methods.map((method) => element("th", { scope: "col", class: "number" },
+      element("span", { class: "swatch", style: `background:${looks.get(method).colour}` }), method)));
+  const body = scenes.map((scene) => element("tbody", null, metrics.map(([key, name], row) =>
+    element("tr", null,
+      row === 0 ? element("th", { scope: "rowgroup", rowspan: metrics.length }, scene) : null,
+      element("td", { class: "metric" }, name),
+      methods.map((method) => cell(find(scene, method, key), { lowerWins, metric: name, studySeeds }))))));
+  const foot = scenes.length < 2 ? null : element("tfoot", null, metrics.map(([key, name], row) =>
+    element("tr", null,
+      row === 0 ? element("th", { scope: "rowgroup", rowspan: metrics.length }, "All scenes (geometric mean)") : null,
+      element("td", { class: "metric" }, name),
+      methods.map((method) => totals(scenes.map((scene) => find(scene, method, key)), lowerWins)))));
+  return element("table", { class: "ratios" }, element("caption", null, caption), element("thead", null, head), ...body, foot);
+}

@@ -1,0 +1,120 @@
+// `aips-bench report`: a study as one HTML file that needs no network.
+#include "report_command.h"
+
+#include <fmt/format.h>
+
+#include <span>
+
+#include "lxs/host/failure.h"
+#include "lxs/imaging/atomic_file.h"
+#include "report_curves.h"
+#include "report_images.h"
+#include "report_page.h"
+#include "study_summary.h"
+
+namespace bench {
+namespace {
+
+namespace fs = std::filesystem;
+
+Json finished(const Json& runs) {
+    Json done = Json::array();
+    for (const Json& run : runs) {
+        if (run.at("status") == "done") done.push_back(run);
+    }
+    return done;
+}
+
+Json failures(const Json& runs) {
+    Json failed = Json::array();
+    for (const Json& run : runs) {
+        if (run.at("status") == "done") continue;
+        failed.push_back({{"settings", run.at("settings")}, {"message", run.value("message", "")}});
+    }
+    return failed;
+}
+
+/// The comparisons of whole images that the page shows.
+Json image_comparisons(const Json& comparisons) {
+    Json shown = Json::array();
+    for (const Json& entry : comparisons) {
+        if (entry.at("part") == "image") shown.push_back(entry);
+    }
+    return shown;
+}
+
+Json memory_trace(const Json& trace) {
+    Json points = Json::array();
+    for (const Json& entry : trace)
+        points.push_back({entry.at("pass"), entry.at("resident_bytes")});
+    return points;
+}
+
+/// What the page says of resources: without snapshots, which make up most of a run.
+Json run_facts(const Json& runs) {
+    Json facts = Json::array();
+    for (const Json& run : runs) {
+        Json entry;
+        for (const char* key : {"scene", "method", "variant", "seed"})
+            entry[key] = run.at("settings").at(key);
+        for (const char* key : {"phases", "totals", "peak_memory_bytes", "refused_film_samples"})
+            entry[key] = run.at(key);
+        entry["engine"] = Json::object();
+        for (const auto& [name, value] : run.at("integrator_statistics").items()) {
+            if (name.ends_with("_seconds")) entry["engine"][name] = value;
+        }
+        entry["memory"] = memory_trace(run.at("trace"));
+        facts.push_back(std::move(entry));
+    }
+    return facts;
+}
+
+std::string read_page(const fs::path& page) {
+    if (!fs::exists(page)) {
+        throw StudyError(
+            fmt::format("the report's page '{}' is not built; build the target "
+                        "bench-report-assets (it needs npm)",
+                        page.string()));
+    }
+    return read_file(page);
+}
+
+}  // namespace
+
+Json report_data(const fs::path& study_folder, const Json& summary, ReferenceCache& references) {
+    const Json& study = summary.at("study");
+    const Json done = finished(summary.at("runs"));
+    Json data;
+    for (const char* key :
+         {"created", "revisions", "machine", "study", "scenes", "methods", "seed_statistics"})
+        data[key] = summary.at(key);
+    data["comparisons"] = image_comparisons(summary.at("comparisons"));
+    data["curves"] = report_curves(done, study);
+    data["speedups"] = report_speedups(done, study);
+    data["images"] = report_images(study_folder, done, study, references);
+    data["error_palette"] = error_palette();
+    data["runs"] = run_facts(done);
+    data["failures"] = failures(summary.at("runs"));
+    return data;
+}
+
+void write_report(const ReportRequest& request) {
+    const std::string page = read_page(request.page);
+    const fs::path file = request.study / "summary.json";
+    const Json summary = read_json(file, kSummarySchema);
+    ReferenceCache references(request.references);
+    std::string html;
+    try {
+        html = fill_page(page, report_data(request.study, summary, references));
+    } catch (const Json::exception& error) {
+        throw StudyError(fmt::format("'{}' is damaged: {}", file.string(), error.what()));
+    }
+    make_folder(request.output.parent_path());
+    try {
+        lxs::write_file_atomically(request.output.string(), std::as_bytes(std::span(html)));
+    } catch (const std::runtime_error& error) {
+        throw lxs::OutputFailure(error.what());
+    }
+}
+
+}  // namespace bench

@@ -10,11 +10,17 @@ namespace bench {
 namespace {
 
 constexpr int kOverviewWidth = 320;
+constexpr int kSmallestSide = 24;
 /// Places tried along each side of a crop's own length.
 constexpr int kStepsPerCrop = 8;
 
 Crop whole(const Image& image) {
     return {0, 0, image.spec().width, image.spec().height};
+}
+
+/// Of a small image no more than three fifths, or there would be nothing to choose.
+int side_of_crop(int wanted, int whole) {
+    return std::min(wanted, std::max(whole * 3 / 5, std::min(whole, kSmallestSide)));
 }
 
 /// Sums over the rectangle from the top left to each pixel (Crow 1984), with a row and a column of
@@ -64,7 +70,8 @@ SummedTable shown_differences(std::span<const Image* const> images, const Image&
 Crop choose_crop(std::span<const Image* const> images, const Image& truth, const ToneMap& map,
                  const CropSize& size) {
     const Crop all = whole(truth);
-    Crop crop{0, 0, std::min(size.width_px, all.width_px), std::min(size.height_px, all.height_px)};
+    Crop crop{0, 0, side_of_crop(size.width_px, all.width_px),
+              side_of_crop(size.height_px, all.height_px)};
     SummedTable table = shown_differences(images, truth, map);
     const int step = std::max(1, crop.height_px / kStepsPerCrop);
     Crop best = crop;

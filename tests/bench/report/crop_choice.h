@@ -13,7 +13,8 @@ struct CropSize {
 
 /// The crop in which what is shown of `images` differs most from what is shown of `truth`: sum over
 /// pixels, channels and images of the absolute difference of 8-bit values. No image counts for more
-/// than another, so that the choice favours none. Crops that don't fit are cut to the image.
+/// than another, so that the choice favours none. The crop is at most three fifths of the image
+/// each way (but whole sides below 24 pixels).
 Crop choose_crop(std::span<const Image* const> images, const Image& truth, const ToneMap& map,
                  const CropSize& size);
 

@@ -1,6 +1,7 @@
 // Pictures of a report: crops of what methods have after equal time, and their signed errors.
 #include "report_images.h"
 
+#include <OpenImageIO/imagebufalgo.h>
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -120,10 +121,16 @@ const References* references_of(const Tile& tile, const std::string& scene, Refe
     return cache.find(scene, settings.at("scene_sha1"), settings.at("width_px"));
 }
 
+/// Less noisy than either.
+Image mean_reference(const References& references) {
+    const auto& [first, second] = references.image;
+    return OIIO::ImageBufAlgo::mul(OIIO::ImageBufAlgo::add(first, second), 0.5F);
+}
+
 Json scene_entry(const std::string& name, std::vector<Tile>& tiles, const References* references,
                  const Moment& moment, const CropSize& size) {
     // Without references the first method's image stands for the truth in choosing what to show.
-    const Image& truth = references != nullptr ? references->image.first : tiles.front().image;
+    const Image truth = references != nullptr ? mean_reference(*references) : tiles.front().image;
     for (const Tile& tile : tiles) {
         if (!fits(tile.image, truth))
             throw StudyError("images of scene \"" + name + "\" differ in size");

@@ -29,8 +29,11 @@ void TemporaryFolder::write(const std::string& name, const std::string& text) co
 }
 
 BenchResult run_bench(const TemporaryFolder& folder, const std::string& arguments) {
-    const std::string command =
-        "cd '" + folder.path().string() + "' && '" + AIPS_BENCH + "' " + arguments + " 2>&1";
+    return run_program(folder, std::string("'") + AIPS_BENCH + "' " + arguments);
+}
+
+BenchResult run_program(const TemporaryFolder& folder, const std::string& program) {
+    const std::string command = "cd '" + folder.path().string() + "' && " + program + " 2>&1";
     std::FILE* pipe = ::popen(command.c_str(), "r");
     if (pipe == nullptr) throw std::runtime_error("cannot run " + command);
     BenchResult result;

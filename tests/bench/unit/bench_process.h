@@ -26,6 +26,9 @@ struct BenchResult {
     std::string text;  ///< both standard streams
 };
 
+/// `program` with its arguments as a shell reads it; the working folder is `folder`.
+BenchResult run_program(const TemporaryFolder& folder, const std::string& program);
+
 /// `arguments` as a shell reads them; the working folder is `folder`.
 BenchResult run_bench(const TemporaryFolder& folder, const std::string& arguments);
 

@@ -37,16 +37,18 @@ function curvePlot({ study, chosen, looks }, curves, domains) {
   return Plot.plot({
     width: 600, height: 400, marginLeft: 62, marginBottom: 44, marginTop: 12, marginRight: 14,
     style: { fontSize: "13px" },
-    x: { type: "log", domain: domains.x, ticks: logTicks(domains.x), tickFormat: logTick, label: `time (${clockNames[chosen.clock]})`, labelAnchor: "center", labelArrow: "none" },
-    y: { type: "log", domain: domains.y, ticks: logTicks(domains.y), tickFormat: logTick, label: null },
+    x: { type: "log", domain: domains.x, axis: null },
+    y: { type: "log", domain: domains.y, axis: null },
     symbol: { type: "identity" }, color: { type: "identity" },
     marks: [
       Plot.frame({ fill: "#f7f7f5", stroke: "none" }),
-      Plot.gridX({ ticks: logTicks(domains.x), stroke: "#ffffff", strokeOpacity: 1, strokeWidth: 1.5 }),
-      Plot.gridY({ ticks: logTicks(domains.y), stroke: "#ffffff", strokeOpacity: 1, strokeWidth: 1.5 }),
+      Plot.gridX(logTicks(domains.x), { stroke: "#ffffff", strokeOpacity: 1, strokeWidth: 1.5 }),
+      Plot.gridY(logTicks(domains.y), { stroke: "#ffffff", strokeOpacity: 1, strokeWidth: 1.5 }),
+      Plot.axisX(logTicks(domains.x), { text: logTick, label: `time (${clockNames[chosen.clock]})`, labelAnchor: "center", labelArrow: "none" }),
+      Plot.axisY(logTicks(domains.y), { text: logTick, label: null }),
       Plot.line(guide, { x: "seconds", y: "error", stroke: "#777", strokeDasharray: "3,4" }),
       Plot.text(guide.slice(-1), { x: "seconds", y: "error", text: ["slope \u22121"], textAnchor: "end", dx: -6, dy: -2, lineAnchor: "top", fill: "#666", fontSize: 11, stroke: "#f7f7f5", strokeWidth: 3 }),
-      Plot.line(seeds, { x: "seconds", y: "error", z: (p) => `${p.method}\n${p.seed}`, stroke: colour, strokeWidth: 1, strokeOpacity: 0.35, className: "seed-curves" }),
+      Plot.line(seeds, { x: "seconds", y: "error", z: (p) => `${p.method}\n${p.seed}`, stroke: colour, strokeWidth: 1, strokeOpacity: 0.4, clip: true, className: "seed-curves" }),
       Plot.line(means, { x: "seconds", y: "error", z: "method", stroke: colour, strokeWidth: 2.5, className: "mean-curves" }),
       Plot.dot(means, { x: "seconds", y: "error", r: 4, fill: colour, stroke: "#f7f7f5", symbol: (p) => looks.get(p.method).symbol, className: "mean-dots" }),
     ],
@@ -76,7 +78,9 @@ function sceneCurves(context, scene) {
     curve.scene === scene && curve.clock === chosen.clock && curve.metric === chosen.metric);
   if (curves.length === 0) return element("p", { class: "missing" }, `${scene}: no errors; the scene has no references.`);
   const { seeds, means } = points(curves);
-  const all = [...seeds, ...means];
+  // What came before the first common time would take most of the room.
+  const start = Math.min(...(means.length ? means : seeds).map((p) => p.seconds));
+  const all = [...seeds.filter((p) => p.seconds >= start), ...means];
   const domains = { x: extent(all.map((p) => p.seconds), 1.08), y: extent(all.map((p) => p.error), 1.25) };
   const byVariant = new Map(study.variants.map((variant) => [variant, curves.filter((c) => c.variant === variant)]));
   return element("article", { class: "scene", "data-scene": scene },

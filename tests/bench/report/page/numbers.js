@@ -12,8 +12,19 @@ export function figure(value, digits = 3) {
   return minus(String(Number(value.toPrecision(digits))));
 }
 
+/** A ratio: zeros at its end stay, as they say how sharp it is. */
+export function ratio(value) {
+  if (value >= 1000 || value < 0.001) return figure(value, 2);
+  if (value >= 100) return String(Math.round(value));
+  return value.toPrecision(value < 0.1 ? 2 : 3);
+}
+
 /** With two digits after the point, as slopes are. */
-export const slope = (value) => (value === null ? "\u2013" : minus(value.toFixed(2)));
+export function slope(value) {
+  if (value === null) return "\u2013";
+  const text = value.toFixed(2);
+  return Number(text) === 0 ? "0.00" : minus(text);
+}
 
 export const minus = (text) => text.replace("-", "\u2212");
 

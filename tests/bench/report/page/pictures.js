@@ -38,8 +38,8 @@ function strip(images, variant, context) {
     error === null ? element("div", { class: "no-error" }, tile ? "no reference" : "signed error \u2192")
       : picture(error, `${images.scene}, signed error of ${name}`, images),
     element("span", { class: "quiet" }, tile
-      ? `relMSE ${figure(tile.relmse)}; ${figure(tile.seconds)} s, ${tile.passes} passes`
-      : "converged")));
+      ? `relMSE ${figure(tile.relmse)} after ${figure(tile.seconds)} s, ${tile.passes} passes`
+      : "mean of both references")));
   return element("div", { class: "strip", style: `--columns:${columns.length}` }, columns);
 }
 

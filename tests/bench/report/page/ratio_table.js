@@ -1,6 +1,6 @@
 // A table of factors against the baseline: scenes down, methods across, a colour for who is ahead.
 import { element } from "./dom.js";
-import { figure, geometricMean } from "./numbers.js";
+import { geometricMean, ratio } from "./numbers.js";
 
 /** "win" or "loss" if the whole interval is on one side of 1, "open" if not. */
 export function verdict({ value, low, high, bound }, lowerWins) {
@@ -15,29 +15,30 @@ export function verdict({ value, low, high, bound }, lowerWins) {
 
 const boundSigns = { "at least": "\u2265\u202f", "at most": "\u2264\u202f" };
 
-function factor({ value, low, high, bound, seeds }, name, studySeeds) {
-  const interval = bound ? "beyond the measured times"
-    : low === null ? "one seed" : `[${figure(low, 2)}, ${figure(high, 2)}]`;
-  const fewer = seeds < studySeeds ? `, ${seeds} of ${studySeeds} seeds` : "";
+function factor({ value, low, high, bound, seeds }, studySeeds) {
+  const interval = bound ? "beyond measured times"
+    : low === null ? "one seed" : `[${ratio(low)}, ${ratio(high)}]`;
+  const fewer = seeds < studySeeds ? `, ${seeds}\u202f/\u202f${studySeeds} seeds` : "";
   return [
-    element("span", { class: "factor" }, `${boundSigns[bound] ?? ""}${figure(value, bound ? 2 : 3)}`),
+    element("span", { class: "factor" }, `${boundSigns[bound] ?? ""}${ratio(value)}`),
     element("span", { class: "interval" }, interval + fewer),
   ];
 }
 
-function cell(entry, { lowerWins, metric, studySeeds }) {
+function cell(entry, { lowerWins, studySeeds }) {
   if (!entry) return element("td", { class: "none" }, "\u2013");
   const outcome = verdict(entry, lowerWins);
-  return element("td", { class: outcome, "data-verdict": outcome }, factor(entry, metric, studySeeds));
+  return element("td", { class: outcome, "data-verdict": outcome }, factor(entry, studySeeds));
 }
 
+/** The mean is given only of figures that are all there: bounds left out would shift it. */
 function totals(entries, lowerWins) {
-  const measured = entries.filter((entry) => entry && !entry.bound && entry.value > 0);
+  const complete = entries.every((entry) => entry && !entry.bound && entry.value > 0);
   const outcomes = entries.filter(Boolean).map((entry) => verdict(entry, lowerWins));
   const count = (name) => outcomes.filter((outcome) => outcome === name).length;
   if (outcomes.length === 0) return element("td", { class: "none" }, "\u2013");
   return element("td", null,
-    element("span", { class: "factor" }, measured.length ? figure(geometricMean(measured.map((e) => e.value))) : "\u2013"),
+    element("span", { class: "factor" }, complete ? ratio(geometricMean(entries.map((e) => e.value))) : "\u2013"),
     element("span", { class: "interval" }, `${count("win")} ahead, ${count("loss")} behind, ${count("open")} open`));
 }
 
@@ -53,11 +54,11 @@ export function ratioTable({ caption, scenes, methods, metrics, find, lowerWins,
     element("tr", null,
       row === 0 ? element("th", { scope: "rowgroup", rowspan: metrics.length }, scene) : null,
       element("td", { class: "metric" }, name),
-      methods.map((method) => cell(find(scene, method, key), { lowerWins, metric: name, studySeeds }))))));
+      methods.map((method) => cell(find(scene, method, key), { lowerWins, studySeeds }))))));
   const foot = scenes.length < 2 ? null : element("tfoot", null, metrics.map(([key, name], row) =>
     element("tr", null,
       row === 0 ? element("th", { scope: "rowgroup", rowspan: metrics.length }, "All scenes (geometric mean)") : null,
       element("td", { class: "metric" }, name),
       methods.map((method) => totals(scenes.map((scene) => find(scene, method, key)), lowerWins)))));
-  return element("table", { class: "ratios" }, element("caption", null, caption), element("thead", null, head), ...body, foot);
+  return element("table", { class: methods.length > 3 ? "ratios stacked" : "ratios" }, element("caption", null, caption), element("thead", null, head), ...body, foot);
 }

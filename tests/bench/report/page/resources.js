@@ -16,11 +16,12 @@ function memoryPlot(runs, looks, scene) {
   const last = Math.max(2, ...points.map(({ pass }) => pass));
   return element("figure", { class: "memory-plot" }, element("figcaption", null, scene), Plot.plot({
     width: 400, height: 230, marginLeft: 52, marginBottom: 40, marginRight: 12, marginTop: 12, style: { fontSize: "12px" },
-    x: { type: "log", domain: [1, last], ticks: logTicks([1, last]).filter((tick) => last < 200 || Number.isInteger(Math.log10(tick))), tickFormat: logTick, label: "passes", labelAnchor: "center", labelArrow: "none" },
+    x: { type: "log", domain: [1, last], axis: null },
     y: { zero: true, nice: true, label: "MiB", ticks: 4, labelArrow: "none" },
     color: { type: "identity" },
     marks: [
       Plot.frame({ fill: "#f7f7f5", stroke: "none" }),
+      Plot.axisX(logTicks([1, last]), { text: logTick, label: "passes", labelAnchor: "center", labelArrow: "none" }),
       Plot.gridY({ ticks: 4, stroke: "#ffffff", strokeOpacity: 1, strokeWidth: 1.5 }),
       Plot.line(points, { x: "pass", y: "memory", z: (p) => `${p.method}\n${p.seed}`, stroke: (p) => looks.get(p.method).colour, strokeWidth: 1.6, strokeOpacity: 0.8 }),
     ],
@@ -37,9 +38,9 @@ export function memorySection(context) {
 }
 
 const phases = [
-  ["eye_seconds", "eye paths", "#0072b2"],
+  ["eye_seconds", "eye paths", "#56b4e9"],
   ["photon_seconds", "photon paths", "#e69f00"],
-  ["gather_seconds", "gathering", "#009e73"],
+  ["gather_seconds", "gathering", "#3fbf9a"],
   ["guide_seconds", "guide", "#cc79a7"],
 ];
 const rest = ["rest", "not split, or the rest", "#c8c8c4"];

@@ -18,7 +18,7 @@ export function speedupSection(context) {
   const { study, chosen, looks } = context;
   const methods = study.methods.filter((method) => method !== study.baseline);
   return section("speedups", `Speed-up at equal error, against ${study.baseline}`,
-    `Time that ${study.baseline} takes to the error that it has after ${chosen.budget} ${clockNames[chosen.clock]}, divided by the time that the method takes to the same error; above 1 the method is faster. Nothing is extrapolated: \u2265 where the method was there before its first snapshot, \u2264 where it never got there.`,
+    `Time that ${study.baseline} takes to the error that it has after ${chosen.budget} ${clockNames[chosen.clock]}, divided by the time that the method takes to the same error; above 1 the method is faster. Nothing is extrapolated: \u2265 where the method was there before its first snapshot, \u2264 where it never got there, \u2013 where seeds lie on both sides or an error is not positive.`,
     ...study.variants.map((variant) => element("div", { class: "variant" },
       element("h3", null, variantNames[variant]),
       ratioTable({

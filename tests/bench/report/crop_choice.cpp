@@ -9,7 +9,6 @@
 namespace bench {
 namespace {
 
-constexpr int kOverviewWidth = 320;
 constexpr int kSmallestSide = 24;
 /// Places tried along each side of a crop's own length.
 constexpr int kStepsPerCrop = 8;

@@ -18,7 +18,11 @@ struct CropSize {
 Crop choose_crop(std::span<const Image* const> images, const Image& truth, const ToneMap& map,
                  const CropSize& size);
 
-/// The whole image, tone-mapped after being made at most 320 pixels wide.
+inline constexpr int kOverviewWidth = 240;
+/// Of an overview in landscape format, about.
+inline constexpr double kOverviewPixels = 240.0 * 180.0;
+
+/// The whole image, tone-mapped after being made at most kOverviewWidth pixels wide.
 DisplayImage overview(const Image& image, const ToneMap& map);
 
 }  // namespace bench

@@ -48,10 +48,8 @@ std::optional<MeanSpeedup> mean_speedup(const std::vector<Speedup>& seeds) {
     const ErrorRatio ratio = error_ratio(factors, ones);
     mean.factor = ratio.ratio.value();
     mean.seeds = ratio.used;
-    if (mean.bound == Bound::None) {
-        mean.low = ratio.low;
-        mean.high = ratio.high;
-    }
+    if (mean.bound != Bound::AtMost) mean.low = ratio.low;
+    if (mean.bound != Bound::AtLeast) mean.high = ratio.high;
     return mean;
 }
 

@@ -28,8 +28,9 @@ std::optional<Speedup> equal_error_speedup(std::span<const CurvePoint> method,
 
 /// Over seeds.
 struct MeanSpeedup {
-    double factor = 1;                ///< geometric mean; a bound of it, if `bound` says so
-    std::optional<double> low, high;  ///< 95 % t-interval; nothing with a bound or with one seed
+    double factor = 1;  ///< geometric mean; a bound of it, if `bound` says so
+    /// 95 % t-interval; of a bound only the end that it leaves certain. Nothing with one seed.
+    std::optional<double> low, high;
     Bound bound = Bound::None;
     std::size_t seeds = 0;
 };

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <span>
 
 #include "lxs/host/failure.h"
@@ -16,6 +17,9 @@ namespace bench {
 namespace {
 
 namespace fs = std::filesystem;
+constexpr std::size_t kMemoryPoints = 50;
+/// What a page may take, and what is left to its pictures at least.
+constexpr double kPageBytes = 9e6, kLeastPictureBytes = 1.5e6;
 
 Json finished(const Json& runs) {
     Json done = Json::array();
@@ -34,20 +38,37 @@ Json failures(const Json& runs) {
     return failed;
 }
 
-/// The comparisons of whole images that the page shows.
+/// Those of whole images, with what the page shows of them.
 Json image_comparisons(const Json& comparisons) {
     Json shown = Json::array();
     for (const Json& entry : comparisons) {
-        if (entry.at("part") == "image") shown.push_back(entry);
+        if (entry.at("part") != "image") continue;
+        Json facts;
+        for (const char* key : {"scene", "variant", "method", "clock", "budget_s", "metric",
+                                "ratio", "low", "high", "seeds"})
+            facts[key] = entry.at(key);
+        shown.push_back(std::move(facts));
     }
     return shown;
 }
 
+/// Every few passes, the first and the last among them.
 Json memory_trace(const Json& trace) {
+    const std::size_t step = trace.size() / kMemoryPoints + 1;
     Json points = Json::array();
-    for (const Json& entry : trace)
-        points.push_back({entry.at("pass"), entry.at("resident_bytes")});
+    for (std::size_t i = 0; i < trace.size(); ++i) {
+        if (i % step == 0 || i + 1 == trace.size())
+            points.push_back({trace[i].at("pass"), trace[i].at("resident_bytes")});
+    }
     return points;
+}
+
+/// The page shows three digits; all others would make up a third of its size.
+void shorten_numbers(Json& json) {
+    if (json.is_number_float()) json = std::stod(fmt::format("{:.6g}", json.get<double>()));
+    if (!json.is_structured()) return;
+    for (Json& part : json)
+        shorten_numbers(part);
 }
 
 /// What the page says of resources: without snapshots, which make up most of a run.
@@ -91,10 +112,14 @@ Json report_data(const fs::path& study_folder, const Json& summary, ReferenceCac
     data["comparisons"] = image_comparisons(summary.at("comparisons"));
     data["curves"] = report_curves(done, study);
     data["speedups"] = report_speedups(done, study);
-    data["images"] = report_images(study_folder, done, study, references);
     data["error_palette"] = error_palette();
     data["runs"] = run_facts(done);
     data["failures"] = failures(summary.at("runs"));
+    shorten_numbers(data);
+    const double left = kPageBytes - double(script_safe_json(data).size());
+    data["images"] =
+        report_images(study_folder, done, study, references, std::max(left, kLeastPictureBytes));
+    shorten_numbers(data["images"]);
     return data;
 }
 

@@ -22,7 +22,8 @@ std::vector<std::string> clocks_of(const Json& study);
 Json report_curves(const Json& runs, const Json& study);
 
 /// A list with one entry for each scene, variant, method but the baseline, clock, metric and
-/// budget: `speedup`, `low`, `high`, `bound` (null, "at least" or "at most"), `seeds`.
+/// budget: `speedup`, `low`, `high` (null where unknown), `bound` (null, "at least" or "at most"),
+/// `seeds`.
 Json report_speedups(const Json& runs, const Json& study);
 
 }  // namespace bench

@@ -19,8 +19,6 @@ namespace bench {
 namespace {
 
 namespace fs = std::filesystem;
-/// What all pictures together may take. The rest of a page is some hundred kilobytes.
-constexpr double kPictureBytes = 7e6;
 /// Of a noisy picture: 8-bit RGB that hardly compresses, in base64.
 constexpr double kBytesPerPixel = 4;
 constexpr double kErrorPercentile = 0.95;
@@ -59,14 +57,13 @@ std::vector<Tile> find_tiles(const fs::path& folder, const Json& runs, const Jso
     return tiles;
 }
 
-/// Largest crop with which the pictures of the whole study stay within kPictureBytes.
-CropSize crop_size(const Json& study) {
-    const auto pictures =
-        double(study.at("scenes").size()) *
-        (2 * double(study.at("variants").size() * study.at("methods").size()) + 1);
-    const double pixels = kPictureBytes / kBytesPerPixel / std::max(pictures, 1.0);
-    const int height = std::clamp(int(std::sqrt(pixels * 3 / 4)), 24, 144);
-    return {height * 4 / 3, height};
+/// Largest crop with which the pictures of the whole study take about `bytes`.
+CropSize crop_size(const Json& study, double bytes) {
+    const auto scenes = std::max(double(study.at("scenes").size()), 1.0);
+    const double crops = 2 * double(study.at("variants").size() * study.at("methods").size()) + 1;
+    const double pixels = bytes / kBytesPerPixel / scenes - kOverviewPixels;
+    const int height = int(std::sqrt(std::max(pixels, 0.0) / crops * 3 / 4));
+    return {std::clamp(height, 24, 144) * 4 / 3, std::clamp(height, 24, 144)};
 }
 
 /// Of all tiles' differences, up to a 1, 2 or 5 times a power of ten.
@@ -160,12 +157,12 @@ Json scene_entry(const std::string& name, std::vector<Tile>& tiles, const Refere
 }  // namespace
 
 Json report_images(const fs::path& folder, const Json& runs, const Json& study,
-                   ReferenceCache& cache) {
+                   ReferenceCache& cache, double bytes) {
     Json list = Json::array();
     const Json& budgets = study.at("budgets_s");
     if (budgets.empty() || study.at("seeds").empty()) return list;
     const Moment moment{clocks_of(study).front(), budgets.back(), study.at("seeds").front()};
-    const CropSize size = crop_size(study);
+    const CropSize size = crop_size(study, bytes);
     for (const std::string scene : study.at("scenes")) {
         std::vector<Tile> tiles = find_tiles(folder, runs, study, scene, moment);
         if (tiles.empty()) continue;

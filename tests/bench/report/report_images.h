@@ -12,9 +12,10 @@ namespace bench {
 /// of the whole reference and of its crop; null without references), `error_scale` (the relative
 /// error of full colour; null without references) and `tiles`: `variant`, `method`, `image`,
 /// `error` (null without references), `seconds`, `passes`, `relmse` of the snapshot. All of a scene
-/// are shown with one exposure. `runs` are those that are done.
+/// are shown with one exposure. Crops are as large as about `bytes` of pictures
+/// allow. `runs` are those that are done.
 Json report_images(const std::filesystem::path& folder, const Json& runs, const Json& study,
-                   ReferenceCache& references);
+                   ReferenceCache& references, double bytes);
 
 /// The colours of signed errors as "#rrggbb", from -1 to 1.
 Json error_palette();

@@ -3,7 +3,7 @@
 // Okabe and Ito (2008): told apart by the colour-blind. The baseline is always the dark one.
 const baselineColour = "#333333";
 const colours = ["#d55e00", "#0072b2", "#009e73", "#cc79a7", "#e69f00", "#56b4e9", "#8c564b", "#7f7f7f", "#4b0092", "#117733"];
-const symbols = ["square", "triangle", "diamond", "star", "times", "wye", "plus", "asterisk", "square2", "triangle2"];
+const symbols = ["square", "triangle", "diamond", "star", "cross", "wye", "hexagon", "diamond2", "triangle2", "square2"];
 
 /** Colour and symbol of every method of the study. */
 export function methodLooks(study) {

@@ -5,7 +5,8 @@ import { figure } from "./numbers.js";
 export function failureNote({ data }) {
   if (data.failures.length === 0) return null;
   return element("aside", { class: "failures" },
-    element("b", null, `${data.failures.length} runs failed; their figures are missing.`),
+    element("b", null, data.failures.length === 1 ? "One run failed; its figures are missing."
+      : `${data.failures.length} runs failed; their figures are missing.`),
     element("ul", null, data.failures.map(({ settings, message }) => element("li", null,
       `${settings.scene}, ${settings.method}, ${settings.variant}, seed ${settings.seed}: ${message}`))));
 }

@@ -33,7 +33,8 @@ function picture(source, text, images) {
 function strip(images, variant, context) {
   const shown = views(images, variant, context.study.baseline);
   const columns = shown.map(({ name, image, error, tile }) => element("div", { class: "tile" },
-    element("b", { style: tile ? `color:${context.looks.get(name).colour}` : null }, name),
+    element("b", null,
+      tile ? element("span", { class: "swatch", style: `background:${context.looks.get(name).colour}` }) : null, name),
     picture(image, `${images.scene}, ${name}`, images),
     error === null ? element("div", { class: "no-error" }, tile ? "no reference" : "signed error \u2192")
       : picture(error, `${images.scene}, signed error of ${name}`, images),

@@ -2,15 +2,15 @@
 import { element } from "./dom.js";
 import { geometricMean, ratio } from "./numbers.js";
 
-/** "win" or "loss" if the whole interval is on one side of 1, "open" if not. */
-export function verdict({ value, low, high, bound }, lowerWins) {
-  if (bound) {
-    const above = bound === "at least" && value > 1, below = bound === "at most" && value < 1;
-    if (above || below) return above !== lowerWins ? "win" : "loss";
-    return "open";
-  }
-  if (low === null || high === null || (low <= 1 && high >= 1)) return "open";
-  return high < 1 === lowerWins ? "win" : "loss";
+/**
+ * "win" or "loss" if the whole interval is on one side of 1, "open" if not. Of a bound one end of the
+ * interval is unknown.
+ */
+export function verdict({ low, high, bound }, lowerWins) {
+  const below = high !== null && high < 1 && (low !== null || bound === "at most");
+  const above = low !== null && low > 1 && (high !== null || bound === "at least");
+  if (!below && !above) return "open";
+  return below === lowerWins ? "win" : "loss";
 }
 
 const boundSigns = { "at least": "\u2265\u202f", "at most": "\u2264\u202f" };

@@ -134,6 +134,7 @@ Json scene_entry(const std::string& name, std::vector<Tile>& tiles, const Refere
     }
     const ToneMap map{automatic_exposure(truth)};
     std::vector<const Image*> images;
+    images.reserve(tiles.size());
     for (const Tile& tile : tiles)
         images.push_back(&tile.image);
     const Crop crop = choose_crop(images, truth, map, size);

@@ -56,13 +56,13 @@ function curvePlot({ study, chosen, looks }, curves, domains) {
 }
 
 function slopeText(curve) {
-  if (!curve || curve.slope === null) return "\u2013";
-  const range = curve.seeds.length > 1 ? ` (${slope(curve.slope_low)} to ${slope(curve.slope_high)})` : "";
-  return slope(curve.slope) + range;
+  if (!curve || curve.slope === null) return ["\u2013"];
+  if (curve.seeds.length < 2) return [slope(curve.slope)];
+  return [slope(curve.slope), element("span", { class: "range" }, ` (${slope(curve.slope_low)} to ${slope(curve.slope_high)})`)];
 }
 
 function slopeTable({ study, looks }, byVariant) {
-  return element("table", { class: "slopes" },
+  return element("table", { class: study.methods.length > 5 ? "slopes stacked" : "slopes" },
     element("thead", null, element("tr", null, element("th", null, "Fitted slope"),
       study.methods.map((method) => element("th", { class: "number" },
         element("span", { class: "swatch", style: `background:${looks.get(method).colour}` }), method)))),

@@ -41,7 +41,8 @@ function strip(images, variant, context) {
     element("span", { class: "quiet" }, tile
       ? `relMSE ${figure(tile.relmse)} after ${figure(tile.seconds)} s, ${tile.passes} passes`
       : "mean of both references")));
-  return element("div", { class: "strip", style: `--columns:${columns.length}` }, columns);
+  const across = columns.length > 6 ? Math.ceil(columns.length / 2) : columns.length;
+  return element("div", { class: "strip", style: `--columns:${across}` }, columns);
 }
 
 /** Flips between methods in place: differences jump to the eye that are missed side by side. */

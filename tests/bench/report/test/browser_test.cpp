@@ -16,9 +16,10 @@ namespace fs = std::filesystem;
 
 /// Empty if the program isn't on the path.
 fs::path find_program(const std::string& name) {
-    std::istringstream folders(std::getenv("PATH"));
+    const char* path = std::getenv("PATH");
+    std::istringstream folders(path != nullptr ? path : "");
     for (std::string folder; std::getline(folders, folder, ':');) {
-        const fs::path file = fs::path(folder) / name;
+        fs::path file = fs::path(folder) / name;
         if (::access(file.c_str(), X_OK) == 0) return file;
     }
     return {};
@@ -26,7 +27,7 @@ fs::path find_program(const std::string& name) {
 
 fs::path find_chromium() {
     for (const char* name : {"chromium-headless-shell", "chromium"}) {
-        if (const fs::path file = find_program(name); !file.empty()) return file;
+        if (fs::path file = find_program(name); !file.empty()) return file;
     }
     return {};
 }

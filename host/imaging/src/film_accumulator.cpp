@@ -196,7 +196,7 @@ Rgb FilmAccumulator::resolve(std::size_t pixel, std::uint32_t first_group,
     Rgb value;
     for (std::size_t c = 0; c < 3; ++c) {
         double mean = 0, splats = 0;
-        for (std::uint32_t g = first_group; g < end_group; ++g) {
+        for (std::size_t g = first_group; g < end_group; ++g) {
             mean += sums[1 + 3 * g + c];
             if (!splats_.empty()) splats += splats_[pixel * channels + 3 * g + c];
         }

@@ -67,6 +67,20 @@ TEST(Gather, LeavesOutOtherSidesAndSurfaces) {
     EXPECT_TRUE(is_black(gathered({landing_at({0.11f, 0, 0}, {0, 0, 1}, up)}, 0.1f)));
 }
 
+/// Inside a thin bowl: light that grazes the outside of the rim beside the point stays outside, and
+/// what grazes the inside there is not lost.
+TEST(Gather, TellsSidesWhereThePhotonLanded) {
+    const Vec3 tilted = normalize(Vec3{0.6f, 0, 0.8f});
+    const Landing outside = landing_at({0.05f, 0, 0}, {-1, 0, 0.5f}, tilted);
+    EXPECT_GT(outside.direction.z, 0);
+    EXPECT_TRUE(is_black(gathered({outside}, 0.1f)));
+    const Landing inside = landing_at({0.05f, 0, 0}, {1, 0, -0.5f}, tilted);
+    EXPECT_EQ(gathered({inside}, 0.1f), (Rgb{1, 2, 3}));
+    // The normal that a landing remembers may be of either side.
+    const Landing flipped = landing_at({0.05f, 0, 0}, {1, 0, -0.5f}, -tilted);
+    EXPECT_EQ(gathered({flipped}, 0.1f), (Rgb{1, 2, 3}));
+}
+
 /// Only photons that bring light count: a count of others would shrink the radii of mode=ppm.
 TEST(Gather, CountsTheAcceptedPhotonsOfEachPoint) {
     const Vec3 up{0, 0, 1};

@@ -23,12 +23,24 @@ float normal_ratio(const VisiblePoint& point, Vec3 wi) {
     return geometric > 0 ? abs_dot(wi, point.shading_normal) / geometric : 0;
 }
 
+/// Whether the photon came from the side that the point's geometric normal shows, as the surface
+/// was where it landed: on a thin curved sheet, one that grazes the far side may lie on the near
+/// side of the point's tangent plane.
+bool landed_in_front(const VisiblePoint& point, const GridPhoton& landing) {
+    return (dot(landing.direction, landing.normal) > 0) ==
+           (dot(landing.normal, point.geometric_normal) > 0);
+}
+
 /// f * power of one landing, without the constant f of Lambertian points; black if rejected.
 Rgb contribution(const VisiblePoint& point, const GridPhoton& landing) {
     if (!point.bsdf) {
-        const bool same_side = (dot(landing.direction, point.geometric_normal) > 0) ==
-                               (dot(point.wo, point.geometric_normal) > 0);
+        const bool same_side =
+            landed_in_front(point, landing) == (dot(point.wo, point.geometric_normal) > 0);
         return same_side ? landing.power * normal_ratio(point, landing.direction) : Rgb{};
+    }
+    // The Bsdf would take it for light from the other side.
+    if (landed_in_front(point, landing) != (dot(landing.direction, point.geometric_normal) > 0)) {
+        return {};
     }
     // The photon's power already is flux; f alone remains, in the direction of radiance.
     return landing.power * normal_ratio(point, landing.direction) *

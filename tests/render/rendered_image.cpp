@@ -1,7 +1,7 @@
 // Renders a scene file with lxsrender and reads the image back.
 #include "rendered_image.h"
 
-#include <OpenImageIO/imagebuf.h>
+#include <OpenImageIO/imageio.h>
 
 #include <array>
 #include <cstdio>
@@ -25,15 +25,16 @@ std::vector<double> Image::luminance() const {
 }
 
 Image read_image(const fs::path& file) {
-    OIIO::ImageBuf buffer(file.string());
-    if (!buffer.read(0, 0, true, OIIO::TypeDesc::FLOAT) || buffer.nchannels() < 3) {
-        throw std::runtime_error("cannot read " + file.string() + ": " + buffer.geterror());
-    }
-    Image image{std::size_t(buffer.spec().width), std::size_t(buffer.spec().height), {}};
+    // Not by ImageBuf: its cache would give an earlier render of the same name and second.
+    const auto input = OIIO::ImageInput::open(file.string());
+    if (!input) throw std::runtime_error(OIIO::geterror());
+    const OIIO::ImageSpec& spec = input->spec();
+    Image image{std::size_t(spec.width), std::size_t(spec.height), {}};
     image.rgb.resize(image.width * image.height * 3);
-    OIIO::ROI roi = buffer.roi();
-    roi.chend = 3;
-    buffer.get_pixels(roi, OIIO::TypeDesc::FLOAT, image.rgb.data());
+    if (spec.nchannels < 3 ||
+        !input->read_image(0, 0, 0, 3, OIIO::TypeDesc::FLOAT, image.rgb.data())) {
+        throw std::runtime_error("cannot read " + file.string() + ": " + input->geterror());
+    }
     return image;
 }
 

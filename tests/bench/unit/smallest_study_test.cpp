@@ -90,7 +90,9 @@ TEST_F(SmallestStudyTest, ReferencesStudyResumptionAndTable) {
     EXPECT_EQ(found["seed_statistics"].size(), 4u);  // 2 methods x 2 budgets
     EXPECT_EQ(found["scenes"][0]["reference"]["scene"], "furnace");
     // A slow machine may leave budgets without a figure, and noise an error that is not positive.
-    if (comparable(found["runs"])) EXPECT_FALSE(found["comparisons"].empty());
+    if (comparable(found["runs"])) {
+        EXPECT_FALSE(found["comparisons"].empty());
+    }
 
     // Nothing is repeated: the runs' files stay as they are.
     const std::string before = text_of_run("furnace.sppm.fixed.s1.json");

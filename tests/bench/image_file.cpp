@@ -2,6 +2,7 @@
 #include "image_file.h"
 
 #include <OpenImageIO/imagebufalgo.h>
+#include <OpenImageIO/imageio.h>
 #include <fmt/format.h>
 
 #include <array>
@@ -23,16 +24,23 @@ std::string channel_name(const std::string& layer, const char* channel) {
 }  // namespace
 
 std::optional<Image> read_layer(const fs::path& file, const std::string& layer) {
-    Image whole(file.string());
-    if (!whole.read(0, 0, true, OIIO::TypeDesc::FLOAT)) {
-        throw StudyError(fmt::format("cannot read '{}': {}", file.string(), whole.geterror()));
-    }
+    // Not by ImageBuf: its cache knows a file by name and second, and takes the layout of the file
+    // that was there before for the new one's.
+    const auto input = OIIO::ImageInput::open(file.string());
+    if (!input)
+        throw StudyError(fmt::format("cannot read '{}': {}", file.string(), OIIO::geterror()));
+    const OIIO::ImageSpec& spec = input->spec();
     std::array<int, kChannels.size()> order{};
     for (std::size_t i = 0; i < kChannels.size(); ++i) {
-        order[i] = whole.spec().channelindex(channel_name(layer, kChannels[i]));
+        order[i] = spec.channelindex(channel_name(layer, kChannels[i]));
         if (order[i] < 0) return std::nullopt;
     }
-    return OIIO::ImageBufAlgo::channels(whole, int(order.size()), order);
+    Image whole(OIIO::ImageSpec(spec.width, spec.height, spec.nchannels, OIIO::TypeDesc::FLOAT));
+    if (!input->read_image(0, 0, 0, -1, OIIO::TypeDesc::FLOAT, whole.localpixels())) {
+        throw StudyError(fmt::format("cannot read '{}': {}", file.string(), input->geterror()));
+    }
+    const std::array<std::string, kChannels.size()> names{"R", "G", "B"};
+    return OIIO::ImageBufAlgo::channels(whole, int(order.size()), order, {}, names);
 }
 
 Image read_image(const fs::path& file) {

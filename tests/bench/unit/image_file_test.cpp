@@ -26,6 +26,27 @@ TEST(ImageFile, LayersComeBackAsWritten) {
     EXPECT_FALSE(std::filesystem::exists(file.string() + ".tmp"));
 }
 
+// A cache that knows files by name and second gave the earlier file's layout to the later one: a
+// reference of rubbish wherever chunks took less than a second.
+TEST(ImageFile, AFileReplacedWithinTheSecondIsReadAnew) {
+    const TemporaryFolder folder;
+    std::mt19937 random(1);
+    const auto file = folder.path() / "chunk.exr";
+    const std::filesystem::file_time_type written = std::filesystem::file_time_type::clock::now();
+    for (int round = 0; round < 4; ++round) {
+        const Image image = noisy_image(7, 5 + round % 2, 1 + round, 0.3, random);
+        std::vector<NamedLayer> layers{{"", image}};
+        if (round % 2 == 0) layers.insert(layers.begin(), {kPhotonLayer, image});
+        write_layers(file, layers);
+        std::filesystem::last_write_time(file, written);
+        const Image found = read_image(file);
+        ASSERT_EQ(found.spec().height, 5 + round % 2);
+        for (int c = 0; c < 3; ++c)
+            EXPECT_EQ(found.getchannel(6, 4, 0, c), image.getchannel(6, 4, 0, c));
+        EXPECT_EQ(read_layer(file, kPhotonLayer).has_value(), round % 2 == 0);
+    }
+}
+
 TEST(ImageFile, UnreadableFilesAreNamed) {
     const TemporaryFolder folder;
     const auto file = folder.path() / "bad.exr";

@@ -50,23 +50,6 @@ void expect_documented_run(const Json& run) {
     EXPECT_GE(run["snapshots"].back()["cpu_s"], 0.1);
 }
 
-/// Whether path and sppm (runs 0 and 1, 2 and 3) have a positive error of one kind at one budget.
-bool comparable(const Json& runs) {
-    for (std::size_t seed = 0; seed < 2; ++seed) {
-        const Json &path = runs[2 * seed]["at_budget"], &sppm = runs[2 * seed + 1]["at_budget"];
-        for (std::size_t i = 0; i < path.size(); ++i) {
-            for (const char* metric : {"mse", "relmse", "relmse_rest"}) {
-                const auto positive = [&](const Json& at) {
-                    return at["image"].is_object() && at["image"][metric].is_number() &&
-                           at["image"][metric] > 0;
-                };
-                if (positive(path[i]) && positive(sppm[i])) return true;
-            }
-        }
-    }
-    return false;
-}
-
 TEST_F(SmallestStudyTest, ReferencesStudyResumptionAndTable) {
     ASSERT_EQ(run(kReference + "0.8").exit_code, 0);
     const BenchResult first = run(kRun);
@@ -89,10 +72,7 @@ TEST_F(SmallestStudyTest, ReferencesStudyResumptionAndTable) {
     }
     EXPECT_EQ(found["seed_statistics"].size(), 4u);  // 2 methods x 2 budgets
     EXPECT_EQ(found["scenes"][0]["reference"]["scene"], "furnace");
-    // A slow machine may leave budgets without a figure, and noise an error that is not positive.
-    if (comparable(found["runs"])) {
-        EXPECT_FALSE(found["comparisons"].empty());
-    }
+    EXPECT_FALSE(found["comparisons"].empty());
 
     // Nothing is repeated: the runs' files stay as they are.
     const std::string before = text_of_run("furnace.sppm.fixed.s1.json");

@@ -137,7 +137,7 @@ TEST(LandingGrid, CopiesWhatAGatherNeeds) {
     landing.position = {1, 2, 3};
     landing.direction = {0, 0, 1};
     landing.power = {4, 5, 6};
-    landing.normal = {0, 1, 0};
+    landing.normal = {0, 0.6f, -0.8f};
     landing.light_group = 7;
     LandingGrid grid;
     grid.build({&landing, 1}, 1);
@@ -147,7 +147,7 @@ TEST(LandingGrid, CopiesWhatAGatherNeeds) {
         EXPECT_EQ(p.position, landing.position);
         EXPECT_EQ(p.direction, landing.direction);
         EXPECT_EQ(p.power, landing.power);
-        EXPECT_EQ(p.normal, landing.normal);
+        EXPECT_EQ(p.normal, -landing.normal) << "of the side that the photon came from";
         EXPECT_EQ(p.light_group, 7u);
     });
     EXPECT_EQ(visits, 1);

@@ -23,36 +23,31 @@ float normal_ratio(const VisiblePoint& point, Vec3 wi) {
     return geometric > 0 ? abs_dot(wi, point.shading_normal) / geometric : 0;
 }
 
-/// Whether the photon came from the side that the point's geometric normal shows, as the surface
-/// was where it landed: on a thin curved sheet, one that grazes the far side may lie on the near
-/// side of the point's tangent plane.
-bool landed_in_front(const VisiblePoint& point, const GridPhoton& landing) {
-    return (dot(landing.direction, landing.normal) > 0) ==
-           (dot(landing.normal, point.geometric_normal) > 0);
-}
-
 /// f * power of one landing, without the constant f of Lambertian points; black if rejected.
-Rgb contribution(const VisiblePoint& point, const GridPhoton& landing) {
+/// `in_front` tells whether the photon came from the side that the point's geometric normal shows,
+/// as the surface was where it landed: on a thin curved sheet, one that grazes the far side may lie
+/// on the near side of the point's tangent plane.
+Rgb contribution(const VisiblePoint& point, const GridPhoton& landing, bool in_front) {
     if (!point.bsdf) {
-        const bool same_side =
-            landed_in_front(point, landing) == (dot(point.wo, point.geometric_normal) > 0);
+        const bool same_side = in_front == (dot(point.wo, point.geometric_normal) > 0);
         return same_side ? landing.power * normal_ratio(point, landing.direction) : Rgb{};
     }
     // The Bsdf would take it for light from the other side.
-    if (landed_in_front(point, landing) != (dot(landing.direction, point.geometric_normal) > 0)) {
-        return {};
-    }
+    if (in_front != (dot(landing.direction, point.geometric_normal) > 0)) return {};
     // The photon's power already is flux; f alone remains, in the direction of radiance.
     return landing.power * normal_ratio(point, landing.direction) *
            point.bsdf->evaluate(point.wo, landing.direction, Transport::Radiance, point.receiving);
 }
 
-}  // namespace
-
-bool on_same_surface(const VisiblePoint& point, Vec3 position, Vec3 normal, float radius) {
-    return abs_dot(normal, point.geometric_normal) >= kMinNormalAgreement &&
+/// Whether a landing is on the visible point's own surface: similar normals, whose cosine is
+/// `agreement` up to its sign, and within a slab around the point's tangent plane, which keeps
+/// light from leaking across thin walls.
+bool on_same_surface(const VisiblePoint& point, Vec3 position, float agreement, float radius) {
+    return std::abs(agreement) >= kMinNormalAgreement &&
            abs_dot(position - point.position, point.geometric_normal) <= kSlab * radius;
 }
+
+}  // namespace
 
 void gather_photons(const EyeImage& image, const LandingGrid& grid, const SearchRadii& radii,
                     Refusals& refusals, PhotonFlux& result) {
@@ -70,8 +65,9 @@ void gather_photons(const EyeImage& image, const LandingGrid& grid, const Search
                 std::uint32_t count = 0;
                 Rgb* flux = &result.flux[i * groups];
                 grid.for_each_in_radius(point.position, radius, [&](const GridPhoton& landing) {
-                    if (!on_same_surface(point, landing.position, landing.normal, radius)) return;
-                    const Rgb value = contribution(point, landing);
+                    const float agreement = dot(landing.normal, point.geometric_normal);
+                    if (!on_same_surface(point, landing.position, agreement, radius)) return;
+                    const Rgb value = contribution(point, landing, agreement > 0);
                     if (is_black(value * f) || !refusals.accept(value, point.material)) return;
                     flux[landing.light_group] += value;
                     ++count;

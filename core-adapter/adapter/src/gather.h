@@ -41,8 +41,4 @@ struct PhotonFlux {
 void gather_photons(const EyeImage& image, const LandingGrid& grid, const SearchRadii& radii,
                     Refusals& refusals, PhotonFlux& flux);
 
-/// Whether a landing is on the visible point's own surface: similar normals, and within a slab
-/// around the point's tangent plane, which keeps light from leaking across thin walls.
-bool on_same_surface(const VisiblePoint& point, Vec3 position, Vec3 normal, float radius);
-
 }  // namespace aips

@@ -34,7 +34,8 @@ void LandingGrid::build(std::span<const Landing> landings, float radius,
         for (std::size_t slot = first; slot < last; ++slot) {
             const std::uint32_t i = cells_.order()[slot];
             const Landing& l = landings[i];
-            photons_[slot] = {l.position, l.direction, l.power, l.normal, l.light_group, i};
+            const Vec3 normal = dot(l.direction, l.normal) > 0 ? l.normal : -l.normal;
+            photons_[slot] = {l.position, l.direction, l.power, normal, l.light_group, i};
         }
     });
 }

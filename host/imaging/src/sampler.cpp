@@ -47,15 +47,16 @@ std::uint32_t nested_scramble(std::uint32_t x, std::uint32_t seed) {
     return reverse_bits(laine_karras(reverse_bits(x), seed));
 }
 
-/// Point `index` of the (0,2)-sequence: van der Corput's and the second Sobol' dimension.
+/// Point `index` of the (0,2)-sequence: van der Corput's and the second Sobol' dimension. The
+/// matrix of that is Pascal's triangle modulo 2, which by Lucas' theorem is a product of one factor
+/// per bit of the bits' numbers: five steps in place of 32.
 std::array<std::uint32_t, 2> zero_two_sequence(std::uint32_t index) {
-    std::uint32_t second = 0;
-    std::uint32_t direction = 0x80000000u;
-    for (std::uint32_t i = index; i != 0; i >>= 1) {
-        if ((i & 1u) != 0) second ^= direction;
-        direction ^= direction >> 1;
-    }
-    return {reverse_bits(index), second};
+    std::uint32_t second = index ^ (index >> 16);
+    second ^= (second & 0xff00ff00u) >> 8;
+    second ^= (second & 0xf0f0f0f0u) >> 4;
+    second ^= (second & 0xccccccccu) >> 2;
+    second ^= (second & 0xaaaaaaaau) >> 1;
+    return {reverse_bits(index), reverse_bits(second)};
 }
 
 float to_unit(std::uint32_t x) {

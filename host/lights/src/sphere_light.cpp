@@ -20,6 +20,8 @@ SphereLight::SphereLight(const Primitive& primitive, const AreaEmission& emissio
     x_ = Vec3(row(0).normalized());
     y_ = Vec3(row(1).normalized());
     z_ = Vec3(row(2).normalized());
+    const auto bound = [this](float c) { return rounding_bound(6) * (std::abs(c) + radius_); };
+    error_ = Vec3(bound(center_.x), bound(center_.y), bound(center_.z));
     const double area = 4 * std::numbers::pi * radius * radius;
     density_ = area > 0 ? static_cast<float>(1 / area) : 0;
     set_emission(emission, area, primitive.where);
@@ -29,8 +31,7 @@ SurfacePoint SphereLight::point_at(const Vec3& n) const {
     SurfacePoint s;
     s.n = n;
     s.p = center_ + n * radius_;
-    const auto bound = [this](float c) { return rounding_bound(6) * (std::abs(c) + radius_); };
-    s.p_error = Vec3(bound(center_.x), bound(center_.y), bound(center_.z));
+    s.p_error = error_;
     s.density = density_;
     if (!has_constant_emission()) {
         const float phi = std::atan2(n ^ y_, n ^ x_);

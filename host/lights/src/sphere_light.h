@@ -26,7 +26,8 @@ class SphereLight final : public SurfaceLight {
 
     Vec3 center_{0.0f};
     float radius_ = 1;
-    Vec3 x_, y_, z_;  ///< unit axes of the sphere's own space, for texture coordinates
+    Vec3 error_{0.0f};  ///< of points on the surface, SurfacePoint::p_error
+    Vec3 x_, y_, z_;    ///< unit axes of the sphere's own space, for texture coordinates
     float density_ = 0;
 };
 

@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "lxs/sdk/scene.h"
+#include "lxs/sdk/offset_origin.h"
 #include "warp.h"
 
 namespace lxs {

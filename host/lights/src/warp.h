@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "lxs/sdk/frame.h"
+#include "lxs/sdk/sine_cosine.h"
 #include "lxs/sdk/warp.h"
 
 namespace lxs {
@@ -15,8 +16,8 @@ namespace lxs {
 /// its distance from 1 so that narrow cones keep their precision.
 inline Vec3 around_z(float one_minus_cos, float u) {
     const float sin = std::sqrt(std::max(0.0f, one_minus_cos * (2.0f - one_minus_cos)));
-    const float phi = 2.0f * kPi * u;
-    return Vec3(sin * std::cos(phi), sin * std::sin(phi), 1.0f - one_minus_cos);
+    const auto azimuth = sine_cosine_of_turn(u);
+    return Vec3(sin * azimuth.cosine, sin * azimuth.sine, 1.0f - one_minus_cos);
 }
 
 /// Direction with density 1 / (4 pi).

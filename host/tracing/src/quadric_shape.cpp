@@ -13,6 +13,10 @@ using Imath::V3d;
 constexpr double kPi = std::numbers::pi;
 constexpr double kUnitRoundoff = 0x1p-53;
 
+double length(const V3d& v) {
+    return std::sqrt(v.dot(v));  // V3d::length() isn't inlined
+}
+
 double azimuth(const V3d& p) {
     const double phi = std::atan2(p.y, p.x);
     return phi < 0 ? phi + 2 * kPi : phi;
@@ -71,7 +75,8 @@ QuadricShape::Roots QuadricShape::roots(const V3d& o, const V3d& d) const {
     const V3d offset = o + d * (b / a);  // the line's point nearest to the centre
     const double discriminant = radius_ * radius_ - offset.dot(offset);
     if (!(discriminant >= 0) || a == 0) return {{0, 0}, 0};
-    const double c = (o.length() - radius_) * (o.length() + radius_);
+    const double distance = length(o);
+    const double c = (distance - radius_) * (distance + radius_);
     const double q = b + std::copysign(std::sqrt(a * discriminant), b);
     if (q == 0) return {{0, 0}, 1};  // the origin is where the line touches the sphere
     const double t0 = c / q, t1 = q / a;
@@ -111,17 +116,18 @@ QuadricPoint QuadricShape::point(const V3d& origin, const V3d& direction, float 
     QuadricPoint point = is_sphere_ ? sphere_point(p) : disk_point(p);
     point.p = map_.point(point.p);
     point.dpdu = map_.vector(point.dpdu);
-    point.normal = map_.normal(point.normal).normalized();
-    if (mirrored_) point.normal = -point.normal;
+    point.normal = map_.normal(point.normal);
+    point.normal *= (mirrored_ ? -1 : 1) / length(point.normal);
     return point;
 }
 
 QuadricPoint QuadricShape::sphere_point(V3d p) const {
-    const double length = p.length();
-    p = length > 0 ? p * (radius_ / length) : V3d(0, 0, radius_);
+    const double distance = length(p);
+    const V3d normal = distance > 0 ? p * (1 / distance) : V3d(0, 0, 1);
+    p = normal * radius_;
     QuadricPoint point;
     point.p = p;
-    point.normal = p / radius_;
+    point.normal = normal;
     point.dpdu = V3d(-p.y, p.x, 0) * phi_max_;
     const double v = (polar_angle(p.z, radius_) - theta_min_) / theta_range_;
     point.uv = Vec2(static_cast<float>(std::min(1.0, azimuth(p) / phi_max_)),

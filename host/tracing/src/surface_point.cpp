@@ -30,12 +30,12 @@ constexpr double kUnitRoundoff = 0x1p-24;  // single precision, round to nearest
 // edge; covering that would mean offsets by the largest triangle of a mesh everywhere.
 constexpr double kPlaneError = 66 * kUnitRoundoff;
 
-double plane_error(const V3d& e1, const V3d& e2, double normal_length) {
-    double extents = kPlaneError;
+double plane_error(const V3d& e1, const V3d& e2, double inverse_normal_length) {
+    double extents = kPlaneError * inverse_normal_length;
     for (int k = 0; k < 3; ++k) {
         extents *= std::max({0.0, e1[k], e2[k]}) - std::min({0.0, e1[k], e2[k]});
     }
-    return extents / normal_length;
+    return extents;
 }
 
 /// Rounds `p` into the hit. `error` adds to every coordinate's bound. Twice the unit roundoff: p's
@@ -52,7 +52,7 @@ Vec3 tangent(const Vec2& uv0, const Vec2& uv1, const Vec2& uv2, const V3d& e1, c
     const V3d d1(uv1.x - uv0.x, uv1.y - uv0.y, 0), d2(uv2.x - uv0.x, uv2.y - uv0.y, 0);
     const double determinant = d1.x * d2.y - d1.y * d2.x;
     if (!(std::abs(determinant) > 1e-30)) return Vec3(0.0f);
-    return Vec3((e1 * d2.y - e2 * d1.y) / determinant);
+    return Vec3((e1 * d2.y - e2 * d1.y) * (1 / determinant));
 }
 
 Vec3 normalized_or(const Vec3& v, const Vec3& fallback) {
@@ -67,10 +67,10 @@ void locate_on_triangle(const Surface& surface, const InstanceTransform* instanc
     const V3d p0(surface.positions[i0]);
     const V3d e1 = V3d(surface.positions[i1]) - p0, e2 = V3d(surface.positions[i2]) - p0;
     V3d normal = e1.cross(e2);
-    const double length = normal.length();
-    normal *= (surface.reversed ? -1 : 1) / length;
+    const double inverse_length = 1 / std::sqrt(normal.dot(normal));
+    normal *= surface.reversed ? -inverse_length : inverse_length;
     const V3d p = p0 + e1 * static_cast<double>(raw.u) + e2 * static_cast<double>(raw.v);
-    const double error = plane_error(e1, e2, length);
+    const double error = plane_error(e1, e2, inverse_length);
 
     Vec3 shading(0.0f);
     if (surface.normals) {
@@ -88,7 +88,7 @@ void locate_on_triangle(const Surface& surface, const InstanceTransform* instanc
         const AffineMap& map = instance->map();
         normal = map.normal(normal);
         // A distance along the object's normal, times the ratio of world to object heights.
-        const double height_ratio = 1 / normal.length();
+        const double height_ratio = 1 / std::sqrt(normal.dot(normal));
         normal *= height_ratio;
         set_position(map.point(p), error * height_ratio, hit);
         hit.p_error += instance->tracing_error(hit.p);

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "lxs/scene/medium.h"
-#include "lxs/sdk/scene.h"
+#include "lxs/sdk/offset_origin.h"
 
 namespace lxs {
 namespace {
@@ -29,6 +29,22 @@ TEST(OffsetOrigin, ClearsTheErrorBoxAtAnyScale) {
         EXPECT_GE(moved.dot(Imath::V3d(ng)), extent * 0.999) << "scale " << scale;
         EXPECT_LE(moved.length(), extent * 3) << "scale " << scale;
     }
+}
+
+// One float further than the rounded sum, on both sides of zero and from zero itself.
+TEST(OffsetOrigin, StepsOneFloatBeyondTheSum) {
+    constexpr float kInfinity = std::numeric_limits<float>::infinity();
+    for (const float z : {-2.0f, -1e-30f, -0.0f, 0.0f, 1e-30f, 1.0f, 16777216.0f}) {
+        for (const float side : {1.0f, -1.0f}) {
+            constexpr float kError = 1e-40f;  // vanishes in most sums
+            const Vec3 moved =
+                offset_origin(Vec3(0, 0, z), Vec3(kError), Vec3(0, 0, 1), Vec3(0, 0, side));
+            EXPECT_EQ(moved.z, std::nextafter(z + side * kError, side * kInfinity)) << z;
+        }
+    }
+    const Vec3 cancelled =
+        offset_origin(Vec3(0, 0, 0.5f), Vec3(0.5f), Vec3(0, 0, 1), Vec3(0, 0, -1));
+    EXPECT_EQ(cancelled.z, std::nextafter(0.0f, -kInfinity));
 }
 
 TEST(OffsetOrigin, WithoutErrorStaysInPlace) {

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "fakes.h"
+#include "lxs/sdk/offset_origin.h"
 #include "random_directions.h"
 
 namespace lxs::test {

@@ -48,6 +48,33 @@ class CellSort {
         return false;
     }
 
+    /// Calls `visit(slot)` once for each point with |point - p| <= radius, in the order of
+    /// until_in_radius(). For radii that hold many points: which of the candidates lie inside is as
+    /// good as random, so they are picked out without a branch before any is visited.
+    template <class F>
+    void for_each_in_radius(Vec3 p, float radius, F&& visit) const {
+        if (positions_.empty() || !is_finite(p) || !(radius >= 0)) return;
+        radius = std::min(radius, cells_.radius());
+        const float radius_squared = radius * radius;
+        Buckets buckets;
+        const unsigned count = buckets_of_ball(p, radius, buckets);
+        std::array<std::uint32_t, kCandidates> inside;
+        unsigned found = 0;
+        for (unsigned i = 0; i < count; ++i) {
+            const std::uint32_t end = start_[buckets[i] + 1];
+            for (std::uint32_t slot = start_[buckets[i]]; slot < end; ++slot) {
+                inside[found] = slot;
+                found += length_squared(positions_[slot] - p) <= radius_squared ? 1 : 0;
+                if (found < kCandidates) continue;
+                for (const std::uint32_t hit : inside)
+                    visit(hit);
+                found = 0;
+            }
+        }
+        for (unsigned i = 0; i < found; ++i)
+            visit(inside[i]);
+    }
+
     /// Points that queries can find.
     std::size_t size() const { return positions_.size(); }
     /// [slot]: number of the point among those that were sorted.
@@ -62,6 +89,7 @@ class CellSort {
 
   private:
     static constexpr unsigned kMaxBuckets = 27;
+    static constexpr unsigned kCandidates = 64;
     using Buckets = std::array<std::uint32_t, kMaxBuckets>;
 
     /// A point on its way to its bucket.

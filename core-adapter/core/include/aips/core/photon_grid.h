@@ -16,7 +16,7 @@ struct GridPhoton {
     Vec3 position;
     Vec3 direction;  ///< unit, back to where the photon came from
     Rgb power;       ///< watts, not divided by the number of photon paths
-    Vec3 normal;     ///< unit geometric normal of the surface, of either side
+    Vec3 normal;     ///< unit geometric normal of the surface, of the side the photon came from
     std::uint32_t light_group = 0;
     std::uint32_t index = 0;  ///< number of the landing among those that were sorted
 };
@@ -34,10 +34,7 @@ class LandingGrid {
     /// order that is a function of the landings alone. `radius` beyond radius() is cut to it.
     template <class F>
     void for_each_in_radius(Vec3 p, float radius, F&& visit) const {
-        cells_.until_in_radius(p, radius, [&](std::uint32_t slot) {
-            visit(photons_[slot]);
-            return false;
-        });
+        cells_.for_each_in_radius(p, radius, [&](std::uint32_t slot) { visit(photons_[slot]); });
     }
 
     /// Landings that queries can find.

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "lxs/sdk/light.h"
+#include "lxs/sdk/offset_origin.h"
 #include "lxs/sdk/scene.h"
 
 namespace lxs {

@@ -45,10 +45,6 @@ struct SceneFacts {
     std::size_t max_bsdf_bytes = 0;  ///< most memory that one `intersect` takes from its resource
 };
 
-/// Moves a ray's origin off a surface: `p` displaced along the geometric normal by the bound of its
-/// rounding error, to the side that `direction` points to (Pharr et al. 2016, section 3.9.5).
-Vec3 offset_origin(const Vec3& p, const Vec3& p_error, const Vec3& ng, const Vec3& direction);
-
 /// A loaded scene. All const members may be called from many threads at once.
 class Scene {
   public:

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "lxs/sdk/sine_cosine.h"
 #include "lxs/sdk/types.h"
 
 namespace lxs {
@@ -21,8 +22,10 @@ Imath::Vec2<Real> square_to_concentric_disk(const Imath::Vec2<Real>& u) {
     if (x == 0 && y == 0) return {0, 0};
     const bool x_major = std::abs(x) > std::abs(y);
     const Real r = x_major ? x : y;
-    const Real phi = x_major ? kQuarter * (y / x) : 2 * kQuarter - kQuarter * (x / y);
-    return {r * std::cos(phi), r * std::sin(phi)};
+    // The angle from the axis that the point is nearest to.
+    const auto angle = sine_cosine_of_octant(kQuarter * (x_major ? y / x : x / y));
+    return x_major ? Imath::Vec2<Real>{r * angle.cosine, r * angle.sine}
+                   : Imath::Vec2<Real>{r * angle.sine, r * angle.cosine};
 }
 
 /// Direction about +z with density cos / pi (Malley's method).

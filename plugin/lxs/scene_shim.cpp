@@ -1,10 +1,13 @@
 // The host's scene, lights and scattering functions in the engine's terms.
 #include "scene_shim.h"
 
+#include <algorithm>
 #include <new>
 
 #include "convert.h"
+#include "lxs/sdk/frame.h"
 #include "lxs/sdk/rays.h"
+#include "lxs/sdk/warp.h"
 
 namespace aips::shim {
 namespace {
@@ -41,6 +44,54 @@ class BsdfShim final : public Bsdf {
   private:
     const lxs::Bsdf& bsdf_;
 };
+
+/// lxs::Bsdf::lambertian() in the engine's terms: the commonest Bsdf without a second dispatch.
+class LambertShim final : public Bsdf {
+  public:
+    LambertShim(const lxs::Rgb& kd, const lxs::SurfaceHit& hit)
+        : kd_(from(kd)), ng_(from(hit.ng)), ns_(from(hit.ns)) {}
+
+    LobeMask lobes() const override { return kDiffuse; }
+    Rgb evaluate(Vec3 wo, Vec3 wi, Transport, LobeMask mask) const override {
+        return (mask & kDiffuse) && same_side(wo, wi) ? kd_ * lxs::kInvPi : Rgb{};
+    }
+    float pdf(Vec3 wo, Vec3 wi, LobeMask mask) const override {
+        return (mask & kDiffuse) && same_side(wo, wi) ? abs_dot(wi, ns_) * lxs::kInvPi : 0;
+    }
+    bool sample(Vec3 wo, Vec2 u, float, Transport, LobeMask mask,
+                BsdfSample& sample) const override {
+        if (!(mask & kDiffuse)) return false;
+        Vec3 wi = from(
+            lxs::Frame(to(ns_)).to_world(lxs::square_to_cosine_hemisphere(lxs::Vec2(u.x, u.y))));
+        // The part that ns leaves out of the geometric hemisphere is filled by opposites.
+        if (dot(wi, ng_) * dot(wo, ng_) < 0) wi = -wi;
+        const float cosine = abs_dot(wi, ns_);
+        if (!same_side(wo, wi) || cosine == 0) return false;
+        sample = {wi, kd_, cosine * lxs::kInvPi, kDiffuse, false};
+        return true;
+    }
+    Rgb albedo(Vec3, LobeMask mask) const override { return mask & kDiffuse ? kd_ : Rgb{}; }
+    bool lambertian(Rgb& kd) const override {
+        kd = kd_;
+        return true;
+    }
+
+  private:
+    bool same_side(Vec3 a, Vec3 b) const { return dot(a, ng_) * dot(b, ng_) > 0; }
+
+    Rgb kd_;
+    Vec3 ng_, ns_;
+};
+
+constexpr std::size_t kShimBytes = std::max(sizeof(BsdfShim), sizeof(LambertShim));
+
+/// The host's Bsdf at a hit, built in `memory`.
+const Bsdf* shim(const lxs::SurfaceHit& hit, std::pmr::memory_resource& memory) {
+    void* const place = memory.allocate(kShimBytes, alignof(BsdfShim));
+    lxs::Rgb kd;
+    if (hit.bsdf->lambertian(kd)) return new (place) LambertShim(kd, hit);
+    return new (place) BsdfShim(*hit.bsdf);
+}
 
 class LightShim final : public Light {
   public:
@@ -103,9 +154,7 @@ bool SceneShim::intersect(const Ray& ray, SurfacePoint& point,
     point.position_error = from(hit.p_error);
     point.interior = hit.interior;
     point.exterior = hit.exterior;
-    if (hit.bsdf) {
-        point.bsdf = new (memory.allocate(sizeof(BsdfShim), alignof(BsdfShim))) BsdfShim(*hit.bsdf);
-    }
+    if (hit.bsdf) point.bsdf = shim(hit, memory);
     return true;
 }
 
@@ -128,7 +177,7 @@ Bounds SceneShim::bounds() const {
 
 SceneFacts SceneShim::facts() const {
     const lxs::SceneFacts f = scene_.facts();
-    return {f.has_receivers, f.has_media, f.max_bsdf_bytes + sizeof(BsdfShim) + alignof(BsdfShim)};
+    return {f.has_receivers, f.has_media, f.max_bsdf_bytes + kShimBytes + alignof(BsdfShim)};
 }
 
 CameraRay CameraShim::generate(const CameraSample& sample, float time) const {

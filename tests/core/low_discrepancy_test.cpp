@@ -112,5 +112,21 @@ TEST(LowDiscrepancy, EpochsAreScrambledAnew) {
     EXPECT_LT(equal, 5);
 }
 
+TEST(SobolRun, IsTheSequenceToTheBitInAnyOrder) {
+    constexpr std::uint64_t kEpoch = std::uint64_t{1} << 32;
+    for (const std::uint32_t seed : {0u, 7u, 0xFFFFFFFFu}) {
+        SobolRun run(seed);
+        for (const std::uint64_t start :
+             {std::uint64_t{0}, std::uint64_t{200}, std::uint64_t{3} << 24, kEpoch - 100,
+              std::uint64_t{90}, 5 * kEpoch + 1000}) {
+            for (std::uint64_t i = start; i < start + 600; ++i) {
+                run.move_to(i);
+                for (unsigned d = 0; d < kSobolDimensions; ++d)
+                    ASSERT_EQ(run(d), sobol_owen(i, d, seed)) << i;
+            }
+        }
+    }
+}
+
 }  // namespace
 }  // namespace aips

@@ -22,8 +22,9 @@ PhotonCounts PhotonTracer::trace(const PhotonInput& input, std::uint64_t paths_b
         block.counts = {};
         const std::uint32_t begin = first + b * kPathsPerBlock;
         const std::uint32_t end = std::min(first + count, begin + kPathsPerBlock);
+        SequencePath numbers(input.settings.seed, input.pass);
         for (std::uint32_t i = begin; i < end; ++i) {
-            SequencePath numbers(input.settings.seed, input.pass, paths_before_pass + i, i);
+            numbers.move_to(paths_before_pass + i, i);
             trace_photon_path(input, numbers, i, refusals, arena, block.landings, block.counts);
         }
     });

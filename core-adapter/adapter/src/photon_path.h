@@ -47,19 +47,25 @@ struct PhotonInput {
 /// over all photons of the render, those of the bounces a stream addressed by the photon.
 class SequencePath {
   public:
-    /// Path number `serial` of the render, `index` of its pass.
-    SequencePath(std::uint64_t seed, std::uint64_t pass, std::uint64_t serial, std::uint32_t index)
-        : serial_(serial),
-          scramble_(static_cast<std::uint32_t>(seed * 0x9E3779B97F4A7C15ull >> 32)),
-          random_(seed, pass, index, RandomDomain::Photon) {}
+    /// Starts paths of one pass.
+    SequencePath(std::uint64_t seed, std::uint64_t pass)
+        : seed_(seed),
+          pass_(pass),
+          emission_(static_cast<std::uint32_t>(seed * 0x9E3779B97F4A7C15ull >> 32)),
+          bounces_(seed, pass, 0, RandomDomain::Photon) {}
 
-    float emission(unsigned dimension) const { return sobol_owen(serial_, dimension, scramble_); }
-    RandomStream& bounce(std::uint32_t /*depth*/) { return random_; }
+    /// Goes to path number `serial` of the render, `index` of the pass. Cheapest in order.
+    void move_to(std::uint64_t serial, std::uint32_t index) {
+        emission_.move_to(serial);
+        bounces_ = RandomStream(seed_, pass_, index, RandomDomain::Photon);
+    }
+    float emission(unsigned dimension) const { return emission_(dimension); }
+    RandomStream& bounce(std::uint32_t /*depth*/) { return bounces_; }
 
   private:
-    std::uint64_t serial_;
-    std::uint32_t scramble_;
-    RandomStream random_;
+    std::uint64_t seed_, pass_;
+    SobolRun emission_;
+    RandomStream bounces_;
 };
 
 /// Traces a path with the given numbers (SequencePath, or PrimaryPath of a Markov chain), `index`

@@ -71,4 +71,13 @@ constexpr std::array<SobolByteTables, kSobolDimensions> all_tables() {
 
 constexpr std::array<SobolByteTables, kSobolDimensions> sobol_tables = all_tables();
 
+void SobolRun::enter(std::uint64_t window) {
+    window_ = window;
+    const std::uint64_t first = window << 8;
+    for (unsigned d = 0; d < kSobolDimensions; ++d) {
+        dimensions_[d] = {sobol_reversed_bits(static_cast<std::uint32_t>(first), d),
+                          sobol_scramble(first, d, seed_)};
+    }
+}
+
 }  // namespace aips

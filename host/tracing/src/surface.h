@@ -8,6 +8,7 @@
 #include "embree_scene.h"
 #include "lxs/scene/contents.h"
 #include "quadric_shape.h"
+#include "triangle_plane.h"
 
 namespace lxs {
 
@@ -17,8 +18,9 @@ struct Surface {
 
     const Vec3* positions = nullptr;  ///< null for a quadric
     const std::uint32_t* indices = nullptr;
-    const Vec3* normals = nullptr;  ///< null: flat
-    const Vec2* uvs = nullptr;      ///< null: none
+    const Vec3* normals = nullptr;      ///< null: flat
+    const Vec2* uvs = nullptr;          ///< null: none
+    std::vector<TrianglePlane> planes;  ///< of a mesh
     std::unique_ptr<const QuadricShape> quadric;
     const Material* material = nullptr;
     const Medium* interior = nullptr;

@@ -13,31 +13,6 @@ namespace {
 
 using Imath::V3d;
 
-constexpr double kUnitRoundoff = 0x1p-24;  // single precision, round to nearest
-
-// The kernel (Embree's watertight test after Davidovic et al. 2012, "3D rasterization: a bridge
-// between rasterization and ray casting") takes corners v_i relative to the origin, the normal N as
-// a cross product of edges, and the distance as (v_0 . N) / (d . N). A ray that starts near the
-// triangle must see the sign of v_0 . N right. Let w be the triangle's extents: |v_i| <= w and
-// |edges| <= w hold per coordinate; subtracting the origin rounds by u w, so edges are off by at
-// most 3u w, each component of N, a sum of two products, by 14u times the product of the two other
-// extents. All summed, v_0 . N is off by at most 66u w_x w_y w_z (6 from v_0, 42 from N, 18 from
-// the scalar product). Divided by |N| this is a distance along the normal. It is zero for triangles
-// in a coordinate plane, for which the kernel is exact.
-//
-// The bound is the triangle's own. A coplanar neighbour that is larger by orders of magnitude and
-// lies askew may still be met from within its own rounding error (u times its size) of the common
-// edge; covering that would mean offsets by the largest triangle of a mesh everywhere.
-constexpr double kPlaneError = 66 * kUnitRoundoff;
-
-double plane_error(const V3d& e1, const V3d& e2, double inverse_normal_length) {
-    double extents = kPlaneError * inverse_normal_length;
-    for (int k = 0; k < 3; ++k) {
-        extents *= std::max({0.0, e1[k], e2[k]}) - std::min({0.0, e1[k], e2[k]});
-    }
-    return extents;
-}
-
 /// Rounds `p` into the hit. `error` adds to every coordinate's bound. Twice the unit roundoff: p's
 /// own rounding, and that of moving an origin by the bound.
 void set_position(const V3d& p, double error, SurfaceHit& hit) {
@@ -66,11 +41,8 @@ void locate_on_triangle(const Surface& surface, const InstanceTransform* instanc
     const std::uint32_t i0 = corner[0], i1 = corner[1], i2 = corner[2];
     const V3d p0(surface.positions[i0]);
     const V3d e1 = V3d(surface.positions[i1]) - p0, e2 = V3d(surface.positions[i2]) - p0;
-    V3d normal = e1.cross(e2);
-    const double inverse_length = 1 / std::sqrt(normal.dot(normal));
-    normal *= surface.reversed ? -inverse_length : inverse_length;
+    const TrianglePlane& plane = surface.planes[raw.primitive];
     const V3d p = p0 + e1 * static_cast<double>(raw.u) + e2 * static_cast<double>(raw.v);
-    const double error = plane_error(e1, e2, inverse_length);
 
     Vec3 shading(0.0f);
     if (surface.normals) {
@@ -86,18 +58,18 @@ void locate_on_triangle(const Surface& surface, const InstanceTransform* instanc
     }
     if (instance) {
         const AffineMap& map = instance->map();
-        normal = map.normal(normal);
+        V3d normal = map.normal(V3d(plane.normal));
         // A distance along the object's normal, times the ratio of world to object heights.
         const double height_ratio = 1 / std::sqrt(normal.dot(normal));
-        normal *= height_ratio;
-        set_position(map.point(p), error * height_ratio, hit);
+        hit.ng = Vec3(normal * height_ratio);
+        set_position(map.point(p), static_cast<double>(plane.error) * height_ratio, hit);
         hit.p_error += instance->tracing_error(hit.p);
         if (surface.normals) shading = Vec3(map.normal(V3d(shading)));
         hit.dpdu = Vec3(map.vector(V3d(hit.dpdu)));
     } else {
-        set_position(p, error, hit);
+        hit.ng = plane.normal;
+        set_position(p, static_cast<double>(plane.error), hit);
     }
-    hit.ng = Vec3(normal);
     if (!surface.normals) {
         hit.ns = hit.ng;
         return;

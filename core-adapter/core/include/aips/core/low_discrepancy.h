@@ -54,15 +54,51 @@ inline std::uint32_t sobol_reversed_bits(std::uint32_t index, unsigned dimension
            t[3][index >> 24];
 }
 
+/// The seed of laine_karras_permutation() for a dimension of point `index`, see sobol_owen().
+inline std::uint32_t sobol_scramble(std::uint64_t index, unsigned dimension, std::uint32_t seed) {
+    const std::uint32_t epoch_seed = hash_bits(seed ^ hash_bits(std::uint32_t(index >> 32)));
+    return hash_bits(epoch_seed + dimension * 0x9E3779B9u);
+}
+
 /// Point `index` in `dimension` (< kSobolDimensions, unchecked), in [0, 1): a multiple of 2^-24.
 /// `seed` selects the scramble; dimensions are scrambled independently. The sequence has 2^32
 /// points; each further 2^32 is the same net under a scramble of its own. Every aligned block of
 /// 2^k points is stratified as an Owen-scrambled net is, and each point is uniform over seeds.
 inline float sobol_owen(std::uint64_t index, unsigned dimension, std::uint32_t seed) {
     const std::uint32_t bits = sobol_reversed_bits(std::uint32_t(index), dimension);
-    const std::uint32_t epoch_seed = hash_bits(seed ^ hash_bits(std::uint32_t(index >> 32)));
-    const std::uint32_t scramble = hash_bits(epoch_seed + dimension * 0x9E3779B9u);
+    const std::uint32_t scramble = sobol_scramble(index, dimension, seed);
     return to_unit_float(reverse_bits(laine_karras_permutation(bits, scramble)));
 }
+
+/// sobol_owen() for indices that mostly follow one another: what 256 neighbours have in common is
+/// worked out once. Same numbers, to the bit.
+class SobolRun {
+  public:
+    explicit SobolRun(std::uint32_t seed) : seed_(seed) {}
+
+    /// Chooses the point.
+    void move_to(std::uint64_t index) {
+        if (index >> 8 != window_) enter(index >> 8);
+        byte_ = index & 255u;
+    }
+    /// Its coordinate in `dimension` (< kSobolDimensions, unchecked), in [0, 1); after move_to().
+    float operator()(unsigned dimension) const {
+        const Dimension& d = dimensions_[dimension];
+        const std::uint32_t bits = d.upper_bits ^ sobol_tables[dimension][0][byte_];
+        return to_unit_float(reverse_bits(laine_karras_permutation(bits, d.scramble)));
+    }
+
+  private:
+    struct Dimension {
+        std::uint32_t upper_bits, scramble;
+    };
+
+    void enter(std::uint64_t window);
+
+    std::uint32_t seed_;
+    std::uint32_t byte_ = 0;
+    std::uint64_t window_ = ~std::uint64_t{0};  // index / 256; the initial value is none
+    std::array<Dimension, kSobolDimensions> dimensions_{};
+};
 
 }  // namespace aips

@@ -1,0 +1,54 @@
+// Planes of triangles, with the kernel's rounding error.
+#include "triangle_plane.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace lxs {
+namespace {
+
+using Imath::V3d;
+
+constexpr double kUnitRoundoff = 0x1p-24;  // single precision, round to nearest
+
+// The kernel (Embree's watertight test after Davidovic et al. 2012, "3D rasterization: a bridge
+// between rasterization and ray casting") takes corners v_i relative to the origin, the normal N as
+// a cross product of edges, and the distance as (v_0 . N) / (d . N). A ray that starts near the
+// triangle must see the sign of v_0 . N right. Let w be the triangle's extents: |v_i| <= w and
+// |edges| <= w hold per coordinate; subtracting the origin rounds by u w, so edges are off by at
+// most 3u w, each component of N, a sum of two products, by 14u times the product of the two other
+// extents. All summed, v_0 . N is off by at most 66u w_x w_y w_z (6 from v_0, 42 from N, 18 from
+// the scalar product). Divided by |N| this is a distance along the normal. It is zero for triangles
+// in a coordinate plane, for which the kernel is exact.
+//
+// The bound is the triangle's own. A coplanar neighbour that is larger by orders of magnitude and
+// lies askew may still be met from within its own rounding error (u times its size) of the common
+// edge; covering that would mean offsets by the largest triangle of a mesh everywhere.
+constexpr double kPlaneError = 66 * kUnitRoundoff;
+
+double plane_error(const V3d& e1, const V3d& e2, double inverse_normal_length) {
+    double extents = kPlaneError * inverse_normal_length;
+    for (int k = 0; k < 3; ++k) {
+        extents *= std::max({0.0, e1[k], e2[k]}) - std::min({0.0, e1[k], e2[k]});
+    }
+    return extents;
+}
+
+}  // namespace
+
+std::vector<TrianglePlane> triangle_planes(const TriangleMesh& mesh, bool reversed) {
+    std::vector<TrianglePlane> planes;
+    planes.reserve(mesh.indices.size() / 3);
+    for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3) {
+        const V3d p0(mesh.positions[mesh.indices[i]]);
+        const V3d e1 = V3d(mesh.positions[mesh.indices[i + 1]]) - p0;
+        const V3d e2 = V3d(mesh.positions[mesh.indices[i + 2]]) - p0;
+        const V3d normal = e1.cross(e2);
+        const double inverse_length = 1 / std::sqrt(normal.dot(normal));
+        planes.push_back({Vec3(normal * (reversed ? -inverse_length : inverse_length)),
+                          static_cast<float>(plane_error(e1, e2, inverse_length))});
+    }
+    return planes;
+}
+
+}  // namespace lxs

@@ -99,6 +99,9 @@ void FilmAccumulator::sort_by_cell() {
 void FilmAccumulator::gather_pixel(const PassSamples& pass, std::uint32_t x, std::uint32_t y,
                                    std::span<double> pixel) const {
     std::fill(pixel.begin(), pixel.end(), 0.0);
+    // Registers for what every film has: sums in memory wait for their own last store.
+    double weights = 0;
+    Imath::V3d first_group(0.0);
     const CellRange rows(y, filter_.radius_y(), height_);
     const CellRange columns(x, filter_.radius_x(), width_);
     const Vec2 centre(static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f);
@@ -110,14 +113,19 @@ void FilmAccumulator::gather_pixel(const PassSamples& pass, std::uint32_t x, std
             const Vec2& p = pass.positions[i];
             const double f = filter_.weight(p.x - centre.x, p.y - centre.y);
             if (f == 0) continue;
-            pixel[0] += f;
+            weights += f;
             const Rgb* radiance = &pass.radiance[std::size_t{i} * groups_];
-            for (std::uint32_t g = 0; g < groups_; ++g) {
+            first_group += Imath::V3d(*radiance) * f;
+            for (std::uint32_t g = 1; g < groups_; ++g) {
                 pixel[3 * g + 1] += f * radiance[g].x;
                 pixel[3 * g + 2] += f * radiance[g].y;
                 pixel[3 * g + 3] += f * radiance[g].z;
             }
         }
+    }
+    pixel[0] = weights;
+    for (int c = 0; c < 3; ++c) {
+        pixel[1 + static_cast<std::size_t>(c)] = first_group[c];
     }
 }
 

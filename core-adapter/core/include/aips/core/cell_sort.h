@@ -97,7 +97,14 @@ class CellSort {
         std::uint32_t bucket, index;
     };
 
-    std::uint32_t bucket(Cell c) const { return std::uint32_t(hash_cell(c)) & mask_; }
+    // Blocks of 4 x 4 x 4 cells are hashed, not cells: what lies side by side in the scene does so
+    // in memory. Within its block a cell's place is turned by further bits of the hash, so that
+    // flat surfaces in blocks that share a place don't all use the same part of it.
+    std::uint32_t bucket(Cell c) const {
+        const std::uint64_t hash = hash_cell({c.x >> 2, c.y >> 2, c.z >> 2});
+        const auto within = std::uint64_t((c.x & 3) | (c.y & 3) << 2 | (c.z & 3) << 4);
+        return std::uint32_t(hash << 6 | (within ^ hash >> 58)) & mask_;
+    }
 
     /// Distinct buckets of the cells that the ball touches. Two cells may share one, and visiting
     /// it twice would count its points twice.

@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "bounded_growth.h"
+#include "usable_bounds.h"
 
 namespace aips {
 namespace {
@@ -23,11 +24,6 @@ void check(const NodeTreeSettings& s) {
     if (s.node_photons < 2 || s.node_photons > kMaxNodePhotons) {
         throw std::invalid_argument("NodeTree: node_photons must be in [2, 2^20]");
     }
-}
-
-Bounds usable_bounds(const Bounds& box) {
-    const bool usable = !box.empty() && is_finite(box.lower) && is_finite(box.upper);
-    return usable ? box : Bounds{{0, 0, 0}, {0, 0, 0}};
 }
 
 /// Axes from the longest side of the box to the shortest; the lowest axis wins a tie.

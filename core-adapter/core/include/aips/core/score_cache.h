@@ -1,0 +1,190 @@
+// What a photon is worth to the image where it scatters, and what its continuation costs: learned
+// in the scene, for Russian roulette by score.
+//
+// Six kd-trees, one for each dominant direction of the normal, so that the two faces of a thin wall
+// never mix. A photon of throughput T that continues with probability s ~ T sqrt(q / c), q its
+// squared score per squared throughput and c its cost, minimises variance times cost; over leaves
+// that hold the sums S of q and C of c what is left is (sum of sqrt(S C))^2, the measure by which
+// leaves split. Sources: Bolin & Meyer 1997 and Rath et al. 2022 (the most efficient roulette goes
+// with the root of second moment over cost); Vorba & Krivanek 2016 (a cache in the scene steers
+// it).
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "aips/core/bounds.h"
+
+namespace aips {
+
+struct ScoreCacheSettings {
+    std::uint32_t max_leaves = 8192;  ///< of the whole cache, in [6, 2^24]
+    /// Vertices that a leaf must have met since it came to be before it is split, >= 4.
+    std::uint32_t split_count = 64;
+    /// Least fall of the cache's mass, the sum of sqrt(S C), by a split, as a share of it.
+    double split_gain = 1e-4;
+    /// A leaf with more than this share of the cache's mass is halved even if its halves look
+    /// alike: a field that is symmetric about the plane shows its shape only in the quarters.
+    double split_mass = 1.0 / 256;
+    /// Photon paths whose vertices count in full; older ones fade as exp(-paths / memory_paths).
+    double memory_paths = 4e6;
+    /// Pseudo-vertices at the parent's expectation that every node starts from, > 0: the weight
+    /// below which a leaf is not trusted. About 1 / (share of vertices with a score above zero).
+    double prior_count = 8;
+};
+
+/// What became of a photon that continued from a scattering vertex. One that roulette ended there
+/// says nothing about what continuing is worth and is not to be added.
+struct VertexScore {
+    Vec3 position;
+    Vec3 normal;  ///< on the side where the photon arrived, any length but 0
+    /// Q of all that came after the vertex / (power)^2, >= 0. The power is that before the
+    /// scattering with the vertex's own roulette in it (arriving / survival): with the arriving
+    /// power alone, scores would grow as 1 / survival^2 and the cache would chase its own roulette.
+    double score = 0;
+    double cost = 0;  ///< rays traced after it, >= 0
+};
+
+/// Learns between blocks of photons by add() and update(). at() changes at update() alone and may
+/// be called from many threads in between. Deterministic: a function of the sequence of calls.
+class ScoreCache {
+  public:
+    /// Six leaves over `scene`, whose box only places the planes: points outside it are as good as
+    /// others, and an empty or infinite box counts as the origin. Throws std::invalid_argument when
+    /// a setting is out of range.
+    explicit ScoreCache(const Bounds& scene, const ScoreCacheSettings& settings = {});
+
+    struct Expectation {
+        float score = 0;     ///< mean VertexScore::score
+        float cost = 0;      ///< mean VertexScore::cost, rays
+        bool known = false;  ///< false (and zeros) before any vertex was learned
+    };
+
+    /// Of a photon that continues from a vertex: the mean over its leaf's vertices as of the last
+    /// update(), joined by prior_count pseudo-vertices at the parent's expectation; the parent of a
+    /// tree's root is the mean over the whole cache. Never fails.
+    Expectation at(Vec3 position, Vec3 normal) const {
+        const Means means = means_[locate(position, normal)];
+        if (means.score < 0) return {};
+        return {means.score, means.cost, true};
+    }
+
+    /// Learns from a vertex; false, changing nothing, if a number is not finite, negative, or
+    /// beyond single precision. Vertices whose score is zero count. A score counts at most as much
+    /// as all that its leaf knew at the last update(), the prior included, so that one vertex about
+    /// doubles the expectation of its leaf, and hardly moves others. The greatest of n draws is a
+    /// vanishing part of their sum for every distribution with a mean, so expectations still
+    /// converge to the mean. Until scores above zero are known there is no such bound.
+    bool add(const VertexScore& vertex);
+    /// After `paths` further photon paths: forgets, splits what pays to be split, and sets the
+    /// expectations from what was learned so far.
+    void update(double paths);
+
+    std::uint32_t leaf_count() const { return static_cast<std::uint32_t>(leaves_.size()); }
+    std::size_t memory_bytes() const;
+    /// Upper bound of memory_bytes(), from the settings alone.
+    static std::size_t memory_bound_bytes(const ScoreCacheSettings& settings);
+
+  private:
+    static constexpr int kLeaf = 3;
+    static constexpr std::uint32_t kTrees = 6;
+
+    /// Interior: axis, plane and the lower child, the upper one being next. Leaf: its number. The
+    /// first six are the roots; children come after their parents.
+    struct Branch {
+        float plane = 0;
+        std::uint32_t packed = kLeaf;  // target * 4 + axis
+
+        int axis() const { return int(packed & 3u); }
+        std::uint32_t target() const { return packed >> 2; }
+    };
+
+    /// Expectations of a node; a negative score: nothing is known.
+    struct Means {
+        float score = -1;
+        float cost = 0;
+    };
+
+    /// Sums over the vertices below a node.
+    struct Totals {
+        double count = 0;
+        double score = 0;
+        double cost = 0;
+
+        void add(const Totals& other);
+        void scale(double factor);
+    };
+
+    /// A sum over a leaf's vertices, whole and of those in the lower half along each axis.
+    struct HalfSums {
+        double whole = 0;
+        std::array<double, 3> lower{};
+
+        void add(const std::array<bool, 3>& is_lower, double value);
+        void scale(double factor);
+        double half(int axis, bool upper) const;
+    };
+
+    /// What a leaf met since it came to be, or since its box was last fitted.
+    struct Probe {
+        HalfSums count;
+        HalfSums root;  ///< of sqrt(score), whose second moment is `score`
+        HalfSums score;
+        HalfSums cost;
+
+        void scale(double factor);
+        Totals half(int axis, bool upper) const;
+        double gain(int axis) const;
+        bool halves_differ(int axis) const;
+    };
+
+    struct Leaf {
+        Bounds box;  ///< where its vertices lie, roughly; its middle planes are those of `probe`
+        Bounds met;  ///< of all vertices met
+        double score_limit = 0;  ///< 0: none
+        Probe probe;
+    };
+
+    struct Split {
+        double gain = 0;
+        std::uint32_t branch = 0;
+        int axis = kLeaf;  ///< kLeaf: none
+    };
+
+    static std::uint32_t root_of(Vec3 normal) {
+        const Vec3 size = abs(normal);
+        const int axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
+        return 2u * std::uint32_t(axis) + (normal[axis] < 0 ? 1u : 0u);
+    }
+    std::uint32_t locate(Vec3 position, Vec3 normal) const {
+        std::uint32_t i = root_of(normal);
+        while (branches_[i].axis() != kLeaf) {
+            const Branch b = branches_[i];
+            i = b.target() + (position[b.axis()] >= b.plane ? 1u : 0u);
+        }
+        return i;
+    }
+    float fitted_side(const Leaf& leaf, int axis) const;
+    bool fit_box(Leaf& leaf) const;
+    bool divisible(const Leaf& leaf, int axis) const;
+    double leaf_mass(std::uint32_t branch) const;
+    Split best_split(std::uint32_t branch, double whole_mass) const;
+    void forget(double paths);
+    void split_leaves();
+    void split(const Split& split);
+    void add_totals();
+    Means blend(const Totals& totals, Means prior) const;
+    void set_means();
+
+    ScoreCacheSettings settings_;
+    float min_side_;
+    double paths_ = 0;  ///< that the sums stand for
+    std::vector<Branch> branches_;
+    std::vector<Means> means_;    // of each branch
+    std::vector<Totals> totals_;  // of each branch; interior ones are set in update()
+    std::vector<Leaf> leaves_;
+};
+
+}  // namespace aips

@@ -108,6 +108,47 @@ TEST(ScoreCache, RefinesWhereTheFieldChangesOffThePlanes) {
         EXPECT_LT(cache.at(p, kUp).score, 0.05);
 }
 
+// Without splits by mass: halves that differ are split, and know at once what was met in them.
+TEST(ScoreCache, SplitsBetweenHalvesThatDiffer) {
+    ScoreCacheSettings settings;
+    settings.split_mass = 1;
+    settings.split_gain = 0;
+    ScoreCache cache(kScene, settings);
+    learn(cache, halves, {.blocks = 2, .vertices = 4000, .seed = 20});  // the first fits the box
+    EXPECT_EQ(cache.leaf_count(), 7u);
+    EXPECT_NEAR(cache.at({0.49f, 0.5f, 0}, kUp).score, 4, kSigmas * 4 / std::sqrt(2000));
+    EXPECT_NEAR(cache.at({0.51f, 0.5f, 0}, kUp).score, 0.25, 0.05);
+}
+
+TEST(ScoreCache, DoesNotSplitHalvesThatDifferByChance) {
+    ScoreCacheSettings settings;
+    settings.split_mass = 1;
+    settings.split_gain = 0;
+    ScoreCache cache(kScene, settings);
+    learn(cache, [](Vec3) { return 1; }, {.blocks = 20, .vertices = 1000, .seed = 21});
+    EXPECT_EQ(cache.leaf_count(), 6u);
+}
+
+// One vertex in fifty has a score: a leaf that met none by chance must not be thought worthless.
+TEST(ScoreCache, RareScoresMakeNoLeafWorthlessByChance) {
+    ScoreCache cache(kScene);
+    for (std::uint64_t b = 0; b < 20; ++b) {
+        RandomStream random(22, b, 0, RandomDomain::Guide);
+        for (int i = 0; i < 10000; ++i) {
+            const Vec3 p = floor_point(random);
+            cache.add({p, kUp, random.next() < 0.02f ? 50.0 : 0.0, 1});
+        }
+        cache.update(10000);
+        constexpr int kSide = 50;
+        for (int i = 0; i < kSide * kSide; ++i) {
+            const Vec3 p{float(i % kSide) / kSide, float(i / kSide) / kSide, 0};
+            ASSERT_GT(cache.at(p, kUp).score, 0.2f) << "block " << b;
+            ASSERT_LT(cache.at(p, kUp).score, 5.0f) << "block " << b;
+        }
+    }
+    EXPECT_GT(cache.leaf_count(), 20u);
+}
+
 TEST(ScoreCache, SeesAFieldWhoseHalvesAreAlike) {
     ScoreCache cache(kScene);
     learn(cache, middle_spot, {.blocks = 16, .vertices = 10000, .seed = 4});
@@ -175,7 +216,8 @@ TEST(ScoreCache, NoLeafIsWorthlessByAFewVertices) {
             cache.add({{0.5f, 0.5f, 0}, kUp, 0, 1});
         cache.update(1000);
         const double mean = 40000.0 / (40000 + zeros);
-        const double prior = settings.prior_count / (settings.prior_count + zeros);
+        const double weight = settings.prior_count / mean;
+        const double prior = weight / (weight + zeros);
         EXPECT_NEAR(cache.at({0.5f, 0.5f, 0}, kUp).score, mean * prior, 1e-6) << zeros;
         // Where nothing was met, the whole cache's mean is all there is.
         EXPECT_NEAR(cache.at({0.5f, 0.5f, 0}, {1, 0, 0}).score, mean, 1e-6) << zeros;

@@ -44,14 +44,28 @@ float middle(const Bounds& box, int axis) {
 
 void ScoreCache::Totals::add(const Totals& other) {
     count += other.count;
+    root += other.root;
     score += other.score;
     cost += other.cost;
 }
 
 void ScoreCache::Totals::scale(double factor) {
     count *= factor;
+    root *= factor;
     score *= factor;
     cost *= factor;
+}
+
+/// Kish's effective sample size, (sum r)^2 / sum r^2, of root scores: it falls short of the count
+/// as scores are rare, or as few outshine the others.
+double ScoreCache::Totals::effective_count() const {
+    return score > 0 ? root * root / score : 0;
+}
+
+ScoreCache::Means ScoreCache::Totals::blend(Means prior, double prior_weight) const {
+    const double weight = count + prior_weight;
+    return {static_cast<float>((score + prior_weight * double(prior.score)) / weight),
+            static_cast<float>((cost + prior_weight * double(prior.cost)) / weight)};
 }
 
 void ScoreCache::HalfSums::add(const std::array<bool, 3>& is_lower, double value) {
@@ -77,8 +91,13 @@ void ScoreCache::Probe::scale(double factor) {
         sums->scale(factor);
 }
 
+ScoreCache::Totals ScoreCache::Probe::whole() const {
+    return {count.whole, root.whole, score.whole, cost.whole};
+}
+
 ScoreCache::Totals ScoreCache::Probe::half(int axis, bool upper) const {
-    return {count.half(axis, upper), score.half(axis, upper), cost.half(axis, upper)};
+    return {count.half(axis, upper), root.half(axis, upper), score.half(axis, upper),
+            cost.half(axis, upper)};
 }
 
 /// Fall of sqrt(S C) by a split, as a share of it: >= 0 by Cauchy and Schwarz, and 0 only if the
@@ -95,11 +114,11 @@ double ScoreCache::Probe::gain(int axis) const {
 bool ScoreCache::Probe::halves_differ(int axis) const {
     double difference = 0, variance = 0;
     for (const bool upper : {false, true}) {
-        const double n = count.half(axis, upper);
-        if (n < 2) return false;
-        const double mean = root.half(axis, upper) / n;
+        const Totals sums = half(axis, upper);
+        if (sums.count < 2) return false;
+        const double mean = sums.root / sums.count;
         difference += upper ? mean : -mean;
-        variance += std::max(0.0, score.half(axis, upper) / n - mean * mean) / (n - 1);
+        variance += std::max(0.0, sums.score / sums.count - mean * mean) / (sums.count - 1);
     }
     return difference * difference > kSignificance * kSignificance * variance;
 }
@@ -130,7 +149,7 @@ bool ScoreCache::add(const VertexScore& vertex) {
     Leaf& leaf = leaves_[branches_[branch].target()];
     const double score =
         leaf.score_limit > 0 ? std::min(vertex.score, leaf.score_limit) : vertex.score;
-    totals_[branch].add({1, score, vertex.cost});
+    totals_[branch].add({1, std::sqrt(score), score, vertex.cost});
     std::array<bool, 3> lower{};
     for (int axis = 0; axis < 3; ++axis)
         lower[unsigned(axis)] = vertex.position[axis] < middle(leaf.box, axis);
@@ -215,7 +234,8 @@ void ScoreCache::split_leaves() {
     for (std::uint32_t i = 0; i < branches_.size(); ++i) {
         if (branches_[i].axis() != kLeaf) continue;
         Leaf& leaf = leaves_[branches_[i].target()];
-        if (leaf.probe.count.whole < settings_.split_count || fit_box(leaf)) continue;
+        if (leaf.probe.whole().effective_count() < settings_.split_count) continue;
+        if (fit_box(leaf)) continue;
         const Split best = best_split(i, whole_mass);
         if (best.axis != kLeaf) splits.push_back(best);
     }
@@ -256,10 +276,10 @@ void ScoreCache::add_totals() {
     }
 }
 
-ScoreCache::Means ScoreCache::blend(const Totals& totals, Means prior) const {
-    const double k = settings_.prior_count, weight = totals.count + k;
-    return {static_cast<float>((totals.score + k * double(prior.score)) / weight),
-            static_cast<float>((totals.cost + k * double(prior.cost)) / weight)};
+/// In vertices: prior_count effective ones of the parent.
+double ScoreCache::prior_weight(const Totals& parent) const {
+    const double effective = parent.effective_count();
+    return settings_.prior_count * (effective > 0 ? parent.count / effective : 1);
 }
 
 // From the roots down: the prior of a node is its parent.
@@ -273,19 +293,19 @@ void ScoreCache::set_means() {
             leaf.score_limit = 0;
         return;
     }
-    const Means mean{static_cast<float>(whole.score / whole.count),
-                     static_cast<float>(whole.cost / whole.count)};
+    const auto set = [&](std::uint32_t i, Means prior, double weight) {
+        means_[i] = totals_[i].blend(prior, weight);
+        if (branches_[i].axis() != kLeaf) return;
+        leaves_[branches_[i].target()].score_limit =
+            double(means_[i].score) * (totals_[i].count + weight);
+    };
+    const Means mean = whole.blend({}, 0);
     for (std::uint32_t tree = 0; tree < kTrees; ++tree)
-        means_[tree] = blend(totals_[tree], mean);
+        set(tree, mean, prior_weight(whole));
     for (std::uint32_t i = 0; i < branches_.size(); ++i) {
-        const std::uint32_t target = branches_[i].target();
-        if (branches_[i].axis() == kLeaf) {
-            const double weight = totals_[i].count + settings_.prior_count;
-            leaves_[target].score_limit = double(means_[i].score) * weight;
-            continue;
-        }
-        for (const std::uint32_t child : {target, target + 1})
-            means_[child] = blend(totals_[child], means_[i]);
+        if (branches_[i].axis() == kLeaf) continue;
+        for (const std::uint32_t child : {branches_[i].target(), branches_[i].target() + 1})
+            set(child, means_[i], prior_weight(totals_[i]));
     }
 }
 

@@ -21,7 +21,8 @@ namespace aips {
 
 struct ScoreCacheSettings {
     std::uint32_t max_leaves = 8192;  ///< of the whole cache, in [6, 2^24]
-    /// Vertices that a leaf must have met since it came to be before it is split, >= 4.
+    /// Effective vertices that a leaf must have met since it came to be before it is split, >= 4:
+    /// as many as would, with equal scores, be as informative (rare or uneven scores: fewer).
     std::uint32_t split_count = 64;
     /// Least fall of the cache's mass, the sum of sqrt(S C), by a split, as a share of it.
     double split_gain = 1e-4;
@@ -30,9 +31,9 @@ struct ScoreCacheSettings {
     double split_mass = 1.0 / 256;
     /// Photon paths whose vertices count in full; older ones fade as exp(-paths / memory_paths).
     double memory_paths = 4e6;
-    /// Pseudo-vertices at the parent's expectation that every node starts from, > 0: the weight
-    /// below which a leaf is not trusted. About 1 / (share of vertices with a score above zero).
-    double prior_count = 8;
+    /// Effective vertices that every node's prior weighs, > 0: the number below which what a leaf
+    /// met is not trusted.
+    double prior_count = 4;
 };
 
 /// What became of a photon that continued from a scattering vertex. One that roulette ended there
@@ -63,8 +64,10 @@ class ScoreCache {
     };
 
     /// Of a photon that continues from a vertex: the mean over its leaf's vertices as of the last
-    /// update(), joined by prior_count pseudo-vertices at the parent's expectation; the parent of a
-    /// tree's root is the mean over the whole cache. Never fails.
+    /// update(), joined by a prior at the parent's expectation; the parent of a tree's root is the
+    /// mean over the whole cache. The prior weighs prior_count * n / n_eff vertices, n / n_eff
+    /// being the parent's: where one vertex in a hundred has a score, some hundred zeros prove
+    /// nothing. Never fails.
     Expectation at(Vec3 position, Vec3 normal) const {
         const Means means = means_[locate(position, normal)];
         if (means.score < 0) return {};
@@ -110,11 +113,14 @@ class ScoreCache {
     /// Sums over the vertices below a node.
     struct Totals {
         double count = 0;
+        double root = 0;  ///< of sqrt(score), whose second moment is `score`
         double score = 0;
         double cost = 0;
 
         void add(const Totals& other);
         void scale(double factor);
+        double effective_count() const;
+        Means blend(Means prior, double prior_weight) const;
     };
 
     /// A sum over a leaf's vertices, whole and of those in the lower half along each axis.
@@ -130,11 +136,12 @@ class ScoreCache {
     /// What a leaf met since it came to be, or since its box was last fitted.
     struct Probe {
         HalfSums count;
-        HalfSums root;  ///< of sqrt(score), whose second moment is `score`
+        HalfSums root;
         HalfSums score;
         HalfSums cost;
 
         void scale(double factor);
+        Totals whole() const;
         Totals half(int axis, bool upper) const;
         double gain(int axis) const;
         bool halves_differ(int axis) const;
@@ -175,7 +182,7 @@ class ScoreCache {
     void split_leaves();
     void split(const Split& split);
     void add_totals();
-    Means blend(const Totals& totals, Means prior) const;
+    double prior_weight(const Totals& parent) const;
     void set_means();
 
     ScoreCacheSettings settings_;

@@ -5,6 +5,7 @@
 #include "aips/core/arena.h"
 #include "aips/core/directional_table.h"
 #include "aips/core/random.h"
+#include "aips/core/score_cache.h"
 #include "memory_floor.h"
 #include "paper_guide.h"
 #include "photon_workload.h"
@@ -70,6 +71,31 @@ void node_lookup(benchmark::State& state) {
     state.counters["nodes"] = double(guide.tree().node_count());
 }
 
+/// Normal on the side where the photon arrived.
+Vec3 arrival_normal(const Landing& landing) {
+    return dot(landing.normal, landing.direction) < 0 ? -landing.normal : landing.normal;
+}
+
+/// What roulette by score adds to every bounce; landings stand for vertices, their power for a
+/// score.
+void score_lookup(benchmark::State& state) {
+    const PhotonWorkload& work = photon_workload();
+    constexpr int kRounds = 12;
+    ScoreCache cache(work.scene->bounds());
+    for (int round = 0; round < kRounds; ++round) {
+        for (const Landing& landing : work.landings)
+            cache.add({landing.position, arrival_normal(landing), double(landing.power.g), 2});
+        cache.update(work.paths);
+    }
+    std::size_t i = 0;
+    for ([[maybe_unused]] auto _ : state) {
+        const Landing& landing = work.landings[i++ % work.landings.size()];
+        benchmark::DoNotOptimize(cache.at(landing.position, arrival_normal(landing)));
+    }
+    state.SetItemsProcessed(state.iterations());
+    state.counters["leaves"] = double(cache.leaf_count());
+}
+
 void sample_lambert(benchmark::State& state) {
     const std::vector<Vec2> points = random_points();
     std::size_t i = 0;
@@ -132,6 +158,7 @@ void guide_update_1000_paths(benchmark::State& state) {
 
 BENCHMARK(read_positions);
 BENCHMARK(node_lookup);
+BENCHMARK(score_lookup);
 BENCHMARK(sample_lambert);
 BENCHMARK(table_sample)->Arg(4)->Arg(8)->Arg(16);
 BENCHMARK(table_pdf)->Arg(4)->Arg(8)->Arg(16);

@@ -150,7 +150,7 @@ statistics::BlockMeans renders(const std::filesystem::path& scene, const std::st
     for (unsigned seed = first_seed; seed < first_seed + seeds; ++seed) {
         const auto image =
             render::render(scene, arguments + " --seed " + std::to_string(seed), folder);
-        means.push_back(statistics::block_means(image.luminance(), kSize, kSize, kBlock));
+        means.push_back(image.block_means(kBlock));
     }
     return means;
 }

@@ -7,7 +7,6 @@
 #include <iostream>
 #include <numeric>
 
-#include "block_test.h"
 #include "rendered_image.h"
 
 namespace {
@@ -23,8 +22,8 @@ struct Agreement {
 };
 
 Agreement compare(const render::Image& ours, const render::Image& theirs) {
-    const auto a = statistics::block_means(ours.luminance(), ours.width, ours.height, kBlock);
-    const auto b = statistics::block_means(theirs.luminance(), theirs.width, theirs.height, kBlock);
+    const auto a = ours.block_means(kBlock);
+    const auto b = theirs.block_means(kBlock);
     const auto brightest = [&](std::size_t block) {
         const auto luminance = theirs.luminance();
         const std::size_t columns = theirs.width / kBlock;

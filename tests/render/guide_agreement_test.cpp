@@ -33,7 +33,7 @@ statistics::BlockMeans renders(const std::filesystem::path& scene, const std::st
             "--passes 2 --set aips.photonperpass=60000 --set aips.startradius=4 --set aips.guide=" +
                 guide + " --seed " + std::to_string(seed),
             folder);
-        means.push_back(statistics::block_means(image.luminance(), kWidth, kHeight, kBlock));
+        means.push_back(image.block_means(kBlock));
     }
     return means;
 }

@@ -43,7 +43,7 @@ statistics::BlockMeans renders(const fs::path& scene, int passes, unsigned first
                            "--integrator path --set path.maxdepth=8 --passes " +
                                std::to_string(passes) + " --seed " + std::to_string(seed),
                            folder);
-        means.push_back(statistics::block_means(image.luminance(), kWidth, kHeight, kBlock));
+        means.push_back(image.block_means(kBlock));
     }
     return means;
 }

@@ -2,8 +2,6 @@
 // of the radius, falling with it.
 #include <gtest/gtest.h>
 
-#include <algorithm>
-#include <cmath>
 #include <iostream>
 
 #include "block_test.h"
@@ -12,22 +10,14 @@
 namespace {
 
 constexpr int kSize = 96;
-
-double median_difference(const render::Image& a, const render::Image& b) {
-    const auto ma = statistics::block_means(a.luminance(), kSize, kSize, 16);
-    const auto mb = statistics::block_means(b.luminance(), kSize, kSize, 16);
-    std::vector<double> differences;
-    for (std::size_t i = 0; i < ma.size(); ++i)
-        differences.push_back(std::abs(ma[i] / mb[i] - 1));
-    std::sort(differences.begin(), differences.end());
-    return differences[differences.size() / 2];
-}
+constexpr std::size_t kBlock = 16;
 
 TEST(PathAgreement, CornellBoxAndTheBiasOfTheRadius) {
     const render::Folder folder;
     const auto scene = render::small_scene("cornell-box", folder, kSize, kSize);
     const auto reference =
         render::render(scene, "--integrator path --set path.maxdepth=12 --passes 1500", folder);
+    const auto blocks = reference.block_means(kBlock);
     std::vector<double> sequence;
     for (const std::string radius : {"16", "4", "1"}) {
         const auto image = render::render(
@@ -36,7 +26,7 @@ TEST(PathAgreement, CornellBoxAndTheBiasOfTheRadius) {
             "--set aips.startradius=" +
                 radius,
             folder);
-        sequence.push_back(median_difference(image, reference));
+        sequence.push_back(statistics::median_difference(image.block_means(kBlock), blocks));
         std::cout << "radius " << radius << " footprints: median block difference "
                   << 100 * sequence.back() << " %\n";
     }

@@ -23,7 +23,7 @@ statistics::BlockMeans renders(const std::filesystem::path& scene, const std::st
             "--passes 6 --set aips.photonperpass=30000 --set aips.startradius=3 --seed " +
                 std::to_string(seed) + sampler,
             folder);
-        means.push_back(statistics::block_means(image.luminance(), kWidth, kHeight, 16));
+        means.push_back(image.block_means(16));
     }
     return means;
 }

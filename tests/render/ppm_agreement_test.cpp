@@ -1,8 +1,6 @@
 // Protects `ppm` in the host: it converges to the image of `sppm`, and its bias falls with passes.
 #include <gtest/gtest.h>
 
-#include <algorithm>
-#include <cmath>
 #include <iostream>
 
 #include "block_test.h"
@@ -11,16 +9,7 @@
 namespace {
 
 constexpr int kSize = 96;
-
-double median_difference(const render::Image& a, const render::Image& b) {
-    const auto ma = statistics::block_means(a.luminance(), kSize, kSize, 16);
-    const auto mb = statistics::block_means(b.luminance(), kSize, kSize, 16);
-    std::vector<double> differences;
-    for (std::size_t i = 0; i < ma.size(); ++i)
-        differences.push_back(std::abs(ma[i] / mb[i] - 1));
-    std::sort(differences.begin(), differences.end());
-    return differences[differences.size() / 2];
-}
+constexpr std::size_t kBlock = 16;
 
 /// All light comes from photons: shadow rays from fixed hit points keep their first pass's noise.
 TEST(PpmAgreement, CornellBoxAndTheBiasThatPassesTakeAway) {
@@ -31,6 +20,7 @@ TEST(PpmAgreement, CornellBoxAndTheBiasThatPassesTakeAway) {
                                           "sppm.directlightsampling=false --set "
                                           "sppm.photonperpass=200000 --set sppm.startradius=1",
                                           folder);
+    const auto blocks = reference.block_means(kBlock);
     std::vector<double> sequence;
     for (const std::string passes : {"2", "16", "128"}) {
         const auto image = render::render(
@@ -39,7 +29,7 @@ TEST(PpmAgreement, CornellBoxAndTheBiasThatPassesTakeAway) {
             "ppm.photonperpass=20000 --set ppm.startradius=4 --set ppm.alpha=0.5 --passes " +
                 passes,
             folder);
-        sequence.push_back(median_difference(image, reference));
+        sequence.push_back(statistics::median_difference(image.block_means(kBlock), blocks));
         std::cout << passes << " passes: median block difference " << 100 * sequence.back()
                   << " %\n";
     }

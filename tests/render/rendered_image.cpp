@@ -12,6 +12,8 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "block_test.h"
+
 namespace render {
 namespace fs = std::filesystem;
 
@@ -22,6 +24,10 @@ std::vector<double> Image::luminance() const {
                     0.0722 * double(rgb[3 * i + 2]);
     }
     return values;
+}
+
+std::vector<double> Image::block_means(std::size_t size) const {
+    return statistics::block_means(luminance(), width, height, size);
 }
 
 Image read_image(const fs::path& file) {

@@ -15,6 +15,8 @@ struct Image {
     std::vector<float> rgb;
 
     std::vector<double> luminance() const;
+    /// Mean luminances of size x size blocks.
+    std::vector<double> block_means(std::size_t size) const;
 };
 
 /// Throws std::runtime_error if the file can't be read.

@@ -158,4 +158,13 @@ std::vector<double> block_means(const std::vector<double>& luminance, std::size_
     return means;
 }
 
+double median_difference(const std::vector<double>& a, const std::vector<double>& b) {
+    std::vector<double> differences;
+    for (std::size_t i = 0; i < a.size(); ++i)
+        differences.push_back(std::abs(a[i] / b[i] - 1));
+    const auto middle = differences.begin() + std::ptrdiff_t(differences.size() / 2);
+    std::nth_element(differences.begin(), middle, differences.end());
+    return *middle;
+}
+
 }  // namespace statistics

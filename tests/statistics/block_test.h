@@ -47,4 +47,7 @@ double student_p(double t, double degrees);
 std::vector<double> block_means(const std::vector<double>& luminance, std::size_t width,
                                 std::size_t height, std::size_t size);
 
+/// Median over the blocks of |a / b - 1|: a's relative difference from b, equally many blocks.
+double median_difference(const std::vector<double>& a, const std::vector<double>& b);
+
 }  // namespace statistics

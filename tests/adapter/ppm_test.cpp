@@ -25,9 +25,7 @@ Settings ppm_settings(std::uint64_t seed, std::uint32_t photons) {
 
 /// Block means of the lower half: floor and ball, without the lamp that eye rays see.
 std::vector<double> floor_blocks(const mock::Rendering& rendering) {
-    std::vector<double> luminances;
-    for (const Rgb& pixel : rendering.film.image())
-        luminances.push_back(luminance(pixel));
+    std::vector<double> luminances = mock::luminances(rendering.film);
     luminances.erase(luminances.begin(), luminances.begin() + kSize * kSize / 2);
     return statistics::block_means(luminances, kSize, kSize / 2, 4);
 }

@@ -16,6 +16,13 @@ Rendering render(const Scene& scene, const Camera& camera, std::uint32_t width,
     return result;
 }
 
+std::vector<double> luminances(const Film& film) {
+    std::vector<double> values;
+    for (const Rgb& pixel : film.image())
+        values.push_back(luminance(pixel));
+    return values;
+}
+
 double mean_luminance(const std::vector<Rgb>& image, std::uint32_t width, std::uint32_t x0,
                       std::uint32_t y0, std::uint32_t x1, std::uint32_t y1) {
     double sum = 0;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <vector>
 
 #include "aips/adapter/engine.h"
 #include "mock_camera.h"
@@ -19,6 +20,9 @@ struct Rendering {
 /// Renders `passes` passes of `scene`.
 Rendering render(const Scene& scene, const Camera& camera, std::uint32_t width,
                  std::uint32_t height, const aips::Settings& settings, std::uint32_t passes);
+
+/// Luminance of every pixel, row by row.
+std::vector<double> luminances(const Film& film);
 
 /// Mean luminance of a w x h image inside the rectangle [x0, x1) x [y0, y1).
 double mean_luminance(const std::vector<aips::Rgb>& image, std::uint32_t width, std::uint32_t x0,

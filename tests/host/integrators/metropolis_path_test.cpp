@@ -50,15 +50,11 @@ TEST(MetropolisPath, HasTheExpectationOfPlainPaths) {
                                       "Sampler \"metropolis\" \"float largemutationprob\" [0.1]\n",
                                       "Sampler \"metropolis\" \"float largemutationprob\" [1]\n",
                                       "Sampler \"metropolis\" \"float mutationrange\" [4]\n"}) {
-        auto chains = block_means(sampler + still_life(), 2048, 200);
+        const auto chains = block_means(sampler + still_life(), 2048, 200);
         const auto same = statistics::compare(plain, chains, 1e-3);
         std::cout << sampler << "  " << same.describe() << "\n";
         EXPECT_FALSE(same.differs()) << same.describe();
-        for (auto& render : chains) {
-            for (double& block : render)
-                block *= 1.02;
-        }
-        EXPECT_TRUE(statistics::compare(plain, chains, 1e-3).differs())
+        EXPECT_TRUE(statistics::compare(plain, statistics::scaled(chains, 1.02), 1e-3).differs())
             << "a planted bias of 2 % went unnoticed";
     }
 }

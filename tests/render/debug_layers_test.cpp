@@ -1,6 +1,5 @@
 // Protects `debuglayers`: the EXR of a whole render has the layers of docs/debug-layers.md, its
 // image stays the same, and the photon part is what photons brought.
-#include <OpenImageIO/imageio.h>
 #include <gtest/gtest.h>
 
 #include <set>
@@ -8,36 +7,6 @@
 #include "rendered_image.h"
 
 namespace {
-
-/// The EXR of the last render in `folder`, with all its channels.
-struct Layers {
-    OIIO::ImageSpec spec;
-    std::vector<float> values;
-
-    explicit Layers(const render::Folder& folder) {
-        // Not by ImageBuf, whose cache would keep an earlier render of the same name.
-        const auto input = OIIO::ImageInput::open((folder.path() / "out.exr").string());
-        if (!input) throw std::runtime_error(OIIO::geterror());
-        spec = input->spec();
-        values.resize(spec.image_pixels() * std::size_t(spec.nchannels));
-        input->read_image(0, 0, 0, spec.nchannels, OIIO::TypeDesc::FLOAT, values.data());
-    }
-    std::set<std::string> channels() const {
-        return {spec.channelnames.begin(), spec.channelnames.end()};
-    }
-    /// Layer of three channels, three floats a pixel.
-    std::vector<float> color(const std::string& name) const {
-        std::vector<float> rgb;
-        for (std::size_t i = 0; i < spec.image_pixels(); ++i) {
-            for (const char* suffix : {".R", ".G", ".B"}) {
-                const int channel = spec.channelindex(name + suffix);
-                if (channel < 0) throw std::runtime_error("no layer " + name);
-                rgb.push_back(values[i * std::size_t(spec.nchannels) + std::size_t(channel)]);
-            }
-        }
-        return rgb;
-    }
-};
 
 const std::set<std::string> kUnguided{
     "R", "G", "B", "photons.R", "photons.G", "photons.B", "photondensity.Y"};
@@ -56,7 +25,7 @@ TEST(DebugLayers, AreNamedAsDocumented) {
                        "--passes 2 --integrator " + plugin + " --set " + plugin +
                            ".photonperpass=10000 " + more,
                        folder);
-        return Layers(folder).channels();
+        return render::channel_names(folder.path() / "out.exr");
     };
     EXPECT_EQ(channels("aips", "--set aips.debuglayers=true --set aips.guide=paper"), guided());
     EXPECT_EQ(channels("aips", "--set aips.debuglayers=true --set aips.guide=none"), kUnguided);
@@ -74,7 +43,7 @@ TEST(DebugLayers, ImageIsPhotonPartPlusEyePart) {
     const auto plain = render::render(scene, common, folder);
     const auto image = render::render(scene, common + "--set aips.debuglayers=true", folder);
     EXPECT_EQ(plain.rgb, image.rgb) << "layers change the image";
-    const auto photons = Layers(folder).color("photons");
+    const auto photons = render::read_layer(folder.path() / "out.exr", "photons").rgb;
     const auto eye = render::render(scene, common + "--set aips.maxphotondepth=1", folder);
     std::size_t compared = 0;
     for (std::size_t i = 0; i < image.rgb.size(); ++i) {

@@ -16,6 +16,16 @@
 
 namespace render {
 namespace fs = std::filesystem;
+namespace {
+
+/// Not an ImageBuf: its cache would give an earlier render of the same name and second.
+std::unique_ptr<OIIO::ImageInput> opened(const fs::path& file) {
+    auto input = OIIO::ImageInput::open(file.string());
+    if (!input) throw std::runtime_error(OIIO::geterror());
+    return input;
+}
+
+}  // namespace
 
 std::vector<double> Image::luminance() const {
     std::vector<double> values(width * height);
@@ -30,18 +40,30 @@ std::vector<double> Image::block_means(std::size_t size) const {
     return statistics::block_means(luminance(), width, height, size);
 }
 
-Image read_image(const fs::path& file) {
-    // Not by ImageBuf: its cache would give an earlier render of the same name and second.
-    const auto input = OIIO::ImageInput::open(file.string());
-    if (!input) throw std::runtime_error(OIIO::geterror());
+std::set<std::string> channel_names(const fs::path& file) {
+    const auto names = opened(file)->spec().channelnames;
+    return {names.begin(), names.end()};
+}
+
+Image read_layer(const fs::path& file, const std::string& layer) {
+    const auto input = opened(file);
     const OIIO::ImageSpec& spec = input->spec();
     Image image{std::size_t(spec.width), std::size_t(spec.height), {}};
     image.rgb.resize(image.width * image.height * 3);
-    if (spec.nchannels < 3 ||
-        !input->read_image(0, 0, 0, 3, OIIO::TypeDesc::FLOAT, image.rgb.data())) {
-        throw std::runtime_error("cannot read " + file.string() + ": " + input->geterror());
+    float* first = image.rgb.data();
+    for (const char* color : {"R", "G", "B"}) {
+        const int channel = spec.channelindex(layer.empty() ? color : layer + '.' + color);
+        if (channel < 0) throw std::runtime_error(file.string() + ": no layer \"" + layer + '"');
+        if (!input->read_image(0, 0, channel, channel + 1, OIIO::TypeDesc::FLOAT, first++,
+                               3 * sizeof(float))) {
+            throw std::runtime_error("cannot read " + file.string() + ": " + input->geterror());
+        }
     }
     return image;
+}
+
+Image read_image(const fs::path& file) {
+    return read_layer(file, "");
 }
 
 Folder::Folder() {

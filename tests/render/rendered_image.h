@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -19,8 +20,14 @@ struct Image {
     std::vector<double> block_means(std::size_t size) const;
 };
 
-/// Throws std::runtime_error if the file can't be read.
+/// The image of an EXR. Throws std::runtime_error if the file can't be read.
 Image read_image(const std::filesystem::path& file);
+
+/// The layer of channels LAYER.R, LAYER.G, LAYER.B; throws std::runtime_error if there is none.
+Image read_layer(const std::filesystem::path& file, const std::string& layer);
+
+/// Names of all channels of an EXR; throws std::runtime_error if the file can't be read.
+std::set<std::string> channel_names(const std::filesystem::path& file);
 
 /// A folder that goes away with the test.
 class Folder {

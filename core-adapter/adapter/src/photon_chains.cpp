@@ -2,7 +2,8 @@
 #include "photon_chains.h"
 
 #include <tbb/enumerable_thread_specific.h>
-#include <tbb/parallel_for.h>
+
+#include "parallel_for.h"
 
 namespace aips {
 namespace {
@@ -37,7 +38,7 @@ void record(std::span<const Landing> state, std::uint32_t repeats, std::vector<L
 
 void PhotonChains::begin_pass(std::span<const Vec3> visible_points, float radius,
                               std::uint32_t paths) {
-    reach_.build(visible_points, radius);
+    reach_.build(visible_points, radius, tbb_for);
     paths_ = paths;
     pass_ = {};
     for (std::uint32_t c = 0; c < kChains; ++c)
@@ -80,19 +81,17 @@ PhotonCounts PhotonChains::trace(const PhotonInput& input, std::uint32_t count, 
         counts += round.chain;
     }
     pass_ += counts;
-    learn(counts);
+    not_learned_ += counts;
+    if (mutation_size_.steps() < kLearningSteps) learn_mutation_size();
     spread_states();
     return photons;
 }
 
-void PhotonChains::learn(const ChainCounts& counts) {
-    not_learned_ += counts;
-    if (mutation_size_.steps() < kLearningSteps) {
-        const std::uint64_t steps = not_learned_.mutated / kChains;
-        if (steps == 0) return;
-        mutation_size_.learn(double(not_learned_.accepted) / double(not_learned_.mutated), steps);
-        not_learned_ = {};
-    }
+void PhotonChains::learn_mutation_size() {
+    const std::uint64_t steps = not_learned_.mutated / kChains;
+    if (steps == 0) return;
+    mutation_size_.learn(double(not_learned_.accepted) / double(not_learned_.mutated), steps);
+    not_learned_ = {};
 }
 
 /// Chains without a path go on from those that have one, in turn.
@@ -110,10 +109,7 @@ void PhotonChains::spread_states() {
 
 double PhotonChains::end_pass() {
     totals_ += pass_;
-    if (const std::uint64_t steps = not_learned_.mutated / kChains) {
-        mutation_size_.learn(double(not_learned_.accepted) / double(not_learned_.mutated), steps);
-        not_learned_ = {};
-    }
+    learn_mutation_size();
     if (pass_.recorded == 0) return 0;
     const double visible_share = double(pass_.visible) / double(pass_.measured);
     return visible_share * double(paths_) / double(pass_.recorded);

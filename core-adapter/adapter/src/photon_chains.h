@@ -43,7 +43,8 @@ class PhotonChains {
   private:
     using Chain = VisibilityChain<std::vector<Landing>>;
 
-    void learn(const ChainCounts& counts);
+    /// From the mutations since it last learned; nothing before each chain had one.
+    void learn_mutation_size();
     void spread_states();
 
     std::vector<Chain> chains_;

@@ -1,9 +1,8 @@
 // The photon pass.
 #include "photon_pass.h"
 
-#include <tbb/parallel_for.h>
-
 #include "light_choice.h"
+#include "parallel_for.h"
 #include "stopwatch.h"
 
 namespace aips {
@@ -82,8 +81,7 @@ void PhotonPass::learn() {
 void PhotonPass::gather(const EyeImage& image, const SearchRadii& radii, Refusals& refusals,
                         PhotonFlux& flux) {
     const Stopwatch watch(totals_.gather_seconds);
-    grid_.build(waiting_.landings(), radii.largest,
-                [](std::uint32_t count, const Job& job) { tbb::parallel_for(0u, count, job); });
+    grid_.build(waiting_.landings(), radii.largest, tbb_for);
     gather_photons(image, grid_, radii, refusals, flux);
     waiting_.clear();
 }

@@ -1,0 +1,15 @@
+// The threads that the adapter lends to the core.
+#pragma once
+
+#include <tbb/parallel_for.h>
+
+#include "aips/core/parallel.h"
+
+namespace aips {
+
+/// A ParallelFor on TBB's threads.
+inline void tbb_for(std::uint32_t count, const Job& job) {
+    tbb::parallel_for(0u, count, job);
+}
+
+}  // namespace aips

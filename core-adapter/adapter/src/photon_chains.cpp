@@ -36,9 +36,11 @@ void record(std::span<const Landing> state, std::uint32_t repeats, std::vector<L
 
 }  // namespace
 
-void PhotonChains::begin_pass(std::span<const Vec3> visible_points, float radius,
-                              std::uint32_t paths) {
+void PhotonChains::mark_reach(std::span<const Vec3> visible_points, float radius) {
     reach_.build(visible_points, radius, tbb_for);
+}
+
+void PhotonChains::begin_pass(std::uint32_t paths) {
     paths_ = paths;
     pass_ = {};
     for (std::uint32_t c = 0; c < kChains; ++c)

@@ -15,9 +15,12 @@ class PhotonChains {
 
     PhotonChains() : chains_(kChains) {}
 
+    /// Where paths have to land to be visible, from the next pass until it is told anew.
+    void mark_reach(std::span<const Vec3> visible_points, float radius);
+
     /// Chains forget their paths: those of the last pass are not distributed as this pass's
     /// visible points and radius ask for. The size of mutations is kept. `paths`: of this pass.
-    void begin_pass(std::span<const Vec3> visible_points, float radius, std::uint32_t paths);
+    void begin_pass(std::uint32_t paths);
 
     /// Photon paths of the next round: short at first, so that the first visible path soon serves
     /// all chains.

@@ -14,15 +14,24 @@ PhotonPass::PhotonPass(const Scene& scene, const Settings& settings, Guide* guid
 }
 
 void PhotonPass::begin_pass(const EyeImage& image, float largest_radius) {
-    std::vector<Vec3> positions;
-    positions.reserve(image.visible_points.size());
-    for (const VisiblePoint& point : image.visible_points)
-        positions.push_back(point.position);
-    occupancy_.build(positions, largest_radius);
-    if (guide_) guide_->begin_pass(positions, image.positions.size());
-    if (chains_) chains_->begin_pass(positions, largest_radius, settings_.photons_per_pass);
+    const bool reach_lasts = freezes_eye_pass(settings_.mode) && reach_ == largest_radius;
+    if (guide_ || !reach_lasts) {
+        std::vector<Vec3> positions;
+        positions.reserve(image.visible_points.size());
+        for (const VisiblePoint& point : image.visible_points)
+            positions.push_back(point.position);
+        if (!reach_lasts) mark_reach(positions, largest_radius);
+        if (guide_) guide_->begin_pass(positions, image.positions.size());
+    }
+    if (chains_) chains_->begin_pass(settings_.photons_per_pass);
     if (bounces_) bounces_->begin_pass();
     waiting_.clear();
+}
+
+void PhotonPass::mark_reach(std::span<const Vec3> visible_points, float radius) {
+    occupancy_.build(visible_points, radius);
+    if (chains_) chains_->mark_reach(visible_points, radius);
+    reach_ = radius;
 }
 
 std::uint64_t PhotonPass::shoot(std::uint64_t pass, float time, const EyeImage& image,

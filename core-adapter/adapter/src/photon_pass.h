@@ -31,7 +31,8 @@ class PhotonPass {
     /// `guide` may be null.
     PhotonPass(const Scene& scene, const Settings& settings, Guide* guide);
 
-    /// Fills `flux` for the visible points in `image`; returns the photon paths shot.
+    /// Fills `flux` for the visible points in `image`; returns the photon paths shot. In modes that
+    /// freeze the eye pass the visible points must be the same in each pass.
     std::uint64_t shoot(std::uint64_t pass, float time, const EyeImage& image,
                         const SearchRadii& radii, Refusals& refusals, PhotonFlux& flux);
 
@@ -44,6 +45,7 @@ class PhotonPass {
 
   private:
     void begin_pass(const EyeImage& image, float largest_radius);
+    void mark_reach(std::span<const Vec3> visible_points, float radius);
     std::uint32_t iteration_paths(std::uint64_t iteration) const;
     void trace(const PhotonInput& input, std::uint32_t first, std::uint32_t count,
                Refusals& refusals);
@@ -56,6 +58,7 @@ class PhotonPass {
     Guide* guide_;
     DiscreteDistribution light_choice_;
     OccupancyGrid occupancy_;
+    float reach_ = 0;  // radius that the visible points are marked for; 0 before the first pass
     std::optional<PhotonChains> chains_;
     PhotonTracer tracer_;
     LandingStore waiting_;    // near visible points, not gathered yet

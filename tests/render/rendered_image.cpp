@@ -5,7 +5,6 @@
 
 #include <array>
 #include <cstdio>
-#include <cstdlib>
 #include <fstream>
 #include <memory>
 #include <regex>
@@ -64,17 +63,6 @@ Image read_layer(const fs::path& file, const std::string& layer) {
 
 Image read_image(const fs::path& file) {
     return read_layer(file, "");
-}
-
-Folder::Folder() {
-    std::string name = (fs::temp_directory_path() / "aips-render-XXXXXX").string();
-    if (!mkdtemp(name.data())) throw std::runtime_error("cannot make a folder " + name);
-    path_ = name;
-}
-
-Folder::~Folder() {
-    std::error_code ignored;
-    fs::remove_all(path_, ignored);
 }
 
 std::string output_of(const std::string& command) {

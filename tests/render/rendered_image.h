@@ -8,6 +8,8 @@
 #include <utility>
 #include <vector>
 
+#include "temporary_folder.h"
+
 namespace render {
 
 /// Linear radiance of an EXR, row by row, three floats a pixel.
@@ -29,18 +31,7 @@ Image read_layer(const std::filesystem::path& file, const std::string& layer);
 /// Names of all channels of an EXR; throws std::runtime_error if the file can't be read.
 std::set<std::string> channel_names(const std::filesystem::path& file);
 
-/// A folder that goes away with the test.
-class Folder {
-  public:
-    Folder();
-    ~Folder();
-    Folder(const Folder&) = delete;
-    Folder& operator=(const Folder&) = delete;
-    const std::filesystem::path& path() const { return path_; }
-
-  private:
-    std::filesystem::path path_;
-};
+using Folder = files::TemporaryFolder;
 
 /// Runs lxsrender on `scene` with more arguments, output in `folder`; throws std::runtime_error
 /// with all it said unless it exits with 0.

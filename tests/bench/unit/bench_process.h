@@ -1,25 +1,13 @@
-// Runs aips-bench as a user would, in a folder that goes away with the test.
+// Runs aips-bench as a user would.
 #pragma once
 
-#include <filesystem>
 #include <string>
 
-#include "study_file.h"
+#include "temporary_folder.h"
 
 namespace bench::test {
 
-class TemporaryFolder {
-  public:
-    TemporaryFolder();
-    ~TemporaryFolder();
-    TemporaryFolder(const TemporaryFolder&) = delete;
-    TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-    const std::filesystem::path& path() const { return path_; }
-    void write(const std::string& name, const std::string& text) const;
-
-  private:
-    std::filesystem::path path_;
-};
+using files::TemporaryFolder;
 
 struct BenchResult {
     int exit_code = -1;

@@ -10,6 +10,8 @@
 
 namespace lxs::test {
 
+using files::TemporaryFolder;
+
 /// How a run of lxsrender ended and what it said.
 struct RunResult {
     int exit_code = -1;  ///< 128 + signal number if a signal ended it

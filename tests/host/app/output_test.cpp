@@ -34,7 +34,7 @@ TEST_F(OutputTest, NamesComeFromTheFilmOrFromTheCommandLine) {
 
 TEST_F(OutputTest, NoTemporaryFilesStayBehind) {
     EXPECT_EQ(run({"--stats", "stats.json"}).exit_code, 0);
-    EXPECT_EQ(folder_.files(), 4u);  // scene, EXR, PNG, statistics
+    EXPECT_EQ(folder_.entries(), 4u);  // scene, EXR, PNG, statistics
 }
 
 TEST_F(OutputTest, SameSceneAndSeedGiveTheSameFileForAnyNumberOfThreads) {

@@ -53,10 +53,10 @@ TEST(AtomicFile, WritesAndReplaces) {
     const TemporaryFolder folder;
     const std::string path = folder / "image";
     write_file_atomically(path, bytes_of("first"));
-    EXPECT_EQ(content_of(path), "first");
+    EXPECT_EQ(folder.read("image"), "first");
     ::chmod(path.c_str(), 0640);
     write_file_atomically(path, bytes_of("second"));
-    EXPECT_EQ(content_of(path), "second");
+    EXPECT_EQ(folder.read("image"), "second");
     struct stat status {};
     ASSERT_EQ(::stat(path.c_str(), &status), 0);
     EXPECT_EQ(status.st_mode & 0777, 0640u) << "the older file's mode is kept";
@@ -73,7 +73,7 @@ TEST(AtomicFile, AFullDiskLeavesTheOlderFileWhole) {
         error = write_error(path, std::string(5000, 'x'));
     }
     EXPECT_EQ(error, "cannot write '" + path + "': File too large");
-    EXPECT_EQ(content_of(path), "older");
+    EXPECT_EQ(folder.read("image"), "older");
     EXPECT_EQ(folder.entries(), 1u) << "the temporary file is removed";
 }
 
@@ -100,7 +100,7 @@ TEST(AtomicFile, ReadOnlyFolder) {
     fs::permissions(inner, fs::perms::owner_read | fs::perms::owner_exec);
     EXPECT_EQ(write_error(inner + "/image", "text"),
               "cannot write '" + inner + "/image': Permission denied");
-    EXPECT_EQ(content_of(inner + "/image"), "older");
+    EXPECT_EQ(folder.read("inner/image"), "older");
     fs::permissions(inner, fs::perms::owner_all);
 }
 
@@ -118,7 +118,7 @@ TEST(AtomicFile, ASymbolicLinkStaysALink) {
     fs::create_symlink(folder / "target", folder / "link");
     write_file_atomically(folder / "link", bytes_of("newer"));
     EXPECT_TRUE(fs::is_symlink(folder / "link"));
-    EXPECT_EQ(content_of(folder / "target"), "newer");
+    EXPECT_EQ(folder.read("target"), "newer");
 }
 
 }  // namespace

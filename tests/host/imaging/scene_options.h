@@ -1,16 +1,16 @@
 // Scenes that consist of option statements only, built in the tests' own words.
 #pragma once
 
-#include <filesystem>
-#include <fstream>
-#include <sstream>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "lxs/scene/contents.h"
+#include "temporary_folder.h"
 
 namespace lxs::test {
+
+using files::TemporaryFolder;
 
 /// Keeps what was said; a test looks at it afterwards.
 class RecordedDiagnostics : public Diagnostics {
@@ -82,33 +82,6 @@ std::string input_error(const Action& action) {
         return error.what();
     }
     return "";
-}
-
-/// A folder of its own for a test, removed with all it holds.
-class TemporaryFolder {
-  public:
-    TemporaryFolder() {
-        std::string pattern = (std::filesystem::temp_directory_path() / "lxs-XXXXXX").string();
-        path_ = mkdtemp(pattern.data());
-    }
-    ~TemporaryFolder() { std::filesystem::remove_all(path_); }
-    TemporaryFolder(const TemporaryFolder&) = delete;
-    TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-
-    std::string operator/(const std::string& name) const { return (path_ / name).string(); }
-    std::size_t entries() const {
-        const auto files = std::filesystem::directory_iterator(path_);
-        return static_cast<std::size_t>(std::distance(begin(files), end(files)));
-    }
-
-  private:
-    std::filesystem::path path_;
-};
-
-inline std::string content_of(const std::string& path) {
-    std::ostringstream content;
-    content << std::ifstream(path, std::ios::binary).rdbuf();
-    return content.str();
 }
 
 }  // namespace lxs::test

@@ -1,14 +1,13 @@
 // Include: where files are found, chains in messages, cycles, depth; standard input.
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <filesystem>
-#include <fstream>
 #include <iostream>
 #include <sstream>
 #include <system_error>
 
 #include "scene_fakes.h"
+#include "temporary_folder.h"
 
 namespace lxs::test {
 namespace {
@@ -18,19 +17,10 @@ namespace fs = std::filesystem;
 /// A folder of its own for each test.
 class Include : public testing::Test {
   protected:
-    void SetUp() override {
-        const std::string name = testing::UnitTest::GetInstance()->current_test_info()->name();
-        root_ =
-            fs::temp_directory_path() / ("lxs_include_" + name + "_" + std::to_string(::getpid()));
-        fs::create_directories(root_);
-    }
-    void TearDown() override { fs::remove_all(root_); }
-
     void write(const std::string& name, const std::string& text) const {
-        fs::create_directories((root_ / name).parent_path());
-        std::ofstream(root_ / name, std::ios::binary) << text;
+        folder_.write(name, text);
     }
-    std::string path(const std::string& name) const { return (root_ / name).string(); }
+    std::string path(const std::string& name) const { return folder_ / name; }
     SceneContents read(const std::string& name) const {
         CollectingDiagnostics diagnostics;
         return read_scene(path(name), fake_registry(), diagnostics);
@@ -43,7 +33,7 @@ class Include : public testing::Test {
         } catch (const InputError& error) {
             message = error.what();
         }
-        const std::string folder = root_.string();
+        const std::string folder = folder_.path().string();
         std::string shown;
         std::size_t from = 0;
         for (std::size_t at = message.find(folder); at != std::string::npos;
@@ -54,7 +44,7 @@ class Include : public testing::Test {
         return shown + message.substr(from);
     }
 
-    fs::path root_;
+    files::TemporaryFolder folder_;
 };
 
 TEST_F(Include, FilesAreFoundInTheMainFolderThenByBasenameThenBesideTheIncluder) {
@@ -65,7 +55,7 @@ TEST_F(Include, FilesAreFoundInTheMainFolderThenByBasenameThenBesideTheIncluder)
     write("sub/c.lxo", "Shape \"sphere\"");
     write("b.lxo", "Shape \"sphere\"");
     EXPECT_EQ(read("main.lxs").primitives.size(), 5u);
-    EXPECT_EQ(read("main.lxs").directory, root_.string());
+    EXPECT_EQ(read("main.lxs").directory, folder_.path().string());
 }
 
 TEST_F(Include, AssetsAreFoundLikeIncludes) {
@@ -108,7 +98,7 @@ TEST_F(Include, MissingFilesAreLocated) {
 
 TEST_F(Include, MainFileMustBeReadable) {
     EXPECT_THROW(read("none.lxs"), std::system_error);
-    fs::create_directories(root_ / "folder.lxs");
+    fs::create_directories(folder_ / "folder.lxs");
     EXPECT_THROW(read("folder.lxs"), std::system_error);
 }
 
@@ -116,7 +106,7 @@ TEST_F(Include, CyclesAreErrors) {
     write("main.lxs", "WorldBegin\nInclude \"a.lxo\"\nWorldEnd\n");
     write("a.lxo", "Include \"sub/../b.lxo\"");
     write("b.lxo", "Include \"./a.lxo\"");
-    fs::create_directories(root_ / "sub");
+    fs::create_directories(folder_ / "sub");
     const std::string message = error_of("main.lxs");
     EXPECT_NE(message.find("Include leads in a circle"), std::string::npos) << message;
     EXPECT_NE(message.find("a.lxo\" -> \""), std::string::npos) << message;

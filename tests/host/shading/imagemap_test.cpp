@@ -3,29 +3,20 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <filesystem>
-#include <fstream>
 #include <limits>
 
 #include "shading_fixture.h"
+#include "temporary_folder.h"
 
 namespace lxs {
 namespace {
 
 class ImagemapTest : public ::testing::Test {
   protected:
-    ImagemapTest()
-        : folder_(std::filesystem::temp_directory_path() /
-                  ("lxs_imagemap_" +
-                   std::string(::testing::UnitTest::GetInstance()->current_test_info()->name()))) {
-        std::filesystem::create_directories(folder_);
-    }
-    ~ImagemapTest() override { std::filesystem::remove_all(folder_); }
-
     /// Writes floats as the format of the name's ending; returns the path.
     std::string write(const std::string& name, int width, int height, int channels,
                       const std::vector<float>& values) {
-        std::string path = (folder_ / name).string();
+        std::string path = folder_ / name;
         OIIO::ImageSpec spec(
             width, height, channels,
             name.ends_with(".exr") ? OIIO::TypeDesc::FLOAT : OIIO::TypeDesc::UINT8);
@@ -50,7 +41,7 @@ class ImagemapTest : public ::testing::Test {
             EXPECT_NEAR(a[c], b[c], 1e-3f) << a << " against " << b;
     }
 
-    std::filesystem::path folder_;
+    files::TemporaryFolder folder_;
     ShadingFixture scene_;
 };
 
@@ -142,14 +133,11 @@ TEST_F(ImagemapTest, LookupsAtAnyCoordinateAreFinite) {
 
 TEST_F(ImagemapTest, DamagedAndMissingFilesAreErrorsThatNameThem) {
     const std::vector<float> pixels(std::size_t{64} * 64 * 3, 0.5f);
-    const std::string whole = write("whole.exr", 64, 64, 3, pixels);
-    const std::string damaged = (folder_ / "damaged.exr").string();
-    std::ifstream in(whole, std::ios::binary);
-    std::string bytes((std::istreambuf_iterator<char>(in)), {});
-    std::ofstream(damaged, std::ios::binary) << bytes.substr(0, bytes.size() / 2);
-    const std::string no_image = (folder_ / "text.png").string();
-    std::ofstream(no_image) << "not an image";
-    for (const std::string& path : {damaged, no_image, (folder_ / "missing.png").string()}) {
+    write("whole.exr", 64, 64, 3, pixels);
+    const std::string bytes = folder_.read("whole.exr");
+    const std::string damaged = folder_.write("damaged.exr", bytes.substr(0, bytes.size() / 2));
+    const std::string no_image = folder_.write("text.png", "not an image");
+    for (const std::string& path : {damaged, no_image, folder_ / "missing.png"}) {
         try {
             scene_.make_color("imagemap", {text("filename", path)});
             ADD_FAILURE() << "no error for " << path;

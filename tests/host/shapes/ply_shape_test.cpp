@@ -1,14 +1,12 @@
 // Meshes in PLY files: text and binary, with and without normals and coordinates, damaged ones.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <cmath>
 #include <cstring>
-#include <filesystem>
-#include <fstream>
 
 #include "shape_fixture.h"
+#include "temporary_folder.h"
 
 namespace lxs::test {
 namespace {
@@ -18,17 +16,8 @@ using testing::HasSubstr;
 
 class PlyShape : public testing::Test {
   protected:
-    void SetUp() override {
-        directory_ =
-            std::filesystem::temp_directory_path() / ("ply_shape_test_" + std::to_string(getpid()));
-        std::filesystem::create_directories(directory_);
-    }
-    void TearDown() override { std::filesystem::remove_all(directory_); }
-
     std::string write(const std::string& content) const {
-        std::string path = (directory_ / "mesh.ply").string();
-        std::ofstream(path, std::ios::binary) << content;
-        return path;
+        return folder_.write("mesh.ply", content);
     }
     static std::string header(const std::string& format, int vertices,
                               const std::string& properties, int faces) {
@@ -39,7 +28,7 @@ class PlyShape : public testing::Test {
     }
 
   private:
-    std::filesystem::path directory_;
+    files::TemporaryFolder folder_;
 };
 
 const std::string normals_and_coordinates =

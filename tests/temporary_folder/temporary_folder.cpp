@@ -1,20 +1,19 @@
 // A folder for the files of one test.
 #include "temporary_folder.h"
 
-#include <gtest/gtest.h>
 #include <stdlib.h>
 
 #include <fstream>
 #include <iterator>
 #include <stdexcept>
 
-namespace lxs::test {
+namespace files {
 
 namespace fs = std::filesystem;
 
 TemporaryFolder::TemporaryFolder() {
-    std::string name = (fs::temp_directory_path() / "lxsrender-test-XXXXXX").string();
-    if (::mkdtemp(name.data()) == nullptr) throw std::runtime_error("no temporary folder");
+    std::string name = (fs::temp_directory_path() / "aips-test-XXXXXX").string();
+    if (::mkdtemp(name.data()) == nullptr) throw std::runtime_error("cannot make folder " + name);
     path_ = name;
 }
 
@@ -23,14 +22,22 @@ TemporaryFolder::~TemporaryFolder() {
     fs::remove_all(path_, ignored);
 }
 
-std::string TemporaryFolder::write(const std::string& name, const std::string& text) const {
-    std::ofstream(path_ / name, std::ios::binary) << text;
+std::string TemporaryFolder::operator/(const std::string& name) const {
     return (path_ / name).string();
+}
+
+std::string TemporaryFolder::write(const std::string& name, const std::string& text) const {
+    const fs::path file = path_ / name;
+    fs::create_directories(file.parent_path());
+    if (!(std::ofstream(file, std::ios::binary) << text << std::flush)) {
+        throw std::runtime_error("cannot write " + file.string());
+    }
+    return file.string();
 }
 
 std::string TemporaryFolder::read(const std::string& name) const {
     std::ifstream file(path_ / name, std::ios::binary);
-    EXPECT_TRUE(file) << "no file " << name;
+    if (!file) throw std::runtime_error("no file " + (path_ / name).string());
     return {std::istreambuf_iterator<char>(file), {}};
 }
 
@@ -38,9 +45,9 @@ bool TemporaryFolder::has(const std::string& name) const {
     return fs::exists(path_ / name);
 }
 
-std::size_t TemporaryFolder::files() const {
+std::size_t TemporaryFolder::entries() const {
     return static_cast<std::size_t>(
         std::distance(fs::directory_iterator(path_), fs::directory_iterator()));
 }
 
-}  // namespace lxs::test
+}  // namespace files

@@ -2,12 +2,12 @@
 #include "light_cases.h"
 
 #include <OpenImageIO/imageio.h>
-#include <gtest/gtest.h>
 
 #include <cmath>
 #include <stdexcept>
 
 #include "lxs/scene/constant_texture.h"
+#include "temporary_folder.h"
 
 namespace lxs::test {
 namespace {
@@ -176,27 +176,8 @@ Primitive emissive(Geometry geometry, const Rgb& radiance) {
     return primitive;
 }
 
-TriangleMesh parallelogram(const Vec3& corner, const Vec3& u, const Vec3& v) {
-    TriangleMesh mesh;
-    mesh.positions = {corner, corner + u, corner + u + v, corner + v};
-    mesh.indices = {0, 1, 2, 0, 2, 3};
-    return mesh;
-}
-
 Quadric placed(std::variant<Sphere, Disk> shape, const Matrix& to_world) {
     return {shape, to_world};
-}
-
-Matrix translation(double x, double y, double z) {
-    Matrix m;
-    m.setTranslation(Imath::V3d(x, y, z));
-    return m;
-}
-
-Matrix scaling(double x, double y, double z) {
-    Matrix m;
-    m.setScale(Imath::V3d(x, y, z));
-    return m;
 }
 
 std::vector<ExtendedLight> extended_lights() {
@@ -219,9 +200,8 @@ std::string probe_image() {
             c[2] = spot ? 20.0f : 0.1f + 0.02f * static_cast<float>(y);
         }
     }
-    const auto* info = testing::UnitTest::GetInstance()->current_test_info();
-    std::string path = testing::TempDir() + "light_probe_" +
-                       (info ? std::string(info->test_suite_name()) + info->name() : "") + ".exr";
+    static const files::TemporaryFolder folder;  // the lights read the file while tests run
+    std::string path = folder / "light_probe.exr";
     const auto file = OIIO::ImageOutput::create(path);
     if (!file ||
         !file->open(path, OIIO::ImageSpec(int(kWidth), int(kHeight), 3, OIIO::TypeDesc::FLOAT)) ||

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "lxs/lights/lights.h"
+#include "test_geometry.h"
 
 namespace lxs::test {
 
@@ -40,11 +41,7 @@ std::unique_ptr<Light> make_one(const std::string& plugin,
 std::shared_ptr<const ColorTexture> constant_color(const Rgb& color);
 /// An emissive primitive; power and efficacy 0.
 Primitive emissive(Geometry geometry, const Rgb& radiance);
-/// Parallelogram of two triangles, normal u x v.
-TriangleMesh parallelogram(const Vec3& corner, const Vec3& u, const Vec3& v);
 Quadric placed(std::variant<Sphere, Disk> shape, const Matrix& to_world);
-Matrix translation(double x, double y, double z);
-Matrix scaling(double x, double y, double z);
 
 /// Where a ray from `p` along `wi` meets a light, and the front normal there.
 struct LightHit {

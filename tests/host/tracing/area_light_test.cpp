@@ -9,7 +9,7 @@ namespace lxs::test {
 namespace {
 
 Primitive lamp(const Rgb& radiance, std::uint32_t group = 0) {
-    Primitive result = primitive(rectangle(Vec3(-1, -1, 0), Vec3(2, 0, 0), Vec3(0, 2, 0)));
+    Primitive result = primitive(parallelogram(Vec3(-1, -1, 0), Vec3(2, 0, 0), Vec3(0, 2, 0)));
     result.emission = emission(radiance);
     result.emission->group = group;
     return result;
@@ -44,7 +44,7 @@ TEST(AreaLights, ReverseOrientationTurnsTheShiningSide) {
 
 TEST(AreaLights, EachInstanceOfALampIsALightOfItsOwn) {
     SceneContents contents = instanced(
-        {primitive(rectangle(Vec3(5, 5, 0), Vec3(1, 0, 0), Vec3(0, 1, 0))), lamp(Rgb(2.0f), 1)},
+        {primitive(parallelogram(Vec3(5, 5, 0), Vec3(1, 0, 0), Vec3(0, 1, 0))), lamp(Rgb(2.0f), 1)},
         {Matrix(), translation(10, 0, 0), scaling(1, 1, -1) * translation(20, 0, 0)});
     contents.primitives = {lamp(Rgb(7.0f))};
     std::get<TriangleMesh>(contents.primitives[0].geometry).positions = {

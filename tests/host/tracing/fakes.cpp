@@ -76,13 +76,6 @@ TriangleMesh triangle(const Vec3& a, const Vec3& b, const Vec3& c) {
     return mesh;
 }
 
-TriangleMesh rectangle(const Vec3& corner, const Vec3& u, const Vec3& v) {
-    TriangleMesh mesh;
-    mesh.positions = {corner, corner + u, corner + u + v, corner + v};
-    mesh.indices = {0, 1, 2, 0, 2, 3};
-    return mesh;
-}
-
 Quadric sphere(float radius, const Matrix& to_world) {
     return {Sphere{radius, -radius, radius, 360}, to_world};
 }
@@ -103,12 +96,6 @@ AreaEmission emission(const Rgb& radiance) {
     return result;
 }
 
-Matrix translation(double x, double y, double z) {
-    return Matrix().setTranslation(Imath::V3d(x, y, z));
-}
-Matrix scaling(double x, double y, double z) {
-    return Matrix().setScale(Imath::V3d(x, y, z));
-}
 Matrix rotation(const Imath::V3d& axis, double angle) {
     return Matrix().setAxisAngle(axis.normalized(), angle);
 }

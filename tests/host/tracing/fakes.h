@@ -8,6 +8,7 @@
 #include "lxs/scene/contents.h"
 #include "lxs/sdk/scene.h"
 #include "lxs/tracing/trace_scene.h"
+#include "test_geometry.h"
 
 namespace lxs::test {
 
@@ -17,16 +18,12 @@ std::shared_ptr<const Material> matte();
 std::shared_ptr<const Material> straight(const Rgb& share);
 
 TriangleMesh triangle(const Vec3& a, const Vec3& b, const Vec3& c);
-/// Two triangles: corner, corner + u, corner + u + v, corner + v; normal along u x v.
-TriangleMesh rectangle(const Vec3& corner, const Vec3& u, const Vec3& v);
 Quadric sphere(float radius, const Matrix& to_world);
 Quadric disk(float radius, const Matrix& to_world);
 
 Primitive primitive(Geometry geometry, std::shared_ptr<const Material> material = matte());
 AreaEmission emission(const Rgb& radiance);
 
-Matrix translation(double x, double y, double z);
-Matrix scaling(double x, double y, double z);
 /// About `axis` by `angle` radians.
 Matrix rotation(const Imath::V3d& axis, double angle);
 

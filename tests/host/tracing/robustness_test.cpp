@@ -74,7 +74,7 @@ TEST_P(Leaving, TiltedRectangles) {
     for (int i = 0; i < 20; ++i) {
         const Matrix m =
             rotation(Imath::V3d(random_direction(random)), uniform(random, 0, 6)) * placement();
-        TriangleMesh mesh = rectangle(Vec3(-1, -1, 0), Vec3(2, 0, 0), Vec3(0, 2, 0));
+        TriangleMesh mesh = parallelogram(Vec3(-1, -1, 0), Vec3(2, 0, 0), Vec3(0, 2, 0));
         for (Vec3& p : mesh.positions) {
             Imath::V3d image;
             m.multVecMatrix(Imath::V3d(p), image);
@@ -88,7 +88,7 @@ TEST_P(Leaving, AxisAlignedRectangles) {
     const Vec3 axes[] = {Vec3(1, 0, 0), Vec3(0, 1, 0), Vec3(0, 0, 1)};
     for (int i = 0; i < 3; ++i) {
         const Vec3 u = axes[i] * GetParam().scale, v = axes[(i + 1) % 3] * GetParam().scale;
-        const TriangleMesh mesh = rectangle(center() - u - v, u * 2, v * 2);
+        const TriangleMesh mesh = parallelogram(center() - u - v, u * 2, v * 2);
         expect_clean(*trace({primitive(mesh)}), Shape::Flat, 1, 10000);
     }
 }
@@ -124,7 +124,7 @@ TEST_P(Leaving, Disk) {
 TEST_P(Leaving, InstancedRectangleAndSphere) {
     const Matrix m = scaling(1, 0.5, 1.5) * rotation({3, -1, 2}, 2) * placement();
     const TriangleMesh mesh =
-        rectangle(Vec3(-1, -0.8f, 0.1f), Vec3(2, 0.3f, 0.2f), Vec3(0.1f, 2, -0.3f));
+        parallelogram(Vec3(-1, -0.8f, 0.1f), Vec3(2, 0.3f, 0.2f), Vec3(0.1f, 2, -0.3f));
     expect_clean(*trace(instanced({primitive(mesh)}, {m})), Shape::Flat, 1);
     expect_clean(*trace(instanced({primitive(sphere(1, Matrix()))}, {m})), Shape::Convex, 1);
 }
@@ -132,7 +132,7 @@ TEST_P(Leaving, InstancedRectangleAndSphere) {
 TEST(Leaving, LargeFloorFarFromItsCorners) {
     // A tilted floor of 20 km, left in the middle: the kernel's error comes from the far corners.
     const Matrix tilt = rotation({1, 0.3, 0}, 0.4);
-    TriangleMesh mesh = rectangle(Vec3(-1e4f, -1e4f, 0), Vec3(2e4f, 0, 0), Vec3(0, 2e4f, 0));
+    TriangleMesh mesh = parallelogram(Vec3(-1e4f, -1e4f, 0), Vec3(2e4f, 0, 0), Vec3(0, 2e4f, 0));
     for (Vec3& p : mesh.positions)
         p = p * Imath::M44f(tilt);
     const auto scene = trace({primitive(mesh)});
@@ -149,8 +149,8 @@ TEST(Offset, IsTiny) {
         {primitive(triangle(Vec3(-1, -1, 0.3f), Vec3(1, -0.8f, -0.2f), Vec3(0.2f, 1, 0.9f)))});
     ASSERT_TRUE(hit(*tilted, ray(Vec3(0, 0, 5), Vec3(0, 0, -1)), result));
     EXPECT_LT(result.p_error.length(), 2e-5f);
-    const auto floor =
-        trace({primitive(rectangle(Vec3(-1e4f, -1e4f, 1), Vec3(2e4f, 0, 0), Vec3(0, 2e4f, 0)))});
+    const auto floor = trace(
+        {primitive(parallelogram(Vec3(-1e4f, -1e4f, 1), Vec3(2e4f, 0, 0), Vec3(0, 2e4f, 0)))});
     ASSERT_TRUE(hit(*floor, ray(Vec3(0, 0, 5), Vec3(0, 0, -1)), result));
     EXPECT_LT(result.p_error.z, 2e-7f);
     const auto ball = trace({primitive(sphere(1, translation(2, 0, 0)))});

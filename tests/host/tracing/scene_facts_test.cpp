@@ -7,7 +7,7 @@ namespace lxs::test {
 namespace {
 
 TEST(SceneFacts, MatteOnly) {
-    const auto scene = trace({primitive(rectangle(Vec3(0), Vec3(1, 0, 0), Vec3(0, 1, 0)))});
+    const auto scene = trace({primitive(parallelogram(Vec3(0), Vec3(1, 0, 0), Vec3(0, 1, 0)))});
     const SceneFacts facts = scene->facts();
     EXPECT_TRUE(facts.has_receivers);
     EXPECT_FALSE(facts.has_glossy);
@@ -39,7 +39,7 @@ TEST(SceneFacts, ClearMediumIsNoMedium) {
 }
 
 TEST(SceneFacts, BoundsCoverInstancesAndLeaveOutUnusedVertices) {
-    TriangleMesh mesh = rectangle(Vec3(0), Vec3(1, 0, 0), Vec3(0, 1, 0));
+    TriangleMesh mesh = parallelogram(Vec3(0), Vec3(1, 0, 0), Vec3(0, 1, 0));
     mesh.positions.emplace_back(99, 99, 99);
     const Bounds box =
         trace(instanced({primitive(mesh)}, {Matrix(), translation(5, 0, 2)}))->bounds();
@@ -58,7 +58,7 @@ TEST(SceneFacts, NamesArePassedOn) {
 }
 
 TEST(SceneFacts, FlattenedInstanceIsAnError) {
-    Primitive plate = primitive(rectangle(Vec3(0), Vec3(1, 0, 0), Vec3(0, 1, 0)));
+    Primitive plate = primitive(parallelogram(Vec3(0), Vec3(1, 0, 0), Vec3(0, 1, 0)));
     try {
         trace(instanced({plate}, {scaling(1, 0, 1)}));
         FAIL() << "a singular instance transform was accepted";

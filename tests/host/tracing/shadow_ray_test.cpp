@@ -39,7 +39,7 @@ TriangleMesh placed(TriangleMesh mesh, const Matrix& m) {
 }
 
 TriangleMesh panel(float half, float z) {
-    return rectangle(Vec3(-half, -half, z), Vec3(2 * half, 0, 0), Vec3(0, 2 * half, 0));
+    return parallelogram(Vec3(-half, -half, z), Vec3(2 * half, 0, 0), Vec3(0, 2 * half, 0));
 }
 
 Primitive lamp(Geometry geometry) {
@@ -129,7 +129,7 @@ TEST_P(ShadowRay, LeavesTheWallBesideALamp) {
     // The wall's points see the lamp at all elevations. A gap of more than rounding between them:
     // no lamp point may lie within the wall's own error.
     const auto corner = [](const Matrix& m) {
-        const TriangleMesh wall = rectangle(Vec3(-1, -1, 0), Vec3(2, 0, 0), Vec3(0, 0, 2));
+        const TriangleMesh wall = parallelogram(Vec3(-1, -1, 0), Vec3(2, 0, 0), Vec3(0, 0, 2));
         return trace({lamp(placed(panel(0.999f, 0), m)), primitive(placed(wall, m))});
     };
     const auto wall_point = [](const Scene& scene, Random& random, const Matrix& m) {

@@ -9,7 +9,8 @@ namespace lxs::test {
 namespace {
 
 Primitive pane(float z, std::shared_ptr<const Material> material) {
-    return primitive(rectangle(Vec3(-1, -1, z), Vec3(2, 0, 0), Vec3(0, 2, 0)), std::move(material));
+    return primitive(parallelogram(Vec3(-1, -1, z), Vec3(2, 0, 0), Vec3(0, 2, 0)),
+                     std::move(material));
 }
 
 const Ray upwards = ray(Vec3(0.3f, 0.2f, 0), Vec3(0, 0, 1));

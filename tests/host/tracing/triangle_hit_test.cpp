@@ -15,7 +15,7 @@ void expect_near(const Vec3& a, const Vec3& b, float tolerance = 1e-6f) {
 const Vec3 down(0, 0, -1);
 
 TEST(TriangleHit, NormalFollowsVertexOrderNotTheRay) {
-    const auto scene = trace({primitive(rectangle(Vec3(0), Vec3(1, 0, 0), Vec3(0, 1, 0)))});
+    const auto scene = trace({primitive(parallelogram(Vec3(0), Vec3(1, 0, 0), Vec3(0, 1, 0)))});
     SurfaceHit result;
     ASSERT_TRUE(hit(*scene, ray(Vec3(0.25f, 0.5f, 1), down), result));
     expect_near(result.ng, Vec3(0, 0, 1));
@@ -26,7 +26,7 @@ TEST(TriangleHit, NormalFollowsVertexOrderNotTheRay) {
 }
 
 TEST(TriangleHit, ReverseOrientationTurnsBothNormals) {
-    TriangleMesh mesh = rectangle(Vec3(0), Vec3(1, 0, 0), Vec3(0, 1, 0));
+    TriangleMesh mesh = parallelogram(Vec3(0), Vec3(1, 0, 0), Vec3(0, 1, 0));
     mesh.normals.assign(4, Vec3(0.6f, 0, 0.8f));
     Primitive reversed = primitive(mesh);
     reversed.reverse_orientation = true;
@@ -77,8 +77,8 @@ TEST(TriangleHit, CollapsedCoordinatesGiveNoTangentAndNoNaN) {
 }
 
 TEST(TriangleHit, TellsTriangleMaterialAndMedia) {
-    Primitive first = primitive(rectangle(Vec3(0), Vec3(1, 0, 0), Vec3(0, 1, 0)));
-    Primitive second = primitive(rectangle(Vec3(5, 0, 0), Vec3(1, 0, 0), Vec3(0, 1, 0)));
+    Primitive first = primitive(parallelogram(Vec3(0), Vec3(1, 0, 0), Vec3(0, 1, 0)));
+    Primitive second = primitive(parallelogram(Vec3(5, 0, 0), Vec3(1, 0, 0), Vec3(0, 1, 0)));
     second.material_index = 3;
     second.interior = std::make_shared<Medium>(Rgb(1.0f), 1.5f);
     second.exterior = std::make_shared<Medium>(Rgb(2.0f), 1.0f);
@@ -98,7 +98,7 @@ TEST(TriangleHit, TellsTriangleMaterialAndMedia) {
 }
 
 TEST(TriangleHit, InstancePutsEverythingInTheWorld) {
-    TriangleMesh mesh = rectangle(Vec3(-1, -1, 0), Vec3(2, 0, 0), Vec3(0, 2, 0));
+    TriangleMesh mesh = parallelogram(Vec3(-1, -1, 0), Vec3(2, 0, 0), Vec3(0, 2, 0));
     mesh.normals.assign(4, Vec3(0.6f, 0, 0.8f));
     mesh.uvs = {Vec2(0, 0), Vec2(1, 0), Vec2(1, 1), Vec2(0, 1)};
     // x -> 3x, then z -> x: the plane z = 0 becomes x = 10, its normal +x.
@@ -113,7 +113,7 @@ TEST(TriangleHit, InstancePutsEverythingInTheWorld) {
 }
 
 TEST(TriangleHit, MirroredInstanceKeepsItsOutside) {
-    const TriangleMesh mesh = rectangle(Vec3(-1, -1, 1), Vec3(2, 0, 0), Vec3(0, 2, 0));
+    const TriangleMesh mesh = parallelogram(Vec3(-1, -1, 1), Vec3(2, 0, 0), Vec3(0, 2, 0));
     const auto scene = trace(instanced({primitive(mesh)}, {scaling(1, 1, -1)}));
     SurfaceHit result;
     ASSERT_TRUE(hit(*scene, ray(Vec3(0.2f, 0.1f, -5), Vec3(0, 0, 1)), result));
@@ -139,7 +139,7 @@ TEST(TriangleHit, PositionIsWithinItsErrorBoundOfThePlane) {
 }
 
 TEST(TriangleHit, RespectsTheEndOfTheSegment) {
-    const auto scene = trace({primitive(rectangle(Vec3(0), Vec3(1, 0, 0), Vec3(0, 1, 0)))});
+    const auto scene = trace({primitive(parallelogram(Vec3(0), Vec3(1, 0, 0), Vec3(0, 1, 0)))});
     Ray segment = ray(Vec3(0.25f, 0.5f, 1), down);
     SurfaceHit result;
     segment.t_max = 0.999f;
@@ -149,7 +149,7 @@ TEST(TriangleHit, RespectsTheEndOfTheSegment) {
 }
 
 TEST(TriangleHit, MediumOfTheRayAttenuates) {
-    const auto scene = trace({primitive(rectangle(Vec3(0), Vec3(1, 0, 0), Vec3(0, 1, 0)))});
+    const auto scene = trace({primitive(parallelogram(Vec3(0), Vec3(1, 0, 0), Vec3(0, 1, 0)))});
     const Medium medium(Rgb(1, 0.5f, 0), 1);
     Ray r = ray(Vec3(0.25f, 0.5f, 2), down);
     r.medium = &medium;
@@ -172,7 +172,7 @@ TEST(TriangleHit, MeshWithoutTrianglesIsLeftOut) {
     TriangleMesh empty;
     empty.positions = {Vec3(0)};
     const auto scene =
-        trace({primitive(empty), primitive(rectangle(Vec3(0), Vec3(1, 0, 0), Vec3(0, 1, 0)))});
+        trace({primitive(empty), primitive(parallelogram(Vec3(0), Vec3(1, 0, 0), Vec3(0, 1, 0)))});
     SurfaceHit result;
     EXPECT_TRUE(hit(*scene, ray(Vec3(0.25f, 0.5f, 1), down), result));
 }

@@ -10,8 +10,9 @@ namespace {
 using namespace aips;
 
 /// A furnace (emission 1, albedo 0.5) around a solid glass ball; the camera is inside the ball or
-/// outside of it. Radiance is n^2 * L inside, L outside: 2 for the infinite sum.
-mock::Scene furnace_with_ball(float index) {
+/// outside of it. Radiance is n^2 * L inside, L outside: 2 for the infinite sum. A core within the
+/// ball emits n^2, so that it stays so.
+mock::Scene furnace_with_ball(float index, float core_radius = 0) {
     mock::Scene scene;
     mock::Surface wall;
     wall.emitted = {1, 1, 1};
@@ -21,6 +22,12 @@ mock::Scene furnace_with_ball(float index) {
     ball.material.kind = mock::Material::Kind::Glass;
     ball.material.index = index;
     scene.add(ball);
+    if (core_radius > 0) {
+        mock::Surface core;
+        core.shape = mock::Ball{{0, 0, 0}, core_radius, false};
+        core.emitted = Rgb{1, 1, 1} * (index * index);
+        scene.add(core);
+    }
     scene.finish();
     return scene;
 }
@@ -45,23 +52,9 @@ TEST(Dielectric, BallInAFurnaceIsInvisible) {
 }
 
 /// A matte, emitting core inside a glass ball inside a furnace: photons cross the boundary both
-/// ways. In equilibrium radiance inside is n^2 L; the core emits n^2 so that it stays so.
+/// ways.
 TEST(Dielectric, LampInsideTheDielectric) {
-    constexpr float kIndex = 1.5f;
-    mock::Scene scene;
-    mock::Surface wall;
-    wall.emitted = {1, 1, 1};
-    scene.add_box({-2, -2, -2}, {2, 2, 2}, wall);
-    mock::Surface ball;
-    ball.shape = mock::Ball{{0, 0, 0}, 1, false};
-    ball.material.kind = mock::Material::Kind::Glass;
-    ball.material.index = kIndex;
-    scene.add(ball);
-    mock::Surface core;
-    core.shape = mock::Ball{{0, 0, 0}, 0.3f, false};
-    core.emitted = Rgb{1, 1, 1} * (kIndex * kIndex);
-    scene.add(core);
-    scene.finish();
+    const mock::Scene scene = furnace_with_ball(1.5f, 0.3f);
     constexpr std::uint32_t kSize = 24;
     Settings settings = mock::small_settings(22, 40000);
     settings.max_eye_depth = 64;

@@ -58,20 +58,8 @@ TEST(Ppm, ConvergesToTheImageOfSppm) {
     EXPECT_LT(sequence[2], 0.025);
 }
 
-std::vector<float> radii(const mock::Scene& scene, const Settings& settings) {
-    const auto camera = mock::camera_along_y({0, -0.9f, 0}, 1, 16, 16);
-    const mock::Sampler sampler(settings.seed);
-    mock::Film film(16, 16);
-    mock::Log log;
-    Engine engine({scene, camera, sampler, film, log}, settings);
-    std::vector<float> result;
-    for (unsigned pass = 0; pass < 4; ++pass)
-        result.push_back(engine.render_pass(pass).radius);
-    return result;
-}
-
 TEST(Ppm, LightShrinksTheRadiusInEachPass) {
-    const auto r = radii(mock::lamp_box({}, {}), ppm_settings(63, 20000));
+    const auto r = mock::radii(mock::lamp_box({}, {}), ppm_settings(63, 20000), 4);
     for (std::size_t i = 1; i < r.size(); ++i)
         EXPECT_LT(r[i], r[i - 1]);
 }
@@ -82,7 +70,7 @@ TEST(Ppm, RejectedPhotonsDoNotShrinkTheRadius) {
     black.reflectance = {0, 0, 0};
     for (const bool hide : {false, true}) {
         black.hide_lambert = hide;
-        const auto r = radii(mock::lamp_box(black, black), ppm_settings(64, 20000));
+        const auto r = mock::radii(mock::lamp_box(black, black), ppm_settings(64, 20000), 4);
         EXPECT_GT(r[0], 0);
         EXPECT_EQ(r.back(), r.front()) << "general Bsdf " << hide;
     }

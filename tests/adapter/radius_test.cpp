@@ -8,27 +8,14 @@ namespace {
 
 using namespace aips;
 
-std::vector<float> radii(const mock::Scene& scene, Settings settings, unsigned passes) {
-    const auto camera = mock::camera_along_y({0, -0.9f, 0}, 1, 16, 16);
-    const mock::Sampler sampler(settings.seed);
-    mock::Film film(16, 16);
-    mock::Log log;
-    Engine engine({scene, camera, sampler, film, log}, settings);
-    std::vector<float> result;
-    for (unsigned pass = 0; pass < passes; ++pass) {
-        result.push_back(engine.render_pass(pass).radius);
-    }
-    return result;
-}
-
 TEST(Radius, ShrinksWithPhotonsShotAndNotWithPasses) {
     const mock::Scene scene = mock::lamp_box({}, {});
     Settings settings = mock::small_settings(91, 1000);
     settings.alpha = 0.7;
     settings.photons_per_pass = 8000;
-    const auto coarse = radii(scene, settings, 3);
+    const auto coarse = mock::radii(scene, settings, 3);
     settings.photons_per_pass = 4000;
-    const auto fine = radii(scene, settings, 5);
+    const auto fine = mock::radii(scene, settings, 5);
     EXPECT_FLOAT_EQ(coarse[0], fine[0]);
     EXPECT_FLOAT_EQ(coarse[1], fine[2]);
     EXPECT_FLOAT_EQ(coarse[2], fine[4]);
@@ -41,8 +28,8 @@ TEST(Radius, RejectedPhotonsHaveNoInfluence) {
     black.reflectance = {0, 0, 0};
     Settings settings = mock::small_settings(92, 4000);
     settings.alpha = 0.7;
-    EXPECT_EQ(radii(mock::lamp_box({}, {}), settings, 4),
-              radii(mock::lamp_box(black, black), settings, 4));
+    EXPECT_EQ(mock::radii(mock::lamp_box({}, {}), settings, 4),
+              mock::radii(mock::lamp_box(black, black), settings, 4));
 }
 
 /// startradius is in pixel footprints: twice the resolution, half the radius.
@@ -68,7 +55,7 @@ TEST(Radius, PhotonMapKeepsIt) {
     Settings settings = mock::small_settings(94, 4000);
     settings.alpha = 0.7;
     settings.mode = Mode::PhotonMap;
-    const auto r = radii(scene, settings, 3);
+    const auto r = mock::radii(scene, settings, 3);
     EXPECT_EQ(r[0], r[2]);
 }
 

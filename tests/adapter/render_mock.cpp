@@ -16,6 +16,18 @@ Rendering render(const Scene& scene, const Camera& camera, std::uint32_t width,
     return result;
 }
 
+std::vector<float> radii(const Scene& scene, const Settings& settings, unsigned passes) {
+    const Camera camera = camera_along_y({0, -0.9f, 0}, 1, 16, 16);
+    const Sampler sampler(settings.seed);
+    Film film(16, 16);
+    Log log;
+    Engine engine({scene, camera, sampler, film, log}, settings);
+    std::vector<float> result;
+    for (unsigned pass = 0; pass < passes; ++pass)
+        result.push_back(engine.render_pass(pass).radius);
+    return result;
+}
+
 std::vector<double> luminances(const Film& film) {
     std::vector<double> values;
     for (const Rgb& pixel : film.image())

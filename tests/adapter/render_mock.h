@@ -21,6 +21,9 @@ struct Rendering {
 Rendering render(const Scene& scene, const Camera& camera, std::uint32_t width,
                  std::uint32_t height, const aips::Settings& settings, std::uint32_t passes);
 
+/// Radii of the first `passes` passes of `scene` onto an image of 16 x 16.
+std::vector<float> radii(const Scene& scene, const aips::Settings& settings, unsigned passes);
+
 /// Luminance of every pixel, row by row.
 std::vector<double> luminances(const Film& film);
 

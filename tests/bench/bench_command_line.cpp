@@ -5,31 +5,11 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <cmath>
+
+#include "lxs/host/option_checks.h"
 
 namespace bench {
 namespace {
-
-const CLI::Validator& positive() {
-    static const CLI::Validator check(
-        [](const std::string& text) {
-            double value = 0;
-            const bool read = CLI::detail::lexical_cast(text, value);
-            return read && value > 0 && std::isfinite(value)
-                       ? std::string()
-                       : "expected a number above 0, found \"" + text + "\"";
-        },
-        "SECONDS");
-    return check;
-}
-
-std::string check_override(const std::string& text) {
-    const auto dot = text.find('.');
-    const auto equals = text.find('=');
-    const bool whole =
-        dot != std::string::npos && equals != std::string::npos && dot > 0 && dot + 1 < equals;
-    return whole ? "" : "expected plugin.parameter=value, found \"" + text + "\"";
-}
 
 void add_method_table(CLI::App& app, BenchCommandLine& command) {
     app.add_option("--method-table", command.method_table,
@@ -71,7 +51,7 @@ void add_run(CLI::App& app, BenchCommandLine& command) {
         ->required();
     run.add_option("--budgets", command.budgets_s, "seconds, separated by commas")
         ->delimiter(',')
-        ->check(positive());
+        ->check(CLI::Validator(lxs::check_positive, "SECONDS"));
     run.add_option("--seeds", command.seeds, "number of seeds (default: 3)")
         ->check(CLI::Range(1u, 1000u));
     run.add_option("--out", command.folder, "folder of the study")->type_name("DIR")->required();
@@ -85,7 +65,7 @@ void add_run(CLI::App& app, BenchCommandLine& command) {
         ->type_name("plugin.parameter=value")
         ->expected(1)
         ->take_all()
-        ->check(CLI::Validator(check_override, ""));
+        ->check(CLI::Validator(lxs::check_override, ""));
     run.add_option("--photons-per-pass", command.photons_per_pass,
                    "photon paths in each pass of every photon method (default: the method table's)")
         ->type_name("COUNT")
@@ -101,7 +81,7 @@ void add_reference(CLI::App& app, BenchCommandLine& command) {
     CLI::App& reference = *app.add_subcommand("reference", "add to the reference images of scenes");
     add_rendering(reference, command);
     reference.add_option("--seconds", command.seconds, "wall seconds for each scene (default: 60)")
-        ->check(positive());
+        ->check(CLI::Validator(lxs::check_positive, "SECONDS"));
     reference.add_flag("--up-to", command.up_to,
                        "only what is missing to that many seconds in all");
     reference.callback([&command] { command.command = Command::Reference; });
@@ -139,13 +119,6 @@ void add_others(CLI::App& app, BenchCommandLine& command) {
     one.callback([&command] { command.command = Command::RenderOne; });
 }
 
-std::string exit_code_help() {
-    std::string text = "Exit codes:\n";
-    for (const auto& [code, meaning] : kExitCodes)
-        text += fmt::format("  {:>3}  {}\n", static_cast<int>(code), meaning);
-    return text;
-}
-
 void check_repetition(const std::vector<std::string>& names, const char* option) {
     for (auto name = names.begin(); name != names.end(); ++name) {
         if (std::find(names.begin(), name, *name) != name) {
@@ -161,7 +134,7 @@ std::optional<ExitCode> parse_command_line(int argc, const char* const* argv,
     CLI::App app("Measures rendering methods: run time against error (docs/benchmark.md).",
                  "aips-bench");
     app.require_subcommand(1);
-    app.footer(exit_code_help());
+    app.footer(lxs::exit_code_help(kExitCodes));
     add_run(app, command);
     add_reference(app, command);
     add_report(app, command);

@@ -2,7 +2,8 @@
 #pragma once
 
 #include <array>
-#include <string_view>
+
+#include "lxs/host/exit_code_help.h"
 
 namespace bench {
 
@@ -18,24 +19,20 @@ enum class ExitCode : int {
     Interrupted = 130
 };
 
-struct ExitCodeMeaning {
-    ExitCode code;
-    std::string_view meaning;
-};
-
 inline constexpr std::array kExitCodes = {
-    ExitCodeMeaning{ExitCode::Success, "done"},
-    ExitCodeMeaning{ExitCode::InternalError, "internal error"},
-    ExitCodeMeaning{ExitCode::Usage, "the command line is not understood"},
-    ExitCodeMeaning{ExitCode::BadInput,
-                    "unknown scene, method or parameter, or a file that is damaged or of another "
-                    "study"},
-    ExitCodeMeaning{ExitCode::PluginFailure, "a plugin module can't be loaded"},
-    ExitCodeMeaning{ExitCode::OutputFailure, "an output file can't be written"},
-    ExitCodeMeaning{ExitCode::RunsFailed, "some runs failed; the others are complete"},
-    ExitCodeMeaning{ExitCode::ReferencesDiffer,
-                    "the two references of a scene differ by more than chance"},
-    ExitCodeMeaning{ExitCode::Interrupted, "interrupted; what was complete is kept"},
+    lxs::ExitCodeMeaning{ExitCode::Success, "done"},
+    lxs::ExitCodeMeaning{ExitCode::InternalError, "internal error"},
+    lxs::ExitCodeMeaning{ExitCode::Usage, "the command line is not understood"},
+    lxs::ExitCodeMeaning{
+        ExitCode::BadInput,
+        "unknown scene, method or parameter, or a file that is damaged or of another "
+        "study"},
+    lxs::ExitCodeMeaning{ExitCode::PluginFailure, "a plugin module can't be loaded"},
+    lxs::ExitCodeMeaning{ExitCode::OutputFailure, "an output file can't be written"},
+    lxs::ExitCodeMeaning{ExitCode::RunsFailed, "some runs failed; the others are complete"},
+    lxs::ExitCodeMeaning{ExitCode::ReferencesDiffer,
+                         "the two references of a scene differ by more than chance"},
+    lxs::ExitCodeMeaning{ExitCode::Interrupted, "interrupted; what was complete is kept"},
 };
 
 }  // namespace bench

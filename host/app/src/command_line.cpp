@@ -1,42 +1,17 @@
 // The command line of lxsrender.
 #include "lxs/host/command_line.h"
 
-#include <fmt/format.h>
-
 #include <CLI/CLI.hpp>
 #include <filesystem>
-#include <limits>
+
+#include "lxs/host/option_checks.h"
 
 namespace lxs {
 namespace {
 
-std::string exit_code_help() {
-    std::string text = "Exit codes:\n";
-    for (const auto& [code, meaning] : kExitCodes) {
-        text += fmt::format("  {:>3}  {}\n", static_cast<int>(code), meaning);
-    }
-    return text;
-}
-
 std::string check_exr_name(const std::string& name) {
     return std::filesystem::path(name).extension() == ".exr" ? ""
                                                              : "the name must end in .exr: " + name;
-}
-
-std::string check_override(const std::string& text) {
-    const auto dot = text.find('.');
-    const auto equals = text.find('=');
-    const bool whole =
-        dot != std::string::npos && equals != std::string::npos && dot > 0 && dot + 1 < equals;
-    return whole ? "" : "expected plugin.parameter=value, found \"" + text + "\"";
-}
-
-std::string check_positive(const std::string& text) {
-    double value = 0;
-    const bool read = CLI::detail::lexical_cast(text, value);
-    return read && value > 0 && value < std::numeric_limits<double>::infinity()
-               ? ""
-               : "expected a number above 0, found \"" + text + "\"";
 }
 
 void add_output_options(CLI::App& app, CommandLine& command) {
@@ -100,7 +75,7 @@ std::optional<ExitCode> parse_command_line(int argc, const char* const* argv,
                                            CommandLine& command) {
     CLI::App app("Renders a LuxRender scene file (.lxs) to OpenEXR and PNG.", "lxsrender");
     app.set_version_flag("--version", version());
-    app.footer(exit_code_help());
+    app.footer(exit_code_help(kExitCodes));
     app.add_option("scene", command.scene, "scene file, - for standard input")
         ->type_name("SCENE.lxs");
     add_output_options(app, command);

@@ -2,7 +2,8 @@
 #pragma once
 
 #include <array>
-#include <string_view>
+
+#include "lxs/host/exit_code_help.h"
 
 namespace lxs {
 
@@ -14,11 +15,6 @@ enum class ExitCode : int {
     PluginFailure = 4,
     OutputFailure = 5,
     Interrupted = 130
-};
-
-struct ExitCodeMeaning {
-    ExitCode code;
-    std::string_view meaning;
 };
 
 inline constexpr std::array kExitCodes = {

@@ -1,0 +1,15 @@
+// Checks of command line values that the project's programs share. Each returns "" or what is
+// wrong, as CLI11's validators do.
+#pragma once
+
+#include <string>
+
+namespace lxs {
+
+/// plugin.parameter=value
+std::string check_override(const std::string& text);
+
+/// A finite number above 0.
+std::string check_positive(const std::string& text);
+
+}  // namespace lxs

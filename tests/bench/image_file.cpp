@@ -55,6 +55,7 @@ void write_layers(const fs::path& file, const std::vector<NamedLayer>& layers) {
     Image all;
     for (const NamedLayer& layer : layers) {
         std::vector<std::string> names;
+        names.reserve(kChannels.size());
         for (const char* channel : kChannels)
             names.push_back(channel_name(layer.name, channel));
         const Image named =

@@ -37,6 +37,16 @@ inline lxs::Ray to(const Ray& ray) {
     return r;
 }
 
+/// What names the light point of a sample, for the host to take back.
+inline lxs::DirectSample to(const DirectSample& sample) {
+    lxs::DirectSample s;
+    s.wi = to(sample.wi);
+    s.distance = sample.distance;
+    s.segment_end = to(sample.segment_end);
+    s.primitive = sample.primitive;
+    return s;
+}
+
 /// The part of a hit that the engine hands back to the host.
 inline lxs::SurfaceHit to_hit(const SurfacePoint& point) {
     lxs::SurfaceHit hit;

@@ -111,8 +111,13 @@ class LightShim final : public Light {
         if (!light_.sample_direct(to(point.position), to(point.shading_normal), to(u), s)) {
             return false;
         }
-        sample = {from(s.wi), s.distance, from(s.radiance), s.pdf, s.delta, from(s.segment_end)};
+        sample = {from(s.wi), s.distance,          from(s.radiance), s.pdf,
+                  s.delta,    from(s.segment_end), s.primitive};
         return true;
+    }
+    bool emission_coordinates(const SurfacePoint& towards, const DirectSample& sample,
+                              std::array<float, 4>& u) const override {
+        return light_.emission_coordinates(to(towards.position), to(sample), u);
     }
     float pdf_direct(const SurfacePoint& point, Vec3 wi, const SurfacePoint* at) const override {
         return light_.pdf_direct(to(point.position), to(point.shading_normal), to(wi),
@@ -163,11 +168,7 @@ Ray SceneShim::spawn(const SurfacePoint& point, Vec3 direction, float time) cons
 }
 
 Rgb SceneShim::visibility(const SurfacePoint& point, const DirectSample& light, float time) const {
-    lxs::DirectSample s;
-    s.wi = to(light.wi);
-    s.distance = light.distance;
-    s.segment_end = to(light.segment_end);
-    return from(scene_.transmittance(lxs::shadow_ray(to_hit(point), s, time)));
+    return from(scene_.transmittance(lxs::shadow_ray(to_hit(point), to(light), time)));
 }
 
 Bounds SceneShim::bounds() const {

@@ -78,12 +78,12 @@ void Scene::add_point_light(Vec3 position, aips::Rgb intensity) {
     lights_.push_back(make_point_light(position, intensity));
 }
 
-void Scene::add_environment(aips::Rgb radiance) {
+void Scene::add_distant_light(const DistantCone& cone, aips::Rgb radiance) {
     aips::Bounds bounds;
     for (const Surface& s : surfaces_) {
         std::visit([&](const auto& shape) { extend(bounds, shape); }, s.shape);
     }
-    lights_.push_back(make_environment(bounds, radiance));
+    lights_.push_back(make_distant_light(bounds, cone, radiance));
 }
 
 void Scene::add_box(Vec3 lo, Vec3 hi, const Surface& wall) {

@@ -34,6 +34,12 @@ struct Surface {
     std::uint32_t light_group = 0;
 };
 
+/// Directions from which a light at infinity shines.
+struct DistantCone {
+    aips::Vec3 axis{0, 0, 1};  ///< unit, towards the light
+    float cos_half_angle = -1;
+};
+
 /// A small scene. Surfaces and lights are added first, then `finish` is called once.
 class Scene final : public aips::Scene {
   public:
@@ -41,7 +47,9 @@ class Scene final : public aips::Scene {
     /// Isotropic point light of `intensity` watts per steradian.
     void add_point_light(aips::Vec3 position, aips::Rgb intensity);
     /// Constant radiance from all around.
-    void add_environment(aips::Rgb radiance);
+    void add_environment(aips::Rgb radiance) { add_distant_light({}, radiance); }
+    /// Constant radiance from a cone at infinity. Comes after the surfaces that it lights.
+    void add_distant_light(const DistantCone& cone, aips::Rgb radiance);
     /// The six inner walls of the box [lower, upper], all alike.
     void add_box(aips::Vec3 lower, aips::Vec3 upper, const Surface& wall);
     void set_light_groups(std::uint32_t groups) { light_groups_ = groups; }

@@ -39,4 +39,11 @@ bool ConeLight::sample_direction(const Vec2& u, SkyDirection& direction) const {
     return true;
 }
 
+bool ConeLight::direction_coordinates(const Vec3& wi, Vec2& u) const {
+    if (!inside(wi)) return false;
+    const Vec2 polar = from_around_z(frame_.to_local(wi));
+    u = Vec2(clamp_to_unit(polar.x / extent_), polar.y);
+    return true;
+}
+
 }  // namespace lxs

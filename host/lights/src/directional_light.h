@@ -17,6 +17,7 @@ class ParallelLight final : public EnvironmentLight {
   private:
     bool sample_direction(const Vec2& u, SkyDirection& direction) const override;
     float direction_density(const Vec3& /*wi*/) const override { return 0; }
+    bool direction_coordinates(const Vec3& /*wi*/, Vec2& /*u*/) const override { return true; }
 
     Vec3 wi_;
     Rgb irradiance_;
@@ -39,6 +40,7 @@ class ConeLight final : public EnvironmentLight {
     float direction_density(const Vec3& wi) const override {
         return inside(wi) ? 1.0f / (2 * kPi * extent_) : 0.0f;
     }
+    bool direction_coordinates(const Vec3& wi, Vec2& u) const override;
     bool inside(const Vec3& w) const { return (w - frame_.n).length2() <= 2 * extent_; }
 
     Frame frame_;

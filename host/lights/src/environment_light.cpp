@@ -45,4 +45,19 @@ bool EnvironmentLight::sample_direct(const Vec3& /*p*/, const Vec3& /*n*/, const
     return true;
 }
 
+bool EnvironmentLight::emission_coordinates(const Vec3& p, const DirectSample& sample,
+                                            std::array<float, 4>& u) const {
+    Vec2 direction(u[2], u[3]);
+    SkyDirection sky;
+    if (!direction_coordinates(sample.wi, direction)) return false;
+    // The start is found for the direction of the rounded coordinates, so that the ray meets p.
+    if (!sample_direction(direction, sky) || is_black(sky.radiance)) return false;
+    const Vec3 offset = Frame(sky.wi).to_local((p - sphere_.center) / sphere_.radius);
+    const Vec2 on_disk(offset.x, offset.y);
+    if (!(on_disk.length2() <= 1)) return false;
+    const Vec2 start = concentric_disk_to_square(on_disk);
+    u = {start.x, start.y, direction.x, direction.y};
+    return true;
+}
+
 }  // namespace lxs

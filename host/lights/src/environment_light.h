@@ -28,6 +28,8 @@ class EnvironmentLight : public Light {
                      const Vec3& /*light_n*/, std::uint32_t /*primitive*/) const override {
         return direction_density(wi);
     }
+    bool emission_coordinates(const Vec3& p, const DirectSample& sample,
+                              std::array<float, 4>& u) const override;
 
   protected:
     /// `kind` must outlive the light (a literal).
@@ -35,6 +37,9 @@ class EnvironmentLight : public Light {
 
     virtual bool sample_direction(const Vec2& u, SkyDirection& direction) const = 0;
     virtual float direction_density(const Vec3& wi) const = 0;
+    /// Inverse of sample_direction, in [0, 1)^2, for a unit direction; false if it isn't drawn.
+    /// A coordinate that the direction does not depend on stays.
+    virtual bool direction_coordinates(const Vec3& wi, Vec2& u) const = 0;
     /// Sets power() from the integral of the radiance over all directions.
     void set_fluence(const Rgb& fluence);
 

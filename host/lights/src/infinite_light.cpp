@@ -37,6 +37,11 @@ float ConstantEnvironment::direction_density(const Vec3& /*wi*/) const {
     return is_black(radiance_) ? 0 : 1 / (4 * kPi);
 }
 
+bool ConstantEnvironment::direction_coordinates(const Vec3& wi, Vec2& u) const {
+    u = from_uniform_sphere(wi);
+    return true;
+}
+
 MappedEnvironment::MappedEnvironment(LightPlacement placement, const SceneSphere& sphere,
                                      const Rotation& rotation, LatLongMap map, const Rgb& scale)
     : EnvironmentLight(std::move(placement), "infinite", sphere),
@@ -67,6 +72,10 @@ bool MappedEnvironment::sample_direction(const Vec2& u, SkyDirection& direction)
 float MappedEnvironment::direction_density(const Vec3& wi) const {
     const Vec2 st = map_coordinates(rotation_.to_local(wi));
     return importance_.density(st) / (2 * kPi * kPi * polar_sine(st.y));
+}
+
+bool MappedEnvironment::direction_coordinates(const Vec3& wi, Vec2& u) const {
+    return importance_.coordinates(map_coordinates(rotation_.to_local(wi)), u);
 }
 
 }  // namespace lxs

@@ -16,6 +16,7 @@ class ConstantEnvironment final : public EnvironmentLight {
   private:
     bool sample_direction(const Vec2& u, SkyDirection& direction) const override;
     float direction_density(const Vec3& wi) const override;
+    bool direction_coordinates(const Vec3& wi, Vec2& u) const override;
 
     Rgb radiance_;
 };
@@ -30,6 +31,7 @@ class MappedEnvironment final : public EnvironmentLight {
   private:
     bool sample_direction(const Vec2& u, SkyDirection& direction) const override;
     float direction_density(const Vec3& wi) const override;
+    bool direction_coordinates(const Vec3& wi, Vec2& u) const override;
 
     Rotation rotation_;
     LatLongMap map_;

@@ -23,6 +23,14 @@ Vec3 position_error(const Vec3& p, const Vec3& e1, const Vec3& e2) {
     return error;
 }
 
+/// Barycentric coordinates (of the second and third vertex) of the foot of `offset`, which starts
+/// at the first vertex, in the plane of the edges.
+Vec2 barycentric(const Vec3& e1, const Vec3& e2, const Vec3& offset) {
+    const Imath::V3d a(e1), b(e2), d(offset), n = a % b;
+    const double n2 = n.length2();
+    return Vec2(static_cast<float>(((d % b) ^ n) / n2), static_cast<float>(((a % d) ^ n) / n2));
+}
+
 }  // namespace
 
 MeshLight::MeshLight(const Primitive& primitive, const AreaEmission& emission,
@@ -42,8 +50,8 @@ MeshLight::MeshLight(const Primitive& primitive, const AreaEmission& emission,
         if (!(length > 0)) continue;
         area += length / 2;
         cumulative.push_back(area);
-        triangles_.push_back(
-            {p, e1, e2, Vec3(cross * ((flip ? -1 : 1) / length)), position_error(p, e1, e2)});
+        triangles_.push_back({p, e1, e2, Vec3(cross * ((flip ? -1 : 1) / length)),
+                              position_error(p, e1, e2), static_cast<std::uint32_t>(i / 3)});
         if (!mesh.uvs.empty()) uvs_.push_back({mesh.uvs[v[0]], mesh.uvs[v[1]], mesh.uvs[v[2]]});
     }
     for (const double sum : cumulative)
@@ -69,12 +77,27 @@ SurfacePoint MeshLight::sample_surface(const Vec2& u) const {
     s.p_error = t.error;
     s.n = t.n;
     s.density = density_;
+    s.primitive = t.primitive;
     s.uv = Vec2(0.5f, 0.5f);  // as at hits of a mesh without texture coordinates
     if (!uvs_.empty()) {
         const TriangleUvs& uv = uvs_[i];
         s.uv = uv.a * (1.0f - b.x - b.y) + uv.b * b.x + uv.c * b.y;
     }
     return s;
+}
+
+bool MeshLight::surface_coordinates(const Vec3& p, std::uint32_t primitive, Vec2& u) const {
+    const auto found = std::lower_bound(
+        triangles_.begin(), triangles_.end(), primitive,
+        [](const Triangle& t, std::uint32_t index) { return t.primitive < index; });
+    if (found == triangles_.end() || found->primitive != primitive) return false;
+    u = from_uniform_triangle(barycentric(found->e1, found->e2, p - found->p));
+    if (cdf_.size() == 1) return true;
+    const auto i = static_cast<std::size_t>(found - triangles_.begin());
+    const float below = i > 0 ? cdf_[i - 1] : 0.0f;
+    if (!(cdf_[i] > below)) return false;  // too small a share of the mesh to be drawn
+    u.x = within_interval(below, cdf_[i], u.x);
+    return true;
 }
 
 }  // namespace lxs

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <span>
 
+#include "warp.h"
+
 namespace lxs {
 namespace {
 
@@ -30,6 +32,14 @@ float invert(std::span<const float> cdf, float u) {
     const float share = width > 0 ? (u - cdf[i]) / width : 0.5f;
     constexpr float kBelowOne = 0x1.fffffep-1f;
     return static_cast<float>(i) + std::clamp(share, 0.0f, kBelowOne);
+}
+
+/// Inverse of invert for a position whose integer part is cell `i`; false if it is never drawn.
+bool revert(std::span<const float> cdf, float position, std::size_t i, float& u) {
+    if (!(cdf[i + 1] > cdf[i])) return false;
+    const float share = std::clamp(position - static_cast<float>(i), 0.0f, 1.0f);
+    u = within_interval(cdf[i], cdf[i + 1], share);
+    return true;
 }
 
 std::size_t cell(float x, std::size_t n) {
@@ -70,6 +80,14 @@ Vec2 Piecewise2D::sample(const Vec2& u, float& density) const {
 float Piecewise2D::density(const Vec2& p) const {
     if (!positive()) return 0;
     return densities_[cell(p.y, height_) * width_ + cell(p.x, width_)];
+}
+
+bool Piecewise2D::coordinates(const Vec2& p, Vec2& u) const {
+    if (!positive()) return false;
+    const std::size_t row = cell(p.y, height_), column = cell(p.x, width_);
+    const std::span<const float> in_row(&columns_[row * (width_ + 1)], width_ + 1);
+    return revert(rows_, p.y * static_cast<float>(height_), row, u.y) &&
+           revert(in_row, p.x * static_cast<float>(width_), column, u.x);
 }
 
 }  // namespace lxs

@@ -21,6 +21,8 @@ class Piecewise2D {
     /// Draws a point of the unit square; `density` is relative to its area.
     Vec2 sample(const Vec2& u, float& density) const;
     float density(const Vec2& p) const;
+    /// Inverse of sample, in [0, 1)^2; false where nothing is drawn.
+    bool coordinates(const Vec2& p, Vec2& u) const;
 
   private:
     std::size_t width_ = 0, height_ = 0;

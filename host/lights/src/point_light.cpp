@@ -39,6 +39,15 @@ bool PointLight::sample_direct(const Vec3& p, const Vec3& /*n*/, const Vec2& /*u
     return true;
 }
 
+bool PointLight::emission_coordinates(const Vec3& p, const DirectSample& /*sample*/,
+                                      std::array<float, 4>& u) const {
+    const Vec3 w = (p - position_).normalized();
+    if (is_black(intensity_) || !(w.length2() > 0) || !(falloff(w) > 0)) return false;
+    const Vec2 d = direction_coordinates(w);
+    u[2] = d.x, u[3] = d.y;
+    return true;
+}
+
 SpotLight::SpotLight(LightPlacement placement, const Vec3& position, const Vec3& axis,
                      const Rgb& intensity, const SpotCone& cone)
     : PointLight(std::move(placement), position, intensity),
@@ -67,6 +76,17 @@ Vec3 SpotLight::sample_direction(float u0, float u1) const {
         x = outer_ - (outer_ - inner_) * std::pow(rest, 0.2f);
     }
     return frame_.to_world(around_z(x, u1)).normalized();
+}
+
+Vec2 SpotLight::direction_coordinates(const Vec3& w) const {
+    const Vec2 polar = from_around_z(frame_.to_local(w));
+    const float fade = (outer_ - inner_) / 5;
+    float target = polar.x;
+    if (target > inner_) {
+        const float rest = std::clamp((outer_ - target) / (outer_ - inner_), 0.0f, 1.0f);
+        target = inner_ + fade * (1.0f - std::pow(rest, 5.0f));
+    }
+    return Vec2(clamp_to_unit(target / (inner_ + fade)), polar.y);
 }
 
 }  // namespace lxs

@@ -24,6 +24,8 @@ class PointLight : public Light {
                      std::uint32_t) const override {
         return 0;
     }
+    bool emission_coordinates(const Vec3& p, const DirectSample& sample,
+                              std::array<float, 4>& u) const override;
 
   protected:
     const Rgb& intensity() const { return intensity_; }
@@ -31,6 +33,8 @@ class PointLight : public Light {
     virtual float falloff(const Vec3& /*w*/) const { return 1; }
     /// Direction drawn in proportion to the falloff.
     virtual Vec3 sample_direction(float u0, float u1) const { return uniform_sphere(u0, u1); }
+    /// Inverse of sample_direction in [0, 1)^2 for a unit direction where the falloff is positive.
+    virtual Vec2 direction_coordinates(const Vec3& w) const { return from_uniform_sphere(w); }
     /// Integral of the falloff over the sphere of directions.
     virtual float falloff_integral() const { return 4 * kPi; }
 
@@ -59,6 +63,7 @@ class SpotLight final : public PointLight {
   private:
     float falloff(const Vec3& w) const override;
     Vec3 sample_direction(float u0, float u1) const override;
+    Vec2 direction_coordinates(const Vec3& w) const override;
     float falloff_integral() const override;
 
     Frame frame_;

@@ -108,6 +108,28 @@ SurfacePoint QuadricLight::sample_surface(const Vec2& u) const {
     return s;
 }
 
+float QuadricLight::first_coordinate(const Sphere& sphere, const Vec3& p) {
+    const float low = std::max(std::min(sphere.z_min, sphere.z_max), -sphere.radius);
+    const float high = std::min(std::max(sphere.z_min, sphere.z_max), sphere.radius);
+    return clamp_to_unit((p.normalized().z * sphere.radius - low) / (high - low));
+}
+
+float QuadricLight::first_coordinate(const Disk& disk, const Vec3& p) {
+    const float inner2 = disk.inner_radius * disk.inner_radius;
+    return clamp_to_unit((p.x * p.x + p.y * p.y - inner2) / (disk.radius * disk.radius - inner2));
+}
+
+bool QuadricLight::surface_coordinates(const Vec3& p, std::uint32_t /*primitive*/, Vec2& u) const {
+    Vec3 local;
+    to_local_.multDirMatrix(p - rows_[3], local);
+    const float phi = 2 * kPi * turn_about_z(local.x, local.y);
+    // A point that rounding put before the patch's first meridian goes back to it.
+    const bool before = 2 * kPi - phi < phi - phi_max_;
+    u.x = std::visit([&](const auto& shape) { return first_coordinate(shape, local); }, shape_);
+    u.y = before ? 0.0f : clamp_to_unit(phi / phi_max_);
+    return true;
+}
+
 float QuadricLight::area_density(const Vec3& p) const {
     Vec3 n(0, 0, 1);
     if (std::holds_alternative<Sphere>(shape_)) {

@@ -19,10 +19,14 @@ class QuadricLight final : public SurfaceLight {
     };
 
     SurfacePoint sample_surface(const Vec2& u) const override;
+    bool surface_coordinates(const Vec3& p, std::uint32_t primitive, Vec2& u) const override;
     float area_density(const Vec3& p) const override;
     LocalPoint local_point(const Vec2& u) const;
     LocalPoint local_point(const Sphere& sphere, const Vec2& u) const;
     LocalPoint local_point(const Disk& disk, const Vec2& u) const;
+    /// Inverse of the first coordinate of local_point for a point about on the patch.
+    static float first_coordinate(const Sphere& sphere, const Vec3& p);
+    static float first_coordinate(const Disk& disk, const Vec3& p);
     double local_area() const;
     /// Largest coordinate of the patch in its own space.
     float reach() const;

@@ -18,6 +18,12 @@ Vec3 sky_direction(float x, float y) {
     return Vec3(sine * std::cos(phi), sine * std::sin(phi), height);
 }
 
+/// Inverse of sky_direction for a unit direction.
+Vec2 sky_coordinates(const Vec3& w) {
+    const float s = std::atan2(w.y, w.x) / (2 * kPi);
+    return Vec2(s < 0 ? s + 1 : s, (w.z + 1) / 2);
+}
+
 }  // namespace
 
 SkyLight::SkyLight(LightPlacement placement, const SceneSphere& sphere, const Rotation& rotation,
@@ -61,10 +67,12 @@ bool SkyLight::sample_direction(const Vec2& u, SkyDirection& direction) const {
 }
 
 float SkyLight::direction_density(const Vec3& wi) const {
-    const Vec3 local = rotation_.to_local(wi);
     if (!(gain_ > 0)) return 0;
-    const float s = std::atan2(local.y, local.x) / (2 * kPi);
-    return importance_.density(Vec2(s < 0 ? s + 1 : s, (local.z + 1) / 2)) / (4 * kPi);
+    return importance_.density(sky_coordinates(rotation_.to_local(wi))) / (4 * kPi);
+}
+
+bool SkyLight::direction_coordinates(const Vec3& wi, Vec2& u) const {
+    return importance_.coordinates(sky_coordinates(rotation_.to_local(wi)), u);
 }
 
 }  // namespace lxs

@@ -18,6 +18,7 @@ class SkyLight final : public EnvironmentLight {
   private:
     bool sample_direction(const Vec2& u, SkyDirection& direction) const override;
     float direction_density(const Vec3& wi) const override;
+    bool direction_coordinates(const Vec3& wi, Vec2& u) const override;
 
     Rotation rotation_;
     SkyModel model_;

@@ -45,6 +45,11 @@ SurfacePoint SphereLight::sample_surface(const Vec2& u) const {
     return point_at(uniform_sphere(u.x, u.y));
 }
 
+bool SphereLight::surface_coordinates(const Vec3& p, std::uint32_t /*primitive*/, Vec2& u) const {
+    u = from_uniform_sphere((p - center_).normalized());
+    return true;
+}
+
 float SphereLight::cone(float distance2) const {
     const float sin2 = radius_ * radius_ / distance2;
     if (!(sin2 < 1)) return 0;

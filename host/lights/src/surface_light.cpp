@@ -79,7 +79,21 @@ bool SurfaceLight::sample_direct(const Vec3& p, const Vec3& /*n*/, const Vec2& u
     if (!(cosine > 0)) return false;
     const float pdf = distance2 * s.density / cosine;
     if (!(pdf > 0) || !std::isfinite(pdf)) return false;
-    sample = {wi, distance, segment_end(s, wi, distance), emitted(s), pdf, false};
+    sample = {wi, distance, segment_end(s, wi, distance), emitted(s), pdf, false, s.primitive};
+    return true;
+}
+
+bool SurfaceLight::emission_coordinates(const Vec3& p, const DirectSample& sample,
+                                        std::array<float, 4>& u) const {
+    Vec2 position;
+    if (!surface_coordinates(sample.segment_end, sample.primitive, position)) return false;
+    // Aimed from where the rounded coordinates lead, the ray still goes through p.
+    const SurfacePoint s = sample_surface(position);
+    if (!(s.density > 0) || is_black(emitted(s))) return false;
+    const Vec3 direction = (p - s.p).normalized();
+    if (!((direction ^ s.n) > 0)) return false;
+    const Vec2 d = cosine_hemisphere_to_square(Frame(s.n).to_local(direction));
+    u = {position.x, position.y, d.x, d.y};
     return true;
 }
 

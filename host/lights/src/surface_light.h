@@ -15,7 +15,8 @@ struct SurfacePoint {
     Vec3 p_error{0.0f};  ///< bound of p's rounding error per coordinate
     Vec3 n{0.0f};        ///< unit, the side that emits
     Vec2 uv{0.0f};
-    float density = 0;  ///< per unit of area; 0 means nothing was drawn
+    float density = 0;            ///< per unit of area; 0 means nothing was drawn
+    std::uint32_t primitive = 0;  ///< index of the mesh's triangle
 };
 
 /// DirectSample::segment_end for a point met along the unit vector `wi` after `distance`.
@@ -33,6 +34,8 @@ class SurfaceLight : public AreaLight {
                        DirectSample& sample) const override;
     float pdf_direct(const Vec3& p, const Vec3& n, const Vec3& wi, const Vec3& light_p,
                      const Vec3& light_n, std::uint32_t primitive) const override;
+    bool emission_coordinates(const Vec3& p, const DirectSample& sample,
+                              std::array<float, 4>& u) const override;
     Rgb radiance(const Vec3& p, const Vec3& n, const Vec2& uv, const Vec3& wo) const override;
 
   protected:
@@ -40,6 +43,8 @@ class SurfaceLight : public AreaLight {
 
     /// Draws a point of the surface.
     virtual SurfacePoint sample_surface(const Vec2& u) const = 0;
+    /// Inverse of sample_surface for a point about on the surface, on `primitive`; in [0, 1)^2.
+    virtual bool surface_coordinates(const Vec3& p, std::uint32_t primitive, Vec2& u) const = 0;
     /// Density per unit of area with which sample_surface draws the point `p`.
     virtual float area_density(const Vec3& p) const = 0;
 

@@ -1,4 +1,4 @@
-// Maps of the unit square onto the shapes that lights sample.
+// Maps of the unit square onto the shapes that lights sample, and their inverses.
 #pragma once
 
 #include <algorithm>
@@ -20,9 +20,28 @@ inline Vec3 around_z(float one_minus_cos, float u) {
     return Vec3(sin * azimuth.cosine, sin * azimuth.sine, 1.0f - one_minus_cos);
 }
 
+/// Azimuth about +z in turns, in [0, 1].
+inline float turn_about_z(float x, float y) {
+    // Adding zero drops the sign of zeros, on which the angle at the poles would hang.
+    const float turn = std::atan2(y + 0.0f, x + 0.0f) / (2.0f * kPi);
+    return turn < 0 ? turn + 1 : turn;
+}
+
+/// Inverse of around_z for a unit direction: 1 - cosine, and the azimuth in [0, 1).
+inline Vec2 from_around_z(const Vec3& w) {
+    const float one_minus_cos = w.z > 0 ? (w.x * w.x + w.y * w.y) / (1.0f + w.z) : 1.0f - w.z;
+    return Vec2(one_minus_cos, clamp_to_unit(turn_about_z(w.x, w.y)));
+}
+
 /// Direction with density 1 / (4 pi).
 inline Vec3 uniform_sphere(float u0, float u1) {
     return around_z(2.0f * u0, u1);
+}
+
+/// Inverse of uniform_sphere for a unit direction, in [0, 1)^2.
+inline Vec2 from_uniform_sphere(const Vec3& w) {
+    const Vec2 u = from_around_z(w);
+    return Vec2(clamp_to_unit(u.x * 0.5f), u.y);
 }
 
 /// Barycentric coordinates (of the second and third vertex) uniform over a triangle, without the
@@ -30,6 +49,18 @@ inline Vec3 uniform_sphere(float u0, float u1) {
 inline Vec2 uniform_triangle(float u0, float u1) {
     if (u1 > u0) return Vec2(u0 * 0.5f, u1 - u0 * 0.5f);
     return Vec2(u0 - u1 * 0.5f, u1 * 0.5f);
+}
+
+/// Inverse of uniform_triangle, in [0, 1)^2.
+inline Vec2 from_uniform_triangle(const Vec2& b) {
+    const float sum = b.x + b.y;
+    return b.y > b.x ? Vec2(clamp_to_unit(2.0f * b.x), clamp_to_unit(sum))
+                     : Vec2(clamp_to_unit(sum), clamp_to_unit(2.0f * b.y));
+}
+
+/// The value at `share` in [0, 1] of [low, high), never outside: what a CDF maps to that step.
+inline float within_interval(float low, float high, float share) {
+    return std::clamp(low + share * (high - low), low, std::nextafter(high, low));
 }
 
 /// Middle of cell `i` of a grid of side x side cells over the unit square.

@@ -55,7 +55,8 @@ struct DirectSample {
     Rgb radiance;        ///< unoccluded, along wi; for delta lights irradiance facing wi
     float pdf = 0;       ///< per steradian; 1 for delta lights
     bool delta = false;
-    Vec3 segment_end;  ///< where shadow segments end, for the host's Scene::visibility
+    Vec3 segment_end;             ///< where shadow segments end, for the host's Scene::visibility
+    std::uint32_t primitive = 0;  ///< within the light's shape, for the host
 };
 
 class Light {
@@ -71,6 +72,16 @@ class Light {
     /// Density of sample_direct for the direction wi from `from`, which meets the light at `at`
     /// (null for lights at infinity).
     virtual float pdf_direct(const SurfacePoint& from, Vec3 wi, const SurfacePoint* at) const = 0;
+    /// Primary coordinates in [0,1) from which emit() sends a photon through the position of
+    /// `towards`, up to rounding, from the light point that `sample` (of sample_direct from
+    /// `towards`) names. Coordinates that the photon does not depend on are left as the caller set
+    /// them. False where there are none or the light can't tell; `u` is then undefined. Only
+    /// steers sampling: never part of a value.
+    virtual bool emission_coordinates(const SurfacePoint& /*towards*/,
+                                      const DirectSample& /*sample*/,
+                                      std::array<float, 4>& /*u*/) const {
+        return false;
+    }
     /// Radiance seen in a direction that leaves the scene; black for other lights.
     virtual Rgb escaped(Vec3 direction) const = 0;
 };

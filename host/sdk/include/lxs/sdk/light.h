@@ -26,6 +26,7 @@ struct DirectSample {
                              ///< irradiance on a surface facing wi
     float pdf = 0;           ///< per steradian; 1 for delta lights; 0 means nothing was sampled
     bool delta = false;      ///< point, spot, distant: cannot be met by a scattered ray
+    std::uint32_t primitive = 0;  ///< of the light's shape, that the light point lies on
 };
 
 /// A light source. Emissive geometry has one Light per shape.
@@ -54,6 +55,15 @@ class Light {
     /// `primitive` (both unused for lights at infinity). 0 for delta lights.
     virtual float pdf_direct(const Vec3& p, const Vec3& n, const Vec3& wi, const Vec3& light_p,
                              const Vec3& light_n, std::uint32_t primitive) const = 0;
+    /// Primary coordinates from which sample_emission sends a photon through the point `p`, up to
+    /// rounding, from the light point that `sample` (as by sample_direct from `p`: wi, and for
+    /// finite lights segment_end and primitive) names; in [0,1). Coordinates that the photon does
+    /// not depend on are left as the caller set them. False where there are none or the light
+    /// can't tell; `u` is then undefined. Only steers sampling: never part of a value.
+    virtual bool emission_coordinates(const Vec3& /*p*/, const DirectSample& /*sample*/,
+                                      std::array<float, 4>& /*u*/) const {
+        return false;
+    }
     /// Radiance seen along a direction that leaves the scene (lights at infinity only).
     virtual Rgb escaped(const Vec3& /*direction*/) const { return Rgb(0.0f); }
 };

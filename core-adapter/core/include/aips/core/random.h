@@ -20,7 +20,8 @@ enum class RandomDomain : std::uint8_t {
     Camera,       ///< film and lens positions, where they do not share the eye path's stream
     Emission,     ///< primary coordinates of photon paths without a low-discrepancy sequence
     UniformPath,  ///< independent paths of Markov chains; index: step * chains + chain
-    MutatedPath   ///< mutations of Markov chains; index: step * chains + chain
+    MutatedPath,  ///< mutations of Markov chains; index: step * chains + chain
+    EyeSeeding    ///< walks from visible points to lights; index: the group of visible points
 };
 
 /// The top 24 bits as a number in [0, 1); never 1, all 2^24 values equally likely.

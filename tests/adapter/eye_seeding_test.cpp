@@ -1,0 +1,184 @@
+// Protects eye seeding: seeds lead photons to what the eye sees, weigh what the light is worth
+// there, and do not depend on threads.
+#include <gtest/gtest.h>
+#include <tbb/global_control.h>
+
+#include "aips/core/sampling.h"
+#include "eye_seeding.h"
+#include "light_choice.h"
+#include "render_mock.h"
+
+namespace {
+
+using namespace aips;
+
+EyeImage trace_eye(const mock::Scene& scene, const mock::Camera& camera, std::uint32_t size,
+                   const Settings& settings) {
+    const mock::Sampler sampler(settings.seed);
+    const DirectLight direct(scene);
+    Refusals refusals(scene.material_names());
+    EyeImage image;
+    trace_eye_pass({scene, camera, sampler, direct, settings, size, size, size * size}, 0, 0,
+                   refusals, image);
+    return image;
+}
+
+std::vector<EmissionSeed> find(const mock::Scene& scene, const Settings& settings,
+                               const EyeImage& image, std::uint64_t pass = 0) {
+    std::vector<EmissionSeed> seeds;
+    SeedCounts counts;
+    find_emission_seeds(scene, settings, light_choice(scene), pass, 0, image, seeds, counts);
+    EXPECT_EQ(counts.walks, (image.visible_points.size() + kSeedGroup - 1) / kSeedGroup);
+    EXPECT_GE(counts.rays, seeds.size());
+    EXPECT_LE(seeds.size(), counts.walks * kMaxSeedsPerWalk);
+    return seeds;
+}
+
+/// A pillar on a ground a hundred times as wide as the view, under a sun.
+mock::Scene wide_ground() {
+    mock::Scene scene;
+    mock::Surface ground;
+    ground.shape = mock::Quad{{-100, -100, 0}, {200, 0, 0}, {0, 200, 0}};
+    scene.add(ground);
+    mock::Surface pillar;
+    scene.add_box({0.5f, 0.5f, 2}, {-0.5f, -0.5f, 0}, pillar);  // inside out: faces look outwards
+    scene.add_distant_light({normalize({1, 0.5f, 1}), 0.9999f}, {1000, 1000, 1000});
+    scene.finish();
+    return scene;
+}
+
+mock::Camera view_from_above() {
+    return {{0, 0, 4}, {0, 0, -1}, {0.25f, 0, 0}, {0, 0.25f, 0}, 64, 64};
+}
+
+mock::Camera view_beside_the_pillar() {
+    return {{1.5f, 0, 4}, {0, 0, -1}, {0.25f, 0, 0}, {0, 0.25f, 0}, 64, 64};
+}
+
+/// Share of photons whose first landing is within 4 of the pillar.
+double share_near_view(const mock::Scene& scene, const std::vector<PrimaryPoint>& starts) {
+    int near = 0;
+    Arena arena;
+    for (const PrimaryPoint& u : starts) {
+        Emission emission;
+        SurfacePoint hit;
+        arena.reset();
+        if (!scene.lights()[0]->emit(u, emission) || !scene.intersect(emission.ray, hit, arena))
+            continue;
+        near += length(hit.position) < 4 ? 1 : 0;
+    }
+    return near / double(starts.size());
+}
+
+TEST(EyeSeeding, SunOverAWideGroundIsSeededWhereTheEyeLooks) {
+    const mock::Scene scene = wide_ground();
+    const Settings settings = mock::small_settings(1, 1);
+    const EyeImage image = trace_eye(scene, view_beside_the_pillar(), 64, settings);
+    const auto seeds = find(scene, settings, image);
+    ASSERT_GT(seeds.size(), 10u);
+    std::vector<PrimaryPoint> guided, plain;
+    for (const EmissionSeed& s : seeds) {
+        EXPECT_EQ(s.light, 0u);
+        EXPECT_TRUE(s.weight > 0 && std::isfinite(s.weight));
+        guided.push_back(s.point);
+    }
+    RandomStream random(79, 0, 0, RandomDomain::Guide);
+    for (int i = 0; i < 20000; ++i)
+        plain.push_back({random.next(), random.next(), random.next(), random.next()});
+    EXPECT_LT(share_near_view(scene, plain), 0.01);
+    EXPECT_EQ(share_near_view(scene, guided), 1.0);
+}
+
+/// From a pillar's flat top alone nothing but sky is met; photons that own direct light, however,
+/// must come to the top itself.
+TEST(EyeSeeding, DirectLightIsSeededWherePhotonsOwnIt) {
+    const mock::Scene scene = wide_ground();
+    Settings settings = mock::small_settings(2, 1);
+    mock::Camera above = view_from_above();
+    EyeImage image = trace_eye(scene, above, 64, settings);
+    std::erase_if(image.visible_points, [](const VisiblePoint& v) { return v.position.z < 1; });
+    ASSERT_GT(image.visible_points.size(), 1000u);
+    EXPECT_TRUE(find(scene, settings, image).empty());
+    settings.direct_light_sampling = false;
+    const auto seeds = find(scene, settings, image);
+    EXPECT_EQ(seeds.size(), (image.visible_points.size() + kSeedGroup - 1) / kSeedGroup);
+}
+
+/// In a hollow ball around a point light every surface gets I / R^2, so all weights are equal:
+/// throughput * kd * albedo * I / (R^2 pi).
+TEST(EyeSeeding, WeightIsTheLightThatReachesTheEyePath) {
+    mock::Scene scene;
+    mock::Surface shell;
+    shell.shape = mock::Ball{{0, 0, 0}, 2, true};
+    shell.material.reflectance = {0.6f, 0.6f, 0.6f};
+    scene.add(shell);
+    scene.add_point_light({0, 0, 0}, {5, 5, 5});
+    scene.finish();
+    EyeImage image;
+    VisiblePoint v;
+    v.position = {0, 0, -2};
+    v.geometric_normal = v.shading_normal = v.wo = {0, 0, 1};
+    v.throughput = {0.5f, 0.5f, 0.5f};
+    v.kd = {0.3f, 0.3f, 0.3f};
+    v.receiving = kDiffuse;
+    image.visible_points.assign(1600, v);
+    const auto seeds = find(scene, mock::small_settings(3, 1), image);
+    EXPECT_GT(seeds.size(), 95u);  // of 100 walks
+    const float expected = 0.5f * 0.3f * 0.6f * 5 / (4 * kPi);
+    for (const EmissionSeed& s : seeds)
+        EXPECT_NEAR(s.weight, expected, 1e-3f * expected);
+}
+
+/// A lamp seen from the floor in a mirror overhead: light met after a specular bounce names the
+/// very photon that returns along the walk.
+TEST(EyeSeeding, LampsSeenInMirrorsAreSeededExactly) {
+    mock::Scene scene;
+    mock::Surface mirror, lamp;
+    mirror.shape = mock::Quad{{-5, -5, 2}, {0, 10, 0}, {10, 0, 0}};
+    mirror.material.kind = mock::Material::Kind::Mirror;
+    mirror.material.reflectance = {0.9f, 0.9f, 0.9f};
+    lamp.shape = mock::Quad{{1, -1, 0}, {2, 0, 0}, {0, 2, 0}};
+    lamp.emitted = {3, 3, 3};
+    scene.add(mirror);
+    scene.add(lamp);
+    scene.finish();
+    EyeImage image;
+    VisiblePoint v;
+    v.geometric_normal = v.shading_normal = v.wo = {0, 0, 1};
+    v.throughput = v.kd = kWhite;
+    v.receiving = kDiffuse;
+    image.visible_points.assign(16000, v);
+    const auto seeds = find(scene, mock::small_settings(4, 1), image);
+    int returning = 0;
+    for (const EmissionSeed& s : seeds) {
+        Emission emission;
+        ASSERT_TRUE(scene.lights()[0]->emit(s.point, emission));
+        // Where the photon comes down from the mirror at z = 2.
+        const Vec3 o = emission.ray.origin, d = emission.ray.direction;
+        const Vec3 down = o + d * ((4 - o.z) / d.z);
+        if (std::hypot(down.x, down.y) > 1e-2f) continue;
+        ++returning;
+        EXPECT_NEAR(s.weight, 0.9f * 3, 1e-4f);
+    }
+    EXPECT_GT(returning, 50);
+}
+
+TEST(EyeSeeding, BitsDoNotDependOnThreads) {
+    const mock::Scene scene = mock::lamp_box({}, {});
+    const Settings settings = mock::small_settings(5, 1);
+    const mock::Camera camera = mock::camera_along_y({0, -0.9f, 0}, 0.5f, 64, 64);
+    const EyeImage image = trace_eye(scene, camera, 64, settings);
+    const auto with_threads = [&](std::size_t threads, std::uint64_t pass) {
+        const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
+        return find(scene, settings, image, pass);
+    };
+    const auto same = [](const EmissionSeed& a, const EmissionSeed& b) {
+        return a.light == b.light && a.point == b.point && a.weight == b.weight;
+    };
+    const auto one = with_threads(1, 0), four = with_threads(4, 0), next = with_threads(4, 1);
+    ASSERT_GT(one.size(), 100u);
+    EXPECT_TRUE(std::equal(one.begin(), one.end(), four.begin(), four.end(), same));
+    EXPECT_FALSE(std::equal(one.begin(), one.end(), next.begin(), next.end(), same));
+}
+
+}  // namespace

@@ -160,7 +160,7 @@ TEST(EyeSeeding, LampsSeenInMirrorsAreSeededExactly) {
         ++returning;
         EXPECT_NEAR(s.weight, 0.9f * 3, 1e-4f);
     }
-    EXPECT_GT(returning, 50);
+    EXPECT_GT(returning, 25);  // the lamp fills 5 % of the hemisphere of 1000 walks
 }
 
 TEST(EyeSeeding, BitsDoNotDependOnThreads) {

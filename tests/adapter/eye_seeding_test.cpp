@@ -104,29 +104,42 @@ TEST(EyeSeeding, DirectLightIsSeededWherePhotonsOwnIt) {
     EXPECT_EQ(seeds.size(), (image.visible_points.size() + kSeedGroup - 1) / kSeedGroup);
 }
 
-/// In a hollow ball around a point light every surface gets I / R^2, so all weights are equal:
-/// throughput * kd * albedo * I / (R^2 pi).
+/// In a hollow ball with a point light and a screen before it, a photon that starts at a seed meets
+/// the surface that the walk met; the weight is throughput * kd * albedo / pi * I cos / d^2 there.
 TEST(EyeSeeding, WeightIsTheLightThatReachesTheEyePath) {
+    constexpr float kIntensity = 5;
+    const Vec3 lamp{0, 0, 1};
     mock::Scene scene;
-    mock::Surface shell;
+    mock::Surface shell, screen;
     shell.shape = mock::Ball{{0, 0, 0}, 2, true};
     shell.material.reflectance = {0.6f, 0.6f, 0.6f};
+    screen.shape = mock::Quad{{-0.5f, -0.5f, -0.5f}, {1, 0, 0}, {0, 1, 0}};
     scene.add(shell);
-    scene.add_point_light({0, 0, 0}, {5, 5, 5});
+    scene.add(screen);
+    scene.add_point_light(lamp, kWhite * kIntensity);
     scene.finish();
     EyeImage image;
     VisiblePoint v;
     v.position = {0, 0, -2};
     v.geometric_normal = v.shading_normal = v.wo = {0, 0, 1};
-    v.throughput = {0.5f, 0.5f, 0.5f};
-    v.kd = {0.3f, 0.3f, 0.3f};
+    v.throughput = kWhite * 0.5f;
+    v.kd = kWhite * 0.3f;
     v.receiving = kDiffuse;
-    image.visible_points.assign(1600, v);
+    image.visible_points.assign(16000, v);
     const auto seeds = find(scene, mock::small_settings(3, 1), image);
-    EXPECT_GT(seeds.size(), 95u);  // of 100 walks
-    const float expected = 0.5f * 0.3f * 0.6f * 5 / (4 * kPi);
-    for (const EmissionSeed& s : seeds)
-        EXPECT_NEAR(s.weight, expected, 1e-3f * expected);
+    EXPECT_GT(seeds.size(), 500u);  // of 1000 walks; the screen shades the rest
+    for (const EmissionSeed& s : seeds) {
+        Arena arena;
+        Emission emission;
+        SurfacePoint hit;
+        ASSERT_TRUE(scene.lights()[0]->emit(s.point, emission));
+        ASSERT_TRUE(scene.intersect(emission.ray, hit, arena));
+        EXPECT_EQ(hit.material, 0u) << "on the screen";
+        const float cosine = -dot(hit.geometric_normal, emission.ray.direction);
+        const float d2 = length_squared(hit.position - lamp);
+        const float expected = 0.5f * 0.3f * 0.6f / kPi * kIntensity * cosine / d2;
+        EXPECT_NEAR(s.weight, expected, 2e-3f * expected);
+    }
 }
 
 /// A lamp seen from the floor in a mirror overhead: light met after a specular bounce names the

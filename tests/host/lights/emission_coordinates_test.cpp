@@ -117,6 +117,22 @@ TEST(EmissionCoordinates, PhotonsGoFromTheSampledPointThroughTheLitOne) {
     }
 }
 
+/// A hit on the light has the mesh's own count, in which triangles without area have numbers too.
+TEST(EmissionCoordinates, TrianglesAreCountedAsInTheMesh) {
+    const auto light = area(fan());
+    Random random(83);
+    std::array<int, 40> drawn{};
+    for (int i = 0; i < 20000; ++i) {
+        DirectSample sample;
+        const Vec2 u(random(), random());
+        if (!light->sample_direct(Vec3(0.0f), Vec3(0, 0, 1), u, sample)) continue;
+        ASSERT_LT(sample.primitive, drawn.size());
+        ++drawn[sample.primitive];
+    }
+    for (std::size_t i = 1; i < drawn.size(); ++i)
+        EXPECT_EQ(drawn[i] > 0, i % 3 != 2) << i;
+}
+
 TEST(EmissionCoordinates, OnesThatDoNotMatterStay) {
     const auto coordinates = [](const Light& light) {
         const Vec3 p(0.5f, 0.4f, 1);

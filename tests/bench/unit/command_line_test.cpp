@@ -5,6 +5,7 @@
 
 #include "bench_process.h"
 #include "exit_code.h"
+#include "study_file.h"
 
 namespace bench::test {
 namespace {

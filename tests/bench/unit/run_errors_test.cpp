@@ -9,6 +9,7 @@
 #include "bench_process.h"
 #include "comparison.h"
 #include "image_file.h"
+#include "study_file.h"
 #include "synthetic_image.h"
 
 namespace bench::test {

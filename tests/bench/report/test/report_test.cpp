@@ -7,6 +7,7 @@
 #include "bench_process.h"
 #include "report_command.h"
 #include "report_page.h"
+#include "study_file.h"
 #include "synthetic_study.h"
 
 namespace bench::test {

@@ -104,6 +104,34 @@ void add_report(CLI::App& app, BenchCommandLine& command) {
     report.callback([&command] { command.command = Command::Report; });
 }
 
+void add_paper(CLI::App& app, BenchCommandLine& command) {
+    CLI::App& paper = *app.add_subcommand("paper", "redo the figures of Liu and Zheng 2014");
+    paper.add_option("--out", command.folder, "folder of the study")->type_name("DIR")->required();
+    paper
+        .add_option("--figures", command.figures,
+                    "6-7, 8, 9a, 9b, 9c, 9d, 10, separated by commas (default: all)")
+        ->delimiter(',');
+    paper
+        .add_option("--scale", command.scale,
+                    "scales widths, passes and seconds, above 0 to 1 (default: 1)")
+        ->check(positive())
+        ->check(CLI::Range(0.0, 1.0));
+    paper.add_option("--seeds", command.seeds, "number of seeds (default: 3)")
+        ->check(CLI::Range(1u, 1000u));
+    paper.add_option("--threads", command.threads, "threads of a render (default: all processors)")
+        ->check(CLI::Range(1u, 1024u));
+    paper
+        .add_option("--reference-seconds", command.seconds,
+                    "wall seconds that a scene's references have at least (default: 60)")
+        ->check(positive());
+    paper
+        .add_option("--paper-table", command.paper_table,
+                    "experiments (default: tests/bench/paper/paper.json of the sources)")
+        ->type_name("FILE.json");
+    add_tables(paper, command);
+    paper.callback([&command] { command.command = Command::Paper; });
+}
+
 void add_others(CLI::App& app, BenchCommandLine& command) {
     CLI::App& table = *app.add_subcommand("table", "print a study's comparisons as Markdown");
     table.add_option("dir", command.folder, "folder of the study")->type_name("DIR")->required();
@@ -138,6 +166,7 @@ std::optional<ExitCode> parse_command_line(int argc, const char* const* argv,
     add_run(app, command);
     add_reference(app, command);
     add_report(app, command);
+    add_paper(app, command);
     add_others(app, command);
     try {
         app.parse(argc, argv);

@@ -11,7 +11,7 @@
 namespace bench {
 
 /// Which of the commands is asked for.
-enum class Command : std::uint8_t { Run, Reference, Table, Report, Methods, RenderOne };
+enum class Command : std::uint8_t { Run, Reference, Table, Report, Paper, Methods, RenderOne };
 
 struct BenchCommandLine {
     Command command = Command::Run;
@@ -31,8 +31,11 @@ struct BenchCommandLine {
     std::string references = "out/bench-references";
     std::string method_table, scene_table, scene_folder;
     std::string report_file, report_page;
-    double seconds = 60;
+    double seconds = 60;  ///< of references
     bool up_to = false;
+    std::vector<std::string> figures;  ///< of the paper; empty: all
+    double scale = 1;
+    std::string paper_table;
 };
 
 /// Fills `command`. Returns an exit code if there is nothing left to do: after --help, and after a

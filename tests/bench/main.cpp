@@ -10,6 +10,7 @@
 #include "lxs/host/failure.h"
 #include "measured_render.h"
 #include "method_check.h"
+#include "paper_command.h"
 #include "reference_command.h"
 #include "report_command.h"
 #include "run_command.h"
@@ -49,8 +50,13 @@ ExitCode run(const BenchCommandLine& command, const lxs::PluginLibrary& plugins,
 
 ExitCode reference(const BenchCommandLine& command, const lxs::PluginLibrary& plugins,
                    lxs::ConsoleLog& log) {
-    const ReferenceRequest request{find_scenes(command), command.seconds,  command.up_to,
-                                   command.threads,      command.width_px, command.references};
+    ReferenceRequest request;
+    request.scenes = find_scenes(command);
+    request.seconds = command.seconds;
+    request.up_to = command.up_to;
+    request.threads = command.threads;
+    request.width_px = command.width_px;
+    request.root = command.references;
     const auto table = read_method_table(or_default(command.method_table, BENCH_METHOD_TABLE));
     const lxs::Interruption interruption;
     return make_references(request, table, plugins, interruption, log);
@@ -73,6 +79,26 @@ ExitCode report(const BenchCommandLine& command, lxs::ConsoleLog& log) {
     write_report(request);
     log.info(fmt::format("report: {}", request.output.string()));
     return ExitCode::Success;
+}
+
+ExitCode paper(const BenchCommandLine& command, const lxs::PluginLibrary& plugins,
+               lxs::ConsoleLog& log) {
+    const PaperTable experiments =
+        read_paper_table(or_default(command.paper_table, BENCH_PAPER_TABLE));
+    PaperRequest request;
+    request.experiments = choose_experiments(experiments, command.figures);
+    request.scale = command.scale;
+    request.seeds = command.seeds;
+    request.threads = command.threads;
+    request.reference_seconds = command.seconds;
+    request.folder = command.folder;
+    request.references = command.references;
+    request.scene_table = or_default(command.scene_table, BENCH_SCENE_TABLE);
+    request.scene_folder = or_default(command.scene_folder, BENCH_SCENES);
+    auto table = read_method_table(or_default(command.method_table, BENCH_METHOD_TABLE));
+    table.photons_per_pass = experiments.photons_per_pass;
+    const lxs::Interruption interruption;
+    return redo_paper(request, table, plugins, interruption, log);
 }
 
 ExitCode render_one(const BenchCommandLine& command, lxs::ConsoleLog& log) {
@@ -104,6 +130,7 @@ ExitCode carry_out(const BenchCommandLine& command, lxs::PluginLibrary& plugins,
     if (command.command == Command::RenderOne) return render_one(command, log);
     plugins.load_folder(lxs::own_plugin_folder());
     if (command.command == Command::Methods) return print_methods(command, plugins, log);
+    if (command.command == Command::Paper) return paper(command, plugins, log);
     return command.command == Command::Run ? run(command, plugins, log)
                                            : reference(command, plugins, log);
 }

@@ -33,6 +33,7 @@ lxs::CommandLine command_line(const RenderJob& job) {
     command.overrides = settings.set;
     command.integrator = settings.integrator;
     if (settings.width_px > 0) command.width = settings.width_px;
+    if (settings.height_px > 0) command.height = settings.height_px;
     if (!settings.sampler.empty()) command.sampler = settings.sampler;
     return command;
 }
@@ -54,14 +55,18 @@ Json to_json(const std::vector<TimeMark>& marks) {
 class MeasuredPasses {
   public:
     MeasuredPasses(const RenderJob& job, lxs::RenderSession& session)
-        : job_(job), session_(session), marks_(job.settings.budgets_s, job.settings.clock) {}
+        : job_(job),
+          session_(session),
+          marks_(job.settings.budgets_s, job.settings.clock),
+          pass_marks_(job.settings.passes) {}
 
     void render() {
-        while (!marks_.all_passed()) {
+        while (!all_passed()) {
             render_pass();
             const std::vector<TimeMark> due = marks_.due(totals_.cpu_s, totals_.wall_s);
+            const bool pass_due = pass_marks_.due(totals_.passes);
             const bool wanted =
-                job_.final_only ? marks_.all_passed() : totals_.passes == 1 || !due.empty();
+                job_.final_only ? all_passed() : totals_.passes == 1 || pass_due || !due.empty();
             if (wanted) take_snapshot(due);
         }
     }
@@ -83,6 +88,8 @@ class MeasuredPasses {
     double snapshots_s() const { return snapshots_s_; }
 
   private:
+    bool all_passed() const { return marks_.all_passed() && pass_marks_.all_passed(); }
+
     void render_pass() {
         const auto wall = Clock::now();
         const double cpu = lxs::cpu_seconds();
@@ -120,6 +127,7 @@ class MeasuredPasses {
     const RenderJob& job_;
     lxs::RenderSession& session_;
     TimeMarks marks_;
+    PassMarks pass_marks_;
     PassTotals totals_;
     PassTrace trace_;
     Json snapshots_ = Json::array();

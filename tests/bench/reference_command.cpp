@@ -71,6 +71,7 @@ RenderJob chunk_job(const ReferenceRequest& request, const BenchScene& scene,
     job.settings.scene = scene.name;
     job.settings.scene_file = scene.file.string();
     job.settings.width_px = request.width_px;
+    job.settings.height_px = request.height_px;
     job.settings.method = image.method->name;
     job.settings.variant = kAny;
     job.settings.integrator = image.method->integrator;
@@ -247,9 +248,11 @@ ExitCode make_references(const ReferenceRequest& request, const MethodTable& tab
     ExitCode code = ExitCode::Success;
     for (const BenchScene& scene : request.scenes) {
         const auto images = images_of(scene, table, plugins);
-        Folder folder{reference_folder(request.root, scene.name, request.width_px), {}};
-        folder.metadata = read_reference_metadata(folder.path, scene.name,
-                                                  scene_checksum(scene.file), request.width_px);
+        Folder folder{
+            reference_folder(request.root, scene.name, request.width_px, request.height_px), {}};
+        folder.metadata =
+            read_reference_metadata(folder.path, scene.name, scene_checksum(scene.file),
+                                    request.width_px, request.height_px);
         for (const ReferenceImage& image : images)
             check_method(*image.method, image.set, plugins, folder.path, log);
         if (!grow(request, scene, images, folder, interruption, log)) return ExitCode::Interrupted;

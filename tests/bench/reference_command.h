@@ -19,8 +19,8 @@ struct ReferenceRequest {
     double seconds = 60;  ///< wall time for each scene
     bool up_to = false;   ///< the seconds that the references already took count
     unsigned threads = 0;
-    std::uint32_t width_px = 0;
-    std::filesystem::path root;  ///< folder of all references
+    std::uint32_t width_px = 0, height_px = 0;  ///< 0: the scene's own, in proportion
+    std::filesystem::path root;                 ///< folder of all references
 };
 
 /// Success, ReferencesDiffer or Interrupted. Throws StudyError, lxs::OutputFailure.

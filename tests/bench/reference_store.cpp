@@ -31,17 +31,20 @@ Json References::checksums() const {
     return sums;
 }
 
-fs::path reference_folder(const fs::path& root, const std::string& scene, std::uint32_t width_px) {
-    return root / (width_px > 0 ? fmt::format("{}-w{}", scene, width_px) : scene);
+fs::path reference_folder(const fs::path& root, const std::string& scene, std::uint32_t width_px,
+                          std::uint32_t height_px) {
+    const std::string height = height_px > 0 ? fmt::format("x{}", height_px) : "";
+    return root / (width_px > 0 ? fmt::format("{}-w{}{}", scene, width_px, height) : scene);
 }
 
 Json read_reference_metadata(const fs::path& folder, const std::string& scene,
-                             const std::string& scene_sha1, std::uint32_t width_px) {
+                             const std::string& scene_sha1, std::uint32_t width_px,
+                             std::uint32_t height_px) {
     const fs::path file = folder / "reference.json";
     if (!fs::exists(file)) {
-        return {{"schema", kReferenceSchema}, {"scene", scene},      {"scene_sha1", scene_sha1},
-                {"width_px", width_px},       {"image", nullptr},    {"images", Json::object()},
-                {"agreement", nullptr},       {"bias_left", nullptr}};
+        return {{"schema", kReferenceSchema}, {"scene", scene},         {"scene_sha1", scene_sha1},
+                {"width_px", width_px},       {"height_px", height_px}, {"image", nullptr},
+                {"images", Json::object()},   {"agreement", nullptr},   {"bias_left", nullptr}};
     }
     Json metadata = read_json(file, kReferenceSchema);
     if (metadata.at("scene_sha1") != scene_sha1) {
@@ -85,10 +88,11 @@ std::string write_reference(const fs::path& file, const GrowingReference& refere
 }
 
 std::optional<References> load_references(const fs::path& root, const std::string& scene,
-                                          const std::string& scene_sha1, std::uint32_t width_px) {
-    const fs::path folder = reference_folder(root, scene, width_px);
+                                          const std::string& scene_sha1, std::uint32_t width_px,
+                                          std::uint32_t height_px) {
+    const fs::path folder = reference_folder(root, scene, width_px, height_px);
     References references;
-    references.metadata = read_reference_metadata(folder, scene, scene_sha1, width_px);
+    references.metadata = read_reference_metadata(folder, scene, scene_sha1, width_px, height_px);
     for (const char* name : kReferenceNames) {
         if (!references.metadata.at("images").contains(name)) return std::nullopt;
     }

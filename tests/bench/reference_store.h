@@ -32,14 +32,16 @@ struct References {
     Json checksums() const;
 };
 
-/// Folder of a scene's references below `root`: SCENE, or SCENE-wWIDTH for a width of its own.
+/// Folder of a scene's references below `root`: SCENE, SCENE-wWIDTH for a width of its own, or
+/// SCENE-wWIDTHxHEIGHT.
 std::filesystem::path reference_folder(const std::filesystem::path& root, const std::string& scene,
-                                       std::uint32_t width_px);
+                                       std::uint32_t width_px, std::uint32_t height_px = 0);
 
 /// reference.json of that folder, new if there is none. Throws StudyError if the references are of
 /// another version of the scene.
 Json read_reference_metadata(const std::filesystem::path& folder, const std::string& scene,
-                             const std::string& scene_sha1, std::uint32_t width_px);
+                             const std::string& scene_sha1, std::uint32_t width_px,
+                             std::uint32_t height_px = 0);
 
 /// The whole image and, if there is one, the photon part of a reference as it grows.
 struct GrowingReference {
@@ -62,6 +64,6 @@ std::string write_reference(const std::filesystem::path& file, const GrowingRefe
 /// as the functions above.
 std::optional<References> load_references(const std::filesystem::path& root,
                                           const std::string& scene, const std::string& scene_sha1,
-                                          std::uint32_t width_px);
+                                          std::uint32_t width_px, std::uint32_t height_px = 0);
 
 }  // namespace bench

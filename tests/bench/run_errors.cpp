@@ -70,9 +70,12 @@ Json part_at(const Json& snapshots, const std::string& clock, double budget_s, c
 }  // namespace
 
 const References* ReferenceCache::find(const std::string& scene, const std::string& scene_sha1,
-                                       std::uint32_t width_px) {
-    const auto [entry, is_new] = known_.try_emplace({scene, width_px});
-    if (is_new) entry->second = load_references(root_, scene, scene_sha1, width_px);
+                                       std::uint32_t width_px, std::uint32_t height_px) {
+    const auto [entry, is_new] =
+        known_.try_emplace(reference_folder(root_, scene, width_px, height_px));
+    if (is_new) {
+        entry->second = load_references(root_, scene, scene_sha1, width_px, height_px);
+    }
     return entry->second ? &*entry->second : nullptr;
 }
 
@@ -107,7 +110,8 @@ Json errors_at_budgets(const Json& run) {
 
 bool measure_run(const fs::path& folder, const References* references, Json& run) {
     const Json checksums = references != nullptr ? references->checksums() : Json();
-    const bool measured = !run.at("at_budget").empty() && run.at("references") == checksums;
+    const bool measured =
+        run.at("snapshots").front().contains("error") && run.at("references") == checksums;
     if (measured) return false;
     for (Json& snapshot : run["snapshots"]) {
         const fs::path file = folder / snapshot.at("exr").get<std::string>();

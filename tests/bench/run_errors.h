@@ -5,7 +5,6 @@
 #include <map>
 #include <optional>
 #include <string>
-#include <utility>
 
 #include "reference_store.h"
 
@@ -17,11 +16,11 @@ class ReferenceCache {
     explicit ReferenceCache(std::filesystem::path root) : root_(std::move(root)) {}
     /// Null if the scene has none. Throws StudyError.
     const References* find(const std::string& scene, const std::string& scene_sha1,
-                           std::uint32_t width_px);
+                           std::uint32_t width_px, std::uint32_t height_px = 0);
 
   private:
     std::filesystem::path root_;
-    std::map<std::pair<std::string, std::uint32_t>, std::optional<References>> known_;
+    std::map<std::filesystem::path, std::optional<References>> known_;  ///< by their folder
 };
 
 /// Fills "error" of the snapshots, "references" and "at_budget" of a run that is done, from the

@@ -10,6 +10,7 @@ Json to_json(const RunSettings& settings) {
             {"scene_file", settings.scene_file},
             {"scene_sha1", settings.scene_sha1},
             {"width_px", settings.width_px},
+            {"height_px", settings.height_px},
             {"method", settings.method},
             {"variant", settings.variant},
             {"integrator", settings.integrator},
@@ -18,6 +19,7 @@ Json to_json(const RunSettings& settings) {
             {"seed", settings.seed},
             {"threads", settings.threads},
             {"budgets_s", settings.budgets_s},
+            {"passes", settings.passes},
             {"clock", settings.clock}};
 }
 
@@ -27,6 +29,7 @@ RunSettings run_settings_from(const Json& json) {
     json.at("scene_file").get_to(settings.scene_file);
     json.at("scene_sha1").get_to(settings.scene_sha1);
     json.at("width_px").get_to(settings.width_px);
+    json.at("height_px").get_to(settings.height_px);
     json.at("method").get_to(settings.method);
     json.at("variant").get_to(settings.variant);
     json.at("integrator").get_to(settings.integrator);
@@ -35,6 +38,7 @@ RunSettings run_settings_from(const Json& json) {
     json.at("seed").get_to(settings.seed);
     json.at("threads").get_to(settings.threads);
     json.at("budgets_s").get_to(settings.budgets_s);
+    json.at("passes").get_to(settings.passes);
     json.at("clock").get_to(settings.clock);
     return settings;
 }

@@ -12,14 +12,16 @@ namespace bench {
 /// Written to the run's file; two runs with the same settings and binaries are the same run.
 struct RunSettings {
     std::string scene, scene_file, scene_sha1;
-    std::uint32_t width_px = 0;  ///< 0: the scene's own
+    std::uint32_t width_px = 0;   ///< 0: the scene's own
+    std::uint32_t height_px = 0;  ///< 0: in proportion to the width
     std::string method, variant, integrator;
     std::string sampler;           ///< "": the scene's own
     std::vector<std::string> set;  ///< integrator.parameter=value
     std::uint64_t seed = 1;
-    unsigned threads = 0;  ///< 0: all processors
-    std::vector<double> budgets_s;
-    std::string clock = "both";  ///< which clocks have to pass the budgets: both, cpu, wall
+    unsigned threads = 0;               ///< 0: all processors
+    std::vector<double> budgets_s;      ///< may be empty if there are `passes`
+    std::vector<std::uint64_t> passes;  ///< snapshots after these numbers of passes, ascending
+    std::string clock = "both";         ///< which clocks have to pass the budgets: both, cpu, wall
 };
 
 Json to_json(const RunSettings& settings);

@@ -1,4 +1,4 @@
-// When snapshots are due: after the pass in which a clock passes a mark.
+// When snapshots are due: after the pass in which a clock passes a mark, and after given passes.
 #include "time_marks.h"
 
 #include <algorithm>
@@ -6,6 +6,7 @@
 namespace bench {
 
 TimeMarks::TimeMarks(std::span<const double> budgets_s, const std::string& clock) {
+    if (budgets_s.empty()) return;
     std::vector<double> times(budgets_s.begin(), budgets_s.end());
     times.push_back(*std::min_element(times.begin(), times.end()) / 2);
     for (const char* name : {"cpu", "wall"}) {
@@ -23,6 +24,10 @@ std::vector<TimeMark> TimeMarks::due(double cpu_s, double wall_s) {
         return is_due;
     });
     return passed;
+}
+
+bool PassMarks::due(std::uint64_t passes) {
+    return std::erase_if(pending_, [&](std::uint64_t mark) { return mark <= passes; }) > 0;
 }
 
 }  // namespace bench

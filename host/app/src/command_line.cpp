@@ -38,13 +38,17 @@ void add_render_options(CLI::App& app, CommandLine& command) {
     app.add_option("--integrator", command.integrator,
                    "surface integrator, instead of the scene's choice")
         ->type_name("NAME");
-    app.add_option("--set", command.overrides, "give a parameter of an integrator; may be repeated")
+    app.add_option("--set", command.overrides, "give a parameter of an integrator or sampler; may be repeated")
         ->type_name("plugin.parameter=value")
         ->expected(1)
         ->take_all()
         ->check(CLI::Validator(check_override, ""));
     app.add_option("--width", command.width,
                    "width of the image in pixels, instead of the scene's; the height follows")
+        ->type_name("PIXELS")
+        ->check(CLI::Range(1u, 65536u));
+    app.add_option("--height", command.height,
+                   "height of the image in pixels, instead of the scene's or what follows --width")
         ->type_name("PIXELS")
         ->check(CLI::Range(1u, 65536u));
     app.add_option("--sampler", command.sampler, "sampler, instead of the scene's choice")

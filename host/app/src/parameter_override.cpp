@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <charconv>
 
+#include "lxs/imaging/imaging.h"
+
 namespace lxs {
 namespace {
 
@@ -71,15 +73,37 @@ ParameterValue read_value(const ParameterDeclaration& declaration, const std::st
     return value;
 }
 
-const ParameterDeclaration& find_declaration(const IntegratorPlugin& plugin,
-                                             const std::string& name, const SourceLocation& where) {
+/// The parts of "plugin.parameter=value".
+struct OverrideParts {
+    std::string plugin, parameter, value;
+};
+
+OverrideParts parts_of(const std::string& text) {
+    const std::size_t dot = text.find('.');
+    const std::size_t equals = text.find('=');
+    return {text.substr(0, dot), text.substr(dot + 1, equals - dot - 1), text.substr(equals + 1)};
+}
+
+SourceLocation location_of(const std::string& text) {
+    return command_line_location("--set " + text);
+}
+
+ParameterValue read_override(const std::string& text,
+                             std::span<const ParameterDeclaration> declared) {
+    const OverrideParts parts = parts_of(text);
+    const SourceLocation where = location_of(text);
     std::vector<std::string> known;
-    for (const ParameterDeclaration& declaration : plugin.parameters) {
-        if (declaration.name == name) return declaration;
+    for (const ParameterDeclaration& declaration : declared) {
+        if (declaration.name == parts.parameter) return read_value(declaration, parts.value, where);
         known.emplace_back(declaration.name);
     }
-    throw InputError(where,
-                     unknown_name_message(fmt::format("{} parameter", plugin.name), name, known));
+    throw InputError(where, unknown_name_message(fmt::format("{} parameter", parts.plugin),
+                                                 parts.parameter, known));
+}
+
+void replace(ParameterValue value, ParameterSet& set) {
+    std::erase_if(set.values, [&](const ParameterValue& old) { return old.name == value.name; });
+    set.values.push_back(std::move(value));
 }
 
 }  // namespace
@@ -90,27 +114,32 @@ SourceLocation command_line_location(const std::string& option) {
     return {.file = std::move(file), .line = 0, .column = 0};
 }
 
+bool is_sampler_override(const std::string& text) {
+    return !sampler_parameters(parts_of(text).plugin).empty();
+}
+
+void apply_override(const std::string& text, std::span<const ParameterDeclaration> declared,
+                    ParameterSet& set) {
+    replace(read_override(text, declared), set);
+}
+
 void apply_overrides(const std::vector<std::string>& overrides, const PluginLibrary& plugins,
                      ParameterSet& set, Log& log) {
     for (const std::string& text : overrides) {
-        const SourceLocation where = command_line_location("--set " + text);
-        const std::size_t dot = text.find('.');
-        const std::size_t equals = text.find('=');
-        const std::string plugin = text.substr(0, dot);
+        if (is_sampler_override(text)) continue;
+        const std::string plugin = parts_of(text).plugin;
         const LoadedIntegrator* loaded = plugins.find(plugin);
         if (loaded == nullptr) {
-            throw InputError(where, unknown_name_message("integrator", plugin, plugins.names()));
+            throw InputError(location_of(text),
+                             unknown_name_message("integrator", plugin, plugins.names()));
         }
-        const std::string name = text.substr(dot + 1, equals - dot - 1);
-        const ParameterDeclaration& declaration = find_declaration(*loaded->plugin, name, where);
-        ParameterValue value = read_value(declaration, text.substr(equals + 1), where);
+        ParameterValue value = read_override(text, loaded->plugin->parameters);
         if (plugin != set.plugin) {
             log.warning(
                 fmt::format("--set {} has no effect: the integrator is \"{}\"", text, set.plugin));
             continue;
         }
-        std::erase_if(set.values, [&](const ParameterValue& old) { return old.name == name; });
-        set.values.push_back(std::move(value));
+        replace(std::move(value), set);
     }
 }
 

@@ -87,7 +87,7 @@ RenderSession prepare_session(const CommandLine& command, const PluginLibrary& p
     {
         const PhaseTimer timer(session.times, "load");
         contents = load(command.scene, diagnostics);
-        apply_statement_overrides(command, contents);
+        apply_statement_overrides(command, contents, log);
     }
     const PhaseTimer timer(session.times, "build");
     const IntegratorChoice choice = choose_integrator(command, contents, plugins, diagnostics, log);

@@ -1,4 +1,5 @@
-// `--width` and `--sampler`: options that stand above the scene's own statements.
+// `--width`, `--height`, `--sampler` and `--set` of a sampler: options that stand above the scene's
+// own statements.
 #include "lxs/host/statement_override.h"
 
 #include <fmt/format.h>
@@ -7,6 +8,7 @@
 #include <cmath>
 
 #include "lxs/host/parameter_override.h"
+#include "lxs/imaging/imaging.h"
 
 namespace lxs {
 namespace {
@@ -58,15 +60,38 @@ void set_width(std::uint32_t width, SceneContents& contents) {
     set_size(film, "yresolution", std::max(1.0, std::round(old_height * width / old_width)), where);
 }
 
-}  // namespace
+void set_height(std::uint32_t height, SceneContents& contents) {
+    set_size(statement(contents, "Film", "fleximage"), "yresolution", height,
+             command_line_location(fmt::format("--height {}", height)));
+}
 
-void apply_statement_overrides(const CommandLine& command, SceneContents& contents) {
-    if (command.width) set_width(*command.width, contents);
-    if (!command.sampler) return;
+void choose_sampler(const CommandLine& command, SceneContents& contents) {
     ParameterSet& sampler = statement(contents, "Sampler", *command.sampler);
     if (sampler.plugin != *command.sampler) sampler.values.clear();
     sampler.plugin = *command.sampler;
     sampler.where = command_line_location("--sampler " + *command.sampler);
+}
+
+void set_sampler_parameters(const CommandLine& command, SceneContents& contents, Log& log) {
+    for (const std::string& text : command.overrides) {
+        if (!is_sampler_override(text)) continue;
+        const std::string sampler = text.substr(0, text.find('.'));
+        const auto chosen = contents.options.find("Sampler");
+        if (chosen == contents.options.end() || chosen->second.parameters.plugin != sampler) {
+            log.warning(fmt::format("--set {} has no effect: the sampler is another", text));
+            continue;
+        }
+        apply_override(text, sampler_parameters(sampler), chosen->second.parameters);
+    }
+}
+
+}  // namespace
+
+void apply_statement_overrides(const CommandLine& command, SceneContents& contents, Log& log) {
+    if (command.width) set_width(*command.width, contents);
+    if (command.height) set_height(*command.height, contents);
+    if (command.sampler) choose_sampler(command, contents);
+    set_sampler_parameters(command, contents, log);
 }
 
 }  // namespace lxs

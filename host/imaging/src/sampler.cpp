@@ -173,6 +173,11 @@ MetropolisSettings read_metropolis(const ParameterReader& reader) {
 
 }  // namespace
 
+std::span<const ParameterDeclaration> sampler_parameters(std::string_view sampler) {
+    if (sampler == "metropolis") return kMetropolis;
+    return {};
+}
+
 std::unique_ptr<Sampler> make_sampler(const SceneContents& contents, std::uint64_t seed,
                                       Diagnostics& diagnostics, bool runs_metropolis) {
     const OptionChoice choice = choose_option(contents, "Sampler", "random",

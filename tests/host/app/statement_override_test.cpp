@@ -1,5 +1,5 @@
-// Protects --width and --sampler: they stand above the scene's statements, and what they make wrong
-// is reported at the command line.
+// Protects --width, --height, --sampler and --set of a sampler: they stand above the scene's
+// statements, and what they make wrong is reported at the command line.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -31,6 +31,29 @@ TEST_F(StatementOverrideTest, HeightFollowsTheWidth) {
     EXPECT_EQ(scene_facts()["height"], 15);
     ASSERT_EQ(run({"--width", "1"}).exit_code, 0);
     EXPECT_EQ(scene_facts()["height"], 1);
+}
+
+TEST_F(StatementOverrideTest, HeightOfItsOwn) {
+    ASSERT_EQ(run({"--height", "9"}).exit_code, 0);
+    EXPECT_EQ(scene_facts()["width"], 8);
+    EXPECT_EQ(scene_facts()["height"], 9);
+    ASSERT_EQ(run({"--width", "20", "--height", "20"}).exit_code, 0);
+    EXPECT_EQ(scene_facts()["width"], 20);
+    EXPECT_EQ(scene_facts()["height"], 20);
+}
+
+TEST_F(StatementOverrideTest, SamplerTakesParametersLikeAnIntegrator) {
+    const RunResult set = run({"--integrator", "path", "--sampler", "metropolis", "--set",
+                               "metropolis.maxconsecrejects=7", "--strict"});
+    EXPECT_EQ(set.exit_code, 0) << set.err;
+    EXPECT_THAT(set.err, HasSubstr("maxconsecrejects 7"));
+    const RunResult unknown = run({"--integrator", "path", "--sampler", "metropolis", "--set",
+                                   "metropolis.maxconsecreject=7"});
+    EXPECT_EQ(unknown.exit_code, 3);
+    EXPECT_THAT(unknown.err, HasSubstr("unknown metropolis parameter"));
+    const RunResult other = run({"--set", "metropolis.maxconsecrejects=7"});
+    EXPECT_EQ(other.exit_code, 0);
+    EXPECT_THAT(other.err, HasSubstr("has no effect: the sampler is another"));
 }
 
 TEST_F(StatementOverrideTest, WidthWorksWithoutAFilmStatement) {

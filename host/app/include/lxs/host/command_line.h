@@ -19,11 +19,12 @@ struct CommandLine {
     std::optional<std::uint64_t> passes;  ///< budget; at most one of passes and seconds is given
     std::optional<double> seconds;
     std::optional<std::uint64_t> seed;
-    std::vector<std::string> overrides;     ///< plugin.parameter=value
+    std::vector<std::string> overrides;     ///< plugin.parameter=value, of integrator or sampler
     std::optional<std::string> integrator;  ///< instead of the scene's
-    std::optional<std::uint32_t> width;  ///< pixels, instead of the scene's; height in proportion
-    std::optional<std::string> sampler;  ///< instead of the scene's
-    bool strict = false;                 ///< unknown parameters are errors
+    std::optional<std::uint32_t> width;   ///< pixels, instead of the scene's; height in proportion
+    std::optional<std::uint32_t> height;  ///< pixels, instead of the scene's and of that proportion
+    std::optional<std::string> sampler;   ///< instead of the scene's
+    bool strict = false;                  ///< unknown parameters are errors
     std::vector<std::string> plugin_paths;
     std::optional<std::string> statistics;  ///< JSON file
     Verbosity verbosity = Verbosity::Normal;

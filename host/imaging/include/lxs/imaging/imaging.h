@@ -4,12 +4,15 @@
 #include <cstdint>
 #include <map>
 #include <memory>
+#include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "lxs/scene/contents.h"
 #include "lxs/sdk/camera.h"
 #include "lxs/sdk/film.h"
+#include "lxs/sdk/parameters.h"
 
 namespace lxs {
 
@@ -43,6 +46,9 @@ std::unique_ptr<FileFilm> make_film(const SceneContents& contents, Diagnostics& 
 /// Camera from the "Camera" statement; needs the film's full resolution and crop window.
 std::unique_ptr<Camera> make_camera(const SceneContents& contents, const Film& film,
                                     Diagnostics& diagnostics);
+
+/// Parameters that are a sampler's own ("metropolis": of its chains); empty for all others.
+std::span<const ParameterDeclaration> sampler_parameters(std::string_view sampler);
 
 /// Camera samples: Owen-scrambled (0,2)-sequences over the passes, per pixel; checks "Sampler".
 /// With `runs_metropolis` it passes on the settings of Sampler "metropolis", else it warns that

@@ -1,0 +1,159 @@
+// paper.json of a study as Markdown: a table for each figure of the paper.
+#include "paper_text.h"
+
+#include <fmt/format.h>
+
+namespace bench {
+namespace {
+
+std::string number(const Json& value) {
+    return value.is_number() ? fmt::format("{:.3g}", value.get<double>()) : "-";
+}
+
+std::string seconds(const Json& value) {
+    return value.is_number() ? fmt::format("{:.1f}", value.get<double>()) : "-";
+}
+
+std::string count(const Json& value) {
+    return value.is_number() ? fmt::format("{:.0f}", value.get<double>()) : "-";
+}
+
+std::string mebibytes(const Json& bytes) {
+    return bytes.is_number() ? fmt::format("{:.1f}", bytes.get<double>() / (1 << 20)) : "-";
+}
+
+/// "0.8 [0.7, 0.9]"
+std::string ratio(const Json& figure) {
+    if (!figure.at("ratio").is_number()) return "-";
+    std::string text = number(figure.at("ratio"));
+    if (figure.at("low").is_number())
+        text += fmt::format(" [{}, {}]", number(figure.at("low")), number(figure.at("high")));
+    return text;
+}
+
+std::string ratio_if(const Json& errors, const char* figure) {
+    return errors.is_null() ? "-" : ratio(errors.at(figure));
+}
+
+std::string passes_table(const Json& experiment, const Json& scene) {
+    std::string text = fmt::format(
+        "{}, {} x {} pixels, {} passes; equal time is {} CPU s. Ratios are to \"{}\".\n\n"
+        "| | MSE | relMSE | MSE ratio, equal passes | relMSE ratio, equal passes | CPU s | MSE "
+        "ratio, equal time | relMSE ratio, equal time | guide nodes | guide MiB | process MiB |\n"
+        "| --- | --- | --- | --- | --- | --- | --- | --- | --- | --- | --- |\n",
+        scene.at("scene").get<std::string>(), experiment.at("width_px").dump(),
+        experiment.at("height_px").dump(), experiment.at("passes").dump(),
+        seconds(scene.at("equal_time_s")),
+        scene.at("rows").front().at("against").get<std::string>());
+    for (const Json& row : scene.at("rows")) {
+        const Json& passes = row.at("equal_passes");
+        const Json& time = row.at("equal_time");
+        text +=
+            fmt::format("| {} | {} | {} | {} | {} | {} | {} | {} | {} | {} | {} |\n",
+                        row.at("label").get<std::string>(), number(passes.at("mse").at("mean")),
+                        number(passes.at("relmse").at("mean")), ratio_if(passes, "mse"),
+                        ratio_if(passes, "relmse"), seconds(row.at("cpu_s")), ratio_if(time, "mse"),
+                        ratio_if(time, "relmse"), count(row.at("guide_nodes")),
+                        mebibytes(row.at("guide_bytes")), mebibytes(row.at("peak_memory_bytes")));
+    }
+    return text;
+}
+
+/// A column for each case, a row for each number of passes.
+std::string curve_table(const Json& scene, const char* figure, const char* title) {
+    const Json& rows = scene.at("rows");
+    std::string head = fmt::format("\n| passes, {} |", title), rule = "| --- |";
+    for (const Json& row : rows) {
+        head += fmt::format(" {} |", row.at("label").get<std::string>());
+        rule += " --- |";
+    }
+    std::string text = head + '\n' + rule + '\n';
+    for (std::size_t i = 0; i < rows.front().at("curve").size(); ++i) {
+        text += fmt::format("| {} |", rows.front().at("curve")[i].at("pass").dump());
+        for (const Json& row : rows) {
+            const Json& curve = row.at("curve");
+            text += fmt::format(" {} |", i < curve.size() ? number(curve[i].at(figure)) : "-");
+        }
+        text += '\n';
+    }
+    return text;
+}
+
+std::string time_table(const Json& experiment, const Json& scene) {
+    std::string text = fmt::format(
+        "{}, {} x {} pixels, {} CPU s. Ratios are to the case named last.\n\n"
+        "| | passes | MSE | relMSE | MSE ratio | relMSE ratio | process MiB | against |\n"
+        "| --- | --- | --- | --- | --- | --- | --- | --- |\n",
+        scene.at("scene").get<std::string>(), experiment.at("width_px").dump(),
+        experiment.at("height_px").dump(), seconds(scene.at("equal_time_s")));
+    for (const Json& row : scene.at("rows")) {
+        const Json& time = row.at("equal_time");
+        text += fmt::format(
+            "| {} | {} | {} | {} | {} | {} | {} | {} |\n", row.at("label").get<std::string>(),
+            count(row.at("passes")), number(time.at("mse").at("mean")),
+            number(time.at("relmse").at("mean")), ratio(time.at("mse")), ratio(time.at("relmse")),
+            mebibytes(row.at("peak_memory_bytes")), row.at("against").get<std::string>());
+    }
+    return text;
+}
+
+std::string distribution_table(const Json& experiment, const Json& scene) {
+    std::string text = fmt::format(
+        "{}, {} x {} pixels. Shares are of all photons gathered in those passes; correlations are "
+        "rank correlations over blocks of pixels.\n\n"
+        "| | passes | share in highlights | share at edges | unevenness | distance from unguided | "
+        "density with error | added density with error | added density with node error |\n"
+        "| --- | --- | --- | --- | --- | --- | --- | --- | --- |\n",
+        scene.at("scene").get<std::string>(), experiment.at("width_px").dump(),
+        experiment.at("height_px").dump());
+    for (const Json& row : scene.at("rows")) {
+        for (const Json& stage : row.at("stages")) {
+            text += fmt::format("| {} | {} to {} | {} | {} | {} | {} | {} | {} | {} |\n",
+                                row.at("label").get<std::string>(), stage.at("first_pass").dump(),
+                                stage.at("last_pass").dump(), number(stage.at("highlight_share")),
+                                number(stage.at("edge_share")), number(stage.at("unevenness")),
+                                number(stage.at("distance")), number(stage.at("error_correlation")),
+                                number(stage.at("added_error_correlation")),
+                                number(stage.at("added_node_error_correlation")));
+        }
+    }
+    return text;
+}
+
+std::string scene_text(const Json& experiment, const Json& scene) {
+    const std::string kind = experiment.at("kind");
+    if (kind == "time") return time_table(experiment, scene);
+    std::string text = passes_table(experiment, scene);
+    if (kind == "convergence") {
+        text += curve_table(scene, "mse", "MSE");
+        text += curve_table(scene, "relmse", "relMSE");
+    }
+    return text;
+}
+
+std::string experiment_text(const Json& experiment) {
+    std::string text = fmt::format("## Fig. {}: {}\n", experiment.at("figure").get<std::string>(),
+                                   experiment.at("title").get<std::string>());
+    for (const Json& scene : experiment.at("scenes"))
+        text += '\n' + scene_text(experiment, scene);
+    for (const Json& scene : experiment.at("distribution"))
+        text += '\n' + distribution_table(experiment, scene);
+    return text;
+}
+
+}  // namespace
+
+std::string paper_text(const Json& paper) {
+    std::string text = fmt::format(
+        "# The paper's figures, redone\n\nScale {}, {} seeds, {} photon paths in each pass, {}, "
+        "revision {}, {}. Errors are geometric means over seeds; in brackets the 95 % interval of "
+        "a ratio. Below 1 is better than what it is compared with.\n",
+        number(paper.at("scale")), paper.at("seeds").dump(), paper.at("photons_per_pass").dump(),
+        paper.at("machine").at("processor").get<std::string>(),
+        paper.at("revision").get<std::string>(), paper.at("created").get<std::string>());
+    for (const Json& experiment : paper.at("experiments"))
+        text += '\n' + experiment_text(experiment);
+    return text;
+}
+
+}  // namespace bench

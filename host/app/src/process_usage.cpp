@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include <fstream>
+#include <string>
 
 namespace lxs {
 namespace {
@@ -35,8 +36,13 @@ std::uint64_t resident_bytes() {
 }
 
 std::uint64_t peak_resident_bytes() {
-    constexpr std::uint64_t kKibibyte = 1024;  // the unit of ru_maxrss on Linux
-    return static_cast<std::uint64_t>(own_usage().ru_maxrss) * kKibibyte;
+    // Not ru_maxrss: a process that another one spawned inherits that one's peak.
+    constexpr std::uint64_t kKibibyte = 1024;
+    std::ifstream file("/proc/self/status");
+    for (std::string line; std::getline(file, line);) {
+        if (line.starts_with("VmHWM:")) return std::stoull(line.substr(6)) * kKibibyte;
+    }
+    return 0;
 }
 
 }  // namespace lxs

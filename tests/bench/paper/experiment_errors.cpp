@@ -51,15 +51,16 @@ Json or_null(const std::optional<double>& value) {
     return value ? Json(*value) : Json();
 }
 
-std::optional<double> geometric_mean(const Errors& errors) {
-    double logs = 0, count = 0;
+/// Arithmetic: an error may be negative, as noise of the references makes it.
+std::optional<double> mean_error(const Errors& errors) {
+    double sum = 0, count = 0;
     for (const auto& error : errors) {
-        if (error.value_or(0) <= 0) continue;
-        logs += std::log(*error);
+        if (!error) continue;
+        sum += *error;
         ++count;
     }
     if (count == 0) return std::nullopt;
-    return std::exp(logs / count);
+    return sum / count;
 }
 
 using ErrorOf = std::function<std::optional<double>(const Json* run, const char* figure)>;
@@ -74,11 +75,12 @@ Json compared(const Runs& runs, const Runs& against, const ErrorOf& error_of) {
             baseline.push_back(error_of(against[seed], figure));
         }
         const ErrorRatio ratio = error_ratio(errors, baseline);
-        figures[figure] = {{"mean", or_null(geometric_mean(errors))},
+        figures[figure] = {{"mean", or_null(mean_error(errors))},
                            {"ratio", or_null(ratio.ratio)},
                            {"low", or_null(ratio.low)},
                            {"high", or_null(ratio.high)},
-                           {"seeds", ratio.used}};
+                           {"seeds", ratio.used},
+                           {"left_out", ratio.left_out}};
     }
     return figures;
 }
@@ -116,7 +118,7 @@ Json curve_of(const Runs& runs) {
             Errors errors;
             for (const Json* run : runs)
                 errors.push_back(error_after(run, pass, figure));
-            point[figure] = or_null(geometric_mean(errors));
+            point[figure] = or_null(mean_error(errors));
         }
         curve.push_back(std::move(point));
     }

@@ -28,6 +28,8 @@ std::string ratio(const Json& figure) {
     std::string text = number(figure.at("ratio"));
     if (figure.at("low").is_number())
         text += fmt::format(" [{}, {}]", number(figure.at("low")), number(figure.at("high")));
+    if (figure.at("left_out") > 0)
+        text += fmt::format(" ({} left out)", figure.at("left_out").dump());
     return text;
 }
 
@@ -37,24 +39,25 @@ std::string ratio_if(const Json& errors, const char* figure) {
 
 std::string passes_table(const Json& experiment, const Json& scene) {
     std::string text = fmt::format(
-        "{}, {} x {} pixels, {} passes; equal time is {} CPU s. Ratios are to \"{}\".\n\n"
+        "{}, {} x {} pixels, {} passes; equal time is {} CPU s.\n\n"
         "| | MSE | relMSE | MSE ratio, equal passes | relMSE ratio, equal passes | CPU s | MSE "
-        "ratio, equal time | relMSE ratio, equal time | guide nodes | guide MiB | process MiB |\n"
-        "| --- | --- | --- | --- | --- | --- | --- | --- | --- | --- | --- |\n",
+        "ratio, equal time | relMSE ratio, equal time | against | guide nodes | guide MiB | "
+        "process MiB |\n"
+        "| --- | --- | --- | --- | --- | --- | --- | --- | --- | --- | --- | --- |\n",
         scene.at("scene").get<std::string>(), experiment.at("width_px").dump(),
         experiment.at("height_px").dump(), experiment.at("passes").dump(),
-        seconds(scene.at("equal_time_s")),
-        scene.at("rows").front().at("against").get<std::string>());
+        seconds(scene.at("equal_time_s")));
     for (const Json& row : scene.at("rows")) {
         const Json& passes = row.at("equal_passes");
         const Json& time = row.at("equal_time");
         text +=
-            fmt::format("| {} | {} | {} | {} | {} | {} | {} | {} | {} | {} | {} |\n",
+            fmt::format("| {} | {} | {} | {} | {} | {} | {} | {} | {} | {} | {} | {} |\n",
                         row.at("label").get<std::string>(), number(passes.at("mse").at("mean")),
                         number(passes.at("relmse").at("mean")), ratio_if(passes, "mse"),
                         ratio_if(passes, "relmse"), seconds(row.at("cpu_s")), ratio_if(time, "mse"),
-                        ratio_if(time, "relmse"), count(row.at("guide_nodes")),
-                        mebibytes(row.at("guide_bytes")), mebibytes(row.at("peak_memory_bytes")));
+                        ratio_if(time, "relmse"), row.at("against").get<std::string>(),
+                        count(row.at("guide_nodes")), mebibytes(row.at("guide_bytes")),
+                        mebibytes(row.at("peak_memory_bytes")));
     }
     return text;
 }
@@ -145,10 +148,13 @@ std::string experiment_text(const Json& experiment) {
 
 std::string paper_text(const Json& paper) {
     std::string text = fmt::format(
-        "# The paper's figures, redone\n\nScale {}, {} seeds, {} photon paths in each pass, {}, "
-        "revision {}, {}. Errors are geometric means over seeds; in brackets the 95 % interval of "
-        "a ratio. Below 1 is better than what it is compared with.\n",
+        "# The paper's figures, redone\n\nScale {}, {} seeds, {} photon paths in each pass, "
+        "references of {} s, {}, "
+        "revision {}, {}. Errors are means over seeds; ratios are geometric means over seeds, in "
+        "brackets their 95 % intervals. Below 1 is better than what it is compared with."
+        "\n",
         number(paper.at("scale")), paper.at("seeds").dump(), paper.at("photons_per_pass").dump(),
+        number(paper.at("reference_seconds")),
         paper.at("machine").at("processor").get<std::string>(),
         paper.at("revision").get<std::string>(), paper.at("created").get<std::string>());
     for (const Json& experiment : paper.at("experiments"))

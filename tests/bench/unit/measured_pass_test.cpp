@@ -30,6 +30,21 @@ TEST(TimeMarks, OneClockAlone) {
     EXPECT_TRUE(marks.all_passed());
 }
 
+TEST(TimeMarks, WithoutBudgetsAllHavePassed) {
+    EXPECT_TRUE(TimeMarks({}, "both").all_passed());
+}
+
+TEST(PassMarks, AreDueOnceEach) {
+    PassMarks marks(std::vector<std::uint64_t>{1, 3});
+    EXPECT_FALSE(marks.all_passed());
+    EXPECT_TRUE(marks.due(1));
+    EXPECT_FALSE(marks.due(2));
+    EXPECT_FALSE(marks.all_passed());
+    EXPECT_TRUE(marks.due(3));
+    EXPECT_FALSE(marks.due(4));
+    EXPECT_TRUE(marks.all_passed());
+}
+
 TEST(PassTrace, StaysSmallAndKeepsFirstAndLast) {
     PassTrace trace;
     for (std::uint64_t pass = 1; pass <= 10'000; ++pass) {

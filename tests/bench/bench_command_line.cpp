@@ -124,6 +124,8 @@ void add_paper(CLI::App& app, BenchCommandLine& command) {
         .add_option("--reference-seconds", command.seconds,
                     "wall seconds that a scene's references have at least (default: 60)")
         ->check(positive());
+    paper.add_flag("--any-build", command.any_build,
+                   "runs that another build rendered count as done: for new tables of old runs");
     paper
         .add_option("--paper-table", command.paper_table,
                     "experiments (default: tests/bench/paper/paper.json of the sources)")

@@ -36,6 +36,7 @@ struct BenchCommandLine {
     std::vector<std::string> figures;  ///< of the paper; empty: all
     double scale = 1;
     std::string paper_table;
+    bool any_build = false;
 };
 
 /// Fills `command`. Returns an exit code if there is nothing left to do: after --help, and after a

@@ -91,6 +91,7 @@ ExitCode paper(const BenchCommandLine& command, const lxs::PluginLibrary& plugin
     request.seeds = command.seeds;
     request.threads = command.threads;
     request.reference_seconds = command.seconds;
+    request.any_build = command.any_build;
     request.folder = command.folder;
     request.references = command.references;
     request.scene_table = or_default(command.scene_table, BENCH_SCENE_TABLE);

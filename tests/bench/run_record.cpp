@@ -74,9 +74,9 @@ std::optional<Json> finished_run(const fs::path& folder, const RunSettings& sett
     const fs::path file = run_file(folder, settings);
     if (!fs::exists(file)) return std::nullopt;
     Json run = read_json(file, kRunSchema);
-    const bool same = run.value("status", "") == "done" &&
-                      run.value("revision", "") == build.revision &&
-                      run.value("binaries_sha1", "") == build.binaries_sha1 &&
+    const bool same_build = run.value("revision", "") == build.revision &&
+                            run.value("binaries_sha1", "") == build.binaries_sha1;
+    const bool same = run.value("status", "") == "done" && (same_build || build.accepts_others) &&
                       run.value("settings", Json()) == to_json(settings);
     if (!same) return std::nullopt;
     for (const Json& snapshot : run.at("snapshots")) {

@@ -15,6 +15,7 @@ inline constexpr const char* kRunSchema = "aips-bench-run-1";
 struct Build {
     std::string revision;
     std::string binaries_sha1;
+    bool accepts_others = false;  ///< runs of other builds count as done
 };
 
 /// This executable with the plugin modules beside it.

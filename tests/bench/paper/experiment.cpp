@@ -99,6 +99,7 @@ Experiment read_experiment(const Json& json, const GuideSettings& guide) {
     experiment.title = json.at("title");
     experiment.kind = read_kind(json.at("kind"));
     experiment.study = json.at("study");
+    experiment.part = json.value("part", "image");
     experiment.width_px = json.at("width_px");
     experiment.height_px = json.at("height_px");
     experiment.passes = json.value("passes", std::uint64_t{0});

@@ -36,7 +36,8 @@ struct Experiment {
     std::string study;  ///< folder; experiments of one study share runs
     std::vector<PaperScene> scenes;
     std::uint32_t width_px = 0, height_px = 0;
-    std::uint64_t passes = 0;  ///< 0: by time
+    std::string part = "image";  ///< whose errors are compared: the image's or the photons' alone
+    std::uint64_t passes = 0;    ///< 0: by time
     std::vector<PaperCase> cases;
 };
 

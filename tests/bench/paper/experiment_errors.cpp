@@ -2,6 +2,7 @@
 #include "experiment_errors.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <functional>
 #include <limits>
@@ -23,25 +24,33 @@ Runs runs_of(const Json& runs, const std::string& scene, const std::string& name
     return found;
 }
 
-std::optional<double> snapshot_figure(const Json& snapshot, const char* figure) {
+/// Which error of a snapshot is meant.
+struct Metric {
+    std::string part;    ///< "image" or "photons"
+    std::string figure;  ///< one of kFigures
+};
+
+constexpr std::array kFigures{"mse", "relmse", "relmse_rest"};
+
+std::optional<double> snapshot_figure(const Json& snapshot, const Metric& metric) {
     const Json& error = snapshot.at("error");
-    if (error.is_null() || error.at("image").is_null()) return std::nullopt;
-    return error.at("image").at(figure).get<double>();
+    if (error.is_null() || error.at(metric.part).is_null()) return std::nullopt;
+    return error.at(metric.part).at(metric.figure).get<double>();
 }
 
-std::optional<double> error_after(const Json* run, std::uint64_t passes, const char* figure) {
+std::optional<double> error_after(const Json* run, std::uint64_t passes, const Metric& metric) {
     if (run == nullptr) return std::nullopt;
     for (const Json& snapshot : run->at("snapshots")) {
-        if (snapshot.at("pass") == passes) return snapshot_figure(snapshot, figure);
+        if (snapshot.at("pass") == passes) return snapshot_figure(snapshot, metric);
     }
     return std::nullopt;
 }
 
-std::optional<double> error_at_time(const Json* run, double cpu_s, const char* figure) {
+std::optional<double> error_at_time(const Json* run, double cpu_s, const Metric& metric) {
     if (run == nullptr) return std::nullopt;
     std::vector<CurvePoint> curve;
     for (const Json& snapshot : run->at("snapshots")) {
-        const auto error = snapshot_figure(snapshot, figure);
+        const auto error = snapshot_figure(snapshot, metric);
         if (error) curve.push_back({snapshot.at("cpu_s"), *error});
     }
     return error_at(curve, cpu_s);
@@ -63,16 +72,17 @@ std::optional<double> mean_error(const Errors& errors) {
     return sum / count;
 }
 
-using ErrorOf = std::function<std::optional<double>(const Json* run, const char* figure)>;
+using ErrorOf = std::function<std::optional<double>(const Json* run, const Metric& metric)>;
 
-/// mse and relmse of a case's runs, each with its ratio to `against`.
-Json compared(const Runs& runs, const Runs& against, const ErrorOf& error_of) {
+/// Every figure of a case's runs with its ratio to `against`.
+Json compared(const Runs& runs, const Runs& against, const std::string& part,
+              const ErrorOf& error_of) {
     Json figures = Json::object();
-    for (const char* figure : {"mse", "relmse"}) {
+    for (const char* figure : kFigures) {
         Errors errors, baseline;
         for (std::size_t seed = 0; seed < runs.size(); ++seed) {
-            errors.push_back(error_of(runs[seed], figure));
-            baseline.push_back(error_of(against[seed], figure));
+            errors.push_back(error_of(runs[seed], {part, figure}));
+            baseline.push_back(error_of(against[seed], {part, figure}));
         }
         const ErrorRatio ratio = error_ratio(errors, baseline);
         figures[figure] = {{"mean", or_null(mean_error(errors))},
@@ -107,17 +117,17 @@ Json total(const Runs& runs, const char* group, const char* name) {
 }
 
 /// Errors and times after the passes at which all runs have snapshots.
-Json curve_of(const Runs& runs) {
+Json curve_of(const Runs& runs, const std::string& part) {
     Json curve = Json::array();
     const auto first = std::find_if(runs.begin(), runs.end(), [](const Json* r) { return r; });
     if (first == runs.end()) return curve;
     for (const Json& snapshot : (*first)->at("snapshots")) {
         const std::uint64_t pass = snapshot.at("pass");
         Json point{{"pass", pass}};
-        for (const char* figure : {"mse", "relmse"}) {
+        for (const char* figure : kFigures) {
             Errors errors;
             for (const Json* run : runs)
-                errors.push_back(error_after(run, pass, figure));
+                errors.push_back(error_after(run, pass, {part, figure}));
             point[figure] = or_null(mean_error(errors));
         }
         curve.push_back(std::move(point));
@@ -143,20 +153,21 @@ Json row_of(const Experiment& experiment, const PaperCase& one, const Runs& runs
     Json row{{"case", one.name}, {"label", one.label}, {"against", one.against}};
     row["equal_passes"] = nullptr;
     if (experiment.passes > 0) {
-        row["equal_passes"] = compared(runs, against, [&](const Json* run, const char* figure) {
-            return error_after(run, experiment.passes, figure);
-        });
+        row["equal_passes"] =
+            compared(runs, against, experiment.part, [&](const Json* run, const Metric& metric) {
+                return error_after(run, experiment.passes, metric);
+            });
     }
-    row["equal_time"] = compared(runs, against, [&](const Json* run, const char* figure) {
-        return error_at_time(run, cpu_s, figure);
-    });
+    row["equal_time"] = compared(
+        runs, against, experiment.part,
+        [&](const Json* run, const Metric& metric) { return error_at_time(run, cpu_s, metric); });
     row["passes"] = total(runs, "totals", "passes");
     row["cpu_s"] = total(runs, "phases", "render_cpu_s");
     row["peak_memory_bytes"] =
         mean_figure(runs, [](const Json& run) { return run.at("peak_memory_bytes"); });
     row["guide_bytes"] = statistic(runs, "guide_bytes");
     row["guide_nodes"] = statistic(runs, "guide_nodes");
-    row["curve"] = experiment.passes > 0 ? curve_of(runs) : Json::array();
+    row["curve"] = experiment.passes > 0 ? curve_of(runs, experiment.part) : Json::array();
     return row;
 }
 

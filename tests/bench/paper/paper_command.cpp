@@ -126,6 +126,7 @@ Json experiment_document(const Context& context, const Experiment& experiment, c
             {"title", experiment.title},
             {"kind", kind_name(experiment.kind)},
             {"study", experiment.study},
+            {"part", experiment.part},
             {"width_px", experiment.width_px},
             {"height_px", experiment.height_px},
             {"passes", experiment.passes},
@@ -157,7 +158,8 @@ ExitCode redo_paper(const PaperRequest& request, const MethodTable& table,
         check_cases(context, plan_experiment(experiments.back(), scenes_of(request, experiment),
                                              table, 1, 1));
     }
-    const Build build = this_build();
+    Build build = this_build();
+    build.accepts_others = request.any_build;
     Json paper{{"schema", kPaperSchema},
                {"created", utc_now()},
                {"revision", build.revision},

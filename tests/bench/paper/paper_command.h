@@ -22,6 +22,7 @@ struct PaperRequest {
     unsigned seeds = 3;
     unsigned threads = 0;              ///< 0: all processors
     double reference_seconds = 60;     ///< wall time that a scene's references have at least
+    bool any_build = false;            ///< runs of other builds count as done
     std::filesystem::path folder;      ///< of what is written
     std::filesystem::path references;  ///< folder of all references
     std::filesystem::path scene_table, scene_folder;

@@ -68,6 +68,13 @@ TEST(ExperimentErrors, AFailedRunIsLeftOutAndSaidToBe) {
     EXPECT_TRUE(mse["low"].is_null());
 }
 
+TEST(ExperimentErrors, OfThePhotonsPartAlone) {
+    Experiment experiment = two_cases();
+    experiment.part = "photons";
+    const Json scene = experiment_errors(experiment, two_seeds(), 2).at(0);
+    EXPECT_DOUBLE_EQ(scene["rows"][0]["equal_passes"]["mse"]["mean"], 2.25);
+}
+
 TEST(ExperimentErrors, ByTimeTheBudgetIsTheTime) {
     Experiment experiment = two_cases();
     experiment.passes = 0;
@@ -93,15 +100,20 @@ TEST(PaperText, OneTableForAFigure) {
                                       {"kind", "passes"},
                                       {"width_px", 4},
                                       {"height_px", 2},
+                                      {"part", "image"},
                                       {"passes", 4},
                                       {"scenes", experiment_errors(two_cases(), two_seeds(), 2)},
                                       {"distribution", Json::array()}}})}};
     const std::string text = paper_text(paper);
     EXPECT_NE(text.find("## Fig. 8: test\n"), std::string::npos) << text;
-    EXPECT_NE(text.find("s, 4 x 2 pixels, 4 passes; equal time is 4.0 CPU s."), std::string::npos)
+    EXPECT_NE(text.find("s, 4 x 2 pixels, whole image, after 4 passes."), std::string::npos)
         << text;
-    EXPECT_NE(text.find("| slow | 0.75 | 7.5 | 0.5 [0.5, 0.5] | 0.5 [0.5, 0.5] | 8.0 | 1 [1, 1] | "
-                        "1 [1, 1] | plain | - | 0.0 | 1.0 |\n"),
+    EXPECT_NE(text.find("| slow | 0.75 | 7.5 | 0.75 | 0.5 [0.5, 0.5] | 0.5 [0.5, 0.5] | 0.5 [0.5, "
+                        "0.5] | plain |\n"),
+              std::string::npos)
+        << text;
+    EXPECT_NE(text.find("| MSE ratio at 4.0 CPU s |"), std::string::npos) << text;
+    EXPECT_NE(text.find("| slow | 8.0 | 1 [1, 1] | 1 [1, 1] | 1 [1, 1] | - | 0.0 | 1.0 |\n"),
               std::string::npos)
         << text;
 }

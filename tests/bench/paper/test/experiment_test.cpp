@@ -51,6 +51,7 @@ void expect_magic_lamp(const Experiment& experiment, std::uint64_t passes) {
     EXPECT_EQ(experiment.width_px, 512u);
     EXPECT_EQ(experiment.height_px, 512u);
     EXPECT_EQ(experiment.passes, passes);
+    EXPECT_EQ(experiment.part, "photons");  // the eye paths' noise is the same for all
 }
 
 TEST(PaperTable, Figure8VariesErroralpha) {
@@ -73,8 +74,9 @@ TEST(PaperTable, Figure9VariesOneParameterEach) {
             std::find_if(figure.cases.begin(), figure.cases.end(),
                          [](const PaperCase& one) { return one.name == "aips-paper"; });
         ASSERT_NE(own, figure.cases.end()) << name;
-        EXPECT_THAT(own->set, ElementsAre("aips.erroralpha=0.4", "aips.treedepth=64",
-                                          "aips.nodephotons=32", "aips.cdfresolution=8"));
+        EXPECT_THAT(own->set,
+                    ElementsAre("aips.debuglayers=true", "aips.erroralpha=0.4", "aips.treedepth=64",
+                                "aips.nodephotons=32", "aips.cdfresolution=8"));
     }
     EXPECT_THAT(values(experiment("9a"), "treedepth"), ElementsAre("4", "8", "16", "32", "64"));
 }

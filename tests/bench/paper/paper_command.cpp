@@ -17,6 +17,7 @@
 #include "reference_command.h"
 #include "run_record.h"
 #include "run_step.h"
+#include "seed_variance.h"
 
 namespace bench {
 namespace {
@@ -122,6 +123,11 @@ ExperimentRuns carry_out(const Context& context, const Experiment& experiment, c
 
 Json experiment_document(const Context& context, const Experiment& experiment, const Json& runs,
                          ReferenceCache& references) {
+    Json scenes = experiment_errors(experiment, runs, context.request.seeds);
+    for (Json& scene : scenes) {
+        add_seed_variance(experiment, runs, context.request.seeds,
+                          context.request.folder / experiment.study, scene);
+    }
     return {{"figure", experiment.figure},
             {"title", experiment.title},
             {"kind", kind_name(experiment.kind)},
@@ -130,7 +136,7 @@ Json experiment_document(const Context& context, const Experiment& experiment, c
             {"width_px", experiment.width_px},
             {"height_px", experiment.height_px},
             {"passes", experiment.passes},
-            {"scenes", experiment_errors(experiment, runs, context.request.seeds)},
+            {"scenes", std::move(scenes)},
             {"distribution", distributions(context, experiment, runs, references)}};
 }
 

@@ -39,6 +39,10 @@ std::string cells(const Json& errors, std::string (*text)(const Json& figure)) {
                        text(errors.at("relmse_rest")));
 }
 
+std::string variance_cells(const Json& row) {
+    return number(row.at("relative_variance")) + " | " + number(row.at("variance_ratio"));
+}
+
 std::string mean(const Json& figure) {
     return number(figure.at("mean"));
 }
@@ -50,14 +54,15 @@ const char* part_name(const Json& experiment) {
 std::string passes_table(const Json& experiment, const Json& scene) {
     std::string text = fmt::format(
         "{}, {} x {} pixels, {}, after {} passes.\n\n"
-        "| | MSE | relMSE | relMSE of the rest | MSE ratio | relMSE ratio | rest ratio | against |"
-        "\n| --- | --- | --- | --- | --- | --- | --- | --- |\n",
+        "| | MSE | relMSE | relMSE of the rest | MSE ratio | relMSE ratio | rest ratio | "
+        "variance | variance ratio | against |"
+        "\n| --- | --- | --- | --- | --- | --- | --- | --- | --- | --- |\n",
         scene.at("scene").get<std::string>(), experiment.at("width_px").dump(),
         experiment.at("height_px").dump(), part_name(experiment), experiment.at("passes").dump());
     for (const Json& row : scene.at("rows")) {
         const Json& errors = row.at("equal_passes");
-        text += fmt::format("| {} | {} | {} | {} |\n", row.at("label").get<std::string>(),
-                            cells(errors, mean), cells(errors, ratio),
+        text += fmt::format("| {} | {} | {} | {} | {} |\n", row.at("label").get<std::string>(),
+                            cells(errors, mean), cells(errors, ratio), variance_cells(row),
                             row.at("against").get<std::string>());
     }
     return text;
@@ -102,15 +107,17 @@ std::string time_table(const Json& experiment, const Json& scene) {
     std::string text = fmt::format(
         "{}, {} x {} pixels, {}, at {} CPU s.\n\n"
         "| | passes | MSE | relMSE | relMSE of the rest | MSE ratio | relMSE ratio | rest ratio | "
-        "against |\n| --- | --- | --- | --- | --- | --- | --- | --- | --- |\n",
+        "variance | variance ratio | against |\n| --- | --- | --- | --- | --- | --- | --- | --- | "
+        "--- "
+        "| --- | --- |\n",
         scene.at("scene").get<std::string>(), experiment.at("width_px").dump(),
         experiment.at("height_px").dump(), part_name(experiment),
         seconds(scene.at("equal_time_s")));
     for (const Json& row : scene.at("rows")) {
         const Json& errors = row.at("equal_time");
-        text += fmt::format("| {} | {} | {} | {} | {} |\n", row.at("label").get<std::string>(),
+        text += fmt::format("| {} | {} | {} | {} | {} | {} |\n", row.at("label").get<std::string>(),
                             count(row.at("passes")), cells(errors, mean), cells(errors, ratio),
-                            row.at("against").get<std::string>());
+                            variance_cells(row), row.at("against").get<std::string>());
     }
     return text;
 }
@@ -167,7 +174,8 @@ std::string paper_text(const Json& paper) {
         "references of {} s, {}, "
         "revision {}, {}. Errors are means over seeds; ratios are geometric means over seeds, in "
         "brackets their 95 % intervals. Below 1 is better than what it is compared with. The rest "
-        "are all pixels but the worst 0.1 %."
+        "are all pixels but the worst 0.1 %; variance is relative and over seeds, without any "
+        "reference."
         "\n",
         number(paper.at("scale")), paper.at("seeds").dump(), paper.at("photons_per_pass").dump(),
         number(paper.at("reference_seconds")),

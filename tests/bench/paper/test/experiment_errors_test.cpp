@@ -87,29 +87,33 @@ TEST(ExperimentErrors, ByTimeTheBudgetIsTheTime) {
 }
 
 TEST(PaperText, OneTableForAFigure) {
-    const Json paper{
-        {"scale", 0.5},
-        {"seeds", 2},
-        {"photons_per_pass", 1000},
-        {"reference_seconds", 3},
-        {"machine", {{"processor", "P"}}},
-        {"revision", "r"},
-        {"created", "now"},
-        {"experiments", Json::array({{{"figure", "8"},
-                                      {"title", "test"},
-                                      {"kind", "passes"},
-                                      {"width_px", 4},
-                                      {"height_px", 2},
-                                      {"part", "image"},
-                                      {"passes", 4},
-                                      {"scenes", experiment_errors(two_cases(), two_seeds(), 2)},
-                                      {"distribution", Json::array()}}})}};
+    Json scenes = experiment_errors(two_cases(), two_seeds(), 2);
+    for (Json& row : scenes[0]["rows"]) {
+        row["relative_variance"] = 0.25;
+        row["variance_ratio"] = nullptr;
+    }
+    const Json paper{{"scale", 0.5},
+                     {"seeds", 2},
+                     {"photons_per_pass", 1000},
+                     {"reference_seconds", 3},
+                     {"machine", {{"processor", "P"}}},
+                     {"revision", "r"},
+                     {"created", "now"},
+                     {"experiments", Json::array({{{"figure", "8"},
+                                                   {"title", "test"},
+                                                   {"kind", "passes"},
+                                                   {"width_px", 4},
+                                                   {"height_px", 2},
+                                                   {"part", "image"},
+                                                   {"passes", 4},
+                                                   {"scenes", scenes},
+                                                   {"distribution", Json::array()}}})}};
     const std::string text = paper_text(paper);
     EXPECT_NE(text.find("## Fig. 8: test\n"), std::string::npos) << text;
     EXPECT_NE(text.find("s, 4 x 2 pixels, whole image, after 4 passes."), std::string::npos)
         << text;
     EXPECT_NE(text.find("| slow | 0.75 | 7.5 | 0.75 | 0.5 [0.5, 0.5] | 0.5 [0.5, 0.5] | 0.5 [0.5, "
-                        "0.5] | plain |\n"),
+                        "0.5] | 0.25 | - | plain |\n"),
               std::string::npos)
         << text;
     EXPECT_NE(text.find("| MSE ratio at 4.0 CPU s |"), std::string::npos) << text;

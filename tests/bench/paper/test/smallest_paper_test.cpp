@@ -69,6 +69,8 @@ TEST_F(SmallestPaperTest, TablesPicturesAndResumption) {
     EXPECT_EQ(rows[0]["case"], "aips-paper-erroralpha-0");
     EXPECT_TRUE(rows[0]["equal_passes"]["mse"]["mean"].is_number());
     EXPECT_GT(rows[0]["guide_bytes"], 0);
+    EXPECT_GT(rows[0]["relative_variance"], 0);
+    EXPECT_EQ(rows[1]["variance_ratio"], 1);  // against itself
 
     // By time: at least the budget.
     const Json by_time = read_json(folder_.path() / "study/time/runs/cornell-box.path.any.s1.json");

@@ -12,11 +12,15 @@ namespace {
 Json run_of(const std::string& name, unsigned seed, double scale, double pass_s) {
     Json snapshots = Json::array();
     for (const int pass : {1, 2, 4}) {
-        snapshots.push_back({{"pass", pass},
-                             {"cpu_s", pass * pass_s},
-                             {"error",
-                              {{"image", {{"mse", scale / pass}, {"relmse", 10 * scale / pass}}},
-                               {"photons", nullptr}}}});
+        snapshots.push_back(
+            {{"pass", pass},
+             {"cpu_s", pass * pass_s},
+             {"error",
+              {{"image",
+                {{"mse", scale / pass},
+                 {"relmse", 10 * scale / pass},
+                 {"relmse_rest", scale / pass}}},
+               {"photons", {{"mse", 3 * scale / pass}, {"relmse", 1.0}, {"relmse_rest", 1.0}}}}}});
     }
     return {{"status", "done"},
             {"settings", {{"scene", "s"}, {"method", name}, {"seed", seed}}},

@@ -4,7 +4,6 @@
 #include <OpenImageIO/imagebufalgo.h>
 
 #include <map>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -33,35 +32,36 @@ std::vector<Image> last_images(const Experiment& experiment, const Json& runs,
     return images;
 }
 
+Image mean_of(const std::vector<Image>& images) {
+    Image sum = images.front();
+    for (std::size_t i = 1; i < images.size(); ++i)
+        sum = algo::add(sum, images[i]);
+    return algo::mul(sum, 1 / float(images.size()));
+}
+
+/// Fills the row of the case whose images are `own`.
+void compare(const std::vector<Image>& own, const std::vector<Image>& against, Json& row) {
+    row["relative_variance"] = nullptr;
+    row["variance_ratio"] = nullptr;
+    if (own.size() < 2 || against.size() < 2) return;
+    // Both weigh alike: a pixel in which one of them alone is bright counts the same for either.
+    const Image mean = algo::mul(algo::add(mean_of(own), mean_of(against)), 0.5f);
+    const double variance = seed_statistics(own, mean, mean).rel_variance;
+    const double baseline = seed_statistics(against, mean, mean).rel_variance;
+    row["relative_variance"] = variance;
+    if (baseline > 0) row["variance_ratio"] = variance / baseline;
+}
+
 }  // namespace
 
 void add_seed_variance(const Experiment& experiment, const Json& runs, unsigned seeds,
                        const fs::path& study, Json& scene) {
     std::map<std::string, std::vector<Image>> images;
-    Image sum;
-    float count = 0;
     for (const PaperCase& one : experiment.cases) {
-        auto& own = images[one.name];
-        own = last_images(experiment, runs, scene.at("scene"), one.name, seeds, study);
-        for (const Image& image : own) {
-            sum = sum.initialized() ? algo::add(sum, image) : image;
-            ++count;
-        }
+        images[one.name] = last_images(experiment, runs, scene.at("scene"), one.name, seeds, study);
     }
-    std::map<std::string, double> variances;
-    for (const auto& [name, own] : images) {
-        if (own.size() < 2) continue;
-        const Image mean = algo::mul(sum, 1 / count);
-        variances[name] = seed_statistics(own, mean, mean).rel_variance;
-    }
-    for (Json& row : scene["rows"]) {
-        const auto own = variances.find(row.at("case").get<std::string>());
-        const auto against = variances.find(row.at("against").get<std::string>());
-        const bool known = own != variances.end();
-        const bool comparable = known && against != variances.end() && against->second > 0;
-        row["relative_variance"] = known ? Json(own->second) : Json();
-        row["variance_ratio"] = comparable ? Json(own->second / against->second) : Json();
-    }
+    for (Json& row : scene["rows"])
+        compare(images[row.at("case")], images[row.at("against")], row);
 }
 
 }  // namespace bench

@@ -38,7 +38,8 @@ void add_render_options(CLI::App& app, CommandLine& command) {
     app.add_option("--integrator", command.integrator,
                    "surface integrator, instead of the scene's choice")
         ->type_name("NAME");
-    app.add_option("--set", command.overrides, "give a parameter of an integrator or sampler; may be repeated")
+    app.add_option("--set", command.overrides,
+                   "give a parameter of an integrator or sampler; may be repeated")
         ->type_name("plugin.parameter=value")
         ->expected(1)
         ->take_all()

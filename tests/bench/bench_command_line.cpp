@@ -114,7 +114,7 @@ void add_paper(CLI::App& app, BenchCommandLine& command) {
     paper
         .add_option("--scale", command.scale,
                     "scales widths, passes and seconds, above 0 to 1 (default: 1)")
-        ->check(positive())
+        ->check(CLI::Validator(lxs::check_positive, "SCALE"))
         ->check(CLI::Range(0.0, 1.0));
     paper.add_option("--seeds", command.seeds, "number of seeds (default: 3)")
         ->check(CLI::Range(1u, 1000u));
@@ -123,7 +123,7 @@ void add_paper(CLI::App& app, BenchCommandLine& command) {
     paper
         .add_option("--reference-seconds", command.seconds,
                     "wall seconds that a scene's references have at least (default: 60)")
-        ->check(positive());
+        ->check(CLI::Validator(lxs::check_positive, "SECONDS"));
     paper.add_flag("--any-build", command.any_build,
                    "runs that another build rendered count as done: for new tables of old runs");
     paper

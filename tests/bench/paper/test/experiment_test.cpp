@@ -9,6 +9,7 @@
 
 #include "bench_process.h"
 #include "experiment_plan.h"
+#include "study_file.h"
 
 namespace bench::test {
 namespace {

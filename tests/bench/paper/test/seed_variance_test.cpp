@@ -6,6 +6,7 @@
 
 #include "bench_process.h"
 #include "image_file.h"
+#include "study_file.h"
 #include "synthetic_image.h"
 
 namespace bench::test {

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "bench_process.h"
+#include "study_file.h"
 
 namespace bench::test {
 namespace {

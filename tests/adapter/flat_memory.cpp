@@ -18,7 +18,7 @@ EngineStatistics expect_flat_memory(const Scene& scene, const Camera& camera, st
     const auto early = engine.statistics();
     for (std::uint64_t pass = 6; pass < 30; ++pass)
         engine.render_pass(pass);
-    const auto late = engine.statistics();
+    EngineStatistics late = engine.statistics();
     EXPECT_LE(late.memory_bytes, late.memory_bound_bytes);
     EXPECT_LE(double(late.memory_bytes), 1.02 * double(early.memory_bytes));
     return late;

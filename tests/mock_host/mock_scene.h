@@ -43,7 +43,7 @@ struct DistantCone {
 /// A small scene. Surfaces and lights are added first, then `finish` is called once.
 class Scene final : public aips::Scene {
   public:
-    void add(Surface surface) { surfaces_.push_back(std::move(surface)); }
+    void add(Surface surface) { surfaces_.push_back(surface); }
     /// Isotropic point light of `intensity` watts per steradian.
     void add_point_light(aips::Vec3 position, aips::Rgb intensity);
     /// Constant radiance from all around.

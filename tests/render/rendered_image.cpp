@@ -95,13 +95,13 @@ fs::path edited_scene(const fs::path& scene, const Folder& folder,
         if (at == std::string::npos) throw std::runtime_error(scene.string() + ": no " + from);
         text.replace(at, from.size(), to);
     }
-    const fs::path copy = folder.path() / scene.filename();
+    fs::path copy = folder.path() / scene.filename();
     std::ofstream(copy) << text;
     return copy;
 }
 
 fs::path small_scene(const std::string& name, const Folder& folder, int width, int height) {
-    const fs::path copy = edited_scene(fs::path(SCENES) / (name + ".lxs"), folder, {});
+    fs::path copy = edited_scene(fs::path(SCENES) / (name + ".lxs"), folder, {});
     std::ifstream in(copy);
     std::stringstream content;
     content << in.rdbuf();

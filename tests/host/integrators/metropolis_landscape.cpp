@@ -60,7 +60,7 @@ std::vector<double> image_of(const ChainRun& run, std::uint64_t seed, ChainCount
     const ChainCounts done =
         chain.run(run.mutations, {run.guess, landscape_mean()}, landscape, splats);
     if (counts != nullptr) *counts = done;
-    std::vector<double> image(kLandscapeSize * kLandscapeSize);
+    std::vector<double> image(std::size_t{kLandscapeSize} * kLandscapeSize);
     for (std::size_t i = 0; i < splats.used; ++i) {
         const auto pixel = static_cast<std::size_t>(positions[i].y) * kLandscapeSize +
                            static_cast<std::size_t>(positions[i].x);

@@ -1,7 +1,9 @@
 // Protects the loading of plugin modules: each way in which one can be wrong has its own message.
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "lxs/sdk/plugin.h"
 #include "lxsrender_process.h"
 
 namespace lxs::test {
@@ -27,8 +29,10 @@ class PluginModuleTest : public testing::Test {
 TEST_F(PluginModuleTest, AnotherAbiVersion) {
     const RunResult result = list(TEST_MODULES "/wrong_abi");
     EXPECT_EQ(result.exit_code, 4);
-    EXPECT_THAT(result.err, HasSubstr("wrong_abi.so': built for version 43 of the plugin SDK, but "
-                                      "this lxsrender has version 2; build the module again"));
+    EXPECT_THAT(result.err, HasSubstr(fmt::format("wrong_abi.so': built for version {} of the "
+                                                  "plugin SDK, but this lxsrender has version {}; "
+                                                  "build the module again",
+                                                  lxs::kAbiVersion + 41, lxs::kAbiVersion)));
 }
 
 TEST_F(PluginModuleTest, EntryFunctionThatThrows) {

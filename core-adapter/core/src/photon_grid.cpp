@@ -33,9 +33,7 @@ void LandingGrid::build(std::span<const Landing> landings, float radius,
     in_chunks(photons_.size(), parallel, [&](std::size_t first, std::size_t last) {
         for (std::size_t slot = first; slot < last; ++slot) {
             const std::uint32_t i = cells_.order()[slot];
-            const Landing& l = landings[i];
-            const Vec3 normal = dot(l.direction, l.normal) > 0 ? l.normal : -l.normal;
-            photons_[slot] = {l.position, l.direction, l.power, normal, l.light_group, i};
+            photons_[slot] = grid_photon(landings[i], i);
         }
     });
 }

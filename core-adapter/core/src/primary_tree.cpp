@@ -23,6 +23,9 @@ void check(const PrimaryTreeSettings& s) {
     if (s.split_count < 1) throw std::invalid_argument("PrimaryTree: split_count must be positive");
     if (!(s.split_gain >= 0)) throw std::invalid_argument("PrimaryTree: split_gain is negative");
     if (!(s.memory_paths > 0)) throw std::invalid_argument("PrimaryTree: memory_paths must be > 0");
+    if (!(s.sharpness > 0 && s.sharpness <= 1)) {
+        throw std::invalid_argument("PrimaryTree: sharpness must be in (0, 1]");
+    }
 }
 
 }  // namespace
@@ -105,12 +108,14 @@ std::array<bool, 4> PrimaryTree::lower_halves(const Leaf& leaf, const PrimaryPoi
     return lower;
 }
 
-void PrimaryTree::add(const PrimaryPoint& point, double pdf, double score) {
-    const double value = score * pdf;
-    if (!(value > 0) || !std::isfinite(value)) return;
+void PrimaryTree::add(const PrimaryPoint& point, double score, double cost) {
+    if (!(score >= 0 && cost > 0) || !std::isfinite(score + cost)) return;
     Leaf& leaf = leaves_[locate(point)];
+    leaf.drawn += 1;
+    leaf.cost += cost;
+    if (score == 0) return;
     const auto lower = lower_halves(leaf, point);
-    leaf.score.add(lower, value);
+    leaf.root.add(lower, std::sqrt(score));
     leaf.met.add(lower, 1);
 }
 
@@ -126,7 +131,10 @@ void PrimaryTree::update(double paths) {
     for (Leaf& leaf : leaves_) {
         leaf.paths += std::max(0.0, paths);
         if (leaf.paths > settings_.memory_paths) {
-            leaf.score.scale(settings_.memory_paths / leaf.paths);
+            const double kept = settings_.memory_paths / leaf.paths;
+            leaf.root.scale(kept);
+            leaf.drawn *= kept;
+            leaf.cost *= kept;
             leaf.paths = settings_.memory_paths;
         }
     }
@@ -134,29 +142,42 @@ void PrimaryTree::update(double paths) {
 }
 
 double PrimaryTree::leaf_mass(const Leaf& leaf) const {
-    return leaf.paths > 0 ? std::sqrt(leaf.score.whole * leaf.volume / leaf.paths) : 0;
+    if (!(leaf.paths > 0) || !(leaf.root.whole > 0)) return 0;
+    const double mean = leaf.root.whole / (leaf.paths * leaf.volume);
+    const double cost = leaf.cost > 0 ? leaf.cost / leaf.drawn : 1;
+    return leaf.volume * std::pow(mean / std::sqrt(cost), settings_.sharpness);
 }
 
-/// Fall of the learned mass, and of the seeds' like measure, as shares of the whole tree's. For
-/// seeds the mass is sqrt(count^2) = count whatever the split; what falls is the volume that their
-/// density is spread over, which the root of (count * volume) measures.
-double PrimaryTree::split_gain(const Leaf& leaf, unsigned axis, double mass, double seeds) const {
-    const auto fall = [&](const Sums& sums) {
-        const double lower = sums.lower[axis];
-        const double upper = std::max(0.0, sums.whole - lower);
-        return std::sqrt(sums.whole * leaf.volume) -
-               std::sqrt(0.5 * leaf.volume) * (std::sqrt(lower) + std::sqrt(upper));
-    };
-    const double learned = mass > 0 ? fall(leaf.score) / std::sqrt(leaf.paths) / mass : 0;
-    return std::max(learned, seeds > 0 ? fall(leaf.seeds) / seeds : 0.0);
+namespace {
+
+/// How far a sum spreads over its leaf: falls when it lies in one half. For a density proportional
+/// to the sum in each leaf, it is the volume that the density is spread over that falls.
+double spread_of(double sum, double volume) {
+    return std::sqrt(sum * volume);
 }
+
+}  // namespace
 
 // Greedy, one level at each call and leaf: the sums of new leaves are first to be learned anew.
 void PrimaryTree::split_leaves() {
-    double seeds = 0;
-    for (const Leaf& leaf : leaves_)
-        seeds += std::sqrt(leaf.seeds.whole * leaf.volume);
-    const double whole_mass = mass();
+    double learned = 0, seeds = 0;
+    for (const Leaf& leaf : leaves_) {
+        learned += leaf.paths > 0 ? spread_of(leaf.root.whole / leaf.paths, leaf.volume) : 0;
+        seeds += spread_of(leaf.seeds.whole, leaf.volume);
+    }
+    const auto fall = [](const Leaf& leaf, const Sums& sums, unsigned axis) {
+        const double lower = sums.lower[axis];
+        const double upper = std::max(0.0, sums.whole - lower);
+        return spread_of(sums.whole, leaf.volume) - spread_of(lower, 0.5 * leaf.volume) -
+               spread_of(upper, 0.5 * leaf.volume);
+    };
+    const auto gain_of = [&](const Leaf& leaf, unsigned axis) {
+        double gain = 0;
+        if (learned > 0 && leaf.paths > 0) {
+            gain = fall(leaf, leaf.root, axis) / std::sqrt(leaf.paths) / learned;
+        }
+        return seeds > 0 ? std::max(gain, fall(leaf, leaf.seeds, axis) / seeds) : gain;
+    };
     struct Candidate {
         double gain;
         std::uint32_t node;
@@ -170,7 +191,7 @@ void PrimaryTree::split_leaves() {
         Candidate best{settings_.split_gain, i, kLeafAxis};
         for (unsigned axis = 0; axis < 4; ++axis) {
             if (leaf.side[axis] <= kMinSide) continue;
-            const double gain = split_gain(leaf, axis, whole_mass, seeds);
+            const double gain = gain_of(leaf, axis);
             if (gain > best.gain) best = {gain, i, axis};
         }
         if (best.axis != kLeafAxis) candidates.push_back(best);
@@ -193,9 +214,11 @@ void PrimaryTree::split(std::uint32_t node, unsigned axis) {
         leaf.side[axis] *= 0.5f;
         leaf.volume *= 0.5;
         if (is_upper) leaf.corner[axis] += leaf.side[axis];
-        leaf.score = whole.score.half(axis, is_upper);
+        leaf.root = whole.root.half(axis, is_upper);
         leaf.seeds = whole.seeds.half(axis, is_upper);
-        leaf.score.scale(kInherited);
+        leaf.root.scale(kInherited);
+        leaf.drawn *= 0.5 * kInherited;
+        leaf.cost *= 0.5 * kInherited;
         leaf.paths *= kInherited;
         leaf.met = {};
     }

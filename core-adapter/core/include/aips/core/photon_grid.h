@@ -21,6 +21,12 @@ struct GridPhoton {
     std::uint32_t index = 0;  ///< number of the landing among those that were sorted
 };
 
+/// The landing with number `index`, with its normal turned to the photon's side.
+inline GridPhoton grid_photon(const Landing& l, std::uint32_t index) {
+    const Vec3 normal = dot(l.direction, l.normal) > 0 ? l.normal : -l.normal;
+    return {l.position, l.direction, l.power, normal, l.light_group, index};
+}
+
 /// Landings as a CellSort has them. Buffers are reused; queries are const and may run on many
 /// threads.
 class LandingGrid {

@@ -1,9 +1,12 @@
 // A learned density over a light's primary coordinates: the emission guide of one light.
 //
-// A kd-tree over [0,1)^4 whose leaves hold the second moment of what photons that started there
-// were worth. The density that minimises the variance of a sum is proportional to the root of the
-// integrand's second moment; piecewise constant, to sqrt(integral of f^2 / volume) in each leaf.
+// A kd-tree over [0,1)^4 whose leaves hold the mean of |f|, f being the part in the image of what
+// starts there (|f| / p is the root of a photon's score), and of what a photon costs. The density
+// that minimises variance times cost is proportional to |f| / sqrt(cost); `sharpness` flattens it.
+// Second moments in the leaves would be the exact measure, but scores have heavy tails, and the
+// root's mean is known long before the square's (docs/adaptive-guide.md).
 // Sources: Lepage 1978 (VEGAS: importance sampling by a learned piecewise constant density);
+// Rath et al. 2022 (the cost under the root);
 // Clarberg et al. 2005 (hierarchical warping); defensive mixture: Hesterberg 1995.
 #pragma once
 
@@ -25,6 +28,8 @@ struct PrimaryTreeSettings {
     double split_gain = 1e-4;
     /// Photon paths whose scores count in full; older ones are forgotten in proportion.
     double memory_paths = 4e6;
+    /// Power of |f| / sqrt(cost) that the density follows, in (0, 1].
+    double sharpness = 0.5;
 };
 
 /// A point drawn from a PrimaryTree, and its density over [0, 1)^4.
@@ -52,10 +57,10 @@ class PrimaryTree {
     /// Density of sample() at a point.
     float pdf(const PrimaryPoint& point) const;
 
-    /// A photon that started at `point`, drawn with the density `pdf` > 0 over all lights and
-    /// coordinates, was worth `score` >= 0: the square of its part in the image, at the power that
-    /// it carried (which is divided by pdf already). Others are refused.
-    void add(const PrimaryPoint& point, double pdf, double score);
+    /// A photon that started at `point` was worth `score` >= 0: the square of its part in the
+    /// image, at the power that it carried (which is divided by its density). It cost `cost` > 0.
+    /// Others are refused.
+    void add(const PrimaryPoint& point, double score, double cost = 1);
     /// A point where photons ought to start, found from the eye: shapes the density of seeds only.
     void add_seed(const PrimaryPoint& point, double weight);
     /// After `paths` further photon paths of all lights: forgets, splits what pays to be split.
@@ -64,8 +69,8 @@ class PrimaryTree {
     /// of the learned (seeds') density go to the plain one.
     void set_mixture(const PrimaryMixture& mixture);
 
-    /// Sum over leaves of sqrt(integral of f^2 * volume): what this light is worth in a choice
-    /// between lights; 0 before anything was learned.
+    /// Sum over leaves of volume * (mean |f| / sqrt(cost))^sharpness: what this light is worth in a
+    /// choice between lights; 0 before anything was learned.
     double mass() const;
     std::uint32_t leaf_count() const { return static_cast<std::uint32_t>(leaves_.size()); }
     std::size_t memory_bytes() const;
@@ -99,17 +104,18 @@ class PrimaryTree {
         std::array<float, 4> corner{};
         std::array<float, 4> side{1, 1, 1, 1};
         double volume = 1;
-        double paths = 0;  ///< all lights' photon paths that `score` stands for
-        Sums score;        ///< of Q p: `whole` / paths estimates the integral of f^2
+        double paths = 0;  ///< all lights' photon paths that `root` stands for
+        Sums root;         ///< of sqrt(Q): `whole` / paths estimates the integral of |f|
+        double drawn = 0;  ///< photons that started here
+        double cost = 0;   ///< of these
         Sums seeds;        ///< of seed weights
-        Sums met;          ///< scored photons and seeds
+        Sums met;          ///< photons with a score and seeds
         double pdf = 1;    ///< density that is set
     };
 
     std::uint32_t locate(const PrimaryPoint& point) const;
     std::array<bool, 4> lower_halves(const Leaf& leaf, const PrimaryPoint& point) const;
     double leaf_mass(const Leaf& leaf) const;
-    double split_gain(const Leaf& leaf, unsigned axis, double mass, double seeds) const;
     void split_leaves();
     void split(std::uint32_t node, unsigned axis);
     void set_probabilities();

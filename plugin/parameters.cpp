@@ -14,7 +14,7 @@ using lxs::ParameterType;
 
 /// By number of Mode.
 constexpr std::array<std::string_view, 3> kModes{"progressive", "photonmap", "ppm"};
-constexpr std::array<std::string_view, 2> kGuides{"paper", "none"};
+constexpr std::array<std::string_view, 3> kGuides{"none", "paper", "adaptive"};
 constexpr std::array<std::string_view, 2> kPhotonSamplers{"halton", "amc"};
 constexpr double kMaxCount = 4294967295.0;
 
@@ -74,8 +74,9 @@ std::vector<ParameterDeclaration> guide_declarations() {
                               "with frozen hit points, each with its own radius."};
     mode.choices = kModes;
     ParameterDeclaration guide{"guide", ParameterType::String, "paper",
-                               "What decides where photons go: the adaptive tables of Liu and "
-                               "Zheng 2014, or nothing."};
+                               "What decides where photons go: nothing; the adaptive tables of "
+                               "Liu and Zheng 2014; or what photons are worth to the image "
+                               "(docs/adaptive-guide.md)."};
     guide.choices = kGuides;
     return {
         mode,
@@ -91,6 +92,13 @@ std::vector<ParameterDeclaration> guide_declarations() {
         integer("cdfresolution", "8", "Cells per side of a node's directional table.", 1, 64),
         {"erroralpha", ParameterType::Float, "0.4",
          "Weight of the last pass in a node's error (eq. 8).", 0, 0.99},
+        {"guideemission", ParameterType::Bool, "true",
+         "With guide adaptive: guides where photons start."},
+        {"eyeseeding", ParameterType::Bool, "true",
+         "With guide adaptive: paths from the eye tell where photons ought to start."},
+        {"guidesurvival", ParameterType::Bool, "false",
+         "With guide adaptive: photons go on by what they may still bring. For study: while little "
+         "is known it adds noise."},
     };
 }
 
@@ -173,7 +181,8 @@ void read_guide(const lxs::ParameterReader& in, Settings& s) {
     };
     s.mode = static_cast<Mode>(
         std::find(kModes.begin(), kModes.end(), in.string("mode", kModes[0])) - kModes.begin());
-    s.guide = in.string("guide", "paper") == "none" ? GuideKind::None : GuideKind::Paper;
+    s.guide = static_cast<GuideKind>(
+        std::find(kGuides.begin(), kGuides.end(), in.string("guide", "paper")) - kGuides.begin());
     s.guide_share = in.number("guideshare", s.guide_share);
     s.iteration_photons = count("iterationphotons", s.iteration_photons);
     s.initial_photons = count("initialphotons", s.initial_photons);
@@ -182,6 +191,9 @@ void read_guide(const lxs::ParameterReader& in, Settings& s) {
     s.max_nodes = count("maxnodes", s.max_nodes);
     s.cdf_resolution = count("cdfresolution", s.cdf_resolution);
     s.error_alpha = in.number("erroralpha", s.error_alpha);
+    s.guide_emission = in.boolean("guideemission", s.guide_emission);
+    s.eye_seeding = in.boolean("eyeseeding", s.eye_seeding);
+    s.guide_survival = in.boolean("guidesurvival", s.guide_survival);
 }
 
 /// A guide decides itself where photon paths go. A scene of LuxRender's sppm that asks for amc

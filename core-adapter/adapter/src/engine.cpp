@@ -27,7 +27,7 @@ std::uint32_t eye_paths_per_pass(const Host& host, const Settings& settings) {
 
 std::unique_ptr<Guide> make_guide(const Needs& needs, const Scene& scene,
                                   const Settings& settings) {
-    if (!needs.guide) return nullptr;
+    if (!needs.guide || settings.guide != GuideKind::Paper) return nullptr;
     return std::make_unique<PaperGuide>(scene.bounds(), settings);
 }
 
@@ -43,9 +43,10 @@ class Engine::State {
           direct_light_(host.scene),
           refusals_(host.scene.material_names()),
           guide_(make_guide(needs_, host.scene, settings)),
-          photon_pass_(host.scene, settings_, guide_.get()),
+          photon_pass_(host.scene, settings_, guide_.get(), host.film.width(), host.film.height()),
           radius_policy_(make_radius_policy(settings, host.scene)) {
-        statistics_.memory_bound_bytes = memory_bound(host.scene, settings, eye_paths_);
+        statistics_.memory_bound_bytes = memory_bound(
+            host.scene, settings, eye_paths_, std::size_t{host.film.width()} * host.film.height());
         if (settings.debug_layers) add_debug_layers();
         log_start();
     }
@@ -65,6 +66,7 @@ class Engine::State {
             flux_.reset(image_.visible_points.size(), image_.groups);
         }
         estimate_pixels(image_, flux_, radii, report.photon_paths, refusals_, radiance_);
+        if (report.photon_paths) photon_pass_.end_pass(image_, radiance_);
         const auto weight = double(settings_.photons_per_pass);
         host_.film.add_pass(image_.positions, radiance_, image_.groups, weight);
         if (layers_) {
@@ -96,6 +98,12 @@ class Engine::State {
         if (guide_) {
             s.guide_nodes = guide_->statistics().nodes;
             s.guide_bytes = guide_->statistics().memory_bytes;
+        }
+        if (const AdaptiveGuide* adaptive = photon_pass_.adaptive()) {
+            s.guide_nodes = adaptive->node_count();
+            s.guide_bytes = adaptive->memory_bytes();
+            s.emission_gain = adaptive->emission_guide().gain();
+            s.score_times_cost = adaptive->score_times_cost();
         }
         s.memory_bytes = memory_bytes();
         s.refused = refusals_.by_material();

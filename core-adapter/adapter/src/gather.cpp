@@ -27,7 +27,7 @@ float normal_ratio(const VisiblePoint& point, Vec3 wi) {
 /// `in_front` tells whether the photon came from the side that the point's geometric normal shows,
 /// as the surface was where it landed: on a thin curved sheet, one that grazes the far side may lie
 /// on the near side of the point's tangent plane.
-Rgb contribution(const VisiblePoint& point, const GridPhoton& landing, bool in_front) {
+Rgb reflected(const VisiblePoint& point, const GridPhoton& landing, bool in_front) {
     if (!point.bsdf) {
         const bool same_side = in_front == (dot(point.wo, point.geometric_normal) > 0);
         return same_side ? landing.power * normal_ratio(point, landing.direction) : Rgb{};
@@ -49,6 +49,12 @@ bool on_same_surface(const VisiblePoint& point, Vec3 position, float agreement, 
 
 }  // namespace
 
+Rgb contribution(const VisiblePoint& point, const GridPhoton& landing, float radius) {
+    const float agreement = dot(landing.normal, point.geometric_normal);
+    if (!on_same_surface(point, landing.position, agreement, radius)) return {};
+    return reflected(point, landing, agreement > 0);
+}
+
 void gather_photons(const EyeImage& image, const LandingGrid& grid, const SearchRadii& radii,
                     Refusals& refusals, PhotonFlux& result) {
     const std::uint32_t groups = image.groups;
@@ -65,9 +71,7 @@ void gather_photons(const EyeImage& image, const LandingGrid& grid, const Search
                 std::uint32_t count = 0;
                 Rgb* flux = &result.flux[i * groups];
                 grid.for_each_in_radius(point.position, radius, [&](const GridPhoton& landing) {
-                    const float agreement = dot(landing.normal, point.geometric_normal);
-                    if (!on_same_surface(point, landing.position, agreement, radius)) return;
-                    const Rgb value = contribution(point, landing, agreement > 0);
+                    const Rgb value = contribution(point, landing, radius);
                     if (is_black(value * f) || !refusals.accept(value, point.material)) return;
                     flux[landing.light_group] += value;
                     ++count;

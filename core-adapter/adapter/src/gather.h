@@ -41,4 +41,9 @@ struct PhotonFlux {
 void gather_photons(const EyeImage& image, const LandingGrid& grid, const SearchRadii& radii,
                     Refusals& refusals, PhotonFlux& flux);
 
+/// f * power of one landing (watts per steradian) within `radius` of a visible point, without the
+/// constant f of Lambertian points; black if the point rejects it: on another surface, on its other
+/// side, or absorbed.
+Rgb contribution(const VisiblePoint& point, const GridPhoton& landing, float radius);
+
 }  // namespace aips

@@ -27,8 +27,8 @@ std::size_t eye_bytes(const Scene& scene, std::size_t paths) {
 /// and the grid.
 std::size_t photon_bytes(const Settings& s, std::uint32_t eye_paths) {
     const std::size_t iteration =
-        std::size_t{s.guide == GuideKind::None ? kPlainIterationPaths
-                                               : std::max(s.iteration_photons, s.initial_photons)} *
+        std::size_t{s.guide == GuideKind::Paper ? std::max(s.iteration_photons, s.initial_photons)
+                                                : kPlainIterationPaths} *
         s.max_photon_depth;
     const std::size_t waiting = kLandingCapacity + iteration;
     const bool chains = s.photon_sampler == PhotonSampler::AdaptiveChains;
@@ -37,11 +37,24 @@ std::size_t photon_bytes(const Settings& s, std::uint32_t eye_paths) {
            (chains ? PhotonChains::memory_bound_bytes(s, eye_paths) : 0);
 }
 
+/// Records of an iteration's paths, in blocks and joined, and their landings' scores. At most all
+/// paths are logged.
+std::size_t log_bytes(const Settings& s, std::size_t paths) {
+    const std::size_t path = sizeof(PathRecord) + s.max_photon_depth * sizeof(PathVertex);
+    const std::size_t scores = s.max_photon_depth * (sizeof(double) + sizeof(std::uint32_t));
+    return paths * kGrowth * (2 * path + scores);
+}
+
 }  // namespace
 
-std::size_t memory_bound(const Scene& scene, const Settings& settings, std::uint32_t eye_paths) {
-    const std::size_t guide =
-        settings.guide == GuideKind::None ? 0 : PaperGuide::memory_bound_bytes(settings);
+std::size_t memory_bound(const Scene& scene, const Settings& settings, std::uint32_t eye_paths,
+                         std::size_t pixels) {
+    std::size_t guide = 0;
+    if (settings.guide == GuideKind::Paper) guide = PaperGuide::memory_bound_bytes(settings);
+    if (settings.guide == GuideKind::Adaptive) {
+        guide = AdaptiveGuide::memory_bound_bytes(scene, pixels, eye_paths) +
+                log_bytes(settings, kPlainIterationPaths);
+    }
     const std::size_t radii =
         settings.mode == Mode::Ppm ? PpmRadius::memory_bound_bytes(eye_paths) : 0;
     return eye_bytes(scene, eye_paths) + OccupancyGrid::memory_bound_bytes(eye_paths) +

@@ -9,6 +9,8 @@
 namespace aips {
 
 /// Upper bound in bytes of what the engine holds at any time of a render.
-std::size_t memory_bound(const Scene& scene, const Settings& settings, std::uint32_t eye_paths);
+/// `pixels`: of the film.
+std::size_t memory_bound(const Scene& scene, const Settings& settings, std::uint32_t eye_paths,
+                         std::size_t pixels);
 
 }  // namespace aips

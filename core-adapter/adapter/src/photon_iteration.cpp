@@ -8,28 +8,38 @@ namespace {
 
 constexpr std::uint32_t kPathsPerBlock = 256;
 
+/// Chosen by a hash: every n-th point of a low-discrepancy sequence is not a fair sample of it.
+bool logged(const PhotonInput& input, std::uint64_t serial) {
+    if (input.log_one_of == 0) return false;
+    const auto key = std::uint32_t(serial) ^ hash_bits(std::uint32_t(serial >> 32) + 1);
+    return hash_bits(key ^ 0xA511E9B3u) % input.log_one_of == 0;
+}
+
 }  // namespace
 
 PhotonCounts PhotonTracer::trace(const PhotonInput& input, std::uint64_t paths_before_pass,
                                  std::uint32_t first, std::uint32_t count, Refusals& refusals,
-                                 LandingStore& store) {
+                                 LandingStore& store, PathLog* log) {
     const std::uint32_t block_count = (count + kPathsPerBlock - 1) / kPathsPerBlock;
     if (blocks_.size() < block_count) blocks_.resize(block_count);
     tbb::parallel_for(0u, block_count, [&](std::uint32_t b) {
         Arena& arena = arenas_.local();
         Block& block = blocks_[b];
         block.landings.clear();
+        block.log.clear();
         block.counts = {};
         const std::uint32_t begin = first + b * kPathsPerBlock;
         const std::uint32_t end = std::min(first + count, begin + kPathsPerBlock);
         SequencePath numbers(input.settings.seed, input.pass);
         for (std::uint32_t i = begin; i < end; ++i) {
             numbers.move_to(paths_before_pass + i, i);
-            trace_photon_path(input, numbers, i, refusals, arena, block.landings, block.counts);
+            trace_photon_path(input, numbers, i, refusals, arena, block.landings, block.counts,
+                              logged(input, paths_before_pass + i) ? &block.log : nullptr);
         }
     });
     PhotonCounts counts;
     for (const Block& block : std::span(blocks_).first(block_count)) {
+        if (log) log->append(block.log, std::uint32_t(store.landings().size()));
         store.append(block.landings);
         counts += block.counts;
     }
@@ -39,7 +49,7 @@ PhotonCounts PhotonTracer::trace(const PhotonInput& input, std::uint64_t paths_b
 std::size_t PhotonTracer::memory_bytes() const {
     std::size_t bytes = blocks_.capacity() * sizeof(Block);
     for (const Block& block : blocks_)
-        bytes += block.landings.capacity() * sizeof(Landing);
+        bytes += block.landings.capacity() * sizeof(Landing) + block.log.memory_bytes();
     return bytes;
 }
 

@@ -24,17 +24,19 @@ class LandingStore {
 /// Traces photon paths in parallel blocks, whose memory it keeps.
 class PhotonTracer {
   public:
-    /// Traces `count` paths from number `first` of the pass and appends their landings to `store`.
+    /// Traces `count` paths from number `first` of the pass and appends their landings to `store`,
+    /// and the records of those that input.log_one_of selects to `log`.
     /// The result does not depend on the number of threads.
     PhotonCounts trace(const PhotonInput& input, std::uint64_t paths_before_pass,
                        std::uint32_t first, std::uint32_t count, Refusals& refusals,
-                       LandingStore& store);
+                       LandingStore& store, PathLog* log = nullptr);
 
     std::size_t memory_bytes() const;
 
   private:
     struct Block {
         std::vector<Landing> landings;
+        PathLog log;
         PhotonCounts counts;
     };
 

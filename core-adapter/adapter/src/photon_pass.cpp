@@ -7,21 +7,28 @@
 
 namespace aips {
 
-PhotonPass::PhotonPass(const Scene& scene, const Settings& settings, Guide* guide)
+PhotonPass::PhotonPass(const Scene& scene, const Settings& settings, Guide* guide,
+                       std::uint32_t width, std::uint32_t height)
     : scene_(scene), settings_(settings), guide_(guide), light_choice_(light_choice(scene)) {
     if (settings.photon_sampler == PhotonSampler::AdaptiveChains) chains_.emplace();
+    if (settings.guide == GuideKind::Adaptive && !light_choice_.empty()) {
+        adaptive_.emplace(scene, settings, light_choice_, width, height);
+    }
     if (guide && settings.debug_layers) bounces_.emplace(*guide, settings.max_nodes);
 }
 
-void PhotonPass::begin_pass(const EyeImage& image, float largest_radius) {
-    const bool reach_lasts = freezes_eye_pass(settings_.mode) && reach_ == largest_radius;
-    if (guide_ || !reach_lasts) {
+void PhotonPass::begin_pass(std::uint64_t pass, float time, const EyeImage& image,
+                            const SearchRadii& radii) {
+    const bool reach_lasts = freezes_eye_pass(settings_.mode) && reach_ == radii.largest;
+    if (guide_ || adaptive_ || !reach_lasts) {
         std::vector<Vec3> positions;
         positions.reserve(image.visible_points.size());
         for (const VisiblePoint& point : image.visible_points)
             positions.push_back(point.position);
-        if (!reach_lasts) mark_reach(positions, largest_radius);
+        if (!reach_lasts) mark_reach(positions, radii.largest);
+        const Stopwatch watch(totals_.guide_seconds);
         if (guide_) guide_->begin_pass(positions, image.positions.size());
+        if (adaptive_) adaptive_->begin_pass(pass, time, image, positions, radii);
     }
     if (chains_) chains_->begin_pass(settings_.photons_per_pass);
     if (bounces_) bounces_->begin_pass();
@@ -37,23 +44,13 @@ void PhotonPass::mark_reach(std::span<const Vec3> visible_points, float radius) 
 std::uint64_t PhotonPass::shoot(std::uint64_t pass, float time, const EyeImage& image,
                                 const SearchRadii& radii, Refusals& refusals, PhotonFlux& flux) {
     flux.reset(image.visible_points.size(), image.groups);
-    begin_pass(image, radii.largest);
+    begin_pass(pass, time, image, radii);
     const std::uint32_t total = settings_.photons_per_pass;
     std::uint64_t iteration = 0;
     for (std::uint32_t first = 0; first < total; ++iteration) {
         const std::uint32_t count = std::min(iteration_paths(iteration), total - first);
-        const bool guided = guide_ && guide_->guides(iteration);
-        // A guide learns from all landings; without one only those near visible points matter.
-        const PhotonInput input{scene_,
-                                settings_,
-                                light_choice_,
-                                guided ? guide_ : nullptr,
-                                guide_ ? nullptr : &occupancy_,
-                                pass,
-                                time,
-                                bounces_ ? &*bounces_ : nullptr};
-        trace(input, first, count, refusals);
-        if (guide_) learn();
+        trace(input_of(pass, time, iteration), first, count, refusals);
+        learn(count);
         if (waiting_.landings().size() > kLandingCapacity) gather(image, radii, refusals, flux);
         first += count;
     }
@@ -61,6 +58,25 @@ std::uint64_t PhotonPass::shoot(std::uint64_t pass, float time, const EyeImage& 
     if (chains_) flux.scale(chains_->end_pass());
     totals_.gathered += flux.gathered;
     return total;
+}
+
+PhotonInput PhotonPass::input_of(std::uint64_t pass, float time, std::uint64_t iteration) {
+    PhotonInput input{scene_, settings_, light_choice_};
+    input.pass = pass;
+    input.time = time;
+    if (guide_) {
+        // Learns from all landings.
+        if (guide_->guides(iteration)) input.guide = guide_;
+        input.bounces = bounces_ ? &*bounces_ : nullptr;
+    } else {
+        input.occupancy = &occupancy_;
+    }
+    if (adaptive_) {
+        input.emission = adaptive_->emission();
+        input.survival = adaptive_->survival();
+        input.log_one_of = adaptive_->log_one_of();
+    }
+    return input;
 }
 
 std::uint32_t PhotonPass::iteration_paths(std::uint64_t iteration) const {
@@ -74,17 +90,28 @@ void PhotonPass::trace(const PhotonInput& input, std::uint32_t first, std::uint3
     LandingStore& store = guide_ ? iteration_ : waiting_;
     totals_.counts += chains_ ? chains_->trace(input, count, refusals, store)
                               : tracer_.trace(input, input.pass * settings_.photons_per_pass, first,
-                                              count, refusals, store);
+                                              count, refusals, store, adaptive_ ? &log_ : nullptr);
 }
 
-void PhotonPass::learn() {
+void PhotonPass::learn(std::uint32_t paths) {
     const Stopwatch watch(totals_.guide_seconds);
+    if (adaptive_) {
+        adaptive_->learn(log_, waiting_.landings(), paths);
+        log_.clear();
+    }
+    if (!guide_) return;
     guide_->update(iteration_.landings());
     if (bounces_) bounces_->follow_splits();
     for (const Landing& landing : iteration_.landings()) {
         if (occupancy_.near_visible_point(landing.position)) waiting_.append({&landing, 1});
     }
     iteration_.clear();
+}
+
+void PhotonPass::end_pass(const EyeImage& image, std::span<const Rgb> radiance) {
+    if (!adaptive_) return;
+    const Stopwatch watch(totals_.guide_seconds);
+    adaptive_->end_pass(image, radiance);
 }
 
 void PhotonPass::gather(const EyeImage& image, const SearchRadii& radii, Refusals& refusals,
@@ -98,7 +125,8 @@ void PhotonPass::gather(const EyeImage& image, const SearchRadii& radii, Refusal
 std::size_t PhotonPass::memory_bytes() const {
     return tracer_.memory_bytes() + waiting_.memory_bytes() + iteration_.memory_bytes() +
            grid_.memory_bytes() + occupancy_.memory_bytes() +
-           (chains_ ? chains_->memory_bytes() : 0) + (bounces_ ? bounces_->memory_bytes() : 0);
+           (chains_ ? chains_->memory_bytes() : 0) + (bounces_ ? bounces_->memory_bytes() : 0) +
+           (adaptive_ ? adaptive_->memory_bytes() + log_.memory_bytes() : 0);
 }
 
 }  // namespace aips

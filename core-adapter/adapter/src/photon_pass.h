@@ -5,6 +5,7 @@
 #include <memory>
 #include <optional>
 
+#include "adaptive_guide.h"
 #include "aips/adapter/engine.h"
 #include "gather.h"
 #include "needs.h"
@@ -28,28 +29,36 @@ inline constexpr std::uint32_t kPlainIterationPaths = 1u << 14;
 /// Shoots the photons of one pass onto the visible points of an eye image.
 class PhotonPass {
   public:
-    /// `guide` may be null.
-    PhotonPass(const Scene& scene, const Settings& settings, Guide* guide);
+    /// `guide` may be null; the film has width x height pixels.
+    PhotonPass(const Scene& scene, const Settings& settings, Guide* guide, std::uint32_t width,
+               std::uint32_t height);
 
     /// Fills `flux` for the visible points in `image`; returns the photon paths shot. In modes that
     /// freeze the eye pass the visible points must be the same in each pass.
     std::uint64_t shoot(std::uint64_t pass, float time, const EyeImage& image,
                         const SearchRadii& radii, Refusals& refusals, PhotonFlux& flux);
 
+    /// The pass's image is known: radiance per eye path and light group.
+    void end_pass(const EyeImage& image, std::span<const Rgb> radiance);
+
     const PhotonPassTotals& totals() const { return totals_; }
     /// Null unless photonsampler=amc.
     const PhotonChains* chains() const { return chains_ ? &*chains_ : nullptr; }
+    /// Null unless guide=adaptive.
+    const AdaptiveGuide* adaptive() const { return adaptive_ ? &*adaptive_ : nullptr; }
     /// Bounces of the last pass by the guide's node; null without a guide or debug layers.
     const BounceTally* bounces() const { return bounces_ ? &*bounces_ : nullptr; }
     std::size_t memory_bytes() const;
 
   private:
-    void begin_pass(const EyeImage& image, float largest_radius);
+    void begin_pass(std::uint64_t pass, float time, const EyeImage& image,
+                    const SearchRadii& radii);
+    PhotonInput input_of(std::uint64_t pass, float time, std::uint64_t iteration);
     void mark_reach(std::span<const Vec3> visible_points, float radius);
     std::uint32_t iteration_paths(std::uint64_t iteration) const;
     void trace(const PhotonInput& input, std::uint32_t first, std::uint32_t count,
                Refusals& refusals);
-    void learn();
+    void learn(std::uint32_t paths);
     void gather(const EyeImage& image, const SearchRadii& radii, Refusals& refusals,
                 PhotonFlux& flux);
 
@@ -60,7 +69,9 @@ class PhotonPass {
     OccupancyGrid occupancy_;
     float reach_ = 0;  // radius that the visible points are marked for; 0 before the first pass
     std::optional<PhotonChains> chains_;
+    std::optional<AdaptiveGuide> adaptive_;
     PhotonTracer tracer_;
+    PathLog log_;             // of one adaptive iteration
     LandingStore waiting_;    // near visible points, not gathered yet
     LandingStore iteration_;  // all landings of one guided iteration
     LandingGrid grid_;

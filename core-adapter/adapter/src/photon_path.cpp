@@ -18,22 +18,31 @@ struct Photon {
     Vec3 previous;  // where it last left a surface or the light
     std::uint32_t group = 0;
     bool straight = true;  // has met nothing but null surfaces and architectural glass
+    EmissionStart start;
 };
 
 /// Four numbers for the light's coordinates, the fifth chooses the light.
 template <class Numbers>
+EmissionStart choose_start(const PhotonInput& in, Numbers& numbers) {
+    const float u_light = in.scene.lights().size() > 1 ? numbers.emission(4) : 0.5f;
+    const PrimaryPoint u{numbers.emission(0), numbers.emission(1), numbers.emission(2),
+                         numbers.emission(3)};
+    if (in.emission) return in.emission->sample(u_light, u);
+    const DiscreteSample light = in.light_choice.sample(u_light);
+    return {static_cast<LightIndex>(light.index), u, double(light.pdf)};
+}
+
+template <class Numbers>
 bool emit(const PhotonInput& in, Numbers& numbers, Refusals& refusals, Photon& photon) {
-    const auto lights = in.scene.lights();
-    const auto chosen = in.light_choice.sample(lights.size() > 1 ? numbers.emission(4) : 0.5f);
-    const std::array<float, 4> u{numbers.emission(0), numbers.emission(1), numbers.emission(2),
-                                 numbers.emission(3)};
+    photon.start = choose_start(in, numbers);
+    const Light& light = *in.scene.lights()[photon.start.light];
     Emission emission;
-    if (!lights[chosen.index]->emit(u, emission)) return false;
+    if (!light.emit(photon.start.point, emission)) return false;
     photon.ray = emission.ray;
     photon.ray.time = in.time;
-    photon.power = emission.power / chosen.pdf;
+    photon.power = emission.power / float(photon.start.pdf);
     photon.previous = emission.ray.origin;
-    photon.group = lights[chosen.index]->group();
+    photon.group = light.group();
     return refusals.accept(photon.power, kLightOrigin) && !is_black(photon.power);
 }
 
@@ -55,12 +64,65 @@ void store_landing(const PhotonInput& in, const SurfacePoint& point, const Photo
     ++counts.landings;
 }
 
+/// The geometric normal on the side that a ray comes from.
+Vec3 arrival_normal(const SurfacePoint& point, Vec3 direction) {
+    const Vec3 n = point.geometric_normal;
+    return dot(direction, n) > 0 ? -n : n;
+}
+
 /// Probability of going on, fixed before the direction is drawn: by the power that is expected to
 /// leave, against the power at emission, so that photons keep about equal power.
-float survival(const SurfacePoint& point, const Photon& photon, float emitted_power) {
+float survival(const PhotonInput& in, const SurfacePoint& point, const Photon& photon,
+               float emitted_power) {
+    if (in.survival) {
+        const auto probability = in.survival->probability(
+            point.position, arrival_normal(point, photon.ray.direction), luminance(photon.power));
+        if (probability) return std::max(*probability, kMinSurvival);
+    }
     const Rgb albedo = point.bsdf->albedo(-photon.ray.direction, kAllLobes);
     return std::clamp(max_component(photon.power * albedo) / emitted_power, kMinSurvival, 1.0f);
 }
+
+/// A path's record while it is traced: closed when the path ends, wherever that is.
+class LogEntry {
+  public:
+    LogEntry(PathLog* log, const EmissionStart& start, const std::vector<Landing>& landings,
+             const PhotonCounts& counts)
+        : log_(log), landings_(landings), counts_(counts), rays_before_(counts.rays) {
+        if (!log_) return;
+        PathRecord record;
+        record.light = start.light;
+        record.start = start.point;
+        record.pdf = start.pdf;
+        record.first_vertex = static_cast<std::uint32_t>(log_->vertices.size());
+        record.first_landing = static_cast<std::uint32_t>(landings.size());
+        log_->paths.push_back(record);
+    }
+    ~LogEntry() {
+        if (!log_) return;
+        PathRecord& record = log_->paths.back();
+        record.vertices = static_cast<std::uint32_t>(log_->vertices.size()) - record.first_vertex;
+        record.landings = static_cast<std::uint32_t>(landings_.size()) - record.first_landing;
+        record.rays = rays();
+    }
+    LogEntry(const LogEntry&) = delete;
+    LogEntry& operator=(const LogEntry&) = delete;
+
+    void add_vertex(const SurfacePoint& point, const Photon& photon, float survived,
+                    std::uint32_t depth) const {
+        if (!log_) return;
+        log_->vertices.push_back({point.position, arrival_normal(point, photon.ray.direction),
+                                  luminance(photon.power) / survived, rays(), depth});
+    }
+
+  private:
+    std::uint32_t rays() const { return static_cast<std::uint32_t>(counts_.rays - rays_before_); }
+
+    PathLog* log_;
+    const std::vector<Landing>& landings_;
+    const PhotonCounts& counts_;
+    std::uint64_t rays_before_;
+};
 
 }  // namespace
 
@@ -76,10 +138,12 @@ PhotonCounts& PhotonCounts::operator+=(const PhotonCounts& o) {
 template <class Numbers>
 void trace_photon_path(const PhotonInput& in, Numbers& numbers, std::uint32_t index,
                        Refusals& refusals, Arena& arena, std::vector<Landing>& landings,
-                       PhotonCounts& counts) {
+                       PhotonCounts& counts, PathLog* log) {
     ++counts.paths;
     Photon photon;
-    if (!emit(in, numbers, refusals, photon)) return;
+    const bool left_light = emit(in, numbers, refusals, photon);
+    const LogEntry entry(log, photon.start, landings, counts);
+    if (!left_light) return;
     const float emitted_power = max_component(photon.power);
     const LobeMask receiving = receiving_lobes(in.settings);
 
@@ -96,8 +160,9 @@ void trace_photon_path(const PhotonInput& in, Numbers& numbers, std::uint32_t in
         if (depth >= in.settings.max_photon_depth) return;
 
         auto& random = numbers.bounce(depth);
-        const float survive = survival(point, photon, emitted_power);
+        const float survive = survival(in, point, photon, emitted_power);
         if (survive < 1 && random.next() >= survive) return;
+        entry.add_vertex(point, photon, survive, depth);
         const std::uint64_t bounces = counts.bounces, guided_bounces = counts.guided_bounces;
         ScatteredPhoton scattered;
         const bool left =
@@ -115,8 +180,8 @@ void trace_photon_path(const PhotonInput& in, Numbers& numbers, std::uint32_t in
 }
 
 template void trace_photon_path(const PhotonInput&, SequencePath&, std::uint32_t, Refusals&, Arena&,
-                                std::vector<Landing>&, PhotonCounts&);
+                                std::vector<Landing>&, PhotonCounts&, PathLog*);
 template void trace_photon_path(const PhotonInput&, PrimaryPath&, std::uint32_t, Refusals&, Arena&,
-                                std::vector<Landing>&, PhotonCounts&);
+                                std::vector<Landing>&, PhotonCounts&, PathLog*);
 
 }  // namespace aips

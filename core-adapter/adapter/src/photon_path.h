@@ -15,7 +15,10 @@
 #include "aips/core/point_grid.h"
 #include "aips/core/random.h"
 #include "bounce_tally.h"
+#include "emission_guide.h"
+#include "path_log.h"
 #include "refusals.h"
+#include "score_survival.h"
 
 namespace aips {
 
@@ -35,12 +38,15 @@ struct PhotonInput {
     const Scene& scene;
     const Settings& settings;
     const DiscreteDistribution& light_choice;
-    const Guide* guide = nullptr;              ///< null: unguided
+    const Guide* guide = nullptr;              ///< of directions; null: unguided
     const OccupancyGrid* occupancy = nullptr;  ///< landings elsewhere are not stored; null: all are
     std::uint64_t pass = 0;
     float time = 0;
     BounceTally* bounces = nullptr;    ///< counts bounces by node, for debug layers; may be null
     const PointGrid* reach = nullptr;  ///< with occupancy: the exact test; may be null
+    const EmissionGuide* emission = nullptr;  ///< null: lights by power, uniform coordinates
+    const ScoreSurvival* survival = nullptr;  ///< null: by the power left
+    std::uint32_t log_one_of = 0;             ///< one of so many paths is logged; 0: none
 };
 
 /// The numbers of a path of the plain sampler: the emission's are an Owen-scrambled Sobol' sequence
@@ -70,10 +76,10 @@ class SequencePath {
 
 /// Traces a path with the given numbers (SequencePath, or PrimaryPath of a Markov chain), `index`
 /// of its pass, and appends its landings. Landings that shadow rays own (docs/path-classes.md) are
-/// dropped.
+/// dropped. `log` (may be null) takes the path's record.
 template <class Numbers>
 void trace_photon_path(const PhotonInput& input, Numbers& numbers, std::uint32_t index,
                        Refusals& refusals, Arena& arena, std::vector<Landing>& landings,
-                       PhotonCounts& counts);
+                       PhotonCounts& counts, PathLog* log = nullptr);
 
 }  // namespace aips

@@ -38,12 +38,23 @@ const char* name(Mode mode) {
     return "";
 }
 
+const char* name(GuideKind guide) {
+    switch (guide) {
+        case GuideKind::None:
+            return "none";
+        case GuideKind::Paper:
+            return "paper";
+        case GuideKind::Adaptive:
+            return "adaptive";
+    }
+    return "";
+}
+
 }  // namespace
 
 std::string describe(const Settings& s) {
     std::ostringstream out;
-    out << "mode = " << name(s.mode)
-        << ", guide = " << (s.guide == GuideKind::Paper ? "paper" : "none")
+    out << "mode = " << name(s.mode) << ", guide = " << name(s.guide)
         << ", maxeyedepth = " << s.max_eye_depth << ", maxphotondepth = " << s.max_photon_depth
         << ", photonperpass = " << s.photons_per_pass << " paths";
     if (s.hit_points_per_pass) out << ", hitpointperpass = " << s.hit_points_per_pass;
@@ -60,6 +71,11 @@ std::string describe(const Settings& s) {
             << " paths, nodephotons = " << s.node_photons << ", treedepth = " << s.tree_depth
             << ", maxnodes = " << s.max_nodes << ", cdfresolution = " << s.cdf_resolution << "x"
             << s.cdf_resolution << ", erroralpha = " << s.error_alpha;
+    }
+    if (s.guide == GuideKind::Adaptive) {
+        out << ", guideemission = " << (s.guide_emission ? "true" : "false")
+            << ", eyeseeding = " << (s.eye_seeding ? "true" : "false")
+            << ", guidesurvival = " << (s.guide_survival ? "true" : "false");
     }
     return out.str();
 }

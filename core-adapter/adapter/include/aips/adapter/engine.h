@@ -52,6 +52,10 @@ struct EngineStatistics {
     double mutation_size = 0;         ///< photonsampler=amc: see docs/photon-samplers.md
     std::uint64_t guide_nodes = 0;
     std::uint64_t guide_bytes = 0;
+    /// guide=adaptive: plain second moment times cost of emission over guided
+    double emission_gain = 0;
+    /// guide=adaptive: mean score of a photon path times its mean cost in rays, lately
+    double score_times_cost = 0;
     double eye_seconds = 0, photon_seconds = 0, gather_seconds = 0, guide_seconds = 0;
     float radius = 0;              ///< of the last pass
     std::size_t memory_bytes = 0;  ///< held by the engine now

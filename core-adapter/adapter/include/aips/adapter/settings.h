@@ -18,8 +18,9 @@ constexpr bool freezes_eye_pass(Mode mode) {
 }
 
 enum class GuideKind : std::uint8_t {
-    None,  ///< plain photon shooting
-    Paper  ///< Liu & Zheng 2014
+    None,     ///< plain photon shooting
+    Paper,    ///< Liu & Zheng 2014
+    Adaptive  ///< by what photons are worth to the image: docs/adaptive-guide.md
 };
 
 /// Where the random numbers of unguided photon paths come from.
@@ -54,6 +55,10 @@ struct Settings {
     std::uint32_t max_nodes = 16384;   ///< leaves of the guide's kd-tree
     std::uint32_t cdf_resolution = 8;  ///< cells per side of a directional table
     double error_alpha = 0.4;          ///< weight of the last pass's error (eq. 8)
+
+    bool guide_emission = true;  ///< guide=adaptive guides where photons start
+    bool eye_seeding = true;  ///< guide=adaptive learns from the eye where photons ought to start
+    bool guide_survival = false;  ///< guide=adaptive decides which photons go on
 };
 
 /// Checks what no single range can: throws std::invalid_argument with one clear message.

@@ -1,0 +1,132 @@
+// Learning from logged photon paths.
+#include "adaptive_guide.h"
+
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
+namespace aips {
+namespace {
+
+/// Paths that are logged: many while little is known, few later.
+constexpr std::uint64_t kEagerPaths = 1'000'000;
+constexpr std::uint32_t kEagerOneOf = 4, kOneOf = 16;
+/// Passes that begin before so many paths are seeded from the eye.
+constexpr std::uint64_t kSeededPaths = 2'000'000;
+/// Photon paths whose scores count in full in the mean over whole paths.
+constexpr double kMemoryPaths = 4e6;
+/// Cost of storing and gathering a landing, in rays: gather and grid take about a third of what
+/// tracing takes where landings are many (docs/design-notes.md).
+constexpr double kLandingCost = 0.3;
+
+}  // namespace
+
+AdaptiveGuide::AdaptiveGuide(const Scene& scene, const Settings& settings,
+                             const DiscreteDistribution& light_choice, std::uint32_t width,
+                             std::uint32_t height)
+    : scene_(scene),
+      settings_(settings),
+      light_choice_(light_choice),
+      importance_(width, height),
+      emission_(scene.lights().size(), light_choice),
+      cache_(scene.bounds(), {}) {}
+
+void AdaptiveGuide::begin_pass(std::uint64_t pass, float time, const EyeImage& image,
+                               std::span<const Vec3> positions, const SearchRadii& radii) {
+    importance_.weigh(image, weights_);
+    score_.build(image, positions, radii, weights_);
+    if (settings_.guide_emission && settings_.eye_seeding && paths_ < kSeededPaths) {
+        seed(pass, time, image);
+    }
+}
+
+void AdaptiveGuide::seed(std::uint64_t pass, float time, const EyeImage& image) {
+    find_emission_seeds(scene_, settings_, light_choice_, pass, time, image, seeds_, seed_counts_);
+    for (const EmissionSeed& s : seeds_)
+        emission_.add_seed(s.light, s.point, double(s.weight));
+    emission_.update(0);
+}
+
+std::uint32_t AdaptiveGuide::log_one_of() const {
+    return paths_ < kEagerPaths ? kEagerOneOf : kOneOf;
+}
+
+void AdaptiveGuide::learn(const PathLog& log, std::span<const Landing> landings,
+                          std::uint32_t paths) {
+    score_landings(log, landings);
+    landing_score_at_ = 0;
+    for (const PathRecord& path : log.paths)
+        learn_path(log, path, landings);
+    paths_ += paths;
+    emission_.update(double(paths));
+    cache_.update(double(paths));
+    const double kept = kMemoryPaths / (kMemoryPaths + double(paths));
+    survival_.set_reference(path_score_ > 0 ? path_cost_ / path_score_ : 0);
+    path_score_ *= kept;
+    path_cost_ *= kept;
+    logged_ *= kept;
+}
+
+void AdaptiveGuide::score_landings(const PathLog& log, std::span<const Landing> landings) {
+    std::vector<std::uint32_t>& numbers = scored_;
+    numbers.clear();
+    for (const PathRecord& path : log.paths) {
+        for (std::uint32_t i = 0; i < path.landings; ++i)
+            numbers.push_back(path.first_landing + i);
+    }
+    landing_scores_.resize(numbers.size());
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, numbers.size(), 128),
+                      [&](const tbb::blocked_range<std::size_t>& range) {
+                          for (std::size_t i = range.begin(); i < range.end(); ++i)
+                              landing_scores_[i] = score_.score(landings[numbers[i]]);
+                      });
+}
+
+// From the path's end to its start, summing what came after.
+void AdaptiveGuide::learn_path(const PathLog& log, const PathRecord& path,
+                               std::span<const Landing> landings) {
+    const std::size_t first = landing_score_at_;
+    landing_score_at_ += path.landings;
+    double score = 0;
+    double landed = 0;
+    std::uint32_t l = path.landings;
+    const auto take_landings_after = [&](std::uint32_t depth) {
+        for (; l > 0 && landings[path.first_landing + l - 1].depth > depth; --l) {
+            score += landing_scores_[first + l - 1];
+            landed += 1;
+        }
+    };
+    for (std::uint32_t v = path.vertices; v-- > 0;) {
+        const PathVertex& vertex = log.vertices[path.first_vertex + v];
+        take_landings_after(vertex.depth);
+        const double power = double(vertex.power);
+        if (!(power > 0)) continue;
+        const double cost = double(path.rays - vertex.rays) + kLandingCost * landed;
+        cache_.add({vertex.position, vertex.normal, score / (power * power), cost});
+    }
+    take_landings_after(0);
+    const double cost = double(path.rays) + kLandingCost * landed;
+    emission_.add({{path.light, path.start, path.pdf}, score, cost});
+    path_score_ += score;
+    path_cost_ += cost;
+    logged_ += 1;
+}
+
+void AdaptiveGuide::end_pass(const EyeImage& image, std::span<const Rgb> radiance) {
+    importance_.add_pass(image, radiance);
+}
+
+std::size_t AdaptiveGuide::memory_bytes() const {
+    return importance_.memory_bytes() + score_.memory_bytes() + emission_.memory_bytes() +
+           cache_.memory_bytes() + weights_.capacity() * sizeof(float) +
+           seeds_.capacity() * sizeof(EmissionSeed) + scored_.capacity() * sizeof(std::uint32_t) +
+           landing_scores_.capacity() * sizeof(double);
+}
+
+std::size_t AdaptiveGuide::memory_bound_bytes(const Scene& scene, std::size_t pixels,
+                                              std::size_t eye_paths) {
+    return PixelImportance::memory_bound_bytes(pixels, eye_paths) +
+           CellSort::memory_bound_bytes(eye_paths) + ScoreCache::memory_bound_bytes({}) +
+           EmissionGuide::memory_bound_bytes(scene.lights().size());
+}
+
+}  // namespace aips

@@ -1,0 +1,79 @@
+// guide=adaptive: photons are sent where they are worth most to the image, per cost.
+//
+// Beyond the paper of 2014: the score of a landing is its squared relative contribution to the
+// image, every vertex of a path and its start are credited with all that came after, and the
+// start is guided too. docs/adaptive-guide.md.
+#pragma once
+
+#include "aips/adapter/settings.h"
+#include "aips/core/score_cache.h"
+#include "emission_guide.h"
+#include "eye_seeding.h"
+#include "landing_score.h"
+#include "path_log.h"
+#include "pixel_importance.h"
+#include "score_survival.h"
+
+namespace aips {
+
+class AdaptiveGuide {
+  public:
+    /// `light_choice` (by power, not empty) outlives this; the film has width x height pixels.
+    AdaptiveGuide(const Scene& scene, const Settings& settings,
+                  const DiscreteDistribution& light_choice, std::uint32_t width,
+                  std::uint32_t height);
+    AdaptiveGuide(const AdaptiveGuide&) = delete;
+    AdaptiveGuide& operator=(const AdaptiveGuide&) = delete;
+
+    /// A pass with these visible points (and their positions) begins; `image` and `radii` stay
+    /// until it ends.
+    void begin_pass(std::uint64_t pass, float time, const EyeImage& image,
+                    std::span<const Vec3> positions, const SearchRadii& radii);
+    /// Of how many paths one is logged, in the next iteration.
+    std::uint32_t log_one_of() const;
+    const EmissionGuide* emission() const {
+        return settings_.guide_emission ? &emission_ : nullptr;
+    }
+    const ScoreSurvival* survival() const {
+        return settings_.guide_survival ? &survival_ : nullptr;
+    }
+    /// Learns from the logged ones of `paths` photon paths, whose landings are among `landings`.
+    void learn(const PathLog& log, std::span<const Landing> landings, std::uint32_t paths);
+    /// The pass ends with this radiance per eye path and light group.
+    void end_pass(const EyeImage& image, std::span<const Rgb> radiance);
+
+    const EmissionGuide& emission_guide() const { return emission_; }
+    /// Mean score of a photon path times its mean cost in rays: the error of equal-time images,
+    /// about, in units of the scene's own. Old paths forgotten; 0 before anything was scored.
+    double score_times_cost() const {
+        return logged_ > 0 ? path_score_ * path_cost_ / (logged_ * logged_) : 0;
+    }
+    std::size_t node_count() const { return emission_.leaf_count(); }
+    std::size_t memory_bytes() const;
+    static std::size_t memory_bound_bytes(const Scene& scene, std::size_t pixels,
+                                          std::size_t eye_paths);
+
+  private:
+    void seed(std::uint64_t pass, float time, const EyeImage& image);
+    void score_landings(const PathLog& log, std::span<const Landing> landings);
+    void learn_path(const PathLog& log, const PathRecord& path, std::span<const Landing> landings);
+
+    const Scene& scene_;
+    const Settings& settings_;
+    const DiscreteDistribution& light_choice_;
+    PixelImportance importance_;
+    LandingScore score_;
+    EmissionGuide emission_;
+    ScoreCache cache_;
+    ScoreSurvival survival_{cache_};
+    std::vector<float> weights_;       // [visible point]
+    std::vector<EmissionSeed> seeds_;  // of this pass
+    SeedCounts seed_counts_;
+    std::vector<std::uint32_t> scored_;   // landings of logged paths, path after path
+    std::vector<double> landing_scores_;  // as scored_
+    std::size_t landing_score_at_ = 0;    // of the next path
+    std::uint64_t paths_ = 0;             // shot so far
+    double path_score_ = 0, path_cost_ = 0, logged_ = 0;  // of logged paths, old ones forgotten
+};
+
+}  // namespace aips

@@ -1,0 +1,125 @@
+// Mixture of the plain, the seeds' and the learned density of emission.
+#include "emission_guide.h"
+
+#include <algorithm>
+#include <numeric>
+
+namespace aips {
+namespace {
+
+/// Least leaves of a light's tree: what many lights leave of the common budget.
+constexpr std::uint32_t kMinLeaves = 16;
+
+PrimaryTreeSettings tree_settings(std::size_t lights, const EmissionGuideSettings& s) {
+    PrimaryTreeSettings tree;
+    const auto share = s.max_leaves / static_cast<std::uint32_t>(std::max<std::size_t>(lights, 1));
+    tree.max_leaves = std::max(kMinLeaves, share);
+    tree.memory_paths = s.memory_paths;
+    return tree;
+}
+
+}  // namespace
+
+EmissionGuide::EmissionGuide(std::size_t lights, const DiscreteDistribution& plain_choice,
+                             const EmissionGuideSettings& settings)
+    : plain_choice_(&plain_choice), settings_(settings), seeds_(lights, 0.0) {
+    trees_.reserve(lights);
+    for (std::size_t l = 0; l < lights; ++l)
+        trees_.emplace_back(tree_settings(lights, settings));
+}
+
+EmissionStart EmissionGuide::sample(float u_light, const PrimaryPoint& u) const {
+    EmissionStart start;
+    if (!on_) {
+        const DiscreteSample light = plain_choice_->sample(u_light);
+        start.light = static_cast<LightIndex>(light.index);
+        start.point = u;
+        start.pdf = double(light.pdf);
+        return start;
+    }
+    const DiscreteSample light = choice_.sample(u_light);
+    start.light = static_cast<LightIndex>(light.index);
+    const PrimarySample sample = trees_[light.index].sample(u);
+    start.point = sample.point;
+    start.pdf = double(light.pdf) * double(sample.pdf);
+    return start;
+}
+
+double EmissionGuide::guided_pdf(const EmissionStart& start) const {
+    return double(choice_.pdf(start.light)) * double(trees_[start.light].pdf(start.point));
+}
+
+void EmissionGuide::add(const EmissionScore& s) {
+    if (!(s.start.pdf > 0) || s.start.light >= trees_.size()) return;
+    if (learned_) {
+        moments_.add(s.score, s.cost, s.start.pdf, plain_pdf(s.start.light), guided_pdf(s.start));
+    }
+    if (s.score > 0) ++scored_;
+    trees_[s.start.light].add(s.start.point, s.score, s.cost);
+}
+
+void EmissionGuide::add_seed(LightIndex light, const PrimaryPoint& point, double weight) {
+    if (light >= trees_.size() || !(plain_pdf(light) > 0)) return;
+    trees_[light].add_seed(point, weight);
+    seeds_[light] += weight;
+}
+
+void EmissionGuide::update(double paths) {
+    for (PrimaryTree& tree : trees_)
+        tree.update(paths);
+    set_densities();
+    moments_.forget(settings_.memory_paths / (settings_.memory_paths + paths));
+}
+
+// p(l, x) = d P0(l) + s S_l seeds_l(x) + (1 - d - s) M_l learned_l(x), S and M normalised over
+// lights. The sum over x gives the choice of the light, the rest the mixture within it.
+void EmissionGuide::set_densities() {
+    double mass = 0;
+    for (const PrimaryTree& tree : trees_)
+        mass += tree.mass();
+    const double all_seeds = std::accumulate(seeds_.begin(), seeds_.end(), 0.0);
+    learned_ = mass > 0 || all_seeds > 0;
+    if (!learned_) return;
+    const bool enough = scored_ >= settings_.learned_scores;
+    double seed_share = enough ? settings_.learned_seed_share : settings_.seed_share;
+    double plain_share = settings_.plain_share;
+    if (!(all_seeds > 0)) seed_share = 0;
+    double learned_share = 1 - plain_share - seed_share;
+    if (!(mass > 0)) {
+        plain_share += learned_share;
+        learned_share = 0;
+    }
+    std::vector<float> weights(trees_.size());
+    for (std::size_t l = 0; l < trees_.size(); ++l) {
+        const double plain = plain_share * plain_pdf(LightIndex(l));
+        const double seeds = all_seeds > 0 ? seed_share * seeds_[l] / all_seeds : 0;
+        const double learned = mass > 0 ? learned_share * trees_[l].mass() / mass : 0;
+        const double sum = plain + seeds + learned;
+        weights[l] = float(sum);
+        if (sum > 0) trees_[l].set_mixture({plain / sum, seeds / sum});
+    }
+    choice_.build(weights);
+    on_ = moments_.scored() < double(settings_.learned_scores) || moments_.pays(on_);
+}
+
+std::size_t EmissionGuide::leaf_count() const {
+    std::size_t sum = 0;
+    for (const PrimaryTree& tree : trees_)
+        sum += tree.leaf_count();
+    return sum;
+}
+
+std::size_t EmissionGuide::memory_bytes() const {
+    std::size_t bytes = trees_.size() * (sizeof(PrimaryTree) + sizeof(double) + sizeof(float));
+    for (const PrimaryTree& tree : trees_)
+        bytes += tree.memory_bytes();
+    return bytes;
+}
+
+std::size_t EmissionGuide::memory_bound_bytes(std::size_t lights,
+                                              const EmissionGuideSettings& settings) {
+    return lights * (sizeof(PrimaryTree) + sizeof(double) + sizeof(float) +
+                     PrimaryTree::memory_bound_bytes(tree_settings(lights, settings)));
+}
+
+}  // namespace aips

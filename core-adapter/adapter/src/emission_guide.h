@@ -1,0 +1,82 @@
+// Where photons start: a learned density over lights and their primary coordinates.
+//
+// Per light a PrimaryTree; light choice and coordinates together are one mixture of three
+// densities over (light, [0,1)^4): the plain one (by power, uniform), that of the seeds and the
+// learned one. The choice between lights falls out of the trees' masses.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "aips/adapter/scene.h"
+#include "aips/core/discrete_distribution.h"
+#include "aips/core/primary_tree.h"
+#include "second_moments.h"
+
+namespace aips {
+
+struct EmissionGuideSettings {
+    double plain_share = 0.15;  ///< defensive: weights of photons are at most 1 / this
+    double seed_share = 0.25;   ///< of densities found from the eye, until enough was learned
+    double learned_seed_share = 0.05;    ///< after that
+    std::uint32_t learned_scores = 256;  ///< scored photons that count as enough
+    std::uint32_t max_leaves = 8192;     ///< over all lights
+    double memory_paths = 4e6;           ///< photon paths whose scores count in full
+};
+
+/// Where one photon starts.
+struct EmissionStart {
+    LightIndex light = 0;
+    PrimaryPoint point{};
+    double pdf = 1;  ///< over lights and coordinates
+};
+
+/// What a photon path was worth.
+struct EmissionScore {
+    EmissionStart start;
+    double score = 0;  ///< square of its part in the image, at the power it carried
+    double cost = 0;   ///< in rays
+};
+
+/// Learns between iterations; const in between, when it may be used from many threads.
+class EmissionGuide {
+  public:
+    /// `plain_choice` chooses between `lights` by power and is not empty; it outlives this.
+    EmissionGuide(std::size_t lights, const DiscreteDistribution& plain_choice,
+                  const EmissionGuideSettings& settings = {});
+
+    /// Draws a start by u in [0, 1)^4 and u_light; the plain one if the guide is off.
+    EmissionStart sample(float u_light, const PrimaryPoint& u) const;
+
+    void add(const EmissionScore& score);
+    void add_seed(LightIndex light, const PrimaryPoint& point, double weight);
+    /// After `paths` further photon paths: forgets, splits, decides whether guiding pays, and sets
+    /// the density of the next iterations.
+    void update(double paths);
+
+    /// Whether sample() follows what was learned.
+    bool on() const { return on_; }
+    /// Plain second moment times cost over guided, on samples that did not shape the density.
+    double gain() const { return moments_.gain(); }
+    std::size_t leaf_count() const;
+    std::size_t memory_bytes() const;
+    static std::size_t memory_bound_bytes(std::size_t lights,
+                                          const EmissionGuideSettings& settings = {});
+
+  private:
+    double plain_pdf(LightIndex light) const { return double(plain_choice_->pdf(light)); }
+    double guided_pdf(const EmissionStart& start) const;
+    void set_densities();
+
+    const DiscreteDistribution* plain_choice_;
+    EmissionGuideSettings settings_;
+    std::vector<PrimaryTree> trees_;  // [light]
+    std::vector<double> seeds_;       // [light]: weight
+    DiscreteDistribution choice_;     // between lights, all three densities together
+    SecondMoments moments_;
+    std::uint64_t scored_ = 0;
+    bool learned_ = false;  // trees and choice hold anything
+    bool on_ = false;
+};
+
+}  // namespace aips

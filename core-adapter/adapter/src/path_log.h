@@ -1,0 +1,47 @@
+// What is remembered of photon paths that a guide learns from.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "aips/adapter/scene.h"
+#include "aips/core/primary_tree.h"
+
+namespace aips {
+
+/// A vertex where a photon went on: it had survived, and left by a direction drawn after that.
+struct PathVertex {
+    Vec3 position;
+    Vec3 normal;      ///< unit geometric normal, on the side that the photon arrived at
+    float power = 0;  ///< luminance of the arriving power, divided by the survival probability
+    std::uint32_t rays = 0;   ///< that the path had traced up to here
+    std::uint32_t depth = 0;  ///< surfaces met, this one included
+};
+
+/// A path as a whole. Indices are into the log's vertices and the landing store beside it.
+struct PathRecord {
+    LightIndex light = kNoLight;
+    PrimaryPoint start{};
+    double pdf = 0;  ///< of light and start, over all lights' primary coordinates
+    std::uint32_t rays = 0;
+    std::uint32_t first_vertex = 0, vertices = 0;
+    std::uint32_t first_landing = 0, landings = 0;
+};
+
+/// Paths in their order.
+struct PathLog {
+    std::vector<PathRecord> paths;
+    std::vector<PathVertex> vertices;
+
+    void clear() {
+        paths.clear();
+        vertices.clear();
+    }
+    /// Appends `other`, whose landings follow on `landings` others.
+    void append(const PathLog& other, std::uint32_t landings);
+    std::size_t memory_bytes() const {
+        return paths.capacity() * sizeof(PathRecord) + vertices.capacity() * sizeof(PathVertex);
+    }
+};
+
+}  // namespace aips

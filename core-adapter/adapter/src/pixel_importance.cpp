@@ -1,0 +1,112 @@
+// The running estimate of pixels' luminance.
+#include "pixel_importance.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace aips {
+namespace {
+
+/// Half width of the box that is blurred over, pixels: in the first passes, when photons are few, a
+/// wide one.
+constexpr int kFirstBlur = 12, kLastBlur = 2;
+/// Pixels darker than this share of the mean weigh no more than at it.
+constexpr double kDarkest = 0.02;
+
+/// Sums of sliding windows along a line of `count` values, `stride` apart, of ratios' parts.
+void sum_windows(const float* from, float* to, int count, std::ptrdiff_t stride, int radius) {
+    double sum = 0;
+    for (int i = -radius; i < count; ++i) {
+        if (i + radius < count) sum += double(from[(i + radius) * stride]);
+        if (i - radius - 1 >= 0) sum -= double(from[(i - radius - 1) * stride]);
+        if (i >= 0) to[i * stride] = float(std::max(sum, 0.0));
+    }
+}
+
+/// 1 / L^2 within the floats: their squares' range is wider.
+float inverse_square(double squared_luminance) {
+    using Limits = std::numeric_limits<float>;
+    return float(std::clamp(1 / squared_luminance, double(Limits::min()), double(Limits::max())));
+}
+
+/// Of what the eye pass saw by itself.
+double mean_luminance(const EyeImage& image) {
+    double sum = 0;
+    for (const Rgb& radiance : image.radiance)
+        sum += double(luminance(radiance));
+    return image.positions.empty() ? 0 : sum / double(image.positions.size());
+}
+
+}  // namespace
+
+PixelImportance::PixelImportance(std::uint32_t width, std::uint32_t height)
+    : width_(width), height_(height) {
+    const std::size_t pixels = std::size_t{width} * height;
+    for (std::vector<float>* values : {&sum_, &count_, &blurred_, &column_})
+        values->assign(pixels, 0.0f);
+}
+
+std::size_t PixelImportance::pixel(Vec2 position) const {
+    const auto clamped = [](float x, std::uint32_t size) {
+        return static_cast<std::size_t>(std::clamp(x, 0.0f, float(size - 1)));
+    };
+    return clamped(position.y, height_) * width_ + clamped(position.x, width_);
+}
+
+void PixelImportance::add_pass(const EyeImage& image, std::span<const Rgb> radiance) {
+    double total = 0, paths = 0;
+    for (std::size_t i = 0; i < image.positions.size(); ++i) {
+        float value = 0;
+        for (std::uint32_t g = 0; g < image.groups; ++g)
+            value += luminance(radiance[i * image.groups + g]);
+        const std::size_t at = pixel(image.positions[i]);
+        sum_[at] += value;
+        count_[at] += 1;
+    }
+    for (std::size_t i = 0; i < sum_.size(); ++i) {
+        total += double(sum_[i]);
+        paths += double(count_[i]);
+    }
+    mean_ = paths > 0 ? total / paths : 0;
+    blur();
+}
+
+void PixelImportance::blur() {
+    const int radius = std::max(kLastBlur, int(kFirstBlur / std::sqrt(double(++passes_))));
+    const auto box = [&](const std::vector<float>& from, std::vector<float>& to) {
+        for (std::uint32_t y = 0; y < height_; ++y)
+            sum_windows(&from[std::size_t{y} * width_], &column_[std::size_t{y} * width_],
+                        int(width_), 1, radius);
+        for (std::uint32_t x = 0; x < width_; ++x)
+            sum_windows(&column_[x], &to[x], int(height_), std::ptrdiff_t(width_), radius);
+    };
+    std::vector<float> counts(count_.size());
+    box(count_, counts);
+    box(sum_, blurred_);
+    for (std::size_t i = 0; i < counts.size(); ++i)
+        blurred_[i] = counts[i] > 0 ? blurred_[i] / counts[i] : 0;
+}
+
+void PixelImportance::weigh(const EyeImage& image, std::vector<float>& weights) const {
+    const double mean = mean_ > 0 ? mean_ : mean_luminance(image);
+    const double least = kDarkest * mean;
+    weights.assign(image.visible_points.size(), mean > 0 ? inverse_square(mean * mean) : 1.0f);
+    if (!(mean_ > 0)) return;
+    for (std::size_t i = 0; i < weights.size(); ++i) {
+        const Vec2 position = image.positions[image.visible_points[i].sample];
+        const double value = double(blurred_[pixel(position)]);
+        weights[i] = inverse_square(value * value + least * least);
+    }
+}
+
+std::size_t PixelImportance::memory_bytes() const {
+    return (sum_.capacity() + count_.capacity() + blurred_.capacity() + column_.capacity()) *
+           sizeof(float);
+}
+
+std::size_t PixelImportance::memory_bound_bytes(std::size_t pixels, std::size_t eye_paths) {
+    return (5 * pixels + eye_paths) * sizeof(float);
+}
+
+}  // namespace aips

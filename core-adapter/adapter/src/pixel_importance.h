@@ -1,0 +1,40 @@
+// How much an error weighs in each pixel: 1 / (L^2 + eps), L being the pixel's luminance so far.
+//
+// A guide that minimises the relative squared error divides by L^2. The running estimate is
+// blurred, as single pixels are noisy for long; it only steers sampling, so that any error in it
+// costs variance and not truth.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "eye_pass.h"
+
+namespace aips {
+
+class PixelImportance {
+  public:
+    PixelImportance(std::uint32_t width, std::uint32_t height);
+
+    /// Adds the radiance of a pass, one entry per eye path and light group.
+    void add_pass(const EyeImage& image, std::span<const Rgb> radiance);
+
+    /// [visible point]: weight of a squared error of luminance there. Before the first pass all are
+    /// the same, by the mean of what the eye pass saw.
+    void weigh(const EyeImage& image, std::vector<float>& weights) const;
+
+    std::size_t memory_bytes() const;
+    static std::size_t memory_bound_bytes(std::size_t pixels, std::size_t eye_paths);
+
+  private:
+    std::size_t pixel(Vec2 position) const;
+    void blur();
+
+    std::uint32_t width_, height_;
+    std::vector<float> sum_, count_;       // [pixel]
+    std::vector<float> blurred_, column_;  // [pixel]: mean luminance; scratch
+    double mean_ = 0;
+    std::uint32_t passes_ = 0;
+};
+
+}  // namespace aips

@@ -41,9 +41,8 @@ TEST_P(Determinism, SeedsDiffer) {
     EXPECT_NE(image_with(2, GetParam(), 11), image_with(2, GetParam(), 12));
 }
 
-INSTANTIATE_TEST_SUITE_P(Guides, Determinism, testing::Values(GuideKind::None, GuideKind::Paper),
-                         [](const auto& test) {
-                             return test.param == GuideKind::None ? "none" : "paper";
-                         });
+INSTANTIATE_TEST_SUITE_P(Guides, Determinism,
+                         testing::Values(GuideKind::None, GuideKind::Paper, GuideKind::Adaptive),
+                         [](const auto& test) { return mock::name(test.param); });
 
 }  // namespace

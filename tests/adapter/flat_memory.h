@@ -9,10 +9,10 @@
 
 namespace mock {
 
-/// Expects of 30 passes that the memory after the last is within the bound stated at the start and
-/// at most 2 % above that after the sixth. Returns the statistics after the last.
+/// Expects that after `settled` passes and 24 more memory is within the bound stated at the start,
+/// and that the 24 add at most 2 %. Returns the statistics after the last.
 aips::EngineStatistics expect_flat_memory(const Scene& scene, const Camera& camera,
                                           std::uint32_t width, std::uint32_t height,
-                                          const aips::Settings& settings);
+                                          const aips::Settings& settings, unsigned settled = 6);
 
 }  // namespace mock

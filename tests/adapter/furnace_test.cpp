@@ -50,11 +50,14 @@ TEST(Furnace, PhotonsAlone) {
     EXPECT_NEAR(measured(scene, settings, 20), furnace_radiance(8), 0.01 * furnace_radiance(8));
 }
 
-TEST(Furnace, PaperGuide) {
+TEST(Furnace, Guides) {
     const mock::Scene scene = furnace({});
-    Settings settings = mock::small_settings(3, 40000);
-    settings.guide = GuideKind::Paper;
-    EXPECT_NEAR(measured(scene, settings, 20), furnace_radiance(8), 0.01 * furnace_radiance(8));
+    for (const GuideKind guide : {GuideKind::Paper, GuideKind::Adaptive}) {
+        Settings settings = mock::small_settings(3, 40000);
+        settings.guide = guide;
+        EXPECT_NEAR(measured(scene, settings, 20), furnace_radiance(8), 0.01 * furnace_radiance(8))
+            << mock::name(guide);
+    }
 }
 
 TEST(Furnace, AdaptiveChains) {
@@ -70,7 +73,7 @@ TEST(Furnace, AdaptiveChains) {
 TEST(Furnace, FrozenEyePass) {
     const mock::Scene scene = furnace({});
     for (const Mode mode : {Mode::PhotonMap, Mode::Ppm}) {
-        for (const GuideKind guide : {GuideKind::None, GuideKind::Paper}) {
+        for (const GuideKind guide : {GuideKind::None, GuideKind::Paper, GuideKind::Adaptive}) {
             Settings settings = mock::small_settings(4, 40000);
             settings.mode = mode;
             settings.alpha = 0.7;
@@ -97,7 +100,7 @@ TEST(Furnace, DiffuseUnderMirror) {
     wall.reflectance = {0.25f, 0.25f, 0.25f};
     wall.specular = {0.25f, 0.25f, 0.25f};
     const mock::Scene scene = furnace(wall);
-    for (const GuideKind guide : {GuideKind::None, GuideKind::Paper}) {
+    for (const GuideKind guide : {GuideKind::None, GuideKind::Paper, GuideKind::Adaptive}) {
         Settings settings = mock::small_settings(6, 40000);
         settings.guide = guide;
         settings.max_eye_depth = 32;

@@ -28,6 +28,11 @@ std::vector<float> radii(const Scene& scene, const Settings& settings, unsigned 
     return result;
 }
 
+std::string name(GuideKind guide) {
+    if (guide == GuideKind::None) return "none";
+    return guide == GuideKind::Paper ? "paper" : "adaptive";
+}
+
 std::vector<double> luminances(const Film& film) {
     std::vector<double> values;
     for (const Rgb& pixel : film.image())

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
 #include <vector>
 
 #include "aips/adapter/engine.h"
@@ -23,6 +24,9 @@ Rendering render(const Scene& scene, const Camera& camera, std::uint32_t width,
 
 /// Radii of the first `passes` passes of `scene` onto an image of 16 x 16.
 std::vector<float> radii(const Scene& scene, const aips::Settings& settings, unsigned passes);
+
+/// "none", "paper" or "adaptive".
+std::string name(aips::GuideKind guide);
 
 /// Luminance of every pixel, row by row.
 std::vector<double> luminances(const Film& film);

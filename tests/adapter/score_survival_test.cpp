@@ -1,0 +1,83 @@
+// Protects roulette by score: the probability that makes second moment times cost least, within
+// [0, 1], and none where nothing is known.
+#include "score_survival.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace {
+
+using namespace aips;
+
+constexpr Vec3 kFloor{0.5f, 0.5f, 0}, kUp{0, 0, 1};
+
+/// A cache that knows one mean score and cost for all vertices.
+ScoreCache cache_of(double score, double cost) {
+    ScoreCache cache(Bounds{{0, 0, 0}, {1, 1, 1}});
+    for (int i = 0; i < 100; ++i)
+        cache.add({kFloor, kUp, score, cost});
+    cache.update(100);
+    return cache;
+}
+
+TEST(ScoreSurvival, PowerTimesTheRootOfScoreOverCost) {
+    const ScoreCache cache = cache_of(0.5, 8);
+    ScoreSurvival survival(cache);
+    survival.set_reference(4);
+    for (const float power : {0.25f, 0.5f, 1.5f}) {
+        const auto probability = survival.probability(kFloor, kUp, power);
+        ASSERT_TRUE(probability);
+        EXPECT_NEAR(*probability, power * std::sqrt(0.5 / 8 * 4), 1e-5);
+    }
+}
+
+TEST(ScoreSurvival, StaysWithinZeroAndOne) {
+    const ScoreCache worthy = cache_of(100, 1), worthless = cache_of(0, 1);
+    ScoreSurvival high(worthy), low(worthless);
+    high.set_reference(4);
+    low.set_reference(4);
+    EXPECT_EQ(high.probability(kFloor, kUp, 1), 1.0f);
+    EXPECT_EQ(high.probability(kFloor, kUp, 1e30f), 1.0f);
+    EXPECT_EQ(high.probability(kFloor, kUp, 0), 0.0f);
+    EXPECT_EQ(low.probability(kFloor, kUp, 1), 0.0f);  // known to be worth nothing
+}
+
+TEST(ScoreSurvival, NothingWhereNothingIsKnown) {
+    const ScoreCache cache = cache_of(0.5, 8);
+    ScoreSurvival survival(cache);
+    EXPECT_FALSE(survival.probability(kFloor, kUp, 1)) << "without a reference";
+    survival.set_reference(4);
+    EXPECT_TRUE(survival.probability(kFloor, kUp, 1));
+    survival.set_reference(0);
+    EXPECT_FALSE(survival.probability(kFloor, kUp, 1));
+    const ScoreCache unlearned(Bounds{{0, 0, 0}, {1, 1, 1}});
+    ScoreSurvival blank(unlearned);
+    blank.set_reference(4);
+    EXPECT_FALSE(blank.probability(kFloor, kUp, 1));
+    const ScoreCache costless = cache_of(0.5, 0);
+    ScoreSurvival of_costless(costless);
+    of_costless.set_reference(4);
+    EXPECT_FALSE(of_costless.probability(kFloor, kUp, 1));
+}
+
+/// A path of second moment A + q P^2 / s and cost B + c s: with its own whole cost over score for
+/// a reference, the probability is where the product is least.
+TEST(ScoreSurvival, ProductOfSecondMomentAndCostIsLeast) {
+    constexpr double kScore = 2, kCost = 3, kPower = 0.7, kOtherScore = 12, kOtherCost = 9;
+    const auto moment = [&](double s) { return kOtherScore + kScore * kPower * kPower / s; };
+    const auto cost = [&](double s) { return kOtherCost + kCost * s; };
+    const ScoreCache cache = cache_of(kScore, kCost);
+    ScoreSurvival survival(cache);
+    double s = 1;
+    for (int i = 0; i < 100; ++i) {
+        survival.set_reference(cost(s) / moment(s));
+        s = double(survival.probability(kFloor, kUp, float(kPower)).value());
+    }
+    // The product's derivative by s is zero where s^2 = P^2 q B / (c A).
+    EXPECT_NEAR(s, kPower * std::sqrt(kScore * kOtherCost / (kCost * kOtherScore)), 1e-4);
+    for (const double other : {0.8 * s, 0.95 * s, 1.05 * s, 1.25 * s})
+        EXPECT_GT(moment(other) * cost(other), moment(s) * cost(s)) << other << " beside " << s;
+}
+
+}  // namespace

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <memory>
 #include <system_error>
 
 #include "lxs/host/failure.h"
@@ -16,19 +17,34 @@ namespace {
 
 namespace fs = std::filesystem;
 constexpr std::array kChannels{"R", "G", "B"};
+constexpr const char* kMapChannel = "Y";
 
 std::string channel_name(const std::string& layer, const char* channel) {
     return layer.empty() ? channel : layer + '.' + channel;
 }
 
+std::vector<std::string> channel_names(const NamedLayer& layer) {
+    if (layer.image.nchannels() == 1) return {channel_name(layer.name, kMapChannel)};
+    std::vector<std::string> names;
+    names.reserve(kChannels.size());
+    for (const char* channel : kChannels)
+        names.push_back(channel_name(layer.name, channel));
+    return names;
+}
+
+std::unique_ptr<OIIO::ImageInput> open_image(const fs::path& file) {
+    // Not by ImageBuf: its cache knows a file by name and second, and takes the layout of the file
+    // that was there before for the new one's.
+    auto input = OIIO::ImageInput::open(file.string());
+    if (!input)
+        throw StudyError(fmt::format("cannot read '{}': {}", file.string(), OIIO::geterror()));
+    return input;
+}
+
 }  // namespace
 
 std::optional<Image> read_layer(const fs::path& file, const std::string& layer) {
-    // Not by ImageBuf: its cache knows a file by name and second, and takes the layout of the file
-    // that was there before for the new one's.
-    const auto input = OIIO::ImageInput::open(file.string());
-    if (!input)
-        throw StudyError(fmt::format("cannot read '{}': {}", file.string(), OIIO::geterror()));
+    const auto input = open_image(file);
     const OIIO::ImageSpec& spec = input->spec();
     std::array<int, kChannels.size()> order{};
     for (std::size_t i = 0; i < kChannels.size(); ++i) {
@@ -43,6 +59,18 @@ std::optional<Image> read_layer(const fs::path& file, const std::string& layer) 
     return OIIO::ImageBufAlgo::channels(whole, int(order.size()), order, {}, names);
 }
 
+std::optional<PixelMap> read_map(const fs::path& file, const std::string& layer) {
+    const auto input = open_image(file);
+    const OIIO::ImageSpec& spec = input->spec();
+    const int channel = spec.channelindex(channel_name(layer, kMapChannel));
+    if (channel < 0) return std::nullopt;
+    PixelMap map{spec.width, spec.height, {}};
+    map.values.resize(spec.image_pixels());
+    if (!input->read_image(0, 0, channel, channel + 1, OIIO::TypeDesc::DOUBLE, map.values.data()))
+        throw StudyError(fmt::format("cannot read '{}': {}", file.string(), input->geterror()));
+    return map;
+}
+
 Image read_image(const fs::path& file) {
     auto image = read_layer(file, "");
     if (!image) {
@@ -54,10 +82,7 @@ Image read_image(const fs::path& file) {
 void write_layers(const fs::path& file, const std::vector<NamedLayer>& layers) {
     Image all;
     for (const NamedLayer& layer : layers) {
-        std::vector<std::string> names;
-        names.reserve(kChannels.size());
-        for (const char* channel : kChannels)
-            names.push_back(channel_name(layer.name, channel));
+        const std::vector<std::string> names = channel_names(layer);
         const Image named =
             OIIO::ImageBufAlgo::channels(layer.image, int(names.size()), {}, {}, names);
         all = all.initialized() ? OIIO::ImageBufAlgo::channel_append(all, named) : named;

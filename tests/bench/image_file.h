@@ -6,6 +6,7 @@
 #include <string>
 
 #include "error_metrics.h"
+#include "pixel_map.h"
 
 namespace bench {
 
@@ -16,12 +17,17 @@ inline constexpr const char* kPhotonLayer = "photons";
 /// Throws StudyError if the file can't be read or the image itself (layer "") is missing.
 std::optional<Image> read_layer(const std::filesystem::path& file, const std::string& layer);
 
+/// Channel LAYER.Y, a layer of one number for each pixel; nothing if the file has no such layer.
+/// Throws StudyError if the file can't be read.
+std::optional<PixelMap> read_map(const std::filesystem::path& file, const std::string& layer);
+
 /// The image itself.
 Image read_image(const std::filesystem::path& file);
 
 /// A layer to be written.
 struct NamedLayer {
     std::string name;  ///< "" for the image itself
+    /// Three channels, or one that becomes NAME.Y.
     Image image;
 };
 

@@ -1,4 +1,4 @@
-// Pixel maps from images on disk, and as pictures.
+// Pixel maps from images, and as pictures.
 #include "map_picture.h"
 
 #include <OpenImageIO/imagebufalgo.h>
@@ -12,43 +12,17 @@
 #include "study_file.h"
 
 namespace bench {
-namespace {
 
-namespace fs = std::filesystem;
-namespace algo = OIIO::ImageBufAlgo;
-
-PixelMap map_of(const Image& one_channel) {
-    PixelMap map{one_channel.spec().width, one_channel.spec().height, {}};
-    map.values.resize(one_channel.spec().image_pixels());
-    one_channel.get_pixels(one_channel.roi(), OIIO::TypeDesc::DOUBLE, map.values.data());
+PixelMap luminance_map(const Image& image) {
+    const Image luminance =
+        OIIO::ImageBufAlgo::channel_sum(image, std::array{0.2126f, 0.7152f, 0.0722f});
+    PixelMap map{luminance.spec().width, luminance.spec().height, {}};
+    map.values.resize(luminance.spec().image_pixels());
+    luminance.get_pixels(luminance.roi(), OIIO::TypeDesc::DOUBLE, map.values.data());
     return map;
 }
 
-}  // namespace
-
-std::optional<PixelMap> read_map(const fs::path& file, const std::string& layer) {
-    Image whole(file.string());
-    if (!whole.read(0, 0, true, OIIO::TypeDesc::FLOAT)) {
-        throw StudyError(fmt::format("cannot read '{}': {}", file.string(), whole.geterror()));
-    }
-    const int channel = whole.spec().channelindex(layer + ".Y");
-    if (channel < 0) return std::nullopt;
-    return map_of(algo::channels(whole, 1, std::array{channel}));
-}
-
-PixelMap luminance_map(const Image& image) {
-    return map_of(algo::channel_sum(image, std::array{0.2126f, 0.7152f, 0.0722f}));
-}
-
-double quantile(const PixelMap& map, double share) {
-    std::vector<double> values = map.values;
-    const auto last = double(values.size() - 1);
-    const auto middle = values.begin() + std::ptrdiff_t(std::clamp(share, 0.0, 1.0) * last);
-    std::nth_element(values.begin(), middle, values.end());
-    return *middle;
-}
-
-void write_picture(const fs::path& file, const PixelMap& map, double white) {
+void write_picture(const std::filesystem::path& file, const PixelMap& map, double white) {
     constexpr double kGamma = 2.2;
     std::vector<float> grey(map.values.size());
     for (std::size_t i = 0; i < grey.size(); ++i) {

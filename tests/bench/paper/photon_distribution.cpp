@@ -202,8 +202,9 @@ Json photon_distribution(const DistributionInput& input) {
     const std::string unguided_name = input.experiment.cases.front().against;
     const SceneMaps maps = scene_maps(input, unguided_name);
     const SeedStages unguided = all_stages(input, unguided_name, maps.block_px);
-    const double white =
-        unguided.front().empty() ? 0 : quantile(unguided.front().back().density, kWhiteQuantile);
+    const double white = unguided.front().empty()
+                             ? 0
+                             : quantile(unguided.front().back().density.values, kWhiteQuantile);
     Json rows = Json::array();
     for (const PaperCase& one : input.experiment.cases) {
         const bool is_unguided = one.name == unguided_name;

@@ -4,6 +4,7 @@
 #include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imageio.h>
 #include <OpenImageIO/strutil.h>
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
@@ -46,17 +47,20 @@ DisplayImage draw(const Crop& crop, const Value& value) {
 
 }  // namespace
 
-Rgb8 error_colour(double value) {
-    const double clamped = std::isnan(value) ? 0 : std::clamp(value, -1.0, 1.0);
-    const double position = (clamped + 1) / 2 * double(kErrorColours.size() - 1);
-    const auto index = std::min(std::size_t(position), kErrorColours.size() - 2);
-    const double share = position - double(index);
+Rgb8 palette_colour(std::span<const Rgb8> palette, double position) {
+    const double at = std::clamp(position, 0.0, 1.0) * double(palette.size() - 1);
+    const auto index = std::min(std::size_t(at), palette.size() - 2);
+    const double share = at - double(index);
     Rgb8 colour{};
     for (std::size_t i = 0; i < colour.size(); ++i) {
-        colour[i] = std::uint8_t(std::lround((1 - share) * kErrorColours[index][i] +
-                                             share * kErrorColours[index + 1][i]));
+        colour[i] = std::uint8_t(
+            std::lround((1 - share) * palette[index][i] + share * palette[index + 1][i]));
     }
     return colour;
+}
+
+Rgb8 error_colour(double value) {
+    return palette_colour(kErrorColours, std::isnan(value) ? 0.5 : (value + 1) / 2);
 }
 
 double automatic_exposure(const Image& image) {
@@ -103,6 +107,14 @@ std::vector<float> relative_difference(const Image& image, const Image& first, c
         }
     }
     return differences;
+}
+
+std::vector<std::string> colour_names(std::span<const Rgb8> palette) {
+    std::vector<std::string> names;
+    names.reserve(palette.size());
+    for (const auto& [red, green, blue] : palette)
+        names.push_back(fmt::format("#{:02x}{:02x}{:02x}", red, green, blue));
+    return names;
 }
 
 std::string png_data_uri(const DisplayImage& image) {

@@ -36,6 +36,13 @@ inline constexpr std::array<Rgb8, 9> kErrorColours{{{5, 48, 97},
                                                     {178, 24, 43},
                                                     {103, 0, 31}}};
 
+/// Between the palette's colours (two or more), from the first at 0 to the last at 1; `position` is
+/// a number, and clamped.
+Rgb8 palette_colour(std::span<const Rgb8> palette, double position);
+
+/// As "#rrggbb".
+std::vector<std::string> colour_names(std::span<const Rgb8> palette);
+
 /// Between those colours; `value` is clamped to -1..1, and is 0 if it isn't a number.
 Rgb8 error_colour(double value);
 

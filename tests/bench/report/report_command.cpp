@@ -6,8 +6,10 @@
 #include <algorithm>
 #include <span>
 
+#include "display_image.h"
 #include "lxs/host/failure.h"
 #include "lxs/imaging/atomic_file.h"
+#include "photon_strips.h"
 #include "report_curves.h"
 #include "report_images.h"
 #include "report_page.h"
@@ -18,8 +20,8 @@ namespace {
 
 namespace fs = std::filesystem;
 constexpr std::size_t kMemoryPoints = 50;
-/// What a page may take, and what is left to its pictures at least.
-constexpr double kPageBytes = 9e6, kLeastPictureBytes = 1.5e6;
+/// What a page may take, what is left to its crops at least, and what photon pictures may take.
+constexpr double kPageBytes = 9e6, kLeastPictureBytes = 1.5e6, kMostStripBytes = 3e6;
 
 Json finished(const Json& runs) {
     Json done = Json::array();
@@ -38,13 +40,12 @@ Json failures(const Json& runs) {
     return failed;
 }
 
-/// Those of whole images, with what the page shows of them.
-Json image_comparisons(const Json& comparisons) {
+/// What the page shows of them.
+Json comparison_facts(const Json& comparisons) {
     Json shown = Json::array();
     for (const Json& entry : comparisons) {
-        if (entry.at("part") != "image") continue;
         Json facts;
-        for (const char* key : {"scene", "variant", "method", "clock", "budget_s", "metric",
+        for (const char* key : {"scene", "variant", "method", "clock", "budget_s", "part", "metric",
                                 "ratio", "low", "high", "seeds"})
             facts[key] = entry.at(key);
         shown.push_back(std::move(facts));
@@ -109,14 +110,18 @@ Json report_data(const fs::path& study_folder, const Json& summary, ReferenceCac
     for (const char* key :
          {"created", "revisions", "machine", "study", "scenes", "methods", "seed_statistics"})
         data[key] = summary.at(key);
-    data["comparisons"] = image_comparisons(summary.at("comparisons"));
+    data["comparisons"] = comparison_facts(summary.at("comparisons"));
     data["curves"] = report_curves(done, study);
     data["speedups"] = report_speedups(done, study);
-    data["error_palette"] = error_palette();
+    data["error_palette"] = colour_names(kErrorColours);
     data["runs"] = run_facts(done);
     data["failures"] = failures(summary.at("runs"));
     shorten_numbers(data);
-    const double left = kPageBytes - double(script_safe_json(data).size());
+    double left = kPageBytes - double(script_safe_json(data).size());
+    const double strips = std::clamp(left - kLeastPictureBytes, 0.0, kMostStripBytes);
+    data["photon_strips"] = report_photon_strips(study_folder, done, study, strips);
+    shorten_numbers(data["photon_strips"]);
+    left -= double(data["photon_strips"].dump().size());
     data["images"] =
         report_images(study_folder, done, study, references, std::max(left, kLeastPictureBytes));
     shorten_numbers(data["images"]);

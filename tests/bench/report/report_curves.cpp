@@ -19,16 +19,16 @@ struct SeedCurve {
 
 /// What a curve shows.
 struct Figure {
-    std::string clock, metric;
+    std::string part, clock, metric;
 };
 
 std::vector<CurvePoint> curve_of(const Json& run, const Figure& figure) {
     std::vector<CurvePoint> points;
     for (const Json& snapshot : run.at("snapshots")) {
         const Json& error = snapshot.at("error");
-        if (error.is_null() || error.at("image").is_null()) continue;
-        points.push_back(
-            {snapshot.at(figure.clock + "_s"), error.at("image").at(figure.metric).get<double>()});
+        if (error.is_null() || error.at(figure.part).is_null()) continue;
+        points.push_back({snapshot.at(figure.clock + "_s"),
+                          error.at(figure.part).at(figure.metric).get<double>()});
     }
     return points;
 }
@@ -45,26 +45,33 @@ std::vector<SeedCurve> curves_of(const Json& runs, const Json& study, const RunG
     return curves;
 }
 
+std::vector<Figure> figures_of(const Json& study) {
+    std::vector<Figure> figures;
+    for (const char* part : kReportParts) {
+        for (const std::string& clock : clocks_of(study)) {
+            for (const char* metric : kReportMetrics)
+                figures.push_back({part, clock, metric});
+        }
+    }
+    return figures;
+}
+
 template <class Action>
 void for_each_curve(const Json& study, const Action& action) {
+    const std::vector<Figure> figures = figures_of(study);
     for (const Json& scene : study.at("scenes")) {
         for (const Json& variant : study.at("variants")) {
             for (const Json& method : study.at("methods")) {
-                for (const std::string& clock : clocks_of(study)) {
-                    for (const char* metric : kReportMetrics)
-                        action(RunGroup{scene, method, variant}, Figure{clock, metric});
-                }
+                for (const Figure& figure : figures)
+                    action(RunGroup{scene, method, variant}, figure);
             }
         }
     }
 }
 
 Json entry_of(const RunGroup& group, const Figure& figure) {
-    return {{"scene", group.scene},
-            {"variant", group.variant},
-            {"method", group.method},
-            {"clock", figure.clock},
-            {"metric", figure.metric}};
+    return {{"scene", group.scene}, {"variant", group.variant}, {"method", group.method},
+            {"part", figure.part},  {"clock", figure.clock},    {"metric", figure.metric}};
 }
 
 /// Half the smallest budget and the budgets: about where every run took snapshots.

@@ -2,7 +2,6 @@
 #include "report_images.h"
 
 #include <OpenImageIO/imagebufalgo.h>
-#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
@@ -171,13 +170,6 @@ Json report_images(const fs::path& folder, const Json& runs, const Json& study,
         list.push_back(scene_entry(scene, tiles, references, moment, size));
     }
     return list;
-}
-
-Json error_palette() {
-    Json colours = Json::array();
-    for (const auto& [red, green, blue] : kErrorColours)
-        colours.push_back(fmt::format("#{:02x}{:02x}{:02x}", red, green, blue));
-    return colours;
 }
 
 }  // namespace bench

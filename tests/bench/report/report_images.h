@@ -17,7 +17,4 @@ namespace bench {
 Json report_images(const std::filesystem::path& folder, const Json& runs, const Json& study,
                    ReferenceCache& references, double bytes);
 
-/// The colours of signed errors as "#rrggbb", from -1 to 1.
-Json error_palette();
-
 }  // namespace bench

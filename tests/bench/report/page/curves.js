@@ -1,7 +1,7 @@
 // Error over time in logarithmic axes, with fitted slopes.
 import * as Plot from "@observablehq/plot";
 import { element, section } from "./dom.js";
-import { clockNames, metricNames, variantNames } from "./looks.js";
+import { clockNames, metricNames, ofPart, partNames, variantNames } from "./looks.js";
 import { logTick, logTicks, slope } from "./numbers.js";
 import { methodKey } from "./ratios.js";
 
@@ -75,8 +75,10 @@ function slopeTable({ study, looks }, byVariant) {
 function sceneCurves(context, scene) {
   const { data, study, chosen } = context;
   const curves = data.curves.filter((curve) =>
-    curve.scene === scene && curve.clock === chosen.clock && curve.metric === chosen.metric);
-  if (curves.length === 0) return element("p", { class: "missing" }, `${scene}: no errors; the scene has no references.`);
+    curve.scene === scene && curve.part === chosen.part && curve.clock === chosen.clock && curve.metric === chosen.metric);
+  if (curves.length === 0) return element("p", { class: "missing" }, chosen.part === "image"
+    ? `${scene}: no errors; the scene has no references.`
+    : `${scene}: no errors of the ${partNames[chosen.part]}; images or references lack its layer.`);
   const { seeds, means } = points(curves);
   // What came before the first common time would take most of the room.
   const start = Math.min(...(means.length ? means : seeds).map((p) => p.seconds));
@@ -87,7 +89,7 @@ function sceneCurves(context, scene) {
     element("h3", null, scene),
     element("div", { class: "pair" }, study.variants.map((variant) =>
       element("figure", { class: "curve-plot", "data-variant": variant },
-        element("figcaption", null, `${variantNames[variant]}: ${metricNames[chosen.metric]} over time`),
+        element("figcaption", null, `${variantNames[variant]}: ${metricNames[chosen.metric]} over time${ofPart(context)}`),
         curvePlot(context, byVariant.get(variant), domains)))),
     slopeTable(context, byVariant));
 }

@@ -21,6 +21,9 @@ export function methodLooks(study) {
 
 export const metricNames = { relmse: "relMSE", mse: "MSE", relmse_rest: "relMSE without worst 0.1 %" };
 export const clockNames = { cpu: "CPU seconds", wall: "wall-clock seconds" };
+export const partNames = { image: "whole image", photons: "photon part" };
+/** Says in a caption what part the figures are of, where there is a choice. */
+export const ofPart = ({ parts, chosen }) => parts.length > 1 ? `, ${partNames[chosen.part]}` : "";
 export const variantNames = { fixed: "Fixed radius", shipped: "As shipped" };
 export const variantMeanings = {
   fixed: "one radius for all methods: they differ by their sampling alone",

@@ -1,8 +1,10 @@
 // The report's page: a study's data, drawn.
+import { biasSection } from "./bias.js";
 import { curveSection } from "./curves.js";
 import { choice, element } from "./dom.js";
-import { clockNames, methodLooks, metricNames } from "./looks.js";
+import { clockNames, methodLooks, metricNames, partNames } from "./looks.js";
 import { failureNote, notesSection } from "./notes.js";
+import { photonSection } from "./photon_strips.js";
 import { pictureSection } from "./pictures.js";
 import { ratioSection } from "./ratios.js";
 import { memorySection, phaseSection } from "./resources.js";
@@ -12,10 +14,12 @@ import { titleBlock } from "./title.js";
 const data = JSON.parse(document.getElementById("report-data").textContent);
 const study = data.study;
 const clocks = study.clock === "both" ? ["cpu", "wall"] : [study.clock];
+const parts = Object.keys(partNames).filter((part) =>
+  part === "image" || data.comparisons.some((entry) => entry.part === part) || data.seed_statistics.some((entry) => entry[part]));
 
 /** What the reader chose; everything is drawn from it anew. */
-const chosen = { clock: clocks[0], budget: study.budgets_s.at(-1), metric: "relmse" };
-const context = { data, study, chosen, looks: methodLooks(study) };
+const chosen = { clock: clocks[0], budget: study.budgets_s.at(-1), metric: "relmse", part: "image" };
+const context = { data, study, chosen, parts, looks: methodLooks(study) };
 
 function choose(name, value) {
   chosen[name] = value;
@@ -30,12 +34,17 @@ function controls() {
       ? choice("Clock", clocks.map((value) => ({ value, text: clockNames[value] })), chosen.clock,
         (value) => choose("clock", value))
       : null,
+    parts.length > 1
+      ? choice("Part", parts.map((value) => ({ value, text: partNames[value] })), chosen.part,
+        (value) => choose("part", value))
+      : null,
     choice("Curves", Object.entries(metricNames).map(([value, text]) => ({ value, text })), chosen.metric,
       (value) => choose("metric", value)));
 }
 
 // Pictures stay as they are: they show one moment, and keep what their viewers show.
 const pictures = pictureSection(context);
+const photons = photonSection(context);
 
 function draw() {
   const top = window.scrollY;
@@ -45,7 +54,9 @@ function draw() {
     failureNote(context),
     ratioSection(context),
     curveSection(context),
+    biasSection(context),
     pictures,
+    photons,
     speedupSection(context),
     memorySection(context),
     phaseSection(context),

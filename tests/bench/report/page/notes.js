@@ -32,6 +32,8 @@ const definitions = [
   ["relMSE", "mean over pixels and R, G, B of (I \u2212 R\u2081)(I \u2212 R\u2082) / (R\u2081 R\u2082 + \u03b5); R\u2081 and R\u2082 are independent references, so that their own noise cancels; \u03b5 = (1 % of the mean luminance)\u00b2. Nothing is trimmed: a few bright pixels can carry most of it."],
   ["MSE", "mean of (I \u2212 R\u2081)(I \u2212 R\u2082), in radiance\u00b2."],
   ["relMSE without worst 0.1 %", "the same without the worst thousandth of the pixels: less noisy, but blind to fireflies."],
+  ["Bias\u00b2, variance", "bias\u00b2: mean of (M \u2212 R\u2081)(M \u2212 R\u2082) \u2212 variance / seeds, M being the mean over the seeds; variance: mean over pixels of the sample variance over seeds. Relative: each pixel divided by R\u2081 R\u2082 + \u03b5."],
+  ["Photon part", "what photons carry, without emission seen and shadow rays, whose noise all photon methods share; measured against the same part of the references."],
   ["Equal time", "the error at a budget lies between two snapshots, straight in log time and log error, never extrapolated. Time is that of the passes alone."],
   ["Interval", "95 % t-interval of the mean log ratio over seeds. With three seeds t is 4.3: wide, and honest."],
   ["Fixed radius", "alpha = 1 and one startradius for all methods. A radius that shrinks with the photons shot flatters whichever method shoots fewer."],

@@ -1,7 +1,7 @@
 // Equal-time error ratios: the study's result.
 import * as Plot from "@observablehq/plot";
 import { element, section } from "./dom.js";
-import { clockNames, variantMeanings, variantNames } from "./looks.js";
+import { clockNames, ofPart, variantMeanings, variantNames } from "./looks.js";
 import { logTick, logTicks } from "./numbers.js";
 import { ratioTable } from "./ratio_table.js";
 
@@ -10,7 +10,7 @@ const metrics = [["relmse", "relMSE"], ["mse", "MSE"]];
 function finder({ data, chosen }, variant) {
   const found = new Map();
   for (const entry of data.comparisons) {
-    if (entry.variant !== variant || entry.clock !== chosen.clock || entry.budget_s !== chosen.budget) continue;
+    if (entry.variant !== variant || entry.part !== chosen.part || entry.clock !== chosen.clock || entry.budget_s !== chosen.budget) continue;
     if (entry.ratio === null) continue;
     found.set(`${entry.scene}\n${entry.method}\n${entry.metric}`, { ...entry, value: entry.ratio, bound: null });
   }
@@ -87,13 +87,13 @@ export function ratioSection(context) {
   const parts = study.variants.map((variant) => element("div", { class: "variant" },
     element("h3", null, variantNames[variant], element("span", { class: "quiet" }, ` ${variantMeanings[variant]}`)),
     ratioTable({
-      caption: `Equal-time error ratios to ${study.baseline} after ${chosen.budget} ${clockNames[chosen.clock]}`,
+      caption: `Equal-time error ratios to ${study.baseline} after ${chosen.budget} ${clockNames[chosen.clock]}${ofPart(context)}`,
       scenes: study.scenes, methods: others(study), metrics, find: finder(context, variant),
       lowerWins: true, studySeeds: study.seeds.length, looks,
     })));
   const plots = element("div", { class: "pair" }, study.variants.map((variant) =>
     element("figure", { class: "ratio-plot" },
-      element("figcaption", null, `${variantNames[variant]}: relMSE`), ratioPlot(context, variant, domain))));
+      element("figcaption", null, `${variantNames[variant]}: relMSE${ofPart(context)}`), ratioPlot(context, variant, domain))));
   return section("ratios", `Error at equal time, relative to ${study.baseline}`, explanation, methodKey(context), plots, ...parts);
 }
 

@@ -1,6 +1,6 @@
 // Equal-error speed-ups against the baseline.
 import { element, section } from "./dom.js";
-import { clockNames, variantNames } from "./looks.js";
+import { clockNames, ofPart, variantNames } from "./looks.js";
 import { ratioTable } from "./ratio_table.js";
 
 const metrics = [["relmse", "relMSE"], ["mse", "MSE"]];
@@ -8,7 +8,7 @@ const metrics = [["relmse", "relMSE"], ["mse", "MSE"]];
 function finder({ data, chosen }, variant) {
   const found = new Map();
   for (const entry of data.speedups) {
-    if (entry.variant !== variant || entry.clock !== chosen.clock || entry.budget_s !== chosen.budget) continue;
+    if (entry.variant !== variant || entry.part !== chosen.part || entry.clock !== chosen.clock || entry.budget_s !== chosen.budget) continue;
     found.set(`${entry.scene}\n${entry.method}\n${entry.metric}`, { ...entry, value: entry.speedup });
   }
   return (scene, method, metric) => found.get(`${scene}\n${method}\n${metric}`);
@@ -22,7 +22,7 @@ export function speedupSection(context) {
     ...study.variants.map((variant) => element("div", { class: "variant" },
       element("h3", null, variantNames[variant]),
       ratioTable({
-        caption: `Speed-ups to the error of ${study.baseline} after ${chosen.budget} ${clockNames[chosen.clock]}`,
+        caption: `Speed-ups to the error of ${study.baseline} after ${chosen.budget} ${clockNames[chosen.clock]}${ofPart(context)}`,
         scenes: study.scenes, methods, metrics, find: finder(context, variant),
         lowerWins: false, studySeeds: study.seeds.length, looks,
       }))));

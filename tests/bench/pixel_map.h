@@ -22,6 +22,12 @@ std::vector<double> block_means(const PixelMap& map, int side_px);
 /// Magnitude of the gradient by central differences, one-sided at the border.
 PixelMap gradient_magnitude(const PixelMap& map);
 
+/// The value that `share` (0 to 1) of the values don't exceed; there must be some.
+double quantile(std::vector<double> values, double share);
+
+/// Box means in at most `width_px` columns, in proportion; the map itself if it is no wider.
+PixelMap shrink(const PixelMap& map, int width_px);
+
 /// Marks the `share` (0 to 1) of the pixels where the map is largest, at least one.
 std::vector<bool> largest_pixels(const PixelMap& map, double share);
 

@@ -66,6 +66,33 @@ PixelMap gradient_magnitude(const PixelMap& map) {
     return gradient;
 }
 
+double quantile(std::vector<double> values, double share) {
+    const auto last = double(values.size() - 1);
+    const auto middle = values.begin() + std::ptrdiff_t(std::clamp(share, 0.0, 1.0) * last);
+    std::nth_element(values.begin(), middle, values.end());
+    return *middle;
+}
+
+PixelMap shrink(const PixelMap& map, int width_px) {
+    if (map.width_px <= width_px) return map;
+    PixelMap small{width_px, std::max(1, map.height_px * width_px / map.width_px), {}};
+    for (int y = 0; y < small.height_px; ++y) {
+        const int top = y * map.height_px / small.height_px;
+        const int bottom = (y + 1) * map.height_px / small.height_px;
+        for (int x = 0; x < small.width_px; ++x) {
+            const int left = x * map.width_px / small.width_px;
+            const int right = (x + 1) * map.width_px / small.width_px;
+            double sum = 0;
+            for (int row = top; row < bottom; ++row) {
+                for (int column = left; column < right; ++column)
+                    sum += map.at(column, row);
+            }
+            small.values.push_back(sum / ((bottom - top) * (right - left)));
+        }
+    }
+    return small;
+}
+
 std::vector<bool> largest_pixels(const PixelMap& map, double share) {
     const std::vector<std::size_t> order = order_of(map.values);
     const auto count = std::max<std::size_t>(1, std::size_t(share * double(order.size())));

@@ -8,9 +8,9 @@
 namespace bench {
 namespace {
 
-constexpr double kBrightQuantile = 0.995, kDarkQuantile = 0.05, kUpperQuantile = 0.95;
-/// Of values on a linear scale the dark ones would be one colour beyond this.
-constexpr double kLinearRange = 30;
+constexpr double kBrightQuantile = 0.995, kDarkQuantile = 0.05;
+/// Beyond this a few bright pixels leave a linear scale's darkest colours to all others.
+constexpr double kLinearRange = 10;
 constexpr double kMostDecades = 4;
 /// Finer steps can't be told apart, and would double the size of pictures.
 constexpr double kSteps = 63;
@@ -33,7 +33,7 @@ ColourScale choose_scale(std::span<const PixelMap> maps) {
     if (positive.empty()) return {};
     const double low = quantile(positive, kDarkQuantile);
     const double high = quantile(positive, kBrightQuantile);
-    if (quantile(positive, kUpperQuantile) <= kLinearRange * low) return {0, high, false};
+    if (high <= kLinearRange * low) return {0, high, false};
     return {std::max(low, high * std::pow(10, -kMostDecades)), high, true};
 }
 

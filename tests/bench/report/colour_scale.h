@@ -28,10 +28,9 @@ inline constexpr std::array<Rgb8, 9> kMapColours{{{68, 1, 84},
                                                   {170, 220, 50},
                                                   {253, 231, 37}}};
 
-/// One scale for all maps, up to the value that one pixel in two hundred exceeds. If nine tenths of
-/// the positive values span more than a factor of 30 it is logarithmic, from the value that one in
-/// twenty of them is below (but no more than four decades); otherwise it starts at 0. 0 to 1 if no
-/// value is positive.
+/// One scale for all maps, of their positive values: up to what one in two hundred exceeds. From 0,
+/// or, if the value that one in twenty is below is less than a tenth of that, logarithmic from
+/// there (but no more than four decades). 0 to 1 if no value is positive.
 ColourScale choose_scale(std::span<const PixelMap> maps);
 
 /// In 64 steps of colour. Values that aren't numbers have the first colour.

@@ -24,15 +24,17 @@ function ratioPlot(context, variant, domain) {
   const { study, looks } = context;
   const find = finder(context, variant);
   const entries = study.scenes.flatMap((scene) => others(study).map((method) => find(scene, method, "relmse"))).filter(Boolean);
+  const scenes = study.scenes.filter((scene) => entries.some((entry) => entry.scene === scene));
+  if (scenes.length === 0) return element("p", { class: "missing" }, "No ratios: errors are missing or not positive.");
   const ticks = logTicks(domain);
   const clip = (value) => Math.min(Math.max(value, domain[0]), domain[1]);
   return Plot.plot({
     width: 600, marginLeft: 110, marginRight: 20, marginTop: 26, marginBottom: 48,
-    height: 78 + study.scenes.length * (12 + 17 * others(study).length),
+    height: 78 + scenes.length * (12 + 17 * others(study).length),
     style: { fontSize: "13px" },
     x: { type: "log", domain, axis: null },
     y: { axis: null, domain: others(study) },
-    fy: { domain: study.scenes, label: null, padding: 0.12 },
+    fy: { domain: scenes, label: null, padding: 0.12 },
     marks: [
       Plot.frame({ fill: "#f7f7f5", stroke: "none" }),
       Plot.gridX(ticks, { stroke: "#ffffff", strokeOpacity: 1, strokeWidth: 1.5 }),
@@ -50,8 +52,8 @@ function ratioPlot(context, variant, domain) {
         fy: "scene", x: "ratio", y: "method", r: 5, symbol: (e) => looks.get(e.method).symbol,
         fill: (e) => looks.get(e.method).colour, stroke: "white",
       }),
-      Plot.text(["\u2190 less error"], { frameAnchor: "top-left", dy: -20, dx: 0, fill: "#555", fontSize: 12, fy: [study.scenes[0]] }),
-      Plot.text(["more error \u2192"], { frameAnchor: "top-right", dy: -20, dx: 0, fill: "#555", fontSize: 12, fy: [study.scenes[0]] }),
+      Plot.text(["\u2190 less error"], { frameAnchor: "top-left", dy: -20, dx: 0, fill: "#555", fontSize: 12, fy: [scenes[0]] }),
+      Plot.text(["more error \u2192"], { frameAnchor: "top-right", dy: -20, dx: 0, fill: "#555", fontSize: 12, fy: [scenes[0]] }),
     ],
     symbol: { type: "identity" }, color: { type: "identity" },
   });

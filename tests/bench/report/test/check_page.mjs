@@ -65,6 +65,82 @@ async function checkFlip(tab) {
   assert.equal(await shown(), "sppm");
 }
 
+/** The strips of one layer: rows of pictures that change from snapshot to snapshot, and the legend. */
+async function layerShown(tab) {
+  const rows = await tab.locator("#photons table.layers tbody tr").evaluateAll((all) => all.map((row) => ({
+    method: row.dataset.method, pictures: [...row.querySelectorAll("img")].map((image) => image.src),
+  })));
+  const low = await tab.locator("#photons .layer-low").textContent();
+  const high = await tab.locator("#photons .layer-high").textContent();
+  return { rows, low, high, legend: await tab.locator("#photons .layer-legend").textContent() };
+}
+
+async function checkPhotons(tab) {
+  assert.equal(await tab.locator("#photons article").count(), 1, "one scene's images have layers");
+  const headings = await tab.locator("#photons thead th").allTextContents();
+  assert.deepEqual(headings, ["Method", "after the first pass", "after 1 s", "after 2 s", "after 4 s"]);
+  const density = await layerShown(tab);
+  assert.deepEqual(density.rows.map(({ method }) => method), ["sppm", "better"]);
+  for (const { pictures } of density.rows) assert.equal(pictures.length, headings.length - 1);
+  assert.match(density.legend, /photons per square scene unit and pass; logarithmic scale/);
+  assert.deepEqual([density.low, density.high], ["\u2264 1.3", "\u2265 7900"]);
+  for (const [name, range] of [["node error", null], ["node weight", null], ["node boundaries", "0 1"], ["guided share", "0 1"]]) {
+    await tab.locator("#photons").getByRole("button", { name }).click();
+    const layer = await layerShown(tab);
+    assert.deepEqual(layer.rows.map(({ method }) => method), ["better"], name);
+    assert.equal(new Set(layer.rows[0].pictures).size, headings.length - 1, `${name} changes over the passes`);
+    if (range) assert.equal(`${layer.low} ${layer.high}`, range);
+    await checkPictures(tab);
+  }
+  assert.equal(await tab.locator("#photons button[aria-pressed=true]").textContent(), "guided share");
+}
+
+async function biasCells(tab, method) {
+  return tab.locator(`#bias tr[data-scene=box][data-method=${method}]`).first().locator("td.number").allTextContents();
+}
+
+/** Figures of the synthetic study after 4 s: bias2 of sppm is negative and shown as such. */
+async function checkBias(tab) {
+  assert.equal(await tab.locator("#bias table.bias tbody tr").count(), scenes * variants * methods.length);
+  assert.deepEqual(await biasCells(tab, "sppm"), ["\u22120.00125", "0.251", "0.25", "\u22120.0125", "2.51"]);
+  assert.deepEqual(await biasCells(tab, "worse"), ["0.02", "0.48", "0.5", "0.2", "4.8"]);
+  assert.equal(await tab.locator("#bias td.negative").count(), 2 * scenes * variants, "negative figures are marked");
+}
+
+/** Image figures are 0.5 and 2 times the baseline's, the photon part's 0.25 and 4 times, in one scene. */
+async function checkPhotonPart(tab) {
+  const choose = (name) => tab.locator("#controls").getByRole("button", { name, exact: true }).click();
+  await choose("photon part");
+  const ratios = await tab.locator("#ratios tbody .factor").allTextContents();
+  assert.equal(ratios.length, variants * 2 * (methods.length - 1));
+  for (const text of ratios) assert.ok(Math.abs(Number(text) - 0.25) < 0.02 || Math.abs(Number(text) - 4) < 0.2, text);
+  assert.equal(await tab.locator("#ratios td.none").count() > 0, true, "a scene without photon part has none");
+  assert.match(await tab.locator("#ratios caption").first().textContent(), /photon part/);
+  assert.equal(await tab.locator("#curves .curve-plot").count(), variants);
+  assert.equal(await countLines(tab, "#curves .mean-curves path"), variants * methods.length);
+  assert.match(await tab.locator("#curves p.missing").textContent(), /no errors of the photon part/);
+  assert.deepEqual(await biasCells(tab, "worse"), ["0.01", "0.24", "0.25", "0.1", "2.4"]);
+  await choose("whole image");
+  await checkBias(tab);
+}
+
+/** Nothing sticks out of the page or lies over another: neighbours' boxes are apart. */
+async function checkLayout(tab) {
+  const sideways = await tab.evaluate(() => document.documentElement.scrollWidth - document.documentElement.clientWidth);
+  assert.ok(sideways <= 0, `the page is ${sideways} px too wide`);
+  const overlaps = await tab.evaluate(() => {
+    const apart = (a, b) => a.right <= b.left + 0.5 || b.right <= a.left + 0.5 || a.bottom <= b.top + 0.5 || b.bottom <= a.top + 0.5;
+    const groups = ["#photons th, #photons td img, #photons td .quiet, #photons .layer-legend > *, #photons .layer-legend i", "#bias th, #bias td"];
+    return groups.flatMap((group) => {
+      const shown = [...document.querySelectorAll(group)];
+      return shown.flatMap((one, i) => shown.slice(i + 1)
+        .filter((other) => !one.contains(other) && !apart(one.getBoundingClientRect(), other.getBoundingClientRect()))
+        .map((other) => `"${one.textContent || one.alt}" and "${other.textContent || other.alt}"`));
+    });
+  });
+  assert.deepEqual(overlaps, []);
+}
+
 async function checkPictures(tab) {
   const widths = await tab.locator("img").evaluateAll((all) => all.map((image) => image.naturalWidth));
   assert.ok(widths.length >= scenes * variants * (2 * methods.length + 1));
@@ -98,6 +174,10 @@ try {
   await checkTables(tab);
   await checkCurves(tab);
   await checkPictures(tab);
+  await checkLayout(tab);
+  await checkBias(tab);
+  await checkPhotons(tab);
+  await checkPhotonPart(tab);
   await checkFlip(tab);
   await checkControls(tab);
   assert.deepEqual(complaints, []);

@@ -58,10 +58,12 @@ class ReportDataTest : public testing::Test {
 };
 
 TEST_F(ReportDataTest, CurvesHaveTheSlopesAndMeansOfTheirPowerLaws) {
-    EXPECT_EQ(data_["curves"].size(), 2u * 2 * 3 * 2 * 3);
+    // Scenes, variants, methods, clocks, metrics; one scene has a photon part, too.
+    EXPECT_EQ(data_["curves"].size(), (2u + 1) * 2 * 3 * 2 * 3);
     const Json& curve = find(data_["curves"], {{"scene", kPlainScene},
                                                {"variant", "fixed"},
                                                {"method", "better"},
+                                               {"part", "image"},
                                                {"clock", "cpu"},
                                                {"metric", "relmse"}});
     EXPECT_NEAR(curve["slope"], -1, 1e-9);
@@ -72,11 +74,25 @@ TEST_F(ReportDataTest, CurvesHaveTheSlopesAndMeansOfTheirPowerLaws) {
     EXPECT_EQ(curve["seeds"].size(), 2u);
 }
 
+TEST_F(ReportDataTest, ThePhotonPartHasCurvesSpeedupsAndRatiosOfItsOwn) {
+    const Json group{{"scene", kPlainScene}, {"variant", "fixed"}, {"method", "better"},
+                     {"part", "photons"},    {"clock", "cpu"},     {"metric", "relmse"}};
+    const Json& curve = find(data_["curves"], group);
+    EXPECT_NEAR(curve["mean"][1][1], 0.25 * 8 * 1.005, 1e-4);
+    Json at_budget = group;
+    at_budget["budget_s"] = 4.0;
+    EXPECT_NEAR(find(data_["speedups"], at_budget)["speedup"], 4, 0.1);
+    EXPECT_NEAR(find(data_["comparisons"], at_budget)["ratio"], 0.25, 0.01);
+    at_budget["scene"] = kNastyScene;
+    EXPECT_THROW(find(data_["comparisons"], at_budget), std::out_of_range);
+}
+
 TEST_F(ReportDataTest, SpeedupsAreThoseOfThePowerLawsOrBounds) {
     const auto speedup = [&](const char* method, double budget_s) {
         return find(data_["speedups"], {{"scene", kPlainScene},
                                         {"variant", "shipped"},
                                         {"method", method},
+                                        {"part", "image"},
                                         {"clock", "wall"},
                                         {"metric", "mse"},
                                         {"budget_s", budget_s}});

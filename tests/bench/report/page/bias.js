@@ -49,10 +49,10 @@ export function biasSection(context) {
   const { data, study } = context;
   const has = data.seed_statistics.some(({ image, photons }) => image || photons);
   return section("bias", "Bias and variance", [
-    `What the ${study.seeds.length} seeds have in common is bias, what differs is variance; more time takes away variance alone. Relative figures are divided, pixel by pixel, by the squared references. `,
+    `What the images of ${study.seeds.length} seeds have in common is bias, what differs is variance; with a fixed radius more time takes away variance alone. Relative figures are divided, pixel by pixel, by the squared references. `,
     "bias\u00b2 is what is left of the mean image\u2019s squared error after the seeds\u2019 noise is subtracted, so that noise can make it ",
     element("span", { class: "negative" }, "negative"),
-    ": read that as \u201cno bias found\u201d, and its size as how little a positive one of that size means, in this scene and at this time.",
+    ": that means that no bias was found, and a positive one of about that size in the same scene means as little.",
   ], ...(has ? study.variants.map((variant) => variantTable(context, variant))
     : [element("p", { class: "missing" }, "Not known: it takes references and two seeds.")]));
 }

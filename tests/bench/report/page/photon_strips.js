@@ -48,7 +48,7 @@ function pictureCell(picture, text) {
 function layerTable({ rows, layer }, scene, { strips, looks }) {
   return element("table", { class: "layers" },
     element("thead", null, element("tr", null, element("th", null, "Method"),
-      strips.columns.map((budget) => element("th", null, budget === null ? "after the first pass" : `after ${budget} s`)))),
+      strips.columns.map((budget) => element("th", null, budget === null ? "first pass" : `after ${budget} s`)))),
     element("tbody", null, rows.map(({ method, pictures }) => element("tr", { "data-method": method },
       element("th", { scope: "row" }, element("span", { class: "swatch", style: `background:${looks.get(method).colour}` }), method),
       pictures.map((picture) => pictureCell(picture, `${scene}, ${layers[layer].name} of ${method}`))))));

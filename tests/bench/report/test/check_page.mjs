@@ -78,7 +78,7 @@ async function layerShown(tab) {
 async function checkPhotons(tab) {
   assert.equal(await tab.locator("#photons article").count(), 1, "one scene's images have layers");
   const headings = await tab.locator("#photons thead th").allTextContents();
-  assert.deepEqual(headings, ["Method", "after the first pass", "after 1 s", "after 2 s", "after 4 s"]);
+  assert.deepEqual(headings, ["Method", "first pass", "after 1 s", "after 2 s", "after 4 s"]);
   const density = await layerShown(tab);
   assert.deepEqual(density.rows.map(({ method }) => method), ["sppm", "better"]);
   for (const { pictures } of density.rows) assert.equal(pictures.length, headings.length - 1);
@@ -124,10 +124,14 @@ async function checkPhotonPart(tab) {
   await checkBias(tab);
 }
 
-/** Nothing sticks out of the page or lies over another: neighbours' boxes are apart. */
-async function checkLayout(tab) {
+/** Nothing sticks out of the page. */
+async function checkWidth(tab) {
   const sideways = await tab.evaluate(() => document.documentElement.scrollWidth - document.documentElement.clientWidth);
   assert.ok(sideways <= 0, `the page is ${sideways} px too wide`);
+}
+
+/** No text or picture of the tables and strips lies over another. */
+async function checkOverlaps(tab) {
   const overlaps = await tab.evaluate(() => {
     const apart = (a, b) => a.right <= b.left + 0.5 || b.right <= a.left + 0.5 || a.bottom <= b.top + 0.5 || b.bottom <= a.top + 0.5;
     const groups = ["#photons th, #photons td img, #photons td .quiet, #photons .layer-legend > *, #photons .layer-legend i", "#bias th, #bias td"];
@@ -139,6 +143,19 @@ async function checkLayout(tab) {
     });
   });
   assert.deepEqual(overlaps, []);
+}
+
+/** On a screen, a narrow one, and an A4 page. */
+async function checkLayout(tab) {
+  const viewport = tab.viewportSize();
+  for (const [width, media] of [[viewport.width, "screen"], [800, "screen"], [688, "print"]]) {
+    await tab.setViewportSize({ ...viewport, width });
+    await tab.emulateMedia({ media });
+    await checkOverlaps(tab);
+    if (media === "screen") await checkWidth(tab);
+  }
+  await tab.emulateMedia({ media: "screen" });
+  await tab.setViewportSize(viewport);
 }
 
 async function checkPictures(tab) {

@@ -167,7 +167,7 @@ void check(const std::string& name, const std::string& text, const Effort& effor
     std::ofstream(scene) << text;
     const auto reference =
         renders(scene, "--integrator path --set path.maxdepth=64 --passes 60", 100, kSeeds, folder);
-    for (const std::string guide : {"none", "paper"}) {
+    for (const std::string guide : {"none", "paper", "adaptive"}) {
         const auto photons = renders(
             scene,
             "--passes 4 --set aips.alpha=1 --set aips.maxphotondepth=64 --set aips.maxeyedepth=64 "

@@ -24,7 +24,7 @@ TEST(FurnaceScene, ClosedFormWithEveryGuideAndMode) {
     const render::Folder folder;
     const auto scene = render::small_scene("furnace", folder, 80, 60);
     const double expected = 2 * (1 - std::pow(0.5, 17));
-    for (const std::string guide : {"none", "paper"}) {
+    for (const std::string guide : {"none", "paper", "adaptive"}) {
         for (const std::string mode : {"progressive", "photonmap", "ppm"}) {
             const auto image = render::render(
                 scene,

@@ -79,7 +79,7 @@ double total(const render::Image& image) {
 class Scenes : public testing::TestWithParam<std::string> {};
 
 TEST_P(Scenes, PhotonsReachThePictureUnguidedAndGuided) {
-    for (const std::string guide : {"none", "paper"}) {
+    for (const std::string guide : {"none", "paper", "adaptive"}) {
         const Result result =
             render_small(GetParam(), "--set aips.photonperpass=50000 --set aips.guide=" + guide);
         expect_sound(result);

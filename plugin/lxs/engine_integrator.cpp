@@ -42,7 +42,7 @@ lxs::Statistics EngineIntegrator::statistics() const {
         out.emplace_back("visible_paths", s.visible_paths);
         out.emplace_back("mutation_size", s.mutation_size);
     }
-    if (s.emission_gain > 0) {
+    if (s.score_times_cost > 0) {
         out.emplace_back("emission_gain", s.emission_gain);
         out.emplace_back("score_times_cost", s.score_times_cost);
     }

@@ -29,6 +29,17 @@ TEST(Needs, NoPhotonsWhenShadowRaysCarryAll) {
     EXPECT_GT(r.film.mean(), 0);
 }
 
+TEST(Needs, NoGuideIsBuiltWithoutPhotonsToGuide) {
+    for (const GuideKind guide : {GuideKind::Paper, GuideKind::Adaptive}) {
+        Settings settings = mock::small_settings(61, 5000);
+        settings.max_photon_depth = 1;
+        settings.guide = guide;
+        const auto r = render_box(settings);
+        EXPECT_EQ(r.statistics.guide_bytes, 0u) << mock::name(guide);
+        EXPECT_TRUE(logged(r.log, "skipped guide: no photons to guide")) << mock::name(guide);
+    }
+}
+
 TEST(Needs, NoPhotonsWithoutLight) {
     mock::Scene scene;
     scene.add_box({-1, -1, -1}, {1, 1, 1}, {});

@@ -31,6 +31,7 @@ Traced trace(const mock::Scene& scene, std::uint32_t count, std::uint32_t log_on
     const DiscreteDistribution lights = light_choice(scene);
     PhotonInput input{scene, settings, lights};
     input.log_one_of = log_one_of;
+    input.log_vertices = true;
     Refusals refusals(scene.material_names());
     PhotonTracer tracer;
     Traced result;

@@ -12,11 +12,25 @@ constexpr std::uint64_t kEagerPaths = 1'000'000;
 constexpr std::uint32_t kEagerOneOf = 4, kOneOf = 16;
 /// Passes that begin before so many paths are seeded from the eye.
 constexpr std::uint64_t kSeededPaths = 2'000'000;
-/// Photon paths whose scores count in full in the mean over whole paths.
-constexpr double kMemoryPaths = 4e6;
+/// Scored photon paths that count in full; older ones fade.
+constexpr double kMemoryPaths = 5e5;
+/// Cost of an emission, in rays: a little less than a bounce's.
+constexpr double kEmissionCost = 0.5;
 /// Cost of storing and gathering a landing, in rays: gather and grid take about a third of what
 /// tracing takes where landings are many (docs/design-notes.md).
 constexpr double kLandingCost = 0.3;
+
+ScoreCacheSettings cache_settings() {
+    ScoreCacheSettings settings;
+    settings.memory_paths = kMemoryPaths;
+    return settings;
+}
+
+EmissionGuideSettings emission_settings() {
+    EmissionGuideSettings settings;
+    settings.memory_paths = kMemoryPaths;
+    return settings;
+}
 
 }  // namespace
 
@@ -27,23 +41,28 @@ AdaptiveGuide::AdaptiveGuide(const Scene& scene, const Settings& settings,
       settings_(settings),
       light_choice_(light_choice),
       importance_(width, height),
-      emission_(scene.lights().size(), light_choice),
-      cache_(scene.bounds(), {}) {}
-
-void AdaptiveGuide::begin_pass(std::uint64_t pass, float time, const EyeImage& image,
-                               std::span<const Vec3> positions, const SearchRadii& radii) {
-    importance_.weigh(image, weights_);
-    score_.build(image, positions, radii, weights_);
-    if (settings_.guide_emission && settings_.eye_seeding && paths_ < kSeededPaths) {
-        seed(pass, time, image);
+      emission_(scene.lights().size(), light_choice, emission_settings()) {
+    if (settings.guide_survival) {
+        cache_.emplace(scene.bounds(), cache_settings());
+        survival_.emplace(*cache_);
     }
 }
 
-void AdaptiveGuide::seed(std::uint64_t pass, float time, const EyeImage& image) {
-    find_emission_seeds(scene_, settings_, light_choice_, pass, time, image, seeds_, seed_counts_);
+std::uint64_t AdaptiveGuide::begin_pass(std::uint64_t pass, float time, const EyeImage& image,
+                                        std::span<const Vec3> positions, const SearchRadii& radii) {
+    importance_.weigh(image, weights_);
+    score_.build(image, positions, radii, weights_);
+    const bool seeds = settings_.guide_emission && settings_.eye_seeding && paths_ < kSeededPaths;
+    return seeds ? seed(pass, time, image) : 0;
+}
+
+std::uint64_t AdaptiveGuide::seed(std::uint64_t pass, float time, const EyeImage& image) {
+    SeedCounts counts;
+    find_emission_seeds(scene_, settings_, light_choice_, pass, time, image, seeds_, counts);
     for (const EmissionSeed& s : seeds_)
         emission_.add_seed(s.light, s.point, double(s.weight));
     emission_.update(0);
+    return counts.rays;
 }
 
 std::uint32_t AdaptiveGuide::log_one_of() const {
@@ -57,10 +76,14 @@ void AdaptiveGuide::learn(const PathLog& log, std::span<const Landing> landings,
     for (const PathRecord& path : log.paths)
         learn_path(log, path, landings);
     paths_ += paths;
-    emission_.update(double(paths));
-    cache_.update(double(paths));
-    const double kept = kMemoryPaths / (kMemoryPaths + double(paths));
-    survival_.set_reference(path_score_ > 0 ? path_cost_ / path_score_ : 0);
+    // In paths that were scored: one in how many that is changes, and would change the scale.
+    const auto scored = double(log.paths.size());
+    if (settings_.guide_emission) emission_.update(scored);
+    if (cache_) {
+        cache_->update(scored);
+        survival_->set_reference(path_score_ > 0 ? path_cost_ / path_score_ : 0);
+    }
+    const double kept = kMemoryPaths / (kMemoryPaths + scored);
     path_score_ *= kept;
     path_cost_ *= kept;
     logged_ *= kept;
@@ -101,11 +124,13 @@ void AdaptiveGuide::learn_path(const PathLog& log, const PathRecord& path,
         const double power = double(vertex.power);
         if (!(power > 0)) continue;
         const double cost = double(path.rays - vertex.rays) + kLandingCost * landed;
-        cache_.add({vertex.position, vertex.normal, score / (power * power), cost});
+        cache_->add({vertex.position, vertex.normal, score / (power * power), cost});
     }
     take_landings_after(0);
-    const double cost = double(path.rays) + kLandingCost * landed;
-    emission_.add({{path.light, path.start, path.pdf}, score, cost});
+    const double cost = kEmissionCost + double(path.rays) + kLandingCost * landed;
+    if (settings_.guide_emission) {
+        emission_.add({{path.light, path.start, path.pdf}, score, cost});
+    }
     path_score_ += score;
     path_cost_ += cost;
     logged_ += 1;
@@ -117,16 +142,20 @@ void AdaptiveGuide::end_pass(const EyeImage& image, std::span<const Rgb> radianc
 
 std::size_t AdaptiveGuide::memory_bytes() const {
     return importance_.memory_bytes() + score_.memory_bytes() + emission_.memory_bytes() +
-           cache_.memory_bytes() + weights_.capacity() * sizeof(float) +
+           (cache_ ? cache_->memory_bytes() : 0) + weights_.capacity() * sizeof(float) +
            seeds_.capacity() * sizeof(EmissionSeed) + scored_.capacity() * sizeof(std::uint32_t) +
            landing_scores_.capacity() * sizeof(double);
 }
 
-std::size_t AdaptiveGuide::memory_bound_bytes(const Scene& scene, std::size_t pixels,
-                                              std::size_t eye_paths) {
+std::size_t AdaptiveGuide::memory_bound_bytes(const Scene& scene, const Settings& settings,
+                                              std::size_t pixels, std::size_t eye_paths) {
+    // In blocks, and joined; vectors grow by doubling.
+    const std::size_t walks = eye_paths / kSeedGroup + 1;
+    const std::size_t seeds = 4 * walks * kMaxSeedsPerWalk * sizeof(EmissionSeed);
     return PixelImportance::memory_bound_bytes(pixels, eye_paths) +
-           CellSort::memory_bound_bytes(eye_paths) + ScoreCache::memory_bound_bytes({}) +
-           EmissionGuide::memory_bound_bytes(scene.lights().size());
+           CellSort::memory_bound_bytes(eye_paths) + seeds +
+           (settings.guide_survival ? ScoreCache::memory_bound_bytes(cache_settings()) : 0) +
+           EmissionGuide::memory_bound_bytes(scene.lights().size(), emission_settings());
 }
 
 }  // namespace aips

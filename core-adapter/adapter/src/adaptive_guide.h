@@ -5,6 +5,8 @@
 // start is guided too. docs/adaptive-guide.md.
 #pragma once
 
+#include <optional>
+
 #include "aips/adapter/settings.h"
 #include "aips/core/score_cache.h"
 #include "emission_guide.h"
@@ -26,17 +28,16 @@ class AdaptiveGuide {
     AdaptiveGuide& operator=(const AdaptiveGuide&) = delete;
 
     /// A pass with these visible points (and their positions) begins; `image` and `radii` stay
-    /// until it ends.
-    void begin_pass(std::uint64_t pass, float time, const EyeImage& image,
-                    std::span<const Vec3> positions, const SearchRadii& radii);
+    /// until it ends. Returns the rays that seeding traced.
+    std::uint64_t begin_pass(std::uint64_t pass, float time, const EyeImage& image,
+                             std::span<const Vec3> positions, const SearchRadii& radii);
     /// Of how many paths one is logged, in the next iteration.
     std::uint32_t log_one_of() const;
     const EmissionGuide* emission() const {
         return settings_.guide_emission ? &emission_ : nullptr;
     }
-    const ScoreSurvival* survival() const {
-        return settings_.guide_survival ? &survival_ : nullptr;
-    }
+    /// Null unless photons go on by score; then their vertices are logged too.
+    const ScoreSurvival* survival() const { return survival_ ? &*survival_ : nullptr; }
     /// Learns from the logged ones of `paths` photon paths, whose landings are among `landings`.
     void learn(const PathLog& log, std::span<const Landing> landings, std::uint32_t paths);
     /// The pass ends with this radiance per eye path and light group.
@@ -50,11 +51,11 @@ class AdaptiveGuide {
     }
     std::size_t node_count() const { return emission_.leaf_count(); }
     std::size_t memory_bytes() const;
-    static std::size_t memory_bound_bytes(const Scene& scene, std::size_t pixels,
-                                          std::size_t eye_paths);
+    static std::size_t memory_bound_bytes(const Scene& scene, const Settings& settings,
+                                          std::size_t pixels, std::size_t eye_paths);
 
   private:
-    void seed(std::uint64_t pass, float time, const EyeImage& image);
+    std::uint64_t seed(std::uint64_t pass, float time, const EyeImage& image);
     void score_landings(const PathLog& log, std::span<const Landing> landings);
     void learn_path(const PathLog& log, const PathRecord& path, std::span<const Landing> landings);
 
@@ -64,15 +65,14 @@ class AdaptiveGuide {
     PixelImportance importance_;
     LandingScore score_;
     EmissionGuide emission_;
-    ScoreCache cache_;
-    ScoreSurvival survival_{cache_};
-    std::vector<float> weights_;       // [visible point]
-    std::vector<EmissionSeed> seeds_;  // of this pass
-    SeedCounts seed_counts_;
-    std::vector<std::uint32_t> scored_;   // landings of logged paths, path after path
-    std::vector<double> landing_scores_;  // as scored_
-    std::size_t landing_score_at_ = 0;    // of the next path
-    std::uint64_t paths_ = 0;             // shot so far
+    std::optional<ScoreCache> cache_;        // if photons go on by score
+    std::optional<ScoreSurvival> survival_;  // reads cache_
+    std::vector<float> weights_;             // [visible point]
+    std::vector<EmissionSeed> seeds_;        // of this pass
+    std::vector<std::uint32_t> scored_;      // landings of logged paths, path after path
+    std::vector<double> landing_scores_;     // as scored_
+    std::size_t landing_score_at_ = 0;       // of the next path
+    std::uint64_t paths_ = 0;                // shot so far
     double path_score_ = 0, path_cost_ = 0, logged_ = 0;  // of logged paths, old ones forgotten
 };
 

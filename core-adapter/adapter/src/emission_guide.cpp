@@ -7,13 +7,10 @@
 namespace aips {
 namespace {
 
-/// Least leaves of a light's tree: what many lights leave of the common budget.
-constexpr std::uint32_t kMinLeaves = 16;
-
 PrimaryTreeSettings tree_settings(std::size_t lights, const EmissionGuideSettings& s) {
     PrimaryTreeSettings tree;
     const auto share = s.max_leaves / static_cast<std::uint32_t>(std::max<std::size_t>(lights, 1));
-    tree.max_leaves = std::max(kMinLeaves, share);
+    tree.max_leaves = std::max(1u, share);
     tree.memory_paths = s.memory_paths;
     return tree;
 }

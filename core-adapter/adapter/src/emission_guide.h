@@ -20,8 +20,8 @@ struct EmissionGuideSettings {
     double seed_share = 0.25;   ///< of densities found from the eye, until enough was learned
     double learned_seed_share = 0.05;    ///< after that
     std::uint32_t learned_scores = 256;  ///< scored photons that count as enough
-    std::uint32_t max_leaves = 8192;     ///< over all lights
-    double memory_paths = 4e6;           ///< photon paths whose scores count in full
+    std::uint32_t max_leaves = 8192;     ///< over all lights, but at least one for each
+    double memory_paths = 4e6;           ///< scored photon paths that count in full
 };
 
 /// Where one photon starts.

@@ -43,7 +43,8 @@ class Engine::State {
           direct_light_(host.scene),
           refusals_(host.scene.material_names()),
           guide_(make_guide(needs_, host.scene, settings)),
-          photon_pass_(host.scene, settings_, guide_.get(), host.film.width(), host.film.height()),
+          photon_pass_(host.scene, settings_, needs_, guide_.get(), host.film.width(),
+                       host.film.height()),
           radius_policy_(make_radius_policy(settings, host.scene)) {
         statistics_.memory_bound_bytes = memory_bound(
             host.scene, settings, eye_paths_, std::size_t{host.film.width()} * host.film.height());

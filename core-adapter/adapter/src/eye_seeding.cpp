@@ -3,7 +3,9 @@
 
 #include <tbb/parallel_for.h>
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "aips/core/sampling.h"
 

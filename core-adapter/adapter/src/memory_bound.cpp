@@ -52,7 +52,7 @@ std::size_t memory_bound(const Scene& scene, const Settings& settings, std::uint
     std::size_t guide = 0;
     if (settings.guide == GuideKind::Paper) guide = PaperGuide::memory_bound_bytes(settings);
     if (settings.guide == GuideKind::Adaptive) {
-        guide = AdaptiveGuide::memory_bound_bytes(scene, pixels, eye_paths) +
+        guide = AdaptiveGuide::memory_bound_bytes(scene, settings, pixels, eye_paths) +
                 log_bytes(settings, kPlainIterationPaths);
     }
     const std::size_t radii =

@@ -7,11 +7,11 @@
 
 namespace aips {
 
-PhotonPass::PhotonPass(const Scene& scene, const Settings& settings, Guide* guide,
-                       std::uint32_t width, std::uint32_t height)
+PhotonPass::PhotonPass(const Scene& scene, const Settings& settings, const Needs& needs,
+                       Guide* guide, std::uint32_t width, std::uint32_t height)
     : scene_(scene), settings_(settings), guide_(guide), light_choice_(light_choice(scene)) {
     if (settings.photon_sampler == PhotonSampler::AdaptiveChains) chains_.emplace();
-    if (settings.guide == GuideKind::Adaptive && !light_choice_.empty()) {
+    if (needs.guide && settings.guide == GuideKind::Adaptive) {
         adaptive_.emplace(scene, settings, light_choice_, width, height);
     }
     if (guide && settings.debug_layers) bounces_.emplace(*guide, settings.max_nodes);
@@ -28,7 +28,8 @@ void PhotonPass::begin_pass(std::uint64_t pass, float time, const EyeImage& imag
         if (!reach_lasts) mark_reach(positions, radii.largest);
         const Stopwatch watch(totals_.guide_seconds);
         if (guide_) guide_->begin_pass(positions, image.positions.size());
-        if (adaptive_) adaptive_->begin_pass(pass, time, image, positions, radii);
+        if (adaptive_)
+            totals_.counts.rays += adaptive_->begin_pass(pass, time, image, positions, radii);
     }
     if (chains_) chains_->begin_pass(settings_.photons_per_pass);
     if (bounces_) bounces_->begin_pass();
@@ -75,6 +76,7 @@ PhotonInput PhotonPass::input_of(std::uint64_t pass, float time, std::uint64_t i
         input.emission = adaptive_->emission();
         input.survival = adaptive_->survival();
         input.log_one_of = adaptive_->log_one_of();
+        input.log_vertices = input.survival != nullptr;
     }
     return input;
 }

@@ -30,8 +30,8 @@ inline constexpr std::uint32_t kPlainIterationPaths = 1u << 14;
 class PhotonPass {
   public:
     /// `guide` may be null; the film has width x height pixels.
-    PhotonPass(const Scene& scene, const Settings& settings, Guide* guide, std::uint32_t width,
-               std::uint32_t height);
+    PhotonPass(const Scene& scene, const Settings& settings, const Needs& needs, Guide* guide,
+               std::uint32_t width, std::uint32_t height);
 
     /// Fills `flux` for the visible points in `image`; returns the photon paths shot. In modes that
     /// freeze the eye pass the visible points must be the same in each pass.

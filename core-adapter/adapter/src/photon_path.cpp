@@ -86,9 +86,13 @@ float survival(const PhotonInput& in, const SurfacePoint& point, const Photon& p
 /// A path's record while it is traced: closed when the path ends, wherever that is.
 class LogEntry {
   public:
-    LogEntry(PathLog* log, const EmissionStart& start, const std::vector<Landing>& landings,
-             const PhotonCounts& counts)
-        : log_(log), landings_(landings), counts_(counts), rays_before_(counts.rays) {
+    LogEntry(PathLog* log, bool vertices, const EmissionStart& start,
+             const std::vector<Landing>& landings, const PhotonCounts& counts)
+        : log_(log),
+          vertices_(log && vertices),
+          landings_(landings),
+          counts_(counts),
+          rays_before_(counts.rays) {
         if (!log_) return;
         PathRecord record;
         record.light = start.light;
@@ -110,7 +114,7 @@ class LogEntry {
 
     void add_vertex(const SurfacePoint& point, const Photon& photon, float survived,
                     std::uint32_t depth) const {
-        if (!log_) return;
+        if (!vertices_) return;
         log_->vertices.push_back({point.position, arrival_normal(point, photon.ray.direction),
                                   luminance(photon.power) / survived, rays(), depth});
     }
@@ -119,6 +123,7 @@ class LogEntry {
     std::uint32_t rays() const { return static_cast<std::uint32_t>(counts_.rays - rays_before_); }
 
     PathLog* log_;
+    bool vertices_;
     const std::vector<Landing>& landings_;
     const PhotonCounts& counts_;
     std::uint64_t rays_before_;
@@ -142,7 +147,7 @@ void trace_photon_path(const PhotonInput& in, Numbers& numbers, std::uint32_t in
     ++counts.paths;
     Photon photon;
     const bool left_light = emit(in, numbers, refusals, photon);
-    const LogEntry entry(log, photon.start, landings, counts);
+    const LogEntry entry(log, in.log_vertices, photon.start, landings, counts);
     if (!left_light) return;
     const float emitted_power = max_component(photon.power);
     const LobeMask receiving = receiving_lobes(in.settings);

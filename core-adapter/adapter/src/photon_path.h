@@ -47,6 +47,7 @@ struct PhotonInput {
     const EmissionGuide* emission = nullptr;  ///< null: lights by power, uniform coordinates
     const ScoreSurvival* survival = nullptr;  ///< null: by the power left
     std::uint32_t log_one_of = 0;             ///< one of so many paths is logged; 0: none
+    bool log_vertices = false;                ///< with their vertices
 };
 
 /// The numbers of a path of the plain sampler: the emission's are an Owen-scrambled Sobol' sequence

@@ -116,7 +116,8 @@ Json total(const Runs& runs, const char* group, const char* name) {
     return mean_figure(runs, [&](const Json& run) { return run.at(group).at(name); });
 }
 
-/// Errors and times after the passes at which all runs have snapshots.
+/// Mean errors after the passes at which the first run has snapshots, over the runs that have one
+/// there too.
 Json curve_of(const Runs& runs, const std::string& part) {
     Json curve = Json::array();
     const auto first = std::find_if(runs.begin(), runs.end(), [](const Json* r) { return r; });

@@ -100,13 +100,14 @@ SceneMaps scene_maps(const DistributionInput& input, const std::string& unguided
     return maps;
 }
 
-/// log of the ratio of both densities, each divided by its own sum.
-Blocks added_density(const Blocks& density, const Blocks& unguided) {
+/// log of the ratio of both densities, each divided by its own sum; nothing where one is black.
+std::optional<Blocks> added_density(const Blocks& density, const Blocks& unguided) {
     double sum = 0, unguided_sum = 0;
     for (std::size_t i = 0; i < density.size(); ++i) {
         sum += density[i];
         unguided_sum += unguided[i];
     }
+    if (!(sum > 0 && unguided_sum > 0)) return std::nullopt;
     Blocks added(density.size());
     // A block without photons counts as one with a thousandth of the mean.
     const double floor = 1e-3 / double(density.size());
@@ -130,11 +131,11 @@ Figures figures_of(const SceneMaps& maps, const Stage& stage, const Stage& ungui
     figures["error_correlation"] = rank_correlation(density, maps.error);
     const bool is_unguided = &stage == &unguided;
     if (!is_unguided) {
-        const Blocks added = added_density(density, plain);
+        const std::optional<Blocks> added = added_density(density, plain);
         figures["distance"] = distribution_distance(density, plain);
-        figures["added_error_correlation"] = rank_correlation(added, maps.error);
-        if (stage.node_error)
-            figures["added_node_error_correlation"] = rank_correlation(added, *stage.node_error);
+        if (added) figures["added_error_correlation"] = rank_correlation(*added, maps.error);
+        if (added && stage.node_error)
+            figures["added_node_error_correlation"] = rank_correlation(*added, *stage.node_error);
     } else if (other != nullptr) {
         figures["distance"] =
             distribution_distance(density, block_means(other->density, maps.block_px));

@@ -26,7 +26,7 @@ struct PrimaryTreeSettings {
     std::uint32_t split_count = 32;
     /// Least fall of the tree's mass by a split, as a share of the whole.
     double split_gain = 1e-4;
-    /// Photon paths whose scores count in full; older ones are forgotten in proportion.
+    /// Scored photon paths that count in full; older ones are forgotten in proportion.
     double memory_paths = 4e6;
     /// Power of |f| / sqrt(cost) that the density follows, in (0, 1].
     double sharpness = 0.5;
@@ -63,7 +63,8 @@ class PrimaryTree {
     void add(const PrimaryPoint& point, double score, double cost = 1);
     /// A point where photons ought to start, found from the eye: shapes the density of seeds only.
     void add_seed(const PrimaryPoint& point, double weight);
-    /// After `paths` further photon paths of all lights: forgets, splits what pays to be split.
+    /// After `paths` further scored photon paths of all lights, those worth nothing included:
+    /// forgets, splits what pays to be split.
     void update(double paths);
     /// Sets the density from what was learned so far. With nothing learned (no seeds), the shares
     /// of the learned (seeds') density go to the plain one.
@@ -104,7 +105,7 @@ class PrimaryTree {
         std::array<float, 4> corner{};
         std::array<float, 4> side{1, 1, 1, 1};
         double volume = 1;
-        double paths = 0;  ///< all lights' photon paths that `root` stands for
+        double paths = 0;  ///< all lights' scored photon paths that `root` stands for
         Sums root;         ///< of sqrt(Q): `whole` / paths estimates the integral of |f|
         double drawn = 0;  ///< photons that started here
         double cost = 0;   ///< of these

@@ -1,6 +1,6 @@
-// Sine and cosine together, inline and with the same bits on every C library: warps take them for
-// every ray, and the general functions of the library cost as much as the rest of a warp.
-// Source of the polynomials: Cephes 2.8 (Moshier), sinf.c.
+// Sine and cosine together, inline and in single precision with the same bits on every C library:
+// warps take them for every ray, and the general functions of the library cost as much as the rest
+// of a warp. Source of the polynomials: Cephes 2.8 (Moshier), sinf.c.
 #pragma once
 
 #include <cmath>

@@ -71,9 +71,11 @@ void EmissionGuide::update(double paths) {
 // p(l, x) = d P0(l) + s S_l seeds_l(x) + (1 - d - s) M_l learned_l(x), S and M normalised over
 // lights. The sum over x gives the choice of the light, the rest the mixture within it.
 void EmissionGuide::set_densities() {
-    double mass = 0;
+    std::vector<double> masses;
+    masses.reserve(trees_.size());
     for (const PrimaryTree& tree : trees_)
-        mass += tree.mass();
+        masses.push_back(tree.mass());
+    const double mass = std::accumulate(masses.begin(), masses.end(), 0.0);
     const double all_seeds = std::accumulate(seeds_.begin(), seeds_.end(), 0.0);
     learned_ = mass > 0 || all_seeds > 0;
     if (!learned_) return;
@@ -90,7 +92,7 @@ void EmissionGuide::set_densities() {
     for (std::size_t l = 0; l < trees_.size(); ++l) {
         const double plain = plain_share * plain_pdf(LightIndex(l));
         const double seeds = all_seeds > 0 ? seed_share * seeds_[l] / all_seeds : 0;
-        const double learned = mass > 0 ? learned_share * trees_[l].mass() / mass : 0;
+        const double learned = mass > 0 ? learned_share * masses[l] / mass : 0;
         const double sum = plain + seeds + learned;
         weights[l] = float(sum);
         if (sum > 0) trees_[l].set_mixture({plain / sum, seeds / sum});

@@ -97,25 +97,11 @@ TEST(AdaptiveGuide, SameExpectationWithEachPartAlone) {
     expect_same(reference, renders(view, survival, 24, 4000));
 }
 
-/// Mean over pixels of the variance over renders.
-double pixel_variance(const statistics::BlockMeans& renders) {
-    double sum = 0;
-    for (std::size_t pixel = 0; pixel < renders[0].size(); ++pixel) {
-        double mean = 0, squares = 0;
-        for (const auto& render : renders)
-            mean += render[pixel] / double(renders.size());
-        for (const auto& render : renders)
-            squares += (render[pixel] - mean) * (render[pixel] - mean);
-        sum += squares / double(renders.size() - 1);
-    }
-    return sum / double(renders[0].size());
-}
-
 TEST(AdaptiveGuide, SunOverAWideGround) {
     const View view = wide_ground();
     expect_same(renders(view, plain, 40, 5000, 8, 12), renders(view, adaptive, 40, 6000, 8, 12));
     const auto pixels = [&](const auto& choose, std::uint64_t seed) {
-        return pixel_variance(renders(view, choose, 8, seed, 1, 24));
+        return statistics::mean_variance(renders(view, choose, 8, seed, 1, 24));
     };
     EXPECT_GT(pixels(plain, 7000) / pixels(adaptive, 8000), 3);
 }

@@ -96,20 +96,13 @@ TEST(PhotonChains, SameExpectationWhereFewPathsAreVisible) {
 
 /// Mean over pixels of the variance over seeds.
 double pixel_variance(const View& view, PhotonSampler sampler, unsigned seeds) {
-    std::vector<double> sums(std::size_t{kWidth} * kHeight), squares(sums);
+    statistics::BlockMeans pixels;
     for (unsigned s = 0; s < seeds; ++s) {
         const Settings settings = chain_settings(3000 + s, 40000, sampler, 0.5);
-        const auto values = mock::luminances(
-            mock::render(view.scene, view.camera, kWidth, kHeight, settings, 6).film);
-        for (std::size_t i = 0; i < values.size(); ++i) {
-            sums[i] += values[i];
-            squares[i] += values[i] * values[i];
-        }
+        pixels.push_back(mock::luminances(
+            mock::render(view.scene, view.camera, kWidth, kHeight, settings, 6).film));
     }
-    double variance = 0;
-    for (std::size_t i = 0; i < sums.size(); ++i)
-        variance += (squares[i] - sums[i] * sums[i] / seeds) / (seeds - 1);
-    return variance / double(sums.size());
+    return statistics::mean_variance(pixels);
 }
 
 /// What the method is for.

@@ -6,7 +6,6 @@
 #include <stdexcept>
 
 namespace bench {
-namespace {
 
 namespace algo = OIIO::ImageBufAlgo;
 
@@ -16,6 +15,8 @@ Image mean_image(std::span<const Image> images) {
         sum = algo::add(sum, image);
     return algo::mul(sum, 1.0f / float(images.size()));
 }
+
+namespace {
 
 Image sample_variance(std::span<const Image> images, const Image& mean) {
     Image sum;

@@ -15,6 +15,9 @@ struct SeedStatistics {
     double rel_variance = 0;  ///< likewise
 };
 
+/// Mean of images of equal size, at least one.
+Image mean_image(std::span<const Image> images);
+
 /// Of at least two images of equal size; throws std::invalid_argument for fewer.
 SeedStatistics seed_statistics(std::span<const Image> images, const Image& first,
                                const Image& second);

@@ -126,6 +126,20 @@ BlockMeans select(const BlockMeans& means, const std::vector<std::size_t>& block
     return selected;
 }
 
+double mean_variance(const BlockMeans& means) {
+    const auto seeds = double(means.size());
+    double variance = 0;
+    for (std::size_t block = 0; block < means[0].size(); ++block) {
+        double mean = 0, squares = 0;
+        for (const auto& seed : means)
+            mean += seed[block] / seeds;
+        for (const auto& seed : means)
+            squares += (seed[block] - mean) * (seed[block] - mean);
+        variance += squares / (seeds - 1);
+    }
+    return variance / double(means[0].size());
+}
+
 BlockMeans scaled(BlockMeans means, double factor) {
     for (auto& blocks : means) {
         for (double& block : blocks)

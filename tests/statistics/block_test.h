@@ -37,6 +37,9 @@ Comparison compare_paired(const BlockMeans& a, const BlockMeans& b, double signi
 /// Some of the blocks alone: a region of the image.
 BlockMeans select(const BlockMeans& means, const std::vector<std::size_t>& blocks);
 
+/// Mean over blocks of the variance over seeds (at least two).
+double mean_variance(const BlockMeans& means);
+
 /// All values times `factor`: a planted bias, to show that a comparison would find it.
 BlockMeans scaled(BlockMeans means, double factor);
 

@@ -32,20 +32,13 @@ std::vector<Image> last_images(const Experiment& experiment, const Json& runs,
     return images;
 }
 
-Image mean_of(const std::vector<Image>& images) {
-    Image sum = images.front();
-    for (std::size_t i = 1; i < images.size(); ++i)
-        sum = algo::add(sum, images[i]);
-    return algo::mul(sum, 1 / float(images.size()));
-}
-
 /// Fills the row of the case whose images are `own`.
 void compare(const std::vector<Image>& own, const std::vector<Image>& against, Json& row) {
     row["relative_variance"] = nullptr;
     row["variance_ratio"] = nullptr;
     if (own.size() < 2 || against.size() < 2) return;
     // Both weigh alike: a pixel in which one of them alone is bright counts the same for either.
-    const Image mean = algo::mul(algo::add(mean_of(own), mean_of(against)), 0.5f);
+    const Image mean = algo::mul(algo::add(mean_image(own), mean_image(against)), 0.5f);
     const double variance = seed_statistics(own, mean, mean).rel_variance;
     const double baseline = seed_statistics(against, mean, mean).rel_variance;
     row["relative_variance"] = variance;

@@ -17,14 +17,22 @@ void add_method_table(CLI::App& app, BenchCommandLine& command) {
         ->type_name("FILE.json");
 }
 
-void add_tables(CLI::App& app, BenchCommandLine& command) {
+void add_references(CLI::App& app, BenchCommandLine& command) {
     app.add_option("--references", command.references,
                    "folder of the reference images (default: out/bench-references)")
         ->type_name("DIR");
-    add_method_table(app, command);
+}
+
+void add_scene_table(CLI::App& app, BenchCommandLine& command) {
     app.add_option("--scene-table", command.scene_table,
                    "scenes' reference methods (default: tests/bench/scenes.json of the sources)")
         ->type_name("FILE.json");
+}
+
+void add_tables(CLI::App& app, BenchCommandLine& command) {
+    add_references(app, command);
+    add_method_table(app, command);
+    add_scene_table(app, command);
     app.add_option("--scene-folder", command.scene_folder,
                    "where scenes are found by name (default: scenes of the sources)")
         ->type_name("DIR");
@@ -87,16 +95,28 @@ void add_reference(CLI::App& app, BenchCommandLine& command) {
     reference.callback([&command] { command.command = Command::Reference; });
 }
 
+void add_agreement(CLI::App& app, BenchCommandLine& command) {
+    CLI::App& agreement = *app.add_subcommand(
+        "agreement", "test whether a study's methods agree within noise and claimed bias");
+    agreement.add_option("dir", command.folder, "folder of the study")
+        ->type_name("DIR")
+        ->required();
+    agreement
+        .add_option("--smaller-radius", command.smaller_radius,
+                    "study of the baseline at a smaller fixed radius, which tells the bias")
+        ->type_name("DIR");
+    add_references(agreement, command);
+    add_scene_table(agreement, command);
+    agreement.callback([&command] { command.command = Command::Agreement; });
+}
+
 void add_report(CLI::App& app, BenchCommandLine& command) {
     CLI::App& report =
         *app.add_subcommand("report", "write a study as one HTML page that opens offline");
     report.add_option("dir", command.folder, "folder of the study")->type_name("DIR")->required();
     report.add_option("--out", command.report_file, "the page (default: DIR/report.html)")
         ->type_name("FILE.html");
-    report
-        .add_option("--references", command.references,
-                    "folder of the reference images (default: out/bench-references)")
-        ->type_name("DIR");
+    add_references(report, command);
     report
         .add_option("--page", command.report_page,
                     "page without data (default: what the target bench-report-assets built)")
@@ -167,6 +187,7 @@ std::optional<ExitCode> parse_command_line(int argc, const char* const* argv,
     app.footer(lxs::exit_code_help(kExitCodes));
     add_run(app, command);
     add_reference(app, command);
+    add_agreement(app, command);
     add_report(app, command);
     add_paper(app, command);
     add_others(app, command);

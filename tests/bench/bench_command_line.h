@@ -11,7 +11,16 @@
 namespace bench {
 
 /// Which of the commands is asked for.
-enum class Command : std::uint8_t { Run, Reference, Table, Report, Paper, Methods, RenderOne };
+enum class Command : std::uint8_t {
+    Run,
+    Reference,
+    Table,
+    Agreement,
+    Report,
+    Paper,
+    Methods,
+    RenderOne
+};
 
 struct BenchCommandLine {
     Command command = Command::Run;
@@ -27,7 +36,8 @@ struct BenchCommandLine {
     std::string baseline = "sppm";
     std::optional<unsigned> photons_per_pass;
     bool photon_part = false;
-    std::string folder;  ///< --out of run, DIR of table and report, JOB of render-one
+    std::string folder;  ///< --out of run, DIR of table, agreement and report, JOB of render-one
+    std::string smaller_radius;  ///< of agreement: DIR of the study that tells the bias
     std::string references = "out/bench-references";
     std::string method_table, scene_table, scene_folder;
     std::string report_file, report_page;

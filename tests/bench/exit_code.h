@@ -16,6 +16,7 @@ enum class ExitCode : int {
     OutputFailure = 5,
     RunsFailed = 6,
     ReferencesDiffer = 7,
+    MethodsDiffer = 8,
     Interrupted = 130
 };
 
@@ -32,6 +33,9 @@ inline constexpr std::array kExitCodes = {
     lxs::ExitCodeMeaning{ExitCode::RunsFailed, "some runs failed; the others are complete"},
     lxs::ExitCodeMeaning{ExitCode::ReferencesDiffer,
                          "the two references of a scene differ by more than chance"},
+    lxs::ExitCodeMeaning{
+        ExitCode::MethodsDiffer,
+        "a method differs from the references or the baseline by more than noise and bias"},
     lxs::ExitCodeMeaning{ExitCode::Interrupted, "interrupted; what was complete is kept"},
 };
 

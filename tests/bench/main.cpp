@@ -5,6 +5,7 @@
 #include <exception>
 #include <fstream>
 
+#include "agreement_command.h"
 #include "bench_command_line.h"
 #include "comparison_table.h"
 #include "lxs/host/failure.h"
@@ -70,6 +71,12 @@ ExitCode print_table(const BenchCommandLine& command) {
     return ExitCode::Success;
 }
 
+ExitCode agreement(const BenchCommandLine& command, lxs::ConsoleLog& log) {
+    return test_agreement({command.folder, command.references, command.smaller_radius,
+                           or_default(command.scene_table, BENCH_SCENE_TABLE)},
+                          log);
+}
+
 ExitCode report(const BenchCommandLine& command, lxs::ConsoleLog& log) {
     const std::filesystem::path study = command.folder;
     const ReportRequest request{
@@ -127,6 +134,7 @@ ExitCode print_methods(const BenchCommandLine& command, const lxs::PluginLibrary
 ExitCode carry_out(const BenchCommandLine& command, lxs::PluginLibrary& plugins,
                    lxs::ConsoleLog& log) {
     if (command.command == Command::Table) return print_table(command);
+    if (command.command == Command::Agreement) return agreement(command, log);
     if (command.command == Command::Report) return report(command, log);
     if (command.command == Command::RenderOne) return render_one(command, log);
     plugins.load_folder(lxs::own_plugin_folder());

@@ -6,8 +6,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "block_test.h"
-
 namespace bench {
 namespace {
 
@@ -18,14 +16,14 @@ int edge(int index, int size) {
     return index * size / kBlocksPerSide;
 }
 
-statistics::BlockMeans block_means(const Json& chunks) {
+}  // namespace
+
+statistics::BlockMeans chunk_blocks(const Json& chunks) {
     statistics::BlockMeans means;
     for (const Json& chunk : chunks)
         means.push_back(chunk.at("blocks").get<std::vector<double>>());
     return means;
 }
-
-}  // namespace
 
 std::vector<double> block_luminances(const Image& image) {
     const OIIO::ROI all = image.roi();
@@ -48,9 +46,9 @@ Json agreement(const Json& images) {
     for (const char* name : kReferenceNames) {
         if (!images.contains(name) || images.at(name).at("chunks").size() < 3) return nullptr;
     }
-    const auto comparison =
-        statistics::compare(block_means(images.at(kReferenceNames[0]).at("chunks")),
-                            block_means(images.at(kReferenceNames[1]).at("chunks")), kDisagreement);
+    const auto comparison = statistics::compare(
+        chunk_blocks(images.at(kReferenceNames[0]).at("chunks")),
+        chunk_blocks(images.at(kReferenceNames[1]).at("chunks")), kDisagreement);
     return {{"agree", !comparison.differs()},
             {"mean_ratio", comparison.mean_ratio},
             {"smallest_p", comparison.smallest_p},

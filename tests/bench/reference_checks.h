@@ -4,6 +4,7 @@
 #include <array>
 #include <vector>
 
+#include "block_test.h"
 #include "reference_store.h"
 
 namespace bench {
@@ -16,6 +17,9 @@ inline constexpr double kDisagreement = 1e-4;
 /// Mean luminance of kBlocksPerSide x kBlocksPerSide blocks, row by row. Images of fewer pixels
 /// than blocks repeat pixels.
 std::vector<double> block_luminances(const Image& image);
+
+/// Block luminances of a reference's "chunks", as reference.json has them.
+statistics::BlockMeans chunk_blocks(const Json& chunks);
 
 /// "agreement" of docs/benchmark.md from the chunks of images 1 and 2; null with fewer than three
 /// chunks in either.

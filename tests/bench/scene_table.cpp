@@ -31,21 +31,27 @@ void add_with_named_files(const fs::path& file, const fs::path& folder, std::set
 
 }  // namespace
 
-BenchScene find_scene(const std::string& name, const fs::path& table, const fs::path& folder) {
+BenchScene listed_scene(const std::string& name, const fs::path& table) {
     BenchScene scene;
+    scene.name = name;
+    const Json listed = read_json(table);
+    for (const Json& entry : listed.at("scenes")) {
+        if (entry.at("name") != name) continue;
+        scene.references = entry.at("references").get<std::array<std::string, 2>>();
+        scene.misses = entry.value("misses", scene.misses);
+    }
+    return scene;
+}
+
+BenchScene find_scene(const std::string& name, const fs::path& table, const fs::path& folder) {
     const fs::path path(name);
     const bool is_path = path.extension() == ".lxs";
-    scene.name = is_path ? path.stem().string() : name;
+    BenchScene scene = listed_scene(name, table);
+    if (is_path) scene.name = path.stem().string();
     scene.file = is_path ? path : folder / (name + ".lxs");
     if (!fs::is_regular_file(scene.file)) {
         throw StudyError(
             fmt::format("unknown scene \"{}\": there is no file '{}'", name, scene.file.string()));
-    }
-    const Json listed = read_json(table);
-    for (const Json& entry : listed.at("scenes")) {
-        if (!is_path && entry.at("name") == name) {
-            scene.references = entry.at("references").get<std::array<std::string, 2>>();
-        }
     }
     return scene;
 }

@@ -5,6 +5,7 @@
 #include <boost/math/distributions/students_t.hpp>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <sstream>
 
 namespace statistics {
@@ -15,16 +16,21 @@ struct Moments {
     double count = 0;
 };
 
+/// `weights` go with 1 / variance; none: all are equal.
 template <class Value>
-Moments moments(std::size_t count, Value&& value) {
+Moments moments(std::size_t count, Value&& value, const std::vector<double>& weights = {}) {
+    const double sum = std::accumulate(weights.begin(), weights.end(), 0.0);
+    const auto share = [&](std::size_t i) {
+        return weights.empty() ? 1 / double(count) : weights[i] / sum;
+    };
     Moments m;
     m.count = double(count);
     for (std::size_t i = 0; i < count; ++i)
-        m.mean += value(i) / m.count;
+        m.mean += value(i) * share(i);
     double squares = 0;
     for (std::size_t i = 0; i < count; ++i)
-        squares += (value(i) - m.mean) * (value(i) - m.mean);
-    m.variance_of_mean = squares / (m.count - 1) / m.count;
+        squares += (value(i) - m.mean) * (value(i) - m.mean) * share(i);
+    m.variance_of_mean = squares / (m.count - 1);
     return m;
 }
 
@@ -55,6 +61,7 @@ double detectable(double mean, double variance, double degrees, double threshold
 /// What one test says.
 struct Verdict {
     double p = 1, ratio = 1, detectable = 0;
+    double standard_error = 0;  ///< of the difference, relative to a
 };
 
 double mean_of(const std::vector<double>& blocks) {
@@ -62,6 +69,12 @@ double mean_of(const std::vector<double>& blocks) {
     for (const double b : blocks)
         sum += b;
     return sum / double(blocks.size());
+}
+
+void note_p(double p, std::size_t at, Comparison& result) {
+    if (p >= result.smallest_p) return;
+    result.smallest_p = p;
+    result.smallest_at = at;
 }
 
 /// One test a block, one of the mean of all; `test` takes what it looks at and the threshold.
@@ -74,14 +87,15 @@ Comparison all_tests(std::size_t blocks, double significance, Test&& test) {
     for (std::size_t k = 0; k < blocks; ++k) {
         const Verdict v =
             test([&](const std::vector<double>& means) { return means[k]; }, result.threshold);
-        result.smallest_p = std::min(result.smallest_p, v.p);
+        note_p(v.p, k, result);
         if (std::isfinite(v.detectable)) in_blocks.push_back(v.detectable);
     }
     std::sort(in_blocks.begin(), in_blocks.end());
     if (!in_blocks.empty()) result.detectable_in_block = in_blocks[in_blocks.size() / 2];
     const Verdict v = test(mean_of, result.threshold);
-    result.smallest_p = std::min(result.smallest_p, v.p);
+    note_p(v.p, blocks, result);
     result.mean_ratio = v.ratio;
+    result.standard_error = v.standard_error;
     result.detectable = v.detectable;
     return result;
 }
@@ -93,13 +107,16 @@ double student_p(double t, double degrees_of_freedom) {
     return 2 * cdf(complement(distribution, std::abs(t)));
 }
 
-Comparison compare(const BlockMeans& a, const BlockMeans& b, double significance, double allowed) {
+Comparison compare(const BlockMeans& a, const BlockMeans& b, double significance, double allowed,
+                   const std::vector<double>& weights) {
     return all_tests(a.front().size(), significance, [&](auto&& value, double threshold) {
-        const Moments ma = moments(a.size(), [&](std::size_t i) { return value(a[i]); });
+        const Moments ma = moments(
+            a.size(), [&](std::size_t i) { return value(a[i]); }, weights);
         const Moments mb = moments(b.size(), [&](std::size_t i) { return value(b[i]); });
         const double variance = ma.variance_of_mean + mb.variance_of_mean;
         return Verdict{welch_p(ma, mb, allowed), mb.mean / ma.mean,
-                       allowed + detectable(ma.mean, variance, degrees(ma, mb), threshold)};
+                       allowed + detectable(ma.mean, variance, degrees(ma, mb), threshold),
+                       std::sqrt(variance) / std::abs(ma.mean)};
     });
 }
 
@@ -113,7 +130,8 @@ Comparison compare_paired(const BlockMeans& a, const BlockMeans& b, double signi
                              ? student_p(difference.mean / std::sqrt(variance), free)
                              : (std::abs(difference.mean) <= 1e-6 * std::abs(ma.mean) ? 1 : 0);
         return Verdict{p, 1 + difference.mean / ma.mean,
-                       detectable(ma.mean, variance, free, threshold)};
+                       detectable(ma.mean, variance, free, threshold),
+                       std::sqrt(variance) / std::abs(ma.mean)};
     });
 }
 

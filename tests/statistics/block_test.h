@@ -15,7 +15,9 @@ struct Comparison {
     double smallest_p = 1;  ///< over the blocks and the mean of all blocks
     double threshold = 0;   ///< Sidak-corrected significance a single test must fall below
     std::size_t tests = 0;
-    double mean_ratio = 0;  ///< mean of b over mean of a
+    std::size_t smallest_at = 0;  ///< block of the smallest p; tests - 1: the mean of all
+    double mean_ratio = 0;        ///< mean of b over mean of a
+    double standard_error = 0;    ///< of the difference of the means, relative to the mean of a
     /// Relative difference of the whole image's mean that would be found with 90 % probability.
     double detectable = 0;
     /// The same of the median block, among those that have any light.
@@ -26,9 +28,10 @@ struct Comparison {
 
 /// Compares a and b (each at least 3 seeds of equally many blocks) at family-wise `significance`.
 /// Blocks without spread and without difference are skipped. A difference counts only beyond
-/// `allowed`, a known relative bias of b, in each block and in the mean.
+/// `allowed`, a known relative bias of b, in each block and in the mean. `weights` are those of a's
+/// seeds, whose variance goes with 1 / weight; none: all are equal.
 Comparison compare(const BlockMeans& a, const BlockMeans& b, double significance,
-                   double allowed = 0);
+                   double allowed = 0, const std::vector<double>& weights = {});
 
 /// The same for renders made in pairs of one seed, of which a large part is equal by construction
 /// (eye paths, shadow rays, photons' first surfaces): t-tests of the differences within the pairs.

@@ -1,0 +1,99 @@
+// Does a method's expected image agree with the references, and with the baseline at the same
+// radius, within noise and the bias it claims?
+#include "method_agreement.h"
+
+#include <numeric>
+
+#include "reference_checks.h"
+
+namespace bench {
+namespace {
+
+using statistics::BlockMeans;
+constexpr std::size_t kFewestSeeds = 3;
+
+BlockMeans all_means(const SeedBlocks& runs) {
+    BlockMeans means;
+    for (const auto& [seed, blocks] : runs)
+        means.push_back(blocks);
+    return means;
+}
+
+/// Drops the seeds that the claim was not measured with.
+SeedBlocks seeds_in_common(const SeedBlocks& method, const RadiusBias& claim) {
+    SeedBlocks common;
+    for (const auto& [seed, blocks] : method) {
+        if (claim.at_radius.contains(seed) && claim.at_smaller.contains(seed))
+            common[seed] = blocks;
+    }
+    return common;
+}
+
+BlockMeans means_of_seeds(const SeedBlocks& runs, const SeedBlocks& seeds) {
+    BlockMeans means;
+    for (const auto& [seed, ignored] : seeds)
+        means.push_back(runs.at(seed));
+    return means;
+}
+
+std::vector<double> block_means(const BlockSample& sample) {
+    std::vector<double> means(sample.means.front().size());
+    double sum = 0;
+    for (std::size_t i = 0; i < sample.means.size(); ++i) {
+        const double weight = sample.weights.empty() ? 1 : sample.weights[i];
+        sum += weight;
+        for (std::size_t k = 0; k < means.size(); ++k)
+            means[k] += weight * sample.means[i][k];
+    }
+    for (double& mean : means)
+        mean /= sum;
+    return means;
+}
+
+double mean_of_all(const BlockMeans& sample) {
+    double sum = 0;
+    for (const auto& blocks : sample)
+        sum += std::accumulate(blocks.begin(), blocks.end(), 0.0) / double(blocks.size());
+    return sum / double(sample.size());
+}
+
+Agreement compare(const BlockSample& references, const BlockMeans& method,
+                  const BlockMeans& unbiased) {
+    Agreement found;
+    found.seeds = method.size();
+    found.comparison =
+        statistics::compare(references.means, unbiased, kDisagreement, 0, references.weights);
+    const double reference = mean_of_all({block_means(references)});
+    found.mean_ratio = mean_of_all(method) / reference;
+    return found;
+}
+
+}  // namespace
+
+bool Agreement::agrees() const {
+    return !comparison.differs() && comparison.detectable <= kDecisive;
+}
+
+std::optional<Agreement> agreement_with_references(const BlockSample& references,
+                                                   const SeedBlocks& method,
+                                                   const RadiusBias* claim) {
+    const SeedBlocks used = claim != nullptr ? seeds_in_common(method, *claim) : method;
+    if (used.size() < kFewestSeeds || references.means.size() < kFewestSeeds) return std::nullopt;
+    const BlockMeans means = all_means(used);
+    if (claim == nullptr) return compare(references, means, means);
+    const BiasClaim bias{means_of_seeds(claim->at_radius, used),
+                         means_of_seeds(claim->at_smaller, used), claim->factors};
+    const BlockMeans unbiased = without_bias(means, bias, block_means(references));
+    Agreement found = compare(references, means, unbiased);
+    found.bias = found.mean_ratio - found.comparison.mean_ratio;
+    return found;
+}
+
+std::optional<Agreement> agreement_with_baseline(const SeedBlocks& baseline,
+                                                 const SeedBlocks& method) {
+    if (baseline.size() < kFewestSeeds || method.size() < kFewestSeeds) return std::nullopt;
+    const BlockMeans means = all_means(method);
+    return compare({all_means(baseline), {}}, means, means);
+}
+
+}  // namespace bench

@@ -1,0 +1,125 @@
+// Protects what `aips-bench agreement` says: equal expectations pass however often one looks, an
+// error of 3 % is found, bias is forgiven as far as it is claimed, and too much noise is no
+// agreement.
+#include "method_agreement.h"
+
+#include <gtest/gtest.h>
+
+#include "reference_checks.h"
+#include "synthetic_image.h"
+
+namespace bench::test {
+namespace {
+
+constexpr int kSize = 32, kSeeds = 8;
+constexpr double kNoise = 0.04;  ///< of a pixel: 1 % of a block's luminance
+
+std::vector<double> blocks(double mean, double deviation, std::mt19937& random) {
+    return block_luminances(noisy_image(kSize, kSize, mean, deviation, random));
+}
+
+SeedBlocks runs(double mean, double deviation, std::mt19937& random) {
+    SeedBlocks seeds;
+    for (std::uint64_t seed = 1; seed <= kSeeds; ++seed)
+        seeds[seed] = blocks(mean, deviation, random);
+    return seeds;
+}
+
+/// Chunks of unequal weight, as references have.
+BlockSample references(double mean, std::mt19937& random) {
+    BlockSample sample;
+    for (const double weight : {1.0, 1.0, 2.0, 4.0, 1.0, 1.0, 2.0, 4.0}) {
+        sample.means.push_back(blocks(mean, kNoise / std::sqrt(weight), random));
+        sample.weights.push_back(weight);
+    }
+    return sample;
+}
+
+TEST(MethodAgreement, EqualExpectationsAreNotReportedAtTheFamilyWiseLevel) {
+    std::mt19937 random(1);
+    // 600 families at 10^-4: one report has probability 0.06, two 0.002.
+    int reported = 0;
+    for (int study = 0; study < 300; ++study) {
+        const SeedBlocks method = runs(1, kNoise, random);
+        reported +=
+            agreement_with_references(references(1, random), method, nullptr)->comparison.differs();
+        reported += agreement_with_baseline(runs(1, kNoise, random), method)->comparison.differs();
+    }
+    EXPECT_LE(reported, 1);
+}
+
+TEST(MethodAgreement, PlantedErrorOfThreePercentIsFound) {
+    std::mt19937 random(2);
+    for (const double factor : {1.03, 0.97}) {
+        const SeedBlocks method = runs(factor, kNoise, random);
+        const auto against_references =
+            agreement_with_references(references(1, random), method, nullptr);
+        EXPECT_TRUE(against_references->comparison.differs());
+        EXPECT_FALSE(against_references->agrees());
+        EXPECT_NEAR(against_references->mean_ratio, factor, 0.003);
+        EXPECT_FALSE(against_references->bias);
+        EXPECT_FALSE(agreement_with_baseline(runs(1, kNoise, random), method)->agrees());
+    }
+}
+
+TEST(MethodAgreement, ErrorOfOneBlockIsFoundThere) {
+    std::mt19937 random(3);
+    SeedBlocks method = runs(1, kNoise, random);
+    for (auto& [seed, means] : method)
+        means[19] *= 1.3;
+    const auto found = agreement_with_baseline(runs(1, kNoise, random), method);
+    EXPECT_TRUE(found->comparison.differs());
+    EXPECT_EQ(found->comparison.smallest_at, 19u);
+}
+
+TEST(MethodAgreement, BiasIsForgivenAsFarAsItIsClaimed) {
+    std::mt19937 random(4);
+    const auto factors = bias_factors(2, 1, {});
+    // Bias -4 % at radius 2, -1 % at 1, on top of it 3 % in the second case.
+    const RadiusBias claim{runs(0.96, kNoise, random), runs(0.99, kNoise, random), factors};
+    const auto sample = references(1, random);
+    const auto as_claimed = agreement_with_references(sample, runs(0.96, kNoise, random), &claim);
+    EXPECT_TRUE(as_claimed->agrees());
+    EXPECT_NEAR(*as_claimed->bias, -0.04, 0.005);
+    EXPECT_NEAR(as_claimed->comparison.mean_ratio, 1, 0.005);
+    const auto beyond = agreement_with_references(sample, runs(0.91, kNoise, random), &claim);
+    EXPECT_TRUE(beyond->comparison.differs());
+    // A method without radius claims none.
+    EXPECT_TRUE(agreement_with_references(sample, runs(0.96, kNoise, random), nullptr)
+                    ->comparison.differs());
+}
+
+TEST(MethodAgreement, WhatNoiseHidesIsNoAgreement) {
+    std::mt19937 random(5);
+    const auto found =
+        agreement_with_references(references(1, random), runs(1, 40 * kNoise, random), nullptr);
+    EXPECT_FALSE(found->comparison.differs());
+    EXPECT_FALSE(found->agrees());
+}
+
+TEST(MethodAgreement, HeavyChunksCountByTheirWeight) {
+    std::mt19937 random(6);
+    // Among light chunks that are off by noise, one of weight 1000 holds the mean.
+    BlockSample sample = references(1, random);
+    for (double& value : sample.means[3])
+        value = 2;
+    sample.weights[3] = 1000;
+    const auto found = agreement_with_references(sample, runs(1, kNoise, random), nullptr);
+    EXPECT_NEAR(found->mean_ratio, 0.5, 0.01);
+    EXPECT_NEAR(found->comparison.mean_ratio, 0.5, 0.01);
+}
+
+TEST(MethodAgreement, FewerThanThreeSeedsSayNothing) {
+    std::mt19937 random(7);
+    SeedBlocks two = runs(1, kNoise, random);
+    while (two.size() > 2)
+        two.erase(two.begin());
+    EXPECT_FALSE(agreement_with_references(references(1, random), two, nullptr));
+    EXPECT_FALSE(agreement_with_baseline(runs(1, kNoise, random), two));
+    // Nor do more whose claim was measured with two.
+    const RadiusBias claim{runs(1, kNoise, random), two, bias_factors(2, 1, {})};
+    EXPECT_FALSE(agreement_with_references(references(1, random), runs(1, kNoise, random), &claim));
+}
+
+}  // namespace
+}  // namespace bench::test

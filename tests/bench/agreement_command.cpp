@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <map>
+#include <set>
 #include <utility>
 
 #include "agreement_samples.h"
@@ -33,8 +35,8 @@ struct Scene {
     std::string baseline;
     Json metadata;  ///< of the references
     BlockSample references;
-    SeedBlocks baseline_blocks;
-    std::optional<RadiusBias> bias;  ///< nothing if no smaller radius was given
+    std::map<std::string, SeedBlocks> methods;  ///< by name
+    std::optional<RadiusBias> bias;             ///< nothing if no smaller radius was given
 };
 
 StudyFiles read_study(const fs::path& folder) {
@@ -79,7 +81,8 @@ RadiusBias measure_bias(const StudyFiles& smaller, const Scene& scene, double ra
                                          group.scene, key));
         }
     }
-    return {scene.baseline_blocks, blocks_of_runs(smaller.folder, smaller.summary, group),
+    return {scene.methods.at(scene.baseline),
+            blocks_of_runs(smaller.folder, smaller.summary, group),
             bias_factors(radius, *radius_there, reference_radii(scene.metadata))};
 }
 
@@ -91,11 +94,11 @@ Scene read_scene(const AgreementRequest& request, const StudyFiles& study,
     const Json settings = settings_of(study.summary, name);
     scene.metadata = read_references(request.references, name, settings);
     scene.references = blocks_of_references(scene.metadata);
-    const RunGroup baseline{name, scene.baseline, kFixed};
-    const auto radius = radius_of_runs(study.summary, baseline);
-    if (!radius) return scene;
-    scene.baseline_blocks = blocks_of_runs(study.folder, study.summary, baseline);
-    if (smaller) scene.bias = measure_bias(*smaller, scene, *radius, settings);
+    for (const std::string method : study.summary.at("study").at("methods")) {
+        scene.methods[method] = blocks_of_runs(study.folder, study.summary, {name, method, kFixed});
+    }
+    const auto radius = radius_of_runs(study.summary, {name, scene.baseline, kFixed});
+    if (smaller && radius) scene.bias = measure_bias(*smaller, scene, *radius, settings);
     return scene;
 }
 
@@ -123,7 +126,7 @@ Json to_json(const Agreement& found, const Scene& scene, const std::string& meth
             {"seeds", found.seeds},
             {"mean_ratio", found.mean_ratio},
             {"claimed_bias", found.bias ? Json(*found.bias) : Json()},
-            {"ratio_without_bias", test.mean_ratio},
+            {"weighted_ratio", test.mean_ratio},
             {"standard_error", test.standard_error},
             {"smallest_p", test.smallest_p},
             {"threshold", test.threshold},
@@ -134,14 +137,25 @@ Json to_json(const Agreement& found, const Scene& scene, const std::string& meth
             {"verdict", verdict(found, is_missing)}};
 }
 
+/// Weights of the blocks from all methods but those compared: where noise is skewed, as that of
+/// rare bright paths, weights from the same images would prefer the blocks without such paths.
+std::vector<double> weights_without(const Scene& scene, const std::set<std::string>& compared) {
+    std::vector<statistics::BlockMeans> samples;
+    for (const auto& [method, blocks] : scene.methods) {
+        if (blocks.size() >= 2 && !compared.contains(method)) samples.push_back(all_means(blocks));
+    }
+    return block_weights(samples);
+}
+
 /// The method's rows: against the references, and against the baseline if both have one radius.
 void test_method(const StudyFiles& study, const Scene& scene, const std::string& method, Json& rows,
                  lxs::ConsoleLog& log) {
     const RunGroup group{scene.listed.name, method, kFixed};
     const auto radius = radius_of_runs(study.summary, group);
-    const SeedBlocks blocks = blocks_of_runs(study.folder, study.summary, group);
+    const SeedBlocks& blocks = scene.methods.at(method);
     const RadiusBias* bias = radius && scene.bias ? &*scene.bias : nullptr;
-    const auto found = agreement_with_references(scene.references, blocks, bias);
+    const auto found =
+        agreement_with_references(scene.references, blocks, bias, weights_without(scene, {method}));
     if (!found) {
         log.warning(
             fmt::format("{}: \"{}\" has fewer than three runs to test", group.scene, method));
@@ -151,14 +165,14 @@ void test_method(const StudyFiles& study, const Scene& scene, const std::string&
     const RunGroup baseline{scene.listed.name, scene.baseline, kFixed};
     if (!radius || method == scene.baseline || radius != radius_of_runs(study.summary, baseline))
         return;
-    if (const auto same = agreement_with_baseline(scene.baseline_blocks, blocks))
+    if (const auto same = agreement_with_baseline(scene.methods.at(scene.baseline), blocks,
+                                                  weights_without(scene, {method, scene.baseline})))
         rows.push_back(to_json(*same, scene, method, scene.baseline));
 }
 
 Json test_all(const AgreementRequest& request, const StudyFiles& study, lxs::ConsoleLog& log) {
     const Json& settings = study.summary.at("study");
-    if (!settings.at("variants").empty() &&
-        std::ranges::find(settings.at("variants"), Json(kFixed)) == settings.at("variants").end()) {
+    if (std::ranges::find(settings.at("variants"), Json(kFixed)) == settings.at("variants").end()) {
         throw StudyError(
             fmt::format("'{}' has no variant \"{}\", in which methods have one "
                         "expected image",

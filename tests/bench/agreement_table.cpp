@@ -26,7 +26,7 @@ std::string row_text(const Json& row) {
         "| {} | {} | {} | {:.4f} | {} | {:.4f} +- {:.4f} | {:.2g} | {} | {:.1f} % | {} |\n",
         row.at("method").get<std::string>(), row.at("against").get<std::string>(),
         row.at("seeds").get<int>(), row.at("mean_ratio").get<double>(),
-        percent(row.at("claimed_bias")), row.at("ratio_without_bias").get<double>(),
+        percent(row.at("claimed_bias")), row.at("weighted_ratio").get<double>(),
         row.at("standard_error").get<double>(), row.at("smallest_p").get<double>(),
         place_text(row.at("smallest_at")), 100 * row.at("detectable").get<double>(),
         verdict_text(row));
@@ -37,7 +37,8 @@ std::string heading(const Json& document, const std::string& scene) {
     return fmt::format(
         "## {}: agreement at one fixed radius\n\n"
         "A difference is one with p below {:.2g} in a block or the mean (family-wise {:g}).\n\n"
-        "| method | against | seeds | mean ratio | claimed bias | ratio without it | smallest p | "
+        "| method | against | seeds | mean ratio | claimed bias | weighted, without it | smallest "
+        "p | "
         "there | detectable | verdict |\n"
         "| --- | --- | --- | --- | --- | --- | --- | --- | --- | --- |\n",
         scene, first.at("threshold").get<double>(), document.at("significance").get<double>());

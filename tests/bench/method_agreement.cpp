@@ -11,13 +11,8 @@ namespace {
 
 using statistics::BlockMeans;
 constexpr std::size_t kFewestSeeds = 3;
-
-BlockMeans all_means(const SeedBlocks& runs) {
-    BlockMeans means;
-    for (const auto& [seed, blocks] : runs)
-        means.push_back(blocks);
-    return means;
-}
+/// Of a block, relative to the image's mean: below it less noise is no more weight.
+constexpr double kLeastDeviation = 1e-4;
 
 /// Drops the seeds that the claim was not measured with.
 SeedBlocks seeds_in_common(const SeedBlocks& method, const RadiusBias& claim) {
@@ -57,18 +52,50 @@ double mean_of_all(const BlockMeans& sample) {
     return sum / double(sample.size());
 }
 
+/// Blocks times `weights`: their own tests stay as they are, their mean becomes a weighted one.
+BlockMeans weighted(BlockMeans sample, const std::vector<double>& weights) {
+    for (auto& blocks : sample) {
+        for (std::size_t k = 0; k < blocks.size(); ++k)
+            blocks[k] *= weights[k];
+    }
+    return sample;
+}
+
 Agreement compare(const BlockSample& references, const BlockMeans& method,
-                  const BlockMeans& unbiased) {
+                  const BlockMeans& unbiased, const std::vector<double>& weights) {
     Agreement found;
     found.seeds = method.size();
+    found.mean_ratio = mean_of_all(method) / mean_of_all({block_means(references)});
     found.comparison =
-        statistics::compare(references.means, unbiased, kDisagreement, 0, references.weights);
-    const double reference = mean_of_all({block_means(references)});
-    found.mean_ratio = mean_of_all(method) / reference;
+        statistics::compare(weighted(references.means, weights), weighted(unbiased, weights),
+                            kDisagreement, 0, references.weights);
     return found;
 }
 
 }  // namespace
+
+BlockMeans all_means(const SeedBlocks& runs) {
+    BlockMeans means;
+    for (const auto& [seed, blocks] : runs)
+        means.push_back(blocks);
+    return means;
+}
+
+std::vector<double> block_weights(const std::vector<BlockMeans>& samples) {
+    if (samples.empty()) return std::vector<double>(kBlocksPerSide * kBlocksPerSide, 1.0);
+    std::vector<double> weights;
+    for (std::size_t k = 0; k < samples.front().front().size(); ++k) {
+        double mean = 0, variance = 0, mean_of_image = 0;
+        for (const BlockMeans& sample : samples) {
+            mean += mean_of_all(statistics::select(sample, {k}));
+            variance += statistics::mean_variance(statistics::select(sample, {k}));
+            mean_of_image += mean_of_all(sample);
+        }
+        const double least = kLeastDeviation * mean_of_image;
+        weights.push_back(mean / (variance + least * least));
+    }
+    return weights;
+}
 
 bool Agreement::agrees() const {
     return !comparison.differs() && comparison.detectable <= kDecisive;
@@ -76,24 +103,26 @@ bool Agreement::agrees() const {
 
 std::optional<Agreement> agreement_with_references(const BlockSample& references,
                                                    const SeedBlocks& method,
-                                                   const RadiusBias* claim) {
+                                                   const RadiusBias* claim,
+                                                   const std::vector<double>& weights) {
     const SeedBlocks used = claim != nullptr ? seeds_in_common(method, *claim) : method;
     if (used.size() < kFewestSeeds || references.means.size() < kFewestSeeds) return std::nullopt;
     const BlockMeans means = all_means(used);
-    if (claim == nullptr) return compare(references, means, means);
+    if (claim == nullptr) return compare(references, means, means, weights);
     const BiasClaim bias{means_of_seeds(claim->at_radius, used),
                          means_of_seeds(claim->at_smaller, used), claim->factors};
     const BlockMeans unbiased = without_bias(means, bias, block_means(references));
-    Agreement found = compare(references, means, unbiased);
-    found.bias = found.mean_ratio - found.comparison.mean_ratio;
+    Agreement found = compare(references, means, unbiased, weights);
+    found.bias = found.mean_ratio * (1 - mean_of_all(unbiased) / mean_of_all(means));
     return found;
 }
 
 std::optional<Agreement> agreement_with_baseline(const SeedBlocks& baseline,
-                                                 const SeedBlocks& method) {
+                                                 const SeedBlocks& method,
+                                                 const std::vector<double>& weights) {
     if (baseline.size() < kFewestSeeds || method.size() < kFewestSeeds) return std::nullopt;
     const BlockMeans means = all_means(method);
-    return compare({all_means(baseline), {}}, means, means);
+    return compare({all_means(baseline), {}}, means, means, weights);
 }
 
 }  // namespace bench

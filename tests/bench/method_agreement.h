@@ -28,25 +28,37 @@ struct RadiusBias {
     BiasFactors factors;
 };
 
-/// What one comparison says. Ratios are of means over all blocks.
+/// What each block counts for in the mean that a comparison tests: mean / variance over seeds, both
+/// averaged over `samples` (at least two seeds each), the best weights to find a common factor by.
+/// A lamp seen in a mirror, a few pixels as bright as the rest together, would else hide it. All
+/// are 1 without samples.
+std::vector<double> block_weights(const std::vector<statistics::BlockMeans>& samples);
+
+/// What one comparison says.
 struct Agreement {
-    std::size_t seeds = 0;              ///< used of the method
-    double mean_ratio = 0;              ///< method over what it is compared with
-    std::optional<double> bias;         ///< claimed, relative; nothing if none is
-    statistics::Comparison comparison;  ///< of what is left without that bias
+    std::size_t seeds = 0;       ///< used of the method
+    double mean_ratio = 0;       ///< method over what it is compared with, blocks counting alike
+    std::optional<double> bias;  ///< claimed of that ratio; nothing if none is
+    /// Of what is left without that bias; its mean is that of weighted blocks.
+    statistics::Comparison comparison;
     /// No difference was found though one of kDecisive would have been.
     bool agrees() const;
 };
 
+/// Block means of all runs, in order of seeds.
+statistics::BlockMeans all_means(const SeedBlocks& runs);
+
 /// The method against references, of which `claim` tells the bias at its radius; null: none is
-/// claimed. Nothing with fewer than three seeds in common.
+/// claimed. `weights` are those of the blocks. Nothing with fewer than three seeds in common.
 std::optional<Agreement> agreement_with_references(const BlockSample& references,
                                                    const SeedBlocks& method,
-                                                   const RadiusBias* claim);
+                                                   const RadiusBias* claim,
+                                                   const std::vector<double>& weights);
 
 /// The method against another at the same radius: noise is all that they may differ by. Nothing
 /// with fewer than three seeds of either.
 std::optional<Agreement> agreement_with_baseline(const SeedBlocks& baseline,
-                                                 const SeedBlocks& method);
+                                                 const SeedBlocks& method,
+                                                 const std::vector<double>& weights);
 
 }  // namespace bench

@@ -15,7 +15,7 @@ struct BenchScene {
     /// shows the bias.
     std::array<std::string, 2> references{"photons", "photons"};
     /// By method: the light that it can't find here, so that it doesn't converge.
-    std::map<std::string, std::string> misses;
+    std::map<std::string, std::string> misses{};
 };
 
 /// `name` as listed in `table` or found as `folder`/NAME.lxs, or the path of a .lxs file. Throws

@@ -33,6 +33,7 @@ TEST(BenchCommandLine, MistakesExitWithTwoAndSayWhatIsWrong) {
          "expected plugin.parameter=value"},
         {"reference --scenes furnace --seconds 0", "above 0"},
         {"table", "dir is required"},
+        {"agreement", "dir is required"},
     };
     for (const auto& [arguments, message] : cases) {
         const BenchResult result = run_bench(folder, arguments);
@@ -64,6 +65,7 @@ TEST(BenchCommandLine, UnknownNamesExitWithThreeBeforeAnythingIsRendered) {
          "unknown guide \"guesswork\""},
         {"run --scenes furnace --methods idle --method-table odd.json --out o", "no effect"},
         {"table .", "summary.json"},
+        {"agreement .", "summary.json"},
     };
     for (const auto& [arguments, message] : cases) {
         const BenchResult result = run_bench(folder, arguments);

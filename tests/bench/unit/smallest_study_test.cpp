@@ -89,6 +89,66 @@ TEST_F(SmallestStudyTest, ReferencesStudyResumptionAndTable) {
     EXPECT_THAT(table.text, HasSubstr("| sppm | 0.1 |"));
 }
 
+/// Every key that docs/benchmark.md promises.
+void expect_documented_test(const Json& test) {
+    for (const char* key :
+         {"scene", "variant", "method", "against", "seeds", "mean_ratio", "claimed_bias",
+          "weighted_ratio", "standard_error", "smallest_p", "threshold", "smallest_at",
+          "detectable", "detectable_in_block", "misses", "verdict"}) {
+        EXPECT_TRUE(test.contains(key)) << key;
+    }
+    EXPECT_EQ(test["seeds"], 3);
+}
+
+TEST_F(SmallestStudyTest, AgreementOfMethods) {
+    const std::string study =
+        "run --scenes furnace --methods path,sppm,aips-none --width 12 --threads 1 --seeds 3 "
+        "--budgets 0.05 --clock cpu --variants fixed --photons-per-pass 500 --out ";
+    ASSERT_EQ(run(study + "study").exit_code, 0);
+    const BenchResult without = run("agreement study");
+    EXPECT_EQ(without.exit_code, 3);
+    EXPECT_THAT(without.text, HasSubstr("\"furnace\" has no references"));
+
+    ASSERT_EQ(run(kReference + "1.6").exit_code, 0);
+    ASSERT_EQ(run("agreement study").exit_code, 0);
+    const Json bare = read_json(folder_.path() / "study/agreement.json");
+    EXPECT_TRUE(bare["tests"][1]["claimed_bias"].is_null());
+
+    // A study at the same radius tells nothing; one at half of it does.
+    const BenchResult same = run("agreement study --smaller-radius study");
+    EXPECT_EQ(same.exit_code, 3);
+    EXPECT_THAT(same.text, HasSubstr("at a fixed radius below 2"));
+    ASSERT_EQ(run(study + "half --set sppm.startradius=1").exit_code, 0);
+    const BenchResult found = run("agreement study --smaller-radius half");
+    EXPECT_EQ(found.exit_code, 0) << found.text;
+    EXPECT_THAT(found.text, HasSubstr("## furnace: agreement at one fixed radius"));
+    const Json tests = read_json(folder_.path() / "study/agreement.json").at("tests");
+    // path, sppm and aips-none against the references; aips-none against sppm.
+    ASSERT_EQ(tests.size(), 4u);
+    for (const Json& test : tests)
+        expect_documented_test(test);
+    EXPECT_TRUE(tests[0]["claimed_bias"].is_null());
+    EXPECT_TRUE(tests[1]["claimed_bias"].is_number());
+    EXPECT_EQ(tests[3]["against"], "sppm");
+
+    // A scene table that says that path misses light: no agreement, whatever the images say.
+    folder_.write("scenes.json", R"({"scenes": [{"name": "furnace", "misses": {"path": "much"},
+                                     "references": ["path", "photons"]}]})");
+    EXPECT_THAT(run("agreement study --scene-table scenes.json").text,
+                HasSubstr("does not converge: misses much"));
+}
+
+TEST_F(SmallestStudyTest, AShrinkingRadiusHasNoAgreement) {
+    ASSERT_EQ(run(kReference + "0.8").exit_code, 0);
+    ASSERT_EQ(run("run --scenes furnace --methods sppm --width 12 --threads 1 --seeds 1 --budgets "
+                  "0.02 --clock cpu --variants shipped --photons-per-pass 500 --out study")
+                  .exit_code,
+              0);
+    const BenchResult result = run("agreement study");
+    EXPECT_EQ(result.exit_code, 3);
+    EXPECT_THAT(result.text, HasSubstr("has no variant \"fixed\""));
+}
+
 TEST_F(SmallestStudyTest, ReferencesGrowAndErrorsFollowThemWithoutNewRenders) {
     const std::string run_alone =
         "run --scenes furnace --methods sppm --width 12 --threads 1 --seeds 1 --budgets 0.05 "

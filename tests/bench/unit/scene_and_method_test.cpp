@@ -48,6 +48,9 @@ TEST(SceneTable, FindsListedScenesAndFiles) {
     EXPECT_EQ(box.references[0], "path");
     const BenchScene ball = find_scene("glass-ball", kTables + "/scenes.json", BENCH_SCENES);
     EXPECT_EQ(ball.references[0], "photons");
+    // All light of the ball's lamp is found by rays, none of the prism's spotlight behind glass.
+    EXPECT_TRUE(ball.misses.empty());
+    EXPECT_TRUE(listed_scene("prism", kTables + "/scenes.json").misses.contains("path"));
     const std::string path = std::string(BENCH_SCENES) + "/furnace.lxs";
     EXPECT_EQ(find_scene(path, kTables + "/scenes.json", "nowhere").name, "furnace");
     EXPECT_THAT([] { find_scene("nothing", kTables + "/scenes.json", BENCH_SCENES); },

@@ -96,6 +96,8 @@ std::vector<ParameterDeclaration> guide_declarations() {
          "With guide adaptive: guides where photons start."},
         {"eyeseeding", ParameterType::Bool, "true",
          "With guide adaptive: paths from the eye tell where photons ought to start."},
+        {"guidebounces", ParameterType::Bool, "false",
+         "With guide adaptive: guides where photons go on to from matte surfaces."},
         {"guidesurvival", ParameterType::Bool, "false",
          "With guide adaptive: photons go on by what they may still bring. For study: while little "
          "is known it adds noise."},
@@ -193,6 +195,7 @@ void read_guide(const lxs::ParameterReader& in, Settings& s) {
     s.error_alpha = in.number("erroralpha", s.error_alpha);
     s.guide_emission = in.boolean("guideemission", s.guide_emission);
     s.eye_seeding = in.boolean("eyeseeding", s.eye_seeding);
+    s.guide_bounces = in.boolean("guidebounces", s.guide_bounces);
     s.guide_survival = in.boolean("guidesurvival", s.guide_survival);
 }
 

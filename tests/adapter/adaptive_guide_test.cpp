@@ -1,6 +1,7 @@
 // Protects guide=adaptive: the same expectation as unguided photons, whatever it learns, and less
 // variance where photons are rarely worth something.
 #include <gtest/gtest.h>
+#include <tbb/global_control.h>
 
 #include <functional>
 
@@ -25,6 +26,22 @@ View lamp_and_mirror() {
     ball.kind = mock::Material::Kind::LambertAndMirror;
     ball.specular = {0.3f, 0.3f, 0.3f};
     return {mock::lamp_box({}, ball), mock::camera_along_y({0, -0.95f, 0}, 1, kWidth, kHeight)};
+}
+
+/// A lamp in the upper half of a box, most of which a shelf parts from the half that is seen: light
+/// comes down through a gap, and directions towards it are worth most.
+View lamp_behind_a_wall() {
+    mock::Scene scene;
+    mock::Surface wall, lamp;
+    wall.material.reflectance = {0.7f, 0.7f, 0.7f};
+    scene.add_box({-1, -1, -1}, {1, 1, 1}, wall);
+    wall.shape = mock::Quad{{-1, -1, 0}, {1.8f, 0, 0}, {0, 2, 0}};
+    scene.add(wall);
+    lamp.shape = mock::Quad{{-0.8f, -0.3f, 0.98f}, {0, 0.6f, 0}, {0.6f, 0, 0}};
+    lamp.emitted = {30, 30, 30};
+    scene.add(lamp);
+    scene.finish();
+    return {std::move(scene), mock::camera_along_y({0, -0.95f, -0.5f}, 0.5f, kWidth, kHeight)};
 }
 
 /// A pillar on a ground twenty times as wide as what is seen of it, under a sun.
@@ -65,6 +82,12 @@ void adaptive(Settings& settings) {
     settings.guide = GuideKind::Adaptive;
 }
 
+/// Directions guided besides, or alone.
+void bounces(Settings& settings) {
+    adaptive(settings);
+    settings.guide_bounces = true;
+}
+
 /// 13 tests per comparison at a family-wise significance of 1 %, fixed seeds; a planted bias must
 /// be found.
 void expect_same(const statistics::BlockMeans& a, const statistics::BlockMeans& b,
@@ -97,6 +120,29 @@ TEST(AdaptiveGuide, SameExpectationWithEachPartAlone) {
     expect_same(reference, renders(view, survival, 24, 4000));
 }
 
+TEST(AdaptiveGuide, SameExpectationWithGuidedBounces) {
+    const View view = lamp_behind_a_wall();
+    const auto reference = renders(view, plain, 24, 1000);
+    const auto alone = [](Settings& s) {
+        bounces(s);
+        s.guide_emission = false;
+    };
+    const auto all = [](Settings& s) {
+        bounces(s);
+        s.guide_survival = true;
+    };
+    expect_same(reference, renders(view, alone, 24, 9000), 0.05);
+    expect_same(reference, renders(view, all, 24, 10000), 0.05);
+    const auto variance = [&](const auto& choose, std::uint64_t seed) {
+        return statistics::mean_variance(renders(view, choose, 8, seed, 1, 24));
+    };
+    const auto unguided = [&](Settings& s) {
+        alone(s);
+        s.guide_bounces = false;
+    };
+    EXPECT_GT(variance(unguided, 11000) / variance(alone, 12000), 1.2);
+}
+
 TEST(AdaptiveGuide, SunOverAWideGround) {
     const View view = wide_ground();
     expect_same(renders(view, plain, 40, 5000, 8, 12), renders(view, adaptive, 40, 6000, 8, 12));
@@ -104,6 +150,36 @@ TEST(AdaptiveGuide, SunOverAWideGround) {
         return statistics::mean_variance(renders(view, choose, 8, seed, 1, 24));
     };
     EXPECT_GT(pixels(plain, 7000) / pixels(adaptive, 8000), 3);
+}
+
+TEST(AdaptiveGuide, GuidedBouncesGiveTheSameBitsForAnyNumberOfThreads) {
+    const View view = lamp_behind_a_wall();
+    Settings settings = mock::small_settings(13, 40000);
+    settings.direct_light_sampling = false;
+    bounces(settings);
+    const auto with_threads = [&](std::size_t threads) {
+        const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
+        return mock::render(view.scene, view.camera, kWidth, kHeight, settings, 6);
+    };
+    const auto one = with_threads(1);
+    EXPECT_GT(one.statistics.bounce_tables, 0u);
+    EXPECT_GT(one.statistics.guided_bounces, 0u);
+    EXPECT_EQ(one.film.image(), with_threads(2).film.image());
+    EXPECT_EQ(one.film.image(), with_threads(7).film.image());
+}
+
+/// Directions are alike in a closed box that shines everywhere: nothing is guided there.
+TEST(AdaptiveGuide, NoTablesOfDirectionsWhereTheyDoNotPay) {
+    mock::Scene scene;
+    mock::Surface surface;
+    surface.emitted = {1, 1, 1};
+    scene.add_box({-1, -1, -1}, {1, 1, 1}, surface);
+    scene.finish();
+    Settings settings = mock::small_settings(14, 40000);
+    bounces(settings);
+    const auto camera = mock::camera_along_y({0, -0.9f, 0}, 1, kWidth, kHeight);
+    const auto s = mock::render(scene, camera, kWidth, kHeight, settings, 12).statistics;
+    EXPECT_LT(double(s.guided_bounces), 0.02 * double(s.bounces));
 }
 
 TEST(AdaptiveGuide, StatisticsNameWhatItGains) {

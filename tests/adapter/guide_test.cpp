@@ -97,7 +97,7 @@ TEST(PaperGuide, ErrorsAndTablesFollowVisibleNoise) {
     Arena arena;
     const Bsdf* matte = mock::make_bsdf({}, {0, 0, -1}, {0, 0, -1}, arena);
     const GuidedDirections* directions =
-        guide.directions({{0.5f, 0.5f, 1}, {0, 0, -1}, {0, 0, -1}, matte}, arena);
+        guide.directions({{0.5f, 0.5f, 1}, {0, 0, -1}, {0, 0, -1}, matte, {0, 0, -1}}, arena);
     ASSERT_NE(directions, nullptr);
     EXPECT_GT(directions->pdf(normalize(Vec3{-0.4f, -0.4f, -1})),
               directions->pdf(normalize(Vec3{0.4f, 0.4f, -1})));

@@ -92,6 +92,14 @@ void expect_vertices_at_landings(std::span<const PathVertex> vertices,
         ASSERT_EQ(vertex.position, landings[i].position);
         ASSERT_GE(dot(vertex.normal, landings[i].direction), 0);
         ASSERT_FLOAT_EQ(abs_dot(vertex.normal, landings[i].normal), 1);
+        // Left by a direction drawn from Lambert's lobe, unless by the mirror's or absorbed.
+        if (vertices[i].pdf > 0) {
+            ASSERT_EQ(vertices[i].pdf, vertices[i].plain_pdf);
+            ASSERT_GT(dot(vertices[i].direction, vertices[i].normal), 0);
+            if (i + 1 < landings.size()) {
+                ASSERT_EQ(vertices[i].direction, -landings[i + 1].direction);
+            }
+        }
         const float survived = luminance(landings[i].power) / vertex.power;
         ASSERT_TRUE(survived > 0.0499f && survived < 1.0001f) << survived;
     }

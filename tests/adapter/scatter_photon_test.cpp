@@ -13,7 +13,7 @@ using namespace aips;
 /// A guide with one fixed, lopsided density: cosine-distributed around a tilted axis.
 class TiltedDirections final : public GuidedDirections {
   public:
-    explicit TiltedDirections(Vec3 axis) : axis_(axis) {}
+    TiltedDirections(float share, Vec3 axis) : GuidedDirections(share), axis_(axis) {}
     Vec3 sample(Vec2 u) const override {
         return Frame(axis_).to_world(square_to_cosine_hemisphere(u));
     }
@@ -23,22 +23,16 @@ class TiltedDirections final : public GuidedDirections {
     Vec3 axis_;
 };
 
-class TiltedGuide final : public Guide {
+class TiltedGuide final : public DirectionGuide {
   public:
-    void begin_pass(std::span<const Vec3>, std::uint64_t) override {}
-    std::uint32_t iteration_paths(std::uint64_t) const override { return 1; }
-    bool guides(std::uint64_t) const override { return true; }
+    explicit TiltedGuide(float share) : directions_(share, normalize(Vec3{0.8f, 0.1f, 0.4f})) {}
     const GuidedDirections* directions(const GuideVertex&,
                                        std::pmr::memory_resource&) const override {
         return &directions_;
     }
-    void update(std::span<const Landing>) override {}
-    GuideStatistics statistics() const override { return {}; }
-    std::uint32_t node_at(Vec3) const override { return 0; }
-    GuideNode node(std::uint32_t) const override { return {}; }
 
   private:
-    TiltedDirections directions_{normalize(Vec3{0.8f, 0.1f, 0.4f})};
+    TiltedDirections directions_;
 };
 
 /// Mean of weight * g(direction) over many scatterings, with its standard error.
@@ -46,10 +40,9 @@ struct Estimate {
     double mean = 0, standard_error = 0;
 };
 
-Estimate estimate(const mock::Material& material, const Guide* guide, float share) {
+Estimate estimate(const mock::Material& material, const DirectionGuide* guide) {
     const mock::Scene scene = mock::lamp_box({}, {});
-    Settings settings;
-    settings.guide_share = share;
+    const Settings settings;
     const DiscreteDistribution lights;
     const PhotonInput input{scene, settings, lights, guide, nullptr, 0, 0};
     Arena arena;
@@ -77,16 +70,16 @@ Estimate estimate(const mock::Material& material, const Guide* guide, float shar
 }
 
 TEST(ScatterPhoton, GuideLeavesTheMeanAlone) {
-    const TiltedGuide guide;
     using Kind = mock::Material::Kind;
     for (const Kind kind : {Kind::Lambert, Kind::Phong, Kind::LambertAndMirror, Kind::Mirror}) {
         mock::Material material;
         material.kind = kind;
         material.specular = {0.3f, 0.3f, 0.3f};
         material.exponent = 5;
-        const Estimate plain = estimate(material, nullptr, 0.5f);
+        const Estimate plain = estimate(material, nullptr);
         for (const float share : {0.0f, 0.5f, 0.9f}) {
-            const Estimate guided = estimate(material, &guide, share);
+            const TiltedGuide guide(share);
+            const Estimate guided = estimate(material, &guide);
             const double error = std::hypot(plain.standard_error, guided.standard_error);
             // 12 comparisons; 4 standard errors keep the chance of a false alarm below 1e-3.
             EXPECT_LE(std::abs(guided.mean - plain.mean), 4 * error + 1e-6)
@@ -97,10 +90,9 @@ TEST(ScatterPhoton, GuideLeavesTheMeanAlone) {
 
 /// The defensive share of Bsdf sampling bounds the weight: f cos / p <= f cos / ((1-a) p_bsdf).
 TEST(ScatterPhoton, DefensiveShareBoundsTheWeight) {
-    const TiltedGuide guide;
+    const TiltedGuide guide(0.75f);
     const mock::Scene scene = mock::lamp_box({}, {});
-    Settings settings;
-    settings.guide_share = 0.75;
+    const Settings settings;
     const DiscreteDistribution lights;
     const PhotonInput input{scene, settings, lights, &guide, nullptr, 0, 0};
     Arena arena;
@@ -117,6 +109,36 @@ TEST(ScatterPhoton, DefensiveShareBoundsTheWeight) {
         }
     }
     EXPECT_NEAR(double(counts.guided_bounces) / double(counts.bounces), 0.75, 0.01);
+}
+
+/// What guides learn from: the density told is the one drawn from, so that the mean of the plain
+/// density over it is 1, and that of its half over it a half.
+TEST(ScatterPhoton, TellsTheDensitiesOfItsDirections) {
+    const TiltedGuide guide(0.75f);
+    const mock::Scene scene = mock::lamp_box({}, {});
+    const Settings settings;
+    const DiscreteDistribution lights;
+    const PhotonInput input{scene, settings, lights, &guide, nullptr, 0, 0};
+    Arena arena;
+    SurfacePoint point;
+    point.geometric_normal = point.shading_normal = {0, 0, 1};
+    point.bsdf = mock::make_bsdf({}, point.geometric_normal, point.shading_normal, arena);
+    PhotonCounts counts;
+    constexpr int kSamples = 200000;
+    double all = 0, half = 0, squares = 0;
+    for (std::uint32_t i = 0; i < kSamples; ++i) {
+        RandomStream random(10, 0, i, RandomDomain::Photon);
+        ScatteredPhoton s;
+        if (!scatter_photon(input, point, {0, 0, 1}, random, arena, counts, s)) continue;
+        ASSERT_FLOAT_EQ(s.plain_pdf, s.direction.z * kInvPi);
+        const double ratio = double(s.plain_pdf) / double(s.pdf);
+        all += ratio / kSamples;
+        half += s.direction.x > 0 ? ratio / kSamples : 0;
+        squares += ratio * ratio / kSamples;
+    }
+    const double error = std::sqrt(squares / kSamples);
+    EXPECT_NEAR(all, 1, 4 * error);
+    EXPECT_NEAR(half, 0.5, 4 * error);
 }
 
 /// Tilted shading normals: a share of directions about the geometric normal keeps the mean that the

@@ -46,6 +46,7 @@ AdaptiveGuide::AdaptiveGuide(const Scene& scene, const Settings& settings,
         cache_.emplace(scene.bounds(), cache_settings());
         survival_.emplace(*cache_);
     }
+    if (settings.guide_bounces) bounces_.emplace(scene.bounds(), kMemoryPaths);
 }
 
 std::uint64_t AdaptiveGuide::begin_pass(std::uint64_t pass, float time, const EyeImage& image,
@@ -83,6 +84,7 @@ void AdaptiveGuide::learn(const PathLog& log, std::span<const Landing> landings,
         cache_->update(scored);
         survival_->set_reference(path_score_ > 0 ? path_cost_ / path_score_ : 0);
     }
+    if (bounces_) bounces_->update(scored);
     const double kept = kMemoryPaths / (kMemoryPaths + scored);
     path_score_ *= kept;
     path_cost_ *= kept;
@@ -124,7 +126,8 @@ void AdaptiveGuide::learn_path(const PathLog& log, const PathRecord& path,
         const double power = double(vertex.power);
         if (!(power > 0)) continue;
         const double cost = double(path.rays - vertex.rays) + kLandingCost * landed;
-        cache_->add({vertex.position, vertex.normal, score / (power * power), cost});
+        if (cache_) cache_->add({vertex.position, vertex.normal, score / (power * power), cost});
+        if (bounces_) bounces_->add(vertex, score, cost);
     }
     take_landings_after(0);
     const double cost = kEmissionCost + double(path.rays) + kLandingCost * landed;
@@ -142,9 +145,9 @@ void AdaptiveGuide::end_pass(const EyeImage& image, std::span<const Rgb> radianc
 
 std::size_t AdaptiveGuide::memory_bytes() const {
     return importance_.memory_bytes() + score_.memory_bytes() + emission_.memory_bytes() +
-           (cache_ ? cache_->memory_bytes() : 0) + weights_.capacity() * sizeof(float) +
-           seeds_.capacity() * sizeof(EmissionSeed) + scored_.capacity() * sizeof(std::uint32_t) +
-           landing_scores_.capacity() * sizeof(double);
+           (cache_ ? cache_->memory_bytes() : 0) + (bounces_ ? bounces_->memory_bytes() : 0) +
+           weights_.capacity() * sizeof(float) + seeds_.capacity() * sizeof(EmissionSeed) +
+           scored_.capacity() * sizeof(std::uint32_t) + landing_scores_.capacity() * sizeof(double);
 }
 
 std::size_t AdaptiveGuide::memory_bound_bytes(const Scene& scene, const Settings& settings,
@@ -155,6 +158,7 @@ std::size_t AdaptiveGuide::memory_bound_bytes(const Scene& scene, const Settings
     return PixelImportance::memory_bound_bytes(pixels, eye_paths) +
            CellSort::memory_bound_bytes(eye_paths) + seeds +
            (settings.guide_survival ? ScoreCache::memory_bound_bytes(cache_settings()) : 0) +
+           (settings.guide_bounces ? BounceGuide::memory_bound_bytes(kMemoryPaths) : 0) +
            EmissionGuide::memory_bound_bytes(scene.lights().size(), emission_settings());
 }
 

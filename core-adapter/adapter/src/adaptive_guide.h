@@ -9,6 +9,7 @@
 
 #include "aips/adapter/settings.h"
 #include "aips/core/score_cache.h"
+#include "bounce_guide.h"
 #include "emission_guide.h"
 #include "eye_seeding.h"
 #include "landing_score.h"
@@ -38,6 +39,8 @@ class AdaptiveGuide {
     }
     /// Null unless photons go on by score; then their vertices are logged too.
     const ScoreSurvival* survival() const { return survival_ ? &*survival_ : nullptr; }
+    /// Null unless directions are guided; then vertices are logged too.
+    const BounceGuide* bounces() const { return bounces_ ? &*bounces_ : nullptr; }
     /// Learns from the logged ones of `paths` photon paths, whose landings are among `landings`.
     void learn(const PathLog& log, std::span<const Landing> landings, std::uint32_t paths);
     /// The pass ends with this radiance per eye path and light group.
@@ -67,6 +70,7 @@ class AdaptiveGuide {
     EmissionGuide emission_;
     std::optional<ScoreCache> cache_;        // if photons go on by score
     std::optional<ScoreSurvival> survival_;  // reads cache_
+    std::optional<BounceGuide> bounces_;     // if directions are guided
     std::vector<float> weights_;             // [visible point]
     std::vector<EmissionSeed> seeds_;        // of this pass
     std::vector<std::uint32_t> scored_;      // landings of logged paths, path after path

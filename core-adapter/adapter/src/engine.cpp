@@ -104,6 +104,10 @@ class Engine::State {
             s.guide_nodes = adaptive->node_count();
             s.guide_bytes = adaptive->memory_bytes();
             s.emission_gain = adaptive->emission_guide().gain();
+            if (const BounceGuide* bounces = adaptive->bounces()) {
+                s.bounce_gain = bounces->tables().gain();
+                s.bounce_tables = bounces->tables().tables_in_use();
+            }
             s.score_times_cost = adaptive->score_times_cost();
         }
         s.memory_bytes = memory_bytes();

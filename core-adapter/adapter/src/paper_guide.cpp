@@ -12,8 +12,8 @@ namespace {
 /// inside a cell costs variance only, as the photon's weight uses the density really drawn from.
 class PaperDirections final : public GuidedDirections {
   public:
-    PaperDirections(std::span<const float> products, int resolution)
-        : weights_(products, resolution) {}
+    PaperDirections(float share, std::span<const float> products, int resolution)
+        : GuidedDirections(share), weights_(products, resolution) {}
 
     bool empty() const { return weights_.empty(); }
     Vec3 sample(Vec2 u) const override { return sample_direction(weights_, u).direction; }
@@ -38,6 +38,7 @@ PaperTableSettings table_settings(const Settings& s) {
 PaperGuide::PaperGuide(const Bounds& scene, const Settings& s)
     : initial_photons_(s.initial_photons),
       iteration_photons_(s.iteration_photons),
+      share_(float(s.guide_share)),
       criterion_(s.error_alpha),
       tree_(scene, tree_settings(s)),
       tables_(table_settings(s)) {}
@@ -68,7 +69,7 @@ const GuidedDirections* PaperGuide::directions(const GuideVertex& vertex,
         [&](Vec3 wi) { return vertex.bsdf->pdf(vertex.wo, wi, kNonSpecular); }, products);
     const auto* directions =
         new (memory.allocate(sizeof(PaperDirections), alignof(PaperDirections)))
-            PaperDirections(products, tables_.resolution());
+            PaperDirections(share_, products, tables_.resolution());
     return directions->empty() ? nullptr : directions;
 }
 

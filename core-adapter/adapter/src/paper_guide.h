@@ -34,6 +34,7 @@ class PaperGuide final : public Guide {
 
   private:
     std::uint32_t initial_photons_, iteration_photons_;
+    float share_;
     PaperErrorCriterion criterion_;
     NodeTree tree_;
     PaperTables tables_;

@@ -16,6 +16,10 @@ struct PathVertex {
     float power = 0;  ///< luminance of the arriving power, divided by the survival probability
     std::uint32_t rays = 0;   ///< that the path had traced up to here
     std::uint32_t depth = 0;  ///< surfaces met, this one included
+    Vec3 direction;           ///< unit, by which it left
+    float pdf = 0;  ///< per steradian, with which that was drawn; 0: a specular lobe, or absorbed
+    float plain_pdf = 0;  ///< what it would have been without a guide of directions
+    LobeMask lobes = 0;   ///< of the surface
 };
 
 /// A path as a whole. Indices are into the log's vertices and the landing store beside it.

@@ -76,7 +76,9 @@ PhotonInput PhotonPass::input_of(std::uint64_t pass, float time, std::uint64_t i
         input.emission = adaptive_->emission();
         input.survival = adaptive_->survival();
         input.log_one_of = adaptive_->log_one_of();
-        input.log_vertices = input.survival != nullptr;
+        input.guide = adaptive_->bounces();
+        input.unguided_roulette = input.guide != nullptr;
+        input.log_vertices = input.survival || input.guide;
     }
     return input;
 }

@@ -115,8 +115,23 @@ class LogEntry {
     void add_vertex(const SurfacePoint& point, const Photon& photon, float survived,
                     std::uint32_t depth) const {
         if (!vertices_) return;
-        log_->vertices.push_back({point.position, arrival_normal(point, photon.ray.direction),
-                                  luminance(photon.power) / survived, rays(), depth});
+        PathVertex vertex;
+        vertex.position = point.position;
+        vertex.normal = arrival_normal(point, photon.ray.direction);
+        vertex.power = luminance(photon.power) / survived;
+        vertex.rays = rays();
+        vertex.depth = depth;
+        log_->vertices.push_back(vertex);
+    }
+
+    /// How the photon left the vertex added last.
+    void set_direction(const SurfacePoint& point, const ScatteredPhoton& scattered) const {
+        if (!vertices_) return;
+        PathVertex& vertex = log_->vertices.back();
+        vertex.direction = scattered.direction;
+        vertex.pdf = scattered.pdf;
+        vertex.plain_pdf = scattered.plain_pdf;
+        vertex.lobes = point.bsdf->lobes();
     }
 
   private:
@@ -149,7 +164,7 @@ void trace_photon_path(const PhotonInput& in, Numbers& numbers, std::uint32_t in
     const bool left_light = emit(in, numbers, refusals, photon);
     const LogEntry entry(log, in.log_vertices, photon.start, landings, counts);
     if (!left_light) return;
-    const float emitted_power = max_component(photon.power);
+    float emitted_power = max_component(photon.power);
     const LobeMask receiving = receiving_lobes(in.settings);
 
     for (std::uint32_t depth = 1;; ++depth) {
@@ -176,6 +191,10 @@ void trace_photon_path(const PhotonInput& in, Numbers& numbers, std::uint32_t in
             in.bounces->count(point.position, counts.guided_bounces > guided_bounces);
         }
         if (!left) return;
+        entry.set_direction(point, scattered);
+        if (in.unguided_roulette && scattered.pdf > 0) {
+            emitted_power *= scattered.plain_pdf / scattered.pdf;
+        }
         photon.power = photon.power * scattered.weight / survive;
         if (!refusals.accept(photon.power, point.material) || is_black(photon.power)) return;
         photon.straight = photon.straight && scattered.straight;

@@ -38,7 +38,7 @@ struct PhotonInput {
     const Scene& scene;
     const Settings& settings;
     const DiscreteDistribution& light_choice;
-    const Guide* guide = nullptr;              ///< of directions; null: unguided
+    const DirectionGuide* guide = nullptr;     ///< of directions; null: unguided
     const OccupancyGrid* occupancy = nullptr;  ///< landings elsewhere are not stored; null: all are
     std::uint64_t pass = 0;
     float time = 0;
@@ -48,6 +48,9 @@ struct PhotonInput {
     const ScoreSurvival* survival = nullptr;  ///< null: by the power left
     std::uint32_t log_one_of = 0;             ///< one of so many paths is logged; 0: none
     bool log_vertices = false;                ///< with their vertices
+    /// Roulette by the power left goes on as if directions had been drawn without a guide: else it
+    /// ends the photons that the guide had multiplied.
+    bool unguided_roulette = false;
 };
 
 /// The numbers of a path of the plain sampler: the emission's are an Owen-scrambled Sobol' sequence

@@ -18,6 +18,7 @@ bool scatter_by_bsdf(const SurfacePoint& point, Vec3 wo, LobeMask mask, float ma
     result.direction = sample.wi;
     result.weight = sample.weight * (adjoint_shading_factor(point, wo, sample.wi) / mask_pdf);
     result.straight = sample.straight;
+    result.pdf = result.plain_pdf = sample.lobe & kSpecular ? 0 : sample.pdf * mask_pdf;
     return true;
 }
 
@@ -49,6 +50,11 @@ float geometric_share(const SurfacePoint& point, Vec3 wo, LobeMask lobes) {
     return all > 0 ? 0.5f * std::min(diffuse / all, 1.0f) : 0;
 }
 
+/// The geometric normal on the side of a direction.
+Vec3 normal_towards(Vec3 wo, const SurfacePoint& point) {
+    return dot(wo, point.geometric_normal) > 0 ? point.geometric_normal : -point.geometric_normal;
+}
+
 /// One-sample mixture of guide, cosine and Bsdf, weighed by the density of all together, so that
 /// any shares leave the expectation as it is.
 template <class Numbers>
@@ -56,8 +62,7 @@ bool scatter_by_mixture(const Mixture& mixture, const SurfacePoint& point, Vec3 
                         PhotonCounts& counts, ScatteredPhoton& result) {
     const float rest = 1 - mixture.guided_share;
     const float geometric = rest * mixture.geometric_share;
-    const Vec3 normal =
-        dot(wo, point.geometric_normal) > 0 ? point.geometric_normal : -point.geometric_normal;
+    const Vec3 normal = normal_towards(wo, point);
     const float u_choice = random.next();
     const Vec2 u = random.next2();
     const float u_lobe = random.next();
@@ -75,8 +80,9 @@ bool scatter_by_mixture(const Mixture& mixture, const SurfacePoint& point, Vec3 
         wi = sample.wi;
     }
     float pdf = (rest - geometric) * point.bsdf->pdf(wo, wi, kNonSpecular);
-    if (mixture.guided) pdf += mixture.guided_share * mixture.guided->pdf(wi);
     if (geometric > 0) pdf += geometric * std::max(0.0f, dot(wi, normal)) * kInvPi;
+    const float plain_pdf = pdf / rest * mixture.mask_pdf;
+    if (mixture.guided) pdf += mixture.guided_share * mixture.guided->pdf(wi);
     pdf *= mixture.mask_pdf;
     if (!(pdf > 0)) return false;
     const float cosine = abs_dot(wi, point.shading_normal);
@@ -84,6 +90,8 @@ bool scatter_by_mixture(const Mixture& mixture, const SurfacePoint& point, Vec3 
     result.weight = point.bsdf->evaluate(wo, wi, Transport::Power, kNonSpecular) *
                     (cosine * adjoint_shading_factor(point, wo, wi) / pdf);
     result.straight = false;
+    result.pdf = pdf;
+    result.plain_pdf = plain_pdf;
     return !is_black(result.weight);
 }
 
@@ -104,10 +112,11 @@ bool scatter_photon(const PhotonInput& in, const SurfacePoint& point, Vec3 wo, N
     Mixture mixture;
     if (lobes & kNonSpecular) {
         if (in.guide) {
-            mixture.guided =
-                in.guide->directions({point.position, point.shading_normal, wo, point.bsdf}, arena);
+            mixture.guided = in.guide->directions(
+                {point.position, point.shading_normal, wo, point.bsdf, normal_towards(wo, point)},
+                arena);
         }
-        mixture.guided_share = mixture.guided ? float(in.settings.guide_share) : 0;
+        mixture.guided_share = mixture.guided ? mixture.guided->share() : 0;
         mixture.geometric_share = geometric_share(point, wo, lobes);
     }
     if (mixture.guided || mixture.geometric_share > 0) {

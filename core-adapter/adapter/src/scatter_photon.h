@@ -10,6 +10,8 @@ struct ScatteredPhoton {
     Vec3 direction;
     Rgb weight;
     bool straight = false;
+    float pdf = 0;        ///< of `direction` per steradian; 0: drawn by a specular lobe
+    float plain_pdf = 0;  ///< the same without a guide
 };
 
 /// Draws a direction from `random` (RandomStream or PrimaryPath); false when the photon is

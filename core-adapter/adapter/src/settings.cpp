@@ -75,6 +75,7 @@ std::string describe(const Settings& s) {
     if (s.guide == GuideKind::Adaptive) {
         out << ", guideemission = " << (s.guide_emission ? "true" : "false")
             << ", eyeseeding = " << (s.eye_seeding ? "true" : "false")
+            << ", guidebounces = " << (s.guide_bounces ? "true" : "false")
             << ", guidesurvival = " << (s.guide_survival ? "true" : "false");
     }
     return out.str();

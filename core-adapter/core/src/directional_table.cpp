@@ -89,6 +89,11 @@ void DirectionalTable::build(std::span<const float> weights) {
     quantize_cdf(std::span<const double>(rows), total, row_cdf_);
 }
 
+std::size_t DirectionalTable::memory_bytes(int resolution) {
+    const auto n = static_cast<std::size_t>(resolution);
+    return sizeof(DirectionalTable) + (n + n * n) * sizeof(float);
+}
+
 SquareSample DirectionalTable::sample(Vec2 u) const {
     const auto n = static_cast<std::size_t>(resolution_);
     const Step row = find_step(row_cdf_, clamp_to_unit(u.y));

@@ -136,7 +136,9 @@ ScoreCache::ScoreCache(const Bounds& scene, const ScoreCacheSettings& settings)
     leaves_.reserve(settings.max_leaves);
     for (std::uint32_t tree = 0; tree < kTrees; ++tree) {
         branches_.push_back({0, tree * 4 + kLeaf});
-        leaves_.emplace_back().box = box;
+        Leaf& leaf = leaves_.emplace_back();
+        leaf.box = box;
+        leaf.parent = tree;
     }
     means_.resize(kTrees);
     totals_.resize(kTrees);
@@ -256,6 +258,7 @@ void ScoreCache::split(const Split& split) {
     const Leaf whole = leaves_[lower];
     const float plane = middle(whole.box, split.axis);
     leaves_.push_back(whole);
+    leaves_.back().parent = lower;
     for (const bool is_upper : {false, true}) {
         Leaf& leaf = leaves_[is_upper ? upper : lower];
         (is_upper ? leaf.box.lower : leaf.box.upper)[split.axis] = plane;
@@ -306,6 +309,18 @@ void ScoreCache::set_means() {
         if (branches_[i].axis() == kLeaf) continue;
         for (const std::uint32_t child : {branches_[i].target(), branches_[i].target() + 1})
             set(child, means_[i], prior_weight(totals_[i]));
+    }
+}
+
+// Children come after their parents.
+void ScoreCache::mark_branches(std::span<const std::uint8_t> leaf_marks,
+                               std::vector<std::uint8_t>& marks) const {
+    marks.resize(branches_.size());
+    for (std::size_t i = branches_.size(); i-- > 0;) {
+        const std::uint32_t target = branches_[i].target();
+        const bool is_leaf = branches_[i].axis() == kLeaf;
+        const bool marked = is_leaf ? leaf_marks[target] > 0 : marks[target] || marks[target + 1];
+        marks[i] = marked ? 1 : 0;
     }
 }
 

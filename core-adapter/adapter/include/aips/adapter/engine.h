@@ -54,6 +54,9 @@ struct EngineStatistics {
     std::uint64_t guide_bytes = 0;
     /// guide=adaptive: plain second moment times cost of emission over guided
     double emission_gain = 0;
+    /// guide=adaptive: second moment of directions without their tables over that with them
+    double bounce_gain = 0;
+    std::uint64_t bounce_tables = 0;  ///< guide=adaptive: tables of directions in use
     /// guide=adaptive: mean score of a photon path times its mean cost in rays, lately
     double score_times_cost = 0;
     double eye_seconds = 0, photon_seconds = 0, gather_seconds = 0, guide_seconds = 0;

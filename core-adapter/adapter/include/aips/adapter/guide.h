@@ -16,18 +16,34 @@ struct GuideVertex {
     Vec3 shading_normal;
     Vec3 wo;           ///< unit, back to where the photon came from
     const Bsdf* bsdf;  ///< never null
+    Vec3 normal;       ///< unit geometric normal, on the side of wo
 };
 
 /// A guided density of directions at one vertex. Lives in dropped memory: trivially destructible.
 class GuidedDirections {
   public:
+    /// Share of directions to draw from this density, in [0, 1); the others come from the Bsdf.
+    float share() const { return share_; }
     /// Draws a unit direction from u in [0,1)^2; its density is `pdf`.
     virtual Vec3 sample(Vec2 u) const = 0;
     /// Density per steradian; integrates to 1 over the sphere.
     virtual float pdf(Vec3 direction) const = 0;
 
   protected:
+    explicit GuidedDirections(float share) : share_(share) {}
     ~GuidedDirections() = default;
+
+  private:
+    float share_;
+};
+
+/// What tells where photons ought to go on to: const and usable from many threads.
+class DirectionGuide {
+  public:
+    virtual ~DirectionGuide() = default;
+    /// The density to mix with the Bsdf at a vertex; null where the guide knows nothing.
+    virtual const GuidedDirections* directions(const GuideVertex& vertex,
+                                               std::pmr::memory_resource& memory) const = 0;
 };
 
 /// Counts of a guide, for logs, tests and the statistics file.
@@ -45,19 +61,14 @@ struct GuideNode {
 };
 
 /// Learns between iterations, and is frozen (const, usable from many threads) within them.
-class Guide {
+class Guide : public DirectionGuide {
   public:
-    virtual ~Guide() = default;
-
     /// A new pass with these visible points begins (weights, eq. 7).
     virtual void begin_pass(std::span<const Vec3> visible_points, std::uint64_t eye_paths) = 0;
     /// Photon paths of iteration number `iteration` of this pass.
     virtual std::uint32_t iteration_paths(std::uint64_t iteration) const = 0;
     /// Whether that iteration follows the guide; the first of a pass does not.
     virtual bool guides(std::uint64_t iteration) const = 0;
-    /// The density to mix with the Bsdf at a vertex; null where the guide knows nothing.
-    virtual const GuidedDirections* directions(const GuideVertex& vertex,
-                                               std::pmr::memory_resource& memory) const = 0;
     /// Learns from an iteration's landings, in their order.
     virtual void update(std::span<const Landing> landings) = 0;
     virtual GuideStatistics statistics() const = 0;

@@ -58,6 +58,7 @@ struct Settings {
 
     bool guide_emission = true;  ///< guide=adaptive guides where photons start
     bool eye_seeding = true;  ///< guide=adaptive learns from the eye where photons ought to start
+    bool guide_bounces = false;   ///< guide=adaptive guides where photons go on to
     bool guide_survival = false;  ///< guide=adaptive decides which photons go on
 };
 

@@ -40,6 +40,8 @@ class DirectionalTable {
     float pdf(Vec2 point) const;
 
     int resolution() const { return resolution_; }
+    /// Of a table with so many cells a side.
+    static std::size_t memory_bytes(int resolution);
 
   private:
     int resolution_;

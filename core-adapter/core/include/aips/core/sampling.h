@@ -15,6 +15,7 @@ inline constexpr float kInvPi = std::numbers::inv_pi_v<float>;
 struct Frame {
     Vec3 s, t, n;
 
+    Frame(Vec3 tangent, Vec3 bitangent, Vec3 normal) : s(tangent), t(bitangent), n(normal) {}
     explicit Frame(Vec3 normal) : n(normal) {
         const float sign = std::copysign(1.0f, n.z);
         const float a = -1.0f / (sign + n.z);
@@ -22,6 +23,17 @@ struct Frame {
         s = {1.0f + sign * n.x * n.x * a, sign * b, -sign * n.x};
         t = {b, sign + n.y * n.y * a, -n.y};
     }
+    /// The basis whose first tangent is the world axis after the normal's dominant one, made
+    /// tangent: continuous over all normals with the same dominant direction (the one above jumps
+    /// where n.z changes its sign), so that squares of directions stay aligned on curved surfaces.
+    static Frame world_aligned(Vec3 normal) {
+        const int axis = (dominant_axis(normal) + 1) % 3;
+        Vec3 s = normal * -normal[axis];
+        s[axis] += 1;
+        s = normalize(s);
+        return {s, cross(normal, s), normal};
+    }
+
     Vec3 to_world(Vec3 v) const { return s * v.x + t * v.y + n * v.z; }
     Vec3 to_local(Vec3 v) const { return {dot(v, s), dot(v, t), dot(v, n)}; }
 };

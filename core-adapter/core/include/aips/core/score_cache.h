@@ -13,6 +13,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "aips/core/bounds.h"
@@ -85,6 +86,31 @@ class ScoreCache {
     /// expectations from what was learned so far.
     void update(double paths);
 
+    /// No leaf, where marked_leaf_at() finds none.
+    static constexpr std::uint32_t kNoLeaf = ~std::uint32_t(0);
+
+    /// Number, below leaf_count(), of the leaf that holds a vertex. A leaf keeps its number as long
+    /// as it is a leaf; of the halves of one that update() splits the lower keeps it, and the upper
+    /// takes the next new one.
+    std::uint32_t leaf_at(Vec3 position, Vec3 normal) const {
+        return branches_[locate(position, normal)].target();
+    }
+    /// Number of the leaf that a leaf was split off from; its own if it was there from the start.
+    std::uint32_t parent_of(std::uint32_t leaf) const { return leaves_[leaf].parent; }
+    /// Fills `marks` for marked_leaf_at() from a mark for each leaf. Valid until the next update().
+    void mark_branches(std::span<const std::uint8_t> leaf_marks,
+                       std::vector<std::uint8_t>& marks) const;
+    /// leaf_at() where that leaf is marked, else kNoLeaf: found without going further down than to
+    /// where all leaves are unmarked.
+    std::uint32_t marked_leaf_at(Vec3 position, Vec3 normal,
+                                 std::span<const std::uint8_t> marks) const {
+        std::uint32_t i = root_of(normal);
+        for (; marks[i]; i = child(branches_[i], position)) {
+            if (branches_[i].axis() == kLeaf) return branches_[i].target();
+        }
+        return kNoLeaf;
+    }
+
     std::uint32_t leaf_count() const { return static_cast<std::uint32_t>(leaves_.size()); }
     std::size_t memory_bytes() const;
     /// Upper bound of memory_bytes(), from the settings alone.
@@ -151,6 +177,7 @@ class ScoreCache {
         Bounds box;  ///< where its vertices lie, roughly; its middle planes are those of `probe`
         Bounds met;  ///< of all vertices met
         double score_limit = 0;  ///< 0: none
+        std::uint32_t parent = 0;
         Probe probe;
     };
 
@@ -161,17 +188,17 @@ class ScoreCache {
     };
 
     static std::uint32_t root_of(Vec3 normal) {
-        const Vec3 size = abs(normal);
-        const int axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
+        const int axis = dominant_axis(normal);
         return 2u * std::uint32_t(axis) + (normal[axis] < 0 ? 1u : 0u);
     }
     std::uint32_t locate(Vec3 position, Vec3 normal) const {
         std::uint32_t i = root_of(normal);
-        while (branches_[i].axis() != kLeaf) {
-            const Branch b = branches_[i];
-            i = b.target() + (position[b.axis()] >= b.plane ? 1u : 0u);
-        }
+        while (branches_[i].axis() != kLeaf)
+            i = child(branches_[i], position);
         return i;
+    }
+    static std::uint32_t child(Branch b, Vec3 position) {
+        return b.target() + (position[b.axis()] >= b.plane ? 1u : 0u);
     }
     float fitted_side(const Leaf& leaf, int axis) const;
     bool fit_box(Leaf& leaf) const;

@@ -71,6 +71,11 @@ inline Vec3 min(Vec3 a, Vec3 b) {
 inline Vec3 max(Vec3 a, Vec3 b) {
     return {std::max(a.x, b.x), std::max(a.y, b.y), std::max(a.z, b.z)};
 }
+/// Axis of the largest component by magnitude; of equals the first.
+inline int dominant_axis(Vec3 a) {
+    const Vec3 size = abs(a);
+    return size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
+}
 inline bool is_finite(Vec3 a) {
     return std::isfinite(a.x) && std::isfinite(a.y) && std::isfinite(a.z);
 }

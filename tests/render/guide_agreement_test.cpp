@@ -85,6 +85,11 @@ TEST(GuideAgreement, AdaptiveInGlassBall) {
           {{"glass ball and caustic", blocks(2, 4, 1, 3, true), 0.02},
            {"all but the caustic", blocks(2, 4, 1, 3, false), 0.02}});
 }
+TEST(GuideAgreement, AdaptiveWithBouncesInGlassBall) {
+    check("glass-ball", "adaptive --set aips.guidebounces=true",
+          {{"glass ball and caustic", blocks(2, 4, 1, 3, true), 0.02},
+           {"all but the caustic", blocks(2, 4, 1, 3, false), 0.02}});
+}
 TEST(GuideAgreement, AdaptiveInCornellBox) {
     check("cornell-box", "adaptive", {{"image", blocks(0, kColumns, 0, kRows, true), 0.01}});
 }

@@ -94,7 +94,7 @@ class BounceTables {
     static std::size_t memory_bound_bytes(const BounceTableSettings& settings);
 
   private:
-    static constexpr std::size_t kCells = kResolution * kResolution;
+    static constexpr std::size_t kCells = std::size_t{kResolution} * kResolution;
     using Cells = std::array<float, kCells>;
 
     struct Leaf {

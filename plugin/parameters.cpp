@@ -14,6 +14,8 @@ using lxs::ParameterType;
 
 /// By number of Mode.
 constexpr std::array<std::string_view, 3> kModes{"progressive", "photonmap", "ppm"};
+/// By number of RadiusKind.
+constexpr std::array<std::string_view, 2> kRadii{"schedule", "adaptive"};
 constexpr std::array<std::string_view, 3> kGuides{"none", "paper", "adaptive"};
 constexpr std::array<std::string_view, 2> kPhotonSamplers{"halton", "amc"};
 constexpr double kMaxCount = 4294967295.0;
@@ -104,6 +106,18 @@ std::vector<ParameterDeclaration> guide_declarations() {
     };
 }
 
+/// Of plugins that have mode progressive.
+ParameterDeclaration radius_declaration() {
+    ParameterDeclaration d{"radius", ParameterType::String, "schedule",
+                           "How the radius goes on in mode progressive: schedule, the same at all "
+                           "visible points, falling with the photons shot; adaptive, at each "
+                           "visible point the one that balances noise and bias, between an eighth "
+                           "of the scheduled and four times it (after Kaplanyan and Dachsbacher "
+                           "2013). The other modes have radii of their own: no effect there."};
+    d.choices = kRadii;
+    return d;
+}
+
 ParameterDeclaration photon_sampler_declaration() {
     ParameterDeclaration d{"photonsampler", ParameterType::String, "halton",
                            "Where unguided photon paths come from: halton, a low-discrepancy "
@@ -154,6 +168,7 @@ std::vector<ParameterDeclaration> declarations_of(PluginKind kind) {
     std::vector<ParameterDeclaration> all;
     if (kind == PluginKind::Aips) append(all, guide_declarations());
     append(all, common_declarations());
+    if (kind == PluginKind::Aips || kind == PluginKind::Sppm) all.push_back(radius_declaration());
     if (kind != PluginKind::ExPhotonMap) all.push_back(photon_sampler_declaration());
     append(all,
            kind == PluginKind::ExPhotonMap ? foreign_map_declarations() : foreign_declarations());
@@ -199,6 +214,16 @@ void read_guide(const lxs::ParameterReader& in, Settings& s) {
     s.guide_survival = in.boolean("guidesurvival", s.guide_survival);
 }
 
+void read_radius(const lxs::ParameterReader& in, Settings& s) {
+    if (in.string("radius", kRadii[0]) == kRadii[0]) return;
+    s.radius = RadiusKind::Adaptive;
+    if (!adapts_radius(s)) {
+        in.diagnostics().warning(in.where("radius"),
+                                 "radius \"adaptive\" is ignored: it takes effect with mode "
+                                 "\"progressive\"");
+    }
+}
+
 /// A guide decides itself where photon paths go. A scene of LuxRender's sppm that asks for amc
 /// renders under guides too: a warning, not an error.
 void read_photon_sampler(const lxs::ParameterReader& in, Settings& s) {
@@ -227,6 +252,7 @@ Settings read_settings(PluginKind kind, const lxs::ParameterReader& parameters) 
     settings.guide = GuideKind::None;
     if (kind == PluginKind::Aips) read_guide(parameters, settings);
     if (kind == PluginKind::Ppm) settings.mode = Mode::Ppm;
+    if (kind == PluginKind::Aips || kind == PluginKind::Sppm) read_radius(parameters, settings);
     if (kind == PluginKind::ExPhotonMap) {
         settings.mode = Mode::PhotonMap;
     } else {

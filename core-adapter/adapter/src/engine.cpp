@@ -45,7 +45,8 @@ class Engine::State {
           guide_(make_guide(needs_, host.scene, settings)),
           photon_pass_(host.scene, settings_, needs_, guide_.get(), host.film.width(),
                        host.film.height()),
-          radius_policy_(make_radius_policy(settings, host.scene)) {
+          radius_policy_(
+              make_radius_policy(settings, host.scene, host.film.width(), host.film.height())) {
         statistics_.memory_bound_bytes = memory_bound(
             host.scene, settings, eye_paths_, std::size_t{host.film.width()} * host.film.height());
         if (settings.debug_layers) add_debug_layers();

@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "aips/core/optimal_radius.h"
 #include "aips/core/photon_grid.h"
 #include "eye_pass.h"
 #include "refusals.h"
@@ -19,19 +20,24 @@ struct PhotonFlux {
     /// [visible point]: photons accepted, over all light groups (fewer than 2^32 in a pass). One
     /// that brings no light, be it refused or absorbed, is not accepted.
     std::vector<std::uint32_t> accepted;
-    std::uint64_t gathered = 0;  ///< photons accepted, over all visible points
+    std::vector<ProbeSums> probes;  ///< [number in SearchRadii::probes]
+    std::uint64_t gathered = 0;     ///< photons accepted, over all visible points
 
-    void reset(std::size_t visible_points, std::uint32_t groups) {
+    void reset(std::size_t visible_points, std::uint32_t groups, std::size_t probe_count = 0) {
         flux.assign(visible_points * groups, Rgb{});
         accepted.assign(visible_points, 0);
+        probes.assign(probe_count, {});
         gathered = 0;
     }
     void scale(double factor) {
         for (Rgb& sum : flux)
             sum = sum * float(factor);
+        for (ProbeSums& sums : probes)
+            sums.scale(factor);
     }
     std::size_t memory_bytes() const {
-        return flux.capacity() * sizeof(Rgb) + accepted.capacity() * sizeof(std::uint32_t);
+        return flux.capacity() * sizeof(Rgb) + accepted.capacity() * sizeof(std::uint32_t) +
+               probes.capacity() * sizeof(ProbeSums);
     }
 };
 

@@ -1,6 +1,7 @@
 // Bound of the engine's memory.
 #include "memory_bound.h"
 
+#include "adaptive_radius.h"
 #include "eye_pass.h"
 #include "paper_guide.h"
 #include "photon_pass.h"
@@ -55,8 +56,13 @@ std::size_t memory_bound(const Scene& scene, const Settings& settings, std::uint
         guide = AdaptiveGuide::memory_bound_bytes(scene, settings, pixels, eye_paths) +
                 log_bytes(settings, kPlainIterationPaths);
     }
-    const std::size_t radii =
-        settings.mode == Mode::Ppm ? PpmRadius::memory_bound_bytes(eye_paths) : 0;
+    std::size_t radii = 0;
+    if (settings.mode == Mode::Ppm) radii = PpmRadius::memory_bound_bytes(eye_paths);
+    if (adapts_radius(settings)) {
+        // And the flux's probes.
+        radii =
+            AdaptiveRadius::memory_bound_bytes(pixels, eye_paths) + eye_paths * sizeof(ProbeSums);
+    }
     return eye_bytes(scene, eye_paths) + OccupancyGrid::memory_bound_bytes(eye_paths) +
            photon_bytes(settings, eye_paths) + guide + radii;
 }

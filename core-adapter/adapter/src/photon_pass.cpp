@@ -1,6 +1,7 @@
 // The photon pass.
 #include "photon_pass.h"
 
+#include "curvature_probes.h"
 #include "light_choice.h"
 #include "parallel_for.h"
 #include "stopwatch.h"
@@ -19,13 +20,13 @@ PhotonPass::PhotonPass(const Scene& scene, const Settings& settings, const Needs
 
 void PhotonPass::begin_pass(std::uint64_t pass, float time, const EyeImage& image,
                             const SearchRadii& radii) {
-    const bool reach_lasts = freezes_eye_pass(settings_.mode) && reach_ == radii.largest;
+    const bool reach_lasts = freezes_eye_pass(settings_.mode) && reach_ == radii.reach();
     if (guide_ || adaptive_ || !reach_lasts) {
         std::vector<Vec3> positions;
         positions.reserve(image.visible_points.size());
         for (const VisiblePoint& point : image.visible_points)
             positions.push_back(point.position);
-        if (!reach_lasts) mark_reach(positions, radii.largest);
+        if (!reach_lasts) mark_reach(positions, radii.reach());
         const Stopwatch watch(totals_.guide_seconds);
         if (guide_) guide_->begin_pass(positions, image.positions.size());
         if (adaptive_)
@@ -44,7 +45,7 @@ void PhotonPass::mark_reach(std::span<const Vec3> visible_points, float radius) 
 
 std::uint64_t PhotonPass::shoot(std::uint64_t pass, float time, const EyeImage& image,
                                 const SearchRadii& radii, Refusals& refusals, PhotonFlux& flux) {
-    flux.reset(image.visible_points.size(), image.groups);
+    flux.reset(image.visible_points.size(), image.groups, radii.probes.size());
     begin_pass(pass, time, image, radii);
     const std::uint32_t total = settings_.photons_per_pass;
     std::uint64_t iteration = 0;
@@ -123,6 +124,11 @@ void PhotonPass::gather(const EyeImage& image, const SearchRadii& radii, Refusal
     const Stopwatch watch(totals_.gather_seconds);
     grid_.build(waiting_.landings(), radii.largest, tbb_for);
     gather_photons(image, grid_, radii, refusals, flux);
+    if (!radii.probes.empty()) {
+        // A grid of their own: one for radii so much wider would slow the gather.
+        grid_.build(waiting_.landings(), radii.probe_radius, tbb_for);
+        gather_probes(image, grid_, radii, flux.probes);
+    }
     waiting_.clear();
 }
 

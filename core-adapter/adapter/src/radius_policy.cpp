@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "adaptive_radius.h"
 #include "ppm_radius.h"
 #include "scheduled_radius.h"
 
@@ -16,8 +17,12 @@ constexpr double kMinRadiusShare = 1e-7;
 
 }  // namespace
 
-std::unique_ptr<RadiusPolicy> make_radius_policy(const Settings& settings, const Scene& scene) {
+std::unique_ptr<RadiusPolicy> make_radius_policy(const Settings& settings, const Scene& scene,
+                                                 std::uint32_t width, std::uint32_t height) {
     if (settings.mode == Mode::Ppm) return std::make_unique<PpmRadius>(settings, scene);
+    if (adapts_radius(settings)) {
+        return std::make_unique<AdaptiveRadius>(settings, scene, width, height);
+    }
     return std::make_unique<ScheduledRadius>(settings, scene);
 }
 

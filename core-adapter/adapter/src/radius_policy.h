@@ -21,7 +21,9 @@ class RadiusPolicy {
     virtual std::size_t memory_bytes() const = 0;
 };
 
-std::unique_ptr<RadiusPolicy> make_radius_policy(const Settings& settings, const Scene& scene);
+/// For a film of width x height pixels.
+std::unique_ptr<RadiusPolicy> make_radius_policy(const Settings& settings, const Scene& scene,
+                                                 std::uint32_t width, std::uint32_t height);
 
 /// The smallest radius, scene units: below it single precision ends.
 double smallest_radius(const Scene& scene);

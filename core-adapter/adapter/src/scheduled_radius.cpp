@@ -12,11 +12,16 @@ constexpr double kReferencePaths = 1e6;
 
 }  // namespace
 
+float scheduled_radius(const Settings& settings, double initial, double paths_shot,
+                       double smallest) {
+    return knaus_zwicker_radius(initial, paths_shot, kReferencePaths, settings.alpha, smallest);
+}
+
 SearchRadii ScheduledRadius::before_pass(std::uint64_t pass, const EyeImage& image) {
     if (!(initial_ > 0)) initial_ = initial_radius(settings_, image, smallest_);
     if (settings_.mode == Mode::PhotonMap) return float(initial_);
     const double shot = double(pass) * double(settings_.photons_per_pass);
-    return knaus_zwicker_radius(initial_, shot, kReferencePaths, settings_.alpha, smallest_);
+    return scheduled_radius(settings_, initial_, shot, smallest_);
 }
 
 }  // namespace aips

@@ -5,6 +5,11 @@
 
 namespace aips {
 
+/// Radius after so many photon paths of a render that started with `initial` (Knaus & Zwicker
+/// 2011).
+float scheduled_radius(const Settings& settings, double initial, double paths_shot,
+                       double smallest);
+
 /// mode=progressive: a function of the photon paths shot before the pass (Knaus & Zwicker 2011).
 /// mode=photonmap: the same in all passes.
 class ScheduledRadius final : public RadiusPolicy {

@@ -63,6 +63,7 @@ std::string describe(const Settings& s) {
     } else {
         out << ", startradius = automatic";
     }
+    if (adapts_radius(s)) out << ", radius = adaptive";
     out << ", alpha = " << s.alpha << ", seed = " << s.seed;
     if (s.photon_sampler == PhotonSampler::AdaptiveChains) out << ", photonsampler = amc";
     if (s.debug_layers) out << ", debuglayers = true";

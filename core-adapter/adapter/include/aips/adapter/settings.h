@@ -17,6 +17,12 @@ constexpr bool freezes_eye_pass(Mode mode) {
     return mode != Mode::Progressive;
 }
 
+/// How the search radius goes on in mode=progressive.
+enum class RadiusKind : std::uint8_t {
+    Schedule,  ///< one for all visible points, by the photons shot (Knaus & Zwicker 2011)
+    Adaptive   ///< by noise and bias around each pixel (Kaplanyan & Dachsbacher 2013)
+};
+
 enum class GuideKind : std::uint8_t {
     None,     ///< plain photon shooting
     Paper,    ///< Liu & Zheng 2014
@@ -60,7 +66,14 @@ struct Settings {
     bool eye_seeding = true;  ///< guide=adaptive learns from the eye where photons ought to start
     bool guide_bounces = false;   ///< guide=adaptive guides where photons go on to
     bool guide_survival = false;  ///< guide=adaptive decides which photons go on
+
+    RadiusKind radius = RadiusKind::Schedule;  ///< mode=progressive; other modes have their own
 };
+
+/// Whether visible points' radii follow noise and bias around them.
+constexpr bool adapts_radius(const Settings& settings) {
+    return settings.mode == Mode::Progressive && settings.radius == RadiusKind::Adaptive;
+}
 
 /// Checks what no single range can: throws std::invalid_argument with one clear message.
 void validate(const Settings& settings);

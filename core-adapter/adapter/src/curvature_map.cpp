@@ -1,0 +1,63 @@
+// Sums of probes by pixel.
+#include "curvature_map.h"
+
+#include <algorithm>
+#include <cstdlib>
+
+namespace aips {
+namespace {
+
+/// Half width of the windows of the widest discs' probes, pixels.
+constexpr int kWindow = 2;
+
+}  // namespace
+
+CurvatureMap::CurvatureMap(std::uint32_t width, std::uint32_t height)
+    : width_(width), height_(height), sums_(std::size_t{width} * height) {}
+
+std::uint32_t CurvatureMap::pixel(Vec2 position) const {
+    const auto clamped = [](float x, std::uint32_t size) {
+        return static_cast<std::uint32_t>(std::clamp(x, 0.0f, float(size - 1)));
+    };
+    return clamped(position.y, height_) * width_ + clamped(position.x, width_);
+}
+
+void CurvatureMap::add(std::uint32_t pixel, const ProbeEstimate& estimate) {
+    Sums& sums = sums_[pixel];
+    sums.probes += 1;
+    sums.second_moment += float(estimate.second_moment);
+    for (std::size_t scale = 0; scale < kProbeScales; ++scale) {
+        sums.laplacian[scale] += float(estimate.laplacian[scale].value);
+        sums.error2[scale] += float(estimate.laplacian[scale].error2);
+    }
+}
+
+ProbeEstimate CurvatureMap::mean(std::uint32_t pixel) const {
+    const int x = int(pixel % width_), y = int(pixel / width_);
+    const int left = std::max(x - kWindow, 0), right = std::min(x + kWindow, int(width_) - 1);
+    const int top = std::max(y - kWindow, 0), bottom = std::min(y + kWindow, int(height_) - 1);
+    ProbeEstimate mean;
+    std::array<double, kProbeScales> probes{};
+    for (int row = top; row <= bottom; ++row) {
+        for (int column = left; column <= right; ++column) {
+            const Sums& sums = sums_[std::size_t(row) * width_ + std::size_t(column)];
+            const int distance = std::max(std::abs(row - y), std::abs(column - x));
+            const std::size_t scales = std::min(std::size_t(kWindow - distance) + 1, kProbeScales);
+            mean.second_moment += double(sums.second_moment);
+            for (std::size_t scale = 0; scale < scales; ++scale) {
+                probes[scale] += double(sums.probes);
+                mean.laplacian[scale].value += double(sums.laplacian[scale]);
+                mean.laplacian[scale].error2 += double(sums.error2[scale]);
+            }
+        }
+    }
+    mean.second_moment /= std::max(probes[0], 1.0);
+    for (std::size_t scale = 0; scale < kProbeScales; ++scale) {
+        const double count = std::max(probes[scale], 1.0);
+        mean.laplacian[scale].value /= count;
+        mean.laplacian[scale].error2 /= count * count;
+    }
+    return mean;
+}
+
+}  // namespace aips

@@ -1,0 +1,40 @@
+// What probes have found so far, pixel by pixel.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "aips/core/optimal_radius.h"
+#include "aips/core/vector.h"
+
+namespace aips {
+
+/// Means over all probes that were placed in a pixel. Values are kept in single precision: the
+/// caller chooses units in which they are about as large as radiance.
+class CurvatureMap {
+  public:
+    CurvatureMap(std::uint32_t width, std::uint32_t height);
+
+    std::uint32_t width() const { return width_; }
+    /// Number of the pixel at a film position, which is cut to the film.
+    std::uint32_t pixel(Vec2 position) const;
+    void add(std::uint32_t pixel, const ProbeEstimate& estimate);
+    /// Means over the probes in the pixels nearby, at most two rows and columns away for the widest
+    /// discs, one for the next, none for the last; all 0 without a probe. Errors are those of the
+    /// means, probes being independent.
+    ProbeEstimate mean(std::uint32_t pixel) const;
+
+    std::size_t memory_bytes() const { return sums_.capacity() * sizeof(Sums); }
+    static std::size_t memory_bound_bytes(std::size_t pixels) { return pixels * sizeof(Sums); }
+
+  private:
+    struct Sums {
+        float probes = 0, second_moment = 0;
+        std::array<float, kProbeScales> laplacian{}, error2{};
+    };
+
+    std::uint32_t width_, height_;
+    std::vector<Sums> sums_;  // [pixel]
+};
+
+}  // namespace aips

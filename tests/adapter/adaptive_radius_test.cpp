@@ -12,6 +12,7 @@
 
 #include "aips/core/random.h"
 #include "curvature_probes.h"
+#include "flat_memory.h"
 #include "render_mock.h"
 #include "scheduled_radius.h"
 
@@ -221,6 +222,12 @@ TEST(AdaptiveRadius, MemoryIsFlatAndWithinItsBound) {
     }
     EXPECT_EQ(adaptive.memory_bytes(), bytes);
     EXPECT_LE(bytes, AdaptiveRadius::memory_bound_bytes(kSize * kSize, kSize * kSize));
+}
+
+TEST(AdaptiveRadius, EngineStaysBelowItsBoundAndFlat) {
+    const mock::Scene scene = mock::lamp_box({}, {});
+    const auto camera = mock::camera_along_y({0, -0.9f, 0}, 1, 32, 24);
+    mock::expect_flat_memory(scene, camera, 32, 24, settings_with(20000), 17);
 }
 
 std::vector<Rgb> image_with(unsigned threads, GuideKind guide) {

@@ -35,11 +35,12 @@ void for_each_chunk(const Json& metadata, const Action& action) {
     }
 }
 
-/// Whether the last "alpha" among overrides is 1.
+/// Whether the last "alpha" among overrides is 1, and radii are not the visible points' own.
 bool keeps_its_radius(const Json& set) {
     bool keeps = false;
     for (const std::string text : set) {
         if (text.find(".alpha=") != std::string::npos) keeps = text.ends_with(".alpha=1");
+        if (text.ends_with(".radius=adaptive")) return false;
     }
     return keeps;
 }

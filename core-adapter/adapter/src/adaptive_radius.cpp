@@ -109,8 +109,8 @@ std::size_t AdaptiveRadius::memory_bytes() const {
 }
 
 std::size_t AdaptiveRadius::memory_bound_bytes(std::size_t pixels, std::size_t visible_points) {
-    // `probes_` grows by doubling.
-    const std::size_t point = sizeof(float) + 3 * sizeof(std::uint32_t);
+    // Vectors grow by doubling.
+    const std::size_t point = 2 * (sizeof(float) + 2 * sizeof(std::uint32_t));
     return CurvatureMap::memory_bound_bytes(pixels) + visible_points * point;
 }
 

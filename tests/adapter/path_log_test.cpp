@@ -132,6 +132,9 @@ TEST(PathLog, RecordsAgreeWithTheLandings) {
         EXPECT_EQ(landings[0].direction, -emission.ray.direction);
         EXPECT_EQ(landings[0].power, emission.power / float(path.pdf));
     }
+    const auto left = std::count_if(traced.log.vertices.begin(), traced.log.vertices.end(),
+                                    [](const PathVertex& vertex) { return vertex.pdf > 0; });
+    EXPECT_GT(std::size_t(left), traced.log.vertices.size() / 4);
     EXPECT_EQ(rays, traced.counts.rays);
     EXPECT_EQ(vertices, traced.log.vertices.size());
     EXPECT_EQ(next_landing, traced.store.landings().size());

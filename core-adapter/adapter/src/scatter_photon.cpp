@@ -18,7 +18,9 @@ bool scatter_by_bsdf(const SurfacePoint& point, Vec3 wo, LobeMask mask, float ma
     result.direction = sample.wi;
     result.weight = sample.weight * (adjoint_shading_factor(point, wo, sample.wi) / mask_pdf);
     result.straight = sample.straight;
-    result.pdf = result.plain_pdf = sample.lobe & kSpecular ? 0 : sample.pdf * mask_pdf;
+    if (sample.lobe & kNonSpecular) {
+        result.pdf = result.plain_pdf = point.bsdf->pdf(wo, sample.wi, kNonSpecular);
+    }
     return true;
 }
 
@@ -50,11 +52,6 @@ float geometric_share(const SurfacePoint& point, Vec3 wo, LobeMask lobes) {
     return all > 0 ? 0.5f * std::min(diffuse / all, 1.0f) : 0;
 }
 
-/// The geometric normal on the side of a direction.
-Vec3 normal_towards(Vec3 wo, const SurfacePoint& point) {
-    return dot(wo, point.geometric_normal) > 0 ? point.geometric_normal : -point.geometric_normal;
-}
-
 /// One-sample mixture of guide, cosine and Bsdf, weighed by the density of all together, so that
 /// any shares leave the expectation as it is.
 template <class Numbers>
@@ -81,14 +78,13 @@ bool scatter_by_mixture(const Mixture& mixture, const SurfacePoint& point, Vec3 
     }
     float pdf = (rest - geometric) * point.bsdf->pdf(wo, wi, kNonSpecular);
     if (geometric > 0) pdf += geometric * std::max(0.0f, dot(wi, normal)) * kInvPi;
-    const float plain_pdf = pdf / rest * mixture.mask_pdf;
+    const float plain_pdf = pdf / rest;
     if (mixture.guided) pdf += mixture.guided_share * mixture.guided->pdf(wi);
-    pdf *= mixture.mask_pdf;
-    if (!(pdf > 0)) return false;
+    if (!(pdf * mixture.mask_pdf > 0)) return false;
     const float cosine = abs_dot(wi, point.shading_normal);
     result.direction = wi;
     result.weight = point.bsdf->evaluate(wo, wi, Transport::Power, kNonSpecular) *
-                    (cosine * adjoint_shading_factor(point, wo, wi) / pdf);
+                    (cosine * adjoint_shading_factor(point, wo, wi) / (pdf * mixture.mask_pdf));
     result.straight = false;
     result.pdf = pdf;
     result.plain_pdf = plain_pdf;
@@ -96,6 +92,10 @@ bool scatter_by_mixture(const Mixture& mixture, const SurfacePoint& point, Vec3 
 }
 
 }  // namespace
+
+Vec3 normal_towards(Vec3 wo, const SurfacePoint& point) {
+    return dot(wo, point.geometric_normal) > 0 ? point.geometric_normal : -point.geometric_normal;
+}
 
 float adjoint_shading_factor(const SurfacePoint& point, Vec3 wo, Vec3 wi) {
     if (point.geometric_normal == point.shading_normal) return 1;

@@ -10,7 +10,8 @@ struct ScatteredPhoton {
     Vec3 direction;
     Rgb weight;
     bool straight = false;
-    float pdf = 0;        ///< of `direction` per steradian; 0: drawn by a specular lobe
+    /// Of `direction` per steradian, given that no specular lobe was chosen; 0: one was.
+    float pdf = 0;
     float plain_pdf = 0;  ///< the same without a guide
 };
 
@@ -19,6 +20,9 @@ struct ScatteredPhoton {
 template <class Numbers>
 bool scatter_photon(const PhotonInput& input, const SurfacePoint& point, Vec3 wo, Numbers& random,
                     Arena& arena, PhotonCounts& counts, ScatteredPhoton& result);
+
+/// The geometric normal on the side of a direction that leaves the surface.
+Vec3 normal_towards(Vec3 wo, const SurfacePoint& point);
 
 /// Veach's factor for photons at shading normals (1997, section 5.3.2): with it, photon power
 /// counts flux through the geometric surface while the Bsdf takes cosines to the shading normal.

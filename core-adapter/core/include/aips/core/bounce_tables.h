@@ -77,7 +77,7 @@ class BounceTables {
         return leaf == ScoreCache::kNoLeaf ? BounceTable{} : in_use_[leaf];
     }
 
-    /// Learns from a vertex; false, changing nothing, if a number is not usable.
+    /// Learns from a vertex; false, learning nothing, if a number is not usable.
     bool add(const BounceScore& score);
     /// After `paths` further scored photon paths: forgets, splits, makes densities from what was
     /// learned and decides where tables pay.

@@ -46,7 +46,7 @@ void Film::add_pass(std::span<const Vec2> positions, std::span<const Rgb> radian
             sum[2] += weight * value.b;
         }
     }
-    ++passes_;
+    pass_weights_.push_back(weight);
 }
 
 void Film::add_layer_pass(std::string_view name, std::span<const Vec2> positions,

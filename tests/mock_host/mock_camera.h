@@ -57,13 +57,15 @@ class Film final : public aips::Film {
     std::vector<aips::Rgb> image(int group = -1) const;
     /// Mean luminance of the image.
     double mean() const;
-    std::uint32_t passes() const { return passes_; }
+    std::uint32_t passes() const { return static_cast<std::uint32_t>(pass_weights_.size()); }
+    const std::vector<double>& pass_weights() const { return pass_weights_; }
     /// Extra layers by name: films of colour layers, values of float layers.
     const std::map<std::string, Film, std::less<>>& color_layers() const { return color_layers_; }
     const std::map<std::string, std::vector<float>, std::less<>>& layers() const { return layers_; }
 
   private:
-    std::uint32_t width_, height_, groups_, passes_ = 0;
+    std::uint32_t width_, height_, groups_;
+    std::vector<double> pass_weights_;
     std::vector<double> sums_;     // [(pixel * groups + group) * 3 + channel]
     std::vector<double> weights_;  // [pixel]
     std::map<std::string, Film, std::less<>> color_layers_;

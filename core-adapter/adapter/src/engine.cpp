@@ -69,7 +69,7 @@ class Engine::State {
         }
         estimate_pixels(image_, flux_, radii, report.photon_paths, refusals_, radiance_);
         if (report.photon_paths) photon_pass_.end_pass(image_, radiance_);
-        const auto weight = double(settings_.photons_per_pass);
+        const double weight = photon_pass_.weight_of(pass);
         host_.film.add_pass(image_.positions, radiance_, image_.groups, weight);
         if (layers_) {
             layers_->add_pass(image_, flux_, radii, radiance_, weight, photon_pass_.bounces());
@@ -105,6 +105,7 @@ class Engine::State {
             s.guide_nodes = adaptive->node_count();
             s.guide_bytes = adaptive->memory_bytes();
             s.emission_gain = adaptive->emission_guide().gain();
+            s.survival_gain = adaptive->survival_gain();
             if (const BounceGuide* bounces = adaptive->bounces()) {
                 s.bounce_gain = bounces->tables().gain();
                 s.bounce_tables = bounces->tables().tables_in_use();

@@ -16,6 +16,11 @@ class LandingStore {
     void append(std::span<const Landing> landings) {
         landings_.insert(landings_.end(), landings.begin(), landings.end());
     }
+    /// Of all landings from number `first` on.
+    void scale_power(std::size_t first, float factor) {
+        for (std::size_t i = first; i < landings_.size(); ++i)
+            landings_[i].power *= factor;
+    }
 
   private:
     std::vector<Landing> landings_;

@@ -38,6 +38,10 @@ class PhotonPass {
     std::uint64_t shoot(std::uint64_t pass, float time, const EyeImage& image,
                         const SearchRadii& radii, Refusals& refusals, PhotonFlux& flux);
 
+    /// Photon paths of a pass, those shot while a guide learns counted as they weigh: known before
+    /// the pass.
+    double weight_of(std::uint64_t pass) const;
+
     /// The pass's image is known: radiance per eye path and light group.
     void end_pass(const EyeImage& image, std::span<const Rgb> radiance);
 

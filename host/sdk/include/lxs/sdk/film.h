@@ -15,7 +15,8 @@ struct PassSamples {
     /// Radiance of sample i in light group g at [i * groups + g]; finite and not negative.
     std::span<const Rgb> radiance;
     std::uint32_t groups = 1;
-    /// Weight of the pass in the mean over passes, > 0 (photon mappers: photon paths shot).
+    /// Weight of the pass in the mean over passes, > 0 (photon mappers: photon paths, as they
+    /// count).
     double weight = 1;
 };
 

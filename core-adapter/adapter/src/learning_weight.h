@@ -1,0 +1,24 @@
+// What photons count for in the image that were shot while a guide still learned.
+//
+// A density that is wrong where it matters makes few photons carry much: fireflies, which a mean
+// over all photons keeps for good. Weights that depend on nothing but the number of photon paths
+// shot before leave the expectation as it is, whatever the guide did with these.
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+
+namespace aips {
+
+/// Photon paths after which photons count in full.
+inline constexpr double kLearningPaths = 1e6;
+/// Weight of the very first, > 0: an image stopped early is made of them.
+inline constexpr double kFirstWeight = 1.0 / 256;
+
+/// Weight in (0, 1] of photon paths before which `paths_before` others were shot.
+inline double learning_weight(std::uint64_t paths_before) {
+    const double learned = double(paths_before) / kLearningPaths;
+    return std::clamp(learned * learned, kFirstWeight, 1.0);
+}
+
+}  // namespace aips

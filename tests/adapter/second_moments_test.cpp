@@ -20,9 +20,12 @@ using Cells = std::array<double, kCells>;
 constexpr Cells kPart{0.1, 1, 3, 0}, kCost{1, 2, 5, 3};
 constexpr Cells kPlain{0.25, 0.25, 0.25, 0.25}, kGuided{0.1, 0.3, 0.5, 0.1};
 
-/// Second moment times mean cost of a path drawn by `p`.
-double work(const Cells& p) {
-    double moment = 0, cost = 0;
+/// Of guiding a path.
+constexpr double kGuideCost = 0.25;
+
+/// Second moment times mean cost of a path drawn by `p`, at `more` than the cells' own cost.
+double work(const Cells& p, double more) {
+    double moment = 0, cost = more;
     for (unsigned i = 0; i < kCells; ++i) {
         moment += kPart[i] * kPart[i] / p[i];
         cost += kCost[i] * p[i];
@@ -39,7 +42,8 @@ SecondMoments measured(const Cells& drawn, int samples, std::uint64_t seed) {
         while (cell + 1 < kCells && u >= drawn[cell])
             u -= drawn[cell++];
         const double value = kPart[cell] / drawn[cell];
-        moments.add(value * value, kCost[cell], drawn[cell], kPlain[cell], kGuided[cell]);
+        moments.add(value * value, kCost[cell], kGuideCost, drawn[cell], kPlain[cell],
+                    kGuided[cell]);
     }
     return moments;
 }
@@ -55,7 +59,7 @@ void expect_gain_of(const Cells& drawn, std::uint64_t seed) {
     }
     const double mean = sum / kRuns;
     const double error = std::sqrt((squares / kRuns - mean * mean) / (kRuns - 1));
-    const double expected = work(kPlain) / work(kGuided);
+    const double expected = work(kPlain, 0) / work(kGuided, kGuideCost);
     EXPECT_LT(error, 0.01 * expected);
     EXPECT_NEAR(mean, expected, 4 * error);
 }
@@ -75,21 +79,20 @@ TEST(SecondMoments, GainFromSamplesOfAThirdDensity) {
 TEST(SecondMoments, NothingIsGainedBeforeAnythingWasWorthSomething) {
     SecondMoments moments;
     EXPECT_EQ(moments.gain(), 1);
-    moments.add(0, 3, 1, 1, 2);
+    moments.add(0, 3, 0, 1, 1, 2);
     EXPECT_EQ(moments.gain(), 1);
-    EXPECT_EQ(moments.scored(), 0);
     EXPECT_FALSE(moments.pays(false));
     EXPECT_FALSE(moments.pays(true));
 }
 
-/// On above kGain, off below 1, and between the two as before.
+/// On above kGain, off below kStayGain, and between the two as before.
 TEST(SecondMoments, SwitchHasHysteresis) {
     // One path of cost c, twice as probable with the guide: moments 1 : 1/2, costs 1 : 2, gain 1.
     // A second one without worth, less probable, makes the guide's cost less.
     const auto with_cheaper_rest = [](double rest) {
         SecondMoments moments;
-        moments.add(1, 1, 1, 1, 2);
-        moments.add(0, rest, 1, 1, 0.5);
+        moments.add(1, 1, 0, 1, 1, 2);
+        moments.add(0, rest, 0, 1, 1, 0.5);
         return moments;
     };
     // (1 + c) / (0.5 (2 + c / 2)) = (1 + c) / (1 + c / 4)
@@ -99,23 +102,22 @@ TEST(SecondMoments, SwitchHasHysteresis) {
         EXPECT_EQ(moments.pays(false), from_off) << rest;
         EXPECT_EQ(moments.pays(true), from_on) << rest;
     };
-    check(0.1, false, true);  // 1.07
-    check(0.5, true, true);   // 1.33
+    check(0.1, false, false);  // 1.07
+    check(0.4, false, true);   // 1.27
+    check(0.6, true, true);    // 1.39
     SecondMoments loses;
-    loses.add(1, 1, 1, 1, 0.5);
-    loses.add(0, 1, 1, 1, 1.5);
+    loses.add(1, 1, 0, 1, 1, 0.5);
+    loses.add(0, 1, 0, 1, 1, 1.5);
     EXPECT_FALSE(loses.pays(true));
 }
 
 TEST(SecondMoments, OldSamplesFadeAndAreOutvoted) {
     SecondMoments moments = measured(kGuided, 1000, 7);
-    const double gain = moments.gain(), scored = moments.scored();
-    EXPECT_GT(scored, 800);
+    const double gain = moments.gain();
     moments.forget(0.01);
     EXPECT_NEAR(moments.gain(), gain, 1e-12 * gain);  // both alike
-    EXPECT_NEAR(moments.scored(), 0.01 * scored, 1e-9);
     for (int i = 0; i < 1000; ++i)
-        moments.add(1, 1, 1, 1, 0.5);  // gains nothing
+        moments.add(1, 1, 0, 1, 1, 0.5);  // gains nothing
     EXPECT_GT(gain, 1.3);
     EXPECT_NEAR(moments.gain(), 1, 0.3);
 }

@@ -35,6 +35,7 @@ constexpr double kBoxIntegral = kBoxVolume + 1e-3 * (1 - kBoxVolume);
 PrimaryTree sharp_tree() {
     PrimaryTreeSettings settings;
     settings.sharpness = 1;
+    settings.prior_count = 0;
     return PrimaryTree(settings);
 }
 
@@ -223,6 +224,7 @@ TEST(PrimaryTree, UnderHeavyTailsTheFlatterDensityIsBetter) {
     const auto second_moment = [&](double sharpness, std::uint64_t seed) {
         PrimaryTreeSettings settings;
         settings.sharpness = sharpness;
+        settings.prior_count = 0;
         PrimaryTree tree(settings);
         for (int block = 0; block < 10; ++block) {
             RandomStream random(seed, std::uint64_t(block), 0, RandomDomain::Guide);
@@ -246,7 +248,34 @@ TEST(PrimaryTree, UnderHeavyTailsTheFlatterDensityIsBetter) {
         flat += second_moment(0.5, seed);
     }
     EXPECT_LT(flat, 0.9 * sharp);
-    EXPECT_EQ(PrimaryTreeSettings{}.sharpness, 0.5);
+    EXPECT_LT(PrimaryTreeSettings{}.sharpness, 1);
+}
+
+// One path in a hundred is worth something, wherever it starts: leaves that were unlucky must not
+// be taken for empty, nor lucky ones for bright.
+TEST(PrimaryTree, FewScoresProveLittle) {
+    const Integrand flat = [](const PrimaryPoint&) { return 1.0; };
+    const auto second_moment = [&](double prior_count) {
+        PrimaryTreeSettings settings;
+        settings.sharpness = 1;
+        settings.split_gain = 0;
+        settings.prior_count = prior_count;
+        PrimaryTree tree(settings);
+        for (int block = 0; block < 5; ++block) {
+            RandomStream random(30, std::uint64_t(block), 0, RandomDomain::Guide);
+            for (int i = 0; i < 10000; ++i) {
+                const PrimarySample s = tree.sample(random_point(random));
+                const double worth = random.next() < 0.01f ? 1 / double(s.pdf) : 0;
+                tree.add(s.point, worth * worth);
+            }
+            tree.update(10000);
+            tree.set_mixture(kGuided);
+        }
+        EXPECT_GE(tree.leaf_count(), 8u);
+        return integrate(tree, flat, 50000, 31).second_moment;
+    };
+    // 1 is what the uniform density gives.
+    EXPECT_LT(second_moment(4) - 1, 0.7 * (second_moment(0) - 1));
 }
 
 TEST(PrimaryTree, RefusesBadScoresAndSettings) {
@@ -269,6 +298,7 @@ TEST(PrimaryTree, RefusesBadScoresAndSettings) {
     EXPECT_THROW(PrimaryTree({.memory_paths = 0}), std::invalid_argument);
     EXPECT_THROW(PrimaryTree({.sharpness = 0}), std::invalid_argument);
     EXPECT_THROW(PrimaryTree({.sharpness = 1.5}), std::invalid_argument);
+    EXPECT_THROW(PrimaryTree({.prior_count = -1}), std::invalid_argument);
 }
 
 // A delta at one point: sides stop shrinking, leaves stop multiplying, memory stays.

@@ -49,7 +49,8 @@ double EmissionGuide::guided_pdf(const EmissionStart& start) const {
 void EmissionGuide::add(const EmissionScore& s) {
     if (!(s.start.pdf > 0) || s.start.light >= trees_.size()) return;
     if (learned_) {
-        moments_.add(s.score, s.cost, s.start.pdf, plain_pdf(s.start.light), guided_pdf(s.start));
+        moments_.add(s.score, s.cost, kGuideCost, s.start.pdf, plain_pdf(s.start.light),
+                     guided_pdf(s.start));
     }
     if (s.score > 0) ++scored_;
     trees_[s.start.light].add(s.start.point, s.score, s.cost);
@@ -65,7 +66,10 @@ void EmissionGuide::update(double paths) {
     for (PrimaryTree& tree : trees_)
         tree.update(paths);
     set_densities();
-    moments_.forget(settings_.memory_paths / (settings_.memory_paths + paths));
+    paths_ += paths;
+    // Densities that are gone say little of the present one: half of all paths, at most, count.
+    const double memory = std::min(settings_.memory_paths, 0.5 * paths_);
+    if (memory > 0) moments_.forget(memory / (memory + paths));
 }
 
 // p(l, x) = d P0(l) + s S_l seeds_l(x) + (1 - d - s) M_l learned_l(x), S and M normalised over
@@ -98,7 +102,8 @@ void EmissionGuide::set_densities() {
         if (sum > 0) trees_[l].set_mixture({plain / sum, seeds / sum});
     }
     choice_.build(weights);
-    on_ = moments_.scored() < double(settings_.learned_scores) || moments_.pays(on_);
+    const bool tried = paths_ >= settings_.trial_paths && scored_ >= settings_.learned_scores;
+    on_ = !tried || moments_.pays(on_);
 }
 
 std::size_t EmissionGuide::leaf_count() const {

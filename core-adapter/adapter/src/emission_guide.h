@@ -22,6 +22,9 @@ struct EmissionGuideSettings {
     std::uint32_t learned_scores = 256;  ///< scored photons that count as enough
     std::uint32_t max_leaves = 8192;     ///< over all lights, but at least one for each
     double memory_paths = 4e6;           ///< scored photon paths that count in full
+    /// Scored photon paths before the guide may be switched off: what it would gain when it has
+    /// learned cannot be told while it learns, and it learns faster when it is on.
+    double trial_paths = 1e5;
 };
 
 /// Where one photon starts.
@@ -41,6 +44,9 @@ struct EmissionScore {
 /// Learns between iterations; const in between, when it may be used from many threads.
 class EmissionGuide {
   public:
+    /// Cost of the way through a light's tree, in rays: measured in cornell-box.
+    static constexpr double kGuideCost = 0.5;
+
     /// `plain_choice` chooses between `lights` by power and is not empty; it outlives this.
     EmissionGuide(std::size_t lights, const DiscreteDistribution& plain_choice,
                   const EmissionGuideSettings& settings = {});
@@ -75,6 +81,7 @@ class EmissionGuide {
     DiscreteDistribution choice_;     // between lights, all three densities together
     SecondMoments moments_;
     std::uint64_t scored_ = 0;
+    double paths_ = 0;      // scored photon paths so far
     bool learned_ = false;  // trees and choice hold anything
     bool on_ = false;
 };

@@ -9,31 +9,37 @@ namespace aips {
 
 class SecondMoments {
   public:
-    /// Least gain at which guiding is switched on (once on, it stays while it gains anything).
-    static constexpr double kGain = 1.15;
+    /// Least gain at which guiding is switched on, and at which it stays on. Moments are noisy,
+    /// stratified plain samples do better than theirs, and learning has its price.
+    static constexpr double kGain = 1.3, kStayGain = 1.15;
 
     /// One photon path: worth `score` and costing `cost`, drawn with density `drawn` where the
-    /// plain one is `plain` and the guided one `guided` (all > 0).
-    void add(double score, double cost, double drawn, double plain, double guided) {
-        plain_.add(score * drawn / plain, cost * plain / drawn);
-        guided_.add(score * drawn / guided, cost * guided / drawn);
-        if (score > 0) scored_ += 1;
+    /// plain one is `plain` and the guided one `guided` (all > 0); `guide_cost`: of guiding it.
+    void add(double score, double cost, double guide_cost, double drawn, double plain,
+             double guided) {
+        add({score * drawn / plain, cost * plain / drawn},
+            {score * drawn / guided, (cost + guide_cost) * guided / drawn});
+    }
+    /// What a path that was drawn adds to second moment and cost of either way of drawing it.
+    struct Work {
+        double score = 0, cost = 0;
+    };
+    void add(const Work& plain, const Work& guided) {
+        plain_.add(plain.score, plain.cost);
+        guided_.add(guided.score, guided.cost);
     }
     /// Keeps this share of what was counted.
     void forget(double share) {
         plain_.scale(share);
         guided_.scale(share);
-        scored_ *= share;
     }
     /// Plain second moment times cost over the guided; 1 before anything was worth something.
     double gain() const {
         const double guided = guided_.product();
         return guided > 0 ? plain_.product() / guided : 1;
     }
-    /// Samples that were worth something.
-    double scored() const { return scored_; }
     /// The switch after what it was before.
-    bool pays(bool on) const { return gain() > (on ? 1.0 : kGain); }
+    bool pays(bool on) const { return gain() > (on ? kStayGain : kGain); }
 
   private:
     struct Sums {
@@ -49,7 +55,6 @@ class SecondMoments {
         double product() const { return moment * cost; }
     };
     Sums plain_, guided_;
-    double scored_ = 0;
 };
 
 }  // namespace aips

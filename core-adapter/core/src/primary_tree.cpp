@@ -2,6 +2,7 @@
 #include "aips/core/primary_tree.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <stdexcept>
 
@@ -16,6 +17,11 @@ constexpr float kMinSide = 0x1p-20f;
 /// Share of its history that a new leaf keeps: how the score lay within the half is a guess.
 constexpr double kInherited = 0.1;
 
+/// The next float below x > 0.
+float previous_float(float x) {
+    return std::bit_cast<float>(std::bit_cast<std::uint32_t>(x) - 1);
+}
+
 void check(const PrimaryTreeSettings& s) {
     if (s.max_leaves < 1 || s.max_leaves > kMaxLeaves) {
         throw std::invalid_argument("PrimaryTree: max_leaves must be in [1, 2^24]");
@@ -26,6 +32,7 @@ void check(const PrimaryTreeSettings& s) {
     if (!(s.sharpness > 0 && s.sharpness <= 1)) {
         throw std::invalid_argument("PrimaryTree: sharpness must be in (0, 1]");
     }
+    if (!(s.prior_count >= 0)) throw std::invalid_argument("PrimaryTree: prior_count is negative");
 }
 
 }  // namespace
@@ -54,51 +61,63 @@ PrimaryTree::Sums PrimaryTree::Sums::half(unsigned axis, bool upper) const {
 
 PrimaryTree::PrimaryTree(const PrimaryTreeSettings& settings) : settings_(settings) {
     check(settings);
-    nodes_.reserve(2 * std::size_t(settings.max_leaves) - 1);
+    const std::size_t nodes = 2 * std::size_t(settings.max_leaves) - 1;
+    nodes_.reserve(nodes);
+    totals_.reserve(nodes);
+    means_.reserve(nodes);
+    probabilities_.reserve(nodes);
     leaves_.reserve(settings.max_leaves);
-    nodes_.push_back({});
+    nodes_.push_back(leaf_node(0));
     leaves_.push_back({});
 }
 
 PrimarySample PrimaryTree::sample(const PrimaryPoint& u) const {
     std::array<double, 4> within;
     std::copy(u.begin(), u.end(), within.begin());
-    std::uint32_t i = 0;
-    while (nodes_[i].axis != kLeafAxis) {
-        const Node& node = nodes_[i];
-        double& x = within[node.axis];
-        const bool lower = x < node.lower_share;
-        x = lower ? x / node.lower_share : (x - node.lower_share) / (1 - node.lower_share);
-        i = node.first + (lower ? 0u : 1u);
+    std::array<float, 4> corner{}, side{1, 1, 1, 1};
+    double pdf = 1;
+    Node node = nodes_[0];
+    while (!node.is_leaf()) {
+        const unsigned axis = node.axis();
+        const auto share = double(node.lower_share);
+        double& x = within[axis];
+        const bool upper = x >= share;
+        side[axis] *= 0.5f;
+        corner[axis] += upper ? side[axis] : 0.0f;
+        x = (x - (upper ? share : 0)) * double(upper ? node.upper_scale : node.lower_scale);
+        pdf *= 2 * (upper ? 1 - share : share);
+        node = nodes_[node.target() + (upper ? 1u : 0u)];
     }
-    const Leaf& leaf = leaves_[nodes_[i].first];
     PrimarySample sample;
     for (unsigned axis = 0; axis < 4; ++axis) {
         // Rounding must not move the point out of the leaf, where pdf() finds another density.
-        const float end = std::nextafter(leaf.corner[axis] + leaf.side[axis], 0.0f);
-        const auto x =
-            static_cast<float>(double(leaf.corner[axis]) + within[axis] * double(leaf.side[axis]));
-        sample.point[axis] = std::clamp(x, leaf.corner[axis], end);
+        const float end = previous_float(corner[axis] + side[axis]);
+        const auto x = static_cast<float>(double(corner[axis]) + within[axis] * double(side[axis]));
+        sample.point[axis] = std::clamp(x, corner[axis], end);
     }
-    sample.pdf = static_cast<float>(leaf.pdf);
+    sample.pdf = static_cast<float>(pdf);
     return sample;
 }
 
-std::uint32_t PrimaryTree::locate(const PrimaryPoint& point) const {
+PrimaryTree::Place PrimaryTree::locate(const PrimaryPoint& point) const {
     std::array<float, 4> low{}, side{1, 1, 1, 1};
-    std::uint32_t i = 0;
-    while (nodes_[i].axis != kLeafAxis) {
-        const unsigned axis = nodes_[i].axis;
+    Place place;
+    Node node = nodes_[0];
+    while (!node.is_leaf()) {
+        const unsigned axis = node.axis();
+        const auto share = double(node.lower_share);
         side[axis] *= 0.5f;
         const bool upper = point[axis] >= low[axis] + side[axis];
         if (upper) low[axis] += side[axis];
-        i = nodes_[i].first + (upper ? 1u : 0u);
+        place.pdf *= 2 * (upper ? 1 - share : share);
+        node = nodes_[node.target() + (upper ? 1u : 0u)];
     }
-    return nodes_[i].first;
+    place.leaf = node.target();
+    return place;
 }
 
 float PrimaryTree::pdf(const PrimaryPoint& point) const {
-    return static_cast<float>(leaves_[locate(point)].pdf);
+    return static_cast<float>(locate(point).pdf);
 }
 
 std::array<bool, 4> PrimaryTree::lower_halves(const Leaf& leaf, const PrimaryPoint& point) const {
@@ -110,18 +129,19 @@ std::array<bool, 4> PrimaryTree::lower_halves(const Leaf& leaf, const PrimaryPoi
 
 void PrimaryTree::add(const PrimaryPoint& point, double score, double cost) {
     if (!(score >= 0 && cost > 0) || !std::isfinite(score + cost)) return;
-    Leaf& leaf = leaves_[locate(point)];
+    Leaf& leaf = leaves_[locate(point).leaf];
     leaf.drawn += 1;
     leaf.cost += cost;
     if (score == 0) return;
     const auto lower = lower_halves(leaf, point);
     leaf.root.add(lower, std::sqrt(score));
+    leaf.score += score;
     leaf.met.add(lower, 1);
 }
 
 void PrimaryTree::add_seed(const PrimaryPoint& point, double weight) {
     if (!(weight > 0) || !std::isfinite(weight)) return;
-    Leaf& leaf = leaves_[locate(point)];
+    Leaf& leaf = leaves_[locate(point).leaf];
     const auto lower = lower_halves(leaf, point);
     leaf.seeds.add(lower, weight);
     leaf.met.add(lower, 1);
@@ -133,19 +153,20 @@ void PrimaryTree::update(double paths) {
         if (leaf.paths > settings_.memory_paths) {
             const double kept = settings_.memory_paths / leaf.paths;
             leaf.root.scale(kept);
+            leaf.score *= kept;
             leaf.drawn *= kept;
             leaf.cost *= kept;
             leaf.paths = settings_.memory_paths;
         }
     }
     split_leaves();
+    set_expectations();
 }
 
 double PrimaryTree::leaf_mass(const Leaf& leaf) const {
-    if (!(leaf.paths > 0) || !(leaf.root.whole > 0)) return 0;
-    const double mean = leaf.root.whole / (leaf.paths * leaf.volume);
-    const double cost = leaf.cost > 0 ? leaf.cost / leaf.drawn : 1;
-    return leaf.volume * std::pow(mean / std::sqrt(cost), settings_.sharpness);
+    if (!(leaf.expected.root > 0)) return 0;
+    return leaf.volume *
+           std::pow(leaf.expected.root / std::sqrt(leaf.expected.cost), settings_.sharpness);
 }
 
 namespace {
@@ -185,8 +206,8 @@ void PrimaryTree::split_leaves() {
     };
     std::vector<Candidate> candidates;
     for (std::uint32_t i = 0; i < nodes_.size(); ++i) {
-        if (nodes_[i].axis != kLeafAxis) continue;
-        const Leaf& leaf = leaves_[nodes_[i].first];
+        if (!nodes_[i].is_leaf()) continue;
+        const Leaf& leaf = leaves_[nodes_[i].target()];
         if (leaf.met.whole < settings_.split_count) continue;
         Candidate best{settings_.split_gain, i, kLeafAxis};
         for (unsigned axis = 0; axis < 4; ++axis) {
@@ -205,7 +226,7 @@ void PrimaryTree::split_leaves() {
 }
 
 void PrimaryTree::split(std::uint32_t node, unsigned axis) {
-    const std::uint32_t lower = nodes_[node].first;
+    const std::uint32_t lower = nodes_[node].target();
     const auto upper = static_cast<std::uint32_t>(leaves_.size());
     const Leaf whole = leaves_[lower];
     leaves_.push_back(whole);
@@ -217,15 +238,16 @@ void PrimaryTree::split(std::uint32_t node, unsigned axis) {
         leaf.root = whole.root.half(axis, is_upper);
         leaf.seeds = whole.seeds.half(axis, is_upper);
         leaf.root.scale(kInherited);
+        leaf.score *= 0.5 * kInherited;
         leaf.drawn *= 0.5 * kInherited;
         leaf.cost *= 0.5 * kInherited;
         leaf.paths *= kInherited;
         leaf.met = {};
     }
     const auto child = static_cast<std::uint32_t>(nodes_.size());
-    nodes_.push_back({.first = lower});
-    nodes_.push_back({.first = upper});
-    nodes_[node] = {.axis = axis, .first = child};
+    nodes_.push_back(leaf_node(lower));
+    nodes_.push_back(leaf_node(upper));
+    nodes_[node].packed = child * 8 + axis;
 }
 
 void PrimaryTree::set_mixture(const PrimaryMixture& mixture) {
@@ -240,22 +262,28 @@ void PrimaryTree::set_mixture(const PrimaryMixture& mixture) {
         double probability = plain_share * leaf.volume;
         if (seeds > 0) probability += seed_share * leaf.seeds.whole / seeds;
         if (learned > 0) probability += learned_share * leaf_mass(leaf) / learned;
-        leaf.pdf = probability / leaf.volume;
+        leaf.probability = probability;
     }
     set_probabilities();
 }
 
 // From the leaves up: children come after their parents.
 void PrimaryTree::set_probabilities() {
+    // Shares of 0 and 1 would close what the plain density keeps open.
+    constexpr double kLeast = 0x1p-24;
+    probabilities_.assign(nodes_.size(), 0.0);
     for (std::size_t i = nodes_.size(); i-- > 0;) {
         Node& node = nodes_[i];
-        if (node.axis == kLeafAxis) {
-            node.probability = leaves_[node.first].pdf * leaves_[node.first].volume;
+        if (node.is_leaf()) {
+            probabilities_[i] = leaves_[node.target()].probability;
             continue;
         }
-        const double lower = nodes_[node.first].probability;
-        node.probability = lower + nodes_[node.first + 1].probability;
-        node.lower_share = lower / node.probability;
+        const double lower = probabilities_[node.target()];
+        probabilities_[i] = lower + probabilities_[node.target() + 1];
+        node.lower_share =
+            static_cast<float>(std::clamp(lower / probabilities_[i], kLeast, 1 - kLeast));
+        node.lower_scale = 1 / node.lower_share;
+        node.upper_scale = 1 / (1 - node.lower_share);
     }
 }
 
@@ -267,11 +295,14 @@ double PrimaryTree::mass() const {
 }
 
 std::size_t PrimaryTree::memory_bytes() const {
-    return nodes_.capacity() * sizeof(Node) + leaves_.capacity() * sizeof(Leaf);
+    return nodes_.capacity() * sizeof(Node) + leaves_.capacity() * sizeof(Leaf) +
+           totals_.capacity() * sizeof(Totals) + means_.capacity() * sizeof(Means) +
+           probabilities_.capacity() * sizeof(double);
 }
 
 std::size_t PrimaryTree::memory_bound_bytes(const PrimaryTreeSettings& settings) {
-    return (2 * std::size_t(settings.max_leaves) - 1) * sizeof(Node) +
+    return (2 * std::size_t(settings.max_leaves) - 1) *
+               (sizeof(Node) + sizeof(Totals) + sizeof(Means) + sizeof(double)) +
            std::size_t(settings.max_leaves) * sizeof(Leaf);
 }
 

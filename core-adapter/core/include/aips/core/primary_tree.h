@@ -29,7 +29,9 @@ struct PrimaryTreeSettings {
     /// Scored photon paths that count in full; older ones are forgotten in proportion.
     double memory_paths = 4e6;
     /// Power of |f| / sqrt(cost) that the density follows, in (0, 1].
-    double sharpness = 0.5;
+    double sharpness = 0.75;
+    /// Effective scored photons that every node's prior, its parent's mean, weighs, >= 0.
+    double prior_count = 1;
 };
 
 /// A point drawn from a PrimaryTree, and its density over [0, 1)^4.
@@ -70,8 +72,8 @@ class PrimaryTree {
     /// of the learned (seeds') density go to the plain one.
     void set_mixture(const PrimaryMixture& mixture);
 
-    /// Sum over leaves of volume * (mean |f| / sqrt(cost))^sharpness: what this light is worth in a
-    /// choice between lights; 0 before anything was learned.
+    /// Sum over leaves of volume * (expected |f| / sqrt(cost))^sharpness: what this light is worth
+    /// in a choice between lights; 0 before anything was learned.
     double mass() const;
     std::uint32_t leaf_count() const { return static_cast<std::uint32_t>(leaves_.size()); }
     std::size_t memory_bytes() const;
@@ -81,14 +83,18 @@ class PrimaryTree {
   private:
     static constexpr std::uint32_t kLeafAxis = 4;
 
-    /// Interior: halves its box across `axis`; children are `first` and `first` + 1. Leaf: `first`
-    /// is its number.
+    /// Interior: halves its box across an axis; children are `target` and `target` + 1. Leaf:
+    /// `target` is its number. Small, as photons walk over nothing else.
     struct Node {
-        std::uint32_t axis = kLeafAxis;
-        std::uint32_t first = 0;
-        double probability = 1;
-        double lower_share = 0.5;  ///< probability of the lower child, given this node
+        float lower_share = 0.5f;  ///< probability of the lower child, given this node; in (0, 1)
+        float lower_scale = 2, upper_scale = 2;  ///< 1 / lower_share, 1 / (1 - lower_share)
+        std::uint32_t packed = kLeafAxis;        // target * 8 + axis
+
+        unsigned axis() const { return packed & 7u; }
+        std::uint32_t target() const { return packed >> 3; }
+        bool is_leaf() const { return axis() == kLeafAxis; }
     };
+    static Node leaf_node(std::uint32_t leaf) { return {.packed = leaf * 8 + kLeafAxis}; }
 
     /// Sums over what fell into a leaf, whole and into the lower half along each axis.
     struct Sums {
@@ -101,29 +107,63 @@ class PrimaryTree {
         Sums half(unsigned axis, bool upper) const;
     };
 
+    /// What a node's photons are like.
+    struct Means {
+        double root = 0;  ///< |f|
+        double cost = 1;
+        double drawn_per_score = 0;  ///< photons for an effective one with a score
+    };
+
+    /// Over the leaves below a node.
+    struct Totals {
+        double volume = 0;
+        double root = 0;      ///< integral of |f|
+        double variance = 0;  ///< of that integral's estimate, plus its square over the count
+        double drawn = 0;
+        double cost = 0;
+
+        void add(const Totals& other);
+        double effective_count() const { return variance > 0 ? root * root / variance : 0; }
+        Means blend(const Means& prior, double prior_drawn) const;
+    };
+
     struct Leaf {
         std::array<float, 4> corner{};
         std::array<float, 4> side{1, 1, 1, 1};
         double volume = 1;
-        double paths = 0;  ///< all lights' scored photon paths that `root` stands for
-        Sums root;         ///< of sqrt(Q): `whole` / paths estimates the integral of |f|
-        double drawn = 0;  ///< photons that started here
-        double cost = 0;   ///< of these
-        Sums seeds;        ///< of seed weights
-        Sums met;          ///< photons with a score and seeds
-        double pdf = 1;    ///< density that is set
+        double paths = 0;        ///< all lights' scored photon paths that `root` stands for
+        Sums root;               ///< of sqrt(Q): `whole` / paths estimates the integral of |f|
+        double score = 0;        ///< of Q
+        double drawn = 0;        ///< photons that started here
+        double cost = 0;         ///< of these
+        Sums seeds;              ///< of seed weights
+        Sums met;                ///< photons with a score and seeds
+        Means expected;          ///< as of the last update()
+        double probability = 1;  ///< that is set
     };
 
-    std::uint32_t locate(const PrimaryPoint& point) const;
+    /// A leaf and its density, as the shares on the way to it make it.
+    struct Place {
+        std::uint32_t leaf = 0;
+        double pdf = 1;
+    };
+
+    Place locate(const PrimaryPoint& point) const;
     std::array<bool, 4> lower_halves(const Leaf& leaf, const PrimaryPoint& point) const;
     double leaf_mass(const Leaf& leaf) const;
     void split_leaves();
     void split(std::uint32_t node, unsigned axis);
+    static Totals totals_of(const Leaf& leaf);
+    void set_expectations();
     void set_probabilities();
 
     PrimaryTreeSettings settings_;
     std::vector<Node> nodes_;
     std::vector<Leaf> leaves_;
+    // Of each node, while they are set from the leaves.
+    std::vector<Totals> totals_;
+    std::vector<Means> means_;
+    std::vector<double> probabilities_;
 };
 
 }  // namespace aips

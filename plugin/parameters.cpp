@@ -100,9 +100,8 @@ std::vector<ParameterDeclaration> guide_declarations() {
          "With guide adaptive: paths from the eye tell where photons ought to start."},
         {"guidebounces", ParameterType::Bool, "false",
          "With guide adaptive: guides where photons go on to from matte surfaces."},
-        {"guidesurvival", ParameterType::Bool, "false",
-         "With guide adaptive: photons go on by what they may still bring. For study: while little "
-         "is known it adds noise."},
+        {"guidesurvival", ParameterType::Bool, "true",
+         "With guide adaptive: photons go on by what they may still bring, where that pays."},
     };
 }
 

@@ -4,6 +4,8 @@
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 
+#include <limits>
+
 namespace aips {
 namespace {
 
@@ -83,6 +85,7 @@ void AdaptiveGuide::learn(const PathLog& log, std::span<const Landing> landings,
     if (cache_) {
         cache_->update(scored);
         survival_->set_reference(path_score_ > 0 ? path_cost_ / path_score_ : 0);
+        survival_switch_.update(scored, kMemoryPaths);
     }
     if (bounces_) bounces_->update(scored);
     const double kept = kMemoryPaths / (kMemoryPaths + scored);
@@ -109,6 +112,7 @@ void AdaptiveGuide::score_landings(const PathLog& log, std::span<const Landing> 
 // From the path's end to its start, summing what came after.
 void AdaptiveGuide::learn_path(const PathLog& log, const PathRecord& path,
                                std::span<const Landing> landings) {
+    if (cache_) judge_survival(log, path, landings);
     const std::size_t first = landing_score_at_;
     landing_score_at_ += path.landings;
     double score = 0;
@@ -137,6 +141,31 @@ void AdaptiveGuide::learn_path(const PathLog& log, const PathRecord& path,
     path_score_ += score;
     path_cost_ += cost;
     logged_ += 1;
+}
+
+// From the path's start to its end.
+void AdaptiveGuide::judge_survival(const PathLog& log, const PathRecord& path,
+                                   std::span<const Landing> landings) {
+    SurvivalSwitch::Path judged;
+    std::uint32_t l = 0, rays = 0;
+    const auto add_up_to = [&](std::uint32_t depth, std::uint32_t rays_so_far) {
+        double score = 0;
+        double cost = double(rays_so_far - rays);
+        for (; l < path.landings && landings[path.first_landing + l].depth <= depth; ++l) {
+            score += landing_scores_[landing_score_at_ + l];
+            cost += kLandingCost;
+        }
+        rays = rays_so_far;
+        judged.add(score, cost);
+    };
+    judged.add(0, kEmissionCost);
+    for (std::uint32_t v = 0; v < path.vertices; ++v) {
+        const PathVertex& vertex = log.vertices[path.first_vertex + v];
+        add_up_to(vertex.depth, vertex.rays);
+        judged.survive(vertex.survival);
+    }
+    add_up_to(std::numeric_limits<std::uint32_t>::max(), path.rays);
+    survival_switch_.add(judged);
 }
 
 void AdaptiveGuide::end_pass(const EyeImage& image, std::span<const Rgb> radiance) {

@@ -16,6 +16,7 @@
 #include "path_log.h"
 #include "pixel_importance.h"
 #include "score_survival.h"
+#include "survival_switch.h"
 
 namespace aips {
 
@@ -37,8 +38,10 @@ class AdaptiveGuide {
     const EmissionGuide* emission() const {
         return settings_.guide_emission ? &emission_ : nullptr;
     }
-    /// Null unless photons go on by score; then their vertices are logged too.
+    /// Null unless it is learned what photons may still bring; then vertices are logged too.
     const ScoreSurvival* survival() const { return survival_ ? &*survival_ : nullptr; }
+    /// Whether photons go on by that.
+    bool survives_by_score() const { return survival_switch_.on(); }
     /// Null unless directions are guided; then vertices are logged too.
     const BounceGuide* bounces() const { return bounces_ ? &*bounces_ : nullptr; }
     /// Learns from the logged ones of `paths` photon paths, whose landings are among `landings`.
@@ -47,6 +50,7 @@ class AdaptiveGuide {
     void end_pass(const EyeImage& image, std::span<const Rgb> radiance);
 
     const EmissionGuide& emission_guide() const { return emission_; }
+    double survival_gain() const { return survival_switch_.gain(); }
     /// Mean score of a photon path times its mean cost in rays: the error of equal-time images,
     /// about, in units of the scene's own. Old paths forgotten; 0 before anything was scored.
     double score_times_cost() const {
@@ -61,6 +65,8 @@ class AdaptiveGuide {
     std::uint64_t seed(std::uint64_t pass, float time, const EyeImage& image);
     void score_landings(const PathLog& log, std::span<const Landing> landings);
     void learn_path(const PathLog& log, const PathRecord& path, std::span<const Landing> landings);
+    void judge_survival(const PathLog& log, const PathRecord& path,
+                        std::span<const Landing> landings);
 
     const Scene& scene_;
     const Settings& settings_;
@@ -70,13 +76,14 @@ class AdaptiveGuide {
     EmissionGuide emission_;
     std::optional<ScoreCache> cache_;        // if photons go on by score
     std::optional<ScoreSurvival> survival_;  // reads cache_
-    std::optional<BounceGuide> bounces_;     // if directions are guided
-    std::vector<float> weights_;             // [visible point]
-    std::vector<EmissionSeed> seeds_;        // of this pass
-    std::vector<std::uint32_t> scored_;      // landings of logged paths, path after path
-    std::vector<double> landing_scores_;     // as scored_
-    std::size_t landing_score_at_ = 0;       // of the next path
-    std::uint64_t paths_ = 0;                // shot so far
+    SurvivalSwitch survival_switch_;
+    std::optional<BounceGuide> bounces_;  // if directions are guided
+    std::vector<float> weights_;          // [visible point]
+    std::vector<EmissionSeed> seeds_;     // of this pass
+    std::vector<std::uint32_t> scored_;   // landings of logged paths, path after path
+    std::vector<double> landing_scores_;  // as scored_
+    std::size_t landing_score_at_ = 0;    // of the next path
+    std::uint64_t paths_ = 0;             // shot so far
     double path_score_ = 0, path_cost_ = 0, logged_ = 0;  // of logged paths, old ones forgotten
 };
 

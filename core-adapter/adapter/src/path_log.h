@@ -1,6 +1,7 @@
 // What is remembered of photon paths that a guide learns from.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <vector>
 
@@ -9,11 +10,29 @@
 
 namespace aips {
 
-/// A vertex where a photon went on: it had survived, and left by a direction drawn after that.
+/// The roulette that a photon survived.
+struct Survival {
+    float probability = 1;
+    /// What either way of deciding would make of the photon, before its limits: proportional to the
+    /// photon's power. A negative score: nothing is known of the place, the plain way decides.
+    float plain = 1;
+    float scored = -1;
+};
+
+/// Least probability with which a photon survives; bounds its gain in power.
+inline constexpr float kMinSurvival = 0.05f;
+
+/// A probability within its limits.
+inline float limited_survival(float probability) {
+    return std::clamp(probability, kMinSurvival, 1.0f);
+}
+
+/// A vertex where a photon had survived; it then left by a direction drawn, or was absorbed.
 struct PathVertex {
     Vec3 position;
-    Vec3 normal;      ///< unit geometric normal, on the side that the photon arrived at
-    float power = 0;  ///< luminance of the arriving power, divided by the survival probability
+    Vec3 normal;        ///< unit geometric normal, on the side that the photon arrived at
+    float power = 0;    ///< luminance of the arriving power, divided by the survival probability
+    Survival survival;  ///< roulette before it
     std::uint32_t rays = 0;   ///< that the path had traced up to here
     std::uint32_t depth = 0;  ///< surfaces met, this one included
     Vec3 direction;           ///< unit, by which it left

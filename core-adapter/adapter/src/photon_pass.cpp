@@ -2,6 +2,7 @@
 #include "photon_pass.h"
 
 #include "curvature_probes.h"
+#include "learning_weight.h"
 #include "light_choice.h"
 #include "parallel_for.h"
 #include "stopwatch.h"
@@ -51,13 +52,20 @@ std::uint64_t PhotonPass::shoot(std::uint64_t pass, float time, const EyeImage& 
     std::uint64_t iteration = 0;
     for (std::uint32_t first = 0; first < total; ++iteration) {
         const std::uint32_t count = std::min(iteration_paths(iteration), total - first);
+        const std::size_t landings = waiting_.landings().size();
         trace(input_of(pass, time, iteration), first, count, refusals);
         learn(count);
+        if (adaptive_) {
+            // After learning: a guide learns from what photons really carried.
+            waiting_.scale_power(landings, float(learning_weight(pass * total + first)));
+        }
         if (waiting_.landings().size() > kLandingCapacity) gather(image, radii, refusals, flux);
         first += count;
     }
     gather(image, radii, refusals, flux);
     if (chains_) flux.scale(chains_->end_pass());
+    const double weight = weight_of(pass);
+    if (weight < total) flux.scale(double(total) / weight);
     totals_.gathered += flux.gathered;
     return total;
 }
@@ -76,6 +84,7 @@ PhotonInput PhotonPass::input_of(std::uint64_t pass, float time, std::uint64_t i
     if (adaptive_) {
         input.emission = adaptive_->emission();
         input.survival = adaptive_->survival();
+        input.survive_by_score = adaptive_->survives_by_score();
         input.log_one_of = adaptive_->log_one_of();
         input.guide = adaptive_->bounces();
         input.unguided_roulette = input.guide != nullptr;
@@ -111,6 +120,18 @@ void PhotonPass::learn(std::uint32_t paths) {
         if (occupancy_.near_visible_point(landing.position)) waiting_.append({&landing, 1});
     }
     iteration_.clear();
+}
+
+double PhotonPass::weight_of(std::uint64_t pass) const {
+    const std::uint32_t total = settings_.photons_per_pass;
+    if (!adaptive_) return total;
+    double weight = 0;
+    for (std::uint32_t first = 0; first < total;) {
+        const std::uint32_t count = std::min(kPlainIterationPaths, total - first);
+        weight += learning_weight(pass * total + first) * count;
+        first += count;
+    }
+    return weight;
 }
 
 void PhotonPass::end_pass(const EyeImage& image, std::span<const Rgb> radiance) {

@@ -1,15 +1,15 @@
 // One photon path. Weights are adjoint Bsdf * cosine / (density actually used), at every bounce.
 #include "photon_path.h"
 
+#include <cmath>
+#include <limits>
+
 #include "aips/core/primary_path.h"
 #include "eye_pass.h"
 #include "scatter_photon.h"
 
 namespace aips {
 namespace {
-
-/// Least probability with which a photon survives a bounce; bounds its gain in power.
-constexpr float kMinSurvival = 0.05f;
 
 /// A photon between two surfaces.
 struct Photon {
@@ -64,23 +64,33 @@ void store_landing(const PhotonInput& in, const SurfacePoint& point, const Photo
     ++counts.landings;
 }
 
-/// The geometric normal on the side that a ray comes from.
-Vec3 arrival_normal(const SurfacePoint& point, Vec3 direction) {
-    const Vec3 n = point.geometric_normal;
-    return dot(direction, n) > 0 ? -n : n;
+/// By the power that is expected to leave, against the power at emission, so that photons keep
+/// about equal power; before its limits.
+float plain_survival(const SurfacePoint& point, const Photon& photon, float emitted_power) {
+    const Rgb albedo = point.bsdf->albedo(-photon.ray.direction, kAllLobes);
+    return max_component(photon.power * albedo) / emitted_power;
 }
 
-/// Probability of going on, fixed before the direction is drawn: by the power that is expected to
-/// leave, against the power at emission, so that photons keep about equal power.
-float survival(const PhotonInput& in, const SurfacePoint& point, const Photon& photon,
-               float emitted_power) {
-    if (in.survival) {
-        const auto probability = in.survival->probability(
-            point.position, arrival_normal(point, photon.ray.direction), luminance(photon.power));
-        if (probability) return std::max(*probability, kMinSurvival);
+/// By what a photon may still bring; negative where nothing is known.
+float scored_survival(const PhotonInput& in, const SurfacePoint& point, const Photon& photon) {
+    return in.survival
+        ->probability(point.position, normal_towards(-photon.ray.direction, point),
+                      luminance(photon.power))
+        .value_or(-1.0f);
+}
+
+/// Roulette, fixed before the direction is drawn. By score it goes with the root of both ways: what
+/// is known of scores is noisy, and alone would end photons that matter (docs/design-notes.md).
+Survival survival(const PhotonInput& in, const SurfacePoint& point, const Photon& photon,
+                  float emitted_power, bool logged) {
+    Survival s;
+    s.plain = plain_survival(point, photon, emitted_power);
+    if (in.survival && (logged || in.survive_by_score)) {
+        s.scored = scored_survival(in, point, photon);
+        if (s.scored >= 0) s.scored = std::sqrt(s.scored * s.plain);
     }
-    const Rgb albedo = point.bsdf->albedo(-photon.ray.direction, kAllLobes);
-    return std::clamp(max_component(photon.power * albedo) / emitted_power, kMinSurvival, 1.0f);
+    s.probability = limited_survival(in.survive_by_score && s.scored >= 0 ? s.scored : s.plain);
+    return s;
 }
 
 /// A path's record while it is traced: closed when the path ends, wherever that is.
@@ -112,13 +122,15 @@ class LogEntry {
     LogEntry(const LogEntry&) = delete;
     LogEntry& operator=(const LogEntry&) = delete;
 
-    void add_vertex(const SurfacePoint& point, const Photon& photon, float survived,
+    bool has_vertices() const { return vertices_; }
+    void add_vertex(const SurfacePoint& point, const Photon& photon, const Survival& survived,
                     std::uint32_t depth) const {
         if (!vertices_) return;
         PathVertex vertex;
         vertex.position = point.position;
-        vertex.normal = arrival_normal(point, photon.ray.direction);
-        vertex.power = luminance(photon.power) / survived;
+        vertex.normal = normal_towards(-photon.ray.direction, point);
+        vertex.power = luminance(photon.power) / survived.probability;
+        vertex.survival = survived;
         vertex.rays = rays();
         vertex.depth = depth;
         log_->vertices.push_back(vertex);
@@ -180,9 +192,9 @@ void trace_photon_path(const PhotonInput& in, Numbers& numbers, std::uint32_t in
         if (depth >= in.settings.max_photon_depth) return;
 
         auto& random = numbers.bounce(depth);
-        const float survive = survival(in, point, photon, emitted_power);
-        if (survive < 1 && random.next() >= survive) return;
-        entry.add_vertex(point, photon, survive, depth);
+        const Survival survived = survival(in, point, photon, emitted_power, entry.has_vertices());
+        if (survived.probability < 1 && random.next() >= survived.probability) return;
+        entry.add_vertex(point, photon, survived, depth);
         const std::uint64_t bounces = counts.bounces, guided_bounces = counts.guided_bounces;
         ScatteredPhoton scattered;
         const bool left =
@@ -193,9 +205,10 @@ void trace_photon_path(const PhotonInput& in, Numbers& numbers, std::uint32_t in
         if (!left) return;
         entry.set_direction(point, scattered);
         if (in.unguided_roulette && scattered.pdf > 0) {
-            emitted_power *= scattered.plain_pdf / scattered.pdf;
+            emitted_power = std::max(emitted_power * (scattered.plain_pdf / scattered.pdf),
+                                     std::numeric_limits<float>::min());
         }
-        photon.power = photon.power * scattered.weight / survive;
+        photon.power = photon.power * scattered.weight / survived.probability;
         if (!refusals.accept(photon.power, point.material) || is_black(photon.power)) return;
         photon.straight = photon.straight && scattered.straight;
         photon.previous = point.position;

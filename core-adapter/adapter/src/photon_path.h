@@ -45,7 +45,8 @@ struct PhotonInput {
     BounceTally* bounces = nullptr;    ///< counts bounces by node, for debug layers; may be null
     const PointGrid* reach = nullptr;  ///< with occupancy: the exact test; may be null
     const EmissionGuide* emission = nullptr;  ///< null: lights by power, uniform coordinates
-    const ScoreSurvival* survival = nullptr;  ///< null: by the power left
+    const ScoreSurvival* survival = nullptr;  ///< what photons may still bring; null: not known
+    bool survive_by_score = false;            ///< needs survival; else by the power left
     std::uint32_t log_one_of = 0;             ///< one of so many paths is logged; 0: none
     bool log_vertices = false;                ///< with their vertices
     /// Roulette by the power left goes on as if directions had been drawn without a guide: else it

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 
 #include "aips/core/score_cache.h"
@@ -20,14 +21,15 @@ class ScoreSurvival {
     /// Whole paths' mean cost over mean score; 0: nothing known yet.
     void set_reference(double cost_over_score) { cost_over_score_ = cost_over_score; }
 
-    /// Probability of going on in [0, 1], from what is known before a direction is drawn: else the
-    /// choice would undo the guide's. `power`: luminance, watts. Nothing where nothing is known.
+    /// Probability of going on (above 1: as good as 1), from what is known before a direction is
+    /// drawn: else the choice would undo the guide's. `power`: luminance, watts, to which it is
+    /// proportional. Nothing where nothing is known.
     std::optional<float> probability(Vec3 position, Vec3 normal, float power) const {
         if (!(cost_over_score_ > 0)) return std::nullopt;
         const ScoreCache::Expectation expected = cache_->at(position, normal);
         if (!expected.known || !(expected.cost > 0)) return std::nullopt;
         const double ratio = double(expected.score) / double(expected.cost) * cost_over_score_;
-        return std::min(1.0f, power * float(std::sqrt(ratio)));
+        return std::min(power * float(std::sqrt(ratio)), std::numeric_limits<float>::max());
     }
 
   private:

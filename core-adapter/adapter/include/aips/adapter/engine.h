@@ -54,6 +54,8 @@ struct EngineStatistics {
     std::uint64_t guide_bytes = 0;
     /// guide=adaptive: plain second moment times cost of emission over guided
     double emission_gain = 0;
+    /// The same of roulette by score over that by power; 1 without it.
+    double survival_gain = 0;
     /// guide=adaptive: second moment of directions without their tables over that with them
     double bounce_gain = 0;
     std::uint64_t bounce_tables = 0;  ///< guide=adaptive: tables of directions in use

@@ -64,8 +64,8 @@ struct Settings {
 
     bool guide_emission = true;  ///< guide=adaptive guides where photons start
     bool eye_seeding = true;  ///< guide=adaptive learns from the eye where photons ought to start
-    bool guide_bounces = false;   ///< guide=adaptive guides where photons go on to
-    bool guide_survival = false;  ///< guide=adaptive decides which photons go on
+    bool guide_bounces = false;  ///< guide=adaptive guides where photons go on to
+    bool guide_survival = true;  ///< guide=adaptive decides which photons go on
 
     RadiusKind radius = RadiusKind::Schedule;  ///< mode=progressive; other modes have their own
 };

@@ -136,13 +136,17 @@ class LogEntry {
         log_->vertices.push_back(vertex);
     }
 
-    /// How the photon left the vertex added last.
-    void set_direction(const SurfacePoint& point, const ScatteredPhoton& scattered) const {
+    /// How the photon, which came from wo, left the vertex added last. The density of what the Bsdf
+    /// drew by itself is found here: but for the log nothing asks for it.
+    void set_direction(const SurfacePoint& point, Vec3 wo, const ScatteredPhoton& scattered) const {
         if (!vertices_) return;
         PathVertex& vertex = log_->vertices.back();
         vertex.direction = scattered.direction;
         vertex.pdf = scattered.pdf;
         vertex.plain_pdf = scattered.plain_pdf;
+        if (scattered.lobe & kNonSpecular) {
+            vertex.pdf = vertex.plain_pdf = point.bsdf->pdf(wo, scattered.direction, kNonSpecular);
+        }
         vertex.lobes = point.bsdf->lobes();
     }
 
@@ -203,7 +207,7 @@ void trace_photon_path(const PhotonInput& in, Numbers& numbers, std::uint32_t in
             in.bounces->count(point.position, counts.guided_bounces > guided_bounces);
         }
         if (!left) return;
-        entry.set_direction(point, scattered);
+        entry.set_direction(point, -photon.ray.direction, scattered);
         if (in.unguided_roulette && scattered.pdf > 0) {
             emitted_power = std::max(emitted_power * (scattered.plain_pdf / scattered.pdf),
                                      std::numeric_limits<float>::min());

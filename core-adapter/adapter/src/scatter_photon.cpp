@@ -10,17 +10,14 @@ namespace {
 /// A Bsdf sample over the lobes in `mask` as it is.
 template <class Numbers>
 bool scatter_by_bsdf(const SurfacePoint& point, Vec3 wo, LobeMask mask, float mask_pdf,
-                     Numbers& random, ScatteredPhoton& result, LobeMask& lobe) {
+                     Numbers& random, ScatteredPhoton& result) {
     const Vec2 u = random.next2();
     BsdfSample sample;
     if (!point.bsdf->sample(wo, u, random.next(), Transport::Power, mask, sample)) return false;
-    lobe = sample.lobe;
+    result.lobe = sample.lobe;
     result.direction = sample.wi;
     result.weight = sample.weight * (adjoint_shading_factor(point, wo, sample.wi) / mask_pdf);
     result.straight = sample.straight;
-    if (sample.lobe & kNonSpecular) {
-        result.pdf = result.plain_pdf = point.bsdf->pdf(wo, sample.wi, kNonSpecular);
-    }
     return true;
 }
 
@@ -108,7 +105,6 @@ template <class Numbers>
 bool scatter_photon(const PhotonInput& in, const SurfacePoint& point, Vec3 wo, Numbers& random,
                     Arena& arena, PhotonCounts& counts, ScatteredPhoton& result) {
     const LobeMask lobes = point.bsdf->lobes();
-    LobeMask lobe = 0;
     Mixture mixture;
     if (lobes & kNonSpecular) {
         if (in.guide) {
@@ -122,14 +118,14 @@ bool scatter_photon(const PhotonInput& in, const SurfacePoint& point, Vec3 wo, N
     if (mixture.guided || mixture.geometric_share > 0) {
         const float specular = specular_probability(*point.bsdf, wo, lobes);
         if (specular > 0 && random.next() < specular) {
-            return scatter_by_bsdf(point, wo, kSpecular, specular, random, result, lobe);
+            return scatter_by_bsdf(point, wo, kSpecular, specular, random, result);
         }
         ++counts.bounces;
         mixture.mask_pdf = 1 - specular;
         return scatter_by_mixture(mixture, point, wo, random, counts, result);
     }
-    const bool scattered = scatter_by_bsdf(point, wo, lobes, 1, random, result, lobe);
-    if (lobe & kNonSpecular) ++counts.bounces;
+    const bool scattered = scatter_by_bsdf(point, wo, lobes, 1, random, result);
+    if (result.lobe & kNonSpecular) ++counts.bounces;
     return scattered;
 }
 

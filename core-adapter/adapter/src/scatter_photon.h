@@ -10,7 +10,9 @@ struct ScatteredPhoton {
     Vec3 direction;
     Rgb weight;
     bool straight = false;
-    /// Of `direction` per steradian, given that no specular lobe was chosen; 0: one was.
+    LobeMask lobe = 0;  ///< from which the Bsdf alone drew it; 0: a mixture of densities did
+    /// Of `direction` per steradian where a mixture drew it, given that no specular lobe was
+    /// chosen.
     float pdf = 0;
     float plain_pdf = 0;  ///< the same without a guide
 };

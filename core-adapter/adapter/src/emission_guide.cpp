@@ -66,10 +66,7 @@ void EmissionGuide::update(double paths) {
     for (PrimaryTree& tree : trees_)
         tree.update(paths);
     set_densities();
-    paths_ += paths;
-    // Densities that are gone say little of the present one: half of all paths, at most, count.
-    const double memory = std::min(settings_.memory_paths, 0.5 * paths_);
-    if (memory > 0) moments_.forget(memory / (memory + paths));
+    moments_.fade(paths, settings_.memory_paths);
 }
 
 // p(l, x) = d P0(l) + s S_l seeds_l(x) + (1 - d - s) M_l learned_l(x), S and M normalised over
@@ -102,7 +99,8 @@ void EmissionGuide::set_densities() {
         if (sum > 0) trees_[l].set_mixture({plain / sum, seeds / sum});
     }
     choice_.build(weights);
-    const bool tried = paths_ >= settings_.trial_paths && scored_ >= settings_.learned_scores;
+    const bool tried =
+        moments_.paths() >= settings_.trial_paths && scored_ >= settings_.learned_scores;
     on_ = !tried || moments_.pays(on_);
 }
 

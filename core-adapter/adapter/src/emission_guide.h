@@ -81,7 +81,6 @@ class EmissionGuide {
     DiscreteDistribution choice_;     // between lights, all three densities together
     SecondMoments moments_;
     std::uint64_t scored_ = 0;
-    double paths_ = 0;      // scored photon paths so far
     bool learned_ = false;  // trees and choice hold anything
     bool on_ = false;
 };

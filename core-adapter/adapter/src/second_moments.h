@@ -5,6 +5,8 @@
 // samples that had shaped the density themselves, moments come out too low.
 #pragma once
 
+#include <algorithm>
+
 namespace aips {
 
 class SecondMoments {
@@ -23,16 +25,35 @@ class SecondMoments {
     /// What a path that was drawn adds to second moment and cost of either way of drawing it.
     struct Work {
         double score = 0, cost = 0;
+
+        void add(const Work& other) {
+            score += other.score;
+            cost += other.cost;
+        }
+        void scale(double share) {
+            score *= share;
+            cost *= share;
+        }
+        double product() const { return score * cost; }
     };
     void add(const Work& plain, const Work& guided) {
-        plain_.add(plain.score, plain.cost);
-        guided_.add(guided.score, guided.cost);
+        plain_.add(plain);
+        guided_.add(guided);
     }
     /// Keeps this share of what was counted.
     void forget(double share) {
         plain_.scale(share);
         guided_.scale(share);
     }
+    /// After `paths` further scored paths. Ways of drawing that are gone say little of the present
+    /// one: `memory_paths`, and half of all paths, are the most that count in full.
+    void fade(double paths, double memory_paths) {
+        paths_ += paths;
+        const double memory = std::min(memory_paths, 0.5 * paths_);
+        if (memory > 0) forget(memory / (memory + paths));
+    }
+    /// Scored paths so far, whether they were worth anything or not.
+    double paths() const { return paths_; }
     /// Plain second moment times cost over the guided; 1 before anything was worth something.
     double gain() const {
         const double guided = guided_.product();
@@ -42,19 +63,8 @@ class SecondMoments {
     bool pays(bool on) const { return gain() > (on ? kStayGain : kGain); }
 
   private:
-    struct Sums {
-        double moment = 0, cost = 0;
-        void add(double m, double c) {
-            moment += m;
-            cost += c;
-        }
-        void scale(double share) {
-            moment *= share;
-            cost *= share;
-        }
-        double product() const { return moment * cost; }
-    };
-    Sums plain_, guided_;
+    Work plain_, guided_;
+    double paths_ = 0;
 };
 
 }  // namespace aips

@@ -71,15 +71,12 @@ class SurvivalSwitch {
     static constexpr double kTrialPaths = 1e5;
 
     SecondMoments moments_;
-    double paths_ = 0;
     bool on_ = true;
 };
 
 inline void SurvivalSwitch::update(double paths, double memory_paths) {
-    paths_ += paths;
-    const double memory = std::min(memory_paths, 0.5 * paths_);
-    if (memory > 0) moments_.forget(memory / (memory + paths));
-    on_ = paths_ < kTrialPaths || moments_.pays(on_);
+    moments_.fade(paths, memory_paths);
+    on_ = moments_.paths() < kTrialPaths || moments_.pays(on_);
 }
 
 }  // namespace aips

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cstdlib>
 
+#include "film_pixel.h"
+
 namespace aips {
 namespace {
 
@@ -16,10 +18,7 @@ CurvatureMap::CurvatureMap(std::uint32_t width, std::uint32_t height)
     : width_(width), height_(height), sums_(std::size_t{width} * height) {}
 
 std::uint32_t CurvatureMap::pixel(Vec2 position) const {
-    const auto clamped = [](float x, std::uint32_t size) {
-        return static_cast<std::uint32_t>(std::clamp(x, 0.0f, float(size - 1)));
-    };
-    return clamped(position.y, height_) * width_ + clamped(position.x, width_);
+    return film_pixel(position, width_, height_);
 }
 
 void CurvatureMap::add(std::uint32_t pixel, const ProbeEstimate& estimate) {

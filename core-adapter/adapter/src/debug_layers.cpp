@@ -5,16 +5,9 @@
 #include <limits>
 
 #include "aips/core/sampling.h"
+#include "film_pixel.h"
 
 namespace aips {
-namespace {
-
-std::uint32_t pixel_index(float position, std::uint32_t size) {
-    return position > 0 ? std::uint32_t(std::min(position, float(size - 1))) : 0;
-}
-
-}  // namespace
-
 DebugLayers::DebugLayers(Film& film, const Guide* guide) : film_(film) {
     const std::size_t pixels = std::size_t{film.width()} * film.height();
     densities_.resize(pixels);
@@ -33,9 +26,8 @@ void DebugLayers::add_pass(const EyeImage& image, const PhotonFlux& flux, const 
 
 void DebugLayers::find_pixels(std::span<const Vec2> positions) {
     pixel_of_path_.resize(positions.size());
-    std::transform(positions.begin(), positions.end(), pixel_of_path_.begin(), [&](Vec2 p) {
-        return pixel_index(p.y, film_.height()) * film_.width() + pixel_index(p.x, film_.width());
-    });
+    std::transform(positions.begin(), positions.end(), pixel_of_path_.begin(),
+                   [&](Vec2 p) { return film_pixel(p, film_.width(), film_.height()); });
 }
 
 // What the film was given less what the eye pass gave: whatever the estimator, the image is the sum

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "film_pixel.h"
+
 namespace aips {
 namespace {
 
@@ -47,20 +49,13 @@ PixelImportance::PixelImportance(std::uint32_t width, std::uint32_t height)
         values->assign(pixels, 0.0f);
 }
 
-std::size_t PixelImportance::pixel(Vec2 position) const {
-    const auto clamped = [](float x, std::uint32_t size) {
-        return static_cast<std::size_t>(std::clamp(x, 0.0f, float(size - 1)));
-    };
-    return clamped(position.y, height_) * width_ + clamped(position.x, width_);
-}
-
 void PixelImportance::add_pass(const EyeImage& image, std::span<const Rgb> radiance) {
     double total = 0, paths = 0;
     for (std::size_t i = 0; i < image.positions.size(); ++i) {
         float value = 0;
         for (std::uint32_t g = 0; g < image.groups; ++g)
             value += luminance(radiance[i * image.groups + g]);
-        const std::size_t at = pixel(image.positions[i]);
+        const std::size_t at = film_pixel(image.positions[i], width_, height_);
         sum_[at] += value;
         count_[at] += 1;
     }
@@ -95,7 +90,7 @@ void PixelImportance::weigh(const EyeImage& image, std::vector<float>& weights) 
     if (!(mean_ > 0)) return;
     for (std::size_t i = 0; i < weights.size(); ++i) {
         const Vec2 position = image.positions[image.visible_points[i].sample];
-        const double value = double(blurred_[pixel(position)]);
+        const double value = double(blurred_[film_pixel(position, width_, height_)]);
         weights[i] = inverse_square(value * value + least * least);
     }
 }

@@ -27,7 +27,6 @@ class PixelImportance {
     static std::size_t memory_bound_bytes(std::size_t pixels, std::size_t eye_paths);
 
   private:
-    std::size_t pixel(Vec2 position) const;
     void blur();
 
     std::uint32_t width_, height_;

@@ -14,18 +14,11 @@ using namespace aips;
 
 constexpr std::uint32_t kWidth = 32, kHeight = 24;
 
-/// A scene and where it is seen from.
-struct View {
-    mock::Scene scene;
-    mock::Camera camera;
-};
+using mock::View;
 
 /// All light by photons, in a box with a lamp and a ball that is half a mirror.
 View lamp_and_mirror() {
-    mock::Material ball;
-    ball.kind = mock::Material::Kind::LambertAndMirror;
-    ball.specular = {0.3f, 0.3f, 0.3f};
-    return {mock::lamp_box({}, ball), mock::camera_along_y({0, -0.95f, 0}, 1, kWidth, kHeight)};
+    return mock::half_mirror_view(kWidth, kHeight);
 }
 
 /// A lamp in the upper half of a box, most of which a shelf parts from the half that is seen: light

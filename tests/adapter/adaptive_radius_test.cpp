@@ -232,10 +232,7 @@ TEST(AdaptiveRadius, EngineStaysBelowItsBoundAndFlat) {
 
 std::vector<Rgb> image_with(unsigned threads, GuideKind guide) {
     const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
-    mock::Material glossy;
-    glossy.kind = mock::Material::Kind::LambertAndMirror;
-    glossy.specular = {0.3f, 0.3f, 0.3f};
-    const mock::Scene scene = mock::lamp_box({}, glossy);
+    const mock::Scene scene = mock::lamp_box({}, mock::half_mirror());
     Settings settings = settings_with(20000);
     settings.guide = guide;
     const auto camera = mock::camera_along_y({0, -0.9f, 0}, 1, 40, 30);

@@ -11,10 +11,7 @@ using namespace aips;
 std::vector<Rgb> image_with(unsigned threads, GuideKind guide, std::uint64_t seed,
                             Mode mode = Mode::Progressive) {
     const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
-    mock::Material glossy;
-    glossy.kind = mock::Material::Kind::LambertAndMirror;
-    glossy.specular = {0.3f, 0.3f, 0.3f};
-    const mock::Scene scene = mock::lamp_box({}, glossy);
+    const mock::Scene scene = mock::lamp_box({}, mock::half_mirror());
     Settings settings = mock::small_settings(seed, 20000);
     settings.guide = guide;
     settings.mode = mode;

@@ -17,11 +17,7 @@ constexpr std::uint32_t kWidth = 32, kHeight = 24;
 
 /// Block means of renders with different seeds.
 statistics::BlockMeans renders(GuideKind guide, unsigned seeds, std::uint64_t first_seed) {
-    mock::Material ball;
-    ball.kind = mock::Material::Kind::LambertAndMirror;
-    ball.specular = {0.3f, 0.3f, 0.3f};
-    const mock::Scene scene = mock::lamp_box({}, ball);
-    const auto camera = mock::camera_along_y({0, -0.95f, 0}, 1, kWidth, kHeight);
+    const auto [scene, camera] = mock::half_mirror_view(kWidth, kHeight);
     statistics::BlockMeans means;
     for (unsigned s = 0; s < seeds; ++s) {
         // alpha 1 keeps the radius, and a fixed start radius is the same for both: equal bias.

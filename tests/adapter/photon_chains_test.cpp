@@ -16,16 +16,10 @@ using namespace aips;
 
 constexpr std::uint32_t kWidth = 32, kHeight = 24;
 
-struct View {
-    mock::Scene scene;
-    mock::Camera camera;
-};
+using mock::View;
 
 View box_view() {
-    mock::Material ball;
-    ball.kind = mock::Material::Kind::LambertAndMirror;
-    ball.specular = {0.3f, 0.3f, 0.3f};
-    return {mock::lamp_box({}, ball), mock::camera_along_y({0, -0.95f, 0}, 1, kWidth, kHeight)};
+    return mock::half_mirror_view(kWidth, kHeight);
 }
 
 /// A patch of 0.8 x 0.6 in the middle of a floor of half width `half` under a lamp as wide: few

@@ -82,4 +82,15 @@ Scene lamp_box(const Material& wall, const Material& ball) {
     return scene;
 }
 
+Material half_mirror() {
+    Material material;
+    material.kind = Material::Kind::LambertAndMirror;
+    material.specular = {0.3f, 0.3f, 0.3f};
+    return material;
+}
+
+View half_mirror_view(std::uint32_t width, std::uint32_t height) {
+    return {lamp_box({}, half_mirror()), camera_along_y({0, -0.95f, 0}, 1, width, height)};
+}
+
 }  // namespace mock

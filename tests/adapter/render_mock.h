@@ -41,6 +41,18 @@ aips::Settings small_settings(std::uint64_t seed, std::uint32_t photons);
 /// A camera at `eye` looking along +y with z up, image plane half-width `half` at distance 1.
 Camera camera_along_y(aips::Vec3 eye, float half, std::uint32_t width, std::uint32_t height);
 
+/// The default Lambert lobe, and a mirror that reflects 0.3.
+Material half_mirror();
+
+/// A scene and where it is seen from.
+struct View {
+    Scene scene;
+    Camera camera;
+};
+
+/// lamp_box with white walls and a ball of half_mirror, seen from its front.
+View half_mirror_view(std::uint32_t width, std::uint32_t height);
+
 /// A white box [-1,1]^3 with a quad lamp under its ceiling and a matte ball on its floor.
 Scene lamp_box(const Material& wall, const Material& ball);
 

@@ -123,7 +123,7 @@ constexpr ParameterDeclaration kNoiseAware[] = {
 
 constexpr ParameterDeclaration kMetropolis[] = {
     {"largemutationprob", Float, "0.4", "Probability of drawing all of a sample anew.", 0, 1},
-    {"maxconsecrejects", Integer, "512",
+    {"maxconsecrejects", Integer, "0",
      "Rejections in a row after which the next sample that carries light is accepted whatever its "
      "brightness, which biases slightly; 0: never.",
      0, 4294967295.0},
@@ -147,12 +147,12 @@ constexpr ParameterDeclaration kMetropolis[] = {
      .no_effect = true},
     {.name = "initsamples",
      .type = Integer,
-     .doc = "One plain sample a pixel, at least 16384 and at most 262144, seeds the chains.",
+     .doc = "One plain sample a pixel, at least 16384 and at most 262144, starts the chains.",
      .no_effect = true},
 };
 
 constexpr ParameterDeclaration kMarkovChain[] = {
-    {"maxconsecrejects", Integer, "512", "Ignored: there are no Markov chains."},
+    {"maxconsecrejects", Integer, "0", "Ignored: there are no Markov chains."},
     {"largemutationprob", Float, "0.4", "Ignored: there are no Markov chains."},
     {"mutationrange", Float, "", "Ignored: there are no Markov chains."},
     {"usevariance", Bool, "false", "Ignored: there are no Markov chains."},

@@ -48,24 +48,36 @@ MetropolisChain::MetropolisChain(const MetropolisSettings& settings, std::uint32
       coordinates_(film_range(settings, width, height, width),
                    film_range(settings, width, height, height)) {}
 
-void MetropolisChain::start(const RandomStream& sample, MetropolisTarget& target) {
+void MetropolisChain::start(const RandomStream& sample, double mean, MetropolisTarget& target) {
+    mean_ = mean;
+    rejects_in_a_row_ = 0;
     coordinates_.propose(sample, true);
     target.evaluate(coordinates_, present_.contribution);
     coordinates_.accept();
 }
 
-ChainCounts MetropolisChain::run(std::uint64_t mutations, const MeanBrightness& b,
-                                 MetropolisTarget& target, SplatList& splats) {
+void MetropolisChain::start_dark() {
+    mean_ = 0;
+}
+
+RandomStream MetropolisChain::plain_sample(std::uint64_t mutation) const {
+    RandomStream random(seed_, mutation, index_, RandomDomain::MetropolisChain);
+    random.next_2d();  // whether the step is large, whether it is accepted
+    return random;
+}
+
+ChainCounts MetropolisChain::run(std::uint64_t mutations, double guess, MetropolisTarget& target,
+                                 SplatList& splats, std::vector<LitSample>& lit) {
     ChainCounts counts;
     for (std::uint64_t i = 0; i < mutations; ++i)
-        step(b, target, splats, counts);
-    give(present_, b.guess, splats);
+        step(guess, target, splats, counts, lit);
+    give(present_, guess, splats);
     return counts;
 }
 
-void MetropolisChain::step(const MeanBrightness& b, MetropolisTarget& target, SplatList& splats,
-                           ChainCounts& counts) {
-    RandomStream random(seed_, mutations_++, index_, RandomDomain::MetropolisChain);
+void MetropolisChain::step(double guess, MetropolisTarget& target, SplatList& splats,
+                           ChainCounts& counts, std::vector<LitSample>& lit) {
+    RandomStream random(seed_, mutations_, index_, RandomDomain::MetropolisChain);
     const bool large = random.next() < settings_.large_probability;
     const float threshold = random.next();
     coordinates_.propose(random, large);
@@ -75,24 +87,26 @@ void MetropolisChain::step(const MeanBrightness& b, MetropolisTarget& target, Sp
     if (large) {
         ++counts.large;
         counts.large_brightness += to;
+        if (to > 0) lit.push_back({mutations_, to});
     }
+    ++mutations_;
 
     const double acceptance = to >= from ? 1 : to / from;
-    const double visit = b.estimate / b.guess;
+    const double visit = mean_ / guess;
     proposed_.weight = visit * acceptance + (large ? 1 : 0);
     present_.weight += visit * (1 - acceptance);
     const bool stuck = settings_.max_consecutive_rejects > 0 && to > 0 &&
                        rejects_in_a_row_ >= settings_.max_consecutive_rejects;
     if (threshold < acceptance || stuck) {
         if (!(threshold < acceptance)) ++counts.forced;
-        give(present_, b.guess, splats);
+        give(present_, guess, splats);
         std::swap(present_, proposed_);
         coordinates_.accept();
         rejects_in_a_row_ = 0;
         ++counts.accepted;
         if (large) ++counts.accepted_large;
     } else {
-        give(proposed_, b.guess, splats);
+        give(proposed_, guess, splats);
         ++rejects_in_a_row_;
     }
 }

@@ -38,10 +38,10 @@ struct SplatList {
     void add(const Contribution& contribution, double weight);
 };
 
-/// Two estimates of b, the mean of I over primary sample space, both fixed before they are used.
-struct MeanBrightness {
-    double guess;     ///< weighs large steps against the chain; any positive value is right
-    double estimate;  ///< scales what the chain gives; the image is as bright as this is right
+/// A large step that found light: a plain sample that a chain may start from.
+struct LitSample {
+    std::uint64_t mutation = 0;  ///< its number in its chain
+    double brightness = 0;       ///< I > 0
 };
 
 struct ChainCounts {
@@ -60,23 +60,32 @@ struct ChainCounts {
 /// two combined by the balance heuristic (Kelemen et al. 2002, section 5). With acceptance
 /// probability a = min(1, I(y) / I(x)) of the proposal y, the image gains
 ///
-///     f(y) (a b'/c + large) / (I(y)/c + p_large)  +  f(x) ((1 - a) b'/c) / (I(x)/c + p_large)
+///     f(y) (a B/c + large) / (I(y)/c + p_large)  +  f(x) ((1 - a) B/c) / (I(x)/c + p_large)
 ///
-/// per mutation, where b' estimates b and the constant c guesses it; with c = b' this is Kelemen's
-/// formula. Apart from b'/c the weights of the two densities, I/b and 1, sum to one for any c, so
-/// that a poor guess costs variance but no bias.
+/// per mutation. B is the mean of I over the plain samples that x_0 was drawn from, and the
+/// constant c guesses b; with B = c = b this is Kelemen's formula. For any c the weights of the two
+/// densities sum to one, so that a poor guess costs variance but no bias, if it is made of other
+/// samples than those that x_0 was drawn from.
 class MetropolisChain {
   public:
     /// `width` and `height` of the film in pixels; `index` addresses the chain's random numbers.
     MetropolisChain(const MetropolisSettings& settings, std::uint32_t width, std::uint32_t height,
                     std::uint64_t seed, std::uint32_t index);
 
-    /// Begins at the point that `sample` gives, which must have I > 0. Chosen in proportion to I
-    /// among plain samples whose mean is b', it leaves no start-up bias (Veach 1997, section 11.3).
-    void start(const RandomStream& sample, MetropolisTarget& target);
-    /// Makes `mutations` moves; `splats` needs room for one more than that.
-    ChainCounts run(std::uint64_t mutations, const MeanBrightness& b, MetropolisTarget& target,
-                    SplatList& splats);
+    /// Begins anew at the point that `sample` gives, which must have I > 0. If it was drawn in
+    /// proportion to I among plain samples, and `mean` is the mean of I over all of these, what the
+    /// chain gives has the right expectation from then on, however few the samples, however short
+    /// the chain (Veach 1997, section 11.3.1). The product of both is right, not `mean` over what
+    /// other samples say of b.
+    void start(const RandomStream& sample, double mean, MetropolisTarget& target);
+    /// Likewise where all of the plain samples were dark.
+    void start_dark();
+    /// Makes `mutations` moves; `splats` needs room for one more than that. `guess` is c. Appends
+    /// large steps that found light to `lit`.
+    ChainCounts run(std::uint64_t mutations, double guess, MetropolisTarget& target,
+                    SplatList& splats, std::vector<LitSample>& lit);
+    /// The point of primary sample space that the chain's mutation number `mutation` is if large.
+    RandomStream plain_sample(std::uint64_t mutation) const;
 
   private:
     struct State {
@@ -84,8 +93,8 @@ class MetropolisChain {
         double weight = 0;  ///< expected number of visits not yet given to the image
     };
 
-    void step(const MeanBrightness& b, MetropolisTarget& target, SplatList& splats,
-              ChainCounts& counts);
+    void step(double guess, MetropolisTarget& target, SplatList& splats, ChainCounts& counts,
+              std::vector<LitSample>& lit);
     void give(State& state, double guess, SplatList& splats) const;
 
     MetropolisSettings settings_;
@@ -93,6 +102,7 @@ class MetropolisChain {
     std::uint32_t index_;
     MetropolisCoordinates coordinates_;
     State present_, proposed_;
+    double mean_ = 0;  ///< B
     std::uint64_t mutations_ = 0;
     std::uint64_t rejects_in_a_row_ = 0;
 };

@@ -46,7 +46,8 @@ void start_fairly(MetropolisChain& chain, std::uint64_t seed) {
         RandomStream sample = stream;
         landscape.evaluate(sample, contribution);
         RandomStream coin(seed, i, 1, RandomDomain::MetropolisSeeds);
-        if (kHighest * coin.next() < contribution.brightness) return chain.start(stream, landscape);
+        if (kHighest * coin.next() < contribution.brightness)
+            return chain.start(stream, landscape_mean(), landscape);
     }
 }
 
@@ -57,8 +58,8 @@ std::vector<double> image_of(const ChainRun& run, std::uint64_t seed, ChainCount
     std::vector<Vec2> positions(run.mutations + 1);
     std::vector<Rgb> radiance(run.mutations + 1);
     SplatList splats{positions, radiance};
-    const ChainCounts done =
-        chain.run(run.mutations, {run.guess, landscape_mean()}, landscape, splats);
+    std::vector<LitSample> lit;
+    const ChainCounts done = chain.run(run.mutations, run.guess, landscape, splats, lit);
     if (counts != nullptr) *counts = done;
     std::vector<double> image(std::size_t{kLandscapeSize} * kLandscapeSize);
     for (std::size_t i = 0; i < splats.used; ++i) {

@@ -35,7 +35,7 @@ struct MetropolisSettings {
     double large_probability = 0.4;  ///< of drawing all of a sample anew, in [0, 1]
     /// Rejections in a row after which the next sample that carries light is accepted whatever its
     /// brightness, which biases slightly; 0: never.
-    std::uint32_t max_consecutive_rejects = 512;
+    std::uint32_t max_consecutive_rejects = 0;
     double film_range = 0;  ///< farthest that a small mutation moves a sample on the film, pixels
 };
 

@@ -152,7 +152,7 @@ constexpr ParameterDeclaration kMetropolis[] = {
 };
 
 constexpr ParameterDeclaration kMarkovChain[] = {
-    {"maxconsecrejects", Integer, "0", "Ignored: there are no Markov chains."},
+    {"maxconsecrejects", Integer, "512", "Ignored: there are no Markov chains."},
     {"largemutationprob", Float, "0.4", "Ignored: there are no Markov chains."},
     {"mutationrange", Float, "", "Ignored: there are no Markov chains."},
     {"usevariance", Bool, "false", "Ignored: there are no Markov chains."},

@@ -54,8 +54,7 @@ void check(const std::string& name, int passes, double planted) {
     const render::Folder plain_folder, folder;
     const auto plain = renders(render::small_scene(name, plain_folder, kWidth, kHeight), passes,
                                100, plain_folder);
-    const auto chains = renders(metropolis_scene(name, folder),
-                                passes, 200, folder);
+    const auto chains = renders(metropolis_scene(name, folder), passes, 200, folder);
     const auto same = statistics::compare(plain, chains, 0.01);
     std::cout << name << ": " << same.describe() << "\n";
     EXPECT_FALSE(same.differs()) << same.describe();

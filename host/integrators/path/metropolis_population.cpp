@@ -14,8 +14,8 @@ constexpr std::size_t kFewestStarting = std::size_t{1} << 13, kMostStarting = st
 /// Large steps that are enough to renew chains from.
 constexpr std::uint64_t kEnoughToRenew = 1024;
 /// One chain in so many is renewed at a time. The fewer, the sooner an image has what large steps
-/// have found: after 18 passes of glass-ball its variance is the same from 1 to 4, and with 8 and 16
-/// it is 1.4 and 2.7 times that.
+/// have found: after 18 passes of glass-ball its variance is the same from 1 to 4, and with 8 and
+/// 16 it is 1.4 and 2.7 times that.
 constexpr std::size_t kGenerations = 4;
 
 }  // namespace

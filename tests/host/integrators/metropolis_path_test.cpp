@@ -46,10 +46,10 @@ statistics::BlockMeans block_means(const std::string& scene, int passes, std::ui
 // 17 tests a sampler at a family-wise significance of 1e-3, fixed seeds.
 TEST(MetropolisPath, HasTheExpectationOfPlainPaths) {
     const auto plain = block_means(still_life(), 4096, 100);
-    for (const std::string sampler : {"Sampler \"metropolis\"\n",
-                                      "Sampler \"metropolis\" \"float largemutationprob\" [0.1]\n",
-                                      "Sampler \"metropolis\" \"float largemutationprob\" [1]\n",
-                                      "Sampler \"metropolis\" \"float mutationrange\" [4]\n"}) {
+    for (const std::string sampler :
+         {"Sampler \"metropolis\"\n", "Sampler \"metropolis\" \"float largemutationprob\" [0.1]\n",
+          "Sampler \"metropolis\" \"float largemutationprob\" [1]\n",
+          "Sampler \"metropolis\" \"float mutationrange\" [4]\n"}) {
         const auto chains = block_means(sampler + still_life(), 2048, 200);
         const auto same = statistics::compare(plain, chains, 1e-3);
         std::cout << sampler << "  " << same.describe() << "\n";

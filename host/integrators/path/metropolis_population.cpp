@@ -94,7 +94,7 @@ void MetropolisPopulation::assign(std::span<const double> brightness, std::uint6
     if (total > 0)
         drawn = resample(brightness, (lanes_.size() - first + stride - 1) / stride, offset);
     for (std::size_t k = 0; first + k * stride < lanes_.size(); ++k) {
-        Start& start = lanes_[first + k * stride].start.emplace();
+        ChainStart& start = lanes_[first + k * stride].start.emplace();
         start.mean = total / static_cast<double>(samples);
         if (total > 0) start.sample = sample(drawn[k]);
         ++starts_;

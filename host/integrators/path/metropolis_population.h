@@ -17,6 +17,12 @@ namespace lxs {
 std::vector<std::size_t> resample(std::span<const double> brightness, std::size_t count,
                                   double offset);
 
+/// Where a chain starts when it runs next.
+struct ChainStart {
+    std::optional<RandomStream> sample;  ///< none: all samples were dark
+    double mean = 0;                     ///< B
+};
+
 /// Chains whose image is right in expectation after any number of passes. Every chain starts from
 /// plain samples of its own time and keeps the weight that they give it, their mean brightness B
 /// (Veach 1997, section 11.3.1). Large steps are plain samples too, independent of what the chains
@@ -63,11 +69,6 @@ class MetropolisPopulation {
     double mean_brightness() const;
 
   private:
-    /// Where a chain starts when it runs next.
-    struct Start {
-        std::optional<RandomStream> sample;  ///< none: all samples were dark
-        double mean = 0;                     ///< B
-    };
     /// A chain, its share of a pass and what it did with it.
     struct Lane {
         MetropolisChain chain;
@@ -76,7 +77,7 @@ class MetropolisPopulation {
         std::size_t splats = 0;
         ChainCounts counts{};
         std::vector<LitSample> lit{};  ///< since the last renewal
-        std::optional<Start> start{};
+        std::optional<ChainStart> start{};
     };
 
     /// Lets the lanes first, first + stride, ... start from some of `brightness`.

@@ -25,6 +25,9 @@ constexpr double kShortestChunk = 0.2;  ///< seconds
 /// Seeds of image i begin at (i + 1) times this, apart from those of runs.
 constexpr std::uint64_t kSeedsOfAnImage = 1'000'000;
 
+/// Renders the image that shows the bias left.
+constexpr const char* kHalvedMethod = "photons-halved";
+
 /// One of the images of a scene that are to grow.
 struct ReferenceImage {
     std::string name;
@@ -46,10 +49,12 @@ std::vector<ReferenceImage> images_of(const BenchScene& scene, const MethodTable
     for (std::size_t i = 0; i < scene.references.size(); ++i) {
         images.push_back({kReferenceNames[i], &find_method(table.references, scene.references[i])});
     }
-    const std::string halved = scene.references[0] + "-halved";
-    const bool both_photons = scene.references[0] == scene.references[1] &&
-                              startradius(overrides(table, *images[0].method, kAny, {}));
-    if (both_photons) images.push_back({kHalvedName, &find_method(table.references, halved)});
+    const auto needs_radius = [&](const ReferenceImage& image) {
+        return startradius(overrides(table, *image.method, kAny, {})).has_value();
+    };
+    if (std::all_of(images.begin(), images.end(), needs_radius)) {
+        images.push_back({kHalvedName, &find_method(table.references, kHalvedMethod)});
+    }
     for (std::size_t i = 0; i < images.size(); ++i) {
         images[i].set = overrides(table, *images[i].method, kAny, {});
         add_photon_part(images[i].method->integrator, plugins, images[i].set);

@@ -13,7 +13,7 @@ struct BenchScene {
     std::filesystem::path file;
     /// Reference methods of images 1 and 2. Where both need a radius, a third image at half of it
     /// shows the bias.
-    std::array<std::string, 2> references{"photons", "photons"};
+    std::array<std::string, 2> references{"photons-guided", "photons"};
     /// By method: the light that it can't find here, so that it doesn't converge.
     std::map<std::string, std::string> misses{};
 };

@@ -185,7 +185,7 @@ TEST_F(SmallestStudyTest, DamagedReferencesAndOtherScenesAreRefused) {
     ASSERT_EQ(run(reference_own).exit_code, 0);
     const fs::path references = folder_.path() / "out/bench-references/own-w12";
     const Json metadata = read_json(references / "reference.json");
-    // A scene without entry in the table gets photons twice, and the halved radius.
+    // A scene without entry in the table gets photons by two methods, and the halved radius.
     EXPECT_TRUE(metadata["images"].contains("halved"));
     EXPECT_TRUE(metadata["bias_left"].contains("relmse"));
 

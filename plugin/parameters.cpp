@@ -18,6 +18,8 @@ constexpr std::array<std::string_view, 3> kModes{"progressive", "photonmap", "pp
 constexpr std::array<std::string_view, 2> kRadii{"schedule", "adaptive"};
 constexpr std::array<std::string_view, 3> kGuides{"none", "paper", "adaptive"};
 constexpr std::array<std::string_view, 2> kPhotonSamplers{"halton", "amc"};
+/// Photon paths a pass of LuxRender's sppm.
+constexpr std::uint32_t kUsualPhotons = 1'000'000;
 constexpr double kMaxCount = 4294967295.0;
 
 constexpr ParameterDeclaration integer(std::string_view name, std::string_view value,
@@ -38,7 +40,6 @@ std::vector<ParameterDeclaration> common_declarations() {
     return {
         integer("maxeyedepth", "16", "Most surfaces that an eye path meets.", 1, 1024),
         integer("maxphotondepth", "16", "Most surfaces that a photon path meets.", 1, 1024),
-        integer("photonperpass", "1000000", "Photon paths shot in each pass.", 1),
         integer("hitpointperpass", "0",
                 "Eye paths traced in each pass; 0: one per pixel (modes photonmap and ppm, whose "
                 "one eye pass is kept: four).",
@@ -67,6 +68,14 @@ std::vector<ParameterDeclaration> common_declarations() {
         integer("seed", "0", "Seed of all random numbers; --seed overrides it.", 0,
                 9007199254740992.0),
     };
+}
+
+/// LuxRender's plugins have its default, ours decides itself.
+ParameterDeclaration photons_declaration(PluginKind kind) {
+    return integer("photonperpass", kind == PluginKind::Aips ? "0" : "1000000",
+                   "Photon paths shot in each pass; 0: in mode progressive as many as the noise of "
+                   "photons and eye paths asks for (docs/photons-per-pass.md), else 1000000.",
+                   0);
 }
 
 std::vector<ParameterDeclaration> guide_declarations() {
@@ -167,6 +176,7 @@ std::vector<ParameterDeclaration> declarations_of(PluginKind kind) {
     std::vector<ParameterDeclaration> all;
     if (kind == PluginKind::Aips) append(all, guide_declarations());
     append(all, common_declarations());
+    all.push_back(photons_declaration(kind));
     if (kind == PluginKind::Aips || kind == PluginKind::Sppm) all.push_back(radius_declaration());
     if (kind != PluginKind::ExPhotonMap) all.push_back(photon_sampler_declaration());
     append(all,
@@ -174,13 +184,13 @@ std::vector<ParameterDeclaration> declarations_of(PluginKind kind) {
     return all;
 }
 
-void read_common(const lxs::ParameterReader& in, Settings& s) {
+void read_common(PluginKind kind, const lxs::ParameterReader& in, Settings& s) {
     const auto count = [&](std::string_view name, std::uint32_t value) {
         return static_cast<std::uint32_t>(in.integer(name, value));
     };
     s.max_eye_depth = count("maxeyedepth", s.max_eye_depth);
     s.max_photon_depth = count("maxphotondepth", s.max_photon_depth);
-    s.photons_per_pass = count("photonperpass", s.photons_per_pass);
+    s.photons_per_pass = count("photonperpass", kind == PluginKind::Aips ? 0 : kUsualPhotons);
     s.hit_points_per_pass = count("hitpointperpass", s.hit_points_per_pass);
     s.start_radius = in.number("startradius", s.start_radius);
     s.alpha = in.number("alpha", s.alpha);
@@ -247,7 +257,7 @@ std::span<const ParameterDeclaration> parameter_declarations(PluginKind kind) {
 
 Settings read_settings(PluginKind kind, const lxs::ParameterReader& parameters) {
     Settings settings;
-    read_common(parameters, settings);
+    read_common(kind, parameters, settings);
     settings.guide = GuideKind::None;
     if (kind == PluginKind::Aips) read_guide(parameters, settings);
     if (kind == PluginKind::Ppm) settings.mode = Mode::Ppm;

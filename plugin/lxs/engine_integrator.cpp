@@ -34,6 +34,8 @@ lxs::Statistics EngineIntegrator::statistics() const {
                         {"photon_seconds", s.photon_seconds},
                         {"gather_seconds", s.gather_seconds},
                         {"guide_seconds", s.guide_seconds},
+                        {"plan_seconds", s.plan_seconds},
+                        {"photons_per_pass", std::uint64_t{s.photons_per_pass}},
                         {"radius", double(s.radius)},
                         {"engine_bytes", std::uint64_t{s.memory_bytes}},
                         {"engine_bound_bytes", std::uint64_t{s.memory_bound_bytes}}};

@@ -174,7 +174,7 @@ TEST(PixelImportance, MemoryIsBounded) {
     PixelImportance importance(kWidth, kHeight);
     for (int pass = 0; pass < 3; ++pass)
         importance.add_pass(image, uniform(1));
-    EXPECT_LE(importance.memory_bytes(), PixelImportance::memory_bound_bytes(kPixels, kPixels));
+    EXPECT_LE(importance.memory_bytes(), PixelImportance::memory_bound_bytes(kPixels));
 }
 
 }  // namespace

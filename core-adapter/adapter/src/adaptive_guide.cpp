@@ -37,12 +37,12 @@ EmissionGuideSettings emission_settings() {
 }  // namespace
 
 AdaptiveGuide::AdaptiveGuide(const Scene& scene, const Settings& settings,
-                             const DiscreteDistribution& light_choice, std::uint32_t width,
-                             std::uint32_t height)
+                             const DiscreteDistribution& light_choice,
+                             const PixelImportance& importance)
     : scene_(scene),
       settings_(settings),
       light_choice_(light_choice),
-      importance_(width, height),
+      importance_(importance),
       emission_(scene.lights().size(), light_choice, emission_settings()) {
     if (settings.guide_survival) {
         cache_.emplace(scene.bounds(), cache_settings());
@@ -168,24 +168,19 @@ void AdaptiveGuide::judge_survival(const PathLog& log, const PathRecord& path,
     survival_switch_.add(judged);
 }
 
-void AdaptiveGuide::end_pass(const EyeImage& image, std::span<const Rgb> radiance) {
-    importance_.add_pass(image, radiance);
-}
-
 std::size_t AdaptiveGuide::memory_bytes() const {
-    return importance_.memory_bytes() + score_.memory_bytes() + emission_.memory_bytes() +
+    return score_.memory_bytes() + emission_.memory_bytes() +
            (cache_ ? cache_->memory_bytes() : 0) + (bounces_ ? bounces_->memory_bytes() : 0) +
            weights_.capacity() * sizeof(float) + seeds_.capacity() * sizeof(EmissionSeed) +
            scored_.capacity() * sizeof(std::uint32_t) + landing_scores_.capacity() * sizeof(double);
 }
 
 std::size_t AdaptiveGuide::memory_bound_bytes(const Scene& scene, const Settings& settings,
-                                              std::size_t pixels, std::size_t eye_paths) {
+                                              std::size_t eye_paths) {
     // In blocks, and joined; vectors grow by doubling.
     const std::size_t walks = eye_paths / kSeedGroup + 1;
     const std::size_t seeds = 4 * walks * kMaxSeedsPerWalk * sizeof(EmissionSeed);
-    return PixelImportance::memory_bound_bytes(pixels, eye_paths) +
-           CellSort::memory_bound_bytes(eye_paths) + seeds +
+    return eye_paths * sizeof(float) + CellSort::memory_bound_bytes(eye_paths) + seeds +
            (settings.guide_survival ? ScoreCache::memory_bound_bytes(cache_settings()) : 0) +
            (settings.guide_bounces ? BounceGuide::memory_bound_bytes(kMemoryPaths) : 0) +
            EmissionGuide::memory_bound_bytes(scene.lights().size(), emission_settings());

@@ -22,10 +22,9 @@ namespace aips {
 
 class AdaptiveGuide {
   public:
-    /// `light_choice` (by power, not empty) outlives this; the film has width x height pixels.
+    /// `light_choice` (by power, not empty) and `importance` outlive this.
     AdaptiveGuide(const Scene& scene, const Settings& settings,
-                  const DiscreteDistribution& light_choice, std::uint32_t width,
-                  std::uint32_t height);
+                  const DiscreteDistribution& light_choice, const PixelImportance& importance);
     AdaptiveGuide(const AdaptiveGuide&) = delete;
     AdaptiveGuide& operator=(const AdaptiveGuide&) = delete;
 
@@ -46,8 +45,6 @@ class AdaptiveGuide {
     const BounceGuide* bounces() const { return bounces_ ? &*bounces_ : nullptr; }
     /// Learns from the logged ones of `paths` photon paths, whose landings are among `landings`.
     void learn(const PathLog& log, std::span<const Landing> landings, std::uint32_t paths);
-    /// The pass ends with this radiance per eye path and light group.
-    void end_pass(const EyeImage& image, std::span<const Rgb> radiance);
 
     const EmissionGuide& emission_guide() const { return emission_; }
     double survival_gain() const { return survival_switch_.gain(); }
@@ -59,7 +56,7 @@ class AdaptiveGuide {
     std::size_t node_count() const { return emission_.leaf_count(); }
     std::size_t memory_bytes() const;
     static std::size_t memory_bound_bytes(const Scene& scene, const Settings& settings,
-                                          std::size_t pixels, std::size_t eye_paths);
+                                          std::size_t eye_paths);
 
   private:
     std::uint64_t seed(std::uint64_t pass, float time, const EyeImage& image);
@@ -71,7 +68,7 @@ class AdaptiveGuide {
     const Scene& scene_;
     const Settings& settings_;
     const DiscreteDistribution& light_choice_;
-    PixelImportance importance_;
+    const PixelImportance& importance_;
     LandingScore score_;
     EmissionGuide emission_;
     std::optional<ScoreCache> cache_;        // if photons go on by score

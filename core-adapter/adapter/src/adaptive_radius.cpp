@@ -44,19 +44,20 @@ AdaptiveRadius::AdaptiveRadius(const Settings& settings, const Scene& scene, std
                                std::uint32_t height)
     : settings_(settings), smallest_(smallest_radius(scene)), map_(width, height) {}
 
-SearchRadii AdaptiveRadius::before_pass(std::uint64_t pass, const EyeImage& image) {
+SearchRadii AdaptiveRadius::before_pass(std::uint64_t pass, const PassPhotons& photons,
+                                        const EyeImage& image) {
     if (!(initial_ > 0)) {
         initial_ = initial_radius(settings_, image, smallest_);
         unit_ = kProbeRadius * initial_;
     }
-    const double pass_paths = settings_.photons_per_pass;
-    const double shot = double(pass) * pass_paths;
+    pass_paths_ = double(photons.paths);
+    const auto shot = double(photons.before);
     const double schedule = double(scheduled_radius(settings_, initial_, shot, smallest_));
     radii_.resize(image.visible_points.size());
     pixels_.resize(image.visible_points.size());
     tbb::parallel_for(std::size_t{0}, radii_.size(), [&](std::size_t i) {
         pixels_[i] = map_.pixel(image.positions[image.visible_points[i].sample]);
-        radii_[i] = radius_at(pixels_[i], schedule, shot + pass_paths);
+        radii_[i] = radius_at(pixels_[i], schedule, shot + pass_paths_);
     });
     place_probes(pass);
     SearchRadii radii;
@@ -97,8 +98,8 @@ void AdaptiveRadius::place_probes(std::uint64_t pass) {
 // whatever the scene's scale, which single precision asks for.
 void AdaptiveRadius::after_pass(const PhotonFlux& flux) {
     for (std::size_t i = 0; i < probes_.size(); ++i) {
-        const ProbeEstimate estimate = probe_estimate(flux.probes[i], probe_radius_ / unit_,
-                                                      double(settings_.photons_per_pass));
+        const ProbeEstimate estimate =
+            probe_estimate(flux.probes[i], probe_radius_ / unit_, pass_paths_);
         map_.add(pixels_[probes_[i]], scaled(estimate, 1 / (unit_ * unit_)));
     }
 }

@@ -13,7 +13,8 @@ class AdaptiveRadius final : public RadiusPolicy {
     AdaptiveRadius(const Settings& settings, const Scene& scene, std::uint32_t width,
                    std::uint32_t height);
 
-    SearchRadii before_pass(std::uint64_t pass, const EyeImage& image) override;
+    SearchRadii before_pass(std::uint64_t pass, const PassPhotons& photons,
+                            const EyeImage& image) override;
     void after_pass(const PhotonFlux& flux) override;
     std::size_t memory_bytes() const override;
     /// Upper bound of memory_bytes() for so many visible points.
@@ -29,6 +30,7 @@ class AdaptiveRadius final : public RadiusPolicy {
     double initial_ = 0;                 // from the first visible points' pixel footprints
     double unit_ = 0;                    // probe radius of the first pass
     double probe_radius_ = 0;            // of this pass
+    double pass_paths_ = 0;              // photon paths of this pass
     CurvatureMap map_;                   // in lengths of unit_
     std::vector<std::uint32_t> pixels_;  // [visible point]
     std::vector<float> radii_;           // [visible point]

@@ -8,8 +8,11 @@
 #include "memory_bound.h"
 #include "needs.h"
 #include "paper_guide.h"
+#include "pass_noise.h"
 #include "photon_pass.h"
+#include "photon_schedule.h"
 #include "pixel_estimate.h"
+#include "pixel_importance.h"
 #include "radius_policy.h"
 #include "stopwatch.h"
 
@@ -31,6 +34,20 @@ std::unique_ptr<Guide> make_guide(const Needs& needs, const Scene& scene,
     return std::make_unique<PaperGuide>(scene.bounds(), settings);
 }
 
+/// Costs in photon rays, the eye's rays being shaded and their film samples weighed, photons being
+/// stored and gathered: fitted to the phases' times in seven scenes (docs/design-notes.md).
+PassWork pass_work(const PassReport& report, std::uint64_t eye_rays, const PhotonPassTotals& before,
+                   const PhotonPassTotals& after) {
+    constexpr double kEyeRay = 1.1, kEyePath = 1.2, kEmission = 0.5, kLanding = 0.3,
+                     kGathered = 0.2;
+    const auto difference = [](std::uint64_t from, std::uint64_t to) { return double(to - from); };
+    const PhotonCounts &first = before.counts, &last = after.counts;
+    return {kEyeRay * double(eye_rays) + kEyePath * double(report.eye_paths),
+            difference(first.rays, last.rays) + kEmission * double(report.photon_paths) +
+                kLanding * difference(first.landings, last.landings) +
+                kGathered * difference(before.gathered, after.gathered)};
+}
+
 }  // namespace
 
 class Engine::State {
@@ -43,12 +60,17 @@ class Engine::State {
           direct_light_(host.scene),
           refusals_(host.scene.material_names()),
           guide_(make_guide(needs_, host.scene, settings)),
-          photon_pass_(host.scene, settings_, needs_, guide_.get(), host.film.width(),
-                       host.film.height()),
+          photons_(settings, eye_paths_, learns()),
+          importance_(make_importance()),
+          photon_pass_(host.scene, settings_, needs_, guide_.get(),
+                       importance_ ? &*importance_ : nullptr),
           radius_policy_(
               make_radius_policy(settings, host.scene, host.film.width(), host.film.height())) {
         statistics_.memory_bound_bytes = memory_bound(
             host.scene, settings, eye_paths_, std::size_t{host.film.width()} * host.film.height());
+        if (needs_.photons && photons_.adapts()) {
+            noise_.emplace(host.film.width(), host.film.height());
+        }
         if (settings.debug_layers) add_debug_layers();
         log_start();
     }
@@ -59,23 +81,26 @@ class Engine::State {
         SearchRadii radii;
         report.eye_paths = trace_eye_paths(pass, time);
         const std::uint64_t eye_rays = report.eye_paths ? image_.rays : 0;
-        const std::uint64_t rays_before = photon_pass_.totals().counts.rays;
+        const PhotonPassTotals before = photon_pass_.totals();
+        const PassPhotons photons = photons_.next();
         if (needs_.photons && !image_.visible_points.empty()) {
-            radii = radius_policy_->before_pass(pass, image_);
+            radii = radius_policy_->before_pass(pass, photons, image_);
             report.radius = radii.mean;
-            report.photon_paths = photon_pass_.shoot(pass, time, image_, radii, refusals_, flux_);
+            report.photon_paths = photons.paths;
+            photon_pass_.shoot(pass, photons, time, image_, radii, refusals_, flux_);
         } else {
             flux_.reset(image_.visible_points.size(), image_.groups);
         }
         estimate_pixels(image_, flux_, radii, report.photon_paths, refusals_, radiance_);
-        if (report.photon_paths) photon_pass_.end_pass(image_, radiance_);
-        const double weight = photon_pass_.weight_of(pass);
-        host_.film.add_pass(image_.positions, radiance_, image_.groups, weight);
+        host_.film.add_pass(image_.positions, radiance_, image_.groups, photons.weight);
         if (layers_) {
-            layers_->add_pass(image_, flux_, radii, radiance_, weight, photon_pass_.bounces());
+            layers_->add_pass(image_, flux_, radii, radiance_, photons.weight,
+                              photon_pass_.bounces());
         }
         if (report.photon_paths) radius_policy_->after_pass(flux_);
-        report.rays = eye_rays + photon_pass_.totals().counts.rays - rays_before;
+        const PhotonPassTotals& after = photon_pass_.totals();
+        report.rays = eye_rays + after.counts.rays - before.counts.rays;
+        learn_from_pass(report, pass_work(report, eye_rays, before, after));
         count(report, eye_rays);
         return report;
     }
@@ -89,6 +114,7 @@ class Engine::State {
         s.bounces = photons.counts.bounces;
         s.guided_bounces = photons.counts.guided_bounces;
         s.gathered = photons.gathered;
+        s.photons_per_pass = photons_.next().paths;
         s.photon_seconds = photons.photon_seconds;
         s.gather_seconds = photons.gather_seconds;
         s.guide_seconds = photons.guide_seconds;
@@ -133,6 +159,28 @@ class Engine::State {
             host_.log.info("skipped " + skipped);
     }
 
+    /// Whether a guide learns that lessens the weight of the first photon paths.
+    bool learns() const { return needs_.guide && settings_.guide == GuideKind::Adaptive; }
+
+    std::optional<PixelImportance> make_importance() const {
+        if (!needs_.photons || !(learns() || photons_.adapts())) return {};
+        return PixelImportance(host_.film.width(), host_.film.height());
+    }
+
+    /// The pass's image is known.
+    void learn_from_pass(const PassReport& report, const PassWork& work) {
+        PassNoise noise;
+        if (importance_ && report.photon_paths) {
+            const Stopwatch watch(statistics_.plan_seconds);
+            if (noise_) {
+                noise =
+                    noise_->add_pass(image_, radiance_, flux_, report.photon_paths, *importance_);
+            }
+            importance_->add_pass(image_, radiance_);
+        }
+        photons_.end_pass(work, noise);
+    }
+
     /// One moment of the shutter interval for all paths of a pass; frozen visible points stay where
     /// their surfaces were, so that all photons meet the scene of that moment.
     float pass_time(std::uint64_t pass) const {
@@ -165,7 +213,8 @@ class Engine::State {
         return image_.memory_bytes() + flux_.memory_bytes() + radiance_.capacity() * sizeof(Rgb) +
                photon_pass_.memory_bytes() + radius_policy_->memory_bytes() +
                (guide_ ? guide_->statistics().memory_bytes : 0) +
-               (layers_ ? layers_->memory_bytes() : 0);
+               (importance_ ? importance_->memory_bytes() : 0) +
+               (noise_ ? noise_->memory_bytes() : 0) + (layers_ ? layers_->memory_bytes() : 0);
     }
 
     Host host_;
@@ -175,6 +224,9 @@ class Engine::State {
     DirectLight direct_light_;
     Refusals refusals_;
     std::unique_ptr<Guide> guide_;
+    PhotonSchedule photons_;
+    std::optional<PixelImportance> importance_;  // if something steers by it
+    std::optional<PassNoiseMeter> noise_;        // if the photons per pass follow it
     PhotonPass photon_pass_;
     std::unique_ptr<RadiusPolicy> radius_policy_;
     EyeImage image_;

@@ -69,14 +69,17 @@ void gather_photons(const EyeImage& image, const LandingGrid& grid, const Search
                 // Left out of the flux, but what it absorbs is no contribution.
                 const Rgb f = point.bsdf ? kWhite : point.kd;
                 std::uint32_t count = 0;
+                float squares = 0;
                 Rgb* flux = &result.flux[i * groups];
                 grid.for_each_in_radius(point.position, radius, [&](const GridPhoton& landing) {
                     const Rgb value = contribution(point, landing, radius);
                     if (is_black(value * f) || !refusals.accept(value, point.material)) return;
                     flux[landing.light_group] += value;
+                    squares += luminance(value) * luminance(value);
                     ++count;
                 });
                 result.accepted[i] += count;
+                result.squares[i] += squares;
                 total += count;
             }
             gathered.fetch_add(total, std::memory_order_relaxed);

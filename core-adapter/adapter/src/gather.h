@@ -20,24 +20,29 @@ struct PhotonFlux {
     /// [visible point]: photons accepted, over all light groups (fewer than 2^32 in a pass). One
     /// that brings no light, be it refused or absorbed, is not accepted.
     std::vector<std::uint32_t> accepted;
+    /// [visible point]: sum over these photons of the squared luminance of what flux sums.
+    std::vector<float> squares;
     std::vector<ProbeSums> probes;  ///< [number in SearchRadii::probes]
     std::uint64_t gathered = 0;     ///< photons accepted, over all visible points
 
     void reset(std::size_t visible_points, std::uint32_t groups, std::size_t probe_count = 0) {
         flux.assign(visible_points * groups, Rgb{});
         accepted.assign(visible_points, 0);
+        squares.assign(visible_points, 0.0f);
         probes.assign(probe_count, {});
         gathered = 0;
     }
     void scale(double factor) {
         for (Rgb& sum : flux)
             sum = sum * float(factor);
+        for (float& square : squares)
+            square *= float(factor * factor);
         for (ProbeSums& sums : probes)
             sums.scale(factor);
     }
     std::size_t memory_bytes() const {
         return flux.capacity() * sizeof(Rgb) + accepted.capacity() * sizeof(std::uint32_t) +
-               probes.capacity() * sizeof(ProbeSums);
+               squares.capacity() * sizeof(float) + probes.capacity() * sizeof(ProbeSums);
     }
 };
 

@@ -4,6 +4,7 @@
 #include "adaptive_radius.h"
 #include "eye_pass.h"
 #include "paper_guide.h"
+#include "pass_noise.h"
 #include "photon_pass.h"
 #include "ppm_radius.h"
 
@@ -16,8 +17,8 @@ constexpr std::size_t kGrowth = 2;
 std::size_t eye_bytes(const Scene& scene, std::size_t paths) {
     const std::size_t groups = scene.light_groups();
     const std::size_t image = sizeof(Vec2) + groups * sizeof(Rgb) + sizeof(VisiblePoint);
-    // Flux, its photons, and radiance.
-    const std::size_t estimate = 2 * groups * sizeof(Rgb) + sizeof(std::uint32_t);
+    // Flux, its photons and squares, and radiance.
+    const std::size_t estimate = 2 * groups * sizeof(Rgb) + sizeof(std::uint32_t) + sizeof(float);
     const std::size_t arenas = scene.facts().max_bsdf_bytes + Arena::kChunkBytes / 512;
     // While blocks are joined, their visible points exist twice; positions are copied for grids.
     const std::size_t transient = kGrowth * sizeof(VisiblePoint) + sizeof(Vec3);
@@ -53,7 +54,7 @@ std::size_t memory_bound(const Scene& scene, const Settings& settings, std::uint
     std::size_t guide = 0;
     if (settings.guide == GuideKind::Paper) guide = PaperGuide::memory_bound_bytes(settings);
     if (settings.guide == GuideKind::Adaptive) {
-        guide = AdaptiveGuide::memory_bound_bytes(scene, settings, pixels, eye_paths) +
+        guide = AdaptiveGuide::memory_bound_bytes(scene, settings, eye_paths) +
                 log_bytes(settings, kPlainIterationPaths);
     }
     std::size_t radii = 0;
@@ -63,7 +64,10 @@ std::size_t memory_bound(const Scene& scene, const Settings& settings, std::uint
         radii =
             AdaptiveRadius::memory_bound_bytes(pixels, eye_paths) + eye_paths * sizeof(ProbeSums);
     }
-    return eye_bytes(scene, eye_paths) + OccupancyGrid::memory_bound_bytes(eye_paths) +
+    // What the photons per pass and the adaptive guide go by.
+    const std::size_t plan =
+        PixelImportance::memory_bound_bytes(pixels) + PassNoiseMeter::memory_bound_bytes(pixels);
+    return eye_bytes(scene, eye_paths) + plan + OccupancyGrid::memory_bound_bytes(eye_paths) +
            photon_bytes(settings, eye_paths) + guide + radii;
 }
 

@@ -10,17 +10,17 @@
 namespace aips {
 
 PhotonPass::PhotonPass(const Scene& scene, const Settings& settings, const Needs& needs,
-                       Guide* guide, std::uint32_t width, std::uint32_t height)
+                       Guide* guide, const PixelImportance* importance)
     : scene_(scene), settings_(settings), guide_(guide), light_choice_(light_choice(scene)) {
     if (settings.photon_sampler == PhotonSampler::AdaptiveChains) chains_.emplace();
     if (needs.guide && settings.guide == GuideKind::Adaptive) {
-        adaptive_.emplace(scene, settings, light_choice_, width, height);
+        adaptive_.emplace(scene, settings, light_choice_, *importance);
     }
     if (guide && settings.debug_layers) bounces_.emplace(*guide, settings.max_nodes);
 }
 
-void PhotonPass::begin_pass(std::uint64_t pass, float time, const EyeImage& image,
-                            const SearchRadii& radii) {
+void PhotonPass::begin_pass(std::uint64_t pass, const PassPhotons& photons, float time,
+                            const EyeImage& image, const SearchRadii& radii) {
     const bool reach_lasts = freezes_eye_pass(settings_.mode) && reach_ == radii.reach();
     if (guide_ || adaptive_ || !reach_lasts) {
         std::vector<Vec3> positions;
@@ -33,7 +33,7 @@ void PhotonPass::begin_pass(std::uint64_t pass, float time, const EyeImage& imag
         if (adaptive_)
             totals_.counts.rays += adaptive_->begin_pass(pass, time, image, positions, radii);
     }
-    if (chains_) chains_->begin_pass(settings_.photons_per_pass);
+    if (chains_) chains_->begin_pass(photons.paths);
     if (bounces_) bounces_->begin_pass();
     waiting_.clear();
 }
@@ -44,30 +44,28 @@ void PhotonPass::mark_reach(std::span<const Vec3> visible_points, float radius) 
     reach_ = radius;
 }
 
-std::uint64_t PhotonPass::shoot(std::uint64_t pass, float time, const EyeImage& image,
-                                const SearchRadii& radii, Refusals& refusals, PhotonFlux& flux) {
+void PhotonPass::shoot(std::uint64_t pass, const PassPhotons& photons, float time,
+                       const EyeImage& image, const SearchRadii& radii, Refusals& refusals,
+                       PhotonFlux& flux) {
     flux.reset(image.visible_points.size(), image.groups, radii.probes.size());
-    begin_pass(pass, time, image, radii);
-    const std::uint32_t total = settings_.photons_per_pass;
+    begin_pass(pass, photons, time, image, radii);
     std::uint64_t iteration = 0;
-    for (std::uint32_t first = 0; first < total; ++iteration) {
-        const std::uint32_t count = std::min(iteration_paths(iteration), total - first);
+    for (std::uint32_t first = 0; first < photons.paths; ++iteration) {
+        const std::uint32_t count = std::min(iteration_paths(iteration), photons.paths - first);
         const std::size_t landings = waiting_.landings().size();
-        trace(input_of(pass, time, iteration), first, count, refusals);
+        trace(input_of(pass, time, iteration), photons, first, count, refusals);
         learn(count);
         if (adaptive_) {
             // After learning: a guide learns from what photons really carried.
-            waiting_.scale_power(landings, float(learning_weight(pass * total + first)));
+            waiting_.scale_power(landings, float(learning_weight(photons.before + first)));
         }
         if (waiting_.landings().size() > kLandingCapacity) gather(image, radii, refusals, flux);
         first += count;
     }
     gather(image, radii, refusals, flux);
     if (chains_) flux.scale(chains_->end_pass());
-    const double weight = weight_of(pass);
-    if (weight < total) flux.scale(double(total) / weight);
+    if (photons.counted < photons.paths) flux.scale(double(photons.paths) / photons.counted);
     totals_.gathered += flux.gathered;
-    return total;
 }
 
 PhotonInput PhotonPass::input_of(std::uint64_t pass, float time, std::uint64_t iteration) {
@@ -98,13 +96,13 @@ std::uint32_t PhotonPass::iteration_paths(std::uint64_t iteration) const {
     return chains_ ? chains_->round_paths() : kPlainIterationPaths;
 }
 
-void PhotonPass::trace(const PhotonInput& input, std::uint32_t first, std::uint32_t count,
-                       Refusals& refusals) {
+void PhotonPass::trace(const PhotonInput& input, const PassPhotons& photons, std::uint32_t first,
+                       std::uint32_t count, Refusals& refusals) {
     const Stopwatch watch(totals_.photon_seconds);
     LandingStore& store = guide_ ? iteration_ : waiting_;
     totals_.counts += chains_ ? chains_->trace(input, count, refusals, store)
-                              : tracer_.trace(input, input.pass * settings_.photons_per_pass, first,
-                                              count, refusals, store, adaptive_ ? &log_ : nullptr);
+                              : tracer_.trace(input, photons.before, first, count, refusals, store,
+                                              adaptive_ ? &log_ : nullptr);
 }
 
 void PhotonPass::learn(std::uint32_t paths) {
@@ -120,24 +118,6 @@ void PhotonPass::learn(std::uint32_t paths) {
         if (occupancy_.near_visible_point(landing.position)) waiting_.append({&landing, 1});
     }
     iteration_.clear();
-}
-
-double PhotonPass::weight_of(std::uint64_t pass) const {
-    const std::uint32_t total = settings_.photons_per_pass;
-    if (!adaptive_) return total;
-    double weight = 0;
-    for (std::uint32_t first = 0; first < total;) {
-        const std::uint32_t count = std::min(kPlainIterationPaths, total - first);
-        weight += learning_weight(pass * total + first) * count;
-        first += count;
-    }
-    return weight;
-}
-
-void PhotonPass::end_pass(const EyeImage& image, std::span<const Rgb> radiance) {
-    if (!adaptive_) return;
-    const Stopwatch watch(totals_.guide_seconds);
-    adaptive_->end_pass(image, radiance);
 }
 
 void PhotonPass::gather(const EyeImage& image, const SearchRadii& radii, Refusals& refusals,

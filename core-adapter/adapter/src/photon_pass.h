@@ -10,6 +10,7 @@
 #include "gather.h"
 #include "needs.h"
 #include "photon_chains.h"
+#include "photon_schedule.h"
 
 namespace aips {
 
@@ -23,27 +24,17 @@ struct PhotonPassTotals {
 /// Landings that wait for a gather; one iteration may exceed it.
 inline constexpr std::uint32_t kLandingCapacity = 1u << 20;
 
-/// Paths of an unguided iteration: enough for all threads, few enough for the store's capacity.
-inline constexpr std::uint32_t kPlainIterationPaths = 1u << 14;
-
 /// Shoots the photons of one pass onto the visible points of an eye image.
 class PhotonPass {
   public:
-    /// `guide` may be null; the film has width x height pixels.
+    /// `guide` may be null, `importance` too unless guide=adaptive is needed; they outlive this.
     PhotonPass(const Scene& scene, const Settings& settings, const Needs& needs, Guide* guide,
-               std::uint32_t width, std::uint32_t height);
+               const PixelImportance* importance);
 
-    /// Fills `flux` for the visible points in `image`; returns the photon paths shot. In modes that
-    /// freeze the eye pass the visible points must be the same in each pass.
-    std::uint64_t shoot(std::uint64_t pass, float time, const EyeImage& image,
-                        const SearchRadii& radii, Refusals& refusals, PhotonFlux& flux);
-
-    /// Photon paths of a pass, those shot while a guide learns counted as they weigh: known before
-    /// the pass.
-    double weight_of(std::uint64_t pass) const;
-
-    /// The pass's image is known: radiance per eye path and light group.
-    void end_pass(const EyeImage& image, std::span<const Rgb> radiance);
+    /// Shoots `photons` and fills `flux` for the visible points in `image`. In modes that freeze
+    /// the eye pass the visible points must be the same in each pass.
+    void shoot(std::uint64_t pass, const PassPhotons& photons, float time, const EyeImage& image,
+               const SearchRadii& radii, Refusals& refusals, PhotonFlux& flux);
 
     const PhotonPassTotals& totals() const { return totals_; }
     /// Null unless photonsampler=amc.
@@ -55,13 +46,13 @@ class PhotonPass {
     std::size_t memory_bytes() const;
 
   private:
-    void begin_pass(std::uint64_t pass, float time, const EyeImage& image,
-                    const SearchRadii& radii);
+    void begin_pass(std::uint64_t pass, const PassPhotons& photons, float time,
+                    const EyeImage& image, const SearchRadii& radii);
     PhotonInput input_of(std::uint64_t pass, float time, std::uint64_t iteration);
     void mark_reach(std::span<const Vec3> visible_points, float radius);
     std::uint32_t iteration_paths(std::uint64_t iteration) const;
-    void trace(const PhotonInput& input, std::uint32_t first, std::uint32_t count,
-               Refusals& refusals);
+    void trace(const PhotonInput& input, const PassPhotons& photons, std::uint32_t first,
+               std::uint32_t count, Refusals& refusals);
     void learn(std::uint32_t paths);
     void gather(const EyeImage& image, const SearchRadii& radii, Refusals& refusals,
                 PhotonFlux& flux);

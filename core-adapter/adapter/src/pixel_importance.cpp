@@ -84,15 +84,23 @@ void PixelImportance::blur() {
 }
 
 void PixelImportance::weigh(const EyeImage& image, std::vector<float>& weights) const {
-    const double mean = mean_ > 0 ? mean_ : mean_luminance(image);
-    const double least = kDarkest * mean;
-    weights.assign(image.visible_points.size(), mean > 0 ? inverse_square(mean * mean) : 1.0f);
-    if (!(mean_ > 0)) return;
+    weights.resize(image.visible_points.size());
+    if (!(mean_ > 0)) {
+        const double mean = mean_luminance(image);
+        std::fill(weights.begin(), weights.end(), mean > 0 ? inverse_square(mean * mean) : 1.0f);
+        return;
+    }
     for (std::size_t i = 0; i < weights.size(); ++i) {
         const Vec2 position = image.positions[image.visible_points[i].sample];
-        const double value = double(blurred_[film_pixel(position, width_, height_)]);
-        weights[i] = inverse_square(value * value + least * least);
+        weights[i] = weight(film_pixel(position, width_, height_));
     }
+}
+
+float PixelImportance::weight(std::size_t pixel) const {
+    if (!(mean_ > 0)) return 1;
+    const double least = kDarkest * mean_;
+    const auto value = double(blurred_[pixel]);
+    return inverse_square(value * value + least * least);
 }
 
 std::size_t PixelImportance::memory_bytes() const {
@@ -100,8 +108,8 @@ std::size_t PixelImportance::memory_bytes() const {
            sizeof(float);
 }
 
-std::size_t PixelImportance::memory_bound_bytes(std::size_t pixels, std::size_t eye_paths) {
-    return (5 * pixels + eye_paths) * sizeof(float);
+std::size_t PixelImportance::memory_bound_bytes(std::size_t pixels) {
+    return 5 * pixels * sizeof(float);
 }
 
 }  // namespace aips

@@ -23,8 +23,12 @@ class PixelImportance {
     /// the same, by the mean of what the eye pass saw.
     void weigh(const EyeImage& image, std::vector<float>& weights) const;
 
+    /// Weight of a squared error of luminance in the pixel of this number (film_pixel.h); 1 before
+    /// the first pass.
+    float weight(std::size_t pixel) const;
+
     std::size_t memory_bytes() const;
-    static std::size_t memory_bound_bytes(std::size_t pixels, std::size_t eye_paths);
+    static std::size_t memory_bound_bytes(std::size_t pixels);
 
   private:
     void blur();

@@ -11,7 +11,8 @@
 
 namespace aips {
 
-SearchRadii PpmRadius::before_pass(std::uint64_t /*pass*/, const EyeImage& image) {
+SearchRadii PpmRadius::before_pass(std::uint64_t /*pass*/, const PassPhotons& /*photons*/,
+                                   const EyeImage& image) {
     if (radii_.empty()) {
         const auto radius = float(initial_radius(settings_, image, smallest_));
         radii_.assign(image.visible_points.size(), radius);

@@ -24,7 +24,8 @@ class PpmRadius final : public RadiusPolicy {
     PpmRadius(const Settings& settings, const Scene& scene)
         : settings_(settings), smallest_(smallest_radius(scene)) {}
 
-    SearchRadii before_pass(std::uint64_t pass, const EyeImage& image) override;
+    SearchRadii before_pass(std::uint64_t pass, const PassPhotons& photons,
+                            const EyeImage& image) override;
     void after_pass(const PhotonFlux& flux) override;
     std::size_t memory_bytes() const override {
         return radii_.capacity() * sizeof(float) + photons_.capacity() * sizeof(double);

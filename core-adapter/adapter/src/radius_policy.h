@@ -7,15 +7,17 @@
 
 #include "aips/adapter/scene.h"
 #include "gather.h"
+#include "photon_schedule.h"
 
 namespace aips {
 
 class RadiusPolicy {
   public:
     virtual ~RadiusPolicy() = default;
-    /// Radii for pass number `pass` onto the visible points of `image` (at least one); they hold
-    /// until after_pass().
-    virtual SearchRadii before_pass(std::uint64_t pass, const EyeImage& image) = 0;
+    /// Radii for pass number `pass`, which shoots `photons` onto the visible points of `image` (at
+    /// least one); they hold until after_pass().
+    virtual SearchRadii before_pass(std::uint64_t pass, const PassPhotons& photons,
+                                    const EyeImage& image) = 0;
     /// Takes note of the photons that the pass has gathered with these radii.
     virtual void after_pass(const PhotonFlux& flux) = 0;
     virtual std::size_t memory_bytes() const = 0;

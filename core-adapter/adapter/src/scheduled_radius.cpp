@@ -17,11 +17,11 @@ float scheduled_radius(const Settings& settings, double initial, double paths_sh
     return knaus_zwicker_radius(initial, paths_shot, kReferencePaths, settings.alpha, smallest);
 }
 
-SearchRadii ScheduledRadius::before_pass(std::uint64_t pass, const EyeImage& image) {
+SearchRadii ScheduledRadius::before_pass(std::uint64_t /*pass*/, const PassPhotons& photons,
+                                         const EyeImage& image) {
     if (!(initial_ > 0)) initial_ = initial_radius(settings_, image, smallest_);
     if (settings_.mode == Mode::PhotonMap) return float(initial_);
-    const double shot = double(pass) * double(settings_.photons_per_pass);
-    return scheduled_radius(settings_, initial_, shot, smallest_);
+    return scheduled_radius(settings_, initial_, double(photons.before), smallest_);
 }
 
 }  // namespace aips

@@ -17,7 +17,8 @@ class ScheduledRadius final : public RadiusPolicy {
     ScheduledRadius(const Settings& settings, const Scene& scene)
         : settings_(settings), smallest_(smallest_radius(scene)) {}
 
-    SearchRadii before_pass(std::uint64_t pass, const EyeImage& image) override;
+    SearchRadii before_pass(std::uint64_t pass, const PassPhotons& photons,
+                            const EyeImage& image) override;
     void after_pass(const PhotonFlux& /*flux*/) override {}
     std::size_t memory_bytes() const override { return 0; }
 

@@ -7,7 +7,6 @@
 namespace aips {
 
 void validate(const Settings& s) {
-    if (s.photons_per_pass == 0) throw std::invalid_argument("photonperpass must be at least 1");
     if (s.max_eye_depth == 0) throw std::invalid_argument("maxeyedepth must be at least 1");
     if (!(s.guide_share >= 0 && s.guide_share < 1)) {
         throw std::invalid_argument(
@@ -55,8 +54,12 @@ const char* name(GuideKind guide) {
 std::string describe(const Settings& s) {
     std::ostringstream out;
     out << "mode = " << name(s.mode) << ", guide = " << name(s.guide)
-        << ", maxeyedepth = " << s.max_eye_depth << ", maxphotondepth = " << s.max_photon_depth
-        << ", photonperpass = " << s.photons_per_pass << " paths";
+        << ", maxeyedepth = " << s.max_eye_depth << ", maxphotondepth = " << s.max_photon_depth;
+    if (s.photons_per_pass) {
+        out << ", photonperpass = " << s.photons_per_pass << " paths";
+    } else {
+        out << ", photonperpass = automatic";
+    }
     if (s.hit_points_per_pass) out << ", hitpointperpass = " << s.hit_points_per_pass;
     if (s.start_radius > 0) {
         out << ", startradius = " << s.start_radius << " pixel footprints";

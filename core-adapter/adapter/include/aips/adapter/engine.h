@@ -62,8 +62,10 @@ struct EngineStatistics {
     /// guide=adaptive: mean score of a photon path times its mean cost in rays, lately
     double score_times_cost = 0;
     double eye_seconds = 0, photon_seconds = 0, gather_seconds = 0, guide_seconds = 0;
-    float radius = 0;              ///< of the last pass
-    std::size_t memory_bytes = 0;  ///< held by the engine now
+    double plan_seconds = 0;             ///< measuring noise and what pixels weigh
+    float radius = 0;                    ///< of the last pass
+    std::uint32_t photons_per_pass = 0;  ///< of the next pass
+    std::size_t memory_bytes = 0;        ///< held by the engine now
     std::size_t memory_bound_bytes = 0;
     /// Contributions refused because they were not finite or negative, by material.
     std::vector<std::pair<std::string, std::uint64_t>> refused;

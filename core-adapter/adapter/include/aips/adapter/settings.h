@@ -42,9 +42,9 @@ struct Settings {
     PhotonSampler photon_sampler = PhotonSampler::Sequence;  ///< AdaptiveChains: guide none only
     std::uint64_t seed = 0;
 
-    std::uint32_t max_eye_depth = 16;     ///< surfaces that an eye path may meet
-    std::uint32_t max_photon_depth = 16;  ///< surfaces that a photon path may meet
-    std::uint32_t photons_per_pass = 1'000'000;
+    std::uint32_t max_eye_depth = 16;       ///< surfaces that an eye path may meet
+    std::uint32_t max_photon_depth = 16;    ///< surfaces that a photon path may meet
+    std::uint32_t photons_per_pass = 0;     ///< 0: by the noise (docs/photons-per-pass.md)
     std::uint32_t hit_points_per_pass = 0;  ///< eye paths a pass; 0: one a pixel (frozen: four)
     double start_radius = 0;  ///< in mean pixel footprints at the visible points; 0: automatic
     double alpha = 0.7;       ///< how slowly the radius shrinks: 1 keeps it

@@ -1,0 +1,48 @@
+// How much of a pass's noise is the eye's and how much the photons'.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "gather.h"
+#include "pixel_importance.h"
+
+namespace aips {
+
+/// Relative variances of pixels in a pass, averaged over the image: with N photon paths a pass has
+/// eye + photon_path / N. Estimates, which may be negative.
+struct PassNoise {
+    double eye = 0;          ///< what other eye paths would change
+    double photon_path = 0;  ///< of a single photon path
+};
+
+/// Compares each pass with the one before: pixels of both differ by both noises. The photons' is
+/// known from the squares of what they bring, as they come one by one.
+class PassNoiseMeter {
+  public:
+    PassNoiseMeter(std::uint32_t width, std::uint32_t height);
+
+    /// Noise of this pass and the last together; all zero after the first. `radiance`: of each eye
+    /// path and light group; `importance`: of earlier passes.
+    PassNoise add_pass(const EyeImage& image, std::span<const Rgb> radiance, const PhotonFlux& flux,
+                       std::uint64_t photon_paths, const PixelImportance& importance);
+
+    std::size_t memory_bytes() const;
+    static std::size_t memory_bound_bytes(std::size_t pixels) { return pixels * 2 * sizeof(Pixel); }
+
+  private:
+    struct Pixel {
+        float sum = 0;       // luminance over its eye paths
+        float variance = 0;  // of the sum, the photons' part
+        float paths = 0;
+    };
+    void sum_pixels(const EyeImage& image, std::span<const Rgb> radiance, const PhotonFlux& flux);
+
+    std::uint32_t width_, height_;
+    std::vector<Pixel> pixels_, last_;  // [pixel] of this pass and the one before
+    std::uint64_t last_paths_ = 0;      // photon paths of the pass before
+    bool first_ = true;
+};
+
+}  // namespace aips

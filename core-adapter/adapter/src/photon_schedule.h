@@ -1,0 +1,64 @@
+// How many photon paths each pass shoots, and what the pass weighs in the image.
+//
+// An eye path and the photons that it gathers cost time, and both are noise: with A the variance
+// that eye paths leave and B that of a single photon path, a pass of N photon paths has a variance
+// of A + B / N and costs a + b N. Variance times cost is least at N = sqrt(a B / (b A)).
+//
+// The image is a mean over passes with weights that depend on a pass's number alone, so what N
+// follows does not change its expectation. The first passes, with numbers chosen blindly, count for
+// next to nothing.
+#pragma once
+
+#include <cstdint>
+
+#include "aips/adapter/settings.h"
+#include "pass_noise.h"
+
+namespace aips {
+
+/// The photon paths of one pass, known before it.
+struct PassPhotons {
+    std::uint64_t before = 0;  ///< photon paths of all passes before
+    std::uint32_t paths = 0;   ///< of this pass
+    double counted = 0;        ///< paths, those that are shot while a guide learns as they weigh
+    double weight = 1;         ///< of the pass in the film
+};
+
+/// Work of a pass in photon rays, counted and not measured: bits do not depend on clocks.
+struct PassWork {
+    double eye = 0;      ///< independent of the number of photons
+    double photons = 0;  ///< proportional to it
+};
+
+class PhotonSchedule {
+  public:
+    /// `learns`: the first photon paths count for less (learning_weight.h).
+    PhotonSchedule(const Settings& settings, std::uint32_t eye_paths, bool learns);
+
+    /// The pass that comes next.
+    const PassPhotons& next() const { return next_; }
+    /// Whether numbers follow the noise, which end_pass() then wants to know.
+    bool adapts() const { return adapts_; }
+    void end_pass(const PassWork& work, const PassNoise& noise);
+
+  private:
+    void plan();
+    std::uint32_t best_paths() const;
+
+    bool adapts_, learns_;
+    std::uint32_t paths_;
+    std::uint64_t pass_ = 0;
+    std::uint64_t decide_at_;  // pass before which the number is chosen next
+    bool decided_ = false;
+    PassPhotons next_;
+    // Of the second half of all passes.
+    PassWork work_;
+    PassNoise noise_;
+    std::uint64_t shot_ = 0;
+};
+
+/// Photon paths of an iteration that no guide=paper cuts shorter: enough for all threads, few
+/// enough for the store's capacity.
+inline constexpr std::uint32_t kPlainIterationPaths = 1u << 14;
+
+}  // namespace aips

@@ -1,0 +1,111 @@
+// Protects the parts that a pass's noise is split into: each is found, whatever the other, and both
+// in images made of them.
+#include "pass_noise.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "aips/core/random.h"
+
+namespace {
+
+using namespace aips;
+
+constexpr std::uint32_t kWidth = 64, kHeight = 48;
+constexpr double kLight = 3;
+
+/// One eye path in each pixel, each with a visible point.
+EyeImage eye_image() {
+    EyeImage image;
+    for (std::uint32_t y = 0; y < kHeight; ++y) {
+        for (std::uint32_t x = 0; x < kWidth; ++x) {
+            VisiblePoint point;
+            point.sample = static_cast<std::uint32_t>(image.positions.size());
+            image.visible_points.push_back(point);
+            image.positions.push_back({float(x) + 0.5f, float(y) + 0.5f});
+        }
+    }
+    image.radiance.assign(image.positions.size(), Rgb{});
+    return image;
+}
+
+/// Number of photons, of mean `mean`: of many, each unlikely.
+std::uint32_t poisson(double mean, RandomStream& random) {
+    std::uint32_t count = 0;
+    for (double product = double(random.next()); product > std::exp(-mean); ++count)
+        product *= double(random.next());
+    return count;
+}
+
+/// Mean noise over passes in which eye paths see kLight times a factor of relative variance
+/// `eye_variance`, brought by photons of power 1 / `per_pixel`, as many on average.
+PassNoise measured(double eye_variance, const std::vector<double>& per_pixel) {
+    EyeImage image = eye_image();
+    PixelImportance importance(kWidth, kHeight);
+    PassNoiseMeter meter(kWidth, kHeight);
+    PassNoise mean;
+    for (std::size_t pass = 0; pass < per_pixel.size(); ++pass) {
+        PhotonFlux flux;
+        flux.reset(image.positions.size(), 1);
+        std::vector<Rgb> radiance;
+        const auto power = float(1 / per_pixel[pass]);
+        for (std::size_t i = 0; i < image.positions.size(); ++i) {
+            RandomStream random(17, pass, i, RandomDomain::Photon);
+            const auto seen =
+                float(kLight * (1 + std::sqrt(12 * eye_variance) * (double(random.next()) - 0.5)));
+            const auto photons = float(poisson(per_pixel[pass], random));
+            flux.flux[i] = kWhite * (photons * power);
+            flux.squares[i] = photons * power * power;
+            radiance.push_back(kWhite * (photons * power * seen));
+        }
+        const auto paths = static_cast<std::uint64_t>(1000 * per_pixel[pass]);
+        const PassNoise noise = meter.add_pass(image, radiance, flux, paths, importance);
+        importance.add_pass(image, radiance);
+        mean.eye += noise.eye / double(per_pixel.size() - 1);
+        mean.photon_path += noise.photon_path / double(per_pixel.size() - 1);
+        if (pass == 0) {
+            EXPECT_EQ(noise.eye, 0);
+            EXPECT_EQ(noise.photon_path, 0);
+        }
+    }
+    return mean;
+}
+
+// Photons of power 1 / m, m on average, have relative variance 1 / m, times 1 + the eye's. A
+// photon path, of which 1000 bring one photon to a pixel, has 1000 times that of a photon.
+TEST(PassNoise, FindsBothParts) {
+    const std::vector<double> passes(9, 5.0);
+    for (const double eye : {0.0, 0.1, 0.3}) {
+        const PassNoise noise = measured(eye, passes);
+        EXPECT_NEAR(noise.eye, eye, 0.02) << eye;
+        EXPECT_NEAR(noise.photon_path / (1000 * (1 + eye)), 1, 0.03) << eye;
+    }
+}
+
+TEST(PassNoise, PassesMayDifferInTheirPhotons) {
+    const PassNoise noise = measured(0.2, {4, 12, 4, 12, 4, 12, 4, 12, 4});
+    EXPECT_NEAR(noise.eye, 0.2, 0.02);
+    EXPECT_NEAR(noise.photon_path / (1000 * 1.2), 1, 0.03);
+}
+
+TEST(PassNoise, BlackPassesHaveNone) {
+    const EyeImage image = eye_image();
+    PassNoiseMeter meter(kWidth, kHeight);
+    PixelImportance importance(kWidth, kHeight);
+    PhotonFlux flux;
+    flux.reset(image.positions.size(), 1);
+    for (int pass = 0; pass < 3; ++pass) {
+        const PassNoise noise = meter.add_pass(image, image.radiance, flux, 1000, importance);
+        EXPECT_EQ(noise.eye, 0);
+        EXPECT_EQ(noise.photon_path, 0);
+        importance.add_pass(image, image.radiance);
+    }
+}
+
+TEST(PassNoise, MemoryIsBounded) {
+    const PassNoiseMeter meter(kWidth, kHeight);
+    EXPECT_LE(meter.memory_bytes(), PassNoiseMeter::memory_bound_bytes(kWidth * kHeight));
+}
+
+}  // namespace

@@ -84,7 +84,7 @@ std::vector<ParameterDeclaration> guide_declarations() {
                               "frozen eye pass with a fixed radius; or progressive photon mapping "
                               "with frozen hit points, each with its own radius."};
     mode.choices = kModes;
-    ParameterDeclaration guide{"guide", ParameterType::String, "paper",
+    ParameterDeclaration guide{"guide", ParameterType::String, "adaptive",
                                "What decides where photons go: nothing; the adaptive tables of "
                                "Liu and Zheng 2014; or what photons are worth to the image "
                                "(docs/adaptive-guide.md)."};
@@ -208,7 +208,8 @@ void read_guide(const lxs::ParameterReader& in, Settings& s) {
     s.mode = static_cast<Mode>(
         std::find(kModes.begin(), kModes.end(), in.string("mode", kModes[0])) - kModes.begin());
     s.guide = static_cast<GuideKind>(
-        std::find(kGuides.begin(), kGuides.end(), in.string("guide", "paper")) - kGuides.begin());
+        std::find(kGuides.begin(), kGuides.end(), in.string("guide", "adaptive")) -
+        kGuides.begin());
     s.guide_share = in.number("guideshare", s.guide_share);
     s.iteration_photons = count("iterationphotons", s.iteration_photons);
     s.initial_photons = count("initialphotons", s.initial_photons);

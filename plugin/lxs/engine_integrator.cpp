@@ -47,6 +47,7 @@ lxs::Statistics EngineIntegrator::statistics() const {
     if (s.score_times_cost > 0) {
         out.emplace_back("emission_gain", s.emission_gain);
         out.emplace_back("survival_gain", s.survival_gain);
+        out.emplace_back("photons_split_off", s.split_off);
         out.emplace_back("bounce_gain", s.bounce_gain);
         out.emplace_back("bounce_tables", s.bounce_tables);
         out.emplace_back("score_times_cost", s.score_times_cost);

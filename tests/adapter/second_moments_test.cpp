@@ -102,9 +102,9 @@ TEST(SecondMoments, SwitchHasHysteresis) {
         EXPECT_EQ(moments.pays(false), from_off) << rest;
         EXPECT_EQ(moments.pays(true), from_on) << rest;
     };
-    check(0.1, false, false);  // 1.07
-    check(0.4, false, true);   // 1.27
-    check(0.6, true, true);    // 1.39
+    check(0.2, false, false);  // 1.14
+    check(0.5, false, true);   // 1.33
+    check(0.8, true, true);    // 1.5
     SecondMoments loses;
     loses.add(1, 1, 0, 1, 1, 0.5);
     loses.add(0, 1, 0, 1, 1, 1.5);

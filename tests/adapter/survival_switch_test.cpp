@@ -13,90 +13,103 @@ namespace {
 
 using namespace aips;
 
-/// What either way makes of a photon of power 1 at the two vertices of a path.
-using Way = std::array<float, 2>;
-constexpr Way kPlain{0.9f, 0.8f}, kScored{0.3f, 0.2f};
+/// What roulette by power and by score make of a photon of power 1 at the vertices of a path.
+constexpr std::array<float, 2> kPlain{0.9f, 0.8f};
+/// By score fewer photons go on, and then more; or more, and then fewer.
+constexpr std::array<std::array<float, 2>, 2> kScored{{{0.1f, 3.0f}, {7.0f, 0.3f}}};
 /// Scores at power 1 and costs of what comes before the first vertex and after each.
 constexpr std::array<double, 3> kScore{0, 0.1, 0.2}, kCost{2, 3, 5};
 
-/// Second moment times cost of paths that survive by `way`: a photon that comes with power 1 has
-/// power 1 / s after a vertex, and is there with probability s.
-double work(const Way& way) {
-    double moment = 0, cost = kCost[0], power = 1, reached = 1;
-    for (std::size_t v = 0; v < way.size(); ++v) {
-        const auto s = double(limited_survival(way[v] * float(power)));
+Survival survival_at(std::size_t vertex, std::size_t scores, double power) {
+    Survival s;
+    s.plain = kPlain[vertex] * float(power);
+    s.scored = kScored[scores][vertex] * float(power);
+    return s;
+}
+
+/// Second moment times cost of paths that survive by `mix`: a photon that comes with power 1 has
+/// power 1 / s after a vertex, and s photons are there.
+double work(ScoreMix mix, std::size_t scores) {
+    double moment = 0, cost = kCost[0], power = 1, photons = 1;
+    for (std::size_t v = 0; v < kPlain.size(); ++v) {
+        const auto s = double(photons_going_on(survival_at(v, scores, power), mix, 1));
         power /= s;
-        reached *= s;
-        moment += reached * kScore[v + 1] * power * power;
-        cost += reached * kCost[v + 1];
+        photons *= s;
+        moment += photons * kScore[v + 1] * power * power;
+        cost += photons * kCost[v + 1];
     }
     return moment * cost;
 }
 
-/// Paths traced by `way`.
-double estimated_gain(const Way& way, int paths, std::uint64_t seed) {
+/// The switch after paths that were traced by `mix`.
+SurvivalSwitch judged(ScoreMix mix, std::size_t scores, std::uint64_t seed) {
     SurvivalSwitch judge;
     RandomStream random(seed, 0, 0, RandomDomain::Guide);
-    for (int i = 0; i < paths; ++i) {
+    for (int i = 0; i < 400000; ++i) {
         SurvivalSwitch::Path path;
         path.add(kScore[0], kCost[0]);
         double power = 1;
-        for (std::size_t v = 0; v < way.size(); ++v) {
-            Survival s;
-            s.plain = kPlain[v] * float(power);
-            s.scored = kScored[v] * float(power);
-            s.probability = limited_survival(way[v] * float(power));
-            if (random.next() >= s.probability) break;
+        for (std::size_t v = 0; v < kPlain.size(); ++v) {
+            Survival s = survival_at(v, scores, power);
+            s.photons = photons_going_on(s, mix, 1);
+            if (random.next() >= s.photons) break;  // above 1 the first photon goes on
             path.survive(s);
-            power /= double(s.probability);
+            power /= double(s.photons);
             path.add(kScore[v + 1] * power * power, kCost[v + 1]);
         }
         judge.add(path);
     }
-    return judge.gain();
+    return judge;
 }
 
-/// The looking up of scores costs a little that work() leaves out: at most 0.4 rays of 2 and more.
-void expect_gain(double gain) {
-    const double expected = work(kPlain) / work(kScored);
-    EXPECT_LT(gain, 1.02 * expected);
-    EXPECT_GT(gain, 0.85 * expected);
+// The looking up of scores costs a little that work() leaves out: at most 0.4 rays of 2 and more.
+TEST(SurvivalSwitch, GainWhicheverWayThePathsWereTraced) {
+    for (const std::size_t scores : {0u, 1u}) {
+        const double half = work(ScoreMix::None, scores) / work(ScoreMix::Half, scores);
+        const double quarters = work(ScoreMix::None, scores) / work(ScoreMix::Quarters, scores);
+        const double expected = std::max(half, quarters);
+        for (const ScoreMix mix : {ScoreMix::None, ScoreMix::Half, ScoreMix::Quarters}) {
+            const double gain = judged(mix, scores, 1).gain();
+            EXPECT_LT(gain, 1.03 * expected) << int(mix);
+            EXPECT_GT(gain, 0.83 * expected) << int(mix);
+        }
+    }
 }
 
-TEST(SurvivalSwitch, GainFromPathsOfThePlainWay) {
-    expect_gain(estimated_gain(kPlain, 400000, 1));
-}
-
-TEST(SurvivalSwitch, GainFromPathsOfTheScoredWay) {
-    expect_gain(estimated_gain(kScored, 400000, 2));
-}
-
-TEST(SurvivalSwitch, WhereNothingIsKnownBothWaysAreThePlainOne) {
+TEST(SurvivalSwitch, WhereNothingIsKnownAllWaysAreThePlainOne) {
     SurvivalSwitch judge;
     SurvivalSwitch::Path path;
     path.add(1, 2);
-    path.survive({.probability = 0.5f, .plain = 0.5f, .scored = -1});
+    path.survive({.photons = 0.5f, .plain = 0.5f, .scored = -1});
     path.add(1, 2);
     judge.add(path);
     EXPECT_LT(judge.gain(), 1);  // for looking up in vain
     EXPECT_GT(judge.gain(), 0.9);
 }
 
-TEST(SurvivalSwitch, IsOnAtFirstAndGoesOffWhereItDoesNotPay) {
+/// What is chosen after paths that went on at their one vertex, which scores took for worth little
+/// or much; where for little, they really brought `score_of_poor`, for much 1.
+ScoreMix mix_after(double score_of_poor) {
     SurvivalSwitch judge;
-    EXPECT_TRUE(judge.on());
-    const auto learn = [&](float plain, float scored) {
-        for (int i = 0; i < 1000; ++i) {
-            SurvivalSwitch::Path path;
-            path.add(0, 1);
-            path.survive({.probability = plain, .plain = plain, .scored = scored});
-            path.add(1, 10);
-            judge.add(path);
-        }
-        judge.update(1e5, 4e6);
-    };
-    learn(1, 0.05f);
-    EXPECT_FALSE(judge.on());
+    EXPECT_EQ(judge.mix(), ScoreMix::Half);
+    for (int i = 0; i < 1000; ++i) {
+        const bool poor = i % 2 == 0;
+        SurvivalSwitch::Path path;
+        path.add(0, 30);
+        path.survive({.photons = 1, .plain = 1, .scored = poor ? 0.05f : 2.0f});
+        path.add(poor ? score_of_poor : 1, 10);
+        judge.add(path);
+    }
+    judge.update(1e5, 4e6);
+    return judge.mix();
+}
+
+// Second moment times cost are 20 by power; 13.5, 15 and 36 by the half, 11.6, 15 and 60 by three
+// quarters (and what looking up costs).
+TEST(SurvivalSwitch, FollowsScoresAsFarAsItPays) {
+    EXPECT_EQ(mix_after(0), ScoreMix::Quarters);
+    EXPECT_EQ(mix_after(0.02), ScoreMix::Half);
+    EXPECT_EQ(mix_after(0.3), ScoreMix::None);
 }
 
 }  // namespace

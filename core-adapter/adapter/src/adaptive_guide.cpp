@@ -53,10 +53,18 @@ AdaptiveGuide::AdaptiveGuide(const Scene& scene, const Settings& settings,
 
 std::uint64_t AdaptiveGuide::begin_pass(std::uint64_t pass, float time, const EyeImage& image,
                                         std::span<const Vec3> positions, const SearchRadii& radii) {
+    rest_or_wake();
+    if (!awake()) return 0;
     importance_.weigh(image, weights_);
     score_.build(image, positions, radii, weights_);
-    const bool seeds = settings_.guide_emission && settings_.eye_seeding && paths_ < kSeededPaths;
+    const bool seeds = emission() && settings_.eye_seeding && paths_ < kSeededPaths;
     return seeds ? seed(pass, time, image) : 0;
+}
+
+void AdaptiveGuide::rest_or_wake() {
+    emission_rest_.update(paths_, emission_.on());
+    survival_rest_.update(paths_, survival_switch_.mix() != ScoreMix::None);
+    bounces_rest_.update(paths_, bounces_ && bounces_->tables().tables_in_use() > 0);
 }
 
 std::uint64_t AdaptiveGuide::seed(std::uint64_t pass, float time, const EyeImage& image) {
@@ -69,25 +77,27 @@ std::uint64_t AdaptiveGuide::seed(std::uint64_t pass, float time, const EyeImage
 }
 
 std::uint32_t AdaptiveGuide::log_one_of() const {
+    if (!awake()) return 0;
     return paths_ < kEagerPaths ? kEagerOneOf : kOneOf;
 }
 
 void AdaptiveGuide::learn(const PathLog& log, std::span<const Landing> landings,
                           std::uint32_t paths) {
+    paths_ += paths;
+    if (!awake()) return;
     score_landings(log, landings);
     landing_score_at_ = 0;
     for (const PathRecord& path : log.paths)
         learn_path(log, path, landings);
-    paths_ += paths;
     // In paths that were scored: one in how many that is changes, and would change the scale.
     const auto scored = double(log.paths.size());
-    if (settings_.guide_emission) emission_.update(scored);
-    if (cache_) {
+    if (emission()) emission_.update(scored);
+    if (survival()) {
         cache_->update(scored);
         survival_->set_reference(path_score_ > 0 ? path_cost_ / path_score_ : 0);
         survival_switch_.update(scored, kMemoryPaths);
     }
-    if (bounces_) bounces_->update(scored);
+    if (bounces()) bounces_->update(scored);
     const double kept = kMemoryPaths / (kMemoryPaths + scored);
     path_score_ *= kept;
     path_cost_ *= kept;
@@ -112,11 +122,12 @@ void AdaptiveGuide::score_landings(const PathLog& log, std::span<const Landing> 
 // From the path's end to its start, summing what came after.
 void AdaptiveGuide::learn_path(const PathLog& log, const PathRecord& path,
                                std::span<const Landing> landings) {
-    if (cache_) judge_survival(log, path, landings);
+    if (survival()) judge_survival(log, path, landings);
     const std::size_t first = landing_score_at_;
     landing_score_at_ += path.landings;
     double score = 0;
-    double landed = 0;
+    double landed = 0, rays = 0;
+    std::uint32_t last_rays = path.rays;
     std::uint32_t l = path.landings;
     const auto take_landings_after = [&](std::uint32_t depth) {
         for (; l > 0 && landings[path.first_landing + l - 1].depth > depth; --l) {
@@ -127,15 +138,24 @@ void AdaptiveGuide::learn_path(const PathLog& log, const PathRecord& path,
     for (std::uint32_t v = path.vertices; v-- > 0;) {
         const PathVertex& vertex = log.vertices[path.first_vertex + v];
         take_landings_after(vertex.depth);
+        rays += last_rays - vertex.rays;
+        last_rays = vertex.rays;
+        const double copies = std::max(1.0, double(vertex.survival.photons));
         const double power = double(vertex.power);
+        const double cost = rays + kLandingCost * landed;
+        const double branch_score = score;
+        score *= copies;
+        rays *= copies;
+        landed *= copies;
         if (!(power > 0)) continue;
-        const double cost = double(path.rays - vertex.rays) + kLandingCost * landed;
-        if (cache_) cache_->add({vertex.position, vertex.normal, score / (power * power), cost});
-        if (bounces_) bounces_->add(vertex, score, cost);
+        if (survival())
+            cache_->add({vertex.position, vertex.normal, branch_score / (power * power), cost});
+        if (bounces()) bounces_->add(vertex, branch_score, cost);
     }
     take_landings_after(0);
-    const double cost = kEmissionCost + double(path.rays) + kLandingCost * landed;
-    if (settings_.guide_emission) {
+    rays += last_rays;
+    const double cost = kEmissionCost + rays + kLandingCost * landed;
+    if (emission()) {
         emission_.add({{path.light, path.start, path.pdf}, score, cost});
     }
     path_score_ += score;

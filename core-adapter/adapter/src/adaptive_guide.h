@@ -13,6 +13,7 @@
 #include "emission_guide.h"
 #include "eye_seeding.h"
 #include "landing_score.h"
+#include "part_rest.h"
 #include "path_log.h"
 #include "pixel_importance.h"
 #include "score_survival.h"
@@ -35,14 +36,18 @@ class AdaptiveGuide {
     /// Of how many paths one is logged, in the next iteration.
     std::uint32_t log_one_of() const;
     const EmissionGuide* emission() const {
-        return settings_.guide_emission ? &emission_ : nullptr;
+        return emission_rest_.awake() && settings_.guide_emission ? &emission_ : nullptr;
     }
     /// Null unless it is learned what photons may still bring; then vertices are logged too.
-    const ScoreSurvival* survival() const { return survival_ ? &*survival_ : nullptr; }
-    /// Whether photons go on by that.
-    bool survives_by_score() const { return survival_switch_.on(); }
+    const ScoreSurvival* survival() const {
+        return survival_rest_.awake() && survival_ ? &*survival_ : nullptr;
+    }
+    /// How far that decides which photons go on.
+    ScoreMix score_mix() const { return survival() ? survival_switch_.mix() : ScoreMix::None; }
     /// Null unless directions are guided; then vertices are logged too.
-    const BounceGuide* bounces() const { return bounces_ ? &*bounces_ : nullptr; }
+    const BounceGuide* bounces() const {
+        return bounces_rest_.awake() && bounces_ ? &*bounces_ : nullptr;
+    }
     /// Learns from the logged ones of `paths` photon paths, whose landings are among `landings`.
     void learn(const PathLog& log, std::span<const Landing> landings, std::uint32_t paths);
 
@@ -59,6 +64,9 @@ class AdaptiveGuide {
                                           std::size_t eye_paths);
 
   private:
+    void rest_or_wake();
+    /// Whether any part learns in this pass.
+    bool awake() const { return emission() || survival() || bounces(); }
     std::uint64_t seed(std::uint64_t pass, float time, const EyeImage& image);
     void score_landings(const PathLog& log, std::span<const Landing> landings);
     void learn_path(const PathLog& log, const PathRecord& path, std::span<const Landing> landings);
@@ -81,6 +89,7 @@ class AdaptiveGuide {
     std::vector<double> landing_scores_;  // as scored_
     std::size_t landing_score_at_ = 0;    // of the next path
     std::uint64_t paths_ = 0;             // shot so far
+    PartRest emission_rest_, survival_rest_, bounces_rest_;
     double path_score_ = 0, path_cost_ = 0, logged_ = 0;  // of logged paths, old ones forgotten
 };
 

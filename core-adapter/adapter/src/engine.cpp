@@ -111,6 +111,7 @@ class Engine::State {
         s.photon_paths = photons.counts.paths;
         s.photon_rays = photons.counts.rays;
         s.landings = photons.counts.landings;
+        s.split_off = photons.counts.split_off;
         s.bounces = photons.counts.bounces;
         s.guided_bounces = photons.counts.guided_bounces;
         s.gathered = photons.gathered;

@@ -28,10 +28,9 @@ std::size_t eye_bytes(const Scene& scene, std::size_t paths) {
 /// Landings of the store that waits, of one iteration (twice with a guide: blocks, then joined),
 /// and the grid.
 std::size_t photon_bytes(const Settings& s, std::uint32_t eye_paths) {
-    const std::size_t iteration =
-        std::size_t{s.guide == GuideKind::Paper ? std::max(s.iteration_photons, s.initial_photons)
-                                                : kPlainIterationPaths} *
-        s.max_photon_depth;
+    const std::size_t iteration = most_landings(
+        s, s.guide == GuideKind::Paper ? std::max(s.iteration_photons, s.initial_photons)
+                                       : kPlainIterationPaths);
     const std::size_t waiting = kLandingCapacity + iteration;
     const bool chains = s.photon_sampler == PhotonSampler::AdaptiveChains;
     return (waiting + 2 * iteration) * kGrowth * sizeof(Landing) +
@@ -43,6 +42,7 @@ std::size_t photon_bytes(const Settings& s, std::uint32_t eye_paths) {
 /// paths are logged.
 std::size_t log_bytes(const Settings& s, std::size_t paths) {
     const std::size_t path = sizeof(PathRecord) + s.max_photon_depth * sizeof(PathVertex);
+    // Of the first photon of each path.
     const std::size_t scores = s.max_photon_depth * (sizeof(double) + sizeof(std::uint32_t));
     return paths * kGrowth * (2 * path + scores);
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <vector>
 
@@ -10,10 +11,11 @@
 
 namespace aips {
 
-/// The roulette that a photon survived.
+/// How many photons go on from a vertex, on average: below 1 that is a probability, above 1 the
+/// photon is split.
 struct Survival {
-    float probability = 1;
-    /// What either way of deciding would make of the photon, before its limits: proportional to the
+    float photons = 1;
+    /// What either way of deciding would make of the photon, before limits: proportional to the
     /// photon's power. A negative score: nothing is known of the place, the plain way decides.
     float plain = 1;
     float scored = -1;
@@ -21,18 +23,34 @@ struct Survival {
 
 /// Least probability with which a photon survives; bounds its gain in power.
 inline constexpr float kMinSurvival = 0.05f;
+/// Most photons that one is split into.
+inline constexpr float kMostPhotons = 4;
 
-/// A probability within its limits.
-inline float limited_survival(float probability) {
-    return std::clamp(probability, kMinSurvival, 1.0f);
+/// How far scores decide on survival: what is known of them is noisy, and they alone would end
+/// photons that matter (docs/design-notes.md). With s by power and t by score,
+enum class ScoreMix : std::uint8_t {
+    None,     ///< s
+    Half,     ///< s^(1/2) t^(1/2)
+    Quarters  ///< s^(1/4) t^(3/4)
+};
+
+/// Photons that go on when `mix` decides, within its limits, for `power` times the photon's power.
+inline float photons_going_on(const Survival& s, ScoreMix mix, float power) {
+    if (mix == ScoreMix::None || s.scored < 0) {
+        return std::clamp(s.plain * power, kMinSurvival, 1.0f);
+    }
+    float mixed = std::sqrt(s.plain * s.scored);
+    if (mix == ScoreMix::Quarters) mixed = std::sqrt(mixed * s.scored);
+    return std::clamp(mixed * power, kMinSurvival, kMostPhotons);
 }
 
-/// A vertex where a photon had survived; it then left by a direction drawn, or was absorbed.
+/// A vertex that a photon went on from; it then left by a direction drawn, or was absorbed. Of
+/// photons that were split here the path goes on with the first.
 struct PathVertex {
     Vec3 position;
-    Vec3 normal;        ///< unit geometric normal, on the side that the photon arrived at
-    float power = 0;    ///< luminance of the arriving power, divided by the survival probability
-    Survival survival;  ///< roulette before it
+    Vec3 normal;              ///< unit geometric normal, on the side that the photon arrived at
+    float power = 0;          ///< luminance of the arriving power, divided by the photons going on
+    Survival survival;        ///< roulette before it
     std::uint32_t rays = 0;   ///< that the path had traced up to here
     std::uint32_t depth = 0;  ///< surfaces met, this one included
     Vec3 direction;           ///< unit, by which it left

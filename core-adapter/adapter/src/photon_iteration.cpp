@@ -6,8 +6,6 @@
 namespace aips {
 namespace {
 
-constexpr std::uint32_t kPathsPerBlock = 256;
-
 /// Chosen by a hash: every n-th point of a low-discrepancy sequence is not a fair sample of it.
 bool logged(const PhotonInput& input, std::uint64_t serial) {
     if (input.log_one_of == 0) return false;

@@ -7,6 +7,21 @@
 
 namespace aips {
 
+/// Paths of a block, which one thread traces.
+inline constexpr std::uint32_t kPathsPerBlock = 256;
+
+/// Landings in a block from which on no photon is split: as many as whole paths may leave at most.
+inline std::size_t split_landings(const Settings& settings) {
+    return std::size_t{kPathsPerBlock} * settings.max_photon_depth;
+}
+
+/// Most landings of blocks with so many paths: with splitting, those up to the limit, those of all
+/// other paths, and those of photons that wait.
+inline std::size_t most_landings(const Settings& settings, std::size_t paths) {
+    const bool splits = settings.guide == GuideKind::Adaptive && settings.guide_survival;
+    return paths * settings.max_photon_depth * (splits ? 3 : 1);
+}
+
 /// The landings of photon paths, in the order of the paths.
 class LandingStore {
   public:

@@ -82,7 +82,8 @@ PhotonInput PhotonPass::input_of(std::uint64_t pass, float time, std::uint64_t i
     if (adaptive_) {
         input.emission = adaptive_->emission();
         input.survival = adaptive_->survival();
-        input.survive_by_score = adaptive_->survives_by_score();
+        input.score_mix = adaptive_->score_mix();
+        input.split_landings = split_landings(settings_);
         input.log_one_of = adaptive_->log_one_of();
         input.guide = adaptive_->bounces();
         input.unguided_roulette = input.guide != nullptr;

@@ -6,20 +6,14 @@
 
 #include "aips/core/primary_path.h"
 #include "eye_pass.h"
-#include "scatter_photon.h"
+#include "path_log_entry.h"
+#include "photon_roulette.h"
 
 namespace aips {
 namespace {
 
-/// A photon between two surfaces.
-struct Photon {
-    Ray ray;
-    Rgb power;
-    Vec3 previous;  // where it last left a surface or the light
-    std::uint32_t group = 0;
-    bool straight = true;  // has met nothing but null surfaces and architectural glass
-    EmissionStart start;
-};
+/// Photons of one path that may come from splitting others.
+constexpr std::uint32_t kMostSplits = 16;
 
 /// Four numbers for the light's coordinates, the fifth chooses the light.
 template <class Numbers>
@@ -43,121 +37,131 @@ bool emit(const PhotonInput& in, Numbers& numbers, Refusals& refusals, Photon& p
     photon.power = emission.power / float(photon.start.pdf);
     photon.previous = emission.ray.origin;
     photon.group = light.group();
+    photon.emitted_power = max_component(photon.power);
     return refusals.accept(photon.power, kLightOrigin) && !is_black(photon.power);
 }
 
-void store_landing(const PhotonInput& in, const SurfacePoint& point, const Photon& photon,
-                   std::uint32_t depth, std::uint32_t index, std::vector<Landing>& landings,
-                   PhotonCounts& counts) {
-    if (in.occupancy && !in.occupancy->near_visible_point(point.position)) return;
-    if (in.reach && !in.reach->any_within_radius(point.position)) return;
-    Landing landing;
-    landing.position = point.position;
-    landing.direction = -photon.ray.direction;
-    landing.power = photon.power;
-    landing.previous = photon.previous;
-    landing.normal = point.geometric_normal;
-    landing.depth = static_cast<std::uint16_t>(depth);
-    landing.light_group = static_cast<std::uint16_t>(photon.group);
-    landing.path = index;
-    landings.push_back(landing);
-    ++counts.landings;
-}
-
-/// By the power that is expected to leave, against the power at emission, so that photons keep
-/// about equal power; before its limits.
-float plain_survival(const SurfacePoint& point, const Photon& photon, float emitted_power) {
-    const Rgb albedo = point.bsdf->albedo(-photon.ray.direction, kAllLobes);
-    return max_component(photon.power * albedo) / emitted_power;
-}
-
-/// By what a photon may still bring; negative where nothing is known.
-float scored_survival(const PhotonInput& in, const SurfacePoint& point, const Photon& photon) {
-    return in.survival
-        ->probability(point.position, normal_towards(-photon.ray.direction, point),
-                      luminance(photon.power))
-        .value_or(-1.0f);
-}
-
-/// Roulette, fixed before the direction is drawn. By score it goes with the root of both ways: what
-/// is known of scores is noisy, and alone would end photons that matter (docs/design-notes.md).
-Survival survival(const PhotonInput& in, const SurfacePoint& point, const Photon& photon,
-                  float emitted_power, bool logged) {
-    Survival s;
-    s.plain = plain_survival(point, photon, emitted_power);
-    if (in.survival && (logged || in.survive_by_score)) {
-        s.scored = scored_survival(in, point, photon);
-        if (s.scored >= 0) s.scored = std::sqrt(s.scored * s.plain);
-    }
-    s.probability = limited_survival(in.survive_by_score && s.scored >= 0 ? s.scored : s.plain);
-    return s;
-}
-
-/// A path's record while it is traced: closed when the path ends, wherever that is.
-class LogEntry {
+/// The photons of one path: the one that the light emits, and those that it is split into.
+template <class Numbers>
+class PhotonTrace {
   public:
-    LogEntry(PathLog* log, bool vertices, const EmissionStart& start,
-             const std::vector<Landing>& landings, const PhotonCounts& counts)
-        : log_(log),
-          vertices_(log && vertices),
+    PhotonTrace(const PhotonInput& in, Numbers& numbers, std::uint32_t index, Refusals& refusals,
+                Arena& arena, std::vector<Landing>& landings, PhotonCounts& counts)
+        : in_(in),
+          numbers_(numbers),
+          index_(index),
+          refusals_(refusals),
+          arena_(arena),
           landings_(landings),
           counts_(counts),
-          rays_before_(counts.rays) {
-        if (!log_) return;
-        PathRecord record;
-        record.light = start.light;
-        record.start = start.point;
-        record.pdf = start.pdf;
-        record.first_vertex = static_cast<std::uint32_t>(log_->vertices.size());
-        record.first_landing = static_cast<std::uint32_t>(landings.size());
-        log_->paths.push_back(record);
-    }
-    ~LogEntry() {
-        if (!log_) return;
-        PathRecord& record = log_->paths.back();
-        record.vertices = static_cast<std::uint32_t>(log_->vertices.size()) - record.first_vertex;
-        record.landings = static_cast<std::uint32_t>(landings_.size()) - record.first_landing;
-        record.rays = rays();
-    }
-    LogEntry(const LogEntry&) = delete;
-    LogEntry& operator=(const LogEntry&) = delete;
+          receiving_(receiving_lobes(in.settings)) {}
 
-    bool has_vertices() const { return vertices_; }
-    void add_vertex(const SurfacePoint& point, const Photon& photon, const Survival& survived,
-                    std::uint32_t depth) const {
-        if (!vertices_) return;
-        PathVertex vertex;
-        vertex.position = point.position;
-        vertex.normal = normal_towards(-photon.ray.direction, point);
-        vertex.power = luminance(photon.power) / survived.probability;
-        vertex.survival = survived;
-        vertex.rays = rays();
-        vertex.depth = depth;
-        log_->vertices.push_back(vertex);
-    }
-
-    /// How the photon, which came from wo, left the vertex added last. The density of what the Bsdf
-    /// drew by itself is found here: but for the log nothing asks for it.
-    void set_direction(const SurfacePoint& point, Vec3 wo, const ScatteredPhoton& scattered) const {
-        if (!vertices_) return;
-        PathVertex& vertex = log_->vertices.back();
-        vertex.direction = scattered.direction;
-        vertex.pdf = scattered.pdf;
-        vertex.plain_pdf = scattered.plain_pdf;
-        if (scattered.lobe & kNonSpecular) {
-            vertex.pdf = vertex.plain_pdf = point.bsdf->pdf(wo, scattered.direction, kNonSpecular);
+    /// Follows one photon to its end. `entry` may be null.
+    void follow(Photon photon, const LogEntry* entry) {
+        SurfacePoint point;
+        while (land(photon, point)) {
+            auto& random = numbers_.bounce(photon.depth);
+            const bool split = splits_ < kMostSplits && landings_.size() < in_.split_landings;
+            const Survival survived =
+                decide_survival(in_, point, photon, entry && entry->has_vertices(), split);
+            const std::uint32_t photons = draw_photons(survived.photons, random);
+            if (photons == 0) return;
+            if (entry) entry->add_vertex(point, photon, survived);
+            for (std::uint32_t i = 1; i < photons; ++i) {
+                Photon other = photon;
+                if (leave(other, point, survived.photons, random, nullptr))
+                    waiting_.push_back(other);
+            }
+            splits_ += photons - 1;
+            counts_.split_off += photons - 1;
+            if (!leave(photon, point, survived.photons, random, entry)) return;
         }
-        vertex.lobes = point.bsdf->lobes();
+    }
+
+    /// Follows those that wait.
+    void follow_others() {
+        while (!waiting_.empty()) {
+            const Photon photon = waiting_.back();
+            waiting_.pop_back();
+            follow(photon, nullptr);
+        }
     }
 
   private:
-    std::uint32_t rays() const { return static_cast<std::uint32_t>(counts_.rays - rays_before_); }
+    /// Where the photon meets a surface; false if it ends there, or meets none.
+    bool land(Photon& photon, SurfacePoint& point) {
+        arena_.reset();
+        point = {};
+        ++counts_.rays;
+        if (!in_.scene.intersect(photon.ray, point, arena_) || !point.bsdf) return false;
+        photon.power *= point.transmittance;
+        const bool owned_by_shadow_rays = photon.straight && in_.settings.direct_light_sampling;
+        if ((point.bsdf->lobes() & receiving_) && !owned_by_shadow_rays) store(point, photon);
+        return photon.depth < in_.settings.max_photon_depth;
+    }
 
-    PathLog* log_;
-    bool vertices_;
-    const std::vector<Landing>& landings_;
-    const PhotonCounts& counts_;
-    std::uint64_t rays_before_;
+    void store(const SurfacePoint& point, const Photon& photon) {
+        if (in_.occupancy && !in_.occupancy->near_visible_point(point.position)) return;
+        if (in_.reach && !in_.reach->any_within_radius(point.position)) return;
+        Landing landing;
+        landing.position = point.position;
+        landing.direction = -photon.ray.direction;
+        landing.power = photon.power;
+        landing.previous = photon.previous;
+        landing.normal = point.geometric_normal;
+        landing.depth = static_cast<std::uint16_t>(photon.depth);
+        landing.light_group = static_cast<std::uint16_t>(photon.group);
+        landing.path = index_;
+        landings_.push_back(landing);
+        ++counts_.landings;
+    }
+
+    /// A whole number of photons, `mean` on average.
+    template <class Random>
+    static std::uint32_t draw_photons(float mean, Random& random) {
+        if (mean == 1) return 1;
+        const auto whole = static_cast<std::uint32_t>(mean);
+        return whole + (random.next() < mean - float(whole) ? 1 : 0);
+    }
+
+    /// Draws the way that the photon, one of `photons` on average, takes from the surface; false if
+    /// it is absorbed.
+    template <class Random>
+    bool leave(Photon& photon, const SurfacePoint& point, float photons, Random& random,
+               const LogEntry* entry) {
+        const std::uint64_t bounces = counts_.bounces, guided_bounces = counts_.guided_bounces;
+        const Vec3 wo = -photon.ray.direction;
+        ScatteredPhoton scattered;
+        const bool left = scatter_photon(in_, point, wo, random, arena_, counts_, scattered);
+        if (in_.bounces && counts_.bounces > bounces) {
+            in_.bounces->count(point.position, counts_.guided_bounces > guided_bounces);
+        }
+        if (!left) return false;
+        if (entry) entry->set_direction(point, wo, scattered);
+        if (in_.unguided_roulette && scattered.pdf > 0) {
+            photon.emitted_power =
+                std::max(photon.emitted_power * (scattered.plain_pdf / scattered.pdf),
+                         std::numeric_limits<float>::min());
+        }
+        photon.power = photon.power * scattered.weight / photons;
+        if (!refusals_.accept(photon.power, point.material) || is_black(photon.power)) return false;
+        photon.straight = photon.straight && scattered.straight;
+        photon.previous = point.position;
+        photon.ray = in_.scene.spawn(point, scattered.direction, in_.time);
+        ++photon.depth;
+        return true;
+    }
+
+    const PhotonInput& in_;
+    Numbers& numbers_;
+    std::uint32_t index_;
+    Refusals& refusals_;
+    Arena& arena_;
+    std::vector<Landing>& landings_;
+    PhotonCounts& counts_;
+    LobeMask receiving_;
+    std::vector<Photon> waiting_;  // split off, at their way's start
+    std::uint32_t splits_ = 0;     // photons split off so far
 };
 
 }  // namespace
@@ -168,6 +172,7 @@ PhotonCounts& PhotonCounts::operator+=(const PhotonCounts& o) {
     bounces += o.bounces;
     guided_bounces += o.guided_bounces;
     landings += o.landings;
+    split_off += o.split_off;
     return *this;
 }
 
@@ -178,46 +183,13 @@ void trace_photon_path(const PhotonInput& in, Numbers& numbers, std::uint32_t in
     ++counts.paths;
     Photon photon;
     const bool left_light = emit(in, numbers, refusals, photon);
-    const LogEntry entry(log, in.log_vertices, photon.start, landings, counts);
-    if (!left_light) return;
-    float emitted_power = max_component(photon.power);
-    const LobeMask receiving = receiving_lobes(in.settings);
-
-    for (std::uint32_t depth = 1;; ++depth) {
-        arena.reset();
-        SurfacePoint point;
-        ++counts.rays;
-        if (!in.scene.intersect(photon.ray, point, arena) || !point.bsdf) return;
-        photon.power *= point.transmittance;
-        const bool owned_by_shadow_rays = photon.straight && in.settings.direct_light_sampling;
-        if ((point.bsdf->lobes() & receiving) && !owned_by_shadow_rays) {
-            store_landing(in, point, photon, depth, index, landings, counts);
-        }
-        if (depth >= in.settings.max_photon_depth) return;
-
-        auto& random = numbers.bounce(depth);
-        const Survival survived = survival(in, point, photon, emitted_power, entry.has_vertices());
-        if (survived.probability < 1 && random.next() >= survived.probability) return;
-        entry.add_vertex(point, photon, survived, depth);
-        const std::uint64_t bounces = counts.bounces, guided_bounces = counts.guided_bounces;
-        ScatteredPhoton scattered;
-        const bool left =
-            scatter_photon(in, point, -photon.ray.direction, random, arena, counts, scattered);
-        if (in.bounces && counts.bounces > bounces) {
-            in.bounces->count(point.position, counts.guided_bounces > guided_bounces);
-        }
-        if (!left) return;
-        entry.set_direction(point, -photon.ray.direction, scattered);
-        if (in.unguided_roulette && scattered.pdf > 0) {
-            emitted_power = std::max(emitted_power * (scattered.plain_pdf / scattered.pdf),
-                                     std::numeric_limits<float>::min());
-        }
-        photon.power = photon.power * scattered.weight / survived.probability;
-        if (!refusals.accept(photon.power, point.material) || is_black(photon.power)) return;
-        photon.straight = photon.straight && scattered.straight;
-        photon.previous = point.position;
-        photon.ray = in.scene.spawn(point, scattered.direction, in.time);
+    PhotonTrace<Numbers> trace(in, numbers, index, refusals, arena, landings, counts);
+    {
+        const LogEntry entry(log, in.log_vertices, photon.start, landings, counts);
+        if (!left_light) return;
+        trace.follow(photon, log ? &entry : nullptr);
     }
+    trace.follow_others();
 }
 
 template void trace_photon_path(const PhotonInput&, SequencePath&, std::uint32_t, Refusals&, Arena&,

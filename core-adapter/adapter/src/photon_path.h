@@ -29,6 +29,7 @@ struct PhotonCounts {
     std::uint64_t bounces = 0;         ///< scatterings through non-specular lobes
     std::uint64_t guided_bounces = 0;  ///< of these, directions drawn from the guide
     std::uint64_t landings = 0;        ///< stored
+    std::uint64_t split_off = 0;       ///< photons that came from splitting others
 
     PhotonCounts& operator+=(const PhotonCounts& other);
 };
@@ -46,9 +47,10 @@ struct PhotonInput {
     const PointGrid* reach = nullptr;  ///< with occupancy: the exact test; may be null
     const EmissionGuide* emission = nullptr;  ///< null: lights by power, uniform coordinates
     const ScoreSurvival* survival = nullptr;  ///< what photons may still bring; null: not known
-    bool survive_by_score = false;            ///< needs survival; else by the power left
-    std::uint32_t log_one_of = 0;             ///< one of so many paths is logged; 0: none
-    bool log_vertices = false;                ///< with their vertices
+    ScoreMix score_mix = ScoreMix::None;      ///< how far it decides
+    std::size_t split_landings = 0;  ///< no photon is split while more landings are in the block
+    std::uint32_t log_one_of = 0;    ///< one of so many paths is logged; 0: none
+    bool log_vertices = false;       ///< with their vertices
     /// Roulette by the power left goes on as if directions had been drawn without a guide: else it
     /// ends the photons that the guide had multiplied.
     bool unguided_roulette = false;

@@ -13,14 +13,17 @@ namespace {
 constexpr std::uint32_t kUsualPaths = 1'000'000;
 /// Bounds of what is chosen.
 constexpr std::uint32_t kFewest = 1u << 12, kMost = 1u << 22;
-/// Passes before the first choice. Later ones follow whenever the passes have doubled, and change
-/// the number by no more than this factor: passes count alike.
+/// Passes before the first choice. Others follow whenever there are a quarter more.
 constexpr std::uint64_t kFirstPasses = 4, kFirstPassesOfAGuide = 8;
-constexpr double kGreatestChange = 2;
+/// Factors by which a choice may change the last one, and that of a guide the first: passes count
+/// alike, whatever they cost.
+constexpr double kGreatestRise = 2, kGreatestFall = 4;
 /// What a pass after the first choice counts for, passes before at most for 1.
 constexpr double kChosenWeight = 64;
-/// Greatest ratio of a pass's two costs: beyond it less noise on one side can't save 1 / 16.
-constexpr double kUnevenness = 16;
+/// Bounds of the photons' cost over the eye's. Eye paths are stratified from pass to pass, so that
+/// their noise falls faster than what two passes differ by tells: at least half of the time goes to
+/// photons. Beyond the upper bound no more than a tenth could be gained.
+constexpr double kLeastRatio = 1, kGreatestRatio = 10;
 
 bool follows_noise(const Settings& settings) {
     // Chains' landings come in clusters, whose noise their squares do not tell.
@@ -64,7 +67,8 @@ void PhotonSchedule::plan() {
 void PhotonSchedule::end_pass(const PassWork& work, const PassNoise& noise) {
     ++pass_;
     next_.before += paths_;
-    if (2 * pass_ > decide_at_) {
+    // What comes first, the eye's estimate of the image or a guide, is blind.
+    if (decided_ || 2 * pass_ > decide_at_) {
         work_.eye += work.eye;
         work_.photons += work.photons;
         noise_.eye += noise.eye;
@@ -73,7 +77,7 @@ void PhotonSchedule::end_pass(const PassWork& work, const PassNoise& noise) {
     }
     if (adapts_ && pass_ == decide_at_) {
         paths_ = best_paths();
-        decide_at_ *= 2;
+        decide_at_ += std::max<std::uint64_t>(2, pass_ / 4);
         decided_ = true;
         work_ = {};
         noise_ = {};
@@ -88,11 +92,15 @@ std::uint32_t PhotonSchedule::best_paths() const {
     const double path_cost = work_.photons / double(shot_);
     if (!(eye_cost > 0 && path_cost > 0)) return paths_;
     const double even = eye_cost / path_cost;
-    double paths = even * kUnevenness;
+    double paths = even * kGreatestRatio;
     // Noise that photons explain altogether leaves less than none to the eye, by chance.
     if (noise_.eye > 0) paths = std::sqrt(even * std::max(0.0, noise_.photon_path) / noise_.eye);
-    paths = std::clamp(paths, even / kUnevenness, even * kUnevenness);
-    if (decided_) paths = std::clamp(paths, paths_ / kGreatestChange, paths_ * kGreatestChange);
+    paths = std::clamp(paths, even * kLeastRatio, even * kGreatestRatio);
+    if (decided_ || learns_) {
+        // A guide that has just learned will do with less.
+        const double rise = decided_ ? kGreatestRise : 1;
+        paths = std::clamp(paths, paths_ / kGreatestFall, paths_ * rise);
+    }
     return static_cast<std::uint32_t>(std::clamp(paths, double(kFewest), double(kMost)));
 }
 

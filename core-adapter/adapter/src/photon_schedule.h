@@ -51,7 +51,7 @@ class PhotonSchedule {
     std::uint64_t decide_at_;  // pass before which the number is chosen next
     bool decided_ = false;
     PassPhotons next_;
-    // Of the second half of all passes.
+    // Since the last choice; at first, of the second half of all passes.
     PassWork work_;
     PassNoise noise_;
     std::uint64_t shot_ = 0;

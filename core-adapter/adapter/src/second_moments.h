@@ -13,7 +13,7 @@ class SecondMoments {
   public:
     /// Least gain at which guiding is switched on, and at which it stays on. Moments are noisy,
     /// stratified plain samples do better than theirs, and learning has its price.
-    static constexpr double kGain = 1.3, kStayGain = 1.15;
+    static constexpr double kGain = 1.4, kStayGain = 1.25;
 
     /// One photon path: worth `score` and costing `cost`, drawn with density `drawn` where the
     /// plain one is `plain` and the guided one `guided` (all > 0); `guide_cost`: of guiding it.

@@ -1,12 +1,13 @@
-// Whether roulette by score pays: second moment times cost of photon paths, against roulette by the
-// power left.
+// How far scores decide which photons go on: second moment times cost of photon paths, for each way
+// to decide.
 //
-// Both are estimated from the paths that were traced, whichever decided there. A path that got
-// through with other probabilities carries k times the power, k being the product of the quotients
-// drawn / other, and is traced 1 / k times as often: its squared contributions count k times, the
-// rays after the vertex 1 / k times.
+// All ways are estimated from the paths that were traced, whichever decided there. Where s photons
+// went on and another way asks for s', photons carry k = s / s' times the power, and come 1 / k
+// times as often: their squared contributions count k times, the rays after the vertex 1 / k times.
+// Where s is above 1, photons were split, and the one that was logged stands for s of them.
 #pragma once
 
+#include <array>
 #include <cmath>
 #include <cstdint>
 
@@ -22,61 +23,71 @@ class SurvivalSwitch {
       public:
         /// Score and cost, in rays, of what came since the last vertex.
         void add(double score, double cost) {
-            plain_.add(score, cost);
-            scored_.add(score, cost);
+            for (Way& way : ways_) {
+                way.work.score += score * way.power * photons_;
+                way.work.cost += cost / way.power * photons_;
+            }
         }
-        void survive(const Survival& s) {
-            // Those that do not survive look up scores, too.
-            scored_.work.cost += kLookUpCost / (scored_.power * double(s.probability));
-            plain_.survive(s.plain, s);
-            scored_.survive(s.scored >= 0 ? s.scored : s.plain, s);
-        }
+        void survive(const Survival& s);
 
       private:
         friend class SurvivalSwitch;
         struct Way {
             SecondMoments::Work work;
             double power = 1;  ///< over that of the photon that was traced
-
-            void add(double score, double cost) {
-                work.score += score * power;
-                work.cost += cost / power;
-            }
-            void survive(float probability, const Survival& drawn) {
-                power *= double(drawn.probability) /
-                         double(limited_survival(probability * float(power)));
-            }
         };
-        Way plain_, scored_;
+        std::array<Way, 3> ways_;  // [ScoreMix]
+        double photons_ = 1;       // that the logged one stands for
     };
 
-    void add(const Path& path) {
-        const auto usable = [](const Path::Way& way) {
-            return std::isfinite(way.work.score) && std::isfinite(way.work.cost);
-        };
-        if (usable(path.plain_) && usable(path.scored_)) {
-            moments_.add(path.plain_.work, path.scored_.work);
-        }
-    }
+    void add(const Path& path);
     /// After `paths` further scored photon paths, of which `memory_paths` count in full.
     void update(double paths, double memory_paths);
 
-    bool on() const { return on_; }
-    double gain() const { return moments_.gain(); }
+    ScoreMix mix() const { return mix_; }
+    /// Of the better way by score.
+    double gain() const { return std::max(half_.gain(), quarters_.gain()); }
 
   private:
     /// Cost of looking up what a photon may still bring, in rays: measured in cornell-box.
     static constexpr double kLookUpCost = 0.2;
     /// Scored photon paths before it may be switched off.
     static constexpr double kTrialPaths = 1e5;
+    /// A way has to be so much better than the other to replace it.
+    static constexpr double kChange = 1.1;
 
-    SecondMoments moments_;
-    bool on_ = true;
+    SecondMoments half_, quarters_;  // against roulette by power
+    ScoreMix mix_ = ScoreMix::Half;
 };
 
+inline void SurvivalSwitch::Path::survive(const Survival& s) {
+    for (std::size_t mix = 0; mix < ways_.size(); ++mix) {
+        Way& way = ways_[mix];
+        // Those that do not survive look up scores, too.
+        if (mix > 0) way.work.cost += kLookUpCost * photons_ / (way.power * double(s.photons));
+        way.power *= double(s.photons) /
+                     double(photons_going_on(s, static_cast<ScoreMix>(mix), float(way.power)));
+    }
+    photons_ *= std::max(1.0, double(s.photons));
+}
+
+inline void SurvivalSwitch::add(const Path& path) {
+    for (const Path::Way& way : path.ways_) {
+        if (!std::isfinite(way.work.score) || !std::isfinite(way.work.cost)) return;
+    }
+    half_.add(path.ways_[0].work, path.ways_[1].work);
+    quarters_.add(path.ways_[0].work, path.ways_[2].work);
+}
+
 inline void SurvivalSwitch::update(double paths, double memory_paths) {
-    moments_.fade(paths, memory_paths);
-    on_ = moments_.paths() < kTrialPaths || moments_.pays(on_);
+    half_.fade(paths, memory_paths);
+    quarters_.fade(paths, memory_paths);
+    if (half_.paths() < kTrialPaths) return;
+    const bool on = mix_ != ScoreMix::None;
+    const double favour = mix_ == ScoreMix::Quarters ? 1 / kChange : kChange;
+    const bool more = quarters_.gain() > favour * half_.gain();
+    const bool pays = more ? quarters_.pays(on) : half_.pays(on);
+    mix_ = !pays ? ScoreMix::None : more ? ScoreMix::Quarters : ScoreMix::Half;
 }
 
 }  // namespace aips

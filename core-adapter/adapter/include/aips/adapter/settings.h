@@ -38,7 +38,7 @@ enum class PhotonSampler : std::uint8_t {
 /// Everything that a user may set. Names of the parameters: plugin/parameters.cpp.
 struct Settings {
     Mode mode = Mode::Progressive;
-    GuideKind guide = GuideKind::Paper;
+    GuideKind guide = GuideKind::Adaptive;
     PhotonSampler photon_sampler = PhotonSampler::Sequence;  ///< AdaptiveChains: guide none only
     std::uint64_t seed = 0;
 

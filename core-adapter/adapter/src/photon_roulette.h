@@ -1,0 +1,33 @@
+// How many photons go on from where one has landed: roulette and splitting.
+#pragma once
+
+#include "photon.h"
+
+namespace aips {
+
+/// By the power that is expected to leave, against the power at emission, so that photons keep
+/// about equal power; before its limits.
+inline float plain_survival(const SurfacePoint& point, const Photon& photon) {
+    const Rgb albedo = point.bsdf->albedo(-photon.ray.direction, kAllLobes);
+    return max_component(photon.power * albedo) / photon.emitted_power;
+}
+
+/// Fixed before the direction is drawn. `logged`: the path is learned from, and wants to know of
+/// all ways to decide; `split`: more than one photon may go on.
+inline Survival decide_survival(const PhotonInput& in, const SurfacePoint& point,
+                                const Photon& photon, bool logged, bool split) {
+    Survival s;
+    s.plain = plain_survival(point, photon);
+    const bool by_score = in.score_mix != ScoreMix::None;
+    if (in.survival && (logged || by_score)) {
+        s.scored = in.survival
+                       ->probability(point.position, normal_towards(-photon.ray.direction, point),
+                                     luminance(photon.power))
+                       .value_or(-1.0f);
+    }
+    s.photons = photons_going_on(s, in.score_mix, 1);
+    if (!split) s.photons = std::min(s.photons, 1.0f);
+    return s;
+}
+
+}  // namespace aips

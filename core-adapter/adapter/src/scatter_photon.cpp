@@ -1,6 +1,9 @@
 // One bounce of a photon.
 #include "scatter_photon.h"
 
+#include <cmath>
+#include <limits>
+
 #include "aips/core/primary_path.h"
 #include "aips/core/sampling.h"
 
@@ -77,6 +80,12 @@ bool scatter_by_mixture(const Mixture& mixture, const SurfacePoint& point, Vec3 
     if (geometric > 0) pdf += geometric * std::max(0.0f, dot(wi, normal)) * kInvPi;
     const float plain_pdf = pdf / rest;
     if (mixture.guided) pdf += mixture.guided_share * mixture.guided->pdf(wi);
+    if (!std::isfinite(pdf)) {
+        // No density: the photon is not lost in silence, its power is refused and counted.
+        const float none = std::numeric_limits<float>::quiet_NaN();
+        result.weight = {none, none, none};
+        return true;
+    }
     if (!(pdf * mixture.mask_pdf > 0)) return false;
     const float cosine = abs_dot(wi, point.shading_normal);
     result.direction = wi;

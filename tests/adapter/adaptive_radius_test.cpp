@@ -241,6 +241,59 @@ TEST(AdaptiveRadius, EngineStaysBelowItsBoundAndFlat) {
     mock::expect_flat_memory(scene, camera, 32, 24, settings_with(20000), 17);
 }
 
+/// Looks down on a floor, more and more past its edge as the shutter's time goes on: each pass, at
+/// a time of its own, sees from all of its eye paths to none end on the floor.
+class SwayingCamera final : public aips::Camera {
+  public:
+    explicit SwayingCamera(std::uint32_t size) : size_(size) {}
+    CameraRay generate(const CameraSample& sample, float time) const override {
+        const float past_the_edge = 2.2f * time;
+        const mock::Camera camera({past_the_edge, 0, 1}, {0, 0, -1}, {0.9f, 0, 0}, {0, 0.9f, 0},
+                                  size_, size_);
+        return camera.generate(sample, time);
+    }
+    float shutter_open() const override { return 0; }
+    float shutter_close() const override { return 1; }
+
+  private:
+    std::uint32_t size_;
+};
+
+TEST(AdaptiveRadius, MemoryIsBoundedWhenVisiblePointsComeAndGo) {
+    mock::Scene scene;
+    mock::Surface floor;
+    floor.shape = mock::Quad{{-1, -1, 0}, {2, 0, 0}, {0, 2, 0}};
+    scene.add(floor);
+    scene.add_point_light({0, 0, 2}, {1, 1, 1});
+    scene.finish();
+    const SwayingCamera camera(kSize);
+    const mock::Sampler sampler(1);
+    for (const GuideKind guide : {GuideKind::None, GuideKind::Paper, GuideKind::Adaptive}) {
+        Settings settings = settings_with(4000);
+        settings.direct_light_sampling = false;
+        settings.guide = guide;
+        mock::Film film(kSize, kSize);
+        mock::Log log;
+        Engine engine({scene, camera, sampler, film, log}, settings);
+        std::size_t early = 0;
+        unsigned blind = 0, part = 0;
+        for (std::uint64_t pass = 0; pass < 80; ++pass) {
+            const PassReport report = engine.render_pass(pass);
+            const EngineStatistics now = engine.statistics();
+            ASSERT_LE(now.memory_bytes, now.memory_bound_bytes) << "pass " << pass;
+            ASSERT_TRUE(std::isfinite(report.radius)) << "pass " << pass;
+            blind += report.photon_paths == 0;
+            part += report.photon_paths > 0;
+            if (pass == 49) early = now.memory_bytes;
+        }
+        EXPECT_GT(blind, 2u);  // passes without any visible point
+        EXPECT_GT(part, 20u);
+        EXPECT_LE(double(engine.statistics().memory_bytes), 1.02 * double(early));
+        for (const Rgb& pixel : film.image())
+            EXPECT_TRUE(is_valid_radiance(pixel));
+    }
+}
+
 std::vector<Rgb> image_with(unsigned threads, GuideKind guide) {
     const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
     const mock::Scene scene = mock::lamp_box({}, mock::half_mirror());

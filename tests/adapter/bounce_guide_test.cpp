@@ -117,6 +117,43 @@ TEST(BounceGuide, LeavesTheMeanOfAScatteringAlone) {
     }
 }
 
+/// Diffuse and mirror lobe together: each keeps its own albedo, so that densities per steradian and
+/// the mirror's probability do not mix. To 4 standard errors of 400 000 samples.
+TEST(BounceGuide, LobesBesideAMirrorKeepTheirAlbedos) {
+    const BounceGuide guide = trained();
+    const mock::Scene scene = mock::lamp_box({}, {});
+    const Settings settings;
+    const DiscreteDistribution lights;
+    const PhotonInput input{scene, settings, lights, &guide};
+    Arena arena;
+    PhotonCounts counts;
+    SurfacePoint point;
+    point.position = kPlace;
+    point.geometric_normal = point.shading_normal = kNormal;
+    constexpr int kSamples = 400000;
+    double sums[2] = {}, squares[2] = {};  // diffuse, mirror
+    for (std::uint32_t i = 0; i < kSamples; ++i) {
+        arena.reset();
+        point.bsdf = mock::make_bsdf(mock::half_mirror(), kNormal, kNormal, arena);
+        RandomStream random(4, 0, i, RandomDomain::Photon);
+        ScatteredPhoton s;
+        const Vec3 wo = normalize(Vec3{-0.5f, 0.2f, 0.9f});
+        if (!scatter_photon(input, point, wo, random, arena, counts, s)) continue;
+        const bool mirror = s.lobe == kSpecular;
+        const double weight = double(luminance(s.weight));
+        sums[mirror] += weight / kSamples;
+        squares[mirror] += weight * weight / kSamples;
+    }
+    EXPECT_GT(counts.guided_bounces, 0u);
+    const double albedos[2] = {double(luminance(mock::half_mirror().reflectance)),
+                               double(luminance(mock::half_mirror().specular))};
+    for (const int lobe : {0, 1}) {
+        const double error = std::sqrt((squares[lobe] - sums[lobe] * sums[lobe]) / kSamples);
+        EXPECT_NEAR(sums[lobe], albedos[lobe], 4 * error) << lobe;
+        EXPECT_LT(4 * error, 0.015 * albedos[lobe]) << lobe;  // what would be found
+    }
+}
+
 TEST(BounceGuide, GuidesAndLearnsFromMatteSurfacesOnly) {
     const BounceGuide guide = trained();
     Arena arena;

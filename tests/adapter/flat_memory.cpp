@@ -7,9 +7,9 @@ namespace mock {
 
 using namespace aips;
 
-EngineStatistics expect_flat_memory(const Scene& scene, const Camera& camera, std::uint32_t width,
-                                    std::uint32_t height, const Settings& settings,
-                                    unsigned settled) {
+EngineStatistics expect_flat_memory(const Scene& scene, const aips::Camera& camera,
+                                    std::uint32_t width, std::uint32_t height,
+                                    const Settings& settings, unsigned settled) {
     const Sampler sampler(1);
     Film film(width, height);
     Log log;

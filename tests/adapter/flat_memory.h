@@ -11,7 +11,7 @@ namespace mock {
 
 /// Expects that after `settled` passes and 24 more memory is within the bound stated at the start,
 /// and that the 24 add at most 2 %. Returns the statistics after the last.
-aips::EngineStatistics expect_flat_memory(const Scene& scene, const Camera& camera,
+aips::EngineStatistics expect_flat_memory(const Scene& scene, const aips::Camera& camera,
                                           std::uint32_t width, std::uint32_t height,
                                           const aips::Settings& settings, unsigned settled = 6);
 

@@ -25,7 +25,8 @@ class SurfaceBsdf : public Bsdf {
 
 class Lambert final : public SurfaceBsdf {
   public:
-    Lambert(Vec3 ng, Vec3 ns, Rgb kd, bool hide) : SurfaceBsdf(ng, ns), kd_(kd), hide_(hide) {}
+    Lambert(Vec3 ng, Vec3 ns, Rgb kd, bool hide, std::optional<float> claimed_pdf = {})
+        : SurfaceBsdf(ng, ns), kd_(kd), hide_(hide), claimed_pdf_(claimed_pdf) {}
 
     LobeMask lobes() const override { return kDiffuse; }
     Rgb evaluate(Vec3 wo, Vec3 wi, Transport, LobeMask mask) const override {
@@ -33,6 +34,7 @@ class Lambert final : public SurfaceBsdf {
     }
     float pdf(Vec3 wo, Vec3 wi, LobeMask mask) const override {
         if (!(mask & kDiffuse) || !same_side(wo, wi)) return 0;
+        if (claimed_pdf_) return *claimed_pdf_;
         return std::max(0.0f, dot(wi, normal_towards(wo))) * kInvPi;
     }
     bool sample(Vec3 wo, Vec2 u, float, Transport, LobeMask mask, BsdfSample& s) const override {
@@ -43,7 +45,7 @@ class Lambert final : public SurfaceBsdf {
         s.weight = kd_;
         s.lobe = kDiffuse;
         s.straight = false;
-        return s.pdf > 0;
+        return claimed_pdf_ || s.pdf > 0;
     }
     Rgb albedo(Vec3, LobeMask mask) const override { return mask & kDiffuse ? kd_ : Rgb{}; }
     bool lambertian(Rgb& kd) const override {
@@ -54,6 +56,7 @@ class Lambert final : public SurfaceBsdf {
   private:
     Rgb kd_;
     bool hide_;
+    std::optional<float> claimed_pdf_;
 };
 
 class Mirror final : public SurfaceBsdf {
@@ -208,7 +211,7 @@ const aips::Bsdf* make_bsdf(const Material& m, aips::Vec3 ng, aips::Vec3 ns,
                             std::pmr::memory_resource& memory) {
     switch (m.kind) {
         case Material::Kind::Lambert:
-            return place<Lambert>(memory, ng, ns, m.reflectance, m.hide_lambert);
+            return place<Lambert>(memory, ng, ns, m.reflectance, m.hide_lambert, m.claimed_pdf);
         case Material::Kind::Mirror:
             return place<Mirror>(memory, ng, ns, m.reflectance);
         case Material::Kind::Glass:

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory_resource>
+#include <optional>
 
 #include "aips/adapter/bsdf.h"
 
@@ -16,6 +17,7 @@ struct Material {
     float index = 1.5f;         ///< Glass: refractive index behind the surface over that before it
     float exponent = 30;        ///< Phong: lobe around the mirror direction
     bool hide_lambert = false;  ///< Lambert: do not offer the compact form (tests both code paths)
+    std::optional<float> claimed_pdf = {};  ///< Lambert: what all its densities are said to be
 };
 
 /// Builds the Bsdf in `memory`; `ng` and `ns` are unit and in one hemisphere.

@@ -1,6 +1,6 @@
 // Protects the photons' power: in random scenes all that the lights emit is absorbed, escapes, or
 // is cut off by the greatest depth, whoever decides where photons start, go on to and end. Roulette
-// takes nothing away in expectation.
+// takes nothing away in expectation. Blind to where power goes: that is for random_scenes_test.cpp.
 #include <gtest/gtest.h>
 
 #include <cmath>

@@ -219,8 +219,9 @@ bool is_worth_seeing(const Scene& scene, const Camera& camera, std::uint32_t wid
     int lit = 0;
     Arena arena;
     for (int i = 0; i < kSide * kSide; ++i) {
-        const Vec2 film{(float(i % kSide) + 0.5f) * float(width) / kSide,
-                        (float(i / kSide) + 0.5f) * float(height) / kSide};
+        const int column = i % kSide, row = i / kSide;
+        const Vec2 film{(float(column) + 0.5f) * float(width) / kSide,
+                        (float(row) + 0.5f) * float(height) / kSide};
         const Ray ray = camera.generate({film, {}}, 0).ray;
         SurfacePoint point;
         if (!scene.intersect(ray, point, arena)) continue;

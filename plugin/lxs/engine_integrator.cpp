@@ -51,6 +51,8 @@ lxs::Statistics EngineIntegrator::statistics() const {
         out.emplace_back("bounce_gain", s.bounce_gain);
         out.emplace_back("bounce_tables", s.bounce_tables);
         out.emplace_back("score_times_cost", s.score_times_cost);
+        out.emplace_back("pruned_paths", s.pruned_paths);
+        out.emplace_back("pruned_emission", s.pruned_emission);
     }
     for (const auto& [material, count] : s.refused)
         out.emplace_back("refused: " + material, count);

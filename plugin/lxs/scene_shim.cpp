@@ -178,7 +178,12 @@ Bounds SceneShim::bounds() const {
 
 SceneFacts SceneShim::facts() const {
     const lxs::SceneFacts f = scene_.facts();
-    return {f.has_receivers, f.has_media, f.max_bsdf_bytes + kShimBytes + alignof(BsdfShim)};
+    SceneFacts facts;
+    facts.lobes = LobeMask((f.has_diffuse ? kDiffuse : 0) | (f.has_glossy ? kGlossy : 0) |
+                           (f.has_specular ? kSpecular : 0));
+    facts.has_media = f.has_media;
+    facts.max_bsdf_bytes = f.max_bsdf_bytes + kShimBytes + alignof(BsdfShim);
+    return facts;
 }
 
 CameraRay CameraShim::generate(const CameraSample& sample, float time) const {

@@ -180,6 +180,7 @@ TEST(AdaptiveGuide, StatisticsNameWhatItGains) {
     const auto s = mock::render(view.scene, view.camera, kWidth, kHeight, settings, 8).statistics;
     EXPECT_GT(s.emission_gain, 5);
     EXPECT_GT(s.score_times_cost, 0);
+    EXPECT_GT(s.pruned_paths, 0u);
     EXPECT_GT(s.guide_nodes, 1u);
     EXPECT_LT(s.guide_bytes, 16u << 20);
 }

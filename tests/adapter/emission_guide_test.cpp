@@ -52,6 +52,23 @@ DiscreteDistribution choice_of(const std::vector<float>& powers) {
     return DiscreteDistribution(powers);
 }
 
+/// Light 0 brings nothing and light 1 only from an eighth of its starts.
+TEST(EmissionGuide, TellsWhichShareIsStarved) {
+    const DiscreteDistribution plain = choice_of({1, 3});
+    EmissionGuide guide(2, plain);
+    EXPECT_EQ(guide.starved_share(0.25), 0);
+    learn(
+        guide,
+        [](LightIndex light, const PrimaryPoint& u) {
+            return light == 1 && u[0] < 0.5f && u[2] < 0.25f ? 1.0 : 0.0;
+        },
+        40, 5);
+    ASSERT_TRUE(guide.on());
+    EXPECT_NEAR(guide.starved_share(0.25), 1 - 0.75 / 8, 0.02);
+    EXPECT_EQ(guide.starved_share(0.1), 0) << "below the defensive share";
+    EXPECT_EQ(guide.starved_share(100), 1);
+}
+
 TEST(EmissionGuide, OffIsThePlainChoiceAndTheIdentity) {
     const DiscreteDistribution plain = choice_of({1, 5, 2});
     EmissionGuide guide(3, plain);
@@ -265,13 +282,19 @@ TEST(EmissionGuide, MemoryIsBoundedForOneLightAndForMany) {
         EXPECT_GT(guide.leaf_count(), std::max<std::size_t>(200, lights)) << lights;
         EXPECT_LE(guide.leaf_count(), settings.max_leaves) << lights;
         EXPECT_EQ(guide.memory_bytes(), before) << lights;
-        EXPECT_LE(guide.memory_bytes(), EmissionGuide::memory_bound_bytes(lights, settings));
+        EXPECT_LE(guide.memory_bytes(), EmissionGuide::memory_bound_bytes(plain, settings));
     }
     // Lights share the leaves.
-    for (const std::size_t lights : {50u, 5000u}) {
-        EXPECT_LT(EmissionGuide::memory_bound_bytes(lights),
-                  1.5 * EmissionGuide::memory_bound_bytes(1));
-    }
+    const auto bound = [](const std::vector<float>& powers) {
+        return double(EmissionGuide::memory_bound_bytes(choice_of(powers)));
+    };
+    for (const std::size_t lights : {50u, 5000u})
+        EXPECT_LT(bound(std::vector<float>(lights, 1.0f)), 1.5 * bound({1}));
+    // Dead ones take none.
+    std::vector<float> powers(100, 0.0f);
+    powers[17] = 1;
+    EXPECT_GT(bound(powers), bound({1}));
+    EXPECT_LT(bound(powers), 1.1 * bound({1}));
 }
 
 }  // namespace

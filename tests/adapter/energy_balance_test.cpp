@@ -139,7 +139,8 @@ class Balance {
             PhotonInput input{view_.scene, settings_, lights_};
             input.emission = guide.emission();
             input.survival = guide.survival();
-            input.survive_by_score = guide.survives_by_score();
+            input.score_mix = guide.score_mix();
+            input.split_landings = split_landings(settings_);
             input.log_one_of = guide.log_one_of();
             input.guide = guide.bounces();
             input.unguided_roulette = input.guide != nullptr;

@@ -2,16 +2,22 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <atomic>
 
 #include "render_mock.h"
+#include "scene_with_lights.h"
 
 namespace {
 
 using namespace aips;
 
+std::ptrdiff_t times_logged(const mock::Log& log, const std::string& text) {
+    return std::count_if(log.lines.begin(), log.lines.end(),
+                         [&](const std::string& l) { return l.find(text) != std::string::npos; });
+}
+
 bool logged(const mock::Log& log, const std::string& text) {
-    return std::any_of(log.lines.begin(), log.lines.end(),
-                       [&](const std::string& l) { return l.find(text) != std::string::npos; });
+    return times_logged(log, text) > 0;
 }
 
 mock::Rendering render_box(const Settings& settings) {
@@ -68,9 +74,143 @@ TEST(Needs, NoPhotonsWithoutReceivers) {
 TEST(Needs, NoPhotonsWithoutVisiblePoints) {
     const mock::Scene scene = mock::lamp_box({}, {});
     const auto camera = mock::camera_along_y({0, 5, 0}, 0.1f, 8, 8);
-    const auto r = mock::render(scene, camera, 8, 8, mock::small_settings(64, 5000), 2);
+    Settings settings = mock::small_settings(64, 5000);
+    const auto r = mock::render(scene, camera, 8, 8, settings, 2);
     EXPECT_EQ(r.statistics.photon_paths, 0u);
     EXPECT_EQ(r.film.mean(), 0);
+    EXPECT_EQ(times_logged(r.log, "skipped photons of a pass: no eye path met a surface"), 1);
+    settings.mode = Mode::PhotonMap;
+    const auto frozen = mock::render(scene, camera, 8, 8, settings, 2);
+    EXPECT_EQ(times_logged(frozen.log, "skipped photon passes: no eye path met a surface"), 1);
+}
+
+/// Without storeglossy glossy lobes bounce eye paths and take no photons.
+TEST(Needs, PhotonsForGlossOnlyIfItTakesThem) {
+    mock::Scene scene;
+    mock::Surface wall;
+    wall.material.kind = mock::Material::Kind::Phong;
+    wall.emitted = {1, 1, 1};
+    scene.add_box({-1, -1, -1}, {1, 1, 1}, wall);
+    scene.finish();
+    const auto camera = mock::camera_along_y({0, 0, 0}, 1, 8, 8);
+    Settings settings = mock::small_settings(67, 5000);
+    const auto bounced = mock::render(scene, camera, 8, 8, settings, 1);
+    EXPECT_EQ(bounced.statistics.photon_paths, 0u);
+    EXPECT_TRUE(logged(bounced.log, "skipped photon pass: no surface takes photons"));
+    settings.store_glossy = true;
+    EXPECT_EQ(mock::render(scene, camera, 8, 8, settings, 1).statistics.photon_paths, 5000u);
+}
+
+/// Neither what waits for photons nor what they would leave is held.
+TEST(Needs, NoMemoryForPhotonsThatAreNotShot) {
+    Settings settings = mock::small_settings(68, 5000);
+    settings.radius = RadiusKind::Adaptive;
+    const auto with = render_box(settings);
+    settings.max_photon_depth = 1;
+    const auto without = render_box(settings);
+    // Film position and radiance of each eye path, and an arena.
+    EXPECT_LE(without.statistics.memory_bytes, 16u * 12 * 20 + 2 * 16384);
+    EXPECT_LE(without.statistics.memory_bytes, without.statistics.memory_bound_bytes);
+    EXPECT_LT(4 * without.statistics.memory_bytes, with.statistics.memory_bytes);
+    EXPECT_LT(1000 * without.statistics.memory_bound_bytes, with.statistics.memory_bound_bytes);
+}
+
+/// A light without power that must not be asked for anything.
+class DeadLight final : public mock::LightLike {
+  public:
+    using LightLike::LightLike;
+    float power() const override { return 0; }
+    bool emit(const std::array<float, 4>&, Emission&) const override {
+        ADD_FAILURE() << "a photon from a dead light";
+        return false;
+    }
+    bool sample_direct(const SurfacePoint&, Vec2, DirectSample&) const override {
+        ADD_FAILURE() << "a shadow ray to a dead light";
+        return false;
+    }
+};
+
+TEST(Needs, DeadLightsAreNeverChosen) {
+    const mock::Scene box = mock::lamp_box({}, {});
+    const DeadLight dead(*box.lights()[0]);
+    const mock::SceneWithLights scene(box, {box.lights()[0], &dead, &dead});
+    const auto camera = mock::camera_along_y({0, -0.9f, 0}, 1, 16, 12);
+    for (const GuideKind guide : {GuideKind::None, GuideKind::Paper, GuideKind::Adaptive}) {
+        Settings settings = mock::small_settings(69, 20000);
+        settings.guide = guide;
+        const auto r = mock::render(scene, camera, 16, 12, settings, 3);
+        EXPECT_GT(r.film.mean(), 0);
+        EXPECT_TRUE(logged(r.log, "skipped 2 lights: no power")) << mock::name(guide);
+    }
+}
+
+/// Where no photon bounces, nothing about bounces is learned.
+TEST(Needs, NoPartsOfGuidesThatSteerNothing) {
+    Settings settings = mock::small_settings(70, 20000);
+    settings.direct_light_sampling = false;
+    settings.guide = GuideKind::Adaptive;
+    settings.guide_bounces = true;
+    const auto bounced = render_box(settings);
+    settings.max_photon_depth = 1;
+    const auto landed = render_box(settings);
+    const std::string reason = ": no photon goes on at this photon depth";
+    EXPECT_TRUE(logged(landed.log, "skipped survival by score" + reason));
+    EXPECT_TRUE(logged(landed.log, "skipped guided bounces" + reason));
+    EXPECT_FALSE(logged(bounced.log, "skipped guided bounces"));
+    EXPECT_LT(landed.statistics.guide_bytes + (1u << 20), bounced.statistics.guide_bytes);
+    EXPECT_LT(landed.statistics.memory_bound_bytes, bounced.statistics.memory_bound_bytes);
+    settings.guide = GuideKind::Paper;
+    const auto paper = render_box(settings);
+    EXPECT_TRUE(logged(paper.log, "skipped guide" + reason));
+    EXPECT_EQ(paper.statistics.guide_bytes, 0u);
+}
+
+TEST(Needs, NoGuidedBouncesWithoutDiffuseSurfaces) {
+    mock::Scene scene;
+    mock::Surface wall;
+    wall.material.kind = mock::Material::Kind::Phong;
+    wall.emitted = {1, 1, 1};
+    scene.add_box({-1, -1, -1}, {1, 1, 1}, wall);
+    scene.finish();
+    const auto camera = mock::camera_along_y({0, 0, 0}, 1, 8, 8);
+    Settings settings = mock::small_settings(71, 5000);
+    settings.store_glossy = true;
+    settings.guide = GuideKind::Adaptive;
+    settings.guide_bounces = true;
+    const auto r = mock::render(scene, camera, 8, 8, settings, 1);
+    EXPECT_TRUE(logged(r.log, "skipped guided bounces: no surface is diffuse"));
+    EXPECT_GT(r.statistics.photon_paths, 0u);
+}
+
+/// A light that can't tell which numbers send a photon to a point.
+class OneWayLight final : public mock::LightLike {
+  public:
+    using LightLike::LightLike;
+    bool emission_coordinates(const SurfacePoint&, const DirectSample&,
+                              std::array<float, 4>&) const override {
+        ++asked;
+        return false;
+    }
+    mutable std::atomic<std::uint64_t> asked = 0;
+};
+
+TEST(Needs, NoSeedingFromTheEyeWhereNoLightAnswers) {
+    const mock::Scene box = mock::lamp_box({}, {});
+    const OneWayLight one_way(*box.lights()[0]);
+    const mock::SceneWithLights scene(box, {&one_way});
+    const auto camera = mock::camera_along_y({0, -0.9f, 0}, 1, 64, 64);
+    Settings settings = mock::small_settings(72, 2000);
+    settings.guide = GuideKind::Adaptive;
+    settings.hit_points_per_pass = 1u << 17;
+    const auto first = mock::render(scene, camera, 64, 64, settings, 1);
+    const std::uint64_t in_first_pass = one_way.asked;
+    EXPECT_GT(in_first_pass, 1000u);
+    EXPECT_TRUE(logged(first.log, "skipped eye seeding from here on"));
+    one_way.asked = 0;
+    mock::render(scene, camera, 64, 64, settings, 3);
+    EXPECT_EQ(one_way.asked, in_first_pass);
+    const auto answered = mock::render(box, camera, 64, 64, settings, 1);
+    EXPECT_FALSE(logged(answered.log, "skipped eye seeding"));
 }
 
 /// Direct photons are never stored under next-event estimation: with one bounce allowed, every

@@ -5,7 +5,7 @@ namespace mock {
 
 using namespace aips;
 
-Rendering render(const Scene& scene, const Camera& camera, std::uint32_t width,
+Rendering render(const aips::Scene& scene, const Camera& camera, std::uint32_t width,
                  std::uint32_t height, const Settings& settings, std::uint32_t passes) {
     Rendering result{Film(width, height, scene.light_groups()), {}, {}};
     const Sampler sampler(settings.seed);

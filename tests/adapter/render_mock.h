@@ -19,7 +19,7 @@ struct Rendering {
 };
 
 /// Renders `passes` passes of `scene`.
-Rendering render(const Scene& scene, const Camera& camera, std::uint32_t width,
+Rendering render(const aips::Scene& scene, const Camera& camera, std::uint32_t width,
                  std::uint32_t height, const aips::Settings& settings, std::uint32_t passes);
 
 /// Radii of the first `passes` passes of `scene` onto an image of 16 x 16.

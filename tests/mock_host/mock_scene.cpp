@@ -72,6 +72,22 @@ void extend(aips::Bounds& bounds, const Ball& b) {
     bounds.extend(b.center + r);
 }
 
+aips::LobeMask lobes_of(Material::Kind kind) {
+    switch (kind) {
+        case Material::Kind::Lambert:
+            return aips::kDiffuse;
+        case Material::Kind::Phong:
+            return aips::kGlossy;
+        case Material::Kind::LambertAndMirror:
+            return aips::kDiffuse | aips::kSpecular;
+        case Material::Kind::Mirror:
+        case Material::Kind::Glass:
+        case Material::Kind::Null:
+            return aips::kSpecular;
+    }
+    return aips::kAllLobes;
+}
+
 }  // namespace
 
 void Scene::add_point_light(Vec3 position, aips::Rgb intensity) {
@@ -175,12 +191,9 @@ aips::Rgb Scene::visibility(const aips::SurfacePoint& point, const aips::DirectS
 
 aips::SceneFacts Scene::facts() const {
     aips::SceneFacts facts;
-    facts.has_receivers = false;
-    for (const Surface& s : surfaces_) {
-        const auto kind = s.material.kind;
-        facts.has_receivers |= kind == Material::Kind::Lambert || kind == Material::Kind::Phong ||
-                               kind == Material::Kind::LambertAndMirror;
-    }
+    facts.lobes = 0;
+    for (const Surface& s : surfaces_)
+        facts.lobes |= lobes_of(s.material.kind);
     facts.max_bsdf_bytes = max_bsdf_bytes();
     return facts;
 }

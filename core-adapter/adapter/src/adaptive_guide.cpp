@@ -6,6 +6,8 @@
 
 #include <limits>
 
+#include "light_choice.h"
+
 namespace aips {
 namespace {
 
@@ -57,19 +59,25 @@ std::uint64_t AdaptiveGuide::begin_pass(std::uint64_t pass, float time, const Ey
     if (!awake()) return 0;
     importance_.weigh(image, weights_);
     score_.build(image, positions, radii, weights_);
-    const bool seeds = emission() && settings_.eye_seeding && paths_ < kSeededPaths;
+    const bool seeds = emission() && settings_.eye_seeding && paths_ < kSeededPaths &&
+                       !seeding_given_up();
     return seeds ? seed(pass, time, image) : 0;
 }
 
 void AdaptiveGuide::rest_or_wake() {
-    emission_rest_.update(paths_, emission_.on());
-    survival_rest_.update(paths_, survival_switch_.mix() != ScoreMix::None);
-    bounces_rest_.update(paths_, bounces_ && bounces_->tables().tables_in_use() > 0);
+    // Before any path was worth something there is nothing to judge.
+    const bool judged = path_score_ > 0;
+    emission_rest_.update(paths_, !emission_.switched_off());
+    survival_rest_.update(paths_, !judged || survival_switch_.mix() != ScoreMix::None);
+    bounces_rest_.update(paths_,
+                         !judged || (bounces_ && bounces_->tables().tables_in_use() > 0));
 }
 
 std::uint64_t AdaptiveGuide::seed(std::uint64_t pass, float time, const EyeImage& image) {
     SeedCounts counts;
     find_emission_seeds(scene_, settings_, light_choice_, pass, time, image, seeds_, counts);
+    walks_ += counts.walks;
+    seeds_found_ += seeds_.size();
     for (const EmissionSeed& s : seeds_)
         emission_.add_seed(s.light, s.point, double(s.weight));
     emission_.update(0);
@@ -79,6 +87,13 @@ std::uint64_t AdaptiveGuide::seed(std::uint64_t pass, float time, const EyeImage
 std::uint32_t AdaptiveGuide::log_one_of() const {
     if (!awake()) return 0;
     return paths_ < kEagerPaths ? kEagerOneOf : kOneOf;
+}
+
+bool AdaptiveGuide::idle() const {
+    if (!settings_.guide_emission && !survival_ && !bounces_) return false;  // it only measures
+    return (!settings_.guide_emission || emission_.switched_off()) &&
+           (!survival_ || survival_switch_.mix() == ScoreMix::None) &&
+           (!bounces_ || bounces_->tables().tables_in_use() == 0);
 }
 
 void AdaptiveGuide::learn(const PathLog& log, std::span<const Landing> landings,
@@ -203,7 +218,7 @@ std::size_t AdaptiveGuide::memory_bound_bytes(const Scene& scene, const Settings
     return eye_paths * sizeof(float) + CellSort::memory_bound_bytes(eye_paths) + seeds +
            (settings.guide_survival ? ScoreCache::memory_bound_bytes(cache_settings()) : 0) +
            (settings.guide_bounces ? BounceGuide::memory_bound_bytes(kMemoryPaths) : 0) +
-           EmissionGuide::memory_bound_bytes(scene.lights().size(), emission_settings());
+           EmissionGuide::memory_bound_bytes(light_choice(scene), emission_settings());
 }
 
 }  // namespace aips

@@ -52,6 +52,10 @@ class AdaptiveGuide {
     void learn(const PathLog& log, std::span<const Landing> landings, std::uint32_t paths);
 
     const EmissionGuide& emission_guide() const { return emission_; }
+    /// Whether walks from the eye found no way to start a photon, and are no longer done.
+    bool seeding_given_up() const { return walks_ >= kSeedTrialWalks && seeds_found_ == 0; }
+    /// Whether parts of it were tried and none pays: they rest.
+    bool idle() const;
     double survival_gain() const { return survival_switch_.gain(); }
     /// Mean score of a photon path times its mean cost in rays: the error of equal-time images,
     /// about, in units of the scene's own. Old paths forgotten; 0 before anything was scored.
@@ -65,8 +69,14 @@ class AdaptiveGuide {
 
   private:
     void rest_or_wake();
-    /// Whether any part learns in this pass.
-    bool awake() const { return emission() || survival() || bounces(); }
+    /// Whether anything is learned in this pass: by a part, or for the statistics alone.
+    bool awake() const {
+        const bool measures = !settings_.guide_emission && !survival_ && !bounces_;
+        return measures || emission() || survival() || bounces();
+    }
+    /// Walks from the eye without any success after which no more are done.
+    static constexpr std::uint64_t kSeedTrialWalks = 4096;
+
     std::uint64_t seed(std::uint64_t pass, float time, const EyeImage& image);
     void score_landings(const PathLog& log, std::span<const Landing> landings);
     void learn_path(const PathLog& log, const PathRecord& path, std::span<const Landing> landings);
@@ -90,6 +100,7 @@ class AdaptiveGuide {
     std::size_t landing_score_at_ = 0;    // of the next path
     std::uint64_t paths_ = 0;             // shot so far
     PartRest emission_rest_, survival_rest_, bounces_rest_;
+    std::uint64_t walks_ = 0, seeds_found_ = 0;
     double path_score_ = 0, path_cost_ = 0, logged_ = 0;  // of logged paths, old ones forgotten
 };
 

@@ -5,7 +5,11 @@
 
 namespace aips {
 
-DirectLight::DirectLight(const Scene& scene) : scene_(scene), choice_(light_choice(scene)) {}
+DirectLight::DirectLight(const Scene& scene) : scene_(scene), choice_(light_choice(scene)) {
+    for (LightIndex i = 0; i < scene.lights().size(); ++i) {
+        if (scene.lights()[i]->at_infinity()) at_infinity_.push_back(i);
+    }
+}
 
 unsigned DirectLight::estimate(const DirectLightQuery& query, RandomStream& random,
                                Refusals& refusals, std::span<Rgb> radiance) const {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <span>
+#include <vector>
 
 #include "aips/adapter/scene.h"
 #include "aips/core/discrete_distribution.h"
@@ -35,9 +36,13 @@ class DirectLight {
     /// wi from `from`; `at` is the point met, null for lights at infinity.
     float pdf(LightIndex light, const SurfacePoint& from, Vec3 wi, const SurfacePoint* at) const;
 
+    /// Lights that rays which leave the scene may see, in the scene's order.
+    std::span<const LightIndex> at_infinity() const { return at_infinity_; }
+
   private:
     const Scene& scene_;
     DiscreteDistribution choice_;
+    std::vector<LightIndex> at_infinity_;
 };
 
 }  // namespace aips

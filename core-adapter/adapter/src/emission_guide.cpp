@@ -7,12 +7,18 @@
 namespace aips {
 namespace {
 
-PrimaryTreeSettings tree_settings(std::size_t lights, const EmissionGuideSettings& s) {
-    PrimaryTreeSettings tree;
-    const auto share = s.max_leaves / static_cast<std::uint32_t>(std::max<std::size_t>(lights, 1));
-    tree.max_leaves = std::max(1u, share);
-    tree.memory_paths = s.memory_paths;
-    return tree;
+/// Of the trees of all lights: those that emit share the leaves, dead ones have one each.
+std::vector<PrimaryTreeSettings> tree_settings(const DiscreteDistribution& plain_choice,
+                                               const EmissionGuideSettings& s) {
+    std::uint32_t alive = 0;
+    for (std::size_t l = 0; l < plain_choice.size(); ++l)
+        alive += plain_choice.pdf(l) > 0 ? 1 : 0;
+    std::vector<PrimaryTreeSettings> trees(plain_choice.size());
+    for (std::size_t l = 0; l < trees.size(); ++l) {
+        trees[l].max_leaves = plain_choice.pdf(l) > 0 ? std::max(1u, s.max_leaves / alive) : 1;
+        trees[l].memory_paths = s.memory_paths;
+    }
+    return trees;
 }
 
 }  // namespace
@@ -21,8 +27,8 @@ EmissionGuide::EmissionGuide(std::size_t lights, const DiscreteDistribution& pla
                              const EmissionGuideSettings& settings)
     : plain_choice_(&plain_choice), settings_(settings), seeds_(lights, 0.0) {
     trees_.reserve(lights);
-    for (std::size_t l = 0; l < lights; ++l)
-        trees_.emplace_back(tree_settings(lights, settings));
+    for (const PrimaryTreeSettings& tree : tree_settings(plain_choice, settings))
+        trees_.emplace_back(tree);
 }
 
 EmissionStart EmissionGuide::sample(float u_light, const PrimaryPoint& u) const {
@@ -104,6 +110,17 @@ void EmissionGuide::set_densities() {
     on_ = !tried || moments_.pays(on_);
 }
 
+double EmissionGuide::starved_share(double density) const {
+    if (!on_) return 0;
+    double sum = 0;
+    for (std::size_t l = 0; l < trees_.size(); ++l) {
+        const double plain = plain_pdf(LightIndex(l));
+        // The light as a whole may be chosen more or less often than by power.
+        if (plain > 0) sum += plain * trees_[l].volume_below(density * plain / choice_.pdf(l));
+    }
+    return sum;
+}
+
 std::size_t EmissionGuide::leaf_count() const {
     std::size_t sum = 0;
     for (const PrimaryTree& tree : trees_)
@@ -118,10 +135,14 @@ std::size_t EmissionGuide::memory_bytes() const {
     return bytes;
 }
 
-std::size_t EmissionGuide::memory_bound_bytes(std::size_t lights,
+std::size_t EmissionGuide::memory_bound_bytes(const DiscreteDistribution& plain_choice,
                                               const EmissionGuideSettings& settings) {
-    return lights * (sizeof(PrimaryTree) + sizeof(double) + sizeof(float) +
-                     PrimaryTree::memory_bound_bytes(tree_settings(lights, settings)));
+    std::size_t bytes = 0;
+    for (const PrimaryTreeSettings& tree : tree_settings(plain_choice, settings)) {
+        bytes += sizeof(PrimaryTree) + sizeof(double) + sizeof(float) +
+                 PrimaryTree::memory_bound_bytes(tree);
+    }
+    return bytes;
 }
 
 }  // namespace aips

@@ -20,7 +20,7 @@ struct EmissionGuideSettings {
     double seed_share = 0.25;   ///< of densities found from the eye, until enough was learned
     double learned_seed_share = 0.05;    ///< after that
     std::uint32_t learned_scores = 256;  ///< scored photons that count as enough
-    std::uint32_t max_leaves = 8192;     ///< over all lights, but at least one for each
+    std::uint32_t max_leaves = 8192;     ///< over all lights that emit, but at least one for each
     double memory_paths = 4e6;           ///< scored photon paths that count in full
     /// Scored photon paths before the guide may be switched off: what it would gain when it has
     /// learned cannot be told while it learns, and it learns faster when it is on.
@@ -64,9 +64,14 @@ class EmissionGuide {
     bool on() const { return on_; }
     /// Plain second moment times cost over guided, on samples that did not shape the density.
     double gain() const { return moments_.gain(); }
+    /// Whether it was tried and does not pay.
+    bool switched_off() const { return learned_ && !on_; }
+    /// Share of what the plain density emits that starts where photons are now fewer than `density`
+    /// times the plain one's; 0 while the guide is off.
+    double starved_share(double density) const;
     std::size_t leaf_count() const;
     std::size_t memory_bytes() const;
-    static std::size_t memory_bound_bytes(std::size_t lights,
+    static std::size_t memory_bound_bytes(const DiscreteDistribution& plain_choice,
                                           const EmissionGuideSettings& settings = {});
 
   private:

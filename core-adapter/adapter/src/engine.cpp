@@ -14,6 +14,7 @@
 #include "pixel_estimate.h"
 #include "pixel_importance.h"
 #include "radius_policy.h"
+#include "skip_log.h"
 #include "stopwatch.h"
 
 namespace aips {
@@ -28,9 +29,8 @@ std::uint32_t eye_paths_per_pass(const Host& host, const Settings& settings) {
     return freezes_eye_pass(settings.mode) ? pixels * kFrozenPathsPerPixel : pixels;
 }
 
-std::unique_ptr<Guide> make_guide(const Needs& needs, const Scene& scene,
-                                  const Settings& settings) {
-    if (!needs.guide || settings.guide != GuideKind::Paper) return nullptr;
+std::unique_ptr<Guide> make_guide(const Scene& scene, const Settings& settings) {
+    if (settings.guide != GuideKind::Paper) return nullptr;
     return std::make_unique<PaperGuide>(scene.bounds(), settings);
 }
 
@@ -54,25 +54,25 @@ class Engine::State {
   public:
     State(const Host& host, const Settings& settings)
         : host_(host),
-          settings_(settings),
-          eye_paths_(eye_paths_per_pass(host, settings)),
           needs_(analyse(host.scene, settings)),
+          skip_log_(host.log),
+          settings_(needs_.settings),
+          eye_paths_(eye_paths_per_pass(host, settings)),
           direct_light_(host.scene),
           refusals_(host.scene.material_names()),
-          guide_(make_guide(needs_, host.scene, settings)),
-          photons_(settings, eye_paths_, learns()),
+          guide_(make_guide(host.scene, settings_)),
+          photons_(settings_, eye_paths_, learns()),
           importance_(make_importance()),
-          photon_pass_(host.scene, settings_, needs_, guide_.get(),
-                       importance_ ? &*importance_ : nullptr),
+          photon_pass_(host.scene, settings_, guide_.get(), importance_ ? &*importance_ : nullptr),
           radius_policy_(
-              make_radius_policy(settings, host.scene, host.film.width(), host.film.height())) {
+              make_radius_policy(settings_, host.scene, host.film.width(), host.film.height())) {
         statistics_.memory_bound_bytes = memory_bound(
-            host.scene, settings, eye_paths_, std::size_t{host.film.width()} * host.film.height());
+            host.scene, needs_, eye_paths_, std::size_t{host.film.width()} * host.film.height());
         if (needs_.photons && photons_.adapts()) {
             noise_.emplace(host.film.width(), host.film.height());
         }
         if (settings.debug_layers) add_debug_layers();
-        log_start();
+        log_start(settings);
     }
 
     PassReport render_pass(std::uint64_t pass) {
@@ -90,11 +90,15 @@ class Engine::State {
             photon_pass_.shoot(pass, photons, time, image_, radii, refusals_, flux_);
         } else {
             flux_.reset(image_.visible_points.size(), image_.groups);
+            if (needs_.photons) skip_log_.no_visible_points(freezes_eye_pass(settings_.mode));
         }
-        estimate_pixels(image_, flux_, radii, report.photon_paths, refusals_, radiance_);
-        host_.film.add_pass(image_.positions, radiance_, image_.groups, photons.weight);
+        if (report.photon_paths) {
+            estimate_pixels(image_, flux_, radii, report.photon_paths, refusals_, radiance_);
+        }
+        const auto& radiance = report.photon_paths ? radiance_ : image_.radiance;
+        host_.film.add_pass(image_.positions, radiance, image_.groups, photons.weight);
         if (layers_) {
-            layers_->add_pass(image_, flux_, radii, radiance_, photons.weight,
+            layers_->add_pass(image_, flux_, radii, radiance, photons.weight,
                               photon_pass_.bounces());
         }
         if (report.photon_paths) radius_policy_->after_pass(flux_);
@@ -102,6 +106,7 @@ class Engine::State {
         report.rays = eye_rays + after.counts.rays - before.counts.rays;
         learn_from_pass(report, pass_work(report, eye_rays, before, after));
         count(report, eye_rays);
+        skip_log_.after_pass(photon_pass_.adaptive(), after.counts);
         return report;
     }
 
@@ -138,6 +143,8 @@ class Engine::State {
                 s.bounce_tables = bounces->tables().tables_in_use();
             }
             s.score_times_cost = adaptive->score_times_cost();
+            s.pruned_paths = photons.counts.pruned;
+            s.pruned_emission = adaptive->emission_guide().starved_share(kPrunedDensity);
         }
         s.memory_bytes = memory_bytes();
         s.refused = refusals_.by_material();
@@ -152,16 +159,15 @@ class Engine::State {
                                             eye_paths_, guide_ ? settings_.max_nodes : 0);
     }
 
-    void log_start() {
-        host_.log.info("engine: " + describe(settings_));
+    void log_start(const Settings& asked_for) {
+        host_.log.info("engine: " + describe(asked_for));
         host_.log.info("engine memory: at most " +
                        std::to_string((statistics_.memory_bound_bytes >> 20) + 1) + " MiB");
-        for (const std::string& skipped : needs_.skipped)
-            host_.log.info("skipped " + skipped);
+        skip_log_.start(needs_);
     }
 
     /// Whether a guide learns that lessens the weight of the first photon paths.
-    bool learns() const { return needs_.guide && settings_.guide == GuideKind::Adaptive; }
+    bool learns() const { return settings_.guide == GuideKind::Adaptive; }
 
     std::optional<PixelImportance> make_importance() const {
         if (!needs_.photons || !(learns() || photons_.adapts())) return {};
@@ -197,7 +203,7 @@ class Engine::State {
         const Stopwatch watch(statistics_.eye_seconds);
         const EyePassInput input{host_.scene,         host_.camera, host_.sampler,
                                  direct_light_,       settings_,    host_.film.width(),
-                                 host_.film.height(), eye_paths_};
+                                 host_.film.height(), eye_paths_,   needs_.photons};
         trace_eye_pass(input, pass, time, refusals_, image_);
         traced_eye_pass_ = true;
         return eye_paths_;
@@ -219,9 +225,10 @@ class Engine::State {
     }
 
     Host host_;
-    Settings settings_;
-    std::uint32_t eye_paths_;
     Needs needs_;
+    SkipLog skip_log_;
+    const Settings& settings_;  // without what needs_ skips
+    std::uint32_t eye_paths_;
     DirectLight direct_light_;
     Refusals refusals_;
     std::unique_ptr<Guide> guide_;

@@ -71,7 +71,7 @@ void trace_eye_pass(const EyePassInput& in, std::uint64_t pass, float time, Refu
     image.positions.resize(in.paths);
     image.radiance.assign(std::size_t(in.paths) * image.groups, Rgb{});
     image.arenas.resize(block_count);
-    image.visible_points.reserve(in.paths);
+    if (in.keep_visible_points) image.visible_points.reserve(in.paths);
     std::vector<Block> blocks(block_count);
     tbb::parallel_for(0u, block_count, [&](std::uint32_t b) {
         image.arenas[b].reset();

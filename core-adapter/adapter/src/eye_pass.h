@@ -52,6 +52,7 @@ struct EyePassInput {
     const Settings& settings;
     std::uint32_t width = 0, height = 0;  ///< of the film, pixels
     std::uint32_t paths = 0;              ///< eye paths in this pass
+    bool keep_visible_points = true;      ///< else they are left out, and their Bsdfs dropped
 };
 
 /// Lobes that take photons under these settings; the others bounce the eye path on.

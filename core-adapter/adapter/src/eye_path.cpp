@@ -63,8 +63,7 @@ class EyePath {
     void add_escaped() {
         if (last_was_specular_ && !in_.settings.include_environment) return;
         const auto lights = in_.scene.lights();
-        for (LightIndex i = 0; i < lights.size(); ++i) {
-            if (!lights[i]->at_infinity()) continue;
+        for (const LightIndex i : in_.direct_light.at_infinity()) {
             const Rgb seen = lights[i]->escaped(ray_.direction);
             if (is_black(seen)) continue;
             add(throughput_ * seen * emission_weight(i, nullptr), lights[i]->group(), kLightOrigin);
@@ -86,7 +85,7 @@ class EyePath {
             result_.rays += in_.direct_light.estimate(query, random_, refusals_, radiance_);
         }
         if (receiving && (store_pdf == 1 || random_.next() < store_pdf)) {
-            store(point, wo, receiving, store_pdf);
+            if (in_.keep_visible_points) store(point, wo, receiving, store_pdf);
             return false;
         }
         if (last || !bouncing) return false;

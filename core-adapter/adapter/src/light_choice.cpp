@@ -5,12 +5,16 @@
 
 namespace aips {
 
+bool emits(const Light& light) {
+    const float power = light.power();
+    return std::isfinite(power) && power > 0;
+}
+
 DiscreteDistribution light_choice(const Scene& scene) {
     std::vector<float> powers;
     powers.reserve(scene.lights().size());
     for (const Light* light : scene.lights()) {
-        const float power = light->power();
-        powers.push_back(std::isfinite(power) && power > 0 ? power : 0.0f);
+        powers.push_back(emits(*light) ? light->power() : 0.0f);
     }
     return DiscreteDistribution(powers);
 }

@@ -6,6 +6,9 @@
 
 namespace aips {
 
+/// False for a dead light: it is never chosen.
+bool emits(const Light& light);
+
 /// Distribution over Scene::lights(); empty if no light emits.
 DiscreteDistribution light_choice(const Scene& scene);
 

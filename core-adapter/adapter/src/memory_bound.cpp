@@ -14,15 +14,23 @@ namespace {
 /// Vectors grow by doubling: their capacity may be twice what they hold.
 constexpr std::size_t kGrowth = 2;
 
-std::size_t eye_bytes(const Scene& scene, std::size_t paths) {
+/// What an eye pass leaves but for its visible points. Each block's arena holds a chunk, and a
+/// second one where a Bsdf did not fit.
+std::size_t eye_image_bytes(const Scene& scene, std::size_t paths) {
+    const std::size_t image = sizeof(Vec2) + scene.light_groups() * sizeof(Rgb);
+    const std::size_t arenas = Arena::kChunkBytes / 512;
+    const std::size_t last_block = 2 * Arena::kChunkBytes + scene.facts().max_bsdf_bytes;
+    return paths * (image + arenas) + last_block;
+}
+
+/// Visible points, their Bsdfs, and what is estimated there.
+std::size_t visible_point_bytes(const Scene& scene, std::size_t paths) {
     const std::size_t groups = scene.light_groups();
-    const std::size_t image = sizeof(Vec2) + groups * sizeof(Rgb) + sizeof(VisiblePoint);
     // Flux, its photons and squares, and radiance.
     const std::size_t estimate = 2 * groups * sizeof(Rgb) + sizeof(std::uint32_t) + sizeof(float);
-    const std::size_t arenas = scene.facts().max_bsdf_bytes + Arena::kChunkBytes / 512;
     // While blocks are joined, their visible points exist twice; positions are copied for grids.
     const std::size_t transient = kGrowth * sizeof(VisiblePoint) + sizeof(Vec3);
-    return paths * (image + estimate + arenas + transient) + Arena::kChunkBytes;
+    return paths * (sizeof(VisiblePoint) + scene.facts().max_bsdf_bytes + estimate + transient);
 }
 
 /// Landings of the store that waits, of one iteration (twice with a guide: blocks, then joined),
@@ -49,8 +57,10 @@ std::size_t log_bytes(const Settings& s, std::size_t paths) {
 
 }  // namespace
 
-std::size_t memory_bound(const Scene& scene, const Settings& settings, std::uint32_t eye_paths,
+std::size_t memory_bound(const Scene& scene, const Needs& needs, std::uint32_t eye_paths,
                          std::size_t pixels) {
+    if (!needs.photons) return eye_image_bytes(scene, eye_paths);
+    const Settings& settings = needs.settings;
     std::size_t guide = 0;
     if (settings.guide == GuideKind::Paper) guide = PaperGuide::memory_bound_bytes(settings);
     if (settings.guide == GuideKind::Adaptive) {
@@ -67,8 +77,9 @@ std::size_t memory_bound(const Scene& scene, const Settings& settings, std::uint
     // What the photons per pass and the adaptive guide go by.
     const std::size_t plan =
         PixelImportance::memory_bound_bytes(pixels) + PassNoiseMeter::memory_bound_bytes(pixels);
-    return eye_bytes(scene, eye_paths) + plan + OccupancyGrid::memory_bound_bytes(eye_paths) +
-           photon_bytes(settings, eye_paths) + guide + radii;
+    return eye_image_bytes(scene, eye_paths) + visible_point_bytes(scene, eye_paths) + plan +
+           OccupancyGrid::memory_bound_bytes(eye_paths) + photon_bytes(settings, eye_paths) +
+           guide + radii;
 }
 
 }  // namespace aips

@@ -3,35 +3,87 @@
 
 #include <algorithm>
 
+#include "eye_pass.h"
+#include "light_choice.h"
+
 namespace aips {
+namespace {
+
+void skip(Needs& needs, std::string part, const std::string& reason) {
+    needs.skipped.push_back(std::move(part) + ": " + reason);
+}
+
+/// Why no photon could bring light; empty if one could.
+std::string why_no_photons(const Settings& settings, const SceneFacts& facts, bool any_light) {
+    if (!any_light) return "no light emits";
+    if (!(facts.lobes & receiving_lobes(settings))) return "no surface takes photons";
+    if (settings.direct_light_sampling && settings.max_photon_depth < 2) {
+        return "shadow rays carry all light at this photon depth";
+    }
+    return {};
+}
+
+void drop_guide(Needs& needs, const std::string& reason) {
+    needs.settings.guide = GuideKind::None;
+    skip(needs, "guide", reason);
+}
+
+/// Nothing that waits for photons is set up.
+void drop_photons(Needs& needs, const std::string& reason) {
+    needs.photons = false;
+    needs.settings.photon_sampler = PhotonSampler::Sequence;
+    needs.settings.radius = RadiusKind::Schedule;
+    skip(needs, "photon pass", reason);
+}
+
+/// Parts of guide=adaptive that nothing would ever ask.
+void drop_adaptive_parts(Needs& needs, const SceneFacts& facts) {
+    Settings& s = needs.settings;
+    const bool bounce = s.max_photon_depth > 1;
+    if (s.guide_survival && !bounce) {
+        s.guide_survival = false;
+        skip(needs, "survival by score", "no photon goes on at this photon depth");
+    }
+    if (s.guide_bounces && !(bounce && (facts.lobes & kDiffuse))) {
+        s.guide_bounces = false;
+        skip(needs, "guided bounces",
+             bounce ? "no surface is diffuse" : "no photon goes on at this photon depth");
+    }
+}
+
+void drop_guides(Needs& needs, const SceneFacts& facts) {
+    const Settings& s = needs.settings;
+    if (s.guide == GuideKind::None) {
+        skip(needs, "guide", "not asked for");
+    } else if (!needs.photons) {
+        drop_guide(needs, "no photons to guide");
+    } else if (s.guide == GuideKind::Adaptive) {
+        drop_adaptive_parts(needs, facts);
+    } else if (s.max_photon_depth < 2) {
+        drop_guide(needs, "no photon goes on at this photon depth");
+    }
+}
+
+}  // namespace
 
 Needs analyse(const Scene& scene, const Settings& settings) {
     Needs needs;
+    needs.settings = settings;
+    const SceneFacts facts = scene.facts();
     const auto lights = scene.lights();
-    const auto dead = std::count_if(lights.begin(), lights.end(),
-                                    [](const Light* light) { return !(light->power() > 0); });
-    const auto skip_photons = [&](const std::string& reason) {
-        if (needs.photons) needs.skipped.push_back("photon pass: " + reason);
-        needs.photons = false;
-    };
-    if (std::size_t(dead) == lights.size()) skip_photons("no light emits");
-    if (!scene.facts().has_receivers) skip_photons("no surface takes photons");
-    if (settings.direct_light_sampling && settings.max_photon_depth < 2) {
-        skip_photons("shadow rays carry all light at this photon depth");
-    }
-    if (needs.photons && dead > 0) {
-        needs.skipped.push_back(std::to_string(dead) + " lights: they emit nothing");
+    const auto dead = std::size_t(std::count_if(lights.begin(), lights.end(),
+                                                [](const Light* light) { return !emits(*light); }));
+    const std::string reason = why_no_photons(settings, facts, dead < lights.size());
+    if (!reason.empty()) drop_photons(needs, reason);
+    if (dead > 0) {
+        skip(needs, std::to_string(dead) + (dead == 1 ? " light" : " lights"),
+             "no power, so neither photons nor shadow rays go there");
     }
     if (needs.photons && settings.direct_light_sampling) {
-        needs.skipped.emplace_back("direct photons: shadow rays carry direct light");
+        skip(needs, "direct photons", "shadow rays carry direct light");
     }
-    needs.guide = needs.photons && settings.guide != GuideKind::None;
-    if (settings.guide == GuideKind::None) {
-        needs.skipped.emplace_back("guide: not asked for");
-    } else if (!needs.photons) {
-        needs.skipped.emplace_back("guide: no photons to guide");
-    }
-    if (!scene.facts().has_media) needs.skipped.emplace_back("media: none in the scene");
+    drop_guides(needs, facts);
+    if (!facts.has_media) skip(needs, "media", "none in the scene");
     return needs;
 }
 

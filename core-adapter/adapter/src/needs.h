@@ -1,4 +1,7 @@
 // What a scene requires of the engine; everything else is never run.
+//
+// Decided from the scene and the settings before any ray is traced. What only passes can tell is in
+// skip_log and in the parts themselves; docs/skips.md lists all of it.
 #pragma once
 
 #include <string>
@@ -9,11 +12,14 @@
 
 namespace aips {
 
-/// Decided from the scene and the settings, and once more after the first eye pass.
 struct Needs {
     bool photons = true;  ///< some visible point can take light that only photons bring
-    bool guide = true;    ///< directions are worth guiding
+    /// As asked for, but that guides, or parts of them, that can't help are off.
+    Settings settings;
     std::vector<std::string> skipped;  ///< one sentence for each part left out, with its reason
+
+    /// Whether directions or starts of photons are guided.
+    bool guide() const { return settings.guide != GuideKind::None; }
 };
 
 /// Before any ray is traced.

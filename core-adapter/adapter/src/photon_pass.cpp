@@ -9,11 +9,11 @@
 
 namespace aips {
 
-PhotonPass::PhotonPass(const Scene& scene, const Settings& settings, const Needs& needs,
-                       Guide* guide, const PixelImportance* importance)
+PhotonPass::PhotonPass(const Scene& scene, const Settings& settings, Guide* guide,
+                       const PixelImportance* importance)
     : scene_(scene), settings_(settings), guide_(guide), light_choice_(light_choice(scene)) {
     if (settings.photon_sampler == PhotonSampler::AdaptiveChains) chains_.emplace();
-    if (needs.guide && settings.guide == GuideKind::Adaptive) {
+    if (settings.guide == GuideKind::Adaptive) {
         adaptive_.emplace(scene, settings, light_choice_, *importance);
     }
     if (guide && settings.debug_layers) bounces_.emplace(*guide, settings.max_nodes);

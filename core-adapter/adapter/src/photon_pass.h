@@ -8,7 +8,6 @@
 #include "adaptive_guide.h"
 #include "aips/adapter/engine.h"
 #include "gather.h"
-#include "needs.h"
 #include "photon_chains.h"
 #include "photon_schedule.h"
 
@@ -27,8 +26,8 @@ inline constexpr std::uint32_t kLandingCapacity = 1u << 20;
 /// Shoots the photons of one pass onto the visible points of an eye image.
 class PhotonPass {
   public:
-    /// `guide` may be null, `importance` too unless guide=adaptive is needed; they outlive this.
-    PhotonPass(const Scene& scene, const Settings& settings, const Needs& needs, Guide* guide,
+    /// `guide` may be null, `importance` too unless guide=adaptive; they outlive this.
+    PhotonPass(const Scene& scene, const Settings& settings, Guide* guide,
                const PixelImportance* importance);
 
     /// Shoots `photons` and fills `flux` for the visible points in `image`. In modes that freeze

@@ -64,7 +64,7 @@ class PhotonTrace {
             const bool split = splits_ < kMostSplits && landings_.size() < in_.split_landings;
             const Survival survived =
                 decide_survival(in_, point, photon, entry && entry->has_vertices(), split);
-            const std::uint32_t photons = draw_photons(survived.photons, random);
+            const std::uint32_t photons = draw_photons(survived, random);
             if (photons == 0) return;
             if (entry) entry->add_vertex(point, photon, survived);
             for (std::uint32_t i = 1; i < photons; ++i) {
@@ -116,12 +116,18 @@ class PhotonTrace {
         ++counts_.landings;
     }
 
-    /// A whole number of photons, `mean` on average.
+    /// A whole number, survived.photons on average.
     template <class Random>
-    static std::uint32_t draw_photons(float mean, Random& random) {
-        if (mean == 1) return 1;
-        const auto whole = static_cast<std::uint32_t>(mean);
-        return whole + (random.next() < mean - float(whole) ? 1 : 0);
+    std::uint32_t draw_photons(const Survival& survived, Random& random) {
+        if (survived.photons == 1) return 1;
+        const auto whole = static_cast<std::uint32_t>(survived.photons);
+        const float u = random.next();
+        const std::uint32_t photons = whole + (u < survived.photons - float(whole) ? 1 : 0);
+        const bool by_score = in_.score_mix != ScoreMix::None;
+        if (photons == 0 && by_score && u < photons_going_on(survived, ScoreMix::None, 1)) {
+            ++counts_.pruned;
+        }
+        return photons;
     }
 
     /// Draws the way that the photon, one of `photons` on average, takes from the surface; false if
@@ -173,6 +179,7 @@ PhotonCounts& PhotonCounts::operator+=(const PhotonCounts& o) {
     guided_bounces += o.guided_bounces;
     landings += o.landings;
     split_off += o.split_off;
+    pruned += o.pruned;
     return *this;
 }
 

@@ -30,6 +30,8 @@ struct PhotonCounts {
     std::uint64_t guided_bounces = 0;  ///< of these, directions drawn from the guide
     std::uint64_t landings = 0;        ///< stored
     std::uint64_t split_off = 0;       ///< photons that came from splitting others
+    /// Paths that roulette by score ended where roulette by power would have let them go on.
+    std::uint64_t pruned = 0;
 
     PhotonCounts& operator+=(const PhotonCounts& other);
 };

@@ -10,7 +10,6 @@ namespace aips {
 void estimate_pixels(const EyeImage& image, const PhotonFlux& flux, const SearchRadii& radii,
                      std::uint64_t photon_paths, Refusals& refusals, std::vector<Rgb>& radiance) {
     radiance.assign(image.radiance.begin(), image.radiance.end());
-    if (photon_paths == 0) return;
     const std::uint32_t groups = image.groups;
     tbb::parallel_for(std::size_t{0}, image.visible_points.size(), [&](std::size_t i) {
         const VisiblePoint& point = image.visible_points[i];

@@ -10,7 +10,7 @@ namespace aips {
 
 /// Radiance per eye path and light group: what the eye path saw itself plus the photon estimate
 /// sum(f * power) / (pi r^2 N), r being the visible point's radius and N the photon paths shot in
-/// the pass.
+/// the pass, at least one.
 void estimate_pixels(const EyeImage& image, const PhotonFlux& flux, const SearchRadii& radii,
                      std::uint64_t photon_paths, Refusals& refusals, std::vector<Rgb>& radiance);
 

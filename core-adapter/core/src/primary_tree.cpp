@@ -294,6 +294,13 @@ double PrimaryTree::mass() const {
     return sum;
 }
 
+double PrimaryTree::volume_below(double density) const {
+    double sum = 0;
+    for (const Leaf& leaf : leaves_)
+        sum += leaf.probability < density * leaf.volume ? leaf.volume : 0;
+    return sum;
+}
+
 std::size_t PrimaryTree::memory_bytes() const {
     return nodes_.capacity() * sizeof(Node) + leaves_.capacity() * sizeof(Leaf) +
            totals_.capacity() * sizeof(Totals) + means_.capacity() * sizeof(Means) +

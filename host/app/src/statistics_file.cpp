@@ -35,7 +35,7 @@ Json scene_facts(const RenderSession& session) {
     json["lights"] = session.scene->lights().size();
     json["light groups"] = session.scene->light_groups();
     json["materials"] = session.scene->material_names().size();
-    json["receivers"] = facts.has_receivers;
+    json["diffuse"] = facts.has_diffuse;
     json["glossy"] = facts.has_glossy;
     json["specular"] = facts.has_specular;
     json["transmission"] = facts.has_transmission;

@@ -8,7 +8,7 @@ namespace {
 
 void add_material(const MaterialFacts& material, SceneSurvey& survey) {
     SceneFacts& facts = survey.facts;
-    facts.has_receivers |= (material.lobes & (kDiffuse | kGlossy)) != 0;
+    facts.has_diffuse |= (material.lobes & kDiffuse) != 0;
     facts.has_glossy |= (material.lobes & kGlossy) != 0;
     facts.has_specular |= (material.lobes & kSpecular) != 0;
     facts.has_transmission |= material.transmits || material.straight;

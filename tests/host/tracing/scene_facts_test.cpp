@@ -9,7 +9,7 @@ namespace {
 TEST(SceneFacts, MatteOnly) {
     const auto scene = trace({primitive(parallelogram(Vec3(0), Vec3(1, 0, 0), Vec3(0, 1, 0)))});
     const SceneFacts facts = scene->facts();
-    EXPECT_TRUE(facts.has_receivers);
+    EXPECT_TRUE(facts.has_diffuse);
     EXPECT_FALSE(facts.has_glossy);
     EXPECT_FALSE(facts.has_specular);
     EXPECT_FALSE(facts.has_transmission);
@@ -25,7 +25,7 @@ TEST(SceneFacts, SeesIntoObjects) {
     ball.interior = std::make_shared<Medium>(Rgb(0.1f), 1);
     const auto scene = trace(instanced({ball}, {Matrix()}));
     const SceneFacts facts = scene->facts();
-    EXPECT_FALSE(facts.has_receivers);
+    EXPECT_FALSE(facts.has_diffuse);
     EXPECT_TRUE(facts.has_specular);
     EXPECT_TRUE(facts.has_transmission);
     EXPECT_TRUE(facts.has_media);

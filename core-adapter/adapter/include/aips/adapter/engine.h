@@ -62,6 +62,10 @@ struct EngineStatistics {
     std::uint64_t bounce_tables = 0;  ///< guide=adaptive: tables of directions in use
     /// guide=adaptive: mean score of a photon path times its mean cost in rays, lately
     double score_times_cost = 0;
+    /// guide=adaptive: photon paths that roulette by score ended, and that by power would not have
+    std::uint64_t pruned_paths = 0;
+    /// guide=adaptive: share of what the lights emit that now gets under a quarter of its photons
+    double pruned_emission = 0;
     double eye_seconds = 0, photon_seconds = 0, gather_seconds = 0, guide_seconds = 0;
     double plan_seconds = 0;             ///< measuring noise and what pixels weigh
     float radius = 0;                    ///< of the last pass

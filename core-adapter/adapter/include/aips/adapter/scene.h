@@ -88,7 +88,7 @@ class Light {
 
 /// What is known of a scene before any ray is traced.
 struct SceneFacts {
-    bool has_receivers = true;  ///< some surface has a diffuse or glossy lobe
+    LobeMask lobes = kAllLobes;  ///< every kind that some surface may have
     bool has_media = false;
     std::size_t max_bsdf_bytes = 0;  ///< most memory that one intersect() takes
 };

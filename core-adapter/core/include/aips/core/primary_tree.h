@@ -75,6 +75,8 @@ class PrimaryTree {
     /// Sum over leaves of volume * (expected |f| / sqrt(cost))^sharpness: what this light is worth
     /// in a choice between lights; 0 before anything was learned.
     double mass() const;
+    /// Share of [0, 1)^4 where the density set last is below `density`.
+    double volume_below(double density) const;
     std::uint32_t leaf_count() const { return static_cast<std::uint32_t>(leaves_.size()); }
     std::size_t memory_bytes() const;
     /// Upper bound of memory_bytes(), from the settings alone.

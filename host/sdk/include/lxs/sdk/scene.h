@@ -34,8 +34,8 @@ struct SurfaceHit {
 
 /// Facts about a scene that let an integrator leave out what the scene doesn't need.
 struct SceneFacts {
-    bool has_receivers = false;  ///< some surface has a diffuse or glossy lobe
-    bool has_glossy = false;
+    bool has_diffuse = false;       ///< some surface has a diffuse lobe
+    bool has_glossy = false;        ///< some surface has a glossy lobe
     bool has_specular = false;      ///< some surface has a specular lobe
     bool has_transmission = false;  ///< some surface lets light through
     bool has_media = false;

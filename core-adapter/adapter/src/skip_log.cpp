@@ -1,0 +1,66 @@
+// Messages on what is left out.
+#include "skip_log.h"
+
+#include <cmath>
+
+namespace aips {
+namespace {
+
+/// Photon paths after which it is said what the adaptive guide prunes.
+constexpr std::uint64_t kPruningPaths = 1'000'000;
+
+std::string percent(double share) {
+    return std::to_string(std::lround(100 * share)) + " %";
+}
+
+std::string two_decimals(double value) {
+    const std::string text = std::to_string(std::round(100 * value) / 100);
+    return text.substr(0, text.find('.') + 3);
+}
+
+}  // namespace
+
+void SkipLog::start(const Needs& needs) {
+    for (const std::string& skipped : needs.skipped)
+        log_->info("skipped " + skipped);
+}
+
+void SkipLog::no_visible_points(bool for_good) {
+    if (said_no_points_) return;
+    said_no_points_ = true;
+    log_->info(for_good ? "skipped photon passes: no eye path met a surface that takes photons"
+                        : "skipped photons of a pass: no eye path met a surface that takes them; "
+                          "so in each pass where none does");
+}
+
+void SkipLog::say_switch(bool off, bool& was_off, const std::string& part, double gain) {
+    if (off == was_off) return;
+    was_off = off;
+    log_->info(off ? "skipped " + part + " for now: too little is gained, " + two_decimals(gain)
+                   : part + " is back: it gains " + two_decimals(gain));
+}
+
+void SkipLog::after_pass(const AdaptiveGuide* guide, const PhotonCounts& photons) {
+    if (!guide) return;
+    const EmissionGuide& emission = guide->emission_guide();
+    say_switch(emission.switched_off(), emission_off_, "guided emission", emission.gain());
+    say_switch(guide->score_mix() == ScoreMix::None, survival_off_, "survival by score",
+               guide->survival_gain());
+    if (guide->seeding_given_up() && !said_no_seeds_) {
+        said_no_seeds_ = true;
+        log_->info("skipped eye seeding from here on: no walk found where a light emits to it");
+    }
+    if (guide->idle() != idle_) {
+        idle_ = guide->idle();
+        if (idle_) log_->info("skipped the guide's learning, but for trials: no part of it pays");
+    }
+    if (photons.paths >= kPruningPaths && !said_pruned_) {
+        said_pruned_ = true;
+        log_->info("pruned: " + percent(emission.starved_share(kPrunedDensity)) +
+                   " of what lights emit gets under a quarter of its photons, " +
+                   percent(double(photons.pruned) / double(photons.paths)) +
+                   " of the photon paths were ended by their score");
+    }
+}
+
+}  // namespace aips

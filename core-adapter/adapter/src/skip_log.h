@@ -1,0 +1,38 @@
+// Tells the log what is left out, and why: at the start, and when passes show more.
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "adaptive_guide.h"
+#include "aips/adapter/camera.h"
+#include "needs.h"
+#include "photon_path.h"
+
+namespace aips {
+
+/// Starts whose photons the emission guide has thinned to less than this share count as pruned.
+inline constexpr double kPrunedDensity = 0.25;
+
+/// Says each thing once; parts of a guide, which are switched off and on, at each change.
+class SkipLog {
+  public:
+    /// `log` outlives this.
+    explicit SkipLog(Log& log) : log_(&log) {}
+
+    /// What the analysis of the scene left out.
+    void start(const Needs& needs);
+    /// A pass shot no photons, for lack of visible points; `for_good` if all passes see the same.
+    void no_visible_points(bool for_good);
+    /// A pass has ended. `guide` is null but for guide=adaptive; `photons`: of all passes so far.
+    void after_pass(const AdaptiveGuide* guide, const PhotonCounts& photons);
+
+  private:
+    void say_switch(bool off, bool& was_off, const std::string& part, double gain);
+
+    Log* log_;
+    bool said_no_points_ = false, said_no_seeds_ = false, said_pruned_ = false;
+    bool emission_off_ = false, survival_off_ = false, idle_ = false;
+};
+
+}  // namespace aips

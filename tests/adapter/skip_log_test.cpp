@@ -1,0 +1,110 @@
+// Protects what is skipped while a render goes on: an adaptive guide that does not pay rests, and
+// the log says so once; what it prunes is told.
+#include "skip_log.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "light_choice.h"
+#include "render_mock.h"
+
+namespace {
+
+using namespace aips;
+
+/// A guide for a box, and what it learns of made-up paths.
+struct Learner {
+    explicit Learner(const Settings& s)
+        : scene(mock::lamp_box({}, {})),
+          settings(s),
+          choice(light_choice(scene)),
+          importance(8, 8),
+          guide(scene, settings, choice, importance) {}
+
+    /// `paths` photon paths of which one in `one_of` was scored, and brought nothing.
+    void learn_nothing(std::uint32_t paths, std::uint32_t one_of) {
+        PathLog log;
+        log.paths.resize(paths / one_of);
+        for (PathRecord& path : log.paths) {
+            path.pdf = 1;
+            path.rays = 1;
+        }
+        guide.learn(log, {}, paths);
+    }
+
+    mock::Scene scene;
+    Settings settings;
+    DiscreteDistribution choice;
+    PixelImportance importance;
+    AdaptiveGuide guide;
+};
+
+Settings survival_alone() {
+    Settings settings = mock::small_settings(1, 1);
+    settings.guide = GuideKind::Adaptive;
+    settings.guide_emission = false;
+    return settings;
+}
+
+/// Of how many paths one is logged in the pass that begins.
+std::uint32_t log_one_of_next_pass(Learner& learner) {
+    learner.guide.begin_pass(1, 0, {}, {}, 0.1f);
+    return learner.guide.log_one_of();
+}
+
+/// What has met nothing that is worth anything has not been tried yet.
+TEST(IdleGuide, GoesOnWhileNothingIsKnown) {
+    Settings settings = survival_alone();
+    settings.guide_emission = true;
+    Learner learner(settings);
+    EXPECT_EQ(log_one_of_next_pass(learner), 4u);
+    learner.learn_nothing(1'000'000, 4);
+    EXPECT_FALSE(learner.guide.idle());
+    EXPECT_EQ(log_one_of_next_pass(learner), 16u);
+}
+
+/// With its parts switched off by the user it only measures, at the usual rate.
+TEST(IdleGuide, IsNotOneThatOnlyMeasures) {
+    Settings settings = survival_alone();
+    settings.guide_survival = false;
+    Learner learner(settings);
+    learner.learn_nothing(1'000'000, 4);
+    EXPECT_EQ(learner.guide.log_one_of(), 16u);
+}
+
+TEST(SkipLog, NamesWhatIsSwitchedOffOnce) {
+    Learner learner(survival_alone());
+    mock::Log log;
+    SkipLog skip_log(log);
+    PhotonCounts photons;
+    photons.paths = 400'000;
+    learner.learn_nothing(400'000, 8);
+    skip_log.after_pass(&learner.guide, photons);
+    EXPECT_TRUE(log.lines.empty()) << "still tried";
+    learner.learn_nothing(400'000, 4);
+    skip_log.after_pass(&learner.guide, photons);
+    skip_log.after_pass(&learner.guide, photons);
+    ASSERT_EQ(log.lines.size(), 2u);
+    EXPECT_EQ(log.lines[0], "skipped survival by score for now: too little is gained, 1.00");
+    EXPECT_EQ(log.lines[1], "skipped the guide's learning, but for trials: no part of it pays");
+}
+
+TEST(SkipLog, TellsWhatIsPruned) {
+    Learner learner(survival_alone());
+    mock::Log log;
+    SkipLog skip_log(log);
+    PhotonCounts photons;
+    photons.paths = 1'000'000;
+    photons.pruned = 130'000;
+    skip_log.after_pass(&learner.guide, photons);
+    skip_log.after_pass(&learner.guide, photons);
+    ASSERT_EQ(log.lines.size(), 1u);
+    EXPECT_EQ(log.lines[0],
+              "pruned: 0 % of what lights emit gets under a quarter of its photons, 13 % of the "
+              "photon paths were ended by their score");
+    skip_log.after_pass(nullptr, photons);
+    EXPECT_EQ(log.lines.size(), 1u);
+}
+
+}  // namespace

@@ -89,13 +89,6 @@ std::uint32_t AdaptiveGuide::log_one_of() const {
     return paths_ < kEagerPaths ? kEagerOneOf : kOneOf;
 }
 
-bool AdaptiveGuide::idle() const {
-    if (!settings_.guide_emission && !survival_ && !bounces_) return false;  // it only measures
-    return (!settings_.guide_emission || emission_.switched_off()) &&
-           (!survival_ || survival_switch_.mix() == ScoreMix::None) &&
-           (!bounces_ || bounces_->tables().tables_in_use() == 0);
-}
-
 void AdaptiveGuide::learn(const PathLog& log, std::span<const Landing> landings,
                           std::uint32_t paths) {
     paths_ += paths;

@@ -54,8 +54,8 @@ class AdaptiveGuide {
     const EmissionGuide& emission_guide() const { return emission_; }
     /// Whether walks from the eye found no way to start a photon, and are no longer done.
     bool seeding_given_up() const { return walks_ >= kSeedTrialWalks && seeds_found_ == 0; }
-    /// Whether parts of it were tried and none pays: they rest.
-    bool idle() const;
+    /// Whether parts of it were tried and none pays: nothing is learned.
+    bool resting() const { return !awake(); }
     double survival_gain() const { return survival_switch_.gain(); }
     /// Mean score of a photon path times its mean cost in rays: the error of equal-time images,
     /// about, in units of the scene's own. Old paths forgotten; 0 before anything was scored.

@@ -50,9 +50,9 @@ void SkipLog::after_pass(const AdaptiveGuide* guide, const PhotonCounts& photons
         said_no_seeds_ = true;
         log_->info("skipped eye seeding from here on: no walk found where a light emits to it");
     }
-    if (guide->idle() != idle_) {
-        idle_ = guide->idle();
-        if (idle_) log_->info("skipped the guide's learning, but for trials: no part of it pays");
+    if (guide->resting() != resting_) {
+        resting_ = guide->resting();
+        if (resting_) log_->info("skipped the guide's learning, but for trials: no part of it pays");
     }
     if (photons.paths >= kPruningPaths && !said_pruned_) {
         said_pruned_ = true;

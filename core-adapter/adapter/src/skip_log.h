@@ -32,7 +32,7 @@ class SkipLog {
 
     Log* log_;
     bool said_no_points_ = false, said_no_seeds_ = false, said_pruned_ = false;
-    bool emission_off_ = false, survival_off_ = false, idle_ = false;
+    bool emission_off_ = false, survival_off_ = false, resting_ = false;
 };
 
 }  // namespace aips

@@ -77,8 +77,8 @@ TEST(RestingGuide, IsNotOneThatOnlyMeasures) {
 TEST(RestingGuide, LearnsNothingWhereNoPartPays) {
     Settings settings = mock::small_settings(4, 300'000);
     settings.guide = GuideKind::Adaptive;
-    const auto r = mock::render(mock::lamp_box({}, {}), mock::camera_along_y({0, -0.95f, 0}, 1, 8, 8),
-                                8, 8, settings, 5);
+    const auto r = mock::render(mock::lamp_box({}, {}),
+                                mock::camera_along_y({0, -0.95f, 0}, 1, 8, 8), 8, 8, settings, 5);
     const auto said = [&](const std::string& line) {
         return std::count(r.log.lines.begin(), r.log.lines.end(), line);
     };

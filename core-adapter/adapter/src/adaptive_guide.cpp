@@ -59,8 +59,8 @@ std::uint64_t AdaptiveGuide::begin_pass(std::uint64_t pass, float time, const Ey
     if (!awake()) return 0;
     importance_.weigh(image, weights_);
     score_.build(image, positions, radii, weights_);
-    const bool seeds = emission() && settings_.eye_seeding && paths_ < kSeededPaths &&
-                       !seeding_given_up();
+    const bool seeds =
+        emission() && settings_.eye_seeding && paths_ < kSeededPaths && !seeding_given_up();
     return seeds ? seed(pass, time, image) : 0;
 }
 
@@ -69,8 +69,7 @@ void AdaptiveGuide::rest_or_wake() {
     const bool judged = path_score_ > 0;
     emission_rest_.update(paths_, !emission_.switched_off());
     survival_rest_.update(paths_, !judged || survival_switch_.mix() != ScoreMix::None);
-    bounces_rest_.update(paths_,
-                         !judged || (bounces_ && bounces_->tables().tables_in_use() > 0));
+    bounces_rest_.update(paths_, !judged || (bounces_ && bounces_->tables().tables_in_use() > 0));
 }
 
 std::uint64_t AdaptiveGuide::seed(std::uint64_t pass, float time, const EyeImage& image) {

@@ -52,7 +52,8 @@ void SkipLog::after_pass(const AdaptiveGuide* guide, const PhotonCounts& photons
     }
     if (guide->resting() != resting_) {
         resting_ = guide->resting();
-        if (resting_) log_->info("skipped the guide's learning, but for trials: no part of it pays");
+        if (resting_)
+            log_->info("skipped the guide's learning, but for trials: no part of it pays");
     }
     if (photons.paths >= kPruningPaths && !said_pruned_) {
         said_pruned_ = true;

@@ -27,7 +27,7 @@ struct Model {
 /// The passes that follow one another in such a scene.
 std::vector<PassPhotons> passes(const Settings& settings, bool learns, const Model& model,
                                 int count) {
-    PhotonSchedule schedule(settings, kEyePaths, learns);
+    PhotonSchedule schedule(settings, kEyePaths, true, learns);
     std::vector<PassPhotons> all;
     for (int i = 0; i < count; ++i) {
         all.push_back(schedule.next());
@@ -101,7 +101,7 @@ TEST(PhotonSchedule, AGuideHasLearnedBeforeTheFirstChoice) {
 // Passes count alike, whatever they cost.
 TEST(PhotonSchedule, LaterChoicesFollowSlowly) {
     for (const bool learns : {false, true}) {
-        PhotonSchedule schedule({}, kEyePaths, learns);
+        PhotonSchedule schedule({}, kEyePaths, true, learns);
         std::uint32_t last = 0;
         for (int i = 0; i < 300; ++i) {
             const std::uint32_t paths = schedule.next().paths;
@@ -120,11 +120,16 @@ TEST(PhotonSchedule, LaterChoicesFollowSlowly) {
 TEST(PhotonSchedule, WhatWasAskedForStays) {
     Settings settings;
     settings.photons_per_pass = 12345;
-    EXPECT_FALSE(PhotonSchedule(settings, kEyePaths, true).adapts());
+    EXPECT_FALSE(PhotonSchedule(settings, kEyePaths, true, true).adapts());
     for (const PassPhotons& pass : passes(settings, false, {1, 1e12, 1e5}, 20)) {
         EXPECT_EQ(pass.paths, 12345u);
         EXPECT_EQ(pass.weight, 12345);
     }
+}
+
+// No pass is worth less than another where photons are not needed.
+TEST(PhotonSchedule, NothingIsChosenWithoutPhotons) {
+    EXPECT_FALSE(PhotonSchedule({}, kEyePaths, false, false).adapts());
 }
 
 // Frozen eye paths leave nothing to choose, and chains' noise is not that of single photons.
@@ -133,7 +138,7 @@ TEST(PhotonSchedule, AMillionWhereNoiseIsNotFollowed) {
     frozen.mode = Mode::PhotonMap;
     chains.photon_sampler = PhotonSampler::AdaptiveChains;
     for (const Settings& settings : {frozen, chains}) {
-        EXPECT_FALSE(PhotonSchedule(settings, kEyePaths, false).adapts());
+        EXPECT_FALSE(PhotonSchedule(settings, kEyePaths, true, false).adapts());
         EXPECT_EQ(passes(settings, false, {1, 1e12, 1e5}, 20).back().paths, 1'000'000u);
     }
 }

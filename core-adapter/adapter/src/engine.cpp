@@ -61,16 +61,14 @@ class Engine::State {
           direct_light_(host.scene),
           refusals_(host.scene.material_names()),
           guide_(make_guide(host.scene, settings_)),
-          photons_(settings_, eye_paths_, learns()),
+          photons_(settings_, eye_paths_, needs_.photons, learns()),
           importance_(make_importance()),
           photon_pass_(host.scene, settings_, guide_.get(), importance_ ? &*importance_ : nullptr),
           radius_policy_(
               make_radius_policy(settings_, host.scene, host.film.width(), host.film.height())) {
         statistics_.memory_bound_bytes = memory_bound(
             host.scene, needs_, eye_paths_, std::size_t{host.film.width()} * host.film.height());
-        if (needs_.photons && photons_.adapts()) {
-            noise_.emplace(host.film.width(), host.film.height());
-        }
+        if (photons_.adapts()) noise_.emplace(host.film.width(), host.film.height());
         if (settings.debug_layers) add_debug_layers();
         log_start(settings);
     }
@@ -170,7 +168,7 @@ class Engine::State {
     bool learns() const { return settings_.guide == GuideKind::Adaptive; }
 
     std::optional<PixelImportance> make_importance() const {
-        if (!needs_.photons || !(learns() || photons_.adapts())) return {};
+        if (!learns() && !photons_.adapts()) return {};
         return PixelImportance(host_.film.width(), host_.film.height());
     }
 

@@ -41,8 +41,9 @@ std::uint32_t first_paths(const Settings& settings, std::uint32_t eye_paths, boo
 
 }  // namespace
 
-PhotonSchedule::PhotonSchedule(const Settings& settings, std::uint32_t eye_paths, bool learns)
-    : adapts_(follows_noise(settings)),
+PhotonSchedule::PhotonSchedule(const Settings& settings, std::uint32_t eye_paths, bool shoots,
+                               bool learns)
+    : adapts_(shoots && follows_noise(settings)),
       learns_(learns),
       paths_(first_paths(settings, eye_paths, adapts_, learns)),
       decide_at_(learns ? kFirstPassesOfAGuide : kFirstPasses) {

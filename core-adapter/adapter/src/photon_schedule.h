@@ -32,8 +32,9 @@ struct PassWork {
 
 class PhotonSchedule {
   public:
-    /// `learns`: the first photon paths count for less (learning_weight.h).
-    PhotonSchedule(const Settings& settings, std::uint32_t eye_paths, bool learns);
+    /// `shoots`: photons are needed at all; `learns`: the first photon paths count for less
+    /// (learning_weight.h).
+    PhotonSchedule(const Settings& settings, std::uint32_t eye_paths, bool shoots, bool learns);
 
     /// The pass that comes next.
     const PassPhotons& next() const { return next_; }

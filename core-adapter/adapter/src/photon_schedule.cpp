@@ -31,12 +31,12 @@ bool follows_noise(const Settings& settings) {
            settings.photon_sampler == PhotonSampler::Sequence;
 }
 
-/// Before anything is known: as many as eye paths, or what a guide has to learn from.
+/// Before anything is known: as many as eye paths, and at least what a guide has to learn from.
 std::uint32_t first_paths(const Settings& settings, std::uint32_t eye_paths, bool adapts,
                           bool learns) {
-    if (adapts && learns) return std::uint32_t(kLearningPaths / kFirstPassesOfAGuide);
-    if (adapts) return std::clamp(eye_paths, kFewest, kUsualPaths);
-    return settings.photons_per_pass ? settings.photons_per_pass : kUsualPaths;
+    if (!adapts) return settings.photons_per_pass ? settings.photons_per_pass : kUsualPaths;
+    const auto learning = std::uint32_t(kLearningPaths / kFirstPassesOfAGuide);
+    return std::clamp(eye_paths, learns ? learning : kFewest, kUsualPaths);
 }
 
 }  // namespace

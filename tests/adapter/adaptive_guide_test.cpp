@@ -132,6 +132,16 @@ TEST(AdaptiveGuide, SameExpectationWithGuidedBounces) {
     EXPECT_GT(variance(unguided, 11000) / variance(alone, 12000), 1.2);
 }
 
+// Passes count alike from the first choice on, however many photons the noise asked for.
+TEST(AdaptiveGuide, SameExpectationWithPhotonsByTheNoise) {
+    const View view = lamp_and_mirror();
+    const auto by_noise = [](Settings& s) {
+        adaptive(s);
+        s.photons_per_pass = 0;
+    };
+    expect_same(renders(view, plain, 24, 1000), renders(view, by_noise, 8, 11000, 8, 14), 0.05);
+}
+
 TEST(AdaptiveGuide, SunOverAWideGround) {
     const View view = wide_ground();
     expect_same(renders(view, plain, 40, 5000, 8, 12), renders(view, adaptive, 40, 6000, 8, 12));

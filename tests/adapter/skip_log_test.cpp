@@ -101,6 +101,18 @@ TEST(SkipLog, NamesWhatIsSwitchedOffOnce) {
     EXPECT_EQ(log.lines[0], "skipped survival by score for now: too little is gained, 1.00");
 }
 
+/// What nobody asked for was not tried.
+TEST(SkipLog, SaysNothingOfPartsThatAreNotThere) {
+    Settings settings = survival_alone();
+    settings.guide_survival = false;
+    Learner learner(settings);
+    mock::Log log;
+    SkipLog skip_log(log);
+    learner.learn_nothing(800'000, 4);
+    skip_log.after_pass(&learner.guide, {});
+    EXPECT_TRUE(log.lines.empty());
+}
+
 TEST(SkipLog, TellsWhatIsPruned) {
     Learner learner(survival_alone());
     mock::Log log;

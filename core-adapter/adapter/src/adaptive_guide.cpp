@@ -68,7 +68,7 @@ void AdaptiveGuide::rest_or_wake() {
     // Before any path was worth something there is nothing to judge.
     const bool judged = path_score_ > 0;
     emission_rest_.update(paths_, !emission_.switched_off());
-    survival_rest_.update(paths_, !judged || survival_switch_.mix() != ScoreMix::None);
+    survival_rest_.update(paths_, !judged || !survival_switched_off());
     bounces_rest_.update(paths_, !judged || (bounces_ && bounces_->tables().tables_in_use() > 0));
 }
 

@@ -52,6 +52,10 @@ class AdaptiveGuide {
     void learn(const PathLog& log, std::span<const Landing> landings, std::uint32_t paths);
 
     const EmissionGuide& emission_guide() const { return emission_; }
+    /// Whether survival by score was tried and does not pay.
+    bool survival_switched_off() const {
+        return survival_ && survival_switch_.mix() == ScoreMix::None;
+    }
     /// Whether walks from the eye found no way to start a photon, and are no longer done.
     bool seeding_given_up() const { return walks_ >= kSeedTrialWalks && seeds_found_ == 0; }
     /// Whether parts of it were tried and none pays: nothing is learned.

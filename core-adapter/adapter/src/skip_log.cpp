@@ -44,7 +44,7 @@ void SkipLog::after_pass(const AdaptiveGuide* guide, const PhotonCounts& photons
     if (!guide) return;
     const EmissionGuide& emission = guide->emission_guide();
     say_switch(emission.switched_off(), emission_off_, "guided emission", emission.gain());
-    say_switch(guide->score_mix() == ScoreMix::None, survival_off_, "survival by score",
+    say_switch(guide->survival_switched_off(), survival_off_, "survival by score",
                guide->survival_gain());
     if (guide->seeding_given_up() && !said_no_seeds_) {
         said_no_seeds_ = true;

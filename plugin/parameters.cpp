@@ -18,8 +18,6 @@ constexpr std::array<std::string_view, 3> kModes{"progressive", "photonmap", "pp
 constexpr std::array<std::string_view, 2> kRadii{"schedule", "adaptive"};
 constexpr std::array<std::string_view, 3> kGuides{"none", "paper", "adaptive"};
 constexpr std::array<std::string_view, 2> kPhotonSamplers{"halton", "amc"};
-/// Photon paths a pass of LuxRender's sppm.
-constexpr std::uint32_t kUsualPhotons = 1'000'000;
 constexpr double kMaxCount = 4294967295.0;
 
 constexpr ParameterDeclaration integer(std::string_view name, std::string_view value,
@@ -190,7 +188,8 @@ void read_common(PluginKind kind, const lxs::ParameterReader& in, Settings& s) {
     };
     s.max_eye_depth = count("maxeyedepth", s.max_eye_depth);
     s.max_photon_depth = count("maxphotondepth", s.max_photon_depth);
-    s.photons_per_pass = count("photonperpass", kind == PluginKind::Aips ? 0 : kUsualPhotons);
+    s.photons_per_pass =
+        count("photonperpass", kind == PluginKind::Aips ? 0 : kUsualPhotonsPerPass);
     s.hit_points_per_pass = count("hitpointperpass", s.hit_points_per_pass);
     s.start_radius = in.number("startradius", s.start_radius);
     s.alpha = in.number("alpha", s.alpha);

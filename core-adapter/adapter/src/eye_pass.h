@@ -43,6 +43,16 @@ struct EyeImage {
     std::size_t memory_bytes() const;
 };
 
+/// Luminance of an eye path, or of a visible point, over its light groups in `values`:
+/// [path * groups + group].
+inline float luminance_over_groups(std::span<const Rgb> values, std::size_t path,
+                                   std::uint32_t groups) {
+    float sum = 0;
+    for (std::size_t g = 0; g < groups; ++g)
+        sum += luminance(values[path * groups + g]);
+    return sum;
+}
+
 /// The parts that an eye pass works with.
 struct EyePassInput {
     const Scene& scene;

@@ -41,12 +41,8 @@ PassNoise PassNoiseMeter::add_pass(const EyeImage& image, std::span<const Rgb> r
 void PassNoiseMeter::sum_pixels(const EyeImage& image, std::span<const Rgb> radiance,
                                 const PhotonFlux& flux) {
     pixels_.assign(pixels_.size(), {});
-    const std::size_t groups = image.groups;
-    const auto luminance_of = [&](std::span<const Rgb> values, std::size_t at) {
-        float sum = 0;
-        for (std::size_t g = 0; g < groups; ++g)
-            sum += luminance(values[at * groups + g]);
-        return sum;
+    const auto luminance_of = [&](std::span<const Rgb> values, std::size_t path) {
+        return luminance_over_groups(values, path, image.groups);
     };
     for (std::size_t path = 0; path < image.positions.size(); ++path) {
         Pixel& pixel = pixels_[film_pixel(image.positions[path], width_, height_)];

@@ -7,6 +7,10 @@
 
 namespace aips {
 
+/// Photon paths of an iteration that no guide=paper cuts shorter: enough for all threads, few
+/// enough for the store's capacity.
+inline constexpr std::uint32_t kPlainIterationPaths = 1u << 14;
+
 /// Paths of a block, which one thread traces.
 inline constexpr std::uint32_t kPathsPerBlock = 256;
 

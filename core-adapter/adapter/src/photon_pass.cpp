@@ -57,7 +57,8 @@ void PhotonPass::shoot(std::uint64_t pass, const PassPhotons& photons, float tim
         learn(count);
         if (adaptive_) {
             // After learning: a guide learns from what photons really carried.
-            waiting_.scale_power(landings, float(learning_weight(photons.before + first)));
+            const auto weight = float(learning_weight(photons.before + first));
+            if (weight < 1) waiting_.scale_power(landings, weight);
         }
         if (waiting_.landings().size() > kLandingCapacity) gather(image, radii, refusals, flux);
         first += count;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "photon.h"
+#include "scatter_photon.h"
 
 namespace aips {
 

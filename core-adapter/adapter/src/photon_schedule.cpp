@@ -5,12 +5,11 @@
 #include <cmath>
 
 #include "learning_weight.h"
+#include "photon_iteration.h"
 
 namespace aips {
 namespace {
 
-/// Photon paths a pass where they do not follow the noise and none were asked for: LuxRender's.
-constexpr std::uint32_t kUsualPaths = 1'000'000;
 /// Bounds of what is chosen.
 constexpr std::uint32_t kFewest = 1u << 12, kMost = 1u << 22;
 /// Passes before the first choice. Others follow whenever there are a quarter more.
@@ -34,9 +33,10 @@ bool follows_noise(const Settings& settings) {
 /// Before anything is known: as many as eye paths, and at least what a guide has to learn from.
 std::uint32_t first_paths(const Settings& settings, std::uint32_t eye_paths, bool adapts,
                           bool learns) {
-    if (!adapts) return settings.photons_per_pass ? settings.photons_per_pass : kUsualPaths;
+    if (!adapts)
+        return settings.photons_per_pass ? settings.photons_per_pass : kUsualPhotonsPerPass;
     const auto learning = std::uint32_t(kLearningPaths / kFirstPassesOfAGuide);
-    return std::clamp(eye_paths, learns ? learning : kFewest, kUsualPaths);
+    return std::clamp(eye_paths, learns ? learning : kFewest, kUsualPhotonsPerPass);
 }
 
 }  // namespace

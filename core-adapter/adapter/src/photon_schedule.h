@@ -58,8 +58,4 @@ class PhotonSchedule {
     std::uint64_t shot_ = 0;
 };
 
-/// Photon paths of an iteration that no guide=paper cuts shorter: enough for all threads, few
-/// enough for the store's capacity.
-inline constexpr std::uint32_t kPlainIterationPaths = 1u << 14;
-
 }  // namespace aips

@@ -52,11 +52,8 @@ PixelImportance::PixelImportance(std::uint32_t width, std::uint32_t height)
 void PixelImportance::add_pass(const EyeImage& image, std::span<const Rgb> radiance) {
     double total = 0, paths = 0;
     for (std::size_t i = 0; i < image.positions.size(); ++i) {
-        float value = 0;
-        for (std::uint32_t g = 0; g < image.groups; ++g)
-            value += luminance(radiance[i * image.groups + g]);
         const std::size_t at = film_pixel(image.positions[i], width_, height_);
-        sum_[at] += value;
+        sum_[at] += luminance_over_groups(radiance, i, image.groups);
         count_[at] += 1;
     }
     for (std::size_t i = 0; i < sum_.size(); ++i) {

@@ -35,6 +35,10 @@ enum class PhotonSampler : std::uint8_t {
     AdaptiveChains  ///< Markov chains on the visible paths (Hachisuka & Jensen 2011)
 };
 
+/// Photon paths a pass of LuxRender's sppm, and wherever they do not follow the noise and none were
+/// asked for.
+inline constexpr std::uint32_t kUsualPhotonsPerPass = 1'000'000;
+
 /// Everything that a user may set. Names of the parameters: plugin/parameters.cpp.
 struct Settings {
     Mode mode = Mode::Progressive;

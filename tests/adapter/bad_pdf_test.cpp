@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-#include "aips/core/sampling.h"
+#include "cosine_directions.h"
 #include "light_choice.h"
 #include "photon_iteration.h"
 #include "render_mock.h"
@@ -27,24 +27,11 @@ mock::Scene box_with(float claimed_pdf) {
 }
 
 /// Draws half of all directions like Lambert's lobe.
-class CosineDirections final : public GuidedDirections {
-  public:
-    explicit CosineDirections(Vec3 normal) : GuidedDirections(0.5f), frame_(normal) {}
-    Vec3 sample(Vec2 u) const override { return frame_.to_world(square_to_cosine_hemisphere(u)); }
-    float pdf(Vec3 direction) const override {
-        return std::max(0.0f, dot(direction, frame_.n)) * kInvPi;
-    }
-
-  private:
-    Frame frame_;
-};
-
 class CosineGuide final : public DirectionGuide {
   public:
     const GuidedDirections* directions(const GuideVertex& vertex,
                                        std::pmr::memory_resource& memory) const override {
-        return new (memory.allocate(sizeof(CosineDirections), alignof(CosineDirections)))
-            CosineDirections(vertex.normal);
+        return mock::CosineDirections::about(vertex.normal, memory);
     }
 };
 

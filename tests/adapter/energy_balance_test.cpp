@@ -7,8 +7,8 @@
 #include <functional>
 
 #include "adaptive_guide.h"
-#include "aips/core/sampling.h"
 #include "block_test.h"
+#include "cosine_directions.h"
 #include "light_choice.h"
 #include "paper_guide.h"
 #include "photon_iteration.h"
@@ -47,26 +47,13 @@ Settings settings_of(std::uint64_t scene) {
 }
 
 /// Draws half of the directions about an axis between the normal and one side: unlike any Bsdf.
-class LeaningDirections final : public GuidedDirections {
-  public:
-    explicit LeaningDirections(Vec3 normal)
-        : GuidedDirections(0.5f), frame_(normalize(normal + Vec3{0.5f, 0.3f, 0.2f})) {}
-    Vec3 sample(Vec2 u) const override { return frame_.to_world(square_to_cosine_hemisphere(u)); }
-    float pdf(Vec3 direction) const override {
-        return std::max(0.0f, dot(direction, frame_.n)) * kInvPi;
-    }
-
-  private:
-    Frame frame_;
-};
-
 class LeaningGuide final : public DirectionGuide {
   public:
     const GuidedDirections* directions(const GuideVertex& vertex,
                                        std::pmr::memory_resource& memory) const override {
         if (!(vertex.bsdf->lobes() & kDiffuse)) return nullptr;
-        return new (memory.allocate(sizeof(LeaningDirections), alignof(LeaningDirections)))
-            LeaningDirections(vertex.normal);
+        return mock::CosineDirections::about(normalize(vertex.normal + Vec3{0.5f, 0.3f, 0.2f}),
+                                             memory);
     }
 };
 

@@ -84,21 +84,25 @@ TEST(Needs, NoPhotonsWithoutVisiblePoints) {
     EXPECT_EQ(times_logged(frozen.log, "skipped photon passes: no eye path met a surface"), 1);
 }
 
-/// Without storeglossy glossy lobes bounce eye paths and take no photons.
-TEST(Needs, PhotonsForGlossOnlyIfItTakesThem) {
+/// A pass from within a glowing box without a diffuse surface.
+auto render_glossy_box(const Settings& settings) {
     mock::Scene scene;
     mock::Surface wall;
     wall.material.kind = mock::Material::Kind::Phong;
     wall.emitted = {1, 1, 1};
     scene.add_box({-1, -1, -1}, {1, 1, 1}, wall);
     scene.finish();
-    const auto camera = mock::camera_along_y({0, 0, 0}, 1, 8, 8);
+    return mock::render(scene, mock::camera_along_y({0, 0, 0}, 1, 8, 8), 8, 8, settings, 1);
+}
+
+/// Without storeglossy glossy lobes bounce eye paths and take no photons.
+TEST(Needs, PhotonsForGlossOnlyIfItTakesThem) {
     Settings settings = mock::small_settings(67, 5000);
-    const auto bounced = mock::render(scene, camera, 8, 8, settings, 1);
+    const auto bounced = render_glossy_box(settings);
     EXPECT_EQ(bounced.statistics.photon_paths, 0u);
     EXPECT_TRUE(logged(bounced.log, "skipped photon pass: no surface takes photons"));
     settings.store_glossy = true;
-    EXPECT_EQ(mock::render(scene, camera, 8, 8, settings, 1).statistics.photon_paths, 5000u);
+    EXPECT_EQ(render_glossy_box(settings).statistics.photon_paths, 5000u);
 }
 
 /// Neither what waits for photons nor what they would leave is held.
@@ -166,18 +170,11 @@ TEST(Needs, NoPartsOfGuidesThatSteerNothing) {
 }
 
 TEST(Needs, NoGuidedBouncesWithoutDiffuseSurfaces) {
-    mock::Scene scene;
-    mock::Surface wall;
-    wall.material.kind = mock::Material::Kind::Phong;
-    wall.emitted = {1, 1, 1};
-    scene.add_box({-1, -1, -1}, {1, 1, 1}, wall);
-    scene.finish();
-    const auto camera = mock::camera_along_y({0, 0, 0}, 1, 8, 8);
     Settings settings = mock::small_settings(71, 5000);
     settings.store_glossy = true;
     settings.guide = GuideKind::Adaptive;
     settings.guide_bounces = true;
-    const auto r = mock::render(scene, camera, 8, 8, settings, 1);
+    const auto r = render_glossy_box(settings);
     EXPECT_TRUE(logged(r.log, "skipped guided bounces: no surface is diffuse"));
     EXPECT_GT(r.statistics.photon_paths, 0u);
 }

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "aips/core/random.h"
+#include "image_of_pixels.h"
 
 namespace {
 
@@ -15,19 +16,8 @@ using namespace aips;
 constexpr std::uint32_t kWidth = 64, kHeight = 48;
 constexpr double kLight = 3;
 
-/// One eye path in each pixel, each with a visible point.
 EyeImage eye_image() {
-    EyeImage image;
-    for (std::uint32_t y = 0; y < kHeight; ++y) {
-        for (std::uint32_t x = 0; x < kWidth; ++x) {
-            VisiblePoint point;
-            point.sample = static_cast<std::uint32_t>(image.positions.size());
-            image.visible_points.push_back(point);
-            image.positions.push_back({float(x) + 0.5f, float(y) + 0.5f});
-        }
-    }
-    image.radiance.assign(image.positions.size(), Rgb{});
-    return image;
+    return mock::image_of_pixels(kWidth, kHeight, {});
 }
 
 /// Number of photons, of mean `mean`: of many, each unlikely.

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "aips/core/random.h"
+#include "image_of_pixels.h"
 
 namespace {
 
@@ -17,20 +18,8 @@ constexpr std::size_t kPixels = std::size_t{kWidth} * kHeight;
 /// As documented: pixels darker than this share of the mean weigh as if they were about as bright.
 constexpr double kDarkest = 0.02;
 
-/// One eye path in the middle of each pixel, each with a visible point.
 EyeImage eye_image(std::uint32_t groups = 1) {
-    EyeImage image;
-    image.groups = groups;
-    for (std::uint32_t y = 0; y < kHeight; ++y) {
-        for (std::uint32_t x = 0; x < kWidth; ++x) {
-            VisiblePoint point;
-            point.sample = static_cast<std::uint32_t>(image.positions.size());
-            image.visible_points.push_back(point);
-            image.positions.push_back({float(x) + 0.5f, float(y) + 0.5f});
-        }
-    }
-    image.radiance.assign(image.positions.size() * groups, kWhite);
-    return image;
+    return mock::image_of_pixels(kWidth, kHeight, kWhite, groups);
 }
 
 std::vector<Rgb> uniform(double value) {

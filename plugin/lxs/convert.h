@@ -26,13 +26,15 @@ inline lxs::Transport to(Transport t) {
 }
 
 inline Ray from(const lxs::Ray& ray) {
-    return {from(ray.origin), from(ray.direction), ray.time, ray.medium};
+    return {from(ray.origin), from(ray.direction), ray.time, ray.medium,
+            ray.component};
 }
 inline lxs::Ray to(const Ray& ray) {
     lxs::Ray r;
     r.origin = to(ray.origin);
     r.direction = to(ray.direction);
     r.time = ray.time;
+    r.component = ray.component;
     r.medium = static_cast<const lxs::Medium*>(ray.medium);
     return r;
 }

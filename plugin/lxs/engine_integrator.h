@@ -15,6 +15,7 @@ class EngineIntegrator final : public lxs::Integrator {
 
     void prepare(const lxs::RenderContext& context) override;
     lxs::PassReport render_pass(std::uint64_t pass) override;
+    bool passes_stand_alone() const override { return settings_.mode == Mode::Progressive; }
     lxs::Statistics statistics() const override;
 
   private:

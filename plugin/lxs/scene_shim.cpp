@@ -30,7 +30,7 @@ class BsdfShim final : public Bsdf {
                 BsdfSample& sample) const override {
         lxs::BsdfSample s;
         if (!bsdf_.sample(to(wo), to(u), u_lobe, to(transport), mask, s)) return false;
-        sample = {from(s.wi), from(s.weight), s.pdf, s.lobe, s.straight};
+        sample = {from(s.wi), from(s.weight), s.pdf, s.lobe, s.straight, s.component};
         return true;
     }
     Rgb albedo(Vec3 wo, LobeMask mask) const override { return from(bsdf_.albedo(to(wo), mask)); }

@@ -132,7 +132,7 @@ class EyePath {
             last_vertex_ = point;
             last_vertex_.bsdf = nullptr;
         }
-        ray_ = in_.scene.spawn(point, sample.wi, ray_.time);
+        ray_ = continue_ray(in_.scene, point, sample.wi, sample.component, ray_);
         return true;
     }
 

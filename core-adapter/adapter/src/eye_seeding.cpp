@@ -117,7 +117,7 @@ class SeedWalk {
             last_.bsdf = nullptr;
         }
         throughput_ *= sample.weight;
-        ray_ = in_.scene.spawn(hit, sample.wi, in_.time);
+        ray_ = continue_ray(in_.scene, hit, sample.wi, sample.component, ray_);
         return !is_black(throughput_);
     }
 

@@ -153,7 +153,8 @@ class PhotonTrace {
         if (!refusals_.accept(photon.power, point.material) || is_black(photon.power)) return false;
         photon.straight = photon.straight && scattered.straight;
         photon.previous = point.position;
-        photon.ray = in_.scene.spawn(point, scattered.direction, in_.time);
+        photon.ray = continue_ray(in_.scene, point, scattered.direction, scattered.component,
+                                  photon.ray);
         ++photon.depth;
         return true;
     }

@@ -21,6 +21,7 @@ bool scatter_by_bsdf(const SurfacePoint& point, Vec3 wo, LobeMask mask, float ma
     result.direction = sample.wi;
     result.weight = sample.weight * (adjoint_shading_factor(point, wo, sample.wi) / mask_pdf);
     result.straight = sample.straight;
+    result.component = sample.component;
     return true;
 }
 

@@ -10,6 +10,7 @@ struct ScatteredPhoton {
     Vec3 direction;
     Rgb weight;
     bool straight = false;
+    std::int8_t component = kAllComponents;  ///< as in BsdfSample
     LobeMask lobe = 0;  ///< from which the Bsdf alone drew it; 0: a mixture of densities did
     /// Of `direction` per steradian where a mixture drew it, given that no specular lobe was
     /// chosen.

@@ -45,6 +45,7 @@ void log_scene(const RenderSession& session, ConsoleLog& log) {
     if (!facts.has_image_textures) skipped.emplace_back("image textures (no texture system)");
     if (!facts.has_media) skipped.emplace_back("media");
     if (!facts.has_motion) skipped.emplace_back("motion");
+    if (!facts.disperses) skipped.emplace_back("wavelengths (nothing disperses)");
     if (!skipped.empty()) {
         log.info(fmt::format("skipped, as the scene has none: {}", fmt::join(skipped, ", ")));
     }
@@ -136,6 +137,9 @@ ExitCode render(const CommandLine& command, const PluginLibrary& plugins, Consol
                     .write_snapshot = [&](const RenderTotals& totals) {
                         write_outputs(command, session, totals);
                     }};
+    if (session.spectral) {
+        loop.begin_pass = [&](std::uint64_t pass) { begin_spectral_pass(session, pass); };
+    }
     const RenderTotals totals = loop.run();
     session.times["render"] = seconds_since(start) - session.times["write"];
     return finish(command, session, totals, interruption.requested(), log);

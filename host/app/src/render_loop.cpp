@@ -23,6 +23,7 @@ RenderTotals RenderLoop::run() {
             write_snapshot(totals);
             last_snapshot = seconds_gone();
         }
+        if (begin_pass) begin_pass(totals.passes);
         const PassReport report = integrator.render_pass(totals.passes);
         ++totals.passes;
         totals.photon_paths += report.photon_paths;

@@ -9,7 +9,6 @@
 #include "lxs/host/failure.h"
 #include "lxs/host/statement_override.h"
 #include "lxs/language/read_scene.h"
-#include "lxs/tracing/trace_scene.h"
 
 namespace lxs {
 namespace {
@@ -78,7 +77,27 @@ void build_scene(RenderSession& session, SceneContents contents, Diagnostics& di
     }
 }
 
+/// Wavelengths are worth their price only where something bends each its own way.
+void choose_spectral(RenderSession& session, ConsoleLog& log) {
+    if (!session.scene->facts().disperses) return;
+    if (session.sampler->metropolis() || !session.integrator->passes_stand_alone()) {
+        log.warning(
+            fmt::format("\"{}\" carries light from pass to pass here, so that passes can't differ "
+                        "in wavelength: dispersion is left out, the index of 550 nm is used",
+                        session.integrator_name));
+        return;
+    }
+    session.spectral = true;
+    log.info("rendering by wavelengths, three a pass, as a material disperses light");
+}
+
 }  // namespace
+
+void begin_spectral_pass(RenderSession& session, std::uint64_t pass) {
+    const Wavelengths wavelengths = wavelengths_of_pass(session.seed, pass);
+    session.scene->set_wavelengths(wavelengths);
+    session.film->set_wavelengths(wavelengths);
+}
 
 RenderSession prepare_session(const CommandLine& command, const PluginLibrary& plugins,
                               InputDiagnostics& diagnostics, ConsoleLog& log) {
@@ -100,6 +119,8 @@ RenderSession prepare_session(const CommandLine& command, const PluginLibrary& p
     session.sampler = make_sampler(contents, session.seed, diagnostics,
                                    choice.integrator->plugin->runs_metropolis);
     build_scene(session, std::move(contents), diagnostics);
+    choose_spectral(session, log);
+    if (session.spectral) begin_spectral_pass(session, 0);
     return session;
 }
 

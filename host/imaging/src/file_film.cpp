@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <new>
+#include <optional>
 #include <stdexcept>
 
 #include "exr_encoder.h"
@@ -53,11 +54,13 @@ class FlexImage final : public FileFilm {
     std::uint64_t refused_samples() const override { return accumulator_.refused_samples(); }
     std::size_t memory_bytes() const override;
 
+    void set_wavelengths(const Wavelengths& wavelengths) override;
     std::vector<Rgb> image() const override;
     void write_exr(const std::string& path, const ImageMetadata& metadata) const override;
     void write_png(const std::string& path) const override;
 
   private:
+    FilmAccumulator& color_layer(std::string_view name);
     std::size_t pixels() const { return std::size_t{width()} * height(); }
 
     FilmSettings settings_;
@@ -66,6 +69,7 @@ class FlexImage final : public FileFilm {
     FilmAccumulator accumulator_;
     std::map<std::string, FilmAccumulator, std::less<>> color_layers_;
     std::map<std::string, std::vector<float>, std::less<>> layers_;
+    std::optional<Wavelengths> wavelengths_;  ///< none: passes are RGB
 };
 
 void FlexImage::add_layer_pass(std::string_view name, const PassSamples& samples) {
@@ -75,13 +79,22 @@ void FlexImage::add_layer_pass(std::string_view name, const PassSamples& samples
         throw std::runtime_error(fmt::format(
             "film: no layer can be named '{}', which is the image or a light group", name));
     }
-    auto layer = color_layers_.find(name);
-    if (layer == color_layers_.end()) {
-        layer =
-            color_layers_.emplace(std::string(name), FilmAccumulator(width(), height(), 1, filter_))
-                .first;
-    }
-    layer->second.add(samples);
+    color_layer(name).add(samples);
+}
+
+FilmAccumulator& FlexImage::color_layer(std::string_view name) {
+    const auto known = color_layers_.find(name);
+    if (known != color_layers_.end()) return known->second;
+    FilmAccumulator layer(width(), height(), 1, filter_);
+    if (wavelengths_) layer.set_conversion(wavelengths_->to_rgb);
+    return color_layers_.emplace(std::string(name), std::move(layer)).first->second;
+}
+
+void FlexImage::set_wavelengths(const Wavelengths& wavelengths) {
+    wavelengths_ = wavelengths;
+    accumulator_.set_conversion(wavelengths.to_rgb);
+    for (auto& [name, layer] : color_layers_)
+        layer.set_conversion(wavelengths.to_rgb);
 }
 
 void FlexImage::clear() {

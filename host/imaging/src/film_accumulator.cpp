@@ -129,10 +129,30 @@ void FilmAccumulator::gather_pixel(const PassSamples& pass, std::uint32_t x, std
     }
 }
 
+/// From sums of values at wavelengths to sums of linear RGB.
+void FilmAccumulator::convert(std::span<double> pixel) const {
+    for (std::uint32_t g = 0; g < groups_; ++g) {
+        double* const sums = &pixel[3 * std::size_t{g} + 1];
+        const Imath::V3d rgb = Imath::V3d(sums[0], sums[1], sums[2]) * *to_rgb_;
+        for (int c = 0; c < 3; ++c)
+            sums[c] = rgb[c];
+    }
+}
+
+/// What a white of 1 is in the mean over the passes; 1 but for the choice of wavelengths. Never
+/// so little that a pixel is blown up where a pass saw one end of the spectrum alone.
+Imath::V3d FilmAccumulator::white() const {
+    constexpr double kLeast = 0.25;
+    if (!(weight_sum_ > 0)) return Imath::V3d(1.0);
+    const Imath::V3d mean = white_sum_ / weight_sum_;
+    return {std::max(mean.x, kLeast), std::max(mean.y, kLeast), std::max(mean.z, kLeast)};
+}
+
 void FilmAccumulator::gather_row(const PassSamples& pass, std::uint32_t y,
                                  std::span<double> pixel) {
     for (std::uint32_t x = 0; x < width_; ++x) {
         gather_pixel(pass, x, y, pixel);
+        if (to_rgb_) convert(pixel);
         double* sums = &sums_[(std::size_t{y} * width_ + x) * pixel.size()];
         for (std::size_t c = 0; c < pixel.size(); ++c) {
             sums[c] += pass.weight * pixel[c];
@@ -169,6 +189,9 @@ void FilmAccumulator::add(const PassSamples& pass) {
             gather_row(pass, y, pixel);
         }
     });
+    if (!to_rgb_) return;
+    white_sum_ += Imath::V3d(1.0) * *to_rgb_ * pass.weight;
+    weight_sum_ += pass.weight;
 }
 
 void FilmAccumulator::add_splats(const PassSplats& splats) {
@@ -193,6 +216,8 @@ void FilmAccumulator::clear() {
     std::fill(sums_.begin(), sums_.end(), 0.0);
     std::fill(splats_.begin(), splats_.end(), 0.0);
     splat_samples_ = 0;
+    white_sum_ = Imath::V3d(0.0);
+    weight_sum_ = 0;
 }
 
 /// A pixel's value summed over light groups: the mean of samples, and the splats.
@@ -201,6 +226,7 @@ Rgb FilmAccumulator::resolve(std::size_t pixel, std::uint32_t first_group,
     const std::size_t channels = 3 * std::size_t{groups_};
     const double* sums = &sums_[pixel * (1 + channels)];
     const double pixels = static_cast<double>(width_) * height_;
+    const Imath::V3d white = this->white();
     Rgb value;
     for (std::size_t c = 0; c < 3; ++c) {
         double mean = 0, splats = 0;
@@ -208,7 +234,7 @@ Rgb FilmAccumulator::resolve(std::size_t pixel, std::uint32_t first_group,
             mean += sums[1 + 3 * g + c];
             if (!splats_.empty()) splats += splats_[pixel * channels + 3 * g + c];
         }
-        mean = *sums > 0 ? mean / *sums : 0;
+        mean = *sums > 0 ? mean / (*sums * white[static_cast<int>(c)]) : 0;
         if (splat_samples_ > 0) mean += splats * pixels / splat_samples_;
         // The lobes of a filter may be negative, an image may not.
         value[static_cast<int>(c)] = static_cast<float>(

@@ -22,6 +22,11 @@ class FilmAccumulator {
     FilmAccumulator(std::uint32_t width, std::uint32_t height, std::uint32_t groups,
                     const PixelFilter& filter);
 
+    /// From now on samples hold values at wavelengths: a row vector of them times `to_rgb` is
+    /// linear RGB. Images are divided by what a white of 1 has become, which the few wavelengths
+    /// of few passes would tint; the quotient tends to 1 with the passes. Not for splats.
+    void set_conversion(const Imath::M33d& to_rgb) { to_rgb_ = to_rgb; }
+
     /// Throws std::invalid_argument if the pass is malformed (sizes, groups, weight): a bug of the
     /// caller. Samples that are not finite or negative are refused whole and counted.
     void add(const PassSamples& pass);
@@ -46,6 +51,8 @@ class FilmAccumulator {
                       std::span<double> pixel) const;
     void gather_row(const PassSamples& pass, std::uint32_t y, std::span<double> pixel);
     void gather_splats(const PassSamples& pass, std::uint32_t y, std::span<double> pixel);
+    void convert(std::span<double> pixel) const;
+    Imath::V3d white() const;
     double filter_on_film(std::uint32_t x, std::uint32_t y) const;
     Rgb resolve(std::size_t pixel, std::uint32_t first_group, std::uint32_t end_group) const;
 
@@ -57,6 +64,9 @@ class FilmAccumulator {
     std::vector<double> splats_;
     double splat_samples_ = 0;
     std::optional<FilterIntegral> filter_integral_;
+    std::optional<Imath::M33d> to_rgb_;  ///< none: samples are RGB
+    Imath::V3d white_sum_{0.0};          ///< over passes, weight times a white of 1 as RGB
+    double weight_sum_ = 0;              ///< of the passes in white_sum_
     std::uint64_t refused_ = 0;
     // Kept between passes, so that passes after the first allocate nothing.
     std::vector<std::uint32_t> cell_of_sample_;

@@ -163,7 +163,7 @@ bool PathTracer::scatter(State& state, const SurfaceHit& hit) const {
     }
     state.throughput *= sample.weight;
     if (is_black(state.throughput)) return false;
-    state.ray = spawn_ray(hit, sample.wi, state.ray.time);
+    state.ray = continue_ray(hit, sample, state.ray);
     if (sample.straight) return ++state.straight < kMaxStraight;
 
     ++state.bounces;

@@ -13,6 +13,7 @@ void add_material(const MaterialFacts& material, SceneSurvey& survey) {
     facts.has_specular |= (material.lobes & kSpecular) != 0;
     facts.has_transmission |= material.transmits || material.straight;
     facts.has_image_textures |= material.reads_image;
+    facts.disperses |= material.disperses;
     facts.max_bsdf_bytes = std::max(facts.max_bsdf_bytes, material.max_bsdf_bytes);
     survey.has_straight |= material.straight;
 }

@@ -17,23 +17,6 @@ SceneSphere enclosing_sphere(const Bounds& box) {
     return {box.center(), radius > 0 ? radius : 1.0f};
 }
 
-ShadingPoint shading_point(const SurfaceHit& hit) {
-    ShadingPoint point;
-    point.texture = {hit.p, hit.ns, hit.uv};
-    point.ng = hit.ng;
-    point.ns = hit.ns;
-    point.dpdu = hit.dpdu;
-    point.interior = hit.interior;
-    point.exterior = hit.exterior;
-    return point;
-}
-
-Rgb medium_transmittance(const Medium* medium, float distance) {
-    if (!medium) return Rgb(1.0f);
-    // A finite distance keeps a channel that isn't absorbed free of zero times infinity.
-    return medium->transmittance(std::min(distance, std::numeric_limits<float>::max()));
-}
-
 void check_invertible(const Instance& instance, const ObjectDefinition& object) {
     const double determinant = instance.to_world.determinant();
     if (std::isfinite(determinant) && determinant != 0) return;
@@ -98,6 +81,35 @@ void TracedScene::make_all_lights(const AssetResolver& resolve, Diagnostics& dia
         light_pointers_.push_back(light.get());
 }
 
+void TracedScene::set_wavelengths(const Wavelengths& wavelengths) {
+    const bool first = !wavelengths_;
+    wavelengths_ = wavelengths;
+    if (!first) return;
+    for (std::size_t i = 0; i < lights_.size(); ++i) {
+        spectral_lights_.push_back(std::make_unique<SpectralLight>(*lights_[i], *wavelengths_));
+        light_pointers_[i] = spectral_lights_.back().get();
+    }
+}
+
+ShadingPoint TracedScene::shading_point(const SurfaceHit& hit, std::int8_t component) const {
+    ShadingPoint point;
+    point.texture = {hit.p, hit.ns, hit.uv, wavelengths_ ? &*wavelengths_ : nullptr};
+    point.ng = hit.ng;
+    point.ns = hit.ns;
+    point.dpdu = hit.dpdu;
+    point.interior = hit.interior;
+    point.exterior = hit.exterior;
+    point.component = component;
+    return point;
+}
+
+Rgb TracedScene::medium_transmittance(const Medium* medium, float distance) const {
+    if (!medium) return Rgb(1.0f);
+    // A finite distance keeps a channel that isn't absorbed free of zero times infinity.
+    return medium->transmittance(std::min(distance, std::numeric_limits<float>::max()),
+                                 wavelengths_ ? &*wavelengths_ : nullptr);
+}
+
 const TracedScene::Placement& TracedScene::placement_of(const RawHit& raw) const {
     return placements_[raw.instance == kNoInstance
                            ? 0
@@ -119,12 +131,16 @@ bool TracedScene::intersect(const Ray& ray, SurfaceHit& hit,
     hit.light = nullptr;
     hit.emitted = Rgb(0.0f);
     if (surface.emissive_index != Surface::kNotEmissive) {
-        const AreaLight* light = area_lights_[placement.first_light + surface.emissive_index];
+        // Area lights come first among the lights, in the order of their table.
+        const std::size_t light = placement.first_light + surface.emissive_index;
         const Vec3 wo = -ray.direction;
-        hit.light = light;
-        if (wo.dot(hit.ng) > 0) hit.emitted = light->radiance(hit.p, hit.ng, hit.uv, wo);
+        hit.light = light_pointers_[light];
+        if (wo.dot(hit.ng) > 0) {
+            hit.emitted = area_lights_[light]->radiance(hit.p, hit.ng, hit.uv, wo);
+            if (wavelengths_) hit.emitted = wavelengths_->intensity(hit.emitted);
+        }
     }
-    hit.bsdf = surface.material ? surface.material->scatter(shading_point(hit), memory) : nullptr;
+    hit.bsdf = surface.material ? surface.material->scatter(shading_point(hit, ray.component), memory) : nullptr;
     return true;
 }
 
@@ -158,7 +174,8 @@ Rgb TracedScene::walk_transmittance(const Ray& ray) const {
         hit.interior = surface.interior;
         hit.exterior = surface.exterior;
         share *= medium_transmittance(medium, raw.distance - passed) *
-                 surface.material->straight_transmittance(shading_point(hit), ray.direction);
+                 surface.material->straight_transmittance(shading_point(hit, ray.component),
+                                                          ray.direction);
         if (is_black(share)) return share;
         medium = ray.direction.dot(hit.ng) > 0 ? hit.exterior : hit.interior;
         passed = raw.distance;
@@ -167,7 +184,7 @@ Rgb TracedScene::walk_transmittance(const Ray& ray) const {
     return Rgb(0.0f);
 }
 
-std::unique_ptr<Scene> make_trace_scene(SceneContents contents, const AssetResolver& resolve,
+std::unique_ptr<TraceScene> make_trace_scene(SceneContents contents, const AssetResolver& resolve,
                                         Diagnostics& diagnostics) {
     return std::make_unique<TracedScene>(std::move(contents), resolve, diagnostics);
 }

@@ -2,19 +2,21 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "embree_scene.h"
 #include "lxs/lights/lights.h"
 #include "lxs/scene/contents.h"
-#include "lxs/sdk/scene.h"
+#include "lxs/tracing/trace_scene.h"
 #include "placement.h"
 #include "scene_survey.h"
+#include "spectral_light.h"
 #include "surface.h"
 
 namespace lxs {
 
-class TracedScene : public Scene {
+class TracedScene : public TraceScene {
   public:
     /// Throws InputError for an instance or a light that can't be built.
     TracedScene(SceneContents contents, const AssetResolver& resolve, Diagnostics& diagnostics);
@@ -27,6 +29,7 @@ class TracedScene : public Scene {
     std::span<const std::string> material_names() const override {
         return contents_.material_names;
     }
+    void set_wavelengths(const Wavelengths& wavelengths) override;
     Bounds bounds() const override { return bounds_; }
     SceneFacts facts() const override { return survey_.facts; }
 
@@ -45,6 +48,8 @@ class TracedScene : public Scene {
     void place_instances();
     void make_all_lights(const AssetResolver& resolve, Diagnostics& diagnostics);
     const Placement& placement_of(const RawHit& raw) const;
+    ShadingPoint shading_point(const SurfaceHit& hit, std::int8_t component) const;
+    Rgb medium_transmittance(const Medium* medium, float distance) const;
     Rgb walk_transmittance(const Ray& ray) const;
 
     SceneContents contents_;
@@ -57,9 +62,11 @@ class TracedScene : public Scene {
     std::vector<InstanceTransform> transforms_;  ///< by instance
     std::vector<Placement> placements_;          ///< the world, then the instances
     std::vector<std::unique_ptr<Light>> lights_;
-    std::vector<const Light*> light_pointers_;
+    std::vector<std::unique_ptr<SpectralLight>> spectral_lights_;  ///< by light, if asked for
+    std::vector<const Light*> light_pointers_;                     ///< what lights() shows
     std::vector<const AreaLight*> area_lights_;
     Bounds bounds_;
+    std::optional<Wavelengths> wavelengths_;  ///< none: R, G and B
 };
 
 }  // namespace lxs

@@ -257,5 +257,31 @@ TEST(FilmAccumulation, MemoryDoesNotGrowWithPasses) {
     EXPECT_EQ(film->memory_bytes(), before);
 }
 
+// A spectral render: each pass holds the values that a grey, and a green, have at its wavelengths.
+// The grey stays grey whatever the wavelengths, even of a single pass; the green is right in the
+// mean.
+TEST(FilmAccumulation, WavelengthsOfPassesBecomeColours) {
+    const auto film = make(scene_of_size(3, 2));
+    const Rgb green(0.1f, 0.6f, 0.2f);
+    for (const std::uint64_t passes : {1u, 400u}) {
+        for (const Rgb& colour : {Rgb(0.5f), green}) {
+            film->clear();
+            for (std::uint64_t pass = 0; pass < passes; ++pass) {
+                const Wavelengths wavelengths = wavelengths_of_pass(5, pass);
+                film->set_wavelengths(wavelengths);
+                const double weight = 1 + double(pass % 3);
+                const Samples samples = pixel_centres(*film, wavelengths.intensity(colour));
+                film->add_pass(samples.pass(weight));
+                film->add_layer_pass("layer", samples.pass(weight));
+            }
+            if (passes == 1 && colour == green) continue;
+            for (const Rgb& pixel : film->image()) {
+                for (int c = 0; c < 3; ++c)
+                    EXPECT_NEAR(pixel[c], colour[c], passes == 1 ? 1e-6 : 0.005) << passes;
+            }
+        }
+    }
+}
+
 }  // namespace
 }  // namespace lxs::test

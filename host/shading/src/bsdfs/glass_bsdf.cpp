@@ -3,6 +3,7 @@
 #include "glass_bsdf.h"
 
 #include "fresnel.h"
+#include "refraction.h"
 
 namespace lxs::shading {
 
@@ -24,8 +25,7 @@ bool GlassBsdf::sample(const Vec3& wo, const Vec2&, float u_lobe, Transport tran
         sample = {wi, reflected / p_reflect, 0, kSpecular, false, false};
         return same_side(wo, wi, ng_);
     }
-    const float cos_t = std::sqrt(std::max(0.0f, 1 - (1 - cos_o * cos_o) / (eta * eta)));
-    const Vec3 wi = (n * (cos_o / eta - cos_t) - wo / eta).normalized();
+    const Vec3 wi = refract(wo, n, eta);
     const float scale = transport == Transport::Radiance ? 1 / (eta * eta) : 1.0f;
     sample = {wi, transmitted * (scale / (1 - p_reflect)), 0, kSpecular, true, false};
     return wo.dot(ng_) * wi.dot(ng_) < 0;

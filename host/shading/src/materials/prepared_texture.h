@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <type_traits>
 #include <string_view>
 
 #include "lxs/scene/registry.h"
@@ -28,8 +29,15 @@ class PreparedTexture {
             texture_ = std::move(texture);
         }
     }
+    /// A colour is given at the point's wavelengths, if it has any.
     T at(const TexturePoint& point) const {
-        return texture_ ? limited(texture_->evaluate(point), lowest_, highest_) : constant_;
+        const T value =
+            texture_ ? limited(texture_->evaluate(point), lowest_, highest_) : constant_;
+        if constexpr (std::is_same_v<T, Rgb>) {
+            if (point.wavelengths) return highest_ == 1 ? point.wavelengths->reflectance(value)
+                                                        : point.wavelengths->intensity(value);
+        }
+        return value;
     }
     /// True if the value is `value` everywhere.
     bool is(const T& value) const { return !texture_ && constant_ == value; }

@@ -20,6 +20,9 @@ inline constexpr LobeMask kSpecular = 4;  ///< a Dirac delta, never guided, neve
 inline constexpr LobeMask kNonSpecular = kDiffuse | kGlossy;
 inline constexpr LobeMask kAllLobes = 7;
 
+/// Mark of a path that has not been dispersed.
+inline constexpr std::int8_t kAllComponents = -1;
+
 /// A direction drawn by Bsdf::sample.
 struct BsdfSample {
     Vec3 wi;                ///< unit, away from the surface
@@ -27,6 +30,9 @@ struct BsdfSample {
     float pdf = 0;          ///< per steradian over the lobes asked for; 0 for specular lobes
     LobeMask lobe = 0;      ///< the kind that was sampled
     bool straight = false;  ///< passed undeviated (null, architectural glass)
+    /// Index of the one component that is left of `weight` where light is dispersed, else
+    /// kAllComponents: the path carries on with what it had.
+    std::int8_t component = kAllComponents;
 };
 
 /// Scattering function at one point. Directions are unit, in world space, away from the surface;

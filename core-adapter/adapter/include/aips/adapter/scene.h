@@ -19,6 +19,9 @@ struct Ray {
     Vec3 direction;  ///< unit
     float time = 0;  ///< one value per pass, shared by eye and photon paths
     const void* medium = nullptr;
+    /// The one component of Rgb that the path still carries, since a surface that disperses light
+    /// sent the others elsewhere (the host's Bsdf reads it); kAllComponents for all.
+    std::int8_t component = kAllComponents;
 };
 
 /// Index of a light in Scene::lights(); kNoLight for none.
@@ -112,5 +115,14 @@ class Scene {
     virtual Bounds bounds() const = 0;               ///< of all surfaces
     virtual SceneFacts facts() const = 0;
 };
+
+/// The ray that carries a path on along `direction`, from a point that `arriving` met. `component`
+/// as in BsdfSample.
+inline Ray continue_ray(const Scene& scene, const SurfacePoint& point, Vec3 direction,
+                        std::int8_t component, const Ray& arriving) {
+    Ray ray = scene.spawn(point, direction, arriving.time);
+    ray.component = component != kAllComponents ? component : arriving.component;
+    return ray;
+}
 
 }  // namespace aips

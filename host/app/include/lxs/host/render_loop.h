@@ -15,6 +15,7 @@ struct RenderLoop {
     const Budget& budget;
     const Interruption& interruption;
     Progress& progress;
+    std::function<void(std::uint64_t pass)> begin_pass = {};  ///< called before each; may be empty
     double snapshot_interval = 0;  ///< seconds between snapshots; 0: none
     std::function<void(const RenderTotals&)> write_snapshot;
 

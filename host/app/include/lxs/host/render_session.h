@@ -11,7 +11,7 @@
 #include "lxs/host/output_files.h"
 #include "lxs/host/plugin_library.h"
 #include "lxs/imaging/imaging.h"
-#include "lxs/sdk/scene.h"
+#include "lxs/tracing/trace_scene.h"
 
 namespace lxs {
 
@@ -23,17 +23,21 @@ struct RenderSession {
     std::unique_ptr<FileFilm> film;
     std::unique_ptr<Camera> camera;
     std::unique_ptr<Sampler> sampler;
-    std::unique_ptr<Scene> scene;
+    std::unique_ptr<TraceScene> scene;
     std::unique_ptr<Integrator> integrator;
     std::string integrator_name;
     std::uint64_t seed = 0;
     OutputFiles files;
     PhaseTimes times;
+    bool spectral = false;  ///< each pass has wavelengths of its own
 };
 
 /// Everything that can be wrong with the input or the output's place is found here. Throws
 /// InputError, std::system_error (the scene file can't be read), PluginFailure, OutputFailure.
 RenderSession prepare_session(const CommandLine& command, const PluginLibrary& plugins,
                               InputDiagnostics& diagnostics, ConsoleLog& log);
+
+/// Gives scene and film the wavelengths of pass `pass`; only if the session is spectral.
+void begin_spectral_pass(RenderSession& session, std::uint64_t pass);
 
 }  // namespace lxs

@@ -13,6 +13,7 @@
 #include "lxs/sdk/camera.h"
 #include "lxs/sdk/film.h"
 #include "lxs/sdk/parameters.h"
+#include "lxs/spectrum/wavelengths.h"
 
 namespace lxs {
 
@@ -30,6 +31,8 @@ class FileFilm : public Film {
     virtual std::uint64_t refused_samples() const = 0;
     virtual std::size_t memory_bytes() const = 0;
 
+    /// From now on passes hold values at these wavelengths; images stay linear RGB.
+    virtual void set_wavelengths(const Wavelengths& wavelengths) = 0;
     /// The mean image over passes and light groups: width * height, row by row, linear radiance.
     virtual std::vector<Rgb> image() const = 0;
     /// Writes linear 32-bit float radiance; each light group (if more than one) and each extra

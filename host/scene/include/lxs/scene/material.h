@@ -17,6 +17,7 @@ struct ShadingPoint {
     Vec3 dpdu{0.0f};  ///< tangent along u; zero when unknown
     const Medium* interior = nullptr;
     const Medium* exterior = nullptr;
+    std::int8_t component = kAllComponents;  ///< Ray::component of the ray that came
 };
 
 /// What a material can do anywhere on a surface, known when the scene is loaded.
@@ -25,6 +26,7 @@ struct MaterialFacts {
     bool transmits = false;
     bool straight = false;  ///< may pass light undeviated (null, architectural glass, mixes)
     bool reads_image = false;
+    bool disperses = false;  ///< bends each wavelength its own way
     std::size_t max_bsdf_bytes = 0;  ///< most memory that one scatter() takes
 };
 

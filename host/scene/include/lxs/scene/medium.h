@@ -2,6 +2,7 @@
 #pragma once
 
 #include "lxs/sdk/types.h"
+#include "lxs/spectrum/wavelengths.h"
 
 namespace lxs {
 
@@ -10,7 +11,8 @@ class Medium {
   public:
     /// `absorption` per unit of distance; `index` of refraction for glass2.
     Medium(const Rgb& absorption, float index) : absorption_(absorption), index_(index) {}
-    Rgb transmittance(float distance) const;
+    /// Share that is left after `distance`; at `wavelengths`, or of R, G and B if that is null.
+    Rgb transmittance(float distance, const Wavelengths* wavelengths = nullptr) const;
     float index() const { return index_; }
     bool absorbs() const { return !is_black(absorption_); }
 

@@ -7,6 +7,7 @@
 // First, or g++ 12 calls the enumerators of ParameterType shadows of the aliases below.
 #include "lxs/sdk/parameters.h"
 #include "lxs/sdk/types.h"
+#include "lxs/spectrum/wavelengths.h"
 
 namespace lxs {
 
@@ -15,6 +16,7 @@ struct TexturePoint {
     Vec3 p{0.0f};  ///< world space
     Vec3 n{0.0f};  ///< shading normal
     Vec2 uv{0.0f};
+    const Wavelengths* wavelengths = nullptr;  ///< of the pass; null where Rgb means R, G and B
 };
 
 /// A texture with values of type T (float, Rgb).

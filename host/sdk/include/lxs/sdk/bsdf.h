@@ -27,6 +27,9 @@ struct BsdfSample {
     LobeMask lobe = 0;         ///< the one kind that was sampled
     bool transmitted = false;  ///< wi and wo lie on different sides of the geometric surface
     bool straight = false;     ///< passes through undeviated: null or architectural glass
+    /// Index of the one component that is left of `weight` where light is dispersed, else
+    /// kAllComponents: the ray that leaves carries on as the one that came.
+    std::int8_t component = kAllComponents;
 };
 
 /// Scattering function at a surface point. Directions are unit, in world space, pointing away

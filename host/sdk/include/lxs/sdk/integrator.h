@@ -50,6 +50,10 @@ class Integrator {
     virtual void prepare(const RenderContext& context) = 0;
     /// Renders pass number `pass` (from 0) and adds it to the film.
     virtual PassReport render_pass(std::uint64_t pass) = 0;
+    /// False if radiance is carried from one pass to a later one (frozen eye paths, Markov chains):
+    /// the passes of a render can't then each have wavelengths of their own. Asked before
+    /// prepare().
+    virtual bool passes_stand_alone() const { return true; }
     virtual Statistics statistics() const { return {}; }
 };
 

@@ -19,6 +19,13 @@ inline Ray spawn_ray(const SurfaceHit& hit, const Vec3& direction, float time) {
     return ray;
 }
 
+/// The ray that carries a path on as `sample` says, from a hit that `arriving` met.
+inline Ray continue_ray(const SurfaceHit& hit, const BsdfSample& sample, const Ray& arriving) {
+    Ray ray = spawn_ray(hit, sample.wi, arriving.time);
+    ray.component = sample.component != kAllComponents ? sample.component : arriving.component;
+    return ray;
+}
+
 /// The segment from a hit to a sampled light point. Both ends stand off their surfaces by the
 /// bounds of rounding, along the normals, so that neither surface shadows itself at any scale or
 /// angle.

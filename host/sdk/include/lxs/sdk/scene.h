@@ -40,6 +40,7 @@ struct SceneFacts {
     bool has_transmission = false;  ///< some surface lets light through
     bool has_media = false;
     bool has_motion = false;
+    bool disperses = false;  ///< some surface bends each wavelength its own way
     bool has_image_textures = false;
     std::size_t triangles = 0;
     std::size_t max_bsdf_bytes = 0;  ///< most memory that one `intersect` takes from its resource

@@ -21,6 +21,9 @@ using Rgb = Imath::C3f;
 
 class Medium;
 
+/// Ray::component of a path that has not been dispersed.
+inline constexpr std::int8_t kAllComponents = -1;
+
 /// A ray or, with a finite `t_max`, a segment. `direction` has unit length.
 struct Ray {
     Vec3 origin{0.0f};
@@ -28,6 +31,9 @@ struct Ray {
     float t_max = std::numeric_limits<float>::infinity();
     float time = 0;                  ///< in shutter units of the scene file
     const Medium* medium = nullptr;  ///< the medium the ray travels in, null for vacuum
+    /// The one component of an Rgb that the path still carries, since a surface that disperses
+    /// light sent the others elsewhere; kAllComponents for all.
+    std::int8_t component = kAllComponents;
 };
 
 inline float luminance(const Rgb& c) {

@@ -1,0 +1,97 @@
+// The three wavelengths that a pass of a spectral render looks at, in place of R, G and B.
+#include "lxs/spectrum/wavelengths.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "lxs/spectrum/colour_matching.h"
+
+namespace lxs {
+namespace {
+
+double step_at(double nm, double centre, double width) {
+    return 1 / (1 + std::exp((centre - nm) / width));
+}
+
+/// A soft partition of the spectrum: long, middle and short waves. Edges were fitted so that
+/// primary_spectra(), a mixture of the three, stays in [0, 1].
+Imath::V3d bands(double nm) {
+    const double above_short = step_at(nm, 490, 10), is_long = step_at(nm, 588, 3.6);
+    return {is_long, above_short - is_long, 1 - above_short};
+}
+
+/// Mixture of the bands, column c for colour c, that gives back each primary.
+Imath::M33d band_mixture() {
+    Imath::M33d colour_of_band(0.0);  // [band][channel]
+    for (double nm = kFirstVisibleNm; nm <= kLastVisibleNm; ++nm) {
+        const Imath::V3d response = rgb_response(nm), band = bands(nm);
+        for (int b = 0; b < 3; ++b) {
+            for (int c = 0; c < 3; ++c)
+                colour_of_band[b][c] += band[b] * response[c];
+        }
+    }
+    return colour_of_band.inverse();  // [channel][band]
+}
+
+constexpr double kCentreNm = 538, kSharpness = 0.0072, kNormalisation = 0.0039398042;
+
+double density(double nm) {
+    const double c = std::cosh(kSharpness * (nm - kCentreNm));
+    return kNormalisation / (c * c);
+}
+
+double sample_density(double u) {
+    return kCentreNm - std::atanh(0.85691062 - 1.82750197 * u) / kSharpness;
+}
+
+double fraction(double x) {
+    return x - std::floor(x);
+}
+
+Rgb limited(const Imath::V3d& v, double highest) {
+    return Rgb(static_cast<float>(std::clamp(v.x, 0.0, highest)),
+               static_cast<float>(std::clamp(v.y, 0.0, highest)),
+               static_cast<float>(std::clamp(v.z, 0.0, highest)));
+}
+
+}  // namespace
+
+Imath::V3d primary_spectra(double nm) {
+    static const Imath::M33d mixture = band_mixture();
+    const Imath::V3d band = bands(nm);
+    Imath::V3d spectra(0.0);
+    for (int c = 0; c < 3; ++c) {
+        for (int b = 0; b < 3; ++b)
+            spectra[c] += mixture[c][b] * band[b];
+    }
+    return spectra;
+}
+
+Rgb Wavelengths::reflectance(const Rgb& rgb) const {
+    return limited(Imath::V3d(rgb) * from_rgb, 1);
+}
+
+Rgb Wavelengths::intensity(const Rgb& rgb) const {
+    return limited(Imath::V3d(rgb) * from_rgb, std::numeric_limits<float>::max());
+}
+
+Wavelengths wavelengths_of_pass(std::uint64_t seed, std::uint64_t pass) {
+    constexpr double kGoldenRatio = 0.6180339887498949;
+    constexpr double kPlasticRatio = 0.7548776662466927;  // a second direction, for seeds
+    const double start = fraction(static_cast<double>(seed % (1u << 20)) * kPlasticRatio);
+    const double offset = fraction(start + static_cast<double>(pass % (1u << 30)) * kGoldenRatio);
+    Wavelengths set;
+    for (int i = 0; i < 3; ++i) {
+        const double nm = sample_density((i + offset) / 3);
+        set.nm[static_cast<std::size_t>(i)] = nm;
+        const Imath::V3d spectra = primary_spectra(nm);
+        const Imath::V3d response = rgb_response(nm) / (3 * density(nm));
+        for (int c = 0; c < 3; ++c) {
+            set.from_rgb[c][i] = spectra[c];
+            set.to_rgb[i][c] = response[c];
+        }
+    }
+    return set;
+}
+
+}  // namespace lxs

@@ -1,0 +1,19 @@
+// A light as a spectral render sees it: what it emits, at the wavelengths of the pass.
+#include "spectral_light.h"
+
+namespace lxs {
+
+bool SpectralLight::sample_emission(const std::array<float, 4>& u, EmissionSample& sample) const {
+    if (!light_.sample_emission(u, sample)) return false;
+    sample.power = wavelengths_.intensity(sample.power);
+    return true;
+}
+
+bool SpectralLight::sample_direct(const Vec3& p, const Vec3& n, const Vec2& u,
+                                  DirectSample& sample) const {
+    if (!light_.sample_direct(p, n, u, sample)) return false;
+    sample.radiance = wavelengths_.intensity(sample.radiance);
+    return true;
+}
+
+}  // namespace lxs

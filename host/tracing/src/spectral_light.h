@@ -1,0 +1,39 @@
+// A light as a spectral render sees it: what it emits, at the wavelengths of the pass.
+#pragma once
+
+#include "lxs/sdk/light.h"
+#include "lxs/spectrum/wavelengths.h"
+
+namespace lxs {
+
+class SpectralLight final : public Light {
+  public:
+    /// Both must outlive this; `wavelengths` may change from pass to pass.
+    SpectralLight(const Light& light, const Wavelengths& wavelengths)
+        : light_(light), wavelengths_(wavelengths) {}
+
+    std::string_view kind() const override { return light_.kind(); }
+    std::uint32_t group() const override { return light_.group(); }
+    float power() const override { return light_.power(); }
+    bool at_infinity() const override { return light_.at_infinity(); }
+    bool sample_emission(const std::array<float, 4>& u, EmissionSample& sample) const override;
+    bool sample_direct(const Vec3& p, const Vec3& n, const Vec2& u,
+                       DirectSample& sample) const override;
+    float pdf_direct(const Vec3& p, const Vec3& n, const Vec3& wi, const Vec3& light_p,
+                     const Vec3& light_n, std::uint32_t primitive) const override {
+        return light_.pdf_direct(p, n, wi, light_p, light_n, primitive);
+    }
+    bool emission_coordinates(const Vec3& p, const DirectSample& sample,
+                              std::array<float, 4>& u) const override {
+        return light_.emission_coordinates(p, sample, u);
+    }
+    Rgb escaped(const Vec3& direction) const override {
+        return wavelengths_.intensity(light_.escaped(direction));
+    }
+
+  private:
+    const Light& light_;
+    const Wavelengths& wavelengths_;
+};
+
+}  // namespace lxs

@@ -2,6 +2,7 @@
 // architectural glass treats eye paths, photons and shadow rays alike.
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 
 #include "bsdf_statistics.h"
@@ -129,6 +130,95 @@ TEST_F(GlassTest, Glass2TakesItsIndexFromTheMedia) {
     // Without media there is nothing to refract at.
     const Bsdf& nothing = *memory_.scatter(*glass, shading_point());
     EXPECT_NEAR((transmitted(nothing, wo, Transport::Radiance).wi + wo).length(), 0, 1e-5f);
+}
+
+/// A point that a pass of a spectral render looks at.
+ShadingPoint point_at(const Wavelengths& wavelengths, std::int8_t component = kAllComponents) {
+    ShadingPoint point = shading_point();
+    point.texture.wavelengths = &wavelengths;
+    point.component = component;
+    return point;
+}
+
+// Each component leaves in its own direction, by its own index, and what is left of the others is
+// black: a prism draws a spectrum, and the right one.
+TEST_F(GlassTest, DispersionBendsEachComponentByItsOwnIndex) {
+    const auto glass = scene_.make_material("glass", {number("index", 1.5), number("cauchyb", .02)});
+    EXPECT_TRUE(glass->facts().disperses);
+    const Wavelengths wavelengths = wavelengths_of_pass(0, 3);
+    const Bsdf& bsdf = *memory_.scatter(*glass, point_at(wavelengths));
+    const Vec3 wo(0.8f, 0, 0.6f);
+    UniformSource u(4);
+    std::array<int, 3> met{};
+    for (int i = 0; i < 3000; ++i) {
+        BsdfSample sample;
+        ASSERT_TRUE(bsdf.sample(wo, u.pair(), u(), Transport::Power, kAllLobes, sample));
+        if (!sample.transmitted) {
+            EXPECT_EQ(sample.component, kAllComponents);
+            continue;
+        }
+        ASSERT_GE(sample.component, 0);
+        const auto c = static_cast<std::size_t>(sample.component);
+        ++met[c];
+        const double micrometres = wavelengths.nm[c] / 1000;
+        EXPECT_NEAR(sample.wi.x, -0.8 / (1.5 + 0.02 / (micrometres * micrometres)), 1e-5);
+        for (int other = 0; other < 3; ++other)
+            EXPECT_EQ(sample.weight[other] > 0, other == sample.component);
+    }
+    for (const int count : met)
+        EXPECT_NEAR(count, 950, 150);
+}
+
+// What a path loses by the choice it gains in weight: the mean is that of a glass that doesn't
+// disperse, component by component, for paths that carry all and for those that carry one.
+TEST_F(GlassTest, DispersionKeepsTheMeanOfEachComponent) {
+    const auto glass = scene_.make_material("glass", {number("index", 1.4), number("cauchyb", .03)});
+    const Wavelengths wavelengths = wavelengths_of_pass(0, 1);
+    for (const Vec3& wo : {Vec3(0.6f, 0, 0.8f), Vec3(0.6f, 0, -0.8f)}) {
+        for (const Transport transport : {Transport::Radiance, Transport::Power}) {
+            for (std::int8_t carried = kAllComponents; carried < 3; ++carried) {
+                const Bsdf& bsdf = *memory_.scatter(*glass, point_at(wavelengths, carried));
+                const MeanWeight mean = mean_weight(bsdf, wo, transport, 200'000, 9);
+                for (std::int8_t c = 0; c < 3; ++c) {
+                    if (carried != kAllComponents && carried != c) {
+                        EXPECT_EQ(mean.mean[c], 0);
+                        continue;
+                    }
+                    const double um = wavelengths.nm[static_cast<std::size_t>(c)] / 1000;
+                    const auto plain = scene_.make_material(
+                        "glass", {number("index", 1.4 + 0.03 / (um * um))});
+                    const Bsdf& one = *memory_.scatter(*plain, shading_point());
+                    const MeanWeight expected = mean_weight(one, wo, transport, 200'000, 10);
+                    EXPECT_NEAR(mean.mean[c], expected.mean[c],
+                                5 * (mean.deviation[c] + expected.deviation[c]) + 1e-5f);
+                }
+            }
+        }
+    }
+}
+
+TEST_F(GlassTest, WithoutWavelengthsTheMiddleOfTheSpectrumStandsForAll) {
+    const auto glass = scene_.make_material("glass", {number("index", 1.5), number("cauchyb", .02)});
+    const Bsdf& bsdf = *memory_.scatter(*glass, shading_point());
+    const BsdfSample sample = transmitted(bsdf, {0.8f, 0, 0.6f}, Transport::Power);
+    EXPECT_NEAR(sample.wi.x, -0.8 / (1.5 + 0.02 / (0.55 * 0.55)), 1e-5);
+    EXPECT_EQ(sample.component, kAllComponents);
+}
+
+// glass2 takes its index from the volumes on its sides.
+TEST_F(GlassTest, VolumesDisperseByTheirFresnelTexture) {
+    scene_.fresnels["flint"] = scene_.make_fresnel(
+        "cauchy", {number("cauchya", 1.728), number("cauchyb", 0.0134)});
+    const auto flint = scene_.make_medium("clear", {texture("fresnel", "flint")});
+    EXPECT_NEAR(flint->index_curve().at(500), 1.728 + 0.0134 / 0.25, 1e-5);
+    const auto glass = scene_.make_material("glass2", {flag("dispersion", true)});
+    const Wavelengths wavelengths = wavelengths_of_pass(0, 2);
+    ShadingPoint point = point_at(wavelengths, 1);
+    point.interior = flint.get();
+    const BsdfSample sample =
+        transmitted(*memory_.scatter(*glass, point), {0.8f, 0, 0.6f}, Transport::Power);
+    EXPECT_EQ(sample.component, 1);
+    EXPECT_NEAR(sample.wi.x, -0.8f / flint->index_curve().at(wavelengths.nm[1]), 1e-5);
 }
 
 }  // namespace

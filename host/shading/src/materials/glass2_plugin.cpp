@@ -7,38 +7,46 @@
 namespace lxs::shading {
 namespace {
 
-GlassPoint glass_at(const ShadingPoint& point) {
-    const float inside = point.interior ? point.interior->index() : 1.0f;
-    const float outside = point.exterior ? point.exterior->index() : 1.0f;
-    return {Rgb(1.0f), Rgb(1.0f), inside / outside};
+IndexCurve index_of(const Medium* medium) {
+    return medium ? medium->index_curve() : IndexCurve{};
+}
+
+GlassPoint glass_at(const ShadingPoint& point, bool disperses) {
+    const IndexCurve inside = index_of(point.interior), outside = index_of(point.exterior);
+    const auto at = [&](double nm) { return inside.at(nm) / outside.at(nm); };
+    GlassPoint glass{Rgb(1.0f), Rgb(1.0f), at(kMiddleNm)};
+    const Wavelengths* const w = point.texture.wavelengths;
+    if (disperses && w && (inside.varies() || outside.varies())) {
+        glass.etas = Rgb(at(w->nm[0]), at(w->nm[1]), at(w->nm[2]));
+    }
+    return glass;
 }
 
 class Glass2Material final : public Material {
   public:
-    explicit Glass2Material(bool architectural) : architectural_(architectural) {}
+    Glass2Material(bool architectural, bool disperses)
+        : architectural_(architectural), disperses_(disperses) {}
 
     const Bsdf* scatter(const ShadingPoint& point,
                         std::pmr::memory_resource& memory) const override {
-        return scatter_glass(glass_at(point), architectural_, point, memory);
+        return scatter_glass(glass_at(point, disperses_), architectural_, point, memory);
     }
-    MaterialFacts facts() const override { return glass_facts(architectural_); }
+    MaterialFacts facts() const override { return glass_facts(architectural_, disperses_); }
     Rgb straight_transmittance(const ShadingPoint& point, const Vec3& direction) const override {
         if (!architectural_) return Rgb(0.0f);
-        const GlassPoint glass = glass_at(point);
+        const GlassPoint glass = glass_at(point, disperses_);
         return thin_glass_transmission(glass.kt, glass.eta, direction.dot(point.ns));
     }
 
   private:
-    bool architectural_;
+    bool architectural_, disperses_;
 };
 
 std::shared_ptr<const Material> create(const ParameterReader& reader, const AssetContext& assets,
                                        const Matrix&) {
     warn_of_common_parameters(reader, assets);
-    if (reader.boolean("dispersion", false)) {
-        reader.diagnostics().warning(reader.where("dispersion"), "dispersion is not rendered yet");
-    }
-    return std::make_shared<Glass2Material>(reader.boolean("architectural", false));
+    return std::make_shared<Glass2Material>(reader.boolean("architectural", false),
+                                            reader.boolean("dispersion", false));
 }
 
 }  // namespace
@@ -47,7 +55,7 @@ MaterialFactory glass2_plugin() {
     return {with_common_parameters({{"architectural", ParameterType::Bool, "false",
                                      "let light through undeviated, shadow rays too"},
                                     {"dispersion", ParameterType::Bool, "false",
-                                     "index depends on the wavelength (not rendered yet)"}}),
+                                     "bend each wavelength by its own index, where those of the volumes differ"}}),
             &create};
 }
 

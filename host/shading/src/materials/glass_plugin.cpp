@@ -2,6 +2,7 @@
 #include "bsdfs/thin_glass_bsdf.h"
 #include "common_parameters.h"
 #include "glass_surface.h"
+#include "lxs/sdk/index_curve.h"
 #include "material_plugins.h"
 #include "prepared_texture.h"
 
@@ -25,7 +26,7 @@ class GlassMaterial final : public Material {
         return scatter_glass(glass_at(point.texture), architectural_, point, memory);
     }
     MaterialFacts facts() const override {
-        MaterialFacts facts = glass_facts(architectural_);
+        MaterialFacts facts = glass_facts(architectural_, !cauchy_b_.is(0));
         facts.reads_image = kr_.reads_image() || kt_.reads_image() || index_.reads_image() ||
                             cauchy_b_.reads_image();
         return facts;
@@ -38,10 +39,13 @@ class GlassMaterial final : public Material {
 
   private:
     GlassPoint glass_at(const TexturePoint& point) const {
-        // Without dispersion: Cauchy's formula for the middle of the visible spectrum.
-        constexpr float kMiddle = 0.55f;  // micrometres
-        const float index = index_.at(point) + cauchy_b_.at(point) / (kMiddle * kMiddle);
-        return {kr_.at(point), kt_.at(point), limited(index, kMinIndex, kMaxIndex)};
+        const IndexCurve index{index_.at(point), cauchy_b_.at(point), 0};
+        const auto at = [&](double nm) { return limited(index.at(nm), kMinIndex, kMaxIndex); };
+        GlassPoint glass{kr_.at(point), kt_.at(point), at(kMiddleNm)};
+        if (const Wavelengths* w = point.wavelengths; w && index.varies()) {
+            glass.etas = Rgb(at(w->nm[0]), at(w->nm[1]), at(w->nm[2]));
+        }
+        return glass;
     }
 
     PreparedColor kr_, kt_;
@@ -53,16 +57,11 @@ std::shared_ptr<const Material> create(const ParameterReader& reader, const Asse
                                        const Matrix&) {
     warn_of_common_parameters(reader, assets);
     warn_of_film(reader, assets);
-    auto cauchy_b = read_limited(reader, assets, "cauchyb", 0, 0, 1);
-    if (!cauchy_b.is(0)) {
-        reader.diagnostics().warning(reader.where("cauchyb"),
-                                     "dispersion is not rendered yet; the index for 550 nm is "
-                                     "used");
-    }
     return std::make_shared<GlassMaterial>(
         read_reflectance(reader, assets, "Kr", Rgb(1.0f)),
         read_reflectance(reader, assets, "Kt", Rgb(1.0f)),
-        read_limited(reader, assets, "index", 1.5f, kMinIndex, kMaxIndex), std::move(cauchy_b),
+        read_limited(reader, assets, "index", 1.5f, kMinIndex, kMaxIndex), 
+        read_limited(reader, assets, "cauchyb", 0, 0, 1),
         reader.boolean("architectural", false));
 }
 
@@ -74,7 +73,7 @@ MaterialFactory glass_plugin() {
                  {"Kt", ParameterType::ColorTexture, "1 1 1", "colour of refracted light, 0 to 1"},
                  {"index", ParameterType::FloatTexture, "1.5", "index of refraction", 0},
                  {"cauchyb", ParameterType::FloatTexture, "0",
-                  "Cauchy's B, square micrometres (dispersion is not rendered yet)", 0},
+                  "Cauchy's B, square micrometres: the index is index + cauchyb / wavelength^2", 0},
                  {"architectural", ParameterType::Bool, "false",
                   "let light through undeviated, shadow rays too"}},
                 film_parameters())),

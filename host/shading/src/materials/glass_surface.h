@@ -1,6 +1,8 @@
 // What "glass" and "glass2" have in common: one dielectric interface, solid or architectural.
 #pragma once
 
+#include <optional>
+
 #include "lxs/scene/material.h"
 
 namespace lxs::shading {
@@ -9,11 +11,14 @@ namespace lxs::shading {
 struct GlassPoint {
     Rgb kr{1.0f}, kt{1.0f};
     float eta = 1.5f;  ///< index behind the surface / index before it
+    /// The same by component where each wavelength is bent its own way.
+    std::optional<Rgb> etas = {};
 };
 
 /// Bsdf of a solid or architectural glass surface.
 const Bsdf* scatter_glass(const GlassPoint& glass, bool architectural, const ShadingPoint& point,
                           std::pmr::memory_resource& memory);
-MaterialFacts glass_facts(bool architectural);
+/// `disperses`: its index depends on the wavelength. What is architectural bends nothing.
+MaterialFacts glass_facts(bool architectural, bool disperses);
 
 }  // namespace lxs::shading

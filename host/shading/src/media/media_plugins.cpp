@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include "lxs/spectrum/colour_matching.h"
+#include "materials/metal_presets.h"
 #include "materials/prepared_texture.h"
 #include "textures/texture_parameters.h"
 
@@ -21,11 +23,18 @@ T value_everywhere(const std::shared_ptr<const Texture<T>>& texture, const Param
     return texture->evaluate(TexturePoint{});
 }
 
-float read_index(const ParameterReader& reader, const AssetContext& assets) {
+IndexCurve read_index(const ParameterReader& reader, const AssetContext& assets) {
     const auto texture = read_fresnel_texture(reader, assets, "fresnel", 1);
-    // Dispersion isn't rendered: green stands for all.
-    const float index = value_everywhere(texture, reader, "fresnel").eta.y;
-    if (!(index > 0)) reader.fail("fresnel", "the index of refraction must be above 0");
+    const Rgb eta = value_everywhere(texture, reader, "fresnel").eta;
+    const IndexCurve index =
+        eta == Rgb(eta.x) ? IndexCurve{eta.x}
+                          : index_curve_through({kRgbWavelengths[0], kRgbWavelengths[1],
+                                                 kRgbWavelengths[2]},
+                                                eta);
+    for (const double nm : {kFirstVisibleNm, kMiddleNm, kLastVisibleNm}) {
+        if (!(index.at(nm) > 0))
+            reader.fail("fresnel", "the index of refraction must be above 0 for visible light");
+    }
     return index;
 }
 

@@ -46,6 +46,7 @@ class TracedScene : public Scene {
     void make_all_lights(const AssetResolver& resolve, Diagnostics& diagnostics);
     const Placement& placement_of(const RawHit& raw) const;
     Rgb walk_transmittance(const Ray& ray) const;
+    Rgb medium_transmittance(const Ray& ray, const Medium* medium, float from, float to) const;
 
     SceneContents contents_;
     SceneSurvey survey_;
@@ -60,6 +61,7 @@ class TracedScene : public Scene {
     std::vector<const Light*> light_pointers_;
     std::vector<const AreaLight*> area_lights_;
     Bounds bounds_;
+    SceneSphere sphere_;  ///< around all surfaces: where media end that no surface bounds
 };
 
 }  // namespace lxs

@@ -42,6 +42,7 @@ class Medium {
     float index() const { return index_; }
     /// Dims light: absorbs it or scatters it away.
     bool absorbs() const { return !is_black(extinction_); }
+    const Rgb& extinction() const { return extinction_; }
     bool scatters() const { return !is_black(scattering_); }
     const Rgb& scattering() const { return scattering_; }
 

@@ -8,6 +8,7 @@
 #include "lxs/sdk/frame.h"
 #include "lxs/sdk/rays.h"
 #include "lxs/sdk/warp.h"
+#include "media_shim.h"
 
 namespace aips::shim {
 namespace {
@@ -134,6 +135,7 @@ class LightShim final : public Light {
 }  // namespace
 
 SceneShim::SceneShim(const lxs::Scene& scene) : scene_(scene) {
+    if (scene.facts().has_scattering_media) media_ = make_media_shim(scene);
     for (const lxs::Light* light : scene.lights()) {
         index_of_.emplace(light, static_cast<LightIndex>(lights_.size()));
         lights_.push_back(std::make_unique<LightShim>(*light));
@@ -146,7 +148,11 @@ SceneShim::~SceneShim() = default;
 bool SceneShim::intersect(const Ray& ray, SurfacePoint& point,
                           std::pmr::memory_resource& memory) const {
     lxs::SurfaceHit hit;
-    if (!scene_.intersect(to(ray), hit, memory)) return false;
+    if (!scene_.intersect(to(ray), hit, memory)) {
+        point.distance = hit.distance;
+        point.transmittance = from(hit.transmittance);
+        return false;
+    }
     point.position = from(hit.p);
     point.geometric_normal = from(hit.ng);
     point.shading_normal = from(hit.ns);

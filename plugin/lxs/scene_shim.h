@@ -28,9 +28,11 @@ class SceneShim final : public Scene {
     }
     Bounds bounds() const override;
     SceneFacts facts() const override;
+    const Media* media() const override { return media_.get(); }
 
   private:
     const lxs::Scene& scene_;
+    std::unique_ptr<Media> media_;  // null if no medium scatters
     std::vector<std::unique_ptr<Light>> lights_;
     std::vector<const Light*> light_pointers_;
     std::unordered_map<const lxs::Light*, LightIndex> index_of_;

@@ -112,6 +112,18 @@ void Scene::add_box(Vec3 lo, Vec3 hi, const Surface& wall) {
     }
 }
 
+void Scene::fill(const Fog& fog) {
+    fog_ = fog;
+    media_ = std::make_unique<Media>(*this, fog);
+}
+
+float Scene::distance_to_end(const aips::Ray& ray) const {
+    const Vec3 to_center = (bounds_.lower + bounds_.upper) * 0.5f - ray.origin;
+    const float approach = dot(to_center, ray.direction), radius = 0.5f * bounds_.diagonal();
+    const float beside = length_squared(to_center) - approach * approach;
+    return std::max(0.0f, approach + std::sqrt(std::max(0.0f, radius * radius - beside)));
+}
+
 void Scene::finish() {
     light_of_surface_.assign(surfaces_.size(), aips::kNoLight);
     for (std::size_t i = 0; i < surfaces_.size(); ++i) {
@@ -152,9 +164,15 @@ bool Scene::nearest(const aips::Ray& ray, double t_max, Hit& hit) const {
 bool Scene::intersect(const aips::Ray& ray, aips::SurfacePoint& point,
                       std::pmr::memory_resource& memory) const {
     Hit hit;
-    if (!nearest(ray, std::numeric_limits<double>::infinity(), hit)) return false;
+    if (!nearest(ray, std::numeric_limits<double>::infinity(), hit)) {
+        if (!media_) return false;
+        point.distance = distance_to_end(ray);
+        point.transmittance = fog_.transmittance(point.distance);
+        return false;
+    }
     const Surface& surface = surfaces_[hit.surface];
     point.distance = static_cast<float>(hit.t);
+    if (media_) point.transmittance = fog_.transmittance(point.distance);
     point.position = ray.origin + ray.direction * point.distance;
     point.geometric_normal = std::visit(
         [&](const auto& shape) { return front_normal(shape, point.position); }, surface.shape);
@@ -175,14 +193,22 @@ aips::Ray Scene::spawn(const aips::SurfacePoint& point, Vec3 direction, float ti
 
 aips::Rgb Scene::visibility(const aips::SurfacePoint& point, const aips::DirectSample& light,
                             float time) const {
-    const aips::Ray ray = spawn(point, light.wi, time);
+    return visibility_from(point.position, light, time);
+}
+
+aips::Rgb Scene::visibility_from(Vec3 position, const aips::DirectSample& light, float time) const {
+    const aips::Ray ray{position, light.wi, time, nullptr};
     double from = 0;
     const double end = double(light.distance) - 1e-5 * bounds_.diagonal();
     for (int passed = 0; passed < 64; ++passed) {
         aips::Ray rest = ray;
         rest.origin = ray.origin + ray.direction * static_cast<float>(from);
         Hit hit;
-        if (!nearest(rest, end - from, hit)) return aips::kWhite;
+        if (!nearest(rest, end - from, hit)) {
+            if (!media_) return aips::kWhite;
+            return fog_.transmittance(std::isfinite(light.distance) ? light.distance
+                                                                    : distance_to_end(ray));
+        }
         if (surfaces_[hit.surface].material.kind != Material::Kind::Null) return {};
         from += hit.t;
     }
@@ -194,6 +220,7 @@ aips::SceneFacts Scene::facts() const {
     facts.lobes = 0;
     for (const Surface& s : surfaces_)
         facts.lobes |= lobes_of(s.material.kind);
+    facts.has_media = media_ != nullptr;
     facts.max_bsdf_bytes = max_bsdf_bytes();
     return facts;
 }

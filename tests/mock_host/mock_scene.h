@@ -10,6 +10,7 @@
 
 #include "aips/adapter/scene.h"
 #include "mock_bsdf.h"
+#include "mock_media.h"
 
 namespace mock {
 
@@ -52,6 +53,9 @@ class Scene final : public aips::Scene {
     void add_distant_light(const DistantCone& cone, aips::Rgb radiance);
     /// The six inner walls of the box [lower, upper], all alike.
     void add_box(aips::Vec3 lower, aips::Vec3 upper, const Surface& wall);
+    /// Fills the scene with fog, up to the ball around its surfaces. The scene must stay where it
+    /// is.
+    void fill(const Fog& fog);
     void set_light_groups(std::uint32_t groups) { light_groups_ = groups; }
     void finish();
 
@@ -66,6 +70,9 @@ class Scene final : public aips::Scene {
     std::uint32_t light_groups() const override { return light_groups_; }
     aips::Bounds bounds() const override { return bounds_; }
     aips::SceneFacts facts() const override;
+    const aips::Media* media() const override { return media_.get(); }
+    /// visibility() from anywhere.
+    aips::Rgb visibility_from(aips::Vec3 from, const aips::DirectSample& light, float time) const;
 
     /// Called with the time of every ray traced, if set (tests of one time per pass).
     std::function<void(float)> on_ray;
@@ -76,12 +83,15 @@ class Scene final : public aips::Scene {
         std::size_t surface = 0;
     };
     bool nearest(const aips::Ray& ray, double t_max, Hit& hit) const;
+    float distance_to_end(const aips::Ray& ray) const;
 
     std::vector<Surface> surfaces_;
     std::vector<aips::LightIndex> light_of_surface_;
     std::vector<std::unique_ptr<aips::Light>> lights_;
     std::vector<const aips::Light*> light_pointers_;
     std::vector<std::string> names_;
+    std::unique_ptr<Media> media_;
+    Fog fog_;
     std::uint32_t light_groups_ = 1;
     aips::Bounds bounds_;
 };

@@ -36,6 +36,9 @@ class DirectLight {
     /// wi from `from`; `at` is the point met, null for lights at infinity.
     float pdf(LightIndex light, const SurfacePoint& from, Vec3 wi, const SurfacePoint* at) const;
 
+    /// Probabilities of the lights to be chosen.
+    const DiscreteDistribution& choice() const { return choice_; }
+
     /// Lights that rays which leave the scene may see, in the scene's order.
     std::span<const LightIndex> at_infinity() const { return at_infinity_; }
 

@@ -81,8 +81,9 @@ class Engine::State {
         const std::uint64_t eye_rays = report.eye_paths ? image_.rays : 0;
         const PhotonPassTotals before = photon_pass_.totals();
         const PassPhotons photons = photons_.next();
-        if (needs_.photons && !image_.visible_points.empty()) {
-            radii = radius_policy_->before_pass(pass, photons, image_);
+        const bool any_points = !image_.visible_points.empty();
+        if (needs_.photons && (any_points || !image_.beams.empty())) {
+            if (any_points) radii = radius_policy_->before_pass(pass, photons, image_);
             report.radius = radii.mean;
             report.photon_paths = photons.paths;
             photon_pass_.shoot(pass, photons, time, image_, radii, refusals_, flux_);
@@ -92,6 +93,7 @@ class Engine::State {
         }
         if (report.photon_paths) {
             estimate_pixels(image_, flux_, radii, report.photon_paths, refusals_, radiance_);
+            photon_pass_.add_light_in_media(image_, report.photon_paths, refusals_, radiance_);
         }
         const auto& radiance = report.photon_paths ? radiance_ : image_.radiance;
         host_.film.add_pass(image_.positions, radiance, image_.groups, photons.weight);
@@ -99,7 +101,7 @@ class Engine::State {
             layers_->add_pass(image_, flux_, radii, radiance, photons.weight,
                               photon_pass_.bounces());
         }
-        if (report.photon_paths) radius_policy_->after_pass(flux_);
+        if (report.photon_paths && any_points) radius_policy_->after_pass(flux_);
         const PhotonPassTotals& after = photon_pass_.totals();
         report.rays = eye_rays + after.counts.rays - before.counts.rays;
         learn_from_pass(report, pass_work(report, eye_rays, before, after));

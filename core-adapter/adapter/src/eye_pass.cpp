@@ -13,7 +13,8 @@ constexpr std::uint32_t kPathsPerBlock = 1024;
 /// What one block adds to the pass besides the per-path arrays.
 struct Block {
     std::vector<VisiblePoint> visible_points;
-    double footprint_sum = 0;
+    std::vector<VolumeBeam> beams;
+    double footprint_sum = 0, beam_footprint_sum = 0;
     std::uint64_t rays = 0;
 };
 
@@ -33,6 +34,11 @@ void trace_block(const EyePassInput& in, std::uint64_t pass, float time, std::ui
             in, in.camera.generate(sample, time), random, refusals, arena,
             std::span(image.radiance).subspan(std::size_t(i) * image.groups, image.groups));
         block.rays += result.rays;
+        if (result.has_beam) {
+            block.beams.push_back(result.beam);
+            block.beams.back().sample = i;
+            block.beam_footprint_sum += result.beam_footprint;
+        }
         if (result.has_visible_point) {
             block.visible_points.push_back(result.visible_point);
             block.visible_points.back().sample = i;
@@ -43,12 +49,15 @@ void trace_block(const EyePassInput& in, std::uint64_t pass, float time, std::ui
 
 void join_blocks(std::vector<Block>& blocks, EyeImage& image) {
     image.visible_points.clear();
-    image.footprint_sum = 0;
+    image.beams.clear();
+    image.footprint_sum = image.beam_footprint_sum = 0;
     image.rays = 0;
     for (Block& block : blocks) {
         image.visible_points.insert(image.visible_points.end(), block.visible_points.begin(),
                                     block.visible_points.end());
+        image.beams.insert(image.beams.end(), block.beams.begin(), block.beams.end());
         image.footprint_sum += block.footprint_sum;
+        image.beam_footprint_sum += block.beam_footprint_sum;
         image.rays += block.rays;
         block = {};
     }
@@ -58,7 +67,8 @@ void join_blocks(std::vector<Block>& blocks, EyeImage& image) {
 
 std::size_t EyeImage::memory_bytes() const {
     std::size_t bytes = positions.capacity() * sizeof(Vec2) + radiance.capacity() * sizeof(Rgb) +
-                        visible_points.capacity() * sizeof(VisiblePoint);
+                        visible_points.capacity() * sizeof(VisiblePoint) +
+                        beams.capacity() * sizeof(VolumeBeam);
     for (const Arena& arena : arenas)
         bytes += arena.bytes_reserved();
     return bytes;

@@ -9,6 +9,7 @@
 #include "aips/core/arena.h"
 #include "direct_light.h"
 #include "refusals.h"
+#include "volume_beam.h"
 
 namespace aips {
 
@@ -32,8 +33,10 @@ struct EyeImage {
     std::vector<Vec2> positions;  ///< film position of each eye path
     std::vector<Rgb> radiance;    ///< [path * groups + group]: emission seen and direct light
     std::vector<VisiblePoint> visible_points;
-    std::vector<Arena> arenas;  ///< one per block of eye paths; hold the visible points' Bsdfs
-    double footprint_sum = 0;   ///< of the pixel footprints' radii at the visible points
+    std::vector<VolumeBeam> beams;  ///< parts within media that scatter: at most one an eye path
+    double beam_footprint_sum = 0;  ///< of the pixel footprints' radii at the beams' middles
+    std::vector<Arena> arenas;      ///< one per block of eye paths; hold the visible points' Bsdfs
+    double footprint_sum = 0;       ///< of the pixel footprints' radii at the visible points
     std::uint64_t rays = 0;
 
     /// Mean radius of a pixel's footprint at the visible points, scene units; 0 without points.
@@ -62,7 +65,7 @@ struct EyePassInput {
     const Settings& settings;
     std::uint32_t width = 0, height = 0;  ///< of the film, pixels
     std::uint32_t paths = 0;              ///< eye paths in this pass
-    bool keep_visible_points = true;      ///< else they are left out, and their Bsdfs dropped
+    bool keep_visible_points = true;  ///< else they and the beams are left out, and Bsdfs dropped
 };
 
 /// Lobes that take photons under these settings; the others bounce the eye path on.

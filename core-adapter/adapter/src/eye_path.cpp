@@ -2,6 +2,8 @@
 // strategy owns which class of paths is tabulated in docs/path-classes.md.
 #include "eye_path.h"
 
+#include "volume_light.h"
+
 namespace aips {
 namespace {
 
@@ -16,6 +18,7 @@ class EyePath {
           refusals_(refusals),
           arena_(arena),
           radiance_(radiance),
+          media_(input.scene.media()),
           ray_(camera_ray.ray) {}
 
     EyePathResult trace() {
@@ -23,11 +26,13 @@ class EyePath {
             const auto mark = arena_.mark();
             SurfacePoint point;
             ++result_.rays;
-            if (!in_.scene.intersect(ray_, point, arena_)) {
+            const bool met = in_.scene.intersect(ray_, point, arena_);
+            if (media_ && media_->scatters(ray_.medium)) cross_medium(point.distance);
+            throughput_ *= point.transmittance;
+            if (!met) {
                 add_escaped();
                 break;
             }
-            throughput_ *= point.transmittance;
             travelled_ += point.distance;
             add_emitted(point);
             const bool go_on = point.bsdf && scatter(point, depth == in_.settings.max_eye_depth);
@@ -38,10 +43,37 @@ class EyePath {
             arena_.rewind(mark);
             if (!go_on) break;
         }
+        if (result_.has_beam) result_.beam.throughput *= beam_weights_ / beam_weight_;
         return result_;
     }
 
   private:
+    /// Light that the medium scatters into the ray on the way to the next surface: from lights by a
+    /// shadow ray, all other by photons.
+    void cross_medium(float length) {
+        VolumeBeam beam{ray_.origin, ray_.direction, length, ray_.medium, throughput_};
+        if (!(length > 0)) return;
+        if (in_.settings.direct_light_sampling) {
+            result_.rays += estimate_scattered_light(in_.scene, in_.direct_light, beam, ray_.time,
+                                                     random_, refusals_, radiance_);
+        }
+        if (in_.keep_visible_points) keep(beam);
+    }
+
+    /// Keeps one of the path's beams, chosen by what it may scatter (reservoir sampling).
+    void keep(const VolumeBeam& beam) {
+        const Rgb passed = transmittance(media_->extinction(beam.medium), beam.length);
+        const float weight = luminance(beam.throughput * (kWhite - passed));
+        if (!(weight > 0) || !refusals_.accept(beam.throughput, kLightOrigin)) return;
+        beam_weights_ += weight;
+        if (result_.has_beam && random_.next() * beam_weights_ >= weight) return;
+        beam_weight_ = weight;
+        result_.has_beam = true;
+        result_.beam = beam;
+        result_.beam_footprint =
+            camera_ray_.width + camera_ray_.spread * (travelled_ + 0.5f * beam.length);
+    }
+
     /// Share of the light met by the current ray that shadow rays from the last vertex leave to it.
     float emission_weight(LightIndex light, const SurfacePoint* at) const {
         if (last_was_specular_) return 1;
@@ -142,6 +174,7 @@ class EyePath {
     Refusals& refusals_;
     Arena& arena_;
     std::span<Rgb> radiance_;
+    const Media* media_;  // null if no medium scatters
 
     Ray ray_;
     Rgb throughput_ = kWhite;
@@ -149,6 +182,8 @@ class EyePath {
     bool last_was_specular_ = true;  // the camera counts as specular: no shadow rays from it
     float bounce_pdf_ = 0;           // of the last scattering that was not straight
     SurfacePoint last_vertex_;       // where that was
+    float beam_weights_ = 0;         // of all beams of the path
+    float beam_weight_ = 0;          // of the one that is kept
     EyePathResult result_;
 };
 

@@ -12,6 +12,9 @@ struct EyePathResult {
     bool has_visible_point = false;
     VisiblePoint visible_point;
     float footprint = 0;  ///< radius of the pixel's footprint at the visible point
+    bool has_beam = false;
+    VolumeBeam beam;           ///< of one part of the path within a medium that scatters
+    float beam_footprint = 0;  ///< radius of the pixel's footprint at its middle
     std::uint32_t rays = 0;
 };
 

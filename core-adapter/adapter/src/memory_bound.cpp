@@ -55,6 +55,16 @@ std::size_t log_bytes(const Settings& s, std::size_t paths) {
     return paths * kGrowth * (2 * path + scores);
 }
 
+/// Beams, which exist twice while blocks are joined, and what photons bring to them.
+std::size_t volume_bytes(const Scene& scene, const Settings& s, std::size_t eye_paths) {
+    if (!scene.media()) return 0;
+    const std::size_t iteration = most_landings(
+        s, s.guide == GuideKind::Paper ? std::max(s.iteration_photons, s.initial_photons)
+                                       : kPlainIterationPaths);
+    return eye_paths * 2 * kGrowth * sizeof(VolumeBeam) +
+           VolumeGather::memory_bound_bytes(scene, eye_paths, iteration);
+}
+
 }  // namespace
 
 std::size_t memory_bound(const Scene& scene, const Needs& needs, std::uint32_t eye_paths,
@@ -79,7 +89,7 @@ std::size_t memory_bound(const Scene& scene, const Needs& needs, std::uint32_t e
         PixelImportance::memory_bound_bytes(pixels) + PassNoiseMeter::memory_bound_bytes(pixels);
     return eye_image_bytes(scene, eye_paths) + visible_point_bytes(scene, eye_paths) + plan +
            OccupancyGrid::memory_bound_bytes(eye_paths) + photon_bytes(settings, eye_paths) +
-           guide + radii;
+           guide + radii + volume_bytes(scene, settings, eye_paths);
 }
 
 }  // namespace aips

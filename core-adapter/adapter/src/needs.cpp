@@ -14,9 +14,11 @@ void skip(Needs& needs, std::string part, const std::string& reason) {
 }
 
 /// Why no photon could bring light; empty if one could.
-std::string why_no_photons(const Settings& settings, const SceneFacts& facts, bool any_light) {
+std::string why_no_photons(const Settings& settings, const Scene& scene, bool any_light) {
     if (!any_light) return "no light emits";
-    if (!(facts.lobes & receiving_lobes(settings))) return "no surface takes photons";
+    if (!(scene.facts().lobes & receiving_lobes(settings)) && !scene.media()) {
+        return "no surface takes photons";
+    }
     if (settings.direct_light_sampling && settings.max_photon_depth < 2) {
         return "shadow rays carry all light at this photon depth";
     }
@@ -64,6 +66,22 @@ void drop_guides(Needs& needs, const SceneFacts& facts) {
     }
 }
 
+/// Parts that know of light on surfaces alone, and would lead photons past media that scatter.
+void drop_parts_for_surfaces(Needs& needs, const SceneFacts& facts) {
+    Settings& s = needs.settings;
+    if (s.photon_sampler == PhotonSampler::AdaptiveChains) {
+        s.photon_sampler = PhotonSampler::Sequence;
+        skip(needs, "photonsampler amc", "its chains do not know which photons are seen in media");
+    }
+    if (s.guide == GuideKind::Adaptive && s.guide_survival) {
+        s.guide_survival = false;
+        skip(needs, "survival by score", "scores do not know what light in media is worth");
+    }
+    if (s.guide != GuideKind::None && !(facts.lobes & receiving_lobes(s))) {
+        drop_guide(needs, "no surface takes photons");
+    }
+}
+
 }  // namespace
 
 Needs analyse(const Scene& scene, const Settings& settings) {
@@ -73,7 +91,7 @@ Needs analyse(const Scene& scene, const Settings& settings) {
     const auto lights = scene.lights();
     const auto dead = std::size_t(std::count_if(lights.begin(), lights.end(),
                                                 [](const Light* light) { return !emits(*light); }));
-    const std::string reason = why_no_photons(settings, facts, dead < lights.size());
+    const std::string reason = why_no_photons(settings, scene, dead < lights.size());
     if (!reason.empty()) drop_photons(needs, reason);
     if (dead > 0) {
         skip(needs, std::to_string(dead) + (dead == 1 ? " light" : " lights"),
@@ -82,8 +100,13 @@ Needs analyse(const Scene& scene, const Settings& settings) {
     if (needs.photons && settings.direct_light_sampling) {
         skip(needs, "direct photons", "shadow rays carry direct light");
     }
+    if (scene.media()) drop_parts_for_surfaces(needs, facts);
     drop_guides(needs, facts);
-    if (!facts.has_media) skip(needs, "media", "none in the scene");
+    if (!facts.has_media) {
+        skip(needs, "media", "none in the scene");
+    } else if (!scene.media()) {
+        skip(needs, "light scattered by media", "none of them scatters");
+    }
     return needs;
 }
 

@@ -17,13 +17,15 @@ bool logged(const PhotonInput& input, std::uint64_t serial) {
 
 PhotonCounts PhotonTracer::trace(const PhotonInput& input, std::uint64_t paths_before_pass,
                                  std::uint32_t first, std::uint32_t count, Refusals& refusals,
-                                 LandingStore& store, PathLog* log) {
+                                 LandingStore& store, PathLog* log,
+                                 std::vector<VolumePhoton>* collisions) {
     const std::uint32_t block_count = (count + kPathsPerBlock - 1) / kPathsPerBlock;
     if (blocks_.size() < block_count) blocks_.resize(block_count);
     tbb::parallel_for(0u, block_count, [&](std::uint32_t b) {
         Arena& arena = arenas_.local();
         Block& block = blocks_[b];
         block.landings.clear();
+        block.collisions.clear();
         block.log.clear();
         block.counts = {};
         const std::uint32_t begin = first + b * kPathsPerBlock;
@@ -32,13 +34,17 @@ PhotonCounts PhotonTracer::trace(const PhotonInput& input, std::uint64_t paths_b
         for (std::uint32_t i = begin; i < end; ++i) {
             numbers.move_to(paths_before_pass + i, i);
             trace_photon_path(input, numbers, i, refusals, arena, block.landings, block.counts,
-                              logged(input, paths_before_pass + i) ? &block.log : nullptr);
+                              logged(input, paths_before_pass + i) ? &block.log : nullptr,
+                              collisions ? &block.collisions : nullptr);
         }
     });
     PhotonCounts counts;
     for (const Block& block : std::span(blocks_).first(block_count)) {
         if (log) log->append(block.log, std::uint32_t(store.landings().size()));
         store.append(block.landings);
+        if (collisions) {
+            collisions->insert(collisions->end(), block.collisions.begin(), block.collisions.end());
+        }
         counts += block.counts;
     }
     return counts;
@@ -47,7 +53,8 @@ PhotonCounts PhotonTracer::trace(const PhotonInput& input, std::uint64_t paths_b
 std::size_t PhotonTracer::memory_bytes() const {
     std::size_t bytes = blocks_.capacity() * sizeof(Block);
     for (const Block& block : blocks_)
-        bytes += block.landings.capacity() * sizeof(Landing) + block.log.memory_bytes();
+        bytes += block.landings.capacity() * sizeof(Landing) + block.log.memory_bytes() +
+                 block.collisions.capacity() * sizeof(VolumePhoton);
     return bytes;
 }
 

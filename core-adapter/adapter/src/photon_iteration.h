@@ -49,17 +49,20 @@ class LandingStore {
 class PhotonTracer {
   public:
     /// Traces `count` paths from number `first` of the pass and appends their landings to `store`,
-    /// and the records of those that input.log_one_of selects to `log`.
+    /// the records of those that input.log_one_of selects to `log`, and what is left in media that
+    /// scatter to `collisions` (null if none does).
     /// The result does not depend on the number of threads.
     PhotonCounts trace(const PhotonInput& input, std::uint64_t paths_before_pass,
                        std::uint32_t first, std::uint32_t count, Refusals& refusals,
-                       LandingStore& store, PathLog* log = nullptr);
+                       LandingStore& store, PathLog* log = nullptr,
+                       std::vector<VolumePhoton>* collisions = nullptr);
 
     std::size_t memory_bytes() const;
 
   private:
     struct Block {
         std::vector<Landing> landings;
+        std::vector<VolumePhoton> collisions;
         PathLog log;
         PhotonCounts counts;
     };

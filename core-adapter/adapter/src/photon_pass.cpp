@@ -16,6 +16,7 @@ PhotonPass::PhotonPass(const Scene& scene, const Settings& settings, Guide* guid
     if (settings.guide == GuideKind::Adaptive) {
         adaptive_.emplace(scene, settings, light_choice_, *importance);
     }
+    if (scene.media()) volume_.emplace(scene, settings);
     if (guide && settings.debug_layers) bounces_.emplace(*guide, settings.max_nodes);
 }
 
@@ -36,6 +37,7 @@ void PhotonPass::begin_pass(std::uint64_t pass, const PassPhotons& photons, floa
     if (chains_) chains_->begin_pass(photons.paths);
     if (bounces_) bounces_->begin_pass();
     waiting_.clear();
+    if (volume_) volume_->begin_pass(pass, photons, image);
 }
 
 void PhotonPass::mark_reach(std::span<const Vec3> visible_points, float radius) {
@@ -53,19 +55,27 @@ void PhotonPass::shoot(std::uint64_t pass, const PassPhotons& photons, float tim
     for (std::uint32_t first = 0; first < photons.paths; ++iteration) {
         const std::uint32_t count = std::min(iteration_paths(iteration), photons.paths - first);
         const std::size_t landings = waiting_.landings().size();
+        const std::size_t collisions = volume_ ? volume_->waiting().size() : 0;
         trace(input_of(pass, time, iteration), photons, first, count, refusals);
         learn(count);
         if (adaptive_) {
             // After learning: a guide learns from what photons really carried.
             const auto weight = float(learning_weight(photons.before + first));
             if (weight < 1) waiting_.scale_power(landings, weight);
+            if (weight < 1 && volume_) volume_->scale_power(collisions, weight);
         }
         if (waiting_.landings().size() > kLandingCapacity) gather(image, radii, refusals, flux);
+        if (volume_ && volume_->full()) gather_in_media(image, refusals);
         first += count;
     }
+    gather_in_media(image, refusals);
     gather(image, radii, refusals, flux);
     if (chains_) flux.scale(chains_->end_pass());
-    if (photons.counted < photons.paths) flux.scale(double(photons.paths) / photons.counted);
+    if (photons.counted < photons.paths) {
+        const double factor = double(photons.paths) / photons.counted;
+        flux.scale(factor);
+        if (volume_) volume_->scale_flux(float(factor));
+    }
     totals_.gathered += flux.gathered;
 }
 
@@ -104,7 +114,8 @@ void PhotonPass::trace(const PhotonInput& input, const PassPhotons& photons, std
     LandingStore& store = guide_ ? iteration_ : waiting_;
     totals_.counts += chains_ ? chains_->trace(input, count, refusals, store)
                               : tracer_.trace(input, photons.before, first, count, refusals, store,
-                                              adaptive_ ? &log_ : nullptr);
+                                              adaptive_ ? &log_ : nullptr,
+                                              volume_ ? &volume_->waiting() : nullptr);
 }
 
 void PhotonPass::learn(std::uint32_t paths) {
@@ -135,10 +146,19 @@ void PhotonPass::gather(const EyeImage& image, const SearchRadii& radii, Refusal
     waiting_.clear();
 }
 
+void PhotonPass::gather_in_media(const EyeImage& image, Refusals& refusals) {
+    if (!volume_) return;
+    const Stopwatch watch(totals_.gather_seconds);
+    const std::uint64_t before = volume_->gathered();
+    volume_->gather(image, refusals);
+    totals_.gathered += volume_->gathered() - before;
+}
+
 std::size_t PhotonPass::memory_bytes() const {
     return tracer_.memory_bytes() + waiting_.memory_bytes() + iteration_.memory_bytes() +
            grid_.memory_bytes() + occupancy_.memory_bytes() +
-           (chains_ ? chains_->memory_bytes() : 0) + (bounces_ ? bounces_->memory_bytes() : 0) +
+           (volume_ ? volume_->memory_bytes() : 0) + (chains_ ? chains_->memory_bytes() : 0) +
+           (bounces_ ? bounces_->memory_bytes() : 0) +
            (adaptive_ ? adaptive_->memory_bytes() + log_.memory_bytes() : 0);
 }
 

@@ -10,6 +10,7 @@
 #include "gather.h"
 #include "photon_chains.h"
 #include "photon_schedule.h"
+#include "volume_gather.h"
 
 namespace aips {
 
@@ -36,6 +37,12 @@ class PhotonPass {
                const SearchRadii& radii, Refusals& refusals, PhotonFlux& flux);
 
     const PhotonPassTotals& totals() const { return totals_; }
+    /// Adds the light that photons brought into media to the radiance of the eye paths.
+    void add_light_in_media(const EyeImage& image, std::uint64_t photon_paths, Refusals& refusals,
+                            std::vector<Rgb>& radiance) const {
+        if (volume_) volume_->add_to(image, photon_paths, refusals, radiance);
+    }
+
     /// Null unless photonsampler=amc.
     const PhotonChains* chains() const { return chains_ ? &*chains_ : nullptr; }
     /// Null unless guide=adaptive.
@@ -53,6 +60,7 @@ class PhotonPass {
     void trace(const PhotonInput& input, const PassPhotons& photons, std::uint32_t first,
                std::uint32_t count, Refusals& refusals);
     void learn(std::uint32_t paths);
+    void gather_in_media(const EyeImage& image, Refusals& refusals);
     void gather(const EyeImage& image, const SearchRadii& radii, Refusals& refusals,
                 PhotonFlux& flux);
 
@@ -69,6 +77,7 @@ class PhotonPass {
     LandingStore waiting_;    // near visible points, not gathered yet
     LandingStore iteration_;  // all landings of one guided iteration
     LandingGrid grid_;
+    std::optional<VolumeGather> volume_;  // if some medium scatters
     std::optional<BounceTally> bounces_;  // debug layers of a guide only
     PhotonPassTotals totals_;
 };

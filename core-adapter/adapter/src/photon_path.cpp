@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "aips/adapter/media.h"
 #include "aips/core/primary_path.h"
 #include "eye_pass.h"
 #include "path_log_entry.h"
@@ -46,13 +47,16 @@ template <class Numbers>
 class PhotonTrace {
   public:
     PhotonTrace(const PhotonInput& in, Numbers& numbers, std::uint32_t index, Refusals& refusals,
-                Arena& arena, std::vector<Landing>& landings, PhotonCounts& counts)
+                Arena& arena, std::vector<Landing>& landings, std::vector<VolumePhoton>* collisions,
+                PhotonCounts& counts)
         : in_(in),
+          media_(collisions ? in.scene.media() : nullptr),
           numbers_(numbers),
           index_(index),
           refusals_(refusals),
           arena_(arena),
           landings_(landings),
+          collisions_(collisions),
           counts_(counts),
           receiving_(receiving_lobes(in.settings)) {}
 
@@ -90,14 +94,58 @@ class PhotonTrace {
   private:
     /// Where the photon meets a surface; false if it ends there, or meets none.
     bool land(Photon& photon, SurfacePoint& point) {
-        arena_.reset();
-        point = {};
-        ++counts_.rays;
-        if (!in_.scene.intersect(photon.ray, point, arena_) || !point.bsdf) return false;
+        bool met = false;
+        do {
+            arena_.reset();
+            point = {};
+            ++counts_.rays;
+            met = in_.scene.intersect(photon.ray, point, arena_);
+        } while (media_ && media_->scatters(photon.ray.medium) && fly(photon, point));
+        if (!met || !point.bsdf || is_black(photon.power)) return false;
         photon.power *= point.transmittance;
         const bool owned_by_shadow_rays = photon.straight && in_.settings.direct_light_sampling;
         if ((point.bsdf->lobes() & receiving_) && !owned_by_shadow_rays) store(point, photon);
         return photon.depth < in_.settings.max_photon_depth;
+    }
+
+    /// Goes on through a medium that scatters; true if it was scattered there and goes elsewhere.
+    /// Else it reaches `point`, or ends: then it has no power left.
+    bool fly(Photon& photon, SurfacePoint& point) {
+        auto& random = numbers_.bounce(photon.depth);
+        const Flight flight =
+            media_->sample_flight(photon.ray.medium, point.distance, photon.power, random.next2());
+        photon.power *= flight.weight;
+        // Of both, one: the flight's weight stands for the transmittance.
+        point.transmittance = kWhite;
+        if (!flight.collides) return false;
+        if (scatter_in_medium(photon, flight.distance, random)) return true;
+        photon.power = {};
+        return false;
+    }
+
+    /// Stores a collision and draws what becomes of the photon; false if it ends.
+    template <class Random>
+    bool scatter_in_medium(Photon& photon, float distance, Random& random) {
+        const void* const medium = photon.ray.medium;
+        const Vec3 position = photon.ray.origin + photon.ray.direction * distance;
+        if (!refusals_.accept(photon.power, kLightOrigin)) return false;
+        if (!photon.straight || !in_.settings.direct_light_sampling) {
+            collisions_->push_back(
+                {position, -photon.ray.direction, photon.power, medium, photon.group});
+        }
+        if (photon.depth >= in_.settings.max_photon_depth) return false;
+        photon.power *= media_->scattering(medium);
+        const float survival = std::min(1.0f, max_component(photon.power) / photon.emitted_power);
+        if (!(random.next() < survival)) return false;
+        const PhaseSample sample =
+            media_->sample_phase(medium, photon.ray.direction, photon.power, random.next2());
+        photon.power = photon.power * sample.weight / survival;
+        if (!refusals_.accept(photon.power, kLightOrigin)) return false;
+        photon.straight = false;
+        photon.previous = position;
+        photon.ray = {position, sample.direction, in_.time, medium};
+        ++photon.depth;
+        return true;
     }
 
     void store(const SurfacePoint& point, const Photon& photon) {
@@ -160,11 +208,13 @@ class PhotonTrace {
     }
 
     const PhotonInput& in_;
+    const Media* media_;  // null if no medium scatters
     Numbers& numbers_;
     std::uint32_t index_;
     Refusals& refusals_;
     Arena& arena_;
     std::vector<Landing>& landings_;
+    std::vector<VolumePhoton>* collisions_;
     PhotonCounts& counts_;
     LobeMask receiving_;
     std::vector<Photon> waiting_;  // split off, at their way's start
@@ -187,11 +237,11 @@ PhotonCounts& PhotonCounts::operator+=(const PhotonCounts& o) {
 template <class Numbers>
 void trace_photon_path(const PhotonInput& in, Numbers& numbers, std::uint32_t index,
                        Refusals& refusals, Arena& arena, std::vector<Landing>& landings,
-                       PhotonCounts& counts, PathLog* log) {
+                       PhotonCounts& counts, PathLog* log, std::vector<VolumePhoton>* collisions) {
     ++counts.paths;
     Photon photon;
     const bool left_light = emit(in, numbers, refusals, photon);
-    PhotonTrace<Numbers> trace(in, numbers, index, refusals, arena, landings, counts);
+    PhotonTrace<Numbers> trace(in, numbers, index, refusals, arena, landings, collisions, counts);
     {
         const LogEntry entry(log, in.log_vertices, photon.start, landings, counts);
         if (!left_light) return;
@@ -201,8 +251,10 @@ void trace_photon_path(const PhotonInput& in, Numbers& numbers, std::uint32_t in
 }
 
 template void trace_photon_path(const PhotonInput&, SequencePath&, std::uint32_t, Refusals&, Arena&,
-                                std::vector<Landing>&, PhotonCounts&, PathLog*);
+                                std::vector<Landing>&, PhotonCounts&, PathLog*,
+                                std::vector<VolumePhoton>*);
 template void trace_photon_path(const PhotonInput&, PrimaryPath&, std::uint32_t, Refusals&, Arena&,
-                                std::vector<Landing>&, PhotonCounts&, PathLog*);
+                                std::vector<Landing>&, PhotonCounts&, PathLog*,
+                                std::vector<VolumePhoton>*);
 
 }  // namespace aips

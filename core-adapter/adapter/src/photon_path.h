@@ -19,6 +19,7 @@
 #include "path_log.h"
 #include "refusals.h"
 #include "score_survival.h"
+#include "volume_gather.h"
 
 namespace aips {
 
@@ -85,10 +86,12 @@ class SequencePath {
 
 /// Traces a path with the given numbers (SequencePath, or PrimaryPath of a Markov chain), `index`
 /// of its pass, and appends its landings. Landings that shadow rays own (docs/path-classes.md) are
-/// dropped. `log` (may be null) takes the path's record.
+/// dropped. `log` (may be null) takes the path's record, `collisions` (may be null only if no
+/// medium scatters) what it leaves in media.
 template <class Numbers>
 void trace_photon_path(const PhotonInput& input, Numbers& numbers, std::uint32_t index,
                        Refusals& refusals, Arena& arena, std::vector<Landing>& landings,
-                       PhotonCounts& counts, PathLog* log = nullptr);
+                       PhotonCounts& counts, PathLog* log = nullptr,
+                       std::vector<VolumePhoton>* collisions = nullptr);
 
 }  // namespace aips

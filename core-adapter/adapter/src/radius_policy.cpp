@@ -31,8 +31,12 @@ double smallest_radius(const Scene& scene) {
 }
 
 double initial_radius(const Settings& settings, const EyeImage& image, double smallest) {
+    return radius_of_footprint(settings, image.mean_footprint(), smallest);
+}
+
+double radius_of_footprint(const Settings& settings, double footprint, double smallest) {
     const double footprints = settings.start_radius > 0 ? settings.start_radius : kAutomaticRadius;
-    return std::max(footprints * 2 * image.mean_footprint(), smallest);
+    return std::max(footprints * 2 * footprint, smallest);
 }
 
 }  // namespace aips

@@ -34,4 +34,7 @@ double smallest_radius(const Scene& scene);
 /// footprint (width), at least `smallest`.
 double initial_radius(const Settings& settings, const EyeImage& image, double smallest);
 
+/// The same for points with this mean footprint (radius).
+double radius_of_footprint(const Settings& settings, double footprint, double smallest);
+
 }  // namespace aips

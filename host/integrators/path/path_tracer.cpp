@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "lxs/sdk/medium.h"
 #include "lxs/sdk/rays.h"
+#include "path/path_state.h"
 
 namespace lxs {
 namespace {
@@ -15,17 +17,6 @@ constexpr std::uint32_t kRouletteStart = 3;
 constexpr std::uint32_t kMaxStraight = 1000;
 constexpr LobeMask kScattering = kDiffuse | kGlossy;
 
-/// Veach 1997, eq. 9.11 with exponent 2, written so that large densities don't overflow.
-float power_heuristic(float pdf, float other_pdf) {
-    const float ratio = other_pdf / pdf;
-    return 1 / (1 + ratio * ratio);
-}
-
-bool valid(const Rgb& c) {
-    return std::isfinite(c.x) && std::isfinite(c.y) && std::isfinite(c.z) && c.x >= 0 && c.y >= 0 &&
-           c.z >= 0;
-}
-
 }  // namespace
 
 PathCounts& PathCounts::operator+=(const PathCounts& other) {
@@ -35,28 +26,12 @@ PathCounts& PathCounts::operator+=(const PathCounts& other) {
     return *this;
 }
 
-/// The last vertex at which the path changed direction.
-struct PathTracer::Vertex {
-    Vec3 p{0.0f};
-    Vec3 n{0.0f};
-    float pdf = 0;  ///< of the direction it left with; 0 at the camera and after a specular lobe
-};
-
-struct PathTracer::State {
-    Ray ray;
-    PrimarySample& random;
-    PathResult& result;
-    Rgb throughput{1.0f};
-    Vertex left;
-    std::uint32_t bounces = 0;
-    std::uint32_t straight = 0;
-};
-
 PathTracer::PathTracer(const Scene& scene, const PathSettings& settings, RefusalCounter& refusals)
     : scene_(scene),
       settings_(settings),
       lights_(scene.lights(), settings.lights),
-      refusals_(refusals) {}
+      refusals_(refusals),
+      media_scatter_(scene.facts().has_scattering_media) {}
 
 void PathTracer::trace(const Ray& camera_ray, PrimarySample& random,
                        std::pmr::monotonic_buffer_resource& memory, PathResult& result) const {
@@ -65,11 +40,19 @@ void PathTracer::trace(const Ray& camera_ray, PrimarySample& random,
         memory.release();
         SurfaceHit hit;
         ++result.rays;
-        if (!scene_.intersect(state.ray, hit, memory)) {
+        const bool met = scene_.intersect(state.ray, hit, memory);
+        if (media_scatter_ && state.ray.medium && state.ray.medium->scatters()) {
+            if (fly(state, hit.distance)) {
+                if (!scatter_in_medium(state)) break;
+                continue;
+            }
+        } else {
+            state.throughput *= hit.transmittance;
+        }
+        if (!met) {
             add_escaped(state);
             break;
         }
-        state.throughput *= hit.transmittance;
         add_emitted(state, hit);
         if (hit.bsdf == nullptr) break;
         if (state.bounces < settings_.max_depth) add_direct(state, hit);
@@ -105,7 +88,6 @@ void PathTracer::add_emitted(State& state, const SurfaceHit& hit) const {
 void PathTracer::add_escaped(State& state) const {
     if (lights_.at_infinity().empty()) return;
     if (state.bounces == 0 && !settings_.include_environment) return;
-    if (state.ray.medium != nullptr) state.throughput *= scene_.transmittance(state.ray);
     const Vec3& direction = state.ray.direction;
     for (const Light* light : lights_.at_infinity()) {
         const Rgb radiance = light->escaped(direction);

@@ -1,7 +1,8 @@
 // Unidirectional path tracing of one camera ray.
 //
 // References: Kajiya 1986, "The rendering equation"; Veach 1997, "Robust Monte Carlo methods for
-// light transport simulation", chapter 9 (multiple importance sampling, power heuristic).
+// light transport simulation", chapter 9 (multiple importance sampling, power heuristic); Lafortune
+// & Willems 1996, "Rendering participating media with bidirectional path tracing" (free flights).
 #pragma once
 
 #include <cstdint>
@@ -62,6 +63,10 @@ class PathTracer {
     void add_emitted(State& state, const SurfaceHit& hit) const;
     void add_escaped(State& state) const;
     void add_direct(State& state, const SurfaceHit& hit) const;
+    bool fly(State& state, float segment) const;
+    bool scatter_in_medium(State& state) const;
+    void add_direct_in_medium(State& state) const;
+    Rgb direct_light_in_medium(State& state, const LightChoice& choice, const Vec2& u) const;
     Rgb direct_light(State& state, const SurfaceHit& hit, const LightChoice& choice,
                      const Vec2& u) const;
     float light_weight(const State& state, const Light& light, const Vec3& light_p,
@@ -73,6 +78,7 @@ class PathTracer {
     PathSettings settings_;
     LightSelector lights_;
     RefusalCounter& refusals_;
+    bool media_scatter_;
 };
 
 }  // namespace lxs

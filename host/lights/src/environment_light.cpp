@@ -25,9 +25,11 @@ bool EnvironmentLight::sample_emission(const std::array<float, 4>& u,
     const Frame frame(sky.wi);
     // A little beyond the sphere, so that rounding puts no surface behind the origin.
     constexpr float kBeyond = 1.01f;
+    // A medium begins on the sphere.
+    const float ahead = placement_.medium ? std::sqrt(std::max(0.0f, 1 - d.length2())) : kBeyond;
     sample.ray = Ray{};
     sample.ray.origin =
-        sphere_.center + (frame.s * d.x + frame.t * d.y + sky.wi * kBeyond) * sphere_.radius;
+        sphere_.center + (frame.s * d.x + frame.t * d.y + sky.wi * ahead) * sphere_.radius;
     sample.ray.direction = -sky.wi;
     sample.ray.medium = placement_.medium.get();
     sample.power = sky.radiance * (kPi * sphere_.radius * sphere_.radius / sky.pdf);

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <memory>
 
-#include "lxs/scene/medium.h"
+#include "lxs/sdk/medium.h"
 
 namespace lxs {
 

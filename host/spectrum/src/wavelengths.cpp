@@ -48,12 +48,6 @@ double fraction(double x) {
     return x - std::floor(x);
 }
 
-Rgb limited(const Imath::V3d& v, double highest) {
-    return Rgb(static_cast<float>(std::clamp(v.x, 0.0, highest)),
-               static_cast<float>(std::clamp(v.y, 0.0, highest)),
-               static_cast<float>(std::clamp(v.z, 0.0, highest)));
-}
-
 }  // namespace
 
 Imath::V3d primary_spectra(double nm) {
@@ -67,12 +61,13 @@ Imath::V3d primary_spectra(double nm) {
     return spectra;
 }
 
-Rgb Wavelengths::reflectance(const Rgb& rgb) const {
-    return limited(Imath::V3d(rgb) * from_rgb, 1);
-}
-
-Rgb Wavelengths::intensity(const Rgb& rgb) const {
-    return limited(Imath::V3d(rgb) * from_rgb, std::numeric_limits<float>::max());
+Rgb Wavelengths::values_of(const Rgb& rgb) const {
+    // A mean of the channels, but for rounding.
+    const auto [least, most] = std::minmax({rgb.x, rgb.y, rgb.z});
+    const Imath::V3d v = Imath::V3d(rgb) * from_rgb;
+    return Rgb(std::clamp(static_cast<float>(v.x), least, most),
+               std::clamp(static_cast<float>(v.y), least, most),
+               std::clamp(static_cast<float>(v.z), least, most));
 }
 
 Wavelengths wavelengths_of_pass(std::uint64_t seed, std::uint64_t pass) {

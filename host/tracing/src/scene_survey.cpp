@@ -18,22 +18,45 @@ void add_material(const MaterialFacts& material, SceneSurvey& survey) {
     survey.has_straight |= material.straight;
 }
 
-bool absorbs(const std::shared_ptr<const Medium>& medium) {
-    return medium && medium->absorbs();
+void add_medium(const std::shared_ptr<const Medium>& medium, SceneSurvey& survey) {
+    if (!medium) return;
+    survey.facts.has_media |= medium->absorbs();
+    survey.facts.has_scattering_media |= medium->scatters();
 }
 
 void add_primitive(const Primitive& primitive, SceneSurvey& survey) {
     if (primitive.material) add_material(primitive.material->facts(), survey);
-    survey.facts.has_media |= absorbs(primitive.interior) || absorbs(primitive.exterior);
+    add_medium(primitive.interior, survey);
+    add_medium(primitive.exterior, survey);
     if (primitive.emission && primitive.emission->radiance)
         survey.facts.has_image_textures |= primitive.emission->radiance->reads_image();
     if (const auto* mesh = std::get_if<TriangleMesh>(&primitive.geometry))
         survey.facts.triangles += mesh->indices.size() / 3;
 }
 
+/// Whether the light that media scatter is to be rendered: LuxRender's "emission" (its default) and
+/// "none" only dim light that crosses them.
+bool renders_scattering(const SceneContents& contents, Diagnostics& diagnostics) {
+    const auto option = contents.options.find("VolumeIntegrator");
+    const bool named = option != contents.options.end();
+    const std::string kind = named ? option->second.parameters.plugin : "emission";
+    const SourceLocation where = named ? option->second.parameters.where : contents.end;
+    if (kind == "single") {
+        diagnostics.warning(where,
+                            "VolumeIntegrator \"single\": light that media scatter more than "
+                            "once is rendered too, as by \"multi\"");
+    } else if (kind != "multi") {
+        diagnostics.warning(where, "VolumeIntegrator \"" + kind +
+                                       "\" loses the light that media scatter; \"multi\" "
+                                       "renders it");
+        return false;
+    }
+    return true;
+}
+
 }  // namespace
 
-SceneSurvey survey(const SceneContents& contents) {
+SceneSurvey survey(const SceneContents& contents, Diagnostics& diagnostics) {
     SceneSurvey result;
     for (const Primitive& primitive : contents.primitives)
         add_primitive(primitive, result);
@@ -41,9 +64,12 @@ SceneSurvey survey(const SceneContents& contents) {
         for (const Primitive& primitive : object.primitives)
             add_primitive(primitive, result);
     }
-    result.facts.has_media |= absorbs(contents.camera_medium);
+    add_medium(contents.camera_medium, result);
     for (const LightDescription& light : contents.lights)
-        result.facts.has_media |= absorbs(light.medium);
+        add_medium(light.medium, result);
+    if (result.facts.has_scattering_media) {
+        result.facts.has_scattering_media = renders_scattering(contents, diagnostics);
+    }
     return result;
 }
 

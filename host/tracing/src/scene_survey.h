@@ -12,7 +12,8 @@ struct SceneSurvey {
     bool has_straight = false;  ///< some surface may pass light undeviated
 };
 
-/// Looks at all primitives, of objects too.
-SceneSurvey survey(const SceneContents& contents);
+/// Looks at all primitives, of objects too. Warns if media scatter and the scene's
+/// VolumeIntegrator renders that otherwise than by all its scatterings.
+SceneSurvey survey(const SceneContents& contents, Diagnostics& diagnostics);
 
 }  // namespace lxs

@@ -28,7 +28,7 @@ class SpectralLight final : public Light {
         return light_.emission_coordinates(p, sample, u);
     }
     Rgb escaped(const Vec3& direction) const override {
-        return wavelengths_.intensity(light_.escaped(direction));
+        return wavelengths_.values_of(light_.escaped(direction));
     }
 
   private:

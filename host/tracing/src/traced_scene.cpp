@@ -5,17 +5,11 @@
 
 #include "area_lights.h"
 #include "lxs/tracing/trace_scene.h"
+#include "scene_sphere.h"
 #include "surface_point.h"
 
 namespace lxs {
 namespace {
-
-SceneSphere enclosing_sphere(const Bounds& box) {
-    if (box.isEmpty()) return {};
-    constexpr float kRoundingMargin = 1.00001f;
-    const float radius = (box.max - box.min).length() / 2 * kRoundingMargin;
-    return {box.center(), radius > 0 ? radius : 1.0f};
-}
 
 void check_invertible(const Instance& instance, const ObjectDefinition& object) {
     const double determinant = instance.to_world.determinant();
@@ -30,7 +24,10 @@ void check_invertible(const Instance& instance, const ObjectDefinition& object) 
 
 TracedScene::TracedScene(SceneContents contents, const AssetResolver& resolve,
                          Diagnostics& diagnostics)
-    : contents_(std::move(contents)), survey_(survey(contents_)), world_scene_(device_) {
+    : contents_(std::move(contents)),
+      survey_(survey(contents_, diagnostics)),
+      world_scene_(device_),
+      spectral_media_(contents_.media) {
     build_geometry();
     place_instances();
     world_scene_.commit();
@@ -72,9 +69,9 @@ void TracedScene::make_all_lights(const AssetResolver& resolve, Diagnostics& dia
         append_area_lights(contents_.objects[instance.object].primitives, instance.to_world,
                            lights_, area_lights_);
     }
-    const SceneSphere sphere = enclosing_sphere(bounds_);
+    sphere_ = unbounded_media_end(contents_, bounds_);
     for (const LightDescription& description : contents_.lights) {
-        for (auto& light : make_lights(description, sphere, resolve, diagnostics))
+        for (auto& light : make_lights(description, sphere_, resolve, diagnostics))
             lights_.push_back(std::move(light));
     }
     for (const auto& light : lights_)
@@ -84,6 +81,7 @@ void TracedScene::make_all_lights(const AssetResolver& resolve, Diagnostics& dia
 void TracedScene::set_wavelengths(const Wavelengths& wavelengths) {
     const bool first = !wavelengths_;
     wavelengths_ = wavelengths;
+    spectral_media_.set_wavelengths(wavelengths);
     if (!first) return;
     for (std::size_t i = 0; i < lights_.size(); ++i) {
         spectral_lights_.push_back(std::make_unique<SpectralLight>(*lights_[i], *wavelengths_));
@@ -103,13 +101,6 @@ ShadingPoint TracedScene::shading_point(const SurfaceHit& hit, std::int8_t compo
     return point;
 }
 
-Rgb TracedScene::medium_transmittance(const Medium* medium, float distance) const {
-    if (!medium) return Rgb(1.0f);
-    // A finite distance keeps a channel that isn't absorbed free of zero times infinity.
-    return medium->transmittance(std::min(distance, std::numeric_limits<float>::max()),
-                                 wavelengths_ ? &*wavelengths_ : nullptr);
-}
-
 const TracedScene::Placement& TracedScene::placement_of(const RawHit& raw) const {
     return placements_[raw.instance == kNoInstance
                            ? 0
@@ -119,7 +110,12 @@ const TracedScene::Placement& TracedScene::placement_of(const RawHit& raw) const
 bool TracedScene::intersect(const Ray& ray, SurfaceHit& hit,
                             std::pmr::memory_resource& memory) const {
     RawHit raw;
-    if (!world_scene_.intersect(ray, kSmallestDistance, SurfaceClass::Any, raw)) return false;
+    if (!world_scene_.intersect(ray, kSmallestDistance, SurfaceClass::Any, raw)) {
+        if (!ray.medium) return false;
+        hit.distance = distance_to_end(sphere_, ray);
+        hit.transmittance = ray.medium->transmittance(hit.distance);
+        return false;
+    }
     const Placement& placement = placement_of(raw);
     const Surface& surface = placement.surfaces[raw.geometry];
     locate(surface, placement.transform, ray, raw, hit);
@@ -127,7 +123,7 @@ bool TracedScene::intersect(const Ray& ray, SurfaceHit& hit,
     hit.exterior = surface.exterior;
     hit.primitive = raw.primitive;
     hit.material = surface.material_index;
-    hit.transmittance = medium_transmittance(ray.medium, raw.distance);
+    hit.transmittance = ray.medium ? ray.medium->transmittance(raw.distance) : Rgb(1.0f);
     hit.light = nullptr;
     hit.emitted = Rgb(0.0f);
     if (surface.emissive_index != Surface::kNotEmissive) {
@@ -137,7 +133,7 @@ bool TracedScene::intersect(const Ray& ray, SurfaceHit& hit,
         hit.light = light_pointers_[light];
         if (wo.dot(hit.ng) > 0) {
             hit.emitted = area_lights_[light]->radiance(hit.p, hit.ng, hit.uv, wo);
-            if (wavelengths_) hit.emitted = wavelengths_->intensity(hit.emitted);
+            if (wavelengths_) hit.emitted = wavelengths_->values_of(hit.emitted);
         }
     }
     hit.bsdf = surface.material ? surface.material->scatter(shading_point(hit, ray.component), memory) : nullptr;
@@ -152,7 +148,15 @@ Rgb TracedScene::transmittance(const Ray& ray) const {
     }
     // Light that passes no surface stays in the ray's medium: any hit at all decides.
     if (world_scene_.occluded(ray, SurfaceClass::Any)) return Rgb(0.0f);
-    return medium_transmittance(ray.medium, ray.t_max);
+    return medium_transmittance(ray, ray.medium, 0, ray.t_max);
+}
+
+/// Of the part [from, to] of a ray, which lies in `medium`; an endless one ends with the scene.
+Rgb TracedScene::medium_transmittance(const Ray& ray, const Medium* medium, float from,
+                                      float to) const {
+    if (!medium) return Rgb(1.0f);
+    if (!std::isfinite(to)) to = distance_to_end(sphere_, ray);
+    return medium->transmittance(std::max(to - from, 0.0f));
 }
 
 // Goes from surface to surface on the same ray, whose start moves past each hit by one rounding
@@ -165,7 +169,7 @@ Rgb TracedScene::walk_transmittance(const Ray& ray) const {
     for (int i = 0; i < kMaxStraightSurfaces; ++i) {
         RawHit raw;
         if (!world_scene_.intersect(ray, start, SurfaceClass::Straight, raw))
-            return share * medium_transmittance(medium, ray.t_max - passed);
+            return share * medium_transmittance(ray, medium, passed, ray.t_max);
         const Placement& placement = placement_of(raw);
         const Surface& surface = placement.surfaces[raw.geometry];
         if (!surface.straight) return Rgb(0.0f);
@@ -173,7 +177,7 @@ Rgb TracedScene::walk_transmittance(const Ray& ray) const {
         locate(surface, placement.transform, ray, raw, hit);
         hit.interior = surface.interior;
         hit.exterior = surface.exterior;
-        share *= medium_transmittance(medium, raw.distance - passed) *
+        share *= medium_transmittance(ray, medium, passed, raw.distance) *
                  surface.material->straight_transmittance(shading_point(hit, ray.component),
                                                           ray.direction);
         if (is_black(share)) return share;

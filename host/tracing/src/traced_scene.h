@@ -12,6 +12,7 @@
 #include "placement.h"
 #include "scene_survey.h"
 #include "spectral_light.h"
+#include "spectral_media.h"
 #include "surface.h"
 
 namespace lxs {
@@ -49,8 +50,8 @@ class TracedScene : public TraceScene {
     void make_all_lights(const AssetResolver& resolve, Diagnostics& diagnostics);
     const Placement& placement_of(const RawHit& raw) const;
     ShadingPoint shading_point(const SurfaceHit& hit, std::int8_t component) const;
-    Rgb medium_transmittance(const Medium* medium, float distance) const;
     Rgb walk_transmittance(const Ray& ray) const;
+    Rgb medium_transmittance(const Ray& ray, const Medium* medium, float from, float to) const;
 
     SceneContents contents_;
     SceneSurvey survey_;
@@ -67,6 +68,8 @@ class TracedScene : public TraceScene {
     std::vector<const AreaLight*> area_lights_;
     Bounds bounds_;
     std::optional<Wavelengths> wavelengths_;  ///< none: R, G and B
+    SpectralMedia spectral_media_;
+    SceneSphere sphere_;  ///< around all surfaces: where media end that no surface bounds
 };
 
 }  // namespace lxs

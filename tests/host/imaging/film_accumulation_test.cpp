@@ -270,7 +270,7 @@ TEST(FilmAccumulation, WavelengthsOfPassesBecomeColours) {
                 const Wavelengths wavelengths = wavelengths_of_pass(5, pass);
                 film->set_wavelengths(wavelengths);
                 const double weight = 1 + double(pass % 3);
-                const Samples samples = pixel_centres(*film, wavelengths.intensity(colour));
+                const Samples samples = pixel_centres(*film, wavelengths.values_of(colour));
                 film->add_pass(samples.pass(weight));
                 film->add_layer_pass("layer", samples.pass(weight));
             }

@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "lxs/scene/medium.h"
+#include "lxs/sdk/medium.h"
 #include "lxs/sdk/offset_origin.h"
 
 namespace lxs {

@@ -37,15 +37,26 @@ TEST_F(MediaTest, NegativeAbsorptionIsRefused) {
     EXPECT_EQ(scene_.diagnostics.warnings.size(), 1u);
 }
 
-TEST_F(MediaTest, HomogeneousAbsorbsOnlyAndSaysSo) {
+TEST_F(MediaTest, HomogeneousAbsorbsAndScatters) {
     const auto medium = scene_.make_medium(
-        "homogeneous", {color("sigma_a", Rgb(0.1f)), color("sigma_s", Rgb(0.3f))});
-    EXPECT_NEAR(medium->transmittance(1).x, std::exp(-0.1f), 1e-6f);
-    ASSERT_EQ(scene_.diagnostics.warnings.size(), 1u);
-    EXPECT_EQ(scene_.diagnostics.warnings[0],
-              "scattering in media is not rendered yet; only absorption is");
-    scene_.make_medium("homogeneous");
-    EXPECT_EQ(scene_.diagnostics.warnings.size(), 1u);
+        "homogeneous", {color("sigma_a", Rgb(0.1f)), color("sigma_s", {0.3f, 0.2f, 0}),
+                        color("g", {0.5f, 0, -0.5f}), number("fresnel", 1.1)});
+    EXPECT_TRUE(medium->scatters());
+    EXPECT_EQ(medium->scattering(), Rgb(0.3f, 0.2f, 0));
+    EXPECT_NEAR(medium->transmittance(1).x, std::exp(-0.4f), 1e-6f);
+    EXPECT_FLOAT_EQ(medium->index(), 1.1f);
+    EXPECT_GT(medium->phase(1).x, medium->phase(1).y);
+    EXPECT_LT(medium->phase(1).z, medium->phase(1).y);
+    EXPECT_TRUE(scene_.diagnostics.warnings.empty());
+    EXPECT_FALSE(scene_.make_medium("homogeneous")->scatters());
+}
+
+TEST_F(MediaTest, CoefficientsOutOfRangeAreLimited) {
+    const auto medium =
+        scene_.make_medium("homogeneous", {color("sigma_s", {-1, 1, 1}), color("g", {2, 0, -2})});
+    EXPECT_EQ(medium->scattering(), Rgb(0, 1, 1));
+    EXPECT_TRUE(std::isfinite(medium->phase(1).x));
+    EXPECT_EQ(scene_.diagnostics.warnings.size(), 2u);
 }
 
 }  // namespace

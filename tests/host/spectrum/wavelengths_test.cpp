@@ -64,7 +64,7 @@ TEST_P(WavelengthsOfSeed, GiveBackColoursInTheMeanOverPasses) {
         constexpr int kPasses = 256;
         for (std::uint64_t pass = 0; pass < kPasses; ++pass) {
             const Wavelengths w = wavelengths_of_pass(GetParam(), pass);
-            sum += Imath::V3d(w.intensity(rgb)) * w.to_rgb;
+            sum += Imath::V3d(w.values_of(rgb)) * w.to_rgb;
         }
         const double scale = max_component(rgb);
         for (int c = 0; c < 3; ++c)
@@ -101,13 +101,13 @@ TEST(Wavelengths, KeepReflectancesWithinTheirBounds) {
         const Wavelengths w = wavelengths_of_pass(0, pass);
         for (const Rgb& rgb : {Rgb(1, 0, 0), Rgb(0, 1, 0), Rgb(0, 0, 1), Rgb(1, 1, 0),
                               Rgb(1, 1, 1)}) {
-            const Rgb r = w.reflectance(rgb);
+            const Rgb r = w.values_of(rgb);
             for (int c = 0; c < 3; ++c) {
                 EXPECT_GE(r[c], 0);
                 EXPECT_LE(r[c], 1);
             }
         }
-        const Rgb grey = w.intensity(Rgb(7.0f));
+        const Rgb grey = w.values_of(Rgb(7.0f));
         EXPECT_NEAR(grey.x, 7, 1e-5);
         EXPECT_NEAR(grey.z, 7, 1e-5);
     }

@@ -34,8 +34,7 @@ class PreparedTexture {
         const T value =
             texture_ ? limited(texture_->evaluate(point), lowest_, highest_) : constant_;
         if constexpr (std::is_same_v<T, Rgb>) {
-            if (point.wavelengths) return highest_ == 1 ? point.wavelengths->reflectance(value)
-                                                        : point.wavelengths->intensity(value);
+            if (point.wavelengths) return point.wavelengths->values_of(value);
         }
         return value;
     }

@@ -1,4 +1,4 @@
-// Media "clear" (absorbing) and "homogeneous" (its absorption only).
+// Media "clear" (absorbing) and "homogeneous" (absorbing and scattering).
 #include "media_plugins.h"
 
 #include <fmt/format.h>
@@ -10,6 +10,11 @@
 
 namespace lxs::shading {
 namespace {
+
+constexpr float kNoLimit = std::numeric_limits<float>::max();
+/// Greatest mean cosine of scattering: beyond it single precision can't tell light from
+/// unscattered.
+constexpr float kMostAsymmetry = 0.999f;
 
 /// The value of a texture that must be the same everywhere in a medium.
 template <class T>
@@ -38,16 +43,20 @@ IndexCurve read_index(const ParameterReader& reader, const AssetContext& assets)
     return index;
 }
 
-std::shared_ptr<const Medium> make_medium(const ParameterReader& reader, const AssetContext& assets,
-                                          std::string_view absorption) {
-    const auto texture = read_color_texture(reader, assets, absorption, Rgb(0.0f));
-    const Rgb value = value_everywhere(texture, reader, absorption);
-    const Rgb inside = limited(value, 0, std::numeric_limits<float>::max());
+/// A colour that is the same everywhere, limited to [lowest, highest].
+Rgb read_coefficient(const ParameterReader& reader, const AssetContext& assets,
+                     std::string_view name, float lowest, float highest) {
+    const auto texture = read_color_texture(reader, assets, name, Rgb(0.0f));
+    const Rgb value = value_everywhere(texture, reader, name);
+    const Rgb inside = limited(value, lowest, highest);
     if (inside != value) {
-        reader.diagnostics().warning(reader.where(absorption),
-                                     fmt::format("\"{}\" is limited to 0 and above", absorption));
+        const std::string limit = highest < kNoLimit
+                                      ? fmt::format("between {} and {}", lowest, highest)
+                                      : fmt::format("{} and above", lowest);
+        reader.diagnostics().warning(reader.where(name),
+                                     fmt::format("\"{}\" is limited to {}", name, limit));
     }
-    return std::make_shared<Medium>(inside, read_index(reader, assets));
+    return inside;
 }
 
 ParameterDeclaration fresnel_parameter() {
@@ -64,7 +73,9 @@ MediumFactory clear_plugin() {
         {fresnel_parameter(),
          {"absorption", ParameterType::ColorTexture, "0 0 0", "absorption per unit of distance"}},
         [](const ParameterReader& reader, const AssetContext& assets, const Matrix&) {
-            return make_medium(reader, assets, "absorption");
+            const MediumCoefficients coefficients{
+                read_coefficient(reader, assets, "absorption", 0, kNoLimit)};
+            return std::make_shared<Medium>(coefficients, read_index(reader, assets));
         }};
 }
 
@@ -73,16 +84,17 @@ MediumFactory homogeneous_plugin() {
     return {
         {fresnel_parameter(),
          {"sigma_a", ColorTexture, "0 0 0", "absorption per unit of distance"},
-         {"sigma_s", ColorTexture, "0 0 0", "scattering per unit of distance (not rendered yet)"},
-         {"g", ColorTexture, "0 0 0", "asymmetry of scattering (not rendered yet)"}},
+         {"sigma_s", ColorTexture, "0 0 0",
+          "scattering per unit of distance; rendered with VolumeIntegrator \"multi\""},
+         {"g", ColorTexture, "0 0 0",
+          "mean cosine of the angle of scattering (Henyey and Greenstein's phase function), -1 to "
+          "1: backwards to forwards"}},
         [](const ParameterReader& reader, const AssetContext& assets, const Matrix&) {
-            const auto scattering = read_color_texture(reader, assets, "sigma_s", Rgb(0.0f));
-            if (scattering->constant() != Rgb(0.0f)) {
-                reader.diagnostics().warning(
-                    reader.where("sigma_s"),
-                    "scattering in media is not rendered yet; only absorption is");
-            }
-            return make_medium(reader, assets, "sigma_a");
+            const MediumCoefficients coefficients{
+                read_coefficient(reader, assets, "sigma_a", 0, kNoLimit),
+                read_coefficient(reader, assets, "sigma_s", 0, kNoLimit),
+                read_coefficient(reader, assets, "g", -kMostAsymmetry, kMostAsymmetry)};
+            return std::make_shared<Medium>(coefficients, read_index(reader, assets));
         }};
 }
 

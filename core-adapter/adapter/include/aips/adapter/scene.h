@@ -89,6 +89,8 @@ class Light {
     virtual Rgb escaped(Vec3 direction) const = 0;
 };
 
+class Media;
+
 /// What is known of a scene before any ray is traced.
 struct SceneFacts {
     LobeMask lobes = kAllLobes;  ///< every kind that some surface may have
@@ -100,7 +102,8 @@ struct SceneFacts {
 class Scene {
   public:
     virtual ~Scene() = default;
-    /// Nearest surface; its Bsdf is built in `memory` and lives as long as that does.
+    /// Nearest surface; its Bsdf is built in `memory` and lives as long as that does. If there is
+    /// none, `distance` says how far the ray's medium goes, and `transmittance` what passes it.
     virtual bool intersect(const Ray& ray, SurfacePoint& point,
                            std::pmr::memory_resource& memory) const = 0;
     /// The ray that leaves `point` along `direction`, free of self-intersection.
@@ -114,6 +117,8 @@ class Scene {
     virtual std::uint32_t light_groups() const = 0;  ///< at least 1
     virtual Bounds bounds() const = 0;               ///< of all surfaces
     virtual SceneFacts facts() const = 0;
+    /// Media that scatter light; null if none does, and nothing of it costs anything.
+    virtual const Media* media() const { return nullptr; }
 };
 
 /// The ray that carries a path on along `direction`, from a point that `arriving` met. `component`

@@ -21,7 +21,8 @@ enum class RandomDomain : std::uint8_t {
     Emission,     ///< primary coordinates of photon paths without a low-discrepancy sequence
     UniformPath,  ///< independent paths of Markov chains; index: step * chains + chain
     MutatedPath,  ///< mutations of Markov chains; index: step * chains + chain
-    EyeSeeding    ///< walks from visible points to lights; index: the group of visible points
+    EyeSeeding,   ///< walks from visible points to lights; index: the group of visible points
+    VolumePieces  ///< parts of eye paths in media; index: the eye path
 };
 
 /// The top 24 bits as a number in [0, 1); never 1, all 2^24 values equally likely.

@@ -70,6 +70,7 @@ struct SceneContents {
     std::vector<ObjectDefinition> objects;
     std::vector<Instance> instances;
     std::vector<LightDescription> lights;
+    std::vector<std::shared_ptr<Medium>> media;  ///< all that were named
     std::vector<std::string> light_groups;  ///< at least "default"
     std::vector<std::string> material_names;
     std::shared_ptr<const Medium> camera_medium;  ///< Exterior in force at WorldEnd

@@ -3,9 +3,9 @@
 
 #include <memory_resource>
 
-#include "lxs/scene/medium.h"
 #include "lxs/scene/texture.h"
 #include "lxs/sdk/bsdf.h"
+#include "lxs/sdk/medium.h"
 
 namespace lxs {
 

@@ -43,7 +43,7 @@ struct Factory {
 
 using ShapeFactory = Factory<Geometry>;
 using MaterialFactory = Factory<std::shared_ptr<const Material>>;
-using MediumFactory = Factory<std::shared_ptr<const Medium>>;
+using MediumFactory = Factory<std::shared_ptr<Medium>>;
 using FloatTextureFactory = Factory<std::shared_ptr<const FloatTexture>>;
 using ColorTextureFactory = Factory<std::shared_ptr<const ColorTexture>>;
 using FresnelTextureFactory = Factory<std::shared_ptr<const FresnelTexture>>;

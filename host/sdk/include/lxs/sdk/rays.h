@@ -38,4 +38,25 @@ inline Ray shadow_ray(const SurfaceHit& hit, const DirectSample& light, float ti
     return ray;
 }
 
+/// The ray that leaves a point within `medium` along `direction`.
+inline Ray ray_from_medium(const Vec3& p, const Vec3& direction, float time, const Medium* medium) {
+    Ray ray;
+    ray.origin = p;
+    ray.direction = direction;
+    ray.time = time;
+    ray.medium = medium;
+    return ray;
+}
+
+/// The segment from a point within `medium` to a sampled light point.
+inline Ray shadow_ray_from_medium(const Vec3& p, const DirectSample& light, float time,
+                                  const Medium* medium) {
+    Ray ray = ray_from_medium(p, light.wi, time, medium);
+    if (!std::isfinite(light.distance)) return ray;
+    const Vec3 to_end = light.segment_end - p;
+    ray.t_max = to_end.length();
+    if (ray.t_max > 0) ray.direction = to_end / ray.t_max;
+    return ray;
+}
+
 }  // namespace lxs

@@ -34,11 +34,12 @@ struct SurfaceHit {
 
 /// Facts about a scene that let an integrator leave out what the scene doesn't need.
 struct SceneFacts {
-    bool has_diffuse = false;       ///< some surface has a diffuse lobe
-    bool has_glossy = false;        ///< some surface has a glossy lobe
-    bool has_specular = false;      ///< some surface has a specular lobe
-    bool has_transmission = false;  ///< some surface lets light through
-    bool has_media = false;
+    bool has_diffuse = false;           ///< some surface has a diffuse lobe
+    bool has_glossy = false;            ///< some surface has a glossy lobe
+    bool has_specular = false;          ///< some surface has a specular lobe
+    bool has_transmission = false;      ///< some surface lets light through
+    bool has_media = false;             ///< some medium dims light
+    bool has_scattering_media = false;  ///< some medium scatters, and that is to be rendered
     bool has_motion = false;
     bool disperses = false;  ///< some surface bends each wavelength its own way
     bool has_image_textures = false;
@@ -51,7 +52,9 @@ class Scene {
   public:
     virtual ~Scene() = default;
 
-    /// Nearest surface along `ray`; builds its Bsdf in `memory` (see Bsdf for lifetime).
+    /// Nearest surface along `ray`; builds its Bsdf in `memory` (see Bsdf for lifetime). If there
+    /// is none, `distance` says how far the ray's medium goes, up to the end of the scene, and
+    /// `transmittance` what of light passes it.
     virtual bool intersect(const Ray& ray, SurfaceHit& hit,
                            std::pmr::memory_resource& memory) const = 0;
     /// Share of light that arrives over the segment from `ray.origin` to `ray.t_max`, which the

@@ -17,10 +17,9 @@ struct Wavelengths {
     Imath::M33d from_rgb;         ///< row vector of linear RGB times this: values at the wavelengths
     Imath::M33d to_rgb;           ///< row vector of such values times this: unbiased linear RGB
 
-    /// Spectrum of a reflectance or transmittance at the wavelengths, in [0, 1].
-    Rgb reflectance(const Rgb& rgb) const;
-    /// Spectrum of a quantity without upper limit (radiance, absorption), >= 0. A grey is flat.
-    Rgb intensity(const Rgb& rgb) const;
+    /// Spectrum of a colour at the wavelengths: a reflectance, a radiance, an absorption. It lies
+    /// between the least and the greatest channel; a grey is flat.
+    Rgb values_of(const Rgb& rgb) const;
 };
 
 /// The set for pass `pass` of a render with `seed`: three strata of a density like the eye's

@@ -1,0 +1,45 @@
+// What the engine asks of a host's media that scatter light. Media are known by the host's own mark
+// (Ray::medium); coefficients are per unit of distance and channel, the same all over a medium.
+#pragma once
+
+#include "aips/adapter/scene.h"
+
+namespace aips {
+
+/// How far light goes in a medium before something happens to it.
+struct Flight {
+    float distance = 0;     ///< to the collision, or the segment's whole length
+    bool collides = false;  ///< within the segment
+    Rgb weight = kWhite;    ///< transmittance over `distance` / (density of the collision, or the
+                            ///< probability of none); for collisions without scattering()
+};
+
+/// A direction drawn from a phase function.
+struct PhaseSample {
+    Vec3 direction;  ///< unit, in which the light goes on
+    Rgb weight;      ///< phase / density
+};
+
+/// All const members may be called from many threads.
+class Media {
+  public:
+    virtual ~Media() = default;
+    /// Whether a medium scatters; the other members are called for such media only.
+    virtual bool scatters(const void* medium) const = 0;
+    /// Of light by collisions: absorption and scattering together.
+    virtual Rgb extinction(const void* medium) const = 0;
+    virtual Rgb scattering(const void* medium) const = 0;
+    /// Draws the distance to a collision on a segment from u in [0,1)^2. `carried` is what the path
+    /// carries by channel: the density should follow it, so that weights stay bounded.
+    virtual Flight sample_flight(const void* medium, float segment, Rgb carried, Vec2 u) const = 0;
+    /// Phase function per steradian for light turned by an angle of this cosine; integrates to 1.
+    virtual Rgb phase(const void* medium, float cosine) const = 0;
+    /// Draws the way that light which came along `direction` takes.
+    virtual PhaseSample sample_phase(const void* medium, Vec3 direction, Rgb carried,
+                                     Vec2 u) const = 0;
+    /// Scene::visibility() for a point within a medium.
+    virtual Rgb visibility(const void* medium, Vec3 from, const DirectSample& light,
+                           float time) const = 0;
+};
+
+}  // namespace aips

@@ -1,0 +1,45 @@
+// The part of an eye path that crosses a medium which scatters.
+#pragma once
+
+#include <cmath>
+
+#include "aips/adapter/media.h"
+
+namespace aips {
+
+/// A segment of an eye path within one medium.
+struct VolumeBeam {
+    Vec3 origin;
+    Vec3 direction;  ///< unit, away from the eye
+    float length = 0;
+    const void* medium = nullptr;
+    Rgb throughput;  ///< of the eye path at the origin, divided by its choices' probabilities
+    std::uint32_t sample = 0;  ///< index of the eye path in its pass
+
+    Vec3 at(float distance) const { return origin + direction * distance; }
+};
+
+/// Share of light that goes `distance` without a collision (Beer-Lambert).
+inline Rgb transmittance(Rgb extinction, float distance) {
+    return {std::exp(-extinction.r * distance), std::exp(-extinction.g * distance),
+            std::exp(-extinction.b * distance)};
+}
+
+/// The density k exp(-k t) / (1 - exp(-k L)) of distances t on a segment of length L.
+class SegmentExponential {
+  public:
+    /// Falls as slowly as the channel that scatters and is dimmed least: the quotient of any
+    /// channel's transmittance and the density is bounded.
+    SegmentExponential(Rgb extinction, Rgb scattering, float length);
+
+    float sample(float u) const;
+    float pdf(float t) const;
+    /// Probability of a distance in [from, to].
+    float probability(float from, float to) const;
+
+  private:
+    float rate_, length_;
+    float mass_;  // 1 - exp(-k L)
+};
+
+}  // namespace aips

@@ -1,0 +1,68 @@
+// What happens to a path between two surfaces, in a medium that scatters: free flights, and at each
+// scattering the same two ways to the lights as on surfaces.
+#include "lxs/sdk/medium.h"
+#include "lxs/sdk/rays.h"
+#include "path/path_state.h"
+
+namespace lxs {
+
+/// Flies along the ray until a collision or the end of the segment; true for a collision, at which
+/// the ray's origin then is.
+bool PathTracer::fly(State& state, float segment) const {
+    const float u_channel = state.random.next();
+    const Flight flight = state.ray.medium->sample_flight(segment, state.throughput,
+                                                          Vec2(u_channel, state.random.next()));
+    state.throughput *= flight.weight;
+    if (!flight.collides) return false;
+    state.throughput *= state.ray.medium->scattering();
+    state.ray.origin += state.ray.direction * flight.distance;
+    return true;
+}
+
+/// Direct light at the ray's origin, then a new direction; false when the path ends.
+bool PathTracer::scatter_in_medium(State& state) const {
+    if (is_black(state.throughput) || state.bounces >= settings_.max_depth) return false;
+    if (settings_.direct_light_sampling) add_direct_in_medium(state);
+    const PhaseSample sample = state.ray.medium->sample_phase(state.ray.direction, state.throughput,
+                                                              state.random.next_2d());
+    state.left = {state.ray.origin, Vec3(0.0f), sample.pdf};
+    state.throughput *= sample.weight;
+    if (!valid(state.throughput)) {
+        refusals_.refuse(kNoMaterial);
+        return false;
+    }
+    state.ray =
+        ray_from_medium(state.ray.origin, sample.direction, state.ray.time, state.ray.medium);
+    ++state.bounces;
+    return survives_roulette(state);
+}
+
+void PathTracer::add_direct_in_medium(State& state) const {
+    for (std::size_t i = 0; i < lights_.choices(); ++i) {
+        const float u = state.random.next();
+        const LightChoice choice = lights_.choose(i, u);
+        const Rgb light = direct_light_in_medium(state, choice, state.random.next_2d());
+        add(state, state.throughput * light, choice.light->group(), kNoMaterial);
+    }
+}
+
+Rgb PathTracer::direct_light_in_medium(State& state, const LightChoice& choice,
+                                       const Vec2& u) const {
+    const Ray& ray = state.ray;
+    DirectSample sample;
+    if (!choice.light->sample_direct(ray.origin, Vec3(0.0f), u, sample) || !(sample.pdf > 0) ||
+        is_black(sample.radiance)) {
+        return Rgb(0.0f);
+    }
+    ++state.result.rays;
+    const Rgb passed =
+        scene_.transmittance(shadow_ray_from_medium(ray.origin, sample, ray.time, ray.medium));
+    if (is_black(passed)) return Rgb(0.0f);
+    const float cosine = ray.direction.dot(sample.wi);
+    const float pdf = sample.pdf * choice.probability;
+    const float weight =
+        sample.delta ? 1.0f : power_heuristic(pdf, ray.medium->phase_pdf(cosine, state.throughput));
+    return ray.medium->phase(cosine) * sample.radiance * passed * (weight / pdf);
+}
+
+}  // namespace lxs

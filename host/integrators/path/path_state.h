@@ -1,0 +1,39 @@
+// A path of PathTracer on its way, and what its parts share.
+#pragma once
+
+#include <cmath>
+
+#include "path/path_tracer.h"
+
+namespace lxs {
+
+/// The last vertex at which the path changed direction.
+struct PathTracer::Vertex {
+    Vec3 p{0.0f};
+    Vec3 n{0.0f};   ///< zero in a medium
+    float pdf = 0;  ///< of the direction it left with; 0 at the camera and after a specular lobe
+};
+
+struct PathTracer::State {
+    Ray ray;
+    PrimarySample& random;
+    PathResult& result;
+    Rgb throughput{1.0f};
+    Vertex left;
+    std::uint32_t bounces = 0;
+    std::uint32_t straight = 0;
+};
+
+/// Veach 1997, eq. 9.11 with exponent 2, written so that large densities don't overflow.
+inline float power_heuristic(float pdf, float other_pdf) {
+    const float ratio = other_pdf / pdf;
+    return 1 / (1 + ratio * ratio);
+}
+
+/// Finite and not negative.
+inline bool valid(const Rgb& c) {
+    return std::isfinite(c.x) && std::isfinite(c.y) && std::isfinite(c.z) && c.x >= 0 && c.y >= 0 &&
+           c.z >= 0;
+}
+
+}  // namespace lxs

@@ -1,0 +1,82 @@
+// What fills the space between surfaces: a homogeneous medium.
+//
+// References: Henyey & Greenstein 1941, "Diffuse radiation in the galaxy"; Wilkie et al. 2014,
+// "Hero wavelength spectral sampling" (a distance or direction is drawn for one channel and weighed
+// by the mean density over channels, which bounds the weights).
+#pragma once
+
+#include "lxs/sdk/index_curve.h"
+#include "lxs/sdk/types.h"
+
+namespace lxs {
+
+/// How far light goes in a medium before something happens to it (Medium::sample_flight).
+struct Flight {
+    float distance = 0;     ///< to the collision, or the segment's whole length
+    bool collides = false;  ///< within the segment
+    Rgb weight{1.0f};       ///< transmittance over `distance` / (density of the collision, or the
+                            ///< probability of none); for collisions without scattering()
+};
+
+/// A direction drawn from the phase function.
+struct PhaseSample {
+    Vec3 direction{0.0f};  ///< unit, in which the light goes on
+    float pdf = 0;         ///< per steradian
+    Rgb weight{1.0f};      ///< phase / pdf
+};
+
+/// What a medium does to light, per unit of distance and component, >= 0.
+struct MediumCoefficients {
+    Rgb absorption{0.0f}, scattering{0.0f};
+    Rgb asymmetry{0.0f};  ///< mean cosine of the angle of scattering, in (-1, 1)
+};
+
+/// Absorbing, and scattering by Henyey and Greenstein's phase function. Coefficients are per unit
+/// of distance and channel, >= 0.
+class Medium {
+  public:
+    /// Absorbs only (LuxRender volume "clear"); `index` of refraction for glass2.
+    Medium(const Rgb& absorption, float index)
+        : Medium({absorption, Rgb(0.0f), Rgb(0.0f)}, IndexCurve{index}) {}
+    Medium(const MediumCoefficients& coefficients, const IndexCurve& index) : index_(index) {
+        set_coefficients(coefficients);
+    }
+
+    MediumCoefficients coefficients() const {
+        return {extinction_ - scattering_, scattering_, asymmetry_};
+    }
+    void set_coefficients(const MediumCoefficients& c) {
+        extinction_ = c.absorption + c.scattering;
+        scattering_ = c.scattering;
+        asymmetry_ = c.asymmetry;
+    }
+
+    /// Share of light that goes `distance` without a collision (Beer-Lambert).
+    Rgb transmittance(float distance) const;
+    const IndexCurve& index_curve() const { return index_; }
+    /// Index for all wavelengths where light is not dispersed.
+    float index() const { return index_.at(kMiddleNm); }
+    /// Dims light: absorbs it or scatters it away.
+    bool absorbs() const { return !is_black(extinction_); }
+    const Rgb& extinction() const { return extinction_; }
+    bool scatters() const { return !is_black(scattering_); }
+    const Rgb& scattering() const { return scattering_; }
+
+    /// Draws the distance to a collision on a segment (which may be infinite) from u in [0,1)^2.
+    /// `carried` is what the path carries: channels that carry more decide more often.
+    Flight sample_flight(float segment, const Rgb& carried, const Vec2& u) const;
+
+    /// Phase function per steradian for light that is turned by an angle of this cosine; integrates
+    /// to 1 over the sphere.
+    Rgb phase(float cosine) const;
+    /// Draws the direction of light that came along `direction`, from u in [0,1)^2.
+    PhaseSample sample_phase(const Vec3& direction, const Rgb& carried, const Vec2& u) const;
+    /// Density per steradian of sample_phase for this cosine.
+    float phase_pdf(float cosine, const Rgb& carried) const;
+
+  private:
+    Rgb extinction_, scattering_, asymmetry_;
+    IndexCurve index_;
+};
+
+}  // namespace lxs

@@ -1,0 +1,95 @@
+// Attenuation, free flights and phase function of a homogeneous medium.
+#include "lxs/sdk/medium.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "lxs/sdk/frame.h"
+#include "lxs/sdk/warp.h"
+
+namespace lxs {
+namespace {
+
+/// Probability of each channel to decide: by what it carries.
+Rgb shares(const Rgb& carried) {
+    const float sum = carried.x + carried.y + carried.z;
+    return sum > 0 && std::isfinite(sum) ? carried / sum : Rgb(1.0f / 3);
+}
+
+/// Draws a channel and stretches `u` to [0, 1) again.
+int choose_channel(const Rgb& share, float& u) {
+    int channel = 0;
+    while (channel < 2 && u >= share[channel])
+        u -= share[channel++];
+    // Rounding may have passed the last channel that has a share.
+    while (channel > 0 && !(share[channel] > 0))
+        --channel;
+    u = clamp_to_unit(u / share[channel]);
+    return channel;
+}
+
+/// Henyey & Greenstein 1941, normalized, for the cosine between the directions before and after.
+float henyey_greenstein(float g, float cosine) {
+    const float base = 1 + g * g - 2 * g * cosine;
+    return (1 - g * g) / (4 * kPi * base * std::sqrt(base));
+}
+
+/// Inverse of its distribution function in the cosine.
+float sample_cosine(float g, float u) {
+    if (std::abs(g) < 1e-3f) return 1 - 2 * u - 1.5f * g * (4 * u * u - 4 * u);
+    const float s = (1 - g * g) / (1 + g - 2 * g * u);
+    return std::clamp((1 + g * g - s * s) / (2 * g), -1.0f, 1.0f);
+}
+
+}  // namespace
+
+Rgb Medium::transmittance(float distance) const {
+    // A channel without absorption stays clear over an infinite distance, where 0 * inf is NaN.
+    const auto channel = [&](float extinction) {
+        return extinction > 0 ? std::exp(-extinction * distance) : 1.0f;
+    };
+    return {channel(extinction_.x), channel(extinction_.y), channel(extinction_.z)};
+}
+
+Flight Medium::sample_flight(float segment, const Rgb& carried, const Vec2& u) const {
+    const Rgb share = shares(carried);
+    float u_channel = u.x;
+    const float extinction = extinction_[choose_channel(share, u_channel)];
+    Flight flight;
+    const float distance = -std::log1p(-u.y) / extinction;  // infinite or NaN without extinction
+    flight.collides = extinction > 0 && distance < segment;
+    flight.distance = flight.collides ? distance : segment;
+    flight.weight = transmittance(flight.distance);
+    const Rgb density = flight.collides ? flight.weight * extinction_ : flight.weight;
+    const float pdf = share.dot(density);
+    flight.weight = pdf > 0 ? flight.weight / pdf : Rgb(0.0f);
+    return flight;
+}
+
+Rgb Medium::phase(float cosine) const {
+    return {henyey_greenstein(asymmetry_.x, cosine), henyey_greenstein(asymmetry_.y, cosine),
+            henyey_greenstein(asymmetry_.z, cosine)};
+}
+
+float Medium::phase_pdf(float cosine, const Rgb& carried) const {
+    return shares(carried).dot(phase(cosine));
+}
+
+PhaseSample Medium::sample_phase(const Vec3& direction, const Rgb& carried, const Vec2& u) const {
+    const Rgb share = shares(carried);
+    Vec2 rest = u;
+    const int channel = choose_channel(share, rest.x);
+    const float cosine = sample_cosine(asymmetry_[channel], rest.x);
+    const float sine = std::sqrt(std::max(0.0f, 1 - cosine * cosine));
+    const float angle = 2 * kPi * rest.y;
+    PhaseSample sample;
+    sample.direction =
+        Frame(direction).to_world({sine * std::cos(angle), sine * std::sin(angle), cosine});
+    sample.direction.normalize();
+    const Rgb density = phase(cosine);
+    sample.pdf = share.dot(density);
+    sample.weight = density / sample.pdf;
+    return sample;
+}
+
+}  // namespace lxs

@@ -1,0 +1,38 @@
+// The sphere around a scene.
+#include "scene_sphere.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace lxs {
+namespace {
+
+SceneSphere enclosing_sphere(const Bounds& box) {
+    if (box.isEmpty()) return {};
+    constexpr float kRoundingMargin = 1.00001f;
+    const float radius = (box.max - box.min).length() / 2 * kRoundingMargin;
+    return {box.center(), radius > 0 ? radius : 1.0f};
+}
+
+}  // namespace
+
+SceneSphere unbounded_media_end(const SceneContents& contents, const Bounds& bounds) {
+    const auto camera = contents.options.find("Camera");
+    if (!contents.camera_medium || camera == contents.options.end()) {
+        return enclosing_sphere(bounds);
+    }
+    Bounds box = bounds;
+    const Imath::V3d eye = camera->second.transform.inverse().translation();
+    box.extendBy(Vec3(eye));
+    return enclosing_sphere(box);
+}
+
+float distance_to_end(const SceneSphere& sphere, const Ray& ray) {
+    const Vec3 to_center = sphere.center - ray.origin;
+    const float approach = to_center.dot(ray.direction);
+    const float beside = (to_center - ray.direction * approach).length2();
+    const float half_chord = std::sqrt(std::max(0.0f, sphere.radius * sphere.radius - beside));
+    return std::max(approach + half_chord, 0.0f);
+}
+
+}  // namespace lxs

@@ -1,0 +1,57 @@
+// The host's media in the engine's terms.
+#include "media_shim.h"
+
+#include "convert.h"
+#include "lxs/sdk/medium.h"
+#include "lxs/sdk/rays.h"
+
+namespace aips::shim {
+namespace {
+
+/// The engine's marks of media are the host's media.
+const lxs::Medium& medium_of(const void* mark) {
+    return *static_cast<const lxs::Medium*>(mark);
+}
+
+class MediaShim final : public Media {
+  public:
+    explicit MediaShim(const lxs::Scene& scene) : scene_(scene) {}
+
+    bool scatters(const void* medium) const override {
+        return medium && medium_of(medium).scatters();
+    }
+    Rgb extinction(const void* medium) const override {
+        return from(medium_of(medium).extinction());
+    }
+    Rgb scattering(const void* medium) const override {
+        return from(medium_of(medium).scattering());
+    }
+    Flight sample_flight(const void* medium, float segment, Rgb carried, Vec2 u) const override {
+        const lxs::Flight f = medium_of(medium).sample_flight(segment, to(carried), to(u));
+        return {f.distance, f.collides, from(f.weight)};
+    }
+    Rgb phase(const void* medium, float cosine) const override {
+        return from(medium_of(medium).phase(cosine));
+    }
+    PhaseSample sample_phase(const void* medium, Vec3 direction, Rgb carried,
+                             Vec2 u) const override {
+        const auto s = medium_of(medium).sample_phase(to(direction), to(carried), to(u));
+        return {from(s.direction), from(s.weight)};
+    }
+    Rgb visibility(const void* medium, Vec3 origin, const DirectSample& light,
+                   float time) const override {
+        return from(scene_.transmittance(
+            lxs::shadow_ray_from_medium(to(origin), to(light), time, &medium_of(medium))));
+    }
+
+  private:
+    const lxs::Scene& scene_;
+};
+
+}  // namespace
+
+std::unique_ptr<Media> make_media_shim(const lxs::Scene& scene) {
+    return std::make_unique<MediaShim>(scene);
+}
+
+}  // namespace aips::shim

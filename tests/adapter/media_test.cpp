@@ -1,0 +1,173 @@
+// Protects light in media: the absolute scale of what photons and shadow rays bring there, which of
+// them owns what (docs/volumes.md), that nothing else changes it, and that the bits are the same
+// for any number of threads.
+#include <gtest/gtest.h>
+#include <tbb/global_control.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "aips/core/sampling.h"
+#include "block_test.h"
+#include "render_mock.h"
+#include "volume_beam.h"
+
+namespace {
+
+using namespace aips;
+
+constexpr std::uint32_t kSize = 16;
+/// Scatters each channel otherwise.
+const mock::Fog kColoured{{0.05f, 0.1f, 0.3f}, {0.5f, 0.4f, 0.2f}, 0};
+
+mock::Rendering render_along_y(const mock::Scene& scene, const Settings& settings,
+                               std::uint32_t passes) {
+    const auto camera = mock::camera_along_y({0, -0.9f, 0}, 0.5f, kSize, kSize);
+    return mock::render(scene, camera, kSize, kSize, settings, passes);
+}
+
+/// A box whose walls emit 1 - `albedo` and reflect the rest, filled with fog.
+mock::Scene furnace(float albedo) {
+    mock::Scene scene;
+    mock::Surface wall;
+    wall.material.reflectance = {albedo, albedo, albedo};
+    wall.emitted = {1 - albedo, 1 - albedo, 1 - albedo};
+    scene.add_box({-1, -1, -1}, {1, 1, 1}, wall);
+    scene.finish();
+    return scene;
+}
+
+Settings fog_settings(std::uint64_t seed) {
+    Settings settings = mock::small_settings(seed, 20000);
+    settings.max_photon_depth = 32;
+    settings.start_radius = 0.5;
+    return settings;
+}
+
+/// Fog that absorbs nothing between walls that keep all light: the radiance is 1 everywhere,
+/// whatever the fog scatters, and whoever carries the light.
+TEST(Media, WhiteFogIsInvisibleInAFurnace) {
+    for (const float albedo : {0.0f, 0.5f}) {
+        for (const mock::Fog& fog :
+             {mock::Fog{{}, {0.4f, 0.4f, 0.4f}, 0}, mock::Fog{{}, {0.2f, 0.6f, 1.2f}, 0.6f},
+              mock::Fog{{}, {0.4f, 0.4f, 0.4f}, -0.4f}}) {
+            for (const bool direct : {true, false}) {
+                mock::Scene scene = furnace(albedo);
+                scene.fill(fog);
+                Settings settings = fog_settings(1);
+                settings.direct_light_sampling = direct;
+                const auto r = render_along_y(scene, settings, 12);
+                Rgb mean;
+                for (const Rgb& pixel : r.film.image())
+                    mean += pixel / float(kSize * kSize);
+                for (const float channel : {mean.r, mean.g, mean.b}) {
+                    EXPECT_NEAR(channel, 1, 0.02) << "walls " << albedo << ", asymmetry "
+                                                  << fog.asymmetry << ", shadow rays " << direct;
+                }
+                EXPECT_TRUE(r.statistics.refused.empty());
+            }
+        }
+    }
+}
+
+/// A lamp box in fog that absorbs and scatters.
+struct FoggyBox {
+    FoggyBox() : scene(mock::lamp_box({}, mock::half_mirror())) { scene.fill(kColoured); }
+    mock::Scene scene;
+};
+
+/// Block means of foggy boxes with different seeds.
+statistics::BlockMeans renders(const Settings& asked_for, std::uint64_t first_seed) {
+    const FoggyBox box;
+    statistics::BlockMeans means;
+    for (unsigned s = 0; s < 16; ++s) {
+        Settings settings = asked_for;
+        settings.seed = first_seed + s;
+        const auto r = render_along_y(box.scene, settings, 6);
+        means.push_back(statistics::block_means(mock::luminances(r.film), kSize, kSize, 8));
+    }
+    return means;
+}
+
+void expect_same(const Settings& a, const Settings& b) {
+    const auto first = renders(a, 1000), second = renders(b, 2000);
+    const auto same = statistics::compare(first, second, 0.01);
+    EXPECT_FALSE(same.differs()) << same.describe();
+    EXPECT_LT(same.detectable, 0.03) << same.describe();
+    const auto found = statistics::compare(first, statistics::scaled(second, 1.03), 0.01);
+    EXPECT_TRUE(found.differs()) << "a planted bias of 3 % went unnoticed: " << found.describe();
+}
+
+/// Light from the lamp to the fog belongs to shadow rays, or to photons without these.
+TEST(Media, SingleScatteringBelongsToOneStrategy) {
+    Settings photons = fog_settings(0);
+    photons.direct_light_sampling = false;
+    expect_same(fog_settings(0), photons);
+}
+
+TEST(Media, GuidesKeepTheExpectation) {
+    for (const GuideKind kind : {GuideKind::Paper, GuideKind::Adaptive}) {
+        Settings guided = fog_settings(0);
+        guided.guide = kind;
+        guided.guide_bounces = true;
+        expect_same(fog_settings(0), guided);
+    }
+}
+
+TEST(Media, ModesKeepTheExpectation) {
+    for (const Mode mode : {Mode::PhotonMap, Mode::Ppm}) {
+        Settings frozen = fog_settings(0);
+        frozen.mode = mode;
+        frozen.hit_points_per_pass = 16 * kSize * kSize;
+        expect_same(fog_settings(0), frozen);
+    }
+}
+
+TEST(Media, SameBitsForAnyNumberOfThreads) {
+    const FoggyBox box;
+    for (const GuideKind kind : {GuideKind::None, GuideKind::Adaptive}) {
+        Settings settings = fog_settings(7);
+        settings.guide = kind;
+        const auto image_with = [&](unsigned threads) {
+            const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
+            return render_along_y(box.scene, settings, 3).film.image();
+        };
+        const auto one = image_with(1);
+        EXPECT_EQ(one, image_with(2));
+        EXPECT_EQ(one, image_with(7));
+    }
+}
+
+TEST(Media, MemoryStaysWithinItsBound) {
+    const FoggyBox box;
+    const auto s = render_along_y(box.scene, fog_settings(3), 4).statistics;
+    EXPECT_GT(s.gathered, 0u);
+    EXPECT_LE(s.memory_bytes, s.memory_bound_bytes);
+}
+
+TEST(Media, ChainsAreLeftOutAloud) {
+    const FoggyBox box;
+    Settings settings = fog_settings(3);
+    settings.photon_sampler = PhotonSampler::AdaptiveChains;
+    const auto r = render_along_y(box.scene, settings, 1);
+    EXPECT_TRUE(std::any_of(r.log.lines.begin(), r.log.lines.end(), [](const std::string& line) {
+        return line.find("skipped photonsampler amc") != std::string::npos;
+    }));
+}
+
+/// What distances on a segment are drawn by: the quantiles of its own density.
+TEST(Media, SegmentExponentialDrawsByItsDensity) {
+    for (const float rate : {1e-9f, 0.3f, 20.0f}) {
+        const SegmentExponential distances({rate, rate, rate}, {rate, rate, rate}, 2);
+        for (int i = 1; i < 10; ++i) {
+            const float t = distances.sample(float(i) / 10);
+            EXPECT_NEAR(distances.probability(0, t), float(i) / 10, 1e-4) << rate;
+            const float step = 1e-2f * t;
+            EXPECT_NEAR(distances.probability(t - step, t + step) / (2 * step), distances.pdf(t),
+                        2e-2 * distances.pdf(t))
+                << rate;
+        }
+    }
+}
+
+}  // namespace

@@ -24,6 +24,7 @@ void register_textures(Registry& registry) {
 
 void register_materials(Registry& registry) {
     registry.materials["matte"] = shading::matte_plugin();
+    registry.materials["mattetranslucent"] = shading::mattetranslucent_plugin();
     registry.materials["mirror"] = shading::mirror_plugin();
     registry.materials["glass"] = shading::glass_plugin();
     registry.materials["glass2"] = shading::glass2_plugin();

@@ -6,6 +6,7 @@
 namespace lxs::shading {
 
 MaterialFactory matte_plugin();
+MaterialFactory mattetranslucent_plugin();
 MaterialFactory mirror_plugin();
 MaterialFactory glass_plugin();
 MaterialFactory glass2_plugin();

@@ -30,6 +30,7 @@ void register_materials(Registry& registry) {
     registry.materials["glass2"] = shading::glass2_plugin();
     registry.materials["metal"] = shading::metal_plugin();
     registry.materials["metal2"] = shading::metal2_plugin();
+    registry.materials["roughglass"] = shading::roughglass_plugin();
     registry.materials["shinymetal"] = shading::shinymetal_plugin();
     registry.materials["glossy"] = shading::glossy_plugin();
     registry.materials["substrate"] = shading::glossy_plugin();

@@ -12,6 +12,7 @@ MaterialFactory glass_plugin();
 MaterialFactory glass2_plugin();
 MaterialFactory metal_plugin();
 MaterialFactory metal2_plugin();
+MaterialFactory roughglass_plugin();
 MaterialFactory shinymetal_plugin();
 MaterialFactory glossy_plugin();
 MaterialFactory mix_plugin();

@@ -10,7 +10,7 @@ namespace lxs::shading {
 class RoughSurface {
   public:
     /// Reads "uroughness" and "vroughness"; an old scene's "roughness" stands for both.
-    RoughSurface(const ParameterReader& reader, const AssetContext& assets);
+    RoughSurface(const ParameterReader& reader, const AssetContext& assets, float fallback = 0.1f);
 
     MicrofacetLobe at(const ShadingPoint& point) const {
         const SchlickDistribution distribution(u_.at(point.texture), v_.at(point.texture));

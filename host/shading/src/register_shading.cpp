@@ -37,6 +37,7 @@ void register_materials(Registry& registry) {
     registry.materials["plastic"] = shading::glossy_plugin();
     registry.materials["mix"] = shading::mix_plugin();
     registry.materials["null"] = shading::null_plugin();
+    registry.materials["velvet"] = shading::velvet_plugin();
 }
 
 }  // namespace

@@ -19,16 +19,21 @@ bool RoughGlassBsdf::crossing(const Vec3& wo, const Vec3& wi, Crossing& c) const
     }
     const bool reflects = side_o * side_i > 0;
     if (!(c.wo.z > 0) || !(reflects ? c.wi.z > 0 : c.wi.z < 0)) return false;
+    const float index_o = side_o > 0 ? 1.0f : eta_, index_i = side_i > 0 ? 1.0f : eta_;
     c.eta = side_o > 0 ? eta_ : 1 / eta_;
-    // Walter et al., equations 13 and 16.
-    c.h = (reflects ? c.wo + c.wi : c.wo + c.wi * c.eta).normalized();
+    // Walter et al., equations 13 and 16; both orders of the directions have the same bits.
+    c.h = (c.wo * index_o + c.wi * index_i).normalized();
     if (c.h.z < 0) c.h = -c.h;
     c.cos_o = c.wo.dot(c.h);
     c.cos_i = c.wi.dot(c.h);
     if (!(c.h.z > 0) || !(c.cos_o > 0) || !(reflects ? c.cos_i > 0 : c.cos_i < 0)) return false;
-    // At a refraction both sides have the same share; the thinner one knows it without cancellation.
-    c.fresnel = reflects || c.eta >= 1 ? fresnel_dielectric(c.cos_o, c.eta)
-                                       : fresnel_dielectric(-c.cos_i, 1 / c.eta);
+    // Near the critical angle a rounding error would show; these have the same bits both ways.
+    if (reflects)
+        c.fresnel = fresnel_dielectric(0.5f * (c.cos_o + c.cos_i), c.eta);
+    else if (c.eta > 1)
+        c.fresnel = fresnel_dielectric(c.cos_o, c.eta);
+    else
+        c.fresnel = fresnel_dielectric(-c.cos_i, 1 / c.eta);
     return true;
 }
 

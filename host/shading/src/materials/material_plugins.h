@@ -17,5 +17,6 @@ MaterialFactory shinymetal_plugin();
 MaterialFactory glossy_plugin();
 MaterialFactory mix_plugin();
 MaterialFactory null_plugin();
+MaterialFactory velvet_plugin();
 
 }  // namespace lxs::shading

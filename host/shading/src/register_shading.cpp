@@ -33,6 +33,7 @@ void register_materials(Registry& registry) {
     registry.materials["roughglass"] = shading::roughglass_plugin();
     registry.materials["shinymetal"] = shading::shinymetal_plugin();
     registry.materials["glossy"] = shading::glossy_plugin();
+    registry.materials["glossytranslucent"] = shading::glossytranslucent_plugin();
     registry.materials["substrate"] = shading::glossy_plugin();
     registry.materials["plastic"] = shading::glossy_plugin();
     registry.materials["mix"] = shading::mix_plugin();

@@ -15,6 +15,7 @@ MaterialFactory metal2_plugin();
 MaterialFactory roughglass_plugin();
 MaterialFactory shinymetal_plugin();
 MaterialFactory glossy_plugin();
+MaterialFactory glossytranslucent_plugin();
 MaterialFactory mix_plugin();
 MaterialFactory null_plugin();
 MaterialFactory velvet_plugin();

@@ -143,7 +143,7 @@ class PhotonTrace {
         if (!refusals_.accept(photon.power, kLightOrigin)) return false;
         photon.straight = false;
         photon.previous = position;
-        photon.ray = {position, sample.direction, in_.time, medium};
+        photon.ray = {position, sample.direction, in_.time, medium, photon.ray.component};
         ++photon.depth;
         return true;
     }

@@ -31,8 +31,8 @@ bool PathTracer::scatter_in_medium(State& state) const {
         refusals_.refuse(kNoMaterial);
         return false;
     }
-    state.ray =
-        ray_from_medium(state.ray.origin, sample.direction, state.ray.time, state.ray.medium);
+    state.ray.direction = sample.direction;
+    state.ray.t_max = std::numeric_limits<float>::infinity();
     ++state.bounces;
     return survives_roulette(state);
 }

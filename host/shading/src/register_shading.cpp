@@ -24,17 +24,21 @@ void register_textures(Registry& registry) {
 
 void register_materials(Registry& registry) {
     registry.materials["matte"] = shading::matte_plugin();
+    registry.materials["mattetranslucent"] = shading::mattetranslucent_plugin();
     registry.materials["mirror"] = shading::mirror_plugin();
     registry.materials["glass"] = shading::glass_plugin();
     registry.materials["glass2"] = shading::glass2_plugin();
     registry.materials["metal"] = shading::metal_plugin();
     registry.materials["metal2"] = shading::metal2_plugin();
+    registry.materials["roughglass"] = shading::roughglass_plugin();
     registry.materials["shinymetal"] = shading::shinymetal_plugin();
     registry.materials["glossy"] = shading::glossy_plugin();
+    registry.materials["glossytranslucent"] = shading::glossytranslucent_plugin();
     registry.materials["substrate"] = shading::glossy_plugin();
     registry.materials["plastic"] = shading::glossy_plugin();
     registry.materials["mix"] = shading::mix_plugin();
     registry.materials["null"] = shading::null_plugin();
+    registry.materials["velvet"] = shading::velvet_plugin();
 }
 
 }  // namespace

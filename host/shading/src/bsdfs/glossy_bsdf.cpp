@@ -6,7 +6,6 @@
 namespace lxs::shading {
 namespace {
 
-constexpr float kMinCosine = 1e-6f;
 constexpr float kBelowOne = 0x1.fffffep-1f;
 
 Rgb min_of(const Rgb& a, const Rgb& b) {
@@ -19,6 +18,14 @@ float half_cosine(const Vec3& wo, const Vec3& wi) {
 }
 
 }  // namespace
+
+Rgb Coating::transmittance(float cosine) const {
+    if (is_black(optical_depth)) return Rgb(1.0f);
+    constexpr float kMinCosine = 1e-6f;
+    const float way = 1 / std::max(cosine, kMinCosine);
+    return {std::exp(-optical_depth.x * way), std::exp(-optical_depth.y * way),
+            std::exp(-optical_depth.z * way)};
+}
 
 Rgb GlossyBsdf::bounce_color() const {
     constexpr float kMeanOfGrazing = 1.0f / 21;  // cosine-weighted mean of (1 - cos)^5
@@ -37,14 +44,8 @@ GlossyBsdf::Side GlossyBsdf::side(const Vec3& w) const {
 
 Rgb GlossyBsdf::base(const Side& o, const Side& i, const Rgb& fresnel) const {
     const Rgb white(1.0f);
-    Rgb f = min_of(kd_ * (white - fresnel), min_of(white - o.coat, white - i.coat)) * kInvPi;
-    if (!is_black(coating_.optical_depth)) {
-        const float crossings =
-            1 / std::max(o.cosine, kMinCosine) + 1 / std::max(i.cosine, kMinCosine);
-        for (int c = 0; c < 3; ++c)
-            f[c] *= std::exp(-coating_.optical_depth[c] * crossings);
-    }
-    return f;
+    const Rgb f = min_of(kd_ * (white - fresnel), min_of(white - o.coat, white - i.coat)) * kInvPi;
+    return f * coating_.transmittance(o.cosine) * coating_.transmittance(i.cosine);
 }
 
 Rgb GlossyBsdf::coat_diffuse(const Side& o, const Side& i) const {

@@ -16,6 +16,9 @@ struct Coating {
     Rgb optical_depth{0.0f};  ///< Ka * d: absorption along one perpendicular crossing
     bool multibounce =
         false;  ///< light that facets shadow comes out diffusely instead of being lost
+
+    /// What absorption leaves on one way through under `cosine` >= 0.
+    Rgb transmittance(float cosine) const;
 };
 
 /// f = S(u) D G / (4 cos_o cos_i) + (1 - S(u)) Kd / pi, u being the half angle's cosine. The
@@ -32,6 +35,10 @@ class GlossyBsdf final : public Bsdf {
     bool sample(const Vec3& wo, const Vec2& u, float u_lobe, Transport transport, LobeMask mask,
                 BsdfSample& sample) const override;
     Rgb albedo(const Vec3& wo, LobeMask mask) const override;
+    const Rgb& kd() const { return kd_; }
+    const Coating& coating() const { return coating_; }
+    /// Albedo of the coating alone, seen from `w`.
+    Rgb coat_albedo(const Vec3& w) const { return side(w).coat; }
 
   private:
     /// What is needed of one direction, besides its half vector with the other.

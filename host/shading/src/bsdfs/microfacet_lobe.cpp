@@ -20,8 +20,7 @@ bool MicrofacetLobe::half_vector(const Vec3& wo, const Vec3& wi, HalfVector& hal
     return half.cosine > 0 && half.h.z > 0;
 }
 
-float MicrofacetLobe::shadowing(const HalfVector& half) const {
-    const float cos_o = half.wo.z, cos_i = half.wi.z;
+float MicrofacetLobe::shadowing(float cos_o, float cos_i) const {
     const float schlick =
         distribution_.shadowing_over_cosine(cos_o) * distribution_.shadowing_over_cosine(cos_i);
     // Dividing by the larger of both bounds keeps f reciprocal and its albedo at most 1.
@@ -31,13 +30,33 @@ float MicrofacetLobe::shadowing(const HalfVector& half) const {
 }
 
 float MicrofacetLobe::value(const HalfVector& half) const {
-    return 0.25f * distribution_.density(half.h) * shadowing(half);
+    return 0.25f * distribution_.density(half.h) * shadowing(half.wo.z, half.wi.z);
+}
+
+float MicrofacetLobe::facet_pdf(const Vec3& wo, const Vec3& h, float cosine) const {
+    // Visible facets of V-cavities: D_s min(1, 2 h.z cos_o / (wo.h)) / cos_o.
+    const float masking_over_cosine = std::min(1 / wo.z, 2 * h.z / cosine);
+    return distribution_.sampling_density(h) * masking_over_cosine;
 }
 
 float MicrofacetLobe::pdf(const HalfVector& half) const {
-    // Visible facets of V-cavities: D_s min(1, 2 h.z cos_o / (wo.h)) / cos_o, over 4 for wi.
-    const float masking_over_cosine = std::min(1 / half.wo.z, 2 * half.h.z / half.cosine);
-    return 0.25f * distribution_.sampling_density(half.h) * masking_over_cosine;
+    return 0.25f * facet_pdf(half.wo, half.h, half.cosine);
+}
+
+Vec3 MicrofacetLobe::sample_facet(const Vec3& wo, const Vec2& u, float& u_choice) const {
+    // One wall of the V-cavity that h stands in, chosen by the area that wo sees of it
+    // (Heitz & d'Eon 2014, algorithm 2).
+    const Vec3 h = distribution_.sample(u);
+    const Vec3 other(-h.x, -h.y, h.z);
+    const float seen = std::max(0.0f, wo.dot(h)), seen_other = std::max(0.0f, wo.dot(other));
+    const float p = seen + seen_other > 0 ? seen / (seen + seen_other) : 1.0f;
+    constexpr float kBelowOne = 0x1.fffffep-1f;
+    if (u_choice < p) {
+        u_choice = std::min(u_choice / p, kBelowOne);
+        return h;
+    }
+    u_choice = std::min((u_choice - p) / (1 - p), kBelowOne);
+    return other;
 }
 
 bool MicrofacetLobe::sample(const Vec3& wo, const Vec2& u, float u_choice, Vec3& wi,
@@ -46,13 +65,7 @@ bool MicrofacetLobe::sample(const Vec3& wo, const Vec2& u, float u_choice, Vec3&
     Vec3 local = frame_.to_local(wo);
     local.z *= side;
     if (!(local.z > 0)) return false;
-    // One wall of the V-cavity that h stands in, chosen by the area that wo sees of it
-    // (Heitz & d'Eon 2014, algorithm 2).
-    Vec3 h = distribution_.sample(u);
-    const Vec3 other(-h.x, -h.y, h.z);
-    const float seen = std::max(0.0f, local.dot(h)), seen_other = std::max(0.0f, local.dot(other));
-    if (u_choice * (seen + seen_other) >= seen) h = other;
-    Vec3 reflected = reflect(local, h);
+    Vec3 reflected = reflect(local, sample_facet(local, u, u_choice));
     if (!(reflected.z > 0)) return false;
     reflected.z *= side;
     wi = frame_.to_world(reflected).normalized();

@@ -22,7 +22,17 @@ class MicrofacetLobe {
 
     const Vec3& ng() const { return ng_; }
     const Vec3& ns() const { return frame_.n; }
+    const Frame& frame() const { return frame_; }
     float roughness() const { return distribution_.roughness(); }
+    /// D(h) of the facets.
+    float density(const Vec3& h) const { return distribution_.density(h); }
+    /// G / (cos_o cos_i) of two positive cosines.
+    float shadowing(float cos_o, float cos_i) const;
+    /// Draws a facet visible from the local direction `wo`, wo.z > 0; uses up a part of
+    /// `u_choice`.
+    Vec3 sample_facet(const Vec3& wo, const Vec2& u, float& u_choice) const;
+    /// Density of `sample_facet` per steradian of h, over wo.h.
+    float facet_pdf(const Vec3& wo, const Vec3& h, float cosine) const;
 
     /// False when the two directions don't see each other by reflection.
     bool half_vector(const Vec3& wo, const Vec3& wi, HalfVector& half) const;
@@ -34,9 +44,6 @@ class MicrofacetLobe {
     bool sample(const Vec3& wo, const Vec2& u, float u_choice, Vec3& wi, HalfVector& half) const;
 
   private:
-    /// G / (cos_o cos_i).
-    float shadowing(const HalfVector& half) const;
-
     SchlickDistribution distribution_;
     Frame frame_;
     Vec3 ng_;

@@ -1,16 +1,17 @@
 // Rough diffuse reflection.
-// Source: Oren & Nayar 1994, "Generalization of Lambert's Reflectance Model", qualitative model.
 #pragma once
 
 #include "directions.h"
 #include "lxs/sdk/bsdf.h"
+#include "oren_nayar_shape.h"
 
 namespace lxs::shading {
 
 class OrenNayarBsdf final : public Bsdf {
   public:
     /// `sigma`: standard deviation of the facets' slope angle, radians, >= 0.
-    OrenNayarBsdf(const Rgb& kd, float sigma, const Vec3& ng, const Vec3& ns);
+    OrenNayarBsdf(const Rgb& kd, float sigma, const Vec3& ng, const Vec3& ns)
+        : kd_(kd), shape_(sigma), ng_(ng), ns_(ns) {}
 
     LobeMask lobes() const override { return kDiffuse; }
     Rgb evaluate(const Vec3& wo, const Vec3& wi, Transport transport, LobeMask mask) const override;
@@ -20,11 +21,8 @@ class OrenNayarBsdf final : public Bsdf {
     Rgb albedo(const Vec3& wo, LobeMask mask) const override;
 
   private:
-    /// f * pi / Kd.
-    float shape(const Vec3& wo, const Vec3& wi) const;
-
     Rgb kd_;
-    float a_, b_;
+    OrenNayarShape shape_;
     Vec3 ng_, ns_;
 };
 

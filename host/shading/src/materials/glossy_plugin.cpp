@@ -1,61 +1,35 @@
 // Material "glossy" (old names "substrate" and "plastic"): diffuse base under a rough coating.
 #include "bsdfs/glossy_bsdf.h"
 #include "bsdfs/place_bsdf.h"
+#include "coating_parameters.h"
 #include "common_parameters.h"
 #include "material_plugins.h"
-#include "rough_surface.h"
 
 namespace lxs::shading {
 namespace {
 
-constexpr float kLargest = std::numeric_limits<float>::max();
-
 class GlossyMaterial final : public Material {
   public:
-    GlossyMaterial(const ParameterReader& reader, const AssetContext& assets);
+    GlossyMaterial(const ParameterReader& reader, const AssetContext& assets)
+        : kd_(read_reflectance(reader, assets, "Kd", Rgb(1.0f))),
+          coating_(reader, assets, "", Rgb(1.0f), reader.boolean("multibounce", false)) {}
 
     const Bsdf* scatter(const ShadingPoint& point,
                         std::pmr::memory_resource& memory) const override {
-        return place_bsdf<GlossyBsdf>(memory, kd_.at(point.texture), coating_at(point.texture),
-                                      surface_.at(point));
+        return place_bsdf<GlossyBsdf>(memory, kd_.at(point.texture), coating_.at(point.texture),
+                                      coating_.facets(point));
     }
     MaterialFacts facts() const override;
 
   private:
-    Coating coating_at(const TexturePoint& point) const;
-
-    PreparedColor kd_, ks_, ka_;
-    PreparedFloat index_, depth_;
-    RoughSurface surface_;
-    bool multibounce_;
+    PreparedColor kd_;
+    CoatingParameters coating_;
 };
-
-GlossyMaterial::GlossyMaterial(const ParameterReader& reader, const AssetContext& assets)
-    : kd_(read_reflectance(reader, assets, "Kd", Rgb(1.0f))),
-      ks_(read_reflectance(reader, assets, "Ks", Rgb(1.0f))),
-      ka_(read_positive_color(reader, assets, "Ka", Rgb(0.0f))),
-      index_(read_limited(reader, assets, "index", 0, 0, kLargest)),
-      depth_(read_limited(reader, assets, "d", 0, 0, kLargest)),
-      surface_(reader, assets),
-      multibounce_(reader.boolean("multibounce", false)) {}
-
-Coating GlossyMaterial::coating_at(const TexturePoint& point) const {
-    Coating coating;
-    coating.reflectance = ks_.at(point);
-    if (const float index = index_.at(point); index > 0) {
-        const float root = (index - 1) / (index + 1);
-        coating.reflectance = Rgb(root * root);
-    }
-    coating.optical_depth = limited(ka_.at(point) * depth_.at(point), 0, kLargest);
-    coating.multibounce = multibounce_;
-    return coating;
-}
 
 MaterialFacts GlossyMaterial::facts() const {
     MaterialFacts facts;
     facts.lobes = kd_.is(Rgb(0.0f)) ? kGlossy : kDiffuse | kGlossy;
-    facts.reads_image = kd_.reads_image() || ks_.reads_image() || ka_.reads_image() ||
-                        index_.reads_image() || depth_.reads_image() || surface_.reads_image();
+    facts.reads_image = kd_.reads_image() || coating_.reads_image();
     facts.max_bsdf_bytes = kBsdfBytes<GlossyBsdf>;
     return facts;
 }

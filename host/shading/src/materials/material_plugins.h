@@ -6,14 +6,18 @@
 namespace lxs::shading {
 
 MaterialFactory matte_plugin();
+MaterialFactory mattetranslucent_plugin();
 MaterialFactory mirror_plugin();
 MaterialFactory glass_plugin();
 MaterialFactory glass2_plugin();
 MaterialFactory metal_plugin();
 MaterialFactory metal2_plugin();
+MaterialFactory roughglass_plugin();
 MaterialFactory shinymetal_plugin();
 MaterialFactory glossy_plugin();
+MaterialFactory glossytranslucent_plugin();
 MaterialFactory mix_plugin();
 MaterialFactory null_plugin();
+MaterialFactory velvet_plugin();
 
 }  // namespace lxs::shading

@@ -1,6 +1,8 @@
 // The microfacets of rough materials, from u and v roughness textures.
 #pragma once
 
+#include <string>
+
 #include "bsdfs/microfacet_lobe.h"
 #include "lxs/scene/material.h"
 #include "prepared_texture.h"
@@ -9,8 +11,10 @@ namespace lxs::shading {
 
 class RoughSurface {
   public:
-    /// Reads "uroughness" and "vroughness"; an old scene's "roughness" stands for both.
-    RoughSurface(const ParameterReader& reader, const AssetContext& assets);
+    /// Reads "uroughness" and "vroughness" after `prefix`; an old scene's "roughness" stands for
+    /// both where there is no prefix.
+    RoughSurface(const ParameterReader& reader, const AssetContext& assets, float fallback = 0.1f,
+                 const std::string& prefix = "");
 
     MicrofacetLobe at(const ShadingPoint& point) const {
         const SchlickDistribution distribution(u_.at(point.texture), v_.at(point.texture));

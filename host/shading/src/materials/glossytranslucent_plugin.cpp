@@ -1,0 +1,92 @@
+// Material "glossytranslucent": translucent sheet under rough coatings.
+#include "bsdfs/glossy_translucent_bsdf.h"
+#include "bsdfs/place_bsdf.h"
+#include "coating_parameters.h"
+#include "common_parameters.h"
+#include "material_plugins.h"
+
+namespace lxs::shading {
+namespace {
+
+class GlossyTranslucentMaterial final : public Material {
+  public:
+    GlossyTranslucentMaterial(const ParameterReader& reader, const AssetContext& assets)
+        : kd_(read_reflectance(reader, assets, "Kd", Rgb(1.0f))),
+          kt_(read_reflectance(reader, assets, "Kt", Rgb(1.0f))),
+          front_(reader, assets, "", Rgb(1.0f), reader.boolean("multibounce", false)),
+          back_(back_coating(reader, assets)) {}
+
+    const Bsdf* scatter(const ShadingPoint& point,
+                        std::pmr::memory_resource& memory) const override;
+    MaterialFacts facts() const override;
+
+  private:
+    /// With "onesided" the back is coated as the front is.
+    static CoatingParameters back_coating(const ParameterReader& reader,
+                                          const AssetContext& assets) {
+        if (reader.boolean("onesided", true))
+            return {reader, assets, "", Rgb(1.0f), reader.boolean("multibounce", false)};
+        return {reader, assets, "backface_", Rgb(1.0f),
+                reader.boolean("backface_multibounce", false)};
+    }
+
+    PreparedColor kd_, kt_;
+    CoatingParameters front_, back_;
+};
+
+const Bsdf* GlossyTranslucentMaterial::scatter(const ShadingPoint& point,
+                                               std::pmr::memory_resource& memory) const {
+    const Rgb kd = kd_.at(point.texture);
+    const GlossyBsdf front(kd, front_.at(point.texture), front_.facets(point));
+    const GlossyBsdf back(kd, back_.at(point.texture), back_.facets(point));
+    return place_bsdf<GlossyTranslucentBsdf>(memory, front, back, kt_.at(point.texture), point.ng,
+                                             point.ns);
+}
+
+MaterialFacts GlossyTranslucentMaterial::facts() const {
+    MaterialFacts facts;
+    const bool opaque = kt_.is(Rgb(0.0f));
+    facts.lobes = opaque && kd_.is(Rgb(0.0f)) ? kGlossy : kDiffuse | kGlossy;
+    facts.transmits = !opaque;
+    facts.reads_image =
+        kd_.reads_image() || kt_.reads_image() || front_.reads_image() || back_.reads_image();
+    facts.max_bsdf_bytes = kBsdfBytes<GlossyTranslucentBsdf>;
+    return facts;
+}
+
+std::shared_ptr<const Material> create(const ParameterReader& reader, const AssetContext& assets,
+                                       const Matrix&) {
+    warn_of_common_parameters(reader, assets);
+    return std::make_shared<GlossyTranslucentMaterial>(reader, assets);
+}
+
+}  // namespace
+
+MaterialFactory glossytranslucent_plugin() {
+    using enum ParameterType;
+    const std::vector<ParameterDeclaration> own{
+        {"Kd", ColorTexture, "1 1 1", "diffuse reflectance of the base, 0 to 1"},
+        {"Kt", ColorTexture, "1 1 1", "diffuse transmittance of the base, 0 to 1"},
+        {"Ks", ColorTexture, "1 1 1", "reflectance of the coating at normal incidence, 0 to 1"},
+        {"Ka", ColorTexture, "0 0 0", "absorption of the coating per unit of depth"},
+        {"index", FloatTexture, "0", "index of the coating; overrides Ks when above 0", 0},
+        {"d", FloatTexture, "0", "depth of the coating", 0},
+        {"multibounce", Bool, "false",
+         "light shadowed by the coating's facets comes out diffusely"},
+        {"roughness", FloatTexture, "0.1", "old name for both u and v roughness", 0},
+        {"onesided", Bool, "true",
+         "the back is coated like the front; else by the backface parameters"},
+        {"backface_Ks", ColorTexture, "1 1 1",
+         "reflectance of the back's coating at normal incidence, 0 to 1"},
+        {"backface_Ka", ColorTexture, "0 0 0", "absorption of the back's coating"},
+        {"backface_index", FloatTexture, "0", "index of the back's coating; overrides its Ks", 0},
+        {"backface_d", FloatTexture, "0", "depth of the back's coating", 0},
+        {"backface_multibounce", Bool, "false", "multibounce of the back"},
+        {"backface_uroughness", FloatTexture, "0.1", "roughness of the back along u, 0.006 to 1",
+         0},
+        {"backface_vroughness", FloatTexture, "0.1", "roughness of the back along v, 0.006 to 1",
+         0}};
+    return {with_common_parameters(joined(own, roughness_parameters("0.1"))), &create};
+}
+
+}  // namespace lxs::shading

@@ -1,0 +1,90 @@
+// Material "roughglass": rough dielectric in vacuum.
+#include "bsdfs/place_bsdf.h"
+#include "bsdfs/rough_glass_bsdf.h"
+#include "common_parameters.h"
+#include "material_plugins.h"
+#include "rough_surface.h"
+
+namespace lxs::shading {
+namespace {
+
+constexpr float kMinIndex = 0.05f, kMaxIndex = 20;
+/// LuxRender's default.
+constexpr float kDefaultRoughness = 0.001f;
+
+/// An index of 1 bends nothing, so that no facet can be told from the directions: the nearest index
+/// with which one can looks the same.
+float bending_index(float index) {
+    constexpr float kLeastBend = 1e-3f;
+    if (std::abs(index - 1) >= kLeastBend) return index;
+    return index < 1 ? 1 - kLeastBend : 1 + kLeastBend;
+}
+
+class RoughGlassMaterial final : public Material {
+  public:
+    RoughGlassMaterial(const ParameterReader& reader, const AssetContext& assets)
+        : kr_(read_reflectance(reader, assets, "Kr", Rgb(1.0f))),
+          kt_(read_reflectance(reader, assets, "Kt", Rgb(1.0f))),
+          index_(read_limited(reader, assets, "index", 1.5f, kMinIndex, kMaxIndex)),
+          cauchy_b_(read_limited(reader, assets, "cauchyb", 0, 0, 1)),
+          surface_(reader, assets, kDefaultRoughness) {
+        if (cauchy_b_.is(0) || !reader.boolean("dispersion", false)) return;
+        reader.diagnostics().warning(reader.where("dispersion"),
+                                     "dispersion is not rendered yet; the index for 550 nm is "
+                                     "used");
+    }
+
+    const Bsdf* scatter(const ShadingPoint& point,
+                        std::pmr::memory_resource& memory) const override;
+    MaterialFacts facts() const override;
+
+  private:
+    PreparedColor kr_, kt_;
+    PreparedFloat index_, cauchy_b_;
+    RoughSurface surface_;
+};
+
+const Bsdf* RoughGlassMaterial::scatter(const ShadingPoint& point,
+                                        std::pmr::memory_resource& memory) const {
+    constexpr float kMiddle = 0.55f;  // micrometres
+    const Rgb kr = kr_.at(point.texture), kt = kt_.at(point.texture);
+    if (is_black(kr) && is_black(kt)) return nullptr;
+    const float index =
+        index_.at(point.texture) + cauchy_b_.at(point.texture) / (kMiddle * kMiddle);
+    return place_bsdf<RoughGlassBsdf>(
+        memory, kr, kt, bending_index(limited(index, kMinIndex, kMaxIndex)), surface_.at(point));
+}
+
+MaterialFacts RoughGlassMaterial::facts() const {
+    MaterialFacts facts;
+    facts.lobes = kGlossy;
+    facts.transmits = true;
+    facts.reads_image = kr_.reads_image() || kt_.reads_image() || index_.reads_image() ||
+                        cauchy_b_.reads_image() || surface_.reads_image();
+    facts.max_bsdf_bytes = kBsdfBytes<RoughGlassBsdf>;
+    return facts;
+}
+
+std::shared_ptr<const Material> create(const ParameterReader& reader, const AssetContext& assets,
+                                       const Matrix&) {
+    warn_of_common_parameters(reader, assets);
+    return std::make_shared<RoughGlassMaterial>(reader, assets);
+}
+
+}  // namespace
+
+MaterialFactory roughglass_plugin() {
+    using enum ParameterType;
+    const std::vector<ParameterDeclaration> own{
+        {"Kr", ColorTexture, "1 1 1", "colour of reflected light, 0 to 1"},
+        {"Kt", ColorTexture, "1 1 1", "colour of refracted light, 0 to 1"},
+        {"index", FloatTexture, "1.5", "index of refraction", 0},
+        {"cauchyb", FloatTexture, "0",
+         "Cauchy's B, square micrometres: changes the index for 550 nm", 0},
+        {"dispersion", Bool, "false",
+         "index depends on the wavelength by cauchyb (not rendered yet)"},
+        {"roughness", FloatTexture, "0.001", "old name for both u and v roughness", 0}};
+    return {with_common_parameters(joined(own, roughness_parameters("0.001"))), &create};
+}
+
+}  // namespace lxs::shading

@@ -1,5 +1,6 @@
 // The textures, materials and media of the host, by the names scene files use.
 #include "lxs/scene/registry.h"
+#include "materials/bumped_material.h"
 #include "materials/material_plugins.h"
 #include "media/media_plugins.h"
 #include "textures/texture_plugins.h"
@@ -20,6 +21,8 @@ void register_textures(Registry& registry) {
     registry.fresnel_textures["fresnelname"] = shading::fresnelname_plugin();
     registry.fresnel_textures["cauchy"] = shading::cauchy_plugin();
     shading::register_imagemaps(registry);
+    registry.float_textures["normalmap"] =
+        shading::normalmap_plugin(registry.color_textures.at("imagemap"));
 }
 
 void register_materials(Registry& registry) {
@@ -42,6 +45,8 @@ void register_materials(Registry& registry) {
 void register_shading(Registry& registry) {
     register_textures(registry);
     register_materials(registry);
+    for (auto& [name, factory] : registry.materials)
+        factory = shading::with_bump_map(std::move(factory));
     registry.media["clear"] = shading::clear_plugin();
     registry.media["homogeneous"] = shading::homogeneous_plugin();
 }

@@ -124,7 +124,15 @@ bool TracedScene::intersect(const Ray& ray, SurfaceHit& hit,
         hit.light = light;
         if (wo.dot(hit.ng) > 0) hit.emitted = light->radiance(hit.p, hit.ng, hit.uv, wo);
     }
-    hit.bsdf = surface.material ? surface.material->scatter(shading_point(hit), memory) : nullptr;
+    hit.bsdf = nullptr;
+    if (!surface.material) return true;
+    ShadingPoint point = shading_point(hit);
+    if (surface.bends) {
+        point.dpdv = tangent_along_v(surface, placement.transform, raw, hit);
+        surface.material->bend(point);
+        hit.ns = point.ns;
+    }
+    hit.bsdf = surface.material->scatter(point, memory);
     return true;
 }
 
@@ -157,8 +165,10 @@ Rgb TracedScene::walk_transmittance(const Ray& ray) const {
         locate(surface, placement.transform, ray, raw, hit);
         hit.interior = surface.interior;
         hit.exterior = surface.exterior;
+        ShadingPoint point = shading_point(hit);
+        if (surface.bends) point.dpdv = tangent_along_v(surface, placement.transform, raw, hit);
         share *= medium_transmittance(medium, raw.distance - passed) *
-                 surface.material->straight_transmittance(shading_point(hit), ray.direction);
+                 surface.material->straight_transmittance(point, ray.direction);
         if (is_black(share)) return share;
         medium = ray.direction.dot(hit.ng) > 0 ? hit.exterior : hit.interior;
         passed = raw.distance;

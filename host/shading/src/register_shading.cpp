@@ -36,6 +36,9 @@ void register_materials(Registry& registry) {
     registry.materials["glossy"] = shading::glossy_plugin();
     registry.materials["substrate"] = shading::glossy_plugin();
     registry.materials["plastic"] = shading::glossy_plugin();
+    registry.materials["glossycoating"] = shading::glossycoating_plugin();
+    registry.materials["glossy_lossy"] = shading::glossy_lossy_plugin();
+    registry.materials["layered"] = shading::layered_plugin();
     registry.materials["mix"] = shading::mix_plugin();
     registry.materials["null"] = shading::null_plugin();
 }

@@ -22,11 +22,13 @@ class LayeredBsdf final : public Bsdf {
   public:
     static constexpr int kMaxLayers = 4;
 
-    /// From the front (+ng) to the back; null: absorbs everything. `place` tells points apart.
+    /// Layers from the front (+ng) to the back; null: absorbs everything.
     struct Stack {
         std::array<const Bsdf*, kMaxLayers> layers{};
         int count = 0;
+        bool transmits = false;  ///< light may get through all of them
     };
+    /// `place` tells points apart.
     LayeredBsdf(const Stack& stack, const Vec3& place, const Vec3& ng, const Vec3& ns);
 
     LobeMask lobes() const override { return lobes_; }
@@ -37,33 +39,32 @@ class LayeredBsdf final : public Bsdf {
     Rgb albedo(const Vec3& wo, LobeMask mask) const override;
 
   private:
-    /// Ways to draw a direction: a chain of deltas, one of the layers' densities, a cosine on
-    /// either side.
+    /// Probabilities of the ways to draw a direction: a chain of deltas, one of the layers' own
+    /// densities, a cosine.
     struct Choice {
         float specular = 0;
         std::array<float, kMaxLayers> layer{};
         float cosine = 0;
     };
-    /// A walk on its way into a layer.
-    struct Walk {
-        int layer = 0;
-        Vec3 out{0.0f};  ///< from the layer to where the walk comes from
-        Rgb throughput{1.0f};
-        bool straight = true;        ///< nothing but undeviated passages so far
-        bool spread = false;         ///< met a lobe that is no delta
-        bool spread_back = false;    ///< was reflected by such a lobe
-        bool inside() const { return layer >= 0; }
-    };
+    struct Walk;
 
     int entry(const Vec3& w) const { return w.dot(ng_) > 0 ? 0 : stack_.count - 1; }
+    /// Lobes of layer `i` in `mask` that its density is taken of.
+    LobeMask drawn_lobes(int i, const Vec3& wo, LobeMask mask) const;
     Choice choose(const Vec3& wo, LobeMask mask) const;
     float density(const Choice& choice, const Vec3& wo, const Vec3& wi, LobeMask mask) const;
     float cosine_density(const Vec3& wo, const Vec3& wi) const;
-    bool sample_cosine_side(const Vec3& wo, const Vec2& u, float u_side, Vec3& wi) const;
-    /// One event at the walk's layer; false where light is absorbed.
-    bool advance(Walk& walk, HashedNumbers& numbers, Transport transport, LobeMask mask) const;
+    bool sample_cosine_lobe(const Vec3& wo, const Vec2& u, float u_side, Vec3& wi) const;
+    /// Draws wi by the non-specular part of `choice`.
+    bool draw(const Choice& choice, const Vec3& wo, const Vec2& u, float u_lobe, LobeMask mask,
+              BsdfSample& sample) const;
     bool sample_specular(const Vec3& wo, HashedNumbers numbers, Transport transport,
                          BsdfSample& sample) const;
+    /// One event at the walk's layer; false where light is absorbed.
+    bool advance(Walk& walk, HashedNumbers& numbers, Transport transport, LobeMask mask) const;
+    /// Steps of a walk that starts along `w`, until it leaves the stack or is absorbed.
+    int trace(const Vec3& w, HashedNumbers& numbers, Transport transport, bool backwards,
+              Walk* steps) const;
     /// Everything but the entry layer's own reflection.
     Rgb estimate_rest(const Vec3& wo, const Vec3& wi, Transport transport) const;
     Rgb joined(const Walk& a, const Walk& b, Transport transport) const;

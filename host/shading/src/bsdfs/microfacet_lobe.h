@@ -23,6 +23,8 @@ class MicrofacetLobe {
     const Vec3& ng() const { return ng_; }
     const Vec3& ns() const { return frame_.n; }
     float roughness() const { return distribution_.roughness(); }
+    /// D(h) of SchlickDistribution.
+    float density(const Vec3& h) const { return distribution_.density(h); }
 
     /// False when the two directions don't see each other by reflection.
     bool half_vector(const Vec3& wo, const Vec3& wi, HalfVector& half) const;

@@ -13,6 +13,9 @@ MaterialFactory metal_plugin();
 MaterialFactory metal2_plugin();
 MaterialFactory shinymetal_plugin();
 MaterialFactory glossy_plugin();
+MaterialFactory glossycoating_plugin();
+MaterialFactory glossy_lossy_plugin();
+MaterialFactory layered_plugin();
 MaterialFactory mix_plugin();
 MaterialFactory null_plugin();
 

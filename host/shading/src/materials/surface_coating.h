@@ -1,0 +1,29 @@
+// The rough coating of "glossy" and its relatives: parameters.
+#pragma once
+
+#include "bsdfs/glossy_bsdf.h"
+#include "prepared_texture.h"
+#include "rough_surface.h"
+
+namespace lxs::shading {
+
+class SurfaceCoating {
+  public:
+    /// Reads "Ks", "Ka", "index", "d", "multibounce" and the roughness.
+    SurfaceCoating(const ParameterReader& reader, const AssetContext& assets);
+
+    Coating coating_at(const TexturePoint& point) const;
+    MicrofacetLobe facets_at(const ShadingPoint& point) const { return surface_.at(point); }
+    bool reads_image() const;
+
+  private:
+    PreparedColor ks_, ka_;
+    PreparedFloat index_, depth_;
+    RoughSurface surface_;
+    bool multibounce_;
+};
+
+/// Declarations of what SurfaceCoating reads.
+std::vector<ParameterDeclaration> coating_parameters();
+
+}  // namespace lxs::shading

@@ -1,5 +1,6 @@
 // The textures, materials and media of the host, by the names scene files use.
 #include "lxs/scene/registry.h"
+#include "materials/bumped_material.h"
 #include "materials/material_plugins.h"
 #include "media/media_plugins.h"
 #include "textures/texture_plugins.h"
@@ -20,6 +21,8 @@ void register_textures(Registry& registry) {
     registry.fresnel_textures["fresnelname"] = shading::fresnelname_plugin();
     registry.fresnel_textures["cauchy"] = shading::cauchy_plugin();
     shading::register_imagemaps(registry);
+    registry.float_textures["normalmap"] =
+        shading::normalmap_plugin(registry.color_textures.at("imagemap"));
 }
 
 void register_materials(Registry& registry) {
@@ -36,6 +39,9 @@ void register_materials(Registry& registry) {
     registry.materials["glossytranslucent"] = shading::glossytranslucent_plugin();
     registry.materials["substrate"] = shading::glossy_plugin();
     registry.materials["plastic"] = shading::glossy_plugin();
+    registry.materials["glossycoating"] = shading::glossycoating_plugin();
+    registry.materials["glossy_lossy"] = shading::glossy_lossy_plugin();
+    registry.materials["layered"] = shading::layered_plugin();
     registry.materials["mix"] = shading::mix_plugin();
     registry.materials["null"] = shading::null_plugin();
     registry.materials["velvet"] = shading::velvet_plugin();
@@ -46,6 +52,8 @@ void register_materials(Registry& registry) {
 void register_shading(Registry& registry) {
     register_textures(registry);
     register_materials(registry);
+    for (auto& [name, factory] : registry.materials)
+        factory = shading::with_bump_map(std::move(factory));
     registry.media["clear"] = shading::clear_plugin();
     registry.media["homogeneous"] = shading::homogeneous_plugin();
 }

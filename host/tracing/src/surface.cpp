@@ -11,7 +11,9 @@ Surface describe(const Primitive& primitive) {
     surface.interior = primitive.interior.get();
     surface.exterior = primitive.exterior.get();
     surface.reversed = primitive.reverse_orientation;
-    surface.straight = primitive.material && primitive.material->facts().straight;
+    const MaterialFacts facts = primitive.material ? primitive.material->facts() : MaterialFacts{};
+    surface.straight = facts.straight;
+    surface.bends = facts.bends;
     return surface;
 }
 

@@ -29,6 +29,7 @@ struct Surface {
     std::uint32_t emissive_index = kNotEmissive;  ///< among the emissive surfaces of its group
     bool reversed = false;                        ///< the front is the other side
     bool straight = false;                        ///< may pass light undeviated
+    bool bends = false;                           ///< the material has a bump map
 };
 
 /// The surfaces of the world or of one object: geometry ids are indices into it.

@@ -13,4 +13,9 @@ namespace lxs {
 void locate(const Surface& surface, const InstanceTransform* instance, const Ray& ray,
             const RawHit& raw, SurfaceHit& hit);
 
+/// Tangent along v at a located hit; zero where the surface has no coordinates. Kept apart from
+/// locate(), since only bumped surfaces need it.
+Vec3 tangent_along_v(const Surface& surface, const InstanceTransform* instance, const RawHit& raw,
+                     const SurfaceHit& hit);
+
 }  // namespace lxs

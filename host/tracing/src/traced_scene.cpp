@@ -136,7 +136,15 @@ bool TracedScene::intersect(const Ray& ray, SurfaceHit& hit,
             if (wavelengths_) hit.emitted = wavelengths_->values_of(hit.emitted);
         }
     }
-    hit.bsdf = surface.material ? surface.material->scatter(shading_point(hit, ray.component), memory) : nullptr;
+    hit.bsdf = nullptr;
+    if (!surface.material) return true;
+    ShadingPoint point = shading_point(hit, ray.component);
+    if (surface.bends) {
+        point.dpdv = tangent_along_v(surface, placement.transform, raw, hit);
+        surface.material->bend(point);
+        hit.ns = point.ns;
+    }
+    hit.bsdf = surface.material->scatter(point, memory);
     return true;
 }
 
@@ -177,9 +185,10 @@ Rgb TracedScene::walk_transmittance(const Ray& ray) const {
         locate(surface, placement.transform, ray, raw, hit);
         hit.interior = surface.interior;
         hit.exterior = surface.exterior;
+        ShadingPoint point = shading_point(hit, ray.component);
+        if (surface.bends) point.dpdv = tangent_along_v(surface, placement.transform, raw, hit);
         share *= medium_transmittance(ray, medium, passed, raw.distance) *
-                 surface.material->straight_transmittance(shading_point(hit, ray.component),
-                                                          ray.direction);
+                 surface.material->straight_transmittance(point, ray.direction);
         if (is_black(share)) return share;
         medium = ray.direction.dot(hit.ng) > 0 ? hit.exterior : hit.interior;
         passed = raw.distance;
@@ -189,7 +198,7 @@ Rgb TracedScene::walk_transmittance(const Ray& ray) const {
 }
 
 std::unique_ptr<TraceScene> make_trace_scene(SceneContents contents, const AssetResolver& resolve,
-                                        Diagnostics& diagnostics) {
+                                             Diagnostics& diagnostics) {
     return std::make_unique<TracedScene>(std::move(contents), resolve, diagnostics);
 }
 

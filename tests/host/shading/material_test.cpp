@@ -93,14 +93,14 @@ TEST_F(MaterialTest, SharedParametersOfLuxRenderAreKnownToAll) {
     EXPECT_TRUE(scene_.diagnostics.unknown.empty());
 }
 
-TEST_F(MaterialTest, BumpMapsAreWarnedOfUnlessTheyAreFlat) {
-    scene_.floats["flat"] = scene_.make_float("constant");
-    scene_.floats["checks"] = scene_.make_float("checkerboard");
-    scene_.make_material("matte", {texture("bumpmap", "flat")});
+TEST_F(MaterialTest, CompositingFlagsAreWarnedOfWhereTheyWouldShow) {
+    scene_.make_material("matte",
+                         {flag("compo_visible_material", true), flag("compo_use_key", false)});
     EXPECT_TRUE(scene_.diagnostics.warnings.empty());
-    scene_.make_material("matte", {texture("bumpmap", "checks")});
+    scene_.make_material("mirror", {flag("compo_visible_material", false)});
     ASSERT_EQ(scene_.diagnostics.warnings.size(), 1u);
-    EXPECT_EQ(scene_.diagnostics.warnings[0], "bump maps are not rendered yet");
+    EXPECT_EQ(scene_.diagnostics.warnings[0],
+              "compositing is not rendered: the surface is seen by all rays");
     EXPECT_EQ(scene_.diagnostics.lines[0], 7u);
 }
 

@@ -1,24 +1,43 @@
 // Parameters that every material has.
 #include "common_parameters.h"
 
+#include <fmt/format.h>
+
+#include "bumped_material.h"
 #include "ignored_parameter.h"
 #include "textures/texture_parameters.h"
 
 namespace lxs::shading {
 namespace {
 
+/// LuxRender's compositing flags, which leave surfaces out of some of the rays.
 std::vector<ParameterDeclaration> compositing_parameters() {
     using enum ParameterType;
-    return {ignored("compo_visible_material", Bool, "true", "seen by camera rays"),
-            ignored("compo_visible_emission", Bool, "true", "emission seen by camera rays"),
-            ignored("compo_visible_indirect_material", Bool, "true", "seen by other rays"),
-            ignored("compo_visible_indirect_emission", Bool, "true", "emission seen by other rays"),
-            ignored("compo_override_alpha", Bool, "false", "replace the alpha channel"),
+    return {{"compo_visible_material", Bool, "true", "seen by camera rays (always is here)"},
+            {"compo_visible_emission", Bool, "true", "emission seen by camera rays (always is)"},
+            {"compo_visible_indirect_material", Bool, "true", "seen by other rays (always is)"},
+            {"compo_visible_indirect_emission", Bool, "true",
+             "emission seen by other rays (always is)"},
+            {"compo_override_alpha", Bool, "false", "replace the alpha channel (never is here)"},
             ignored("compo_override_alpha_value", Float, "0", "alpha that replaces it"),
-            ignored("compo_use_key", Bool, "false", "chroma key"),
-            ignored("compo_key_color", Color, "0 0 1", "colour of the chroma key"),
-            ignored("bumpmapsampledistance", Float, "0.001", "step of the bump map's slope")};
+            {"compo_use_key", Bool, "false", "chroma key (never is used here)"},
+            ignored("compo_key_color", Color, "0 0 1", "colour of the chroma key")};
 }
+
+/// A flag that would change the image, and what is rendered instead.
+struct CompositingFlag {
+    std::string_view name;
+    bool plain;  ///< the value that changes nothing
+    std::string_view instead;
+};
+
+constexpr CompositingFlag kCompositingFlags[] = {
+    {"compo_visible_material", true, "the surface is seen by all rays"},
+    {"compo_visible_emission", true, "the emission is seen by all rays"},
+    {"compo_visible_indirect_material", true, "the surface is seen by all rays"},
+    {"compo_visible_indirect_emission", true, "the emission is seen by all rays"},
+    {"compo_override_alpha", false, "the alpha channel is that of the film"},
+    {"compo_use_key", false, "the surface keeps its colour"}};
 
 }  // namespace
 
@@ -29,16 +48,15 @@ std::vector<ParameterDeclaration> joined(std::vector<ParameterDeclaration> a,
 }
 
 std::vector<ParameterDeclaration> with_common_parameters(std::vector<ParameterDeclaration> own) {
-    own.push_back({"bumpmap", ParameterType::FloatTexture, "",
-                   "height above the surface, scene units (not rendered yet)"});
-    return joined(std::move(own), compositing_parameters());
+    return joined(joined(std::move(own), bump_map_parameters()), compositing_parameters());
 }
 
-void warn_of_common_parameters(const ParameterReader& reader, const AssetContext& assets) {
-    if (!reader.given("bumpmap")) return;
-    // A constant height has no slope, so nothing is missing.
-    if (read_float_texture(reader, assets, "bumpmap", 0)->constant()) return;
-    reader.diagnostics().warning(reader.where("bumpmap"), "bump maps are not rendered yet");
+void warn_of_common_parameters(const ParameterReader& reader, const AssetContext& /*assets*/) {
+    for (const CompositingFlag& flag : kCompositingFlags) {
+        if (reader.boolean(flag.name, flag.plain) == flag.plain) continue;
+        reader.diagnostics().warning(reader.where(flag.name),
+                                     fmt::format("compositing is not rendered: {}", flag.instead));
+    }
 }
 
 std::vector<ParameterDeclaration> film_parameters() {

@@ -11,7 +11,7 @@ namespace lxs::shading {
 /// `own` and then the parameters of all materials: bump map and LuxRender's compositing flags.
 std::vector<ParameterDeclaration> with_common_parameters(std::vector<ParameterDeclaration> own);
 
-/// Warns of common parameters that are set and change nothing yet.
+/// Warns of compositing flags that would change the image.
 void warn_of_common_parameters(const ParameterReader& reader, const AssetContext& assets);
 
 /// Declarations of thin-film thickness and index, and a warning when the film would be visible.

@@ -52,10 +52,11 @@ std::shared_ptr<const Material> create(const ParameterReader& reader, const Asse
 }  // namespace
 
 MaterialFactory glass2_plugin() {
-    return {with_common_parameters({{"architectural", ParameterType::Bool, "false",
-                                     "let light through undeviated, shadow rays too"},
-                                    {"dispersion", ParameterType::Bool, "false",
-                                     "bend each wavelength by its own index, where those of the volumes differ"}}),
+    return {with_common_parameters(
+                {{"architectural", ParameterType::Bool, "false",
+                  "let light through undeviated, shadow rays too"},
+                 {"dispersion", ParameterType::Bool, "false",
+                  "bend each wavelength by its own index, where those of the volumes differ"}}),
             &create};
 }
 

@@ -60,9 +60,8 @@ std::shared_ptr<const Material> create(const ParameterReader& reader, const Asse
     return std::make_shared<GlassMaterial>(
         read_reflectance(reader, assets, "Kr", Rgb(1.0f)),
         read_reflectance(reader, assets, "Kt", Rgb(1.0f)),
-        read_limited(reader, assets, "index", 1.5f, kMinIndex, kMaxIndex), 
-        read_limited(reader, assets, "cauchyb", 0, 0, 1),
-        reader.boolean("architectural", false));
+        read_limited(reader, assets, "index", 1.5f, kMinIndex, kMaxIndex),
+        read_limited(reader, assets, "cauchyb", 0, 0, 1), reader.boolean("architectural", false));
 }
 
 }  // namespace

@@ -28,8 +28,8 @@ MaterialFacts glass_facts(bool architectural, bool disperses) {
     facts.transmits = true;
     facts.straight = architectural;
     facts.disperses = disperses && !architectural;
-    facts.max_bsdf_bytes = std::max({kBsdfBytes<GlassBsdf>, kBsdfBytes<DispersiveGlassBsdf>,
-                                     kBsdfBytes<ThinGlassBsdf>});
+    facts.max_bsdf_bytes = std::max(
+        {kBsdfBytes<GlassBsdf>, kBsdfBytes<DispersiveGlassBsdf>, kBsdfBytes<ThinGlassBsdf>});
     return facts;
 }
 

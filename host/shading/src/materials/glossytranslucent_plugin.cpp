@@ -1,9 +1,9 @@
 // Material "glossytranslucent": translucent sheet under rough coatings.
 #include "bsdfs/glossy_translucent_bsdf.h"
 #include "bsdfs/place_bsdf.h"
-#include "coating_parameters.h"
 #include "common_parameters.h"
 #include "material_plugins.h"
+#include "surface_coating.h"
 
 namespace lxs::shading {
 namespace {
@@ -13,7 +13,7 @@ class GlossyTranslucentMaterial final : public Material {
     GlossyTranslucentMaterial(const ParameterReader& reader, const AssetContext& assets)
         : kd_(read_reflectance(reader, assets, "Kd", Rgb(1.0f))),
           kt_(read_reflectance(reader, assets, "Kt", Rgb(1.0f))),
-          front_(reader, assets, "", Rgb(1.0f), reader.boolean("multibounce", false)),
+          front_(reader, assets),
           back_(back_coating(reader, assets)) {}
 
     const Bsdf* scatter(const ShadingPoint& point,
@@ -22,23 +22,20 @@ class GlossyTranslucentMaterial final : public Material {
 
   private:
     /// With "onesided" the back is coated as the front is.
-    static CoatingParameters back_coating(const ParameterReader& reader,
-                                          const AssetContext& assets) {
-        if (reader.boolean("onesided", true))
-            return {reader, assets, "", Rgb(1.0f), reader.boolean("multibounce", false)};
-        return {reader, assets, "backface_", Rgb(1.0f),
-                reader.boolean("backface_multibounce", false)};
+    static SurfaceCoating back_coating(const ParameterReader& reader, const AssetContext& assets) {
+        if (reader.boolean("onesided", true)) return {reader, assets};
+        return {reader, assets, "backface_"};
     }
 
     PreparedColor kd_, kt_;
-    CoatingParameters front_, back_;
+    SurfaceCoating front_, back_;
 };
 
 const Bsdf* GlossyTranslucentMaterial::scatter(const ShadingPoint& point,
                                                std::pmr::memory_resource& memory) const {
     const Rgb kd = kd_.at(point.texture);
-    const GlossyBsdf front(kd, front_.at(point.texture), front_.facets(point));
-    const GlossyBsdf back(kd, back_.at(point.texture), back_.facets(point));
+    const GlossyBsdf front(kd, front_.coating_at(point.texture), front_.facets_at(point));
+    const GlossyBsdf back(kd, back_.coating_at(point.texture), back_.facets_at(point));
     return place_bsdf<GlossyTranslucentBsdf>(memory, front, back, kt_.at(point.texture), point.ng,
                                              point.ns);
 }
@@ -67,13 +64,6 @@ MaterialFactory glossytranslucent_plugin() {
     const std::vector<ParameterDeclaration> own{
         {"Kd", ColorTexture, "1 1 1", "diffuse reflectance of the base, 0 to 1"},
         {"Kt", ColorTexture, "1 1 1", "diffuse transmittance of the base, 0 to 1"},
-        {"Ks", ColorTexture, "1 1 1", "reflectance of the coating at normal incidence, 0 to 1"},
-        {"Ka", ColorTexture, "0 0 0", "absorption of the coating per unit of depth"},
-        {"index", FloatTexture, "0", "index of the coating; overrides Ks when above 0", 0},
-        {"d", FloatTexture, "0", "depth of the coating", 0},
-        {"multibounce", Bool, "false",
-         "light shadowed by the coating's facets comes out diffusely"},
-        {"roughness", FloatTexture, "0.1", "old name for both u and v roughness", 0},
         {"onesided", Bool, "true",
          "the back is coated like the front; else by the backface parameters"},
         {"backface_Ks", ColorTexture, "1 1 1",
@@ -86,7 +76,7 @@ MaterialFactory glossytranslucent_plugin() {
          0},
         {"backface_vroughness", FloatTexture, "0.1", "roughness of the back along v, 0.006 to 1",
          0}};
-    return {with_common_parameters(joined(own, roughness_parameters("0.1"))), &create};
+    return {with_common_parameters(joined(own, coating_parameters())), &create};
 }
 
 }  // namespace lxs::shading

@@ -2,8 +2,8 @@
 #pragma once
 
 #include <memory>
-#include <type_traits>
 #include <string_view>
+#include <type_traits>
 
 #include "lxs/scene/registry.h"
 

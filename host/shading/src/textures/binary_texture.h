@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <type_traits>
 
 #include "lxs/scene/texture.h"
 
@@ -17,6 +18,13 @@ class ScaleTexture final : public Texture<T> {
         : first_(std::move(first)), second_(std::move(second)) {}
     T evaluate(const TexturePoint& point) const override {
         return first_->evaluate(point) * second_->evaluate(point);
+    }
+    Vec2 mapped_slope(const TexturePoint& point) const override {
+        if constexpr (std::is_same_v<T, float>) {
+            return first_->mapped_slope(point) * second_->evaluate(point) +
+                   second_->mapped_slope(point) * first_->evaluate(point);
+        }
+        return Vec2(0.0f);
     }
     std::optional<T> constant() const override {
         const std::optional<T> first = first_->constant(), second = second_->constant();
@@ -39,6 +47,10 @@ class MixTexture final : public Texture<T> {
         : first_(std::move(first)), second_(std::move(second)), amount_(std::move(amount)) {}
     T evaluate(const TexturePoint& point) const override {
         return blend(first_->evaluate(point), second_->evaluate(point), amount_->evaluate(point));
+    }
+    Vec2 mapped_slope(const TexturePoint& point) const override {
+        const float amount = amount_->evaluate(point);
+        return first_->mapped_slope(point) * (1 - amount) + second_->mapped_slope(point) * amount;
     }
     std::optional<T> constant() const override {
         const std::optional<T> first = first_->constant(), second = second_->constant();

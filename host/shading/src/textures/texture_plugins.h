@@ -16,6 +16,8 @@ FloatTextureFactory checkerboard_plugin();
 FresnelTextureFactory fresnelcolor_plugin();
 FresnelTextureFactory fresnelname_plugin();
 FresnelTextureFactory cauchy_plugin();
+/// Reads its image as the colour texture "imagemap" does.
+FloatTextureFactory normalmap_plugin(const ColorTextureFactory& imagemap);
 /// Adds "imagemap" for floats and colours, which share one image cache.
 void register_imagemaps(Registry& registry);
 

@@ -12,9 +12,11 @@ namespace lxs {
 /// What a material reads of a surface point.
 struct ShadingPoint {
     TexturePoint texture;
-    Vec3 ng{0.0f};    ///< geometric normal, unit
-    Vec3 ns{0.0f};    ///< shading normal, unit, in the hemisphere of ng
-    Vec3 dpdu{0.0f};  ///< tangent along u; zero when unknown
+    Vec3 ng{0.0f};      ///< geometric normal, unit
+    Vec3 ns{0.0f};      ///< shading normal, unit, in the hemisphere of ng
+    Vec3 dpdu{0.0f};    ///< tangent along u; zero when unknown
+    Vec3 dpdv{0.0f};    ///< tangent along v; only known where MaterialFacts::bends, else zero
+    bool bent = false;  ///< ns is already what Material::bend made of it
     const Medium* interior = nullptr;
     const Medium* exterior = nullptr;
     std::int8_t component = kAllComponents;  ///< Ray::component of the ray that came
@@ -27,12 +29,17 @@ struct MaterialFacts {
     bool straight = false;  ///< may pass light undeviated (null, architectural glass, mixes)
     bool reads_image = false;
     bool disperses = false;  ///< bends each wavelength its own way
+    bool bends = false;              ///< has a bump or normal map, itself or in a part of it
     std::size_t max_bsdf_bytes = 0;  ///< most memory that one scatter() takes
 };
 
 class Material {
   public:
     virtual ~Material() = default;
+    /// Tilts `point.ns` by the material's own bump map and sets `point.bent`, for callers that let
+    /// integrators see the tilted normal. Where nobody calls it, the Bsdf takes its cosines to the
+    /// normal that stands there and has the bump in its values. Only needed if facts().bends.
+    virtual void bend(ShadingPoint& /*point*/) const {}
     /// Builds the Bsdf in `memory`; null when nothing scatters (black).
     virtual const Bsdf* scatter(const ShadingPoint& point,
                                 std::pmr::memory_resource& memory) const = 0;

@@ -27,6 +27,9 @@ class Texture {
     virtual T evaluate(const TexturePoint& point) const = 0;
     /// The value if it is the same everywhere: materials prepare for it once.
     virtual std::optional<T> constant() const { return std::nullopt; }
+    /// For a float texture that is taken as a height: the slope that normal maps add to that of the
+    /// value, height per length along the two unit tangents of a surface (u, then v).
+    virtual Vec2 mapped_slope(const TexturePoint& /*point*/) const { return Vec2(0.0f); }
     /// True if an image file is read.
     virtual bool reads_image() const { return false; }
 };

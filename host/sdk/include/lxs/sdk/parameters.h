@@ -81,6 +81,8 @@ class ParameterReader {
     const SourceLocation& where(std::string_view name) const;
     const SourceLocation& where() const { return set_.where; }
     const std::string& plugin() const { return set_.plugin; }
+    /// All that the scene gives, for plugins that hand it on to another one.
+    const ParameterSet& set() const { return set_; }
     Diagnostics& diagnostics() const { return diagnostics_; }
     /// Throws InputError at the parameter `name`.
     [[noreturn]] void fail(std::string_view name, const std::string& message) const;

@@ -1,0 +1,52 @@
+// The rough coating of "glossy" and its relatives: parameters.
+#include "surface_coating.h"
+
+#include "common_parameters.h"
+
+namespace lxs::shading {
+namespace {
+
+constexpr float kLargest = std::numeric_limits<float>::max();
+
+}  // namespace
+
+SurfaceCoating::SurfaceCoating(const ParameterReader& reader, const AssetContext& assets,
+                               const std::string& prefix, const Rgb& default_ks)
+    : ks_(read_reflectance(reader, assets, prefix + "Ks", default_ks)),
+      ka_(read_positive_color(reader, assets, prefix + "Ka", Rgb(0.0f))),
+      index_(read_limited(reader, assets, prefix + "index", 0, 0, kLargest)),
+      depth_(read_limited(reader, assets, prefix + "d", 0, 0, kLargest)),
+      surface_(reader, assets, 0.1f, prefix),
+      multibounce_(reader.boolean(prefix + "multibounce", false)) {}
+
+Coating SurfaceCoating::coating_at(const TexturePoint& point) const {
+    Coating coating;
+    coating.reflectance = ks_.at(point);
+    if (const float index = index_.at(point); index > 0) {
+        const float root = (index - 1) / (index + 1);
+        coating.reflectance = Rgb(root * root);
+    }
+    coating.optical_depth = limited(ka_.at(point) * depth_.at(point), 0, kLargest);
+    coating.multibounce = multibounce_;
+    return coating;
+}
+
+bool SurfaceCoating::reads_image() const {
+    return ks_.reads_image() || ka_.reads_image() || index_.reads_image() || depth_.reads_image() ||
+           surface_.reads_image();
+}
+
+std::vector<ParameterDeclaration> coating_parameters() {
+    using enum ParameterType;
+    return joined(
+        {{"Ks", ColorTexture, "1 1 1", "reflectance of the coating at normal incidence, 0 to 1"},
+         {"Ka", ColorTexture, "0 0 0", "absorption of the coating per unit of depth"},
+         {"index", FloatTexture, "0", "index of the coating; overrides Ks when above 0", 0},
+         {"d", FloatTexture, "0", "depth of the coating", 0},
+         {"multibounce", Bool, "false",
+          "light shadowed by the coating's facets comes out diffusely"},
+         {"roughness", FloatTexture, "0.1", "old name for both u and v roughness", 0}},
+        roughness_parameters("0.1"));
+}
+
+}  // namespace lxs::shading

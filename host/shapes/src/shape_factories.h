@@ -9,5 +9,10 @@ ShapeFactory make_mesh_factory();    ///< mesh, trianglemesh, barytrianglemesh, 
 ShapeFactory make_ply_factory();     ///< plymesh
 ShapeFactory make_sphere_factory();  ///< sphere
 ShapeFactory make_disk_factory();    ///< disk
+ShapeFactory make_cylinder_factory();
+ShapeFactory make_cone_factory();
+ShapeFactory make_hyperboloid_factory();
+ShapeFactory make_paraboloid_factory();
+ShapeFactory make_torus_factory();
 
 }  // namespace lxs

@@ -15,6 +15,8 @@ struct TexturePoint {
     Vec3 p{0.0f};  ///< world space
     Vec3 n{0.0f};  ///< shading normal
     Vec2 uv{0.0f};
+    Rgb color{1.0f};  ///< of the mesh's vertices, interpolated; white where it has none
+    float alpha = 1;  ///< likewise, opacity
 };
 
 /// A texture with values of type T (float, Rgb).

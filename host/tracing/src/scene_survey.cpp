@@ -40,6 +40,10 @@ SceneSurvey survey(const SceneContents& contents) {
         for (const Primitive& primitive : object.primitives)
             add_primitive(primitive, result);
     }
+    for (const Instance& instance : contents.instances)
+        result.facts.has_motion |= !instance.motion.empty();
+    const auto camera = contents.options.find("Camera");
+    result.facts.has_motion |= camera != contents.options.end() && !camera->second.motion.empty();
     result.facts.has_media |= absorbs(contents.camera_medium);
     for (const LightDescription& light : contents.lights)
         result.facts.has_media |= absorbs(light.medium);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "embree_scene.h"
+#include "lxs/scene/texture.h"
 #include "lxs/sdk/scene.h"
 #include "placement.h"
 #include "surface.h"
@@ -12,5 +13,8 @@ namespace lxs {
 /// `instance` is null for surfaces that stand in the world.
 void locate(const Surface& surface, const InstanceTransform* instance, const Ray& ray,
             const RawHit& raw, SurfaceHit& hit);
+
+/// Writes what the mesh's vertices carry for textures (color, alpha), if they do.
+void add_vertex_values(const Surface& surface, const RawHit& raw, TexturePoint& point);
 
 }  // namespace lxs

@@ -17,9 +17,12 @@ SceneSphere enclosing_sphere(const Bounds& box) {
     return {box.center(), radius > 0 ? radius : 1.0f};
 }
 
-ShadingPoint shading_point(const SurfaceHit& hit) {
+ShadingPoint shading_point(const SurfaceHit& hit, const Surface& surface, const RawHit& raw) {
     ShadingPoint point;
-    point.texture = {hit.p, hit.ns, hit.uv};
+    point.texture.p = hit.p;
+    point.texture.n = hit.ns;
+    point.texture.uv = hit.uv;
+    add_vertex_values(surface, raw, point.texture);
     point.ng = hit.ng;
     point.ns = hit.ns;
     point.dpdu = hit.dpdu;
@@ -32,6 +35,17 @@ Rgb medium_transmittance(const Medium* medium, float distance) {
     if (!medium) return Rgb(1.0f);
     // A finite distance keeps a channel that isn't absorbed free of zero times infinity.
     return medium->transmittance(std::min(distance, std::numeric_limits<float>::max()));
+}
+
+TimeSpan times_of(const std::vector<Instance>& instances) {
+    TimeSpan times;
+    for (const Instance& instance : instances) {
+        for (const MotionKey& key : instance.motion) {
+            times.begin = std::min(times.begin, key.time);
+            times.end = std::max(times.end, key.time);
+        }
+    }
+    return times;
 }
 
 void check_invertible(const Instance& instance, const ObjectDefinition& object) {
@@ -69,18 +83,36 @@ void TracedScene::build_geometry() {
 void TracedScene::place_instances() {
     placements_.push_back({world_surfaces_.surfaces.data(), nullptr, 0});
     std::size_t light_count = world_surfaces_.emissive_count;
-    transforms_.reserve(contents_.instances.size());  // placements point into it
+    transforms_.reserve(contents_.instances.size());  // placements point into both
+    moving_.reserve(contents_.instances.size());
+    const TimeSpan times = times_of(contents_.instances);
+    if (times.end > times.begin) world_scene_.set_times(times.begin, times.end);
     for (const Instance& instance : contents_.instances) {
         check_invertible(instance, contents_.objects[instance.object]);
         const SurfaceGroup& group = object_surfaces_[instance.object];
         const auto id =
-            static_cast<std::uint32_t>(contents_.primitives.size() + transforms_.size());
-        world_scene_.add_instance(id, object_scenes_[instance.object], instance.to_world);
-        placements_.push_back(
-            {group.surfaces.data(), &transforms_.emplace_back(instance.to_world), light_count});
+            static_cast<std::uint32_t>(contents_.primitives.size() + placements_.size() - 1);
+        Placement& placement = placements_.emplace_back(
+            Placement{group.surfaces.data(), nullptr, nullptr, light_count});
         light_count += group.emissive_count;
+        if (!instance.motion.empty()) {
+            place_moving(instance, id, times, placement);
+            continue;
+        }
+        world_scene_.add_instance(id, object_scenes_[instance.object], instance.to_world);
+        placement.transform = &transforms_.emplace_back(instance.to_world);
         bounds_.extendBy(transformed(group.bounds, instance.to_world));
     }
+}
+
+void TracedScene::place_moving(const Instance& instance, std::uint32_t id, const TimeSpan& times,
+                               Placement& placement) {
+    std::vector<Matrix> steps = MotionPath(instance.motion).steps(times.begin, times.end);
+    world_scene_.add_instance(id, object_scenes_[instance.object], steps);
+    // Between steps each point goes straight: the boxes at the steps hold the boxes between.
+    for (const Matrix& step : steps)
+        bounds_.extendBy(transformed(object_surfaces_[instance.object].bounds, step));
+    placement.moving = &moving_.emplace_back(std::move(steps), times.begin, times.end);
 }
 
 void TracedScene::make_all_lights(const AssetResolver& resolve, Diagnostics& diagnostics) {
@@ -104,27 +136,40 @@ const TracedScene::Placement& TracedScene::placement_of(const RawHit& raw) const
                            : raw.instance - world_surfaces_.surfaces.size() + 1];
 }
 
+const Surface& TracedScene::locate_hit(const Ray& ray, const RawHit& raw, SurfaceHit& hit) const {
+    const Placement& placement = placement_of(raw);
+    const Surface& surface = placement.surfaces[raw.geometry];
+    if (placement.moving) {
+        const InstanceTransform transform = placement.moving->at(ray.time);
+        locate(surface, &transform, ray, raw, hit);
+    } else {
+        locate(surface, placement.transform, ray, raw, hit);
+    }
+    hit.interior = surface.interior;
+    hit.exterior = surface.exterior;
+    return surface;
+}
+
 bool TracedScene::intersect(const Ray& ray, SurfaceHit& hit,
                             std::pmr::memory_resource& memory) const {
     RawHit raw;
     if (!world_scene_.intersect(ray, kSmallestDistance, SurfaceClass::Any, raw)) return false;
-    const Placement& placement = placement_of(raw);
-    const Surface& surface = placement.surfaces[raw.geometry];
-    locate(surface, placement.transform, ray, raw, hit);
-    hit.interior = surface.interior;
-    hit.exterior = surface.exterior;
+    const Surface& surface = locate_hit(ray, raw, hit);
     hit.primitive = raw.primitive;
     hit.material = surface.material_index;
     hit.transmittance = medium_transmittance(ray.medium, raw.distance);
     hit.light = nullptr;
     hit.emitted = Rgb(0.0f);
     if (surface.emissive_index != Surface::kNotEmissive) {
-        const AreaLight* light = area_lights_[placement.first_light + surface.emissive_index];
+        const AreaLight* light =
+            area_lights_[placement_of(raw).first_light + surface.emissive_index];
         const Vec3 wo = -ray.direction;
         hit.light = light;
         if (wo.dot(hit.ng) > 0) hit.emitted = light->radiance(hit.p, hit.ng, hit.uv, wo);
     }
-    hit.bsdf = surface.material ? surface.material->scatter(shading_point(hit), memory) : nullptr;
+    hit.bsdf = surface.material
+                   ? surface.material->scatter(shading_point(hit, surface, raw), memory)
+                   : nullptr;
     return true;
 }
 
@@ -154,11 +199,10 @@ Rgb TracedScene::walk_transmittance(const Ray& ray) const {
         const Surface& surface = placement.surfaces[raw.geometry];
         if (!surface.straight) return Rgb(0.0f);
         SurfaceHit hit;
-        locate(surface, placement.transform, ray, raw, hit);
-        hit.interior = surface.interior;
-        hit.exterior = surface.exterior;
+        locate_hit(ray, raw, hit);
         share *= medium_transmittance(medium, raw.distance - passed) *
-                 surface.material->straight_transmittance(shading_point(hit), ray.direction);
+                 surface.material->straight_transmittance(shading_point(hit, surface, raw),
+                                                          ray.direction);
         if (is_black(share)) return share;
         medium = ray.direction.dot(hit.ng) > 0 ? hit.exterior : hit.interior;
         passed = raw.distance;

@@ -14,6 +14,12 @@
 
 namespace lxs {
 
+/// The times of all keys of moving instances; empty (end below begin) if nothing moves.
+struct TimeSpan {
+    double begin = std::numeric_limits<double>::infinity();
+    double end = -std::numeric_limits<double>::infinity();
+};
+
 class TracedScene : public Scene {
   public:
     /// Throws InputError for an instance or a light that can't be built.
@@ -37,14 +43,18 @@ class TracedScene : public Scene {
     /// Where a group of surfaces stands: the world itself or an instance.
     struct Placement {
         const Surface* surfaces = nullptr;
-        const InstanceTransform* transform = nullptr;  ///< null for the world
-        std::size_t first_light = 0;                   ///< into area_lights_
+        const InstanceTransform* transform = nullptr;  ///< null for the world and if it moves
+        const MovingPlacement* moving = nullptr;
+        std::size_t first_light = 0;  ///< into area_lights_
     };
 
     void build_geometry();
     void place_instances();
+    void place_moving(const Instance& instance, std::uint32_t id, const TimeSpan& times,
+                      Placement& placement);
     void make_all_lights(const AssetResolver& resolve, Diagnostics& diagnostics);
     const Placement& placement_of(const RawHit& raw) const;
+    const Surface& locate_hit(const Ray& ray, const RawHit& raw, SurfaceHit& hit) const;
     Rgb walk_transmittance(const Ray& ray) const;
 
     SceneContents contents_;
@@ -55,6 +65,7 @@ class TracedScene : public Scene {
     std::vector<EmbreeScene> object_scenes_;     ///< by object
     EmbreeScene world_scene_;
     std::vector<InstanceTransform> transforms_;  ///< by instance
+    std::vector<MovingPlacement> moving_;        ///< those that move, in the same order
     std::vector<Placement> placements_;          ///< the world, then the instances
     std::vector<std::unique_ptr<Light>> lights_;
     std::vector<const Light*> light_pointers_;

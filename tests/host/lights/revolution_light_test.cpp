@@ -56,8 +56,7 @@ TEST(RevolutionLight, FluxIsPiTimesAreaTimesRadiance) {
         constexpr int kCount = 20000;
         for (int i = 0; i < kCount; ++i) {
             EmissionSample s;
-            ASSERT_TRUE(
-                light->sample_emission({random(), random(), random(), random()}, s));
+            ASSERT_TRUE(light->sample_emission({random(), random(), random(), random()}, s));
             const double power = luminance(s.power);
             sum += power;
             squares += power * power;
@@ -152,8 +151,7 @@ TEST(RevolutionLight, FrontIsOutsideUnlessReversed) {
         tube.reverse_orientation = reversed;
         for (const Matrix& place : {Matrix(), scaling(-1, 1, 1)}) {
             EmissionSample s;
-            ASSERT_TRUE(
-                make_area_light(tube, place)->sample_emission({0.4f, 0.3f, 0.5f, 0.5f}, s));
+            ASSERT_TRUE(make_area_light(tube, place)->sample_emission({0.4f, 0.3f, 0.5f, 0.5f}, s));
             const float outward = Vec3(s.ray.origin.x, s.ray.origin.y, 0).dot(s.normal);
             EXPECT_NEAR(outward, reversed ? -1 : 1, 1e-5f);
         }

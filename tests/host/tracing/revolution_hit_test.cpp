@@ -45,7 +45,9 @@ std::vector<Solid> solids() {
         {"paraboloid",
          {kBowl, {}},
          [](const V3d& p) { return (p.z - radius(p) * radius(p) / 0.64) / (1 + 3 * radius(p)); }},
-        {"torus", {kTorus, {}}, [](const V3d& p) { return std::hypot(radius(p) - 0.7, p.z) - 0.2; }},
+        {"torus",
+         {kTorus, {}},
+         [](const V3d& p) { return std::hypot(radius(p) - 0.7, p.z) - 0.2; }},
     };
 }
 
@@ -124,7 +126,8 @@ TEST(RevolutionHit, CoordinatesInvertAndNormalsFollowTheTangents) {
             EXPECT_NEAR(back.x, phi, 1e-9) << solid.name;
             EXPECT_NEAR(back.y, v, 1e-9) << solid.name;
             constexpr double kStep = 1e-5;
-            const V3d dphi = (shape.at(phi + kStep, v).p - shape.at(phi - kStep, v).p) / (2 * kStep);
+            const V3d dphi =
+                (shape.at(phi + kStep, v).p - shape.at(phi - kStep, v).p) / (2 * kStep);
             const V3d dv = (shape.at(phi, v + kStep).p - shape.at(phi, v - kStep).p) / (2 * kStep);
             EXPECT_LT((at.dpdv - dv).length(), 1e-6) << solid.name;
             const V3d across = dphi.cross(dv);
@@ -182,8 +185,8 @@ TEST(RevolutionHit, LeavingRaysDoNotMeetTheirStart) {
         double scale, x;
     };
     for (const Place place : {Place{1, 0}, Place{1e-6, 0}, Place{1e6, 3e6}, Place{1, 1e3}}) {
-        const Matrix m = scaling(place.scale, place.scale, place.scale) *
-                         rotation({1, 2, 3}, 1) * translation(place.x, 0, 0);
+        const Matrix m = scaling(place.scale, place.scale, place.scale) * rotation({1, 2, 3}, 1) *
+                         translation(place.x, 0, 0);
         for (const Solid& solid : solids()) {
             const auto scene = trace({primitive(Quadric{solid.quadric.shape, m})});
             const auto shape = SurfaceOfRevolution::of(solid.quadric).value();
@@ -201,8 +204,8 @@ TEST(RevolutionHit, LeavingRaysDoNotMeetTheirStart) {
                 const Vec3 aside = random_direction(random);
                 const Vec3 tangent = (aside - first.ng * aside.dot(first.ng)).normalized();
                 const Vec3 direction = (tangent + first.ng * 0.01f).normalized();
-                Ray leaving = ray(
-                    offset_origin(first.p, first.p_error, first.ng, direction), direction);
+                Ray leaving =
+                    ray(offset_origin(first.p, first.p_error, first.ng, direction), direction);
                 leaving.t_max = near;
                 remeetings += hit(*scene, leaving, second);
             }

@@ -171,15 +171,36 @@ class EnvironmentCamera final : public SceneCamera {
     double longitude_step_, latitude_step_;
 };
 
-}  // namespace
+/// A camera that stands in its own space, and that space's way through the world.
+class MovingCamera final : public Camera {
+  public:
+    MovingCamera(std::unique_ptr<Camera> camera, const Motion& motion)
+        : camera_(std::move(camera)), path_(motion) {}
 
-std::unique_ptr<Camera> make_camera(const SceneContents& contents, const Film& film,
-                                    Diagnostics& diagnostics) {
-    FilmFrame frame = read_film_frame(contents);
-    frame.width = film.width();
-    frame.height = film.height();
-    const CameraSettings settings = read_camera_settings(contents, frame, diagnostics);
-    const Medium* medium = contents.camera_medium.get();
+    float shutter_open() const override { return camera_->shutter_open(); }
+    float shutter_close() const override { return camera_->shutter_close(); }
+
+    CameraRay generate(const CameraSample& sample, float time) const override {
+        CameraRay result = camera_->generate(sample, time);
+        const Matrix to_world = path_.at(time);
+        Vec3d origin, direction;
+        to_world.multVecMatrix(Vec3d(result.ray.origin), origin);
+        to_world.multDirMatrix(Vec3d(result.ray.direction), direction);
+        const double stretch = direction.length();
+        result.ray.origin = Vec3(origin);
+        result.ray.direction = Vec3(direction / stretch);
+        result.ray.t_max *= static_cast<float>(stretch);
+        result.width *= static_cast<float>(stretch);
+        return result;
+    }
+
+  private:
+    std::unique_ptr<Camera> camera_;
+    MotionPath path_;
+};
+
+std::unique_ptr<Camera> make_still_camera(const CameraSettings& settings, const FilmFrame& frame,
+                                          const Medium* medium) {
     switch (settings.projection) {
         case Projection::Orthographic:
             return std::make_unique<OrthographicCamera>(settings, frame, medium);
@@ -189,6 +210,21 @@ std::unique_ptr<Camera> make_camera(const SceneContents& contents, const Film& f
             break;
     }
     return std::make_unique<PerspectiveCamera>(settings, frame, medium);
+}
+
+}  // namespace
+
+std::unique_ptr<Camera> make_camera(const SceneContents& contents, const Film& film,
+                                    Diagnostics& diagnostics) {
+    FilmFrame frame = read_film_frame(contents);
+    frame.width = film.width();
+    frame.height = film.height();
+    CameraSettings settings = read_camera_settings(contents, frame, diagnostics);
+    const Medium* medium = contents.camera_medium.get();
+    if (settings.motion.empty()) return make_still_camera(settings, frame, medium);
+    settings.to_world = Matrix();
+    return std::make_unique<MovingCamera>(make_still_camera(settings, frame, medium),
+                                          settings.motion);
 }
 
 }  // namespace lxs

@@ -72,9 +72,9 @@ Projection projection_of(const std::string& plugin) {
     return Projection::Perspective;
 }
 
-Matrix camera_to_world(const OptionStatement& statement) {
+Matrix camera_to_world(const OptionStatement& statement, const Matrix& transform) {
     try {
-        return statement.transform.inverse(true);
+        return transform.inverse(true);
     } catch (const std::exception&) {
         throw InputError(statement.parameters.where,
                          "the camera's transform is singular: it has no inverse");
@@ -167,7 +167,9 @@ CameraSettings read_camera_settings(const SceneContents& contents, const FilmFra
     }
     CameraSettings settings;
     settings.projection = projection_of(choice.statement.parameters.plugin);
-    settings.to_world = camera_to_world(choice.statement);
+    settings.to_world = camera_to_world(choice.statement, choice.statement.transform);
+    for (const MotionKey& key : choice.statement.motion)
+        settings.motion.push_back({key.time, camera_to_world(choice.statement, key.matrix)});
     const std::vector<ParameterDeclaration> declared = declarations(settings.projection);
     const ParameterReader reader(choice.statement.parameters, declared, diagnostics);
     settings.screen = read_screen(reader, frame);

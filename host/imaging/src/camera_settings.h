@@ -15,6 +15,7 @@ enum class Projection : std::uint8_t { Perspective, Orthographic, Environment };
 struct CameraSettings {
     Projection projection = Projection::Perspective;
     Matrix to_world;                             ///< camera to world
+    Motion motion;                               ///< of to_world; empty: stands still
     double fov = 90;                             ///< degrees, of the screen from -1 to 1
     std::array<double, 4> screen{-1, 1, -1, 1};  ///< x0 x1 y0 y1, y up
     double hither = 0;                           ///< rays start at this depth, scene units

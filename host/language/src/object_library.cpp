@@ -48,7 +48,9 @@ void ObjectLibrary::end(const SourceLocation& where) {
     recording_ = false;
     Object& object = objects_.back();
     object.parts = static_cast<double>(object.lights.size()) + (object.primitives.empty() ? 0 : 1);
+    object.shines = !object.lights.empty();
     for (const Primitive& primitive : object.primitives) {
+        object.shines |= primitive.emission.has_value();
         object.lacks_material |= !primitive.material;
         object.lacks_interior |= !primitive.interior;
         object.lacks_exterior |= !primitive.exterior;
@@ -79,8 +81,8 @@ std::size_t ObjectLibrary::find(const Name& name) const {
     throw InputError(name.where, unknown_name_message("object", name.text, known));
 }
 
-void ObjectLibrary::place(const Name& name, const Matrix& transform, const Inheritance& inherited,
-                          SceneContents& contents) {
+void ObjectLibrary::place(const Name& name, const MovingTransform& transform,
+                          const Inheritance& inherited, SceneContents& contents) {
     const std::size_t object = find(name);
     if (recording_) {
         objects_.back().children.push_back({object, transform, inherited});
@@ -93,21 +95,32 @@ void ObjectLibrary::place(const Name& name, const Matrix& transform, const Inher
     expand(object, transform, inherited, contents);
 }
 
-void ObjectLibrary::expand(std::size_t index, const Matrix& transform, const Inheritance& inherited,
-                           SceneContents& contents) {
+MovingTransform ObjectLibrary::placed(const Object& object,
+                                      const MovingTransform& transform) const {
+    if (transform.motion.empty() || !object.shines) return transform;
+    diagnostics_.warning(object.where, "object " + in_quotes(object.name) +
+                                           " holds lights and is moved: its lights, and shapes "
+                                           "beside them, stay where the motion begins");
+    return {transform.matrix, {}};
+}
+
+void ObjectLibrary::expand(std::size_t index, const MovingTransform& moving,
+                           const Inheritance& inherited, SceneContents& contents) {
     const Object& object = objects_[index];
     if (object.parts == 0) return;
+    const MovingTransform transform = placed(object, moving);
     if (!object.primitives.empty()) {
-        contents.instances.push_back({variant(index, inherited), transform});
+        contents.instances.push_back(
+            {variant(index, inherited), transform.matrix, transform.motion});
     }
     for (LightDescription light : object.lights) {
-        light.to_world *= transform;
+        light.to_world *= transform.matrix;
         if (!light.medium) light.medium = inherited.exterior;
         contents.lights.push_back(std::move(light));
     }
     for (const Child& child : object.children) {
-        expand(child.object, child.transform * transform, combined(child.inherited, inherited),
-               contents);
+        expand(child.object, combined(child.transform, moving),
+               combined(child.inherited, inherited), contents);
     }
 }
 

@@ -38,7 +38,7 @@ class ObjectLibrary {
 
     /// Places an object in the world or in the object being defined. Throws InputError for an
     /// unknown name and for more than ten million placed parts.
-    void place(const Name& name, const Matrix& transform, const Inheritance& inherited,
+    void place(const Name& name, const MovingTransform& transform, const Inheritance& inherited,
                SceneContents& contents);
 
     /// Moves the definitions in use to `contents`; shapes that found no material get `fallback`.
@@ -49,7 +49,7 @@ class ObjectLibrary {
   private:
     struct Child {
         std::size_t object;
-        Matrix transform;
+        MovingTransform transform;
         Inheritance inherited;
     };
     struct Object {
@@ -61,6 +61,7 @@ class ObjectLibrary {
         // Set by end():
         int depth = 1;     ///< levels of objects, itself included
         double parts = 0;  ///< definitions and lights that one instance places
+        bool shines = false;
         bool lacks_material = false, lacks_interior = false, lacks_exterior = false;
     };
     /// An object with the inheritance that its shapes need: one ObjectDefinition.
@@ -71,8 +72,10 @@ class ObjectLibrary {
     using VariantKey = std::tuple<std::size_t, const void*, const void*, const void*>;
 
     std::size_t find(const Name& name) const;
-    void expand(std::size_t object, const Matrix& transform, const Inheritance& inherited,
+    void expand(std::size_t object, const MovingTransform& transform, const Inheritance& inherited,
                 SceneContents& contents);
+    /// Stills objects that shine, with a warning.
+    MovingTransform placed(const Object& object, const MovingTransform& transform) const;
     std::size_t variant(std::size_t object, Inheritance inherited);
 
     Diagnostics& diagnostics_;

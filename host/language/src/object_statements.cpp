@@ -20,7 +20,7 @@ void SceneReader::object_end(Statement& statement) {
 }
 
 void SceneReader::object_instance(Statement& statement) {
-    objects_.place(take_only_name(statement), scopes_.transform, inheritance(), contents_);
+    objects_.place(take_only_name(statement), current_transform(), inheritance(), contents_);
 }
 
 void SceneReader::motion_instance(Statement& statement) {
@@ -34,10 +34,11 @@ void SceneReader::motion_instance(Statement& statement) {
         throw InputError(statement.where,
                          "MotionInstance takes \"object\" start end \"coordinate system\"");
     }
-    take_name(statement, 2);
-    diagnostics_.warning(statement.where,
-                         "motion is not rendered yet: the first transform is used");
-    objects_.place(name, scopes_.transform, inheritance(), contents_);
+    const auto& times = std::get<std::vector<double>>(statement.arguments[1].values);
+    const Matrix end = coordinate_system_of(take_name(statement, 2));
+    MovingTransform placed{scopes_.transform, {}};
+    if (times[1] > times[0]) placed.motion = {{times[0], scopes_.transform}, {times[1], end}};
+    objects_.place(name, placed, inheritance(), contents_);
 }
 
 }  // namespace lxs

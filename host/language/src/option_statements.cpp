@@ -4,7 +4,7 @@
 namespace lxs {
 
 void SceneReader::option(Statement& statement) {
-    OptionStatement choice{take_plugin(statement), scopes_.transform};
+    OptionStatement choice{take_plugin(statement), scopes_.transform, scopes_.motion};
     if (statement.name == "Camera") coordinate_systems_["camera"] = scopes_.transform.inverse();
     const auto [entry, is_new] =
         contents_.options.insert_or_assign(statement.name, std::move(choice));

@@ -119,6 +119,7 @@ void SceneReader::check_place(const Statement& statement, const Rule& rule) cons
 void SceneReader::world_begin(Statement& statement) {
     expect_no_arguments(statement);
     scopes_.transform = Matrix();
+    scopes_.motion.clear();
     in_world_ = true;
 }
 

@@ -63,9 +63,15 @@ class SceneReader {
     void transform_end(Statement& statement);
     void motion_begin(Statement& statement);
     void motion_end(Statement& statement);
-    /// Sets the current transform; within a motion only the first one counts.
+    /// Sets the current transform; between MotionBegin and MotionEnd, the next key's.
     void set_transform(const Matrix& matrix, const SourceLocation& where);
     void concatenate(const Matrix& matrix, const SourceLocation& where);
+    /// Throws InputError for an unknown name.
+    const Matrix& coordinate_system_of(const Name& name) const;
+    void add_motion_key(const Matrix& matrix, const SourceLocation& where);
+    MovingTransform current_transform() const { return {scopes_.transform, scopes_.motion}; }
+    /// Where shapes and lights stand, which do not move; a moving transform is warned of.
+    const Matrix& still_transform(const char* noun, const SourceLocation& where);
 
     // world_statements.cpp
     void attribute_begin(Statement& statement);
@@ -97,10 +103,11 @@ class SceneReader {
     void warn_redefined(bool is_new, const char* noun, const Name& name);
 
     /// Between MotionBegin and MotionEnd.
-    struct Motion {
+    struct MotionBlock {
         SourceLocation where;
-        std::size_t times = 0;       ///< as listed
-        std::size_t transforms = 0;  ///< so far
+        std::vector<double> times;
+        Motion keys;           ///< so far
+        MovingTransform base;  ///< the transform at MotionBegin
     };
 
     OnceDiagnostics diagnostics_;
@@ -111,7 +118,7 @@ class SceneReader {
     std::map<std::string, Matrix> coordinate_systems_;
     std::map<std::string, std::uint32_t> group_indices_;
     IndexedMaterial default_material_;
-    std::optional<Motion> motion_;
+    std::optional<MotionBlock> motion_;
     SceneContents contents_;
     SourceLocation last_statement_;
     bool in_world_ = false;

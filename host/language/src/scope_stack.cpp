@@ -26,7 +26,7 @@ void warn_unclosed(ScopeKind kind, const SourceLocation& where, Diagnostics& dia
 }  // namespace
 
 void ScopeStack::begin(ScopeKind kind, const SourceLocation& where) {
-    scopes_.push_back({kind, where, transform, graphics});
+    scopes_.push_back({kind, where, transform, motion, graphics});
 }
 
 void ScopeStack::end(ScopeKind kind, const SourceLocation& where, Diagnostics& diagnostics) {
@@ -56,6 +56,7 @@ void ScopeStack::close_all(Diagnostics& diagnostics) {
 void ScopeStack::pop() {
     Scope& scope = scopes_.back();
     transform = scope.transform;
+    motion = std::move(scope.motion);
     if (scope.kind != ScopeKind::Transform) graphics = std::move(scope.graphics);
     scopes_.pop_back();
 }

@@ -27,7 +27,8 @@ enum class ScopeKind : std::uint8_t { Transform, Attribute, Object };
 class ScopeStack {
   public:
     GraphicsState graphics;
-    Matrix transform;
+    Matrix transform;  ///< where a motion begins
+    Motion motion;     ///< of the transform; empty: still
 
     void begin(ScopeKind kind, const SourceLocation& where);
     /// Closes the innermost scope of this kind, and those still open in it, which are warned of.
@@ -41,6 +42,7 @@ class ScopeStack {
         ScopeKind kind;
         SourceLocation where;
         Matrix transform;
+        Motion motion;
         GraphicsState graphics;
     };
     void pop();

@@ -8,6 +8,7 @@
 #include <cstring>
 
 #include "number.h"
+#include "number_run.h"
 
 namespace lxs {
 namespace {
@@ -94,6 +95,12 @@ void StatementBuilder::add_number(const char* at, std::string_view text) {
                          fmt::format("{} is too large; numbers reach 3.4e38", in_quotes(text)));
     }
     add(at, *value);
+}
+
+const char* StatementBuilder::add_number_run(const char* at, const char* end) {
+    auto* values = std::get_if<std::vector<double>>(&statement_.arguments.back().values);
+    if (!values || values->size() < kLocatedValues) return at;
+    return read_number_run(at, end, *values);
 }
 
 void StatementBuilder::add_string(std::string_view text) {

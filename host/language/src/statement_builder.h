@@ -22,6 +22,9 @@ class StatementBuilder {
     void end_list() { in_list_ = false; }
     void begin_string(const char* at) { string_begin_ = at; }
     void add_number(const char* at, std::string_view text);
+    /// Numbers of the open list from `at` on, if it is long enough that they need no locations;
+    /// returns where they end.
+    const char* add_number_run(const char* at, const char* end);
     void add_string(std::string_view text);
     void add_bool(const char* at, bool value);
 

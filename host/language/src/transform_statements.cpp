@@ -20,17 +20,29 @@ std::array<double, Count> fixed_numbers(const Statement& statement) {
 
 void SceneReader::set_transform(const Matrix& matrix, const SourceLocation& where) {
     check_invertible(matrix, where);
-    if (motion_ && motion_->transforms++ > 0) return;
+    if (motion_) return add_motion_key(matrix, where);
     scopes_.transform = matrix;
+    scopes_.motion.clear();
 }
 
 void SceneReader::concatenate(const Matrix& matrix, const SourceLocation& where) {
     check_invertible(matrix, where);
-    if (motion_ && motion_->transforms > 0) {  // each of a motion starts from the same transform
-        ++motion_->transforms;
-        return;
+    if (motion_) {  // each of a motion starts from the same transform
+        const std::size_t index = std::min(motion_->keys.size(), motion_->times.size() - 1);
+        return add_motion_key(matrix * motion_->base.at(motion_->times[index]), where);
     }
-    set_transform(matrix * scopes_.transform, where);
+    scopes_.transform = matrix * scopes_.transform;
+    for (MotionKey& key : scopes_.motion)
+        key.matrix = matrix * key.matrix;
+}
+
+void SceneReader::add_motion_key(const Matrix& matrix, const SourceLocation& where) {
+    if (motion_->keys.size() == motion_->times.size()) {
+        throw InputError(where,
+                         fmt::format("MotionBegin lists {} times, but more transforms follow",
+                                     motion_->times.size()));
+    }
+    motion_->keys.push_back({motion_->times[motion_->keys.size()], matrix});
 }
 
 void SceneReader::identity(Statement& statement) {
@@ -68,8 +80,7 @@ void SceneReader::coordinate_system(Statement& statement) {
     coordinate_systems_[take_only_name(statement).text] = scopes_.transform;
 }
 
-void SceneReader::coord_sys_transform(Statement& statement) {
-    const Name name = take_only_name(statement);
+const Matrix& SceneReader::coordinate_system_of(const Name& name) const {
     const auto found = coordinate_systems_.find(name.text);
     if (found == coordinate_systems_.end()) {
         std::vector<std::string> known;
@@ -77,7 +88,21 @@ void SceneReader::coord_sys_transform(Statement& statement) {
             known.push_back(entry.first);
         throw InputError(name.where, unknown_name_message("coordinate system", name.text, known));
     }
-    set_transform(found->second, statement.where);
+    return found->second;
+}
+
+void SceneReader::coord_sys_transform(Statement& statement) {
+    set_transform(coordinate_system_of(take_only_name(statement)), statement.where);
+}
+
+const Matrix& SceneReader::still_transform(const char* noun, const SourceLocation& where) {
+    if (!scopes_.motion.empty()) {
+        diagnostics_.warning(where,
+                             fmt::format("only ObjectInstance and Camera move: this {} stays "
+                                         "where its motion begins",
+                                         noun));
+    }
+    return scopes_.transform;
 }
 
 void SceneReader::transform_begin(Statement& statement) {
@@ -91,23 +116,29 @@ void SceneReader::transform_end(Statement& statement) {
 }
 
 void SceneReader::motion_begin(Statement& statement) {
-    const std::size_t times = take_number_list(statement).size();
-    if (times == 0) throw InputError(statement.where, "MotionBegin takes at least one time");
-    if (times > 1) {
-        diagnostics_.warning(statement.where,
-                             "motion is not rendered yet: the first transform is used");
+    std::vector<double> times = take_number_list(statement);
+    if (times.empty()) throw InputError(statement.where, "MotionBegin takes at least one time");
+    for (std::size_t i = 1; i < times.size(); ++i) {
+        if (!(times[i] > times[i - 1])) {
+            throw InputError(statement.where, fmt::format("MotionBegin takes ascending times, but "
+                                                          "{} comes after {}",
+                                                          times[i], times[i - 1]));
+        }
     }
-    motion_ = Motion{statement.where, times, 0};
+    motion_ = MotionBlock{statement.where, std::move(times), {}, current_transform()};
 }
 
 void SceneReader::motion_end(Statement& statement) {
     expect_no_arguments(statement);
     if (!motion_) throw InputError(statement.where, "MotionEnd without MotionBegin");
-    if (motion_->transforms != motion_->times) {
+    if (motion_->keys.size() != motion_->times.size()) {
         throw InputError(motion_->where,
                          fmt::format("MotionBegin lists {} times, but {} transforms follow",
-                                     motion_->times, motion_->transforms));
+                                     motion_->times.size(), motion_->keys.size()));
     }
+    scopes_.transform = motion_->keys.front().matrix;
+    scopes_.motion.clear();
+    if (motion_->keys.size() > 1) scopes_.motion = std::move(motion_->keys);
     motion_.reset();
 }
 

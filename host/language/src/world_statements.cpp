@@ -144,7 +144,7 @@ std::uint32_t SceneReader::group_index(const std::string& name) {
 void SceneReader::light_source(Statement& statement) {
     LightDescription light;
     light.parameters = take_plugin(statement);
-    light.to_world = scopes_.transform;
+    light.to_world = still_transform("light", statement.where);
     light.group = group_index(scopes_.graphics.light_group);
     light.medium = scopes_.graphics.exterior;
     if (objects_.open()) {
@@ -163,7 +163,8 @@ void SceneReader::area_light_source(Statement& statement) {
 void SceneReader::shape(Statement& statement) {
     const ParameterSet set = take_plugin(statement);
     const GraphicsState& graphics = scopes_.graphics;
-    std::optional<Geometry> geometry = factory_.shape(set, scopes_.transform);
+    std::optional<Geometry> geometry =
+        factory_.shape(set, still_transform("shape", statement.where));
     if (!geometry) return;
     Primitive primitive;
     primitive.geometry = std::move(*geometry);

@@ -4,6 +4,7 @@
 #include "lxs/lights/lights.h"
 #include "mesh_light.h"
 #include "quadric_light.h"
+#include "revolution_light.h"
 #include "sphere_light.h"
 
 namespace lxs {
@@ -33,6 +34,10 @@ std::unique_ptr<Light> make_area_light(const Primitive& primitive,
     if (const TriangleMesh* mesh = std::get_if<TriangleMesh>(&primitive.geometry))
         return std::make_unique<MeshLight>(primitive, emission, *mesh, instance_to_world);
     const Quadric& quadric = std::get<Quadric>(primitive.geometry);
+    if (const auto shape = SurfaceOfRevolution::of(quadric)) {
+        return std::make_unique<RevolutionLight>(primitive, emission, quadric, *shape,
+                                                 instance_to_world);
+    }
     const bool inverted = primitive.reverse_orientation != (quadric.to_world.determinant() < 0);
     const Matrix to_world = quadric.to_world * instance_to_world;
     const Sphere* sphere = std::get_if<Sphere>(&quadric.shape);
@@ -41,7 +46,10 @@ std::unique_ptr<Light> make_area_light(const Primitive& primitive,
         unit.setScale(double(sphere->radius));
         return std::make_unique<SphereLight>(primitive, emission, unit * to_world);
     }
-    return std::make_unique<QuadricLight>(primitive, emission, quadric, instance_to_world);
+    const FlatOrRound patch =
+        sphere ? FlatOrRound(*sphere) : FlatOrRound(std::get<Disk>(quadric.shape));
+    return std::make_unique<QuadricLight>(primitive, emission, patch, quadric.to_world,
+                                          instance_to_world);
 }
 
 }  // namespace lxs

@@ -9,18 +9,19 @@
 namespace lxs {
 
 QuadricLight::QuadricLight(const Primitive& primitive, const AreaEmission& emission,
-                           const Quadric& quadric, const Matrix& to_world)
-    : SurfaceLight(primitive, emission), shape_(quadric.shape) {
+                           const FlatOrRound& patch, const Matrix& shape_to_object,
+                           const Matrix& to_world)
+    : SurfaceLight(primitive, emission), shape_(patch) {
     const float degrees = std::visit([](const auto& s) { return s.phi_max; }, shape_);
     phi_max_ = std::clamp(degrees, 0.0f, 360.0f) * (kPi / 180.0f);
-    const Matrix matrix = quadric.to_world * to_world;
+    const Matrix matrix = shape_to_object * to_world;
     for (int i = 0; i < 4; ++i)
         rows_[i] = Vec3(Imath::V3d(matrix[i][0], matrix[i][1], matrix[i][2]));
     for (int i = 0; i < 3; ++i)
         cofactors_[i] = rows_[(i + 1) % 3] % rows_[(i + 2) % 3];
     // Cofactors turn with the sign of the determinant, outward normals don't.
     const bool mirrored = matrix.determinant() < 0;
-    const bool reversed = primitive.reverse_orientation != (quadric.to_world.determinant() < 0);
+    const bool reversed = primitive.reverse_orientation != (shape_to_object.determinant() < 0);
     flip_ = reversed != mirrored;
     to_local_ = Imath::M44f(matrix.inverse());
     error_ =

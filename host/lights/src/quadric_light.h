@@ -5,11 +5,14 @@
 
 namespace lxs {
 
+using FlatOrRound = std::variant<Sphere, Disk>;
+
 /// Affine image of a disk or sphere patch, sampled uniformly over the patch in its own space.
 class QuadricLight final : public SurfaceLight {
   public:
-    QuadricLight(const Primitive& primitive, const AreaEmission& emission, const Quadric& quadric,
-                 const Matrix& to_world);
+    /// `shape_to_object` places the patch in its object, `to_world` the object.
+    QuadricLight(const Primitive& primitive, const AreaEmission& emission, const FlatOrRound& patch,
+                 const Matrix& shape_to_object, const Matrix& to_world);
 
   private:
     /// A point of the patch in its own space; `n` is its outward unit normal.
@@ -34,7 +37,7 @@ class QuadricLight final : public SurfaceLight {
     /// World area per local area where the local normal is `n`, and n's image (not unit).
     float stretch(const Vec3& n, Vec3& normal_image) const;
 
-    std::variant<Sphere, Disk> shape_;
+    FlatOrRound shape_;
     float phi_max_ = 0;  ///< radians
     Vec3 rows_[4];       ///< images of the local axes, and the translation
     Vec3 cofactors_[3];  ///< rows of det * inverse transpose

@@ -143,35 +143,12 @@ std::vector<ParameterDeclaration> compatibility_parameters() {
     };
     return {
         {"name", String, "", "Name of the shape in messages."},
-        {"nsubdivlevels", Integer, "0",
-         "Levels of subdivision; above 0 a warning: not rendered yet.", 0},
-        {"displacementmap", FloatTexture, "", "Displacement; gives a warning: not rendered yet."},
-        past("subdivscheme", String, "loop", "Kind of subdivision."),
-        past("dmscale", Float, "0.1", "Scale of the displacement."),
-        past("dmoffset", Float, "0", "Offset of the displacement."),
-        past("dmnormalsmooth", Bool, "true", "Smooth normals after subdivision."),
-        past("dmnormalsplit", Bool, "false", "Keep split normals in subdivision."),
-        past("dmsharpboundary", Bool, "false", "Keep boundaries sharp in subdivision."),
+        {"discardmeshnormals", Bool, "false", "The mesh's own normals are left out."},
         past("generatetangents", Bool, "false", "Tangents for normal maps made from coordinates."),
-        past("discardmeshnormals", Bool, "false", "Leave the mesh's own normals to subdivision."),
         past("acceltype", String, "auto", "Acceleration structure; Embree's is used."),
         past("tritype", String, "auto", "Kind of triangle test; Embree's is used."),
         past("quadtype", String, "quadrilateral", "Kind of quadrilateral; two triangles are used."),
-        past("gamma", Float, "1", "Gamma of vertex colours."),
     };
-}
-
-void warn_unrendered(const ParameterReader& reader) {
-    if (reader.integer("nsubdivlevels", 0) > 0) {
-        reader.diagnostics().warning(
-            reader.where("nsubdivlevels"),
-            "subdivision is not rendered yet: the mesh is shown as it is given");
-    }
-    if (reader.given("displacementmap")) {
-        reader.diagnostics().warning(
-            reader.where("displacementmap"),
-            "displacement is not rendered yet: the mesh is shown without it");
-    }
 }
 
 }  // namespace lxs

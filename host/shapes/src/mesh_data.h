@@ -43,7 +43,4 @@ TriangleMesh finish_mesh(TriangleMesh mesh, const Matrix& to_world, const Parame
 /// Declarations of what LuxRender knows of meshes and this host reads past.
 std::vector<ParameterDeclaration> compatibility_parameters();
 
-/// Warns where the statement asks for subdivision or displacement, which aren't rendered yet.
-void warn_unrendered(const ParameterReader& reader);
-
 }  // namespace lxs

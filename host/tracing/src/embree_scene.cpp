@@ -17,6 +17,7 @@
 #include <embree3/rtcore.h>
 #include <tbb/task_arena.h>
 
+#include <algorithm>
 #include <stdexcept>
 #include <string>
 
@@ -90,7 +91,7 @@ void occlude_quadric(const RTCOccludedFunctionNArguments* args) {
         ray.tfar = -std::numeric_limits<float>::infinity();
 }
 
-RTCRay kernel_ray(const Ray& ray, float t_min, SurfaceClass seen) {
+RTCRay kernel_ray(const Ray& ray, float t_min, SurfaceClass seen, double time) {
     RTCRay r;
     r.org_x = ray.origin.x;
     r.org_y = ray.origin.y;
@@ -99,7 +100,7 @@ RTCRay kernel_ray(const Ray& ray, float t_min, SurfaceClass seen) {
     r.dir_x = ray.direction.x;
     r.dir_y = ray.direction.y;
     r.dir_z = ray.direction.z;
-    r.time = 0;
+    r.time = static_cast<float>(std::clamp(time, 0.0, 1.0));
     r.tfar = ray.t_max;
     r.mask = static_cast<unsigned>(seen);
     r.id = 0;
@@ -145,16 +146,29 @@ void EmbreeScene::add_quadric(std::uint32_t id, const QuadricShape& quadric,
 
 void EmbreeScene::add_instance(std::uint32_t id, const EmbreeScene& object,
                                const Matrix& to_world) {
+    add_instance(id, object, std::span(&to_world, 1));
+}
+
+void EmbreeScene::add_instance(std::uint32_t id, const EmbreeScene& object,
+                               std::span<const Matrix> steps) {
     const RTCGeometry geometry =
         rtcNewGeometry(handle_->device->device, RTC_GEOMETRY_TYPE_INSTANCE);
     rtcSetGeometryInstancedScene(geometry, object.handle_->scene);
-    float columns[12];  // images of the axes, then the translation
-    for (int row = 0; row < 4; ++row) {
-        for (int i = 0; i < 3; ++i)
-            columns[3 * row + i] = static_cast<float>(to_world[row][i]);
+    rtcSetGeometryTimeStepCount(geometry, static_cast<unsigned>(steps.size()));
+    for (unsigned step = 0; step < steps.size(); ++step) {
+        float columns[12];  // images of the axes, then the translation
+        for (int row = 0; row < 4; ++row) {
+            for (int i = 0; i < 3; ++i)
+                columns[3 * row + i] = static_cast<float>(steps[step][row][i]);
+        }
+        rtcSetGeometryTransform(geometry, step, RTC_FORMAT_FLOAT3X4_COLUMN_MAJOR, columns);
     }
-    rtcSetGeometryTransform(geometry, 0, RTC_FORMAT_FLOAT3X4_COLUMN_MAJOR, columns);
     attach(handle_->scene, geometry, id, SurfaceClass::Any);
+}
+
+void EmbreeScene::set_times(double begin, double end) {
+    time_begin_ = begin;
+    time_scale_ = 1 / (end - begin);
 }
 
 void EmbreeScene::commit() {
@@ -170,7 +184,7 @@ void EmbreeScene::commit() {
 
 bool EmbreeScene::intersect(const Ray& ray, float t_min, SurfaceClass seen, RawHit& hit) const {
     RTCRayHit query;
-    query.ray = kernel_ray(ray, t_min, seen);
+    query.ray = kernel_ray(ray, t_min, seen, (ray.time - time_begin_) * time_scale_);
     query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
     query.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
     RTCIntersectContext context;
@@ -184,7 +198,7 @@ bool EmbreeScene::intersect(const Ray& ray, float t_min, SurfaceClass seen, RawH
 }
 
 bool EmbreeScene::occluded(const Ray& ray, SurfaceClass seen) const {
-    RTCRay query = kernel_ray(ray, kSmallestDistance, seen);
+    RTCRay query = kernel_ray(ray, kSmallestDistance, seen, (ray.time - time_begin_) * time_scale_);
     RTCIntersectContext context;
     rtcInitIntersectContext(&context);
     rtcOccluded1(handle_->scene, &context, &query);

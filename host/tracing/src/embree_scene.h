@@ -57,6 +57,10 @@ class EmbreeScene {
     void add_mesh(std::uint32_t id, const TriangleMesh& mesh, SurfaceClass surface_class);
     void add_quadric(std::uint32_t id, const QuadricShape& quadric, SurfaceClass surface_class);
     void add_instance(std::uint32_t id, const EmbreeScene& object, const Matrix& to_world);
+    /// `steps`: transforms at equal steps of the scene's times, at most 129.
+    void add_instance(std::uint32_t id, const EmbreeScene& object, std::span<const Matrix> steps);
+    /// The times between which instances move; rays before and after see the ends.
+    void set_times(double begin, double end);
 
     /// Builds the hierarchy; throws std::runtime_error if the library reports an error.
     void commit();
@@ -70,6 +74,7 @@ class EmbreeScene {
   private:
     struct Handle;
     std::unique_ptr<const Handle> handle_;
+    double time_begin_ = 0, time_scale_ = 0;  ///< to the kernel's time from 0 to 1
 };
 
 /// Smallest distance of a hit: excludes distance zero, sets no length scale.

@@ -1,8 +1,9 @@
-// Spheres and disks, intersected in double precision in their own space.
+// Analytic shapes, intersected in double precision in their own space.
 #pragma once
 
 #include "affine_map.h"
 #include "lxs/scene/geometry.h"
+#include "revolution_roots.h"
 
 namespace lxs {
 
@@ -11,11 +12,13 @@ struct QuadricPoint {
     Imath::V3d p;
     Imath::V3d normal;  ///< unit; the side that dpdu x dpdv points to
     Imath::V3d dpdu;    ///< zero at a pole
+    Imath::V3d dpdv;
     Vec2 uv;
 };
 
-/// A sphere or disk, cut as declared, ready to be traced. Coordinates: u = phi / phi_max; v runs
-/// from z_min to z_max by polar angle (sphere) or from the rim inwards (disk), as in LuxRender.
+/// An analytic shape, cut as declared, ready to be traced. Coordinates: u = phi / phi_max; v runs
+/// from z_min to z_max by polar angle (sphere), from the rim inwards (disk) or along the profile
+/// (others), as in LuxRender.
 class QuadricShape {
   public:
     explicit QuadricShape(const Quadric& quadric);
@@ -33,21 +36,22 @@ class QuadricShape {
     double rounding() const { return rounding_; }
 
   private:
-    struct Roots {
-        double t[2];
-        int count;
-    };
-    Roots roots(const Imath::V3d& origin, const Imath::V3d& direction) const;
+    RayRoots roots(const Imath::V3d& origin, const Imath::V3d& direction) const;
     bool keeps(const Imath::V3d& p) const;
     QuadricPoint sphere_point(Imath::V3d p) const;
     QuadricPoint disk_point(Imath::V3d p) const;
+    QuadricPoint revolution_point(const Imath::V3d& p) const;
+    void set_up(const Sphere& sphere);
+    void set_up(const Disk& disk);
 
-    AffineMap map_;  ///< from the shape's own space
+    AffineMap map_;                                  ///< from the shape's own space
+    std::optional<SurfaceOfRevolution> revolution_;  ///< neither sphere nor disk
+    std::optional<RevolutionRoots> revolution_roots_;
     bool is_sphere_ = false;
     bool mirrored_ = false;
     bool whole_ = false;  ///< a full sphere
     double radius_ = 1, inner_radius_ = 0;
-    double z_min_ = 0, z_max_ = 0;  ///< of the sphere; of a disk: its height, twice
+    double z_min_ = 0, z_max_ = 0;  ///< of the sphere or profile; of a disk: its height, twice
     double phi_max_ = 0;
     double theta_min_ = 0, theta_range_ = 1;  ///< polar angle at z_min; from there to z_max
     double ring_ = 1;                         ///< width of the disk

@@ -64,6 +64,10 @@ SceneSurvey survey(const SceneContents& contents, Diagnostics& diagnostics) {
         for (const Primitive& primitive : object.primitives)
             add_primitive(primitive, result);
     }
+    for (const Instance& instance : contents.instances)
+        result.facts.has_motion |= !instance.motion.empty();
+    const auto camera = contents.options.find("Camera");
+    result.facts.has_motion |= camera != contents.options.end() && !camera->second.motion.empty();
     add_medium(contents.camera_medium, result);
     for (const LightDescription& light : contents.lights)
         add_medium(light.medium, result);

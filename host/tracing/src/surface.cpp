@@ -22,6 +22,8 @@ void refer_to_mesh(Surface& surface, const TriangleMesh& mesh, Bounds& bounds) {
     surface.indices = mesh.indices.data();
     if (!mesh.normals.empty()) surface.normals = mesh.normals.data();
     if (!mesh.uvs.empty()) surface.uvs = mesh.uvs.data();
+    if (!mesh.colors.empty()) surface.colors = mesh.colors.data();
+    if (!mesh.alphas.empty()) surface.alphas = mesh.alphas.data();
     surface.planes = triangle_planes(mesh, surface.reversed);
     for (const std::uint32_t index : mesh.indices)
         bounds.extendBy(mesh.positions[index]);

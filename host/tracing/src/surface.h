@@ -20,6 +20,8 @@ struct Surface {
     const std::uint32_t* indices = nullptr;
     const Vec3* normals = nullptr;      ///< null: flat
     const Vec2* uvs = nullptr;          ///< null: none
+    const Rgb* colors = nullptr;        ///< null: none
+    const float* alphas = nullptr;      ///< null: none
     std::vector<TrianglePlane> planes;  ///< of a mesh
     std::unique_ptr<const QuadricShape> quadric;
     const Material* material = nullptr;

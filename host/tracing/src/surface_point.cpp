@@ -127,7 +127,20 @@ Vec3 quadric_tangent_along_v(const QuadricShape& quadric, const InstanceTransfor
     return Vec3(instance ? instance->map().vector(dpdv) : dpdv);
 }
 
+template <class T>
+T at_corners(const T* values, const std::uint32_t* corner, const RawHit& raw) {
+    return values[corner[0]] * (1 - raw.u - raw.v) + values[corner[1]] * raw.u +
+           values[corner[2]] * raw.v;
+}
+
 }  // namespace
+
+void add_vertex_values(const Surface& surface, const RawHit& raw, TexturePoint& point) {
+    if (!surface.colors && !surface.alphas) return;
+    const std::uint32_t* corner = surface.indices + 3 * static_cast<std::size_t>(raw.primitive);
+    if (surface.colors) point.color = at_corners(surface.colors, corner, raw);
+    if (surface.alphas) point.alpha = at_corners(surface.alphas, corner, raw);
+}
 
 void locate(const Surface& surface, const InstanceTransform* instance, const Ray& ray,
             const RawHit& raw, SurfaceHit& hit) {

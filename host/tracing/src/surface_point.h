@@ -2,6 +2,7 @@
 #pragma once
 
 #include "embree_scene.h"
+#include "lxs/scene/texture.h"
 #include "lxs/sdk/scene.h"
 #include "placement.h"
 #include "surface.h"
@@ -17,5 +18,7 @@ void locate(const Surface& surface, const InstanceTransform* instance, const Ray
 /// locate(), since only bumped surfaces need it.
 Vec3 tangent_along_v(const Surface& surface, const InstanceTransform* instance, const RawHit& raw,
                      const SurfaceHit& hit);
+/// Writes what the mesh's vertices carry for textures (color, alpha), if they do.
+void add_vertex_values(const Surface& surface, const RawHit& raw, TexturePoint& point);
 
 }  // namespace lxs

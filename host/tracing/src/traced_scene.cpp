@@ -11,6 +11,17 @@
 namespace lxs {
 namespace {
 
+TimeSpan times_of(const std::vector<Instance>& instances) {
+    TimeSpan times;
+    for (const Instance& instance : instances) {
+        for (const MotionKey& key : instance.motion) {
+            times.begin = std::min(times.begin, key.time);
+            times.end = std::max(times.end, key.time);
+        }
+    }
+    return times;
+}
+
 void check_invertible(const Instance& instance, const ObjectDefinition& object) {
     const double determinant = instance.to_world.determinant();
     if (std::isfinite(determinant) && determinant != 0) return;
@@ -49,18 +60,36 @@ void TracedScene::build_geometry() {
 void TracedScene::place_instances() {
     placements_.push_back({world_surfaces_.surfaces.data(), nullptr, 0});
     std::size_t light_count = world_surfaces_.emissive_count;
-    transforms_.reserve(contents_.instances.size());  // placements point into it
+    transforms_.reserve(contents_.instances.size());  // placements point into both
+    moving_.reserve(contents_.instances.size());
+    const TimeSpan times = times_of(contents_.instances);
+    if (times.end > times.begin) world_scene_.set_times(times.begin, times.end);
     for (const Instance& instance : contents_.instances) {
         check_invertible(instance, contents_.objects[instance.object]);
         const SurfaceGroup& group = object_surfaces_[instance.object];
         const auto id =
-            static_cast<std::uint32_t>(contents_.primitives.size() + transforms_.size());
-        world_scene_.add_instance(id, object_scenes_[instance.object], instance.to_world);
-        placements_.push_back(
-            {group.surfaces.data(), &transforms_.emplace_back(instance.to_world), light_count});
+            static_cast<std::uint32_t>(contents_.primitives.size() + placements_.size() - 1);
+        Placement& placement = placements_.emplace_back(
+            Placement{group.surfaces.data(), nullptr, nullptr, light_count});
         light_count += group.emissive_count;
+        if (!instance.motion.empty()) {
+            place_moving(instance, id, times, placement);
+            continue;
+        }
+        world_scene_.add_instance(id, object_scenes_[instance.object], instance.to_world);
+        placement.transform = &transforms_.emplace_back(instance.to_world);
         bounds_.extendBy(transformed(group.bounds, instance.to_world));
     }
+}
+
+void TracedScene::place_moving(const Instance& instance, std::uint32_t id, const TimeSpan& times,
+                               Placement& placement) {
+    std::vector<Matrix> steps = MotionPath(instance.motion).steps(times.begin, times.end);
+    world_scene_.add_instance(id, object_scenes_[instance.object], steps);
+    // Between steps each point goes straight: the boxes at the steps hold the boxes between.
+    for (const Matrix& step : steps)
+        bounds_.extendBy(transformed(object_surfaces_[instance.object].bounds, step));
+    placement.moving = &moving_.emplace_back(std::move(steps), times.begin, times.end);
 }
 
 void TracedScene::make_all_lights(const AssetResolver& resolve, Diagnostics& diagnostics) {
@@ -89,22 +118,36 @@ void TracedScene::set_wavelengths(const Wavelengths& wavelengths) {
     }
 }
 
-ShadingPoint TracedScene::shading_point(const SurfaceHit& hit, std::int8_t component) const {
-    ShadingPoint point;
-    point.texture = {hit.p, hit.ns, hit.uv, wavelengths_ ? &*wavelengths_ : nullptr};
-    point.ng = hit.ng;
-    point.ns = hit.ns;
-    point.dpdu = hit.dpdu;
-    point.interior = hit.interior;
-    point.exterior = hit.exterior;
-    point.component = component;
-    return point;
-}
-
 const TracedScene::Placement& TracedScene::placement_of(const RawHit& raw) const {
     return placements_[raw.instance == kNoInstance
                            ? 0
                            : raw.instance - world_surfaces_.surfaces.size() + 1];
+}
+
+const Surface& TracedScene::locate_hit(const Ray& ray, const RawHit& raw, SurfaceHit& hit,
+                                       ShadingPoint& point) const {
+    const Placement& placement = placement_of(raw);
+    const Surface& surface = placement.surfaces[raw.geometry];
+    std::optional<InstanceTransform> moved;
+    if (placement.moving) moved.emplace(placement.moving->at(ray.time));
+    const InstanceTransform* const transform = moved ? &*moved : placement.transform;
+    locate(surface, transform, ray, raw, hit);
+    hit.interior = surface.interior;
+    hit.exterior = surface.exterior;
+    if (!surface.material) return surface;
+    point.texture.p = hit.p;
+    point.texture.n = hit.ns;
+    point.texture.uv = hit.uv;
+    point.texture.wavelengths = wavelengths_ ? &*wavelengths_ : nullptr;
+    add_vertex_values(surface, raw, point.texture);
+    point.ng = hit.ng;
+    point.ns = hit.ns;
+    point.dpdu = hit.dpdu;
+    if (surface.bends) point.dpdv = tangent_along_v(surface, transform, raw, hit);
+    point.interior = hit.interior;
+    point.exterior = hit.exterior;
+    point.component = ray.component;
+    return surface;
 }
 
 bool TracedScene::intersect(const Ray& ray, SurfaceHit& hit,
@@ -116,11 +159,8 @@ bool TracedScene::intersect(const Ray& ray, SurfaceHit& hit,
         hit.transmittance = ray.medium->transmittance(hit.distance);
         return false;
     }
-    const Placement& placement = placement_of(raw);
-    const Surface& surface = placement.surfaces[raw.geometry];
-    locate(surface, placement.transform, ray, raw, hit);
-    hit.interior = surface.interior;
-    hit.exterior = surface.exterior;
+    ShadingPoint point;
+    const Surface& surface = locate_hit(ray, raw, hit, point);
     hit.primitive = raw.primitive;
     hit.material = surface.material_index;
     hit.transmittance = ray.medium ? ray.medium->transmittance(raw.distance) : Rgb(1.0f);
@@ -128,7 +168,7 @@ bool TracedScene::intersect(const Ray& ray, SurfaceHit& hit,
     hit.emitted = Rgb(0.0f);
     if (surface.emissive_index != Surface::kNotEmissive) {
         // Area lights come first among the lights, in the order of their table.
-        const std::size_t light = placement.first_light + surface.emissive_index;
+        const std::size_t light = placement_of(raw).first_light + surface.emissive_index;
         const Vec3 wo = -ray.direction;
         hit.light = light_pointers_[light];
         if (wo.dot(hit.ng) > 0) {
@@ -138,9 +178,7 @@ bool TracedScene::intersect(const Ray& ray, SurfaceHit& hit,
     }
     hit.bsdf = nullptr;
     if (!surface.material) return true;
-    ShadingPoint point = shading_point(hit, ray.component);
     if (surface.bends) {
-        point.dpdv = tangent_along_v(surface, placement.transform, raw, hit);
         surface.material->bend(point);
         hit.ns = point.ns;
     }
@@ -182,11 +220,8 @@ Rgb TracedScene::walk_transmittance(const Ray& ray) const {
         const Surface& surface = placement.surfaces[raw.geometry];
         if (!surface.straight) return Rgb(0.0f);
         SurfaceHit hit;
-        locate(surface, placement.transform, ray, raw, hit);
-        hit.interior = surface.interior;
-        hit.exterior = surface.exterior;
-        ShadingPoint point = shading_point(hit, ray.component);
-        if (surface.bends) point.dpdv = tangent_along_v(surface, placement.transform, raw, hit);
+        ShadingPoint point;
+        locate_hit(ray, raw, hit, point);
         share *= medium_transmittance(ray, medium, passed, raw.distance) *
                  surface.material->straight_transmittance(point, ray.direction);
         if (is_black(share)) return share;

@@ -17,6 +17,12 @@
 
 namespace lxs {
 
+/// The times of all keys of moving instances; empty (end below begin) if nothing moves.
+struct TimeSpan {
+    double begin = std::numeric_limits<double>::infinity();
+    double end = -std::numeric_limits<double>::infinity();
+};
+
 class TracedScene : public TraceScene {
   public:
     /// Throws InputError for an instance or a light that can't be built.
@@ -41,15 +47,21 @@ class TracedScene : public TraceScene {
     /// Where a group of surfaces stands: the world itself or an instance.
     struct Placement {
         const Surface* surfaces = nullptr;
-        const InstanceTransform* transform = nullptr;  ///< null for the world
-        std::size_t first_light = 0;                   ///< into area_lights_
+        const InstanceTransform* transform = nullptr;  ///< null for the world and if it moves
+        const MovingPlacement* moving = nullptr;
+        std::size_t first_light = 0;  ///< into area_lights_
     };
 
     void build_geometry();
     void place_instances();
+    void place_moving(const Instance& instance, std::uint32_t id, const TimeSpan& times,
+                      Placement& placement);
     void make_all_lights(const AssetResolver& resolve, Diagnostics& diagnostics);
     const Placement& placement_of(const RawHit& raw) const;
-    ShadingPoint shading_point(const SurfaceHit& hit, std::int8_t component) const;
+    /// The surface that was met; writes position, normals and media of `hit`, and what materials
+    /// read of it.
+    const Surface& locate_hit(const Ray& ray, const RawHit& raw, SurfaceHit& hit,
+                              ShadingPoint& point) const;
     Rgb walk_transmittance(const Ray& ray) const;
     Rgb medium_transmittance(const Ray& ray, const Medium* medium, float from, float to) const;
 
@@ -61,6 +73,7 @@ class TracedScene : public TraceScene {
     std::vector<EmbreeScene> object_scenes_;     ///< by object
     EmbreeScene world_scene_;
     std::vector<InstanceTransform> transforms_;  ///< by instance
+    std::vector<MovingPlacement> moving_;        ///< those that move, in the same order
     std::vector<Placement> placements_;          ///< the world, then the instances
     std::vector<std::unique_ptr<Light>> lights_;
     std::vector<std::unique_ptr<SpectralLight>> spectral_lights_;  ///< by light, if asked for

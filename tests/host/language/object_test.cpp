@@ -85,14 +85,15 @@ TEST(Objects, CarryLights) {
     EXPECT_TRUE(contents.objects.empty());
 }
 
-TEST(Objects, MotionInstanceIsPlacedAtItsStart) {
-    CollectingDiagnostics diagnostics;
-    const SceneContents contents =
-        read_world("ObjectBegin \"o\" Shape \"sphere\" ObjectEnd\nMotionInstance \"o\" 0 1 \"end\"",
-                   diagnostics);
-    EXPECT_EQ(contents.instances.size(), 1u);
-    EXPECT_EQ(diagnostics.messages.at(0),
-              "test.lxs:3:1: warning: motion is not rendered yet: the first transform is used");
+TEST(Objects, MotionInstanceGoesFromTheCurrentTransformToANamedOne) {
+    const SceneContents contents = read_world(
+        "ObjectBegin \"o\" Shape \"sphere\" ObjectEnd\nTranslate 3 0 0 CoordinateSystem \"end\"\n"
+        "Identity MotionInstance \"o\" 0.25 1 \"end\"");
+    const Motion& motion = contents.instances.at(0).motion;
+    ASSERT_EQ(motion.size(), 2u);
+    EXPECT_EQ(motion[0].time, 0.25);
+    EXPECT_EQ(motion[0].matrix.translation(), Imath::V3d(0, 0, 0));
+    EXPECT_EQ(motion[1].matrix.translation(), Imath::V3d(3, 0, 0));
     EXPECT_EQ(
         error_of_world("MotionInstance \"o\""),
         "test.lxs:2:1: error: MotionInstance takes \"object\" start end \"coordinate system\"");

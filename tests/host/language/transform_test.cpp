@@ -111,7 +111,7 @@ TEST(Transform, SingularOnesAreErrors) {
               "test.lxs:3:1: error: the transform's numbers grow beyond 3.4e38");
 }
 
-TEST(Motion, UsesTheFirstTransformAndSaysSo) {
+TEST(Motion, ShapesStayWhereItBeginsAndAWarningSaysSo) {
     CollectingDiagnostics diagnostics;
     const SceneContents contents = read_world(
         "Translate 1 0 0\nMotionBegin [0 1]\nTranslate 0 2 0\nTranslate 0 5 0\nMotionEnd\n"
@@ -119,10 +119,60 @@ TEST(Motion, UsesTheFirstTransformAndSaysSo) {
         diagnostics);
     expect_near(std::get<Quadric>(contents.primitives.at(0).geometry).to_world.translation(),
                 Point(1, 2, 0));
-    EXPECT_EQ(
-        diagnostics.messages,
-        (std::vector<std::string>{"test.lxs:3:1: warning: motion is not rendered yet: the first "
-                                  "transform is used"}));
+    EXPECT_EQ(diagnostics.messages,
+              (std::vector<std::string>{
+                  "test.lxs:7:1: warning: only ObjectInstance and Camera move: this "
+                  "shape stays where its motion begins"}));
+}
+
+TEST(Motion, InstancesKeepTheirKeysThroughLaterTransforms) {
+    const SceneContents contents = read_world(
+        "ObjectBegin \"o\" Shape \"sphere\" ObjectEnd\nTranslate 1 0 0\n"
+        "MotionBegin [0.5 2]\nTranslate 0 2 0\nIdentity\nMotionEnd\nTranslate 0 0 3\n"
+        "AttributeBegin Identity ObjectInstance \"o\" AttributeEnd ObjectInstance \"o\"");
+    EXPECT_TRUE(contents.instances.at(0).motion.empty());
+    const Motion& motion = contents.instances.at(1).motion;
+    ASSERT_EQ(motion.size(), 2u);
+    EXPECT_EQ(motion[0].time, 0.5);
+    EXPECT_EQ(motion[1].time, 2);
+    expect_near(motion[0].matrix.translation(), Point(1, 2, 3));
+    expect_near(motion[1].matrix.translation(), Point(0, 0, 3));
+    expect_near(contents.instances.at(1).to_world.translation(), Point(1, 2, 3));
+}
+
+TEST(Motion, NestedInstancesMoveWithBoth) {
+    const SceneContents contents = read_world(
+        "ObjectBegin \"a\" Shape \"sphere\" ObjectEnd\n"
+        "ObjectBegin \"b\" MotionBegin [0 1] Identity Translate 2 0 0 MotionEnd "
+        "ObjectInstance \"a\" ObjectEnd\n"
+        "MotionBegin [0 2] Identity Translate 0 4 0 MotionEnd ObjectInstance \"b\"");
+    const Motion& motion = contents.instances.at(0).motion;
+    ASSERT_EQ(motion.size(), 3u);
+    expect_near(motion[1].matrix.translation(), Point(2, 2, 0));
+    expect_near(motion[2].matrix.translation(), Point(2, 4, 0));
+}
+
+TEST(Motion, ObjectsWithLightsStayAndSaySo) {
+    CollectingDiagnostics diagnostics;
+    const SceneContents contents = read_world(
+        "ObjectBegin \"o\" AreaLightSource \"area\" Shape \"sphere\" ObjectEnd\n"
+        "MotionBegin [0 1] Identity Translate 2 0 0 MotionEnd ObjectInstance \"o\"",
+        diagnostics);
+    EXPECT_TRUE(contents.instances.at(0).motion.empty());
+    ASSERT_FALSE(diagnostics.messages.empty());
+    EXPECT_NE(diagnostics.messages.back().find("holds lights and is moved"), std::string::npos);
+}
+
+TEST(Motion, TurnsAtAConstantRate) {
+    Matrix turned;
+    turned.rotate(Imath::V3d(0, 0, 1.2));
+    const MotionPath path({{0, Matrix()}, {2, scaling({3, 3, 3}) * turned}});
+    const Matrix middle = path.at(1);
+    Point image;
+    middle.multDirMatrix(Point(1, 0, 0), image);
+    expect_near(image, Point(2 * std::cos(0.6), 2 * std::sin(0.6), 0));
+    EXPECT_EQ(path.at(-1), path.at(0)) << "stays before its first key";
+    EXPECT_GE(path.steps(0, 2).size(), 14u) << "a turn of 69 degrees in steps of 5";
 }
 
 TEST(Motion, ChecksItsForm) {
@@ -131,6 +181,10 @@ TEST(Motion, ChecksItsForm) {
     EXPECT_EQ(error_of_world("MotionBegin [0 1]\nShape \"sphere\""),
               "test.lxs:3:1: error: Shape between MotionBegin and MotionEnd: only transforms");
     EXPECT_EQ(error_of_world("MotionEnd"), "test.lxs:2:1: error: MotionEnd without MotionBegin");
+    EXPECT_EQ(error_of_world("MotionBegin [0 1] Identity Identity Identity"),
+              "test.lxs:2:37: error: MotionBegin lists 2 times, but more transforms follow");
+    EXPECT_EQ(error_of_world("MotionBegin [1 0]"),
+              "test.lxs:2:1: error: MotionBegin takes ascending times, but 0 comes after 1");
     EXPECT_EQ(error_of_world("MotionBegin []"),
               "test.lxs:2:1: error: MotionBegin takes at least one time");
     EXPECT_EQ(error_of_world("MotionBegin [0 1] Identity Translate nan 0 0"),

@@ -176,7 +176,7 @@ Primitive emissive(Geometry geometry, const Rgb& radiance) {
     return primitive;
 }
 
-Quadric placed(std::variant<Sphere, Disk> shape, const Matrix& to_world) {
+Quadric placed(decltype(Quadric::shape) shape, const Matrix& to_world) {
     return {shape, to_world};
 }
 

@@ -41,7 +41,7 @@ std::unique_ptr<Light> make_one(const std::string& plugin,
 std::shared_ptr<const ColorTexture> constant_color(const Rgb& color);
 /// An emissive primitive; power and efficacy 0.
 Primitive emissive(Geometry geometry, const Rgb& radiance);
-Quadric placed(std::variant<Sphere, Disk> shape, const Matrix& to_world);
+Quadric placed(decltype(Quadric::shape) shape, const Matrix& to_world);
 
 /// Where a ray from `p` along `wi` meets a light, and the front normal there.
 struct LightHit {

@@ -88,13 +88,31 @@ TEST(MeshShape, SmallTrianglesAreNotDegenerate) {
     EXPECT_EQ(mesh.indices.size(), 6u);
 }
 
-TEST(MeshShape, SubdivisionWarnsAtItsPlace) {
-    RecordedDiagnostics diagnostics;
-    make_shape("mesh", {square, two_triangles, numbers("integer", "nsubdivlevels", {2})},
-               diagnostics);
-    EXPECT_THAT(diagnostics.warnings,
-                ElementsAre("subdivision is not rendered yet: the mesh is shown as it is given"));
-    EXPECT_THAT(diagnostics.lines, ElementsAre(4));
+TEST(MeshShape, VertexColoursAndOpacities) {
+    const std::vector<ParameterValue> values = {
+        square, two_triangles, numbers("color", "C", {1, 0, 0, 0, 1, 0, 0, 0, 1, 0.5, 0.5, 0.5}),
+        numbers("float", "alpha", {1, 0.5, 0.25, 0}), numbers("float", "gamma", {2})};
+    const TriangleMesh mesh = make_mesh("mesh", values);
+    EXPECT_EQ(mesh.colors.at(2), Rgb(0, 0, 1));
+    EXPECT_EQ(mesh.colors.at(3), Rgb(0.25f));
+    EXPECT_EQ(mesh.alphas.at(1), 0.5f);
+    EXPECT_THAT(error_of("mesh", {square, two_triangles, numbers("color", "C", {1, 0, 0})}),
+                HasSubstr("\"C\" has 3 values, expected 12"));
+}
+
+TEST(HeightField, CoversTheUnitSquare) {
+    const TriangleMesh mesh =
+        make_mesh("heightfield", {numbers("integer", "nu", {3}), numbers("integer", "nv", {2}),
+                                  numbers("float", "Pz", {0, 1, 2, 3, 4, 5})});
+    EXPECT_EQ(mesh.indices.size(), 12u);
+    EXPECT_EQ(mesh.positions.at(1), Vec3(0.5f, 0, 1));
+    EXPECT_EQ(mesh.positions.at(5), Vec3(1, 1, 5));
+    EXPECT_EQ(mesh.uvs.at(4), Vec2(0.5f, 1));
+    EXPECT_THAT(mesh.indices, ElementsAre(0, 1, 4, 0, 4, 3, 1, 2, 5, 1, 5, 4)) << "front is up";
+    EXPECT_THAT(
+        error_of("heightfield", {numbers("integer", "nu", {3}), numbers("integer", "nv", {2}),
+                                 numbers("float", "Pz", {0, 1, 2})}),
+        HasSubstr("\"Pz\" has 3 values: expected nu * nv = 3 * 2"));
 }
 
 TEST(MeshShape, AcceptsLuxRendersParametersAndCatchesMisspelling) {

@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <cstring>
+#include <iterator>
 
 #include "shape_fixture.h"
 #include "temporary_folder.h"
@@ -103,6 +104,82 @@ TEST_F(PlyShape, TruncatedFilesAreErrors) {
         error_of("plymesh", {text("filename", write(header("binary_little_endian", 300, "", 1) +
                                                     std::string(100, 'x')))}),
         "");
+}
+
+/// `value` with its bytes in the other order.
+template <class T>
+void append_reversed(std::string& content, T value) {
+    char bytes[sizeof(T)];
+    std::memcpy(bytes, &value, sizeof(T));
+    content.append(std::make_reverse_iterator(bytes + sizeof(T)),
+                   std::make_reverse_iterator(bytes));
+}
+
+TEST_F(PlyShape, BigEndianWithColoursAndWhatIsNotUsed) {
+    std::string content =
+        "ply\r\nformat binary_big_endian 1.0\ncomment made by hand\nelement vertex 3\n"
+        "property double x\nproperty float y\nproperty short z\nproperty uchar red\n"
+        "property uchar green\nproperty uchar blue\nproperty uchar alpha\n"
+        "property list uchar float weights\nelement edge 1\nproperty int a\nelement face 1\n"
+        "property uchar flags\nproperty list uint ushort vertex_index\nend_header\n";
+    for (const int i : {0, 1, 2}) {
+        append_reversed(content, static_cast<double>(i));
+        append_reversed(content, i == 2 ? 1.5f : 0.0f);
+        append_reversed(content, static_cast<std::int16_t>(-i));
+        content += std::string("\xff\x00\x33\x7f", 4);
+        content.push_back(1);
+        append_reversed(content, 0.5f);
+    }
+    append_reversed(content, std::int32_t{7});
+    content.push_back(9);
+    append_reversed(content, std::uint32_t{3});
+    for (const std::uint16_t corner : {0, 1, 2})
+        append_reversed(content, corner);
+    const TriangleMesh mesh = make_mesh("plymesh", {text("filename", write(content))});
+    EXPECT_THAT(mesh.indices, ElementsAre(0, 1, 2));
+    EXPECT_EQ(mesh.positions.at(2), Vec3(2, 1.5f, -2));
+    EXPECT_NEAR(mesh.colors.at(1).x, 1, 1e-6f);
+    EXPECT_NEAR(mesh.colors.at(1).z, 0.2f, 1e-6f);
+    EXPECT_NEAR(mesh.alphas.at(1), 127 / 255.0f, 1e-6f);
+    EXPECT_TRUE(make_mesh("plymesh", {text("filename", write(content)), flag("usecolor", false)})
+                    .colors.empty());
+}
+
+TEST_F(PlyShape, DamagedHeadersAreErrors) {
+    for (const char* content :
+         {"ply\nformat ascii 1.0\nelement vertex x\nend_header\n",
+          "ply\nformat ascii 1.0\nelement vertex 1\nproperty real x\nend_header\n0\n",
+          "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\n",
+          "ply\nformat utf8 1.0\nend_header\n", "ply\nproperty float x\nend_header\n"}) {
+        EXPECT_THAT(error_of("plymesh", {text("filename", write(content))}),
+                    HasSubstr("can't be read: "))
+            << content;
+    }
+}
+
+TEST_F(PlyShape, StlTextAndBinary) {
+    const std::string as_text =
+        "solid wedge\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\n"
+        "vertex 0 1e0 0\nendloop\nendfacet\nendsolid\n";
+    std::string binary(80, ' ');
+    const std::uint32_t facets = 1;
+    binary.append(reinterpret_cast<const char*>(&facets), 4);
+    const float facet[12] = {0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 0};
+    binary.append(reinterpret_cast<const char*>(facet), sizeof facet);
+    binary.append(2, '\0');
+    std::string solid_binary = binary;
+    solid_binary.replace(0, 5, "solid");
+    for (const std::string& content : {as_text, binary, solid_binary}) {
+        const TriangleMesh mesh = make_mesh("stlmesh", {text("filename", write(content))});
+        EXPECT_THAT(mesh.indices, ElementsAre(0, 1, 2));
+        EXPECT_EQ(mesh.positions.at(1), Vec3(1, 0, 0));
+        EXPECT_TRUE(mesh.normals.empty()) << "facets are flat";
+    }
+    for (const std::string& content :
+         {binary.substr(0, 100), std::string("solid x\nvertex 1 2\n"), std::string("nothing")}) {
+        EXPECT_THAT(error_of("stlmesh", {text("filename", write(content))}),
+                    HasSubstr("can't be read: "));
+    }
 }
 
 }  // namespace

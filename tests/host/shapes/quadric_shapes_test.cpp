@@ -55,5 +55,35 @@ TEST(DiskShape, DefaultsAndErrors) {
                 HasSubstr("\"innerradius\" is 1: expected at least 0 and less than the radius 1"));
 }
 
+TEST(RevolutionShapes, Defaults) {
+    const auto cylinder = std::get<RevolvedSegment>(make_quadric("cylinder", {}).shape);
+    EXPECT_EQ(cylinder.start, Vec3(1, 0, -1));
+    EXPECT_EQ(cylinder.end, Vec3(1, 0, 1));
+    const auto cone = std::get<RevolvedSegment>(make_quadric("cone", {}).shape);
+    EXPECT_EQ(cone.start, Vec3(1, 0, 0));
+    EXPECT_EQ(cone.end, Vec3(0, 0, 1));
+    const auto bowl = std::get<Paraboloid>(make_quadric("paraboloid", {}).shape);
+    EXPECT_EQ(bowl.z_min, 0);
+    EXPECT_EQ(bowl.height, 1);
+    const auto hyperboloid = std::get<RevolvedSegment>(make_quadric("hyperboloid", {}).shape);
+    EXPECT_EQ(hyperboloid.start, Vec3(0, 0, 0));
+    EXPECT_EQ(hyperboloid.end, Vec3(1, 1, 1));
+    const auto torus = std::get<Torus>(make_quadric("torus", {}).shape);
+    EXPECT_EQ(torus.major_radius, 1);
+    EXPECT_EQ(torus.minor_radius, 0.25f);
+    EXPECT_EQ(torus.theta_max, 360);
+}
+
+TEST(RevolutionShapes, Errors) {
+    EXPECT_THAT(error_of("cylinder", {numbers("float", "zmin", {1})}),
+                HasSubstr("\"zmin\" and \"zmax\" are both 1"));
+    EXPECT_THAT(error_of("cone", {numbers("float", "height", {0})}), HasSubstr("is a disk"));
+    EXPECT_THAT(error_of("paraboloid", {numbers("float", "zmax", {-1})}),
+                HasSubstr("opens upwards"));
+    EXPECT_THAT(error_of("hyperboloid", {numbers("point", "p2", {1, 0, 0})}),
+                HasSubstr("needs ends at different heights"));
+    EXPECT_NE(error_of("torus", {numbers("float", "thetamax", {0})}), "");
+}
+
 }  // namespace
 }  // namespace lxs::test

@@ -4,7 +4,13 @@
 namespace lxs::test {
 namespace {
 
-/// File names are paths already; no shape of the tests refers to textures or materials.
+/// Its value is u.
+class Ramp final : public FloatTexture {
+  public:
+    float evaluate(const TexturePoint& point) const override { return point.uv.x; }
+};
+
+/// File names are paths already; every float texture is the ramp.
 class PlainAssets : public AssetContext {
   public:
     std::string resolve(const std::string& name, const SourceLocation&) const override {
@@ -12,7 +18,7 @@ class PlainAssets : public AssetContext {
     }
     std::shared_ptr<const FloatTexture> float_texture(const std::string&,
                                                       const SourceLocation&) const override {
-        return nullptr;
+        return std::make_shared<Ramp>();
     }
     std::shared_ptr<const ColorTexture> color_texture(const std::string&,
                                                       const SourceLocation&) const override {

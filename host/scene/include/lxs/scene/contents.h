@@ -10,6 +10,7 @@
 
 #include "lxs/scene/geometry.h"
 #include "lxs/scene/material.h"
+#include "lxs/scene/motion.h"
 #include "lxs/sdk/light.h"
 #include "lxs/sdk/parameters.h"
 
@@ -45,7 +46,8 @@ struct ObjectDefinition {
 /// One placed copy of an object.
 struct Instance {
     std::size_t object = 0;  ///< index into SceneContents::objects
-    Matrix to_world;
+    Matrix to_world;         ///< without motion
+    Motion motion;           ///< empty: stands still
 };
 
 /// A light without geometry: its parameters and where it stands.
@@ -60,6 +62,7 @@ struct LightDescription {
 struct OptionStatement {
     ParameterSet parameters;
     Matrix transform;  ///< the current transform where the statement stood
+    Motion motion;     ///< of that transform; empty: stands still
 };
 
 struct SceneContents {

@@ -17,6 +17,8 @@ struct TexturePoint {
     Vec3 n{0.0f};  ///< shading normal
     Vec2 uv{0.0f};
     const Wavelengths* wavelengths = nullptr;  ///< of the pass; null where Rgb means R, G and B
+    Rgb color{1.0f};  ///< of the mesh's vertices, interpolated; white where it has none
+    float alpha = 1;  ///< likewise, opacity
 };
 
 /// A texture with values of type T (float, Rgb).

@@ -1,0 +1,107 @@
+// Meshes in PLY and STL files.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <stdexcept>
+
+#include "mesh_data.h"
+#include "mesh_refinement.h"
+#include "ply_mesh.h"
+#include "shape_factories.h"
+#include "stl_mesh.h"
+
+namespace lxs {
+namespace {
+
+std::string whole_file(const std::string& path) {
+    std::ifstream file(path, std::ios::binary | std::ios::ate);
+    if (!file) throw std::runtime_error("it can't be opened");
+    std::string text(static_cast<std::size_t>(file.tellg()), '\0');
+    file.seekg(0);
+    if (!file.read(text.data(), static_cast<std::streamsize>(text.size())))
+        throw std::runtime_error("reading stopped before its end");
+    return text;
+}
+
+/// The file that the statement names, read by `read` and checked.
+template <class Read>
+TriangleMesh read_mesh(const ParameterReader& reader, const AssetContext& assets,
+                       const Read& read) {
+    constexpr std::string_view kFile = "filename";
+    const std::string name = reader.string(kFile, "");
+    if (name.empty()) {
+        reader.fail(kFile,
+                    fmt::format("{} needs a file: \"string filename\" [\"...\"]", reader.plugin()));
+    }
+    const std::string path = assets.resolve(name, reader.where(kFile));
+    TriangleMesh mesh;
+    try {
+        mesh = read(whole_file(path));
+    } catch (const std::runtime_error& error) {
+        reader.fail(kFile, fmt::format("\"{}\" can't be read: {}", name, error.what()));
+    }
+    const MeshSource source{reader, kFile, fmt::format("\"{}\"", name)};
+    check_vectors(mesh.positions, "vertex", source);
+    check_vectors(mesh.normals, "normal", source);
+    check_coordinates(mesh.uvs, source);
+    return mesh;
+}
+
+void apply_gamma(std::vector<Rgb>& colors, float gamma) {
+    if (gamma == 1) return;
+    for (Rgb& color : colors) {
+        for (int k = 0; k < 3; ++k)
+            color[k] = std::pow(std::max(color[k], 0.0f), gamma);
+    }
+}
+
+Geometry create_ply(const ParameterReader& reader, const AssetContext& assets,
+                    const Matrix& to_world) {
+    TriangleMesh mesh = read_mesh(reader, assets, read_ply_mesh);
+    if (!reader.boolean("usecolor", true)) mesh.colors.clear();
+    apply_gamma(mesh.colors, static_cast<float>(reader.number("gamma", 1)));
+    if (reader.boolean("discardmeshnormals", false)) mesh.normals.clear();
+    mesh = refine(std::move(mesh), reader, assets, to_world, "nsubdivlevels", 0);
+    const bool refined = reader.integer("nsubdivlevels", 0) > 0 || reader.given("displacementmap");
+    if (!refined && (mesh.normals.empty() || reader.boolean("smooth", false)))
+        mesh.normals = smooth_normals(mesh.positions, mesh.indices);
+    return finish_mesh(std::move(mesh), to_world, reader);
+}
+
+Geometry create_stl(const ParameterReader& reader, const AssetContext& assets,
+                    const Matrix& to_world) {
+    TriangleMesh mesh = read_mesh(reader, assets, read_stl_mesh);
+    return finish_mesh(refine(std::move(mesh), reader, assets, to_world, "nsubdivlevels", 0),
+                       to_world, reader);
+}
+
+std::vector<ParameterDeclaration> file_parameters(std::vector<ParameterDeclaration> own) {
+    for (const auto& more :
+         {refinement_parameters("nsubdivlevels", "0"), compatibility_parameters()})
+        own.insert(own.end(), more.begin(), more.end());
+    return own;
+}
+
+}  // namespace
+
+ShapeFactory make_ply_factory() {
+    using enum ParameterType;
+    return {
+        file_parameters({{"filename", String, "",
+                          "PLY file, text or binary; faces may have any number of corners."},
+                         {"smooth", Bool, "false",
+                          "Make smooth normals in place of the file's; always so if it has none."},
+                         {"usecolor", Bool, "true", "Use the file's vertex colours."},
+                         {"gamma", Float, "1", "Exponent of the file's vertex colours.", 0}}),
+        create_ply};
+}
+
+ShapeFactory make_stl_factory() {
+    return {file_parameters({{"filename", ParameterType::String, "",
+                              "STL file, text or binary; its facets are flat."}}),
+            create_stl};
+}
+
+}  // namespace lxs

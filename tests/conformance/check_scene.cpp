@@ -35,10 +35,10 @@ Row check_scene(const Scene& scene, const std::string& integrator, const CheckSe
     const RenderPasses render = [&](std::size_t passes, std::size_t seed) {
         const fs::path output = folder.path() / "out.exr";
         collect_warnings(
-            render::output_of(fmt::format("{} '{}' -o '{}' --integrator {} --passes {} --seed {} "
+            render::output_of(fmt::format("'{}' '{}' -o '{}' --integrator {} --passes {} --seed {} "
                                           "{} 2>&1",
-                                          LXSRENDER, scene.file.string(), output.string(),
-                                          integrator, passes, seed, threads)),
+                                          settings.renderer.string(), scene.file.string(),
+                                          output.string(), integrator, passes, seed, threads)),
             warnings);
         return render::read_image(output);
     };

@@ -9,6 +9,7 @@ namespace conformance {
 
 struct CheckSettings {
     Budget budget;
+    std::filesystem::path renderer = LXSRENDER;
     unsigned threads = 0;        ///< 0: all processors
     std::filesystem::path keep;  ///< folder for the images, or nothing
 };

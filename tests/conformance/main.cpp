@@ -39,6 +39,9 @@ void declare(CLI::App& app, Command& command) {
     app.add_option("--first-passes", command.settings.budget.first_passes,
                    "passes of each half in the first round (default: 32)")
         ->check(CLI::Range(1u, 1000000u));
+    app.add_option("--renderer", command.settings.renderer, "default: this build's lxsrender")
+        ->type_name("FILE")
+        ->check(CLI::ExistingFile);
     app.add_option("--threads", command.settings.threads, "default: all processors");
     app.add_option("--markdown", command.markdown, "writes the table as Markdown, too")
         ->type_name("FILE.md");

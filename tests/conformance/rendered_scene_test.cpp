@@ -31,9 +31,10 @@ CommandEnd run(const std::string& arguments, const files::TemporaryFolder& folde
 TEST(ConformanceCommand, SimpleScenesLookAsLuxRenderRendersThem) {
     if (!fs::exists(CONFORMANCE_FOLDER)) GTEST_SKIP() << "no LuxRender images beside the project";
     const files::TemporaryFolder folder;
-    const CommandEnd found = run(
-        "--scenes light-distant,shape-disk --first-passes 8 --seconds 30 --markdown '" + (folder / "table.md") + "'",
-        folder);
+    const CommandEnd found =
+        run("--scenes light-distant,shape-disk --first-passes 8 --seconds 30 --markdown '" +
+                (folder / "table.md") + "'",
+            folder);
     EXPECT_EQ(found.exit_code, 0) << found.said;
     EXPECT_NE(found.said.find("4 of 4 within the limits"), std::string::npos) << found.said;
     EXPECT_NE(folder.read("table.md").find("| shape-disk | aips |"), std::string::npos);

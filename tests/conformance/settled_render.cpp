@@ -26,6 +26,7 @@ SettledImage render_settled(const RenderPasses& render, const Spread& limit, con
     const Spread goal{budget.share * limit.median, budget.share * limit.p95};
     std::size_t passes = budget.first_passes, seed = 1;
     SettledImage result;
+    constexpr double kWorthwhile = 1.5;  // times more passes than the round before
     while (true) {
         const double before = seconds_since(start);
         const render::Image first = render(passes, seed++);
@@ -35,9 +36,9 @@ SettledImage render_settled(const RenderPasses& render, const Spread& limit, con
         result.passes = 2 * passes;
         result.seconds = seconds_since(start);
         result.settled = result.noise.median <= goal.median && result.noise.p95 <= goal.p95;
-        const double factor = more_passes(result.noise, goal);
-        const double next_s = factor * (result.seconds - before);
-        if (result.settled || result.seconds + next_s > budget.seconds) return result;
+        const double affordable = (budget.seconds - result.seconds) / (result.seconds - before);
+        const double factor = std::min(more_passes(result.noise, goal), affordable);
+        if (result.settled || !(factor >= kWorthwhile)) return result;
         passes = std::size_t(std::ceil(factor * double(passes)));
     }
 }

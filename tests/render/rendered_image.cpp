@@ -65,6 +65,15 @@ Image read_image(const fs::path& file) {
     return read_layer(file, "");
 }
 
+void write_image(const Image& image, const fs::path& file) {
+    const auto output = OIIO::ImageOutput::create(file.string());
+    const OIIO::ImageSpec spec(int(image.width), int(image.height), 3, OIIO::TypeDesc::FLOAT);
+    if (!output || !output->open(file.string(), spec) ||
+        !output->write_image(OIIO::TypeDesc::FLOAT, image.rgb.data()) || !output->close()) {
+        throw std::runtime_error("cannot write " + file.string());
+    }
+}
+
 std::string output_of(const std::string& command) {
     const auto close = [](std::FILE* pipe) { return pclose(pipe); };
     std::unique_ptr<std::FILE, decltype(close)> pipe(popen(command.c_str(), "r"), close);

@@ -25,6 +25,9 @@ struct Image {
 /// The image of an EXR. Throws std::runtime_error if the file can't be read.
 Image read_image(const std::filesystem::path& file);
 
+/// Writes an EXR of 32-bit floats; throws std::runtime_error if it can't be written.
+void write_image(const Image& image, const std::filesystem::path& file);
+
 /// The layer of channels LAYER.R, LAYER.G, LAYER.B; throws std::runtime_error if there is none.
 Image read_layer(const std::filesystem::path& file, const std::string& layer);
 

@@ -73,7 +73,24 @@ float LatLongMap::mean_luminance(std::ptrdiff_t x, std::ptrdiff_t y) const {
     return sum;
 }
 
+LatLongMap LatLongMap::of(std::size_t width, std::size_t height,
+                          const std::function<Rgb(const Vec2& st)>& value) {
+    constexpr std::size_t kSub = 2;
+    std::vector<Rgb> pixels(width * height, Rgb(0.0f));
+    for (std::size_t i = 0; i < pixels.size() * kSub * kSub; ++i) {
+        const std::size_t x = i % (width * kSub), y = i / (width * kSub);
+        const Vec2 st((static_cast<float>(x) + 0.5f) / static_cast<float>(width * kSub),
+                      (static_cast<float>(y) + 0.5f) / static_cast<float>(height * kSub));
+        pixels[y / kSub * width + x / kSub] += value(st) / float(kSub * kSub);
+    }
+    return LatLongMap(width, height, std::move(pixels));
+}
+
 Piecewise2D LatLongMap::importance() const {
+    return importance([](const Vec2& st) { return std::sin(std::numbers::pi * double(st.y)); });
+}
+
+Piecewise2D LatLongMap::importance(const std::function<double(const Vec2& st)>& weight) const {
     // Larger maps share cells: a finer grid costs memory and no longer lowers the variance.
     constexpr std::size_t kMaxWidth = 2048, kMaxHeight = 1024;
     const std::size_t w = std::min(width_, kMaxWidth), h = std::min(height_, kMaxHeight);
@@ -89,11 +106,21 @@ Piecewise2D LatLongMap::importance() const {
     }
     std::vector<float> weights(w * h);
     for (std::size_t i = 0; i < w * h; ++i) {
-        const std::size_t row = i / w;
-        const double t = (static_cast<double>(row) + 0.5) / static_cast<double>(h);
-        weights[i] = static_cast<float>(sums[i] / counts[i] * std::sin(std::numbers::pi * t));
+        const Vec2 center((static_cast<float>(i % w) + 0.5f) / static_cast<float>(w),
+                          (static_cast<float>(i / w) + 0.5f) / static_cast<float>(h));
+        weights[i] = static_cast<float>(sums[i] / counts[i] * weight(center));
     }
     return Piecewise2D(w, h, weights);
+}
+
+Rgb LatLongMap::integral(const std::function<double(const Vec2& st)>& weight) const {
+    Imath::V3d sum(0.0);
+    for (std::size_t i = 0; i < pixels_.size(); ++i) {
+        const Vec2 center((static_cast<float>(i % width_) + 0.5f) / static_cast<float>(width_),
+                          (static_cast<float>(i / width_) + 0.5f) / static_cast<float>(height_));
+        sum += Imath::V3d(pixels_[i]) * weight(center);
+    }
+    return Rgb(sum / static_cast<double>(pixels_.size()));
 }
 
 Rgb LatLongMap::fluence() const {

@@ -1,6 +1,7 @@
 // Radiance image over all directions, latitude-longitude mapping.
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -18,10 +19,20 @@ class LatLongMap {
     /// at `where` if the file can't be read.
     static LatLongMap read(const std::string& path, float gamma, const SourceLocation& where);
 
+    /// The image of a function of st, each pixel the mean of 2 x 2 values.
+    static LatLongMap of(std::size_t width, std::size_t height,
+                         const std::function<Rgb(const Vec2& st)>& value);
+
+    std::size_t width() const { return width_; }
+    std::size_t height() const { return height_; }
     /// Value at `st` in [0,1]^2, bilinear; s wraps around, t stops at the poles.
     Rgb lookup(const Vec2& st) const;
     /// Density over the unit square following luminance * sin(pi t), positive wherever lookup is.
     Piecewise2D importance() const;
+    /// The same following luminance * `weight`, which must be positive.
+    Piecewise2D importance(const std::function<double(const Vec2& st)>& weight) const;
+    /// Integral of the pixels times `weight` over the unit square.
+    Rgb integral(const std::function<double(const Vec2& st)>& weight) const;
     /// Integral of the map over all directions.
     Rgb fluence() const;
 

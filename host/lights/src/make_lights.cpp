@@ -6,9 +6,12 @@
 #include <numbers>
 
 #include "directional_light.h"
+#include "environment_layout.h"
 #include "infinite_light.h"
 #include "light_statement.h"
+#include "make_profile_lights.h"
 #include "make_sky_lights.h"
+#include "point_intensity.h"
 #include "point_light.h"
 
 namespace lxs {
@@ -16,27 +19,17 @@ namespace {
 
 constexpr double kRadians = std::numbers::pi / 180;
 
-/// Intensity of a light at a point whose falloff integrates to `solid_angle`: `color` times gain,
-/// or gain times the flux that power and efficacy ask for.
-Rgb intensity(const LightStatement& s, const Rgb& color, double solid_angle) {
-    const double lumens = s.number("power", 0) * s.number("efficacy", 0);
-    const double unscaled = luminance(color);
-    if (!(lumens > 0) || !(unscaled > 0)) return color * s.number("gain", 1);
-    return color * static_cast<float>(s.number("gain", 1) * lumens / (unscaled * solid_angle));
+/// Parameter that holds the colour: "I" is its older name.
+std::string_view color_name(const LightStatement& s) {
+    return s.reader.given("I") ? "I" : "L";
 }
 
 void make_point(const LightStatement& s, std::string_view color, Lights& lights) {
-    const Vec3 position = s.world_point(s.reader.vector("from", Vec3(0.0f)));
+    if (has_profile(s)) return make_goniometric(s, color, lights);
+    const Rgb unit = s.color(color);
     lights.push_back(std::make_unique<PointLight>(
-        s.placement(), position, intensity(s, s.color(color), 4 * std::numbers::pi)));
-}
-
-void make_unrendered_profile(const LightStatement& s, Lights& lights) {
-    s.reader.diagnostics().warning(
-        s.reader.where(),
-        fmt::format("light \"{}\" is rendered as a point light, its image is left out",
-                    s.reader.plugin()));
-    make_point(s, s.reader.given("I") ? "I" : "L", lights);
+        s.placement(), s.world_point(s.reader.vector("from", Vec3(0.0f))),
+        point_intensity(s, unit, 4 * std::numbers::pi * luminance(unit))));
 }
 
 void make_spot(const LightStatement& s, Lights& lights) {
@@ -45,10 +38,11 @@ void make_spot(const LightStatement& s, Lights& lights) {
     const double inner = std::max(0.0, outer - s.reader.number("conedeltaangle", 5));
     const SpotCone cone{static_cast<float>(inner * kRadians), static_cast<float>(outer * kRadians)};
     const Vec3 axis = s.from_to_direction();
+    const Rgb color = s.color("L");
     const SpotLight unit(s.placement(), Vec3(0.0f), axis, Rgb(1.0f), cone);
     lights.push_back(std::make_unique<SpotLight>(
         s.placement(), s.world_point(s.reader.vector("from", Vec3(0.0f))), axis,
-        intensity(s, s.color("L"), unit.power()), cone));
+        point_intensity(s, color, unit.power() * luminance(color)), cone));
 }
 
 void make_distant(const LightStatement& s, Lights& lights) {
@@ -77,14 +71,10 @@ void make_infinite(const LightStatement& s, Lights& lights) {
             std::make_unique<ConstantEnvironment>(s.placement(), s.sphere, s.emission()));
         return;
     }
-    const std::string mapping = s.reader.string("mapping", "latlong");
-    if (mapping != "latlong") {
-        s.reader.diagnostics().warning(
-            s.reader.where("mapping"),
-            fmt::format("mapping \"{}\" is not rendered, the image is read as latlong", mapping));
-    }
     const SourceLocation& where = s.reader.where("mapname");
-    LatLongMap map = LatLongMap::read(s.resolve(name, where), s.number("gamma", 1), where);
+    LatLongMap map =
+        as_latlong(LatLongMap::read(s.resolve(name, where), s.number("gamma", 1), where),
+                   s.reader.string("mapping", "latlong"));
     lights.push_back(std::make_unique<MappedEnvironment>(s.placement(), s.sphere, s.rotation(),
                                                          std::move(map), s.emission()));
 }
@@ -95,7 +85,8 @@ void make_by_name(const LightStatement& s, Lights& lights) {
     if (name == "spot") return make_spot(s, lights);
     if (name == "distant") return make_distant(s, lights);
     if (name == "infinite" || name == "infinitesample") return make_infinite(s, lights);
-    if (name == "goniometric" || name == "projection") return make_unrendered_profile(s, lights);
+    if (name == "goniometric") return make_point(s, color_name(s), lights);
+    if (name == "projection") return make_projection(s, color_name(s), lights);
     make_sky_lights(s, lights);
 }
 

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <limits>
 
 #include "directional_light.h"
 #include "sky_light.h"
@@ -32,47 +33,58 @@ void make_sun(const LightStatement& s, Lights& lights) {
         static_cast<float>(std::min(1.0, size * kSineOfRadius)), radiance));
 }
 
-/// LuxRender 1.9's images over those of the published models, measured with the sun 40 to 50
-/// degrees high: its sky is brighter than Preetham's by 8 % (turbidity 3) to 14 % (2.2), its sky2
-/// darker.
-constexpr float kSkyScale = 1.11f;
-constexpr float kSky2Scale = 0.57f;
+/// The sky's models take the sun's direction as it is given, of any length: LuxRender 1.9 does not
+/// normalise it there (it does for the sun's disk). Measured with sundir 0.5 -0.6 0.7, of length
+/// 1.049, whose products with unit directions exceed 1 around the sun: light-sky and light-sky2 are
+/// 5 to 17 % brighter than with the unit vector, most on the sun's side and in red, in every block
+/// as the models give for the longer vector; with the unit vector no common factor fits them.
+/// Scenes whose sundir is a unit vector, as exporters write it, are the published models' skies.
+Vec3 given_sun_direction(const LightStatement& s) {
+    sun_direction(s);  // refuses the zero vector
+    return s.reader.vector("sundir", Vec3(0, 0, 1));
+}
 
-void make_sky(const LightStatement& s, Lights& lights, float scale) {
+double turbidity_within(const LightStatement& s, double least, double most) {
+    const double given = s.reader.number("turbidity", 2);
+    const double used = std::clamp(given, least, most);
+    if (used != given) {
+        s.reader.diagnostics().warning(
+            s.reader.where("turbidity"),
+            fmt::format("the sky is rendered with turbidity {}, its model's {}", used,
+                        given < least ? "least" : "most"));
+    }
+    return used;
+}
+
+SkyModel preetham_sky(const LightStatement& s) {
     const auto factor = [&s](std::string_view name, std::string_view old_name) {
         return s.reader.number(name, s.reader.number(old_name, 1));
     };
-    double turbidity = s.reader.number("turbidity", 2);
-    if (turbidity < SkyModel::kLeastTurbidity) {
-        turbidity = SkyModel::kLeastTurbidity;
-        s.reader.diagnostics().warning(
-            s.reader.where("turbidity"),
-            fmt::format("the sky is rendered with turbidity {}, its model's least", turbidity));
-    }
-    const SkyModel model(sun_direction(s), turbidity,
-                         {factor("horizonbrightness", "aconst"), factor("horizonsize", "bconst"),
-                          factor("sunhalobrightness", "cconst"), factor("sunhalosize", "dconst"),
-                          factor("backscattering", "econst")});
-    lights.push_back(std::make_unique<SkyLight>(s.placement(), s.sphere, s.rotation(), model,
-                                                s.number("gain", 1) * scale));
+    constexpr double kNoMost = std::numeric_limits<double>::infinity();
+    return {given_sun_direction(s),
+            turbidity_within(s, SkyModel::kLeastTurbidity, kNoMost),
+            {factor("horizonbrightness", "aconst"), factor("horizonsize", "bconst"),
+             factor("sunhalobrightness", "cconst"), factor("sunhalosize", "dconst"),
+             factor("backscattering", "econst")}};
 }
 
-void warn_of_preetham(const LightStatement& s) {
-    s.reader.diagnostics().warning(
-        s.reader.where(),
-        fmt::format("light \"{}\" is rendered with the Preetham sky in place of the "
-                    "Hosek-Wilkie sky",
-                    s.reader.plugin()));
+HosekWilkieSky hosek_wilkie_sky(const LightStatement& s) {
+    return {given_sun_direction(s),
+            turbidity_within(s, HosekWilkieSky::kLeastTurbidity, HosekWilkieSky::kMostTurbidity)};
+}
+
+void make_sky(const LightStatement& s, Lights& lights, const AnySky& sky) {
+    lights.push_back(std::make_unique<SkyLight>(s.placement(), s.sphere, s.rotation(), sky,
+                                                s.number("gain", 1)));
 }
 
 }  // namespace
 
 void make_sky_lights(const LightStatement& s, Lights& lights) {
     const std::string& name = s.reader.plugin();
-    const bool second = name == "sky2" || name == "sunsky2";
-    if (second) warn_of_preetham(s);
     if (name != "sky" && name != "sky2") make_sun(s, lights);
-    if (name != "sun") make_sky(s, lights, second ? kSky2Scale : kSkyScale);
+    if (name == "sky" || name == "sunsky") make_sky(s, lights, preetham_sky(s));
+    if (name == "sky2" || name == "sunsky2") make_sky(s, lights, hosek_wilkie_sky(s));
 }
 
 }  // namespace lxs

@@ -62,21 +62,29 @@ constexpr ParameterDeclaration kSamples{.name = "nsamples",
                                         .default_text = "1",
                                         .doc = "Shadow rays a point.",
                                         .no_effect = true};
-constexpr ParameterDeclaration kIes{.name = "iesname",
-                                    .type = Type::String,
-                                    .default_text = "",
-                                    .doc = "Photometric profile of a luminaire.",
-                                    .no_effect = true};
-constexpr ParameterDeclaration kProfileMap{.name = "mapname",
-                                           .type = Type::String,
-                                           .default_text = "",
-                                           .doc = "Image of the emission by direction.",
-                                           .no_effect = true};
+constexpr ParameterDeclaration kIes{
+    .name = "iesname",
+    .type = Type::String,
+    .default_text = "",
+    .doc =
+        "Photometric file (IESNA LM-63, type C) of the emission by direction, relative to its "
+        "largest intensity; vertical angle 0 along +z."};
+constexpr ParameterDeclaration kProfileMap{
+    .name = "mapname",
+    .type = Type::String,
+    .default_text = "",
+    .doc = "Image of the emission by direction, latitude-longitude, its top row along +z."};
+constexpr ParameterDeclaration kMapGamma{.name = "gamma",
+                                         .default_text = "1",
+                                         .doc =
+                                             "Exponent on the image's values, 1 for linear "
+                                             "images.",
+                                         .minimum = 0.01,
+                                         .maximum = 10};
 constexpr ParameterDeclaration kFlip{.name = "flipz",
                                      .type = Type::Bool,
                                      .default_text = "false",
-                                     .doc = "Turns the photometric profile upside down.",
-                                     .no_effect = true};
+                                     .doc = "Turns image and photometric file upside down."};
 
 constexpr ParameterDeclaration coefficient(std::string_view name, std::string_view doc) {
     return {.name = name, .default_text = "1", .doc = doc};
@@ -108,13 +116,9 @@ Declarations infinite_parameters() {
             {.name = "mapping",
              .type = Type::String,
              .default_text = "latlong",
-             .doc = "Layout of the image; all are read as latlong.",
+             .doc = "Layout of the image: latitude-longitude, angular map or vertical cross.",
              .choices = kMappings},
-            {.name = "gamma",
-             .default_text = "1",
-             .doc = "Exponent on the image's values, 1 for linear images.",
-             .minimum = 0.01,
-             .maximum = 10},
+            kMapGamma,
             kSamples,
             kImportance};
 }
@@ -148,15 +152,13 @@ Declarations spot_parameters() {
              .doc = "Width of the falloff at the cone's rim, degrees.",
              .minimum = 0,
              .maximum = 180},
-            kIes,
-            kProfileMap,
-            kFlip,
+            kSamples,
             kImportance};
 }
 
 Declarations point_parameters() {
-    return {kColor, kGain,       power("0"), efficacy("0"), kFrom,
-            kIes,   kProfileMap, kFlip,      kSamples,      kImportance};
+    return {kColor,      kGain,     power("0"), efficacy("0"), kFrom,      kIes,
+            kProfileMap, kMapGamma, kFlip,      kSamples,      kImportance};
 }
 
 Declarations distant_parameters() {
@@ -183,12 +185,28 @@ Declarations goniometric_parameters() {
 }
 
 Declarations projection_parameters() {
-    Declarations all = goniometric_parameters();
-    all.push_back({.name = "fov",
-                   .default_text = "45",
-                   .doc = "Angle of the projected image, degrees.",
-                   .no_effect = true});
-    return all;
+    return {kColor,
+            {.name = "I",
+             .type = Type::Color,
+             .default_text = "1 1 1",
+             .doc = "Intensity, W/sr (older name of L)."},
+            kGain,
+            power("0"),
+            efficacy("0"),
+            kFrom,
+            kTo,
+            {.name = "mapname",
+             .type = Type::String,
+             .default_text = "",
+             .doc = "Projected image; without it a square of light."},
+            kMapGamma,
+            {.name = "fov",
+             .default_text = "45",
+             .doc = "Angle of the projected image along its shorter side, degrees.",
+             .minimum = 0.01,
+             .maximum = 179},
+            kSamples,
+            kImportance};
 }
 
 }  // namespace

@@ -27,7 +27,7 @@ Vec2 sky_coordinates(const Vec3& w) {
 }  // namespace
 
 SkyLight::SkyLight(LightPlacement placement, const SceneSphere& sphere, const Rotation& rotation,
-                   const SkyModel& model, float gain)
+                   const AnySky& model, float gain)
     : EnvironmentLight(std::move(placement), "sky", sphere),
       rotation_(rotation),
       model_(model),
@@ -41,7 +41,7 @@ SkyLight::SkyLight(LightPlacement placement, const SceneSphere& sphere, const Ro
             constexpr auto kCells = static_cast<float>(kSide);
             const Vec2 center = grid_center(i, kSide);
             const Vec2 p = center + (grid_center(k, kSub) - Vec2(0.5f)) / kCells;
-            mean += model_.radiance(sky_direction(p.x, p.y)) / float(kSub * kSub);
+            mean += radiance(sky_direction(p.x, p.y)) / float(kSub * kSub);
         }
         weights[i] = luminance(mean);
         fluence += mean * (4 * kPi / (kSide * kSide));
@@ -50,8 +50,12 @@ SkyLight::SkyLight(LightPlacement placement, const SceneSphere& sphere, const Ro
     set_fluence(fluence * gain_);
 }
 
+Rgb SkyLight::radiance(const Vec3& local) const {
+    return std::visit([&](const auto& sky) { return sky.radiance(local); }, model_);
+}
+
 Rgb SkyLight::escaped(const Vec3& direction) const {
-    return model_.radiance(rotation_.to_local(direction)) * gain_;
+    return radiance(rotation_.to_local(direction)) * gain_;
 }
 
 bool SkyLight::sample_direction(const Vec2& u, SkyDirection& direction) const {
@@ -60,7 +64,7 @@ bool SkyLight::sample_direction(const Vec2& u, SkyDirection& direction) const {
     const Vec2 p = importance_.sample(u, density);
     const Vec3 local = sky_direction(p.x, p.y);
     direction.wi = rotation_.to_world(local).normalized();
-    direction.radiance = model_.radiance(local) * gain_;
+    direction.radiance = radiance(local) * gain_;
     direction.pdf = density / (4 * kPi);
     direction.delta = false;
     return direction.pdf > 0;

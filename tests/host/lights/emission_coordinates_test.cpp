@@ -49,6 +49,9 @@ std::vector<Case> cases() {
                                              numbers("float", "conedeltaangle", {30})})});
     all.push_back({"hard spot", make_one("spot", {numbers("float", "coneangle", {40}),
                                                   numbers("float", "conedeltaangle", {0})})});
+    all.push_back({"goniometric", make_one("goniometric", {text("mapname", probe_image())})});
+    all.push_back({"projection", make_one("projection", {text("mapname", probe_image()),
+                                                         numbers("float", "fov", {120})})});
     all.push_back({"distant", make_one("distant", {numbers("point", "to", {1, 2, 3})})});
     all.push_back({"sky2", make_one("sky2", {})});
     return all;
@@ -73,6 +76,7 @@ double distance_to_ray(const Vec3& p, const Ray& ray) {
 /// steep: at a spot's edge, and for directions grazing a surface.
 double tolerance(const Light& light) {
     if (light.kind() == "spot") return 1e-3;
+    if (light.kind() == "goniometric") return 2e-4;  // angles from the pole, by their cosine
     return light.kind() == "area" ? 5e-4 : 1e-5;
 }
 

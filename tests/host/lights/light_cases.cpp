@@ -112,6 +112,7 @@ void add_lights_at_infinity(std::vector<ExtendedLight>& all) {
     add("infinite map", make_one("infinite", {text("mapname", probe_image())}, turned),
         Vec3(0, 0, 1), -1);
     add("sky", make_one("sky", {sun, numbers("float", "gain", {1e-4})}), Vec3(0, 0, 1), -1);
+    add("sky2", make_one("sky2", {sun, numbers("float", "gain", {1e-4})}), Vec3(0, 0, 1), -1);
     add("sun", make_one("sun", {sun, numbers("float", "gain", {1e-8})}), Vec3(0.5f, -0.6f, 0.7f),
         0.99997f);
     add("distant disk",

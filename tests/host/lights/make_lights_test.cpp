@@ -38,16 +38,16 @@ TEST(MakeLights, UnknownNameListsTheKnownOnes) {
                          "sunsky2"));
 }
 
-TEST(MakeLights, UnrenderedLightsAreSaid) {
+TEST(MakeLights, GoniometricAndProjectionStandWithoutAnImage) {
     RecordedDiagnostics diagnostics;
     const Lights lights = make("goniometric", {numbers("color", "I", {2, 2, 2})}, diagnostics);
-    ASSERT_EQ(diagnostics.warnings.size(), 1u);
-    EXPECT_EQ(diagnostics.warnings[0],
-              "light \"goniometric\" is rendered as a point light, its image is left out");
     EXPECT_NEAR(lights[0]->power(), 8 * 3.14159265, 1e-3);
-    make("infinite", {text("mapname", probe_image()), text("mapping", "angular")}, diagnostics);
-    EXPECT_EQ(diagnostics.warnings.back(),
-              "mapping \"angular\" is not rendered, the image is read as latlong");
+    // 90 degrees by 90 degrees are a sixth of the sphere.
+    const Lights square =
+        make("projection", {numbers("color", "I", {2, 2, 2}), numbers("float", "fov", {90})},
+             diagnostics);
+    EXPECT_NEAR(square[0]->power(), 8 * 3.14159265 / 6, 1e-1);
+    EXPECT_TRUE(diagnostics.warnings.empty());
 }
 
 TEST(MakeLights, DirectionsMustExist) {

@@ -115,6 +115,10 @@ TEST(PhotonAgreement, PointLikeLights) {
     const Patch patch{Vec3(0, 0, 0), Vec3(0, 0, 1), 0.7f};
     expect_agreement(*make_one("point", {from, numbers("color", "L", {3, 2, 1})}), patch);
     // Half of the patch lies in the falloff.
+    const auto image = text("mapname", probe_image());
+    expect_agreement(*make_one("goniometric", {from, image}), patch);
+    expect_agreement(*make_one("projection", {from, to, image, numbers("float", "fov", {60})}),
+                     patch);
     expect_agreement(*make_one("spot", {from, to, numbers("float", "coneangle", {25}),
                                         numbers("float", "conedeltaangle", {20})}),
                      patch);

@@ -21,7 +21,7 @@ std::vector<std::unique_ptr<Light>> all_lights() {
     std::vector<std::unique_ptr<Light>> lights;
     for (ExtendedLight& c : extended_lights())
         lights.push_back(std::move(c.light));
-    for (const char* plugin : {"point", "spot", "distant"})
+    for (const char* plugin : {"point", "spot", "distant", "goniometric", "projection"})
         lights.push_back(make_one(plugin, {}));
     return lights;
 }

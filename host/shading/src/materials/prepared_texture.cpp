@@ -3,8 +3,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <limits>
 
+#include "metal_presets.h"
 #include "textures/texture_parameters.h"
 
 namespace lxs::shading {
@@ -52,6 +54,21 @@ PreparedFresnel::PreparedFresnel(std::shared_ptr<const FresnelTexture> texture) 
     } else {
         texture_ = std::move(texture);
     }
+}
+
+FresnelValue PreparedFresnel::interpolated(const FresnelValue& value,
+                                           const Wavelengths& wavelengths) {
+    FresnelValue result = value;
+    for (int i = 0; i < 3; ++i) {
+        const auto nm = static_cast<float>(wavelengths.nm[static_cast<std::size_t>(i)]);
+        const int first = nm > kRgbWavelengths[1] ? 0 : 1;  // of the pair around nm
+        const float a = kRgbWavelengths[static_cast<std::size_t>(first)];
+        const float b = kRgbWavelengths[static_cast<std::size_t>(first) + 1];
+        const float t = std::clamp((nm - a) / (b - a), 0.0f, 1.0f);
+        result.eta[i] = value.eta[first] + t * (value.eta[first + 1] - value.eta[first]);
+        result.k[i] = value.k[first] + t * (value.k[first + 1] - value.k[first]);
+    }
+    return result;
 }
 
 }  // namespace lxs::shading

@@ -66,12 +66,18 @@ class PreparedFresnel {
   public:
     explicit PreparedFresnel(std::shared_ptr<const FresnelTexture> texture);
     explicit PreparedFresnel(const FresnelValue& value) : constant_(value) {}
+    /// At the point's wavelengths, if it has any.
     FresnelValue at(const TexturePoint& point) const {
-        return texture_ ? texture_->evaluate(point) : constant_;
+        const FresnelValue value = texture_ ? texture_->evaluate(point) : constant_;
+        return point.wavelengths ? interpolated(value, *point.wavelengths) : value;
     }
     bool reads_image() const { return texture_ && texture_->reads_image(); }
 
   private:
+    /// Constants between the wavelengths of R, G and B that `value` is given for; at the spectrum's
+    /// ends those of the nearest.
+    static FresnelValue interpolated(const FresnelValue& value, const Wavelengths& wavelengths);
+
     FresnelValue constant_;
     std::shared_ptr<const FresnelTexture> texture_;
 };

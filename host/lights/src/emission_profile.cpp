@@ -1,0 +1,72 @@
+// How the intensity of a light at a point depends on direction.
+#include "emission_profile.h"
+
+#include <cmath>
+
+#include "latlong_coordinates.h"
+
+namespace lxs {
+
+SphereProfile::SphereProfile(const Rotation& rotation, LatLongMap map)
+    : rotation_(rotation), map_(std::move(map)), importance_(map_.importance()) {}
+
+Rgb SphereProfile::at(const Vec3& w) const {
+    return map_.lookup(latlong_coordinates(rotation_.to_local(w)));
+}
+
+float SphereProfile::sample(const Vec2& u, Vec3& w) const {
+    if (!importance_.positive()) return 0;
+    float density = 0;
+    const Vec2 st = importance_.sample(u, density);
+    w = rotation_.to_world(latlong_direction(st)).normalized();
+    return latlong_density(density, st.y);
+}
+
+bool SphereProfile::coordinates(const Vec3& w, Vec2& u) const {
+    return importance_.coordinates(latlong_coordinates(rotation_.to_local(w)), u);
+}
+
+ScreenProfile::ScreenProfile(const Frame& axes, LatLongMap image, float fov)
+    : axes_(axes), image_(std::move(image)) {
+    const float aspect = static_cast<float>(image_.width()) / static_cast<float>(image_.height());
+    half_ = Vec2(std::max(aspect, 1.0f), std::max(1 / aspect, 1.0f)) * std::tan(fov / 2);
+    // Solid angle per area at distance 1.
+    const auto solid_angle = [this](const Vec2& st) {
+        const float cosine = local_direction(st).z;
+        return double(cosine) * cosine * cosine;
+    };
+    importance_ = image_.importance(solid_angle);
+    integral_ = image_.integral(solid_angle) * (4 * half_.x * half_.y);
+}
+
+Vec3 ScreenProfile::local_direction(const Vec2& st) const {
+    return Vec3((2 * st.x - 1) * half_.x, (2 * st.y - 1) * half_.y, 1).normalized();
+}
+
+bool ScreenProfile::image_place(const Vec3& w, Vec2& st) const {
+    const Vec3 local = axes_.to_local(w);
+    if (!(local.z > 0)) return false;
+    st = Vec2((local.x / (local.z * half_.x) + 1) / 2, (local.y / (local.z * half_.y) + 1) / 2);
+    return st.x >= 0 && st.x < 1 && st.y >= 0 && st.y < 1;
+}
+
+Rgb ScreenProfile::at(const Vec3& w) const {
+    Vec2 st;
+    return image_place(w, st) ? image_.lookup(st) : Rgb(0.0f);
+}
+
+float ScreenProfile::sample(const Vec2& u, Vec3& w) const {
+    if (!importance_.positive()) return 0;
+    float density = 0;
+    const Vec2 st = importance_.sample(u, density);
+    const Vec3 local = local_direction(st);
+    w = axes_.to_world(local).normalized();
+    return density / (4 * half_.x * half_.y * local.z * local.z * local.z);
+}
+
+bool ScreenProfile::coordinates(const Vec3& w, Vec2& u) const {
+    Vec2 st;
+    return image_place(w, st) && importance_.coordinates(st, u);
+}
+
+}  // namespace lxs

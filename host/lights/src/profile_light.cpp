@@ -1,0 +1,54 @@
+// Light at a point whose intensity depends on direction by an image.
+#include "profile_light.h"
+
+#include <cmath>
+
+namespace lxs {
+
+ProfileLight::ProfileLight(LightPlacement placement, std::string_view kind, const Vec3& position,
+                           const Rgb& intensity, std::unique_ptr<const EmissionProfile> profile)
+    : placement_(std::move(placement)),
+      kind_(kind),
+      position_(position),
+      intensity_(intensity),
+      profile_(std::move(profile)),
+      power_(luminance(intensity_ * profile_->integral())) {}
+
+bool ProfileLight::sample_emission(const std::array<float, 4>& u, EmissionSample& sample) const {
+    sample.normal = Vec3(0.0f);
+    sample.ray = Ray{};
+    sample.ray.origin = position_;
+    sample.ray.medium = placement_.medium.get();
+    const float density = profile_->sample(Vec2(u[2], u[3]), sample.ray.direction);
+    if (!(density > 0)) return false;
+    sample.power = intensity_ * profile_->at(sample.ray.direction) / density;
+    return !is_black(sample.power);
+}
+
+bool ProfileLight::sample_direct(const Vec3& p, const Vec3& /*n*/, const Vec2& /*u*/,
+                                 DirectSample& sample) const {
+    sample.pdf = 0;
+    const Vec3 to_light = position_ - p;
+    const float distance2 = to_light.length2();
+    if (!(distance2 > 0)) return false;
+    const float distance = std::sqrt(distance2);
+    const Vec3 wi = to_light / distance;
+    const Rgb arriving = intensity_ * profile_->at(-wi) / distance2;
+    if (is_black(arriving) || !std::isfinite(max_component(arriving))) return false;
+    sample = {wi, distance, position_, arriving, 1.0f, true};
+    return true;
+}
+
+bool ProfileLight::emission_coordinates(const Vec3& p, const DirectSample& /*sample*/,
+                                        std::array<float, 4>& u) const {
+    const Vec3 w = (p - position_).normalized();
+    Vec2 d;
+    if (!(w.length2() > 0) || is_black(intensity_ * profile_->at(w)) ||
+        !profile_->coordinates(w, d)) {
+        return false;
+    }
+    u[2] = d.x, u[3] = d.y;
+    return true;
+}
+
+}  // namespace lxs

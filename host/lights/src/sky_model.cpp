@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "solar_spectrum.h"
+#include "lxs/spectrum/colour_matching.h"
 
 namespace lxs {
 namespace {
@@ -77,7 +77,7 @@ Rgb SkyModel::radiance(const Vec3& w) const {
     const double x = evaluate(x_, cos_theta, gamma, cos_gamma);
     const double y = evaluate(y_, cos_theta, gamma, cos_gamma);
     if (!(luminance > 0) || !(y > 0) || !std::isfinite(luminance)) return Rgb(0.0f);
-    return rgb_of_xyz(
+    return clipped_rgb_of_xyz(
         Imath::V3d(luminance * x / y, luminance, luminance * std::max(0.0, 1 - x - y) / y));
 }
 

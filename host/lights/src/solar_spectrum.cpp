@@ -6,6 +6,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "lxs/spectrum/colour_matching.h"
+
 namespace lxs {
 namespace {
 
@@ -32,19 +34,6 @@ constexpr std::array<SolarSample, 38> kSolar = {{
     {186.3, 0.010, 0.061}, {182.6, 0.009, 0.001},
 }};
 
-double lobe(double wavelength, double mean, double below, double above) {
-    const double t = (wavelength - mean) * (wavelength < mean ? below : above);
-    return std::exp(-0.5 * t * t);
-}
-
-/// CIE 1931 colour matching functions, multi-lobe fit (Wyman, Sloan & Shirley 2013, listing 1).
-Imath::V3d color_matching(double w) {
-    return {1.056 * lobe(w, 599.8, 0.0264, 0.0323) + 0.362 * lobe(w, 442.0, 0.0624, 0.0374) -
-                0.065 * lobe(w, 501.1, 0.0490, 0.0382),
-            0.821 * lobe(w, 568.8, 0.0213, 0.0247) + 0.286 * lobe(w, 530.9, 0.0613, 0.0322),
-            1.217 * lobe(w, 437.0, 0.0845, 0.0278) + 0.681 * lobe(w, 459.0, 0.0385, 0.0725)};
-}
-
 /// Share of sunlight of `wavelength` nm that `mass` = relative optical mass of air lets through
 /// (Preetham et al. 1999, appendix A.2, equations for tau_r, tau_a, tau_o, tau_wa).
 double transmittance(const SolarSample& s, double wavelength, double mass, double turbidity) {
@@ -61,15 +50,6 @@ double transmittance(const SolarSample& s, double wavelength, double mass, doubl
 
 }  // namespace
 
-Rgb rgb_of_xyz(const Imath::V3d& c) {
-    const Imath::V3d rgb(3.2404542 * c.x - 1.5371385 * c.y - 0.4985314 * c.z,
-                         -0.9692660 * c.x + 1.8760108 * c.y + 0.0415560 * c.z,
-                         0.0556434 * c.x - 0.2040259 * c.y + 1.0572252 * c.z);
-    return Rgb(Imath::V3f(static_cast<float>(std::max(rgb.x, 0.0)),
-                          static_cast<float>(std::max(rgb.y, 0.0)),
-                          static_cast<float>(std::max(rgb.z, 0.0))));
-}
-
 Rgb sun_radiance(double cos_zenith, double turbidity) {
     if (!(cos_zenith > 0)) return Rgb(0.0f);
     const double zenith = std::acos(std::min(cos_zenith, 1.0));
@@ -82,9 +62,9 @@ Rgb sun_radiance(double cos_zenith, double turbidity) {
         const double wavelength = kFirstWavelength + kStep * static_cast<double>(i);
         const double radiance =
             kUnit * kSolar[i].radiance * transmittance(kSolar[i], wavelength, mass, turbidity);
-        xyz += color_matching(wavelength) * (kLumensPerWatt * radiance * kStep);
+        xyz += colour_matching(wavelength) * (kLumensPerWatt * radiance * kStep);
     }
-    return rgb_of_xyz(xyz);
+    return clipped_rgb_of_xyz(xyz);
 }
 
 }  // namespace lxs

@@ -5,9 +5,6 @@
 
 namespace lxs {
 
-/// Linear Rec. 709 colour of CIE XYZ; negative components become zero.
-Rgb rgb_of_xyz(const Imath::V3d& xyz);
-
 /// Colour of the sun's disk seen through the atmosphere, its luminance in cd m^-2, for
 /// a sun `cos_zenith` = cosine of its zenith angle and a `turbidity` from 1 (Preetham, Shirley &
 /// Smits 1999, appendix A.2). Black at and below the horizon.

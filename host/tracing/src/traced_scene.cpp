@@ -17,9 +17,14 @@ SceneSphere enclosing_sphere(const Bounds& box) {
     return {box.center(), radius > 0 ? radius : 1.0f};
 }
 
-ShadingPoint shading_point(const SurfaceHit& hit) {
+ShadingPoint shading_point(const SurfaceHit& hit, const Surface& surface,
+                           const Matrix* world_to_object, const RawHit& raw) {
+    constexpr std::uint32_t kFacesApart = 0x9E3779B1;  // odd: no two shapes share all their faces
     ShadingPoint point;
     point.texture = {hit.p, hit.ns, hit.uv};
+    point.texture.face = raw.geometry * kFacesApart + raw.primitive;
+    point.texture.world_to_object = world_to_object;
+    point.texture.object_to_shape = &surface.object_to_shape;
     point.ng = hit.ng;
     point.ns = hit.ns;
     point.dpdu = hit.dpdu;
@@ -67,7 +72,7 @@ void TracedScene::build_geometry() {
 }
 
 void TracedScene::place_instances() {
-    placements_.push_back({world_surfaces_.surfaces.data(), nullptr, 0});
+    placements_.push_back({world_surfaces_.surfaces.data(), nullptr, {}, 0});
     std::size_t light_count = world_surfaces_.emissive_count;
     transforms_.reserve(contents_.instances.size());  // placements point into it
     for (const Instance& instance : contents_.instances) {
@@ -76,8 +81,8 @@ void TracedScene::place_instances() {
         const auto id =
             static_cast<std::uint32_t>(contents_.primitives.size() + transforms_.size());
         world_scene_.add_instance(id, object_scenes_[instance.object], instance.to_world);
-        placements_.push_back(
-            {group.surfaces.data(), &transforms_.emplace_back(instance.to_world), light_count});
+        placements_.push_back({group.surfaces.data(), &transforms_.emplace_back(instance.to_world),
+                               instance.to_world.inverse(), light_count});
         light_count += group.emissive_count;
         bounds_.extendBy(transformed(group.bounds, instance.to_world));
     }
@@ -124,7 +129,10 @@ bool TracedScene::intersect(const Ray& ray, SurfaceHit& hit,
         hit.light = light;
         if (wo.dot(hit.ng) > 0) hit.emitted = light->radiance(hit.p, hit.ng, hit.uv, wo);
     }
-    hit.bsdf = surface.material ? surface.material->scatter(shading_point(hit), memory) : nullptr;
+    hit.bsdf = surface.material
+                   ? surface.material->scatter(
+                         shading_point(hit, surface, placement.to_object(), raw), memory)
+                   : nullptr;
     return true;
 }
 
@@ -158,7 +166,8 @@ Rgb TracedScene::walk_transmittance(const Ray& ray) const {
         hit.interior = surface.interior;
         hit.exterior = surface.exterior;
         share *= medium_transmittance(medium, raw.distance - passed) *
-                 surface.material->straight_transmittance(shading_point(hit), ray.direction);
+                 surface.material->straight_transmittance(
+                     shading_point(hit, surface, placement.to_object(), raw), ray.direction);
         if (is_black(share)) return share;
         medium = ray.direction.dot(hit.ng) > 0 ? hit.exterior : hit.interior;
         passed = raw.distance;

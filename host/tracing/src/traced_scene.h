@@ -38,7 +38,10 @@ class TracedScene : public Scene {
     struct Placement {
         const Surface* surfaces = nullptr;
         const InstanceTransform* transform = nullptr;  ///< null for the world
-        std::size_t first_light = 0;                   ///< into area_lights_
+        Matrix world_to_object;
+        std::size_t first_light = 0;  ///< into area_lights_
+
+        const Matrix* to_object() const { return transform ? &world_to_object : nullptr; }
     };
 
     void build_geometry();

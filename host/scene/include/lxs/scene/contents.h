@@ -32,6 +32,8 @@ struct Primitive {
     std::uint32_t material_index = 0;  ///< into SceneContents::material_names
     std::shared_ptr<const Medium> interior, exterior;
     std::optional<AreaEmission> emission;
+    Matrix
+        to_world;  ///< in force at the shape: to object space, or to the world outside of objects
     bool reverse_orientation = false;  ///< ReverseOrientation in force xor mirroring transform
     SourceLocation where;
 };

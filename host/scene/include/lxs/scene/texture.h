@@ -1,6 +1,7 @@
 // Textures: functions of a surface point.
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <optional>
 
@@ -10,11 +11,20 @@
 
 namespace lxs {
 
+/// What a colour is wanted for: a flat spectrum is white as a reflectance, but not as a light.
+enum class ColourUse : std::uint8_t { Surface, Light };
+
 /// The part of a surface point that textures read.
 struct TexturePoint {
     Vec3 p{0.0f};  ///< world space
     Vec3 n{0.0f};  ///< shading normal
     Vec2 uv{0.0f};
+    ColourUse use = ColourUse::Surface;
+    std::uint32_t face = 0;  ///< tells faces of meshes and whole quadrics apart, in no order
+    /// World to object space (null in the world itself), then on to the space of the shape, where
+    /// textures with "local" coordinates lie; null where unknown.
+    const Matrix* world_to_object = nullptr;
+    const Matrix* object_to_shape = nullptr;
 };
 
 /// A texture with values of type T (float, Rgb).
@@ -23,7 +33,7 @@ class Texture {
   public:
     virtual ~Texture() = default;
     virtual T evaluate(const TexturePoint& point) const = 0;
-    /// The value if it is the same everywhere: materials prepare for it once.
+    /// The value if it is the same everywhere (ColourUse::Surface): materials prepare for it once.
     virtual std::optional<T> constant() const { return std::nullopt; }
     /// True if an image file is read.
     virtual bool reads_image() const { return false; }

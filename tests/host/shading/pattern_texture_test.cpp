@@ -59,7 +59,8 @@ TEST_F(PatternTextureTest, UvMaskShowsTheUnitSquare) {
     EXPECT_EQ(mask->evaluate(at_uv(-0.001f, 0.5f)), 5);
 }
 
-// About half of the cells hold a dot of radius 0.35, none larger and none beyond its cell.
+// A cell holds a dot of radius 0.35, whole, where the noise in its middle is above 0: in half of
+// the cells but for those where it is 0, about a quarter.
 TEST_F(PatternTextureTest, DotsCoverTheShareOfTheirCells) {
     const auto dots = scene_.make_float("dots", {number("inside", 1), number("outside", 0)});
     int cells_with_dots = 0;
@@ -77,7 +78,7 @@ TEST_F(PatternTextureTest, DotsCoverTheShareOfTheirCells) {
         cells_with_dots += inside > 0 ? 1 : 0;
     }
     EXPECT_NEAR(covered / cells_with_dots, 3.14159265 * 0.35 * 0.35, 0.01);
-    EXPECT_NEAR(static_cast<double>(cells_with_dots) / (kCells * kCells), 0.5, 0.08);
+    EXPECT_NEAR(static_cast<double>(cells_with_dots) / (kCells * kCells), 0.375, 0.05);
 }
 
 TEST_F(PatternTextureTest, HarlequinGivesEachFaceItsColour) {

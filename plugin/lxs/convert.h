@@ -26,8 +26,7 @@ inline lxs::Transport to(Transport t) {
 }
 
 inline Ray from(const lxs::Ray& ray) {
-    return {from(ray.origin), from(ray.direction), ray.time, ray.medium,
-            ray.component};
+    return {from(ray.origin), from(ray.direction), ray.time, ray.medium, ray.component};
 }
 inline lxs::Ray to(const Ray& ray) {
     lxs::Ray r;

@@ -201,8 +201,8 @@ class PhotonTrace {
         if (!refusals_.accept(photon.power, point.material) || is_black(photon.power)) return false;
         photon.straight = photon.straight && scattered.straight;
         photon.previous = point.position;
-        photon.ray = continue_ray(in_.scene, point, scattered.direction, scattered.component,
-                                  photon.ray);
+        photon.ray =
+            continue_ray(in_.scene, point, scattered.direction, scattered.component, photon.ray);
         ++photon.depth;
         return true;
     }

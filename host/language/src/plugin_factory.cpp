@@ -72,7 +72,7 @@ std::shared_ptr<const Material> PluginFactory::material(const ParameterSet& set,
 }
 
 std::shared_ptr<Medium> PluginFactory::medium(const ParameterSet& set,
-                                                    const Matrix& to_world) const {
+                                              const Matrix& to_world) const {
     const Kind kind{"volume", "MakeNamedVolume", "a clear one with its index is used instead"};
     const auto made = make(registry_.media, kind, set, to_world);
     if (made) return *made;

@@ -170,6 +170,7 @@ void SceneReader::shape(Statement& statement) {
     primitive.geometry = std::move(*geometry);
     primitive.material = graphics.material;
     primitive.material_index = graphics.material_index;
+    primitive.to_world = scopes_.transform;
     primitive.interior = graphics.interior;
     primitive.exterior = graphics.exterior;
     if (graphics.emission) {

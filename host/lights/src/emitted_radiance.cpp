@@ -12,13 +12,14 @@ Rgb non_negative(const Rgb& c) {
 
 EmittedRadiance::EmittedRadiance(std::shared_ptr<const ColorTexture> texture)
     : texture_(std::move(texture)) {
-    const std::optional<Rgb> value = texture_ ? texture_->constant() : Rgb(1.0f);
-    constant_ = value.has_value();
-    if (constant_) value_ = non_negative(*value);
+    constant_ = !texture_ || texture_->constant().has_value();
+    if (constant_) value_ = texture_ ? colour(Vec3(0.0f), Vec3(0.0f), Vec2(0.0f)) : Rgb(1.0f);
 }
 
-Rgb EmittedRadiance::textured(const Vec3& p, const Vec3& n, const Vec2& uv) const {
-    return non_negative(texture_->evaluate({p, n, uv})) * scale_;
+Rgb EmittedRadiance::colour(const Vec3& p, const Vec3& n, const Vec2& uv) const {
+    TexturePoint point{p, n, uv};
+    point.use = ColourUse::Light;
+    return non_negative(texture_->evaluate(point));
 }
 
 }  // namespace lxs

@@ -14,11 +14,11 @@ class EmittedRadiance {
     bool is_constant() const { return constant_; }
     /// Radiance in W sr^-1 m^-2, finite and >= 0.
     Rgb at(const Vec3& p, const Vec3& n, const Vec2& uv) const {
-        return constant_ ? value_ * scale_ : textured(p, n, uv);
+        return (constant_ ? value_ : colour(p, n, uv)) * scale_;
     }
 
   private:
-    Rgb textured(const Vec3& p, const Vec3& n, const Vec2& uv) const;
+    Rgb colour(const Vec3& p, const Vec3& n, const Vec2& uv) const;  ///< of the texture
 
     std::shared_ptr<const ColorTexture> texture_;
     Rgb value_{0.0f};

@@ -1,5 +1,5 @@
-// Coefficients of the Hosek-Wilkie sky, CIE XYZ, version 1.4a of February 22nd, 2013: the data of the
-// authors' own release (http://cgg.mff.cuni.cz/projects/SkylightModelling/,
+// Coefficients of the Hosek-Wilkie sky, CIE XYZ, version 1.4a of February 22nd, 2013: the data of
+// the authors' own release (http://cgg.mff.cuni.cz/projects/SkylightModelling/,
 // ArHosekSkyModelData_CIEXYZ.h), laid out anew, under their licence:
 //
 // Copyright (c) 2012 - 2013, Lukas Hosek and Alexander Wilkie
@@ -11,19 +11,20 @@
 //     * Redistributions of source code must retain the above copyright notice, this list of
 //       conditions and the following disclaimer.
 //     * Redistributions in binary form must reproduce the above copyright notice, this list of
-//       conditions and the following disclaimer in the documentation and/or other materials provided
-//       with the distribution.
-//     * None of the names of the contributors may be used to endorse or promote products derived from
+//       conditions and the following disclaimer in the documentation and/or other materials
+//       provided with the distribution.
+//     * None of the names of the contributors may be used to endorse or promote products derived
+//     from
 //       this software without specific prior written permission.
 //
 // THIS SOFTWARE IS PROVIDED BY THE COPYRIGHT HOLDERS AND CONTRIBUTORS "AS IS" AND ANY EXPRESS OR
 // IMPLIED WARRANTIES, INCLUDING, BUT NOT LIMITED TO, THE IMPLIED WARRANTIES OF MERCHANTABILITY AND
-// FITNESS FOR A PARTICULAR PURPOSE ARE DISCLAIMED. IN NO EVENT SHALL THE COPYRIGHT HOLDERS BE LIABLE
-// FOR ANY DIRECT, INDIRECT, INCIDENTAL, SPECIAL, EXEMPLARY, OR CONSEQUENTIAL DAMAGES (INCLUDING, BUT
-// NOT LIMITED TO, PROCUREMENT OF SUBSTITUTE GOODS OR SERVICES; LOSS OF USE, DATA, OR PROFITS; OR
-// BUSINESS INTERRUPTION) HOWEVER CAUSED AND ON ANY THEORY OF LIABILITY, WHETHER IN CONTRACT, STRICT
-// LIABILITY, OR TORT (INCLUDING NEGLIGENCE OR OTHERWISE) ARISING IN ANY WAY OUT OF THE USE OF THIS
-// SOFTWARE, EVEN IF ADVISED OF THE POSSIBILITY OF SUCH DAMAGE.
+// FITNESS FOR A PARTICULAR PURPOSE ARE DISCLAIMED. IN NO EVENT SHALL THE COPYRIGHT HOLDERS BE
+// LIABLE FOR ANY DIRECT, INDIRECT, INCIDENTAL, SPECIAL, EXEMPLARY, OR CONSEQUENTIAL DAMAGES
+// (INCLUDING, BUT NOT LIMITED TO, PROCUREMENT OF SUBSTITUTE GOODS OR SERVICES; LOSS OF USE, DATA,
+// OR PROFITS; OR BUSINESS INTERRUPTION) HOWEVER CAUSED AND ON ANY THEORY OF LIABILITY, WHETHER IN
+// CONTRACT, STRICT LIABILITY, OR TORT (INCLUDING NEGLIGENCE OR OTHERWISE) ARISING IN ANY WAY OUT OF
+// THE USE OF THIS SOFTWARE, EVEN IF ADVISED OF THE POSSIBILITY OF SUCH DAMAGE.
 #include "hosek_wilkie_data.h"
 
 namespace lxs {

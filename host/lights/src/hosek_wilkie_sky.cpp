@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "solar_spectrum.h"
+#include "lxs/spectrum/colour_matching.h"
 
 namespace lxs {
 namespace {
@@ -80,7 +80,7 @@ Rgb HosekWilkieSky::radiance(const Vec3& w) const {
             double(distribution(channel, cos_theta, gamma, cos_gamma)) * double(channel.mean);
         xyz[k] = std::isfinite(value) ? std::max(value, 0.0) : 0.0;
     }
-    return rgb_of_xyz(xyz);
+    return clipped_rgb_of_xyz(xyz);
 }
 
 }  // namespace lxs

@@ -9,16 +9,44 @@ namespace {
 
 using Numbers = std::vector<double>;
 
+bool is_vector(const ParameterValue& value) {
+    return value.type == "vector";
+}
+
 const Numbers* numbers_of(const ParameterValue* value, std::size_t at_least) {
     const auto* numbers = value ? std::get_if<Numbers>(&value->values) : nullptr;
     return numbers && numbers->size() >= at_least ? numbers : nullptr;
 }
 
+/// The declaration of a value's name. A vector and a number of one name may both be declared:
+/// LuxRender's marble has a "float scale" of its own and the "vector scale" of its mapping.
 const ParameterDeclaration* declared(std::span<const ParameterDeclaration> declarations,
-                                     std::string_view name) {
-    const auto found = std::find_if(declarations.begin(), declarations.end(),
-                                    [&](const auto& d) { return d.name == name; });
-    return found == declarations.end() ? nullptr : &*found;
+                                     const ParameterValue& value) {
+    const ParameterDeclaration* named = nullptr;
+    for (const ParameterDeclaration& declaration : declarations) {
+        if (declaration.name != value.name) continue;
+        if (!named || is_vector(value) == (declaration.type == ParameterType::Vector))
+            named = &declaration;
+    }
+    return named;
+}
+
+/// The last value of `name` that is, or isn't, written as a vector.
+const ParameterValue* last_value(const ParameterSet& set, std::string_view name, bool vector) {
+    const auto found = std::find_if(set.values.rbegin(), set.values.rend(), [&](const auto& value) {
+        return value.name == name && is_vector(value) == vector;
+    });
+    return found == set.values.rend() ? nullptr : &*found;
+}
+
+/// Whether a later value of the set is for the same parameter.
+bool is_overridden(const ParameterSet& set, const ParameterValue& value,
+                   std::span<const ParameterDeclaration> declarations) {
+    return std::any_of(set.values.begin() + (&value - set.values.data()) + 1, set.values.end(),
+                       [&](const ParameterValue& later) {
+                           return later.name == value.name &&
+                                  declared(declarations, later) == declared(declarations, value);
+                       });
 }
 
 void report_unknown(const ParameterSet& set, const ParameterValue& value,
@@ -53,8 +81,8 @@ ParameterReader::ParameterReader(const ParameterSet& set,
     : set_(set), diagnostics_(diagnostics) {
     std::vector<const ParameterValue*> without_effect;
     for (const ParameterValue& value : set.values) {
-        const ParameterDeclaration* declaration = declared(declarations, value.name);
-        if (find(value.name) != &value) {
+        const ParameterDeclaration* declaration = declared(declarations, value);
+        if (is_overridden(set, value, declarations)) {
             diagnostics.warning(value.where,
                                 in_quotes(value.name) + " is given twice: the last one counts");
         } else if (!declaration) {
@@ -69,7 +97,7 @@ ParameterReader::ParameterReader(const ParameterSet& set,
 }
 
 double ParameterReader::number(std::string_view name, double fallback) const {
-    const Numbers* numbers = numbers_of(find(name), 1);
+    const Numbers* numbers = numbers_of(last_value(set_, name, false), 1);
     return numbers ? numbers->front() : fallback;
 }
 
@@ -97,6 +125,7 @@ Rgb ParameterReader::color(std::string_view name, const Rgb& fallback) const {
 
 Vec3 ParameterReader::vector(std::string_view name, const Vec3& fallback) const {
     const Numbers* numbers = numbers_of(find(name), 3);
+    if (!numbers) numbers = numbers_of(last_value(set_, name, true), 3);
     if (!numbers) return fallback;
     return {static_cast<float>((*numbers)[0]), static_cast<float>((*numbers)[1]),
             static_cast<float>((*numbers)[2])};

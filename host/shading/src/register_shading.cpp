@@ -20,9 +20,22 @@ void register_textures(Registry& registry) {
     registry.fresnel_textures["fresnelcolor"] = shading::fresnelcolor_plugin();
     registry.fresnel_textures["fresnelname"] = shading::fresnelname_plugin();
     registry.fresnel_textures["cauchy"] = shading::cauchy_plugin();
+    registry.color_textures["colordepth"] = shading::colordepth_plugin();
+    registry.color_textures["lampspectrum"] = shading::lampspectrum_plugin();
     shading::register_imagemaps(registry);
     registry.float_textures["normalmap"] =
         shading::normalmap_plugin(registry.color_textures.at("imagemap"));
+    shading::register_noise_textures(registry);
+    shading::register_pattern_textures(registry);
+    shading::register_bricks(registry);
+    shading::register_sum_textures(registry);
+    shading::register_spectral_textures(registry);
+    shading::register_sampled_spectra(registry);
+    shading::register_hitpoint_textures(registry);
+    shading::register_density_textures(registry);
+    shading::register_blender_noises(registry);
+    shading::register_blender_waves(registry);
+    registry.float_textures["blender_musgrave"] = shading::blender_musgrave_plugin();
 }
 
 void register_materials(Registry& registry) {

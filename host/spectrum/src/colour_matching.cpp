@@ -4,13 +4,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "observer_table.h"
+
 namespace lxs {
 namespace {
-
-double lobe(double wavelength, double mean, double below, double above) {
-    const double t = (wavelength - mean) * (wavelength < mean ? below : above);
-    return std::exp(-0.5 * t * t);
-}
 
 /// Sum of each channel over the visible range, at steps of a nanometre.
 Imath::V3d flat_spectrum() {
@@ -20,13 +17,19 @@ Imath::V3d flat_spectrum() {
     return sum;
 }
 
+Imath::V3d row(std::size_t i) {
+    return {kObserverTable[i][0], kObserverTable[i][1], kObserverTable[i][2]};
+}
+
 }  // namespace
 
 Imath::V3d colour_matching(double nm) {
-    return {1.056 * lobe(nm, 599.8, 0.0264, 0.0323) + 0.362 * lobe(nm, 442.0, 0.0624, 0.0374) -
-                0.065 * lobe(nm, 501.1, 0.0490, 0.0382),
-            0.821 * lobe(nm, 568.8, 0.0213, 0.0247) + 0.286 * lobe(nm, 530.9, 0.0613, 0.0322),
-            1.217 * lobe(nm, 437.0, 0.0845, 0.0278) + 0.681 * lobe(nm, 459.0, 0.0385, 0.0725)};
+    const double place = (nm - kObserverFirstNm) / kObserverStepNm;
+    const auto last = static_cast<double>(kObserverTable.size() - 1);
+    if (!(place >= 0 && place <= last)) return Imath::V3d(0.0);
+    const auto below = static_cast<std::size_t>(std::min(std::floor(place), last - 1));
+    const double share = place - static_cast<double>(below);
+    return row(below) * (1 - share) + row(below + 1) * share;
 }
 
 Imath::V3d rgb_of_xyz(const Imath::V3d& xyz) {

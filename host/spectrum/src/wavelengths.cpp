@@ -16,7 +16,7 @@ double step_at(double nm, double centre, double width) {
 /// A soft partition of the spectrum: long, middle and short waves. Edges were fitted so that
 /// primary_spectra(), a mixture of the three, stays in [0, 1].
 Imath::V3d bands(double nm) {
-    const double above_short = step_at(nm, 490.03, 9.96), is_long = step_at(nm, 588.13, 3.6);
+    const double above_short = step_at(nm, 490.75, 10.28), is_long = step_at(nm, 587.75, 4.135);
     return {is_long, above_short - is_long, 1 - above_short};
 }
 

@@ -6,6 +6,7 @@ namespace {
 
 Surface describe(const Primitive& primitive) {
     Surface surface;
+    surface.object_to_shape = primitive.to_world.inverse();
     surface.material = primitive.material.get();
     surface.material_index = primitive.material_index;
     surface.interior = primitive.interior.get();

@@ -24,6 +24,7 @@ struct Surface {
     const float* alphas = nullptr;      ///< null: none
     std::vector<TrianglePlane> planes;  ///< of a mesh
     std::unique_ptr<const QuadricShape> quadric;
+    Matrix object_to_shape;  ///< identity if the shape's transform has no inverse
     const Material* material = nullptr;
     const Medium* interior = nullptr;
     const Medium* exterior = nullptr;

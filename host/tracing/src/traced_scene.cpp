@@ -58,7 +58,7 @@ void TracedScene::build_geometry() {
 }
 
 void TracedScene::place_instances() {
-    placements_.push_back({world_surfaces_.surfaces.data(), nullptr, 0});
+    placements_.emplace_back().surfaces = world_surfaces_.surfaces.data();
     std::size_t light_count = world_surfaces_.emissive_count;
     transforms_.reserve(contents_.instances.size());  // placements point into both
     moving_.reserve(contents_.instances.size());
@@ -69,8 +69,10 @@ void TracedScene::place_instances() {
         const SurfaceGroup& group = object_surfaces_[instance.object];
         const auto id =
             static_cast<std::uint32_t>(contents_.primitives.size() + placements_.size() - 1);
-        Placement& placement = placements_.emplace_back(
-            Placement{group.surfaces.data(), nullptr, nullptr, light_count});
+        Placement& placement = placements_.emplace_back();
+        placement.surfaces = group.surfaces.data();
+        placement.world_to_object = instance.to_world.inverse();
+        placement.first_light = light_count;
         light_count += group.emissive_count;
         if (!instance.motion.empty()) {
             place_moving(instance, id, times, placement);
@@ -139,6 +141,10 @@ const Surface& TracedScene::locate_hit(const Ray& ray, const RawHit& raw, Surfac
     point.texture.n = hit.ns;
     point.texture.uv = hit.uv;
     point.texture.wavelengths = wavelengths_ ? &*wavelengths_ : nullptr;
+    constexpr std::uint32_t kFacesApart = 0x9E3779B1;  // odd: no two shapes share all their faces
+    point.texture.face = raw.geometry * kFacesApart + raw.primitive;
+    point.texture.world_to_object = placement.to_object();
+    point.texture.object_to_shape = &surface.object_to_shape;
     add_vertex_values(surface, raw, point.texture);
     point.ng = hit.ng;
     point.ns = hit.ns;

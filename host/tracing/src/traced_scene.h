@@ -49,7 +49,10 @@ class TracedScene : public TraceScene {
         const Surface* surfaces = nullptr;
         const InstanceTransform* transform = nullptr;  ///< null for the world and if it moves
         const MovingPlacement* moving = nullptr;
+        Matrix world_to_object;       ///< of what moves: where its statement says it stands
         std::size_t first_light = 0;  ///< into area_lights_
+
+        const Matrix* to_object() const { return transform || moving ? &world_to_object : nullptr; }
     };
 
     void build_geometry();

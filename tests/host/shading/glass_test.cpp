@@ -143,7 +143,8 @@ ShadingPoint point_at(const Wavelengths& wavelengths, std::int8_t component = kA
 // Each component leaves in its own direction, by its own index, and what is left of the others is
 // black: a prism draws a spectrum, and the right one.
 TEST_F(GlassTest, DispersionBendsEachComponentByItsOwnIndex) {
-    const auto glass = scene_.make_material("glass", {number("index", 1.5), number("cauchyb", .02)});
+    const auto glass =
+        scene_.make_material("glass", {number("index", 1.5), number("cauchyb", .02)});
     EXPECT_TRUE(glass->facts().disperses);
     const Wavelengths wavelengths = wavelengths_of_pass(0, 3);
     const Bsdf& bsdf = *memory_.scatter(*glass, point_at(wavelengths));
@@ -172,7 +173,8 @@ TEST_F(GlassTest, DispersionBendsEachComponentByItsOwnIndex) {
 // What a path loses by the choice it gains in weight: the mean is that of a glass that doesn't
 // disperse, component by component, for paths that carry all and for those that carry one.
 TEST_F(GlassTest, DispersionKeepsTheMeanOfEachComponent) {
-    const auto glass = scene_.make_material("glass", {number("index", 1.4), number("cauchyb", .03)});
+    const auto glass =
+        scene_.make_material("glass", {number("index", 1.4), number("cauchyb", .03)});
     const Wavelengths wavelengths = wavelengths_of_pass(0, 1);
     for (const Vec3& wo : {Vec3(0.6f, 0, 0.8f), Vec3(0.6f, 0, -0.8f)}) {
         for (const Transport transport : {Transport::Radiance, Transport::Power}) {
@@ -185,8 +187,8 @@ TEST_F(GlassTest, DispersionKeepsTheMeanOfEachComponent) {
                         continue;
                     }
                     const double um = wavelengths.nm[static_cast<std::size_t>(c)] / 1000;
-                    const auto plain = scene_.make_material(
-                        "glass", {number("index", 1.4 + 0.03 / (um * um))});
+                    const auto plain =
+                        scene_.make_material("glass", {number("index", 1.4 + 0.03 / (um * um))});
                     const Bsdf& one = *memory_.scatter(*plain, shading_point());
                     const MeanWeight expected = mean_weight(one, wo, transport, 200'000, 10);
                     EXPECT_NEAR(mean.mean[c], expected.mean[c],
@@ -198,7 +200,8 @@ TEST_F(GlassTest, DispersionKeepsTheMeanOfEachComponent) {
 }
 
 TEST_F(GlassTest, WithoutWavelengthsTheMiddleOfTheSpectrumStandsForAll) {
-    const auto glass = scene_.make_material("glass", {number("index", 1.5), number("cauchyb", .02)});
+    const auto glass =
+        scene_.make_material("glass", {number("index", 1.5), number("cauchyb", .02)});
     const Bsdf& bsdf = *memory_.scatter(*glass, shading_point());
     const BsdfSample sample = transmitted(bsdf, {0.8f, 0, 0.6f}, Transport::Power);
     EXPECT_NEAR(sample.wi.x, -0.8 / (1.5 + 0.02 / (0.55 * 0.55)), 1e-5);
@@ -207,8 +210,8 @@ TEST_F(GlassTest, WithoutWavelengthsTheMiddleOfTheSpectrumStandsForAll) {
 
 // glass2 takes its index from the volumes on its sides.
 TEST_F(GlassTest, VolumesDisperseByTheirFresnelTexture) {
-    scene_.fresnels["flint"] = scene_.make_fresnel(
-        "cauchy", {number("cauchya", 1.728), number("cauchyb", 0.0134)});
+    scene_.fresnels["flint"] =
+        scene_.make_fresnel("cauchy", {number("cauchya", 1.728), number("cauchyb", 0.0134)});
     const auto flint = scene_.make_medium("clear", {texture("fresnel", "flint")});
     EXPECT_NEAR(flint->index_curve().at(500), 1.728 + 0.0134 / 0.25, 1e-5);
     const auto glass = scene_.make_material("glass2", {flag("dispersion", true)});

@@ -19,6 +19,12 @@ ParameterValue parameter(const std::string& type, const std::string& name, Value
 ParameterValue number(const std::string& name, double value) {
     return parameter("float", name, std::vector<double>{value});
 }
+ParameterValue numbers(const std::string& name, std::vector<double> values) {
+    return parameter("float", name, std::move(values));
+}
+ParameterValue vector(const std::string& name, const Vec3& value) {
+    return parameter("vector", name, std::vector<double>{value.x, value.y, value.z});
+}
 ParameterValue integer(const std::string& name, std::int64_t value) {
     return parameter("integer", name, std::vector<double>{static_cast<double>(value)});
 }
@@ -60,8 +66,9 @@ std::shared_ptr<const FloatTexture> ShadingFixture::make_float(const std::string
     return make(registry.float_textures, plugin, std::move(values), to_world);
 }
 std::shared_ptr<const ColorTexture> ShadingFixture::make_color(const std::string& plugin,
-                                                               std::vector<ParameterValue> values) {
-    return make(registry.color_textures, plugin, std::move(values));
+                                                               std::vector<ParameterValue> values,
+                                                               const Matrix& to_world) {
+    return make(registry.color_textures, plugin, std::move(values), to_world);
 }
 std::shared_ptr<const FresnelTexture> ShadingFixture::make_fresnel(
     const std::string& plugin, std::vector<ParameterValue> values) {

@@ -27,6 +27,8 @@ class CollectedDiagnostics final : public Diagnostics {
 
 /// One parameter as a scene file writes it; stands in line 7 of no file.
 ParameterValue number(const std::string& name, double value);
+ParameterValue numbers(const std::string& name, std::vector<double> values);
+ParameterValue vector(const std::string& name, const Vec3& value);
 ParameterValue integer(const std::string& name, std::int64_t value);
 ParameterValue color(const std::string& name, const Rgb& value);
 ParameterValue text(const std::string& name, const std::string& value);
@@ -46,7 +48,8 @@ class ShadingFixture : public AssetContext {
                                                    std::vector<ParameterValue> values = {},
                                                    const Matrix& to_world = {});
     std::shared_ptr<const ColorTexture> make_color(const std::string& plugin,
-                                                   std::vector<ParameterValue> values = {});
+                                                   std::vector<ParameterValue> values = {},
+                                                   const Matrix& to_world = {});
     std::shared_ptr<const FresnelTexture> make_fresnel(const std::string& plugin,
                                                        std::vector<ParameterValue> values = {});
 

@@ -82,11 +82,5 @@ TEST_F(TextureTest, CauchyHasItsIndexAtSodiumLight) {
     EXPECT_THROW(scene_.make_fresnel("cauchy", {number("cauchya", -3)}), InputError);
 }
 
-TEST_F(TextureTest, UnrenderedMappingsAreWarnedOf) {
-    scene_.make_float("checkerboard", {text("mapping", "spherical")});
-    EXPECT_EQ(scene_.diagnostics.warnings.size(), 1u);
-    EXPECT_THROW(scene_.make_float("checkerboard", {text("mapping", "sherical")}), InputError);
-}
-
 }  // namespace
 }  // namespace lxs

@@ -59,7 +59,7 @@ class WavelengthsOfSeed : public ::testing::TestWithParam<std::uint64_t> {};
 // Also what a render of so many passes is off by, at most.
 TEST_P(WavelengthsOfSeed, GiveBackColoursInTheMeanOverPasses) {
     for (const Rgb& rgb : {Rgb(1, 1, 1), Rgb(0.8f, 0.3f, 0.1f), Rgb(0.1f, 0.7f, 0.2f),
-                          Rgb(0.05f, 0.1f, 0.9f), Rgb(5, 2, 1)}) {
+                           Rgb(0.05f, 0.1f, 0.9f), Rgb(5, 2, 1)}) {
         Imath::V3d sum(0.0);
         constexpr int kPasses = 256;
         for (std::uint64_t pass = 0; pass < kPasses; ++pass) {
@@ -99,8 +99,8 @@ INSTANTIATE_TEST_SUITE_P(Seeds, WavelengthsOfSeed, ::testing::Values(0, 1, 77, 1
 TEST(Wavelengths, KeepReflectancesWithinTheirBounds) {
     for (std::uint64_t pass = 0; pass < 50; ++pass) {
         const Wavelengths w = wavelengths_of_pass(0, pass);
-        for (const Rgb& rgb : {Rgb(1, 0, 0), Rgb(0, 1, 0), Rgb(0, 0, 1), Rgb(1, 1, 0),
-                              Rgb(1, 1, 1)}) {
+        for (const Rgb& rgb :
+             {Rgb(1, 0, 0), Rgb(0, 1, 0), Rgb(0, 0, 1), Rgb(1, 1, 0), Rgb(1, 1, 1)}) {
             const Rgb r = w.values_of(rgb);
             for (int c = 0; c < 3; ++c) {
                 EXPECT_GE(r[c], 0);

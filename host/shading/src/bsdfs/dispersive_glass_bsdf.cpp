@@ -31,8 +31,7 @@ Rgb DispersiveGlassBsdf::carried() const {
 }
 
 Rgb DispersiveGlassBsdf::reflected(const Vec3& wo) const {
-    return carried() * kr_ *
-           fresnel_by_component(eta_, std::abs(wo.dot(ns_)), wo.dot(ng_) > 0);
+    return carried() * kr_ * fresnel_by_component(eta_, std::abs(wo.dot(ns_)), wo.dot(ng_) > 0);
 }
 
 Rgb DispersiveGlassBsdf::transmitted(const Vec3& wo) const {

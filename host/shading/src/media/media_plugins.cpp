@@ -33,9 +33,8 @@ IndexCurve read_index(const ParameterReader& reader, const AssetContext& assets)
     const Rgb eta = value_everywhere(texture, reader, "fresnel").eta;
     const IndexCurve index =
         eta == Rgb(eta.x) ? IndexCurve{eta.x}
-                          : index_curve_through({kRgbWavelengths[0], kRgbWavelengths[1],
-                                                 kRgbWavelengths[2]},
-                                                eta);
+                          : index_curve_through(
+                                {kRgbWavelengths[0], kRgbWavelengths[1], kRgbWavelengths[2]}, eta);
     for (const double nm : {kFirstVisibleNm, kMiddleNm, kLastVisibleNm}) {
         if (!(index.at(nm) > 0))
             reader.fail("fresnel", "the index of refraction must be above 0 for visible light");

@@ -1,8 +1,8 @@
 // Texture "checkerboard": two textures in alternating squares of (u, v) or cubes of space.
-#include <array>
 #include <cmath>
 
 #include "ignored_parameter.h"
+#include "space_mapping.h"
 #include "texture_parameters.h"
 #include "texture_plugins.h"
 #include "uv_mapping.h"
@@ -36,10 +36,10 @@ class Checkerboard2 final : public FloatTexture {
 class Checkerboard3 final : public FloatTexture {
   public:
     Checkerboard3(std::shared_ptr<const FloatTexture> first,
-                  std::shared_ptr<const FloatTexture> second, const Matrix& to_texture)
-        : first_(std::move(first)), second_(std::move(second)), to_texture_(to_texture) {}
+                  std::shared_ptr<const FloatTexture> second, const SpaceMapping& mapping)
+        : first_(std::move(first)), second_(std::move(second)), mapping_(mapping) {}
     float evaluate(const TexturePoint& point) const override {
-        const Vec3 p = point.p * to_texture_;
+        const Vec3 p = mapping_(point);
         const bool second = (odd(std::floor(p.x)) != odd(std::floor(p.y))) != odd(std::floor(p.z));
         return (second ? second_ : first_)->evaluate(point);
     }
@@ -47,24 +47,16 @@ class Checkerboard3 final : public FloatTexture {
 
   private:
     std::shared_ptr<const FloatTexture> first_, second_;
-    Imath::M44f to_texture_;
+    SpaceMapping mapping_;
 };
-
-Matrix inverse_or_fail(const ParameterReader& reader, const Matrix& to_world) {
-    try {
-        return to_world.inverse(true);
-    } catch (const std::invalid_argument&) {
-        reader.fail("dimension", "checkerboard: the transform in force cannot be inverted");
-    }
-}
 
 std::shared_ptr<const FloatTexture> create(const ParameterReader& reader,
                                            const AssetContext& assets, const Matrix& to_world) {
     auto first = read_float_texture(reader, assets, "tex1", 1);
     auto second = read_float_texture(reader, assets, "tex2", 0);
     if (reader.integer("dimension", 2) == 2)
-        return std::make_shared<Checkerboard2>(first, second, read_uv_mapping(reader));
-    return std::make_shared<Checkerboard3>(first, second, inverse_or_fail(reader, to_world));
+        return std::make_shared<Checkerboard2>(first, second, UvMapping(reader, to_world));
+    return std::make_shared<Checkerboard3>(first, second, SpaceMapping(reader, to_world));
 }
 
 }  // namespace
@@ -78,12 +70,10 @@ FloatTextureFactory checkerboard_plugin() {
         dimension,
         {"tex1", ParameterType::FloatTexture, "1", "value of the first squares"},
         {"tex2", ParameterType::FloatTexture, "0", "value of the others"},
-        ignored("aamode", ParameterType::String, "closedform", "antialiasing of LuxRender"),
-        ignored("coordinates", ParameterType::String, "global",
-                "space of a three-dimensional pattern")};
-    const std::vector<ParameterDeclaration> mapping = uv_mapping_parameters();
-    parameters.insert(parameters.end(), mapping.begin(), mapping.end());
-    return {parameters, &create};
+        ignored("aamode", ParameterType::String, "closedform", "antialiasing of LuxRender")};
+    return {
+        declarations({std::move(parameters), uv_mapping_parameters(), space_mapping_parameters()}),
+        &create};
 }
 
 }  // namespace lxs::shading

@@ -4,7 +4,7 @@
 #include <OpenImageIO/imagecache.h>
 #include <fmt/format.h>
 
-#include "linearized_input.h"
+#include "cleaned_input.h"
 
 namespace lxs::shading {
 namespace {
@@ -20,10 +20,9 @@ std::string first_line(const std::string& text) {
     return line.empty() ? "unknown reason" : line;
 }
 
-void check(LinearizedInput& input, const std::string& path, float gamma,
-           const ParameterReader& reader) {
+void check(CleanedInput& input, const std::string& path, const ParameterReader& reader) {
     OIIO::ImageSpec spec;
-    const OIIO::ImageSpec configuration = LinearizedInput::configuration(path, gamma);
+    const OIIO::ImageSpec configuration = CleanedInput::configuration(path);
     if (!input.open(path, spec, configuration) || !input.read_through()) {
         reader.fail("filename", fmt::format("cannot read image \"{}\": {}", path,
                                             first_line(input.geterror())));
@@ -57,15 +56,14 @@ void ImageCache::create() {
     cache->attribute("forcefloat", 1);
 }
 
-ImageCache::Image ImageCache::open(const std::string& path, float gamma,
-                                   const ParameterReader& reader) {
-    LinearizedInput input;
-    check(input, path, gamma, reader);
+ImageCache::Image ImageCache::open(const std::string& path, const ParameterReader& reader) {
+    CleanedInput input;
+    check(input, path, reader);
     const std::lock_guard lock(mutex_);
     if (!system_) create();
-    const OIIO::ustring name(fmt::format("{}?gamma={}", path, gamma));
-    const OIIO::ImageSpec configuration = LinearizedInput::configuration(path, gamma);
-    system_->imagecache()->add_file(name, &LinearizedInput::create, &configuration);
+    const OIIO::ustring name(path + "?cleaned");
+    const OIIO::ImageSpec configuration = CleanedInput::configuration(path);
+    system_->imagecache()->add_file(name, &CleanedInput::create, &configuration);
     system_->invalidate(name, true);  // another scene may have read an older version of the file
     names_.push_back(name);
     auto* handle = system_->get_texture_handle(name);

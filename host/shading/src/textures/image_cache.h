@@ -31,7 +31,7 @@ class ImageCache {
 
     /// Opens the file `path` and reads it once; values that are not finite or negative are
     /// reported in one warning. Throws InputError at `reader`'s filename when it can't be read.
-    Image open(const std::string& path, float gamma, const ParameterReader& reader);
+    Image open(const std::string& path, const ParameterReader& reader);
 
   private:
     void create();

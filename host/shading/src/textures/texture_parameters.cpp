@@ -30,4 +30,19 @@ std::shared_ptr<const FresnelTexture> read_fresnel_texture(const ParameterReader
     return std::make_shared<ConstantTexture<FresnelValue>>(value);
 }
 
+std::vector<ParameterDeclaration> declarations(
+    std::initializer_list<std::vector<ParameterDeclaration>> lists) {
+    std::vector<ParameterDeclaration> all;
+    for (const auto& list : lists)
+        all.insert(all.end(), list.begin(), list.end());
+    return all;
+}
+
+ParameterDeclaration choice(std::string_view name, std::string_view fallback, std::string_view doc,
+                            std::span<const std::string_view> choices) {
+    ParameterDeclaration declaration{name, ParameterType::String, fallback, doc};
+    declaration.choices = choices;
+    return declaration;
+}
+
 }  // namespace lxs::shading

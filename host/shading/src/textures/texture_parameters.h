@@ -1,8 +1,11 @@
 // Reads textured parameters: a value written in place or the name of a texture.
 #pragma once
 
+#include <initializer_list>
 #include <memory>
+#include <span>
 #include <string_view>
+#include <vector>
 
 #include "lxs/scene/constant_texture.h"
 #include "lxs/scene/registry.h"
@@ -20,6 +23,14 @@ std::shared_ptr<const FresnelTexture> read_fresnel_texture(const ParameterReader
                                                            const AssetContext& assets,
                                                            std::string_view name, float fallback);
 
+/// The lists one after the other.
+std::vector<ParameterDeclaration> declarations(
+    std::initializer_list<std::vector<ParameterDeclaration>> lists);
+
+/// A string parameter that takes one of `choices`, which must outlive it.
+ParameterDeclaration choice(std::string_view name, std::string_view fallback, std::string_view doc,
+                            std::span<const std::string_view> choices);
+
 /// What differs between float and colour textures, for plugins that exist for both.
 template <class T>
 struct TextureKind;
@@ -27,7 +38,12 @@ struct TextureKind;
 template <>
 struct TextureKind<float> {
     static constexpr ParameterType kParameter = ParameterType::FloatTexture;
+    static constexpr ParameterType kValue = ParameterType::Float;
+    static constexpr std::string_view kBlack = "0", kMortar = "0.2", kWhite = "1";
     using Factory = FloatTextureFactory;
+    static float value(const ParameterReader& reader, std::string_view name, float fallback) {
+        return static_cast<float>(reader.number(name, fallback));
+    }
     static std::shared_ptr<const FloatTexture> read(const ParameterReader& reader,
                                                     const AssetContext& assets,
                                                     std::string_view name, float fallback) {
@@ -38,7 +54,12 @@ struct TextureKind<float> {
 template <>
 struct TextureKind<Rgb> {
     static constexpr ParameterType kParameter = ParameterType::ColorTexture;
+    static constexpr ParameterType kValue = ParameterType::Color;
+    static constexpr std::string_view kBlack = "0 0 0", kMortar = "0.2 0.2 0.2", kWhite = "1 1 1";
     using Factory = ColorTextureFactory;
+    static Rgb value(const ParameterReader& reader, std::string_view name, float fallback) {
+        return reader.color(name, Rgb(fallback));
+    }
     static std::shared_ptr<const ColorTexture> read(const ParameterReader& reader,
                                                     const AssetContext& assets,
                                                     std::string_view name, float fallback) {

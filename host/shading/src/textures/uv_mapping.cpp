@@ -1,43 +1,67 @@
-// Placement of two-dimensional textures on surfaces: parameters.
+// Placement of two-dimensional textures on surfaces.
 #include "uv_mapping.h"
 
-#include <fmt/format.h>
-
 #include <array>
+#include <cmath>
+#include <numbers>
 
-#include "ignored_parameter.h"
+#include "texture_space.h"
 
 namespace lxs::shading {
 namespace {
 
 constexpr std::array<std::string_view, 4> kMappings{"uv", "spherical", "cylindrical", "planar"};
 
-}  // namespace
-
-std::vector<ParameterDeclaration> uv_mapping_parameters() {
-    ParameterDeclaration mapping{"mapping", ParameterType::String, "uv", "how (u, v) are found"};
-    mapping.choices = kMappings;
-    return {mapping,
-            {"uscale", ParameterType::Float, "1", "repetitions along u"},
-            {"vscale", ParameterType::Float, "1", "repetitions along v"},
-            {"udelta", ParameterType::Float, "0", "shift along u"},
-            {"vdelta", ParameterType::Float, "0", "shift along v"},
-            ignored("v1", ParameterType::Vector, "1 0 0", "first axis of a planar mapping"),
-            ignored("v2", ParameterType::Vector, "0 1 0", "second axis of a planar mapping")};
+/// Angle around z as a share of a turn, in [0, 1).
+float turn(const Vec3& p) {
+    const float share = std::atan2(p.y, p.x) * (0.5f * std::numbers::inv_pi_v<float>);
+    return share < 0 ? share + 1 : share;
 }
 
-UvMapping read_uv_mapping(const ParameterReader& reader) {
-    const std::string mapping = reader.string("mapping", "uv");
-    if (mapping != "uv") {
-        reader.diagnostics().warning(reader.where("mapping"),
-                                     fmt::format("mapping \"{}\" is not rendered yet; the "
-                                                 "surface's own (u, v) are used",
-                                                 mapping));
-    }
+}  // namespace
+
+UvMapping::UvMapping(const ParameterReader& reader, const Matrix& to_world) {
     const auto number = [&](std::string_view name, double fallback) {
         return static_cast<float>(reader.number(name, fallback));
     };
-    return {{number("uscale", 1), number("vscale", 1)}, {number("udelta", 0), number("vdelta", 0)}};
+    scale_ = {number("uscale", 1), number("vscale", 1)};
+    delta_ = {number("udelta", 0), number("vdelta", 0)};
+    const std::string mapping = reader.string("mapping", "uv");
+    if (mapping == "planar") {
+        kind_ = Kind::Planar;
+        axis_s_ = reader.vector("v1", axis_s_);
+        axis_t_ = reader.vector("v2", axis_t_);
+        scale_ = Vec2(1.0f);  // the vectors' lengths are the scale
+    } else if (mapping != "uv") {
+        kind_ = mapping == "spherical" ? Kind::Spherical : Kind::Cylindrical;
+        to_texture_ = inverse_or_fail(reader, "mapping", to_world);
+    }
+}
+
+Vec2 UvMapping::place(const TexturePoint& point) const {
+    if (kind_ == Kind::Uv) return point.uv;
+    if (kind_ == Kind::Planar) return {point.p ^ axis_s_, point.p ^ axis_t_};
+    const Vec3 p = point.p * to_texture_;
+    if (kind_ == Kind::Cylindrical) return {turn(p), p.z};
+    const float polar = std::atan2(std::hypot(p.x, p.y), p.z);
+    return {turn(p), polar * std::numbers::inv_pi_v<float>};
+}
+
+std::vector<ParameterDeclaration> uv_mapping_parameters() {
+    ParameterDeclaration mapping{"mapping", ParameterType::String, "uv",
+                                 "where (s, t) come from: the surface's uv; spherical and "
+                                 "cylindrical: angles around z in the texture's space; planar: "
+                                 "world positions along v1 and v2"};
+    mapping.choices = kMappings;
+    return {mapping,
+            {"uscale", ParameterType::Float, "1", "repetitions along s (not planar)"},
+            {"vscale", ParameterType::Float, "1", "repetitions along t (not planar)"},
+            {"udelta", ParameterType::Float, "0", "shift along s, after scaling"},
+            {"vdelta", ParameterType::Float, "0", "shift along t, after scaling"},
+            {"v1", ParameterType::Vector, "1 0 0",
+             "planar mapping: s grows by 1 along it, per its "
+             "squared length"},
+            {"v2", ParameterType::Vector, "0 1 0", "planar mapping: likewise for t"}};
 }
 
 }  // namespace lxs::shading

@@ -8,18 +8,28 @@
 
 namespace lxs::shading {
 
-/// s = uscale * u + udelta, t = vscale * v + vdelta.
-struct UvMapping {
-    Vec2 scale{1.0f, 1.0f};
-    Vec2 delta{0.0f, 0.0f};
+/// Texture coordinates (s, t) of a surface point, from one of LuxRender's four mappings.
+class UvMapping {
+  public:
+    /// Reads the parameters of uv_mapping_parameters(). Spherical and cylindrical mappings stand
+    /// in the space of `to_world`, the transform in force where the texture is defined; throws
+    /// InputError at "mapping" if they need its inverse and it has none.
+    UvMapping(const ParameterReader& reader, const Matrix& to_world);
 
-    Vec2 operator()(const TexturePoint& point) const { return point.uv * scale + delta; }
+    Vec2 operator()(const TexturePoint& point) const { return place(point) * scale_ + delta_; }
+
+  private:
+    enum class Kind : std::uint8_t { Uv, Spherical, Cylindrical, Planar };
+
+    Vec2 place(const TexturePoint& point) const;
+
+    Kind kind_ = Kind::Uv;
+    Vec2 scale_, delta_;
+    Vec3 axis_s_{1, 0, 0}, axis_t_{0, 1, 0};
+    Imath::M44f to_texture_;
 };
 
 /// Declarations of the mapping's parameters, to be added to a texture's own.
 std::vector<ParameterDeclaration> uv_mapping_parameters();
-
-/// Warns, with its place, of a mapping that isn't rendered (all but "uv").
-UvMapping read_uv_mapping(const ParameterReader& reader);
 
 }  // namespace lxs::shading

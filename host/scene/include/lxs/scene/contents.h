@@ -33,6 +33,8 @@ struct Primitive {
     std::uint32_t material_index = 0;  ///< into SceneContents::material_names
     std::shared_ptr<const Medium> interior, exterior;
     std::optional<AreaEmission> emission;
+    Matrix
+        to_world;  ///< in force at the shape: to object space, or to the world outside of objects
     bool reverse_orientation = false;  ///< ReverseOrientation in force xor mirroring transform
     SourceLocation where;
 };
@@ -74,7 +76,7 @@ struct SceneContents {
     std::vector<Instance> instances;
     std::vector<LightDescription> lights;
     std::vector<std::shared_ptr<Medium>> media;  ///< all that were named
-    std::vector<std::string> light_groups;  ///< at least "default"
+    std::vector<std::string> light_groups;       ///< at least "default"
     std::vector<std::string> material_names;
     std::shared_ptr<const Medium> camera_medium;  ///< Exterior in force at WorldEnd
     std::string directory;  ///< of the main scene file: asset names resolve against it

@@ -28,7 +28,7 @@ struct MaterialFacts {
     bool transmits = false;
     bool straight = false;  ///< may pass light undeviated (null, architectural glass, mixes)
     bool reads_image = false;
-    bool disperses = false;  ///< bends each wavelength its own way
+    bool disperses = false;          ///< bends each wavelength its own way
     bool bends = false;              ///< has a bump or normal map, itself or in a part of it
     std::size_t max_bsdf_bytes = 0;  ///< most memory that one scatter() takes
 };

@@ -1,6 +1,7 @@
 // Textures: functions of a surface point.
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <optional>
 
@@ -11,6 +12,9 @@
 
 namespace lxs {
 
+/// What a colour is wanted for: a flat spectrum is white as a reflectance, but not as a light.
+enum class ColourUse : std::uint8_t { Surface, Light };
+
 /// The part of a surface point that textures read.
 struct TexturePoint {
     Vec3 p{0.0f};  ///< world space
@@ -19,6 +23,12 @@ struct TexturePoint {
     const Wavelengths* wavelengths = nullptr;  ///< of the pass; null where Rgb means R, G and B
     Rgb color{1.0f};  ///< of the mesh's vertices, interpolated; white where it has none
     float alpha = 1;  ///< likewise, opacity
+    ColourUse use = ColourUse::Surface;
+    std::uint32_t face = 0;  ///< tells faces of meshes and whole quadrics apart, in no order
+    /// World to object space (null in the world itself), then on to the space of the shape, where
+    /// textures with "local" coordinates lie; null where unknown.
+    const Matrix* world_to_object = nullptr;
+    const Matrix* object_to_shape = nullptr;
 };
 
 /// A texture with values of type T (float, Rgb).
@@ -27,7 +37,7 @@ class Texture {
   public:
     virtual ~Texture() = default;
     virtual T evaluate(const TexturePoint& point) const = 0;
-    /// The value if it is the same everywhere: materials prepare for it once.
+    /// The value if it is the same everywhere (ColourUse::Surface): materials prepare for it once.
     virtual std::optional<T> constant() const { return std::nullopt; }
     /// For a float texture that is taken as a height: the slope that normal maps add to that of the
     /// value, height per length along the two unit tangents of a surface (u, then v).

@@ -7,9 +7,8 @@ namespace lxs {
 
 inline constexpr double kFirstVisibleNm = 360, kLastVisibleNm = 830;
 
-/// CIE 1931 colour matching functions x, y, z at `nm` nanometres; multi-lobe fit of Wyman, Sloan
-/// and Shirley 2013, "Simple analytic approximations to the CIE XYZ color matching functions",
-/// Journal of Computer Graphics Techniques 2(2), listing 1.
+/// CIE 1931 colour matching functions x, y, z at `nm` nanometres: the CIE's table at steps of 5 nm
+/// (CIE 15:2004), linear in between, 0 outside of 380 to 780 nm.
 Imath::V3d colour_matching(double nm);
 
 /// Linear RGB (Rec. 709 primaries, white D65) of the tristimulus values `xyz`.

@@ -13,9 +13,9 @@
 namespace lxs {
 
 struct Wavelengths {
-    std::array<double, 3> nm{};   ///< nanometres
-    Imath::M33d from_rgb;         ///< row vector of linear RGB times this: values at the wavelengths
-    Imath::M33d to_rgb;           ///< row vector of such values times this: unbiased linear RGB
+    std::array<double, 3> nm{};  ///< nanometres
+    Imath::M33d from_rgb;        ///< row vector of linear RGB times this: values at the wavelengths
+    Imath::M33d to_rgb;          ///< row vector of such values times this: unbiased linear RGB
 
     /// Spectrum of a colour at the wavelengths: a reflectance, a radiance, an absorption. It lies
     /// between the least and the greatest channel; a grey is flat.

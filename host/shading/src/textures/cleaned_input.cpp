@@ -1,5 +1,5 @@
 // An image file as OpenImageIO is to cache it.
-#include "linearized_input.h"
+#include "cleaned_input.h"
 
 #include <cmath>
 #include <vector>
@@ -8,28 +8,25 @@ namespace lxs::shading {
 namespace {
 
 constexpr const char* kPathAttribute = "lxs:path";
-constexpr const char* kGammaAttribute = "lxs:gamma";
 
 }  // namespace
 
-OIIO::ImageSpec LinearizedInput::configuration(const std::string& path, float gamma) {
+OIIO::ImageSpec CleanedInput::configuration(const std::string& path) {
     OIIO::ImageSpec configuration;
     configuration.attribute(kPathAttribute, path);
-    configuration.attribute(kGammaAttribute, gamma);
     return configuration;
 }
 
-bool LinearizedInput::open(const std::string& /*name*/, OIIO::ImageSpec& /*spec*/) {
+bool CleanedInput::open(const std::string& /*name*/, OIIO::ImageSpec& /*spec*/) {
     errorfmt("an image texture needs its configuration");
     return false;
 }
 
-bool LinearizedInput::open(const std::string& /*name*/, OIIO::ImageSpec& spec,
-                           const OIIO::ImageSpec& configuration) {
+bool CleanedInput::open(const std::string& /*name*/, OIIO::ImageSpec& spec,
+                        const OIIO::ImageSpec& configuration) {
     OIIO::ImageSpec reading;
     reading.attribute("oiio:UnassociatedAlpha", 1);
     const std::string path(configuration.get_string_attribute(kPathAttribute));
-    gamma_ = configuration.get_float_attribute(kGammaAttribute, 1.0f);
     file_ = OIIO::ImageInput::open(path, &reading);
     if (!file_) {
         errorfmt("{}", OIIO::geterror());
@@ -46,43 +43,39 @@ bool LinearizedInput::open(const std::string& /*name*/, OIIO::ImageSpec& spec,
     return true;
 }
 
-bool LinearizedInput::close() {
+bool CleanedInput::close() {
     file_.reset();
     return true;
 }
 
-bool LinearizedInput::forward_error() {
+bool CleanedInput::forward_error() {
     errorfmt("{}", file_ ? file_->geterror() : std::string("not open"));
     return false;
 }
 
-void LinearizedInput::linearize(float* values, std::size_t pixels) {
-    const int channels = m_spec.nchannels;
-    for (std::size_t i = 0; i < pixels * channels; ++i) {
-        if (!(values[i] >= 0) || !std::isfinite(values[i])) {
-            values[i] = 0;
-            ++refused_;
-        } else if (gamma_ != 1 && static_cast<int>(i % channels) != m_spec.alpha_channel) {
-            values[i] = std::pow(values[i], gamma_);
-        }
+void CleanedInput::clean(float* values, std::size_t pixels) {
+    for (std::size_t i = 0; i < pixels * m_spec.nchannels; ++i) {
+        if (values[i] >= 0 && std::isfinite(values[i])) continue;
+        values[i] = 0;
+        ++refused_;
     }
 }
 
-bool LinearizedInput::read_native_scanline(int /*subimage*/, int /*miplevel*/, int y, int z,
-                                           void* data) {
+bool CleanedInput::read_native_scanline(int /*subimage*/, int /*miplevel*/, int y, int z,
+                                        void* data) {
     if (!file_ || !file_->read_scanline(y, z, OIIO::TypeDesc::FLOAT, data)) return forward_error();
-    linearize(static_cast<float*>(data), m_spec.width);
+    clean(static_cast<float*>(data), m_spec.width);
     return true;
 }
 
-bool LinearizedInput::read_native_tile(int /*subimage*/, int /*miplevel*/, int x, int y, int z,
-                                       void* data) {
+bool CleanedInput::read_native_tile(int /*subimage*/, int /*miplevel*/, int x, int y, int z,
+                                    void* data) {
     if (!file_ || !file_->read_tile(x, y, z, OIIO::TypeDesc::FLOAT, data)) return forward_error();
-    linearize(static_cast<float*>(data), m_spec.tile_pixels());
+    clean(static_cast<float*>(data), m_spec.tile_pixels());
     return true;
 }
 
-bool LinearizedInput::read_through() {
+bool CleanedInput::read_through() {
     const bool tiled = m_spec.tile_width > 0;
     const int width = tiled ? m_spec.tile_width : m_spec.width;
     const int height = tiled ? m_spec.tile_height : 1;

@@ -1,4 +1,4 @@
-// An image file as OpenImageIO is to cache it: linear floats, never negative, always finite.
+// An image file as OpenImageIO is to cache it: floats, never negative, always finite.
 #pragma once
 
 #include <OpenImageIO/imageio.h>
@@ -9,17 +9,17 @@
 
 namespace lxs::shading {
 
-/// Undoes the display gamma before texels are interpolated and sets values that no texture may
-/// have (NaN, infinite, negative) to 0. Registered with the image cache as the reader of virtual
-/// files; the open() configuration names the real file and the gamma. Finest level only.
-class LinearizedInput final : public OIIO::ImageInput {
+/// Sets values that no texture may have (NaN, infinite, negative) to 0. Registered with the image
+/// cache as the reader of virtual files; the open() configuration names the real file. Finest level
+/// only.
+class CleanedInput final : public OIIO::ImageInput {
   public:
     /// Configuration for open().
-    static OIIO::ImageSpec configuration(const std::string& path, float gamma);
+    static OIIO::ImageSpec configuration(const std::string& path);
     /// What the image cache calls to make readers.
-    static OIIO::ImageInput* create() { return new LinearizedInput; }
+    static OIIO::ImageInput* create() { return new CleanedInput; }
 
-    const char* format_name() const override { return "linearized"; }
+    const char* format_name() const override { return "cleaned"; }
     bool open(const std::string& name, OIIO::ImageSpec& spec) override;
     bool open(const std::string& name, OIIO::ImageSpec& spec,
               const OIIO::ImageSpec& configuration) override;
@@ -36,11 +36,10 @@ class LinearizedInput final : public OIIO::ImageInput {
     std::uint64_t refused() const { return refused_; }
 
   private:
-    void linearize(float* values, std::size_t pixels);
+    void clean(float* values, std::size_t pixels);
     bool forward_error();
 
     std::unique_ptr<OIIO::ImageInput> file_;
-    float gamma_ = 1;
     std::uint64_t refused_ = 0;
 };
 

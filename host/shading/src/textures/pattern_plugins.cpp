@@ -1,0 +1,113 @@
+// Flat patterns: textures "bilerp", "uv", "uvmask", "dots" and "harlequin".
+#include <cmath>
+
+#include "formula_texture.h"
+#include "hashed_bits.h"
+#include "perlin_noise.h"
+#include "texture_parameters.h"
+#include "texture_plugins.h"
+#include "uv_mapping.h"
+
+namespace lxs::shading {
+namespace {
+
+/// The part of a coordinate behind its point, 0 to 1: patterns repeat.
+Vec2 within_cell(const Vec2& st) {
+    return {st.x - std::floor(st.x), st.y - std::floor(st.y)};
+}
+
+template <class T>
+typename TextureKind<T>::Factory bilerp_plugin() {
+    using Kind = TextureKind<T>;
+    return {declarations({{{"v00", Kind::kValue, Kind::kBlack, "value at s = 0, t = 0"},
+                           {"v01", Kind::kValue, Kind::kWhite, "value at s = 0, t = 1"},
+                           {"v10", Kind::kValue, Kind::kBlack, "value at s = 1, t = 0"},
+                           {"v11", Kind::kValue, Kind::kWhite, "value at s = 1, t = 1"}},
+                          uv_mapping_parameters()}),
+            [](const ParameterReader& reader, const AssetContext&, const Matrix& to_world) {
+                return formula_texture<T>(
+                    [mapping = UvMapping(reader, to_world), v00 = Kind::value(reader, "v00", 0),
+                     v01 = Kind::value(reader, "v01", 1), v10 = Kind::value(reader, "v10", 0),
+                     v11 = Kind::value(reader, "v11", 1)](const TexturePoint& point) {
+                        const Vec2 st = within_cell(mapping(point));
+                        return (v00 * (1 - st.y) + v01 * st.y) * (1 - st.x) +
+                               (v10 * (1 - st.y) + v11 * st.y) * st.x;
+                    });
+            }};
+}
+
+ColorTextureFactory uv_plugin() {
+    return {uv_mapping_parameters(),
+            [](const ParameterReader& reader, const AssetContext&, const Matrix& to_world) {
+                return formula_texture<Rgb>(
+                    [mapping = UvMapping(reader, to_world)](const TexturePoint& point) {
+                        const Vec2 st = within_cell(mapping(point));
+                        return Rgb(st.x, st.y, 0);
+                    });
+            }};
+}
+
+using FloatInput = std::shared_ptr<const FloatTexture>;
+
+/// One texture where `is_inside`(mapping, point) holds, another elsewhere.
+FloatTextureFactory mask_plugin(std::string_view inside_name, std::string_view outside_name,
+                                bool (*is_inside)(const Vec2& st)) {
+    return {declarations({{{inside_name, ParameterType::FloatTexture, "1", "value inside"},
+                           {outside_name, ParameterType::FloatTexture, "0", "value outside"}},
+                          uv_mapping_parameters()}),
+            [=](const ParameterReader& reader, const AssetContext& assets, const Matrix& to_world) {
+                const FloatInput inside = read_float_texture(reader, assets, inside_name, 1);
+                const FloatInput outside = read_float_texture(reader, assets, outside_name, 0);
+                return formula_texture<float>(
+                    [=, mapping = UvMapping(reader, to_world)](const TexturePoint& point) {
+                        return (is_inside(mapping(point)) ? inside : outside)->evaluate(point);
+                    },
+                    inside->reads_image() || outside->reads_image());
+            }};
+}
+
+bool in_unit_square(const Vec2& st) {
+    return st.x >= 0 && st.x <= 1 && st.y >= 0 && st.y <= 1;
+}
+
+/// Noise at a point of the plane, in the middle of a layer of the lattice.
+float plane_noise(float x, float y) {
+    return perlin_noise(Vec3(x, y, 0.5f));
+}
+
+/// About half of the unit cells around whole (s, t) hold a dot, somewhere within the cell (Pharr
+/// and Humphreys 2004, section 11.5.3).
+bool in_dot(const Vec2& st) {
+    constexpr float kRadius = 0.35f, kMostShift = 0.5f - kRadius;
+    const Vec2 cell(std::floor(st.x + 0.5f), std::floor(st.y + 0.5f));
+    if (!(plane_noise(cell.x + 0.5f, cell.y + 0.5f) > 0)) return false;
+    const Vec2 shift(plane_noise(cell.x + 1.5f, cell.y + 2.8f),
+                     plane_noise(cell.x + 4.5f, cell.y + 9.8f));
+    return (st - cell - shift * kMostShift).length2() < kRadius * kRadius;
+}
+
+/// A random colour for every face, neither dark nor quite white.
+Rgb harlequin(const TexturePoint& point) {
+    constexpr float kDarkest = 0.3f, kRange = 0.6f;
+    const std::uint32_t bits = hashed(point.face);
+    const auto channel = [&](unsigned shift) {
+        return kDarkest + kRange * static_cast<float>((bits >> shift) & 0xff) / 255;
+    };
+    return Rgb(channel(0), channel(8), channel(16));
+}
+
+}  // namespace
+
+void register_pattern_textures(Registry& registry) {
+    registry.float_textures["bilerp"] = bilerp_plugin<float>();
+    registry.color_textures["bilerp"] = bilerp_plugin<Rgb>();
+    registry.color_textures["uv"] = uv_plugin();
+    registry.float_textures["uvmask"] = mask_plugin("innertex", "outertex", &in_unit_square);
+    registry.float_textures["dots"] = mask_plugin("inside", "outside", &in_dot);
+    registry.color_textures["harlequin"] = {
+        {}, [](const ParameterReader&, const AssetContext&, const Matrix&) {
+            return formula_texture<Rgb>(&harlequin);
+        }};
+}
+
+}  // namespace lxs::shading

@@ -1,0 +1,191 @@
+// Textures that are deterministic patterns, against closed forms.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+#include "shading_fixture.h"
+
+namespace lxs {
+namespace {
+
+TexturePoint at_uv(float u, float v) {
+    TexturePoint point;
+    point.uv = {u, v};
+    return point;
+}
+TexturePoint at(float x, float y, float z) {
+    TexturePoint point;
+    point.p = {x, y, z};
+    return point;
+}
+
+class PatternTextureTest : public ::testing::Test {
+  protected:
+    /// Share of the box from 0 to `size` where a brick texture is 1.
+    double brick_share(const std::vector<ParameterValue>& values, const Vec3& size) {
+        const auto texture = scene_.make_float("brick", values);
+        std::mt19937 random(7);
+        std::uniform_real_distribution<float> unit(0, 1);
+        constexpr int kPoints = 40000;
+        int inside = 0;
+        for (int i = 0; i < kPoints; ++i) {
+            const Vec3 p = Vec3(unit(random), unit(random), unit(random)) * size;
+            inside += texture->evaluate(at(p.x, p.y, p.z)) == 1 ? 1 : 0;
+        }
+        return static_cast<double>(inside) / kPoints;
+    }
+
+    ShadingFixture scene_;
+};
+
+TEST_F(PatternTextureTest, BilerpIsLinearAlongEachCoordinateAndRepeats) {
+    const auto floats = scene_.make_float(
+        "bilerp", {number("v00", 1), number("v01", 2), number("v10", 4), number("v11", 8)});
+    EXPECT_FLOAT_EQ(floats->evaluate(at_uv(0, 0)), 1);
+    EXPECT_FLOAT_EQ(floats->evaluate(at_uv(0, 0.5f)), 1.5f);
+    EXPECT_FLOAT_EQ(floats->evaluate(at_uv(0.5f, 0)), 2.5f);
+    EXPECT_FLOAT_EQ(floats->evaluate(at_uv(0.5f, 0.5f)), 3.75f);
+    EXPECT_FLOAT_EQ(floats->evaluate(at_uv(2.5f, -0.5f)), 3.75f);
+    const auto colors = scene_.make_color("bilerp", {color("v11", {0, 0, 4})});
+    EXPECT_FLOAT_EQ(colors->evaluate(at_uv(0.25f, 0.5f)).x, 0.375f);  // v01 is white
+    EXPECT_FLOAT_EQ(colors->evaluate(at_uv(0.25f, 0.5f)).z, 0.375f + 0.5f);
+}
+
+TEST_F(PatternTextureTest, UvMaskShowsTheUnitSquare) {
+    const auto mask = scene_.make_float("uvmask", {number("innertex", 3), number("outertex", 5)});
+    EXPECT_EQ(mask->evaluate(at_uv(0.5f, 1)), 3);
+    EXPECT_EQ(mask->evaluate(at_uv(0.5f, 1.001f)), 5);
+    EXPECT_EQ(mask->evaluate(at_uv(-0.001f, 0.5f)), 5);
+}
+
+// A cell holds a dot of radius 0.35, whole, where the noise in its middle is above 0: in half of
+// the cells but for those where it is 0, about a quarter.
+TEST_F(PatternTextureTest, DotsCoverTheShareOfTheirCells) {
+    const auto dots = scene_.make_float("dots", {number("inside", 1), number("outside", 0)});
+    int cells_with_dots = 0;
+    double covered = 0;
+    constexpr int kCells = 40, kSteps = 20;
+    for (int cell = 0; cell < kCells * kCells; ++cell) {
+        int inside = 0;
+        for (int i = 0; i < kSteps * kSteps; ++i) {
+            const auto step = [](int k) { return (static_cast<float>(k) + 0.5f) / kSteps - 0.5f; };
+            const float x = static_cast<float>(cell % kCells) + step(i % kSteps);
+            const float y = static_cast<float>(cell / kCells) + step(i / kSteps);
+            inside += dots->evaluate(at_uv(x, y)) == 1 ? 1 : 0;
+        }
+        covered += static_cast<double>(inside) / (kSteps * kSteps);
+        cells_with_dots += inside > 0 ? 1 : 0;
+    }
+    EXPECT_NEAR(covered / cells_with_dots, 3.14159265 * 0.35 * 0.35, 0.01);
+    EXPECT_NEAR(static_cast<double>(cells_with_dots) / (kCells * kCells), 0.375, 0.05);
+}
+
+TEST_F(PatternTextureTest, HarlequinGivesEachFaceItsColour) {
+    const auto texture = scene_.make_color("harlequin");
+    TexturePoint first, second;
+    second.face = 1;
+    EXPECT_EQ(texture->evaluate(first), texture->evaluate(first));
+    EXPECT_NE(texture->evaluate(first), texture->evaluate(second));
+}
+
+TEST_F(PatternTextureTest, RunningBondsShiftRows) {
+    const auto bricks = scene_.make_float(
+        "brick", {text("brickbond", "running"), number("brickwidth", 3), number("brickheight", 1),
+                  number("brickdepth", 1), number("mortarsize", 0.25), number("brickrun", 0.5),
+                  number("bricktex", 1), number("mortartex", 0.5)});
+    EXPECT_EQ(bricks->evaluate(at(0.1f, 0, 0.1f)), 1);
+    EXPECT_EQ(bricks->evaluate(at(2.9f, 0, 0.1f)), 0.5f);  // joint before the next brick
+    EXPECT_EQ(bricks->evaluate(at(0.1f, 0, 0.9f)), 0.5f);  // joint above
+    EXPECT_EQ(bricks->evaluate(at(2.9f, 0, 1.1f)), 1);     // half a brick further
+    EXPECT_EQ(bricks->evaluate(at(1.4f, 0, 1.1f)), 0.5f);
+    EXPECT_EQ(bricks->evaluate(at(2.9f, 0, 2.1f)), 0.5f);
+}
+
+TEST_F(PatternTextureTest, ModulationIsAFactorOnBricksOnly) {
+    const auto bricks = scene_.make_float(
+        "brick", {number("bricktex", 0.5), number("brickmodtex", 0.25), number("mortartex", 0.75)});
+    EXPECT_EQ(bricks->evaluate(at(0.1f, 0, 0.05f)), 0.125f);
+    EXPECT_EQ(bricks->evaluate(at(0.1f, 0, 0.095f)), 0.75f);
+}
+
+// Volumes of bricks between joints of width m on the lower sides of boxes 2 x 1 x 1.
+TEST_F(PatternTextureTest, EveryBondLeavesTheShareOfItsJoints) {
+    const double m = 0.1, along = (2 - m) / 2, half = (1 - m) / 1, across = 1 - m;
+    const auto share = [&](const char* bond) {
+        // Whole periods of every bond: 3 and 5 along x, whole rows and columns elsewhere.
+        return brick_share(
+            {text("brickbond", bond), number("brickwidth", 2), number("brickheight", 1),
+             number("brickdepth", 1), number("mortarsize", m), number("brickrun", 0.75),
+             number("mortartex", 0)},
+            {60, 60, 60});
+    };
+    const double error = 4 * 0.5 / std::sqrt(40000.0);  // 4 standard deviations at most
+    EXPECT_NEAR(share("stacked"), along * across * across, error);
+    EXPECT_NEAR(share("running"), along * across * across, error);
+    EXPECT_NEAR(share("flemish"), (2 * along + half) / 3 * across * across, error);
+    EXPECT_NEAR(share("english"), (along + half) / 2 * across * across, error);
+    EXPECT_NEAR(share("chain link"), (4 * along + half) / 5 * across * across, error);
+    EXPECT_NEAR(share("herringbone"), along * across * across, error);
+    EXPECT_NEAR(share("basket"), along * across * across, error);
+}
+
+// A herringbone's bricks are whole: from inside one, a walk along it stays inside for its length.
+TEST_F(PatternTextureTest, HerringboneLaysBricksBothWays) {
+    const auto bricks =
+        scene_.make_float("brick", {text("brickbond", "herringbone"), number("brickwidth", 2),
+                                    number("brickdepth", 1), number("brickheight", 1),
+                                    number("mortarsize", 0.01), number("mortartex", 0)});
+    const auto crosses = [&](const Vec3& a, const Vec3& step) {
+        const Vec3 b = a + step / 2;
+        return bricks->evaluate(at(b.x, b.y, b.z)) == 0;
+    };
+    int along_x = 0, along_y = 0;
+    for (int i = 0; i < 16; ++i) {
+        // Steps from the middle of a cell to the next, half a joint off: on the border or within.
+        const Vec3 middle(static_cast<float>(i % 4) + 0.495f, static_cast<float>(i / 4) + 0.495f,
+                          0);
+        along_x += crosses(middle, {1, 0, 0}) ? 0 : 1;
+        along_y += crosses(middle, {0, 1, 0}) ? 0 : 1;
+    }
+    EXPECT_EQ(along_x, 4);  // half of the bricks, one inner border for two cells each
+    EXPECT_EQ(along_y, 4);
+}
+
+TEST_F(PatternTextureTest, BricksWarnOfBevelsAndKnowTheirBonds) {
+    scene_.make_float("brick", {number("brickbevel", 0)});
+    EXPECT_TRUE(scene_.diagnostics.warnings.empty());
+    scene_.make_float("brick", {number("brickbevel", 0.01)});
+    EXPECT_EQ(scene_.diagnostics.warnings.size(), 1u);
+    EXPECT_THROW(scene_.make_color("brick", {text("brickbond", "british")}), InputError);
+    EXPECT_THROW(scene_.make_color("brick", {number("brickwidth", 0)}), InputError);
+}
+
+TEST_F(PatternTextureTest, DensityGridIsTrilinear) {
+    std::vector<ParameterValue> values{integer("nx", 2), numbers("density", {1, 3})};
+    const auto value = [&](const char* wrap, float x) {
+        std::vector<ParameterValue> all = values;
+        all.push_back(text("wrap", wrap));
+        return scene_.make_float("densitygrid", all)->evaluate(at(x, 0.5f, 0.5f));
+    };
+    EXPECT_FLOAT_EQ(value("repeat", 0.25f), 1);
+    EXPECT_FLOAT_EQ(value("repeat", 0.5f), 2);
+    EXPECT_FLOAT_EQ(value("repeat", 0.75f), 3);
+    EXPECT_FLOAT_EQ(value("repeat", 1), 2);
+    EXPECT_FLOAT_EQ(value("clamp", 1), 3);
+    EXPECT_FLOAT_EQ(value("black", 1), 1.5f);
+    EXPECT_FLOAT_EQ(value("white", 1), 2);
+    EXPECT_FLOAT_EQ(value("black", 1e30f), 0);
+    EXPECT_THROW(scene_.make_float("densitygrid", {integer("nx", 3), numbers("density", {1, 3})}),
+                 InputError);
+}
+
+TEST_F(PatternTextureTest, VertexColoursAreWarnedOf) {
+    EXPECT_EQ(scene_.make_color("hitpointcolor")->constant(), Rgb(1.0f));
+    EXPECT_EQ(scene_.make_float("hitpointgrey")->constant(), 1.0f);
+    EXPECT_EQ(scene_.make_float("hitpointalpha")->constant(), 1.0f);
+    EXPECT_EQ(scene_.diagnostics.warnings.size(), 3u);
+}
+
+}  // namespace
+}  // namespace lxs

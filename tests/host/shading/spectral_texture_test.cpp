@@ -1,0 +1,193 @@
+// Colours given as spectra, in lights and on surfaces.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "lxs/spectrum/colour_matching.h"
+#include "lxs/spectrum/spectrum.h"
+#include "shading_fixture.h"
+#include "temporary_folder.h"
+#include "textures/lamp_spectra.h"
+
+namespace lxs {
+namespace {
+
+Rgb light_of(const ColorTexture& texture) {
+    TexturePoint point;
+    point.use = ColourUse::Light;
+    return texture.evaluate(point);
+}
+Rgb surface_of(const ColorTexture& texture) {
+    return texture.evaluate({});
+}
+void expect_near(const Rgb& found, const Rgb& expected, float relative) {
+    for (int c = 0; c < 3; ++c)
+        EXPECT_NEAR(found[c], expected[c], relative * std::abs(expected[c]) + 1e-6f) << found;
+}
+
+// Rows of the CIE's table at whole steps, means between them, nothing outside.
+TEST(Observer, FollowsTheTableOfTheCie) {
+    EXPECT_EQ(colour_matching(555).y, 1);
+    EXPECT_EQ(colour_matching(600), Imath::V3d(1.0622, 0.631, 0.0008));
+    EXPECT_NEAR(colour_matching(602.5).x, (1.0622 + 1.0456) / 2, 1e-12);
+    EXPECT_EQ(colour_matching(379), Imath::V3d(0.0));
+    EXPECT_EQ(colour_matching(781), Imath::V3d(0.0));
+    Imath::V3d sum(0.0);
+    for (double nm = 380; nm <= 780; ++nm)
+        sum += colour_matching(nm);
+    for (int c = 0; c < 3; ++c)
+        EXPECT_NEAR(sum[c], 106.857, 0.02);  // CIE 15: equal energy is x = y = 1/3
+}
+
+TEST(Spectra, SamplesAreLinearBetweenAndNothingOutside) {
+    const Spectrum spectrum = sampled_spectrum({400, 500, 600}, {1, 3, 2});
+    EXPECT_EQ(spectrum(400), 1);
+    EXPECT_EQ(spectrum(450), 2);
+    EXPECT_EQ(spectrum(600), 2);
+    EXPECT_EQ(spectrum(399.9), 0);
+    EXPECT_EQ(spectrum(600.1), 0);
+}
+
+TEST(Spectra, BlackBodiesFollowPlanckAndPeakAtOne) {
+    const Spectrum hot = blackbody_spectrum(6500);
+    EXPECT_NEAR(hot(2.897771955e6 / 6500), 1, 1e-9);
+    constexpr double kC2 = 1.438776877e7;
+    EXPECT_NEAR(
+        hot(600) / hot(450),
+        std::pow(600.0 / 450, -5) * std::expm1(kC2 / (450 * 6500)) / std::expm1(kC2 / (600 * 6500)),
+        1e-9);
+    EXPECT_NEAR(blackbody_spectrum(2000)(720), 1, 1e-9);  // peaks in the infrared
+    EXPECT_EQ(blackbody_spectrum(1)(720), 0);             // too cold for a double
+}
+
+class SpectralTextureTest : public ::testing::Test {
+  protected:
+    files::TemporaryFolder folder_;
+    ShadingFixture scene_;
+};
+
+// A flat reflectance is white; a flat light is equal energy seen from D65: XYZ = (1, 1, 1).
+TEST_F(SpectralTextureTest, EqualEnergyIsWhiteOnSurfacesAndReddishAsLight) {
+    const auto texture = scene_.make_color("equalenergy", {number("energy", 0.5)});
+    expect_near(surface_of(*texture), Rgb(0.5f), 1e-4f);
+    expect_near(light_of(*texture), Rgb(0.5f * 1.2048f, 0.5f * 0.9483f, 0.5f * 0.9089f), 1e-3f);
+    EXPECT_NEAR(luminance(light_of(*texture)), 0.5f, 1e-3f);
+}
+
+// Colours of black bodies: chromaticities of the Planckian locus (CIE 15, appendix E; Wyszecki and
+// Stiles 1982, table 1(3.11)): 2856 K x .4476 y .4074, 6500 K x .3135 y .3237.
+TEST_F(SpectralTextureTest, BlackBodiesHaveThePlanckianColours) {
+    const auto expect_chromaticity = [&](double kelvin, double x, double y) {
+        const Rgb found =
+            light_of(*scene_.make_color("blackbody", {number("temperature", kelvin)}));
+        const Imath::V3d xyz(x / y, 1, (1 - x - y) / y);
+        const Rgb expected = clipped_rgb_of_xyz(xyz * luminance(found));
+        expect_near(found, expected, 2e-3f);
+    };
+    expect_chromaticity(2856, 0.44757, 0.40745);
+    expect_chromaticity(6500, 0.31352, 0.32363);
+    EXPECT_THROW(scene_.make_color("blackbody", {number("temperature", 0)}), InputError);
+}
+
+// Narrow lights have the luminance of the eye's sensitivity.
+TEST_F(SpectralTextureTest, GaussiansHaveTheirWavelengthsColour) {
+    const auto green = scene_.make_color(
+        "gaussian", {number("energy", 2), number("wavelength", 530), number("width", 3)});
+    const Rgb light = light_of(*green);
+    EXPECT_EQ(light.x, 0);  // outside of the gamut
+    EXPECT_GT(light.y, 10 * light.z);
+    // Integral sqrt(2 pi) * width * energy * y(530) over that of the sensitivity; the clipped red
+    // channel adds what it takes away from the luminance.
+    const double y = 2.5066 * 3 * 2 * 0.862 / 106.857;
+    const Imath::V3d xyz = colour_matching(530) * (y / 0.862);
+    EXPECT_NEAR(light.y, rgb_of_xyz(xyz).y, 0.01 * light.y);
+}
+
+TEST_F(SpectralTextureTest, FrequencyIsASineOverWavelengths) {
+    const auto flat = scene_.make_color("frequency", {number("freq", 0), number("phase", 0.5)});
+    expect_near(surface_of(*flat), Rgb(static_cast<float>(0.5 + 0.5 * std::sin(0.5))), 1e-4f);
+    const auto blue = scene_.make_color("frequency", {number("freq", 0.01), number("phase", 0)});
+    const double at_blue = 0.5 + 0.5 * std::sin(4.5), at_red = 0.5 + 0.5 * std::sin(6.1);
+    EXPECT_LT(at_blue, at_red);
+    EXPECT_LT(surface_of(*blue).z, surface_of(*blue).x);
+}
+
+TEST_F(SpectralTextureTest, SampledDataAgreeInAllThreeForms) {
+    const std::string path =
+        folder_.write("spectrum.txt", "# nm value\n380 0.2\n\n550 0.8 # middle\n720 0.4\n");
+    const auto regular = scene_.make_color("regulardata", {numbers("data", {0.2, 0.8, 0.4})});
+    const auto irregular = scene_.make_color(
+        "irregulardata",
+        {numbers("wavelengths", {380, 550, 720}), numbers("data", {0.2, 0.8, 0.4})});
+    const auto tabulated = scene_.make_color("tabulateddata", {text("filename", path)});
+    EXPECT_EQ(surface_of(*regular), surface_of(*irregular));
+    EXPECT_EQ(surface_of(*regular), surface_of(*tabulated));
+    EXPECT_EQ(light_of(*regular), light_of(*tabulated));
+    const Rgb value = surface_of(*regular);
+    EXPECT_GT(value.y, value.x);
+    EXPECT_GT(value.y, value.z);
+}
+
+TEST_F(SpectralTextureTest, BadDataAreErrorsAndNegativeOnesAreWarnedOf) {
+    EXPECT_THROW(scene_.make_color("regulardata"), InputError);
+    EXPECT_THROW(scene_.make_color("regulardata", {numbers("data", {1, 2}), number("end", 300)}),
+                 InputError);
+    EXPECT_THROW(scene_.make_color("irregulardata", {numbers("wavelengths", {400, 500, 600}),
+                                                     numbers("data", {1, 2})}),
+                 InputError);
+    EXPECT_THROW(scene_.make_color("tabulateddata", {text("filename", folder_ / "none.txt")}),
+                 InputError);
+    const std::string words = folder_.write("words.txt", "380 0.2\n400 dark\n");
+    EXPECT_THROW(scene_.make_color("tabulateddata", {text("filename", words)}), InputError);
+    scene_.make_color("regulardata", {numbers("data", {1, -2, 1})});
+    EXPECT_EQ(scene_.diagnostics.warnings.size(), 1u);
+}
+
+TEST_F(SpectralTextureTest, LampsAreKnownOrStandInsWithAWarning) {
+    expect_near(light_of(*scene_.make_color("lampspectrum")),
+                light_of(*scene_.make_color("blackbody", {number("temperature", 2856)})), 1e-5f);
+    const Rgb sodium = light_of(*scene_.make_color("lampspectrum", {text("name", "LPS")}));
+    EXPECT_GT(sodium.x, sodium.y);
+    EXPECT_LT(sodium.z, 0.01f * sodium.y);
+    EXPECT_TRUE(scene_.diagnostics.warnings.empty());
+    scene_.make_color("lampspectrum", {text("name", "HPS")});
+    ASSERT_EQ(scene_.diagnostics.warnings.size(), 1u);
+    EXPECT_NE(scene_.diagnostics.warnings[0].find("no measured spectrum"), std::string::npos);
+    EXPECT_THROW(scene_.make_color("lampspectrum", {text("name", "Sodum")}), InputError);
+}
+
+TEST_F(SpectralTextureTest, EveryLampHasALight) {
+    std::string_view last;
+    for (const shading::Lamp& lamp : shading::lamps()) {
+        EXPECT_LT(last, lamp.name);
+        last = lamp.name;
+        const Spectrum spectrum = shading::lamp_spectrum(lamp);
+        EXPECT_GT(luminance(colour_of_light(spectrum)), 1e-3f) << lamp.name;
+        for (double nm = 380; nm <= 720; ++nm) {
+            EXPECT_GE(spectrum(nm), 0) << lamp.name;
+            EXPECT_LE(spectrum(nm), 1.001) << lamp.name;
+        }
+    }
+}
+
+// A spectrum stays one through textures that combine it.
+TEST_F(SpectralTextureTest, CombinationsPassOnWhatAColourIsFor) {
+    scene_.colors["flat"] = scene_.make_color("equalenergy");
+    const auto half =
+        scene_.make_color("scale", {texture("tex1", "flat"), color("tex2", Rgb(0.5f))});
+    expect_near(*half->constant(), Rgb(0.5f), 1e-4f);
+    EXPECT_NEAR(light_of(*half).x, 0.5f * 1.2048f, 1e-3f);
+}
+
+TEST_F(SpectralTextureTest, ColorDepthAbsorbsToItsColour) {
+    const auto texture =
+        scene_.make_color("colordepth", {number("depth", 2), color("Kt", {0.25f, 1, 0})});
+    const Rgb absorption = *texture->constant();
+    EXPECT_NEAR(std::exp(-2 * absorption.x), 0.25f, 1e-6f);
+    EXPECT_EQ(absorption.y, 0);
+    EXPECT_TRUE(std::isfinite(absorption.z));
+    EXPECT_LT(std::exp(-2 * absorption.z), 1e-6f);
+}
+
+}  // namespace
+}  // namespace lxs

@@ -1,10 +1,12 @@
 // Cameras: perspective and orthographic with a thin lens, and the environment (panorama) camera.
+#include <array>
 #include <cmath>
+#include <memory_resource>
 #include <numbers>
 
+#include "aperture.h"
 #include "camera_settings.h"
 #include "lxs/imaging/imaging.h"
-#include "lxs/sdk/warp.h"
 
 namespace lxs {
 namespace {
@@ -34,18 +36,34 @@ class Screen {
 };
 
 /// What all cameras share: the frame of camera space in the world, depths, shutter, medium.
-class SceneCamera : public Camera {
+class LensCamera : public SceneCamera {
   public:
-    SceneCamera(const CameraSettings& settings, const Medium* medium)
+    LensCamera(const CameraSettings& settings, const FilmFrame& frame, const Medium* medium)
         : settings_(settings),
           x_axis_(axis(settings.to_world, 0)),
           y_axis_(axis(settings.to_world, 1)),
           z_axis_(axis(settings.to_world, 2)),
           position_(axis(settings.to_world, 3)),
+          middle_(0.5f * static_cast<float>(frame.x_resolution) - static_cast<float>(frame.x),
+                  0.5f * static_cast<float>(frame.y_resolution) - static_cast<float>(frame.y)),
           medium_(medium) {}
 
     float shutter_open() const override { return settings_.shutter_open; }
     float shutter_close() const override { return settings_.shutter_close; }
+    double focal_distance() const override { return settings_.focal_distance; }
+
+    void focus(const Scene& scene) override {
+        if (!settings_.autofocus) return;
+        // Through the lens's centre, where no focal distance matters.
+        const Ray ray = generate({middle_, Vec2(0.5f)}, shutter_open()).ray;
+        std::array<std::byte, 4096> buffer;
+        std::pmr::monotonic_buffer_resource memory(buffer.data(), buffer.size());
+        SurfaceHit hit;
+        if (!scene.intersect(ray, hit, memory)) return;
+        const Vec3d forward = z_axis_.normalized();
+        const double depth = ((Vec3d(hit.p) - position_) ^ forward) / z_axis_.length();
+        if (depth > 0) settings_.focal_distance = depth;
+    }
 
   protected:
     const CameraSettings& settings() const { return settings_; }
@@ -76,8 +94,8 @@ class SceneCamera : public Camera {
     /// Point of the lens plane for this sample, camera space.
     Point2 lens_point(const CameraSample& sample) const {
         if (settings_.lens_radius == 0) return {0, 0};
-        const Imath::V2d disk = square_to_concentric_disk(Imath::V2d(sample.lens));
-        return {disk.x * settings_.lens_radius, disk.y * settings_.lens_radius};
+        const Imath::V2d p = aperture_point(sample.lens, settings_.blades);
+        return {p.x * settings_.lens_radius, p.y * settings_.lens_radius};
     }
 
   private:
@@ -85,13 +103,14 @@ class SceneCamera : public Camera {
 
     CameraSettings settings_;
     Vec3d x_axis_, y_axis_, z_axis_, position_;
+    Vec2 middle_;  ///< of the whole image, pixels of the window
     const Medium* medium_;
 };
 
-class PerspectiveCamera final : public SceneCamera {
+class PerspectiveCamera final : public LensCamera {
   public:
     PerspectiveCamera(const CameraSettings& settings, const FilmFrame& frame, const Medium* medium)
-        : SceneCamera(settings, medium),
+        : LensCamera(settings, frame, medium),
           screen_(settings, frame),
           tangent_(std::tan(settings.fov / 360 * std::numbers::pi)),
           pixel_volume_(screen_.pixel_area() * tangent_ * tangent_ *
@@ -119,10 +138,10 @@ class PerspectiveCamera final : public SceneCamera {
     double pixel_volume_;  ///< pixel at depth 1 times depth 1, world units
 };
 
-class OrthographicCamera final : public SceneCamera {
+class OrthographicCamera final : public LensCamera {
   public:
     OrthographicCamera(const CameraSettings& settings, const FilmFrame& frame, const Medium* medium)
-        : SceneCamera(settings, medium),
+        : LensCamera(settings, frame, medium),
           screen_(settings, frame),
           pixel_volume_(screen_.pixel_area() * std::abs(x_axis().cross(y_axis()).dot(z_axis()))) {}
 
@@ -143,10 +162,10 @@ class OrthographicCamera final : public SceneCamera {
 };
 
 /// Longitude to the right over the image's width, its centre forward; latitude from +y (top) to -y.
-class EnvironmentCamera final : public SceneCamera {
+class EnvironmentCamera final : public LensCamera {
   public:
     EnvironmentCamera(const CameraSettings& settings, const FilmFrame& frame, const Medium* medium)
-        : SceneCamera(settings, medium),
+        : LensCamera(settings, frame, medium),
           frame_(frame),
           longitude_step_(2 * std::numbers::pi / frame.x_resolution),
           latitude_step_(std::numbers::pi / frame.y_resolution) {}
@@ -173,8 +192,8 @@ class EnvironmentCamera final : public SceneCamera {
 
 }  // namespace
 
-std::unique_ptr<Camera> make_camera(const SceneContents& contents, const Film& film,
-                                    Diagnostics& diagnostics) {
+std::unique_ptr<SceneCamera> make_camera(const SceneContents& contents, const Film& film,
+                                         Diagnostics& diagnostics) {
     FilmFrame frame = read_film_frame(contents);
     frame.width = film.width();
     frame.height = film.height();

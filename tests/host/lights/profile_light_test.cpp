@@ -104,7 +104,7 @@ TEST(ProfileLight, PhotometricFileShapesAPointLight) {
     EXPECT_TRUE(is_black(direct(*light, Vec3(0, 0.1f, -1))));
     const auto flipped = make_one(
         "point", {text("iesname", downlight()),
-                  ParameterValue{"bool", "flipz", std::vector<std::string>{"true"}, {}, {}},
+                  ParameterValue{"bool", "flipz", std::vector<bool>{true}, {}, {}},
                   numbers("color", "L", {40, 40, 40})});
     EXPECT_TRUE(is_black(direct(*flipped, Vec3(0, 0.1f, 1))));
     EXPECT_NEAR(direct(*flipped, Vec3(0, 0, -2)).y, 10, 0.02);

@@ -17,6 +17,11 @@ struct Spread {
     double p95 = 0;  ///< 95th percentile, linear between the nearest ranks
 };
 
+/// Both figures below the limit's.
+inline bool is_below(const Spread& found, const Spread& limit) {
+    return found.median < limit.median && found.p95 < limit.p95;
+}
+
 /// An image against its reference.
 struct Comparison {
     Spread luminance;

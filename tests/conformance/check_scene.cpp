@@ -43,8 +43,11 @@ Row check_scene(const Scene& scene, const std::string& integrator, const CheckSe
         return render::read_image(output);
     };
     try {
-        const SettledImage ours = render_settled(render, scene.limit, settings.budget);
         const render::Image reference = render::read_image(scene.reference);
+        const WithinLimits within = [&](const render::Image& image) {
+            return is_below(compare(image, reference).luminance, scene.limit);
+        };
+        const SettledImage ours = render_settled(render, scene.limit, within, settings.budget);
         row.found = compare(ours.image, reference);
         row.noise = ours.noise;
         row.passes = ours.passes;

@@ -25,8 +25,7 @@ std::string verdict(const Row& row) {
 }  // namespace
 
 bool Row::passes_limits() const {
-    return failure.empty() && refused == 0 && found.luminance.median < limit.median &&
-           found.luminance.p95 < limit.p95;
+    return failure.empty() && refused == 0 && is_below(found.luminance, limit);
 }
 
 std::string table_head(TableForm form) {
@@ -61,7 +60,7 @@ std::string table_notes(const std::vector<Row>& rows) {
     };
     for (const Row& row : rows) {
         if (!row.failure.empty()) note(row, row.failure);
-        if (!row.settled) note(row, "its own noise is still above a quarter of the limits");
+        if (!row.settled) note(row, "its own noise is still too high for a verdict");
         if (row.refused > 0)
             note(row, fmt::format("{} negative or non-finite numbers", row.refused));
         if (row.reference_negatives > 0)

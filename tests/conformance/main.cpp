@@ -34,7 +34,7 @@ void declare(CLI::App& app, Command& command) {
         ->delimiter(',');
     app.add_option("--integrators", command.integrators, "default: path,aips")->delimiter(',');
     app.add_option("--seconds", command.settings.budget.seconds,
-                   "longest rendering of a scene with an integrator (default: 120)")
+                   "longest rendering of a scene with an integrator (default: 180)")
         ->check(CLI::PositiveNumber);
     app.add_option("--first-passes", command.settings.budget.first_passes,
                    "passes of each half in the first round (default: 32)")

@@ -13,6 +13,10 @@ namespace {
 
 constexpr Spread kLimit{0.02, 0.06};
 
+bool never(const render::Image& /*image*/) {
+    return false;
+}
+
 /// A renderer whose pixels have the relative noise `sigma` in one pass.
 struct Renderer {
     double sigma;
@@ -30,7 +34,7 @@ struct Renderer {
 
 TEST(SettledRender, StopsAtOnceWhereNothingIsNoisy) {
     Renderer renderer{0.01, {}, 0};
-    const SettledImage image = render_settled(renderer.passes(), kLimit, Budget{});
+    const SettledImage image = render_settled(renderer.passes(), kLimit, never, Budget{});
     EXPECT_TRUE(image.settled);
     EXPECT_EQ(image.passes, 64u);
     EXPECT_EQ(renderer.renders, 2u);
@@ -38,7 +42,7 @@ TEST(SettledRender, StopsAtOnceWhereNothingIsNoisy) {
 
 TEST(SettledRender, GoesOnUntilNoiseIsBelowAQuarterOfTheLimits) {
     Renderer renderer{8, {}, 0};
-    const SettledImage image = render_settled(renderer.passes(), kLimit, Budget{});
+    const SettledImage image = render_settled(renderer.passes(), kLimit, never, Budget{});
     EXPECT_TRUE(image.settled);
     EXPECT_LE(image.noise.median, 0.005);
     EXPECT_LE(image.noise.p95, 0.015);
@@ -48,11 +52,20 @@ TEST(SettledRender, GoesOnUntilNoiseIsBelowAQuarterOfTheLimits) {
     EXPECT_EQ(renderer.seeds.size(), renderer.renders) << "halves of one seed tell no noise";
 }
 
+TEST(SettledRender, AnImageWithinItsLimitsMayKeepTwiceTheNoise) {
+    Renderer strict{8, {}, 0}, lenient{8, {}, 0};
+    const auto always = [](const render::Image&) { return true; };
+    const SettledImage image = render_settled(lenient.passes(), kLimit, always, Budget{});
+    EXPECT_TRUE(image.settled);
+    EXPECT_LE(image.noise.median, 0.01);
+    EXPECT_LT(image.passes, render_settled(strict.passes(), kLimit, never, Budget{}).passes);
+}
+
 TEST(SettledRender, StopsBeforeItsTimeIsPassedAndSaysSo) {
     Renderer renderer{1000, {}, 0};
     Budget budget;
     budget.seconds = 1e-9;
-    const SettledImage image = render_settled(renderer.passes(), kLimit, budget);
+    const SettledImage image = render_settled(renderer.passes(), kLimit, never, budget);
     EXPECT_FALSE(image.settled);
     EXPECT_EQ(renderer.renders, 2u);
 }

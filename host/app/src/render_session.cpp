@@ -115,12 +115,14 @@ RenderSession prepare_session(const CommandLine& command, const PluginLibrary& p
     session.film = make_film(contents, diagnostics);
     session.files = choose_output_files(command, *session.film);
     check_writable(session.files);
-    session.camera = make_camera(contents, *session.film, diagnostics);
+    std::unique_ptr<SceneCamera> camera = make_camera(contents, *session.film, diagnostics);
     session.sampler = make_sampler(contents, session.seed, diagnostics,
                                    choice.integrator->plugin->runs_metropolis);
     build_scene(session, std::move(contents), diagnostics);
     choose_spectral(session, log);
     if (session.spectral) begin_spectral_pass(session, 0);
+    camera->focus(*session.scene);
+    session.camera = std::move(camera);
     return session;
 }
 

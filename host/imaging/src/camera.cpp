@@ -1,10 +1,12 @@
 // Cameras: perspective and orthographic with a thin lens, and the environment (panorama) camera.
+#include <array>
 #include <cmath>
+#include <memory_resource>
 #include <numbers>
 
+#include "aperture.h"
 #include "camera_settings.h"
 #include "lxs/imaging/imaging.h"
-#include "lxs/sdk/warp.h"
 
 namespace lxs {
 namespace {
@@ -34,18 +36,34 @@ class Screen {
 };
 
 /// What all cameras share: the frame of camera space in the world, depths, shutter, medium.
-class SceneCamera : public Camera {
+class LensCamera : public SceneCamera {
   public:
-    SceneCamera(const CameraSettings& settings, const Medium* medium)
+    LensCamera(const CameraSettings& settings, const FilmFrame& frame, const Medium* medium)
         : settings_(settings),
           x_axis_(axis(settings.to_world, 0)),
           y_axis_(axis(settings.to_world, 1)),
           z_axis_(axis(settings.to_world, 2)),
           position_(axis(settings.to_world, 3)),
+          middle_(0.5f * static_cast<float>(frame.x_resolution) - static_cast<float>(frame.x),
+                  0.5f * static_cast<float>(frame.y_resolution) - static_cast<float>(frame.y)),
           medium_(medium) {}
 
     float shutter_open() const override { return settings_.shutter_open; }
     float shutter_close() const override { return settings_.shutter_close; }
+    double focal_distance() const override { return settings_.focal_distance; }
+
+    void focus(const Scene& scene) override {
+        if (!settings_.autofocus) return;
+        // Through the lens's centre, where no focal distance matters.
+        const Ray ray = generate({middle_, Vec2(0.5f)}, shutter_open()).ray;
+        std::array<std::byte, 4096> buffer;
+        std::pmr::monotonic_buffer_resource memory(buffer.data(), buffer.size());
+        SurfaceHit hit;
+        if (!scene.intersect(ray, hit, memory)) return;
+        const Vec3d forward = z_axis_.normalized();
+        const double depth = ((Vec3d(hit.p) - position_) ^ forward) / z_axis_.length();
+        if (depth > 0) settings_.focal_distance = depth;
+    }
 
   protected:
     const CameraSettings& settings() const { return settings_; }
@@ -76,8 +94,8 @@ class SceneCamera : public Camera {
     /// Point of the lens plane for this sample, camera space.
     Point2 lens_point(const CameraSample& sample) const {
         if (settings_.lens_radius == 0) return {0, 0};
-        const Imath::V2d disk = square_to_concentric_disk(Imath::V2d(sample.lens));
-        return {disk.x * settings_.lens_radius, disk.y * settings_.lens_radius};
+        const Imath::V2d p = aperture_point(sample.lens, settings_.blades);
+        return {p.x * settings_.lens_radius, p.y * settings_.lens_radius};
     }
 
   private:
@@ -85,13 +103,14 @@ class SceneCamera : public Camera {
 
     CameraSettings settings_;
     Vec3d x_axis_, y_axis_, z_axis_, position_;
+    Vec2 middle_;  ///< of the whole image, pixels of the window
     const Medium* medium_;
 };
 
-class PerspectiveCamera final : public SceneCamera {
+class PerspectiveCamera final : public LensCamera {
   public:
     PerspectiveCamera(const CameraSettings& settings, const FilmFrame& frame, const Medium* medium)
-        : SceneCamera(settings, medium),
+        : LensCamera(settings, frame, medium),
           screen_(settings, frame),
           tangent_(std::tan(settings.fov / 360 * std::numbers::pi)),
           pixel_volume_(screen_.pixel_area() * tangent_ * tangent_ *
@@ -119,10 +138,10 @@ class PerspectiveCamera final : public SceneCamera {
     double pixel_volume_;  ///< pixel at depth 1 times depth 1, world units
 };
 
-class OrthographicCamera final : public SceneCamera {
+class OrthographicCamera final : public LensCamera {
   public:
     OrthographicCamera(const CameraSettings& settings, const FilmFrame& frame, const Medium* medium)
-        : SceneCamera(settings, medium),
+        : LensCamera(settings, frame, medium),
           screen_(settings, frame),
           pixel_volume_(screen_.pixel_area() * std::abs(x_axis().cross(y_axis()).dot(z_axis()))) {}
 
@@ -143,10 +162,10 @@ class OrthographicCamera final : public SceneCamera {
 };
 
 /// Longitude to the right over the image's width, its centre forward; latitude from +y (top) to -y.
-class EnvironmentCamera final : public SceneCamera {
+class EnvironmentCamera final : public LensCamera {
   public:
     EnvironmentCamera(const CameraSettings& settings, const FilmFrame& frame, const Medium* medium)
-        : SceneCamera(settings, medium),
+        : LensCamera(settings, frame, medium),
           frame_(frame),
           longitude_step_(2 * std::numbers::pi / frame.x_resolution),
           latitude_step_(std::numbers::pi / frame.y_resolution) {}
@@ -171,14 +190,41 @@ class EnvironmentCamera final : public SceneCamera {
     double longitude_step_, latitude_step_;
 };
 
+std::unique_ptr<SceneCamera> make_still_camera(const CameraSettings& settings,
+                                               const FilmFrame& frame, const Medium* medium) {
+    switch (settings.projection) {
+        case Projection::Orthographic:
+            return std::make_unique<OrthographicCamera>(settings, frame, medium);
+        case Projection::Environment:
+            return std::make_unique<EnvironmentCamera>(settings, frame, medium);
+        case Projection::Perspective:
+            break;
+    }
+    return std::make_unique<PerspectiveCamera>(settings, frame, medium);
+}
+
 /// A camera that stands in its own space, and that space's way through the world.
-class MovingCamera final : public Camera {
+class MovingCamera final : public SceneCamera {
   public:
-    MovingCamera(std::unique_ptr<Camera> camera, const Motion& motion)
-        : camera_(std::move(camera)), path_(motion) {}
+    MovingCamera(const CameraSettings& settings, const FilmFrame& frame, const Medium* medium)
+        : settings_(settings), frame_(frame), medium_(medium), path_(settings.motion) {
+        settings_.to_world = Matrix();
+        camera_ = make_still_camera(settings_, frame_, medium_);
+    }
 
     float shutter_open() const override { return camera_->shutter_open(); }
     float shutter_close() const override { return camera_->shutter_close(); }
+    double focal_distance() const override { return camera_->focal_distance(); }
+
+    /// Where the camera stands when the shutter opens.
+    void focus(const Scene& scene) override {
+        CameraSettings opening = settings_;
+        opening.to_world = path_.at(shutter_open());
+        const auto still = make_still_camera(opening, frame_, medium_);
+        still->focus(scene);
+        settings_.focal_distance = still->focal_distance();
+        camera_ = make_still_camera(settings_, frame_, medium_);
+    }
 
     CameraRay generate(const CameraSample& sample, float time) const override {
         CameraRay result = camera_->generate(sample, time);
@@ -195,36 +241,24 @@ class MovingCamera final : public Camera {
     }
 
   private:
-    std::unique_ptr<Camera> camera_;
+    CameraSettings settings_;
+    FilmFrame frame_;
+    const Medium* medium_;
     MotionPath path_;
+    std::unique_ptr<SceneCamera> camera_;
 };
-
-std::unique_ptr<Camera> make_still_camera(const CameraSettings& settings, const FilmFrame& frame,
-                                          const Medium* medium) {
-    switch (settings.projection) {
-        case Projection::Orthographic:
-            return std::make_unique<OrthographicCamera>(settings, frame, medium);
-        case Projection::Environment:
-            return std::make_unique<EnvironmentCamera>(settings, frame, medium);
-        case Projection::Perspective:
-            break;
-    }
-    return std::make_unique<PerspectiveCamera>(settings, frame, medium);
-}
 
 }  // namespace
 
-std::unique_ptr<Camera> make_camera(const SceneContents& contents, const Film& film,
-                                    Diagnostics& diagnostics) {
+std::unique_ptr<SceneCamera> make_camera(const SceneContents& contents, const Film& film,
+                                         Diagnostics& diagnostics) {
     FilmFrame frame = read_film_frame(contents);
     frame.width = film.width();
     frame.height = film.height();
-    CameraSettings settings = read_camera_settings(contents, frame, diagnostics);
+    const CameraSettings settings = read_camera_settings(contents, frame, diagnostics);
     const Medium* medium = contents.camera_medium.get();
     if (settings.motion.empty()) return make_still_camera(settings, frame, medium);
-    settings.to_world = Matrix();
-    return std::make_unique<MovingCamera>(make_still_camera(settings, frame, medium),
-                                          settings.motion);
+    return std::make_unique<MovingCamera>(settings, frame, medium);
 }
 
 }  // namespace lxs

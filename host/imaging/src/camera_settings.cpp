@@ -41,13 +41,16 @@ constexpr ParameterDeclaration kCommon[] = {
 constexpr ParameterDeclaration kLens[] = {
     {"lensradius", Float, "0", "Radius of the lens, scene units; 0: a pinhole.", 0},
     {"focaldistance", Float, "1e30", "Depth at which the image is sharp, scene units."},
-    {"autofocus", Bool, "false", "Ignored: focaldistance counts."},
+    {"autofocus", Bool, "false",
+     "Sharp where the ray through the middle of the image meets the scene; focaldistance counts if "
+     "it meets nothing."},
 };
 
 constexpr ParameterDeclaration kPerspective[] = {
     {"fov", Float, "90", "Angle of view along the shorter axis, degrees."},
-    {"blades", Integer, "0", "Ignored: the aperture is round."},
-    {"power", Integer, "3", "Ignored: the aperture is uniform."},
+    {"blades", Integer, "0",
+     "Corners of the aperture, a regular polygon within the lens radius; below 3: round."},
+    {"power", Integer, "3", "Ignored, as distribution is: the aperture is uniform."},
     {.name = "distribution",
      .type = String,
      .default_text = "uniform",
@@ -129,12 +132,7 @@ void read_lens(const ParameterReader& reader, CameraSettings& settings) {
         reader.fail("focaldistance", fmt::format("focaldistance is {}, but must be positive",
                                                  settings.focal_distance));
     }
-    if (settings.lens_radius > 0 && reader.boolean("autofocus", false)) {
-        reader.diagnostics().warning(
-            reader.where("autofocus"),
-            fmt::format("\"autofocus\" has no effect: the focal distance is {}",
-                        settings.focal_distance));
-    }
+    settings.autofocus = settings.lens_radius > 0 && reader.boolean("autofocus", false);
 }
 
 void read_perspective(const ParameterReader& reader, CameraSettings& settings) {
@@ -144,10 +142,9 @@ void read_perspective(const ParameterReader& reader, CameraSettings& settings) {
                     fmt::format("fov is {}, but must lie between 0 and 180 degrees", settings.fov));
     }
     if (settings.lens_radius == 0) return;
-    if (reader.integer("blades", 0) > 2) {
-        reader.diagnostics().warning(reader.where("blades"),
-                                     "\"blades\" has no effect: the aperture is round");
-    }
+    constexpr std::int64_t kMostBlades = 1000;
+    settings.blades =
+        static_cast<int>(std::clamp<std::int64_t>(reader.integer("blades", 0), 0, kMostBlades));
     if (reader.string("distribution", "uniform") != "uniform") {
         reader.diagnostics().warning(reader.where("distribution"),
                                      "\"distribution\" has no effect: the aperture is uniform");

@@ -22,6 +22,8 @@ struct CameraSettings {
     double yon = 1e30;                           ///< and end at this one
     double lens_radius = 0;                      ///< scene units
     double focal_distance = 1e30;                ///< depth of the sharp plane
+    bool autofocus = false;  ///< the sharp plane is where the screen's middle meets the scene
+    int blades = 0;          ///< of the aperture; below 3: it is round
     float shutter_open = 0, shutter_close = 1;
 };
 

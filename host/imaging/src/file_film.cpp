@@ -7,6 +7,7 @@
 #include <optional>
 #include <stdexcept>
 
+#include "color_space.h"
 #include "exr_encoder.h"
 #include "film_accumulator.h"
 #include "film_settings.h"
@@ -61,6 +62,17 @@ class FlexImage final : public FileFilm {
 
   private:
     FilmAccumulator& color_layer(std::string_view name);
+    /// The sums of an accumulator as the film's colours.
+    template <class Resolve>
+    std::vector<Rgb> film_colors(const Resolve& resolve) const {
+        std::vector<Rgb> values(pixels());
+        resolve(values);
+        if (settings_.to_film_colors) {
+            for (Rgb& c : values)
+                c = converted(*settings_.to_film_colors, c);
+        }
+        return values;
+    }
     std::size_t pixels() const { return std::size_t{width()} * height(); }
 
     FilmSettings settings_;
@@ -124,20 +136,19 @@ std::size_t FlexImage::memory_bytes() const {
 }
 
 std::vector<Rgb> FlexImage::image() const {
-    std::vector<Rgb> image(pixels());
-    accumulator_.resolve_total(image);
-    return image;
+    return film_colors([this](std::span<Rgb> values) { accumulator_.resolve_total(values); });
 }
 
 void FlexImage::write_exr(const std::string& path, const ImageMetadata& metadata) const {
     std::vector<ColorLayer> colors{{"", image()}};
     for (std::uint32_t g = 0; light_groups() > 1 && g < light_groups(); ++g) {
-        colors.push_back({group_names_[g], std::vector<Rgb>(pixels())});
-        accumulator_.resolve_group(g, colors.back().values);
+        colors.push_back({group_names_[g], film_colors([&](std::span<Rgb> values) {
+                              accumulator_.resolve_group(g, values);
+                          })});
     }
     for (const auto& [name, layer] : color_layers_) {
-        colors.push_back({name, std::vector<Rgb>(pixels())});
-        layer.resolve_total(colors.back().values);
+        colors.push_back(
+            {name, film_colors([&](std::span<Rgb> values) { layer.resolve_total(values); })});
     }
     std::vector<FloatLayer> floats;
     for (const auto& [name, values] : layers_) {

@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <array>
-#include <cmath>
 #include <string>
 
 namespace lxs {
@@ -96,22 +95,22 @@ constexpr ParameterDeclaration kAccepted[] = {
     {.name = "colorspace_red",
      .type = Float,
      .default_text = "0.63 0.34",
-     .doc = "Ignored: colours are linear RGB as the scene gives them.",
+     .doc = "Chromaticity x y of the film's red.",
      .array = true},
     {.name = "colorspace_green",
      .type = Float,
      .default_text = "0.31 0.595",
-     .doc = "Ignored: colours are linear RGB as the scene gives them.",
+     .doc = "Chromaticity x y of the film's green.",
      .array = true},
     {.name = "colorspace_blue",
      .type = Float,
      .default_text = "0.155 0.07",
-     .doc = "Ignored: colours are linear RGB as the scene gives them.",
+     .doc = "Chromaticity x y of the film's blue.",
      .array = true},
     {.name = "colorspace_white",
      .type = Float,
      .default_text = "0.314275 0.329411",
-     .doc = "Ignored: colours are linear RGB as the scene gives them.",
+     .doc = "Chromaticity x y of the film's white.",
      .array = true},
     {"cameraresponse", String, "", "Ignored: no film response curve is applied."},
     {"false_method", String, "linear", "Ignored: there are no false colours."},
@@ -187,29 +186,6 @@ void warn(const ParameterReader& reader, std::string_view name, std::string_view
                                  fmt::format("\"{}\" has no effect: {}", name, consequence));
 }
 
-struct Chromaticity {
-    std::string_view name;
-    double x, y;
-};
-
-/// LuxRender's default primaries (SMPTE "C").
-constexpr Chromaticity kColorSpace[] = {{"colorspace_red", 0.63, 0.34},
-                                        {"colorspace_green", 0.31, 0.595},
-                                        {"colorspace_blue", 0.155, 0.07},
-                                        {"colorspace_white", 0.314275, 0.329411}};
-
-void warn_of_color_space(const ParameterReader& reader) {
-    for (const Chromaticity& expected : kColorSpace) {
-        const auto given = reader.numbers(expected.name);
-        if (given.empty()) continue;
-        const bool same = given.size() == 2 && std::abs(given[0] - expected.x) < 1e-3 &&
-                          std::abs(given[1] - expected.y) < 1e-3;
-        if (same) continue;
-        warn(reader, expected.name, "colours stay linear RGB as the scene gives them");
-        return;
-    }
-}
-
 }  // namespace
 
 std::vector<ParameterDeclaration> film_parameters(std::string_view plugin) {
@@ -236,7 +212,6 @@ void warn_of_ignored_film_parameters(const ParameterReader& reader) {
     if (reader.number("haltthreshold", -1) > 0) {
         warn(reader, "haltthreshold", "convergence isn't tested");
     }
-    warn_of_color_space(reader);
 }
 
 }  // namespace lxs

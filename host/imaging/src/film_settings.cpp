@@ -7,7 +7,9 @@
 #include <array>
 #include <cmath>
 #include <filesystem>
+#include <stdexcept>
 
+#include "color_space.h"
 #include "film_parameters.h"
 #include "option_choice.h"
 
@@ -134,6 +136,33 @@ std::string read_base_name(const ParameterReader& reader) {
     return name;
 }
 
+std::optional<Imath::M33d> read_color_space(const ParameterReader& reader) {
+    ColorSpace space;
+    bool differs = false;
+    std::string_view last;
+    const auto read_one = [&](std::string_view name, std::array<double, 2>& value) {
+        const auto given = reader.numbers(name);
+        if (given.empty()) return;
+        if (given.size() != value.size())
+            reader.fail(name, fmt::format("{} takes 2 numbers, found {}", name, given.size()));
+        constexpr double kSame = 1e-3;
+        differs = differs || std::abs(given[0] - value[0]) >= kSame ||
+                  std::abs(given[1] - value[1]) >= kSame;
+        std::copy(given.begin(), given.end(), value.begin());
+        last = name;
+    };
+    read_one("colorspace_red", space.red);
+    read_one("colorspace_green", space.green);
+    read_one("colorspace_blue", space.blue);
+    read_one("colorspace_white", space.white);
+    if (!differs) return std::nullopt;
+    try {
+        return rgb_matrix(kSceneColors, space);
+    } catch (const std::invalid_argument& error) {
+        reader.fail(last, fmt::format("the film's colour space: {}", error.what()));
+    }
+}
+
 FilmSettings read(const SceneContents& contents, Diagnostics& diagnostics) {
     const OptionChoice choice =
         choose_option(contents, "Film", "fleximage", {"fleximage", "multiimage"});
@@ -154,6 +183,7 @@ FilmSettings read(const SceneContents& contents, Diagnostics& diagnostics) {
         std::max(0.0, reader.number(old_interval ? "hdr_writeinterval" : "writeinterval",
                                     settings.write_interval_seconds));
     settings.tone_map = read_tone_map(reader);
+    settings.to_film_colors = read_color_space(reader);
     warn_of_ignored_film_parameters(reader);
     return settings;
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 
 #include "lxs/scene/contents.h"
@@ -27,6 +28,8 @@ struct FilmSettings {
     std::uint64_t halt_passes = 0;
     double write_interval_seconds = 60;
     ToneMapSettings tone_map;
+    /// From the scene's colours to the film's, if those differ (colorspace_red ...).
+    std::optional<Imath::M33d> to_film_colors;
 };
 
 /// Reads and checks the Film statement; throws InputError, warns of what has no effect.

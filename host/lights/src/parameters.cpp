@@ -106,6 +106,12 @@ constexpr std::array<std::string_view, 3> kMappings = {"latlong", "angular", "vc
 
 using Declarations = std::vector<ParameterDeclaration>;
 
+constexpr ParameterDeclaration kMapResolution{.name = "imapmaxresolution",
+                                              .type = Type::Integer,
+                                              .default_text = "500",
+                                              .doc = "Resolution of the map that steers sampling.",
+                                              .no_effect = true};
+
 Declarations infinite_parameters() {
     return {kColor,
             kGain,
@@ -119,20 +125,26 @@ Declarations infinite_parameters() {
              .doc = "Layout of the image: latitude-longitude, angular map or vertical cross.",
              .choices = kMappings},
             kMapGamma,
+            kMapResolution,
             kSamples,
             kImportance};
 }
 
+/// Of the Hosek-Wilkie sky.
+Declarations sky2_parameters() {
+    return {kSunDirection, kTurbidity, kGain, kSamples, kImportance};
+}
+
+/// Of the Preetham sky.
 Declarations sky_parameters() {
-    Declarations all = {kSunDirection, kTurbidity, kGain, kSamples, kImportance};
+    Declarations all = sky2_parameters();
     all.insert(all.end(), kSkyCoefficients.begin(), kSkyCoefficients.end());
     return all;
 }
 
-Declarations sun_and_sky_parameters() {
-    Declarations all = sky_parameters();
-    all.push_back(kRelativeSize);
-    return all;
+Declarations with_sun(Declarations sky) {
+    sky.push_back(kRelativeSize);
+    return sky;
 }
 
 Declarations spot_parameters() {
@@ -220,11 +232,11 @@ const std::vector<LightPlugin>& light_plugins() {
         {"point", point_parameters()},
         {"projection", projection_parameters()},
         {"sky", sky_parameters()},
-        {"sky2", sky_parameters()},
+        {"sky2", sky2_parameters()},
         {"spot", spot_parameters()},
         {"sun", {kSunDirection, kTurbidity, kRelativeSize, kGain, kSamples, kImportance}},
-        {"sunsky", sun_and_sky_parameters()},
-        {"sunsky2", sun_and_sky_parameters()},
+        {"sunsky", with_sun(sky_parameters())},
+        {"sunsky2", with_sun(sky2_parameters())},
     };
     return plugins;
 }
@@ -242,9 +254,18 @@ std::span<const ParameterDeclaration> area_light_parameters() {
         // to.
         power("100"),
         efficacy("17"),
-        kIes,
-        kProfileMap,
-        kFlip,
+        ParameterDeclaration{.name = "iesname",
+                             .type = Type::String,
+                             .default_text = "",
+                             .doc = "Ignored: an area light shines as a diffuse one."},
+        ParameterDeclaration{.name = "mapname",
+                             .type = Type::String,
+                             .default_text = "",
+                             .doc = "Ignored: an area light shines as a diffuse one."},
+        ParameterDeclaration{.name = "flipz",
+                             .type = Type::Bool,
+                             .default_text = "false",
+                             .doc = "Ignored, as iesname and mapname are."},
         kSamples,
         kImportance,
     };

@@ -87,8 +87,6 @@ TEST(FilmSettings, FlagsWarnOnlyWhenTheyAskForSomethingElse) {
                   "holds 32-bit floats",
                   "scene.lxs:2:5: warning: \"write_exr_applyimaging\" has no effect: the EXR "
                   "always holds raw linear radiance"}));
-    EXPECT_EQ(Read({numbers("float", "colorspace_red", {0.7, 0.3})}).diagnostics.warnings.size(),
-              1u);
     EXPECT_EQ(Read({text("cameraresponse", "Gold_100CD")}).diagnostics.warnings.size(), 1u);
 }
 

@@ -94,13 +94,13 @@ TEST(CameraErrors, WarningsSayWhatHasNoEffect) {
     EXPECT_EQ(camera("", {}).diagnostics.warnings,
               Lines{"scene.lxs:9:1: warning: the scene has no Camera; a perspective camera of 90 "
                     "degrees at the origin looks along +z"});
-    EXPECT_EQ(
-        camera("perspective",
-               {flag("autofocus", true), real("lensradius", 0.1), real("focaldistance", 4)})
-            .diagnostics.warnings,
-        Lines{"scene.lxs:2:5: warning: \"autofocus\" has no effect: the focal distance is 4"});
-    EXPECT_TRUE(camera("perspective", {flag("autofocus", true)}).diagnostics.warnings.empty())
-        << "a pinhole is sharp everywhere";
+    EXPECT_EQ(camera("perspective", {text("distribution", "gaussian"), real("lensradius", 0.1)})
+                  .diagnostics.warnings,
+              Lines{"scene.lxs:2:5: warning: \"distribution\" has no effect: the aperture is "
+                    "uniform"});
+    EXPECT_TRUE(
+        camera("perspective", {text("distribution", "gaussian")}).diagnostics.warnings.empty())
+        << "a pinhole has no aperture";
     EXPECT_EQ(camera("perspective", {real("shutteropen", 1), real("shutterclose", 0)})
                   .diagnostics.warnings,
               Lines{"scene.lxs:2:5: warning: the shutter closes before it opens; the times are "

@@ -107,6 +107,16 @@ TEST(AreaLight, TakesATextureAndChecksItsName) {
               "test.lxs:2:24: error: an area light's L must not be negative");
 }
 
+TEST(AreaLight, SaysThatItHasNoPhotometricProfile) {
+    CollectingDiagnostics diagnostics;
+    read_world("AreaLightSource \"area\" \"string iesname\" [\"lamp.ies\"] Shape \"sphere\"",
+               diagnostics);
+    EXPECT_EQ(diagnostics.messages,
+              std::vector<std::string>{
+                  "test.lxs:2:24: warning: \"iesname\" has no effect: an area light shines as a "
+                  "diffuse one of the same flux"});
+}
+
 TEST(Lights, KeepTransformGroupAndMedium) {
     const SceneContents contents = read_world(
         "MakeNamedVolume \"air\" \"clear\" Exterior \"air\" Translate 1 2 3 LightGroup \"sun\"\n"

@@ -102,10 +102,10 @@ TEST(ProfileLight, PhotometricFileShapesAPointLight) {
     const Vec3 aside(float(std::sin(kPiD / 3)), 0, 0.5f);
     EXPECT_NEAR(direct(*light, aside).y, 20, 0.2);
     EXPECT_TRUE(is_black(direct(*light, Vec3(0, 0.1f, -1))));
-    const auto flipped = make_one(
-        "point", {text("iesname", downlight()),
-                  ParameterValue{"bool", "flipz", std::vector<std::string>{"true"}, {}, {}},
-                  numbers("color", "L", {40, 40, 40})});
+    const auto flipped =
+        make_one("point", {text("iesname", downlight()),
+                           ParameterValue{"bool", "flipz", std::vector<bool>{true}, {}, {}},
+                           numbers("color", "L", {40, 40, 40})});
     EXPECT_TRUE(is_black(direct(*flipped, Vec3(0, 0.1f, 1))));
     EXPECT_NEAR(direct(*flipped, Vec3(0, 0, -2)).y, 10, 0.02);
     // A cosine of 40 cd: the flux is 40 pi, less what straight lines between the angles lose.

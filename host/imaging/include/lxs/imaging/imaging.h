@@ -13,6 +13,7 @@
 #include "lxs/sdk/camera.h"
 #include "lxs/sdk/film.h"
 #include "lxs/sdk/parameters.h"
+#include "lxs/sdk/scene.h"
 #include "lxs/spectrum/wavelengths.h"
 
 namespace lxs {
@@ -46,9 +47,19 @@ class FileFilm : public Film {
 /// Film, with the pixel filter inside, from the "Film" and "PixelFilter" statements.
 std::unique_ptr<FileFilm> make_film(const SceneContents& contents, Diagnostics& diagnostics);
 
+/// What a scene's camera has beyond the interface that integrators see.
+class SceneCamera : public Camera {
+  public:
+    /// Depth at which the image is sharp, scene units.
+    virtual double focal_distance() const = 0;
+    /// Autofocus, if the statement asks for it: to the depth where the ray through the middle of
+    /// the whole image meets the scene, if it does. To be called before rendering.
+    virtual void focus(const Scene& scene) = 0;
+};
+
 /// Camera from the "Camera" statement; needs the film's full resolution and crop window.
-std::unique_ptr<Camera> make_camera(const SceneContents& contents, const Film& film,
-                                    Diagnostics& diagnostics);
+std::unique_ptr<SceneCamera> make_camera(const SceneContents& contents, const Film& film,
+                                         Diagnostics& diagnostics);
 
 /// Parameters that are a sampler's own ("metropolis": of its chains); empty for all others.
 std::span<const ParameterDeclaration> sampler_parameters(std::string_view sampler);

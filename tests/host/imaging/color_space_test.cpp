@@ -1,0 +1,67 @@
+// Protects the film's colour space: matrices against published ones, and that images follow it.
+#include "color_space.h"
+
+#include <gtest/gtest.h>
+
+#include "lxs/imaging/imaging.h"
+#include "scene_options.h"
+
+namespace lxs::test {
+namespace {
+
+constexpr ColorSpace kRec709{{0.64, 0.33}, {0.30, 0.60}, {0.15, 0.06}, {0.3127, 0.3290}};
+constexpr ColorSpace kRec2020{{0.708, 0.292}, {0.170, 0.797}, {0.131, 0.046}, {0.3127, 0.3290}};
+
+// ITU-R BT.2087-0, section 2: the matrix from BT.709 to BT.2020.
+TEST(ColorSpace, MatrixOfThePublishedConversion) {
+    const Imath::M33d m = rgb_matrix(kRec709, kRec2020);
+    const double published[3][3] = {
+        {0.6274, 0.3293, 0.0433}, {0.0691, 0.9195, 0.0114}, {0.0164, 0.0880, 0.8956}};
+    for (int row = 0; row < 3; ++row)
+        for (int column = 0; column < 3; ++column)
+            EXPECT_NEAR(m[column][row], published[row][column], 1e-4);
+}
+
+TEST(ColorSpace, ColoursBeyondItAreClipped) {
+    const Rgb green = converted(rgb_matrix(kRec2020, kRec709), Rgb(0, 1, 0));
+    EXPECT_EQ(green.x, 0);
+    EXPECT_GT(green.y, 1);
+    EXPECT_EQ(green.z, 0);
+}
+
+Rgb pixel_of(std::vector<ParameterValue> values) {
+    SceneContents contents = scene_of_size(1, 1);
+    auto& film_values = contents.options["Film"].parameters.values;
+    film_values.insert(film_values.end(), values.begin(), values.end());
+    RecordedDiagnostics diagnostics;
+    const auto film = make_film(contents, diagnostics);
+    EXPECT_TRUE(diagnostics.warnings.empty());
+    const std::vector<Vec2> positions{Vec2(0.5f)};
+    const std::vector<Rgb> radiance{Rgb(0.5f, 0.25f, 0.125f)};
+    film->add_pass({positions, radiance, 1, 1});
+    return film->image()[0];
+}
+
+TEST(ColorSpace, TheFilmFollowsIt) {
+    EXPECT_EQ(pixel_of({numbers("float", "colorspace_red", {0.63, 0.34})}),
+              Rgb(0.5f, 0.25f, 0.125f))
+        << "LuxRender's default is the scene's own";
+    const Rgb wide = pixel_of({numbers("float", "colorspace_red", {0.708, 0.292}),
+                               numbers("float", "colorspace_green", {0.170, 0.797}),
+                               numbers("float", "colorspace_blue", {0.131, 0.046})});
+    const ColorSpace space{kRec2020.red, kRec2020.green, kRec2020.blue, kSceneColors.white};
+    const Rgb expected = converted(rgb_matrix(kSceneColors, space), Rgb(0.5f, 0.25f, 0.125f));
+    EXPECT_EQ(wide, expected);
+    EXPECT_LT(wide.x, 0.5f) << "red is less saturated in a wider space";
+}
+
+TEST(ColorSpace, NonsenseIsRefused) {
+    const auto error = [](std::vector<double> red) {
+        return input_error([&] { pixel_of({numbers("float", "colorspace_red", std::move(red))}); });
+    };
+    EXPECT_NE(error({0.31, 0.595}).find("the primaries span no colours"), std::string::npos);
+    EXPECT_NE(error({0.3}).find("takes 2 numbers, found 1"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace lxs::test

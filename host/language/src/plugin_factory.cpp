@@ -52,14 +52,15 @@ std::optional<Product> PluginFactory::make(
         known.erase(std::unique(known.begin(), known.end()), known.end());
         throw InputError(set.where, unknown_name_message(kind.noun, set.plugin, known));
     }
-    diagnostics_.warning(set.where, fmt::format("{} \"{}\" is not rendered yet: {}", kind.noun,
-                                                set.plugin, kind.stand_in));
+    diagnostics_.warning(set.where, fmt::format("{} \"{}\" is {}: {}", kind.noun, set.plugin,
+                                                kind.state, kind.stand_in));
     return std::nullopt;
 }
 
 std::optional<Geometry> PluginFactory::shape(const ParameterSet& set,
                                              const Matrix& to_world) const {
-    return make(registry_.shapes, {"shape", "Shape", "it is left out"}, set, to_world);
+    return make(registry_.shapes, {"shape", "Shape", "it is skipped", "not supported"}, set,
+                to_world);
 }
 
 std::shared_ptr<const Material> PluginFactory::material(const ParameterSet& set,

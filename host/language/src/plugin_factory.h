@@ -31,6 +31,7 @@ class PluginFactory {
         const char* noun;
         const char* statement;
         const char* stand_in;  ///< what is used for names that are known but not rendered
+        const char* state = "not rendered yet";
     };
     template <class Product>
     std::optional<Product> make(const std::map<std::string, Factory<Product>>& registered,

@@ -19,8 +19,8 @@ std::array<double, Count> fixed_numbers(const Statement& statement) {
 }  // namespace
 
 void SceneReader::set_transform(const Matrix& matrix, const SourceLocation& where) {
-    check_invertible(matrix, where);
     if (motion_) return add_motion_key(matrix, where);
+    check_invertible(matrix, where);
     scopes_.transform = matrix;
     scopes_.motion.clear();
 }
@@ -31,9 +31,13 @@ void SceneReader::concatenate(const Matrix& matrix, const SourceLocation& where)
         const std::size_t index = std::min(motion_->keys.size(), motion_->times.size() - 1);
         return add_motion_key(matrix * motion_->base.at(motion_->times[index]), where);
     }
-    scopes_.transform = matrix * scopes_.transform;
-    for (MotionKey& key : scopes_.motion)
+    const Matrix product = matrix * scopes_.transform;
+    check_invertible(product, where);
+    scopes_.transform = product;
+    for (MotionKey& key : scopes_.motion) {
         key.matrix = matrix * key.matrix;
+        check_invertible(key.matrix, where);
+    }
 }
 
 void SceneReader::add_motion_key(const Matrix& matrix, const SourceLocation& where) {
@@ -42,6 +46,7 @@ void SceneReader::add_motion_key(const Matrix& matrix, const SourceLocation& whe
                          fmt::format("MotionBegin lists {} times, but more transforms follow",
                                      motion_->times.size()));
     }
+    check_invertible(matrix, where);
     motion_->keys.push_back({motion_->times[motion_->keys.size()], matrix});
 }
 

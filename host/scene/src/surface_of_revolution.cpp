@@ -47,7 +47,9 @@ SurfaceOfRevolution::SurfaceOfRevolution(const RevolvedSegment& shape)
     : phi_max_(phi_limit(shape.phi_max)) {
     const V3d start(shape.start), end(shape.end);
     const double rho[2] = {std::hypot(start.x, start.y), std::hypot(end.x, end.y)};
-    profile_ = Segment{start, end - start, {rho[0], rho[1]}};
+    const bool upright =
+        start.x * end.y == start.y * end.x && start.x * end.x + start.y * end.y >= 0;
+    profile_ = Segment{start, end - start, {rho[0], rho[1]}, upright};
     reach_ = std::max(rho[0], rho[1]);
     z_min_ = std::min(start.z, end.z);
     z_max_ = std::max(start.z, end.z);
@@ -93,7 +95,7 @@ RevolutionPoint SurfaceOfRevolution::at(const Segment& s, double cosine, double 
     point.p = turned(s.start + s.along * v);
     point.dpdv = turned(s.along);
     // At the tip of a cone the normal is that of the points near it.
-    const V3d rim = turned(s.rho[0] >= s.rho[1] ? s.start : s.start + s.along);
+    const V3d rim = turned(s.rim());
     const V3d radial =
         unit(V3d(point.p.x, point.p.y, 0), unit(V3d(rim.x, rim.y, 0), V3d(cosine, sine, 0)));
     const V3d across = V3d(-radial.y, radial.x, 0).cross(point.dpdv);
@@ -133,7 +135,7 @@ V2d SurfaceOfRevolution::coordinates(const V3d& p) const {
 }
 
 V2d SurfaceOfRevolution::coordinates(const Segment& s, const V3d& p) {
-    const V3d base = s.start + s.along * ((p.z - s.start.z) / s.along.z);
+    const V3d base = s.upright ? s.rim() : s.start + s.along * ((p.z - s.start.z) / s.along.z);
     const V2d turn(base.x * p.x + base.y * p.y, base.x * p.y - base.y * p.x);
     const double length = std::hypot(turn.x, turn.y);
     const double cosine = length > 0 ? turn.x / length : 1, sine = length > 0 ? turn.y / length : 0;

@@ -65,15 +65,28 @@ Geometry create_paraboloid(const ParameterReader& reader, const AssetContext& /*
     return Quadric{bowl, to_world};
 }
 
+/// An angle around the tube; as LuxRender does, brought into a turn that begins outside.
+float tube_angle(const ParameterReader& reader, std::string_view name, double fallback) {
+    const float given = finite(reader, name, fallback);
+    const float angle = std::clamp(given, 0.0f, 360.0f);
+    if (angle != given) {
+        reader.diagnostics().warning(
+            reader.where(name), fmt::format("\"{}\" goes from 0 to 360 degrees: {} is used for {}",
+                                            name, angle, given));
+    }
+    return angle;
+}
+
 Geometry create_torus(const ParameterReader& reader, const AssetContext& /*assets*/,
                       const Matrix& to_world) {
     check_transform(to_world, reader);
     Torus torus;
     torus.major_radius = positive(reader, "majorradius", 1);
     torus.minor_radius = positive(reader, "minorradius", 0.25);
-    const float theta1 = finite(reader, "thetamin", 0), theta2 = finite(reader, "thetamax", 360);
-    torus.theta_min = std::clamp(std::min(theta1, theta2), -360.0f, 360.0f);
-    torus.theta_max = std::clamp(std::max(theta1, theta2), torus.theta_min, torus.theta_min + 360);
+    const float theta1 = tube_angle(reader, "thetamin", 0);
+    const float theta2 = tube_angle(reader, "thetamax", 360);
+    torus.theta_min = std::min(theta1, theta2);
+    torus.theta_max = std::max(theta1, theta2);
     if (torus.theta_min == torus.theta_max) {
         reader.fail("thetamin", fmt::format("\"thetamin\" {} and \"thetamax\" {} leave nothing",
                                             theta1, theta2));
@@ -124,9 +137,8 @@ ShapeFactory make_torus_factory() {
     using enum ParameterType;
     return {{length_parameter("majorradius", "1", "Radius of the circle inside of the tube.", 0),
              length_parameter("minorradius", "0.25", "Radius of the tube.", 0),
-             {"thetamin", Float, "0", "Where the tube's round begins, degrees; 0 is outside.", -360,
-              360},
-             {"thetamax", Float, "360", "Where the tube's round ends, degrees.", -360, 720},
+             {"thetamin", Float, "0", "Where the tube's round begins, degrees; 0 is outside."},
+             {"thetamax", Float, "360", "Where the tube's round ends, degrees; 90 is the top."},
              sweep_parameter(),
              name_parameter()},
             create_torus};

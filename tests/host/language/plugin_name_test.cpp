@@ -52,7 +52,7 @@ TEST(PluginNames, ShapesAreLeftOut) {
     EXPECT_TRUE(contents.primitives.empty());
     EXPECT_EQ(
         diagnostics.messages,
-        (Messages{"test.lxs:2:7: warning: shape \"torus\" is not rendered yet: it is left out"}));
+        (Messages{"test.lxs:2:7: warning: shape \"torus\" is not supported: it is skipped"}));
 }
 
 TEST(PluginNames, TexturesAndVolumesStandIn) {

@@ -166,7 +166,7 @@ TEST(Motion, ObjectsWithLightsStayAndSaySo) {
 TEST(Motion, TurnsAtAConstantRate) {
     Matrix turned;
     turned.rotate(Imath::V3d(0, 0, 1.2));
-    const MotionPath path({{0, Matrix()}, {2, scaling({3, 3, 3}) * turned}});
+    const MotionPath path({{0, Matrix()}, {2, Matrix().setScale(Imath::V3d(3.0)) * turned}});
     const Matrix middle = path.at(1);
     Point image;
     middle.multDirMatrix(Point(1, 0, 0), image);

@@ -85,7 +85,7 @@ TEST_F(PlyShape, ErrorsNameFileFaceAndVertex) {
     EXPECT_THAT(
         error_of("plymesh", {text("filename", write(header("ascii", 3, "", 2) + triangle +
                                                     "3 0 1 2\n3 0 1 7\n"))}),
-        testing::AllOf(HasSubstr("mesh.ply\""), HasSubstr("face 1 of "),
+        testing::AllOf(HasSubstr("mesh.ply\""), HasSubstr("face 1 "),
                        HasSubstr("names vertex 7, but there are 3 vertices, numbered from 0")));
     EXPECT_THAT(error_of("plymesh", {text("filename", write(header("ascii", 3, "", 1) +
                                                             "0 0 0\n1 nan 0\n0 1 0\n3 0 1 2\n"))}),

@@ -49,7 +49,7 @@ struct ObjectDefinition {
 struct Instance {
     std::size_t object = 0;  ///< index into SceneContents::objects
     Matrix to_world;         ///< without motion
-    Motion motion;           ///< empty: stands still
+    Motion motion = {};      ///< empty: stands still
 };
 
 /// A light without geometry: its parameters and where it stands.
@@ -63,8 +63,8 @@ struct LightDescription {
 /// Plugin choice of one option statement (Camera, Film, Sampler, ...).
 struct OptionStatement {
     ParameterSet parameters;
-    Matrix transform;  ///< the current transform where the statement stood
-    Motion motion;     ///< of that transform; empty: stands still
+    Matrix transform;    ///< the current transform where the statement stood
+    Motion motion = {};  ///< of that transform; empty: stands still
 };
 
 struct SceneContents {

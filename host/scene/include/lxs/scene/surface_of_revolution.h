@@ -46,6 +46,8 @@ class SurfaceOfRevolution {
     struct Segment {
         Imath::V3d start, along;  ///< along = end - start
         double rho[2];            ///< distances of the ends from the axis
+        bool upright = false;     ///< lies in a half-plane that the axis bounds
+        Imath::V3d rim() const { return rho[0] >= rho[1] ? start : start + along; }
     };
     struct Bowl {
         double k;  ///< radius^2 / height: x^2 + y^2 = k z

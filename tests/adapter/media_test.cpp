@@ -155,6 +155,25 @@ TEST(Media, ChainsAreLeftOutAloud) {
     }));
 }
 
+/// Mirrors alone, which take no photons: the fog still does, and the guide is left out.
+TEST(Media, FogAloneTakesPhotons) {
+    mock::Scene scene;
+    mock::Surface wall;
+    wall.material.kind = mock::Material::Kind::Mirror;
+    scene.add_box({-1, -1, -1}, {1, 1, 1}, wall);
+    scene.add_point_light({0.2f, 0.4f, 0.3f}, {1, 1, 1});
+    scene.finish();
+    scene.fill(kColoured);
+    Settings settings = fog_settings(5);
+    settings.guide = GuideKind::Adaptive;
+    settings.max_eye_depth = 32;
+    const double rays = render_along_y(scene, settings, 60).film.mean();
+    settings.direct_light_sampling = false;
+    const double photons = render_along_y(scene, settings, 60).film.mean();
+    EXPECT_GT(rays, 0);
+    EXPECT_NEAR(photons / rays, 1, 0.03);
+}
+
 /// What distances on a segment are drawn by: the quantiles of its own density.
 TEST(Media, SegmentExponentialDrawsByItsDensity) {
     for (const float rate : {1e-9f, 0.3f, 20.0f}) {

@@ -82,7 +82,7 @@ TEST(MediumSampling, ClearChannelsPassForEver) {
         const Flight flight =
             medium.sample_flight(std::numeric_limits<float>::infinity(), Rgb(1.0f), random.pair());
         EXPECT_TRUE(std::isfinite(flight.weight.x + flight.weight.y + flight.weight.z));
-        if (!flight.collides) EXPECT_GT(flight.weight.x, 0);
+        EXPECT_GT(flight.collides ? flight.distance : flight.weight.x, 0);
     }
 }
 

@@ -10,7 +10,7 @@ namespace {
 GlassPoint glass_at(const ShadingPoint& point) {
     const float inside = point.interior ? point.interior->index() : 1.0f;
     const float outside = point.exterior ? point.exterior->index() : 1.0f;
-    return {Rgb(1.0f), Rgb(1.0f), inside / outside};
+    return {Rgb(1.0f), Rgb(1.0f), inside / outside, {}};
 }
 
 class Glass2Material final : public Material {

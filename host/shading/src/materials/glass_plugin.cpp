@@ -4,6 +4,7 @@
 #include "glass_surface.h"
 #include "material_plugins.h"
 #include "prepared_texture.h"
+#include "surface_film.h"
 
 namespace lxs::shading {
 namespace {
@@ -13,11 +14,12 @@ constexpr float kMinIndex = 0.05f, kMaxIndex = 20;
 class GlassMaterial final : public Material {
   public:
     GlassMaterial(PreparedColor kr, PreparedColor kt, PreparedFloat index, PreparedFloat cauchy_b,
-                  bool architectural)
+                  SurfaceFilm film, bool architectural)
         : kr_(std::move(kr)),
           kt_(std::move(kt)),
           index_(std::move(index)),
           cauchy_b_(std::move(cauchy_b)),
+          film_(std::move(film)),
           architectural_(architectural) {}
 
     const Bsdf* scatter(const ShadingPoint& point,
@@ -27,7 +29,7 @@ class GlassMaterial final : public Material {
     MaterialFacts facts() const override {
         MaterialFacts facts = glass_facts(architectural_);
         facts.reads_image = kr_.reads_image() || kt_.reads_image() || index_.reads_image() ||
-                            cauchy_b_.reads_image();
+                            cauchy_b_.reads_image() || film_.reads_image();
         return facts;
     }
     Rgb straight_transmittance(const ShadingPoint& point, const Vec3& direction) const override {
@@ -41,18 +43,19 @@ class GlassMaterial final : public Material {
         // Without dispersion: Cauchy's formula for the middle of the visible spectrum.
         constexpr float kMiddle = 0.55f;  // micrometres
         const float index = index_.at(point) + cauchy_b_.at(point) / (kMiddle * kMiddle);
-        return {kr_.at(point), kt_.at(point), limited(index, kMinIndex, kMaxIndex)};
+        return {kr_.at(point), kt_.at(point), limited(index, kMinIndex, kMaxIndex),
+                film_.at(point)};
     }
 
     PreparedColor kr_, kt_;
     PreparedFloat index_, cauchy_b_;
+    SurfaceFilm film_;
     bool architectural_;
 };
 
 std::shared_ptr<const Material> create(const ParameterReader& reader, const AssetContext& assets,
                                        const Matrix&) {
     warn_of_common_parameters(reader, assets);
-    warn_of_film(reader, assets);
     auto cauchy_b = read_limited(reader, assets, "cauchyb", 0, 0, 1);
     if (!cauchy_b.is(0)) {
         reader.diagnostics().warning(reader.where("cauchyb"),
@@ -63,7 +66,7 @@ std::shared_ptr<const Material> create(const ParameterReader& reader, const Asse
         read_reflectance(reader, assets, "Kr", Rgb(1.0f)),
         read_reflectance(reader, assets, "Kt", Rgb(1.0f)),
         read_limited(reader, assets, "index", 1.5f, kMinIndex, kMaxIndex), std::move(cauchy_b),
-        reader.boolean("architectural", false));
+        SurfaceFilm(reader, assets), reader.boolean("architectural", false));
 }
 
 }  // namespace

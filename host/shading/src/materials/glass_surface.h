@@ -1,6 +1,7 @@
 // What "glass" and "glass2" have in common: one dielectric interface, solid or architectural.
 #pragma once
 
+#include "bsdfs/thin_film.h"
 #include "lxs/scene/material.h"
 
 namespace lxs::shading {
@@ -9,6 +10,7 @@ namespace lxs::shading {
 struct GlassPoint {
     Rgb kr{1.0f}, kt{1.0f};
     float eta = 1.5f;  ///< index behind the surface / index before it
+    ThinFilm film{};   ///< colours what is reflected
 };
 
 /// Bsdf of a solid or architectural glass surface.

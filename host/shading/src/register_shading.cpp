@@ -19,6 +19,12 @@ void register_textures(Registry& registry) {
     registry.fresnel_textures["constant"] = shading::constant_fresnel_plugin();
     registry.fresnel_textures["fresnelcolor"] = shading::fresnelcolor_plugin();
     registry.fresnel_textures["fresnelname"] = shading::fresnelname_plugin();
+    registry.fresnel_textures["preset"] = shading::fresnelname_plugin();
+    registry.fresnel_textures["mix"] = shading::mix_fresnel_plugin();
+    registry.fresnel_textures["sellmeier"] = shading::sellmeier_plugin();
+    registry.fresnel_textures["abbe"] = shading::abbe_plugin();
+    registry.fresnel_textures["sopra"] = shading::sopra_plugin();
+    registry.fresnel_textures["luxpop"] = shading::luxpop_plugin();
     registry.fresnel_textures["cauchy"] = shading::cauchy_plugin();
     registry.color_textures["colordepth"] = shading::colordepth_plugin();
     registry.color_textures["lampspectrum"] = shading::lampspectrum_plugin();

@@ -5,6 +5,7 @@
 
 #include "bsdf_statistics.h"
 #include "bsdfs/fresnel.h"
+#include "bsdfs/layered_bsdf.h"
 #include "lxs/sdk/frame.h"
 #include "lxs/sdk/warp.h"
 #include "shading_fixture.h"
@@ -12,12 +13,61 @@
 namespace lxs {
 namespace {
 
+using shading::LayeredBsdf;
+
 constexpr float kIndex = 1.5f;
 
 Vec3 at_angle(float degrees, float azimuth) {
     const float theta = degrees * kPi / 180;
     return {std::sin(theta) * std::cos(azimuth), std::sin(theta) * std::sin(azimuth),
             std::cos(theta)};
+}
+
+/// Scatters diffusely to both sides of z = 0: `r` back, `t` through.
+class Paper final : public Bsdf {
+  public:
+    Paper(float r, float t) : r_(r), t_(t) {}
+    LobeMask lobes() const override { return kDiffuse; }
+    Rgb evaluate(const Vec3& wo, const Vec3& wi, Transport, LobeMask) const override {
+        return Rgb(wo.z * wi.z > 0 ? r_ : t_) * kInvPi;
+    }
+    float pdf(const Vec3& wo, const Vec3& wi, LobeMask) const override {
+        return (wo.z * wi.z > 0 ? r_ : t_) / (r_ + t_) * std::abs(wi.z) * kInvPi;
+    }
+    bool sample(const Vec3& wo, const Vec2& u, float u_lobe, Transport, LobeMask,
+                BsdfSample& sample) const override {
+        const bool through = u_lobe * (r_ + t_) >= r_;
+        Vec3 wi = square_to_cosine_hemisphere(u);
+        if ((wo.z > 0) == through) wi.z = -wi.z;
+        sample = {wi, Rgb(r_ + t_), pdf(wo, wi, kDiffuse), kDiffuse, through, false};
+        return true;
+    }
+    Rgb albedo(const Vec3&, LobeMask) const override { return Rgb(r_ + t_); }
+
+  private:
+    float r_, t_;
+};
+
+// Lambertian to both sides: all light between the layers is diffuse, and the closed form is that of
+// a pile of plates (Stokes 1862). Paths here have several vertices at which they could be joined.
+TEST(LayeredPaper, AddsUpLikeAPileOfPlates) {
+    const float r1 = 0.3f, t1 = 0.6f, r2 = 0.5f, t2 = 0.4f;
+    const Paper first(r1, t1), second(r2, t2);
+    LayeredBsdf::Stack stack;
+    stack.layers = {&first, &second};
+    stack.count = 2;
+    stack.transmits = true;
+    const Vec3 wo = at_angle(40, 0), up = at_angle(60, 2), down = -at_angle(30, 1);
+    constexpr int kPlaces = 200000;
+    double reflected = 0, passed = 0;
+    for (int i = 0; i < kPlaces; ++i) {
+        const LayeredBsdf bsdf(stack, Vec3(static_cast<float>(i), 0, 0), {0, 0, 1}, {0, 0, 1});
+        reflected += bsdf.evaluate(wo, up, Transport::Radiance, kAllLobes).x;
+        passed += bsdf.evaluate(wo, down, Transport::Radiance, kAllLobes).x;
+    }
+    const float between = 1 - r1 * r2;
+    EXPECT_NEAR(reflected / kPlaces * kPi, r1 + t1 * t1 * r2 / between, 0.004);
+    EXPECT_NEAR(passed / kPlaces * kPi, t1 * t2 / between, 0.004);
 }
 
 class LayeredTest : public ::testing::Test {

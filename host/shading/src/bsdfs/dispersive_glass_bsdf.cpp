@@ -31,7 +31,8 @@ Rgb DispersiveGlassBsdf::carried() const {
 }
 
 Rgb DispersiveGlassBsdf::reflected(const Vec3& wo) const {
-    return carried() * kr_ * fresnel_by_component(eta_, std::abs(wo.dot(ns_)), wo.dot(ng_) > 0);
+    return carried() * kr_ * film_.filter(wo.dot(ns_)) *
+           fresnel_by_component(eta_, std::abs(wo.dot(ns_)), wo.dot(ng_) > 0);
 }
 
 Rgb DispersiveGlassBsdf::transmitted(const Vec3& wo) const {

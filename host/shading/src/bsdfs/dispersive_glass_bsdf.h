@@ -2,6 +2,7 @@
 #pragma once
 
 #include "specular_bsdf.h"
+#include "thin_film.h"
 
 namespace lxs::shading {
 
@@ -11,9 +12,9 @@ class DispersiveGlassBsdf final : public SpecularBsdf {
   public:
     /// `eta`: index behind the surface (-ng) / index before it (+ng), by component; `component` of
     /// the arriving path (Ray::component).
-    DispersiveGlassBsdf(const Rgb& kr, const Rgb& kt, const Rgb& eta, std::int8_t component,
-                        const Vec3& ng, const Vec3& ns)
-        : kr_(kr), kt_(kt), eta_(eta), component_(component), ng_(ng), ns_(ns) {}
+    DispersiveGlassBsdf(const Rgb& kr, const Rgb& kt, const Rgb& eta, const ThinFilm& film,
+                        std::int8_t component, const Vec3& ng, const Vec3& ns)
+        : kr_(kr), kt_(kt), eta_(eta), film_(film), component_(component), ng_(ng), ns_(ns) {}
 
     bool sample(const Vec3& wo, const Vec2& u, float u_lobe, Transport transport, LobeMask mask,
                 BsdfSample& sample) const override;
@@ -27,6 +28,7 @@ class DispersiveGlassBsdf final : public SpecularBsdf {
     Rgb carried() const;
 
     Rgb kr_, kt_, eta_;
+    ThinFilm film_;
     std::int8_t component_;
     Vec3 ng_, ns_;
 };

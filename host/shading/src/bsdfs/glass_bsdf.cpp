@@ -16,7 +16,7 @@ bool GlassBsdf::sample(const Vec3& wo, const Vec2&, float u_lobe, Transport tran
     if (!(cos_o > 0)) return false;
     const float eta = from_front ? eta_ : 1 / eta_;
     const float fresnel = fresnel_dielectric(cos_o, eta);
-    const Rgb reflected = kr_ * fresnel, transmitted = kt_ * (1 - fresnel);
+    const Rgb reflected = kr_ * film_.filter(cos_o) * fresnel, transmitted = kt_ * (1 - fresnel);
     const float total = max_component(reflected) + max_component(transmitted);
     if (!(total > 0)) return false;
     const float p_reflect = max_component(reflected) / total;
@@ -35,7 +35,7 @@ Rgb GlassBsdf::albedo(const Vec3& wo, LobeMask mask) const {
     if (!(mask & kSpecular)) return Rgb(0.0f);
     const float eta = wo.dot(ng_) > 0 ? eta_ : 1 / eta_;
     const float fresnel = fresnel_dielectric(std::abs(wo.dot(ns_)), eta);
-    return kr_ * fresnel + kt_ * (1 - fresnel);
+    return kr_ * film_.filter(wo.dot(ns_)) * fresnel + kt_ * (1 - fresnel);
 }
 
 }  // namespace lxs::shading

@@ -2,14 +2,16 @@
 #pragma once
 
 #include "specular_bsdf.h"
+#include "thin_film.h"
 
 namespace lxs::shading {
 
 class GlassBsdf final : public SpecularBsdf {
   public:
     /// `eta`: index behind the surface (-ng) / index before it (+ng).
-    GlassBsdf(const Rgb& kr, const Rgb& kt, float eta, const Vec3& ng, const Vec3& ns)
-        : kr_(kr), kt_(kt), eta_(eta), ng_(ng), ns_(ns) {}
+    GlassBsdf(const Rgb& kr, const Rgb& kt, float eta, const ThinFilm& film, const Vec3& ng,
+              const Vec3& ns)
+        : kr_(kr), kt_(kt), eta_(eta), film_(film), ng_(ng), ns_(ns) {}
 
     bool sample(const Vec3& wo, const Vec2& u, float u_lobe, Transport transport, LobeMask mask,
                 BsdfSample& sample) const override;
@@ -18,6 +20,7 @@ class GlassBsdf final : public SpecularBsdf {
   private:
     Rgb kr_, kt_;
     float eta_;
+    ThinFilm film_;
     Vec3 ng_, ns_;
 };
 

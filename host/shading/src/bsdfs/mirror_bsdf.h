@@ -2,22 +2,24 @@
 #pragma once
 
 #include "specular_bsdf.h"
+#include "thin_film.h"
 
 namespace lxs::shading {
 
 class MirrorBsdf final : public SpecularBsdf {
   public:
-    MirrorBsdf(const Rgb& reflectance, const Vec3& ng, const Vec3& ns)
-        : reflectance_(reflectance), ng_(ng), ns_(ns) {}
+    MirrorBsdf(const Rgb& reflectance, const ThinFilm& film, const Vec3& ng, const Vec3& ns)
+        : reflectance_(reflectance), film_(film), ng_(ng), ns_(ns) {}
 
     bool sample(const Vec3& wo, const Vec2& u, float u_lobe, Transport transport, LobeMask mask,
                 BsdfSample& sample) const override;
-    Rgb albedo(const Vec3&, LobeMask mask) const override {
-        return mask & kSpecular ? reflectance_ : Rgb(0.0f);
+    Rgb albedo(const Vec3& wo, LobeMask mask) const override {
+        return mask & kSpecular ? reflectance_ * film_.filter(wo.dot(ns_)) : Rgb(0.0f);
     }
 
   private:
     Rgb reflectance_;
+    ThinFilm film_;
     Vec3 ng_, ns_;
 };
 

@@ -8,7 +8,7 @@ namespace lxs::shading {
 Rgb ShinyMetalBsdf::smooth_reflectance(const Vec3& wo) const {
     const float cosine = std::abs(wo.dot(facets_.ns()));
     const Rgb left = Rgb(1.0f) - rough_albedo(cosine);
-    const Rgb smooth = fresnel_conductor(cosine, smooth_);
+    const Rgb smooth = fresnel_conductor(cosine, smooth_) * film_.filter(cosine);
     return {std::min(smooth.x, left.x), std::min(smooth.y, left.y), std::min(smooth.z, left.z)};
 }
 

@@ -5,15 +5,16 @@
 #include "lxs/sdk/bsdf.h"
 #include "microfacet_albedo.h"
 #include "microfacet_lobe.h"
+#include "thin_film.h"
 
 namespace lxs::shading {
 
 class ShinyMetalBsdf final : public Bsdf {
   public:
-    /// `rough` and `smooth`: indices of the two reflections.
-    ShinyMetalBsdf(const FresnelValue& rough, const FresnelValue& smooth,
+    /// `rough` and `smooth`: indices of the two reflections; `film` lies on the smooth one.
+    ShinyMetalBsdf(const FresnelValue& rough, const FresnelValue& smooth, const ThinFilm& film,
                    const MicrofacetLobe& facets)
-        : rough_(rough), smooth_(smooth), facets_(facets) {}
+        : rough_(rough), smooth_(smooth), film_(film), facets_(facets) {}
 
     LobeMask lobes() const override { return kGlossy | kSpecular; }
     Rgb evaluate(const Vec3& wo, const Vec3& wi, Transport transport, LobeMask mask) const override;
@@ -30,6 +31,7 @@ class ShinyMetalBsdf final : public Bsdf {
     Rgb rough_albedo(float cosine) const;
 
     FresnelValue rough_, smooth_;
+    ThinFilm film_;
     MicrofacetLobe facets_;
 };
 

@@ -17,7 +17,8 @@ Rgb thin_glass_transmission(const Rgb& kt, float eta, float cos_o) {
 }
 
 Rgb ThinGlassBsdf::reflection(const Vec3& wo) const {
-    return wo.dot(ng_) > 0 ? kr_ * thin_fresnel(eta_, wo.dot(ns_)) : Rgb(0.0f);
+    return wo.dot(ng_) > 0 ? kr_ * film_.filter(wo.dot(ns_)) * thin_fresnel(eta_, wo.dot(ns_))
+                           : Rgb(0.0f);
 }
 
 bool ThinGlassBsdf::sample(const Vec3& wo, const Vec2&, float u_lobe, Transport, LobeMask mask,

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "specular_bsdf.h"
+#include "thin_film.h"
 
 namespace lxs::shading {
 
@@ -13,8 +14,9 @@ Rgb thin_glass_transmission(const Rgb& kt, float eta, float cos_o);
 class ThinGlassBsdf final : public SpecularBsdf {
   public:
     /// `eta`: index behind the surface (-ng) / index before it (+ng).
-    ThinGlassBsdf(const Rgb& kr, const Rgb& kt, float eta, const Vec3& ng, const Vec3& ns)
-        : kr_(kr), kt_(kt), eta_(eta), ng_(ng), ns_(ns) {}
+    ThinGlassBsdf(const Rgb& kr, const Rgb& kt, float eta, const ThinFilm& film, const Vec3& ng,
+                  const Vec3& ns)
+        : kr_(kr), kt_(kt), eta_(eta), film_(film), ng_(ng), ns_(ns) {}
 
     bool sample(const Vec3& wo, const Vec2& u, float u_lobe, Transport transport, LobeMask mask,
                 BsdfSample& sample) const override;
@@ -25,6 +27,7 @@ class ThinGlassBsdf final : public SpecularBsdf {
 
     Rgb kr_, kt_;
     float eta_;
+    ThinFilm film_;
     Vec3 ng_, ns_;
 };
 

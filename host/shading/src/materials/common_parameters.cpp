@@ -5,7 +5,6 @@
 
 #include "bumped_material.h"
 #include "ignored_parameter.h"
-#include "textures/texture_parameters.h"
 
 namespace lxs::shading {
 namespace {
@@ -57,19 +56,6 @@ void warn_of_common_parameters(const ParameterReader& reader, const AssetContext
         reader.diagnostics().warning(reader.where(flag.name),
                                      fmt::format("compositing is not rendered: {}", flag.instead));
     }
-}
-
-std::vector<ParameterDeclaration> film_parameters() {
-    return {{"film", ParameterType::FloatTexture, "0",
-             "thickness of a thin film, nanometres (not rendered yet)"},
-            {"filmindex", ParameterType::FloatTexture, "1.5",
-             "index of the thin film (not rendered yet)"}};
-}
-
-void warn_of_film(const ParameterReader& reader, const AssetContext& assets) {
-    if (!reader.given("film")) return;
-    if (read_float_texture(reader, assets, "film", 0)->constant() == 0.0f) return;
-    reader.diagnostics().warning(reader.where("film"), "thin films are not rendered yet");
 }
 
 std::vector<ParameterDeclaration> roughness_parameters(std::string_view default_text) {

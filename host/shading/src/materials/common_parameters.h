@@ -14,10 +14,6 @@ std::vector<ParameterDeclaration> with_common_parameters(std::vector<ParameterDe
 /// Warns of compositing flags that would change the image.
 void warn_of_common_parameters(const ParameterReader& reader, const AssetContext& assets);
 
-/// Declarations of thin-film thickness and index, and a warning when the film would be visible.
-std::vector<ParameterDeclaration> film_parameters();
-void warn_of_film(const ParameterReader& reader, const AssetContext& assets);
-
 /// Roughness along u and v with LuxRender's names and default.
 std::vector<ParameterDeclaration> roughness_parameters(std::string_view default_text);
 

@@ -5,6 +5,7 @@
 #include "lxs/sdk/index_curve.h"
 #include "material_plugins.h"
 #include "prepared_texture.h"
+#include "surface_film.h"
 
 namespace lxs::shading {
 namespace {
@@ -14,11 +15,12 @@ constexpr float kMinIndex = 0.05f, kMaxIndex = 20;
 class GlassMaterial final : public Material {
   public:
     GlassMaterial(PreparedColor kr, PreparedColor kt, PreparedFloat index, PreparedFloat cauchy_b,
-                  bool architectural)
+                  SurfaceFilm film, bool architectural)
         : kr_(std::move(kr)),
           kt_(std::move(kt)),
           index_(std::move(index)),
           cauchy_b_(std::move(cauchy_b)),
+          film_(std::move(film)),
           architectural_(architectural) {}
 
     const Bsdf* scatter(const ShadingPoint& point,
@@ -28,7 +30,7 @@ class GlassMaterial final : public Material {
     MaterialFacts facts() const override {
         MaterialFacts facts = glass_facts(architectural_, !cauchy_b_.is(0));
         facts.reads_image = kr_.reads_image() || kt_.reads_image() || index_.reads_image() ||
-                            cauchy_b_.reads_image();
+                            cauchy_b_.reads_image() || film_.reads_image();
         return facts;
     }
     Rgb straight_transmittance(const ShadingPoint& point, const Vec3& direction) const override {
@@ -41,7 +43,7 @@ class GlassMaterial final : public Material {
     GlassPoint glass_at(const TexturePoint& point) const {
         const IndexCurve index{index_.at(point), cauchy_b_.at(point), 0};
         const auto at = [&](double nm) { return limited(index.at(nm), kMinIndex, kMaxIndex); };
-        GlassPoint glass{kr_.at(point), kt_.at(point), at(kMiddleNm)};
+        GlassPoint glass{kr_.at(point), kt_.at(point), at(kMiddleNm), film_.at(point)};
         if (const Wavelengths* w = point.wavelengths; w && index.varies()) {
             glass.etas = Rgb(at(w->nm[0]), at(w->nm[1]), at(w->nm[2]));
         }
@@ -50,18 +52,19 @@ class GlassMaterial final : public Material {
 
     PreparedColor kr_, kt_;
     PreparedFloat index_, cauchy_b_;
+    SurfaceFilm film_;
     bool architectural_;
 };
 
 std::shared_ptr<const Material> create(const ParameterReader& reader, const AssetContext& assets,
                                        const Matrix&) {
     warn_of_common_parameters(reader, assets);
-    warn_of_film(reader, assets);
     return std::make_shared<GlassMaterial>(
         read_reflectance(reader, assets, "Kr", Rgb(1.0f)),
         read_reflectance(reader, assets, "Kt", Rgb(1.0f)),
         read_limited(reader, assets, "index", 1.5f, kMinIndex, kMaxIndex),
-        read_limited(reader, assets, "cauchyb", 0, 0, 1), reader.boolean("architectural", false));
+        read_limited(reader, assets, "cauchyb", 0, 0, 1), SurfaceFilm(reader, assets),
+        reader.boolean("architectural", false));
 }
 
 }  // namespace

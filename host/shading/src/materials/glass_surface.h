@@ -3,6 +3,7 @@
 
 #include <optional>
 
+#include "bsdfs/thin_film.h"
 #include "lxs/scene/material.h"
 
 namespace lxs::shading {
@@ -11,7 +12,8 @@ namespace lxs::shading {
 struct GlassPoint {
     Rgb kr{1.0f}, kt{1.0f};
     float eta = 1.5f;  ///< index behind the surface / index before it
-    /// The same by component where each wavelength is bent its own way.
+    ThinFilm film{};   ///< colours what is reflected
+    /// `eta` by component where each wavelength is bent its own way.
     std::optional<Rgb> etas = {};
 };
 

@@ -11,7 +11,7 @@ namespace {
 std::shared_ptr<const Material> create_metal(const ParameterReader& reader,
                                              const AssetContext& assets, const Matrix&) {
     warn_of_common_parameters(reader, assets);
-    return std::make_shared<ConductorMaterial>(PreparedFresnel(read_metal_preset(reader)),
+    return std::make_shared<ConductorMaterial>(PreparedFresnel(read_metal_preset(reader, assets)),
                                                RoughSurface(reader, assets));
 }
 
@@ -23,10 +23,17 @@ std::shared_ptr<const Material> create_metal2(const ParameterReader& reader,
         RoughSurface(reader, assets));
 }
 
+/// Roughness along u and v, and the one name that old scenes have for both.
+std::vector<ParameterDeclaration> old_and_new_roughness() {
+    return joined({{"roughness", ParameterType::FloatTexture, "0.1",
+                    "old name for both u and v roughness", 0}},
+                  roughness_parameters("0.1"));
+}
+
 }  // namespace
 
 MaterialFactory metal_plugin() {
-    return {with_common_parameters(joined(metal_preset_parameters(), roughness_parameters("0.1"))),
+    return {with_common_parameters(joined(metal_preset_parameters(), old_and_new_roughness())),
             &create_metal};
 }
 
@@ -34,7 +41,7 @@ MaterialFactory metal2_plugin() {
     ParameterDeclaration fresnel{"fresnel", ParameterType::FresnelTexture, "5",
                                  "index of refraction or texture of optical constants"};
     fresnel.minimum = 1e-3;
-    return {with_common_parameters(joined({fresnel}, roughness_parameters("0.1"))), &create_metal2};
+    return {with_common_parameters(joined({fresnel}, old_and_new_roughness())), &create_metal2};
 }
 
 }  // namespace lxs::shading

@@ -9,6 +9,8 @@
 #include <span>
 #include <string>
 
+#include "optical_table.h"
+
 namespace lxs::shading {
 namespace {
 
@@ -49,25 +51,11 @@ constexpr std::array<Preset, 5> kPresets{{{"amorphous carbon", kAmorphousCarbon}
                                           {"copper", kCopper},
                                           {kDefaultMetal, kAluminium}}};
 
-/// n and k between the two measurements around `wavelength`, by linear interpolation.
-Measurement measured_at(std::span<const Measurement> measurements, float wavelength) {
-    std::size_t i = 1;
-    while (i + 1 < measurements.size() && measurements[i].wavelength < wavelength)
-        ++i;
-    const Measurement &a = measurements[i - 1], &b = measurements[i];
-    const float t = (wavelength - a.wavelength) / (b.wavelength - a.wavelength);
-    return {wavelength, a.n + t * (b.n - a.n), a.k + t * (b.k - a.k)};
-}
-
-FresnelValue rgb_constants(const Preset& preset) {
-    FresnelValue value;
-    value.conductor = true;
-    for (int i = 0; i < 3; ++i) {
-        const Measurement at = measured_at(preset.measurements, kRgbWavelengths[i]);
-        value.eta[i] = at.n;
-        value.k[i] = at.k;
-    }
-    return value;
+FresnelValue preset_constants(const Preset& preset) {
+    OpticalTable table;
+    for (const Measurement& m : preset.measurements)
+        table.push_back({m.wavelength, m.n, m.k});
+    return rgb_constants(table);
 }
 
 const Preset* find_preset(std::string_view name) {
@@ -91,23 +79,22 @@ std::vector<ParameterDeclaration> metal_preset_parameters() {
     return {{"name", ParameterType::String, kDefaultMetal,
              "amorphous carbon, silver, gold, copper or aluminium"},
             {"filename", ParameterType::String, "",
-             "file of measured n and k (not read yet; aluminium stands in)"}};
+             "file of measured n and k (Sopra, LuxPop or columns); overrides the name"}};
 }
 
-FresnelValue read_metal_preset(const ParameterReader& reader) {
+FresnelValue read_metal_preset(const ParameterReader& reader, const AssetContext& assets) {
     const std::string name = reader.string("name", kDefaultMetal);
     // LuxRender takes a name that it doesn't know for a file.
     const bool name_is_file = name.find('.') != std::string::npos;
     if (reader.given("filename") || name_is_file) {
         const std::string_view parameter = reader.given("filename") ? "filename" : "name";
-        reader.diagnostics().warning(reader.where(parameter),
-                                     "files of measured metals are not read yet; aluminium "
-                                     "stands in");
-        return rgb_constants(*find_preset(kDefaultMetal));
+        const SourceLocation& where = reader.where(parameter);
+        const std::string path = assets.resolve(reader.string(parameter, ""), where);
+        return rgb_constants(read_optical_table(path, OpticalFormat::Any, where));
     }
     const Preset* preset = find_preset(name);
     if (!preset) fail_unknown(reader, name);
-    return rgb_constants(*preset);
+    return preset_constants(*preset);
 }
 
 }  // namespace lxs::shading

@@ -4,8 +4,7 @@
 #include <array>
 #include <vector>
 
-#include "lxs/scene/texture.h"
-#include "lxs/sdk/parameters.h"
+#include "lxs/scene/registry.h"
 
 namespace lxs::shading {
 
@@ -15,8 +14,8 @@ inline constexpr std::array<float, 3> kRgbWavelengths{650, 532, 450};
 /// Declarations of "name" and "filename".
 std::vector<ParameterDeclaration> metal_preset_parameters();
 
-/// Constants of the metal that "name" says (default aluminium). Files of measurements aren't read:
-/// a located warning, and aluminium stands in. Throws InputError for an unknown name.
-FresnelValue read_metal_preset(const ParameterReader& reader);
+/// Constants of the metal that "name" says (default aluminium), or of the file in "filename".
+/// Throws InputError for an unknown name or a file that isn't a table.
+FresnelValue read_metal_preset(const ParameterReader& reader, const AssetContext& assets);
 
 }  // namespace lxs::shading

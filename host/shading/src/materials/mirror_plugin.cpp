@@ -4,37 +4,40 @@
 #include "common_parameters.h"
 #include "material_plugins.h"
 #include "prepared_texture.h"
+#include "surface_film.h"
 
 namespace lxs::shading {
 namespace {
 
 class MirrorMaterial final : public Material {
   public:
-    explicit MirrorMaterial(PreparedColor kr) : kr_(std::move(kr)) {}
+    MirrorMaterial(PreparedColor kr, SurfaceFilm film)
+        : kr_(std::move(kr)), film_(std::move(film)) {}
 
     const Bsdf* scatter(const ShadingPoint& point,
                         std::pmr::memory_resource& memory) const override {
         const Rgb kr = kr_.at(point.texture);
         if (is_black(kr)) return nullptr;
-        return place_bsdf<MirrorBsdf>(memory, kr, point.ng, point.ns);
+        return place_bsdf<MirrorBsdf>(memory, kr, film_.at(point.texture), point.ng, point.ns);
     }
     MaterialFacts facts() const override {
         MaterialFacts facts;
         facts.lobes = kSpecular;
-        facts.reads_image = kr_.reads_image();
+        facts.reads_image = kr_.reads_image() || film_.reads_image();
         facts.max_bsdf_bytes = kBsdfBytes<MirrorBsdf>;
         return facts;
     }
 
   private:
     PreparedColor kr_;
+    SurfaceFilm film_;
 };
 
 std::shared_ptr<const Material> create(const ParameterReader& reader, const AssetContext& assets,
                                        const Matrix&) {
     warn_of_common_parameters(reader, assets);
-    warn_of_film(reader, assets);
-    return std::make_shared<MirrorMaterial>(read_reflectance(reader, assets, "Kr", Rgb(1.0f)));
+    return std::make_shared<MirrorMaterial>(read_reflectance(reader, assets, "Kr", Rgb(1.0f)),
+                                            SurfaceFilm(reader, assets));
 }
 
 }  // namespace

@@ -4,40 +4,46 @@
 #include "common_parameters.h"
 #include "material_plugins.h"
 #include "rough_surface.h"
+#include "surface_film.h"
 
 namespace lxs::shading {
 namespace {
 
 class ShinyMetalMaterial final : public Material {
   public:
-    ShinyMetalMaterial(PreparedColor ks, PreparedColor kr, RoughSurface surface)
-        : ks_(std::move(ks)), kr_(std::move(kr)), surface_(std::move(surface)) {}
+    ShinyMetalMaterial(PreparedColor ks, PreparedColor kr, SurfaceFilm film, RoughSurface surface)
+        : ks_(std::move(ks)),
+          kr_(std::move(kr)),
+          film_(std::move(film)),
+          surface_(std::move(surface)) {}
 
     const Bsdf* scatter(const ShadingPoint& point,
                         std::pmr::memory_resource& memory) const override {
         return place_bsdf<ShinyMetalBsdf>(memory, fresnel_from_reflectance(ks_.at(point.texture)),
                                           fresnel_from_reflectance(kr_.at(point.texture)),
-                                          surface_.at(point));
+                                          film_.at(point.texture), surface_.at(point));
     }
     MaterialFacts facts() const override {
         MaterialFacts facts;
         facts.lobes = kGlossy | kSpecular;
-        facts.reads_image = ks_.reads_image() || kr_.reads_image() || surface_.reads_image();
+        facts.reads_image =
+            ks_.reads_image() || kr_.reads_image() || film_.reads_image() || surface_.reads_image();
         facts.max_bsdf_bytes = kBsdfBytes<ShinyMetalBsdf>;
         return facts;
     }
 
   private:
     PreparedColor ks_, kr_;
+    SurfaceFilm film_;
     RoughSurface surface_;
 };
 
 std::shared_ptr<const Material> create(const ParameterReader& reader, const AssetContext& assets,
                                        const Matrix&) {
     warn_of_common_parameters(reader, assets);
-    warn_of_film(reader, assets);
     return std::make_shared<ShinyMetalMaterial>(read_reflectance(reader, assets, "Ks", Rgb(1.0f)),
                                                 read_reflectance(reader, assets, "Kr", Rgb(1.0f)),
+                                                SurfaceFilm(reader, assets),
                                                 RoughSurface(reader, assets));
 }
 

@@ -1,4 +1,4 @@
-// Textures "fresnelcolor", "fresnelname" and "cauchy": optical constants.
+// Fresnel textures "fresnelcolor", "fresnelname" (also "preset") and "mix": optical constants.
 #include "bsdfs/fresnel.h"
 #include "materials/metal_presets.h"
 #include "texture_parameters.h"
@@ -25,22 +25,35 @@ class FresnelColorTexture final : public FresnelTexture {
     std::shared_ptr<const ColorTexture> reflectance_;
 };
 
-std::shared_ptr<const FresnelTexture> create_cauchy(const ParameterReader& reader,
-                                                    const AssetContext&, const Matrix&) {
-    const auto b = static_cast<float>(reader.number("cauchyb", 0.00354));
-    const auto index = static_cast<float>(reader.number("index", -1));
-    constexpr float kSodiumD = 0.5893f;  // micrometres; indices of glass are given there
-    const float a = index > 0 ? index - b / (kSodiumD * kSodiumD)
-                              : static_cast<float>(reader.number("cauchya", 1.458));
-    FresnelValue value;
-    for (int i = 0; i < 3; ++i) {
-        const float wavelength = 1e-3f * kRgbWavelengths[i];
-        value.eta[i] = a + b / (wavelength * wavelength);
+/// Blend of two textures of constants, n and k each.
+class FresnelMixTexture final : public FresnelTexture {
+  public:
+    using Input = std::shared_ptr<const FresnelTexture>;
+
+    FresnelMixTexture(Input first, Input second, std::shared_ptr<const FloatTexture> amount)
+        : first_(std::move(first)), second_(std::move(second)), amount_(std::move(amount)) {}
+    FresnelValue evaluate(const TexturePoint& point) const override {
+        return blend(first_->evaluate(point), second_->evaluate(point), amount_->evaluate(point));
     }
-    if (!(value.eta.x > 0 && value.eta.y > 0 && value.eta.z > 0))
-        reader.fail("cauchyb", "cauchy: the index of refraction is not above 0 for visible light");
-    return std::make_shared<ConstantTexture<FresnelValue>>(value);
-}
+    std::optional<FresnelValue> constant() const override {
+        const auto first = first_->constant(), second = second_->constant();
+        const std::optional<float> amount = amount_->constant();
+        if (!first || !second || !amount) return std::nullopt;
+        return blend(*first, *second, *amount);
+    }
+    bool reads_image() const override {
+        return first_->reads_image() || second_->reads_image() || amount_->reads_image();
+    }
+
+  private:
+    static FresnelValue blend(const FresnelValue& a, const FresnelValue& b, float amount) {
+        return {a.eta * (1 - amount) + b.eta * amount, a.k * (1 - amount) + b.k * amount,
+                a.conductor || b.conductor};
+    }
+
+    Input first_, second_;
+    std::shared_ptr<const FloatTexture> amount_;
+};
 
 }  // namespace
 
@@ -56,18 +69,23 @@ FresnelTextureFactory fresnelcolor_plugin() {
 
 FresnelTextureFactory fresnelname_plugin() {
     return {metal_preset_parameters(),
-            [](const ParameterReader& reader, const AssetContext&, const Matrix&) {
-                const FresnelValue value = read_metal_preset(reader);
+            [](const ParameterReader& reader, const AssetContext& assets, const Matrix&) {
+                const FresnelValue value = read_metal_preset(reader, assets);
                 return std::make_shared<ConstantTexture<FresnelValue>>(value);
             }};
 }
 
-FresnelTextureFactory cauchy_plugin() {
-    return {
-        {{"cauchya", ParameterType::Float, "1.458", "Cauchy's A: index for long waves"},
-         {"cauchyb", ParameterType::Float, "0.00354", "Cauchy's B, square micrometres"},
-         {"index", ParameterType::Float, "-1", "index at 589 nm; when above 0, A follows from it"}},
-        &create_cauchy};
+FresnelTextureFactory mix_fresnel_plugin() {
+    using enum ParameterType;
+    return {{{"tex1", FresnelTexture, "1", "constants where amount is 0"},
+             {"tex2", FresnelTexture, "1", "constants where amount is 1"},
+             {"amount", FloatTexture, "0.5", "share of tex2, 0 to 1"}},
+            [](const ParameterReader& reader, const AssetContext& assets, const Matrix&) {
+                return std::make_shared<FresnelMixTexture>(
+                    read_fresnel_texture(reader, assets, "tex1", 1),
+                    read_fresnel_texture(reader, assets, "tex2", 1),
+                    read_float_texture(reader, assets, "amount", 0.5f));
+            }};
 }
 
 }  // namespace lxs::shading

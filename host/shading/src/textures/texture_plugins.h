@@ -17,7 +17,12 @@ ColorTextureFactory colordepth_plugin();
 ColorTextureFactory lampspectrum_plugin();
 FresnelTextureFactory fresnelcolor_plugin();
 FresnelTextureFactory fresnelname_plugin();
+FresnelTextureFactory mix_fresnel_plugin();
 FresnelTextureFactory cauchy_plugin();
+FresnelTextureFactory sellmeier_plugin();
+FresnelTextureFactory abbe_plugin();
+FresnelTextureFactory sopra_plugin();
+FresnelTextureFactory luxpop_plugin();
 /// Reads its image as the colour texture "imagemap" does.
 FloatTextureFactory normalmap_plugin(const ColorTextureFactory& imagemap);
 /// Adds "imagemap" for floats and colours, which share one image cache.

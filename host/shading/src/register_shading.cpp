@@ -45,6 +45,7 @@ void register_textures(Registry& registry) {
 }
 
 void register_materials(Registry& registry) {
+    registry.materials["carpaint"] = shading::carpaint_plugin();
     registry.materials["matte"] = shading::matte_plugin();
     registry.materials["mattetranslucent"] = shading::mattetranslucent_plugin();
     registry.materials["mirror"] = shading::mirror_plugin();
@@ -63,6 +64,8 @@ void register_materials(Registry& registry) {
     registry.materials["layered"] = shading::layered_plugin();
     registry.materials["mix"] = shading::mix_plugin();
     registry.materials["null"] = shading::null_plugin();
+    registry.materials["doubleside"] = shading::doubleside_plugin();
+    registry.materials["scatter"] = shading::scatter_plugin();
     registry.materials["velvet"] = shading::velvet_plugin();
 }
 

@@ -92,6 +92,20 @@ std::vector<Case> cases() {
                color("backface_Ks", tinted), number("backface_uroughness", 0.7),
                number("backface_vroughness", 0.7)}),
          "glossytranslucent"},
+        {"carpaint_white", {text("name", "white")}, "carpaint", true},
+        {"carpaint",
+         {color("Kd", {0.2f, 0.1f, 0.3f}), color("Ks1", Rgb(0.3f)), color("Ks2", tinted * 0.4f),
+          color("Ks3", Rgb(0.1f)), number("R1", 0.6), number("R2", 0.1), number("R3", 0.9),
+          number("M1", 0.6), number("M2", 0.3), number("M3", 0.25), color("Ka", tinted),
+          number("d", 0.3)},
+         "carpaint"},
+        {"doubleside",
+         {text("frontnamedmaterial", "metal"), text("backnamedmaterial", "glossy")},
+         "doubleside"},
+        {"doubleside_translucent",
+         {text("frontnamedmaterial", "translucent"), text("backnamedmaterial", "matte")},
+         "doubleside"},
+        {"scatter", {color("Kd", white), color("g", {0.5f, 0.0f, -0.3f})}, "scatter", true},
         {"velvet", {color("Kd", tinted)}, "velvet", true},
         {"velvet_other",
          {color("Kd", Rgb(0.5f)), number("p1", 1), number("p2", 3), number("p3", -1.5),
@@ -128,6 +142,8 @@ class BsdfTest : public ::testing::TestWithParam<Case> {
     BsdfTest() {
         scene_.materials["metal"] = scene_.make_material("metal", roughness(0.2, 0.2));
         scene_.materials["matte"] = scene_.make_material("matte", {color("Kd", tinted)});
+        scene_.materials["translucent"] =
+            scene_.make_material("mattetranslucent", {color("Kr", dull), color("Kt", tinted)});
         scene_.materials["mirror"] = scene_.make_material("mirror");
         scene_.materials["null"] = scene_.make_material("null");
         scene_.materials["glossy"] =

@@ -84,6 +84,7 @@ TEST_F(MaterialTest, SharedParametersOfLuxRenderAreKnownToAll) {
         std::vector<ParameterValue> values{flag("compo_visible_material", true),
                                            number("compo_override_alpha_value", 0),
                                            number("bumpmapsampledistance", 0.001)};
+        if (name == "doubleside") values.push_back(text("frontnamedmaterial", "m"));
         if (name == "mix") {
             values.push_back(text("namedmaterial1", "m"));
             values.push_back(text("namedmaterial2", "m"));

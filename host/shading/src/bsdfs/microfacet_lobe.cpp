@@ -5,11 +5,12 @@
 
 namespace lxs::shading {
 
-bool MicrofacetLobe::half_vector(const Vec3& wo, const Vec3& wi, HalfVector& half) const {
-    const float side = wo.dot(ng_);
-    if (!(side * wi.dot(ng_) > 0)) return false;
-    half.wo = frame_.to_local(wo);
-    half.wi = frame_.to_local(wi);
+bool reflecting_half_vector(const Frame& frame, const Vec3& ng, const Vec3& wo, const Vec3& wi,
+                            HalfVector& half) {
+    const float side = wo.dot(ng);
+    if (!(side * wi.dot(ng) > 0)) return false;
+    half.wo = frame.to_local(wo);
+    half.wi = frame.to_local(wi);
     if (side < 0) {
         half.wo.z = -half.wo.z;
         half.wi.z = -half.wi.z;
@@ -18,6 +19,23 @@ bool MicrofacetLobe::half_vector(const Vec3& wo, const Vec3& wi, HalfVector& hal
     half.h = (half.wo + half.wi).normalized();
     half.cosine = half.wo.dot(half.h);
     return half.cosine > 0 && half.h.z > 0;
+}
+
+Vec3 visible_wall(const Vec3& wo, const Vec3& h, float& u_choice) {
+    const Vec3 other(-h.x, -h.y, h.z);
+    const float seen = std::max(0.0f, wo.dot(h)), seen_other = std::max(0.0f, wo.dot(other));
+    const float p = seen + seen_other > 0 ? seen / (seen + seen_other) : 1.0f;
+    constexpr float kBelowOne = 0x1.fffffep-1f;
+    if (u_choice < p) {
+        u_choice = std::min(u_choice / p, kBelowOne);
+        return h;
+    }
+    u_choice = std::min((u_choice - p) / (1 - p), kBelowOne);
+    return other;
+}
+
+bool MicrofacetLobe::half_vector(const Vec3& wo, const Vec3& wi, HalfVector& half) const {
+    return reflecting_half_vector(frame_, ng_, wo, wi, half);
 }
 
 float MicrofacetLobe::shadowing(float cos_o, float cos_i) const {
@@ -44,19 +62,7 @@ float MicrofacetLobe::pdf(const HalfVector& half) const {
 }
 
 Vec3 MicrofacetLobe::sample_facet(const Vec3& wo, const Vec2& u, float& u_choice) const {
-    // One wall of the V-cavity that h stands in, chosen by the area that wo sees of it
-    // (Heitz & d'Eon 2014, algorithm 2).
-    const Vec3 h = distribution_.sample(u);
-    const Vec3 other(-h.x, -h.y, h.z);
-    const float seen = std::max(0.0f, wo.dot(h)), seen_other = std::max(0.0f, wo.dot(other));
-    const float p = seen + seen_other > 0 ? seen / (seen + seen_other) : 1.0f;
-    constexpr float kBelowOne = 0x1.fffffep-1f;
-    if (u_choice < p) {
-        u_choice = std::min(u_choice / p, kBelowOne);
-        return h;
-    }
-    u_choice = std::min((u_choice - p) / (1 - p), kBelowOne);
-    return other;
+    return visible_wall(wo, distribution_.sample(u), u_choice);
 }
 
 bool MicrofacetLobe::sample(const Vec3& wo, const Vec2& u, float u_choice, Vec3& wi,

@@ -13,6 +13,15 @@ struct HalfVector {
     float cosine = 0;  ///< wo.h = wi.h, > 0
 };
 
+/// Half vector of two directions at a surface with shading frame `frame` and geometric normal `ng`;
+/// false when they don't see each other by reflection.
+bool reflecting_half_vector(const Frame& frame, const Vec3& ng, const Vec3& wo, const Vec3& wi,
+                            HalfVector& half);
+
+/// One of the two walls of the V-cavity that `h` stands in, chosen by the area that the local
+/// direction `wo` sees of it; uses up a part of `u_choice` (Heitz & d'Eon 2014, algorithm 2).
+Vec3 visible_wall(const Vec3& wo, const Vec3& h, float& u_choice);
+
 /// f = D G / (4 cos_o cos_i) with Schlick's product of shadowing terms for G, as LuxRender has it,
 /// but scaled down at grazing angles, where that would send back more light than arrives.
 class MicrofacetLobe {

@@ -5,6 +5,8 @@
 
 namespace lxs::shading {
 
+MaterialFactory carpaint_plugin();
+MaterialFactory doubleside_plugin();
 MaterialFactory matte_plugin();
 MaterialFactory mattetranslucent_plugin();
 MaterialFactory mirror_plugin();
@@ -13,6 +15,7 @@ MaterialFactory glass2_plugin();
 MaterialFactory metal_plugin();
 MaterialFactory metal2_plugin();
 MaterialFactory roughglass_plugin();
+MaterialFactory scatter_plugin();
 MaterialFactory shinymetal_plugin();
 MaterialFactory glossy_plugin();
 MaterialFactory glossytranslucent_plugin();

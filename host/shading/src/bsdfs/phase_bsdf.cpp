@@ -1,0 +1,60 @@
+// A surface that scatters like a particle: sampling and values.
+#include "phase_bsdf.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "lxs/sdk/frame.h"
+#include "lxs/sdk/warp.h"
+
+namespace lxs::shading {
+namespace {
+
+constexpr float kMinCosine = 1e-4f;
+
+/// `c`: cosine of the deflection, 1 straight on.
+float phase(float g, float c) {
+    const float d = std::max(1e-6f, 1 + g * g - 2 * g * c);
+    return 0.25f * kInvPi * (1 - g * g) / (d * std::sqrt(d));
+}
+
+/// Cosine of the deflection with density phase(g, c).
+float sample_deflection(float g, float u) {
+    if (std::abs(g) < 1e-3f) return 1 - 2 * u;
+    const float s = (1 - g * g) / (1 - g + 2 * g * u);
+    return std::clamp((1 + g * g - s * s) / (2 * g), -1.0f, 1.0f);
+}
+
+}  // namespace
+
+Rgb PhaseBsdf::evaluate(const Vec3& wo, const Vec3& wi, Transport transport, LobeMask mask) const {
+    if (!(mask & kDiffuse) || wo.dot(ng_) * wi.dot(ng_) == 0) return Rgb(0.0f);
+    // Light comes along wi for radiance and along wo for power; f is over its projected angle.
+    const Vec3& light = transport == Transport::Radiance ? wi : wo;
+    const float cosine = std::max(std::abs(light.dot(ns_)), kMinCosine);
+    const float c = -wo.dot(wi);
+    return kd_ * Rgb(phase(g_.x, c), phase(g_.y, c), phase(g_.z, c)) / cosine;
+}
+
+float PhaseBsdf::pdf(const Vec3& wo, const Vec3& wi, LobeMask mask) const {
+    if (!(mask & kDiffuse) || wo.dot(ng_) * wi.dot(ng_) == 0) return 0;
+    const float c = -wo.dot(wi);
+    return (phase(g_.x, c) + phase(g_.y, c) + phase(g_.z, c)) / 3;
+}
+
+bool PhaseBsdf::sample(const Vec3& wo, const Vec2& u, float u_lobe, Transport transport,
+                       LobeMask mask, BsdfSample& sample) const {
+    if (!(mask & kDiffuse)) return false;
+    const int channel = std::min(static_cast<int>(u_lobe * 3), 2);
+    const float c = sample_deflection(g_[channel], u.x), phi = 2 * kPi * u.y;
+    const float s = std::sqrt(std::max(0.0f, 1 - c * c));
+    const Vec3 wi = Frame(-wo).to_world({s * std::cos(phi), s * std::sin(phi), c}).normalized();
+    const float density = pdf(wo, wi, mask);
+    if (!(density > 0)) return false;
+    const Rgb f = evaluate(wo, wi, transport, mask);
+    const bool transmitted = wo.dot(ng_) * wi.dot(ng_) < 0;
+    sample = {wi, f * (std::abs(wi.dot(ns_)) / density), density, kDiffuse, transmitted, false};
+    return true;
+}
+
+}  // namespace lxs::shading

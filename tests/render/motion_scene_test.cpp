@@ -98,7 +98,7 @@ TEST(MotionScene, PhotonsSeeTheSameTimes) {
     const auto path = render::render(scene, "--passes 400 --seed 3", folder);
     const auto photons =
         render::render(scene,
-                       "--integrator aips --passes 400 --seed 4 --set aips.photonperpass=20000 "
+                       "--integrator aips --passes 250 --seed 4 --set aips.photonperpass=10000 "
                        "--set aips.directlightsampling=false",
                        folder);
     const auto a = path.block_means(6), b = photons.block_means(6);

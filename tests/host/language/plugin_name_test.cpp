@@ -50,9 +50,8 @@ TEST(PluginNames, ShapesAreLeftOut) {
     CollectingDiagnostics diagnostics;
     const SceneContents contents = read_world("Shape \"torus\"\nShape \"torus\"", diagnostics);
     EXPECT_TRUE(contents.primitives.empty());
-    EXPECT_EQ(
-        diagnostics.messages,
-        (Messages{"test.lxs:2:7: warning: shape \"torus\" is not supported: it is skipped"}));
+    EXPECT_EQ(diagnostics.messages,
+              (Messages{"test.lxs:2:7: warning: shape \"torus\" is not supported: it is skipped"}));
 }
 
 TEST(PluginNames, TexturesAndVolumesStandIn) {

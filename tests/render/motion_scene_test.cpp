@@ -68,8 +68,8 @@ TEST(MotionScene, CoverageFromAMovingCamera) {
 }
 
 /// A diffuse sphere that moves under a lamp, and what it reflects to the floor.
-const char* const kLitScene = R"(LookAt 0 -6 4  0 0 0.5  0 0 1
-Camera "perspective" "float fov" [40]
+const char* const kLitScene = R"(LookAt 0 -6 4  0 0 -0.3  0 0 1
+Camera "perspective" "float fov" [30]
 Film "fleximage" "integer xresolution" [24] "integer yresolution" [18]
 PixelFilter "box" "float xwidth" [0.5] "float ywidth" [0.5]
 SurfaceIntegrator "path"
@@ -79,7 +79,7 @@ AreaLightSource "area" "color L" [10 10 10]
 Shape "trianglemesh" "integer triindices" [0 2 1 0 3 2] "point P" [-1 -1 4 1 -1 4 1 1 4 -1 1 4]
 AttributeEnd
 Material "matte" "color Kd" [0.7 0.7 0.7]
-Shape "trianglemesh" "integer triindices" [0 1 2 0 2 3] "point P" [-5 -5 0 5 -5 0 5 5 0 -5 5 0]
+Shape "trianglemesh" "integer triindices" [0 1 2 0 2 3] "point P" [-8 -8 0 8 -8 0 8 8 0 -8 8 0]
 ObjectBegin "ball"
 Material "matte" "color Kd" [0.8 0.8 0.8]
 Shape "sphere" "float radius" [0.6]
@@ -98,7 +98,7 @@ TEST(MotionScene, PhotonsSeeTheSameTimes) {
     const auto path = render::render(scene, "--passes 400 --seed 3", folder);
     const auto photons =
         render::render(scene,
-                       "--integrator aips --passes 400 --seed 4 --set aips.photonperpass=4000 "
+                       "--integrator aips --passes 250 --seed 4 --set aips.photonperpass=10000 "
                        "--set aips.directlightsampling=false",
                        folder);
     const auto a = path.block_means(6), b = photons.block_means(6);

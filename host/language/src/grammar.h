@@ -65,7 +65,8 @@ struct NumberRun {
     }
 };
 
-struct List : peg::seq<ListBegin, Gap, peg::star<peg::sor<NumberRun, peg::seq<Element, Gap>>>,
+struct List : peg::seq<ListBegin, Gap,
+                       peg::star<peg::sor<peg::seq<NumberRun, Gap>, peg::seq<Element, Gap>>>,
                        peg::must<ListEnd>> {};
 
 struct StatementArguments : peg::star<peg::sor<List, Element>, Gap> {};

@@ -105,6 +105,8 @@ bool QuadricShape::keeps(const V3d& p) const {
     if (whole_) return true;
     if (revolution_) {
         constexpr double kMargin = 1e-12;  // tips and seams stay closed in spite of rounding
+        const double slack = 1e3 * kMargin * (z_max_ - z_min_);
+        if (p.z < z_min_ - slack || p.z > z_max_ + slack) return false;  // a cone's other half
         const Imath::V2d at = revolution_->coordinates(p);
         return at.y >= -kMargin && at.y <= 1 + kMargin && (phi_max_ >= 2 * kPi || at.x <= phi_max_);
     }

@@ -46,6 +46,34 @@ TEST(LargeScene, MillionsOfInlineNumbers) {
               << " s\n";
 }
 
+TEST(LargeScene, LongListsReadAsShortOnesDo) {
+    // From the 17th number on lists are read without the grammar.
+    const std::string twenty = "0 1 2 3 4 5 6 7 8 9 10 11 12 13 14 15 16 17 18 19 ";
+    const auto heights = [&](const std::string& more) {
+        const SceneContents contents =
+            read_world("Shape \"trianglemesh\" \"integer triindices\" [0 1 2] \"point P\" [" +
+                       twenty + more + "]");
+        return std::get<TriangleMesh>(contents.primitives.at(0).geometry).positions;
+    };
+    const std::vector<Vec3> read =
+        heights("-20.5 # a comment 5\n+21 .5 1.e1\t123456789012345678 -0 1e-60 007\r\n2.5e+3 8.");
+    ASSERT_EQ(read.size(), 10u);
+    EXPECT_EQ(read[6], Vec3(18, 19, -20.5f));
+    EXPECT_EQ(read[7], Vec3(21, 0.5f, 10));
+    EXPECT_EQ(read[8], Vec3(123456789012345678.0f, 0, 0));
+    EXPECT_EQ(read[9], Vec3(7, 2500, 8));
+    const auto error = [&](const std::string& more) {
+        return error_of_world("Shape \"trianglemesh\" \"point P\" [" + twenty + "\n" + more + "]");
+    };
+    EXPECT_EQ(error("1 2 3x"), "test.lxs:3:5: error: \"3x\" is not a number");
+    EXPECT_EQ(error("1 1e39"), "test.lxs:3:3: error: \"1e39\" is too large; numbers reach 3.4e38");
+    EXPECT_EQ(error("1 nan"), "test.lxs:3:3: error: \"nan\" is not a finite number");
+    EXPECT_EQ(error("1 -"), "test.lxs:3:3: error: \"-\" is not a number");
+    EXPECT_EQ(
+        error("1 \"two\""),
+        "test.lxs:3:3: error: a list holds either numbers or strings or bools, not a mixture");
+}
+
 TEST(LargeScene, ManyStatementsOnOneLine) {
     std::string world;
     for (int i = 0; i < 200000; ++i)

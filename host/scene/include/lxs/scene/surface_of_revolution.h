@@ -46,7 +46,7 @@ class SurfaceOfRevolution {
     struct Segment {
         Imath::V3d start, along;  ///< along = end - start
         double rho[2];            ///< distances of the ends from the axis
-        bool upright = false;     ///< lies in a half-plane that the axis bounds
+        bool upright;             ///< lies in a half-plane that the axis bounds
         Imath::V3d rim() const { return rho[0] >= rho[1] ? start : start + along; }
     };
     struct Bowl {

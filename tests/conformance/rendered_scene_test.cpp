@@ -8,6 +8,7 @@
 #include <fstream>
 #include <sstream>
 #include <string>
+#include <vector>
 
 #include "rendered_image.h"
 #include "temporary_folder.h"
@@ -57,7 +58,7 @@ TEST(ConformanceCommand, ABrighterSceneIsAMiss) {
 TEST(ConformanceCommand, WhatCannotBeRenderedIsNoMissButAFailure) {
     const files::TemporaryFolder folder;
     folder.write("broken.lxs", "WorldBegin Shape \"no such shape\" WorldEnd");
-    folder.write("broken.exr", "");
+    render::write_image({10, 10, std::vector<float>(300, 1.0f)}, folder.path() / "broken.exr");
     const CommandEnd found = run("--folder '" + folder.path().string() + "'", folder);
     EXPECT_EQ(found.exit_code, 3) << found.said;
     EXPECT_NE(found.said.find("no such shape"), std::string::npos) << found.said;

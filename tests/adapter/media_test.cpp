@@ -21,8 +21,8 @@ constexpr std::uint32_t kSize = 16;
 const mock::Fog kColoured{{0.05f, 0.1f, 0.3f}, {0.5f, 0.4f, 0.2f}, 0};
 
 mock::Rendering render_along_y(const mock::Scene& scene, const Settings& settings,
-                               std::uint32_t passes) {
-    const auto camera = mock::camera_along_y({0, -0.9f, 0}, 0.5f, kSize, kSize);
+                               std::uint32_t passes, float half_width = 0.5f) {
+    const auto camera = mock::camera_along_y({0, -0.9f, 0}, half_width, kSize, kSize);
     return mock::render(scene, camera, kSize, kSize, settings, passes);
 }
 
@@ -44,29 +44,53 @@ Settings fog_settings(std::uint64_t seed) {
     return settings;
 }
 
+/// Mean of an image.
+Rgb mean_of(const mock::Film& film) {
+    Rgb mean;
+    for (const Rgb& pixel : film.image())
+        mean += pixel / float(kSize * kSize);
+    return mean;
+}
+
 /// Fog that absorbs nothing between walls that keep all light: the radiance is 1 everywhere,
-/// whatever the fog scatters, and whoever carries the light.
-TEST(Media, WhiteFogIsInvisibleInAFurnace) {
-    for (const float albedo : {0.0f, 0.5f}) {
-        for (const mock::Fog& fog :
-             {mock::Fog{{}, {0.4f, 0.4f, 0.4f}, 0}, mock::Fog{{}, {0.2f, 0.6f, 1.2f}, 0.6f},
-              mock::Fog{{}, {0.4f, 0.4f, 0.4f}, -0.4f}}) {
-            for (const bool direct : {true, false}) {
-                mock::Scene scene = furnace(albedo);
-                scene.fill(fog);
-                Settings settings = fog_settings(1);
-                settings.direct_light_sampling = direct;
-                const auto r = render_along_y(scene, settings, 12);
-                Rgb mean;
-                for (const Rgb& pixel : r.film.image())
-                    mean += pixel / float(kSize * kSize);
-                for (const float channel : {mean.r, mean.g, mean.b}) {
-                    EXPECT_NEAR(channel, 1, 0.02) << "walls " << albedo << ", asymmetry "
-                                                  << fog.asymmetry << ", shadow rays " << direct;
-                }
-                EXPECT_TRUE(r.statistics.refused.empty());
-            }
+/// whatever the fog scatters, and whoever carries the light. Each channel's mean within 4 standard
+/// errors, of which one is below 2 %, and half a per cent for what beams lose at the walls.
+void expect_furnace(float albedo, const mock::Fog& fog, bool direct) {
+    constexpr unsigned kSeeds = 8;
+    mock::Scene scene = furnace(albedo);
+    scene.fill(fog);
+    double sums[3] = {}, squares[3] = {};
+    for (unsigned seed = 1; seed <= kSeeds; ++seed) {
+        Settings settings = fog_settings(seed);
+        settings.direct_light_sampling = direct;
+        // A beam as wide as it can be without touching the walls at its sides.
+        settings.start_radius = 3;
+        const auto r = render_along_y(scene, settings, 5, 0.25f);
+        EXPECT_TRUE(r.statistics.refused.empty());
+        const Rgb mean = mean_of(r.film);
+        const float channels[] = {mean.r, mean.g, mean.b};
+        for (int c = 0; c < 3; ++c) {
+            sums[c] += channels[c] / double(kSeeds);
+            squares[c] += double(channels[c]) * channels[c] / kSeeds;
         }
+    }
+    for (int c = 0; c < 3; ++c) {
+        const double error =
+            std::sqrt(std::max(squares[c] - sums[c] * sums[c], 0.0) / (kSeeds - 1));
+        EXPECT_NEAR(sums[c], 1, 4 * error + 0.005) << "channel " << c;
+        EXPECT_LT(error, 0.02) << "channel " << c;
+    }
+}
+
+TEST(Media, WhiteFogIsInvisibleInAFurnace) {
+    const mock::Fog grey{{}, {0.4f, 0.4f, 0.4f}, 0};
+    const mock::Fog coloured{{}, {0.2f, 0.6f, 1.2f}, 0.6f};
+    const mock::Fog backwards{{}, {0.4f, 0.4f, 0.4f}, -0.4f};
+    for (const bool direct : {true, false}) {
+        SCOPED_TRACE(direct);
+        expect_furnace(0, grey, direct);
+        expect_furnace(0.5f, coloured, direct);
+        expect_furnace(0.5f, backwards, direct);
     }
 }
 
@@ -93,9 +117,9 @@ void expect_same(const Settings& a, const Settings& b) {
     const auto first = renders(a, 1000), second = renders(b, 2000);
     const auto same = statistics::compare(first, second, 0.01);
     EXPECT_FALSE(same.differs()) << same.describe();
-    EXPECT_LT(same.detectable, 0.03) << same.describe();
-    const auto found = statistics::compare(first, statistics::scaled(second, 1.03), 0.01);
-    EXPECT_TRUE(found.differs()) << "a planted bias of 3 % went unnoticed: " << found.describe();
+    EXPECT_LT(same.detectable, 0.04) << same.describe();
+    const auto found = statistics::compare(first, statistics::scaled(second, 1.06), 0.01);
+    EXPECT_TRUE(found.differs()) << "a planted bias of 6 % went unnoticed: " << found.describe();
 }
 
 /// Light from the lamp to the fog belongs to shadow rays, or to photons without these.
@@ -103,6 +127,14 @@ TEST(Media, SingleScatteringBelongsToOneStrategy) {
     Settings photons = fog_settings(0);
     photons.direct_light_sampling = false;
     expect_same(fog_settings(0), photons);
+}
+
+/// Narrow beams are cut into more pieces than are searched: a choice of them stands for all.
+TEST(Media, PiecesOfABeamStandForAll) {
+    Settings narrow = fog_settings(0);
+    narrow.start_radius = 0.15;
+    narrow.photons_per_pass = 60000;
+    expect_same(fog_settings(0), narrow);
 }
 
 TEST(Media, GuidesKeepTheExpectation) {

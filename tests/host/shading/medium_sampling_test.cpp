@@ -15,7 +15,7 @@ namespace {
 constexpr int kDraws = 200'000;
 
 double integral_of_phase(const Medium& medium, int channel, double from, double to) {
-    constexpr int kSteps = 2000;
+    constexpr int kSteps = 20'000;
     double sum = 0;
     for (int i = 0; i < kSteps; ++i) {
         const double cosine = from + (to - from) * (i + 0.5) / kSteps;

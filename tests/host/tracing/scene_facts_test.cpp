@@ -38,6 +38,19 @@ TEST(SceneFacts, ClearMediumIsNoMedium) {
     EXPECT_FALSE(trace({ball})->facts().has_media);
 }
 
+/// LuxRender's default VolumeIntegrator only dims light.
+TEST(SceneFacts, MediaScatterWhereTheVolumeIntegratorSaysSo) {
+    Primitive ball = primitive(sphere(1, Matrix()));
+    ball.interior = std::make_shared<Medium>(Rgb(0.0f), Rgb(1.0f), Rgb(0.0f), 1.0f);
+    const SceneFacts dimmed = trace({ball})->facts();
+    EXPECT_TRUE(dimmed.has_media);
+    EXPECT_FALSE(dimmed.has_scattering_media);
+    SceneContents contents;
+    contents.primitives = {ball};
+    contents.options["VolumeIntegrator"].parameters.plugin = "multi";
+    EXPECT_TRUE(trace(std::move(contents))->facts().has_scattering_media);
+}
+
 TEST(SceneFacts, BoundsCoverInstancesAndLeaveOutUnusedVertices) {
     TriangleMesh mesh = parallelogram(Vec3(0), Vec3(1, 0, 0), Vec3(0, 1, 0));
     mesh.positions.emplace_back(99, 99, 99);

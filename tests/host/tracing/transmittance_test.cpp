@@ -35,12 +35,25 @@ TEST(Transmittance, MediumAbsorbsOverTheSegment) {
     EXPECT_NEAR(share.z, std::exp(-1.0f), 1e-6f);
 }
 
-TEST(Transmittance, EndlessRayInAMediumStaysANumber) {
-    const auto scene = trace(std::vector<Primitive>{});
+/// A medium that no surface bounds ends at the sphere around the scene, here of radius sqrt(3);
+/// shadow rays and rays that leave the scene agree on it.
+TEST(Transmittance, EndlessRayEndsWithTheScene) {
+    const auto scene = trace({pane(-1, matte()), pane(1, matte())});
     const Medium medium(Rgb(1, 0, 2), 1);
-    Ray endless = upwards;
-    endless.medium = &medium;
-    EXPECT_EQ(scene->transmittance(endless), Rgb(0, 1, 0));
+    Ray sideways = ray(Vec3(0.5f, 0, 0), Vec3(1, 0, 0));
+    sideways.medium = &medium;
+    const double length = std::sqrt(3.0) - 0.5;
+    const Rgb share = scene->transmittance(sideways);
+    EXPECT_NEAR(share.x, std::exp(-length), 1e-4);
+    EXPECT_EQ(share.y, 1);
+    EXPECT_NEAR(share.z, std::exp(-2 * length), 1e-4);
+    SurfaceHit end;
+    EXPECT_FALSE(hit(*scene, sideways, end));
+    EXPECT_NEAR(end.distance, length, 1e-4);
+    EXPECT_EQ(end.transmittance, share);
+    sideways.direction = Vec3(-1, 0, 0);
+    sideways.origin = Vec3(-5, 0, 0);
+    EXPECT_EQ(scene->transmittance(sideways), Rgb(1.0f)) << "beyond the scene";
 }
 
 TEST(Transmittance, StraightSurfacesMultiply) {

@@ -65,7 +65,7 @@ TEST(MediaAgreement, LampInABoxOfFog) {
         const auto same = statistics::compare(path, photons, 0.01, 0.01);
         EXPECT_FALSE(same.differs())
             << "directlightsampling " << strategy << ": " << same.describe();
-    EXPECT_LT(same.detectable, 0.04) << same.describe();
+        EXPECT_LT(same.detectable, 0.04) << same.describe();
     }
 }
 

@@ -1,4 +1,4 @@
-// Protects: a beam of light in a box of fog looks the same by `path`, whose free flights are tested
+// Protects: a lamp in a box of fog looks the same by `path`, whose free flights are tested
 // against closed forms, and by photons with the beam estimate: on the fog and on the walls.
 #include <gtest/gtest.h>
 
@@ -12,7 +12,8 @@ namespace {
 constexpr int kSize = 32;
 constexpr std::size_t kBlock = 8;
 
-/// A spot light from the ceiling to the floor of a box, in coloured fog that scatters forwards.
+/// A lamp under the ceiling of a box, in coloured fog that scatters forwards. (A point or spot
+/// light would leave `path` too noisy to tell.)
 std::filesystem::path fog_box(const render::Folder& folder) {
     return folder.write("fog-box.lxs", R"(VolumeIntegrator "multi"
 PixelFilter "box" "float xwidth" [0.5] "float ywidth" [0.5]
@@ -22,7 +23,11 @@ Film "fleximage" "integer xresolution" [32] "integer yresolution" [32]
 WorldBegin
 MakeNamedVolume "fog" "homogeneous" "color sigma_a" [0.05 0.1 0.2] "color sigma_s" [0.5 0.4 0.3] "color g" [0.4 0.4 0.4]
 Exterior "fog"
-LightSource "spot" "point from" [-0.6 0.3 0.9] "point to" [0.4 0.3 -1] "float coneangle" [20] "float conedeltaangle" [5] "color L" [10 10 10]
+AttributeBegin
+AreaLightSource "area" "color L" [10 10 10]
+Material "matte" "color Kd" [0 0 0]
+Shape "trianglemesh" "integer triindices" [0 2 1 0 3 2] "point P" [-0.4 -0.4 0.9  0.4 -0.4 0.9  0.4 0.4 0.9  -0.4 0.4 0.9]
+AttributeEnd
 Material "matte" "color Kd" [0.6 0.5 0.4]
 Shape "trianglemesh" "integer triindices" [0 1 2 0 2 3] "point P" [-1 -1 -1  1 -1 -1  1 1 -1  -1 1 -1]
 Shape "trianglemesh" "integer triindices" [0 1 2 0 2 3] "point P" [-1 -1 1  -1 1 1  1 1 1  1 -1 1]
@@ -37,7 +42,7 @@ WorldEnd
 statistics::BlockMeans renders(const std::filesystem::path& scene, const render::Folder& folder,
                                const std::string& arguments, int first_seed) {
     statistics::BlockMeans means;
-    for (int seed = first_seed; seed < first_seed + 8; ++seed) {
+    for (int seed = first_seed; seed < first_seed + 6; ++seed) {
         const auto image =
             render::render(scene, arguments + " --seed " + std::to_string(seed), folder);
         means.push_back(image.block_means(kBlock));
@@ -45,22 +50,22 @@ statistics::BlockMeans renders(const std::filesystem::path& scene, const render:
     return means;
 }
 
-TEST(MediaAgreement, SpotLightInABoxOfFog) {
+TEST(MediaAgreement, LampInABoxOfFog) {
     const render::Folder folder;
     const auto scene = fog_box(folder);
     const auto path =
-        renders(scene, folder, "--integrator path --set path.maxdepth=16 --passes 600", 1);
+        renders(scene, folder, "--integrator path --set path.maxdepth=16 --passes 400", 1);
     for (const std::string strategy : {"true", "false"}) {
         const auto photons =
             renders(scene, folder,
-                    "--integrator aips --set aips.guide=none --set aips.photonperpass=20000 "
-                    "--set aips.startradius=1 --passes 30 --set aips.directlightsampling=" +
+                    "--integrator aips --set aips.guide=none --set aips.photonperpass=100000 "
+                    "--set aips.startradius=0.7 --passes 12 --set aips.directlightsampling=" +
                         strategy,
                     100);
         const auto same = statistics::compare(path, photons, 0.01, 0.01);
         EXPECT_FALSE(same.differs())
             << "directlightsampling " << strategy << ": " << same.describe();
-        EXPECT_LT(same.detectable, 0.03) << same.describe();
+        EXPECT_LT(same.detectable, 0.04) << same.describe();
     }
 }
 

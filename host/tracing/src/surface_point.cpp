@@ -102,28 +102,11 @@ void locate_on_quadric(const Surface& surface, const InstanceTransform* instance
     hit.dpdu = Vec3(point.dpdu);
 }
 
-/// Any quadric's tangent along v, from how its coordinates change across dpdu.
+/// A quadric's tangent along v at the surface point nearest to the hit.
 Vec3 quadric_tangent_along_v(const QuadricShape& quadric, const InstanceTransform* instance,
                              const SurfaceHit& hit) {
-    constexpr double kStep = 1e-3;  // of the shape's size: well above the coordinates' rounding
-    V3d p(hit.p), along_u(hit.dpdu);
-    if (instance) {
-        p = instance->map().inverse_point(p);
-        along_u = instance->map().inverse_vector(along_u);
-    }
-    const Bounds box = quadric.bounds();
-    const double step = kStep * static_cast<double>((box.max - box.min).length());
-    const V3d across = quadric.point(p, V3d(0.0), 0).normal.cross(along_u);
-    const double across_length = across.length();
-    if (!(across_length > 0)) return Vec3(0.0f);  // at a pole
-    const V3d t = across / across_length;
-    const Vec2 ahead = quadric.point(p + t * (step / 2), V3d(0.0), 0).uv;
-    const Vec2 behind = quadric.point(p - t * (step / 2), V3d(0.0), 0).uv;
-    const double du = std::remainder(static_cast<double>(ahead.x - behind.x), 1.0) / step;
-    const double dv = static_cast<double>(ahead.y - behind.y) / step;
-    if (!(std::abs(dv) * step > 1e-6)) return Vec3(0.0f);
-    // u stays, v grows by 1.
-    const V3d dpdv = t * (1 / dv) - along_u * (du / dv);
+    const V3d p = instance ? instance->map().inverse_point(V3d(hit.p)) : V3d(hit.p);
+    const V3d dpdv = quadric.point(p, V3d(0.0), 0).dpdv;
     return Vec3(instance ? instance->map().vector(dpdv) : dpdv);
 }
 

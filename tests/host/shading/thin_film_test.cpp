@@ -49,11 +49,11 @@ TEST(ThinFilm, NoneAndVeryThickOnesHaveNoColour) {
 
 // A quarter of the fringe's wavelength: what it extinguishes is known exactly.
 TEST(ThinFilm, ExtinguishesAtOddHalfWaves) {
-    const ThinFilm film{100, 1.4f, nullptr};  // 4 d n = 560 nm: 1 at 560 nm, 0 at 1120 / 3 nm
+    const ThinFilm film{200, 1.4f, nullptr};  // 2 d n = 560 nm: 1 at 560 nm, 0 at 1120 / 3 nm
     EXPECT_NEAR(shading::film_share(film, 1, 560), 1, 1e-6);
     EXPECT_NEAR(shading::film_share(film, 1, 1120.0 / 3), 0, 1e-6);
     EXPECT_GT(film.filter(1).y, film.filter(1).z);
-    // Under 60 degrees: the path 4 d sqrt(n^2 - 3 / 4).
+    // Under 60 degrees: the path 2 d sqrt(n^2 - 3 / 4).
     const double path = 400 * std::sqrt(1.4 * 1.4 - 0.75);
     EXPECT_NEAR(shading::film_share(film, 0.5, path), 1, 1e-6);
     EXPECT_NEAR(shading::film_share(film, 0.5, 2 * path), 0, 1e-6);

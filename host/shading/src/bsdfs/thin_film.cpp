@@ -18,7 +18,7 @@ constexpr double kPi = std::numbers::pi;
 double path_length(const ThinFilm& film, double c) {
     const double sin2 = std::max(0.0, 1 - c * c);
     const double n = film.index;
-    return 4 * double{film.thickness} * std::sqrt(std::max(0.0, n * n - sin2));
+    return 2 * double{film.thickness} * std::sqrt(std::max(0.0, n * n - sin2));
 }
 
 /// Means of cos(2 pi path / wavelength) per channel. Beyond kLongest the fringes have averaged out.

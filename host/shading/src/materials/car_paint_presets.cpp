@@ -3,7 +3,8 @@
 // table:
 // - "ford f8" is a fit of ours of the same model to LuxRender's image of lux-conformance's
 //   material-carpaint: non-negative least squares over the sphere of images of single lobes.
-// - The others are guesses at a paint of that name and colour, and say so in a warning.
+// - The others are guesses at a paint of that name and colour.
+// A warning says so.
 #include "car_paint_presets.h"
 
 #include <fmt/format.h>
@@ -16,7 +17,7 @@ namespace {
 struct Preset {
     std::string_view name;
     CarPaint paint;
-    bool guessed = true;
+    std::string_view stand_in = "a guess at its colour and gloss";
 };
 
 /// A coloured base, a wide and a narrower lobe of metal flakes and the clear coat's peak.
@@ -39,7 +40,7 @@ const CarPaint kFordF8{{0.00134f, 0.00179f, 0.00225f},
 
 const std::array<Preset, 8>& presets() {
     static const std::array<Preset, 8> all{
-        {{"ford f8", kFordF8, false},
+        {{"ford f8", kFordF8, "a fit to LuxRender's picture of it"},
          {"polaris silber", metallic(Rgb(0.06f), Rgb(0.2f), 0.06f)},
          {"opel titan", metallic(Rgb(0.02f), Rgb(0.08f), 0.06f)},
          {"bmw339", metallic(Rgb(0.02f, 0.025f, 0.03f), Rgb(0.1f), 0.06f)},
@@ -75,13 +76,11 @@ const CarPaint* read_car_paint_preset(const ParameterReader& reader) {
     if (name.empty() || name == "-") return nullptr;
     const Preset* preset = find_preset(name);
     if (!preset) fail_unknown(reader, name);
-    if (preset->guessed) {
-        reader.diagnostics().warning(
-            reader.where("name"),
-            fmt::format("the measured parameters of car paint \"{}\" are not available; a guess at "
-                        "its colour and gloss is used instead",
-                        name));
-    }
+    reader.diagnostics().warning(
+        reader.where("name"),
+        fmt::format("the measured parameters of car paint \"{}\" are not available; {} is used "
+                    "instead",
+                    name, preset->stand_in));
     return &preset->paint;
 }
 

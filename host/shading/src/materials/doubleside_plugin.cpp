@@ -58,6 +58,8 @@ MaterialFacts DoubleSideMaterial::facts() const {
     facts.transmits = front.transmits || back.transmits;
     facts.straight = front.straight || back.straight;
     facts.reads_image = front.reads_image || back.reads_image;
+    facts.bends = front.bends || back.bends;
+    facts.disperses = front.disperses || back.disperses;
     facts.max_bsdf_bytes = front.max_bsdf_bytes + back.max_bsdf_bytes + kBsdfBytes<DoubleSideBsdf>;
     return facts;
 }

@@ -12,9 +12,9 @@ using Source = LampSource;
 
 constexpr std::string_view kCct = "nominal colour temperature of the kind of lamp";
 constexpr std::string_view kFlame = "usual colour temperature of a soot flame";
-constexpr std::string_view kNist =
-    "Sansonetti and Martin 2005, Handbook of Basic Atomic "
-    "Spectroscopic Data (NIST)";
+constexpr std::string_view kLinesOnly =
+    "the wavelengths are the element's, as in Sansonetti and Martin 2005, Handbook of Basic Atomic "
+    "Spectroscopic Data";
 
 // Names without an entry here are errors that list these.
 constexpr std::array kLamps = {
@@ -26,30 +26,30 @@ constexpr std::array kLamps = {
     Lamp{"CFL6K", Source::StandIn, 6000, kCct},
     Lamp{"Candle", Source::BlackBody, 1850, kFlame},
     Lamp{"CarbonArc", Source::StandIn, 3800, "temperature of the positive crater of a carbon arc"},
-    Lamp{"Cd", Source::Lines, 0, kNist},
+    Lamp{"Cd", Source::RoughLines, 0, kLinesOnly},
     Lamp{"Daylight", Source::StandIn, 6504, "correlated colour temperature of CIE D65"},
     Lamp{"FL37K", Source::StandIn, 3700, kCct},
     Lamp{"FLAV17K", Source::StandIn, 17000, kCct},
     Lamp{"FLAV8K", Source::StandIn, 8000, kCct},
     Lamp{"FLD2", Source::StandIn, 6500, kCct},
     Lamp{"GreenLaser", Source::Lines, 0, "frequency-doubled neodymium laser, 532 nm"},
-    Lamp{"HPM2", Source::Lines, 0, kNist},
+    Lamp{"HPM2", Source::RoughLines, 0, kLinesOnly},
     Lamp{"HPMFL1", Source::StandIn, 4000, kCct},
     Lamp{"HPMFL2", Source::StandIn, 4000, kCct},
     Lamp{"HPS", Source::StandIn, 2100, kCct},
     Lamp{"HPX", Source::StandIn, 6000, kCct},
-    Lamp{"Hg", Source::Lines, 0, kNist},
+    Lamp{"Hg", Source::RoughLines, 0, kLinesOnly},
     Lamp{"Incandescent1", Source::BlackBody, 2600, "filament of a 40 W lamp"},
     Lamp{"Incandescent2", Source::BlackBody, 2856, "CIE illuminant A, 100 W lamp"},
     Lamp{"LCDS", Source::StandIn, 6500, kCct},
-    Lamp{"LPM2", Source::Lines, 0, kNist},
-    Lamp{"LPS", Source::Lines, 0, kNist},
+    Lamp{"LPM2", Source::RoughLines, 0, kLinesOnly},
+    Lamp{"LPS", Source::Lines, 0, kLinesOnly},
     Lamp{"MHD", Source::StandIn, 5400, kCct},
     Lamp{"MHN", Source::StandIn, 4200, kCct},
     Lamp{"MHSc", Source::StandIn, 4000, kCct},
     Lamp{"MHWWD", Source::StandIn, 3000, kCct},
     Lamp{"MPS", Source::StandIn, 2000, kCct},
-    Lamp{"Na", Source::Lines, 0, kNist},
+    Lamp{"Na", Source::Lines, 0, kLinesOnly},
     Lamp{"OliveOil", Source::StandIn, 1900, kFlame},
     Lamp{"Paraffin", Source::StandIn, 1900, kFlame},
     Lamp{"RedLaser", Source::Lines, 0, "helium-neon laser, 632.8 nm"},
@@ -57,7 +57,7 @@ constexpr std::array kLamps = {
     Lamp{"TV", Source::StandIn, 6500, kCct},
     Lamp{"Welsbach", Source::StandIn, 2400, "usual colour temperature of a gas mantle"},
     Lamp{"Xe", Source::StandIn, 6000, kCct},
-    Lamp{"Zn", Source::Lines, 0, kNist},
+    Lamp{"Zn", Source::RoughLines, 0, kLinesOnly},
 };
 
 struct Line {
@@ -107,7 +107,7 @@ std::span<const Lamp> lamps() {
 }
 
 Spectrum lamp_spectrum(const Lamp& lamp) {
-    if (lamp.source != Source::Lines) return blackbody_spectrum(lamp.kelvin);
+    if (lamp.kelvin > 0) return blackbody_spectrum(lamp.kelvin);
     const std::string_view name = element(lamp.name);
     return [name, largest = strongest(name)](double nm) { return lines_at(name, nm) / largest; };
 }

@@ -10,15 +10,16 @@ namespace lxs::shading {
 
 /// How well a lamp's spectrum is known.
 enum class LampSource : std::uint8_t {
-    BlackBody,  ///< Planck's law at the lamp's usual colour temperature: close for anything hot
-    Lines,      ///< the element's strongest visible lines, relative intensities as tabulated
-    StandIn     ///< a black body of the lamp's nominal colour temperature, in place of its spectrum
+    BlackBody,   ///< Planck's law at the lamp's usual colour temperature: close for anything hot
+    Lines,       ///< of known wavelengths and strengths
+    RoughLines,  ///< the element's strongest visible lines, their relative strengths rough figures
+    StandIn  ///< a black body of the lamp's nominal colour temperature, in place of its spectrum
 };
 
 struct Lamp {
     std::string_view name;
     LampSource source;
-    double kelvin;          ///< of black bodies and stand-ins
+    double kelvin;          ///< of black bodies and stand-ins; 0 for lines
     std::string_view note;  ///< where the figures are from
 };
 

@@ -34,6 +34,13 @@ std::shared_ptr<const ColorTexture> create(const ParameterReader& reader, const 
                         "K is used instead ({})",
                         name, lamp->kelvin, lamp->note));
     }
+    if (lamp->source == LampSource::RoughLines) {
+        reader.diagnostics().warning(
+            reader.where("name"),
+            fmt::format("lampspectrum \"{}\": the strengths of its lines are rough figures, not "
+                        "measured ones ({})",
+                        name, lamp->note));
+    }
     return std::make_shared<SpectralTexture>(lamp_spectrum(*lamp));
 }
 

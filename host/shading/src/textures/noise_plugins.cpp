@@ -57,11 +57,12 @@ float windy(const Vec3& p) {
     return std::abs(fractal_sum(p * kGustScale, 0.5f, 3)) * fractal_sum(p, 0.5f, 6);
 }
 
-// Control colours of the marble's spline, Pharr and Humphreys, section 11.6.6.
+/// Control colours of the marble's spline: a pale stone with a bluish vein. Colours of our own, as
+/// LuxRender's could not be had but from its source.
 const std::array<Rgb, 9> kMarble = {
-    Rgb(.58f, .58f, .6f), Rgb(.58f, .58f, .6f), Rgb(.58f, .58f, .6f),
-    Rgb(.5f, .5f, .5f),   Rgb(.6f, .59f, .58f), Rgb(.58f, .58f, .6f),
-    Rgb(.58f, .58f, .6f), Rgb(.2f, .2f, .33f),  Rgb(.58f, .58f, .6f)};
+    Rgb(.60f, .60f, .61f), Rgb(.59f, .59f, .60f), Rgb(.57f, .57f, .58f),
+    Rgb(.52f, .52f, .53f), Rgb(.61f, .60f, .59f), Rgb(.57f, .57f, .60f),
+    Rgb(.55f, .55f, .58f), Rgb(.22f, .23f, .32f), Rgb(.58f, .58f, .61f)};
 
 /// Colour at `t` in [0, 1]: cubic Bezier pieces, each a control point further than the last.
 Rgb marble_colour(float t) {

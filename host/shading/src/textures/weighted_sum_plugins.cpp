@@ -21,6 +21,12 @@ class WeightedSum final : public Texture<T> {
             sum += inputs_[i]->evaluate(point) * weights_[i];
         return sum;
     }
+    Vec2 mapped_slope(const TexturePoint& point) const override {
+        Vec2 sum(0.0f);
+        for (std::size_t i = 0; i < inputs_.size(); ++i)
+            sum += inputs_[i]->mapped_slope(point) * weights_[i];
+        return sum;
+    }
     std::optional<T> constant() const override {
         return all_constant(inputs_) ? std::optional<T>(evaluate({})) : std::nullopt;
     }

@@ -1,5 +1,6 @@
-// Protects docs/parameters.md: it is what the declarations say.
-// To renew it: scripts/parameter-page > docs/parameters.md
+// Protects docs/parameters.md and docs/scene-language.md: they are what the declarations say.
+// To renew them: scripts/parameter-page > docs/parameters.md,
+// scripts/scene-language-page > docs/scene-language.md
 #include <gtest/gtest.h>
 
 #include <fstream>
@@ -20,6 +21,16 @@ TEST(Documentation, ParameterPageMatchesTheDeclarations) {
         EXPECT_NE(page.str().find(table), std::string::npos)
             << "docs/parameters.md does not hold the present table of " << plugin;
     }
+}
+
+TEST(Documentation, SceneLanguagePageMatchesTheDeclarations) {
+    std::ifstream in(std::string(DOCS) + "/scene-language.md");
+    std::stringstream page;
+    page << in.rdbuf();
+    const std::string tables = render::output_of(std::string(LXSRENDER) + " --scene-language");
+    ASSERT_GT(tables.size(), 10000u);
+    EXPECT_NE(page.str().find(tables), std::string::npos)
+        << "docs/scene-language.md does not hold the present tables";
 }
 
 }  // namespace

@@ -67,6 +67,10 @@ void add_plugin_options(CLI::App& app, CommandLine& command) {
     auto* describe = app.add_option("--describe", command.describe, "list a plugin's parameters")
                          ->type_name("NAME")
                          ->excludes(list);
+    app.add_flag("--scene-language", command.scene_language,
+                 "print the reference of the scene language as Markdown")
+        ->excludes(list)
+        ->excludes(describe);
     app.add_flag("--markdown", command.markdown, "--describe as a Markdown table")->needs(describe);
 }
 
@@ -92,7 +96,8 @@ std::optional<ExitCode> parse_command_line(int argc, const char* const* argv,
     app.add_flag("--verbose", verbose, "print more")->excludes(quiet_flag);
     try {
         app.parse(argc, argv);
-        if (command.scene.empty() && !command.list_plugins && !command.describe) {
+        if (command.scene.empty() && !command.list_plugins && !command.describe &&
+            !command.scene_language) {
             throw CLI::RequiredError("SCENE.lxs");
         }
     } catch (const CLI::ParseError& error) {

@@ -16,6 +16,7 @@
 #include "lxs/host/failure.h"
 #include "lxs/host/render_loop.h"
 #include "lxs/host/render_session.h"
+#include "lxs/host/scene_language_page.h"
 #include "lxs/host/statistics_file.h"
 #include "lxs/imaging/atomic_file.h"
 
@@ -159,6 +160,10 @@ ExitCode run(const CommandLine& command, PluginLibrary& plugins, ConsoleLog& log
     load_plugins(command, plugins);
     if (command.list_plugins) {
         std::fputs(list_plugins(plugins).c_str(), stdout);
+        return ExitCode::Success;
+    }
+    if (command.scene_language) {
+        std::fputs(scene_language_page().c_str(), stdout);
         return ExitCode::Success;
     }
     if (command.describe) return describe(command, plugins, log);

@@ -153,6 +153,10 @@ void read_perspective(const ParameterReader& reader, CameraSettings& settings) {
 
 }  // namespace
 
+std::vector<ParameterDeclaration> camera_parameters(const std::string& plugin) {
+    return declarations(projection_of(plugin));
+}
+
 CameraSettings read_camera_settings(const SceneContents& contents, const FilmFrame& frame,
                                     Diagnostics& diagnostics) {
     const OptionChoice choice = choose_option(contents, "Camera", "perspective",

@@ -31,4 +31,7 @@ struct CameraSettings {
 CameraSettings read_camera_settings(const SceneContents& contents, const FilmFrame& frame,
                                     Diagnostics& diagnostics);
 
+/// Declared parameters of the camera `plugin`.
+std::vector<ParameterDeclaration> camera_parameters(const std::string& plugin);
+
 }  // namespace lxs

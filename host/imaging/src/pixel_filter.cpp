@@ -105,6 +105,10 @@ PixelFilter::PixelFilter(double radius_x, double radius_y,
     }
 }
 
+std::vector<ParameterDeclaration> filter_parameters(const std::string& plugin) {
+    return declarations(plugin, default_radius(plugin).text);
+}
+
 PixelFilter make_pixel_filter(const SceneContents& contents, Diagnostics& diagnostics) {
     const OptionChoice choice = choose_option(
         contents, "PixelFilter", "mitchell",

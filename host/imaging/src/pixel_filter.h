@@ -45,4 +45,7 @@ class PixelFilter {
 /// Filter of the scene's PixelFilter statement (default: mitchell, radius 2).
 PixelFilter make_pixel_filter(const SceneContents& contents, Diagnostics& diagnostics);
 
+/// Declared parameters of the filter `plugin`.
+std::vector<ParameterDeclaration> filter_parameters(const std::string& plugin);
+
 }  // namespace lxs

@@ -11,6 +11,7 @@
 
 #include "lxs/imaging/imaging.h"
 #include "option_choice.h"
+#include "sampler_parameters.h"
 
 namespace lxs {
 namespace {
@@ -176,6 +177,17 @@ MetropolisSettings read_metropolis(const ParameterReader& reader) {
 std::span<const ParameterDeclaration> sampler_parameters(std::string_view sampler) {
     if (sampler == "metropolis") return kMetropolis;
     return {};
+}
+
+std::vector<ParameterDeclaration> all_sampler_parameters(const std::string& plugin) {
+    std::vector<ParameterDeclaration> declared(std::begin(kParameters), std::end(kParameters));
+    const std::span<const ParameterDeclaration> own =
+        plugin == "metropolis" ? std::span<const ParameterDeclaration>(kMetropolis)
+                               : std::span<const ParameterDeclaration>(kNoiseAware);
+    declared.insert(declared.end(), own.begin(), own.end());
+    if (plugin == "erpt")
+        declared.insert(declared.end(), std::begin(kMarkovChain), std::end(kMarkovChain));
+    return declared;
 }
 
 std::unique_ptr<Sampler> make_sampler(const SceneContents& contents, std::uint64_t seed,

@@ -53,8 +53,8 @@ std::shared_ptr<const Material> fake_mix(const ParameterReader& parameters,
     return std::make_shared<FakeMaterial>("mix of " + fake_part.plugin(), fake_part.kd());
 }
 
-std::shared_ptr<const Medium> fake_clear(const ParameterReader& parameters, const AssetContext&,
-                                         const Matrix&) {
+std::shared_ptr<Medium> fake_clear(const ParameterReader& parameters, const AssetContext&,
+                                   const Matrix&) {
     return std::make_shared<Medium>(parameters.color("absorption", Rgb(0.0f)),
                                     static_cast<float>(parameters.number("fresnel", 1.5)));
 }
@@ -122,8 +122,8 @@ Registry accepting_registry() {
     accept_all<Geometry>(registry.shapes, "Shape", Quadric{Sphere{}, Matrix()});
     accept_all<std::shared_ptr<const Material>>(registry.materials, "Material",
                                                 std::make_shared<FakeMaterial>("any", Rgb(0.5f)));
-    accept_all<std::shared_ptr<const Medium>>(registry.media, "MakeNamedVolume",
-                                              std::make_shared<Medium>(Rgb(0.0f), 1.0f));
+    accept_all<std::shared_ptr<Medium>>(registry.media, "MakeNamedVolume",
+                                        std::make_shared<Medium>(Rgb(0.0f), 1.0f));
     accept_all<std::shared_ptr<const FloatTexture>>(registry.float_textures, "Texture float",
                                                     std::make_shared<ConstantTexture<float>>(1.0f));
     accept_all<std::shared_ptr<const ColorTexture>>(

@@ -27,7 +27,7 @@ double integral_of_phase(const Medium& medium, int channel, double from, double 
 /// The mean distance to a collision is 1 / extinction, and e^-(extinction * length) of all light
 /// passes: z-tests at 5 standard errors.
 TEST(MediumSampling, MeanFreePath) {
-    const Medium grey(Rgb(0.5f), Rgb(1.5f), Rgb(0.0f), 1);
+    const Medium grey({Rgb(0.5f), Rgb(1.5f), Rgb(0.0f)}, IndexCurve{});
     UniformSource random(1);
     double sum = 0, squares = 0;
     int passed = 0;
@@ -50,7 +50,7 @@ TEST(MediumSampling, MeanFreePath) {
 /// weight exceeds what the whole path carries.
 TEST(MediumSampling, ChannelsKeepTheirOwnExtinction) {
     const Rgb extinction(0.2f, 1.0f, 5.0f), carried(0.5f, 1.0f, 0.1f);
-    const Medium medium(Rgb(0.0f), extinction, Rgb(0.0f), 1);
+    const Medium medium({Rgb(0.0f), extinction, Rgb(0.0f)}, IndexCurve{});
     constexpr double kLength = 1.3;
     UniformSource random(2);
     Imath::V3d collided(0.0), passed(0.0), collided_squares(0.0), passed_squares(0.0);
@@ -76,7 +76,7 @@ TEST(MediumSampling, ChannelsKeepTheirOwnExtinction) {
 }
 
 TEST(MediumSampling, ClearChannelsPassForEver) {
-    const Medium medium(Rgb(0, 0, 1), Rgb(0, 1, 0), Rgb(0.0f), 1);
+    const Medium medium({Rgb(0, 0, 1), Rgb(0, 1, 0), Rgb(0.0f)}, IndexCurve{});
     UniformSource random(3);
     for (int i = 0; i < 1000; ++i) {
         const Flight flight =
@@ -87,7 +87,7 @@ TEST(MediumSampling, ClearChannelsPassForEver) {
 }
 
 TEST(MediumSampling, PhaseIntegratesToOne) {
-    const Medium medium(Rgb(0.0f), Rgb(1.0f), Rgb(0.7f, 0.0f, -0.9f), 1);
+    const Medium medium({Rgb(0.0f), Rgb(1.0f), Rgb(0.7f, 0.0f, -0.9f)}, IndexCurve{});
     for (int c = 0; c < 3; ++c)
         EXPECT_NEAR(integral_of_phase(medium, c, -1, 1), 1, 1e-3);
 }
@@ -98,7 +98,7 @@ TEST(MediumSampling, DirectionsFollowTheirDensity) {
     const Rgb carried(1.0f, 0.5f, 0.25f);
     const Vec3 direction = Vec3(0.3f, -0.5f, 0.8f).normalized();
     for (const Rgb& g : {Rgb(0.0f), Rgb(5e-4f), Rgb(0.8f), Rgb(-0.6f), Rgb(0.9f, 0.0f, -0.5f)}) {
-        const Medium medium(Rgb(0.0f), Rgb(1.0f), g, 1);
+        const Medium medium({Rgb(0.0f), Rgb(1.0f), g}, IndexCurve{});
         constexpr int kCells = 40;
         std::array<int, kCells> counts{};
         Imath::V3d cosines(0.0);

@@ -41,7 +41,8 @@ TEST(SceneFacts, ClearMediumIsNoMedium) {
 /// LuxRender's default VolumeIntegrator only dims light.
 TEST(SceneFacts, MediaScatterWhereTheVolumeIntegratorSaysSo) {
     Primitive ball = primitive(sphere(1, Matrix()));
-    ball.interior = std::make_shared<Medium>(Rgb(0.0f), Rgb(1.0f), Rgb(0.0f), 1.0f);
+    ball.interior =
+        std::make_shared<Medium>(MediumCoefficients{Rgb(0.0f), Rgb(1.0f), Rgb(0.0f)}, IndexCurve{});
     const SceneFacts dimmed = trace({ball})->facts();
     EXPECT_TRUE(dimmed.has_media);
     EXPECT_FALSE(dimmed.has_scattering_media);

@@ -32,6 +32,7 @@ struct CommandLine {
     bool list_plugins = false;
     std::optional<std::string> describe;  ///< name of a plugin
     bool markdown = false;
+    bool scene_language = false;
 };
 
 /// Fills `command`. Returns an exit code if there is nothing left to do: after --help and --version

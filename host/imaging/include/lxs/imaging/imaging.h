@@ -64,6 +64,11 @@ std::unique_ptr<SceneCamera> make_camera(const SceneContents& contents, const Fi
 /// Parameters that are a sampler's own ("metropolis": of its chains); empty for all others.
 std::span<const ParameterDeclaration> sampler_parameters(std::string_view sampler);
 
+/// Declared parameters of an option plugin: "Camera", "Film", "PixelFilter" or "Sampler", and a
+/// name that LuxRender knows; for docs and messages.
+std::vector<ParameterDeclaration> option_parameters(const std::string& statement,
+                                                    const std::string& plugin);
+
 /// Camera samples: Owen-scrambled (0,2)-sequences over the passes, per pixel; checks "Sampler".
 /// With `runs_metropolis` it passes on the settings of Sampler "metropolis", else it warns that
 /// there are no Markov chains.

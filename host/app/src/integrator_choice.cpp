@@ -22,6 +22,9 @@ constexpr std::array<std::string_view, 2> kPhotonRenderers = {"aips", "sppm"};
 constexpr std::array<std::string_view, 4> kPhotonIntegrators = {"aips", "exphotonmap", "ppm",
                                                                 "sppm"};
 
+/// Integrators of LuxRender's that have no plugin of their own.
+constexpr std::array<std::string_view, 2> kRenderedByDefault = {"bidirectional", "directlighting"};
+
 bool contains(auto&& names, std::string_view name) {
     return std::find(std::begin(names), std::end(names), name) != std::end(names);
 }
@@ -66,6 +69,17 @@ ParameterSet scene_choice(const SceneContents& contents, Diagnostics& diagnostic
     return set;
 }
 
+/// Whether `set` names an integrator whose place the default one takes, which a warning then says.
+bool stands_in(ParameterSet& set, Diagnostics& diagnostics) {
+    if (!contains(kRenderedByDefault, set.plugin)) return false;
+    diagnostics.warning(set.where,
+                        fmt::format("SurfaceIntegrator \"{}\" is not rendered: \"{}\" is used "
+                                    "instead",
+                                    set.plugin, kDefaultIntegrator));
+    set.plugin = kDefaultIntegrator;
+    return true;
+}
+
 /// Leaves out the parameters that `plugin` doesn't declare.
 void keep_declared(const IntegratorPlugin& plugin, ParameterSet& set, Log& log) {
     std::vector<std::string> dropped;
@@ -99,6 +113,9 @@ IntegratorChoice choose_integrator(const CommandLine& command, const SceneConten
         choice.parameters.where = command_line_location("--integrator " + *command.integrator);
     }
     choice.integrator = plugins.find(choice.parameters.plugin);
+    if (choice.integrator == nullptr && stands_in(choice.parameters, diagnostics)) {
+        choice.integrator = plugins.find(kDefaultIntegrator);
+    }
     if (choice.integrator == nullptr) {
         throw InputError(
             choice.parameters.where,

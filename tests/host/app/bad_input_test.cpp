@@ -122,11 +122,21 @@ TEST_F(BadInputTest, FilmResolutions) {
     EXPECT_THAT(huge, HasSubstr("1000000"));
 }
 
-TEST_F(BadInputTest, IntegratorOfLuxRenderThatIsNoPlugin) {
-    const std::string error = error_of(small_scene("SurfaceIntegrator \"bidirectional\""));
+TEST_F(BadInputTest, IntegratorThatIsNoPlugin) {
+    const std::string error = error_of(small_scene("SurfaceIntegrator \"whitted\""));
     EXPECT_THAT(error, HasSubstr("scene.lxs:5:"));
-    EXPECT_THAT(error, HasSubstr("error: unknown SurfaceIntegrator \"bidirectional\""));
+    EXPECT_THAT(error, HasSubstr("error: unknown SurfaceIntegrator \"whitted\""));
     EXPECT_THAT(error, HasSubstr("aips, exphotonmap, path, ppm, sppm"));
+}
+
+// Not an error: a scene of LuxRender's shows its picture, by another integrator.
+TEST_F(BadInputTest, IntegratorOfLuxRenderThatIsNoPluginIsRenderedByPath) {
+    folder_.write("scene.lxs", small_scene("SurfaceIntegrator \"bidirectional\""));
+    const RunResult result = run_lxsrender(folder_, {"scene.lxs", "--passes", "1"});
+    EXPECT_EQ(result.exit_code, 0) << result.err;
+    EXPECT_THAT(result.err + result.out,
+                HasSubstr("scene.lxs:5:19: warning: SurfaceIntegrator \"bidirectional\" is not "
+                          "rendered: \"path\" is used instead"));
 }
 
 TEST_F(BadInputTest, UnknownRendererVolumeIntegratorAndAccelerator) {

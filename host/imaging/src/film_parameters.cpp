@@ -131,6 +131,16 @@ constexpr ParameterDeclaration kAccepted[] = {
     {"glare_threshold", Float, "0.5", "Ignored: no lens effects."},
     {"glarelashesfilename", String, "", "Ignored: no lens effects."},
     {"glarepupilfilename", String, "", "Ignored: no lens effects."},
+    {.name = "write_tonemapped_exr",
+     .type = Bool,
+     .default_text = "true",
+     .doc = "Of LuxRender 0.x: the EXR always holds raw linear radiance.",
+     .no_effect = true},
+    {.name = "write_untonemapped_exr",
+     .type = Bool,
+     .default_text = "false",
+     .doc = "Of LuxRender 0.x: the EXR is always written so.",
+     .no_effect = true},
 };
 
 constexpr ParameterDeclaration kMultiImage[] = {

@@ -180,11 +180,17 @@ TEST_F(PatternTextureTest, DensityGridIsTrilinear) {
                  InputError);
 }
 
-TEST_F(PatternTextureTest, VertexColoursAreWarnedOf) {
-    EXPECT_EQ(scene_.make_color("hitpointcolor")->constant(), Rgb(1.0f));
-    EXPECT_EQ(scene_.make_float("hitpointgrey")->constant(), 1.0f);
-    EXPECT_EQ(scene_.make_float("hitpointalpha")->constant(), 1.0f);
-    EXPECT_EQ(scene_.diagnostics.warnings.size(), 3u);
+TEST_F(PatternTextureTest, VertexColoursAreTheMeshs) {
+    TexturePoint point;
+    EXPECT_EQ(scene_.make_color("hitpointcolor")->evaluate(point), Rgb(1.0f));
+    point.color = Rgb(0.25f, 0.5f, 0.75f);
+    point.alpha = 0.125f;
+    EXPECT_EQ(scene_.make_color("hitpointcolor")->evaluate(point), point.color);
+    EXPECT_EQ(scene_.make_float("hitpointgrey")->evaluate(point), 0.5f);
+    EXPECT_EQ(scene_.make_float("hitpointgrey", {integer("channel", 2)})->evaluate(point), 0.75f);
+    EXPECT_EQ(scene_.make_float("hitpointalpha")->evaluate(point), 0.125f);
+    EXPECT_TRUE(scene_.diagnostics.warnings.empty());
+    EXPECT_THROW(scene_.make_float("hitpointgrey", {integer("channel", 3)}), InputError);
 }
 
 }  // namespace

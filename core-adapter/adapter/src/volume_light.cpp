@@ -44,6 +44,9 @@ std::optional<Vec3> pivot_of(const Light& light, const VolumeBeam& beam, Vec2 u)
     const SurfacePoint middle = point_in_medium(beam.at(0.5f * beam.length));
     DirectSample sample;
     if (!light.sample_direct(middle, u, sample) || !std::isfinite(sample.distance)) return {};
+    // From farther away all of the segment is seen alike, and its angles cancel in rounding.
+    constexpr float kFarLengths = 64;
+    if (sample.distance > kFarLengths * beam.length) return {};
     return middle.position + sample.wi * sample.distance;
 }
 

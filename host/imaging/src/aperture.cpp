@@ -8,10 +8,14 @@
 #include "lxs/sdk/warp.h"
 
 namespace lxs {
+namespace {
+
+constexpr int kFewestBlades = 3;
+
+}  // namespace
 
 Imath::V2d aperture_point(const Vec2& u, int blades) {
-    constexpr int kFewest = 3;
-    if (blades < kFewest) return square_to_concentric_disk(Imath::V2d(u));
+    if (blades < kFewestBlades) return square_to_concentric_disk(Imath::V2d(u));
     const double place = double(u.x) * blades;
     const int side = std::min(static_cast<int>(place), blades - 1);
     // Uniform over the triangle of the centre and two corners (Pharr & Humphreys 2010, 13.6.5).
@@ -21,6 +25,10 @@ Imath::V2d aperture_point(const Vec2& u, int blades) {
         return Imath::V2d(std::cos(angle), std::sin(angle));
     };
     return (corner(side) * (1 - along) + corner(side + 1) * along) * root;
+}
+
+Vec2 aperture_centre(int blades) {
+    return blades < kFewestBlades ? Vec2(0.5f) : Vec2(0.0f);
 }
 
 }  // namespace lxs

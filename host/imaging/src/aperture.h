@@ -10,4 +10,7 @@ namespace lxs {
 /// stratification within each of its sides' triangles.
 Imath::V2d aperture_point(const Vec2& u, int blades);
 
+/// The `u` that gives the aperture's centre.
+Vec2 aperture_centre(int blades);
+
 }  // namespace lxs

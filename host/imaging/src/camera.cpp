@@ -55,7 +55,7 @@ class LensCamera : public SceneCamera {
     void focus(const Scene& scene) override {
         if (!settings_.autofocus) return;
         // Through the lens's centre, where no focal distance matters.
-        const Ray ray = generate({middle_, Vec2(0.5f)}, shutter_open()).ray;
+        const Ray ray = generate({middle_, aperture_centre(settings_.blades)}, shutter_open()).ray;
         std::array<std::byte, 4096> buffer;
         std::pmr::monotonic_buffer_resource memory(buffer.data(), buffer.size());
         SurfaceHit hit;

@@ -24,7 +24,8 @@ class FilmAccumulator {
 
     /// From now on samples hold values at wavelengths: a row vector of them times `to_rgb` is
     /// linear RGB. Images are divided by what a white of 1 has become, which the few wavelengths
-    /// of few passes would tint; the quotient tends to 1 with the passes. Not for splats.
+    /// of few passes would tint; the quotient tends to 1 with the passes. Right to the last digit
+    /// where all pixels get the same passes. Not for splats.
     void set_conversion(const Imath::M33d& to_rgb) { to_rgb_ = to_rgb; }
 
     /// Throws std::invalid_argument if the pass is malformed (sizes, groups, weight): a bug of the

@@ -36,6 +36,15 @@ void SceneReader::motion_instance(Statement& statement) {
     }
     const auto& times = std::get<std::vector<double>>(statement.arguments[1].values);
     const Matrix end = coordinate_system_of(take_name(statement, 2));
+    if (!scopes_.motion.empty()) {
+        diagnostics_.warning(statement.where,
+                             "MotionInstance replaces the motion in force: it starts where that "
+                             "begins");
+    }
+    if (!(times[1] > times[0])) {
+        diagnostics_.warning(statement.where,
+                             "MotionInstance ends before it starts: the object stands still");
+    }
     MovingTransform placed{scopes_.transform, {}};
     if (times[1] > times[0]) placed.motion = {{times[0], scopes_.transform}, {times[1], end}};
     objects_.place(name, placed, inheritance(), contents_);

@@ -46,6 +46,14 @@ TriangleMesh read_mesh(const ParameterReader& reader, const AssetContext& assets
     check_vectors(mesh.positions, "vertex", source);
     check_vectors(mesh.normals, "normal", source);
     check_coordinates(mesh.uvs, source);
+    for (const Rgb& color : mesh.colors) {
+        if (!std::isfinite(color.x + color.y + color.z))
+            reader.fail(kFile, fmt::format("\"{}\" has a vertex colour that is not finite", name));
+    }
+    for (const float alpha : mesh.alphas) {
+        if (!std::isfinite(alpha))
+            reader.fail(kFile, fmt::format("\"{}\" has an opacity that is not finite", name));
+    }
     return mesh;
 }
 

@@ -12,9 +12,9 @@ namespace lxs {
 namespace {
 
 constexpr std::array<std::string_view, 2> kSchemes = {"loop", "microdisplacement"};
-constexpr double kMostTriangles = 5e7;
+constexpr double kMostTriangles = 1e7;  // of one shape: some 100 bytes each while it is split
 
-/// As many levels as asked for, or as many as memory stands, with a warning.
+/// As many levels as asked for, or as many as keep within kMostTriangles, with a warning.
 int affordable(std::int64_t levels, std::size_t triangles, const ParameterReader& reader,
                std::string_view name) {
     std::int64_t possible = 0;

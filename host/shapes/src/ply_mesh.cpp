@@ -92,7 +92,8 @@ void read_vertices(const PlyElement& element, std::size_t room, PlyValues& value
 void read_corners(const PlyProperty& property, std::size_t face, double vertex_count,
                   PlyValues& values, std::vector<std::uint32_t>& indices) {
     const double corners = values.next(property.count_type);
-    if (corners < 3) throw std::runtime_error(fmt::format("face {} has {} corners", face, corners));
+    if (!(corners >= 3))
+        throw std::runtime_error(fmt::format("face {} has {} corners", face, corners));
     std::uint32_t first = 0, last = 0;
     for (double k = 0; k < corners; ++k) {
         const double index = values.next(property.type);
@@ -152,6 +153,7 @@ TriangleMesh read_ply_mesh(std::string_view file) {
         if (element.properties.empty()) continue;
         const std::size_t room = plausible(element.count, file);
         if (element.name == "vertex") {
+            if (!mesh.positions.empty()) throw std::runtime_error("it has two lists of vertices");
             read_vertices(element, room, values, mesh);
         } else if (element.name == "face") {
             read_faces(element, room, values, mesh);

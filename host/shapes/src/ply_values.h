@@ -5,6 +5,7 @@
 #include <charconv>
 #include <cstring>
 #include <stdexcept>
+#include <string_view>
 
 #include "ply_header.h"
 
@@ -64,6 +65,11 @@ class PlyValues {
         if (*at_ == '+') ++at_;
         double value = 0;
         const auto read = std::from_chars(at_, end_, value);
+        // Out of range is both too large and too small; only the latter is 0.
+        const bool tiny = std::string_view(at_, read.ptr).find("e-") != std::string_view::npos ||
+                          std::string_view(at_, read.ptr).find("E-") != std::string_view::npos;
+        if (read.ec == std::errc::result_out_of_range && !tiny)
+            throw std::runtime_error("its data hold a number beyond all range");
         if (read.ec == std::errc::invalid_argument || (read.ptr < end_ && !is_blank(*read.ptr)))
             throw std::runtime_error("its data hold what is not a number");
         at_ = read.ptr;

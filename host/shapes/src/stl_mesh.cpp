@@ -38,12 +38,29 @@ TriangleMesh read_binary(std::string_view file, std::size_t facets) {
     return mesh;
 }
 
+bool is_blank(char c) {
+    return c == ' ' || (c >= '\t' && c <= '\r');
+}
+
+/// Whether the `length` characters at `at` are the first word of a line: a solid's name may hold
+/// them too.
+bool is_first_word(std::string_view file, std::size_t at, std::size_t length) {
+    const std::size_t end = at + length;
+    if (end >= file.size() || !is_blank(file[end])) return false;
+    std::size_t begin = at;
+    while (begin > 0 && file[begin - 1] != '\n' && file[begin - 1] != '\r') {
+        if (!is_blank(file[--begin])) return false;
+    }
+    return true;
+}
+
 /// All that counts of the text are its lines "vertex x y z".
 TriangleMesh read_text(std::string_view file) {
     constexpr std::string_view kVertex = "vertex";
     TriangleMesh mesh;
     for (std::size_t at = file.find(kVertex); at != std::string_view::npos;
          at = file.find(kVertex, at + 1)) {
+        if (!is_first_word(file, at, kVertex.size())) continue;
         PlyValues values(file.substr(at + kVertex.size()), PlyFormat::Ascii);
         add_corner(next_vector(values), mesh);
     }

@@ -258,6 +258,24 @@ std::vector<Index> places_of(const std::vector<Vec3>& positions) {
     return place;
 }
 
+namespace {
+
+/// Corners of the triangles with three places, and these in `corners`. Others (the poles of spheres
+/// made of quads) would pass for edges of the surface.
+std::vector<Index> without_collapsed(const std::vector<Index>& indices,
+                                     const std::vector<Index>& place, std::vector<Index>& corners) {
+    std::vector<Index> kept;
+    for (std::size_t at = 0; at + 2 < indices.size(); at += 3) {
+        const Index a = place[indices[at]], b = place[indices[at + 1]], c = place[indices[at + 2]];
+        if (a == b || b == c || c == a) continue;
+        kept.insert(kept.end(), {indices[at], indices[at + 1], indices[at + 2]});
+        corners.insert(corners.end(), {a, b, c});
+    }
+    return kept;
+}
+
+}  // namespace
+
 // Two meshes of the same triangles are split in step: `corners` name places, which move; the
 // result's indices name vertices, which carry the rest.
 TriangleMesh subdivide(const TriangleMesh& mesh, int levels, const SubdivisionRules& rules) {
@@ -268,8 +286,7 @@ TriangleMesh subdivide(const TriangleMesh& mesh, int levels, const SubdivisionRu
     if (rules.merge) place = places_of(mesh.positions);
     std::vector<V3d> points(mesh.positions.begin(), mesh.positions.end());
     std::vector<Index> corners;
-    for (const Index vertex : mesh.indices)
-        corners.push_back(place[vertex]);
+    result.indices = without_collapsed(mesh.indices, place, corners);
     for (int level = 0; level < levels; ++level) {
         const Edges edges(corners), seams(result.indices);
         const auto first_point = static_cast<Index>(points.size());

@@ -24,6 +24,8 @@ SceneSphere unbounded_media_end(const SceneContents& contents, const Bounds& bou
     Bounds box = bounds;
     const Imath::V3d eye = camera->second.transform.inverse().translation();
     box.extendBy(Vec3(eye));
+    for (const MotionKey& key : camera->second.motion)
+        box.extendBy(Vec3(Imath::V3d(key.matrix.inverse().translation())));
     return enclosing_sphere(box);
 }
 

@@ -161,7 +161,7 @@ bool TracedScene::intersect(const Ray& ray, SurfaceHit& hit,
     RawHit raw;
     if (!world_scene_.intersect(ray, kSmallestDistance, SurfaceClass::Any, raw)) {
         if (!ray.medium) return false;
-        hit.distance = distance_to_end(sphere_, ray);
+        hit.distance = std::min(ray.t_max, distance_to_end(sphere_, ray));
         hit.transmittance = ray.medium->transmittance(hit.distance);
         return false;
     }

@@ -46,6 +46,27 @@ TEST_F(MaterialTest, MixOfMattesIsLambertian) {
     EXPECT_NEAR(kd.y, 0.3f, 1e-6f);
 }
 
+// A shadow ray meets the side that faces where it comes from, as a path from there does.
+TEST_F(MaterialTest, DoubleSideLetsShadowRaysThroughAsItLetsPaths) {
+    scene_.materials["matte"] = scene_.make_material("matte");
+    scene_.materials["null"] = scene_.make_material("null");
+    const auto sheet = scene_.make_material(
+        "doubleside", {text("frontnamedmaterial", "null"), text("backnamedmaterial", "matte")});
+    ASSERT_TRUE(sheet->facts().straight);
+    const Bsdf& bsdf = *memory_.scatter(*sheet, shading_point());
+    for (const Vec3& wo : {Vec3(0, 0, 1), Vec3(0, 0, -1)}) {
+        bool passes = false;
+        for (const float u_lobe : {0.1f, 0.9f}) {  // by which side it is drawn
+            BsdfSample sample;
+            passes |=
+                bsdf.sample(wo, {0.3f, 0.6f}, u_lobe, Transport::Radiance, kAllLobes, sample) &&
+                sample.straight;
+        }
+        EXPECT_EQ(passes, wo.z > 0);
+        EXPECT_EQ(sheet->straight_transmittance(shading_point(), -wo).x, passes ? 1 : 0);
+    }
+}
+
 TEST_F(MaterialTest, MixWithNullLetsItsShareOfShadowRaysThrough) {
     scene_.materials["matte"] = scene_.make_material("matte");
     scene_.materials["null"] = scene_.make_material("null");

@@ -150,6 +150,11 @@ TEST_F(PlyShape, DamagedHeadersAreErrors) {
          {"ply\nformat ascii 1.0\nelement vertex x\nend_header\n",
           "ply\nformat ascii 1.0\nelement vertex 1\nproperty real x\nend_header\n0\n",
           "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\n",
+          "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\n"
+          "property float z\nelement vertex 1\nproperty float x\nproperty float y\n"
+          "property float z\nend_header\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n",
+          "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\n"
+          "property float z\nend_header\n0 0 0\n1e999 0 0\n0 1 0\n",
           "ply\nformat utf8 1.0\nend_header\n", "ply\nproperty float x\nend_header\n"}) {
         EXPECT_THAT(error_of("plymesh", {text("filename", write(content))}),
                     HasSubstr("can't be read: "))
@@ -159,7 +164,7 @@ TEST_F(PlyShape, DamagedHeadersAreErrors) {
 
 TEST_F(PlyShape, StlTextAndBinary) {
     const std::string as_text =
-        "solid wedge\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\n"
+        "solid vertex wedge\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\n"
         "vertex 0 1e0 0\nendloop\nendfacet\nendsolid\n";
     std::string binary(80, ' ');
     const std::uint32_t facets = 1;

@@ -33,6 +33,20 @@ TEST(LoopSubdivision, ControlPointsGoToTheirLimit) {
     }
 }
 
+// The pole rows of a sphere made of quads: triangles of two places are no edge of the surface.
+TEST(LoopSubdivision, CollapsedTrianglesLeaveTheSurfaceClosed) {
+    std::vector<double> faces = std::get<0>(octahedron_faces().values);
+    faces.insert(faces.end(), {4, 4, 0, 1, 4, 4, 0, 1, 0});
+    const auto refined = [](const ParameterValue& indices) {
+        return make_mesh("mesh",
+                         {octahedron_points(), indices, numbers("integer", "nsubdivlevels", {2})});
+    };
+    const TriangleMesh plain = refined(octahedron_faces());
+    const TriangleMesh mesh = refined(numbers("integer", "triindices", faces));
+    EXPECT_EQ(mesh.indices, plain.indices);
+    EXPECT_EQ(mesh.positions, plain.positions);
+}
+
 TEST(LoopSubdivision, NormalsAreThoseOfTheFineSurface) {
     const auto refined = [](double levels) {
         return make_mesh("loopsubdiv",

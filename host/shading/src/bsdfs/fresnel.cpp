@@ -45,7 +45,7 @@ FresnelValue fresnel_from_reflectance(const Rgb& r) {
     FresnelValue value;
     value.conductor = true;
     for (int i = 0; i < 3; ++i) {
-        const float clamped = std::clamp(r[i], 0.0f, 0.999f);
+        const float clamped = r[i] >= 0 ? std::min(r[i], 0.999f) : 0.0f;  // NaN: 0
         const float root = std::sqrt(clamped);
         value.eta[i] = (1 + root) / (1 - root);
         value.k[i] = 2 * std::sqrt(clamped / (1 - clamped));

@@ -66,7 +66,8 @@ MaterialFacts DoubleSideMaterial::facts() const {
 
 Rgb DoubleSideMaterial::straight_transmittance(const ShadingPoint& point,
                                                const Vec3& direction) const {
-    const bool on_front = direction.dot(point.ng) >= 0;
+    // A shadow ray goes on along `direction`: it came from the other side, as wo tells it.
+    const bool on_front = direction.dot(point.ng) <= 0;
     return on_front ? front_->straight_transmittance(turned(point, flip_front_), direction)
                     : back_->straight_transmittance(turned(point, flip_back_), direction);
 }

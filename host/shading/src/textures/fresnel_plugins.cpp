@@ -1,6 +1,7 @@
 // Fresnel textures "fresnelcolor", "fresnelname" (also "preset") and "mix": optical constants.
 #include "bsdfs/fresnel.h"
 #include "materials/metal_presets.h"
+#include "materials/prepared_texture.h"
 #include "texture_parameters.h"
 #include "texture_plugins.h"
 
@@ -46,7 +47,8 @@ class FresnelMixTexture final : public FresnelTexture {
     }
 
   private:
-    static FresnelValue blend(const FresnelValue& a, const FresnelValue& b, float amount) {
+    static FresnelValue blend(const FresnelValue& a, const FresnelValue& b, float share) {
+        const float amount = limited(share, 0, 1);
         return {a.eta * (1 - amount) + b.eta * amount, a.k * (1 - amount) + b.k * amount,
                 a.conductor || b.conductor};
     }

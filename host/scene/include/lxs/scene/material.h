@@ -44,7 +44,8 @@ class Material {
     virtual const Bsdf* scatter(const ShadingPoint& point,
                                 std::pmr::memory_resource& memory) const = 0;
     virtual MaterialFacts facts() const = 0;
-    /// Share of light that passes straight through towards `direction` (null material: 1;
+    /// Share of light that passes straight through to a shadow ray that goes on along `direction`,
+    /// towards the light (null material: 1;
     /// architectural glass: its transmission; mixes: the mean); 0 for everything else. Shadow rays
     /// multiply it. Only called if facts().straight.
     virtual Rgb straight_transmittance(const ShadingPoint& /*point*/,

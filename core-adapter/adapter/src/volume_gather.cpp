@@ -103,7 +103,7 @@ std::uint64_t VolumeGather::gather_beam(const VolumeBeam& beam, Refusals& refusa
     const SegmentExponential distances(extinction, media.scattering(beam.medium), beam.length);
     RandomStream random(settings_.seed, pass_, beam.sample, RandomDomain::VolumePieces);
     for (std::uint32_t i = 0; i < kMostPieces; ++i) {
-        constexpr float kBelowOne = 0x1.fffffep-1f;  // the sum of a stratum and u may round up to 1
+        // The sum of a stratum and u may round up to the next stratum's begin, at last to 1.
         const float t =
             distances.sample(std::min((float(i) + random.next()) / kMostPieces, kBelowOne));
         Piece piece = piece_at(std::uint32_t(std::min(double(t / width), count - 1)));

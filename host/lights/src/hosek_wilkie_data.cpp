@@ -1,6 +1,7 @@
 // Coefficients of the Hosek-Wilkie sky, CIE XYZ, version 1.4a of February 22nd, 2013: the data of
 // the authors' own release (http://cgg.mff.cuni.cz/projects/SkylightModelling/,
-// ArHosekSkyModelData_CIEXYZ.h), laid out anew, under their licence:
+// ArHosekSkyModelData_CIEXYZ.h), laid out anew, under their licence. The numbers were read from the
+// copy of that release in Debian's Blender 3.4.1, which keeps the authors' licence:
 //
 // Copyright (c) 2012 - 2013, Lukas Hosek and Alexander Wilkie
 // All rights reserved.

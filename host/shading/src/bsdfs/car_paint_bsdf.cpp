@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "channels.h"
 #include "fresnel.h"
 
 namespace lxs::shading {
@@ -68,13 +69,7 @@ Rgb CarPaintBsdf::value(const HalfVector& half, LobeMask mask) const {
             sum += lobe.value(half);
     }
     if (!(mask & kDiffuse) || black_base_) return sum;
-    Rgb base = paint_.kd * kInvPi;
-    if (!is_black(paint_.optical_depth)) {
-        const float way = 1 / half.wo.z + 1 / half.wi.z;
-        for (int c = 0; c < 3; ++c)
-            base[c] *= std::exp(-paint_.optical_depth[c] * way);
-    }
-    return sum + base;
+    return sum + paint_.kd * kInvPi * absorbed(paint_.optical_depth, 1 / half.wo.z + 1 / half.wi.z);
 }
 
 Rgb CarPaintBsdf::evaluate(const Vec3& wo, const Vec3& wi, Transport, LobeMask mask) const {
@@ -105,8 +100,7 @@ bool CarPaintBsdf::sample(const Vec3& wo, const Vec2& u, float u_lobe, Transport
     if (chosen == 3) {
         wi = square_to_cosine_hemisphere(u);
     } else {
-        constexpr float kBelowOne = 0x1.fffffep-1f;
-        float rest = std::min(u_lobe / choice[chosen], kBelowOne);
+        float rest = clamp_to_unit(u_lobe / choice[chosen]);
         wi = reflect(local, paint_.lobes[chosen].sample(local, u, rest));
     }
     if (!(wi.z > 0)) return false;

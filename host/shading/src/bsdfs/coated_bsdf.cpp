@@ -4,26 +4,21 @@
 #include <algorithm>
 #include <cmath>
 
+#include "channels.h"
+
 #include "directions.h"
 
 namespace lxs::shading {
 namespace {
 
 constexpr float kMinCosine = 1e-6f;
-constexpr float kBelowOne = 0x1.fffffep-1f;
-
-Rgb absorbed(const Rgb& optical_depth, float crossings) {
-    if (is_black(optical_depth)) return Rgb(1.0f);
-    return {std::exp(-optical_depth.x * crossings), std::exp(-optical_depth.y * crossings),
-            std::exp(-optical_depth.z * crossings)};
-}
 
 }  // namespace
 
 Rgb coating_transmission(const Coating& coating, float c) {
     const float cosine = std::abs(c);
     return (Rgb(1.0f) - fresnel_schlick(cosine, coating.reflectance)) *
-           absorbed(coating.optical_depth, 1 / std::max(cosine, kMinCosine));
+           coating.transmittance(cosine);
 }
 
 Rgb CoatedBsdf::crossing(const Vec3& w) const {
@@ -82,7 +77,7 @@ bool CoatedBsdf::sample(const Vec3& wo, const Vec2& u, float u_lobe, Transport t
         if (!coat_.sample(wo, u, u_lobe / p, transport, kGlossy, sample)) return false;
     } else {
         if (!base_takes_part(mask)) return false;
-        const float rest = std::min((u_lobe - p) / (1 - p), kBelowOne);
+        const float rest = clamp_to_unit((u_lobe - p) / (1 - p));
         if (!base_->sample(wo, u, rest, transport, mask, sample)) return false;
         if (sample.lobe == kSpecular) {
             sample.weight *= passed(wo, sample.wi) / (1 - p);

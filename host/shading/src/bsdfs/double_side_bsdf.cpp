@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include "lxs/sdk/warp.h"
 
 namespace lxs::shading {
 
@@ -42,13 +43,12 @@ float DoubleSideBsdf::pdf(const Vec3& wo, const Vec3& wi, LobeMask mask) const {
 
 bool DoubleSideBsdf::sample(const Vec3& wo, const Vec2& u, float u_lobe, Transport transport,
                             LobeMask mask, BsdfSample& sample) const {
-    constexpr float kBelowOne = 0x1.fffffep-1f;
     const float p = p_own(wo, mask);
     const bool own = u_lobe < p;
     const Bsdf* chosen = own ? side_of(wo, mask) : other_side(wo, mask);
     if (!chosen || (!own && !transmits_)) return false;
     const float rest = own ? u_lobe / p : (u_lobe - p) / (1 - p);
-    if (!chosen->sample(wo, u, std::min(rest, kBelowOne), transport, mask, sample)) return false;
+    if (!chosen->sample(wo, u, clamp_to_unit(rest), transport, mask, sample)) return false;
     if (!own && !sample.transmitted) return false;
     if (sample.lobe == kSpecular) {
         const bool decides = own == (transport == Transport::Radiance || !sample.transmitted);

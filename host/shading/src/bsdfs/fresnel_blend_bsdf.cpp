@@ -4,11 +4,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "channels.h"
+
 namespace lxs::shading {
 namespace {
 
 constexpr float kMinCosine = 1e-6f;
-constexpr float kBelowOne = 0x1.fffffep-1f;
 
 /// 1 - (1 - c / 2)^5.
 float shade(float c) {
@@ -23,13 +24,10 @@ FresnelBlendBsdf::FresnelBlendBsdf(const Rgb& kd, const Coating& coating,
     : kd_(kd), coating_(coating), facets_(facets) {}
 
 Rgb FresnelBlendBsdf::base(float cos_o, float cos_i) const {
-    Rgb f =
+    const Rgb f =
         kd_ * (Rgb(1.0f) - coating_.reflectance) * (28 * kInvPi / 23 * shade(cos_o) * shade(cos_i));
-    if (is_black(coating_.optical_depth)) return f;
     const float crossings = 1 / std::max(cos_o, kMinCosine) + 1 / std::max(cos_i, kMinCosine);
-    for (int c = 0; c < 3; ++c)
-        f[c] *= std::exp(-coating_.optical_depth[c] * crossings);
-    return f;
+    return f * absorbed(coating_.optical_depth, crossings);
 }
 
 Rgb FresnelBlendBsdf::coat(const HalfVector& half) const {
@@ -72,7 +70,7 @@ bool FresnelBlendBsdf::sample(const Vec3& wo, const Vec2& u, float u_lobe, Trans
     Vec3 wi;
     HalfVector half;
     if (coat) {
-        if (!facets_.sample(wo, u, std::min(u_lobe / p, kBelowOne), wi, half)) return false;
+        if (!facets_.sample(wo, u, clamp_to_unit(u_lobe / p), wi, half)) return false;
     } else if (!sample_cosine(wo, facets_.ng(), facets_.ns(), u, wi)) {
         return false;
     }

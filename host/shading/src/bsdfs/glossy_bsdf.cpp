@@ -3,14 +3,10 @@
 
 #include <algorithm>
 
+#include "channels.h"
+
 namespace lxs::shading {
 namespace {
-
-constexpr float kBelowOne = 0x1.fffffep-1f;
-
-Rgb min_of(const Rgb& a, const Rgb& b) {
-    return {std::min(a.x, b.x), std::min(a.y, b.y), std::min(a.z, b.z)};
-}
 
 /// Cosine between a direction and the half vector of the pair.
 float half_cosine(const Vec3& wo, const Vec3& wi) {
@@ -20,11 +16,8 @@ float half_cosine(const Vec3& wo, const Vec3& wi) {
 }  // namespace
 
 Rgb Coating::transmittance(float cosine) const {
-    if (is_black(optical_depth)) return Rgb(1.0f);
     constexpr float kMinCosine = 1e-6f;
-    const float way = 1 / std::max(cosine, kMinCosine);
-    return {std::exp(-optical_depth.x * way), std::exp(-optical_depth.y * way),
-            std::exp(-optical_depth.z * way)};
+    return absorbed(optical_depth, 1 / std::max(cosine, kMinCosine));
 }
 
 Rgb GlossyBsdf::bounce_color() const {
@@ -114,7 +107,7 @@ bool GlossyBsdf::sample(const Vec3& wo, const Vec2& u, float u_lobe, Transport, 
     Vec3 wi;
     HalfVector half;
     if (u_lobe < choice.facets) {
-        const float rest = std::min(u_lobe / choice.facets, kBelowOne);
+        const float rest = clamp_to_unit(u_lobe / choice.facets);
         if (!facets_.sample(wo, u, rest, wi, half)) return false;
     } else if (!sample_cosine(wo, facets_.ng(), facets_.ns(), u, wi)) {
         return false;

@@ -3,16 +3,10 @@
 
 #include <algorithm>
 
+#include "channels.h"
+
 namespace lxs::shading {
-namespace {
-
-constexpr float kBelowOne = 0x1.fffffep-1f;
-
-Rgb min_of(const Rgb& a, const Rgb& b) {
-    return {std::min(a.x, b.x), std::min(a.y, b.y), std::min(a.z, b.z)};
-}
-
-}  // namespace
+namespace {}  // namespace
 
 Rgb GlossyTranslucentBsdf::transmission(const Vec3& wo, const Vec3& wi) const {
     const GlossyBsdf &side_o = side_of(wo), &side_i = side_of(wi);
@@ -67,7 +61,7 @@ bool GlossyTranslucentBsdf::sample(const Vec3& wo, const Vec2& u, float u_lobe, 
     if (!(mask & lobes())) return false;
     const float p = p_transmit(wo, mask);
     if (u_lobe >= p) {
-        const float rest = std::min((u_lobe - p) / (1 - p), kBelowOne);
+        const float rest = clamp_to_unit((u_lobe - p) / (1 - p));
         if (!side_of(wo).sample(wo, u, rest, transport, mask, sample)) return false;
         sample.weight *= 1 / (1 - p);
         sample.pdf *= 1 - p;

@@ -12,7 +12,6 @@ namespace {
 constexpr LobeMask kSpread = kDiffuse | kGlossy;
 constexpr int kMaxSteps = 64;  // walks end by roulette long before
 constexpr int kFirstRoulette = 3;
-constexpr float kBelowOne = 0x1.fffffep-1f;
 
 Transport adjoint(Transport transport) {
     return transport == Transport::Radiance ? Transport::Power : Transport::Radiance;
@@ -176,8 +175,8 @@ bool LayeredBsdf::draw(const Choice& choice, const Vec3& wo, const Vec2& u, floa
             continue;
         }
         const LobeMask drawn = drawn_lobes(i, wo, mask);
-        if (!stack_.layers[i]->sample(wo, u, std::min(u_lobe / share, kBelowOne), Transport::Power,
-                                      drawn, sample))
+        if (!stack_.layers[i]->sample(wo, u, clamp_to_unit(u_lobe / share), Transport::Power, drawn,
+                                      sample))
             return false;
         if (i != entry(wo)) sample.lobe = rest_;
         return true;

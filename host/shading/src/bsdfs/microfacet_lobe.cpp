@@ -25,12 +25,11 @@ Vec3 visible_wall(const Vec3& wo, const Vec3& h, float& u_choice) {
     const Vec3 other(-h.x, -h.y, h.z);
     const float seen = std::max(0.0f, wo.dot(h)), seen_other = std::max(0.0f, wo.dot(other));
     const float p = seen + seen_other > 0 ? seen / (seen + seen_other) : 1.0f;
-    constexpr float kBelowOne = 0x1.fffffep-1f;
     if (u_choice < p) {
-        u_choice = std::min(u_choice / p, kBelowOne);
+        u_choice = clamp_to_unit(u_choice / p);
         return h;
     }
-    u_choice = std::min((u_choice - p) / (1 - p), kBelowOne);
+    u_choice = clamp_to_unit((u_choice - p) / (1 - p));
     return other;
 }
 

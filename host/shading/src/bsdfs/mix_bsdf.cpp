@@ -2,13 +2,10 @@
 #include "mix_bsdf.h"
 
 #include <algorithm>
+#include "lxs/sdk/warp.h"
 
 namespace lxs::shading {
-namespace {
-
-constexpr float kBelowOne = 0x1.fffffep-1f;
-
-}  // namespace
+namespace {}  // namespace
 
 bool MixBsdf::takes_part(int child, LobeMask mask) const {
     return weights_[child] > 0 && children_[child] && (children_[child]->lobes() & mask);
@@ -51,7 +48,7 @@ bool MixBsdf::sample(const Vec3& wo, const Vec2& u, float u_lobe, Transport tran
     if (!takes_part(chosen, mask)) return false;
     const float p_chosen = chosen == 1 ? p : 1 - p;
     const float rest = chosen == 1 ? u_lobe / p : (u_lobe - p) / (1 - p);
-    if (!children_[chosen]->sample(wo, u, std::min(rest, kBelowOne), transport, mask, sample))
+    if (!children_[chosen]->sample(wo, u, clamp_to_unit(rest), transport, mask, sample))
         return false;
     if (sample.lobe == kSpecular || p_chosen == 1) {
         sample.weight *= weights_[chosen] / p_chosen;

@@ -105,7 +105,7 @@ void warn_of_overridden(const ParameterReader& reader) {
 
 std::shared_ptr<const Material> create(const ParameterReader& reader, const AssetContext& assets,
                                        const Matrix&) {
-    warn_of_common_parameters(reader, assets);
+    warn_of_common_parameters(reader);
     const CarPaint* preset = read_car_paint_preset(reader);
     if (preset) warn_of_overridden(reader);
     return std::make_shared<CarPaintMaterial>(reader, assets, preset);

@@ -5,6 +5,7 @@
 
 #include "bumped_material.h"
 #include "ignored_parameter.h"
+#include "textures/texture_parameters.h"
 
 namespace lxs::shading {
 namespace {
@@ -40,17 +41,11 @@ constexpr CompositingFlag kCompositingFlags[] = {
 
 }  // namespace
 
-std::vector<ParameterDeclaration> joined(std::vector<ParameterDeclaration> a,
-                                         const std::vector<ParameterDeclaration>& b) {
-    a.insert(a.end(), b.begin(), b.end());
-    return a;
-}
-
 std::vector<ParameterDeclaration> with_common_parameters(std::vector<ParameterDeclaration> own) {
-    return joined(joined(std::move(own), bump_map_parameters()), compositing_parameters());
+    return declarations({std::move(own), bump_map_parameters(), compositing_parameters()});
 }
 
-void warn_of_common_parameters(const ParameterReader& reader, const AssetContext& /*assets*/) {
+void warn_of_common_parameters(const ParameterReader& reader) {
     for (const CompositingFlag& flag : kCompositingFlags) {
         if (reader.boolean(flag.name, flag.plain) == flag.plain) continue;
         reader.diagnostics().warning(reader.where(flag.name),

@@ -12,13 +12,9 @@ namespace lxs::shading {
 std::vector<ParameterDeclaration> with_common_parameters(std::vector<ParameterDeclaration> own);
 
 /// Warns of compositing flags that would change the image.
-void warn_of_common_parameters(const ParameterReader& reader, const AssetContext& assets);
+void warn_of_common_parameters(const ParameterReader& reader);
 
 /// Roughness along u and v with LuxRender's names and default.
 std::vector<ParameterDeclaration> roughness_parameters(std::string_view default_text);
-
-/// `a` followed by `b`.
-std::vector<ParameterDeclaration> joined(std::vector<ParameterDeclaration> a,
-                                         const std::vector<ParameterDeclaration>& b);
 
 }  // namespace lxs::shading

@@ -79,7 +79,7 @@ MaterialPointer read_part(const ParameterReader& reader, const AssetContext& ass
 }
 
 MaterialPointer create(const ParameterReader& reader, const AssetContext& assets, const Matrix&) {
-    warn_of_common_parameters(reader, assets);
+    warn_of_common_parameters(reader);
     const MaterialPointer front = read_part(reader, assets, "frontnamedmaterial");
     const MaterialPointer back =
         reader.given("backnamedmaterial") ? read_part(reader, assets, "backnamedmaterial") : front;

@@ -42,9 +42,9 @@ class Glass2Material final : public Material {
     bool architectural_, disperses_;
 };
 
-std::shared_ptr<const Material> create(const ParameterReader& reader, const AssetContext& assets,
-                                       const Matrix&) {
-    warn_of_common_parameters(reader, assets);
+std::shared_ptr<const Material> create(const ParameterReader& reader,
+                                       const AssetContext& /*assets*/, const Matrix&) {
+    warn_of_common_parameters(reader);
     return std::make_shared<Glass2Material>(reader.boolean("architectural", false),
                                             reader.boolean("dispersion", false));
 }

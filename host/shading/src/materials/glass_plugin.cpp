@@ -6,6 +6,7 @@
 #include "material_plugins.h"
 #include "prepared_texture.h"
 #include "surface_film.h"
+#include "textures/texture_parameters.h"
 
 namespace lxs::shading {
 namespace {
@@ -58,7 +59,7 @@ class GlassMaterial final : public Material {
 
 std::shared_ptr<const Material> create(const ParameterReader& reader, const AssetContext& assets,
                                        const Matrix&) {
-    warn_of_common_parameters(reader, assets);
+    warn_of_common_parameters(reader);
     return std::make_shared<GlassMaterial>(
         read_reflectance(reader, assets, "Kr", Rgb(1.0f)),
         read_reflectance(reader, assets, "Kt", Rgb(1.0f)),
@@ -70,16 +71,17 @@ std::shared_ptr<const Material> create(const ParameterReader& reader, const Asse
 }  // namespace
 
 MaterialFactory glass_plugin() {
-    return {with_common_parameters(joined(
-                {{"Kr", ParameterType::ColorTexture, "1 1 1", "colour of reflected light, 0 to 1"},
-                 {"Kt", ParameterType::ColorTexture, "1 1 1", "colour of refracted light, 0 to 1"},
-                 {"index", ParameterType::FloatTexture, "1.5", "index of refraction", 0},
-                 {"cauchyb", ParameterType::FloatTexture, "0",
-                  "Cauchy's B, square micrometres: the index is index + cauchyb / wavelength^2", 0},
-                 {"architectural", ParameterType::Bool, "false",
-                  "let light through undeviated, shadow rays too"}},
-                film_parameters())),
-            &create};
+    return {
+        with_common_parameters(declarations(
+            {{{"Kr", ParameterType::ColorTexture, "1 1 1", "colour of reflected light, 0 to 1"},
+              {"Kt", ParameterType::ColorTexture, "1 1 1", "colour of refracted light, 0 to 1"},
+              {"index", ParameterType::FloatTexture, "1.5", "index of refraction", 0},
+              {"cauchyb", ParameterType::FloatTexture, "0",
+               "Cauchy's B, square micrometres: the index is index + cauchyb / wavelength^2", 0},
+              {"architectural", ParameterType::Bool, "false",
+               "let light through undeviated, shadow rays too"}},
+             film_parameters()})),
+        &create};
 }
 
 }  // namespace lxs::shading

@@ -1,53 +1,17 @@
 // Material "glossy_lossy": LuxRender's first glossy material, which loses light at grazing angles.
 #include "bsdfs/fresnel_blend_bsdf.h"
-#include "bsdfs/place_bsdf.h"
-#include "common_parameters.h"
+#include "coated_diffuse.h"
 #include "material_plugins.h"
-#include "surface_coating.h"
 
 namespace lxs::shading {
-namespace {
-
-class GlossyLossyMaterial final : public Material {
-  public:
-    GlossyLossyMaterial(PreparedColor kd, SurfaceCoating coating)
-        : kd_(std::move(kd)), coating_(std::move(coating)) {}
-
-    const Bsdf* scatter(const ShadingPoint& point,
-                        std::pmr::memory_resource& memory) const override {
-        return place_bsdf<FresnelBlendBsdf>(memory, kd_.at(point.texture),
-                                            coating_.coating_at(point.texture),
-                                            coating_.facets_at(point));
-    }
-    MaterialFacts facts() const override {
-        MaterialFacts facts;
-        facts.lobes = kDiffuse | kGlossy;
-        facts.reads_image = kd_.reads_image() || coating_.reads_image();
-        facts.max_bsdf_bytes = kBsdfBytes<FresnelBlendBsdf>;
-        return facts;
-    }
-
-  private:
-    PreparedColor kd_;
-    SurfaceCoating coating_;
-};
-
-std::shared_ptr<const Material> create(const ParameterReader& reader, const AssetContext& assets,
-                                       const Matrix&) {
-    warn_of_common_parameters(reader, assets);
-    return std::make_shared<GlossyLossyMaterial>(read_reflectance(reader, assets, "Kd", Rgb(1.0f)),
-                                                 SurfaceCoating(reader, assets));
-}
-
-}  // namespace
 
 MaterialFactory glossy_lossy_plugin() {
     std::vector<ParameterDeclaration> own = coating_parameters();
     for (ParameterDeclaration& parameter : own)
         parameter.no_effect |= parameter.name == "multibounce";
-    own.push_back(
-        {"Kd", ParameterType::ColorTexture, "1 1 1", "diffuse reflectance of the base, 0 to 1"});
-    return {with_common_parameters(std::move(own)), &create};
+    own.push_back(base_parameter());
+    return {with_common_parameters(std::move(own)),
+            &CoatedDiffuse<FresnelBlendBsdf, kDiffuse | kGlossy>::create};
 }
 
 }  // namespace lxs::shading

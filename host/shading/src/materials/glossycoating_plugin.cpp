@@ -4,6 +4,7 @@
 #include "common_parameters.h"
 #include "material_plugins.h"
 #include "surface_coating.h"
+#include "textures/texture_parameters.h"
 
 namespace lxs::shading {
 namespace {
@@ -40,7 +41,7 @@ class GlossyCoatingMaterial final : public Material {
 };
 
 MaterialPointer create(const ParameterReader& reader, const AssetContext& assets, const Matrix&) {
-    warn_of_common_parameters(reader, assets);
+    warn_of_common_parameters(reader);
     if (!reader.given("basematerial"))
         reader.fail("basematerial", "glossycoating: \"basematerial\" is missing");
     auto base = assets.material(reader.string("basematerial", ""), reader.where("basematerial"));
@@ -52,7 +53,7 @@ MaterialPointer create(const ParameterReader& reader, const AssetContext& assets
 MaterialFactory glossycoating_plugin() {
     const std::vector<ParameterDeclaration> own{
         {"basematerial", ParameterType::String, "", "name of the material under the coating"}};
-    return {with_common_parameters(joined(own, coating_parameters())), &create};
+    return {with_common_parameters(declarations({own, coating_parameters()})), &create};
 }
 
 }  // namespace lxs::shading

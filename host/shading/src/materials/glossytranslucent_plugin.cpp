@@ -4,6 +4,7 @@
 #include "common_parameters.h"
 #include "material_plugins.h"
 #include "surface_coating.h"
+#include "textures/texture_parameters.h"
 
 namespace lxs::shading {
 namespace {
@@ -53,7 +54,7 @@ MaterialFacts GlossyTranslucentMaterial::facts() const {
 
 std::shared_ptr<const Material> create(const ParameterReader& reader, const AssetContext& assets,
                                        const Matrix&) {
-    warn_of_common_parameters(reader, assets);
+    warn_of_common_parameters(reader);
     return std::make_shared<GlossyTranslucentMaterial>(reader, assets);
 }
 
@@ -76,7 +77,7 @@ MaterialFactory glossytranslucent_plugin() {
          0},
         {"backface_vroughness", FloatTexture, "0.1", "roughness of the back along v, 0.006 to 1",
          0}};
-    return {with_common_parameters(joined(own, coating_parameters())), &create};
+    return {with_common_parameters(declarations({own, coating_parameters()})), &create};
 }
 
 }  // namespace lxs::shading

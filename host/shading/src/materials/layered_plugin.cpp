@@ -99,7 +99,7 @@ const Bsdf* LayeredMaterial::scatter(const ShadingPoint& point,
 
 std::shared_ptr<const Material> create(const ParameterReader& reader, const AssetContext& assets,
                                        const Matrix&) {
-    warn_of_common_parameters(reader, assets);
+    warn_of_common_parameters(reader);
     std::vector<Layer> layers;
     for (int i = 0; i < kMaxLayers; ++i) {
         const std::string name = reader.string(kMaterialNames[i], "");

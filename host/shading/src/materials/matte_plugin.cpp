@@ -42,7 +42,7 @@ class MatteMaterial final : public Material {
 
 std::shared_ptr<const Material> create(const ParameterReader& reader, const AssetContext& assets,
                                        const Matrix&) {
-    warn_of_common_parameters(reader, assets);
+    warn_of_common_parameters(reader);
     return std::make_shared<MatteMaterial>(read_reflectance(reader, assets, "Kd", Rgb(0.9f)),
                                            read_limited(reader, assets, "sigma", 0, 0, 90));
 }

@@ -65,7 +65,7 @@ void warn_of_gain(const ParameterReader& reader, const AssetContext& assets) {
 
 std::shared_ptr<const Material> create(const ParameterReader& reader, const AssetContext& assets,
                                        const Matrix&) {
-    warn_of_common_parameters(reader, assets);
+    warn_of_common_parameters(reader);
     warn_of_gain(reader, assets);
     return std::make_shared<MatteTranslucentMaterial>(reader, assets);
 }

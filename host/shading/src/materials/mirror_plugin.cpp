@@ -5,6 +5,7 @@
 #include "material_plugins.h"
 #include "prepared_texture.h"
 #include "surface_film.h"
+#include "textures/texture_parameters.h"
 
 namespace lxs::shading {
 namespace {
@@ -35,7 +36,7 @@ class MirrorMaterial final : public Material {
 
 std::shared_ptr<const Material> create(const ParameterReader& reader, const AssetContext& assets,
                                        const Matrix&) {
-    warn_of_common_parameters(reader, assets);
+    warn_of_common_parameters(reader);
     return std::make_shared<MirrorMaterial>(read_reflectance(reader, assets, "Kr", Rgb(1.0f)),
                                             SurfaceFilm(reader, assets));
 }
@@ -44,8 +45,8 @@ std::shared_ptr<const Material> create(const ParameterReader& reader, const Asse
 
 MaterialFactory mirror_plugin() {
     return {with_common_parameters(
-                joined({{"Kr", ParameterType::ColorTexture, "1 1 1", "reflectance, 0 to 1"}},
-                       film_parameters())),
+                declarations({{{"Kr", ParameterType::ColorTexture, "1 1 1", "reflectance, 0 to 1"}},
+                              film_parameters()})),
             &create};
 }
 

@@ -64,7 +64,7 @@ MaterialPointer read_part(const ParameterReader& reader, const AssetContext& ass
 }
 
 MaterialPointer create(const ParameterReader& reader, const AssetContext& assets, const Matrix&) {
-    warn_of_common_parameters(reader, assets);
+    warn_of_common_parameters(reader);
     return std::make_shared<MixMaterial>(read_part(reader, assets, "namedmaterial1"),
                                          read_part(reader, assets, "namedmaterial2"),
                                          read_limited(reader, assets, "amount", 0.5f, 0, 1));

@@ -28,8 +28,8 @@ class NullMaterial final : public Material {
 
 MaterialFactory null_plugin() {
     return {with_common_parameters({}),
-            [](const ParameterReader& reader, const AssetContext& assets, const Matrix&) {
-                warn_of_common_parameters(reader, assets);
+            [](const ParameterReader& reader, const AssetContext&, const Matrix&) {
+                warn_of_common_parameters(reader);
                 return std::make_shared<NullMaterial>();
             }};
 }

@@ -4,6 +4,7 @@
 #include "common_parameters.h"
 #include "material_plugins.h"
 #include "rough_surface.h"
+#include "textures/texture_parameters.h"
 
 namespace lxs::shading {
 namespace {
@@ -67,7 +68,7 @@ MaterialFacts RoughGlassMaterial::facts() const {
 
 std::shared_ptr<const Material> create(const ParameterReader& reader, const AssetContext& assets,
                                        const Matrix&) {
-    warn_of_common_parameters(reader, assets);
+    warn_of_common_parameters(reader);
     return std::make_shared<RoughGlassMaterial>(reader, assets);
 }
 
@@ -84,7 +85,7 @@ MaterialFactory roughglass_plugin() {
         {"dispersion", Bool, "false",
          "index depends on the wavelength by cauchyb (not rendered yet)"},
         {"roughness", FloatTexture, "0.001", "old name for both u and v roughness", 0}};
-    return {with_common_parameters(joined(own, roughness_parameters("0.001"))), &create};
+    return {with_common_parameters(declarations({own, roughness_parameters("0.001")})), &create};
 }
 
 }  // namespace lxs::shading

@@ -37,7 +37,7 @@ class ScatterMaterial final : public Material {
 
 std::shared_ptr<const Material> create(const ParameterReader& reader, const AssetContext& assets,
                                        const Matrix&) {
-    warn_of_common_parameters(reader, assets);
+    warn_of_common_parameters(reader);
     return std::make_shared<ScatterMaterial>(
         read_reflectance(reader, assets, "Kd", Rgb(0.9f)),
         PreparedColor(read_color_texture(reader, assets, "g", Rgb(0.0f)), -kMostForward,

@@ -5,6 +5,7 @@
 #include "material_plugins.h"
 #include "rough_surface.h"
 #include "surface_film.h"
+#include "textures/texture_parameters.h"
 
 namespace lxs::shading {
 namespace {
@@ -40,7 +41,7 @@ class ShinyMetalMaterial final : public Material {
 
 std::shared_ptr<const Material> create(const ParameterReader& reader, const AssetContext& assets,
                                        const Matrix&) {
-    warn_of_common_parameters(reader, assets);
+    warn_of_common_parameters(reader);
     return std::make_shared<ShinyMetalMaterial>(read_reflectance(reader, assets, "Ks", Rgb(1.0f)),
                                                 read_reflectance(reader, assets, "Kr", Rgb(1.0f)),
                                                 SurfaceFilm(reader, assets),
@@ -57,9 +58,9 @@ MaterialFactory shinymetal_plugin() {
          "reflectance of the rough part at normal incidence, 0 to 1"},
         {"roughness", ParameterType::FloatTexture, "0.1", "old name for both u and v roughness",
          0}};
-    return {
-        with_common_parameters(joined(joined(own, roughness_parameters("0.1")), film_parameters())),
-        &create};
+    return {with_common_parameters(declarations(
+                {declarations({own, roughness_parameters("0.1")}), film_parameters()})),
+            &create};
 }
 
 }  // namespace lxs::shading

@@ -2,6 +2,7 @@
 #include "surface_coating.h"
 
 #include "common_parameters.h"
+#include "textures/texture_parameters.h"
 
 namespace lxs::shading {
 namespace {
@@ -38,15 +39,15 @@ bool SurfaceCoating::reads_image() const {
 
 std::vector<ParameterDeclaration> coating_parameters() {
     using enum ParameterType;
-    return joined(
-        {{"Ks", ColorTexture, "1 1 1", "reflectance of the coating at normal incidence, 0 to 1"},
-         {"Ka", ColorTexture, "0 0 0", "absorption of the coating per unit of depth"},
-         {"index", FloatTexture, "0", "index of the coating; overrides Ks when above 0", 0},
-         {"d", FloatTexture, "0", "depth of the coating", 0},
-         {"multibounce", Bool, "false",
-          "light shadowed by the coating's facets comes out diffusely"},
-         {"roughness", FloatTexture, "0.1", "old name for both u and v roughness", 0}},
-        roughness_parameters("0.1"));
+    return declarations(
+        {{{"Ks", ColorTexture, "1 1 1", "reflectance of the coating at normal incidence, 0 to 1"},
+          {"Ka", ColorTexture, "0 0 0", "absorption of the coating per unit of depth"},
+          {"index", FloatTexture, "0", "index of the coating; overrides Ks when above 0", 0},
+          {"d", FloatTexture, "0", "depth of the coating", 0},
+          {"multibounce", Bool, "false",
+           "light shadowed by the coating's facets comes out diffusely"},
+          {"roughness", FloatTexture, "0.1", "old name for both u and v roughness", 0}},
+         roughness_parameters("0.1")});
 }
 
 }  // namespace lxs::shading

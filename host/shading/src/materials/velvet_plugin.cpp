@@ -49,7 +49,7 @@ MaterialFacts VelvetMaterial::facts() const {
 
 std::shared_ptr<const Material> create(const ParameterReader& reader, const AssetContext& assets,
                                        const Matrix&) {
-    warn_of_common_parameters(reader, assets);
+    warn_of_common_parameters(reader);
     return std::make_shared<VelvetMaterial>(reader, assets);
 }
 

@@ -11,16 +11,13 @@ namespace {
 void register_textures(Registry& registry) {
     registry.float_textures["constant"] = shading::constant_float_plugin();
     registry.float_textures["scale"] = shading::scale_float_plugin();
-    registry.float_textures["mix"] = shading::mix_float_plugin();
     registry.float_textures["checkerboard"] = shading::checkerboard_plugin();
     registry.color_textures["constant"] = shading::constant_color_plugin();
     registry.color_textures["scale"] = shading::scale_color_plugin();
-    registry.color_textures["mix"] = shading::mix_color_plugin();
     registry.fresnel_textures["constant"] = shading::constant_fresnel_plugin();
     registry.fresnel_textures["fresnelcolor"] = shading::fresnelcolor_plugin();
     registry.fresnel_textures["fresnelname"] = shading::fresnelname_plugin();
     registry.fresnel_textures["preset"] = shading::fresnelname_plugin();
-    registry.fresnel_textures["mix"] = shading::mix_fresnel_plugin();
     registry.fresnel_textures["sellmeier"] = shading::sellmeier_plugin();
     registry.fresnel_textures["abbe"] = shading::abbe_plugin();
     registry.fresnel_textures["sopra"] = shading::sopra_plugin();
@@ -34,6 +31,7 @@ void register_textures(Registry& registry) {
     shading::register_noise_textures(registry);
     shading::register_pattern_textures(registry);
     shading::register_bricks(registry);
+    shading::register_mixes(registry);
     shading::register_sum_textures(registry);
     shading::register_spectral_textures(registry);
     shading::register_sampled_spectra(registry);

@@ -56,5 +56,34 @@ TEST_F(TextureListTest, BandIsLinearBetweenItsOffsets) {
     EXPECT_THROW(band(0.5, {0, 0.25, 0.5, 1}), InputError);  // no tex4
 }
 
+TEST_F(TextureListTest, OpticalConstantsBlendAsFloatsDo) {
+    scene_.fresnels["gold"] = scene_.make_fresnel("fresnelname", {text("name", "gold")});
+    const FresnelValue gold = *scene_.fresnels["gold"]->constant();
+    const std::vector<ParameterValue> glass_and_gold{number("tex1", 1.5), texture("tex2", "gold")};
+    const auto with = [&](const char* plugin, std::vector<ParameterValue> more) {
+        more.insert(more.end(), glass_and_gold.begin(), glass_and_gold.end());
+        return *scene_.make_fresnel(plugin, more)->constant();
+    };
+    const std::vector<FresnelValue> blends{
+        with("mix", {number("amount", 0.25)}), with("multimix", {numbers("weights", {0.75, 0.25})}),
+        with("band", {number("amount", 0.5), numbers("offsets", {0, 2})})};
+    for (const FresnelValue& value : blends) {
+        for (int i = 0; i < 3; ++i) {
+            EXPECT_NEAR(value.eta[i], 0.75f * 1.5f + 0.25f * gold.eta[i], 1e-6f);
+            EXPECT_NEAR(value.k[i], 0.25f * gold.k[i], 1e-6f);
+        }
+        EXPECT_TRUE(value.conductor);
+    }
+}
+
+TEST_F(TextureListTest, BilinearOpticalConstants) {
+    const auto texture = scene_.make_fresnel(
+        "bilerp", {number("v00", 1), number("v01", 1), number("v10", 2), number("v11", 3)});
+    TexturePoint point;
+    point.uv = {0.5f, 0.5f};
+    EXPECT_EQ(texture->evaluate(point).eta, Rgb(1.75f));
+    EXPECT_FALSE(texture->evaluate(point).conductor);
+}
+
 }  // namespace
 }  // namespace lxs

@@ -50,7 +50,7 @@ PreparedFloat read_limited(const ParameterReader& reader, const AssetContext& as
 
 PreparedFresnel::PreparedFresnel(std::shared_ptr<const FresnelTexture> texture) {
     if (const std::optional<FresnelValue> value = texture->constant()) {
-        constant_ = *value;
+        constant_ = possible(*value);
     } else {
         texture_ = std::move(texture);
     }

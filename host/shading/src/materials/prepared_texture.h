@@ -61,19 +61,23 @@ PreparedColor read_positive_color(const ParameterReader& reader, const AssetCont
 PreparedFloat read_limited(const ParameterReader& reader, const AssetContext& assets,
                            std::string_view name, float fallback, float lowest, float highest);
 
-/// Optical constants, kept if they are constant.
+/// Optical constants, kept if they are constant, and limited to what matter has: sums of textures
+/// may name an index below 0, or none.
 class PreparedFresnel {
   public:
     explicit PreparedFresnel(std::shared_ptr<const FresnelTexture> texture);
-    explicit PreparedFresnel(const FresnelValue& value) : constant_(value) {}
+    explicit PreparedFresnel(const FresnelValue& value) : constant_(possible(value)) {}
     /// At the point's wavelengths, if it has any.
     FresnelValue at(const TexturePoint& point) const {
-        const FresnelValue value = texture_ ? texture_->evaluate(point) : constant_;
+        const FresnelValue value = texture_ ? possible(texture_->evaluate(point)) : constant_;
         return point.wavelengths ? interpolated(value, *point.wavelengths) : value;
     }
     bool reads_image() const { return texture_ && texture_->reads_image(); }
 
   private:
+    static FresnelValue possible(const FresnelValue& value) {
+        return {limited(value.eta, 1e-3f, 1e4f), limited(value.k, 0, 1e4f), value.conductor};
+    }
     /// Constants between the wavelengths of R, G and B that `value` is given for; at the spectrum's
     /// ends those of the nearest.
     static FresnelValue interpolated(const FresnelValue& value, const Wavelengths& wavelengths);

@@ -1,4 +1,4 @@
-// Fresnel textures "fresnelcolor", "fresnelname" (also "preset") and "mix": optical constants.
+// Fresnel textures "fresnelcolor" and "fresnelname" (also "preset"): optical constants.
 #include "bsdfs/fresnel.h"
 #include "materials/metal_presets.h"
 #include "materials/prepared_texture.h"
@@ -26,37 +26,6 @@ class FresnelColorTexture final : public FresnelTexture {
     std::shared_ptr<const ColorTexture> reflectance_;
 };
 
-/// Blend of two textures of constants, n and k each.
-class FresnelMixTexture final : public FresnelTexture {
-  public:
-    using Input = std::shared_ptr<const FresnelTexture>;
-
-    FresnelMixTexture(Input first, Input second, std::shared_ptr<const FloatTexture> amount)
-        : first_(std::move(first)), second_(std::move(second)), amount_(std::move(amount)) {}
-    FresnelValue evaluate(const TexturePoint& point) const override {
-        return blend(first_->evaluate(point), second_->evaluate(point), amount_->evaluate(point));
-    }
-    std::optional<FresnelValue> constant() const override {
-        const auto first = first_->constant(), second = second_->constant();
-        const std::optional<float> amount = amount_->constant();
-        if (!first || !second || !amount) return std::nullopt;
-        return blend(*first, *second, *amount);
-    }
-    bool reads_image() const override {
-        return first_->reads_image() || second_->reads_image() || amount_->reads_image();
-    }
-
-  private:
-    static FresnelValue blend(const FresnelValue& a, const FresnelValue& b, float share) {
-        const float amount = limited(share, 0, 1);
-        return {a.eta * (1 - amount) + b.eta * amount, a.k * (1 - amount) + b.k * amount,
-                a.conductor || b.conductor};
-    }
-
-    Input first_, second_;
-    std::shared_ptr<const FloatTexture> amount_;
-};
-
 }  // namespace
 
 FresnelTextureFactory fresnelcolor_plugin() {
@@ -74,19 +43,6 @@ FresnelTextureFactory fresnelname_plugin() {
             [](const ParameterReader& reader, const AssetContext& assets, const Matrix&) {
                 const FresnelValue value = read_metal_preset(reader, assets);
                 return std::make_shared<ConstantTexture<FresnelValue>>(value);
-            }};
-}
-
-FresnelTextureFactory mix_fresnel_plugin() {
-    using enum ParameterType;
-    return {{{"tex1", FresnelTexture, "1", "constants where amount is 0"},
-             {"tex2", FresnelTexture, "1", "constants where amount is 1"},
-             {"amount", FloatTexture, "0.5", "share of tex2, 0 to 1"}},
-            [](const ParameterReader& reader, const AssetContext& assets, const Matrix&) {
-                return std::make_shared<FresnelMixTexture>(
-                    read_fresnel_texture(reader, assets, "tex1", 1),
-                    read_fresnel_texture(reader, assets, "tex2", 1),
-                    read_float_texture(reader, assets, "amount", 0.5f));
             }};
 }
 

@@ -1,5 +1,6 @@
 // Texture "mix": a blend of two textures.
 #include "binary_texture.h"
+#include "fresnel_arithmetic.h"
 #include "texture_parameters.h"
 #include "texture_plugins.h"
 
@@ -9,8 +10,8 @@ namespace {
 template <class T>
 typename TextureKind<T>::Factory mix_plugin() {
     using Kind = TextureKind<T>;
-    return {{{"tex1", Kind::kParameter, "0", "value where amount is 0"},
-             {"tex2", Kind::kParameter, "1", "value where amount is 1"},
+    return {{{"tex1", Kind::kParameter, Kind::kBlack, "value where amount is 0"},
+             {"tex2", Kind::kParameter, Kind::kWhite, "value where amount is 1"},
              {"amount", ParameterType::FloatTexture, "0.5", "share of tex2, 0 to 1"}},
             [](const ParameterReader& reader, const AssetContext& assets, const Matrix&) {
                 return std::make_shared<MixTexture<T>>(
@@ -21,11 +22,10 @@ typename TextureKind<T>::Factory mix_plugin() {
 
 }  // namespace
 
-FloatTextureFactory mix_float_plugin() {
-    return mix_plugin<float>();
-}
-ColorTextureFactory mix_color_plugin() {
-    return mix_plugin<Rgb>();
+void register_mixes(Registry& registry) {
+    registry.float_textures["mix"] = mix_plugin<float>();
+    registry.color_textures["mix"] = mix_plugin<Rgb>();
+    registry.fresnel_textures["mix"] = mix_plugin<FresnelValue>();
 }
 
 }  // namespace lxs::shading

@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "formula_texture.h"
+#include "fresnel_arithmetic.h"
 #include "hashed_bits.h"
 #include "perlin_noise.h"
 #include "texture_parameters.h"
@@ -101,6 +102,7 @@ Rgb harlequin(const TexturePoint& point) {
 void register_pattern_textures(Registry& registry) {
     registry.float_textures["bilerp"] = bilerp_plugin<float>();
     registry.color_textures["bilerp"] = bilerp_plugin<Rgb>();
+    registry.fresnel_textures["bilerp"] = bilerp_plugin<FresnelValue>();
     registry.color_textures["uv"] = uv_plugin();
     registry.float_textures["uvmask"] = mask_plugin("innertex", "outertex", &in_unit_square);
     registry.float_textures["dots"] = mask_plugin("inside", "outside", &in_dot);

@@ -31,7 +31,7 @@ std::vector<ParameterDeclaration> declarations(
 ParameterDeclaration choice(std::string_view name, std::string_view fallback, std::string_view doc,
                             std::span<const std::string_view> choices);
 
-/// What differs between float and colour textures, for plugins that exist for both.
+/// What differs between float, colour and fresnel textures, for plugins that exist for several.
 template <class T>
 struct TextureKind;
 
@@ -64,6 +64,23 @@ struct TextureKind<Rgb> {
                                                     const AssetContext& assets,
                                                     std::string_view name, float fallback) {
         return read_color_texture(reader, assets, name, Rgb(fallback));
+    }
+};
+
+/// Numbers are indices of dielectrics, that of vacuum if none is given.
+template <>
+struct TextureKind<FresnelValue> {
+    static constexpr ParameterType kParameter = ParameterType::FresnelTexture;
+    static constexpr ParameterType kValue = ParameterType::Float;
+    static constexpr std::string_view kBlack = "1", kWhite = "1";
+    using Factory = FresnelTextureFactory;
+    static FresnelValue value(const ParameterReader& reader, std::string_view name, float) {
+        return {Rgb(static_cast<float>(reader.number(name, 1)))};
+    }
+    static std::shared_ptr<const FresnelTexture> read(const ParameterReader& reader,
+                                                      const AssetContext& assets,
+                                                      std::string_view name, float) {
+        return read_fresnel_texture(reader, assets, name, 1);
     }
 };
 

@@ -10,14 +10,11 @@ ColorTextureFactory constant_color_plugin();
 FresnelTextureFactory constant_fresnel_plugin();
 FloatTextureFactory scale_float_plugin();
 ColorTextureFactory scale_color_plugin();
-FloatTextureFactory mix_float_plugin();
-ColorTextureFactory mix_color_plugin();
 FloatTextureFactory checkerboard_plugin();
 ColorTextureFactory colordepth_plugin();
 ColorTextureFactory lampspectrum_plugin();
 FresnelTextureFactory fresnelcolor_plugin();
 FresnelTextureFactory fresnelname_plugin();
-FresnelTextureFactory mix_fresnel_plugin();
 FresnelTextureFactory cauchy_plugin();
 FresnelTextureFactory sellmeier_plugin();
 FresnelTextureFactory abbe_plugin();
@@ -27,6 +24,7 @@ FresnelTextureFactory luxpop_plugin();
 FloatTextureFactory normalmap_plugin(const ColorTextureFactory& imagemap);
 /// Adds "imagemap" for floats and colours, which share one image cache.
 void register_imagemaps(Registry& registry);
+void register_mixes(Registry& registry);             ///< mix
 void register_noise_textures(Registry& registry);    ///< fbm, wrinkled, windy, marble
 void register_pattern_textures(Registry& registry);  ///< bilerp, uv, uvmask, dots, harlequin
 void register_bricks(Registry& registry);

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "fresnel_arithmetic.h"
 #include "texture_list.h"
 #include "texture_parameters.h"
 #include "texture_plugins.h"
@@ -9,15 +10,15 @@
 namespace lxs::shading {
 namespace {
 
-/// Sum of weight * texture.
+/// Sum of weight * texture over at least one.
 template <class T>
 class WeightedSum final : public Texture<T> {
   public:
     explicit WeightedSum(TextureList<T> inputs, std::vector<float> weights)
         : inputs_(std::move(inputs)), weights_(std::move(weights)) {}
     T evaluate(const TexturePoint& point) const override {
-        T sum(0.0f);
-        for (std::size_t i = 0; i < inputs_.size(); ++i)
+        T sum = inputs_.front()->evaluate(point) * weights_.front();
+        for (std::size_t i = 1; i < inputs_.size(); ++i)
             sum += inputs_[i]->evaluate(point) * weights_[i];
         return sum;
     }
@@ -121,8 +122,10 @@ void register_sum_textures(Registry& registry) {
     registry.color_textures["subtract"] = pair_plugin<Rgb>(-1, "what is taken away");
     registry.float_textures["multimix"] = multimix_plugin<float>();
     registry.color_textures["multimix"] = multimix_plugin<Rgb>();
+    registry.fresnel_textures["multimix"] = multimix_plugin<FresnelValue>();
     registry.float_textures["band"] = band_plugin<float>();
     registry.color_textures["band"] = band_plugin<Rgb>();
+    registry.fresnel_textures["band"] = band_plugin<FresnelValue>();
 }
 
 }  // namespace lxs::shading

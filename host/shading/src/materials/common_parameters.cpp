@@ -53,6 +53,14 @@ void warn_of_common_parameters(const ParameterReader& reader) {
     }
 }
 
+std::shared_ptr<const Material> read_named_material(const ParameterReader& reader,
+                                                    const AssetContext& assets,
+                                                    std::string_view name) {
+    if (!reader.given(name))
+        reader.fail(name, fmt::format("{}: \"{}\" is missing", reader.plugin(), name));
+    return assets.material(reader.string(name, ""), reader.where(name));
+}
+
 std::vector<ParameterDeclaration> roughness_parameters(std::string_view default_text) {
     return {{"uroughness", ParameterType::FloatTexture, default_text,
              "roughness along u, 0.006 to 1", 0},

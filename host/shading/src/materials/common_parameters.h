@@ -14,6 +14,11 @@ std::vector<ParameterDeclaration> with_common_parameters(std::vector<ParameterDe
 /// Warns of compositing flags that would change the image.
 void warn_of_common_parameters(const ParameterReader& reader);
 
+/// The material that the string parameter `name` names; fails if it is not given.
+std::shared_ptr<const Material> read_named_material(const ParameterReader& reader,
+                                                    const AssetContext& assets,
+                                                    std::string_view name);
+
 /// Roughness along u and v with LuxRender's names and default.
 std::vector<ParameterDeclaration> roughness_parameters(std::string_view default_text);
 

@@ -1,6 +1,4 @@
 // Material "doubleside": one named material for each side of a surface.
-#include <fmt/format.h>
-
 #include "bsdfs/double_side_bsdf.h"
 #include "bsdfs/place_bsdf.h"
 #include "common_parameters.h"
@@ -72,17 +70,12 @@ Rgb DoubleSideMaterial::straight_transmittance(const ShadingPoint& point,
                     : back_->straight_transmittance(turned(point, flip_back_), direction);
 }
 
-MaterialPointer read_part(const ParameterReader& reader, const AssetContext& assets,
-                          std::string_view name) {
-    if (!reader.given(name)) reader.fail(name, fmt::format("doubleside: \"{}\" is missing", name));
-    return assets.material(reader.string(name, ""), reader.where(name));
-}
-
 MaterialPointer create(const ParameterReader& reader, const AssetContext& assets, const Matrix&) {
     warn_of_common_parameters(reader);
-    const MaterialPointer front = read_part(reader, assets, "frontnamedmaterial");
-    const MaterialPointer back =
-        reader.given("backnamedmaterial") ? read_part(reader, assets, "backnamedmaterial") : front;
+    const MaterialPointer front = read_named_material(reader, assets, "frontnamedmaterial");
+    const MaterialPointer back = reader.given("backnamedmaterial")
+                                     ? read_named_material(reader, assets, "backnamedmaterial")
+                                     : front;
     return std::make_shared<DoubleSideMaterial>(front, back,
                                                 !reader.boolean("usefrontforfront", true),
                                                 reader.boolean("usefrontforback", true));

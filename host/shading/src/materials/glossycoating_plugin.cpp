@@ -42,10 +42,8 @@ class GlossyCoatingMaterial final : public Material {
 
 MaterialPointer create(const ParameterReader& reader, const AssetContext& assets, const Matrix&) {
     warn_of_common_parameters(reader);
-    if (!reader.given("basematerial"))
-        reader.fail("basematerial", "glossycoating: \"basematerial\" is missing");
-    auto base = assets.material(reader.string("basematerial", ""), reader.where("basematerial"));
-    return std::make_shared<GlossyCoatingMaterial>(std::move(base), SurfaceCoating(reader, assets));
+    return std::make_shared<GlossyCoatingMaterial>(
+        read_named_material(reader, assets, "basematerial"), SurfaceCoating(reader, assets));
 }
 
 }  // namespace

@@ -1,6 +1,4 @@
 // Material "mix": two named materials, blended.
-#include <fmt/format.h>
-
 #include "bsdfs/mix_bsdf.h"
 #include "bsdfs/place_bsdf.h"
 #include "common_parameters.h"
@@ -57,16 +55,10 @@ Rgb MixMaterial::straight_transmittance(const ShadingPoint& point, const Vec3& d
            second_->straight_transmittance(point, direction) * amount;
 }
 
-MaterialPointer read_part(const ParameterReader& reader, const AssetContext& assets,
-                          std::string_view name) {
-    if (!reader.given(name)) reader.fail(name, fmt::format("mix: \"{}\" is missing", name));
-    return assets.material(reader.string(name, ""), reader.where(name));
-}
-
 MaterialPointer create(const ParameterReader& reader, const AssetContext& assets, const Matrix&) {
     warn_of_common_parameters(reader);
-    return std::make_shared<MixMaterial>(read_part(reader, assets, "namedmaterial1"),
-                                         read_part(reader, assets, "namedmaterial2"),
+    return std::make_shared<MixMaterial>(read_named_material(reader, assets, "namedmaterial1"),
+                                         read_named_material(reader, assets, "namedmaterial2"),
                                          read_limited(reader, assets, "amount", 0.5f, 0, 1));
 }
 

@@ -7,6 +7,7 @@
 #include "space_mapping.h"
 #include "texture_parameters.h"
 #include "texture_plugins.h"
+#include "wrap.h"
 
 namespace lxs::shading {
 namespace {
@@ -23,22 +24,20 @@ std::shared_ptr<const FloatTexture> create_exponential(const ParameterReader& re
         });
 }
 
-constexpr std::array<std::string_view, 4> kWraps{"repeat", "black", "white", "clamp"};
-
 /// Values at the middles of the cells of a grid that fills the unit cube, linear in between.
 struct DensityGrid {
     std::array<std::int64_t, 3> size;
     std::vector<float> values;
-    std::string wrap;
+    Wrap wrap = Wrap::Repeat;
 
     float cell(std::array<std::int64_t, 3> index) const {
         for (std::size_t axis = 0; axis < 3; ++axis) {
             const std::int64_t n = size[axis];
             if (index[axis] >= 0 && index[axis] < n) continue;
-            if (wrap == "black") return 0;
-            if (wrap == "white") return 1;
-            index[axis] = wrap == "clamp" ? std::clamp<std::int64_t>(index[axis], 0, n - 1)
-                                          : ((index[axis] % n) + n) % n;
+            if (wrap == Wrap::Black) return 0;
+            if (wrap == Wrap::White) return 1;
+            index[axis] = wrap == Wrap::Clamp ? std::clamp<std::int64_t>(index[axis], 0, n - 1)
+                                              : ((index[axis] % n) + n) % n;
         }
         return values[static_cast<std::size_t>((index[2] * size[1] + index[1]) * size[0] +
                                                index[0])];
@@ -51,7 +50,7 @@ struct DensityGrid {
         for (int axis = 0; axis < 3; ++axis) {
             const float place =
                 p[axis] * static_cast<float>(size[static_cast<std::size_t>(axis)]) - 0.5f;
-            if (!(std::abs(place) < kFarthest)) return wrap == "white" ? 1.0f : 0.0f;
+            if (!(std::abs(place) < kFarthest)) return wrap == Wrap::White ? 1.0f : 0.0f;
             const float below = std::floor(place);
             first[static_cast<std::size_t>(axis)] = static_cast<std::int64_t>(below);
             share[axis] = place - below;
@@ -79,7 +78,7 @@ std::shared_ptr<const FloatTexture> create_densitygrid(const ParameterReader& re
                                    std::to_string(density.size()));
     }
     grid.values.assign(density.begin(), density.end());
-    grid.wrap = reader.string("wrap", "repeat");
+    grid.wrap = read_wrap(reader);
     return formula_texture<float>(
         [grid = std::move(grid), mapping = SpaceMapping(reader, to_world)](
             const TexturePoint& point) { return grid.at(mapping(point)); });
@@ -104,10 +103,10 @@ void register_density_textures(Registry& registry) {
                                  "texture's space"};
     density.array = true;
     registry.float_textures["densitygrid"] = {
-        declarations({{density, cells("nx", "cells along x"), cells("ny", "cells along y"),
-                       cells("nz", "cells along z"),
-                       choice("wrap", "repeat", "values outside of the unit cube", kWraps)},
-                      space_mapping_parameters()}),
+        declarations(
+            {{density, cells("nx", "cells along x"), cells("ny", "cells along y"),
+              cells("nz", "cells along z"), wrap_parameter("values outside of the unit cube")},
+             space_mapping_parameters()}),
         &create_densitygrid};
 }
 

@@ -9,11 +9,11 @@
 #include "texture_parameters.h"
 #include "texture_plugins.h"
 #include "uv_mapping.h"
+#include "wrap.h"
 
 namespace lxs::shading {
 namespace {
 
-constexpr std::array<std::string_view, 4> kWraps{"repeat", "black", "white", "clamp"};
 constexpr std::array<std::string_view, 4> kFilters{"bilinear", "nearest", "mipmap_trilinear",
                                                    "mipmap_ewa"};
 constexpr std::array<std::string_view, 6> kChannels{"mean", "red",   "green",
@@ -55,12 +55,12 @@ ImageLookup::ImageLookup(const ParameterReader& reader, const AssetContext& asse
     image_ = cache_->open(path, reader);
     gamma_ = static_cast<float>(reader.number("gamma", 2.2));
     gain_ = static_cast<float>(reader.number("gain", 1));
-    const std::string wrap = reader.string("wrap", "repeat");
-    repeats_ = wrap == "repeat";
-    white_outside_ = wrap == "white";
-    options_.swrap = options_.twrap = repeats_          ? OIIO::TextureOpt::WrapPeriodic
-                                      : wrap == "black" ? OIIO::TextureOpt::WrapBlack
-                                                        : OIIO::TextureOpt::WrapClamp;
+    const Wrap wrap = read_wrap(reader);
+    repeats_ = wrap == Wrap::Repeat;
+    white_outside_ = wrap == Wrap::White;
+    options_.swrap = options_.twrap = repeats_              ? OIIO::TextureOpt::WrapPeriodic
+                                      : wrap == Wrap::Black ? OIIO::TextureOpt::WrapBlack
+                                                            : OIIO::TextureOpt::WrapClamp;
     options_.mipmode = OIIO::TextureOpt::MipModeNoMIP;
     options_.interpmode = reader.string("filtertype", "bilinear") == "nearest"
                               ? OIIO::TextureOpt::InterpClosest
@@ -150,7 +150,7 @@ std::vector<ParameterDeclaration> imagemap_parameters() {
         {"filename", ParameterType::String, "", "image file"},
         {"gamma", ParameterType::Float, "2.2", "values are raised to this power", 1e-3},
         {"gain", ParameterType::Float, "1", "factor on the linear values", 0},
-        choice("wrap", "repeat", "what lies outside the image", kWraps),
+        wrap_parameter("what lies outside the image"),
         choice("filtertype", "bilinear", "texels are interpolated unless \"nearest\"", kFilters),
         ignored("maxanisotropy", ParameterType::Float, "8", "limit of the mip-map filter"),
         ignored("discardmipmaps", ParameterType::Integer, "0", "finest levels left out"),

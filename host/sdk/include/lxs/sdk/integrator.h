@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <stdexcept>
 #include <string>
 #include <utility>
 #include <variant>
@@ -12,6 +13,7 @@
 #include "lxs/sdk/film.h"
 #include "lxs/sdk/log.h"
 #include "lxs/sdk/scene.h"
+#include "lxs/sdk/state_archive.h"
 
 namespace lxs {
 
@@ -55,6 +57,13 @@ class Integrator {
     /// prepare().
     virtual bool passes_stand_alone() const { return true; }
     virtual Statistics statistics() const { return {}; }
+    /// Saves everything that one pass leaves for later ones, or restores it: after prepare() with
+    /// the same scene, settings and seed, instead of the passes that led to it. Later passes then
+    /// give the same bits as if there had been no interruption; statistics go on likewise. Throws
+    /// StateError if what is restored doesn't fit; another exception if there is no such state.
+    virtual void state(StateArchive& /*archive*/) {
+        throw std::runtime_error("this integrator can't be checkpointed");
+    }
 };
 
 }  // namespace lxs

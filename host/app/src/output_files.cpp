@@ -6,9 +6,11 @@
 
 #include <cerrno>
 #include <filesystem>
+#include <new>
 #include <system_error>
 
 #include "lxs/host/failure.h"
+#include "lxs/host/rescue.h"
 
 namespace lxs {
 namespace {
@@ -47,13 +49,26 @@ void check_writable(const OutputFiles& files) {
     if (!files.statistics.empty()) check_folder_of(files.statistics);
 }
 
-void write_images(const OutputFiles& files, const FileFilm& film, const ImageMetadata& metadata) {
+void write_snapshot(const OutputFiles& files, const FileFilm& film, const ImageMetadata& metadata,
+                    ConsoleLog& log) {
     try {
         film.write_exr(files.exr, metadata);
         film.write_png(files.png);
-    } catch (const std::runtime_error& error) {
-        throw OutputFailure(error.what());
+    } catch (const std::bad_alloc&) {
+        log.warning("no memory to write the image so far; rendering goes on");
+    } catch (const std::exception& error) {
+        log.warning(
+            fmt::format("{}; rendering goes on, and writing is tried again later", error.what()));
     }
+}
+
+bool write_images(const OutputFiles& files, const FileFilm& film, const ImageMetadata& metadata,
+                  ConsoleLog& log) {
+    const auto write_exr = [&](const std::string& path) { film.write_exr(path, metadata); };
+    const auto write_png = [&](const std::string& path) { film.write_png(path); };
+    const bool exr = write_or_rescue(files.exr, write_exr, log);
+    const bool png = write_or_rescue(files.png, write_png, log);
+    return exr && png;
 }
 
 }  // namespace lxs

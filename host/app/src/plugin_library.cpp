@@ -8,22 +8,23 @@
 #include <boost/dll/shared_library.hpp>
 #include <system_error>
 
-#include "lxs/host/failure.h"
+#include "guarded_integrator.h"
+#include "plugin_call.h"
+#include "plugin_check.h"
 
 namespace lxs {
 namespace {
 
 namespace fs = std::filesystem;
 
-[[noreturn]] void fail(const fs::path& file, const std::string& cause) {
-    throw PluginFailure(fmt::format("plugin module '{}': {}", file.string(), cause));
-}
-
 std::vector<fs::path> modules_in(const fs::path& folder) {
     std::error_code error;
     std::vector<fs::path> files;
     for (const auto& entry : fs::directory_iterator(folder, error)) {
-        if (entry.path().extension() == ".so") files.push_back(fs::canonical(entry.path(), error));
+        if (entry.path().extension() != ".so") continue;
+        std::error_code no_file;
+        files.push_back(fs::canonical(entry.path(), no_file));
+        if (no_file) fail_module(entry.path(), no_file.message());
     }
     if (error) {
         throw PluginFailure(
@@ -31,35 +32,6 @@ std::vector<fs::path> modules_in(const fs::path& folder) {
     }
     std::sort(files.begin(), files.end());
     return files;
-}
-
-/// Runs a function of a module; whatever it throws becomes a PluginFailure.
-template <class Function>
-auto call_module(const fs::path& file, std::string_view what, Function function) {
-    try {
-        return function();
-    } catch (const InputError&) {
-        throw;
-    } catch (const std::exception& error) {
-        fail(file, fmt::format("{} failed: {}", what, error.what()));
-    } catch (...) {
-        fail(file, fmt::format("{} failed with an exception of unknown type", what));
-    }
-}
-
-void check_module(const PluginModule* module, const fs::path& file) {
-    if (module == nullptr) fail(file, "its entry function returned nothing");
-    if (module->abi_version != kAbiVersion) {
-        fail(file, fmt::format("built for version {} of the plugin SDK, but this lxsrender has "
-                               "version {}; build the module again",
-                               module->abi_version, kAbiVersion));
-    }
-    for (const IntegratorPlugin& plugin : module->integrators) {
-        if (plugin.name.empty()) fail(file, "offers an integrator without a name");
-        if (plugin.create == nullptr) {
-            fail(file, fmt::format("integrator \"{}\" has no create function", plugin.name));
-        }
-    }
 }
 
 }  // namespace
@@ -72,10 +44,11 @@ class PluginLibrary::Module {
         try {
             library_.load(file);
         } catch (const std::exception& cause) {
-            fail(file, fmt::format("can't be loaded: {}", cause.what()));
+            fail_module(file, fmt::format("can't be loaded: {}", cause.what()));
         }
         if (!library_.has(kEntryName)) {
-            fail(file, fmt::format("no plugin of lxsrender: it has no function {}", kEntryName));
+            fail_module(file,
+                        fmt::format("no plugin of lxsrender: it has no function {}", kEntryName));
         }
         description_ = call_module(file, "its entry function", [this] {
             return library_.get<const PluginModule*()>(kEntryName)();
@@ -106,11 +79,14 @@ void PluginLibrary::load_folder(const fs::path& folder) {
 
 void PluginLibrary::load(const fs::path& file) {
     Module module(file);
+    // All or none: what is in the list must not outlive the module.
     for (const IntegratorPlugin& plugin : module.description().integrators) {
         if (const LoadedIntegrator* other = find(plugin.name)) {
-            fail(file, fmt::format("integrator \"{}\" is already offered by '{}'", plugin.name,
-                                   other->file.string()));
+            fail_module(file, fmt::format("integrator \"{}\" is already offered by '{}'",
+                                          plugin.name, other->file.string()));
         }
+    }
+    for (const IntegratorPlugin& plugin : module.description().integrators) {
         const auto place = std::upper_bound(
             integrators_.begin(), integrators_.end(), plugin.name,
             [](std::string_view name, const auto& known) { return name < known.plugin->name; });
@@ -147,8 +123,8 @@ std::unique_ptr<Integrator> create_integrator(const LoadedIntegrator& loaded,
     const std::string what = fmt::format("creating integrator \"{}\"", loaded.plugin->name);
     auto integrator =
         call_module(loaded.file, what, [&] { return loaded.plugin->create(parameters); });
-    if (!integrator) fail(loaded.file, what + " gave none");
-    return integrator;
+    if (!integrator) fail_module(loaded.file, what + " gave none");
+    return guarded(std::move(integrator), std::string(loaded.plugin->name), loaded.file);
 }
 
 }  // namespace lxs

@@ -5,20 +5,19 @@
 #include <fmt/ranges.h>
 #include <tbb/global_control.h>
 
+#include <cerrno>
 #include <chrono>
 #include <cstdio>
-#include <filesystem>
 #include <new>
 #include <optional>
-#include <span>
+#include <system_error>
 
 #include "lxs/host/catalogue.h"
 #include "lxs/host/failure.h"
+#include "lxs/host/final_outputs.h"
 #include "lxs/host/render_loop.h"
 #include "lxs/host/render_session.h"
 #include "lxs/host/scene_language_page.h"
-#include "lxs/host/statistics_file.h"
-#include "lxs/imaging/atomic_file.h"
 
 namespace lxs {
 namespace {
@@ -53,31 +52,11 @@ void log_scene(const RenderSession& session, ConsoleLog& log) {
     log.debug(fmt::format("film: {} MB", session.film->memory_bytes() / 1'000'000));
 }
 
-/// No times in here: the same scene, settings and seed give the same file, bit for bit.
-ImageMetadata metadata(const CommandLine& command, const RenderSession& session,
-                       const RenderTotals& totals) {
-    return {{"integrator", session.integrator_name},
-            {"passes", fmt::to_string(totals.passes)},
-            {"scene", std::filesystem::path(command.scene).filename().string()},
-            {"seed", fmt::to_string(session.seed)},
-            {"software", "lxsrender " + version()}};
-}
-
-void write_outputs(const CommandLine& command, RenderSession& session, const RenderTotals& totals) {
+void write_snapshot(const CommandLine& command, RenderSession& session, const RenderTotals& totals,
+                    ConsoleLog& log) {
     const auto start = Clock::now();
-    write_images(session.files, *session.film, metadata(command, session, totals));
+    write_snapshot(session.files, *session.film, image_metadata(command, session, totals), log);
     session.times["write"] += seconds_since(start);
-}
-
-void write_statistics(const CommandLine& command, const RenderSession& session,
-                      const RenderTotals& totals, bool interrupted) {
-    if (session.files.statistics.empty()) return;
-    const std::string text = statistics_json(command, session, totals, interrupted);
-    try {
-        write_file_atomically(session.files.statistics, std::as_bytes(std::span(text)));
-    } catch (const std::runtime_error& error) {
-        throw OutputFailure(error.what());
-    }
 }
 
 void prepare_integrator(RenderSession& session, const CommandLine& command, ConsoleLog& log) {
@@ -91,6 +70,8 @@ void prepare_integrator(RenderSession& session, const CommandLine& command, Cons
         session.integrator->prepare(context);
     } catch (const InputError&) {
         throw;
+    } catch (const PluginFailure&) {
+        throw;
     } catch (const std::runtime_error& error) {
         throw SceneFailure(fmt::format("{}: \"{}\" can't render it: {}", command.scene,
                                        session.integrator_name, error.what()));
@@ -103,15 +84,14 @@ ExitCode finish(const CommandLine& command, RenderSession& session, const Render
         log.warning("interrupted before the first pass: there is no image to write");
         return ExitCode::Interrupted;
     }
-    write_outputs(command, session, totals);
-    write_statistics(command, session, totals, interrupted);
-    if (session.film->refused_samples() > 0) {
-        log.warning(fmt::format("the film refused {} samples that were not finite or negative",
-                                session.film->refused_samples()));
-    }
-    log.info(fmt::format("wrote {} and {}", session.files.exr, session.files.png));
-    if (interrupted) log.warning(fmt::format("interrupted after {} passes", totals.passes));
-    return interrupted ? ExitCode::Interrupted : ExitCode::Success;
+    return write_final_outputs(command, session, totals, interrupted, log);
+}
+
+/// Prints what was asked for on standard output.
+void print(const std::string& text) {
+    if (std::fputs(text.c_str(), stdout) >= 0 && std::fflush(stdout) == 0) return;
+    throw OutputFailure(
+        fmt::format("cannot write standard output: {}", std::generic_category().message(errno)));
 }
 
 ExitCode render(const CommandLine& command, const PluginLibrary& plugins, ConsoleLog& log) {
@@ -136,12 +116,18 @@ ExitCode render(const CommandLine& command, const PluginLibrary& plugins, Consol
                     .progress = progress,
                     .snapshot_interval = session.film->write_interval_seconds(),
                     .write_snapshot = [&](const RenderTotals& totals) {
-                        write_outputs(command, session, totals);
+                        write_snapshot(command, session, totals, log);
                     }};
     if (session.spectral) {
         loop.begin_pass = [&](std::uint64_t pass) { begin_spectral_pass(session, pass); };
     }
-    const RenderTotals totals = loop.run();
+    RenderTotals totals;
+    try {
+        loop.run(totals);
+    } catch (...) {
+        save_finished_passes(command, session, totals, log);
+        throw;
+    }
     session.times["render"] = seconds_since(start) - session.times["write"];
     return finish(command, session, totals, interruption.requested(), log);
 }
@@ -152,18 +138,18 @@ ExitCode describe(const CommandLine& command, const PluginLibrary& plugins, Cons
         log.error(unknown_name_message("plugin", *command.describe, plugins.names()));
         return ExitCode::Usage;
     }
-    std::fputs(text.c_str(), stdout);
+    print(text);
     return ExitCode::Success;
 }
 
 ExitCode run(const CommandLine& command, PluginLibrary& plugins, ConsoleLog& log) {
     load_plugins(command, plugins);
     if (command.list_plugins) {
-        std::fputs(list_plugins(plugins).c_str(), stdout);
+        print(list_plugins(plugins));
         return ExitCode::Success;
     }
     if (command.scene_language) {
-        std::fputs(scene_language_page().c_str(), stdout);
+        print(scene_language_page());
         return ExitCode::Success;
     }
     if (command.describe) return describe(command, plugins, log);

@@ -7,7 +7,7 @@
 
 namespace lxs {
 
-RenderTotals RenderLoop::run() {
+void RenderLoop::run(RenderTotals& totals) {
     using Clock = std::chrono::steady_clock;
     const auto start = Clock::now();
     const auto seconds_gone = [&] {
@@ -15,7 +15,6 @@ RenderTotals RenderLoop::run() {
     };
     const double cpu_start = cpu_seconds();
     double last_snapshot = 0;
-    RenderTotals totals;
     // At least one pass, however small the budget: without one there is no image.
     while (!interruption.requested() &&
            (totals.passes == 0 || !budget.used_up(totals.passes, totals.seconds))) {
@@ -34,7 +33,6 @@ RenderTotals RenderLoop::run() {
         progress.show(totals);
     }
     progress.finish(totals);
-    return totals;
 }
 
 }  // namespace lxs

@@ -63,7 +63,8 @@ Json counts(const RenderTotals& totals) {
 }  // namespace
 
 std::string statistics_json(const CommandLine& command, const RenderSession& session,
-                            const RenderTotals& totals, bool interrupted) {
+                            const RenderTotals& totals, const Statistics& figures,
+                            bool interrupted) {
     Json json;
     json["version"] = version();
     json["interrupted"] = interrupted;
@@ -76,10 +77,11 @@ std::string statistics_json(const CommandLine& command, const RenderSession& ses
     json["film memory bytes"] = session.film->memory_bytes();
     json["refused film samples"] = session.film->refused_samples();
     Json& own = json[session.integrator_name] = Json::object();
-    for (const auto& [name, value] : session.integrator->statistics()) {
+    for (const auto& [name, value] : figures) {
         std::visit([&, &key = name](const auto& figure) { own[key] = figure; }, value);
     }
-    return json.dump(2) + '\n';
+    // File and material names may be no UTF-8, which JSON has to be.
+    return json.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
 }
 
 }  // namespace lxs

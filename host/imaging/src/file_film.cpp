@@ -23,6 +23,8 @@ template <class Encode>
 std::vector<std::byte> encode_for(const std::string& path, const Encode& encode) {
     try {
         return encode();
+    } catch (const std::bad_alloc&) {
+        throw;
     } catch (const std::exception& error) {
         throw std::runtime_error(fmt::format("cannot write '{}': {}", path, error.what()));
     }
@@ -84,12 +86,26 @@ class FlexImage final : public FileFilm {
     std::optional<Wavelengths> wavelengths_;  ///< none: passes are RGB
 };
 
+/// An image that no file could hold would be found out when all has been rendered.
+void check_layer_name(std::string_view name) {
+    constexpr std::size_t kLongest = 200;  // bytes; OpenEXR's names of channels have 255
+    const bool printable = std::none_of(name.begin(), name.end(), [](char c) {
+        return static_cast<unsigned char>(c) < 0x20 || c == 0x7F;
+    });
+    if (!name.empty() && name.size() <= kLongest && printable) return;
+    throw std::invalid_argument(
+        fmt::format("film: a layer's name must have 1 to {} printable "
+                    "bytes, found {}",
+                    kLongest, in_quotes(name)));
+}
+
 void FlexImage::add_layer_pass(std::string_view name, const PassSamples& samples) {
+    check_layer_name(name);
     const bool is_group = light_groups() > 1 && std::find(group_names_.begin(), group_names_.end(),
                                                           name) != group_names_.end();
-    if (name.empty() || is_group) {
-        throw std::runtime_error(fmt::format(
-            "film: no layer can be named '{}', which is the image or a light group", name));
+    if (is_group) {
+        throw std::runtime_error(
+            fmt::format("film: no layer can be named '{}', which is a light group", name));
     }
     color_layer(name).add(samples);
 }
@@ -117,7 +133,8 @@ void FlexImage::clear() {
 }
 
 void FlexImage::set_layer(std::string_view name, std::span<const float> values) {
-    if (name.empty() || values.size() != pixels()) {
+    check_layer_name(name);
+    if (values.size() != pixels()) {
         throw std::invalid_argument(
             fmt::format("film: layer '{}' has {} values, not {}", name, values.size(), pixels()));
     }

@@ -96,6 +96,17 @@ void FilmAccumulator::sort_by_cell() {
     }
 }
 
+/// All memory of a pass is taken before it is summed: one that there is no memory for leaves the
+/// sums as they were.
+void FilmAccumulator::reserve_rows() {
+    row_pixels_.resize(std::size_t{height_} * (1 + 3 * std::size_t{groups_}));
+}
+
+std::span<double> FilmAccumulator::row_pixel(std::uint32_t y) {
+    const std::size_t size = 1 + 3 * std::size_t{groups_};
+    return std::span(row_pixels_).subspan(y * size, size);
+}
+
 void FilmAccumulator::gather_pixel(const PassSamples& pass, std::uint32_t x, std::uint32_t y,
                                    std::span<double> pixel) const {
     std::fill(pixel.begin(), pixel.end(), 0.0);
@@ -183,10 +194,10 @@ void FilmAccumulator::add(const PassSamples& pass) {
     check(pass);
     find_cells(pass);
     sort_by_cell();
+    reserve_rows();
     tbb::parallel_for(tbb::blocked_range<std::uint32_t>(0, height_), [&](const auto& rows) {
-        std::vector<double> pixel(1 + 3 * std::size_t{groups_});
         for (std::uint32_t y = rows.begin(); y != rows.end(); ++y) {
-            gather_row(pass, y, pixel);
+            gather_row(pass, y, row_pixel(y));
         }
     });
     if (!to_rgb_) return;
@@ -203,10 +214,10 @@ void FilmAccumulator::add_splats(const PassSplats& splats) {
     }
     find_cells(pass);
     sort_by_cell();
+    reserve_rows();
     tbb::parallel_for(tbb::blocked_range<std::uint32_t>(0, height_), [&](const auto& rows) {
-        std::vector<double> pixel(1 + 3 * std::size_t{groups_});
         for (std::uint32_t y = rows.begin(); y != rows.end(); ++y) {
-            gather_splats(pass, y, pixel);
+            gather_splats(pass, y, row_pixel(y));
         }
     });
     splat_samples_ += splats.samples;
@@ -256,7 +267,8 @@ void FilmAccumulator::resolve_total(std::span<Rgb> image) const {
 std::size_t FilmAccumulator::memory_bytes() const {
     const std::size_t cells = std::size_t{width_} * height_;
     const std::size_t samples = std::max(cells, cell_of_sample_.capacity());
-    return (sums_.capacity() + splats_.capacity()) * sizeof(double) +
+    const std::size_t rows = std::size_t{height_} * (1 + 3 * std::size_t{groups_});
+    return (sums_.capacity() + splats_.capacity() + rows) * sizeof(double) +
            (cells + 2 + 2 * samples) * sizeof(std::uint32_t);
 }
 

@@ -48,6 +48,8 @@ class FilmAccumulator {
     void check(const PassSamples& pass) const;
     void find_cells(const PassSamples& pass);
     void sort_by_cell();
+    void reserve_rows();
+    std::span<double> row_pixel(std::uint32_t y);
     void gather_pixel(const PassSamples& pass, std::uint32_t x, std::uint32_t y,
                       std::span<double> pixel) const;
     void gather_row(const PassSamples& pass, std::uint32_t y, std::span<double> pixel);
@@ -73,6 +75,7 @@ class FilmAccumulator {
     std::vector<std::uint32_t> cell_of_sample_;
     std::vector<std::uint32_t> cell_begin_;  ///< per cell, and the end: index into `order_`
     std::vector<std::uint32_t> order_;       ///< samples by cell
+    std::vector<double> row_pixels_;         ///< per row, the sums of the pixel being gathered
 };
 
 }  // namespace lxs

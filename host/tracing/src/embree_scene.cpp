@@ -18,30 +18,70 @@
 #include <tbb/task_arena.h>
 
 #include <algorithm>
+#include <mutex>
+#include <new>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 namespace lxs {
 
+namespace {
+
+/// The first error of a device since it was last asked, with what Embree says of it.
+class DeviceErrors {
+  public:
+    /// Embree calls it on whatever thread met the error.
+    static void note(void* errors, RTCError code, const char* text) {
+        auto& self = *static_cast<DeviceErrors*>(errors);
+        const std::lock_guard lock(self.mutex_);
+        if (self.code_ != RTC_ERROR_NONE) return;
+        self.code_ = code;
+        self.text_ = text != nullptr ? text : "";
+    }
+    /// Throws what was noted, if anything.
+    void check() {
+        const std::lock_guard lock(mutex_);
+        const RTCError code = std::exchange(code_, RTC_ERROR_NONE);
+        if (code != RTC_ERROR_NONE) fail(code, text_);
+    }
+    [[noreturn]] static void fail(RTCError code, const std::string& text) {
+        if (code == RTC_ERROR_OUT_OF_MEMORY) throw std::bad_alloc();
+        throw std::runtime_error("the ray-tracing library Embree fails: error " +
+                                 std::to_string(static_cast<int>(code)) +
+                                 (text.empty() ? text : ", " + text));
+    }
+
+  private:
+    std::mutex mutex_;
+    RTCError code_ = RTC_ERROR_NONE;
+    std::string text_;
+};
+
+}  // namespace
+
 struct EmbreeDevice::Handle {
     Handle() : device(rtcNewDevice(nullptr)) {
-        if (!device) throw std::runtime_error("the ray-tracing library Embree can't start");
+        if (!device) DeviceErrors::fail(rtcGetDeviceError(nullptr), "it can't start");
+        rtcSetDeviceErrorFunction(device, &DeviceErrors::note, &errors);
     }
     Handle(const Handle&) = delete;
     Handle& operator=(const Handle&) = delete;
     ~Handle() { rtcReleaseDevice(device); }
     RTCDevice device;
+    DeviceErrors errors;
 };
 
 struct EmbreeScene::Handle {
-    explicit Handle(std::shared_ptr<const EmbreeDevice::Handle> owner)
+    explicit Handle(std::shared_ptr<EmbreeDevice::Handle> owner)
         : device(std::move(owner)), scene(rtcNewScene(device->device)) {
+        device->errors.check();
         rtcSetSceneFlags(scene, RTC_SCENE_FLAG_ROBUST);
     }
     Handle(const Handle&) = delete;
     Handle& operator=(const Handle&) = delete;
     ~Handle() { rtcReleaseScene(scene); }
-    std::shared_ptr<const EmbreeDevice::Handle> device;
+    std::shared_ptr<EmbreeDevice::Handle> device;
     RTCScene scene;
 };
 
@@ -124,6 +164,7 @@ EmbreeScene::~EmbreeScene() = default;
 void EmbreeScene::add_mesh(std::uint32_t id, const TriangleMesh& mesh, SurfaceClass surface_class) {
     const RTCGeometry geometry =
         rtcNewGeometry(handle_->device->device, RTC_GEOMETRY_TYPE_TRIANGLE);
+    handle_->device->errors.check();
     rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
                                mesh.positions.data(), 0, sizeof(Vec3), mesh.positions.size());
     rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
@@ -135,6 +176,7 @@ void EmbreeScene::add_mesh(std::uint32_t id, const TriangleMesh& mesh, SurfaceCl
 void EmbreeScene::add_quadric(std::uint32_t id, const QuadricShape& quadric,
                               SurfaceClass surface_class) {
     const RTCGeometry geometry = rtcNewGeometry(handle_->device->device, RTC_GEOMETRY_TYPE_USER);
+    handle_->device->errors.check();
     rtcSetGeometryUserPrimitiveCount(geometry, 1);
     // Only read through the pointer: the callbacks cast to const.
     rtcSetGeometryUserData(geometry, const_cast<QuadricShape*>(&quadric));
@@ -153,6 +195,7 @@ void EmbreeScene::add_instance(std::uint32_t id, const EmbreeScene& object,
                                std::span<const Matrix> steps) {
     const RTCGeometry geometry =
         rtcNewGeometry(handle_->device->device, RTC_GEOMETRY_TYPE_INSTANCE);
+    handle_->device->errors.check();
     rtcSetGeometryInstancedScene(geometry, object.handle_->scene);
     rtcSetGeometryTimeStepCount(geometry, static_cast<unsigned>(steps.size()));
     for (unsigned step = 0; step < steps.size(); ++step) {
@@ -174,12 +217,7 @@ void EmbreeScene::set_times(double begin, double end) {
 void EmbreeScene::commit() {
     tbb::task_arena sequential(1);
     sequential.execute([&] { rtcCommitScene(handle_->scene); });
-    const RTCError error = rtcGetDeviceError(handle_->device->device);
-    if (error == RTC_ERROR_OUT_OF_MEMORY) throw std::bad_alloc();
-    if (error != RTC_ERROR_NONE) {
-        throw std::runtime_error("the ray-tracing library Embree reports error " +
-                                 std::to_string(static_cast<int>(error)));
-    }
+    handle_->device->errors.check();
 }
 
 bool EmbreeScene::intersect(const Ray& ray, float t_min, SurfaceClass seen, RawHit& hit) const {

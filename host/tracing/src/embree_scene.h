@@ -39,7 +39,7 @@ class EmbreeDevice {
   private:
     friend class EmbreeScene;
     struct Handle;
-    std::shared_ptr<const Handle> handle_;
+    std::shared_ptr<Handle> handle_;
     bool distinguishes_classes_ = false;
 };
 

@@ -56,12 +56,22 @@ void ImageCache::create() {
     cache->attribute("forcefloat", 1);
 }
 
+std::string ImageCache::own_name(const std::string& path) const {
+    return fmt::format("{}?cleaned-{}", path, fmt::ptr(this));
+}
+
+void ImageCache::fail_lookup(const Image& image) {
+    const std::string reason = image.system->has_error() ? image.system->geterror() : "";
+    throw InputError(image.where, fmt::format("image \"{}\" can't be read any more: {}", image.path,
+                                              first_line(reason)));
+}
+
 ImageCache::Image ImageCache::open(const std::string& path, const ParameterReader& reader) {
     CleanedInput input;
     check(input, path, reader);
     const std::lock_guard lock(mutex_);
     if (!system_) create();
-    const OIIO::ustring name(path + "?cleaned");
+    const OIIO::ustring name(own_name(path));
     const OIIO::ImageSpec configuration = CleanedInput::configuration(path);
     system_->imagecache()->add_file(name, &CleanedInput::create, &configuration);
     system_->invalidate(name, true);  // another scene may have read an older version of the file
@@ -71,7 +81,12 @@ ImageCache::Image ImageCache::open(const std::string& path, const ParameterReade
         reader.fail("filename", fmt::format("cannot read image \"{}\": {}", path,
                                             first_line(system_->geterror())));
     }
-    return {system_, handle, input.spec().nchannels, input.spec().alpha_channel};
+    return {system_,
+            handle,
+            input.spec().nchannels,
+            input.spec().alpha_channel,
+            path,
+            reader.where("filename")};
 }
 
 }  // namespace lxs::shading

@@ -74,8 +74,9 @@ void ImageLookup::read(const TexturePoint& point, int first, int count, float* v
     if ((white_outside_ && !inside) || !std::isfinite(st.x) || !std::isfinite(st.y)) return;
     OIIO::TextureOpt options = options_;
     options.firstchannel = first;
-    image_.system->texture(image_.handle, nullptr, options, near_image(st.x), near_image(st.y), 0,
-                           0, 0, 0, count, values);
+    const bool read = image_.system->texture(image_.handle, nullptr, options, near_image(st.x),
+                                             near_image(st.y), 0, 0, 0, 0, count, values);
+    if (!read) ImageCache::fail_lookup(image_);
     // Texels are interpolated as they are stored, then the gamma is undone: LuxRender's image of a
     // fine pattern is darker by what that makes (5 % in the blue of texture-imagemap's squares).
     if (gamma_ == 1) return;

@@ -22,7 +22,7 @@ inline constexpr std::array kExitCodes = {
     ExitCodeMeaning{ExitCode::InternalError, "internal error or out of memory"},
     ExitCodeMeaning{ExitCode::Usage, "the command line is not understood"},
     ExitCodeMeaning{ExitCode::BadInput, "bad scene, or a bad value given by --set or --integrator"},
-    ExitCodeMeaning{ExitCode::PluginFailure, "a plugin module can't be loaded"},
+    ExitCodeMeaning{ExitCode::PluginFailure, "a plugin module can't be loaded, or fails"},
     ExitCodeMeaning{ExitCode::OutputFailure, "an output file can't be written"},
     ExitCodeMeaning{ExitCode::Interrupted, "interrupted; the passes so far are written"},
 };

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "lxs/host/command_line.h"
+#include "lxs/host/console_log.h"
 #include "lxs/imaging/imaging.h"
 
 namespace lxs {
@@ -20,7 +21,14 @@ OutputFiles choose_output_files(const CommandLine& command, const FileFilm& film
 /// Throws OutputFailure unless all files can be written, found out by writing a file beside them.
 void check_writable(const OutputFiles& files);
 
-/// Writes EXR and PNG; throws OutputFailure.
-void write_images(const OutputFiles& files, const FileFilm& film, const ImageMetadata& metadata);
+/// Writes EXR and PNG while the render goes on. What can't be written is a warning, and the file of
+/// an earlier time stays: the next snapshot, or the end, tries again.
+void write_snapshot(const OutputFiles& files, const FileFilm& film, const ImageMetadata& metadata,
+                    ConsoleLog& log);
+
+/// Writes EXR and PNG, each to another place if it can't be written where it should be (rescue.h).
+/// True if both are where they should be.
+bool write_images(const OutputFiles& files, const FileFilm& film, const ImageMetadata& metadata,
+                  ConsoleLog& log);
 
 }  // namespace lxs

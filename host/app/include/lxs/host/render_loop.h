@@ -17,10 +17,10 @@ struct RenderLoop {
     Progress& progress;
     std::function<void(std::uint64_t pass)> begin_pass = {};  ///< called before each; may be empty
     double snapshot_interval = 0;  ///< seconds between snapshots; 0: none
-    std::function<void(const RenderTotals&)> write_snapshot;
+    std::function<void(const RenderTotals&)> write_snapshot;  ///< does not throw
 
-    /// Renders; the totals are of all passes done.
-    RenderTotals run();
+    /// Renders. `totals` are of all passes done, also where a pass ends with an exception.
+    void run(RenderTotals& totals);
 };
 
 }  // namespace lxs

@@ -10,6 +10,7 @@ namespace lxs {
 
 /// Settings, scene facts, times by phase, counts and speeds, memory, the integrator's own figures.
 std::string statistics_json(const CommandLine& command, const RenderSession& session,
-                            const RenderTotals& totals, bool interrupted);
+                            const RenderTotals& totals, const Statistics& figures,
+                            bool interrupted);
 
 }  // namespace lxs

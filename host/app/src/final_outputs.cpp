@@ -1,0 +1,108 @@
+// What a render leaves behind: its images and its statistics, also when it ended before its time.
+#include "lxs/host/final_outputs.h"
+
+#include <fmt/format.h>
+
+#include <chrono>
+#include <filesystem>
+#include <span>
+
+#include "lxs/host/failure.h"
+#include "lxs/host/rescue.h"
+#include "lxs/host/statistics_file.h"
+#include "lxs/imaging/atomic_file.h"
+
+namespace lxs {
+namespace {
+
+bool write_images_timed(const CommandLine& command, RenderSession& session,
+                        const RenderTotals& totals, ConsoleLog& log) {
+    using Clock = std::chrono::steady_clock;
+    const auto start = Clock::now();
+    const bool in_place =
+        write_images(session.files, *session.film, image_metadata(command, session, totals), log);
+    session.times["write"] += std::chrono::duration<double>(Clock::now() - start).count();
+    return in_place;
+}
+
+bool write_text(const std::string& path, const std::string& text, ConsoleLog& log) {
+    const auto write = [&](const std::string& target) {
+        write_file_atomically(target, std::as_bytes(std::span(text)));
+    };
+    return write_or_rescue(path, write, log);
+}
+
+/// The statistics; without the integrator's own figures, and `failed`, if it can't give them.
+std::string statistics_text(const CommandLine& command, const RenderSession& session,
+                            const RenderTotals& totals, bool interrupted, ConsoleLog& log,
+                            bool& failed) {
+    Statistics figures;
+    try {
+        figures = session.integrator->statistics();
+    } catch (const PluginFailure& failure) {
+        failed = true;
+        log.error(failure.what());
+    }
+    return statistics_json(command, session, totals, figures, interrupted);
+}
+
+void warn_of_refused(const FileFilm& film, ConsoleLog& log) {
+    if (film.refused_samples() == 0) return;
+    log.warning(fmt::format("the film refused {} samples that were not finite or negative",
+                            film.refused_samples()));
+}
+
+}  // namespace
+
+ImageMetadata image_metadata(const CommandLine& command, const RenderSession& session,
+                             const RenderTotals& totals) {
+    return {{"integrator", session.integrator_name},
+            {"passes", fmt::to_string(totals.passes)},
+            {"scene", std::filesystem::path(command.scene).filename().string()},
+            {"seed", fmt::to_string(session.seed)},
+            {"software", "lxsrender " + version()}};
+}
+
+ExitCode write_final_outputs(const CommandLine& command, RenderSession& session,
+                             const RenderTotals& totals, bool interrupted, ConsoleLog& log) {
+    bool in_place = write_images_timed(command, session, totals, log);
+    if (in_place) log.info(fmt::format("wrote {} and {}", session.files.exr, session.files.png));
+    bool failed = false;
+    if (!session.files.statistics.empty()) {
+        const std::string text =
+            statistics_text(command, session, totals, interrupted, log, failed);
+        in_place = write_text(session.files.statistics, text, log) && in_place;
+    }
+    warn_of_refused(*session.film, log);
+    if (interrupted) log.warning(fmt::format("interrupted after {} passes", totals.passes));
+    if (!in_place) return ExitCode::OutputFailure;
+    if (failed) return ExitCode::PluginFailure;
+    return interrupted ? ExitCode::Interrupted : ExitCode::Success;
+}
+
+void save_finished_passes(const CommandLine& command, RenderSession& session,
+                          const RenderTotals& totals, ConsoleLog& log) try {
+    if (totals.passes == 0) return;
+    std::string statistics;
+    try {
+        bool failed = false;
+        if (!session.files.statistics.empty()) {
+            statistics = statistics_text(command, session, totals, true, log, failed);
+        }
+    } catch (const std::exception&) {
+        statistics.clear();  // the image matters more, and memory may be what is missing
+    }
+    session.integrator.reset();
+    session.scene.reset();
+    const bool in_place = write_images_timed(command, session, totals, log);
+    if (!statistics.empty()) write_text(session.files.statistics, statistics, log);
+    warn_of_refused(*session.film, log);
+    if (in_place) {
+        log.warning(fmt::format("the render ends early: {} finished passes are in {} and {}",
+                                totals.passes, session.files.exr, session.files.png));
+    }
+} catch (const std::exception& error) {
+    log.error(fmt::format("the finished passes could not be saved: {}", error.what()));
+}
+
+}  // namespace lxs

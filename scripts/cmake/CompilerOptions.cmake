@@ -1,6 +1,7 @@
 # Options that every target of the project shares: standard, warnings, sanitizers, IPO, host tuning.
 option(AIPS_WERROR "Treat warnings as errors (CI does)" OFF)
 option(AIPS_IPO "Inter-procedural optimisation" OFF)
+option(AIPS_FUZZ "Build for coverage-guided fuzzing, with the sanitizers (docs/fuzzing.md; needs clang)" OFF)
 option(AIPS_NATIVE "Tune for this machine's processor (-march=native)" OFF)
 set(AIPS_SANITIZE "" CACHE STRING "Sanitizers, e.g. address,undefined or thread")
 
@@ -21,6 +22,15 @@ if(AIPS_SANITIZE)
     # A parallel_for that the sanitizer understands, before oneTBB's (docs/building.md).
     include_directories(BEFORE ${CMAKE_CURRENT_SOURCE_DIR}/tests/thread_sanitizer)
   endif()
+endif()
+if(AIPS_FUZZ)
+  if(NOT CMAKE_CXX_COMPILER_ID STREQUAL Clang)
+    message(FATAL_ERROR "AIPS_FUZZ needs clang; other compilers build tests/fuzz as replayers")
+  endif()
+  # Guards of containers and assertions count as findings too.
+  add_compile_options(-fsanitize=fuzzer-no-link,address,undefined -fno-omit-frame-pointer
+    -fno-sanitize-recover=all -D_GLIBCXX_ASSERTIONS -UNDEBUG)
+  add_link_options(-fsanitize=address,undefined)
 endif()
 
 add_library(aips_compile_options INTERFACE)

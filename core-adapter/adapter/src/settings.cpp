@@ -1,6 +1,7 @@
 // Checks and description of the engine's settings.
 #include "aips/adapter/settings.h"
 
+#include <locale>
 #include <sstream>
 #include <stdexcept>
 
@@ -53,6 +54,7 @@ const char* name(GuideKind guide) {
 
 std::string describe(const Settings& s) {
     std::ostringstream out;
+    out.imbue(std::locale::classic());
     out << "mode = " << name(s.mode) << ", guide = " << name(s.guide)
         << ", maxeyedepth = " << s.max_eye_depth << ", maxphotondepth = " << s.max_photon_depth;
     if (s.photons_per_pass) {

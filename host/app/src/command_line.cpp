@@ -29,7 +29,7 @@ void add_render_options(CLI::App& app, CommandLine& command) {
     auto* passes = app.add_option("--passes", command.passes,
                                   "passes to render (path: samples per pixel); overrides the "
                                   "scene's haltspp and halttime")
-                       ->check(CLI::PositiveNumber);
+                       ->check(CLI::Validator(check_positive, "COUNT"));
     app.add_option("--time", command.seconds,
                    "seconds to render, checked between passes; overrides haltspp and halttime")
         ->check(CLI::Validator(check_positive, "SECONDS"))

@@ -3,8 +3,19 @@
 
 namespace lxs {
 
+namespace {
+
+constexpr std::uint64_t kMostShown = 100;
+
+}  // namespace
+
 void InputDiagnostics::warning(const SourceLocation& where, const std::string& message) {
     ++warnings_;
+    if (warnings_ > kMostShown + 1) return;
+    if (warnings_ > kMostShown) {
+        log_.warning("more than 100 warnings about the scene: no further one is shown");
+        return;
+    }
     log_.verbatim(format_message(where, "warning", message));
 }
 

@@ -5,11 +5,14 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 
 #include "lxs/imaging/imaging.h"
 
 namespace lxs {
 namespace {
+
+constexpr double kLargest = 3.4e38;  // as in scene files; no infinity and no NaN
 
 std::vector<double> read_numbers(const std::string& text, const SourceLocation& where) {
     std::vector<double> numbers;
@@ -18,7 +21,7 @@ std::vector<double> read_numbers(const std::string& text, const SourceLocation& 
         const std::size_t end = std::min(text.find_first_of(" ,", begin), text.size());
         double number = 0;
         const auto [rest, error] = std::from_chars(text.data() + begin, text.data() + end, number);
-        if (error != std::errc() || rest != text.data() + end) {
+        if (error != std::errc() || rest != text.data() + end || !(std::abs(number) <= kLargest)) {
             throw InputError(
                 where, "expected a number, found " + in_quotes(text.substr(begin, end - begin)));
         }

@@ -192,7 +192,9 @@ std::unique_ptr<FileFilm> make_film(const SceneContents& contents, Diagnostics& 
     if (groups.empty()) groups.emplace_back("default");
     const FilmFrame frame = settings.frame;
     const std::size_t group_count = groups.size();
+    const double values = double(frame.width) * frame.height * (1 + 3 * double(group_count));
     try {
+        if (values > kMaxFilmValues) throw std::bad_alloc();
         return std::make_unique<FlexImage>(std::move(settings), std::move(groups), filter);
     } catch (const std::bad_alloc&) {
         const auto film = contents.options.find("Film");

@@ -21,6 +21,9 @@ struct FilmFrame {
 /// pixel: 4.3 GB for this many with one group.
 inline constexpr std::uint64_t kMaxFilmPixels = std::uint64_t{1} << 27;
 
+/// Most sums of a film, 8 bytes each: 1 + 3 per light group and pixel.
+inline constexpr double kMaxFilmValues = 1 << 30;
+
 struct FilmSettings {
     FilmFrame frame;
     std::string base_name = "luxout";

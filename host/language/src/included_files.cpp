@@ -16,6 +16,10 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr int kMaxIncludeDepth = 32;
+constexpr std::size_t kMaxSize = std::numeric_limits<std::uint32_t>::max();  // columns fit
+// Files that include others twice grow without end before they nest too deep.
+constexpr std::size_t kMaxIncludes = 100'000;
+constexpr std::size_t kMaxIncludedBytes = std::size_t{16} << 30;
 
 [[noreturn]] void fail_reading(const std::string& path, int error) {
     throw std::system_error(error, std::generic_category(), "can't read " + in_quotes(path));
@@ -23,7 +27,7 @@ constexpr int kMaxIncludeDepth = 32;
 
 std::string read_stream(const std::string& path, std::istream& stream, std::size_t expected_size) {
     constexpr std::size_t kBlock = 1 << 20;
-    constexpr std::size_t kMaxSize = std::numeric_limits<std::uint32_t>::max();  // columns fit
+    if (expected_size > kMaxSize) fail_reading(path, EFBIG);
     std::string text;
     text.reserve(expected_size + kBlock + 1);
     std::size_t size = 0;
@@ -82,8 +86,8 @@ std::string read_text(const std::string& path) {
     return text;
 }
 
-std::shared_ptr<const SourceFile> open_include(const Name& file,
-                                               const std::string& main_directory) {
+std::shared_ptr<const SourceFile> open_include(const Name& file, const std::string& main_directory,
+                                               IncludedSum& sum) {
     const std::string path = resolve_asset(file.text, main_directory, file.where);
     check_chain(file, path);
     auto source = std::make_shared<SourceFile>();
@@ -94,6 +98,13 @@ std::shared_ptr<const SourceFile> open_include(const Name& file,
         source->text = std::make_shared<const std::string>(read_text(path));
     } catch (const std::system_error& error) {
         throw InputError(file.where, error.what());
+    }
+    ++sum.files;
+    sum.bytes += source->text->size();
+    if (sum.files > kMaxIncludes || sum.bytes > kMaxIncludedBytes) {
+        throw InputError(file.where, "Include reads more than " + std::to_string(kMaxIncludes) +
+                                         " files or 16 GiB, counting each as often as it is "
+                                         "included");
     }
     return source;
 }

@@ -10,8 +10,14 @@ namespace lxs {
 /// Content of the file `path`, "-" for standard input. Throws std::system_error.
 std::string read_text(const std::string& path);
 
-/// The file that an Include names. Throws InputError if it is missing or can't be read, includes
-/// itself, or nests too deep.
-std::shared_ptr<const SourceFile> open_include(const Name& file, const std::string& main_directory);
+/// What a scene's Includes have read so far; a file that is included twice counts twice.
+struct IncludedSum {
+    std::size_t files = 0, bytes = 0;
+};
+
+/// The file that an Include names, added to `sum`. Throws InputError if it is missing or can't be
+/// read, includes itself, nests too deep, or if the sum grows beyond all scenes.
+std::shared_ptr<const SourceFile> open_include(const Name& file, const std::string& main_directory,
+                                               IncludedSum& sum);
 
 }  // namespace lxs

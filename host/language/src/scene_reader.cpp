@@ -144,7 +144,7 @@ void SceneReader::world_end(Statement& statement) {
 
 void SceneReader::include(Statement& statement) {
     const Name file = take_only_name(statement);
-    read(open_include(file, contents_.directory));
+    read(open_include(file, contents_.directory, included_));
 }
 
 void SceneReader::search_path(Statement& statement) {

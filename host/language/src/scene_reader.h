@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "included_files.h"
 #include "lxs/scene/contents.h"
 #include "lxs/scene/registry.h"
 #include "named_assets.h"
@@ -119,6 +120,7 @@ class SceneReader {
     std::map<std::string, std::uint32_t> group_indices_;
     IndexedMaterial default_material_;
     std::optional<MotionBlock> motion_;
+    IncludedSum included_;
     SceneContents contents_;
     SourceLocation last_statement_;
     bool in_world_ = false;

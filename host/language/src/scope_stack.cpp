@@ -6,6 +6,8 @@
 namespace lxs {
 namespace {
 
+constexpr std::size_t kMostScopes = 10000;  // open at a time; each keeps a state of some 500 bytes
+
 std::string_view statement_stem(ScopeKind kind) {
     switch (kind) {
         case ScopeKind::Transform:
@@ -26,6 +28,10 @@ void warn_unclosed(ScopeKind kind, const SourceLocation& where, Diagnostics& dia
 }  // namespace
 
 void ScopeStack::begin(ScopeKind kind, const SourceLocation& where) {
+    if (scopes_.size() >= kMostScopes) {
+        throw InputError(where, std::string(statement_stem(kind)) + "Begin nests deeper than " +
+                                    std::to_string(kMostScopes) + " levels");
+    }
     scopes_.push_back({kind, where, transform, motion, graphics});
 }
 

@@ -6,10 +6,13 @@
 #include <algorithm>
 #include <cmath>
 #include <fstream>
+#include <locale>
 #include <sstream>
 
 namespace lxs {
 namespace {
+
+constexpr double kMostCandela = 1e30;  // single precision holds what is made of it
 
 /// Reads the numbers behind the TILT line; commas count as blanks.
 class Numbers {
@@ -18,6 +21,7 @@ class Numbers {
         : name_(name), where_(where) {
         std::replace(text.begin(), text.end(), ',', ' ');
         stream_.str(std::move(text));
+        stream_.imbue(std::locale::classic());
     }
     double next(const char* what) {
         double value = 0;
@@ -25,9 +29,9 @@ class Numbers {
         return value;
     }
     std::vector<double> next(const char* what, std::size_t count) {
-        std::vector<double> values(count);
-        for (double& v : values)
-            v = next(what);
+        std::vector<double> values;  // grows with what is there, not with what is announced
+        while (values.size() < count)
+            values.push_back(next(what));
         return values;
     }
     std::size_t count(const char* what) {
@@ -131,8 +135,10 @@ PhotometricWeb parse_photometric_text(const std::string& text, const std::string
     if (!rising(web.vertical_deg) || !rising(web.horizontal_deg))
         numbers.fail("its angles don't rise");
     web.candela = numbers.next("a candela value", verticals * horizontals);
-    for (double& c : web.candela)
+    for (double& c : web.candela) {
         c = std::max(0.0, c * multiplier);
+        if (!(c <= kMostCandela)) numbers.fail(fmt::format("a candela value is {}", c));
+    }
     return web;
 }
 

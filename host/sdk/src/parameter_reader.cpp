@@ -1,5 +1,6 @@
 // ParameterReader: checks a statement's parameters once, then hands out their values.
 #include <algorithm>
+#include <set>
 
 #include "lxs/sdk/parameters.h"
 #include "parameter_check.h"
@@ -39,14 +40,16 @@ const ParameterValue* last_value(const ParameterSet& set, std::string_view name,
     return found == set.values.rend() ? nullptr : &*found;
 }
 
-/// Whether a later value of the set is for the same parameter.
-bool is_overridden(const ParameterSet& set, const ParameterValue& value,
-                   std::span<const ParameterDeclaration> declarations) {
-    return std::any_of(set.values.begin() + (&value - set.values.data()) + 1, set.values.end(),
-                       [&](const ParameterValue& later) {
-                           return later.name == value.name &&
-                                  declared(declarations, later) == declared(declarations, value);
-                       });
+/// For each value of the set, whether a later one is for the same parameter.
+std::vector<bool> overridden(const ParameterSet& set,
+                             std::span<const ParameterDeclaration> declarations) {
+    std::set<std::pair<std::string_view, const ParameterDeclaration*>> later;
+    std::vector<bool> result(set.values.size());
+    for (std::size_t i = set.values.size(); i-- > 0;) {
+        const ParameterValue& value = set.values[i];
+        result[i] = !later.emplace(value.name, declared(declarations, value)).second;
+    }
+    return result;
 }
 
 void report_unknown(const ParameterSet& set, const ParameterValue& value,
@@ -80,9 +83,11 @@ ParameterReader::ParameterReader(const ParameterSet& set,
                                  Diagnostics& diagnostics)
     : set_(set), diagnostics_(diagnostics) {
     std::vector<const ParameterValue*> without_effect;
-    for (const ParameterValue& value : set.values) {
+    const std::vector<bool> is_overridden = overridden(set, declarations);
+    for (std::size_t i = 0; i < set.values.size(); ++i) {
+        const ParameterValue& value = set.values[i];
         const ParameterDeclaration* declaration = declared(declarations, value);
-        if (is_overridden(set, value, declarations)) {
+        if (is_overridden[i]) {
             diagnostics.warning(value.where,
                                 in_quotes(value.name) + " is given twice: the last one counts");
         } else if (!declaration) {

@@ -3,7 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <fstream>
+#include <new>
 #include <stdexcept>
 
 #include "mesh_data.h"
@@ -16,6 +18,9 @@ namespace lxs {
 namespace {
 
 std::string whole_file(const std::string& path) {
+    std::error_code ignored;
+    if (!std::filesystem::is_regular_file(path, ignored))
+        throw std::runtime_error("it is no regular file");
     std::ifstream file(path, std::ios::binary | std::ios::ate);
     if (!file) throw std::runtime_error("it can't be opened");
     std::string text(static_cast<std::size_t>(file.tellg()), '\0');
@@ -39,6 +44,8 @@ TriangleMesh read_mesh(const ParameterReader& reader, const AssetContext& assets
     TriangleMesh mesh;
     try {
         mesh = read(whole_file(path));
+    } catch (const std::bad_alloc&) {
+        reader.fail(kFile, fmt::format("not enough memory for the mesh in \"{}\"", name));
     } catch (const std::runtime_error& error) {
         reader.fail(kFile, fmt::format("\"{}\" can't be read: {}", name, error.what()));
     }

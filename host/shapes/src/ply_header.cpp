@@ -8,6 +8,8 @@
 #include <charconv>
 #include <stdexcept>
 
+#include "lxs/sdk/diagnostics.h"
+
 namespace lxs {
 namespace {
 
@@ -49,14 +51,14 @@ PlyType type_of(std::string_view word) {
     for (const Entry& entry : kTypes) {
         if (entry.name == word) return entry.type;
     }
-    throw std::runtime_error(fmt::format("unknown type \"{}\" in its header", word));
+    throw std::runtime_error(fmt::format("unknown type {} in its header", in_quotes(word)));
 }
 
 PlyFormat format_of(std::string_view word) {
     if (word == "ascii") return PlyFormat::Ascii;
     if (word == "binary_little_endian") return PlyFormat::LittleEndian;
     if (word == "binary_big_endian") return PlyFormat::BigEndian;
-    throw std::runtime_error(fmt::format("unknown format \"{}\"", word));
+    throw std::runtime_error(fmt::format("unknown format {}", in_quotes(word)));
 }
 
 void read_line(const std::vector<std::string_view>& words, PlyHeader& header) {
@@ -83,7 +85,7 @@ void read_line(const std::vector<std::string_view>& words, PlyHeader& header) {
         if (is_list) property.count_type = type_of(words[2]);
         header.elements.back().properties.push_back(std::move(property));
     } else if (words[0] != "comment" && words[0] != "obj_info") {
-        throw std::runtime_error(fmt::format("unknown word \"{}\" in its header", words[0]));
+        throw std::runtime_error(fmt::format("unknown word {} in its header", in_quotes(words[0])));
     }
 }
 

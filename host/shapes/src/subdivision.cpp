@@ -154,21 +154,26 @@ std::vector<Index> ordered_ring(Index vertex, const Index* triangles, std::size_
         const std::size_t k = t[0] == vertex ? 0 : t[1] == vertex ? 1 : 2;
         steps.emplace_back(t[(k + 1) % 3], t[(k + 2) % 3]);
     }
-    const auto goes_to = [&](Index p) {
-        return std::any_of(steps.begin(), steps.end(), [&](auto& s) { return s.second == p; });
-    };
+    // Sorted, as a vertex may be the middle of a fan of millions.
+    std::vector<Index> reached;
+    std::vector<std::pair<Index, std::size_t>> from;  // where a step begins, and its number
+    for (std::size_t i = 0; i < steps.size(); ++i) {
+        reached.push_back(steps[i].second);
+        from.emplace_back(steps[i].first, i);
+    }
+    std::sort(reached.begin(), reached.end());
+    std::sort(from.begin(), from.end());
     // An open ring begins where no triangle leads to.
     Index at = steps.front().first;
     for (const auto& step : steps) {
-        if (!goes_to(step.first)) at = step.first;
+        if (!std::binary_search(reached.begin(), reached.end(), step.first)) at = step.first;
     }
     std::vector<Index> ring{at};
     closed = false;
     while (ring.size() <= steps.size()) {
-        const auto step =
-            std::find_if(steps.begin(), steps.end(), [&](auto& s) { return s.first == at; });
-        if (step == steps.end()) break;
-        at = step->second;
+        const auto step = std::lower_bound(from.begin(), from.end(), std::pair(at, std::size_t{0}));
+        if (step == from.end() || step->first != at) break;
+        at = steps[step->second].second;
         if (at == ring.front()) {
             closed = true;
             break;

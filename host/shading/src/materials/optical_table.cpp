@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fstream>
+#include <locale>
 #include <sstream>
 
 #include "metal_presets.h"
@@ -34,6 +35,7 @@ NumberFile read_numbers(std::istream& file) {
         line = line.substr(0, line.find_first_of(";#!"));
         std::replace(line.begin(), line.end(), ',', ' ');
         std::istringstream words(line);
+        words.imbue(std::locale::classic());
         Row row;
         double value = 0;
         while (words >> value)
@@ -105,9 +107,8 @@ OpticalTable read_optical_table(const std::string& path, OpticalFormat format,
     if (!file) throw InputError(where, fmt::format("\"{}\" can't be read", path));
     const NumberFile numbers = read_numbers(file);
     if (!numbers.bad_line.empty()) {
-        throw InputError(where,
-                         fmt::format("{}:{}: expected numbers, found \"{}\"", path,
-                                     numbers.bad_line_number, numbers.bad_line.substr(0, 40)));
+        throw InputError(where, fmt::format("{}:{}: expected numbers, found {}", path,
+                                            numbers.bad_line_number, in_quotes(numbers.bad_line)));
     }
     const bool sopra = format == OpticalFormat::Sopra ||
                        (format == OpticalFormat::Any && has_sopra_header(numbers.rows));

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fstream>
+#include <locale>
 #include <sstream>
 #include <string>
 
@@ -69,6 +70,7 @@ std::shared_ptr<const ColorTexture> create_tabulated(const ParameterReader& read
     std::string line;
     for (int number = 1; std::getline(file, line); ++number) {
         std::istringstream columns(line.substr(0, line.find('#')));
+        columns.imbue(std::locale::classic());
         double wavelength = 0, value = 0;
         if (!(columns >> std::ws) || columns.eof()) continue;
         if (!(columns >> wavelength >> value)) {

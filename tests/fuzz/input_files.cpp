@@ -1,0 +1,119 @@
+// Folder, registry and assets for fuzz targets.
+#include "input_files.h"
+
+#include <OpenImageIO/imageio.h>
+
+#include <cstdlib>
+
+#include "lxs/scene/constant_texture.h"
+
+namespace fuzz {
+namespace {
+
+constexpr const char* kPly =
+    "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float "
+    "z\nelement face 1\nproperty list uchar int vertex_indices\nend_header\n0 0 0\n1 0 0\n0 1 0\n3 "
+    "0 1 2\n";
+constexpr const char* kStl =
+    "solid s\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\n"
+    "endfacet\nendsolid s\n";
+constexpr const char* kIes =
+    "IESNA:LM-63-1995\nTILT=NONE\n1 1000 1 3 1 1 2 0 0 0 1 1 50\n0 45 90\n0\n100 50 0\n";
+constexpr const char* kMetal = "400 1.5 2.5\n550 1.2 2.8\n700 0.9 3.1\n";
+constexpr const char* kSpectrum = "380 0.1\n550 0.9\n720 0.4\n";
+
+void write_image(const std::string& path) {
+    const unsigned char pixels[] = {255, 0, 0, 0, 255, 0, 0, 0, 255, 255, 255, 255};
+    const auto image = OIIO::ImageOutput::create(path);
+    image->open(path, OIIO::ImageSpec(2, 2, 3, OIIO::TypeDesc::UINT8));
+    image->write_image(OIIO::TypeDesc::UINT8, pixels);
+    image->close();
+}
+
+}  // namespace
+
+void SilentDiagnostics::warning(const lxs::SourceLocation& where, const std::string& message) {
+    if (lxs::format_message(where, "warning", message).empty()) std::abort();
+}
+
+void SilentDiagnostics::unknown_parameter(const lxs::SourceLocation& where,
+                                          const std::string& message) {
+    warning(where, message);
+}
+
+const lxs::Registry& registry() {
+    static const lxs::Registry all = [] {
+        lxs::Registry made;
+        register_shapes(made);
+        register_shading(made);
+        return made;
+    }();
+    return all;
+}
+
+const files::TemporaryFolder& folder() {
+    static const files::TemporaryFolder made;
+    static const bool filled = [] {
+        made.write("mesh.ply", kPly);
+        made.write("mesh.stl", kStl);
+        made.write("lamp.ies", kIes);
+        made.write("metal.nk", kMetal);
+        made.write("light.spd", kSpectrum);
+        write_image(made / "image.png");
+        return true;
+    }();
+    static_cast<void>(filled);
+    return made;
+}
+
+std::string FuzzAssets::resolve(const std::string& name, const lxs::SourceLocation& where) const {
+    if (name.empty() || name.find('/') != std::string::npos ||
+        name.find('\0') != std::string::npos || !folder().has(name))
+        throw lxs::InputError(where, "no file " + lxs::in_quotes(name));
+    return folder() / name;
+}
+
+std::shared_ptr<const lxs::FloatTexture> FuzzAssets::float_texture(
+    const std::string& name, const lxs::SourceLocation&) const {
+    return std::make_shared<lxs::ConstantTexture<float>>(static_cast<float>(name.size()) / 4);
+}
+
+std::shared_ptr<const lxs::ColorTexture> FuzzAssets::color_texture(
+    const std::string& name, const lxs::SourceLocation&) const {
+    return std::make_shared<lxs::ConstantTexture<lxs::Rgb>>(
+        lxs::Rgb(static_cast<float>(name.size()) / 4));
+}
+
+std::shared_ptr<const lxs::FresnelTexture> FuzzAssets::fresnel_texture(
+    const std::string& name, const lxs::SourceLocation&) const {
+    lxs::FresnelValue value;
+    value.conductor = name.size() % 2 == 1;
+    value.k = lxs::Rgb(value.conductor ? 2.0f : 0.0f);
+    return std::make_shared<lxs::ConstantTexture<lxs::FresnelValue>>(value);
+}
+
+std::shared_ptr<const lxs::Material> FuzzAssets::material(const std::string& name,
+                                                          const lxs::SourceLocation& where) const {
+    lxs::ParameterSet set;
+    set.plugin = name.size() % 2 == 1 ? "glass" : "matte";
+    set.where = where;
+    SilentDiagnostics diagnostics;
+    const auto& factory = registry().materials.at(set.plugin);
+    const lxs::ParameterReader reader(set, factory.parameters, diagnostics);
+    return factory.create(reader, *this, lxs::Matrix());
+}
+
+lxs::SourceLocation somewhere() {
+    static const auto file = [] {
+        auto made = std::make_shared<lxs::SourceFile>();
+        made->name = "fuzz.lxs";
+        return made;
+    }();
+    return {file, 1, 1};
+}
+
+void check_refusal(const std::exception& refusal) {
+    if (std::string_view(refusal.what()).empty()) std::abort();
+}
+
+}  // namespace fuzz

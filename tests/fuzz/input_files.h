@@ -1,0 +1,46 @@
+// A folder of files that the inputs of fuzz targets name, and what else targets share of a host.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "lxs/scene/registry.h"
+#include "temporary_folder.h"
+
+namespace fuzz {
+
+/// Counts warnings and throws them away.
+class SilentDiagnostics final : public lxs::Diagnostics {
+  public:
+    void warning(const lxs::SourceLocation& where, const std::string& message) override;
+    void unknown_parameter(const lxs::SourceLocation& where, const std::string& message) override;
+};
+
+/// All shapes, textures, materials and media; made once.
+const lxs::Registry& registry();
+
+/// A folder of this process; removed at its end. Small good files of each kind lie in it: mesh.ply,
+/// mesh.stl, lamp.ies, metal.nk, light.spd, image.png.
+const files::TemporaryFolder& folder();
+
+/// Named textures and materials are constants, whatever their name; files are those of folder().
+class FuzzAssets final : public lxs::AssetContext {
+  public:
+    std::string resolve(const std::string& name, const lxs::SourceLocation& where) const override;
+    std::shared_ptr<const lxs::FloatTexture> float_texture(
+        const std::string& name, const lxs::SourceLocation& where) const override;
+    std::shared_ptr<const lxs::ColorTexture> color_texture(
+        const std::string& name, const lxs::SourceLocation& where) const override;
+    std::shared_ptr<const lxs::FresnelTexture> fresnel_texture(
+        const std::string& name, const lxs::SourceLocation& where) const override;
+    std::shared_ptr<const lxs::Material> material(const std::string& name,
+                                                  const lxs::SourceLocation& where) const override;
+};
+
+/// Where made-up parameters stand.
+lxs::SourceLocation somewhere();
+
+/// Ends the process unless the refusal says something.
+void check_refusal(const std::exception& refusal);
+
+}  // namespace fuzz

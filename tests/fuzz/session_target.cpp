@@ -1,0 +1,62 @@
+// Fuzz target: a whole scene made ready to render as lxsrender does it (reader, film, camera,
+// lights, Embree, integrator), then a few of its pixels.
+#include <cstdlib>
+#include <fstream>
+
+#include "fuzz_target.h"
+#include "input_files.h"
+#include "lxs/host/failure.h"
+#include "lxs/host/render_session.h"
+
+namespace {
+
+const lxs::PluginLibrary& plugins() {
+    static const auto library = [] {
+        auto made = std::make_unique<lxs::PluginLibrary>();
+        made->load_folder(AIPS_FUZZ_PLUGINS);
+        return made;
+    }();
+    return *library;
+}
+
+/// A path tracer of little depth on 4 x 4 pixels, whatever the scene asks for: what is tried here
+/// is the scene.
+lxs::CommandLine command_line() {
+    lxs::CommandLine command;
+    command.scene = fuzz::folder() / "scene.lxs";
+    command.output = fuzz::folder() / "out.exr";
+    command.integrator = "path";
+    command.overrides = {"path.maxdepth=4"};
+    command.sampler = "lowdiscrepancy";
+    command.width = 4;
+    command.height = 4;
+    command.verbosity = lxs::Verbosity::Quiet;
+    return command;
+}
+
+void render(const lxs::CommandLine& command, lxs::ConsoleLog& log) {
+    lxs::InputDiagnostics diagnostics(log, false);
+    lxs::RenderSession session = lxs::prepare_session(command, plugins(), diagnostics, log);
+    session.integrator->prepare(
+        {*session.scene, *session.camera, *session.sampler, *session.film, log, {1, session.seed}});
+    session.integrator->render_pass(0);
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+    static const lxs::CommandLine command = command_line();
+    static lxs::ConsoleLog log(lxs::Verbosity::Quiet);
+    fuzz::folder().write("scene.lxs",
+                         {reinterpret_cast<const char*>(data), data ? size : std::size_t{0}});
+    try {
+        render(command, log);
+    } catch (const lxs::InputError& refusal) {
+        fuzz::check_refusal(refusal);
+    } catch (const lxs::SceneFailure& refusal) {
+        fuzz::check_refusal(refusal);
+    } catch (const lxs::OutputFailure& refusal) {
+        fuzz::check_refusal(refusal);
+    }
+    return 0;
+}

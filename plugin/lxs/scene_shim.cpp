@@ -98,6 +98,7 @@ class LightShim final : public Light {
   public:
     explicit LightShim(const lxs::Light& light) : light_(light) {}
 
+    std::string name() const override { return std::string(light_.kind()); }
     std::uint32_t group() const override { return light_.group(); }
     float power() const override { return light_.power(); }
     bool at_infinity() const override { return light_.at_infinity(); }

@@ -50,11 +50,11 @@ Traced trace(const mock::Scene& scene) {
     const CosineGuide guide;
     PhotonInput input{scene, settings, lights, &guide};
     input.unguided_roulette = true;
-    Refusals refusals(scene.material_names());
+    Refusals refusals(scene);
     PhotonTracer tracer;
     Traced result;
     result.counts = tracer.trace(input, 0, 0, 20000, refusals, result.store);
-    result.refused = refusals.by_material();
+    result.refused = refusals.by_origin();
     return result;
 }
 
@@ -72,7 +72,7 @@ TEST(BadPdf, WhatIsNoDensityIsCounted) {
     for (const float bad : {kNan, kInfinity}) {
         const Traced traced = trace(box_with(bad));
         ASSERT_EQ(traced.refused.size(), 1u) << bad;
-        EXPECT_EQ(traced.refused.front().first, "surface 6") << bad;
+        EXPECT_EQ(traced.refused.front().first, R"(material "surface 6")") << bad;
         EXPECT_GT(traced.refused.front().second, 0u) << bad;
     }
     EXPECT_TRUE(trace(mock::lamp_box({}, {})).refused.empty());

@@ -79,7 +79,7 @@ class Balance {
         : view_(view),
           settings_(settings),
           lights_(light_choice(view.scene)),
-          refusals_(view.scene.material_names()) {
+          refusals_(view.scene) {
         for (const Light* light : view.scene.lights())
             power_ += double(light->power());
         const mock::Sampler sampler(settings.seed);

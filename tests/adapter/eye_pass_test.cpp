@@ -12,7 +12,7 @@ EyeImage trace(const mock::Scene& scene, const mock::Camera& camera, std::uint32
                std::uint32_t paths, const Settings& settings) {
     const mock::Sampler sampler(settings.seed);
     const DirectLight direct(scene);
-    Refusals refusals(scene.material_names());
+    Refusals refusals(scene);
     EyeImage image;
     trace_eye_pass({scene, camera, sampler, direct, settings, size, size, paths}, 0, 0, refusals,
                    image);

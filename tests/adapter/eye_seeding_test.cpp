@@ -16,7 +16,7 @@ EyeImage trace_eye(const mock::Scene& scene, const mock::Camera& camera, std::ui
                    const Settings& settings) {
     const mock::Sampler sampler(settings.seed);
     const DirectLight direct(scene);
-    Refusals refusals(scene.material_names());
+    Refusals refusals(scene);
     EyeImage image;
     trace_eye_pass({scene, camera, sampler, direct, settings, size, size, size * size}, 0, 0,
                    refusals, image);

@@ -29,7 +29,7 @@ PhotonFlux flux_at_origin(const std::vector<Landing>& landings, const SearchRadi
     image.visible_points = {point};
     LandingGrid grid;
     grid.build(landings, radii.largest);
-    Refusals refusals({});
+    Refusals refusals;
     PhotonFlux flux;
     flux.reset(1, 1);
     gather_photons(image, grid, radii, refusals, flux);

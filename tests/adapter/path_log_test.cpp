@@ -32,7 +32,7 @@ Traced trace(const mock::Scene& scene, std::uint32_t count, std::uint32_t log_on
     PhotonInput input{scene, settings, lights};
     input.log_one_of = log_one_of;
     input.log_vertices = true;
-    Refusals refusals(scene.material_names());
+    Refusals refusals(scene);
     PhotonTracer tracer;
     Traced result;
     for (std::uint32_t call = 0; call < in_calls; ++call) {

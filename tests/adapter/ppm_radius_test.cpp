@@ -94,7 +94,7 @@ TEST(PpmRadius, MeanOverPassesIsThePapersEstimate) {
     constexpr int kPasses = 50;
     const EyeImage image = eye_image(1, 2);
     PpmRadius ppm = policy();
-    Refusals refusals({});
+    Refusals refusals;
     PaperPoint paper{double(ppm.before_pass(0, {}, image).of(0))};
     RandomStream random(1, 0, 0, RandomDomain::Eye);
     double mean[2] = {0, 0};

@@ -23,8 +23,8 @@ TEST(Refusals, BadReflectanceIsCountedByMaterialAndKeptOut) {
          {std::numeric_limits<float>::quiet_NaN(), std::numeric_limits<float>::infinity(), -1.0f}) {
         const auto r = render_with_reflectance(bad);
         ASSERT_FALSE(r.statistics.refused.empty()) << bad;
-        for (const auto& [material, count] : r.statistics.refused) {
-            EXPECT_EQ(material, "surface 6") << bad;  // the ball, after six walls
+        for (const auto& [origin, count] : r.statistics.refused) {
+            EXPECT_EQ(origin, R"(material "surface 6")") << bad;  // the ball, after six walls
             EXPECT_GT(count, 0u);
         }
         for (const Rgb& pixel : r.film.image())

@@ -93,7 +93,7 @@ TEST(SkippedVisiblePoints, ChangeNoBits) {
     const Settings settings = mock::small_settings(94, 1);
     const mock::Sampler sampler(settings.seed);
     const DirectLight direct(view.scene);
-    Refusals refusals(view.scene.material_names());
+    Refusals refusals(view.scene);
     EyePassInput input{view.scene, view.camera, sampler, direct,
                        settings,   kWidth,      kHeight, 16 * kWidth * kHeight};
     EyeImage all, without;

@@ -19,7 +19,9 @@ unsigned DirectLight::estimate(const DirectLightQuery& query, RandomStream& rand
     const auto chosen = choice_.sample(u_choice);
     const Light& light = *scene_.lights()[chosen.index];
     DirectSample sample;
-    if (!light.sample_direct(query.point, u_light, sample) || !(sample.pdf > 0)) return 0;
+    if (!light.sample_direct(query.point, u_light, sample)) return 0;
+    const auto index = static_cast<LightIndex>(chosen.index);
+    if (!refusals.accept_sample(sample, index) || sample.pdf == 0) return 0;
 
     const Bsdf& bsdf = *query.point.bsdf;
     const float pdf_light = sample.pdf * chosen.pdf;
@@ -29,13 +31,16 @@ unsigned DirectLight::estimate(const DirectLightQuery& query, RandomStream& rand
         const Rgb shared = bsdf.evaluate(query.wo, sample.wi, Transport::Radiance, query.shared);
         const float pdf_bounce =
             sample.delta ? 0 : query.continue_pdf * bsdf.pdf(query.wo, sample.wi, query.bounce);
+        if (!refusals.accept_density(pdf_bounce, query.point.material)) return 0;
         f += shared * (pdf_light / (pdf_light + pdf_bounce));
     }
     if (is_black(f) || is_black(sample.radiance)) return 0;
+    if (!refusals.accept(f, query.point.material)) return 0;
     const float cosine = abs_dot(sample.wi, query.point.shading_normal);
     const Rgb unoccluded = query.throughput * f * sample.radiance * (cosine / pdf_light);
     if (!refusals.accept(unoccluded, query.point.material)) return 0;
-    radiance[light.group()] += unoccluded * scene_.visibility(query.point, sample, query.time);
+    const Rgb passed = scene_.visibility(query.point, sample, query.time);
+    refusals.add(radiance[light.group()], unoccluded * passed, kPassageOrigin);
     return 1;
 }
 

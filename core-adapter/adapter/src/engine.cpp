@@ -60,7 +60,7 @@ class Engine::State {
           settings_(needs_.settings),
           eye_paths_(eye_paths_per_pass(host, settings)),
           direct_light_(host.scene),
-          refusals_(host.scene.material_names()),
+          refusals_(host.scene),
           guide_(make_guide(host.scene, settings_)),
           photons_(settings_, eye_paths_, needs_.photons, learns()),
           importance_(make_importance()),
@@ -148,7 +148,7 @@ class Engine::State {
             s.pruned_emission = adaptive->emission_guide().starved_share(kPrunedDensity);
         }
         s.memory_bytes = memory_bytes();
-        s.refused = refusals_.by_material();
+        s.refused = refusals_.by_origin();
         return s;
     }
 

@@ -2,6 +2,9 @@
 // strategy owns which class of paths is tabulated in docs/path-classes.md.
 #include "eye_path.h"
 
+#include <limits>
+
+#include "meet_surface.h"
 #include "volume_light.h"
 
 namespace aips {
@@ -26,7 +29,7 @@ class EyePath {
             const auto mark = arena_.mark();
             SurfacePoint point;
             ++result_.rays;
-            const bool met = in_.scene.intersect(ray_, point, arena_);
+            const bool met = meet_surface(in_.scene, ray_, point, arena_, refusals_);
             if (media_ && media_->scatters(ray_.medium)) cross_medium(point.distance);
             throughput_ *= point.transmittance;
             if (!met) {
@@ -64,7 +67,7 @@ class EyePath {
     void keep(const VolumeBeam& beam) {
         const Rgb passed = transmittance(media_->extinction(beam.medium), beam.length);
         const float weight = luminance(beam.throughput * (kWhite - passed));
-        if (!(weight > 0) || !refusals_.accept(beam.throughput, kLightOrigin)) return;
+        if (!(weight > 0) || !refusals_.accept(beam.throughput, kPassageOrigin)) return;
         beam_weights_ += weight;
         if (result_.has_beam && random_.next() * beam_weights_ >= weight) return;
         beam_weight_ = weight;
@@ -78,18 +81,20 @@ class EyePath {
     float emission_weight(LightIndex light, const SurfacePoint* at) const {
         if (last_was_specular_) return 1;
         const float pdf_light = in_.direct_light.pdf(light, last_vertex_, ray_.direction, at);
+        // No density: what it weighs is refused, and counted against the light.
+        if (!(pdf_light >= 0)) return std::numeric_limits<float>::quiet_NaN();
+        if (bounce_pdf_ == 0) return 0;
         return bounce_pdf_ / (bounce_pdf_ + pdf_light);
     }
 
-    void add(const Rgb& value, std::uint32_t group, std::uint32_t origin) {
-        if (refusals_.accept(value, origin)) radiance_[group] += value;
+    void add(const Rgb& value, LightIndex light) {
+        refusals_.add(radiance_[in_.scene.lights()[light]->group()], value,
+                      refusals_.of_light(light));
     }
 
     void add_emitted(const SurfacePoint& point) {
         if (point.light == kNoLight || is_black(point.emitted)) return;
-        const std::uint32_t group = in_.scene.lights()[point.light]->group();
-        add(throughput_ * point.emitted * emission_weight(point.light, &point), group,
-            point.material);
+        add(throughput_ * point.emitted * emission_weight(point.light, &point), point.light);
     }
 
     void add_escaped() {
@@ -97,8 +102,8 @@ class EyePath {
         const auto lights = in_.scene.lights();
         for (const LightIndex i : in_.direct_light.at_infinity()) {
             const Rgb seen = lights[i]->escaped(ray_.direction);
-            if (is_black(seen)) continue;
-            add(throughput_ * seen * emission_weight(i, nullptr), lights[i]->group(), kLightOrigin);
+            if (is_black(seen) || !refusals_.accept(seen, refusals_.of_light(i))) continue;
+            add(throughput_ * seen * emission_weight(i, nullptr), i);
         }
     }
 
@@ -132,7 +137,7 @@ class EyePath {
         if (!bouncing) return 1;
         const float store = luminance(point.bsdf->albedo(wo, receiving));
         const float bounce = luminance(point.bsdf->albedo(wo, bouncing));
-        if (!(store + bounce > 0)) return 0.5f;
+        if (!(store + bounce > 0) || !std::isfinite(store + bounce)) return 0.5f;
         return std::clamp(store / (store + bounce), 0.1f, 0.9f);
     }
 
@@ -147,7 +152,8 @@ class EyePath {
         v.material = point.material;
         v.bsdf = point.bsdf->lambertian(v.kd) ? nullptr : point.bsdf;
         result_.footprint = camera_ray_.width + camera_ray_.spread * travelled_;
-        result_.has_visible_point = refusals_.accept(v.throughput, point.material);
+        result_.has_visible_point = refusals_.accept(v.throughput, point.material) &&
+                                    refusals_.accept(v.kd, point.material);
     }
 
     bool bounce(const SurfacePoint& point, Vec3 wo, LobeMask mask, float choice_pdf) {
@@ -158,6 +164,10 @@ class EyePath {
         }
         throughput_ *= sample.weight;
         if (!refusals_.accept(throughput_, point.material) || is_black(throughput_)) return false;
+        if (!refusals_.accept_density(sample.pdf, point.material) ||
+            !refusals_.accept_direction(sample.wi, point.material)) {
+            return false;
+        }
         if (!sample.straight) {
             last_was_specular_ = sample.lobe == kSpecular || !in_.settings.direct_light_sampling;
             bounce_pdf_ = choice_pdf * sample.pdf;

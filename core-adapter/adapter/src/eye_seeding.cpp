@@ -166,6 +166,9 @@ class SeedWalk {
         for (float& u : found.point)
             u = random_.next();
         if (!in_.scene.lights()[light]->emission_coordinates(towards, sample, found.point)) return;
+        for (const float u : found.point) {
+            if (!(u >= 0 && u < 1)) return;
+        }
         block_.seeds.push_back(found);
     }
 

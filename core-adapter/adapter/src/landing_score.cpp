@@ -25,6 +25,7 @@ double LandingScore::score(const Landing& landing) const {
         const Rgb f = point.bsdf ? kWhite : point.kd * kInvPi;
         const double value =
             double(luminance(point.throughput * f * contribution(point, photon, radius)));
+        if (!(value > 0) || !std::isfinite(value)) return;
         sum +=
             double(weights_[i]) * value * value / (double(kPi) * double(radius) * double(radius));
     });

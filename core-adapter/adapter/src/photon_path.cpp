@@ -7,6 +7,7 @@
 #include "aips/adapter/media.h"
 #include "aips/core/primary_path.h"
 #include "eye_pass.h"
+#include "meet_surface.h"
 #include "path_log_entry.h"
 #include "photon_roulette.h"
 
@@ -39,7 +40,10 @@ bool emit(const PhotonInput& in, Numbers& numbers, Refusals& refusals, Photon& p
     photon.previous = emission.ray.origin;
     photon.group = light.group();
     photon.emitted_power = max_component(photon.power);
-    return refusals.accept(photon.power, kLightOrigin) && !is_black(photon.power);
+    const Origin origin = refusals.of_light(photon.start.light);
+    return refusals.accept(photon.power, origin) &&
+           refusals.accept_direction(photon.ray.origin, origin) &&
+           refusals.accept_direction(photon.ray.direction, origin) && !is_black(photon.power);
 }
 
 /// The photons of one path: the one that the light emits, and those that it is split into.
@@ -99,10 +103,10 @@ class PhotonTrace {
             arena_.reset();
             point = {};
             ++counts_.rays;
-            met = in_.scene.intersect(photon.ray, point, arena_);
+            met = meet_surface(in_.scene, photon.ray, point, arena_, refusals_);
         } while (media_ && media_->scatters(photon.ray.medium) && fly(photon, point));
-        if (!met || !point.bsdf || is_black(photon.power)) return false;
         photon.power *= point.transmittance;
+        if (!met || !point.bsdf || is_black(photon.power)) return false;
         const bool owned_by_shadow_rays = photon.straight && in_.settings.direct_light_sampling;
         if ((point.bsdf->lobes() & receiving_) && !owned_by_shadow_rays) store(point, photon);
         return photon.depth < in_.settings.max_photon_depth;
@@ -128,7 +132,7 @@ class PhotonTrace {
     bool scatter_in_medium(Photon& photon, float distance, Random& random) {
         const void* const medium = photon.ray.medium;
         const Vec3 position = photon.ray.origin + photon.ray.direction * distance;
-        if (!refusals_.accept(photon.power, kLightOrigin)) return false;
+        if (!refusals_.accept(photon.power, kPassageOrigin)) return false;
         if (!photon.straight || !in_.settings.direct_light_sampling) {
             collisions_->push_back(
                 {position, -photon.ray.direction, photon.power, medium, photon.group});
@@ -140,7 +144,7 @@ class PhotonTrace {
         const PhaseSample sample =
             media_->sample_phase(medium, photon.ray.direction, photon.power, random.next2());
         photon.power = photon.power * sample.weight / survival;
-        if (!refusals_.accept(photon.power, kLightOrigin)) return false;
+        if (!refusals_.accept(photon.power, kPassageOrigin)) return false;
         photon.straight = false;
         photon.previous = position;
         photon.ray = {position, sample.direction, in_.time, medium, photon.ray.component};
@@ -199,6 +203,7 @@ class PhotonTrace {
         }
         photon.power = photon.power * scattered.weight / photons;
         if (!refusals_.accept(photon.power, point.material) || is_black(photon.power)) return false;
+        if (!refusals_.accept_direction(scattered.direction, point.material)) return false;
         photon.straight = photon.straight && scattered.straight;
         photon.previous = point.position;
         photon.ray =

@@ -10,7 +10,9 @@ namespace aips {
 /// about equal power; before its limits.
 inline float plain_survival(const SurfacePoint& point, const Photon& photon) {
     const Rgb albedo = point.bsdf->albedo(-photon.ray.direction, kAllLobes);
-    return max_component(photon.power * albedo) / photon.emitted_power;
+    const float survival = max_component(photon.power * albedo) / photon.emitted_power;
+    // Only steers: where the albedo is no number, what the surface scatters is what shows it.
+    return survival >= 0 ? survival : 1;
 }
 
 /// Fixed before the direction is drawn. `logged`: the path is learned from, and wants to know of

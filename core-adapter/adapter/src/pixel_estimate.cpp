@@ -22,9 +22,7 @@ void estimate_pixels(const EyeImage& image, const PhotonFlux& flux, const Search
             const Rgb density{float(sum.r * scale), float(sum.g * scale), float(sum.b * scale)};
             const Rgb value = point.throughput * f * density;
             // Each eye path has one visible point at the most: no two iterations share an entry.
-            if (refusals.accept(value, point.material)) {
-                radiance[std::size_t(point.sample) * groups + g] += value;
-            }
+            refusals.add(radiance[std::size_t(point.sample) * groups + g], value, point.material);
         }
     });
 }

@@ -30,7 +30,7 @@ float specular_probability(const Bsdf& bsdf, Vec3 wo, LobeMask lobes) {
     if (!(lobes & kSpecular)) return 0;
     const float specular = luminance(bsdf.albedo(wo, kSpecular));
     const float other = luminance(bsdf.albedo(wo, lobes & kNonSpecular));
-    if (!(specular + other > 0)) return 0.5f;
+    if (!(specular + other > 0) || !std::isfinite(specular + other)) return 0.5f;
     return std::clamp(specular / (specular + other), 0.1f, 0.9f);
 }
 
@@ -50,7 +50,8 @@ float geometric_share(const SurfacePoint& point, Vec3 wo, LobeMask lobes) {
     if (point.geometric_normal == point.shading_normal || !(lobes & kDiffuse)) return 0;
     const float diffuse = luminance(point.bsdf->albedo(wo, kDiffuse));
     const float all = luminance(point.bsdf->albedo(wo, lobes & kNonSpecular));
-    return all > 0 ? 0.5f * std::min(diffuse / all, 1.0f) : 0;
+    const float share = diffuse / all;
+    return share > 0 ? 0.5f * std::min(share, 1.0f) : 0;
 }
 
 /// One-sample mixture of guide, cosine and Bsdf, weighed by the density of all together, so that
@@ -77,11 +78,12 @@ bool scatter_by_mixture(const Mixture& mixture, const SurfacePoint& point, Vec3 
         }
         wi = sample.wi;
     }
-    float pdf = (rest - geometric) * point.bsdf->pdf(wo, wi, kNonSpecular);
+    const float bsdf_pdf = point.bsdf->pdf(wo, wi, kNonSpecular);
+    float pdf = (rest - geometric) * bsdf_pdf;
     if (geometric > 0) pdf += geometric * std::max(0.0f, dot(wi, normal)) * kInvPi;
     const float plain_pdf = pdf / rest;
     if (mixture.guided) pdf += mixture.guided_share * mixture.guided->pdf(wi);
-    if (!std::isfinite(pdf)) {
+    if (!std::isfinite(pdf) || bsdf_pdf < 0) {
         // No density: the photon is not lost in silence, its power is refused and counted.
         const float none = std::numeric_limits<float>::quiet_NaN();
         result.weight = {none, none, none};

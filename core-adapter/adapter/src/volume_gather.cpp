@@ -86,7 +86,7 @@ std::uint64_t VolumeGather::gather_beam(const VolumeBeam& beam, Refusals& refusa
             const Rgb value = photon.power * transmittance(extinction, t) *
                               media.phase(beam.medium, dot(photon.direction, beam.direction)) *
                               piece.weight;
-            if (!refusals.accept(value, kLightOrigin)) return;
+            if (!refusals.accept(value, kPassageOrigin)) return;
             flux[photon.light_group] += value;
             ++gathered;
         });
@@ -146,9 +146,8 @@ void VolumeGather::add_to(const EyeImage& image, std::uint64_t photon_paths, Ref
             const Rgb sum = flux_[i * image.groups + g];
             const Rgb density{float(sum.r * scale), float(sum.g * scale), float(sum.b * scale)};
             const Rgb value = factor * density;
-            if (refusals.accept(value, kLightOrigin)) {
-                radiance[std::size_t(beam.sample) * image.groups + g] += value;
-            }
+            refusals.add(radiance[std::size_t(beam.sample) * image.groups + g], value,
+                         kPassageOrigin);
         }
     }
 }

@@ -85,15 +85,17 @@ unsigned estimate_scattered_light(const Scene& scene, const DirectLight& lights,
     const Vec3 position = beam.at(distance.t);
     DirectSample sample;
     if (!light.sample_direct(point_in_medium(position), random.next2(), sample) ||
-        !(sample.pdf > 0) || is_black(sample.radiance)) {
+        !refusals.accept_sample(sample, static_cast<LightIndex>(chosen.index)) || sample.pdf == 0 ||
+        is_black(sample.radiance)) {
         return 0;
     }
     const Rgb scattered = beam.throughput * transmittance(extinction, distance.t) * scattering *
                           media.phase(beam.medium, dot(beam.direction, sample.wi));
     const Rgb unoccluded =
         scattered * sample.radiance * (1 / (distance.pdf * sample.pdf * chosen.pdf));
-    if (!refusals.accept(unoccluded, kLightOrigin) || is_black(unoccluded)) return 0;
-    radiance[light.group()] += unoccluded * media.visibility(beam.medium, position, sample, time);
+    if (!refusals.accept(unoccluded, kPassageOrigin) || is_black(unoccluded)) return 0;
+    const Rgb passed = media.visibility(beam.medium, position, sample, time);
+    refusals.add(radiance[light.group()], unoccluded * passed, kPassageOrigin);
     return 1;
 }
 

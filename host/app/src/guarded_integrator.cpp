@@ -1,7 +1,7 @@
 // An integrator of a module whose exceptions say whose they are.
 #include "guarded_integrator.h"
 
-#include <optional>
+#include <exception>
 
 #include "plugin_call.h"
 
@@ -15,18 +15,7 @@ class GuardedIntegrator final : public Integrator {
         : integrator_(std::move(integrator)), name_(std::move(name)), file_(std::move(file)) {}
 
     void prepare(const RenderContext& context) override {
-        // Outside of the guard: the contract gives this exception a meaning here.
-        std::optional<std::string> refused;
-        call_module(file_, at("prepare"), [&] {
-            try {
-                integrator_->prepare(context);
-            } catch (const InputError&) {
-                throw;
-            } catch (const std::runtime_error& error) {
-                refused = error.what();
-            }
-        });
-        if (refused) throw std::runtime_error(*refused);
+        call_as_agreed("prepare", [&] { integrator_->prepare(context); });
     }
     PassReport render_pass(std::uint64_t pass) override {
         return call_module(file_, at(fmt::format("pass {}", pass + 1)),
@@ -40,7 +29,26 @@ class GuardedIntegrator final : public Integrator {
         return call_module(file_, at("statistics"), [&] { return integrator_->statistics(); });
     }
 
+    void state(StateArchive& archive) override {
+        call_as_agreed("state", [&] { integrator_->state(archive); });
+    }
+
   private:
+    /// Lets those exceptions pass to which the contract gives a meaning.
+    template <class Function>
+    void call_as_agreed(std::string_view step, Function function) {
+        std::exception_ptr agreed;
+        call_module(file_, at(step), [&] {
+            try {
+                function();
+            } catch (const InputError&) {
+                throw;
+            } catch (const std::runtime_error&) {
+                agreed = std::current_exception();
+            }
+        });
+        if (agreed) std::rethrow_exception(agreed);
+    }
     std::string at(std::string_view step) const {
         return fmt::format("integrator \"{}\", {},", name_, step);
     }

@@ -78,7 +78,7 @@ void range_gather(benchmark::State& state) {
     const EyeImage image = visible_points();
     LandingGrid grid;
     grid.build(photon_workload().landings, radius);
-    Refusals refusals({});
+    Refusals refusals;
     PhotonFlux flux;
     flux.reset(image.visible_points.size(), image.groups);
     tbb::task_arena one_thread(1);

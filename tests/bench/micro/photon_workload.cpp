@@ -72,7 +72,7 @@ PhotonWorkload recorded() {
     const RecordingScene scene(*work.scene, work.rays);
     const Settings settings;
     const DiscreteDistribution lights = light_choice(scene);
-    Refusals refusals(scene.material_names());
+    Refusals refusals(scene);
     LandingStore store;
     tbb::task_arena(1).execute([&] {
         PhotonTracer().trace({scene, settings, lights}, 0, 0, work.paths, refusals, store);

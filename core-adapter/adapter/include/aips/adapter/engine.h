@@ -73,7 +73,8 @@ struct EngineStatistics {
     std::uint32_t photons_per_pass = 0;  ///< of the next pass
     std::size_t memory_bytes = 0;        ///< held by the engine now
     std::size_t memory_bound_bytes = 0;
-    /// Contributions refused because they were not finite or negative, by material.
+    /// Contributions refused because they were not finite or negative, by origin: 'material "red"',
+    /// 'light 3 (area)', or what dims light on its way.
     std::vector<std::pair<std::string, std::uint64_t>> refused;
 };
 

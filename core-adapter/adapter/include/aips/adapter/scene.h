@@ -65,6 +65,8 @@ struct DirectSample {
 class Light {
   public:
     virtual ~Light() = default;
+    /// For reports, beside the light's index: its kind or its name; may be empty.
+    virtual std::string name() const { return {}; }
     virtual std::uint32_t group() const = 0;  ///< light group (layer of the film)
     virtual float power() const = 0;          ///< about, in watts; 0 only for a dead light
     virtual bool at_infinity() const = 0;     ///< seen by rays that leave the scene

@@ -48,7 +48,12 @@ std::span<const std::byte> timeless(const mock::Bytes& state) {
 struct Interruption {
     mock::Bytes state;
     mock::Film film;
+    std::size_t said = 0;  // lines of the log
 };
+
+std::vector<std::string> said_since(const mock::Log& log, std::size_t line) {
+    return {log.lines.begin() + std::ptrdiff_t(line), log.lines.end()};
+}
 
 class EngineState : public testing::TestWithParam<ResumableCase> {};
 
@@ -58,7 +63,7 @@ TEST_P(EngineState, GoesOnWithTheSameBits) {
     std::vector<Interruption> interruptions;
     for (unsigned pass = 0; pass <= what.passes; ++pass) {
         straight.render_to(pass);
-        interruptions.push_back({straight.save(), straight.film()});
+        interruptions.push_back({straight.save(), straight.film(), straight.log().lines.size()});
         EXPECT_EQ(interruptions.back().state, straight.save()) << "saved twice";
     }
     for (unsigned pass = 0; pass <= what.passes; pass += what.passes > 5 ? 3 : 1) {
@@ -68,6 +73,8 @@ TEST_P(EngineState, GoesOnWithTheSameBits) {
         resumed.render_to(what.passes);
         expect_same_film(straight.film(), resumed.film());
         expect_same_statistics(straight.statistics(), resumed.statistics());
+        EXPECT_EQ(said_since(straight.log(), interruptions[pass].said),
+                  said_since(resumed.log(), interruptions[0].said));
         const mock::Bytes& last = interruptions.back().state;
         const mock::Bytes state = resumed.save();
         EXPECT_TRUE(std::ranges::equal(timeless(state), timeless(last)));

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <ostream>
 
 #include "memory_archive.h"
 #include "render_mock.h"
@@ -16,6 +17,11 @@ struct ResumableCase {
     unsigned passes = 5;
     std::uint32_t width = 20, height = 15;
 };
+
+/// For messages of tests.
+inline void PrintTo(const ResumableCase& what, std::ostream* out) {
+    *out << what.name;
+}
 
 /// Everything that such a render has: built anew for each.
 class ResumableRender {

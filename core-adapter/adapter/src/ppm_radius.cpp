@@ -14,9 +14,9 @@ namespace aips {
 SearchRadii PpmRadius::before_pass(std::uint64_t /*pass*/, const PassPhotons& /*photons*/,
                                    const EyeImage& image) {
     if (radii_.empty()) {
-        const auto radius = float(initial_radius(settings_, image, smallest_));
-        radii_.assign(image.visible_points.size(), radius);
-        photons_.assign(image.visible_points.size(), 0);
+        const double radius = initial_radius(settings_, image, smallest_);
+        radii_.assign(image.visible_points.size(), float(radius));
+        points_.assign(image.visible_points.size(), {0, radius * radius});
     }
     SearchRadii radii;
     radii.largest = *std::max_element(radii_.begin(), radii_.end());
@@ -27,9 +27,11 @@ SearchRadii PpmRadius::before_pass(std::uint64_t /*pass*/, const PassPhotons& /*
 
 void PpmRadius::after_pass(const PhotonFlux& flux) {
     tbb::parallel_for(std::size_t{0}, radii_.size(), [&](std::size_t i) {
-        const PpmStep step = ppm_step(photons_[i], flux.accepted[i], settings_.alpha);
-        photons_[i] = step.photons;
-        radii_[i] *= float(std::sqrt(step.share));
+        Point& point = points_[i];
+        const PpmStep step = ppm_step(point.photons, flux.accepted[i], settings_.alpha);
+        point.photons = step.photons;
+        point.squared_radius = std::max(point.squared_radius * step.share, smallest_ * smallest_);
+        radii_[i] = float(std::sqrt(point.squared_radius));
     });
 }
 

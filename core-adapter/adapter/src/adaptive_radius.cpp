@@ -95,7 +95,7 @@ void AdaptiveRadius::place_probes(std::uint64_t pass) {
 }
 
 // With lengths in units of the first probes' radius contributions are about as large as radiance
-// whatever the scene's scale, which single precision asks for.
+// whatever the scene's scale, and their fourth powers within range.
 void AdaptiveRadius::after_pass(const PhotonFlux& flux) {
     for (std::size_t i = 0; i < probes_.size(); ++i) {
         const ProbeEstimate estimate =

@@ -24,10 +24,10 @@ std::uint32_t CurvatureMap::pixel(Vec2 position) const {
 void CurvatureMap::add(std::uint32_t pixel, const ProbeEstimate& estimate) {
     Sums& sums = sums_[pixel];
     sums.probes += 1;
-    sums.second_moment += float(estimate.second_moment);
+    sums.second_moment += estimate.second_moment;
     for (std::size_t scale = 0; scale < kProbeScales; ++scale) {
-        sums.laplacian[scale] += float(estimate.laplacian[scale].value);
-        sums.error2[scale] += float(estimate.laplacian[scale].error2);
+        sums.laplacian[scale] += estimate.laplacian[scale].value;
+        sums.error2[scale] += estimate.laplacian[scale].error2;
     }
 }
 
@@ -42,11 +42,11 @@ ProbeEstimate CurvatureMap::mean(std::uint32_t pixel) const {
             const Sums& sums = sums_[std::size_t(row) * width_ + std::size_t(column)];
             const int distance = std::max(std::abs(row - y), std::abs(column - x));
             const std::size_t scales = std::min(std::size_t(kWindow - distance) + 1, kProbeScales);
-            mean.second_moment += double(sums.second_moment);
+            mean.second_moment += sums.second_moment;
             for (std::size_t scale = 0; scale < scales; ++scale) {
-                probes[scale] += double(sums.probes);
-                mean.laplacian[scale].value += double(sums.laplacian[scale]);
-                mean.laplacian[scale].error2 += double(sums.error2[scale]);
+                probes[scale] += sums.probes;
+                mean.laplacian[scale].value += sums.laplacian[scale];
+                mean.laplacian[scale].error2 += sums.error2[scale];
             }
         }
     }

@@ -10,8 +10,9 @@
 
 namespace aips {
 
-/// Means over all probes that were placed in a pixel. Values are kept in single precision: the
-/// caller chooses units in which they are about as large as radiance.
+/// Means over all probes that were placed in a pixel. The caller chooses units in which they are
+/// about as large as radiance. Sums are in double precision: of n probes they are off by n 2^-53 at
+/// most, relative to the sum of magnitudes.
 class CurvatureMap {
   public:
     CurvatureMap(std::uint32_t width, std::uint32_t height);
@@ -33,8 +34,8 @@ class CurvatureMap {
 
   private:
     struct Sums {
-        float probes = 0, second_moment = 0;
-        std::array<float, kProbeScales> laplacian{}, error2{};
+        double probes = 0, second_moment = 0;
+        std::array<double, kProbeScales> laplacian{}, error2{};
     };
 
     std::uint32_t width_, height_;

@@ -1,6 +1,8 @@
 // The pass loop: eye pass, photon pass, estimate, film.
 #include "aips/adapter/engine.h"
 
+#include <algorithm>
+#include <limits>
 #include <optional>
 
 #include "aips/core/random.h"
@@ -26,8 +28,11 @@ constexpr std::uint32_t kFrozenPathsPerPixel = 4;
 
 std::uint32_t eye_paths_per_pass(const Host& host, const Settings& settings) {
     if (settings.hit_points_per_pass) return settings.hit_points_per_pass;
-    const std::uint32_t pixels = host.film.width() * host.film.height();
-    return freezes_eye_pass(settings.mode) ? pixels * kFrozenPathsPerPixel : pixels;
+    const std::uint64_t pixels = std::uint64_t{host.film.width()} * host.film.height();
+    const std::uint64_t paths =
+        freezes_eye_pass(settings.mode) ? pixels * kFrozenPathsPerPixel : pixels;
+    constexpr std::uint64_t kMost = std::numeric_limits<std::uint32_t>::max();
+    return static_cast<std::uint32_t>(std::min(paths, kMost));
 }
 
 std::unique_ptr<Guide> make_guide(const Scene& scene, const Settings& settings) {

@@ -76,7 +76,8 @@ std::size_t EyeImage::memory_bytes() const {
 
 void trace_eye_pass(const EyePassInput& in, std::uint64_t pass, float time, Refusals& refusals,
                     EyeImage& image) {
-    const std::uint32_t block_count = (in.paths + kPathsPerBlock - 1) / kPathsPerBlock;
+    const std::uint32_t block_count =
+        in.paths / kPathsPerBlock + (in.paths % kPathsPerBlock ? 1 : 0);
     image.groups = in.scene.light_groups();
     image.positions.resize(in.paths);
     image.radiance.assign(std::size_t(in.paths) * image.groups, Rgb{});
@@ -86,7 +87,7 @@ void trace_eye_pass(const EyePassInput& in, std::uint64_t pass, float time, Refu
     tbb::parallel_for(0u, block_count, [&](std::uint32_t b) {
         image.arenas[b].reset();
         const std::uint32_t first = b * kPathsPerBlock;
-        const std::uint32_t last = std::min(in.paths, first + kPathsPerBlock);
+        const std::uint32_t last = first + std::min(kPathsPerBlock, in.paths - first);
         trace_block(in, pass, time, first, last, refusals, image, image.arenas[b], blocks[b]);
     });
     join_blocks(blocks, image);

@@ -6,6 +6,8 @@
 
 #include <atomic>
 
+#include "group_sums.h"
+
 namespace aips {
 namespace {
 
@@ -63,23 +65,24 @@ void gather_photons(const EyeImage& image, const LandingGrid& grid, const Search
         tbb::blocked_range<std::size_t>(0, image.visible_points.size(), 256),
         [&](const tbb::blocked_range<std::size_t>& range) {
             std::uint64_t total = 0;
+            GroupSums sums(groups);
             for (std::size_t i = range.begin(); i < range.end(); ++i) {
                 const VisiblePoint& point = image.visible_points[i];
                 const float radius = radii.of(i);
                 // Left out of the flux, but what it absorbs is no contribution.
                 const Rgb f = point.bsdf ? kWhite : point.kd;
                 std::uint32_t count = 0;
-                float squares = 0;
-                Rgb* flux = &result.flux[i * groups];
+                double squares = 0;
                 grid.for_each_in_radius(point.position, radius, [&](const GridPhoton& landing) {
                     const Rgb value = contribution(point, landing, radius);
                     if (is_black(value * f) || !refusals.accept(value, point.material)) return;
-                    flux[landing.light_group] += value;
-                    squares += luminance(value) * luminance(value);
+                    sums.add(landing.light_group, value);
+                    squares += double(luminance(value) * luminance(value));
                     ++count;
                 });
-                result.accepted[i] += count;
-                result.squares[i] += squares;
+                sums.move_to(&result.flux[i * groups]);
+                result.accepted[i] = saturated_sum(result.accepted[i], count);
+                result.squares[i] += float(squares);
                 total += count;
             }
             gathered.fetch_add(total, std::memory_order_relaxed);

@@ -17,8 +17,8 @@ struct PhotonFlux {
     /// [visible point * groups + group]: sum over photons within the radius of f * power (watts per
     /// steradian), f being left out for Lambertian points (it is constant there).
     std::vector<Rgb> flux;
-    /// [visible point]: photons accepted, over all light groups (fewer than 2^32 in a pass). One
-    /// that brings no light, be it refused or absorbed, is not accepted.
+    /// [visible point]: photons accepted, over all light groups; 2^32 - 1 stands for more. One that
+    /// brings no light, be it refused or absorbed, is not accepted.
     std::vector<std::uint32_t> accepted;
     /// [visible point]: sum over these photons of the squared luminance of what flux sums.
     std::vector<float> squares;

@@ -23,9 +23,10 @@ PassNoise PassNoiseMeter::add_pass(const EyeImage& image, std::span<const Rgb> r
         const Pixel &now = pixels_[i], &before = last_[i];
         if (!(now.paths > 0 && before.paths > 0)) continue;
         const double weight = double(importance.weight(i));
-        const double difference = double(now.sum / now.paths) - double(before.sum / before.paths);
-        const double first = double(before.variance) / double(before.paths * before.paths);
-        const double second = double(now.variance) / double(now.paths * now.paths);
+        const double paths = now.paths, paths_before = before.paths;
+        const double difference = now.sum / paths - before.sum / paths_before;
+        const double first = double(before.variance) / (paths_before * paths_before);
+        const double second = double(now.variance) / (paths * paths);
         all += weight * difference * difference / 2;
         photons += weight * (first + second) / 2;
         photon_path += weight * (first * double(last_paths_) + second * double(photon_paths)) / 2;
@@ -46,8 +47,8 @@ void PassNoiseMeter::sum_pixels(const EyeImage& image, std::span<const Rgb> radi
     };
     for (std::size_t path = 0; path < image.positions.size(); ++path) {
         Pixel& pixel = pixels_[film_pixel(image.positions[path], width_, height_)];
-        pixel.sum += luminance_of(radiance, path);
-        pixel.paths += 1;
+        pixel.sum += double(luminance_of(radiance, path));
+        ++pixel.paths;
     }
     for (std::size_t i = 0; i < image.visible_points.size(); ++i) {
         const float brought = luminance_of(flux.flux, i);
@@ -63,8 +64,9 @@ void PassNoiseMeter::sum_pixels(const EyeImage& image, std::span<const Rgb> radi
 // Whatever is restored, it gives an estimate of noise at worst that is none.
 void PassNoiseMeter::state(StateArchive& archive) {
     for (Pixel& pixel : pixels_) {
-        for (float* value : {&pixel.sum, &pixel.variance, &pixel.paths})
-            archive.value(*value);
+        archive.value(pixel.sum);
+        archive.value(pixel.variance);
+        archive.value(pixel.paths);
     }
     archive.value(last_paths_);
 }

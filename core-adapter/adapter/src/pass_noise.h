@@ -35,10 +35,12 @@ class PassNoiseMeter {
     static std::size_t memory_bound_bytes(std::size_t pixels) { return pixels * 2 * sizeof(Pixel); }
 
   private:
+    /// Of one pass, so that single precision does for `variance`: of n eye paths in the pixel it
+    /// is off by n 2^-24 at most.
     struct Pixel {
-        float sum = 0;       // luminance over its eye paths
+        double sum = 0;      // luminance over its eye paths
         float variance = 0;  // of the sum, the photons' part
-        float paths = 0;
+        std::uint32_t paths = 0;
     };
     void sum_pixels(const EyeImage& image, std::span<const Rgb> radiance, const PhotonFlux& flux);
 

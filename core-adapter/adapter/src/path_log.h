@@ -21,7 +21,9 @@ struct Survival {
     float scored = -1;
 };
 
-/// Least probability with which a photon survives; bounds its gain in power.
+/// Least probability with which a photon survives: a bound on fireflies. Each photon that goes on
+/// carries 1 / (photons going on) of the power, so that no vertex multiplies it by more than 1 /
+/// this.
 inline constexpr float kMinSurvival = 0.05f;
 /// Most photons that one is split into.
 inline constexpr float kMostPhotons = 4;
@@ -34,14 +36,20 @@ enum class ScoreMix : std::uint8_t {
     Quarters  ///< s^(1/4) t^(3/4)
 };
 
+/// Within limits; NaN, of a score or an albedo that is none, is the lower one.
+inline float limited_photons(float photons, float most) {
+    return photons > kMinSurvival ? std::min(photons, most) : kMinSurvival;
+}
+
 /// Photons that go on when `mix` decides, within its limits, for `power` times the photon's power.
+/// Never below kMinSurvival, whatever the numbers.
 inline float photons_going_on(const Survival& s, ScoreMix mix, float power) {
     if (mix == ScoreMix::None || s.scored < 0) {
-        return std::clamp(s.plain * power, kMinSurvival, 1.0f);
+        return limited_photons(s.plain * power, 1);
     }
     float mixed = std::sqrt(s.plain * s.scored);
     if (mix == ScoreMix::Quarters) mixed = std::sqrt(mixed * s.scored);
-    return std::clamp(mixed * power, kMinSurvival, kMostPhotons);
+    return limited_photons(mixed * power, kMostPhotons);
 }
 
 /// A vertex that a photon went on from; it then left by a direction drawn, or was absorbed. Of

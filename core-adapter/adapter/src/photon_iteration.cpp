@@ -19,7 +19,8 @@ PhotonCounts PhotonTracer::trace(const PhotonInput& input, std::uint64_t paths_b
                                  std::uint32_t first, std::uint32_t count, Refusals& refusals,
                                  LandingStore& store, PathLog* log,
                                  std::vector<VolumePhoton>* collisions) {
-    const std::uint32_t block_count = (count + kPathsPerBlock - 1) / kPathsPerBlock;
+    // Nothing is added to `first` and `count` beyond their sum, which may be 2^32 - 1.
+    const std::uint32_t block_count = count / kPathsPerBlock + (count % kPathsPerBlock ? 1 : 0);
     if (blocks_.size() < block_count) blocks_.resize(block_count);
     tbb::parallel_for(0u, block_count, [&](std::uint32_t b) {
         Arena& arena = arenas_.local();
@@ -29,7 +30,7 @@ PhotonCounts PhotonTracer::trace(const PhotonInput& input, std::uint64_t paths_b
         block.log.clear();
         block.counts = {};
         const std::uint32_t begin = first + b * kPathsPerBlock;
-        const std::uint32_t end = std::min(first + count, begin + kPathsPerBlock);
+        const std::uint32_t end = begin + std::min(kPathsPerBlock, first + count - begin);
         SequencePath numbers(input.settings.seed, input.pass);
         for (std::uint32_t i = begin; i < end; ++i) {
             numbers.move_to(paths_before_pass + i, i);

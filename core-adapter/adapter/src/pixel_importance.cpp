@@ -16,13 +16,15 @@ constexpr int kFirstBlur = 12, kLastBlur = 2;
 /// Pixels darker than this share of the mean weigh no more than at it.
 constexpr double kDarkest = 0.02;
 
-/// Sums of sliding windows along a line of `count` values, `stride` apart, of ratios' parts.
-void sum_windows(const float* from, float* to, int count, std::ptrdiff_t stride, int radius) {
+/// Sums of sliding windows along a line of `count` values, `stride` apart, of ratios' parts. What a
+/// bright value leaves behind by rounding, 2^-53 of it, is far below what counts as dark
+/// (kDarkest).
+void sum_windows(const double* from, double* to, int count, std::ptrdiff_t stride, int radius) {
     double sum = 0;
     for (int i = -radius; i < count; ++i) {
-        if (i + radius < count) sum += double(from[(i + radius) * stride]);
-        if (i - radius - 1 >= 0) sum -= double(from[(i - radius - 1) * stride]);
-        if (i >= 0) to[i * stride] = float(std::max(sum, 0.0));
+        if (i + radius < count) sum += from[(i + radius) * stride];
+        if (i - radius - 1 >= 0) sum -= from[(i - radius - 1) * stride];
+        if (i >= 0) to[i * stride] = std::max(sum, 0.0);
     }
 }
 
@@ -45,14 +47,15 @@ double mean_luminance(const EyeImage& image) {
 PixelImportance::PixelImportance(std::uint32_t width, std::uint32_t height)
     : width_(width), height_(height) {
     const std::size_t pixels = std::size_t{width} * height;
-    for (std::vector<float>* values : {&sum_, &count_, &blurred_, &column_})
-        values->assign(pixels, 0.0f);
+    for (std::vector<double>* values : {&sum_, &count_, &column_, &window_})
+        values->assign(pixels, 0.0);
+    blurred_.assign(pixels, 0.0f);
 }
 
 void PixelImportance::add_pass(const EyeImage& image, std::span<const Rgb> radiance) {
     for (std::size_t i = 0; i < image.positions.size(); ++i) {
         const std::size_t at = film_pixel(image.positions[i], width_, height_);
-        sum_[at] += luminance_over_groups(radiance, i, image.groups);
+        sum_[at] += double(luminance_over_groups(radiance, i, image.groups));
         count_[at] += 1;
     }
     ++passes_;
@@ -62,8 +65,8 @@ void PixelImportance::add_pass(const EyeImage& image, std::span<const Rgb> radia
 void PixelImportance::estimate() {
     double total = 0, paths = 0;
     for (std::size_t i = 0; i < sum_.size(); ++i) {
-        total += double(sum_[i]);
-        paths += double(count_[i]);
+        total += sum_[i];
+        paths += count_[i];
     }
     mean_ = paths > 0 ? total / paths : 0;
     blur();
@@ -71,28 +74,29 @@ void PixelImportance::estimate() {
 
 void PixelImportance::blur() {
     const int radius = std::max(kLastBlur, int(kFirstBlur / std::sqrt(double(passes_))));
-    const auto box = [&](const std::vector<float>& from, std::vector<float>& to) {
+    const auto box = [&](const std::vector<double>& from) {
         for (std::uint32_t y = 0; y < height_; ++y)
             sum_windows(&from[std::size_t{y} * width_], &column_[std::size_t{y} * width_],
                         int(width_), 1, radius);
         for (std::uint32_t x = 0; x < width_; ++x)
-            sum_windows(&column_[x], &to[x], int(height_), std::ptrdiff_t(width_), radius);
+            sum_windows(&column_[x], &window_[x], int(height_), std::ptrdiff_t(width_), radius);
     };
-    std::vector<float> counts(count_.size());
-    box(count_, counts);
-    box(sum_, blurred_);
-    for (std::size_t i = 0; i < counts.size(); ++i)
-        blurred_[i] = counts[i] > 0 ? blurred_[i] / counts[i] : 0;
+    box(count_);
+    std::transform(window_.begin(), window_.end(), blurred_.begin(),
+                   [](double count) { return float(count); });
+    box(sum_);
+    for (std::size_t i = 0; i < blurred_.size(); ++i)
+        blurred_[i] = blurred_[i] > 0 ? float(window_[i] / double(blurred_[i])) : 0;
 }
 
 void PixelImportance::state(StateArchive& archive) {
     constexpr std::uint32_t kMostPasses = 1u << 31;
     archive.value(passes_);
     StateArchive::check(passes_ <= kMostPasses, "passes without end");
-    for (std::vector<float>* values : {&sum_, &count_}) {
+    for (std::vector<double>* values : {&sum_, &count_}) {
         archive.fixed(*values);
         StateArchive::check(
-            std::all_of(values->begin(), values->end(), [](float v) { return v >= 0; }),
+            std::all_of(values->begin(), values->end(), [](double v) { return v >= 0; }),
             "a pixel of negative luminance");
     }
     if (archive.restoring() && passes_ > 0) estimate();
@@ -119,12 +123,13 @@ float PixelImportance::weight(std::size_t pixel) const {
 }
 
 std::size_t PixelImportance::memory_bytes() const {
-    return (sum_.capacity() + count_.capacity() + blurred_.capacity() + column_.capacity()) *
-           sizeof(float);
+    return (sum_.capacity() + count_.capacity() + column_.capacity() + window_.capacity()) *
+               sizeof(double) +
+           blurred_.capacity() * sizeof(float);
 }
 
 std::size_t PixelImportance::memory_bound_bytes(std::size_t pixels) {
-    return 5 * pixels * sizeof(float);
+    return pixels * (4 * sizeof(double) + sizeof(float));
 }
 
 }  // namespace aips

@@ -14,9 +14,9 @@ namespace aips {
 SearchRadii PpmRadius::before_pass(std::uint64_t /*pass*/, const PassPhotons& /*photons*/,
                                    const EyeImage& image) {
     if (radii_.empty()) {
-        const auto radius = float(initial_radius(settings_, image, smallest_));
-        radii_.assign(image.visible_points.size(), radius);
-        photons_.assign(image.visible_points.size(), 0);
+        const double radius = initial_radius(settings_, image, smallest_);
+        radii_.assign(image.visible_points.size(), float(radius));
+        points_.assign(image.visible_points.size(), {0, radius * radius});
     }
     SearchRadii radii;
     radii.largest = *std::max_element(radii_.begin(), radii_.end());
@@ -25,30 +25,34 @@ SearchRadii PpmRadius::before_pass(std::uint64_t /*pass*/, const PassPhotons& /*
     return radii;
 }
 
+// Saved between passes, when the radii searched follow from their squares.
 void PpmRadius::state(StateArchive& archive, const EyeImage& image) {
-    bool begun = !radii_.empty();
+    bool begun = !points_.empty();
     archive.value(begun);
     if (!begun) return;
+    archive.fixed_count(image.visible_points.size());
     if (archive.restoring()) {
-        radii_.resize(image.visible_points.size());
-        photons_.resize(image.visible_points.size());
+        points_.resize(image.visible_points.size());
+        radii_.resize(points_.size());
     }
-    archive.fixed(radii_);
-    archive.fixed(photons_);
-    const auto initial = float(initial_radius(settings_, image, smallest_));
-    for (std::size_t i = 0; i < radii_.size() && archive.restoring(); ++i) {
-        StateArchive::check(radii_[i] >= 0 && radii_[i] <= initial,
+    const double initial = initial_radius(settings_, image, smallest_);
+    for (std::size_t i = 0; i < points_.size(); ++i) {
+        Point& point = points_[i];
+        archive.amount(point.photons);
+        archive.amount(point.squared_radius);
+        StateArchive::check(point.squared_radius <= initial * initial,
                             "a search radius that has grown");
-        StateArchive::check(photons_[i] >= 0 && std::isfinite(photons_[i]),
-                            "a visible point with no number of photons");
+        radii_[i] = float(std::sqrt(point.squared_radius));
     }
 }
 
 void PpmRadius::after_pass(const PhotonFlux& flux) {
     tbb::parallel_for(std::size_t{0}, radii_.size(), [&](std::size_t i) {
-        const PpmStep step = ppm_step(photons_[i], flux.accepted[i], settings_.alpha);
-        photons_[i] = step.photons;
-        radii_[i] *= float(std::sqrt(step.share));
+        Point& point = points_[i];
+        const PpmStep step = ppm_step(point.photons, flux.accepted[i], settings_.alpha);
+        point.photons = step.photons;
+        point.squared_radius = std::max(point.squared_radius * step.share, smallest_ * smallest_);
+        radii_[i] = float(std::sqrt(point.squared_radius));
     });
 }
 

@@ -11,6 +11,7 @@
 // which is the mean over passes, by paths shot, of their own estimates. The film takes just that
 // mean, and the eye paths' own light, added in each pass, stays a constant in it. Thus no flux is
 // kept here: a point's statistics are its radius and its photon count, whatever the light groups.
+// Both are in double precision: late passes shrink R by less than a float can tell from nothing.
 #pragma once
 
 #include <vector>
@@ -29,18 +30,23 @@ class PpmRadius final : public RadiusPolicy {
     void after_pass(const PhotonFlux& flux) override;
     void state(StateArchive& archive, const EyeImage& image) override;
     std::size_t memory_bytes() const override {
-        return radii_.capacity() * sizeof(float) + photons_.capacity() * sizeof(double);
+        return radii_.capacity() * sizeof(float) + points_.capacity() * sizeof(Point);
     }
     /// Upper bound of memory_bytes() for so many visible points.
     static std::size_t memory_bound_bytes(std::size_t visible_points) {
-        return visible_points * (sizeof(float) + sizeof(double));
+        return visible_points * (sizeof(float) + sizeof(Point));
     }
 
   private:
+    struct Point {
+        double photons = 0;         // N of eq. 7, photons kept so far
+        double squared_radius = 0;  // R^2
+    };
+
     Settings settings_;
-    double smallest_;              // initial radii stay above; shrinking needs photons within
-    std::vector<float> radii_;     // [visible point]: R
-    std::vector<double> photons_;  // [visible point]: N of eq. 7, photons kept so far
+    double smallest_;            // radii stay above
+    std::vector<float> radii_;   // [visible point]: R
+    std::vector<Point> points_;  // [visible point]
 };
 
 }  // namespace aips

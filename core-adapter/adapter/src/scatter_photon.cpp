@@ -56,6 +56,10 @@ float geometric_share(const SurfacePoint& point, Vec3 wo, LobeMask lobes) {
 
 /// One-sample mixture of guide, cosine and Bsdf, weighed by the density of all together, so that
 /// any shares leave the expectation as it is.
+///
+/// Bound on fireflies: the density is at least 1 - guided_share of what it would be without the
+/// guide, so a bounce multiplies a photon's power by at most 1 / (1 - guided_share) times as much
+/// as without (4 by bounce tables, whose greatest share is 3/4; 100 by guideshare 0.99).
 template <class Numbers>
 bool scatter_by_mixture(const Mixture& mixture, const SurfacePoint& point, Vec3 wo, Numbers& random,
                         PhotonCounts& counts, ScatteredPhoton& result) {

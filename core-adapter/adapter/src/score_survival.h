@@ -32,10 +32,10 @@ class ScoreSurvival {
         const ScoreCache::Expectation expected = cache_->at(position, normal);
         if (!expected.known || !(expected.cost > 0)) return std::nullopt;
         const double ratio = double(expected.score) / double(expected.cost) * cost_over_score_;
-        const float photons = power * float(std::sqrt(ratio));
-        // A number beyond all floats times nothing.
-        if (!(photons >= 0)) return std::nullopt;
-        return std::min(photons, std::numeric_limits<float>::max());
+        const double photons = double(power) * std::sqrt(ratio);
+        // 0 times infinity, where scores have faded beyond a double's range, tells nothing.
+        if (std::isnan(photons)) return std::nullopt;
+        return float(std::min(photons, double(std::numeric_limits<float>::max())));
     }
 
   private:

@@ -70,7 +70,7 @@ void VolumeGather::sort() {
 }
 
 std::uint64_t VolumeGather::gather_beam(const VolumeBeam& beam, Refusals& refusals,
-                                        Rgb* flux) const {
+                                        GroupSums& sums) const {
     const Media& media = *scene_.media();
     const Rgb extinction = media.extinction(beam.medium);
     const float width = 2 * radius_;
@@ -87,7 +87,7 @@ std::uint64_t VolumeGather::gather_beam(const VolumeBeam& beam, Refusals& refusa
                               media.phase(beam.medium, dot(photon.direction, beam.direction)) *
                               piece.weight;
             if (!refusals.accept(value, kPassageOrigin)) return;
-            flux[photon.light_group] += value;
+            sums.add(photon.light_group, value);
             ++gathered;
         });
     };
@@ -120,9 +120,11 @@ void VolumeGather::gather(const EyeImage& image, Refusals& refusals) {
     tbb::parallel_for(tbb::blocked_range<std::size_t>(0, image.beams.size(), 256),
                       [&](const tbb::blocked_range<std::size_t>& range) {
                           std::uint64_t total = 0;
-                          for (std::size_t i = range.begin(); i < range.end(); ++i)
-                              total +=
-                                  gather_beam(image.beams[i], refusals, &flux_[i * image.groups]);
+                          GroupSums sums(image.groups);
+                          for (std::size_t i = range.begin(); i < range.end(); ++i) {
+                              total += gather_beam(image.beams[i], refusals, sums);
+                              sums.move_to(&flux_[i * image.groups]);
+                          }
                           gathered.fetch_add(total, std::memory_order_relaxed);
                       });
     gathered_ += gathered.load();

@@ -10,6 +10,7 @@
 
 #include "aips/core/cell_sort.h"
 #include "eye_pass.h"
+#include "group_sums.h"
 #include "photon_schedule.h"
 #include "refusals.h"
 
@@ -59,7 +60,7 @@ class VolumeGather {
 
   private:
     void sort();
-    std::uint64_t gather_beam(const VolumeBeam& beam, Refusals& refusals, Rgb* flux) const;
+    std::uint64_t gather_beam(const VolumeBeam& beam, Refusals& refusals, GroupSums& sums) const;
 
     const Scene& scene_;
     Settings settings_;

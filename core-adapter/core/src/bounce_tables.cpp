@@ -14,7 +14,7 @@ namespace {
 constexpr double kLeastKnown = 8;
 /// Of directions worth nothing one in so many is learned from, and counts as so many: they only
 /// tell what directions cost, and they are most.
-constexpr std::uint32_t kWorthlessOneOf = 8;
+constexpr unsigned kWorthlessOneOf = 8;
 /// Share of a leaf's sum that must be new before its density is made anew.
 constexpr double kFreshShare = 0.125;
 
@@ -65,7 +65,7 @@ bool BounceTables::add(const BounceScore& s) {
     }
     if (!reflected || !(squared > 0)) return true;
     const double root = std::sqrt(squared);
-    leaf.sums[cell] += float(root);
+    leaf.sums[cell] += root;
     leaf.sum += root;
     leaf.squares += squared;
     leaf.fresh += root;
@@ -88,8 +88,8 @@ void BounceTables::add_leaves() {
         Leaf child;
         if (const std::uint32_t parent = places_.parent_of(i); parent != i) {
             Leaf& from = leaves_[parent];
-            for (float& sum : from.sums)
-                sum *= 0.5f;
+            for (double& sum : from.sums)
+                sum *= 0.5;
             from.sum *= 0.5;
             from.squares *= 0.5;
             from.fresh *= 0.5;
@@ -117,8 +117,8 @@ void BounceTables::forget(double paths) {
     for (Leaf& leaf : leaves_) {
         leaf.moments.scale(moments);
         if (kept == 1) continue;
-        for (float& sum : leaf.sums)
-            sum *= float(kept);
+        for (double& sum : leaf.sums)
+            sum *= kept;
         leaf.sum *= kept;
         leaf.squares *= kept;
         leaf.fresh *= kept;

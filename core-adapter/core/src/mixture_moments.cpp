@@ -1,17 +1,21 @@
 // Second moments of mixtures, and the choice between them.
 #include "aips/core/mixture_moments.h"
 
+#include <cmath>
+
 namespace aips {
 
 void MixtureMoments::add(double score, double cost, const DirectionDensities& p, double weight) {
     if (!(p.plain > 0) || !(p.drawn > 0)) return;
+    const double plain = score * p.drawn / p.plain;
+    // Sums that have once been infinite would stay so.
+    if (!std::isfinite(plain * plain) || !std::isfinite(cost)) return;
     for (std::size_t i = 0; i < kTableShares.size(); ++i) {
         const double a = kTableShares[i];
         const double mixed = (1 - a) * p.plain + a * p.table;
         moments_[i] += weight * score * p.drawn / mixed;
         costs_[i] += weight * cost * mixed / p.drawn;
     }
-    const double plain = score * p.drawn / p.plain;
     squares_ += weight * plain * plain;
     count_ += weight;
 }

@@ -16,12 +16,12 @@ namespace aips {
 /// `wholes`; sums[cell] were met in its n x n cells, equal shares weigh as much as a sum `prior`.
 template <std::size_t n>
 std::array<double, n * n> polya_quarters(const std::array<double, n * n>& wholes,
-                                         std::span<const float, n * n> sums, std::size_t side,
+                                         std::span<const double, n * n> sums, std::size_t side,
                                          double prior) {
     std::array<double, n * n> met{}, masses{};
     for (std::size_t cell = 0; cell < n * n; ++cell) {
         const std::size_t x = cell % n * side / n, y = cell / n * side / n;
-        met[y * side + x] += double(sums[cell]);
+        met[y * side + x] += sums[cell];
     }
     const std::size_t half = side / 2;
     for (std::size_t whole = 0; whole < half * half; ++whole) {
@@ -40,7 +40,7 @@ std::array<double, n * n> polya_quarters(const std::array<double, n * n>& wholes
 /// Density (mean 1) of n x n cells, n a power of two, in which `sums` were met; at each level equal
 /// shares weigh as much as a sum `prior` > 0.
 template <std::size_t n>
-void polya_density(std::span<const float, n * n> sums, double prior,
+void polya_density(std::span<const double, n * n> sums, double prior,
                    std::span<float, n * n> density) {
     static_assert(n > 0 && (n & (n - 1)) == 0);
     std::array<double, n * n> masses{1};

@@ -273,10 +273,27 @@ void PrimaryTree::set_mixture(const PrimaryMixture& mixture) {
     set_probabilities();
 }
 
-// From the leaves up: children come after their parents.
-void PrimaryTree::set_probabilities() {
+namespace {
+
+/// A node's lower share in single precision, and never so that the upper one, 1 less it, comes out
+/// too small: near 1 floats lie 2^-24 apart, as far as upper shares are large.
+float rounded_share(double lower) {
     // Shares of 0 and 1 would close what the plain density keeps open.
     constexpr double kLeast = 0x1p-24;
+    const auto share = static_cast<float>(std::clamp(lower, kLeast, 1 - kLeast));
+    return double(share) > lower && share > 0.5f ? previous_float(share) : share;
+}
+
+}  // namespace
+
+// From the leaves up: children come after their parents.
+//
+// A leaf's probability is at least plain_share * volume, that of each node therefore too: the
+// density is nowhere below plain_share, but for rounding. A share that rounded_share() or its
+// complement lessens at all is at least 1/2 and loses 2^-23 of itself, or is rounded as floats are
+// (2^-24); a way to a leaf has no more than 4 * 20 nodes (kMinSide), and the density is at least
+// plain_share (1 - 80 * 2^-23), where it is asked for as where it is drawn from.
+void PrimaryTree::set_probabilities() {
     probabilities_.assign(nodes_.size(), 0.0);
     for (std::size_t i = nodes_.size(); i-- > 0;) {
         Node& node = nodes_[i];
@@ -286,8 +303,7 @@ void PrimaryTree::set_probabilities() {
         }
         const double lower = probabilities_[node.target()];
         probabilities_[i] = lower + probabilities_[node.target() + 1];
-        node.lower_share =
-            static_cast<float>(std::clamp(lower / probabilities_[i], kLeast, 1 - kLeast));
+        node.lower_share = rounded_share(lower / probabilities_[i]);
         node.lower_scale = 1 / node.lower_share;
         node.upper_scale = 1 / (1 - node.lower_share);
     }

@@ -16,7 +16,8 @@ inline constexpr std::size_t kMaxQuantizedWeights = std::size_t(1) << 22;
 /// Fills cdf[i] with the probability of all weights up to i, as a multiple of 2^-24; from the last
 /// positive weight on it is 1. Zero weights get nothing, others at least 2^-24. `weights` must be
 /// sanitized (finite, >= 0), of sum `total` > 0, and at most kMaxQuantizedWeights; `cdf` is as
-/// long.
+/// long. Of n weights none keeps less than 1 - n 2^-24 of its probability: one step is its own, and
+/// what rounding down takes from its part of the others is less than a step.
 template <class T>
 void quantize_cdf(std::span<const T> weights, double total, std::span<float> cdf) {
     constexpr double kSteps = 0x1p24;

@@ -37,8 +37,11 @@ bool representable(double value) {
     return value >= 0 && value <= double(std::numeric_limits<float>::max());
 }
 
+/// Plane that halves the box. Between neighbouring floats, where there is none, the upper one: the
+/// lower would leave a leaf as it was, and be split again without end.
 float middle(const Bounds& box, int axis) {
-    return 0.5f * box.lower[axis] + 0.5f * box.upper[axis];
+    const float half = 0.5f * box.lower[axis] + 0.5f * box.upper[axis];
+    return half > box.lower[axis] ? half : box.upper[axis];
 }
 
 }  // namespace

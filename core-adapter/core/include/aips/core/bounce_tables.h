@@ -102,7 +102,7 @@ class BounceTables {
     using Cells = std::array<float, kCells>;
 
     struct Leaf {
-        Cells sums{};        ///< of sqrt(Q) / P
+        std::array<double, kCells> sums{};  ///< of sqrt(Q) / P
         double sum = 0;      ///< of all cells, and of the squares: their ratio tells how many
         double squares = 0;  ///< photons with equal scores would tell as much
         double fresh = 0;    ///< part of `sum` that came after `density` was made
@@ -130,7 +130,7 @@ class BounceTables {
     std::vector<std::uint8_t> leaf_marks_;
     MixtureMoments everywhere_;
     std::size_t tables_in_use_ = 0;
-    std::uint32_t worthless_ = 0;  ///< vertices without a score
+    std::uint64_t worthless_ = 0;  ///< vertices without a score
 };
 
 }  // namespace aips

@@ -14,7 +14,8 @@
 
 namespace aips {
 
-/// Shares that are compared; the first is no table at all.
+/// Shares that are compared; the first is no table at all. What the greatest leaves to the density
+/// without a table bounds weights: 1 / (1 - 3/4) of theirs.
 inline constexpr std::array<double, 4> kTableShares{0, 0.25, 0.5, 0.75};
 
 /// Densities of one direction, all in the same measure.
@@ -28,7 +29,8 @@ struct DirectionDensities {
 class MixtureMoments {
   public:
     /// A direction led to `score` and cost `cost` rays, both >= 0. One that cannot be drawn without
-    /// a table (density 0) carries no light, and is left out.
+    /// a table (density 0) carries no light, and is left out, as are scores whose squares a double
+    /// cannot hold.
     /// It stands for `weight` like it.
     void add(double score, double cost, const DirectionDensities& densities, double weight = 1);
     void add(const MixtureMoments& other);

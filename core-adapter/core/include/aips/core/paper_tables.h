@@ -56,7 +56,7 @@ class PaperTables {
     /// Errors seen in one direction.
     struct Seen {
         double sum = 0;
-        float count = 0;
+        double count = 0;  // of landings: a float would stop at 2^24
     };
 
     void add_nodes(const NodeTree& tree);

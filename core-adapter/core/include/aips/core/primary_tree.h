@@ -44,7 +44,7 @@ struct PrimarySample {
 
 /// How the density is mixed; what remains of 1 is the learned density.
 struct PrimaryMixture {
-    double plain = 1;  ///< share of the uniform density (defensive), > 0
+    double plain = 1;  ///< share of the uniform density (defensive), > 0: bounds weights
     double seeds = 0;  ///< share of the density of seeds
 };
 
@@ -71,7 +71,8 @@ class PrimaryTree {
     /// forgets, splits what pays to be split.
     void update(double paths);
     /// Sets the density from what was learned so far. With nothing learned (no seeds), the shares
-    /// of the learned (seeds') density go to the plain one.
+    /// of the learned (seeds') density go to the plain one. Whatever was learned, no density is
+    /// below mixture.plain by more than one part in 100 000: no photon weighs more than 1 / that.
     void set_mixture(const PrimaryMixture& mixture);
 
     /// Saves what was learned, or restores it into a new tree with the same settings. To be called

@@ -13,6 +13,7 @@
 #include <span>
 
 #include "lxs/host/catalogue.h"
+#include "lxs/host/checkpoint.h"
 #include "lxs/host/failure.h"
 #include "lxs/host/render_loop.h"
 #include "lxs/host/render_session.h"
@@ -119,6 +120,7 @@ ExitCode render(const CommandLine& command, const PluginLibrary& plugins, Consol
     if (command.threads > 0) {
         thread_limit.emplace(tbb::global_control::max_allowed_parallelism, command.threads);
     }
+    check_checkpoint_place(command);
     InputDiagnostics diagnostics(log, command.strict);
     RenderSession session = prepare_session(command, plugins, diagnostics, log);
     log_scene(session, log);
@@ -126,23 +128,31 @@ ExitCode render(const CommandLine& command, const PluginLibrary& plugins, Consol
     log.info(fmt::format("rendering {} with \"{}\", seed {}", budget.text(),
                          session.integrator_name, session.seed));
 
+    auto found = find_checkpoint(command, session, log);
+
     const auto start = Clock::now();
     const Interruption interruption;
     prepare_integrator(session, command, log);
+    const RenderTotals begun =
+        found ? restore(std::move(*found), command, session, log) : RenderTotals{};
+    CheckpointSchedule checkpoints(command, session, log, begun);
     Progress progress(log, budget);
-    RenderLoop loop{.integrator = *session.integrator,
-                    .budget = budget,
-                    .interruption = interruption,
-                    .progress = progress,
-                    .snapshot_interval = session.film->write_interval_seconds(),
-                    .write_snapshot = [&](const RenderTotals& totals) {
-                        write_outputs(command, session, totals);
-                    }};
+    RenderLoop loop{
+        .integrator = *session.integrator,
+        .budget = budget,
+        .interruption = interruption,
+        .progress = progress,
+        .end_pass = [&](const RenderTotals& totals) { checkpoints.pass_done(totals); },
+        .snapshot_interval = session.film->write_interval_seconds(),
+        .write_snapshot =
+            [&](const RenderTotals& totals) { write_outputs(command, session, totals); }};
     if (session.spectral) {
         loop.begin_pass = [&](std::uint64_t pass) { begin_spectral_pass(session, pass); };
     }
-    const RenderTotals totals = loop.run();
-    session.times["render"] = seconds_since(start) - session.times["write"];
+    const RenderTotals totals = loop.run(begun);
+    checkpoints.finish(totals);
+    session.times["render"] =
+        begun.seconds + seconds_since(start) - session.times["write"] - session.times["checkpoint"];
     return finish(command, session, totals, interruption.requested(), log);
 }
 
@@ -189,6 +199,9 @@ ExitCode carry_out(const CommandLine& command, ConsoleLog& log) {
     } catch (const OutputFailure& error) {
         log.error(error.what());
         return ExitCode::OutputFailure;
+    } catch (const CheckpointFailure& error) {
+        log.error(error.what());
+        return ExitCode::CheckpointRefused;
     } catch (const std::bad_alloc&) {
         log.error("out of memory");
     } catch (const std::exception& error) {

@@ -16,11 +16,12 @@ struct RenderLoop {
     const Interruption& interruption;
     Progress& progress;
     std::function<void(std::uint64_t pass)> begin_pass = {};  ///< called before each; may be empty
+    std::function<void(const RenderTotals&)> end_pass = {};   ///< called after each; may be empty
     double snapshot_interval = 0;  ///< seconds between snapshots; 0: none
     std::function<void(const RenderTotals&)> write_snapshot;
 
-    /// Renders; the totals are of all passes done.
-    RenderTotals run();
+    /// Renders on from `totals`, those of a render that is resumed; gives the totals of all passes.
+    RenderTotals run(RenderTotals totals = {});
 };
 
 }  // namespace lxs

@@ -1,6 +1,8 @@
 // The engine as a surface integrator of the host.
 #include "engine_integrator.h"
 
+#include "state_shim.h"
+
 namespace aips::shim {
 
 void EngineIntegrator::prepare(const lxs::RenderContext& context) {
@@ -16,6 +18,15 @@ void EngineIntegrator::prepare(const lxs::RenderContext& context) {
 lxs::PassReport EngineIntegrator::render_pass(std::uint64_t pass) {
     const PassReport report = engine_->render_pass(pass);
     return {report.photon_paths, report.rays, double(report.eye_paths) / pixels_};
+}
+
+void EngineIntegrator::state(lxs::StateArchive& archive) {
+    StateShim shim(archive);
+    try {
+        engine_->state(shim);
+    } catch (const StateError& error) {
+        throw lxs::StateError(error.what());
+    }
 }
 
 lxs::Statistics EngineIntegrator::statistics() const {

@@ -195,6 +195,20 @@ void AdaptiveGuide::judge_survival(const PathLog& log, const PathRecord& path,
     survival_switch_.add(judged);
 }
 
+void AdaptiveGuide::state(StateArchive& archive) {
+    emission_.state(archive);
+    if (cache_) cache_->state(archive);
+    if (survival_) survival_->state(archive);
+    survival_switch_.state(archive);
+    if (bounces_) bounces_->state(archive);
+    for (PartRest* rest : {&emission_rest_, &survival_rest_, &bounces_rest_})
+        rest->state(archive);
+    for (std::uint64_t* count : {&paths_, &walks_, &seeds_found_})
+        archive.value(*count);
+    for (double* sum : {&path_score_, &path_cost_, &logged_})
+        archive.amount(*sum);
+}
+
 std::size_t AdaptiveGuide::memory_bytes() const {
     return score_.memory_bytes() + emission_.memory_bytes() +
            (cache_ ? cache_->memory_bytes() : 0) + (bounces_ ? bounces_->memory_bytes() : 0) +

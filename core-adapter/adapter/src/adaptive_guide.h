@@ -51,6 +51,10 @@ class AdaptiveGuide {
     /// Learns from the logged ones of `paths` photon paths, whose landings are among `landings`.
     void learn(const PathLog& log, std::span<const Landing> landings, std::uint32_t paths);
 
+    /// Between passes: saves what was learned, or restores it into a new guide; what a pass begins
+    /// with is made anew by begin_pass().
+    void state(StateArchive& archive);
+
     const EmissionGuide& emission_guide() const { return emission_; }
     /// Whether survival by score was tried and does not pay.
     bool survival_switched_off() const {

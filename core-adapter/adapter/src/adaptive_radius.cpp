@@ -104,6 +104,13 @@ void AdaptiveRadius::after_pass(const PhotonFlux& flux) {
     }
 }
 
+// The rest is of one pass.
+void AdaptiveRadius::state(StateArchive& archive, const EyeImage& /*image*/) {
+    state_of_initial_radius(archive, initial_, smallest_);
+    unit_ = kProbeRadius * initial_;
+    map_.state(archive);
+}
+
 std::size_t AdaptiveRadius::memory_bytes() const {
     return map_.memory_bytes() + (pixels_.capacity() + probes_.capacity()) * sizeof(std::uint32_t) +
            radii_.capacity() * sizeof(float);

@@ -16,6 +16,7 @@ class AdaptiveRadius final : public RadiusPolicy {
     SearchRadii before_pass(std::uint64_t pass, const PassPhotons& photons,
                             const EyeImage& image) override;
     void after_pass(const PhotonFlux& flux) override;
+    void state(StateArchive& archive, const EyeImage& image) override;
     std::size_t memory_bytes() const override;
     /// Upper bound of memory_bytes() for so many visible points.
     static std::size_t memory_bound_bytes(std::size_t pixels, std::size_t visible_points);

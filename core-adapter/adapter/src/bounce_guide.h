@@ -22,6 +22,9 @@ class BounceGuide final : public DirectionGuide {
     /// After `paths` further scored photon paths.
     void update(double paths) { tables_.update(paths); }
 
+    /// Between passes: saves what was learned, or restores it into a new guide.
+    void state(StateArchive& archive) { tables_.state(archive); }
+
     const BounceTables& tables() const { return tables_; }
     std::size_t memory_bytes() const { return tables_.memory_bytes(); }
     static std::size_t memory_bound_bytes(double memory_paths);

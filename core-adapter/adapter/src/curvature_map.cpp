@@ -59,4 +59,16 @@ ProbeEstimate CurvatureMap::mean(std::uint32_t pixel) const {
     return mean;
 }
 
+// Any numbers will do: where radii don't follow from them the schedule's are taken.
+void CurvatureMap::state(StateArchive& archive) {
+    for (Sums& sums : sums_) {
+        archive.value(sums.probes);
+        archive.value(sums.second_moment);
+        for (std::size_t scale = 0; scale < kProbeScales; ++scale) {
+            archive.value(sums.laplacian[scale]);
+            archive.value(sums.error2[scale]);
+        }
+    }
+}
+
 }  // namespace aips

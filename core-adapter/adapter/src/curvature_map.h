@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "aips/core/optimal_radius.h"
+#include "aips/core/state_archive.h"
 #include "aips/core/vector.h"
 
 namespace aips {
@@ -23,6 +24,9 @@ class CurvatureMap {
     /// discs, one for the next, none for the last; all 0 without a probe. Errors are those of the
     /// means, probes being independent.
     ProbeEstimate mean(std::uint32_t pixel) const;
+
+    /// Saves the sums, or restores them into a new map of the same size.
+    void state(StateArchive& archive);
 
     std::size_t memory_bytes() const { return sums_.capacity() * sizeof(Sums); }
     static std::size_t memory_bound_bytes(std::size_t pixels) { return pixels * sizeof(Sums); }

@@ -60,6 +60,14 @@ void DebugLayers::add_photon_density(const EyeImage& image, const PhotonFlux& fl
     film_.set_layer("photondensity", density_layer_);
 }
 
+void DebugLayers::state(StateArchive& archive) {
+    for (WeightedSum& density : densities_) {
+        archive.amount(density.weight);
+        archive.amount(density.sum);
+    }
+    if (node_layers_) node_layers_->state(archive);
+}
+
 std::size_t DebugLayers::memory_bytes() const {
     return pixel_of_path_.capacity() * sizeof(std::uint32_t) +
            photon_part_.capacity() * sizeof(Rgb) + densities_.capacity() * sizeof(WeightedSum) +

@@ -25,6 +25,10 @@ class DebugLayers {
     void add_pass(const EyeImage& image, const PhotonFlux& flux, const SearchRadii& radii,
                   std::span<const Rgb> radiance, double weight, const BounceTally* bounces);
 
+    /// Between passes: saves what later layers go on from, or restores it; the layers themselves
+    /// are the film's.
+    void state(StateArchive& archive);
+
     std::size_t memory_bytes() const;
     /// Bound of memory_bytes() and of the bounce tally. `nodes`: most nodes of the guide, 0
     /// without.

@@ -2,6 +2,7 @@
 #include "emission_guide.h"
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 
 namespace aips {
@@ -72,6 +73,7 @@ void EmissionGuide::update(double paths) {
     for (PrimaryTree& tree : trees_)
         tree.update(paths);
     set_densities();
+    if (learned_) judge();
     moments_.fade(paths, settings_.memory_paths);
 }
 
@@ -84,6 +86,8 @@ void EmissionGuide::set_densities() {
         masses.push_back(tree.mass());
     const double mass = std::accumulate(masses.begin(), masses.end(), 0.0);
     const double all_seeds = std::accumulate(seeds_.begin(), seeds_.end(), 0.0);
+    // Masses beyond all numbers tell nothing.
+    if (!std::isfinite(mass + all_seeds)) return;
     learned_ = mass > 0 || all_seeds > 0;
     if (!learned_) return;
     const bool enough = scored_ >= settings_.learned_scores;
@@ -105,9 +109,27 @@ void EmissionGuide::set_densities() {
         if (sum > 0) trees_[l].set_mixture({plain / sum, seeds / sum});
     }
     choice_.build(weights);
+}
+
+void EmissionGuide::judge() {
     const bool tried =
         moments_.paths() >= settings_.trial_paths && scored_ >= settings_.learned_scores;
     on_ = !tried || moments_.pays(on_);
+}
+
+// Densities are made from what was learned; lights that emit nothing have learned nothing.
+void EmissionGuide::state(StateArchive& archive) {
+    for (std::size_t l = 0; l < trees_.size(); ++l) {
+        if (!(plain_pdf(LightIndex(l)) > 0)) continue;
+        trees_[l].state(archive);
+        archive.amount(seeds_[l]);
+    }
+    moments_.state(archive);
+    archive.value(scored_);
+    archive.value(on_);
+    if (!archive.restoring()) return;
+    set_densities();
+    StateArchive::check(learned_ || !on_, "a guide of emission that is on and knows nothing");
 }
 
 double EmissionGuide::starved_share(double density) const {

@@ -60,6 +60,10 @@ class EmissionGuide {
     /// the density of the next iterations.
     void update(double paths);
 
+    /// Saves what was learned, or restores it into a new guide for the same lights. To be called
+    /// after update(), with nothing added since.
+    void state(StateArchive& archive);
+
     /// Whether sample() follows what was learned.
     bool on() const { return on_; }
     /// Plain second moment times cost over guided, on samples that did not shape the density.
@@ -77,6 +81,7 @@ class EmissionGuide {
   private:
     double plain_pdf(LightIndex light) const { return double(plain_choice_->pdf(light)); }
     double guided_pdf(const EmissionStart& start) const;
+    void judge();
     void set_densities();
 
     const DiscreteDistribution* plain_choice_;

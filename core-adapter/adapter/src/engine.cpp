@@ -14,6 +14,7 @@
 #include "pixel_estimate.h"
 #include "pixel_importance.h"
 #include "radius_policy.h"
+#include "same_render.h"
 #include "skip_log.h"
 #include "stopwatch.h"
 
@@ -151,7 +152,35 @@ class Engine::State {
         return s;
     }
 
+    void state(StateArchive& archive) {
+        state_of_identity(archive, host_, settings_, eye_paths_);
+        for (std::uint64_t* count :
+             {&statistics_.passes, &statistics_.eye_paths, &statistics_.eye_rays})
+            archive.value(*count);
+        archive.amount(statistics_.radius);
+        refusals_.state(archive);
+        skip_log_.state(archive);
+        photons_.state(archive);
+        if (guide_) guide_->state(archive);
+        if (importance_) importance_->state(archive);
+        if (noise_) noise_->state(archive);
+        photon_pass_.state(archive);
+        if (archive.restoring() && statistics_.passes > 0) trace_frozen_again();
+        radius_policy_->state(archive, image_);
+        if (layers_) layers_->state(archive);
+        photon_pass_.state_of_seconds(archive);
+        archive.amount(statistics_.eye_seconds);
+        archive.amount(statistics_.plan_seconds);
+    }
+
   private:
+    /// Their Bsdfs are the host's, which only it can make.
+    void trace_frozen_again() {
+        if (!freezes_eye_pass(settings_.mode)) return;
+        Refusals counted_before(host_.scene.material_names());
+        trace_eyes(0, pass_time(0), counted_before);
+    }
+
     void add_debug_layers() {
         layers_.emplace(host_.film, guide_.get());
         statistics_.memory_bound_bytes +=
@@ -201,12 +230,16 @@ class Engine::State {
     std::uint32_t trace_eye_paths(std::uint64_t pass, float time) {
         if (freezes_eye_pass(settings_.mode) && traced_eye_pass_) return 0;
         const Stopwatch watch(statistics_.eye_seconds);
+        trace_eyes(pass, time, refusals_);
+        return eye_paths_;
+    }
+
+    void trace_eyes(std::uint64_t pass, float time, Refusals& refusals) {
         const EyePassInput input{host_.scene,         host_.camera, host_.sampler,
                                  direct_light_,       settings_,    host_.film.width(),
                                  host_.film.height(), eye_paths_,   needs_.photons};
-        trace_eye_pass(input, pass, time, refusals_, image_);
+        trace_eye_pass(input, pass, time, refusals, image_);
         traced_eye_pass_ = true;
-        return eye_paths_;
     }
 
     void count(const PassReport& report, std::uint64_t eye_rays) {
@@ -255,6 +288,9 @@ PassReport Engine::render_pass(std::uint64_t pass) {
 }
 EngineStatistics Engine::statistics() const {
     return state_->statistics();
+}
+void Engine::state(StateArchive& archive) {
+    state_->state(archive);
 }
 
 }  // namespace aips

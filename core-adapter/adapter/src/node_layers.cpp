@@ -62,6 +62,14 @@ void NodeLayers::show(const EyeImage& image, std::span<const std::uint32_t> pixe
     film_.set_layer("nodeedges", values_);
 }
 
+// No point is refused: the guide has a node for each.
+void NodeLayers::state(StateArchive& archive) {
+    for (Vec3& point : points_) {
+        for (float* coordinate : {&point.x, &point.y, &point.z})
+            archive.value(*coordinate);
+    }
+}
+
 std::size_t NodeLayers::memory_bytes() const {
     return points_.capacity() * sizeof(Vec3) + nodes_.capacity() * sizeof(std::uint32_t) +
            values_.capacity() * sizeof(float);

@@ -33,6 +33,9 @@ class NodeLayers {
     void show(const EyeImage& image, std::span<const std::uint32_t> pixel_of_path,
               const BounceTally& bounces);
 
+    /// Saves the pixels' latest visible points, or restores them.
+    void state(StateArchive& archive);
+
     std::size_t memory_bytes() const;
     static std::size_t memory_bound_bytes(std::size_t pixels);
 

@@ -97,6 +97,14 @@ GuideNode PaperGuide::node(std::uint32_t number) const {
     return {node.weight, node.error, node.parent};
 }
 
+// The visible points of the first pass are dropped before its end.
+void PaperGuide::state(StateArchive& archive) {
+    tree_.state(archive);
+    tables_.state(archive, tree_);
+    archive.value(passes_);
+    archive.value(updates_);
+}
+
 std::size_t PaperGuide::memory_bound_bytes(const Settings& s) {
     return NodeTree::memory_bound_bytes(tree_settings(s)) +
            PaperTables::memory_bound_bytes(s.max_nodes, static_cast<int>(s.cdf_resolution));

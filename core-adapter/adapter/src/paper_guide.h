@@ -26,6 +26,7 @@ class PaperGuide final : public Guide {
     GuideStatistics statistics() const override;
     std::uint32_t node_at(Vec3 position) const override { return tree_.locate(position); }
     GuideNode node(std::uint32_t number) const override;
+    void state(StateArchive& archive) override;
 
     const NodeTree& tree() const { return tree_; }
     const PaperTables& tables() const { return tables_; }

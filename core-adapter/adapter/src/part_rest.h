@@ -6,6 +6,7 @@
 
 #include <cstdint>
 
+#include "aips/core/state_archive.h"
 #include "learning_weight.h"
 
 namespace aips {
@@ -18,6 +19,12 @@ class PartRest {
         if (paths < turn_at_ || (awake_ && pays)) return;
         awake_ = !awake_;
         turn_at_ = awake_ ? paths + kTrial / 4 : 2 * paths;
+    }
+
+    /// Saves or restores it.
+    void state(StateArchive& archive) {
+        archive.value(awake_);
+        archive.value(turn_at_);
     }
 
   private:

@@ -60,6 +60,15 @@ void PassNoiseMeter::sum_pixels(const EyeImage& image, std::span<const Rgb> radi
     }
 }
 
+// Whatever is restored, it gives an estimate of noise at worst that is none.
+void PassNoiseMeter::state(StateArchive& archive) {
+    for (Pixel& pixel : pixels_) {
+        for (float* value : {&pixel.sum, &pixel.variance, &pixel.paths})
+            archive.value(*value);
+    }
+    archive.value(last_paths_);
+}
+
 std::size_t PassNoiseMeter::memory_bytes() const {
     return (pixels_.capacity() + last_.capacity()) * sizeof(Pixel);
 }

@@ -28,6 +28,9 @@ class PassNoiseMeter {
     PassNoise add_pass(const EyeImage& image, std::span<const Rgb> radiance, const PhotonFlux& flux,
                        std::uint64_t photon_paths, const PixelImportance& importance);
 
+    /// Saves the last pass's pixels, or restores them into a new meter for the same film.
+    void state(StateArchive& archive);
+
     std::size_t memory_bytes() const;
     static std::size_t memory_bound_bytes(std::size_t pixels) { return pixels * 2 * sizeof(Pixel); }
 

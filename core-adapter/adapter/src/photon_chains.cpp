@@ -117,6 +117,12 @@ double PhotonChains::end_pass() {
     return visible_share * double(paths_) / double(pass_.recorded);
 }
 
+void PhotonChains::state(StateArchive& archive) {
+    mutation_size_.state(archive);
+    not_learned_.state(archive);
+    totals_.state(archive);
+}
+
 std::size_t PhotonChains::memory_bytes() const {
     std::size_t bytes = reach_.memory_bytes();
     for (const Chain& chain : chains_) {

@@ -37,6 +37,10 @@ class PhotonChains {
     /// 0 when no measured path was visible: then the pass says that they found nothing.
     double end_pass();
 
+    /// Between passes: saves what outlives a pass, the size of mutations and counts, or restores
+    /// it.
+    void state(StateArchive& archive);
+
     /// Over the whole render.
     const ChainCounts& totals() const { return totals_; }
     double mutation_size() const { return mutation_size_.size(); }

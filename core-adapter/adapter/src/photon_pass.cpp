@@ -154,6 +154,21 @@ void PhotonPass::gather_in_media(const EyeImage& image, Refusals& refusals) {
     totals_.gathered += volume_->gathered() - before;
 }
 
+// What is marked around visible points is found anew by begin_pass().
+void PhotonPass::state(StateArchive& archive) {
+    totals_.counts.state(archive);
+    archive.value(totals_.gathered);
+    if (chains_) chains_->state(archive);
+    if (adaptive_) adaptive_->state(archive);
+    if (volume_) volume_->state(archive);
+}
+
+void PhotonPass::state_of_seconds(StateArchive& archive) {
+    for (double* seconds :
+         {&totals_.photon_seconds, &totals_.gather_seconds, &totals_.guide_seconds})
+        archive.amount(*seconds);
+}
+
 std::size_t PhotonPass::memory_bytes() const {
     return tracer_.memory_bytes() + waiting_.memory_bytes() + iteration_.memory_bytes() +
            grid_.memory_bytes() + occupancy_.memory_bytes() +

@@ -43,6 +43,11 @@ class PhotonPass {
         if (volume_) volume_->add_to(image, photon_paths, refusals, radiance);
     }
 
+    /// Between passes: saves what later ones go on from, or restores it into a new one; the guide
+    /// and the importance are saved by themselves, and seconds by state_of_seconds().
+    void state(StateArchive& archive);
+    void state_of_seconds(StateArchive& archive);
+
     /// Null unless photonsampler=amc.
     const PhotonChains* chains() const { return chains_ ? &*chains_ : nullptr; }
     /// Null unless guide=adaptive.

@@ -234,6 +234,12 @@ PhotonCounts& PhotonCounts::operator+=(const PhotonCounts& o) {
     return *this;
 }
 
+void PhotonCounts::state(StateArchive& archive) {
+    for (std::uint64_t* count :
+         {&paths, &rays, &bounces, &guided_bounces, &landings, &split_off, &pruned})
+        archive.value(*count);
+}
+
 template <class Numbers>
 void trace_photon_path(const PhotonInput& in, Numbers& numbers, std::uint32_t index,
                        Refusals& refusals, Arena& arena, std::vector<Landing>& landings,

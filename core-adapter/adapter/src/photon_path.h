@@ -35,6 +35,8 @@ struct PhotonCounts {
     std::uint64_t pruned = 0;
 
     PhotonCounts& operator+=(const PhotonCounts& other);
+    /// Saves or restores the counts.
+    void state(StateArchive& archive);
 };
 
 /// The parts that photon paths work with; frozen during an iteration.

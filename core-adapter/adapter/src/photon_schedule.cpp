@@ -87,15 +87,35 @@ void PhotonSchedule::end_pass(const PassWork& work, const PassNoise& noise) {
     plan();
 }
 
+void PhotonSchedule::state(StateArchive& archive) {
+    const std::uint32_t present = paths_;
+    archive.value(paths_);
+    StateArchive::check(adapts_ ? paths_ >= kFewest && paths_ <= kMost : paths_ == present,
+                        "a number of photons that no pass has");
+    archive.value(pass_);
+    archive.value(decide_at_);
+    archive.value(decided_);
+    archive.value(next_.before);
+    for (double* sum : {&work_.eye, &work_.photons})
+        archive.amount(*sum);
+    // Estimates, which may be anything.
+    for (double* sum : {&noise_.eye, &noise_.photon_path})
+        archive.value(*sum);
+    archive.value(shot_);
+    if (archive.restoring()) plan();
+}
+
 std::uint32_t PhotonSchedule::best_paths() const {
     const double passes = double(shot_) / paths_;
     const double eye_cost = work_.eye / passes;
     const double path_cost = work_.photons / double(shot_);
     if (!(eye_cost > 0 && path_cost > 0)) return paths_;
     const double even = eye_cost / path_cost;
+    if (!std::isfinite(even)) return paths_;
     double paths = even * kGreatestRatio;
     // Noise that photons explain altogether leaves less than none to the eye, by chance.
     if (noise_.eye > 0) paths = std::sqrt(even * std::max(0.0, noise_.photon_path) / noise_.eye);
+    if (std::isnan(paths)) return paths_;
     paths = std::clamp(paths, even * kLeastRatio, even * kGreatestRatio);
     if (decided_ || learns_) {
         // A guide that has just learned will do with less.

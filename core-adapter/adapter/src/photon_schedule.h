@@ -12,6 +12,7 @@
 #include <cstdint>
 
 #include "aips/adapter/settings.h"
+#include "aips/core/state_archive.h"
 #include "pass_noise.h"
 
 namespace aips {
@@ -41,6 +42,9 @@ class PhotonSchedule {
     /// Whether numbers follow the noise, which end_pass() then wants to know.
     bool adapts() const { return adapts_; }
     void end_pass(const PassWork& work, const PassNoise& noise);
+    /// Between passes: saves what is planned and what that rests on, or restores it into a new
+    /// schedule with the same settings.
+    void state(StateArchive& archive);
 
   private:
     void plan();

@@ -50,12 +50,17 @@ PixelImportance::PixelImportance(std::uint32_t width, std::uint32_t height)
 }
 
 void PixelImportance::add_pass(const EyeImage& image, std::span<const Rgb> radiance) {
-    double total = 0, paths = 0;
     for (std::size_t i = 0; i < image.positions.size(); ++i) {
         const std::size_t at = film_pixel(image.positions[i], width_, height_);
         sum_[at] += luminance_over_groups(radiance, i, image.groups);
         count_[at] += 1;
     }
+    ++passes_;
+    estimate();
+}
+
+void PixelImportance::estimate() {
+    double total = 0, paths = 0;
     for (std::size_t i = 0; i < sum_.size(); ++i) {
         total += double(sum_[i]);
         paths += double(count_[i]);
@@ -65,7 +70,7 @@ void PixelImportance::add_pass(const EyeImage& image, std::span<const Rgb> radia
 }
 
 void PixelImportance::blur() {
-    const int radius = std::max(kLastBlur, int(kFirstBlur / std::sqrt(double(++passes_))));
+    const int radius = std::max(kLastBlur, int(kFirstBlur / std::sqrt(double(passes_))));
     const auto box = [&](const std::vector<float>& from, std::vector<float>& to) {
         for (std::uint32_t y = 0; y < height_; ++y)
             sum_windows(&from[std::size_t{y} * width_], &column_[std::size_t{y} * width_],
@@ -78,6 +83,19 @@ void PixelImportance::blur() {
     box(sum_, blurred_);
     for (std::size_t i = 0; i < counts.size(); ++i)
         blurred_[i] = counts[i] > 0 ? blurred_[i] / counts[i] : 0;
+}
+
+void PixelImportance::state(StateArchive& archive) {
+    constexpr std::uint32_t kMostPasses = 1u << 31;
+    archive.value(passes_);
+    StateArchive::check(passes_ <= kMostPasses, "passes without end");
+    for (std::vector<float>* values : {&sum_, &count_}) {
+        archive.fixed(*values);
+        StateArchive::check(
+            std::all_of(values->begin(), values->end(), [](float v) { return v >= 0; }),
+            "a pixel of negative luminance");
+    }
+    if (archive.restoring() && passes_ > 0) estimate();
 }
 
 void PixelImportance::weigh(const EyeImage& image, std::vector<float>& weights) const {

@@ -27,10 +27,14 @@ class PixelImportance {
     /// the first pass.
     float weight(std::size_t pixel) const;
 
+    /// Saves what was added, or restores it into a new estimate for the same film.
+    void state(StateArchive& archive);
+
     std::size_t memory_bytes() const;
     static std::size_t memory_bound_bytes(std::size_t pixels);
 
   private:
+    void estimate();
     void blur();
 
     std::uint32_t width_, height_;

@@ -25,6 +25,25 @@ SearchRadii PpmRadius::before_pass(std::uint64_t /*pass*/, const PassPhotons& /*
     return radii;
 }
 
+void PpmRadius::state(StateArchive& archive, const EyeImage& image) {
+    bool begun = !radii_.empty();
+    archive.value(begun);
+    if (!begun) return;
+    if (archive.restoring()) {
+        radii_.resize(image.visible_points.size());
+        photons_.resize(image.visible_points.size());
+    }
+    archive.fixed(radii_);
+    archive.fixed(photons_);
+    const auto initial = float(initial_radius(settings_, image, smallest_));
+    for (std::size_t i = 0; i < radii_.size() && archive.restoring(); ++i) {
+        StateArchive::check(radii_[i] >= 0 && radii_[i] <= initial,
+                            "a search radius that has grown");
+        StateArchive::check(photons_[i] >= 0 && std::isfinite(photons_[i]),
+                            "a visible point with no number of photons");
+    }
+}
+
 void PpmRadius::after_pass(const PhotonFlux& flux) {
     tbb::parallel_for(std::size_t{0}, radii_.size(), [&](std::size_t i) {
         const PpmStep step = ppm_step(photons_[i], flux.accepted[i], settings_.alpha);

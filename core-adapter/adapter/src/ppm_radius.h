@@ -27,6 +27,7 @@ class PpmRadius final : public RadiusPolicy {
     SearchRadii before_pass(std::uint64_t pass, const PassPhotons& photons,
                             const EyeImage& image) override;
     void after_pass(const PhotonFlux& flux) override;
+    void state(StateArchive& archive, const EyeImage& image) override;
     std::size_t memory_bytes() const override {
         return radii_.capacity() * sizeof(float) + photons_.capacity() * sizeof(double);
     }

@@ -2,6 +2,7 @@
 #include "radius_policy.h"
 
 #include <algorithm>
+#include <limits>
 
 #include "adaptive_radius.h"
 #include "ppm_radius.h"
@@ -32,6 +33,14 @@ double smallest_radius(const Scene& scene) {
 
 double initial_radius(const Settings& settings, const EyeImage& image, double smallest) {
     return radius_of_footprint(settings, image.mean_footprint(), smallest);
+}
+
+void state_of_initial_radius(StateArchive& archive, double& radius, double smallest) {
+    using Limits = std::numeric_limits<float>;
+    archive.value(radius);
+    StateArchive::check(radius == 0 || (radius >= std::max(smallest, double(Limits::min())) &&
+                                        radius <= double(Limits::max())),
+                        "a search radius that no pass can have begun with");
 }
 
 double radius_of_footprint(const Settings& settings, double footprint, double smallest) {

@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "aips/adapter/scene.h"
+#include "aips/core/state_archive.h"
 #include "gather.h"
 #include "photon_schedule.h"
 
@@ -20,6 +21,10 @@ class RadiusPolicy {
                                     const EyeImage& image) = 0;
     /// Takes note of the photons that the pass has gathered with these radii.
     virtual void after_pass(const PhotonFlux& flux) = 0;
+    /// Between passes: saves what later radii rest on, or restores it into a new policy for the
+    /// same scene and settings. `image`: of the last eye pass, or when restoring that which is
+    /// frozen.
+    virtual void state(StateArchive& archive, const EyeImage& image) = 0;
     virtual std::size_t memory_bytes() const = 0;
 };
 
@@ -33,6 +38,9 @@ double smallest_radius(const Scene& scene);
 /// Radius of the first pass, the same for all visible points: startradius times their mean pixel
 /// footprint (width), at least `smallest`.
 double initial_radius(const Settings& settings, const EyeImage& image, double smallest);
+
+/// Saves or restores it: 0 before there were visible points, else at least `smallest`.
+void state_of_initial_radius(StateArchive& archive, double& radius, double smallest);
 
 /// The same for points with this mean footprint (radius).
 double radius_of_footprint(const Settings& settings, double footprint, double smallest);

@@ -14,6 +14,14 @@ void Refusals::count(std::uint32_t material) {
     counts_[index].fetch_add(1, std::memory_order_relaxed);
 }
 
+void Refusals::state(StateArchive& archive) {
+    for (std::size_t i = 0; i < names_.size(); ++i) {
+        std::uint64_t count = counts_[i].load();
+        archive.value(count);
+        counts_[i].store(count);
+    }
+}
+
 std::uint64_t Refusals::total() const {
     std::uint64_t sum = 0;
     for (std::size_t i = 0; i < names_.size(); ++i)

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "aips/core/rgb.h"
+#include "aips/core/state_archive.h"
 
 namespace aips {
 
@@ -25,6 +26,9 @@ class Refusals {
         return false;
     }
     void count(std::uint32_t material);
+
+    /// Saves or restores the counts.
+    void state(StateArchive& archive);
 
     std::uint64_t total() const;
     /// (material name, count) of every material that had a contribution refused.

@@ -20,6 +20,9 @@ class ScheduledRadius final : public RadiusPolicy {
     SearchRadii before_pass(std::uint64_t pass, const PassPhotons& photons,
                             const EyeImage& image) override;
     void after_pass(const PhotonFlux& /*flux*/) override {}
+    void state(StateArchive& archive, const EyeImage& /*image*/) override {
+        state_of_initial_radius(archive, initial_, smallest_);
+    }
     std::size_t memory_bytes() const override { return 0; }
 
   private:

@@ -21,6 +21,9 @@ class ScoreSurvival {
     /// Whole paths' mean cost over mean score; 0: nothing known yet.
     void set_reference(double cost_over_score) { cost_over_score_ = cost_over_score; }
 
+    /// Saves or restores the reference; the cache is saved by itself.
+    void state(StateArchive& archive) { archive.amount(cost_over_score_); }
+
     /// Probability of going on (above 1: as good as 1), from what is known before a direction is
     /// drawn: else the choice would undo the guide's. `power`: luminance, watts, to which it is
     /// proportional. Nothing where nothing is known.
@@ -29,7 +32,10 @@ class ScoreSurvival {
         const ScoreCache::Expectation expected = cache_->at(position, normal);
         if (!expected.known || !(expected.cost > 0)) return std::nullopt;
         const double ratio = double(expected.score) / double(expected.cost) * cost_over_score_;
-        return std::min(power * float(std::sqrt(ratio)), std::numeric_limits<float>::max());
+        const float photons = power * float(std::sqrt(ratio));
+        // A number beyond all floats times nothing.
+        if (!(photons >= 0)) return std::nullopt;
+        return std::min(photons, std::numeric_limits<float>::max());
     }
 
   private:

@@ -7,6 +7,8 @@
 
 #include <algorithm>
 
+#include "aips/core/state_archive.h"
+
 namespace aips {
 
 class SecondMoments {
@@ -35,6 +37,10 @@ class SecondMoments {
             cost *= share;
         }
         double product() const { return score * cost; }
+        void state(StateArchive& archive) {
+            archive.amount(score);
+            archive.amount(cost);
+        }
     };
     void add(const Work& plain, const Work& guided) {
         plain_.add(plain);
@@ -51,6 +57,12 @@ class SecondMoments {
         paths_ += paths;
         const double memory = std::min(memory_paths, 0.5 * paths_);
         if (memory > 0) forget(memory / (memory + paths));
+    }
+    /// Saves or restores what was counted.
+    void state(StateArchive& archive) {
+        plain_.state(archive);
+        guided_.state(archive);
+        archive.amount(paths_);
     }
     /// Scored paths so far, whether they were worth anything or not.
     double paths() const { return paths_; }

@@ -64,4 +64,10 @@ void SkipLog::after_pass(const AdaptiveGuide* guide, const PhotonCounts& photons
     }
 }
 
+void SkipLog::state(StateArchive& archive) {
+    for (bool* said : {&said_no_points_, &said_no_seeds_, &said_pruned_, &emission_off_,
+                       &survival_off_, &resting_})
+        archive.value(*said);
+}
+
 }  // namespace aips

@@ -26,6 +26,8 @@ class SkipLog {
     void no_visible_points(bool for_good);
     /// A pass has ended. `guide` is null but for guide=adaptive; `photons`: of all passes so far.
     void after_pass(const AdaptiveGuide* guide, const PhotonCounts& photons);
+    /// Saves or restores what was said.
+    void state(StateArchive& archive);
 
   private:
     void say_switch(bool off, bool& was_off, const std::string& part, double gain);

@@ -44,6 +44,13 @@ class SurvivalSwitch {
     /// After `paths` further scored photon paths, of which `memory_paths` count in full.
     void update(double paths, double memory_paths);
 
+    /// Saves or restores what was counted and decided.
+    void state(StateArchive& archive) {
+        half_.state(archive);
+        quarters_.state(archive);
+        archive.value(mix_, ScoreMix::Quarters);
+    }
+
     ScoreMix mix() const { return mix_; }
     /// Of the better way by score.
     double gain() const { return std::max(half_.gain(), quarters_.gain()); }

@@ -153,6 +153,10 @@ void VolumeGather::add_to(const EyeImage& image, std::uint64_t photon_paths, Ref
     }
 }
 
+void VolumeGather::state(StateArchive& archive) {
+    state_of_initial_radius(archive, initial_radius_, kSurfaceRadii * smallest_radius(scene_));
+}
+
 std::size_t VolumeGather::memory_bytes() const {
     return (waiting_.capacity() + photons_.capacity()) * sizeof(VolumePhoton) +
            positions_.capacity() * sizeof(Vec3) + cells_.memory_bytes() +

@@ -46,6 +46,10 @@ class VolumeGather {
     void add_to(const EyeImage& image, std::uint64_t photon_paths, Refusals& refusals,
                 std::vector<Rgb>& radiance) const;
 
+    /// Between passes: saves the radius that the first pass began with, or restores it; all else is
+    /// of one pass.
+    void state(StateArchive& archive);
+
     float radius() const { return radius_; }
     std::uint64_t gathered() const { return gathered_; }
     std::size_t memory_bytes() const;

@@ -164,6 +164,31 @@ void BounceTables::use_tables() {
     places_.mark_branches(leaf_marks_, marks_);
 }
 
+void BounceTables::Leaf::state(StateArchive& archive) {
+    archive.amounts(sums);
+    archive.amounts(density);
+    for (double* part : {&sum, &squares, &fresh})
+        archive.amount(*part);
+    archive.value(known);
+    moments.state(archive);
+    auto number = static_cast<std::uint8_t>(share);
+    archive.value(number);
+    StateArchive::check(number < kTableShares.size() && (known || number == 0),
+                        "an unknown share of a table of directions");
+    share = number;
+}
+
+// The tables themselves are made from the densities.
+void BounceTables::state(StateArchive& archive) {
+    places_.state(archive);
+    archive.amount(paths_);
+    archive.value(worthless_);
+    if (archive.restoring()) add_leaves();
+    for (Leaf& leaf : leaves_)
+        leaf.state(archive);
+    if (archive.restoring()) use_tables();
+}
+
 double BounceTables::gain() const {
     double without = 0, with = 0;
     for (const Leaf& leaf : leaves_) {

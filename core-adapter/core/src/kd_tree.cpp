@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "bounded_growth.h"
+#include "split_order.h"
 #include "usable_bounds.h"
 
 namespace aips {
@@ -89,6 +90,11 @@ void NodeTree::split(std::uint32_t branch) {
         nodes_[lower].whole = true;
         return;
     }
+    divide(branch, plane);
+}
+
+void NodeTree::divide(std::uint32_t branch, SplitPlane plane) {
+    const std::uint32_t lower = branches_[branch].target();
     const std::uint32_t upper = add_upper_child(lower, plane);
     divide_photons(lower, upper, plane);
     const auto child = static_cast<std::uint32_t>(branches_.size());
@@ -189,6 +195,30 @@ void NodeTree::end_pass() {
         node.powers = {};
         node.whole = false;
         node.changed = false;
+    }
+}
+
+// Photons and what they left in their nodes end with the pass.
+void NodeTree::state(StateArchive& archive) {
+    const auto divide_box = [&](std::uint32_t branch, int axis) {
+        float plane = branches_[branch].plane;
+        archive.value(plane);
+        if (!archive.restoring()) return;
+        const Node& node = nodes_[branches_[branch].target()];
+        StateArchive::check(plane > node.bounds.lower[axis] && plane <= node.bounds.upper[axis] &&
+                                node.depth < settings_.max_depth,
+                            "a node of the guide's tree that could not be divided");
+        divide(branch, {axis, plane});
+    };
+    state_of_splits(archive, branches_, 1, kLeaf, settings_.max_nodes - 1, divide_box);
+    for (Node& node : nodes_) {
+        archive.amount(node.weight);
+        archive.amount(node.error);
+        bool has_error = node.has_last_error || node.powers.count >= 2;
+        archive.value(has_error);
+        if (!archive.restoring()) continue;
+        node.has_last_error = has_error;
+        node.last_error = node.error;
     }
 }
 

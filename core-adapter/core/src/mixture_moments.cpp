@@ -34,6 +34,13 @@ void MixtureMoments::scale(double share) {
     count_ *= share;
 }
 
+void MixtureMoments::state(StateArchive& archive) {
+    archive.amounts(moments_);
+    archive.amounts(costs_);
+    archive.amount(squares_);
+    archive.amount(count_);
+}
+
 double MixtureMoments::moment_ratio(std::size_t i) const {
     return moments_[0] > 0 ? moments_[i] / moments_[0] : 1;
 }

@@ -118,6 +118,24 @@ void PaperTables::end_pass() {
     }
 }
 
+// The tables themselves are made from what was seen.
+void PaperTables::state(StateArchive& archive, const NodeTree& tree) {
+    const std::size_t nodes =
+        archive.count(touched_.size(), cells() * (sizeof(Seen::sum) + sizeof(Seen::count)));
+    StateArchive::check(nodes <= tree.node_count(), "more tables than nodes");
+    touched_.resize(nodes, 0);
+    seen_.resize(nodes * cells());
+    relative_.resize(nodes * cells(), 1.0f);
+    for (Seen& seen : seen_) {
+        archive.amount(seen.sum);
+        archive.amount(seen.count);
+        StateArchive::check(seen.count == 0 || seen.count >= 1, "a part of a neighbour");
+    }
+    if (!archive.restoring()) return;
+    for (std::uint32_t node = 0; node < nodes; ++node)
+        rebuild(node);
+}
+
 std::span<const float> PaperTables::relative_error(std::uint32_t node) const {
     if (node >= touched_.size()) return uniform_;
     return {relative_.data() + node * cells(), cells()};

@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "aips/core/sampling.h"
+#include "split_order.h"
 
 namespace aips {
 namespace {
@@ -48,6 +49,11 @@ void PrimaryTree::Sums::scale(double factor) {
     whole *= factor;
     for (double& sum : lower)
         sum *= factor;
+}
+
+void PrimaryTree::Sums::state(StateArchive& archive) {
+    archive.amount(whole);
+    archive.amounts(lower);
 }
 
 PrimaryTree::Sums PrimaryTree::Sums::half(unsigned axis, bool upper) const {
@@ -285,6 +291,24 @@ void PrimaryTree::set_probabilities() {
         node.lower_scale = 1 / node.lower_share;
         node.upper_scale = 1 / (1 - node.lower_share);
     }
+}
+
+// Where leaves lie follows from the splits, what is expected in them from their sums.
+void PrimaryTree::state(StateArchive& archive) {
+    const auto halve = [&](std::uint32_t node, unsigned axis) {
+        if (!archive.restoring()) return;
+        StateArchive::check(leaves_[nodes_[node].target()].side[axis] > kMinSide,
+                            "a leaf of an emission tree that is too small");
+        split(node, axis);
+    };
+    state_of_splits(archive, nodes_, 1, kLeafAxis, settings_.max_leaves - 1, halve);
+    for (Leaf& leaf : leaves_) {
+        for (double* sum : {&leaf.paths, &leaf.score, &leaf.drawn, &leaf.cost})
+            archive.amount(*sum);
+        for (Sums* sums : {&leaf.root, &leaf.seeds, &leaf.met})
+            sums->state(archive);
+    }
+    if (archive.restoring()) set_expectations();
 }
 
 double PrimaryTree::mass() const {

@@ -13,6 +13,7 @@
 #include "aips/adapter/camera.h"
 #include "aips/adapter/scene.h"
 #include "aips/adapter/settings.h"
+#include "aips/core/state_archive.h"
 
 namespace aips {
 
@@ -90,6 +91,18 @@ class Engine {
     /// Renders pass number `pass` and adds it to the film; passes are rendered in order from 0.
     PassReport render_pass(std::uint64_t pass);
     EngineStatistics statistics() const;
+    /// Between two passes: saves everything that later passes and the statistics rest on, but for
+    /// the film, which is the host's. Or restores it, into a new engine with the same scene,
+    /// settings and film size, instead of the passes that led to it: render_pass() then goes on
+    /// with number statistics().passes, and the film gets the same bits as without an interruption.
+    ///
+    /// Throws StateError, with one clear message, if what is restored is damaged or belongs to
+    /// other settings; the engine is then to be dropped. Nothing that is restored can make later
+    /// passes take more memory than the bound. Frozen visible points are not saved but traced anew,
+    /// which takes an eye pass. What is saved is a function of scene, settings and passes, but for
+    /// its last kStateSecondsBytes, the times.
+    void state(StateArchive& archive);
+    static constexpr std::size_t kStateSecondsBytes = 5 * sizeof(double);
 
   private:
     class State;

@@ -7,6 +7,7 @@
 
 #include "aips/adapter/bsdf.h"
 #include "aips/core/landing.h"
+#include "aips/core/state_archive.h"
 
 namespace aips {
 
@@ -76,6 +77,8 @@ class Guide : public DirectionGuide {
     /// in which they split off, and keep their numbers.
     virtual std::uint32_t node_at(Vec3 position) const = 0;
     virtual GuideNode node(std::uint32_t number) const = 0;
+    /// Between passes: saves what was learned, or restores it into a new guide.
+    virtual void state(StateArchive& archive) = 0;
 };
 
 }  // namespace aips

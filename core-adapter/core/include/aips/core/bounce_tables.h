@@ -83,6 +83,10 @@ class BounceTables {
     /// learned and decides where tables pay.
     void update(double paths);
 
+    /// Saves what was learned, or restores it into new tables over the same scene with the same
+    /// settings. To be called after update(), with nothing added since.
+    void state(StateArchive& archive);
+
     std::uint32_t leaf_count() const { return places_.leaf_count(); }
     /// Leaves whose table is in use.
     std::size_t tables_in_use() const { return tables_in_use_; }
@@ -107,6 +111,8 @@ class BounceTables {
         MixtureMoments moments;
         std::size_t share = 0;                    ///< number in kTableShares
         std::unique_ptr<DirectionalTable> table;  ///< of `density`; null where share is none
+
+        void state(StateArchive& archive);
     };
 
     void add_leaves();

@@ -11,6 +11,7 @@
 #include "aips/core/bounds.h"
 #include "aips/core/error_criterion.h"
 #include "aips/core/node.h"
+#include "aips/core/state_archive.h"
 
 namespace aips {
 
@@ -59,6 +60,10 @@ class NodeTree {
     /// eq. 8.
     void end_pass();
 
+    /// Saves the tree as end_pass() will leave it, or restores it into a new one over the same
+    /// scene with the same settings.
+    void state(StateArchive& archive);
+
     std::uint32_t node_count() const { return static_cast<std::uint32_t>(nodes_.size()); }
     const Node& node(std::uint32_t i) const { return nodes_[i]; }
     std::span<const NodePhoton> photons(std::uint32_t i) const {
@@ -91,6 +96,7 @@ class NodeTree {
     std::uint32_t locate_branch(Vec3 p) const;
     bool full(const Node& node) const { return node.stored >= slots_; }
     void split(std::uint32_t branch);
+    void divide(std::uint32_t branch, SplitPlane plane);
     SplitPlane choose_plane(std::uint32_t node);
     SplitPlane median_plane(std::uint32_t node, int axis);
     void divide_photons(std::uint32_t lower, std::uint32_t upper, SplitPlane plane);

@@ -10,6 +10,8 @@
 #include <array>
 #include <cstddef>
 
+#include "aips/core/state_archive.h"
+
 namespace aips {
 
 /// Shares that are compared; the first is no table at all.
@@ -32,6 +34,9 @@ class MixtureMoments {
     void add(const MixtureMoments& other);
     /// Keeps this share of what was counted.
     void scale(double share);
+
+    /// Saves or restores the sums.
+    void state(StateArchive& archive);
 
     /// Sum of second moments with share number `i` in use.
     double moment(std::size_t i) const { return moments_[i]; }

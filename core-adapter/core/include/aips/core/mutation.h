@@ -7,6 +7,8 @@
 #include <cmath>
 #include <cstdint>
 
+#include "aips/core/state_archive.h"
+
 namespace aips {
 
 /// A primary coordinate in [0, 1) as a fraction of 32 bits: it wraps around exactly.
@@ -44,6 +46,13 @@ class MutationSize {
         const double gain = std::log1p(double(steps) / (double(steps_) + 0.5));  // ~ harmonic sum
         size_ = std::clamp(size_ + gain * (share - kGoal), kFloor, kCap);
         steps_ += steps;
+    }
+
+    /// Saves or restores what was learned.
+    void state(StateArchive& archive) {
+        archive.value(size_);
+        StateArchive::check(size_ >= kFloor && size_ <= kCap, "mutations of an unknown size");
+        archive.value(steps_);
     }
 
   private:

@@ -37,6 +37,10 @@ class PaperTables {
     /// At the end of a pass: what each direction has learned counts as one neighbour from now on.
     void end_pass();
 
+    /// Saves what was learned, or restores it into new tables with the same settings, for a tree
+    /// that has been restored.
+    void state(StateArchive& archive, const NodeTree& tree);
+
     /// p(w) of a node, n * n cells in the layout of DirectionalTable::build, each > 0, mean 1;
     /// uniform for a node that has never been updated.
     std::span<const float> relative_error(std::uint32_t node) const;

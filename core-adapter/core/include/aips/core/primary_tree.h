@@ -15,6 +15,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "aips/core/state_archive.h"
+
 namespace aips {
 
 /// Coordinates from which a light emits a photon, in [0, 1)^4.
@@ -72,6 +74,10 @@ class PrimaryTree {
     /// of the learned (seeds') density go to the plain one.
     void set_mixture(const PrimaryMixture& mixture);
 
+    /// Saves what was learned, or restores it into a new tree with the same settings. To be called
+    /// after update(), with nothing added since; set_mixture() has to be called again.
+    void state(StateArchive& archive);
+
     /// Sum over leaves of volume * (expected |f| / sqrt(cost))^sharpness: what this light is worth
     /// in a choice between lights; 0 before anything was learned.
     double mass() const;
@@ -105,6 +111,7 @@ class PrimaryTree {
 
         void add(const std::array<bool, 4>& is_lower, double value);
         void scale(double factor);
+        void state(StateArchive& archive);
         /// The part in the lower or upper half; how it lies along the other axes is unknown.
         Sums half(unsigned axis, bool upper) const;
     };

@@ -17,6 +17,7 @@
 #include <vector>
 
 #include "aips/core/bounds.h"
+#include "aips/core/state_archive.h"
 
 namespace aips {
 
@@ -86,6 +87,10 @@ class ScoreCache {
     /// expectations from what was learned so far.
     void update(double paths);
 
+    /// Saves what was learned, or restores it into a new cache over the same scene with the same
+    /// settings. To be called after update(), with nothing added since.
+    void state(StateArchive& archive);
+
     /// No leaf, where marked_leaf_at() finds none.
     static constexpr std::uint32_t kNoLeaf = ~std::uint32_t(0);
 
@@ -145,6 +150,7 @@ class ScoreCache {
 
         void add(const Totals& other);
         void scale(double factor);
+        void state(StateArchive& archive);
         double effective_count() const;
         Means blend(Means prior, double prior_weight) const;
     };
@@ -157,6 +163,7 @@ class ScoreCache {
         void add(const std::array<bool, 3>& is_lower, double value);
         void scale(double factor);
         double half(int axis, bool upper) const;
+        void state(StateArchive& archive);
     };
 
     /// What a leaf met since it came to be, or since its box was last fitted.

@@ -19,6 +19,12 @@ struct ChainCounts {
     std::uint64_t accepted = 0;  ///< of these, visible
     std::uint64_t recorded = 0;  ///< steps that left the chain at a visible path
 
+    /// Saves or restores the counts.
+    void state(StateArchive& archive) {
+        for (std::uint64_t* count : {&uniform, &measured, &visible, &mutated, &accepted, &recorded})
+            archive.value(*count);
+    }
+
     ChainCounts& operator+=(const ChainCounts& o) {
         uniform += o.uniform;
         measured += o.measured;

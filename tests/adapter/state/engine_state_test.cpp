@@ -1,0 +1,80 @@
+// Protects: a render that is saved between two passes and goes on in a new engine gives the bits of
+// the uninterrupted one, film, layers, statistics and later states alike, whatever was learned.
+#include <gtest/gtest.h>
+
+#include "resumable_render.h"
+
+namespace {
+
+using namespace aips;
+using mock::ResumableCase;
+using mock::ResumableRender;
+
+void expect_same_film(const mock::Film& film, const mock::Film& other) {
+    EXPECT_EQ(film.pass_weights(), other.pass_weights());
+    EXPECT_EQ(film.image(), other.image());
+    EXPECT_EQ(film.layers(), other.layers());
+    ASSERT_EQ(film.color_layers().size(), other.color_layers().size());
+    for (const auto& [name, layer] : film.color_layers())
+        EXPECT_EQ(layer.image(), other.color_layers().at(name).image()) << name;
+}
+
+/// All but times and how much memory vectors hold.
+void expect_same_statistics(const EngineStatistics& a, const EngineStatistics& b) {
+    const auto counts = [](const EngineStatistics& s) {
+        return std::vector<std::uint64_t>{s.passes,           s.eye_paths,         s.eye_rays,
+                                          s.photon_paths,     s.photon_rays,       s.landings,
+                                          s.split_off,        s.gathered,          s.bounces,
+                                          s.guided_bounces,   s.measured_paths,    s.visible_paths,
+                                          s.guide_nodes,      s.bounce_tables,     s.pruned_paths,
+                                          s.photons_per_pass, s.memory_bound_bytes};
+    };
+    const auto values = [](const EngineStatistics& s) {
+        return std::vector<double>{s.mutation_size, s.emission_gain,    s.survival_gain,
+                                   s.bounce_gain,   s.score_times_cost, s.pruned_emission,
+                                   double(s.radius)};
+    };
+    EXPECT_EQ(counts(a), counts(b));
+    EXPECT_EQ(values(a), values(b));
+    EXPECT_EQ(a.refused, b.refused);
+    EXPECT_LE(b.memory_bytes, b.memory_bound_bytes);
+}
+
+/// A state without the times at its end.
+std::span<const std::byte> timeless(const mock::Bytes& state) {
+    return std::span(state).first(state.size() - Engine::kStateSecondsBytes);
+}
+
+struct Interruption {
+    mock::Bytes state;
+    mock::Film film;
+};
+
+class EngineState : public testing::TestWithParam<ResumableCase> {};
+
+TEST_P(EngineState, GoesOnWithTheSameBits) {
+    const ResumableCase& what = GetParam();
+    ResumableRender straight(what);
+    std::vector<Interruption> interruptions;
+    for (unsigned pass = 0; pass <= what.passes; ++pass) {
+        straight.render_to(pass);
+        interruptions.push_back({straight.save(), straight.film()});
+        EXPECT_EQ(interruptions.back().state, straight.save()) << "saved twice";
+    }
+    for (unsigned pass = 0; pass <= what.passes; pass += what.passes > 5 ? 3 : 1) {
+        SCOPED_TRACE("interrupted after pass " + std::to_string(pass));
+        ResumableRender resumed(what, interruptions[pass].state, interruptions[pass].film);
+        EXPECT_EQ(resumed.save(), interruptions[pass].state) << "saved where it was restored";
+        resumed.render_to(what.passes);
+        expect_same_film(straight.film(), resumed.film());
+        expect_same_statistics(straight.statistics(), resumed.statistics());
+        const mock::Bytes& last = interruptions.back().state;
+        const mock::Bytes state = resumed.save();
+        EXPECT_TRUE(std::ranges::equal(timeless(state), timeless(last)));
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Renders, EngineState, testing::ValuesIn(mock::resumable_cases()),
+                         [](const auto& test) { return test.param.name; });
+
+}  // namespace

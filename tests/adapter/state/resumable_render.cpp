@@ -1,0 +1,95 @@
+// Renders that go on in a new engine.
+#include "resumable_render.h"
+
+namespace mock {
+
+using namespace aips;
+
+namespace {
+
+/// Two lights of different kinds, a dead one, and all lobes that guides treat apart.
+View view_of(const ResumableCase& what) {
+    View view = half_mirror_view(what.width, what.height);
+    view.scene.add_point_light({-0.5f, 0.2f, 0.3f}, {0.4f, 0.3f, 0.1f});
+    view.scene.add_point_light({0.5f, 0.2f, 0.3f}, {0, 0, 0});
+    view.scene.finish();
+    if (what.fog) view.scene.fill({{0.05f, 0.1f, 0.3f}, {0.5f, 0.4f, 0.2f}, 0});
+    return view;
+}
+
+std::string mode_name(Mode mode) {
+    if (mode == Mode::Progressive) return "progressive";
+    return mode == Mode::PhotonMap ? "photonmap" : "ppm";
+}
+
+Settings settings_of(GuideKind guide, Mode mode = Mode::Progressive) {
+    Settings settings = small_settings(5, 20000);
+    settings.alpha = 0.7;
+    settings.guide = guide;
+    settings.mode = mode;
+    settings.guide_bounces = true;
+    return settings;
+}
+
+void add_modes(std::vector<ResumableCase>& cases) {
+    for (const Mode mode : {Mode::Progressive, Mode::PhotonMap, Mode::Ppm}) {
+        for (const GuideKind guide : {GuideKind::None, GuideKind::Paper, GuideKind::Adaptive})
+            cases.push_back({mode_name(mode) + "_" + name(guide), settings_of(guide, mode)});
+        Settings chains = settings_of(GuideKind::None, mode);
+        chains.photon_sampler = PhotonSampler::AdaptiveChains;
+        cases.push_back({mode_name(mode) + "_amc", chains});
+    }
+}
+
+void add_parts(std::vector<ResumableCase>& cases) {
+    for (const GuideKind guide : {GuideKind::None, GuideKind::Paper, GuideKind::Adaptive}) {
+        Settings radii = settings_of(guide);
+        radii.radius = RadiusKind::Adaptive;
+        cases.push_back({"radii_" + name(guide), radii, false, 20});
+        Settings layers = settings_of(guide);
+        layers.debug_layers = true;
+        cases.push_back({"layers_" + name(guide), layers});
+        cases.push_back({"fog_" + name(guide), settings_of(guide), true, 4});
+        // Long enough for the first choice of photons per pass, and for parts of a guide to rest.
+        Settings automatic = settings_of(guide);
+        automatic.photons_per_pass = 0;
+        cases.push_back({"automatic_" + name(guide), automatic, false, 11, 12, 9});
+    }
+    cases.push_back({"fog_photonmap", settings_of(GuideKind::Adaptive, Mode::PhotonMap), true, 3});
+    Settings plain = settings_of(GuideKind::Adaptive);
+    plain.guide_survival = plain.guide_bounces = plain.guide_emission = false;
+    cases.push_back({"measured", plain});
+}
+
+}  // namespace
+
+ResumableRender::ResumableRender(const ResumableCase& what)
+    : view_(view_of(what)),
+      sampler_(what.settings.seed),
+      film_(what.width, what.height, view_.scene.light_groups()),
+      engine_(std::make_unique<Engine>(Host{view_.scene, view_.camera, sampler_, film_, log_},
+                                       what.settings)) {}
+
+ResumableRender::ResumableRender(const ResumableCase& what, std::span<const std::byte> state,
+                                 const Film& film)
+    : ResumableRender(what) {
+    Restoring archive(state);
+    engine_->state(archive);
+    film_ = film;
+    if (archive.remaining() > 0) throw StateError("more was saved than was restored");
+}
+
+Bytes ResumableRender::save() {
+    Saving archive;
+    engine_->state(archive);
+    return archive.saved();
+}
+
+std::vector<ResumableCase> resumable_cases() {
+    std::vector<ResumableCase> cases;
+    add_modes(cases);
+    add_parts(cases);
+    return cases;
+}
+
+}  // namespace mock

@@ -1,0 +1,49 @@
+// A render that can be interrupted between passes and gone on with in a new engine.
+#pragma once
+
+#include <memory>
+
+#include "memory_archive.h"
+#include "render_mock.h"
+
+namespace mock {
+
+/// A scene, how it is rendered, and for how many passes.
+struct ResumableCase {
+    std::string name;
+    aips::Settings settings;
+    bool fog = false;
+    unsigned passes = 5;
+    std::uint32_t width = 20, height = 15;
+};
+
+/// Everything that such a render has: built anew for each.
+class ResumableRender {
+  public:
+    explicit ResumableRender(const ResumableCase& what);
+    /// Goes on from what was saved; `film` is what it had been given until then.
+    ResumableRender(const ResumableCase& what, std::span<const std::byte> state, const Film& film);
+
+    /// The pass that comes next.
+    void render_pass() { engine_->render_pass(engine_->statistics().passes); }
+    void render_to(std::uint64_t passes) {
+        while (engine_->statistics().passes < passes)
+            render_pass();
+    }
+    Bytes save();
+    const Film& film() const { return film_; }
+    const Log& log() const { return log_; }
+    aips::EngineStatistics statistics() const { return engine_->statistics(); }
+
+  private:
+    View view_;
+    Sampler sampler_;
+    Film film_;
+    Log log_;
+    std::unique_ptr<aips::Engine> engine_;
+};
+
+/// Modes with guides, radii, samplers, media, layers: all that states consist of.
+std::vector<ResumableCase> resumable_cases();
+
+}  // namespace mock

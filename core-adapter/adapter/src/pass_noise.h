@@ -47,7 +47,6 @@ class PassNoiseMeter {
     std::uint32_t width_, height_;
     std::vector<Pixel> pixels_, last_;  // [pixel] of this pass and the one before
     std::uint64_t last_paths_ = 0;      // photon paths of the pass before
-    bool first_ = true;
 };
 
 }  // namespace aips

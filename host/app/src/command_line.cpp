@@ -57,6 +57,23 @@ void add_render_options(CLI::App& app, CommandLine& command) {
     app.add_flag("--strict", command.strict, "unknown parameters are errors");
 }
 
+void add_checkpoint_options(CLI::App& app, CommandLine& command) {
+    auto* checkpoint = app.add_option("--checkpoint", command.checkpoint,
+                                      "file to save the state of the render in, now and then and "
+                                      "at its end")
+                           ->type_name("FILE");
+    app.add_option("--checkpoint-interval", command.checkpoint_interval,
+                   "least seconds from one checkpoint to the next, 0: after every pass "
+                   "(default: 300)")
+        ->type_name("SECONDS")
+        ->check(CLI::NonNegativeNumber)
+        ->needs(checkpoint);
+    app.add_flag("--resume", command.resume,
+                 "go on from the checkpoint, if there is one: the image is the same as without a "
+                 "break; --passes and --time count from the very beginning")
+        ->needs(checkpoint);
+}
+
 void add_plugin_options(CLI::App& app, CommandLine& command) {
     app.add_option("--plugin-path", command.plugin_paths,
                    "folder with plugin modules, before the installed ones; may be repeated")
@@ -89,6 +106,7 @@ std::optional<ExitCode> parse_command_line(int argc, const char* const* argv,
         ->type_name("SCENE.lxs");
     add_output_options(app, command);
     add_render_options(app, command);
+    add_checkpoint_options(app, command);
     add_plugin_options(app, command);
     bool quiet = false;
     bool verbose = false;

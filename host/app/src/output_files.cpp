@@ -11,6 +11,7 @@
 
 #include "lxs/host/failure.h"
 #include "lxs/host/rescue.h"
+#include "lxs/imaging/atomic_file.h"
 
 namespace lxs {
 namespace {
@@ -43,10 +44,15 @@ OutputFiles choose_output_files(const CommandLine& command, const FileFilm& film
     return files;
 }
 
+void check_writable(const std::string& path) {
+    check_folder_of(path);
+    remove_abandoned_temporaries(path);
+}
+
 void check_writable(const OutputFiles& files) {
-    check_folder_of(files.exr);
-    if (fs::is_directory(files.png)) fail(files.png, EISDIR);
-    if (!files.statistics.empty()) check_folder_of(files.statistics);
+    check_writable(files.exr);
+    check_writable(files.png);
+    if (!files.statistics.empty()) check_writable(files.statistics);
 }
 
 void write_snapshot(const OutputFiles& files, const FileFilm& film, const ImageMetadata& metadata,

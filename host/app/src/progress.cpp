@@ -27,6 +27,13 @@ std::string rate_text(std::uint64_t count, double seconds) {
 
 }  // namespace
 
+void RenderTotals::state(StateArchive& archive) {
+    for (std::uint64_t* count : {&passes, &photon_paths, &rays})
+        archive.value(*count);
+    for (double* figure : {&samples_per_pixel, &seconds, &cpu_seconds})
+        archive.value(*figure);
+}
+
 std::string progress_text(const RenderTotals& totals, const Budget& budget,
                           std::uint64_t resident_bytes) {
     std::string text = fmt::format("pass {}", totals.passes);

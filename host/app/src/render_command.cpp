@@ -13,6 +13,7 @@
 #include <system_error>
 
 #include "lxs/host/catalogue.h"
+#include "lxs/host/checkpoint.h"
 #include "lxs/host/failure.h"
 #include "lxs/host/final_outputs.h"
 #include "lxs/host/render_loop.h"
@@ -99,6 +100,7 @@ ExitCode render(const CommandLine& command, const PluginLibrary& plugins, Consol
     if (command.threads > 0) {
         thread_limit.emplace(tbb::global_control::max_allowed_parallelism, command.threads);
     }
+    check_checkpoint_place(command);
     InputDiagnostics diagnostics(log, command.strict);
     RenderSession session = prepare_session(command, plugins, diagnostics, log);
     log_scene(session, log);
@@ -106,29 +108,37 @@ ExitCode render(const CommandLine& command, const PluginLibrary& plugins, Consol
     log.info(fmt::format("rendering {} with \"{}\", seed {}", budget.text(),
                          session.integrator_name, session.seed));
 
+    auto found = find_checkpoint(command, session, log);
+
     const auto start = Clock::now();
     const Interruption interruption;
     prepare_integrator(session, command, log);
+    const RenderTotals begun =
+        found ? restore(std::move(*found), command, session, log) : RenderTotals{};
+    CheckpointSchedule checkpoints(command, session, log, begun);
     Progress progress(log, budget);
-    RenderLoop loop{.integrator = *session.integrator,
-                    .budget = budget,
-                    .interruption = interruption,
-                    .progress = progress,
-                    .snapshot_interval = session.film->write_interval_seconds(),
-                    .write_snapshot = [&](const RenderTotals& totals) {
-                        write_snapshot(command, session, totals, log);
-                    }};
+    RenderLoop loop{
+        .integrator = *session.integrator,
+        .budget = budget,
+        .interruption = interruption,
+        .progress = progress,
+        .end_pass = [&](const RenderTotals& done) { checkpoints.pass_done(done); },
+        .snapshot_interval = session.film->write_interval_seconds(),
+        .write_snapshot =
+            [&](const RenderTotals& done) { write_snapshot(command, session, done, log); }};
     if (session.spectral) {
         loop.begin_pass = [&](std::uint64_t pass) { begin_spectral_pass(session, pass); };
     }
-    RenderTotals totals;
+    RenderTotals totals = begun;
     try {
         loop.run(totals);
     } catch (...) {
         save_finished_passes(command, session, totals, log);
         throw;
     }
-    session.times["render"] = seconds_since(start) - session.times["write"];
+    checkpoints.finish(totals);
+    session.times["render"] =
+        begun.seconds + seconds_since(start) - session.times["write"] - session.times["checkpoint"];
     return finish(command, session, totals, interruption.requested(), log);
 }
 
@@ -175,6 +185,9 @@ ExitCode carry_out(const CommandLine& command, ConsoleLog& log) {
     } catch (const OutputFailure& error) {
         log.error(error.what());
         return ExitCode::OutputFailure;
+    } catch (const CheckpointFailure& error) {
+        log.error(error.what());
+        return ExitCode::CheckpointRefused;
     } catch (const std::bad_alloc&) {
         log.error("out of memory");
     } catch (const std::exception& error) {

@@ -10,11 +10,11 @@ namespace lxs {
 void RenderLoop::run(RenderTotals& totals) {
     using Clock = std::chrono::steady_clock;
     const auto start = Clock::now();
-    const auto seconds_gone = [&] {
-        return std::chrono::duration<double>(Clock::now() - start).count();
+    const auto seconds_gone = [&, before = totals.seconds] {
+        return before + std::chrono::duration<double>(Clock::now() - start).count();
     };
-    const double cpu_start = cpu_seconds();
-    double last_snapshot = 0;
+    const double cpu_start = cpu_seconds() - totals.cpu_seconds;
+    double last_snapshot = totals.seconds;
     // At least one pass, however small the budget: without one there is no image.
     while (!interruption.requested() &&
            (totals.passes == 0 || !budget.used_up(totals.passes, totals.seconds))) {
@@ -31,6 +31,7 @@ void RenderLoop::run(RenderTotals& totals) {
         totals.seconds = seconds_gone();
         totals.cpu_seconds = cpu_seconds() - cpu_start;
         progress.show(totals);
+        if (end_pass) end_pass(totals);
     }
     progress.finish(totals);
 }

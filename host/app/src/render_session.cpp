@@ -63,13 +63,36 @@ void create_chosen(RenderSession& session, const CommandLine& command,
     session.integrator = create_integrator(*choice.integrator, reader);
 }
 
+void take_fingerprint(RenderSession& session, const CommandLine& command,
+                      const IntegratorChoice& choice, const SceneContents& contents) {
+    if (!command.checkpoint) return;
+    Fingerprint& fingerprint = session.fingerprint.emplace();
+    fingerprint.set_program(choice.integrator->file);
+    fingerprint.set_sources(contents);
+    fingerprint.set_settings(command, session.integrator_name, session.film->width(),
+                             session.film->height());
+    fingerprint.set_seed(session.seed);
+}
+
+/// Lights name files of their own, which are known only when they are built.
+void take_asset_fingerprint(RenderSession& session, const std::vector<std::string>& assets) {
+    if (!session.fingerprint) return;
+    try {
+        session.fingerprint->set_assets(assets);
+    } catch (const std::system_error& error) {
+        throw SceneFailure(error.what());
+    }
+}
+
 void build_scene(RenderSession& session, SceneContents contents, Diagnostics& diagnostics) {
     const SourceLocation end = contents.end;
     const std::string directory = contents.directory;
+    std::vector<std::string> assets = contents.assets;
     const auto resolve = [&](const std::string& name, const SourceLocation& where) {
-        return resolve_asset(name, directory, where);
+        return assets.emplace_back(resolve_asset(name, directory, where));
     };
     session.scene = make_trace_scene(std::move(contents), resolve, diagnostics);
+    take_asset_fingerprint(session, assets);
     if (session.scene->lights().empty()) {
         throw InputError(end,
                          "the scene has no light: expected a LightSource, or a Shape after an "
@@ -115,6 +138,8 @@ RenderSession prepare_session(const CommandLine& command, const PluginLibrary& p
     session.film = make_film(contents, diagnostics);
     session.files = choose_output_files(command, *session.film);
     check_writable(session.files);
+    take_fingerprint(session, command, choice, contents);
+    contents.sources.clear();
     std::unique_ptr<SceneCamera> camera = make_camera(contents, *session.film, diagnostics);
     session.sampler = make_sampler(contents, session.seed, diagnostics,
                                    choice.integrator->plugin->runs_metropolis);

@@ -57,6 +57,7 @@ class FlexImage final : public FileFilm {
     std::uint64_t refused_samples() const override { return accumulator_.refused_samples(); }
     std::size_t memory_bytes() const override;
 
+    void state(StateArchive& archive) override;
     void set_wavelengths(const Wavelengths& wavelengths) override;
     std::vector<Rgb> image() const override;
     void write_exr(const std::string& path, const ImageMetadata& metadata) const override;
@@ -64,6 +65,8 @@ class FlexImage final : public FileFilm {
 
   private:
     FilmAccumulator& color_layer(std::string_view name);
+    void color_layers_state(StateArchive& archive);
+    void float_layers_state(StateArchive& archive);
     /// The sums of an accumulator as the film's colours.
     template <class Resolve>
     std::vector<Rgb> film_colors(const Resolve& resolve) const {
@@ -142,6 +145,55 @@ void FlexImage::set_layer(std::string_view name, std::span<const float> values) 
     layer.assign(values.begin(), values.end());
     std::replace_if(
         layer.begin(), layer.end(), [](float v) { return !std::isfinite(v); }, 0.0f);
+}
+
+void FlexImage::state(StateArchive& archive) {
+    accumulator_.state(archive);
+    color_layers_state(archive);
+    float_layers_state(archive);
+}
+
+void FlexImage::color_layers_state(StateArchive& archive) {
+    // A layer holds four sums a pixel: no layer is made that the archive hasn't the bytes for.
+    const std::size_t layer_bytes = pixels() * 4 * sizeof(double);
+    const std::size_t count = archive.count(color_layers_.size(), layer_bytes);
+    if (!archive.restoring()) {
+        for (auto& [name, layer] : color_layers_) {
+            std::string saved = name;
+            archive.text(saved);
+            layer.state(archive);
+        }
+        return;
+    }
+    color_layers_.clear();
+    for (std::size_t i = 0; i < count; ++i) {
+        std::string name;
+        archive.text(name);
+        if (archive.remaining() < layer_bytes) throw StateError("a layer of the film is cut off");
+        color_layer(name).state(archive);
+    }
+}
+
+void FlexImage::float_layers_state(StateArchive& archive) {
+    const std::size_t layer_bytes = pixels() * sizeof(float);
+    const std::size_t count = archive.count(layers_.size(), layer_bytes);
+    if (!archive.restoring()) {
+        for (auto& [name, values] : layers_) {
+            std::string saved = name;
+            archive.text(saved);
+            archive.values(values);
+        }
+        return;
+    }
+    layers_.clear();
+    for (std::size_t i = 0; i < count; ++i) {
+        std::string name;
+        std::vector<float> values;
+        archive.text(name);
+        archive.values(values);
+        if (values.size() != pixels()) throw StateError("a layer of the film has another size");
+        set_layer(name, values);
+    }
 }
 
 std::size_t FlexImage::memory_bytes() const {

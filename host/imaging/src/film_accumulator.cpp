@@ -208,10 +208,7 @@ void FilmAccumulator::add(const PassSamples& pass) {
 void FilmAccumulator::add_splats(const PassSplats& splats) {
     const PassSamples pass{splats.positions, splats.radiance, splats.groups, splats.samples};
     check(pass);
-    if (!filter_integral_) {
-        filter_integral_.emplace(filter_);
-        splats_.resize(std::size_t{width_} * height_ * 3 * groups_);
-    }
+    begin_splats();
     find_cells(pass);
     sort_by_cell();
     reserve_rows();
@@ -221,6 +218,36 @@ void FilmAccumulator::add_splats(const PassSplats& splats) {
         }
     });
     splat_samples_ += splats.samples;
+}
+
+void FilmAccumulator::begin_splats() {
+    if (filter_integral_) return;
+    filter_integral_.emplace(filter_);
+    splats_.resize(std::size_t{width_} * height_ * 3 * groups_);
+}
+
+void FilmAccumulator::state(StateArchive& archive) {
+    archive.fixed(sums_);
+    bool has_splats = filter_integral_.has_value();
+    archive.value(has_splats);
+    if (has_splats) {
+        begin_splats();
+        archive.fixed(splats_);
+    }
+    archive.value(splat_samples_);
+    for (double* sum : {&white_sum_.x, &white_sum_.y, &white_sum_.z, &weight_sum_})
+        archive.value(*sum);
+    archive.value(refused_);
+    if (archive.restoring()) check_sums();
+}
+
+void FilmAccumulator::check_sums() const {
+    const auto finite = [](double sum) { return std::isfinite(sum); };
+    const bool sound = std::all_of(sums_.begin(), sums_.end(), finite) &&
+                       std::all_of(splats_.begin(), splats_.end(), finite) &&
+                       finite(splat_samples_) && splat_samples_ >= 0 && finite(white_sum_.x) &&
+                       finite(white_sum_.y) && finite(white_sum_.z) && finite(weight_sum_);
+    if (!sound) throw StateError("a sum of the film is no finite number");
 }
 
 void FilmAccumulator::clear() {

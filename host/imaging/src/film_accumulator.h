@@ -8,6 +8,7 @@
 
 #include "filter_integral.h"
 #include "lxs/sdk/film.h"
+#include "lxs/sdk/state_archive.h"
 #include "pixel_filter.h"
 
 namespace lxs {
@@ -41,11 +42,15 @@ class FilmAccumulator {
     void resolve_total(std::span<Rgb> image) const;
 
     std::uint64_t refused_samples() const { return refused_; }
+    /// Saves or restores all sums and counts; of the same image size, groups and filter.
+    void state(StateArchive& archive);
     /// Bytes held at one sample per pixel and pass, or more if a pass brought more.
     std::size_t memory_bytes() const;
 
   private:
     void check(const PassSamples& pass) const;
+    void check_sums() const;
+    void begin_splats();
     void find_cells(const PassSamples& pass);
     void sort_by_cell();
     void reserve_rows();

@@ -2,6 +2,7 @@
 #include "path/metropolis_chain.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace lxs {
@@ -40,6 +41,12 @@ ChainCounts& ChainCounts::operator+=(const ChainCounts& other) {
     return *this;
 }
 
+void ChainCounts::state(StateArchive& archive) {
+    for (std::uint64_t* count : {&mutations, &accepted, &large, &accepted_large, &forced})
+        archive.value(*count);
+    archive.value(large_brightness);
+}
+
 MetropolisChain::MetropolisChain(const MetropolisSettings& settings, std::uint32_t width,
                                  std::uint32_t height, std::uint64_t seed, std::uint32_t index)
     : settings_(settings),
@@ -64,6 +71,28 @@ RandomStream MetropolisChain::plain_sample(std::uint64_t mutation) const {
     RandomStream random(seed_, mutation, index_, RandomDomain::MetropolisChain);
     random.next_2d();  // whether the step is large, whether it is accepted
     return random;
+}
+
+void MetropolisChain::state(StateArchive& archive, std::uint32_t groups) {
+    coordinates_.state(archive);
+    Contribution& present = present_.contribution;
+    archive.value(present.position.x);
+    archive.value(present.position.y);
+    // Empty before the first start.
+    present.radiance.resize(archive.count(present.radiance.size(), sizeof(float) * 3));
+    for (Rgb& c : present.radiance) {
+        for (float* component : {&c.x, &c.y, &c.z})
+            archive.value(*component);
+    }
+    archive.value(present.brightness);
+    archive.value(mean_);
+    archive.value(mutations_);
+    archive.value(rejects_in_a_row_);
+    const bool sound = (present.radiance.size() == groups ||
+                        (present.radiance.empty() && present.brightness == 0)) &&
+                       present.brightness >= 0 && std::isfinite(present.brightness) && mean_ >= 0 &&
+                       std::isfinite(mean_);
+    if (!sound) throw StateError("a chain is in no possible state");
 }
 
 ChainCounts MetropolisChain::run(std::uint64_t mutations, double guess, MetropolisTarget& target,

@@ -53,6 +53,7 @@ struct ChainCounts {
     double large_brightness = 0;       ///< sum of I over large steps: plain samples of b
 
     ChainCounts& operator+=(const ChainCounts& other);
+    void state(StateArchive& archive);
 };
 
 /// A chain x_0, x_1, ... with density I / b in the limit. Each mutation gives both states their
@@ -84,6 +85,8 @@ class MetropolisChain {
     /// large steps that found light to `lit`.
     ChainCounts run(std::uint64_t mutations, double guess, MetropolisTarget& target,
                     SplatList& splats, std::vector<LitSample>& lit);
+    /// Of all that the chain is at, between one run and the next, on a film with `groups` groups.
+    void state(StateArchive& archive, std::uint32_t groups);
     /// The point of primary sample space that the chain's mutation number `mutation` is if large.
     RandomStream plain_sample(std::uint64_t mutation) const;
 

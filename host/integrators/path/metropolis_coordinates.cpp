@@ -23,6 +23,13 @@ void MetropolisCoordinates::propose(const RandomStream& random, bool large) {
     drop_block();
 }
 
+void MetropolisCoordinates::state(StateArchive& archive) {
+    archive.values(present_);
+    const bool sound =
+        std::all_of(present_.begin(), present_.end(), [](float u) { return u >= 0 && u < 1; });
+    if (!sound) throw StateError("a coordinate of a chain is outside of the unit interval");
+}
+
 const MutationRange& MetropolisCoordinates::range(std::size_t dimension) const {
     if (dimension == 0) return film_x_;
     return dimension == 1 ? film_y_ : other_;

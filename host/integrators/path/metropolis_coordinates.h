@@ -36,6 +36,9 @@ class MetropolisCoordinates final : public PrimarySample {
     /// The proposal becomes the present. Without it, the next proposal replaces the last.
     void accept() { present_.swap(proposed_); }
 
+    /// Of the present coordinates, between a step and the next proposal.
+    void state(StateArchive& archive);
+
     /// Longest path prefix that is mutated: a bound for memory. Later coordinates are always drawn
     /// anew, a symmetric proposal as well.
     static constexpr std::size_t kMostStored = 1024;

@@ -2,6 +2,7 @@
 #include "path/metropolis_population.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace lxs {
 namespace {
@@ -149,6 +150,43 @@ void MetropolisPopulation::renew_some() {
            [&](std::size_t i) { return samples[i]; });
     large_since_renewal_ = 0;
     ++renewals_;
+}
+
+void MetropolisPopulation::state(StateArchive& archive) {
+    for (double* figure : {&guess_, &plain_brightness_})
+        archive.value(*figure);
+    for (std::uint64_t* count :
+         {&plain_samples_, &large_since_renewal_, &assignments_, &renewals_, &starts_})
+        archive.value(*count);
+    total_.state(archive);
+    if (archive.count(lanes_.size(), 1) != lanes_.size())
+        throw StateError("there are not as many chains as the film has");
+    for (Lane& lane : lanes_)
+        lane_state(archive, lane);
+    if (!(guess_ >= 0) || !std::isfinite(guess_))
+        throw StateError("the mean brightness is no possible one");
+}
+
+/// What a lane did in its last pass is with the film already.
+void MetropolisPopulation::lane_state(StateArchive& archive, Lane& lane) {
+    lane.chain.state(archive, groups_);
+    lane.lit.resize(archive.count(lane.lit.size(), sizeof(LitSample::mutation) + sizeof(double)));
+    for (LitSample& lit : lane.lit) {
+        archive.value(lit.mutation);
+        archive.value(lit.brightness);
+        if (!(lit.brightness > 0) || !std::isfinite(lit.brightness))
+            throw StateError("a lit sample is not lit");
+    }
+    bool has_start = lane.start.has_value();
+    archive.value(has_start);
+    if (!has_start) return lane.start.reset();
+    if (!lane.start) lane.start.emplace();
+    archive.value(lane.start->mean);
+    bool has_sample = lane.start->sample.has_value();
+    archive.value(has_sample);
+    if (!has_sample) return lane.start->sample.reset();
+    if (!lane.start->sample) lane.start->sample.emplace(plain_sample(0));
+    lane.start->sample->state(archive);
 }
 
 double MetropolisPopulation::mean_brightness() const {

@@ -60,6 +60,9 @@ class MetropolisPopulation {
     /// Ends the pass in which all chains have run; what it gives is there until the next.
     Splats finish_pass();
 
+    /// Between one pass and the next.
+    void state(StateArchive& archive);
+
     const ChainCounts& counts() const { return total_; }
     /// How often a chain was given a start, the first ones included.
     std::uint64_t starts() const { return starts_; }
@@ -84,6 +87,7 @@ class MetropolisPopulation {
     void assign(std::span<const double> brightness, std::uint64_t samples, std::size_t first,
                 std::size_t stride, const std::function<RandomStream(std::size_t)>& sample);
     void renew_some();
+    void lane_state(StateArchive& archive, Lane& lane);
 
     std::uint64_t seed_;
     std::uint32_t groups_;

@@ -87,6 +87,11 @@ std::vector<double> MetropolisRenderer::plain_brightness(PathCounts& counts) con
     return brightness;
 }
 
+void MetropolisRenderer::state(StateArchive& archive) {
+    archive.value(warned_);
+    population_.state(archive);
+}
+
 Statistics MetropolisRenderer::statistics() const {
     const ChainCounts& total = population_.counts();
     return {{"metropolis chains", std::uint64_t{population_.chains()}},

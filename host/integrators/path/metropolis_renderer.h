@@ -23,6 +23,7 @@ class MetropolisRenderer {
     /// One line for the log.
     std::string text() const;
     Statistics statistics() const;
+    void state(StateArchive& archive);
 
   private:
     bool start(PathCounts& counts);

@@ -26,6 +26,12 @@ std::uint64_t MaterialRefusals::count(std::size_t index) const {
     return counts_[index].load(std::memory_order_relaxed);
 }
 
+void MaterialRefusals::state(StateArchive& archive) {
+    std::vector<std::uint64_t> counts(counts_.begin(), counts_.end());
+    archive.fixed(counts);
+    std::copy(counts.begin(), counts.end(), counts_.begin());
+}
+
 void PathIntegrator::prepare(const RenderContext& context) {
     context_.emplace(context);
     refusals_ = std::make_unique<MaterialRefusals>(context.scene.material_names().size());
@@ -106,6 +112,13 @@ void PathIntegrator::warn_of_refusals() {
         context_->log.warning(fmt::format(
             "path: refused a contribution {} that is no finite positive number", where));
     }
+}
+
+void PathIntegrator::state(StateArchive& archive) {
+    total_.state(archive);
+    refusals_->state(archive);
+    archive.value(warned_);
+    if (metropolis_) metropolis_->state(archive);
 }
 
 Statistics PathIntegrator::statistics() const {

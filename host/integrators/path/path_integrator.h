@@ -23,6 +23,7 @@ class MaterialRefusals : public RefusalCounter {
     std::uint64_t total() const;
     /// By material index; the last is for light from outside of all surfaces.
     std::uint64_t count(std::size_t index) const;
+    void state(StateArchive& archive);
 
   private:
     std::vector<std::atomic<std::uint64_t>> counts_;
@@ -35,6 +36,7 @@ class PathIntegrator : public Integrator {
     void prepare(const RenderContext& context) override;
     PassReport render_pass(std::uint64_t pass) override;
     Statistics statistics() const override;
+    void state(StateArchive& archive) override;
 
   private:
     PathCounts render_pixels(std::uint64_t pass);

@@ -26,6 +26,11 @@ PathCounts& PathCounts::operator+=(const PathCounts& other) {
     return *this;
 }
 
+void PathCounts::state(StateArchive& archive) {
+    for (std::uint64_t* count : {&paths, &rays, &bounces})
+        archive.value(*count);
+}
+
 PathTracer::PathTracer(const Scene& scene, const PathSettings& settings, RefusalCounter& refusals)
     : scene_(scene),
       settings_(settings),

@@ -11,6 +11,7 @@
 #include <span>
 
 #include "lxs/sdk/scene.h"
+#include "lxs/sdk/state_archive.h"
 #include "path/light_selector.h"
 #include "path/path_settings.h"
 #include "path/primary_sample.h"
@@ -41,6 +42,7 @@ struct PathCounts {
     std::uint64_t bounces = 0;
 
     PathCounts& operator+=(const PathCounts& other);
+    void state(StateArchive& archive);
 };
 
 /// Estimates the radiance that arrives along a camera ray. Light reaches a path vertex in two ways

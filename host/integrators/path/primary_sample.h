@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 
+#include "lxs/sdk/state_archive.h"
 #include "lxs/sdk/types.h"
 
 namespace lxs {
@@ -31,6 +32,14 @@ class PrimarySample {
     PrimarySample(const PrimarySample&) = default;
     PrimarySample& operator=(const PrimarySample&) = default;
     ~PrimarySample() = default;
+    /// How far the present block has been read.
+    void block_state(StateArchive& archive) {
+        archive.fixed(std::span(block_));
+        std::uint64_t used = used_;
+        archive.value(used);
+        if (used > block_.size()) throw StateError("a sample has read more than there is of it");
+        used_ = used;
+    }
     /// The next number asked for starts a new block.
     void drop_block() { used_ = block_.size(); }
 

@@ -28,6 +28,13 @@ class RandomStream final : public PrimarySample {
           counter_{{pixel, static_cast<std::uint32_t>(pass), static_cast<std::uint32_t>(pass >> 32),
                     0}} {}
 
+    /// Where in the stream the next number is.
+    void state(StateArchive& archive) {
+        archive.fixed(std::span(key_.v));
+        archive.fixed(std::span(counter_.v));
+        block_state(archive);
+    }
+
   private:
     void next_block(Block& block) override {
         const r123::Philox4x32::ctr_type bits = r123::Philox4x32()(counter_, key_);

@@ -18,7 +18,7 @@ std::vector<std::string> names_of(const Map& map) {
 }  // namespace
 
 std::string NamedAssets::resolve(const std::string& name, const SourceLocation& where) const {
-    return resolve_asset(name, directory_, where);
+    return files_.emplace_back(resolve_asset(name, directory_, where));
 }
 
 std::shared_ptr<const FloatTexture> NamedAssets::float_texture(const std::string& name,

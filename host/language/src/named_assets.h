@@ -4,6 +4,7 @@
 #include <map>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "arguments.h"
 #include "lxs/scene/registry.h"
@@ -19,7 +20,9 @@ struct IndexedMaterial {
 /// Definitions return false when the name was taken; the new meaning counts from then on.
 class NamedAssets final : public AssetContext {
   public:
-    explicit NamedAssets(std::string directory) : directory_(std::move(directory)) {}
+    /// Appends to `files` the path of every asset that it resolves.
+    NamedAssets(std::string directory, std::vector<std::string>& files)
+        : directory_(std::move(directory)), files_(files) {}
 
     const std::string& directory() const { return directory_; }
     std::string resolve(const std::string& name, const SourceLocation& where) const override;
@@ -57,6 +60,7 @@ class NamedAssets final : public AssetContext {
                                    const SourceLocation& where) const;
 
     std::string directory_;
+    std::vector<std::string>& files_;
     std::map<std::string, std::shared_ptr<const FloatTexture>> float_textures_;
     std::map<std::string, std::shared_ptr<const ColorTexture>> color_textures_;
     std::map<std::string, std::shared_ptr<const FresnelTexture>> fresnel_textures_;

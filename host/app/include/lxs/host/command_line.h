@@ -27,6 +27,9 @@ struct CommandLine {
     bool strict = false;                  ///< unknown parameters are errors
     std::vector<std::string> plugin_paths;
     std::optional<std::string> statistics;  ///< JSON file
+    std::optional<std::string> checkpoint;  ///< file to save the render's state in; none: not saved
+    double checkpoint_interval = 300;       ///< least seconds between two of them; 0: every pass
+    bool resume = false;                    ///< from `checkpoint`, if there is that file
     Verbosity verbosity = Verbosity::Normal;
 
     bool list_plugins = false;

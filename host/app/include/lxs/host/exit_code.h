@@ -14,6 +14,7 @@ enum class ExitCode : int {
     BadInput = 3,
     PluginFailure = 4,
     OutputFailure = 5,
+    CheckpointRefused = 6,
     Interrupted = 130
 };
 
@@ -24,6 +25,8 @@ inline constexpr std::array kExitCodes = {
     ExitCodeMeaning{ExitCode::BadInput, "bad scene, or a bad value given by --set or --integrator"},
     ExitCodeMeaning{ExitCode::PluginFailure, "a plugin module can't be loaded, or fails"},
     ExitCodeMeaning{ExitCode::OutputFailure, "an output file can't be written"},
+    ExitCodeMeaning{ExitCode::CheckpointRefused,
+                    "a checkpoint can't be resumed, or would be replaced"},
     ExitCodeMeaning{ExitCode::Interrupted, "interrupted; the passes so far are written"},
 };
 

@@ -15,6 +15,11 @@ class OutputFailure : public std::runtime_error {
     using std::runtime_error::runtime_error;
 };
 
+/// A checkpoint that can't be made or gone on from, or that must not be replaced.
+class CheckpointFailure : public std::runtime_error {
+    using std::runtime_error::runtime_error;
+};
+
 /// A scene that an integrator can't render, with nothing in a file to point at.
 class SceneFailure : public std::runtime_error {
     using std::runtime_error::runtime_error;

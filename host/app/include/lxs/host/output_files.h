@@ -18,6 +18,9 @@ struct OutputFiles {
 /// `-o`, else the film's file name, in the current folder.
 OutputFiles choose_output_files(const CommandLine& command, const FileFilm& film);
 
+/// Throws OutputFailure unless a file can be written there, found out by writing one beside it;
+/// removes what a killed process has left beside it.
+void check_writable(const std::string& path);
 /// Throws OutputFailure unless all files can be written, found out by writing a file beside them.
 void check_writable(const OutputFiles& files);
 

@@ -6,6 +6,7 @@
 
 #include "lxs/host/budget.h"
 #include "lxs/host/console_log.h"
+#include "lxs/sdk/state_archive.h"
 
 namespace lxs {
 
@@ -17,6 +18,8 @@ struct RenderTotals {
     double samples_per_pixel = 0;
     double seconds = 0;      ///< wall time of the passes
     double cpu_seconds = 0;  ///< of all threads in the passes
+
+    void state(StateArchive& archive);
 };
 
 /// One line: pass, photons/s, rays/s, elapsed, remaining, resident memory.

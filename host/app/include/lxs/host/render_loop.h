@@ -16,10 +16,12 @@ struct RenderLoop {
     const Interruption& interruption;
     Progress& progress;
     std::function<void(std::uint64_t pass)> begin_pass = {};  ///< called before each; may be empty
+    std::function<void(const RenderTotals&)> end_pass = {};   ///< called after each; may be empty
     double snapshot_interval = 0;  ///< seconds between snapshots; 0: none
     std::function<void(const RenderTotals&)> write_snapshot;  ///< does not throw
 
-    /// Renders. `totals` are of all passes done, also where a pass ends with an exception.
+    /// Renders on from `totals`: none, or those of a render that is resumed. They are of all passes
+    /// done, also where a pass ends with an exception.
     void run(RenderTotals& totals);
 };
 

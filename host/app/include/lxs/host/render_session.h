@@ -3,9 +3,11 @@
 
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "lxs/host/command_line.h"
+#include "lxs/host/fingerprint.h"
 #include "lxs/host/input_diagnostics.h"
 #include "lxs/host/integrator_choice.h"
 #include "lxs/host/output_files.h"
@@ -29,7 +31,8 @@ struct RenderSession {
     std::uint64_t seed = 0;
     OutputFiles files;
     PhaseTimes times;
-    bool spectral = false;  ///< each pass has wavelengths of its own
+    std::optional<Fingerprint> fingerprint;  ///< if checkpoints are asked for
+    bool spectral = false;                   ///< each pass has wavelengths of its own
 };
 
 /// Everything that can be wrong with the input or the output's place is found here. Throws

@@ -2,15 +2,42 @@
 #pragma once
 
 #include <cstddef>
+#include <memory>
 #include <span>
 #include <string>
 
 namespace lxs {
+
+/// A file in the making: what is written goes to a temporary file beside `path`, which commit()
+/// flushes to the device and renames to `path`; a symbolic link is followed, and a device or pipe
+/// is written in place. All throw std::runtime_error with the path and the system's reason. Without
+/// commit() the temporary file goes with the object, and an older file at `path` stays untouched.
+class AtomicFile {
+  public:
+    explicit AtomicFile(const std::string& path);
+    ~AtomicFile();
+    AtomicFile(const AtomicFile&) = delete;
+    AtomicFile& operator=(const AtomicFile&) = delete;
+
+    void write(std::span<const std::byte> bytes);
+    void commit();
+
+  private:
+    class OpenFile;
+    void check(int error) const;
+
+    std::string path_, target_;
+    std::string temporary_;  ///< empty: written in place, or renamed already
+    std::unique_ptr<OpenFile> file_;
+};
 
 /// Writes `bytes` to a temporary file beside `path`, flushes it to the device and renames it to
 /// `path`; a symbolic link is followed, and a device or pipe is written in place. Throws
 /// std::runtime_error with the path and the system's reason; the temporary file is then gone and an
 /// older file at `path` untouched.
 void write_file_atomically(const std::string& path, std::span<const std::byte> bytes);
+
+/// Removes temporary files beside `path` whose writer was killed: those that no process has open.
+void remove_abandoned_temporaries(const std::string& path);
 
 }  // namespace lxs

@@ -14,6 +14,7 @@
 #include "lxs/sdk/film.h"
 #include "lxs/sdk/parameters.h"
 #include "lxs/sdk/scene.h"
+#include "lxs/sdk/state_archive.h"
 #include "lxs/spectrum/wavelengths.h"
 
 namespace lxs {
@@ -31,6 +32,10 @@ class FileFilm : public Film {
     virtual double write_interval_seconds() const = 0;  ///< "writeinterval"
     virtual std::uint64_t refused_samples() const = 0;
     virtual std::size_t memory_bytes() const = 0;
+
+    /// Saves or restores everything that passes have left in the film. Throws StateError if what is
+    /// restored is of another film.
+    virtual void state(StateArchive& archive) = 0;
 
     /// From now on passes hold values at these wavelengths; images stay linear RGB.
     virtual void set_wavelengths(const Wavelengths& wavelengths) = 0;

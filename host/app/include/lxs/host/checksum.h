@@ -1,0 +1,34 @@
+// Checksums of files and of settings.
+#pragma once
+
+#include <boost/crc.hpp>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace lxs {
+
+/// CRC-64 (ECMA-182, as in xz): finds every flipped byte and every burst of up to eight. Guards
+/// against accidents, not against forgers.
+class Checksum {
+  public:
+    void add(std::span<const std::byte> bytes) { crc_.process_bytes(bytes.data(), bytes.size()); }
+    /// With its length: "ab", "c" differs from "a", "bc".
+    void add_text(std::string_view text) {
+        const std::uint64_t size = text.size();
+        add(std::as_bytes(std::span(&size, 1)));
+        add(std::as_bytes(std::span(text)));
+    }
+    /// The content of a file; throws std::system_error if it can't be read.
+    void add_file(const std::string& path);
+
+    std::uint64_t value() const { return crc_.checksum(); }
+
+  private:
+    boost::crc_optimal<64, 0x42F0E1EBA9EA3693, ~std::uint64_t{0}, ~std::uint64_t{0}, true, true>
+        crc_;
+};
+
+}  // namespace lxs

@@ -1,0 +1,39 @@
+// What the bits of an image depend on, so that a render goes on only from a checkpoint of its own.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+#include "lxs/host/command_line.h"
+#include "lxs/scene/contents.h"
+#include "lxs/sdk/state_archive.h"
+
+namespace lxs {
+
+/// One checksum a cause. Threads, budgets and the names of outputs have no bearing on the image:
+/// they may change.
+class Fingerprint {
+  public:
+    void set_program(const std::filesystem::path& integrator_module);
+    void set_sources(const SceneContents& contents);
+    /// Files that the scene names, by path.
+    void set_assets(const std::vector<std::string>& paths);
+    /// What the command line changes, and the names of what it does not.
+    void set_settings(const CommandLine& command, std::string_view integrator, std::uint32_t width,
+                      std::uint32_t height);
+    void set_seed(std::uint64_t seed);
+
+    /// What differs, in words; empty if nothing does.
+    std::string difference(const Fingerprint& other) const;
+    void state(StateArchive& archive) { archive.fixed(std::span(checksums_)); }
+
+  private:
+    enum Cause : std::uint8_t { Program, Sources, Assets, Settings, Seed, Causes };
+
+    std::array<std::uint64_t, Causes> checksums_{};
+};
+
+}  // namespace lxs

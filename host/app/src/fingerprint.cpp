@@ -1,0 +1,71 @@
+// What the bits of an image depend on, so that a render goes on only from a checkpoint of its own.
+#include "lxs/host/fingerprint.h"
+
+#include <algorithm>
+#include <boost/dll/runtime_symbol_info.hpp>
+#include <set>
+
+#include "lxs/host/checksum.h"
+#include "lxs/sdk/plugin.h"
+
+namespace lxs {
+
+void Fingerprint::set_program(const std::filesystem::path& integrator_module) {
+    Checksum sum;
+    sum.add_text(version() + " " + std::to_string(kAbiVersion));
+    sum.add_file(boost::dll::program_location().string());
+    sum.add_file(integrator_module.string());
+    checksums_[Program] = sum.value();
+}
+
+void Fingerprint::set_sources(const SceneContents& contents) {
+    Checksum sum;
+    for (const auto& source : contents.sources)
+        sum.add_text(*source->text);
+    checksums_[Sources] = sum.value();
+}
+
+void Fingerprint::set_assets(const std::vector<std::string>& paths) {
+    Checksum sum;
+    std::set<std::string_view> seen;
+    for (const std::string& path : paths) {
+        if (seen.insert(path).second) sum.add_file(path);
+    }
+    checksums_[Assets] = sum.value();
+}
+
+void Fingerprint::set_settings(const CommandLine& command, std::string_view integrator,
+                               std::uint32_t width, std::uint32_t height) {
+    Checksum sum;
+    sum.add_text(integrator);
+    sum.add_text(command.sampler.value_or(""));
+    sum.add_text(std::to_string(width) + " x " + std::to_string(height));
+    for (const std::string& override : command.overrides)
+        sum.add_text(override);
+    checksums_[Settings] = sum.value();
+}
+
+void Fingerprint::set_seed(std::uint64_t seed) {
+    Checksum sum;
+    sum.add_text(std::to_string(seed));
+    checksums_[Seed] = sum.value();
+}
+
+std::string Fingerprint::difference(const Fingerprint& other) const {
+    static constexpr std::array<std::string_view, Causes> kNames = {
+        "the build of lxsrender or of the integrator's module",
+        "the text of the scene",
+        "a mesh, texture or other file that the scene names",
+        "the integrator, a setting or the size of the image",
+        "the seed",
+    };
+    std::string text;
+    for (std::size_t cause = 0; cause < Causes; ++cause) {
+        if (checksums_[cause] == other.checksums_[cause]) continue;
+        text += text.empty() ? "" : ", ";
+        text += kNames[cause];
+    }
+    return text;
+}
+
+}  // namespace lxs

@@ -37,10 +37,12 @@ double initial_radius(const Settings& settings, const EyeImage& image, double sm
 
 void state_of_initial_radius(StateArchive& archive, double& radius, double smallest) {
     using Limits = std::numeric_limits<float>;
+    // Radii that adapt may be some times as wide.
+    constexpr double kGreatest = double(Limits::max()) / 64;
     archive.value(radius);
-    StateArchive::check(radius == 0 || (radius >= std::max(smallest, double(Limits::min())) &&
-                                        radius <= double(Limits::max())),
-                        "a search radius that no pass can have begun with");
+    StateArchive::check(
+        radius == 0 || (radius >= std::max(smallest, double(Limits::min())) && radius <= kGreatest),
+        "a search radius that no pass can have begun with");
 }
 
 double radius_of_footprint(const Settings& settings, double footprint, double smallest) {

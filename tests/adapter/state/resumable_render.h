@@ -19,8 +19,8 @@ struct ResumableCase {
 };
 
 /// For messages of tests.
-inline void PrintTo(const ResumableCase& what, std::ostream* out) {
-    *out << what.name;
+inline std::ostream& operator<<(std::ostream& out, const ResumableCase& what) {
+    return out << what.name;
 }
 
 /// Everything that such a render has: built anew for each.

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 #include "aips/core/ppm_statistics.h"
 
@@ -14,15 +13,13 @@ namespace aips {
 SearchRadii PpmRadius::before_pass(std::uint64_t /*pass*/, const PassPhotons& /*photons*/,
                                    const EyeImage& image) {
     if (radii_.empty()) {
-        const auto radius = float(initial_radius(settings_, image, smallest_));
+        const auto radius = float(initial_radius(settings_, image, floor_.least()));
         radii_.assign(image.visible_points.size(), radius);
         photons_.assign(image.visible_points.size(), 0);
     }
-    SearchRadii radii;
-    radii.largest = *std::max_element(radii_.begin(), radii_.end());
-    radii.mean = float(std::accumulate(radii_.begin(), radii_.end(), 0.0) / double(radii_.size()));
-    radii.per_point = radii_;
-    return radii;
+    for (std::size_t i = 0; i < radii_.size(); ++i)
+        radii_[i] = std::max(radii_[i], floor_.at(image.visible_points[i].position));
+    return SearchRadii(std::span<const float>(radii_));
 }
 
 void PpmRadius::after_pass(const PhotonFlux& flux) {

@@ -21,8 +21,7 @@ namespace aips {
 
 class PpmRadius final : public RadiusPolicy {
   public:
-    PpmRadius(const Settings& settings, const Scene& scene)
-        : settings_(settings), smallest_(smallest_radius(scene)) {}
+    PpmRadius(const Settings& settings, const Scene& scene) : settings_(settings), floor_(scene) {}
 
     SearchRadii before_pass(std::uint64_t pass, const PassPhotons& photons,
                             const EyeImage& image) override;
@@ -37,7 +36,7 @@ class PpmRadius final : public RadiusPolicy {
 
   private:
     Settings settings_;
-    double smallest_;              // initial radii stay above; shrinking needs photons within
+    RadiusFloor floor_;
     std::vector<float> radii_;     // [visible point]: R
     std::vector<double> photons_;  // [visible point]: N of eq. 7, photons kept so far
 };

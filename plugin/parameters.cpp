@@ -45,7 +45,7 @@ std::vector<ParameterDeclaration> common_declarations() {
         {"startradius", ParameterType::Float, "0",
          "Radius of the first density estimate, the same at all visible points, in their mean "
          "pixel "
-         "footprints (widths); 0: automatic (2).",
+         "footprints (widths; those beyond eight medians count as eight); 0: automatic (2).",
          0, 1e6},
         {"alpha", ParameterType::Float, "0.7",
          "Share of the variance reduction in the radius schedule (Knaus and Zwicker 2011), in ppm "

@@ -20,7 +20,7 @@ namespace {
 using namespace aips;
 
 constexpr std::uint32_t kSize = 12;
-constexpr std::uint64_t kScenes = 20;
+constexpr std::uint64_t kScenes = 30;
 constexpr std::uint32_t kPaths = 2048, kIterations = 10;
 
 /// Sum and squares of what becomes of each path's power, over the power of all lights.

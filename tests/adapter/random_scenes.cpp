@@ -172,7 +172,7 @@ void Drawing::add_lights(Scene& scene) {
     for (std::uint32_t i = 0; i < count; ++i) {
         const Rgb watts = tint(0.5f, 1.0f) * (10 * std::pow(10.0f, between(-3, 0)));
         const std::uint32_t kind = below(kind_.open ? 5 : 3);
-        if (kind < 2) {
+        if (kind < 2 || (kind == 2 && kind_.no_points)) {
             add_lamp(scene, watts);
         } else if (kind == 2) {
             if (const auto position = place(0.05f)) {

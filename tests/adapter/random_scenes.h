@@ -16,6 +16,8 @@ struct RandomSceneKind {
     bool accountable = false;
     /// Walls and objects all have a diffuse lobe and a mirror.
     bool half_mirrors = false;
+    /// Lamps in the place of point lights: rays that bounce off mirrors meet every light.
+    bool no_points = false;
 };
 
 /// A room of matte walls within [-1,1]^3 with one to three objects (balls, boxes, panels; matte,

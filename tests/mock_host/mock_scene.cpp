@@ -142,11 +142,17 @@ void Scene::finish() {
         light_pointers_.push_back(light.get());
 }
 
+/// The smallest step that single-precision positions of this scene can resolve.
+double Scene::smallest_step() const {
+    const Vec3 reach = max(abs(bounds_.lower), abs(bounds_.upper));
+    const double farthest = std::max({reach.x, reach.y, reach.z});
+    return std::max(1e-5 * double(bounds_.diagonal()), 4 * 0x1p-23 * farthest);
+}
+
 bool Scene::nearest(const aips::Ray& ray, double t_max, Hit& hit) const {
     if (on_ray) on_ray(ray.time);
     const Vec3d o = wide(ray.origin), d = wide(ray.direction);
-    // The smallest step that single-precision positions of this scene can resolve.
-    const double t_min = 1e-5 * bounds_.diagonal();
+    const double t_min = smallest_step();
     bool found = false;
     for (std::size_t i = 0; i < surfaces_.size(); ++i) {
         const double t =
@@ -199,7 +205,7 @@ aips::Rgb Scene::visibility(const aips::SurfacePoint& point, const aips::DirectS
 aips::Rgb Scene::visibility_from(Vec3 position, const aips::DirectSample& light, float time) const {
     const aips::Ray ray{position, light.wi, time, nullptr};
     double from = 0;
-    const double end = double(light.distance) - 1e-5 * bounds_.diagonal();
+    const double end = double(light.distance) - smallest_step();
     for (int passed = 0; passed < 64; ++passed) {
         aips::Ray rest = ray;
         rest.origin = ray.origin + ray.direction * static_cast<float>(from);

@@ -84,6 +84,7 @@ class Scene final : public aips::Scene {
     };
     bool nearest(const aips::Ray& ray, double t_max, Hit& hit) const;
     float distance_to_end(const aips::Ray& ray) const;
+    double smallest_step() const;
 
     std::vector<Surface> surfaces_;
     std::vector<aips::LightIndex> light_of_surface_;

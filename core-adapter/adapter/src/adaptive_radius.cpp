@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
 
 #include "scheduled_radius.h"
 
@@ -42,28 +41,27 @@ ProbeEstimate scaled(ProbeEstimate estimate, double factor) {
 
 AdaptiveRadius::AdaptiveRadius(const Settings& settings, const Scene& scene, std::uint32_t width,
                                std::uint32_t height)
-    : settings_(settings), smallest_(smallest_radius(scene)), map_(width, height) {}
+    : settings_(settings), floor_(scene), map_(width, height) {}
 
 SearchRadii AdaptiveRadius::before_pass(std::uint64_t pass, const PassPhotons& photons,
                                         const EyeImage& image) {
     if (!(initial_ > 0)) {
-        initial_ = initial_radius(settings_, image, smallest_);
+        initial_ = initial_radius(settings_, image, floor_.least());
         unit_ = kProbeRadius * initial_;
     }
     pass_paths_ = double(photons.paths);
     const auto shot = double(photons.before);
-    const double schedule = double(scheduled_radius(settings_, initial_, shot, smallest_));
+    const double schedule = double(scheduled_radius(settings_, initial_, shot, floor_.least()));
     radii_.resize(image.visible_points.size());
     pixels_.resize(image.visible_points.size());
     tbb::parallel_for(std::size_t{0}, radii_.size(), [&](std::size_t i) {
-        pixels_[i] = map_.pixel(image.positions[image.visible_points[i].sample]);
-        radii_[i] = radius_at(pixels_[i], schedule, shot + pass_paths_);
+        const VisiblePoint& point = image.visible_points[i];
+        pixels_[i] = map_.pixel(image.positions[point.sample]);
+        radii_[i] = std::max(radius_at(pixels_[i], schedule, shot + pass_paths_),
+                             floor_.at(point.position));
     });
     place_probes(pass);
-    SearchRadii radii;
-    radii.largest = *std::max_element(radii_.begin(), radii_.end());
-    radii.mean = float(std::accumulate(radii_.begin(), radii_.end(), 0.0) / double(radii_.size()));
-    radii.per_point = radii_;
+    SearchRadii radii{std::span<const float>(radii_)};
     radii.probes = probes_;
     radii.probe_radius = float(unit_ * std::pow(1 + shot / kProbePaths, kProbePower));
     probe_radius_ = double(radii.probe_radius);
@@ -78,8 +76,7 @@ float AdaptiveRadius::radius_at(std::uint32_t pixel, double schedule, double pat
     if (!(radius > 0 && radius <= double(std::numeric_limits<float>::max()))) {
         return float(schedule);
     }
-    const double bounded = std::clamp(radius, kLeast * schedule, kGreatest * schedule);
-    return float(std::max(bounded, smallest_));
+    return float(std::clamp(radius, kLeast * schedule, kGreatest * schedule));
 }
 
 // 7 has no factor in common with 16: all pixels take turns, neighbours not one after the other.

@@ -27,7 +27,7 @@ class AdaptiveRadius final : public RadiusPolicy {
     float radius_at(std::uint32_t pixel, double schedule, double paths) const;
 
     Settings settings_;
-    double smallest_;
+    RadiusFloor floor_;
     double initial_ = 0;                 // from the first visible points' pixel footprints
     double unit_ = 0;                    // probe radius of the first pass
     double probe_radius_ = 0;            // of this pass

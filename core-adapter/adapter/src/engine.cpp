@@ -15,6 +15,7 @@
 #include "photon_schedule.h"
 #include "pixel_estimate.h"
 #include "pixel_importance.h"
+#include "precision_warning.h"
 #include "radius_policy.h"
 #include "same_render.h"
 #include "skip_log.h"
@@ -84,6 +85,7 @@ class Engine::State {
         PassReport report;
         SearchRadii radii;
         report.eye_paths = trace_eye_paths(pass, time);
+        if (pass == 0) warn_of_lost_precision(image_, host_.log);
         const std::uint64_t eye_rays = report.eye_paths ? image_.rays : 0;
         const PhotonPassTotals before = photon_pass_.totals();
         const PassPhotons photons = photons_.next();

@@ -4,6 +4,7 @@
 #include <tbb/parallel_for.h>
 
 #include "eye_path.h"
+#include "footprints.h"
 
 namespace aips {
 namespace {
@@ -14,7 +15,8 @@ constexpr std::uint32_t kPathsPerBlock = 1024;
 struct Block {
     std::vector<VisiblePoint> visible_points;
     std::vector<VolumeBeam> beams;
-    double footprint_sum = 0, beam_footprint_sum = 0;
+    std::vector<float> footprints;
+    double beam_footprint_sum = 0;
     std::uint64_t rays = 0;
 };
 
@@ -42,7 +44,7 @@ void trace_block(const EyePassInput& in, std::uint64_t pass, float time, std::ui
         if (result.has_visible_point) {
             block.visible_points.push_back(result.visible_point);
             block.visible_points.back().sample = i;
-            block.footprint_sum += result.footprint;
+            block.footprints.push_back(result.footprint);
         }
     }
 }
@@ -50,17 +52,20 @@ void trace_block(const EyePassInput& in, std::uint64_t pass, float time, std::ui
 void join_blocks(std::vector<Block>& blocks, EyeImage& image) {
     image.visible_points.clear();
     image.beams.clear();
-    image.footprint_sum = image.beam_footprint_sum = 0;
+    image.footprints.clear();
+    image.beam_footprint_sum = 0;
     image.rays = 0;
     for (Block& block : blocks) {
         image.visible_points.insert(image.visible_points.end(), block.visible_points.begin(),
                                     block.visible_points.end());
         image.beams.insert(image.beams.end(), block.beams.begin(), block.beams.end());
-        image.footprint_sum += block.footprint_sum;
+        image.footprints.insert(image.footprints.end(), block.footprints.begin(),
+                                block.footprints.end());
         image.beam_footprint_sum += block.beam_footprint_sum;
         image.rays += block.rays;
         block = {};
     }
+    image.footprint_sum = bounded_footprint_sum(image.footprints);
 }
 
 }  // namespace
@@ -68,6 +73,7 @@ void join_blocks(std::vector<Block>& blocks, EyeImage& image) {
 std::size_t EyeImage::memory_bytes() const {
     std::size_t bytes = positions.capacity() * sizeof(Vec2) + radiance.capacity() * sizeof(Rgb) +
                         visible_points.capacity() * sizeof(VisiblePoint) +
+                        footprints.capacity() * sizeof(float) +
                         beams.capacity() * sizeof(VolumeBeam);
     for (const Arena& arena : arenas)
         bytes += arena.bytes_reserved();

@@ -36,10 +36,12 @@ struct EyeImage {
     std::vector<VolumeBeam> beams;  ///< parts within media that scatter: at most one an eye path
     double beam_footprint_sum = 0;  ///< of the pixel footprints' radii at the beams' middles
     std::vector<Arena> arenas;      ///< one per block of eye paths; hold the visible points' Bsdfs
-    double footprint_sum = 0;       ///< of the pixel footprints' radii at the visible points
+    double footprint_sum = 0;       ///< of the pixel footprints' radii, as footprints.h sums them
+    std::vector<float> footprints;  ///< those radii, in no order; one a visible point
     std::uint64_t rays = 0;
 
-    /// Mean radius of a pixel's footprint at the visible points, scene units; 0 without points.
+    /// Mean radius of a pixel's footprint at the visible points, far ones bounded (footprints.h),
+    /// scene units; 0 without points.
     double mean_footprint() const {
         return visible_points.empty() ? 0 : footprint_sum / double(visible_points.size());
     }

@@ -121,19 +121,34 @@ class SeedWalk {
         return !is_black(throughput_);
     }
 
+    struct ChosenLight {
+        LightIndex index;
+        float pdf;
+    };
+    /// Half by power and half alike: a light that others outshine a billion times may be the only
+    /// one that reaches anything.
+    ChosenLight choose_light() {
+        const float u = 2 * random_.next();
+        const auto count = static_cast<float>(in_.scene.lights().size());
+        const std::size_t index = u < 1 ? in_.light_choice.sample(u).index
+                                        : std::min(in_.scene.lights().size() - 1,
+                                                   static_cast<std::size_t>((u - 1) * count));
+        return {static_cast<LightIndex>(index), 0.5f * (in_.light_choice.pdf(index) + 1 / count)};
+    }
+
     /// Next-event estimation that takes the surface for a diffuse one of its albedo.
     void connect(const SurfacePoint& point, Vec3 wo, Rgb reflected) {
-        const auto chosen = in_.light_choice.sample(random_.next());
+        const auto [light, choice_pdf] = choose_light();
         DirectSample sample;
-        if (!in_.scene.lights()[chosen.index]->sample_direct(point, random_.next2(), sample) ||
+        if (!in_.scene.lights()[light]->sample_direct(point, random_.next2(), sample) ||
             !(sample.pdf > 0) || !scatters(point, wo, sample.wi)) {
             return;
         }
         const float cosine = abs_dot(sample.wi, point.shading_normal);
-        const Rgb arriving = sample.radiance * (cosine * kInvPi / (sample.pdf * chosen.pdf));
+        const Rgb arriving = sample.radiance * (cosine * kInvPi / (sample.pdf * choice_pdf));
         ++block_.counts.rays;
         const Rgb visible = in_.scene.visibility(point, sample, in_.time);
-        seed(static_cast<LightIndex>(chosen.index), point, sample, reflected * arriving * visible);
+        seed(light, point, sample, reflected * arriving * visible);
     }
 
     void seed_lamp(const SurfacePoint& hit) {

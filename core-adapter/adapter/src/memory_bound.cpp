@@ -7,6 +7,7 @@
 #include "pass_noise.h"
 #include "photon_pass.h"
 #include "ppm_radius.h"
+#include "scheduled_radius.h"
 
 namespace aips {
 namespace {
@@ -30,7 +31,9 @@ std::size_t visible_point_bytes(const Scene& scene, std::size_t paths) {
     const std::size_t estimate = 2 * groups * sizeof(Rgb) + sizeof(std::uint32_t) + sizeof(float);
     // While blocks are joined, their visible points exist twice; positions are copied for grids.
     const std::size_t transient = kGrowth * sizeof(VisiblePoint) + sizeof(Vec3);
-    return paths * (sizeof(VisiblePoint) + scene.facts().max_bsdf_bytes + estimate + transient);
+    const std::size_t footprints = 2 * kGrowth * sizeof(float);
+    return paths * (sizeof(VisiblePoint) + scene.facts().max_bsdf_bytes + estimate + transient +
+                    footprints);
 }
 
 /// Landings of the store that waits, of one iteration (twice with a guide: blocks, then joined),
@@ -77,7 +80,7 @@ std::size_t memory_bound(const Scene& scene, const Needs& needs, std::uint32_t e
         guide = AdaptiveGuide::memory_bound_bytes(scene, settings, eye_paths) +
                 log_bytes(settings, kPlainIterationPaths);
     }
-    std::size_t radii = 0;
+    std::size_t radii = ScheduledRadius::memory_bound_bytes(eye_paths);
     if (settings.mode == Mode::Ppm) radii = PpmRadius::memory_bound_bytes(eye_paths);
     if (adapts_radius(settings)) {
         // And the flux's probes.

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 #include "aips/core/ppm_statistics.h"
 
@@ -13,19 +12,19 @@ namespace aips {
 
 SearchRadii PpmRadius::before_pass(std::uint64_t /*pass*/, const PassPhotons& /*photons*/,
                                    const EyeImage& image) {
-    if (radii_.empty()) {
-        const double radius = initial_radius(settings_, image, smallest_);
-        radii_.assign(image.visible_points.size(), float(radius));
+    if (points_.empty()) {
+        const double radius = initial_radius(settings_, image, floor_.least());
         points_.assign(image.visible_points.size(), {0, radius * radius});
+        radii_.resize(points_.size());
     }
-    SearchRadii radii;
-    radii.largest = *std::max_element(radii_.begin(), radii_.end());
-    radii.mean = float(std::accumulate(radii_.begin(), radii_.end(), 0.0) / double(radii_.size()));
-    radii.per_point = radii_;
-    return radii;
+    for (std::size_t i = 0; i < radii_.size(); ++i) {
+        radii_[i] = std::max(float(std::sqrt(points_[i].squared_radius)),
+                             floor_.at(image.visible_points[i].position));
+    }
+    return SearchRadii(std::span<const float>(radii_));
 }
 
-// Saved between passes, when the radii searched follow from their squares.
+// The radii searched follow from their squares before each pass.
 void PpmRadius::state(StateArchive& archive, const EyeImage& image) {
     bool begun = !points_.empty();
     archive.value(begun);
@@ -35,24 +34,22 @@ void PpmRadius::state(StateArchive& archive, const EyeImage& image) {
         points_.resize(image.visible_points.size());
         radii_.resize(points_.size());
     }
-    const double initial = initial_radius(settings_, image, smallest_);
-    for (std::size_t i = 0; i < points_.size(); ++i) {
-        Point& point = points_[i];
+    const double initial = initial_radius(settings_, image, floor_.least());
+    for (Point& point : points_) {
         archive.amount(point.photons);
         archive.amount(point.squared_radius);
         StateArchive::check(point.squared_radius <= initial * initial,
                             "a search radius that has grown");
-        radii_[i] = float(std::sqrt(point.squared_radius));
     }
 }
 
 void PpmRadius::after_pass(const PhotonFlux& flux) {
-    tbb::parallel_for(std::size_t{0}, radii_.size(), [&](std::size_t i) {
+    const double least = floor_.least() * floor_.least();
+    tbb::parallel_for(std::size_t{0}, points_.size(), [&](std::size_t i) {
         Point& point = points_[i];
         const PpmStep step = ppm_step(point.photons, flux.accepted[i], settings_.alpha);
         point.photons = step.photons;
-        point.squared_radius = std::max(point.squared_radius * step.share, smallest_ * smallest_);
-        radii_[i] = float(std::sqrt(point.squared_radius));
+        point.squared_radius = std::max(point.squared_radius * step.share, least);
     });
 }
 

@@ -22,8 +22,7 @@ namespace aips {
 
 class PpmRadius final : public RadiusPolicy {
   public:
-    PpmRadius(const Settings& settings, const Scene& scene)
-        : settings_(settings), smallest_(smallest_radius(scene)) {}
+    PpmRadius(const Settings& settings, const Scene& scene) : settings_(settings), floor_(scene) {}
 
     SearchRadii before_pass(std::uint64_t pass, const PassPhotons& photons,
                             const EyeImage& image) override;
@@ -44,8 +43,8 @@ class PpmRadius final : public RadiusPolicy {
     };
 
     Settings settings_;
-    double smallest_;            // radii stay above
-    std::vector<float> radii_;   // [visible point]: R
+    RadiusFloor floor_;
+    std::vector<float> radii_;   // [visible point]: R, as searched
     std::vector<Point> points_;  // [visible point]
 };
 

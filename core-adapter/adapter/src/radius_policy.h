@@ -9,6 +9,7 @@
 #include "aips/core/state_archive.h"
 #include "gather.h"
 #include "photon_schedule.h"
+#include "radius_floor.h"
 
 namespace aips {
 
@@ -32,7 +33,8 @@ class RadiusPolicy {
 std::unique_ptr<RadiusPolicy> make_radius_policy(const Settings& settings, const Scene& scene,
                                                  std::uint32_t width, std::uint32_t height);
 
-/// The smallest radius, scene units: below it single precision ends.
+/// The smallest radius around beams that cross the scene, scene units: below it single precision
+/// ends.
 double smallest_radius(const Scene& scene);
 
 /// Radius of the first pass, the same for all visible points: startradius times their mean pixel

@@ -19,9 +19,13 @@ float scheduled_radius(const Settings& settings, double initial, double paths_sh
 
 SearchRadii ScheduledRadius::before_pass(std::uint64_t /*pass*/, const PassPhotons& photons,
                                          const EyeImage& image) {
-    if (!(initial_ > 0)) initial_ = initial_radius(settings_, image, smallest_);
-    if (settings_.mode == Mode::PhotonMap) return float(initial_);
-    return scheduled_radius(settings_, initial_, double(photons.before), smallest_);
+    if (!(initial_ > 0)) initial_ = initial_radius(settings_, image, floor_.least());
+    const float radius =
+        settings_.mode == Mode::PhotonMap
+            ? float(initial_)
+            : scheduled_radius(settings_, initial_, double(photons.before), floor_.least());
+    raise_to_floor(image, floor_, radius, radii_);
+    return radii_.empty() ? SearchRadii(radius) : SearchRadii(std::span<const float>(radii_));
 }
 
 }  // namespace aips

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <numeric>
 #include <span>
 
 namespace aips {
@@ -17,6 +18,12 @@ struct SearchRadii {
     float of(std::size_t visible_point) const {
         return per_point.empty() ? largest : per_point[visible_point];
     }
+
+    /// One for each, kept elsewhere; at least one.
+    explicit SearchRadii(std::span<const float> radii)
+        : largest(*std::max_element(radii.begin(), radii.end())),
+          mean(float(std::accumulate(radii.begin(), radii.end(), 0.0) / double(radii.size()))),
+          per_point(radii) {}
 
     /// Beyond it from all visible points no photon matters.
     float reach() const { return std::max(largest, probe_radius); }

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 namespace lxs {
 namespace {
@@ -22,6 +23,20 @@ double choice_weight(const Light& light, LightStrategy strategy) {
     return 1;
 }
 
+/// From sums of weights to probabilities in steps of 2^-24, as random numbers are, one at least for
+/// each light: what is stated is what is drawn, for a light of a billionth of the power too.
+void quantize(std::vector<double>& sums) {
+    constexpr double kSteps = 0x1p24;
+    const auto count = static_cast<double>(sums.size());
+    if (sums.empty()) return;
+    const double total = sums.back();
+    double set_aside = 0;
+    for (double& sum : sums) {
+        set_aside += 1;
+        sum = (set_aside + std::floor(sum / total * (kSteps - count))) / kSteps;
+    }
+}
+
 }  // namespace
 
 LightSelector::LightSelector(std::span<const Light* const> lights, LightStrategy strategy)
@@ -32,14 +47,14 @@ LightSelector::LightSelector(std::span<const Light* const> lights, LightStrategy
         const double weight = choice_weight(*light, strategy);
         if (!(weight > 0)) continue;
         total += weight;
-        lights_.push_back({light, static_cast<float>(weight)});
+        lights_.push_back({light, 1});
         cumulative_.push_back(total);
     }
-    for (double& value : cumulative_)
-        value /= total;
-    for (LightChoice& choice : lights_) {
-        choice.probability = all_ ? 1.0f : static_cast<float>(choice.probability / total);
-        probability_.emplace(choice.light, choice.probability);
+    quantize(cumulative_);
+    for (std::size_t i = 0; i < lights_.size(); ++i) {
+        const double before = i == 0 ? 0 : cumulative_[i - 1];
+        if (!all_) lights_[i].probability = static_cast<float>(cumulative_[i] - before);
+        probability_.emplace(lights_[i].light, lights_[i].probability);
     }
 }
 

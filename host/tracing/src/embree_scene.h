@@ -14,7 +14,7 @@ namespace lxs {
 /// What the ray-tracing kernel knows of a hit; the rest is reconstructed from it.
 struct RawHit {
     float distance = 0;
-    float u = 0, v = 0;           ///< barycentric weights of corners 1 and 2 (triangles only)
+    double u = 0, v = 0;          ///< barycentric weights of corners 1 and 2 (triangles only)
     std::uint32_t geometry = 0;   ///< id given to `add_*` of the scene that holds the geometry
     std::uint32_t primitive = 0;  ///< triangle of the mesh
     std::uint32_t instance = 0;   ///< id given to `add_instance`, or kNoInstance

@@ -8,6 +8,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "triangle_weights.h"
+
 namespace lxs {
 namespace {
 
@@ -35,25 +37,38 @@ Vec3 normalized_or(const Vec3& v, const Vec3& fallback) {
     return length2 > 1e-20f ? v / std::sqrt(length2) : fallback;
 }
 
-void locate_on_triangle(const Surface& surface, const InstanceTransform* instance,
-                        const RawHit& raw, SurfaceHit& hit) {
+struct ShapeRay {
+    V3d origin, direction;
+};
+
+ShapeRay ray_in_shape(const InstanceTransform* instance, const Ray& ray) {
+    const V3d origin(ray.origin), direction(ray.direction);
+    if (!instance) return {origin, direction};
+    return {instance->map().inverse_point(origin), instance->map().inverse_vector(direction)};
+}
+
+void locate_on_triangle(const Surface& surface, const InstanceTransform* instance, const Ray& ray,
+                        RawHit& raw, SurfaceHit& hit) {
     const std::uint32_t* corner = surface.indices + 3 * static_cast<std::size_t>(raw.primitive);
     const std::uint32_t i0 = corner[0], i1 = corner[1], i2 = corner[2];
     const V3d p0(surface.positions[i0]);
     const V3d e1 = V3d(surface.positions[i1]) - p0, e2 = V3d(surface.positions[i2]) - p0;
     const TrianglePlane& plane = surface.planes[raw.primitive];
-    const V3d p = p0 + e1 * static_cast<double>(raw.u) + e2 * static_cast<double>(raw.v);
+    const auto [origin, direction] = ray_in_shape(instance, ray);
+    refine_weights({p0, e1, e2}, origin, direction, raw);
+    const V3d p = p0 + e1 * raw.u + e2 * raw.v;
+    const auto u = static_cast<float>(raw.u), v = static_cast<float>(raw.v);
 
     Vec3 shading(0.0f);
     if (surface.normals) {
-        shading = surface.normals[i0] * (1 - raw.u - raw.v) + surface.normals[i1] * raw.u +
-                  surface.normals[i2] * raw.v;
+        shading =
+            surface.normals[i0] * (1 - u - v) + surface.normals[i1] * u + surface.normals[i2] * v;
     }
     hit.uv = Vec2(0.5f, 0.5f);  // as LuxRender where a mesh has no coordinates
     hit.dpdu = Vec3(0.0f);
     if (surface.uvs) {
         const Vec2 &uv0 = surface.uvs[i0], &uv1 = surface.uvs[i1], &uv2 = surface.uvs[i2];
-        hit.uv = uv0 * (1 - raw.u - raw.v) + uv1 * raw.u + uv2 * raw.v;
+        hit.uv = uv0 * (1 - u - v) + uv1 * u + uv2 * v;
         hit.dpdu = tangent(uv0, uv1, uv2, e1, e2);
     }
     if (instance) {
@@ -80,11 +95,7 @@ void locate_on_triangle(const Surface& surface, const InstanceTransform* instanc
 
 void locate_on_quadric(const Surface& surface, const InstanceTransform* instance, const Ray& ray,
                        const RawHit& raw, SurfaceHit& hit) {
-    V3d origin(ray.origin), direction(ray.direction);
-    if (instance) {
-        origin = instance->map().inverse_point(origin);
-        direction = instance->map().inverse_vector(direction);
-    }
+    const auto [origin, direction] = ray_in_shape(instance, ray);
     QuadricPoint point = surface.quadric->point(origin, direction, raw.distance);
     double error = surface.quadric->rounding();
     if (instance) {
@@ -112,8 +123,8 @@ Vec3 quadric_tangent_along_v(const QuadricShape& quadric, const InstanceTransfor
 
 template <class T>
 T at_corners(const T* values, const std::uint32_t* corner, const RawHit& raw) {
-    return values[corner[0]] * (1 - raw.u - raw.v) + values[corner[1]] * raw.u +
-           values[corner[2]] * raw.v;
+    const auto u = static_cast<float>(raw.u), v = static_cast<float>(raw.v);
+    return values[corner[0]] * (1 - u - v) + values[corner[1]] * u + values[corner[2]] * v;
 }
 
 }  // namespace
@@ -125,11 +136,11 @@ void add_vertex_values(const Surface& surface, const RawHit& raw, TexturePoint& 
     if (surface.alphas) point.alpha = at_corners(surface.alphas, corner, raw);
 }
 
-void locate(const Surface& surface, const InstanceTransform* instance, const Ray& ray,
-            const RawHit& raw, SurfaceHit& hit) {
+void locate(const Surface& surface, const InstanceTransform* instance, const Ray& ray, RawHit& raw,
+            SurfaceHit& hit) {
     hit.distance = raw.distance;
     if (surface.positions) {
-        locate_on_triangle(surface, instance, raw, hit);
+        locate_on_triangle(surface, instance, ray, raw, hit);
     } else {
         locate_on_quadric(surface, instance, ray, raw, hit);
     }

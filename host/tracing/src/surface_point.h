@@ -10,9 +10,10 @@
 namespace lxs {
 
 /// Writes the geometric members of `hit` (p, p_error, ng, ns, uv, dpdu) for a hit on `surface`.
-/// `instance` is null for surfaces that stand in the world.
-void locate(const Surface& surface, const InstanceTransform* instance, const Ray& ray,
-            const RawHit& raw, SurfaceHit& hit);
+/// `instance` is null for surfaces that stand in the world. `raw` gets better weights where the
+/// kernel's are of no use.
+void locate(const Surface& surface, const InstanceTransform* instance, const Ray& ray, RawHit& raw,
+            SurfaceHit& hit);
 
 /// Tangent along v at a located hit; zero where the surface has no coordinates. Kept apart from
 /// locate(), since only bumped surfaces need it.

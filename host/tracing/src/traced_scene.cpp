@@ -5,6 +5,7 @@
 
 #include "area_lights.h"
 #include "lxs/tracing/trace_scene.h"
+#include "precision_warning.h"
 #include "scene_sphere.h"
 #include "surface_point.h"
 
@@ -41,6 +42,7 @@ TracedScene::TracedScene(SceneContents contents, const AssetResolver& resolve,
       spectral_media_(contents_.media) {
     build_geometry();
     place_instances();
+    warn_of_lost_precision(bounds_, contents_.end, diagnostics);
     world_scene_.commit();
     make_all_lights(resolve, diagnostics);
 }
@@ -126,7 +128,7 @@ const TracedScene::Placement& TracedScene::placement_of(const RawHit& raw) const
                            : raw.instance - world_surfaces_.surfaces.size() + 1];
 }
 
-const Surface& TracedScene::locate_hit(const Ray& ray, const RawHit& raw, SurfaceHit& hit,
+const Surface& TracedScene::locate_hit(const Ray& ray, RawHit raw, SurfaceHit& hit,
                                        ShadingPoint& point) const {
     const Placement& placement = placement_of(raw);
     const Surface& surface = placement.surfaces[raw.geometry];

@@ -63,7 +63,7 @@ class TracedScene : public TraceScene {
     const Placement& placement_of(const RawHit& raw) const;
     /// The surface that was met; writes position, normals and media of `hit`, and what materials
     /// read of it.
-    const Surface& locate_hit(const Ray& ray, const RawHit& raw, SurfaceHit& hit,
+    const Surface& locate_hit(const Ray& ray, RawHit raw, SurfaceHit& hit,
                               ShadingPoint& point) const;
     Rgb walk_transmittance(const Ray& ray) const;
     Rgb medium_transmittance(const Ray& ray, const Medium* medium, float from, float to) const;

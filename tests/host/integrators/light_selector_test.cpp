@@ -59,6 +59,21 @@ TEST(LightSelector, FrequenciesAreTheStatedProbabilities) {
     }
 }
 
+/// A probability below the steps of random numbers would never, or far too often, be drawn.
+TEST(LightSelector, ProbabilitiesAreCountsOfRandomNumbers) {
+    const PowerOnly least(1e-12f), dim(1e-9f), half(1), other(1);
+    const Light* const lights[] = {&half, &dim, &other, &least};
+    const LightSelector selector(lights, LightStrategy::Power);
+    std::map<const Light*, double> drawn;
+    const float step = 0x1p-24f;
+    for (int i = 0; i < 1 << 24; ++i)
+        drawn[selector.choose(0, static_cast<float>(i) * step).light] += double{step};
+    for (const Light* light : lights) {
+        EXPECT_EQ(drawn[light], double{selector.probability(light)}) << light->power();
+        EXPECT_GT(drawn[light], 0) << light->power();
+    }
+}
+
 TEST(LightSelector, PowerIsProportional) {
     const LightSelector selector(kLights, LightStrategy::Power);
     EXPECT_FLOAT_EQ(selector.probability(&kWeak), 0.1f);

@@ -1,0 +1,133 @@
+// Protects small things in vast scenes: a glass ball of 26 cm with its caustic, on a ground of 474
+// km. Grids must not grow with the extent, and neither the ground's size nor the pixels that see
+// its horizon may blur what is near.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <regex>
+#include <sstream>
+
+#include "block_test.h"
+#include "rendered_image.h"
+#include "stress_case.h"
+
+namespace {
+
+constexpr int kSize = 64;
+
+/// The ball at the origin under a small lamp, on a square ground of `extent` metres, seen from
+/// above or, with the horizon, from the side.
+std::string ball_on_ground(double extent, bool horizon) {
+    std::ostringstream out;
+    const double h = extent / 2;
+    out << "Film \"fleximage\" \"integer xresolution\" [" << kSize << "] \"integer yresolution\" ["
+        << kSize << "]\n"
+        << (horizon ? "LookAt 0 -1.6 0.6  0 0 0.45  0 0 1\n"
+                    : "LookAt 0 -0.9 0.9  0 0.1 0  0 0 1\n")
+        << R"(Camera "perspective" "float fov" [40]
+PixelFilter "box"
+Sampler "random"
+SurfaceIntegrator "aips"
+WorldBegin
+Material "matte" "color Kd" [0.6 0.6 0.6]
+Shape "trianglemesh" "integer triindices" [0 1 2 0 2 3] "point P" [)"
+        << -h << ' ' << -h << " 0 " << h << ' ' << -h << " 0 " << h << ' ' << h << " 0 " << -h
+        << ' ' << h << R"( 0]
+AttributeBegin
+Translate 0 0 0.15
+Material "glass" "float index" [1.5]
+Shape "sphere" "float radius" [0.13]
+AttributeEnd
+AttributeBegin
+AreaLightSource "area" "color L" [900 900 900] "float power" [0] "float efficacy" [0]
+Translate 0.2 0.7 1.0
+Material "matte" "color Kd" [0 0 0]
+Shape "sphere" "float radius" [0.02]
+AttributeEnd
+WorldEnd
+)";
+    return out.str();
+}
+
+/// A render and what its statistics say.
+struct Result {
+    render::Image image;
+    double radius = 0, bytes = 0, bound_bytes = 0;
+};
+
+double number(const std::string& json, const std::string& name) {
+    std::smatch found;
+    if (!std::regex_search(json, found, std::regex('"' + name + "\": *([-+.eE0-9]+)"))) {
+        throw std::runtime_error("no " + name + " in the statistics");
+    }
+    return std::stod(found[1]);
+}
+
+Result rendered(double extent, bool horizon, const std::string& method) {
+    const render::Folder folder;
+    const auto scene = folder.write("ground.lxs", ball_on_ground(extent, horizon));
+    Result result;
+    result.image = render::render(
+        scene, "--passes 4 --seed 3 " + method + " --stats '" + (folder / "stats.json") + "'",
+        folder);
+    const std::string statistics = folder.read("stats.json");
+    result.radius = number(statistics, "radius");
+    result.bytes = number(statistics, "engine_bytes");
+    result.bound_bytes = number(statistics, "engine_bound_bytes");
+    return result;
+}
+
+const std::vector<std::string> kMethods{
+    "--set aips.photonperpass=40000",
+    "--set aips.photonperpass=40000 --set aips.radius=adaptive",
+    "--set aips.photonperpass=40000 --set aips.mode=photonmap",
+    "--integrator sppm --set sppm.photonperpass=40000",
+    "--integrator ppm --set ppm.photonperpass=40000",
+};
+
+constexpr double kVast = 474e3, kNear = 20;  // extents, metres
+
+/// Of the lower half of the image: the caustic, and never the lamp itself.
+double brightest_block(const Result& result) {
+    const auto blocks = result.image.block_means(2);
+    return *std::max_element(blocks.begin() + std::ptrdiff_t(blocks.size() / 2), blocks.end());
+}
+
+TEST(StressVastScene, GroundOf474KmLeavesACausticOf26CmAsItIs) {
+    double worst = 0, most_bytes = 0;
+    for (const std::string& method : kMethods) {
+        SCOPED_TRACE(method);
+        const Result near = rendered(kNear, false, method), vast = rendered(kVast, false, method);
+        EXPECT_NEAR(vast.radius, near.radius, 0.05 * near.radius);
+        const double difference =
+            statistics::median_difference(vast.image.block_means(8), near.image.block_means(8));
+        EXPECT_LT(difference, 0.02);
+        EXPECT_NEAR(brightest_block(vast), brightest_block(near), 0.1 * brightest_block(near));
+        EXPECT_LT(vast.bytes, vast.bound_bytes);
+        EXPECT_LT(vast.bytes, 1.2 * near.bytes);
+        worst = std::max(worst, difference);
+        most_bytes = std::max(most_bytes, vast.bytes);
+    }
+    std::ostringstream figure;
+    figure << "median block differs by " << 100 * worst
+           << " % (at most 2 %) from a ground of 20 m; " << most_bytes / 1048576 << " MiB";
+    stress::record("a ground of 474 km under a glass ball of 26 cm, five methods", figure.str());
+}
+
+TEST(StressVastScene, HorizonDoesNotBlurWhatIsNear) {
+    double most = 0;
+    for (const std::string& method : kMethods) {
+        SCOPED_TRACE(method);
+        const Result near = rendered(kNear, true, method), vast = rendered(kVast, true, method);
+        EXPECT_LT(vast.radius, 2 * near.radius);
+        EXPECT_GT(brightest_block(vast), 0.6 * brightest_block(near));
+        EXPECT_LT(vast.bytes, vast.bound_bytes);
+        most = std::max(most, vast.radius / near.radius);
+    }
+    std::ostringstream figure;
+    figure << "radius " << most << " (at most 2) times that on a ground of 20 m";
+    stress::record("the same with the horizon in view", figure.str());
+}
+
+}  // namespace

@@ -103,7 +103,7 @@ void AdaptiveRadius::after_pass(const PhotonFlux& flux) {
 
 // The rest is of one pass.
 void AdaptiveRadius::state(StateArchive& archive, const EyeImage& /*image*/) {
-    state_of_initial_radius(archive, initial_, smallest_);
+    state_of_initial_radius(archive, initial_, floor_.least());
     unit_ = kProbeRadius * initial_;
     map_.state(archive);
 }

@@ -10,6 +10,7 @@
 #include "adaptive_radius.h"
 #include "image_of_pixels.h"
 #include "ppm_radius.h"
+#include "radius_floor.h"
 #include "render_mock.h"
 #include "scheduled_radius.h"
 #include "stress_case.h"
@@ -35,7 +36,7 @@ const mock::Scene& scene() {
 }
 
 double floor_radius() {
-    return smallest_radius(scene());
+    return RadiusFloor(scene()).least();
 }
 
 void expect_usable(const SearchRadii& radii) {

@@ -184,7 +184,7 @@ class Engine::State {
     /// Their Bsdfs are the host's, which only it can make.
     void trace_frozen_again() {
         if (!freezes_eye_pass(settings_.mode)) return;
-        Refusals counted_before(host_.scene.material_names());
+        Refusals counted_before(host_.scene);
         trace_eyes(0, pass_time(0), counted_before);
     }
 

@@ -29,7 +29,7 @@ PhotonCounts trace(const mock::Scene& scene, std::uint64_t before, std::uint64_t
     const DiscreteDistribution lights = light_choice(scene);
     PhotonInput input{scene, settings, lights};
     input.pass = pass;
-    Refusals refusals(scene.material_names());
+    Refusals refusals(scene);
     return PhotonTracer().trace(input, before, first, count, refusals, store);
 }
 

@@ -56,7 +56,7 @@ TEST(StressSums, PhotonsAtAVisiblePoint) {
     LandingGrid grid;
     grid.build(equal_landings(kLandings), 0.1f);
     const EyeImage image = point_on_floor();
-    Refusals refusals({});
+    Refusals refusals;
     PhotonFlux flux;
     flux.reset(1, 1);
     for (int g = 0; g < gathers; ++g)
@@ -85,7 +85,7 @@ TEST(StressSums, PhotonsAlongABeam) {
         VolumeGather gather(scene, {});
         gather.begin_pass(0, {}, image);
         gather.waiting().assign(photons, {{0, 0, 0.5f}, kUp, {kTerm, kTerm, kTerm}, nullptr, 0});
-        Refusals refusals({});
+        Refusals refusals;
         gather.gather(image, refusals);
         EXPECT_EQ(gather.gathered(), photons);
         std::vector<Rgb> radiance(1);
@@ -100,7 +100,7 @@ TEST(StressSums, PhotonsAlongABeam) {
 TEST(StressSums, CountsOfPhotonsDoNotWrap) {
     LandingGrid grid;
     grid.build(equal_landings(1000), 0.1f);
-    Refusals refusals({});
+    Refusals refusals;
     PhotonFlux flux;
     flux.reset(1, 1);
     flux.accepted[0] = 0xFFFFFFFFu - 500;

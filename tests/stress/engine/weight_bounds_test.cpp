@@ -180,7 +180,7 @@ TEST(StressFireflies, PhotonsCarryAtMostTheProductOfTheBounds) {
         input.score_mix = mix;
         input.split_landings = 1u << 20;
         input.unguided_roulette = true;
-        Refusals refusals(scene.material_names());
+        Refusals refusals(scene);
         LandingStore store;
         const std::uint32_t paths = sized(2'000u, 100'000u);
         PhotonTracer().trace(input, 0, 0, paths, refusals, store);

@@ -18,17 +18,17 @@ void Fingerprint::set_program(const std::filesystem::path& integrator_module) {
     checksums_[Program] = sum.value();
 }
 
-void Fingerprint::set_sources(const SceneContents& contents) {
+void Fingerprint::set_sources(const ReadFiles& files) {
     Checksum sum;
-    for (const auto& source : contents.sources)
+    for (const auto& source : files.sources)
         sum.add_text(*source->text);
     checksums_[Sources] = sum.value();
 }
 
-void Fingerprint::set_assets(const std::vector<std::string>& paths) {
+void Fingerprint::set_assets(const ReadFiles& files) {
     Checksum sum;
     std::set<std::string_view> seen;
-    for (const std::string& path : paths) {
+    for (const std::string& path : files.assets) {
         if (seen.insert(path).second) sum.add_file(path);
     }
     checksums_[Assets] = sum.value();

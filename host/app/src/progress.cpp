@@ -32,6 +32,8 @@ void RenderTotals::state(StateArchive& archive) {
         archive.value(*count);
     for (double* figure : {&samples_per_pixel, &seconds, &cpu_seconds})
         archive.value(*figure);
+    if (!(seconds >= 0) || !(cpu_seconds >= 0) || !std::isfinite(seconds + cpu_seconds))
+        throw StateError("the time that it took is no possible one");
 }
 
 std::string progress_text(const RenderTotals& totals, const Budget& budget,

@@ -30,12 +30,12 @@ class PhaseTimer {
     std::chrono::steady_clock::time_point start_;
 };
 
-SceneContents load(const std::string& path, Diagnostics& diagnostics) {
+SceneContents load(const std::string& path, Diagnostics& diagnostics, ReadFiles& files) {
     Registry registry;
     register_shapes(registry);
     register_shading(registry);
     try {
-        return read_scene(path, registry, diagnostics);
+        return read_scene(path, registry, diagnostics, &files);
     } catch (const std::system_error& error) {
         throw SceneFailure(error.what());
     }
@@ -63,36 +63,31 @@ void create_chosen(RenderSession& session, const CommandLine& command,
     session.integrator = create_integrator(*choice.integrator, reader);
 }
 
-void take_fingerprint(RenderSession& session, const CommandLine& command,
-                      const IntegratorChoice& choice, const SceneContents& contents) {
-    if (!command.checkpoint) return;
-    Fingerprint& fingerprint = session.fingerprint.emplace();
-    fingerprint.set_program(choice.integrator->file);
-    fingerprint.set_sources(contents);
+/// What stands in the scene's text is in the fingerprint already.
+void complete_fingerprint(RenderSession& session, const CommandLine& command,
+                          const IntegratorChoice& choice, const ReadFiles& files) {
+    if (!session.fingerprint) return;
+    Fingerprint& fingerprint = *session.fingerprint;
+    try {
+        fingerprint.set_program(choice.integrator->file);
+        fingerprint.set_assets(files);
+    } catch (const std::system_error& error) {
+        throw SceneFailure(error.what());
+    }
     fingerprint.set_settings(command, session.integrator_name, session.film->width(),
                              session.film->height());
     fingerprint.set_seed(session.seed);
 }
 
-/// Lights name files of their own, which are known only when they are built.
-void take_asset_fingerprint(RenderSession& session, const std::vector<std::string>& assets) {
-    if (!session.fingerprint) return;
-    try {
-        session.fingerprint->set_assets(assets);
-    } catch (const std::system_error& error) {
-        throw SceneFailure(error.what());
-    }
-}
-
-void build_scene(RenderSession& session, SceneContents contents, Diagnostics& diagnostics) {
+/// Lights name files of their own, which are added to `files`.
+void build_scene(RenderSession& session, SceneContents contents, ReadFiles& files,
+                 Diagnostics& diagnostics) {
     const SourceLocation end = contents.end;
     const std::string directory = contents.directory;
-    std::vector<std::string> assets = contents.assets;
     const auto resolve = [&](const std::string& name, const SourceLocation& where) {
-        return assets.emplace_back(resolve_asset(name, directory, where));
+        return files.assets.emplace_back(resolve_asset(name, directory, where));
     };
     session.scene = make_trace_scene(std::move(contents), resolve, diagnostics);
-    take_asset_fingerprint(session, assets);
     if (session.scene->lights().empty()) {
         throw InputError(end,
                          "the scene has no light: expected a LightSource, or a Shape after an "
@@ -126,10 +121,13 @@ RenderSession prepare_session(const CommandLine& command, const PluginLibrary& p
                               InputDiagnostics& diagnostics, ConsoleLog& log) {
     RenderSession session;
     SceneContents contents;
+    ReadFiles files;
     {
         const PhaseTimer timer(session.times, "load");
-        contents = load(command.scene, diagnostics);
+        contents = load(command.scene, diagnostics, files);
         apply_statement_overrides(command, contents, log);
+        if (command.checkpoint) session.fingerprint.emplace().set_sources(files);
+        files.sources.clear();
     }
     const PhaseTimer timer(session.times, "build");
     const IntegratorChoice choice = choose_integrator(command, contents, plugins, diagnostics, log);
@@ -138,12 +136,11 @@ RenderSession prepare_session(const CommandLine& command, const PluginLibrary& p
     session.film = make_film(contents, diagnostics);
     session.files = choose_output_files(command, *session.film);
     check_writable(session.files);
-    take_fingerprint(session, command, choice, contents);
-    contents.sources.clear();
     std::unique_ptr<SceneCamera> camera = make_camera(contents, *session.film, diagnostics);
     session.sampler = make_sampler(contents, session.seed, diagnostics,
                                    choice.integrator->plugin->runs_metropolis);
-    build_scene(session, std::move(contents), diagnostics);
+    build_scene(session, std::move(contents), files, diagnostics);
+    complete_fingerprint(session, command, choice, files);
     choose_spectral(session, log);
     if (session.spectral) begin_spectral_pass(session, 0);
     camera->focus(*session.scene);

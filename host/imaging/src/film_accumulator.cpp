@@ -5,6 +5,7 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
@@ -227,6 +228,7 @@ void FilmAccumulator::begin_splats() {
 }
 
 void FilmAccumulator::state(StateArchive& archive) {
+    check_size(archive);
     archive.fixed(sums_);
     bool has_splats = filter_integral_.has_value();
     archive.value(has_splats);
@@ -239,6 +241,14 @@ void FilmAccumulator::state(StateArchive& archive) {
         archive.value(*sum);
     archive.value(refused_);
     if (archive.restoring()) check_sums();
+}
+
+/// Films of 7 x 5 and of 5 x 7 pixels have equally many sums.
+void FilmAccumulator::check_size(StateArchive& archive) const {
+    std::array<std::uint32_t, 3> size{width_, height_, groups_};
+    archive.fixed(std::span(size));
+    if (size != std::array<std::uint32_t, 3>{width_, height_, groups_})
+        throw StateError("it is of a film of another size");
 }
 
 void FilmAccumulator::check_sums() const {

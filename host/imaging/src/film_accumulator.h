@@ -49,6 +49,7 @@ class FilmAccumulator {
 
   private:
     void check(const PassSamples& pass) const;
+    void check_size(StateArchive& archive) const;
     void check_sums() const;
     void begin_splats();
     void find_cells(const PassSamples& pass);

@@ -10,28 +10,29 @@ namespace lxs {
 namespace {
 
 SceneContents read_source(std::string text, const std::string& name, const std::string& directory,
-                          const Registry& registry, Diagnostics& diagnostics) {
+                          const Registry& registry, Diagnostics& diagnostics, ReadFiles* files) {
     auto file = std::make_shared<SourceFile>();
     file->name = name;
     file->text = std::make_shared<const std::string>(std::move(text));
     SceneReader reader(directory.empty() ? "." : directory, registry, diagnostics);
     reader.read(file);
+    if (files != nullptr) *files = reader.take_files();
     return reader.finish();
 }
 
 }  // namespace
 
 SceneContents read_scene(const std::string& path, const Registry& registry,
-                         Diagnostics& diagnostics) {
+                         Diagnostics& diagnostics, ReadFiles* files) {
     const std::string name = path == "-" ? "<standard input>" : path;
     const std::string directory = std::filesystem::path(path).parent_path().string();
-    return read_source(read_text(path), name, directory, registry, diagnostics);
+    return read_source(read_text(path), name, directory, registry, diagnostics, files);
 }
 
 SceneContents read_scene_text(const std::string& text, const std::string& name,
                               const std::string& directory, const Registry& registry,
                               Diagnostics& diagnostics) {
-    return read_source(text, name, directory, registry, diagnostics);
+    return read_source(text, name, directory, registry, diagnostics, nullptr);
 }
 
 }  // namespace lxs

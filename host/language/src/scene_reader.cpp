@@ -63,7 +63,7 @@ const std::map<std::string, SceneReader::Rule>& SceneReader::rules() {
 SceneReader::SceneReader(const std::string& directory, const Registry& registry,
                          Diagnostics& diagnostics)
     : diagnostics_(diagnostics),
-      assets_(directory, contents_.assets),
+      assets_(directory, files_.assets),
       factory_(registry, assets_, diagnostics_),
       objects_(diagnostics_) {
     contents_.directory = directory;
@@ -71,7 +71,7 @@ SceneReader::SceneReader(const std::string& directory, const Registry& registry,
 }
 
 void SceneReader::read(const std::shared_ptr<const SourceFile>& file) {
-    contents_.sources.push_back(file);
+    files_.sources.push_back(file);
     parse_file(file, [this](Statement& statement) { execute(statement); });
 }
 

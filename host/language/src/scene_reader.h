@@ -4,9 +4,11 @@
 #include <map>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "included_files.h"
+#include "lxs/language/read_files.h"
 #include "lxs/scene/contents.h"
 #include "lxs/scene/registry.h"
 #include "named_assets.h"
@@ -25,6 +27,8 @@ class SceneReader {
 
     /// Reads a file and what it includes. Throws InputError.
     void read(const std::shared_ptr<const SourceFile>& file);
+    /// All files read so far; forgets them.
+    ReadFiles take_files() { return std::exchange(files_, {}); }
     /// The scene, after the main file. Throws InputError if it has no end.
     SceneContents finish();
 
@@ -111,6 +115,7 @@ class SceneReader {
         MovingTransform base;  ///< the transform at MotionBegin
     };
 
+    ReadFiles files_;
     OnceDiagnostics diagnostics_;
     NamedAssets assets_;
     PluginFactory factory_;

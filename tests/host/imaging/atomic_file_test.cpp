@@ -121,5 +121,32 @@ TEST(AtomicFile, ASymbolicLinkStaysALink) {
     EXPECT_EQ(folder.read("target"), "newer");
 }
 
+TEST(AtomicFile, WhatIsNotCommittedLeavesNothing) {
+    const TemporaryFolder folder;
+    folder.write("image", "older");
+    {
+        AtomicFile file(folder / "image");
+        file.write(bytes_of("half of"));
+        EXPECT_EQ(folder.entries(), 2u);
+    }
+    EXPECT_EQ(folder.read("image"), "older");
+    EXPECT_EQ(folder.entries(), 1u);
+}
+
+TEST(AtomicFile, AbandonedTemporariesGoAndThoseInUseStay) {
+    const TemporaryFolder folder;
+    folder.write(".image.4194305.tmp", "of a process that was killed");
+    folder.write(".image.old.tmp", "of somebody else");
+    folder.write(".image2.4194305.tmp", "of another file");
+    AtomicFile file(folder / "image");
+    file.write(bytes_of("new"));
+    remove_abandoned_temporaries(folder / "image");
+    EXPECT_FALSE(folder.has(".image.4194305.tmp"));
+    EXPECT_TRUE(folder.has(".image.old.tmp"));
+    EXPECT_TRUE(folder.has(".image2.4194305.tmp"));
+    file.commit();
+    EXPECT_EQ(folder.read("image"), "new");
+}
+
 }  // namespace
 }  // namespace lxs::test

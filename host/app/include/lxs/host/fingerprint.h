@@ -8,7 +8,7 @@
 #include <string_view>
 
 #include "lxs/host/command_line.h"
-#include "lxs/scene/contents.h"
+#include "lxs/language/read_files.h"
 #include "lxs/sdk/state_archive.h"
 
 namespace lxs {
@@ -18,9 +18,8 @@ namespace lxs {
 class Fingerprint {
   public:
     void set_program(const std::filesystem::path& integrator_module);
-    void set_sources(const SceneContents& contents);
-    /// Files that the scene names, by path.
-    void set_assets(const std::vector<std::string>& paths);
+    void set_sources(const ReadFiles& files);
+    void set_assets(const ReadFiles& files);
     /// What the command line changes, and the names of what it does not.
     void set_settings(const CommandLine& command, std::string_view integrator, std::uint32_t width,
                       std::uint32_t height);

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "lxs/language/read_files.h"
 #include "lxs/scene/contents.h"
 #include "lxs/scene/registry.h"
 #include "lxs/sdk/diagnostics.h"
@@ -12,9 +13,9 @@
 namespace lxs {
 
 /// Reads `path` ("-": standard input). Throws InputError (bad input) or std::system_error (the
-/// file can't be read).
+/// file can't be read). Fills `files`, unless it is null.
 SceneContents read_scene(const std::string& path, const Registry& registry,
-                         Diagnostics& diagnostics);
+                         Diagnostics& diagnostics, ReadFiles* files = nullptr);
 
 /// The same from memory; `directory` is where relative names are looked up.
 SceneContents read_scene_text(const std::string& text, const std::string& name,

@@ -80,9 +80,7 @@ struct SceneContents {
     std::vector<std::string> material_names;
     std::shared_ptr<const Medium> camera_medium;  ///< Exterior in force at WorldEnd
     std::string directory;  ///< of the main scene file: asset names resolve against it
-    std::vector<std::shared_ptr<const SourceFile>> sources;  ///< the main file, then its includes
-    std::vector<std::string> assets;  ///< paths of all other files that it names, as they were read
-    SourceLocation end;               ///< of WorldEnd, for messages about what is missing
+    SourceLocation end;     ///< of WorldEnd, for messages about what is missing
 };
 
 }  // namespace lxs

@@ -58,14 +58,14 @@ class StateArchive {
     void text(std::string& text);
 
     /// Elements whose number both sides know; throws StateError if another number was saved.
-    template <PlainState T>
-    void fixed(std::span<T> values) {
+    template <PlainState T, std::size_t extent>
+    void fixed(std::span<T, extent> values) {
         expect_count(values.size(), sizeof(T));
         bytes(std::as_writable_bytes(values));
     }
     template <PlainState T>
     void fixed(std::vector<T>& values) {
-        fixed(std::span<T>(values));
+        fixed(std::span(values));
     }
 
     /// Saves `size`, or gives the size that was saved, of a sequence of which each element takes at

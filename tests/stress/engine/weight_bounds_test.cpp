@@ -33,10 +33,15 @@ std::string figure_of(double greatest, double most) {
     return figure.str();
 }
 
-/// Learns that one start of one light is worth all, and its seeds say so of another.
+/// Learns that one start of one light is worth all and others nothing; seeds say so of another.
 void mislead(EmissionGuide& guide, LightIndex light, int updates) {
     for (int u = 0; u < updates; ++u) {
         const float x = u % 50 < 25 ? 0 : 0x1.fffffep-1f;
+        RandomStream random(6, std::uint64_t(u), 0, RandomDomain::Guide);
+        for (int i = 0; i < 256; ++i) {
+            const PrimaryPoint dark{random.next(), random.next(), random.next(), random.next()};
+            guide.add({{light, dark, 1}, 0, 1e-3});
+        }
         for (int i = 0; i < 64; ++i)
             guide.add({{light, {x, 0, x, 0}, 1}, std::pow(10.0, i - 30), 1e-3});
         guide.add_seed(light, {0.7f, 0.7f, x, x}, 1e30);

@@ -77,6 +77,7 @@ class Engine::State {
             host.scene, needs_, eye_paths_, std::size_t{host.film.width()} * host.film.height());
         if (photons_.adapts()) noise_.emplace(host.film.width(), host.film.height());
         if (settings.debug_layers) add_debug_layers();
+        refuse_powers();
         log_start(settings);
     }
 
@@ -193,6 +194,13 @@ class Engine::State {
         statistics_.memory_bound_bytes +=
             DebugLayers::memory_bound_bytes(std::size_t{host_.film.width()} * host_.film.height(),
                                             eye_paths_, guide_ ? settings_.max_nodes : 0);
+    }
+
+    /// Lights that nothing is ever asked of, as what they say of their power is none.
+    void refuse_powers() {
+        const auto lights = host_.scene.lights();
+        for (LightIndex i = 0; i < lights.size(); ++i)
+            refusals_.accept_density(lights[i]->power(), refusals_.of_light(i));
     }
 
     void log_start(const Settings& asked_for) {

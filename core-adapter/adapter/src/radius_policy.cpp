@@ -2,6 +2,7 @@
 #include "radius_policy.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "adaptive_radius.h"
@@ -28,7 +29,8 @@ std::unique_ptr<RadiusPolicy> make_radius_policy(const Settings& settings, const
 }
 
 double smallest_radius(const Scene& scene) {
-    return kMinRadiusShare * double(scene.bounds().diagonal());
+    const auto diagonal = double(scene.bounds().diagonal());
+    return std::isfinite(diagonal) ? kMinRadiusShare * diagonal : 0;
 }
 
 double initial_radius(const Settings& settings, const EyeImage& image, double smallest) {

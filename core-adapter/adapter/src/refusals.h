@@ -21,9 +21,9 @@ using Origin = std::uint32_t;
 /// Origin of what dims light on its way: media, and surfaces that it passes straight.
 inline constexpr Origin kPassageOrigin = ~Origin{0};
 
-/// True for what may be a density per steradian.
-inline bool is_valid_density(float pdf) {
-    return pdf >= 0 && std::isfinite(pdf);
+/// True for what may be a density or a power.
+inline bool is_valid_density(float value) {
+    return value >= 0 && std::isfinite(value);
 }
 
 /// Refused contributions of a render. Counting is rare, so integer atomics are good enough.
@@ -42,8 +42,9 @@ class Refusals {
         count(origin);
         return false;
     }
-    bool accept_density(float pdf, Origin origin) {
-        if (is_valid_density(pdf)) return true;
+    /// Likewise of a density, or of a power.
+    bool accept_density(float value, Origin origin) {
+        if (is_valid_density(value)) return true;
         count(origin);
         return false;
     }

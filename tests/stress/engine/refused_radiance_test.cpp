@@ -93,6 +93,7 @@ std::vector<Case> cases() {
             {Part::DirectDirection, kLampLight, kPhong, lamp},
             {Part::PdfDirect, kLampLight, kPhong, lamp},
             {Part::EmissionCoordinates, kLampLight, kPaint, ""},
+            {Part::LightsOwnPower, kLampLight, kPaint, lamp},
             {Part::Transmittance, 0, kLambert, passage},
             {Part::Visibility, 0, kLambert, passage}};
 }
@@ -191,6 +192,7 @@ TEST(StressRefusedRadiance, SkyThatIsNoNumber) {
             EXPECT_EQ(r.statistics.refused.front().first, "light 0 (spoiled)");
         }
     }
+    stress::record("3 parts of a sky as NaN, inf, -1", "refused by light");
 }
 
 /// What is refused is lost, but takes nothing else with it: the image is that of the same scene
@@ -210,6 +212,9 @@ TEST(StressRefusedRadiance, TheRestOfTheImageStays) {
         // refused, so the walls may be brighter by what it sends them, but never darker.
         EXPECT_GT(spoiled.film.mean(), 0.97 * clean.film.mean()) << mock::name(guide);
         EXPECT_LT(spoiled.film.mean(), 1.25 * clean.film.mean()) << mock::name(guide);
+        stress::record(
+            "a ball of reflectance NaN against a black one",
+            "mean " + std::to_string(spoiled.film.mean() / clean.film.mean()) + " of 0.97 to 1.25");
     }
 }
 

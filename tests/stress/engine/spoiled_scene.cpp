@@ -11,15 +11,15 @@ namespace {
 
 using namespace aips;
 
-constexpr std::array<std::string_view, 22> kNames{
+constexpr std::array<std::string_view, 23> kNames{
     "BSDF value",          "BSDF density",        "BSDF sample weight",
     "BSDF albedo",         "BSDF direction",      "reflectance",
     "surface position",    "surface distance",    "geometric normal",
     "shading normal",      "emitted radiance",    "photon power",
     "photon origin",       "photon direction",    "light's radiance",
     "light's density",     "light's direction",   "light's density of a direction",
-    "radiance of the sky", "light's coordinates", "transmittance",
-    "visibility"};
+    "radiance of the sky", "light's coordinates", "light's power",
+    "transmittance",       "visibility"};
 
 Rgb rgb(float v) {
     return {v, v, v};
@@ -69,6 +69,9 @@ class SpoiledLight final : public LightLike {
     SpoiledLight(const Light& light, const Spoil& spoil) : LightLike(light), spoil_(spoil) {}
 
     std::string name() const override { return "spoiled"; }
+    float power() const override {
+        return is(Part::LightsOwnPower) ? spoil_.value : LightLike::power();
+    }
     bool emit(const std::array<float, 4>& u, Emission& emission) const override {
         if (!LightLike::emit(u, emission)) return false;
         if (is(Part::LightPower)) emission.power = with_red(emission.power, spoil_.value);
@@ -105,7 +108,7 @@ bool of_bsdf(Part part) {
     return part <= Part::LambertReflectance;
 }
 bool of_light(Part part) {
-    return part >= Part::LightPower && part <= Part::EmissionCoordinates;
+    return part >= Part::LightPower && part <= Part::LightsOwnPower;
 }
 
 }  // namespace

@@ -31,6 +31,7 @@ enum class Part {
     PdfDirect,
     Escaped,
     EmissionCoordinates,
+    LightsOwnPower,
     Transmittance,
     Visibility,
 };

@@ -95,7 +95,7 @@ TEST_F(StressScale, PowersOfTwoKeepEveryBit) {
 
 TEST_F(StressScale, PowersOfTenKeepTheImage) {
     const std::vector<double> scales =
-        stress::sized(std::vector{1e-6, 1e6}, std::vector{1e-6, 1e-3, 1e3, 1e6});
+        stress::sized(std::vector{1e-6}, std::vector{1e-6, 1e-3, 1e3, 1e6});
     const std::size_t count = stress::sized<std::size_t>(3, methods().size());
     double detectable = 0;
     for (std::size_t i = 0; i < count; ++i) {
@@ -108,7 +108,8 @@ TEST_F(StressScale, PowersOfTenKeepTheImage) {
         }
     }
     EXPECT_LT(detectable, 0.15);
-    stress::record("a room at 1e-6 to 1e6 units against 1, block tests at 1 %",
+    stress::record("a room at " + text(scales.front()) + " to " + text(scales.back()) +
+                       " units against 1, block tests at 1 %",
                    "same; largest detectable difference of a mean " + text(100 * detectable) +
                        " %, at most 15 %");
 }
@@ -118,7 +119,7 @@ TEST_F(StressScale, MovedRoomsKeepTheImageUpToTheWarning) {
     constexpr double kAllowed = 0.01;
     const std::vector<double> distances =
         stress::sized(std::vector{3000.0}, std::vector{100.0, 1000.0, 3000.0});
-    const std::size_t count = stress::sized<std::size_t>(3, methods().size());
+    const std::size_t count = stress::sized<std::size_t>(2, methods().size());
     for (std::size_t i = 0; i < count; ++i) {
         const Method& method = methods()[i];
         const auto still = rooms({}, method, 30);

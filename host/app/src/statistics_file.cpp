@@ -79,7 +79,8 @@ std::string statistics_json(const CommandLine& command, const RenderSession& ses
     for (const auto& [name, value] : session.integrator->statistics()) {
         std::visit([&, &key = name](const auto& figure) { own[key] = figure; }, value);
     }
-    return json.dump(2) + '\n';
+    // Names of the scene may hold any bytes, JSON holds UTF-8 alone.
+    return json.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
 }
 
 }  // namespace lxs

@@ -1,6 +1,7 @@
 // The engine as a surface integrator of the host.
 #include "engine_integrator.h"
 
+#include "memory_check.h"
 #include "state_shim.h"
 
 namespace aips::shim {
@@ -13,6 +14,7 @@ void EngineIntegrator::prepare(const lxs::RenderContext& context) {
     pixels_ = double(context.film.width()) * double(context.film.height());
     engine_ = std::make_unique<Engine>(
         Host{shims_->scene, shims_->camera, shims_->sampler, shims_->film, shims_->log}, settings_);
+    check_memory(engine_->statistics().memory_bound_bytes);
 }
 
 lxs::PassReport EngineIntegrator::render_pass(std::uint64_t pass) {

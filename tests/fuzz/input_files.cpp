@@ -3,6 +3,7 @@
 
 #include <OpenImageIO/imageio.h>
 
+#include <algorithm>
 #include <cstdlib>
 
 #include "lxs/scene/constant_texture.h"
@@ -22,6 +23,31 @@ constexpr const char* kIes =
 constexpr const char* kMetal = "400 1.5 2.5\n550 1.2 2.8\n700 0.9 3.1\n";
 constexpr const char* kSpectrum = "380 0.1\n550 0.9\n720 0.4\n";
 
+constexpr double kMostLevels = 3;
+
+/// A shape's factory that splits triangles three times at most: ten million triangles are allowed,
+/// but one statement would then take seconds and a gigabyte (docs/fuzzing.md).
+lxs::ShapeFactory with_few_levels(const lxs::ShapeFactory& factory) {
+    const auto create = [factory](const lxs::ParameterReader& reader,
+                                  const lxs::AssetContext& assets, const lxs::Matrix& to_world) {
+        lxs::ParameterSet set = reader.set();
+        // Displacement by default asks for six levels.
+        if (reader.given("displacementmap") && !reader.given("nsubdivlevels")) {
+            set.values.push_back(
+                {"integer", "nsubdivlevels", std::vector<double>{9}, somewhere(), {}});
+        }
+        for (lxs::ParameterValue& value : set.values) {
+            auto* numbers = std::get_if<std::vector<double>>(&value.values);
+            if (!numbers || !value.name.ends_with("levels")) continue;
+            for (double& number : *numbers)
+                number = std::min(number, kMostLevels);
+        }
+        SilentDiagnostics diagnostics;
+        return factory.create({set, factory.parameters, diagnostics}, assets, to_world);
+    };
+    return {factory.parameters, create};
+}
+
 void write_image(const std::string& path) {
     const unsigned char pixels[] = {255, 0, 0, 0, 255, 0, 0, 0, 255, 255, 255, 255};
     const auto image = OIIO::ImageOutput::create(path);
@@ -33,7 +59,7 @@ void write_image(const std::string& path) {
 }  // namespace
 
 void SilentDiagnostics::warning(const lxs::SourceLocation& where, const std::string& message) {
-    if (lxs::format_message(where, "warning", message).empty()) std::abort();
+    check_message(lxs::format_message(where, "warning", message));
 }
 
 void SilentDiagnostics::unknown_parameter(const lxs::SourceLocation& where,
@@ -45,6 +71,8 @@ const lxs::Registry& registry() {
     static const lxs::Registry all = [] {
         lxs::Registry made;
         register_shapes(made);
+        for (auto& [name, factory] : made.shapes)
+            factory = with_few_levels(factory);
         register_shading(made);
         return made;
     }();
@@ -103,6 +131,15 @@ std::shared_ptr<const lxs::Material> FuzzAssets::material(const std::string& nam
     return factory.create(reader, *this, lxs::Matrix());
 }
 
+void check_message(std::string_view message) {
+    constexpr std::size_t kLongest = 16384;  // names of all known things, and paths
+    if (message.empty() || message.size() > kLongest) std::abort();
+    for (const char c : message) {
+        if ((static_cast<unsigned char>(c) < 0x20 && c != '\n' && c != '\t') || c == 0x7f)
+            std::abort();
+    }
+}
+
 lxs::SourceLocation somewhere() {
     static const auto file = [] {
         auto made = std::make_shared<lxs::SourceFile>();
@@ -113,7 +150,7 @@ lxs::SourceLocation somewhere() {
 }
 
 void check_refusal(const std::exception& refusal) {
-    if (std::string_view(refusal.what()).empty()) std::abort();
+    check_message(refusal.what());
 }
 
 }  // namespace fuzz

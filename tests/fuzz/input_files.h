@@ -9,7 +9,7 @@
 
 namespace fuzz {
 
-/// Counts warnings and throws them away.
+/// Checks warnings and throws them away.
 class SilentDiagnostics final : public lxs::Diagnostics {
   public:
     void warning(const lxs::SourceLocation& where, const std::string& message) override;
@@ -40,7 +40,8 @@ class FuzzAssets final : public lxs::AssetContext {
 /// Where made-up parameters stand.
 lxs::SourceLocation somewhere();
 
-/// Ends the process unless the refusal says something.
+/// Ends the process unless the message says something, is short, and holds no control characters.
+void check_message(std::string_view message);
 void check_refusal(const std::exception& refusal);
 
 }  // namespace fuzz

@@ -148,8 +148,9 @@ void use_option(const std::string& statement, const ParameterSet& set) {
 template <class Product>
 void add(const std::map<std::string, lxs::Factory<Product>>& factories,
          std::vector<PluginUse>& all) {
-    for (const auto& [name, factory] : factories) {
-        all.push_back({name, factory.parameters, [&factory](const ParameterSet& set) {
+    for (const auto& entry : factories) {
+        const lxs::Factory<Product>& factory = entry.second;
+        all.push_back({entry.first, factory.parameters, [&factory](const ParameterSet& set) {
                            SilentDiagnostics diagnostics;
                            const lxs::ParameterReader reader(set, factory.parameters, diagnostics);
                            use(factory.create(reader, FuzzAssets(), lxs::Matrix()));

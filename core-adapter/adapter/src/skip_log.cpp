@@ -2,6 +2,9 @@
 #include "skip_log.h"
 
 #include <cmath>
+#include <iomanip>
+#include <locale>
+#include <sstream>
 
 namespace aips {
 namespace {
@@ -14,8 +17,10 @@ std::string percent(double share) {
 }
 
 std::string two_decimals(double value) {
-    const std::string text = std::to_string(std::round(100 * value) / 100);
-    return text.substr(0, text.find('.') + 3);
+    std::ostringstream text;
+    text.imbue(std::locale::classic());
+    text << std::fixed << std::setprecision(2) << value;
+    return text.str();
 }
 
 }  // namespace

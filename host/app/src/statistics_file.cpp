@@ -80,7 +80,7 @@ std::string statistics_json(const CommandLine& command, const RenderSession& ses
     for (const auto& [name, value] : figures) {
         std::visit([&, &key = name](const auto& figure) { own[key] = figure; }, value);
     }
-    // File and material names may be no UTF-8, which JSON has to be.
+    // Names of the scene may hold any bytes, JSON holds UTF-8 alone.
     return json.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
 }
 

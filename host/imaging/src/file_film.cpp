@@ -216,8 +216,9 @@ void FlexImage::write_exr(const std::string& path, const ImageMetadata& metadata
                           })});
     }
     for (const auto& [name, layer] : color_layers_) {
-        colors.push_back(
-            {name, film_colors([&](std::span<Rgb> values) { layer.resolve_total(values); })});
+        colors.push_back({name, film_colors([&resolved = layer](std::span<Rgb> values) {
+                              resolved.resolve_total(values);
+                          })});
     }
     std::vector<FloatLayer> floats;
     for (const auto& [name, values] : layers_) {

@@ -36,7 +36,11 @@ std::string resolve_asset(const std::string& name, const std::string& main_direc
         paths.insert(paths.end(), more.begin(), more.end());
     }
     for (const fs::path& path : paths) {
-        if (is_file(path)) return path.lexically_normal().string();
+        if (!is_file(path)) continue;
+        std::error_code ignored;
+        if (!fs::is_regular_file(path, ignored))  // a device may have no end
+            throw InputError(where, in_quotes(name) + " is no regular file");
+        return path.lexically_normal().string();
     }
     const std::string folder = main_directory.empty() ? "." : main_directory;
     throw InputError(where, "no file " + in_quotes(name) + "; looked in " + in_quotes(folder) +

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 #include <fstream>
 #include <new>
 #include <stdexcept>
@@ -18,9 +17,6 @@ namespace lxs {
 namespace {
 
 std::string whole_file(const std::string& path) {
-    std::error_code ignored;
-    if (!std::filesystem::is_regular_file(path, ignored))
-        throw std::runtime_error("it is no regular file");
     std::ifstream file(path, std::ios::binary | std::ios::ate);
     if (!file) throw std::runtime_error("it can't be opened");
     std::string text(static_cast<std::size_t>(file.tellg()), '\0');

@@ -19,6 +19,7 @@ struct SeedInput {
     const Scene& scene;
     const Settings& settings;
     const DiscreteDistribution& light_choice;
+    const std::vector<LightIndex>& live_lights;  // those that light_choice may choose
     std::uint64_t pass = 0;
     float time = 0;
     const EyeImage& image;
@@ -129,11 +130,12 @@ class SeedWalk {
     /// one that reaches anything.
     ChosenLight choose_light() {
         const float u = 2 * random_.next();
-        const auto count = static_cast<float>(in_.scene.lights().size());
-        const std::size_t index = u < 1 ? in_.light_choice.sample(u).index
-                                        : std::min(in_.scene.lights().size() - 1,
-                                                   static_cast<std::size_t>((u - 1) * count));
-        return {static_cast<LightIndex>(index), 0.5f * (in_.light_choice.pdf(index) + 1 / count)};
+        const auto& live = in_.live_lights;
+        const auto count = static_cast<float>(live.size());
+        const auto place = static_cast<std::size_t>(std::max(0.0f, u - 1) * count);
+        const LightIndex index = u < 1 ? static_cast<LightIndex>(in_.light_choice.sample(u).index)
+                                       : live[std::min(live.size() - 1, place)];
+        return {index, 0.5f * (in_.light_choice.pdf(index) + 1 / count)};
     }
 
     /// Next-event estimation that takes the surface for a diffuse one of its albedo.
@@ -220,7 +222,10 @@ void find_emission_seeds(const Scene& scene, const Settings& settings,
     seeds.clear();
     counts = {};
     if (light_choice.empty()) return;
-    const SeedInput input{scene, settings, light_choice, pass, time, image};
+    std::vector<LightIndex> live_lights;
+    for (std::size_t i = 0; i < scene.lights().size(); ++i)
+        if (light_choice.pdf(i) > 0) live_lights.push_back(static_cast<LightIndex>(i));
+    const SeedInput input{scene, settings, light_choice, live_lights, pass, time, image};
     const auto groups =
         static_cast<std::uint32_t>((image.visible_points.size() + kSeedGroup - 1) / kSeedGroup);
     std::vector<Block> blocks((groups + kGroupsPerBlock - 1) / kGroupsPerBlock);

@@ -17,9 +17,11 @@ namespace aips {
 class RadiusFloor {
   public:
     explicit RadiusFloor(const Scene& scene)
-        : least_(kShareOfScene * double(scene.bounds().diagonal())) {}
+        : least_(kShareOfScene * double(scene.bounds().diagonal())) {
+        if (!std::isfinite(least_)) least_ = 0;
+    }
 
-    /// Nowhere smaller than this, scene units.
+    /// Nowhere smaller than this, scene units; 0 where the scene has no finite bounds.
     double least() const { return least_; }
     /// Around a visible point.
     float at(Vec3 position) const {

@@ -128,7 +128,7 @@ TEST_P(HostileCheckpointTest, ForgedOnesDoNoHarm) {
 
 INSTANTIATE_TEST_SUITE_P(StressCheckpoint, HostileCheckpointTest,
                          testing::ValuesIn(resumable_renders()),
-                         [](const auto& info) { return info.param.name; });
+                         [](const auto& given) { return given.param.name; });
 
 }  // namespace
 }  // namespace stress

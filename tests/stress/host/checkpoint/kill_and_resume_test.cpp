@@ -123,7 +123,7 @@ TEST_P(KillAndResumeTest, AnyMomentLeavesWholeFilesAndTheSameImage) {
 
 INSTANTIATE_TEST_SUITE_P(StressCheckpoint, KillAndResumeTest,
                          testing::ValuesIn(resumable_renders()),
-                         [](const auto& info) { return info.param.name; });
+                         [](const auto& given) { return given.param.name; });
 
 }  // namespace
 }  // namespace stress

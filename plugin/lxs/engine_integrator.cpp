@@ -67,9 +67,15 @@ lxs::Statistics EngineIntegrator::statistics() const {
         out.emplace_back("pruned_paths", s.pruned_paths);
         out.emplace_back("pruned_emission", s.pruned_emission);
     }
-    for (const auto& [material, count] : s.refused)
-        out.emplace_back("refused: " + material, count);
     return out;
+}
+
+lxs::RefusalList EngineIntegrator::refusals() const {
+    lxs::RefusalList list;
+    if (!engine_) return list;
+    for (const auto& [origin, count] : engine_->statistics().refused)
+        list.push_back({origin, count});
+    return list;
 }
 
 }  // namespace aips::shim

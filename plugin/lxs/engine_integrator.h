@@ -17,6 +17,7 @@ class EngineIntegrator final : public lxs::Integrator {
     lxs::PassReport render_pass(std::uint64_t pass) override;
     bool passes_stand_alone() const override { return settings_.mode == Mode::Progressive; }
     lxs::Statistics statistics() const override;
+    lxs::RefusalList refusals() const override;
     void state(lxs::StateArchive& archive) override;
 
   private:

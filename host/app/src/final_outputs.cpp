@@ -32,24 +32,19 @@ bool write_text(const std::string& path, const std::string& text, ConsoleLog& lo
     return write_or_rescue(path, write, log);
 }
 
-/// The statistics; without the integrator's own figures, and `failed`, if it can't give them.
-std::string statistics_text(const CommandLine& command, const RenderSession& session,
-                            const RenderTotals& totals, bool interrupted, ConsoleLog& log,
-                            bool& failed) {
-    Statistics figures;
+/// What the integrator says of the render; nothing, and `failed`, if it can't.
+RenderFigures render_figures(const RenderSession& session, ConsoleLog& log, bool& failed) {
+    RenderFigures figures;
+    RefusalList contributions;
     try {
-        figures = session.integrator->statistics();
+        contributions = session.integrator->refusals();
+        if (!session.files.statistics.empty()) figures.own = session.integrator->statistics();
     } catch (const PluginFailure& failure) {
         failed = true;
         log.error(failure.what());
     }
-    return statistics_json(command, session, totals, figures, interrupted);
-}
-
-void warn_of_refused(const FileFilm& film, ConsoleLog& log) {
-    if (film.refused_samples() == 0) return;
-    log.warning(fmt::format("the film refused {} samples that were not finite or negative",
-                            film.refused_samples()));
+    figures.refused = refusals_by_kind(session, std::move(contributions));
+    return figures;
 }
 
 }  // namespace
@@ -68,12 +63,12 @@ ExitCode write_final_outputs(const CommandLine& command, RenderSession& session,
     bool in_place = write_images_timed(command, session, totals, log);
     if (in_place) log.info(fmt::format("wrote {} and {}", session.files.exr, session.files.png));
     bool failed = false;
+    const RenderFigures figures = render_figures(session, log, failed);
     if (!session.files.statistics.empty()) {
-        const std::string text =
-            statistics_text(command, session, totals, interrupted, log, failed);
+        const std::string text = statistics_json(command, session, totals, figures, interrupted);
         in_place = write_text(session.files.statistics, text, log) && in_place;
     }
-    warn_of_refused(*session.film, log);
+    warn_of_refusals(figures.refused, log);
     if (interrupted) log.warning(fmt::format("interrupted after {} passes", totals.passes));
     if (!in_place) return ExitCode::OutputFailure;
     if (failed) return ExitCode::PluginFailure;
@@ -84,10 +79,12 @@ void save_finished_passes(const CommandLine& command, RenderSession& session,
                           const RenderTotals& totals, ConsoleLog& log) try {
     if (totals.passes == 0) return;
     std::string statistics;
+    RenderFigures figures;
     try {
         bool failed = false;
+        figures = render_figures(session, log, failed);
         if (!session.files.statistics.empty()) {
-            statistics = statistics_text(command, session, totals, true, log, failed);
+            statistics = statistics_json(command, session, totals, figures, true);
         }
     } catch (const std::exception&) {
         statistics.clear();  // the image matters more, and memory may be what is missing
@@ -96,7 +93,7 @@ void save_finished_passes(const CommandLine& command, RenderSession& session,
     session.scene.reset();
     const bool in_place = write_images_timed(command, session, totals, log);
     if (!statistics.empty()) write_text(session.files.statistics, statistics, log);
-    warn_of_refused(*session.film, log);
+    warn_of_refusals(figures.refused, log);
     if (in_place) {
         log.warning(fmt::format("the render ends early: {} finished passes are in {} and {}",
                                 totals.passes, session.files.exr, session.files.png));

@@ -28,7 +28,9 @@ class GuardedIntegrator final : public Integrator {
     Statistics statistics() const override {
         return call_module(file_, at("statistics"), [&] { return integrator_->statistics(); });
     }
-
+    RefusalList refusals() const override {
+        return call_module(file_, at("refusals"), [&] { return integrator_->refusals(); });
+    }
     void state(StateArchive& archive) override {
         call_as_agreed("state", [&] { integrator_->state(archive); });
     }

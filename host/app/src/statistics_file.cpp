@@ -60,10 +60,20 @@ Json counts(const RenderTotals& totals) {
     return json;
 }
 
+/// By kind and origin; empty on a healthy scene.
+Json by_origin(const RefusalsByKind& refused) {
+    Json json = Json::object();
+    for (const auto& [kind, list] : refused) {
+        for (const Refusal& refusal : list)
+            json[kind][refusal.origin] = refusal.count;
+    }
+    return json;
+}
+
 }  // namespace
 
 std::string statistics_json(const CommandLine& command, const RenderSession& session,
-                            const RenderTotals& totals, const Statistics& figures,
+                            const RenderTotals& totals, const RenderFigures& figures,
                             bool interrupted) {
     Json json;
     json["version"] = version();
@@ -76,8 +86,9 @@ std::string statistics_json(const CommandLine& command, const RenderSession& ses
     json["peak memory bytes"] = peak_resident_bytes();
     json["film memory bytes"] = session.film->memory_bytes();
     json["refused film samples"] = session.film->refused_samples();
+    json["refused"] = by_origin(figures.refused);
     Json& own = json[session.integrator_name] = Json::object();
-    for (const auto& [name, value] : figures) {
+    for (const auto& [name, value] : figures.own) {
         std::visit([&, &key = name](const auto& figure) { own[key] = figure; }, value);
     }
     // Names of the scene may hold any bytes, JSON holds UTF-8 alone.

@@ -54,7 +54,8 @@ class FlexImage final : public FileFilm {
     double halt_time_seconds() const override { return settings_.halt_time_seconds; }
     std::uint64_t halt_passes() const override { return settings_.halt_passes; }
     double write_interval_seconds() const override { return settings_.write_interval_seconds; }
-    std::uint64_t refused_samples() const override { return accumulator_.refused_samples(); }
+    std::uint64_t refused_samples() const override;
+    RefusalList refusals() const override;
     std::size_t memory_bytes() const override;
 
     void state(StateArchive& archive) override;
@@ -86,7 +87,8 @@ class FlexImage final : public FileFilm {
     FilmAccumulator accumulator_;
     std::map<std::string, FilmAccumulator, std::less<>> color_layers_;
     std::map<std::string, std::vector<float>, std::less<>> layers_;
-    std::optional<Wavelengths> wavelengths_;  ///< none: passes are RGB
+    std::map<std::string, std::uint64_t> refused_layer_values_;  ///< by float layer
+    std::optional<Wavelengths> wavelengths_;                     ///< none: passes are RGB
 };
 
 /// An image that no file could hold would be found out when all has been rendered.
@@ -143,8 +145,34 @@ void FlexImage::set_layer(std::string_view name, std::span<const float> values) 
     }
     std::vector<float>& layer = layers_[std::string(name)];
     layer.assign(values.begin(), values.end());
-    std::replace_if(
-        layer.begin(), layer.end(), [](float v) { return !std::isfinite(v); }, 0.0f);
+    for (float& value : layer) {
+        if (std::isfinite(value)) continue;
+        value = 0;
+        ++refused_layer_values_[std::string(name)];
+    }
+}
+
+RefusalList FlexImage::refusals() const {
+    RefusalList list;
+    const auto add = [&](const std::string& origin, std::uint64_t count) {
+        if (count > 0) list.push_back({origin, count});
+    };
+    const auto refused = accumulator_.refused_by_group();
+    for (std::uint32_t g = 0; g < light_groups(); ++g)
+        add(fmt::format("light group \"{}\"", group_names_[g]), refused[g]);
+    add("positions on the film", refused.back());
+    for (const auto& [name, layer] : color_layers_)
+        add(fmt::format("layer \"{}\"", name), layer.refused_samples());
+    for (const auto& [name, count] : refused_layer_values_)
+        add(fmt::format("layer \"{}\"", name), count);
+    return list;
+}
+
+std::uint64_t FlexImage::refused_samples() const {
+    std::uint64_t sum = 0;
+    for (const Refusal& refusal : refusals())
+        sum += refusal.count;
+    return sum;
 }
 
 void FlexImage::state(StateArchive& archive) {

@@ -8,6 +8,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <stdexcept>
 
 namespace lxs {
@@ -49,7 +50,8 @@ FilmAccumulator::FilmAccumulator(std::uint32_t width, std::uint32_t height, std:
       height_(height),
       groups_(groups),
       filter_(filter),
-      sums_(std::size_t{width} * height * (1 + 3 * std::size_t{groups})) {}
+      sums_(std::size_t{width} * height * (1 + 3 * std::size_t{groups})),
+      refused_(std::size_t{groups} + 1) {}
 
 void FilmAccumulator::check(const PassSamples& pass) const {
     if (pass.groups != groups_ || pass.radiance.size() != pass.positions.size() * groups_) {
@@ -77,15 +79,27 @@ void FilmAccumulator::find_cells(const PassSamples& pass) {
         });
 }
 
-void FilmAccumulator::sort_by_cell() {
+/// The first group whose radiance can't be taken, or the number of groups: its position can't.
+std::size_t FilmAccumulator::reason_for_refusal(const PassSamples& pass, std::size_t sample) const {
+    for (std::size_t g = 0; g < groups_; ++g) {
+        if (!acceptable(pass.radiance.subspan(sample * groups_ + g, 1))) return g;
+    }
+    return groups_;
+}
+
+std::uint64_t FilmAccumulator::refused_samples() const {
+    return std::accumulate(refused_.begin(), refused_.end(), std::uint64_t{0});
+}
+
+void FilmAccumulator::sort_by_cell(const PassSamples& pass) {
     // Stable counting sort; cell_begin_[c + 1] counts and becomes the next free place of cell c.
     const std::size_t cells = std::size_t{width_} * height_;
     cell_begin_.assign(cells + 2, 0);
-    for (const std::uint32_t cell : cell_of_sample_) {
-        if (cell == kRefused) {
-            ++refused_;
+    for (std::size_t i = 0; i < cell_of_sample_.size(); ++i) {
+        if (cell_of_sample_[i] == kRefused) {
+            ++refused_[reason_for_refusal(pass, i)];
         } else {
-            ++cell_begin_[cell + 2];
+            ++cell_begin_[cell_of_sample_[i] + 2];
         }
     }
     for (std::size_t c = 2; c < cells + 2; ++c) {
@@ -194,7 +208,7 @@ void FilmAccumulator::gather_splats(const PassSamples& pass, std::uint32_t y,
 void FilmAccumulator::add(const PassSamples& pass) {
     check(pass);
     find_cells(pass);
-    sort_by_cell();
+    sort_by_cell(pass);
     reserve_rows();
     tbb::parallel_for(tbb::blocked_range<std::uint32_t>(0, height_), [&](const auto& rows) {
         for (std::uint32_t y = rows.begin(); y != rows.end(); ++y) {
@@ -211,7 +225,7 @@ void FilmAccumulator::add_splats(const PassSplats& splats) {
     check(pass);
     begin_splats();
     find_cells(pass);
-    sort_by_cell();
+    sort_by_cell(pass);
     reserve_rows();
     tbb::parallel_for(tbb::blocked_range<std::uint32_t>(0, height_), [&](const auto& rows) {
         for (std::uint32_t y = rows.begin(); y != rows.end(); ++y) {
@@ -239,7 +253,7 @@ void FilmAccumulator::state(StateArchive& archive) {
     archive.value(splat_samples_);
     for (double* sum : {&white_sum_.x, &white_sum_.y, &white_sum_.z, &weight_sum_})
         archive.value(*sum);
-    archive.value(refused_);
+    archive.fixed(refused_);
     if (archive.restoring()) check_sums();
 }
 

@@ -41,9 +41,12 @@ class FilmAccumulator {
     void resolve_group(std::uint32_t group, std::span<Rgb> image) const;
     void resolve_total(std::span<Rgb> image) const;
 
-    std::uint64_t refused_samples() const { return refused_; }
     /// Saves or restores all sums and counts; of the same image size, groups and filter.
     void state(StateArchive& archive);
+    std::uint64_t refused_samples() const;
+    /// Samples refused for what they brought of each light group, each counted once; the last
+    /// entry: for their position.
+    std::span<const std::uint64_t> refused_by_group() const { return refused_; }
     /// Bytes held at one sample per pixel and pass, or more if a pass brought more.
     std::size_t memory_bytes() const;
 
@@ -53,7 +56,8 @@ class FilmAccumulator {
     void check_sums() const;
     void begin_splats();
     void find_cells(const PassSamples& pass);
-    void sort_by_cell();
+    void sort_by_cell(const PassSamples& pass);
+    std::size_t reason_for_refusal(const PassSamples& pass, std::size_t sample) const;
     void reserve_rows();
     std::span<double> row_pixel(std::uint32_t y);
     void gather_pixel(const PassSamples& pass, std::uint32_t x, std::uint32_t y,
@@ -73,10 +77,10 @@ class FilmAccumulator {
     std::vector<double> splats_;
     double splat_samples_ = 0;
     std::optional<FilterIntegral> filter_integral_;
-    std::optional<Imath::M33d> to_rgb_;  ///< none: samples are RGB
-    Imath::V3d white_sum_{0.0};          ///< over passes, weight times a white of 1 as RGB
-    double weight_sum_ = 0;              ///< of the passes in white_sum_
-    std::uint64_t refused_ = 0;
+    std::optional<Imath::M33d> to_rgb_;   ///< none: samples are RGB
+    Imath::V3d white_sum_{0.0};           ///< over passes, weight times a white of 1 as RGB
+    double weight_sum_ = 0;               ///< of the passes in white_sum_
+    std::vector<std::uint64_t> refused_;  ///< by light group, and for positions
     // Kept between passes, so that passes after the first allocate nothing.
     std::vector<std::uint32_t> cell_of_sample_;
     std::vector<std::uint32_t> cell_begin_;  ///< per cell, and the end: index into `order_`

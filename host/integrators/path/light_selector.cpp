@@ -10,7 +10,7 @@ namespace {
 
 double choice_weight(const Light& light, LightStrategy strategy) {
     const double power = light.power();
-    if (!(power > 0)) return 0;
+    if (!(power > 0) || !std::isfinite(power)) return 0;
     switch (strategy) {
         case LightStrategy::Power:
             return power;

@@ -27,10 +27,7 @@ bool PathTracer::scatter_in_medium(State& state) const {
                                                               state.random.next_2d());
     state.left = {state.ray.origin, Vec3(0.0f), sample.pdf};
     state.throughput *= sample.weight;
-    if (!valid(state.throughput)) {
-        refusals_.refuse(kNoMaterial);
-        return false;
-    }
+    if (!refusals_.accept_of_passage(valid(state.throughput))) return false;
     state.ray.direction = sample.direction;
     state.ray.t_max = std::numeric_limits<float>::infinity();
     ++state.bounces;
@@ -42,7 +39,7 @@ void PathTracer::add_direct_in_medium(State& state) const {
         const float u = state.random.next();
         const LightChoice choice = lights_.choose(i, u);
         const Rgb light = direct_light_in_medium(state, choice, state.random.next_2d());
-        add(state, state.throughput * light, choice.light->group(), kNoMaterial);
+        add(state, state.throughput * light, *choice.light);
     }
 }
 
@@ -50,14 +47,14 @@ Rgb PathTracer::direct_light_in_medium(State& state, const LightChoice& choice,
                                        const Vec2& u) const {
     const Ray& ray = state.ray;
     DirectSample sample;
-    if (!choice.light->sample_direct(ray.origin, Vec3(0.0f), u, sample) || !(sample.pdf > 0) ||
-        is_black(sample.radiance)) {
+    if (!choice.light->sample_direct(ray.origin, Vec3(0.0f), u, sample) ||
+        !accept_sample(sample, *choice.light) || sample.pdf == 0 || is_black(sample.radiance)) {
         return Rgb(0.0f);
     }
     ++state.result.rays;
     const Rgb passed =
         scene_.transmittance(shadow_ray_from_medium(ray.origin, sample, ray.time, ray.medium));
-    if (is_black(passed)) return Rgb(0.0f);
+    if (is_black(passed) || !refusals_.accept_of_passage(valid(passed))) return Rgb(0.0f);
     const float cosine = ray.direction.dot(sample.wi);
     const float pdf = sample.pdf * choice.probability;
     const float weight =

@@ -10,31 +10,11 @@
 
 namespace lxs {
 
-void MaterialRefusals::refuse(std::uint32_t material) {
-    const std::size_t index = std::min<std::size_t>(material, counts_.size() - 1);
-    counts_[index].fetch_add(1, std::memory_order_relaxed);
-}
-
-std::uint64_t MaterialRefusals::total() const {
-    std::uint64_t sum = 0;
-    for (std::size_t i = 0; i < counts_.size(); ++i)
-        sum += count(i);
-    return sum;
-}
-
-std::uint64_t MaterialRefusals::count(std::size_t index) const {
-    return counts_[index].load(std::memory_order_relaxed);
-}
-
-void MaterialRefusals::state(StateArchive& archive) {
-    std::vector<std::uint64_t> counts(counts_.begin(), counts_.end());
-    archive.fixed(counts);
-    std::copy(counts.begin(), counts.end(), counts_.begin());
-}
-
 void PathIntegrator::prepare(const RenderContext& context) {
     context_.emplace(context);
-    refusals_ = std::make_unique<MaterialRefusals>(context.scene.material_names().size());
+    refusals_.emplace(context.scene);
+    for (const Light* light : context.scene.lights())
+        refusals_->accept_of_light(valid_density(light->power()), *light);
     tracer_.emplace(context.scene, settings_, *refusals_);
     context.log.info("path: " + settings_.text());
     if (const MetropolisSettings* metropolis = context.sampler.metropolis()) {
@@ -50,7 +30,6 @@ void PathIntegrator::prepare(const RenderContext& context) {
 PassReport PathIntegrator::render_pass(std::uint64_t pass) {
     const PathCounts counts = metropolis_ ? metropolis_->render_pass() : render_pixels(pass);
     total_ += counts;
-    warn_of_refusals();
     PassReport report;
     report.rays = counts.rays;
     return report;
@@ -101,23 +80,9 @@ PathCounts PathIntegrator::render_row(std::uint64_t pass, std::uint32_t y,
     return counts;
 }
 
-void PathIntegrator::warn_of_refusals() {
-    if (warned_ || refusals_->total() == 0) return;
-    warned_ = true;
-    const auto names = context_->scene.material_names();
-    for (std::size_t i = 0; i <= names.size(); ++i) {
-        if (refusals_->count(i) == 0) continue;
-        const std::string where =
-            i < names.size() ? fmt::format("at material \"{}\"", names[i]) : "from outside";
-        context_->log.warning(fmt::format(
-            "path: refused a contribution {} that is no finite positive number", where));
-    }
-}
-
 void PathIntegrator::state(StateArchive& archive) {
     total_.state(archive);
     refusals_->state(archive);
-    archive.value(warned_);
     if (metropolis_) metropolis_->state(archive);
 }
 
@@ -131,16 +96,12 @@ Statistics PathIntegrator::statistics() const {
         const Statistics of_chains = metropolis_->statistics();
         statistics.insert(statistics.end(), of_chains.begin(), of_chains.end());
     }
-    if (!refusals_) return statistics;
-    statistics.emplace_back("refused contributions", refusals_->total());
-    const auto names = context_->scene.material_names();
-    for (std::size_t i = 0; i <= names.size(); ++i) {
-        if (refusals_->count(i) == 0) continue;
-        statistics.emplace_back(
-            "refused contributions at " + (i < names.size() ? names[i] : "the environment"),
-            refusals_->count(i));
-    }
+    if (refusals_) statistics.emplace_back("refused contributions", refusals_->total());
     return statistics;
+}
+
+RefusalList PathIntegrator::refusals() const {
+    return refusals_ ? refusals_->list() : RefusalList{};
 }
 
 }  // namespace lxs

@@ -30,10 +30,4 @@ inline float power_heuristic(float pdf, float other_pdf) {
     return 1 / (1 + ratio * ratio);
 }
 
-/// Finite and not negative.
-inline bool valid(const Rgb& c) {
-    return std::isfinite(c.x) && std::isfinite(c.y) && std::isfinite(c.z) && c.x >= 0 && c.y >= 0 &&
-           c.z >= 0;
-}
-
 }  // namespace lxs

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "lxs/sdk/medium.h"
 #include "lxs/sdk/rays.h"
@@ -31,7 +32,7 @@ void PathCounts::state(StateArchive& archive) {
         archive.value(*count);
 }
 
-PathTracer::PathTracer(const Scene& scene, const PathSettings& settings, RefusalCounter& refusals)
+PathTracer::PathTracer(const Scene& scene, const PathSettings& settings, PathRefusals& refusals)
     : scene_(scene),
       settings_(settings),
       lights_(scene.lights(), settings.lights),
@@ -45,7 +46,7 @@ void PathTracer::trace(const Ray& camera_ray, PrimarySample& random,
         memory.release();
         SurfaceHit hit;
         ++result.rays;
-        const bool met = scene_.intersect(state.ray, hit, memory);
+        const bool met = meet(state, hit, memory);
         if (media_scatter_ && state.ray.medium && state.ray.medium->scatters()) {
             if (fly(state, hit.distance)) {
                 if (!scatter_in_medium(state)) break;
@@ -66,13 +67,31 @@ void PathTracer::trace(const Ray& camera_ray, PrimarySample& random,
     result.bounces += state.bounces;
 }
 
-void PathTracer::add(State& state, const Rgb& contribution, std::uint32_t group,
-                     std::uint32_t material) const {
-    if (valid(contribution)) {
-        state.result.radiance[group] += contribution;
-    } else {
-        refusals_.refuse(material);
+/// Where the ray meets a surface. What no surface can be absorbs, what no light can be is black.
+bool PathTracer::meet(State& state, SurfaceHit& hit, std::pmr::memory_resource& memory) const {
+    const bool met = scene_.intersect(state.ray, hit, memory);
+    if (!refusals_.accept_of_passage(valid(hit.transmittance))) hit.transmittance = Rgb(0.0f);
+    if (!met) return false;
+    const bool is_place =
+        finite(hit.p) && finite(hit.ng) && finite(hit.ns) && std::isfinite(hit.distance);
+    if (!refusals_.accept_of_material(is_place, hit.material)) {
+        hit.bsdf = nullptr;
+        hit.light = nullptr;
     }
+    if (hit.light && !refusals_.accept_of_light(valid(hit.emitted), *hit.light))
+        hit.light = nullptr;
+    return true;
+}
+
+void PathTracer::add(State& state, const Rgb& contribution, const Light& light) const {
+    Rgb& sum = state.result.radiance[light.group()];
+    const Rgb raised = sum + contribution;
+    if (refusals_.accept_of_light(valid(contribution) && valid(raised), light)) sum = raised;
+}
+
+bool PathTracer::accept_sample(const DirectSample& sample, const Light& light) const {
+    const bool usable = valid(sample.radiance) && valid_density(sample.pdf) && finite(sample.wi);
+    return refusals_.accept_of_light(usable, light);
 }
 
 /// Share of a light met by a scattered ray that next-event estimation leaves to it.
@@ -81,13 +100,15 @@ float PathTracer::light_weight(const State& state, const Light& light, const Vec
     if (!settings_.direct_light_sampling || state.left.pdf == 0) return 1;
     const float pdf = light.pdf_direct(state.left.p, state.left.n, state.ray.direction, light_p,
                                        light_n, primitive);
+    // No density: what it weighs is refused, and counted against the light.
+    if (!(pdf >= 0)) return std::numeric_limits<float>::quiet_NaN();
     return power_heuristic(state.left.pdf, pdf * lights_.probability(&light));
 }
 
 void PathTracer::add_emitted(State& state, const SurfaceHit& hit) const {
     if (hit.light == nullptr || is_black(hit.emitted)) return;
     const float weight = light_weight(state, *hit.light, hit.p, hit.ng, hit.primitive);
-    add(state, state.throughput * hit.emitted * weight, hit.light->group(), hit.material);
+    add(state, state.throughput * hit.emitted * weight, *hit.light);
 }
 
 void PathTracer::add_escaped(State& state) const {
@@ -96,9 +117,9 @@ void PathTracer::add_escaped(State& state) const {
     const Vec3& direction = state.ray.direction;
     for (const Light* light : lights_.at_infinity()) {
         const Rgb radiance = light->escaped(direction);
-        if (is_black(radiance)) continue;
+        if (is_black(radiance) || !refusals_.accept_of_light(valid(radiance), *light)) continue;
         const float weight = light_weight(state, *light, Vec3(0.0f), Vec3(0.0f), 0);
-        add(state, state.throughput * radiance * weight, light->group(), kNoMaterial);
+        add(state, state.throughput * radiance * weight, *light);
     }
 }
 
@@ -108,7 +129,7 @@ void PathTracer::add_direct(State& state, const SurfaceHit& hit) const {
         const float u = state.random.next();
         const LightChoice choice = lights_.choose(i, u);
         const Rgb light = direct_light(state, hit, choice, state.random.next_2d());
-        add(state, state.throughput * light, choice.light->group(), hit.material);
+        add(state, state.throughput * light, *choice.light);
     }
 }
 
@@ -116,17 +137,20 @@ Rgb PathTracer::direct_light(State& state, const SurfaceHit& hit, const LightCho
                              const Vec2& u) const {
     const Vec3 wo = -state.ray.direction;
     DirectSample sample;
-    if (!choice.light->sample_direct(hit.p, hit.ns, u, sample) || !(sample.pdf > 0)) {
+    if (!choice.light->sample_direct(hit.p, hit.ns, u, sample) ||
+        !accept_sample(sample, *choice.light) || sample.pdf == 0) {
         return Rgb(0.0f);
     }
     const Rgb f = hit.bsdf->evaluate(wo, sample.wi, Transport::Radiance, kAllLobes);
     if (is_black(f) || is_black(sample.radiance)) return Rgb(0.0f);
+    if (!refusals_.accept_of_material(valid(f), hit.material)) return Rgb(0.0f);
     ++state.result.rays;
     const Rgb passed = scene_.transmittance(shadow_ray(hit, sample, state.ray.time));
-    if (is_black(passed)) return Rgb(0.0f);
+    if (is_black(passed) || !refusals_.accept_of_passage(valid(passed))) return Rgb(0.0f);
     const float pdf = sample.pdf * choice.probability;
-    const float weight =
-        sample.delta ? 1.0f : power_heuristic(pdf, hit.bsdf->pdf(wo, sample.wi, kAllLobes));
+    const float pdf_bounce = sample.delta ? 0.0f : hit.bsdf->pdf(wo, sample.wi, kAllLobes);
+    if (!refusals_.accept_of_material(valid_density(pdf_bounce), hit.material)) return Rgb(0.0f);
+    const float weight = power_heuristic(pdf, pdf_bounce);
     const float cosine = std::abs(hit.ns.dot(sample.wi));
     return f * sample.radiance * passed * (cosine * weight / pdf);
 }
@@ -144,12 +168,10 @@ bool PathTracer::scatter(State& state, const SurfaceHit& hit) const {
         return false;
     }
     if (!sample.straight && last) return false;
-    if (!valid(sample.weight)) {
-        refusals_.refuse(hit.material);
-        return false;
-    }
     state.throughput *= sample.weight;
-    if (is_black(state.throughput)) return false;
+    const bool usable = valid(state.throughput) && valid_density(sample.pdf) && finite(sample.wi);
+    if (!refusals_.accept_of_material(usable, hit.material) || is_black(state.throughput))
+        return false;
     state.ray = continue_ray(hit, sample, state.ray);
     if (sample.straight) return ++state.straight < kMaxStraight;
 

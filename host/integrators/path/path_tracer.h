@@ -6,27 +6,17 @@
 #pragma once
 
 #include <cstdint>
-#include <limits>
 #include <memory_resource>
 #include <span>
 
 #include "lxs/sdk/scene.h"
 #include "lxs/sdk/state_archive.h"
 #include "path/light_selector.h"
+#include "path/path_refusals.h"
 #include "path/path_settings.h"
 #include "path/primary_sample.h"
 
 namespace lxs {
-
-/// Material index of what came from outside of all surfaces.
-inline constexpr std::uint32_t kNoMaterial = std::numeric_limits<std::uint32_t>::max();
-
-/// Told of every contribution that was not a finite number or negative; called from many threads.
-class RefusalCounter {
-  public:
-    virtual ~RefusalCounter() = default;
-    virtual void refuse(std::uint32_t material) = 0;
-};
 
 /// What one path gave.
 struct PathResult {
@@ -51,7 +41,8 @@ struct PathCounts {
 /// is no bounce: the scattered ray keeps the density and position of the vertex it left.
 class PathTracer {
   public:
-    PathTracer(const Scene& scene, const PathSettings& settings, RefusalCounter& refusals);
+    /// Contributions that are not finite or negative are told to `refusals`.
+    PathTracer(const Scene& scene, const PathSettings& settings, PathRefusals& refusals);
 
     void trace(const Ray& camera_ray, PrimarySample& random,
                std::pmr::monotonic_buffer_resource& memory, PathResult& result) const;
@@ -60,8 +51,9 @@ class PathTracer {
     struct Vertex;
     struct State;
 
-    void add(State& state, const Rgb& contribution, std::uint32_t group,
-             std::uint32_t material) const;
+    void add(State& state, const Rgb& contribution, const Light& light) const;
+    bool meet(State& state, SurfaceHit& hit, std::pmr::memory_resource& memory) const;
+    bool accept_sample(const DirectSample& sample, const Light& light) const;
     void add_emitted(State& state, const SurfaceHit& hit) const;
     void add_escaped(State& state) const;
     void add_direct(State& state, const SurfaceHit& hit) const;
@@ -79,7 +71,7 @@ class PathTracer {
     const Scene& scene_;
     PathSettings settings_;
     LightSelector lights_;
-    RefusalCounter& refusals_;
+    PathRefusals& refusals_;
     bool media_scatter_;
 };
 

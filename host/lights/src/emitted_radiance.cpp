@@ -19,7 +19,9 @@ EmittedRadiance::EmittedRadiance(std::shared_ptr<const ColorTexture> texture)
 Rgb EmittedRadiance::colour(const Vec3& p, const Vec3& n, const Vec2& uv) const {
     TexturePoint point{p, n, uv};
     point.use = ColourUse::Light;
-    return non_negative(texture_->evaluate(point));
+    const Rgb value = texture_->evaluate(point);
+    if (!is_finite(value) || is_negative(value)) refused_->count();
+    return non_negative(value);
 }
 
 }  // namespace lxs

@@ -3,6 +3,7 @@
 
 #include <memory>
 
+#include "lxs/scene/refused_values.h"
 #include "lxs/scene/texture.h"
 
 namespace lxs {
@@ -12,6 +13,8 @@ class EmittedRadiance {
     explicit EmittedRadiance(std::shared_ptr<const ColorTexture> texture);
     void scale_by(float factor) { scale_ *= factor; }
     bool is_constant() const { return constant_; }
+    /// Values of the texture so far that were not finite or negative.
+    std::uint64_t refused_values() const { return refused_->total(); }
     /// Radiance in W sr^-1 m^-2, finite and >= 0.
     Rgb at(const Vec3& p, const Vec3& n, const Vec2& uv) const {
         return (constant_ ? value_ : colour(p, n, uv)) * scale_;
@@ -21,6 +24,7 @@ class EmittedRadiance {
     Rgb colour(const Vec3& p, const Vec3& n, const Vec2& uv) const;  ///< of the texture
 
     std::shared_ptr<const ColorTexture> texture_;
+    std::unique_ptr<RefusedValues> refused_ = std::make_unique<RefusedValues>();
     Rgb value_{0.0f};
     float scale_ = 1;
     bool constant_ = true;

@@ -19,7 +19,8 @@ LatLongMap::LatLongMap(std::size_t width, std::size_t height, std::vector<Rgb> p
         c = non_negative(c);
 }
 
-LatLongMap LatLongMap::read(const std::string& path, float gamma, const SourceLocation& where) {
+LatLongMap LatLongMap::read(const std::string& path, float gamma, const SourceLocation& where,
+                            Diagnostics& diagnostics) {
     const auto file = OIIO::ImageInput::open(path);
     if (!file) {
         throw InputError(where,
@@ -35,12 +36,20 @@ LatLongMap LatLongMap::read(const std::string& path, float gamma, const SourceLo
     }
     std::vector<Rgb> pixels(count);
     const bool grey = channels < 3;
+    std::size_t refused = 0;
     for (std::size_t i = 0; i < count; ++i) {
         const float* v = &values[i * channels];
-        pixels[i] = non_negative(grey ? Rgb(v[0]) : Rgb(v[0], v[1], v[2]));
+        const Rgb stored = grey ? Rgb(v[0]) : Rgb(v[0], v[1], v[2]);
+        pixels[i] = non_negative(stored);
+        if (!(pixels[i] == stored)) ++refused;
         if (gamma == 1) continue;
         for (int k = 0; k < 3; ++k)
             pixels[i][k] = std::pow(pixels[i][k], gamma);
+    }
+    if (refused > 0) {
+        diagnostics.warning(where, fmt::format("image \"{}\" has {} pixels that are not finite or "
+                                               "negative; 0 is used",
+                                               path, refused));
     }
     return LatLongMap(static_cast<std::size_t>(spec.width), static_cast<std::size_t>(spec.height),
                       std::move(pixels));

@@ -16,8 +16,10 @@ class LatLongMap {
     /// Pixels row by row, top row first.
     LatLongMap(std::size_t width, std::size_t height, std::vector<Rgb> pixels);
     /// Reads an image file; each value is raised to `gamma` (1: used as stored). Throws InputError
-    /// at `where` if the file can't be read.
-    static LatLongMap read(const std::string& path, float gamma, const SourceLocation& where);
+    /// at `where` if the file can't be read; values that are not finite or negative are taken for
+    /// 0, with a warning there.
+    static LatLongMap read(const std::string& path, float gamma, const SourceLocation& where,
+                           Diagnostics& diagnostics);
 
     /// The image of a function of st, each pixel the mean of 2 x 2 values.
     static LatLongMap of(std::size_t width, std::size_t height,

@@ -25,9 +25,21 @@ struct LightStatement {
     float number(std::string_view name, double fallback) const {
         return static_cast<float>(reader.number(name, fallback));
     }
-    Rgb color(std::string_view name) const { return non_negative(reader.color(name, Rgb(1.0f))); }
+    Rgb color(std::string_view name) const { return cleaned(reader.color(name, Rgb(1.0f)), name); }
     /// L times gain.
-    Rgb emission() const { return non_negative(color("L") * number("gain", 1)); }
+    Rgb emission() const { return cleaned(color("L") * number("gain", 1), "gain"); }
+    /// `value` without what is not finite or negative, of which a warning at parameter `name` says.
+    Rgb cleaned(const Rgb& value, std::string_view name) const {
+        const Rgb usable = non_negative(value);
+        if (!(usable == value)) {
+            reader.diagnostics().warning(
+                reader.given(name) ? reader.where(name) : reader.where(),
+                fmt::format("\"{}\" makes the light's colour ({} {} {}): what is not finite or "
+                            "negative is taken for 0",
+                            name, value.x, value.y, value.z));
+        }
+        return usable;
+    }
     Vec3 world_point(const Vec3& p) const {
         Imath::V3d q;
         description.to_world.multVecMatrix(Imath::V3d(p), q);

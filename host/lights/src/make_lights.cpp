@@ -72,9 +72,9 @@ void make_infinite(const LightStatement& s, Lights& lights) {
         return;
     }
     const SourceLocation& where = s.reader.where("mapname");
-    LatLongMap map =
-        as_latlong(LatLongMap::read(s.resolve(name, where), s.number("gamma", 1), where),
-                   s.reader.string("mapping", "latlong"));
+    LatLongMap map = as_latlong(LatLongMap::read(s.resolve(name, where), s.number("gamma", 1),
+                                                 where, s.reader.diagnostics()),
+                                s.reader.string("mapping", "latlong"));
     lights.push_back(std::make_unique<MappedEnvironment>(s.placement(), s.sphere, s.rotation(),
                                                          std::move(map), s.emission()));
 }

@@ -16,7 +16,7 @@ namespace {
 LatLongMap read_map(const LightStatement& s) {
     const SourceLocation& where = s.reader.where("mapname");
     return LatLongMap::read(s.resolve(s.reader.string("mapname", ""), where), s.number("gamma", 1),
-                            where);
+                            where, s.reader.diagnostics());
 }
 
 /// Intensities of a luminaire relative to its largest; vertical angle 0 along +z.

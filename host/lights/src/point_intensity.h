@@ -10,8 +10,8 @@ namespace lxs {
 inline Rgb point_intensity(const LightStatement& s, const Rgb& color, double unscaled) {
     const double lumens = s.number("power", 0) * s.number("efficacy", 0);
     const double gain = s.number("gain", 1);
-    if (!(lumens > 0) || !(unscaled > 0)) return color * static_cast<float>(gain);
-    return color * static_cast<float>(gain * lumens / unscaled);
+    const bool by_flux = lumens > 0 && unscaled > 0;
+    return s.cleaned(color * static_cast<float>(by_flux ? gain * lumens / unscaled : gain), "gain");
 }
 
 }  // namespace lxs

@@ -37,6 +37,7 @@ void check_invertible(const Instance& instance, const ObjectDefinition& object) 
 TracedScene::TracedScene(SceneContents contents, const AssetResolver& resolve,
                          Diagnostics& diagnostics)
     : contents_(std::move(contents)),
+      refused_(std::make_unique<RefusedValues[]>(contents_.material_names.size() + 1)),
       survey_(survey(contents_, diagnostics)),
       world_scene_(device_),
       spectral_media_(contents_.media) {
@@ -143,6 +144,7 @@ const Surface& TracedScene::locate_hit(const Ray& ray, RawHit raw, SurfaceHit& h
     point.texture.n = hit.ns;
     point.texture.uv = hit.uv;
     point.texture.wavelengths = wavelengths_ ? &*wavelengths_ : nullptr;
+    point.texture.refused = &refused_[surface.material_index];
     constexpr std::uint32_t kFacesApart = 0x9E3779B1;  // odd: no two shapes share all their faces
     point.texture.face = raw.geometry * kFacesApart + raw.primitive;
     point.texture.world_to_object = placement.to_object();
@@ -238,6 +240,19 @@ Rgb TracedScene::walk_transmittance(const Ray& ray) const {
         start = std::nextafter(raw.distance, std::numeric_limits<float>::infinity());
     }
     return Rgb(0.0f);
+}
+
+RefusalList TracedScene::refused_values() const {
+    RefusalList list;
+    for (std::size_t i = 0; i < contents_.material_names.size(); ++i) {
+        if (const std::uint64_t count = refused_[i].total())
+            list.push_back({"material \"" + contents_.material_names[i] + '"', count});
+    }
+    for (std::size_t i = 0; i < area_lights_.size(); ++i) {
+        if (const std::uint64_t count = area_lights_[i]->refused_values())
+            list.push_back({"light " + std::to_string(i) + " (area)", count});
+    }
+    return list;
 }
 
 std::unique_ptr<TraceScene> make_trace_scene(SceneContents contents, const AssetResolver& resolve,

@@ -8,6 +8,7 @@
 #include "embree_scene.h"
 #include "lxs/lights/lights.h"
 #include "lxs/scene/contents.h"
+#include "lxs/scene/refused_values.h"
 #include "lxs/tracing/trace_scene.h"
 #include "placement.h"
 #include "scene_survey.h"
@@ -37,6 +38,7 @@ class TracedScene : public TraceScene {
         return contents_.material_names;
     }
     void set_wavelengths(const Wavelengths& wavelengths) override;
+    RefusalList refused_values() const override;
     Bounds bounds() const override { return bounds_; }
     SceneFacts facts() const override { return survey_.facts; }
 
@@ -69,6 +71,7 @@ class TracedScene : public TraceScene {
     Rgb medium_transmittance(const Ray& ray, const Medium* medium, float from, float to) const;
 
     SceneContents contents_;
+    std::unique_ptr<RefusedValues[]> refused_;  ///< by material
     SceneSurvey survey_;
     EmbreeDevice device_;
     SurfaceGroup world_surfaces_;

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <cstring>
 #include <limits>
+#include <map>
 #include <random>
 
 #include "lxs/imaging/imaging.h"
@@ -184,6 +185,29 @@ TEST(FilmAccumulation, BadSamplesAreRefusedAndCounted) {
     for (const Rgb& pixel : film->image()) {
         EXPECT_EQ(pixel.x, 2.0f);
     }
+}
+
+/// Refusals say which light group or layer brought them.
+TEST(FilmAccumulation, RefusalsAreCountedByGroupAndLayer) {
+    SceneContents contents = scene_of_size(2, 2);
+    contents.light_groups = {"sun", "sky"};
+    const auto film = make(contents);
+    const float nan = std::nanf("");
+    Samples samples{{Vec2(0.5f), Vec2(1.5f), Vec2(nan, 0)},
+                    {Rgb(1.0f), Rgb(nan), Rgb(1.0f), Rgb(-1.0f), Rgb(1.0f), Rgb(1.0f)}};
+    film->add_pass({samples.positions, samples.radiance, 2, 1});
+    Samples layer = pixel_centres(*film, Rgb(nan));
+    film->add_layer_pass("noise", {layer.positions, layer.radiance, 1, 1});
+    film->set_layer("nodes", std::vector<float>{1, nan, -1, 2});
+    std::map<std::string, std::uint64_t> counts;
+    for (const Refusal& refusal : film->refusals())
+        counts[refusal.origin] = refusal.count;
+    const std::map<std::string, std::uint64_t> expected{{"light group \"sky\"", 2},
+                                                        {"positions on the film", 1},
+                                                        {"layer \"noise\"", 4},
+                                                        {"layer \"nodes\"", 1}};
+    EXPECT_EQ(counts, expected);
+    EXPECT_EQ(film->refused_samples(), 8u);
 }
 
 TEST(FilmAccumulation, NegativeLobesGiveNoNegativePixels) {

@@ -47,16 +47,5 @@ TEST(PathRobustness, HealthySceneGivesFiniteLightAndRefusesNothing) {
     }
 }
 
-TEST(PathRobustness, RefusalsAreCountedByMaterial) {
-    MaterialRefusals refusals(2);
-    refusals.refuse(1);
-    refusals.refuse(1);
-    refusals.refuse(kNoMaterial);
-    EXPECT_EQ(refusals.count(0), 0u);
-    EXPECT_EQ(refusals.count(1), 2u);
-    EXPECT_EQ(refusals.count(2), 1u);
-    EXPECT_EQ(refusals.total(), 3u);
-}
-
 }  // namespace
 }  // namespace lxs::test

@@ -175,7 +175,8 @@ TEST(ProjectionLight, ThrowsItsImageWithinItsAngle) {
 /// Directions are drawn with the density that they claim: its integral over what is drawn is 1, and
 /// the inverse leads back.
 TEST(EmissionProfile, DensitiesAndInverses) {
-    LatLongMap image = LatLongMap::read(probe_image(), 1, {});
+    RecordedDiagnostics diagnostics;
+    LatLongMap image = LatLongMap::read(probe_image(), 1, {}, diagnostics);
     const SphereProfile sphere(Rotation(translation(0, 0, 0), {}), image);
     const ScreenProfile screen(Frame(Vec3(0.6f, 0, 0.8f)), image, 1.2f);
     for (const EmissionProfile* profile : {static_cast<const EmissionProfile*>(&sphere),

@@ -5,6 +5,7 @@
 
 #include "bsdfs/place_bsdf.h"
 #include "bsdfs/tilted_bsdf.h"
+#include "lxs/scene/refused_values.h"
 #include "lxs/sdk/frame.h"
 #include "textures/texture_parameters.h"
 
@@ -95,7 +96,10 @@ Vec3 bumped_normal(const FloatTexture& height, float step, const ShadingPoint& p
     const float dv = height_slope(height, step, point, along_v) + mapped.y;
     const Vec3 normal = point.ns - frame.s * du - along_v * dv;
     const float length = normal.length();
-    if (!std::isfinite(length)) return point.ns;
+    if (!std::isfinite(length)) {
+        if (point.texture.refused) point.texture.refused->count();
+        return point.ns;
+    }
     return above_surface(normal / length, point.ng);
 }
 

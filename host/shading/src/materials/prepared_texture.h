@@ -5,6 +5,7 @@
 #include <string_view>
 #include <type_traits>
 
+#include "lxs/scene/refused_values.h"
 #include "lxs/scene/registry.h"
 
 namespace lxs::shading {
@@ -31,8 +32,7 @@ class PreparedTexture {
     }
     /// A colour is given at the point's wavelengths, if it has any.
     T at(const TexturePoint& point) const {
-        const T value =
-            texture_ ? limited(texture_->evaluate(point), lowest_, highest_) : constant_;
+        const T value = texture_ ? evaluated(point) : constant_;
         if constexpr (std::is_same_v<T, Rgb>) {
             if (point.wavelengths) return point.wavelengths->values_of(value);
         }
@@ -43,6 +43,15 @@ class PreparedTexture {
     bool reads_image() const { return texture_ && texture_->reads_image(); }
 
   private:
+    /// What is cut off at the limits is meant so; what is no number, or a negative colour, is not.
+    T evaluated(const TexturePoint& point) const {
+        const T value = texture_->evaluate(point);
+        bool usable = is_finite(value);
+        if constexpr (std::is_same_v<T, Rgb>) usable &= lowest_ < 0 || !is_negative(value);
+        if (!usable && point.refused) point.refused->count();
+        return limited(is_finite(value) ? value : T(0.0f), lowest_, highest_);
+    }
+
     T constant_{};
     float lowest_, highest_;
     std::shared_ptr<const Texture<T>> texture_;  ///< null for a constant

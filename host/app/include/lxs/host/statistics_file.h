@@ -4,13 +4,20 @@
 #include <string>
 
 #include "lxs/host/progress.h"
+#include "lxs/host/refusal_report.h"
 #include "lxs/host/render_session.h"
 
 namespace lxs {
 
+/// What the parts of a render say of it.
+struct RenderFigures {
+    Statistics own;  ///< the integrator's
+    RefusalsByKind refused;
+};
+
 /// Settings, scene facts, times by phase, counts and speeds, memory, the integrator's own figures.
 std::string statistics_json(const CommandLine& command, const RenderSession& session,
-                            const RenderTotals& totals, const Statistics& figures,
+                            const RenderTotals& totals, const RenderFigures& figures,
                             bool interrupted);
 
 }  // namespace lxs

@@ -13,6 +13,7 @@
 #include "lxs/sdk/camera.h"
 #include "lxs/sdk/film.h"
 #include "lxs/sdk/parameters.h"
+#include "lxs/sdk/refusal.h"
 #include "lxs/sdk/scene.h"
 #include "lxs/sdk/state_archive.h"
 #include "lxs/spectrum/wavelengths.h"
@@ -30,7 +31,9 @@ class FileFilm : public Film {
     virtual double halt_time_seconds() const = 0;       ///< "halttime", 0: none
     virtual std::uint64_t halt_passes() const = 0;      ///< "haltspp", 0: none
     virtual double write_interval_seconds() const = 0;  ///< "writeinterval"
-    virtual std::uint64_t refused_samples() const = 0;
+    virtual std::uint64_t refused_samples() const = 0;  ///< over all layers
+    /// The same by light group and layer.
+    virtual RefusalList refusals() const = 0;
     virtual std::size_t memory_bytes() const = 0;
 
     /// Saves or restores everything that passes have left in the film. Throws StateError if what is

@@ -12,6 +12,8 @@
 
 namespace lxs {
 
+class RefusedValues;
+
 /// What a colour is wanted for: a flat spectrum is white as a reflectance, but not as a light.
 enum class ColourUse : std::uint8_t { Surface, Light };
 
@@ -29,6 +31,7 @@ struct TexturePoint {
     /// textures with "local" coordinates lie; null where unknown.
     const Matrix* world_to_object = nullptr;
     const Matrix* object_to_shape = nullptr;
+    RefusedValues* refused = nullptr;  ///< counts values that no material can use; may be null
 };
 
 /// A texture with values of type T (float, Rgb).

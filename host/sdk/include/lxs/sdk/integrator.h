@@ -12,6 +12,7 @@
 #include "lxs/sdk/camera.h"
 #include "lxs/sdk/film.h"
 #include "lxs/sdk/log.h"
+#include "lxs/sdk/refusal.h"
 #include "lxs/sdk/scene.h"
 #include "lxs/sdk/state_archive.h"
 
@@ -57,6 +58,9 @@ class Integrator {
     /// prepare().
     virtual bool passes_stand_alone() const { return true; }
     virtual Statistics statistics() const { return {}; }
+    /// Contributions left out of the image because they were not finite or negative, by the
+    /// material, the light or whatever else they came from: reported at the end of the render.
+    virtual RefusalList refusals() const { return {}; }
     /// Saves everything that one pass leaves for later ones, or restores it: after prepare() with
     /// the same scene, settings and seed, instead of the passes that led to it. Later passes then
     /// give the same bits as if there had been no interruption; statistics go on likewise. Throws

@@ -5,6 +5,7 @@
 
 #include "lxs/lights/lights.h"
 #include "lxs/scene/contents.h"
+#include "lxs/sdk/refusal.h"
 #include "lxs/sdk/scene.h"
 #include "lxs/spectrum/wavelengths.h"
 
@@ -16,6 +17,9 @@ class TraceScene : public Scene {
     /// From now on colours mean values at these wavelengths, not R, G and B. To be called before
     /// lights() is used the first time, and only while nobody traces.
     virtual void set_wavelengths(const Wavelengths& wavelengths) = 0;
+    /// Values of textures so far that were not finite, or negative colours, and were replaced: by
+    /// the material or the light whose texture it is.
+    virtual RefusalList refused_values() const = 0;
 };
 
 /// Takes over the contents and builds acceleration structures and lights. The build is

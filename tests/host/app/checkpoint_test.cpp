@@ -114,7 +114,7 @@ INSTANTIATE_TEST_SUITE_P(
     Path, ResumeTest,
     testing::Values(Render{"plain", false, {}}, Render{"by_wavelengths", true, {}},
                     Render{"chains", false, {"--sampler", "metropolis", "--width", "64"}}),
-    [](const auto& info) { return std::get<0>(info.param); });
+    [](const auto& given) { return std::get<0>(given.param); });
 
 TEST_F(CheckpointTest, ResumingAfterTheLastPassWritesTheImageAgain) {
     ASSERT_EQ(run(kCheckpoint + Options{"--passes", "4"}).exit_code, 0);

@@ -126,9 +126,8 @@ TEST_P(HostileCheckpointTest, ForgedOnesDoNoHarm) {
                        refused, growth * 1e-6, bound * 1e-6));
 }
 
-INSTANTIATE_TEST_SUITE_P(StressCheckpoint, HostileCheckpointTest,
-                         testing::ValuesIn(resumable_renders()),
-                         [](const auto& info) { return info.param.name; });
+INSTANTIATE_TEST_SUITE_P(StressCheckpoint, HostileCheckpointTest, testing::ValuesIn(rich_renders()),
+                         [](const auto& given) { return given.param.name; });
 
 }  // namespace
 }  // namespace stress

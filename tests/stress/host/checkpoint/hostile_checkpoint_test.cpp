@@ -126,8 +126,7 @@ TEST_P(HostileCheckpointTest, ForgedOnesDoNoHarm) {
                        refused, growth * 1e-6, bound * 1e-6));
 }
 
-INSTANTIATE_TEST_SUITE_P(StressCheckpoint, HostileCheckpointTest,
-                         testing::ValuesIn(resumable_renders()),
+INSTANTIATE_TEST_SUITE_P(StressCheckpoint, HostileCheckpointTest, testing::ValuesIn(rich_renders()),
                          [](const auto& given) { return given.param.name; });
 
 }  // namespace

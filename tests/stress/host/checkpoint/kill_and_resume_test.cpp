@@ -38,7 +38,8 @@ class KillAndResumeTest : public testing::TestWithParam<ResumableRender> {
 
     Options render(const Options& more) const {
         Options all = options_;
-        all.insert(all.end(), {"-o", "out.exr", "--stats", "stats.json"});
+        all.insert(all.end(), {"-o", "out.exr", "--stats", "stats.json", "--passes",
+                               std::to_string(GetParam().passes)});
         all.insert(all.end(), more.begin(), more.end());
         return all;
     }

@@ -2,6 +2,7 @@
 #include "resumable_scene.h"
 
 #include <filesystem>
+#include <string_view>
 
 namespace stress {
 
@@ -27,6 +28,16 @@ const std::vector<ResumableRender>& resumable_renders() {
     return renders;
 }
 
+std::vector<ResumableRender> rich_renders() {
+    std::vector<ResumableRender> rich = resumable_renders();
+    std::erase_if(rich, [](const ResumableRender& render) {
+        const std::string_view name = render.name;
+        return name != "metropolis" && name != "adaptive_guide" && name != "adaptive_radius" &&
+               name != "sppm_chains" && name != "ppm";
+    });
+    return rich;
+}
+
 std::vector<std::string> put_scene(const ResumableRender& render, const render::Folder& folder) {
     const auto scene = render::small_scene(render.scene, folder, 48, 36);
     // The image is written between passes, too.
@@ -34,7 +45,7 @@ std::vector<std::string> put_scene(const ResumableRender& render, const render::
         scene, folder,
         {{"\"integer haltspp\"", "\"integer writeinterval\" [1] \"integer haltspp\""}});
     std::filesystem::rename(edited, folder / "scene.lxs");
-    std::vector<std::string> options = {"scene.lxs", "--passes", std::to_string(render.passes)};
+    std::vector<std::string> options = {"scene.lxs"};
     options.insert(options.end(), render.options.begin(), render.options.end());
     return options;
 }

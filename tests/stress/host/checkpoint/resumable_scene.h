@@ -13,7 +13,7 @@ struct ResumableRender {
     const char* name;
     const char* scene;  ///< of scenes/
     std::vector<std::string> options;
-    int passes;
+    int passes;  ///< that make a render of it
 };
 
 inline std::ostream& operator<<(std::ostream& out, const ResumableRender& render) {
@@ -23,7 +23,11 @@ inline std::ostream& operator<<(std::ostream& out, const ResumableRender& render
 /// Integrators, guides, photon samplers and modes; scenes that disperse and that have layers.
 const std::vector<ResumableRender>& resumable_renders();
 
-/// Puts the scene into `folder` as scene.lxs, and gives the options that render it.
+/// Those whose state has parts of its own beside film and counts, one of a kind.
+std::vector<ResumableRender> rich_renders();
+
+/// Puts the scene into `folder` as scene.lxs, and gives the options that render it; the
+/// number of passes is not among them.
 std::vector<std::string> put_scene(const ResumableRender& render, const render::Folder& folder);
 
 }  // namespace stress

@@ -1,5 +1,5 @@
 // Whether what a module says of itself can be relied on.
-#include "plugin_check.h"
+#include "lxs/host/plugin_check.h"
 
 #include <algorithm>
 #include <charconv>

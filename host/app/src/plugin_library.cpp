@@ -10,7 +10,7 @@
 
 #include "guarded_integrator.h"
 #include "plugin_call.h"
-#include "plugin_check.h"
+#include "lxs/host/plugin_check.h"
 
 namespace lxs {
 namespace {

@@ -29,7 +29,8 @@ namespace {
 }  // namespace
 
 LxsrenderProcess::LxsrenderProcess(const TemporaryFolder& folder,
-                                   std::vector<std::string> arguments, const std::string& input) {
+                                   std::vector<std::string> arguments, const std::string& input,
+                                   const std::function<void()>& restrict) {
     streams_.write("in", input);
     streams_.write("out", "");
     streams_.write("err", "");
@@ -40,6 +41,7 @@ LxsrenderProcess::LxsrenderProcess(const TemporaryFolder& folder,
         pointers.push_back(argument.data());
     pointers.push_back(nullptr);
     id_ = ::fork();
+    if (id_ == 0 && restrict) restrict();
     if (id_ == 0) become_lxsrender(folder.path(), streams_.path(), pointers);
 }
 

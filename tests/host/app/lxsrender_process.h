@@ -3,6 +3,7 @@
 
 #include <sys/types.h>
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -22,8 +23,9 @@ struct RunResult {
 /// A running lxsrender, its working folder being `folder`; ended when destroyed.
 class LxsrenderProcess {
   public:
+    /// `restrict` runs in the new process before it becomes lxsrender: limits, lost rights.
     LxsrenderProcess(const TemporaryFolder& folder, std::vector<std::string> arguments,
-                     const std::string& input = "");
+                     const std::string& input = "", const std::function<void()>& restrict = {});
     ~LxsrenderProcess();
     LxsrenderProcess(const LxsrenderProcess&) = delete;
     LxsrenderProcess& operator=(const LxsrenderProcess&) = delete;

@@ -1,7 +1,10 @@
 // An image file as OpenImageIO is to cache it.
 #include "cleaned_input.h"
 
+#include <cerrno>
 #include <cmath>
+#include <filesystem>
+#include <system_error>
 #include <vector>
 
 namespace lxs::shading {
@@ -29,7 +32,11 @@ bool CleanedInput::open(const std::string& /*name*/, OIIO::ImageSpec& spec,
     const std::string path(configuration.get_string_attribute(kPathAttribute));
     file_ = OIIO::ImageInput::open(path, &reading);
     if (!file_) {
-        errorfmt("{}", OIIO::geterror());
+        std::string reason = OIIO::geterror();
+        std::error_code unknown;
+        if (reason.empty() && !std::filesystem::exists(path, unknown))
+            reason = std::generic_category().message(ENOENT);
+        errorfmt("{}", reason);
         return false;
     }
     m_spec = file_->spec();
@@ -48,8 +55,12 @@ bool CleanedInput::close() {
     return true;
 }
 
+/// A reader that has failed is not used again: OpenImageIO 2.4's for PNG opens its file anew to go
+/// back to an earlier row, and crashes at the next one if the file is gone.
 bool CleanedInput::forward_error() {
-    errorfmt("{}", file_ ? file_->geterror() : std::string("not open"));
+    if (file_) failure_ = file_->geterror();
+    file_.reset();
+    errorfmt("{}", failure_.empty() ? std::string("reading failed") : failure_);
     return false;
 }
 

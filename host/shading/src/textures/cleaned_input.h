@@ -40,6 +40,7 @@ class CleanedInput final : public OIIO::ImageInput {
     bool forward_error();
 
     std::unique_ptr<OIIO::ImageInput> file_;
+    std::string failure_;  ///< why reading failed; empty if it did not
     std::uint64_t refused_ = 0;
 };
 

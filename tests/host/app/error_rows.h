@@ -1,0 +1,30 @@
+// The rows of docs/errors.md, and what causes them.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "lxsrender_process.h"
+
+namespace lxs::test {
+
+/// A row of "All messages".
+struct ErrorRow {
+    std::string cause;    ///< words, or code in backquotes with words between
+    std::string message;  ///< "..." stands for any text
+    int exit_code = 0;    ///< 0: a warning
+};
+
+std::string errors_page();
+std::vector<ErrorRow> error_rows();
+
+/// Runs lxsrender on what a cause in code says: `CODE` is a part of the scene (before WorldBegin if
+/// it begins with a statement that stands there, or after the words "before WorldBegin:"), or
+/// options if it begins with '-'; after "and NAME holding" it is the content of a file, after "the
+/// whole scene is" all of the scene.
+RunResult run_written_cause(const std::string& cause, const TemporaryFolder& folder);
+
+/// A render whose image texture is cut short between two passes, before all of it has been read.
+RunResult render_with_vanishing_texture(const TemporaryFolder& folder);
+
+}  // namespace lxs::test

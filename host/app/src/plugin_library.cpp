@@ -9,8 +9,8 @@
 #include <system_error>
 
 #include "guarded_integrator.h"
-#include "plugin_call.h"
 #include "lxs/host/plugin_check.h"
+#include "plugin_call.h"
 
 namespace lxs {
 namespace {

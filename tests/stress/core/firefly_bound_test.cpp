@@ -42,8 +42,14 @@ Adversary adversary(std::uint64_t seed) {
     return made;
 }
 
-PrimaryTree taught(const Adversary& a, int updates) {
-    PrimaryTree tree({.max_leaves = 8192, .split_count = 1, .split_gain = 0});
+/// Half of the trees have no prior and forget within an update: around the points nothing is left
+/// then but the plain density.
+PrimaryTree taught(const Adversary& a, int updates, bool forgets) {
+    PrimaryTree tree({.max_leaves = 8192,
+                      .split_count = 1,
+                      .split_gain = 0,
+                      .memory_paths = forgets ? 1 : 4e6,
+                      .prior_count = forgets ? 0.0 : 1.0});
     for (int u = 0; u < updates; ++u) {
         for (std::size_t i = 0; i < a.points.size(); ++i)
             tree.add(a.points[i], a.scores[i], u % 2 ? 1e-3 : 1e3);
@@ -80,7 +86,7 @@ TEST(StressFireflies, NoStartWeighsMoreThanThePlainShareAllows) {
     std::uint32_t leaves = 0;
     for (int seed = 0; seed < adversaries; ++seed) {
         const Adversary a = adversary(std::uint64_t(seed));
-        const PrimaryTree tree = taught(a, 120);
+        const PrimaryTree tree = taught(a, 120, seed % 2 > 0);
         leaves = std::max(leaves, tree.leaf_count());
         const double found = least_density(tree, a);
         ASSERT_GE(found, kPlain * (1 - 80 * 0x1p-23)) << "adversary " << seed;

@@ -67,7 +67,7 @@ TEST(StressRadius, OfTheSchedule) {
                 for (int pass = 0; pass < kPasses; ++pass, photons.before += photons.paths) {
                     const SearchRadii radii =
                         policy.before_pass(std::uint64_t(pass), photons, eye_image(footprint));
-                    expect_usable(radii);
+                    ASSERT_NO_FATAL_FAILURE(expect_usable(radii));
                     ASSERT_LE(radii.largest, last);
                     last = radii.largest;
                     policy.after_pass({});
@@ -88,7 +88,7 @@ TEST(StressRadius, OfPpmFollowsItsFormula) {
     double error = 0;
     for (int pass = 0; pass < kPasses; ++pass) {
         const SearchRadii radii = policy.before_pass(std::uint64_t(pass), {}, image);
-        expect_usable(radii);
+        ASSERT_NO_FATAL_FAILURE(expect_usable(radii));
         PhotonFlux flux;
         flux.reset(kSize * kSize, 1);
         for (std::size_t i = 0; i < 4; ++i) {
@@ -119,7 +119,7 @@ TEST(StressRadius, OfPpmKeepsItsFloor) {
     const EyeImage image = eye_image();
     double photons = 1;
     for (int pass = 0; pass < kPasses; ++pass) {
-        expect_usable(policy.before_pass(std::uint64_t(pass), {}, image));
+        ASSERT_NO_FATAL_FAILURE(expect_usable(policy.before_pass(std::uint64_t(pass), {}, image)));
         PhotonFlux flux;
         flux.reset(kSize * kSize, 1);
         flux.accepted.assign(kSize * kSize, std::uint32_t(photons));
@@ -145,7 +145,7 @@ TEST(StressRadius, OfProbesStaysWithinBounds) {
         const int passes = kind == 0 ? kPasses : sized(64, kPasses);
         for (int pass = 0; pass < passes; ++pass, photons.before += photons.paths) {
             const SearchRadii radii = policy.before_pass(std::uint64_t(pass), photons, image);
-            expect_usable(radii);
+            ASSERT_NO_FATAL_FAILURE(expect_usable(radii));
             const double schedule = double(
                 scheduled_radius(settings, 4 * kFootprint, double(photons.before), floor_radius()));
             for (std::size_t i = 0; i < kSize * kSize; ++i) {

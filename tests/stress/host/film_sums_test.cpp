@@ -14,7 +14,7 @@ namespace {
 using namespace lxs;
 using namespace stress;
 
-constexpr std::size_t kSamples = 100'000;
+constexpr std::size_t kSamples = 999;  // no sum near a whole number
 
 PixelFilter box_filter() {
     return {0.5, 0.5, [](double, double) { return 1.0; }};
@@ -37,7 +37,7 @@ void record_error(std::string_view what, double terms, double error) {
 }
 
 TEST(StressFilm, MeansOfSamplesOverPasses) {
-    const int passes = sized(200, 10'000);
+    const int passes = sized(20'000, 1'000'000);
     FilmAccumulator film(1, 1, 1, box_filter());
     const std::vector<Vec2> positions(kSamples, Vec2(0.5f, 0.5f));
     const std::vector<Rgb> dark(kSamples, Rgb(0.1f)), light(kSamples, Rgb(0.7f));
@@ -55,7 +55,7 @@ TEST(StressFilm, MeansOfSamplesOverPasses) {
 }
 
 TEST(StressFilm, MeansOfSplats) {
-    const int calls = sized(200, 10'000);
+    const int calls = sized(20'000, 1'000'000);
     FilmAccumulator film(1, 1, 1, box_filter());
     const std::vector<Vec2> positions(kSamples, Vec2(0.5f, 0.5f));
     const std::vector<Rgb> radiance(kSamples, Rgb(0.3f));

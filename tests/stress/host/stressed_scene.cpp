@@ -76,7 +76,7 @@ std::vector<std::string> Outcome::origins(const std::string& kind) const {
 }
 
 std::string quad(const std::string& corners) {
-    return "Shape \"trianglemesh\" \"integer triindices\" [0 1 2 0 2 3] \"point P\" [" + points +
+    return "Shape \"trianglemesh\" \"integer triindices\" [0 1 2 0 2 3] \"point P\" [" + corners +
            "]\n";
 }
 

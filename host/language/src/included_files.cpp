@@ -29,40 +29,46 @@ std::string read_stream(const std::string& path, std::istream& stream, std::size
     constexpr std::size_t kBlock = 1 << 20;
     if (expected_size > kMaxSize) fail_reading(path, EFBIG);
     std::string text;
-    text.reserve(expected_size + kBlock + 1);
+    text.reserve(expected_size + 1);
     std::size_t size = 0;
     while (stream) {
         if (size > kMaxSize) fail_reading(path, EFBIG);
-        text.resize(size + kBlock);
-        stream.read(text.data() + size, kBlock);
+        // One byte more than there should be, to meet the end.
+        const std::size_t missing = expected_size + 1 > size ? expected_size + 1 - size : kBlock;
+        const std::size_t block = std::min(missing, kBlock);
+        text.resize(size + block);
+        stream.read(text.data() + size, static_cast<std::streamsize>(block));
         size += static_cast<std::size_t>(stream.gcount());
     }
     text.resize(size);
+    if (size < kBlock) text.shrink_to_fit();  // there may be many small files
     return text;
 }
 
 /// Names that lead to one file compare equal.
-fs::path identity(const std::string& name) {
+const fs::path& identity(const std::string& name, IncludedSum& sum) {
+    const auto [entry, is_new] = sum.identities.try_emplace(name);
     std::error_code ignored;
-    return fs::weakly_canonical(name, ignored);
+    if (is_new) entry->second = fs::weakly_canonical(name, ignored);
+    return entry->second;
 }
 
-/// "a.lxs -> b.lxs -> a.lxs": how `file` comes to include `name` again.
-std::string cycle_text(const SourceFile& file, const std::string& name) {
+/// "a.lxs -> b.lxs -> a.lxs": how `file` comes to include `name` again, from `last` on.
+std::string cycle_text(const SourceFile& file, const SourceFile& last, const std::string& name) {
     std::string text = in_quotes(name);
-    for (const SourceFile* f = &file; f; f = f->included_by.get()) {
+    for (const SourceFile* f = &file;; f = f->included_by.get()) {
         text.insert(0, in_quotes(f->name) + " -> ");
-        if (identity(f->name) == identity(name)) break;
+        if (f == &last) return text;
     }
-    return text;
 }
 
-void check_chain(const Name& include, const std::string& path) {
+void check_chain(const Name& include, const std::string& path, IncludedSum& sum) {
+    const fs::path& own = identity(path, sum);
     int depth = 1;
     for (const SourceFile* f = include.where.file.get(); f; f = f->included_by.get(), ++depth) {
-        if (identity(f->name) == identity(path)) {
-            throw InputError(include.where,
-                             "Include leads in a circle: " + cycle_text(*include.where.file, path));
+        if (identity(f->name, sum) == own) {
+            throw InputError(include.where, "Include leads in a circle: " +
+                                                cycle_text(*include.where.file, *f, path));
         }
     }
     if (depth - 1 > kMaxIncludeDepth) {
@@ -89,7 +95,7 @@ std::string read_text(const std::string& path) {
 std::shared_ptr<const SourceFile> open_include(const Name& file, const std::string& main_directory,
                                                IncludedSum& sum) {
     const std::string path = resolve_asset(file.text, main_directory, file.where);
-    check_chain(file, path);
+    check_chain(file, path, sum);
     auto source = std::make_shared<SourceFile>();
     source->name = path;
     source->included_by = file.where.file;

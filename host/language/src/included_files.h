@@ -1,7 +1,10 @@
 // Reads the main scene file and those it includes.
 #pragma once
 
+#include <filesystem>
+#include <map>
 #include <memory>
+#include <string>
 
 #include "arguments.h"
 
@@ -13,6 +16,8 @@ std::string read_text(const std::string& path);
 /// What a scene's Includes have read so far; a file that is included twice counts twice.
 struct IncludedSum {
     std::size_t files = 0, bytes = 0;
+    /// Names that lead to one file have one path here; found once for each name.
+    std::map<std::string, std::filesystem::path> identities = {};
 };
 
 /// The file that an Include names, added to `sum`. Throws InputError if it is missing or can't be

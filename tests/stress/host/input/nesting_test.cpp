@@ -126,6 +126,20 @@ TEST_F(StressIncludes, Depth) {
     stress::record("40 files, each includes the next", stress::figure_of(run));
 }
 
+/// Each file's text stays, with places in it; each took a megabyte, whatever its size.
+TEST_F(StressIncludes, ManySmallOnes) {
+    constexpr int kFiles = 2000;
+    std::string includes;
+    for (int i = 0; i < kFiles; ++i) {
+        folder_.write(std::to_string(i) + ".lxo", "Shape \"disk\"\n");
+        includes += "Include \"" + std::to_string(i) + ".lxo\"\n";
+    }
+    const BoundedRun run = render(includes);
+    EXPECT_EQ(run.exit_code, 0) << run.err.substr(0, 2000);
+    EXPECT_LT(run.peak_megabytes, AIPS_SANITIZED ? 1000 : 250);
+    stress::record("2000 files of one shape each", stress::figure_of(run) + " of at most 250");
+}
+
 /// 2^30 files, and not one of them twice in a chain.
 TEST_F(StressIncludes, EachTwice) {
     for (int i = 0; i < 30; ++i) {

@@ -268,7 +268,7 @@ TEST(FilmAccumulation, ALayerMayNotTakeALightGroupsName) {
     const auto film = make(contents);
     const Samples samples = pixel_centres(*film, Rgb(1.0f));
     EXPECT_THROW(film->add_layer_pass("photons", samples.pass()), std::runtime_error);
-    EXPECT_THROW(film->add_layer_pass("", samples.pass()), std::runtime_error);
+    EXPECT_THROW(film->add_layer_pass("", samples.pass()), std::invalid_argument);
     EXPECT_THROW(film->add_layer_pass("other", samples.pass(1, 2)), std::invalid_argument);
 }
 

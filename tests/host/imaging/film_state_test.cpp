@@ -116,7 +116,8 @@ TEST(FilmState, SumsThatAreNoNumbersAreRefused) {
         const auto saved = film();
         add_pass(*saved, 0);
         saved->state(archive);
-        std::memcpy(&archive.content()[8 + 40 * sizeof(double)], &bad, sizeof bad);
+        // Behind the film's size (a count, three numbers) and the count of the sums.
+        std::memcpy(&archive.content()[8 + 12 + 8 + 40 * sizeof(double)], &bad, sizeof bad);
         archive.restore();
         EXPECT_THROW(film()->state(archive), StateError);
     }

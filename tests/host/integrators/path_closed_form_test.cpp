@@ -77,7 +77,7 @@ TEST(PathClosedForm, EnvironmentIsHiddenFromTheCameraAlone) {
     const std::string sky = "LightSource \"infinite\" \"color L\" [2 2 2]\n";
     PathSettings hidden;
     hidden.include_environment = false;
-    const std::string empty = camera_above(4) + sky + square(-9, 0.001) + "WorldEnd\n";
+    const std::string empty = camera_above(4) + sky + square(9, 0.1) + "WorldEnd\n";
     const std::string through_null =
         camera_above(4) + sky + "Material \"null\"\n" + square(0, 50) + "WorldEnd\n";
     const std::string floor = camera_above(4) + sky +

@@ -159,9 +159,9 @@ TEST(Scopes, UnmatchedEndsAndBeginsWarn) {
 
 TEST(Scopes, NestDeeply) {
     std::string world;
-    for (int i = 0; i < 100000; ++i)
+    for (int i = 0; i < 9000; ++i)
         world += "AttributeBegin ";
-    for (int i = 0; i < 100000; ++i)
+    for (int i = 0; i < 9000; ++i)
         world += "AttributeEnd ";
     EXPECT_EQ(error_of_world(world), "");
 }

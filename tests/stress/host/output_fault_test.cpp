@@ -41,7 +41,7 @@ TEST(StressOutput, FullDeviceSavesBeside) {
     fs::create_symlink("/dev/full", render.folder / "full.exr");
     const RunResult result = render.run("none", "", {"--passes", "2", "-o", "full.exr"});
     EXPECT_EQ(result.exit_code, 5) << result.err;
-    EXPECT_THAT(result.err, HasSubstr("error: cannot write '/dev/full': No space left on device"));
+    EXPECT_THAT(result.err, HasSubstr("error: cannot write 'full.exr': No space left on device"));
     EXPECT_THAT(result.err, HasSubstr("full.rescued.exr' instead"));
     EXPECT_TRUE(render.folder.has("full.rescued.exr"));
     EXPECT_TRUE(render.folder.has("full.png"));  // the other output is not lost with it

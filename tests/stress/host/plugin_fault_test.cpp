@@ -68,7 +68,7 @@ TEST(StressPlugin, ThatGivesNoNumbersIsRefusedAndCounted) {
     SabotagedRender render;
     const RunResult result = run(render, "NaN");
     EXPECT_EQ(result.exit_code, 0) << result.err;
-    EXPECT_THAT(result.err, HasSubstr("the film refused 48 samples"));
+    EXPECT_THAT(result.err, HasSubstr("refused 48 film samples of light group \"default\""));
     EXPECT_EQ(run(render, "positions nowhere").exit_code, 0);
 }
 

@@ -110,14 +110,14 @@ TEST(FilmState, AFilmOfAnotherSizeIsRefused) {
 }
 
 TEST(FilmState, SumsThatAreNoNumbersAreRefused) {
+    constexpr std::size_t kSums = 8 + 3 * sizeof(std::uint32_t) + 8;  // the size, their number
     for (const double bad :
          {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()}) {
         MemoryArchive archive;
         const auto saved = film();
         add_pass(*saved, 0);
         saved->state(archive);
-        // Behind the film's size (a count, three numbers) and the count of the sums.
-        std::memcpy(&archive.content()[8 + 12 + 8 + 40 * sizeof(double)], &bad, sizeof bad);
+        std::memcpy(&archive.content()[kSums + 40 * sizeof(double)], &bad, sizeof bad);
         archive.restore();
         EXPECT_THROW(film()->state(archive), StateError);
     }

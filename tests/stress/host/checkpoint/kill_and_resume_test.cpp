@@ -66,9 +66,11 @@ class KillAndResumeTest : public testing::TestWithParam<ResumableRender> {
         std::this_thread::sleep_for(Seconds(any(random_)));
         if (!in_writing) return;
         const auto end = Clock::now() + Seconds(life / 4);
-        while (Clock::now() < end && temporary_files(folder_).empty())
+        const std::string before = folder_state(folder_);
+        while (Clock::now() < end && folder_state(folder_) == before)
             std::this_thread::yield();
-        std::this_thread::sleep_for(Seconds(any(random_) * 1e-3));
+        std::uniform_real_distribution<double> soon(0, 4e-3);
+        std::this_thread::sleep_for(Seconds(soon(random_)));
     }
     void expect_outcome(const Outcome& expected) const {
         const Outcome found = outcome();

@@ -55,6 +55,17 @@ std::string torn_outputs(const files::TemporaryFolder& folder) {
     return torn;
 }
 
+std::string folder_state(const files::TemporaryFolder& folder) {
+    std::string state;
+    std::error_code gone;  // between one call and the next: a difference as well
+    for (const auto& entry : std::filesystem::directory_iterator(folder.path(), gone)) {
+        state += entry.path().filename().string() + ' ' + std::to_string(entry.file_size(gone)) +
+                 ' ' + std::to_string(entry.last_write_time(gone).time_since_epoch().count()) +
+                 '\n';
+    }
+    return state;
+}
+
 std::string temporary_files(const files::TemporaryFolder& folder) {
     std::string names;
     std::error_code ignored;

@@ -14,6 +14,8 @@ const std::vector<ResumableRender>& resumable_renders() {
     };
     static const std::vector<ResumableRender> renders = {
         {"path", "glass-ball", {"--integrator", "path"}, 10},
+        // Files of megabytes, which take a while to write.
+        {"path_large", "glass-ball", {"--integrator", "path", "--width", "320"}, 6},
         {"path_by_wavelengths", "prism", {"--integrator", "path"}, 10},
         {"metropolis", "glass-ball", {"--integrator", "path", "--sampler", "metropolis"}, 10},
         {"unguided", "glass-ball", photons("aips", {"--set", "aips.guide=none"}), 8},

@@ -42,6 +42,7 @@ void add_render_options(CLI::App& app, CommandLine& command) {
                    "give a parameter of an integrator or sampler; may be repeated")
         ->type_name("plugin.parameter=value")
         ->expected(1)
+        ->allow_extra_args(false)  // one value each: what follows is another argument
         ->take_all()
         ->check(CLI::Validator(check_override, ""));
     app.add_option("--width", command.width,
@@ -79,6 +80,7 @@ void add_plugin_options(CLI::App& app, CommandLine& command) {
                    "folder with plugin modules, before the installed ones; may be repeated")
         ->type_name("DIR")
         ->expected(1)
+        ->allow_extra_args(false)
         ->take_all();
     auto* list = app.add_flag("--list-plugins", command.list_plugins, "list the integrators");
     auto* describe = app.add_option("--describe", command.describe, "list a plugin's parameters")

@@ -2,12 +2,15 @@
 #include "error_rows.h"
 
 #include <OpenImageIO/imageio.h>
+#include <unistd.h>
 
 #include <array>
 #include <fstream>
 #include <iterator>
 #include <sstream>
 #include <stdexcept>
+
+#include "lxs/host/render_command.h"
 
 namespace lxs::test {
 namespace {
@@ -80,6 +83,19 @@ struct WrittenCause {
     }
 };
 
+/// What main() of lxsrender does.
+[[noreturn]] void act_as_lxsrender(const std::vector<std::string>& arguments) {
+    std::vector<const char*> pointers;
+    for (const std::string& argument : arguments)
+        pointers.push_back(argument.c_str());
+    CommandLine command;
+    const auto done =
+        parse_command_line(static_cast<int>(pointers.size()), pointers.data(), command);
+    if (done) ::_exit(static_cast<int>(*done));
+    ConsoleLog log(command.verbosity);
+    ::_exit(static_cast<int>(carry_out(command, log)));
+}
+
 }  // namespace
 
 std::string errors_page() {
@@ -103,6 +119,11 @@ std::vector<ErrorRow> error_rows() {
     return rows;
 }
 
+RunResult run_forked(const TemporaryFolder& folder, std::vector<std::string> arguments) {
+    arguments.insert(arguments.begin(), {"lxsrender", "--plugin-path", PLUGINS});
+    return LxsrenderProcess(folder, {}, "", [&] { act_as_lxsrender(arguments); }).wait();
+}
+
 RunResult run_written_cause(const std::string& cause, const TemporaryFolder& folder) {
     WrittenCause written;
     std::size_t at = 0;
@@ -122,7 +143,7 @@ RunResult run_written_cause(const std::string& cause, const TemporaryFolder& fol
         arguments.insert(arguments.end(), {"--passes", "1"});
     }
     arguments.insert(arguments.end(), given.begin(), given.end());
-    return run_lxsrender(folder, arguments);
+    return run_forked(folder, arguments);
 }
 
 RunResult render_with_vanishing_texture(const TemporaryFolder& folder) {

@@ -18,8 +18,12 @@ struct ErrorRow {
 std::string errors_page();
 std::vector<ErrorRow> error_rows();
 
-/// Runs lxsrender on what a cause in code says: `CODE` is a part of the scene (before WorldBegin if
-/// it begins with a statement that stands there, or after the words "before WorldBegin:"), or
+/// Does what lxsrender does with these arguments, in a process of its own but without a new
+/// program: its libraries take longer to load than most scenes to fail.
+RunResult run_forked(const TemporaryFolder& folder, std::vector<std::string> arguments);
+
+/// Does what lxsrender does with a cause in code: `CODE` is a part of the scene (before WorldBegin
+/// if it begins with a statement that stands there, or after the words "before WorldBegin:"), or
 /// options if it begins with '-'; after "and NAME holding" it is the content of a file, after "the
 /// whole scene is" all of the scene.
 RunResult run_written_cause(const std::string& cause, const TemporaryFolder& folder);

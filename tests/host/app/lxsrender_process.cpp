@@ -15,14 +15,17 @@ namespace {
 /// In the child: never returns.
 [[noreturn]] void become_lxsrender(const std::filesystem::path& folder,
                                    const std::filesystem::path& streams,
-                                   std::vector<char*>& arguments) {
+                                   std::vector<char*>& arguments,
+                                   const std::function<void()>& restrict) {
     const auto redirect = [&](const char* name, int flags, int descriptor) {
         ::dup2(::open((streams / name).c_str(), flags, 0600), descriptor);
     };
     redirect("in", O_RDONLY, STDIN_FILENO);
     redirect("out", O_WRONLY | O_CREAT, STDOUT_FILENO);
     redirect("err", O_WRONLY | O_CREAT, STDERR_FILENO);
-    if (::chdir(folder.c_str()) == 0) ::execv(LXSRENDER, arguments.data());
+    if (::chdir(folder.c_str()) != 0) ::_exit(127);
+    if (restrict) restrict();
+    ::execv(LXSRENDER, arguments.data());
     ::_exit(127);
 }
 
@@ -41,8 +44,7 @@ LxsrenderProcess::LxsrenderProcess(const TemporaryFolder& folder,
         pointers.push_back(argument.data());
     pointers.push_back(nullptr);
     id_ = ::fork();
-    if (id_ == 0 && restrict) restrict();
-    if (id_ == 0) become_lxsrender(folder.path(), streams_.path(), pointers);
+    if (id_ == 0) become_lxsrender(folder.path(), streams_.path(), pointers, restrict);
 }
 
 LxsrenderProcess::~LxsrenderProcess() {

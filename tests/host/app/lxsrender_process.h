@@ -23,7 +23,8 @@ struct RunResult {
 /// A running lxsrender, its working folder being `folder`; ended when destroyed.
 class LxsrenderProcess {
   public:
-    /// `restrict` runs in the new process before it becomes lxsrender: limits, lost rights.
+    /// `restrict` runs in the new process, in `folder` and with its streams, before it becomes
+    /// lxsrender: limits, lost rights.
     LxsrenderProcess(const TemporaryFolder& folder, std::vector<std::string> arguments,
                      const std::string& input = "", const std::function<void()>& restrict = {});
     ~LxsrenderProcess();

@@ -4,6 +4,7 @@
 #include <OpenImageIO/imageio.h>
 
 #include <algorithm>
+#include <cstdio>
 #include <cstdlib>
 
 #include "lxs/scene/constant_texture.h"
@@ -133,11 +134,14 @@ std::shared_ptr<const lxs::Material> FuzzAssets::material(const std::string& nam
 
 void check_message(std::string_view message) {
     constexpr std::size_t kLongest = 16384;  // names of all known things, and paths
-    if (message.empty() || message.size() > kLongest) std::abort();
-    for (const char c : message) {
-        if ((static_cast<unsigned char>(c) < 0x20 && c != '\n' && c != '\t') || c == 0x7f)
-            std::abort();
-    }
+    const auto control = [](char c) {
+        return (static_cast<unsigned char>(c) < 0x20 && c != '\n' && c != '\t') || c == 0x7f;
+    };
+    if (!message.empty() && message.size() <= kLongest && std::ranges::none_of(message, control))
+        return;
+    std::fprintf(stderr, "a message of %zu bytes that is none: %.*s\n", message.size(),
+                 static_cast<int>(std::min(message.size(), kLongest)), message.data());
+    std::abort();
 }
 
 lxs::SourceLocation somewhere() {

@@ -5,19 +5,11 @@
 
 #include "fuzz_target.h"
 #include "input_files.h"
+#include "input_plugins.h"
 #include "lxs/host/failure.h"
 #include "lxs/host/render_session.h"
 
 namespace {
-
-const lxs::PluginLibrary& plugins() {
-    static const auto library = [] {
-        auto made = std::make_unique<lxs::PluginLibrary>();
-        made->load_folder(AIPS_FUZZ_PLUGINS);
-        return made;
-    }();
-    return *library;
-}
 
 /// A path tracer of little depth on 4 x 4 pixels, whatever the scene asks for: what is tried here
 /// is the scene.
@@ -36,7 +28,7 @@ lxs::CommandLine command_line() {
 
 void render(const lxs::CommandLine& command, lxs::ConsoleLog& log) {
     lxs::InputDiagnostics diagnostics(log, false);
-    lxs::RenderSession session = lxs::prepare_session(command, plugins(), diagnostics, log);
+    lxs::RenderSession session = lxs::prepare_session(command, fuzz::plugins(), diagnostics, log);
     session.integrator->prepare(
         {*session.scene, *session.camera, *session.sampler, *session.film, log, {1, session.seed}});
     session.integrator->render_pass(0);

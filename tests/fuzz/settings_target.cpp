@@ -5,6 +5,7 @@
 
 #include "fuzz_target.h"
 #include "input_files.h"
+#include "input_plugins.h"
 #include "lxs/host/integrator_choice.h"
 #include "lxs/host/statement_override.h"
 #include "lxs/language/read_scene.h"
@@ -17,15 +18,6 @@ class SilentLog final : public lxs::Log {
     void warning(std::string_view) override {}
     void debug(std::string_view) override {}
 };
-
-const lxs::PluginLibrary& plugins() {
-    static const auto library = [] {
-        auto made = std::make_unique<lxs::PluginLibrary>();
-        made->load_folder(AIPS_FUZZ_PLUGINS);
-        return made;
-    }();
-    return *library;
-}
 
 /// The arguments among the lines; the rest goes to `statements`.
 std::vector<std::string> take_arguments(std::string_view text, std::string& statements) {
@@ -52,7 +44,7 @@ void choose(const lxs::CommandLine& command, const std::string& statements) {
                              fuzz::folder().path().string(), fuzz::registry(), diagnostics);
     lxs::apply_statement_overrides(command, contents, log);
     const lxs::IntegratorChoice choice =
-        lxs::choose_integrator(command, contents, plugins(), diagnostics, log);
+        lxs::choose_integrator(command, contents, fuzz::plugins(), diagnostics, log);
     const lxs::ParameterReader reader(choice.parameters, choice.integrator->plugin->parameters,
                                       diagnostics);
     if (!lxs::create_integrator(*choice.integrator, reader)) std::abort();

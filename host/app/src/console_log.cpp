@@ -7,6 +7,8 @@
 
 #include <cstdio>
 
+#include "lxs/sdk/diagnostics.h"
+
 namespace lxs {
 namespace {
 
@@ -63,7 +65,7 @@ void ConsoleLog::print(int level, std::string_view message) {
         message.remove_suffix(1);
     const std::lock_guard lock(mutex_);
     erase_live();
-    logger_->log(spdlog_level, "{}", message);
+    logger_->log(spdlog_level, "{}", printable(message));
     if (!line_.empty()) std::fputs(line_.c_str(), stderr);
 }
 

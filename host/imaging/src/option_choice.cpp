@@ -21,8 +21,8 @@ OptionChoice choose_option(const SceneContents& contents, const std::string& sta
     choice.given = true;
     const std::string& plugin = choice.statement.parameters.plugin;
     if (std::find(known.begin(), known.end(), plugin) == known.end()) {
-        std::string message =
-            fmt::format("unknown {} \"{}\"; known: {}", statement, plugin, fmt::join(known, ", "));
+        std::string message = fmt::format("unknown {} {}; known: {}", statement, in_quotes(plugin),
+                                          fmt::join(known, ", "));
         const std::string near = nearest_name(plugin, std::vector<std::string>(known));
         if (!near.empty()) message += fmt::format("; did you mean \"{}\"?", near);
         throw InputError(choice.statement.parameters.where, message);

@@ -38,13 +38,6 @@ std::size_t character_start(std::string_view text, std::size_t offset) {
     return offset;
 }
 
-std::string printable(std::string_view text) {
-    std::string result(text);
-    std::replace_if(
-        result.begin(), result.end(), [](char c) { return c != '\t' && is_control(c); }, '?');
-    return result;
-}
-
 /// The source line, cut around `column` (from 1, bytes) if it is long, and a line with the caret.
 std::string excerpt(std::string_view line, std::uint32_t column) {
     const std::size_t caret = std::min<std::size_t>(std::max(column, 1u) - 1, line.size());
@@ -60,7 +53,7 @@ std::string excerpt(std::string_view line, std::uint32_t column) {
         source += "...";
         marker += "   ";
     }
-    source += printable(line.substr(begin, end - begin));
+    source += line.substr(begin, end - begin);
     if (end < line.size()) source += "...";
     for (const char c : line.substr(begin, caret - begin)) {
         if (!is_continuation(c)) marker += c == '\t' ? '\t' : ' ';
@@ -70,9 +63,17 @@ std::string excerpt(std::string_view line, std::uint32_t column) {
 
 }  // namespace
 
+std::string printable(std::string_view text) {
+    std::string result(text);
+    std::replace_if(
+        result.begin(), result.end(),
+        [](char c) { return c != '\t' && c != '\n' && is_control(c); }, '?');
+    return result;
+}
+
 std::string format_message(const SourceLocation& where, const std::string& severity,
                            const std::string& message) {
-    if (!where.file) return severity + ": " + message;
+    if (!where.file) return printable(severity + ": " + message);
     const SourceFile& file = *where.file;
     std::string text = file.name + ":";
     if (where.line > 0) {
@@ -86,13 +87,13 @@ std::string format_message(const SourceLocation& where, const std::string& sever
     for (const SourceFile* f = &file; f->included_by; f = f->included_by.get()) {
         text += "\nincluded from " + f->included_by->name + ":" + std::to_string(f->include_line);
     }
-    return text;
+    return printable(text);
 }
 
 std::string in_quotes(std::string_view text) {
     const bool cut = text.size() > kQuotedBytes;
     std::string shown = printable(cut ? text.substr(0, character_start(text, kQuotedBytes)) : text);
-    std::replace(shown.begin(), shown.end(), '\t', ' ');
+    std::ranges::replace_if(shown, is_control, ' ');
     return '"' + shown + (cut ? "..." : "") + '"';
 }
 

@@ -62,7 +62,7 @@ const Preset* find_preset(std::string_view name) {
     std::string known;
     for (const Preset& preset : presets())
         known += fmt::format("{}\"{}\"", known.empty() ? "" : ", ", preset.name);
-    reader.fail("name", fmt::format("unknown car paint \"{}\"; known: {}", name, known));
+    reader.fail("name", fmt::format("unknown car paint {}; known: {}", in_quotes(name), known));
 }
 
 }  // namespace

@@ -70,7 +70,7 @@ const Preset* find_preset(std::string_view name) {
     for (const Preset& preset : kPresets) {
         known += fmt::format("{}\"{}\"", known.empty() ? "" : ", ", preset.name);
     }
-    reader.fail("name", fmt::format("unknown metal \"{}\"; known: {}", name, known));
+    reader.fail("name", fmt::format("unknown metal {}; known: {}", in_quotes(name), known));
 }
 
 }  // namespace

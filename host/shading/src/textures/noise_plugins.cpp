@@ -84,6 +84,7 @@ std::shared_ptr<const ColorTexture> create_marble(const ParameterReader& reader,
     return formula_texture<Rgb>([=, octaves = octaves(reader)](const TexturePoint& point) {
         const Vec3 p = mapping(point) * scale;
         const float layer = p.y + variation * fractal_sum(p, roughness, octaves);
+        if (!std::isfinite(layer)) return Rgb(layer);  // no colour: refused by whoever asked
         return marble_colour(0.5f + 0.5f * std::sin(layer));
     });
 }

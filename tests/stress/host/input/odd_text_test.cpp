@@ -36,7 +36,8 @@ TEST_F(StressOddText, ControlCharacters) {
         const std::string odd(1, static_cast<char>(c));
         const std::string inside = small_scene("", "Shape \"sp" + odd + "here\"");
         const std::string outside = small_scene("", "Shape " + odd + " \"sphere\"");
-        const std::string value = small_scene("", "Material \"metal\" \"string name\" \"" + odd + "\"");
+        const std::string value =
+            small_scene("", "Material \"metal\" \"string name\" \"" + odd + "\"");
         for (const std::string& scene : {inside, outside, value}) {
             const BoundedRun run = render(scene);
             stress::expect_refused(run, "scene.lxs:7:");

@@ -60,6 +60,8 @@ void render_state(StateArchive& archive, RenderTotals& totals, RenderSession& se
     totals.state(archive);
     session.film->state(archive);
     session.integrator->state(archive);
+    // Last: to restore an integrator may take eye paths, which count what they refuse once more.
+    session.scene->state(archive);
 }
 
 }  // namespace

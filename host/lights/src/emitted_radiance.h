@@ -13,8 +13,8 @@ class EmittedRadiance {
     explicit EmittedRadiance(std::shared_ptr<const ColorTexture> texture);
     void scale_by(float factor) { scale_ *= factor; }
     bool is_constant() const { return constant_; }
-    /// Values of the texture so far that were not finite or negative.
-    std::uint64_t refused_values() const { return refused_->total(); }
+    /// Counts values of the texture that were not finite or negative.
+    RefusedValues& refused_values() const { return *refused_; }
     /// Radiance in W sr^-1 m^-2, finite and >= 0.
     Rgb at(const Vec3& p, const Vec3& n, const Vec2& uv) const {
         return (constant_ ? value_ : colour(p, n, uv)) * scale_;

@@ -249,10 +249,24 @@ RefusalList TracedScene::refused_values() const {
             list.push_back({"material \"" + contents_.material_names[i] + '"', count});
     }
     for (std::size_t i = 0; i < area_lights_.size(); ++i) {
-        if (const std::uint64_t count = area_lights_[i]->refused_values())
+        if (const std::uint64_t count = area_lights_[i]->refused_values().total())
             list.push_back({"light " + std::to_string(i) + " (area)", count});
     }
     return list;
+}
+
+void TracedScene::state(StateArchive& archive) {
+    std::vector<RefusedValues*> counters;
+    for (std::size_t i = 0; i < contents_.material_names.size(); ++i)
+        counters.push_back(&refused_[i]);
+    for (const auto& light : area_lights_)
+        counters.push_back(&light->refused_values());
+    std::vector<std::uint64_t> totals;
+    for (const RefusedValues* counter : counters)
+        totals.push_back(counter->total());
+    archive.fixed(totals);
+    for (std::size_t i = 0; i < counters.size(); ++i)
+        counters[i]->set_total(totals[i]);
 }
 
 std::unique_ptr<TraceScene> make_trace_scene(SceneContents contents, const AssetResolver& resolve,

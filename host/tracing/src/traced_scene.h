@@ -39,6 +39,7 @@ class TracedScene : public TraceScene {
     }
     void set_wavelengths(const Wavelengths& wavelengths) override;
     RefusalList refused_values() const override;
+    void state(StateArchive& archive) override;
     Bounds bounds() const override { return bounds_; }
     SceneFacts facts() const override { return survey_.facts; }
 

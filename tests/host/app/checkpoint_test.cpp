@@ -116,6 +116,27 @@ INSTANTIATE_TEST_SUITE_P(
                     Render{"chains", false, {"--sampler", "metropolis", "--width", "64"}}),
     [](const auto& given) { return std::get<0>(given.param); });
 
+TEST_F(CheckpointTest, RefusedTextureValuesAreThoseOfAllRuns) {
+    folder_.write("more.lxs",
+                  "Texture \"grey\" \"float\" \"checkerboard\"\n"
+                  "Texture \"squares\" \"color\" \"mix\" \"color tex1\" [0 0 0] \"color tex2\" "
+                  "[2 2 2] \"texture amount\" [\"grey\"]\n"
+                  "Texture \"endless\" \"color\" \"scale\" \"texture tex1\" [\"squares\"] "
+                  "\"color tex2\" [2e38 2e38 2e38]\n"
+                  "MakeNamedMaterial \"bad\" \"string type\" [\"matte\"] \"texture Kd\" "
+                  "[\"endless\"]\nNamedMaterial \"bad\"\n"
+                  "Shape \"sphere\" \"float radius\" [0.5]\n");
+    const auto refused = [&] {
+        return nlohmann::json::parse(folder_.read("stats.json"))["refused"];
+    };
+    ASSERT_EQ(run({"--passes", "7"}).exit_code, 0);
+    const auto whole = refused();
+    ASSERT_GT(whole["texture values"]["material \"bad\""], 0) << whole.dump();
+    leave_checkpoint();
+    ASSERT_EQ(run(kResume + Options{"--passes", "7"}).exit_code, 0);
+    EXPECT_EQ(refused(), whole);
+}
+
 TEST_F(CheckpointTest, ResumingAfterTheLastPassWritesTheImageAgain) {
     ASSERT_EQ(run(kCheckpoint + Options{"--passes", "4"}).exit_code, 0);
     const std::string image = folder_.read("out.exr");

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "lxs/scene/contents.h"
+#include "lxs/scene/refused_values.h"
 #include "lxs/sdk/light.h"
 
 namespace lxs {
@@ -37,8 +38,8 @@ class AreaLight : public Light {
   public:
     /// Radiance leaving point `p` with front normal `n` and texture coordinates `uv` towards `wo`.
     virtual Rgb radiance(const Vec3& p, const Vec3& n, const Vec2& uv, const Vec3& wo) const = 0;
-    /// Values of its texture so far that were not finite or negative: taken for 0.
-    virtual std::uint64_t refused_values() const = 0;
+    /// Counts values of its texture that were not finite or negative: taken for 0.
+    virtual RefusedValues& refused_values() const = 0;
 };
 
 /// Names that make_lights knows, with their declared parameters, for docs and messages.

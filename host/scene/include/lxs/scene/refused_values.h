@@ -14,6 +14,8 @@ class RefusedValues {
   public:
     void count() { count_.fetch_add(1, std::memory_order_relaxed); }
     std::uint64_t total() const { return count_.load(std::memory_order_relaxed); }
+    /// Only while nobody counts.
+    void set_total(std::uint64_t total) { count_.store(total, std::memory_order_relaxed); }
 
   private:
     std::atomic<std::uint64_t> count_{0};

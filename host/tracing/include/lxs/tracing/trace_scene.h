@@ -7,6 +7,7 @@
 #include "lxs/scene/contents.h"
 #include "lxs/sdk/refusal.h"
 #include "lxs/sdk/scene.h"
+#include "lxs/sdk/state_archive.h"
 #include "lxs/spectrum/wavelengths.h"
 
 namespace lxs {
@@ -20,6 +21,9 @@ class TraceScene : public Scene {
     /// Values of textures so far that were not finite, or negative colours, and were replaced: by
     /// the material or the light whose texture it is.
     virtual RefusalList refused_values() const = 0;
+    /// Saves or restores their counts, which are all that passes leave in a scene. Throws
+    /// StateError if what is restored is of another scene.
+    virtual void state(StateArchive& archive) = 0;
 };
 
 /// Takes over the contents and builds acceleration structures and lights. The build is

@@ -35,4 +35,18 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Combine(testing::Values(GuideKind::None, GuideKind::Paper, GuideKind::Adaptive),
                      testing::Values(Mode::Progressive, Mode::PhotonMap, Mode::Ppm)));
 
+/// Photons of a pass wait in memory until about a million are gathered at once, however many
+/// there are.
+TEST(MemoryOfAPass, DoesNotGrowWithItsPhotons) {
+    for (const bool fog : {false, true}) {
+        mock::Scene scene = mock::lamp_box({}, {});
+        if (fog) scene.fill({{0.2f, 0.2f, 0.2f}, {1, 1, 1}, 0});
+        const auto camera = mock::camera_along_y({0, -0.9f, 0}, 1, 4, 3);
+        const mock::Rendering rendering =
+            mock::render(scene, camera, 4, 3, mock::small_settings(72, 1'000'000), 1);
+        EXPECT_LE(rendering.statistics.memory_bytes, rendering.statistics.memory_bound_bytes)
+            << (fog ? "with fog" : "without fog");
+    }
+}
+
 }  // namespace

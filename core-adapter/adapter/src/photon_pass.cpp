@@ -61,8 +61,10 @@ void PhotonPass::shoot(std::uint64_t pass, const PassPhotons& photons, float tim
         if (adaptive_) {
             // After learning: a guide learns from what photons really carried.
             const auto weight = float(learning_weight(photons.before + first));
-            if (weight < 1) waiting_.scale_power(landings, weight);
-            if (weight < 1 && volume_) volume_->scale_power(collisions, weight);
+            if (weight < 1) {
+                waiting_.scale_power(landings, weight);
+                if (volume_) volume_->scale_power(collisions, weight);
+            }
         }
         if (waiting_.landings().size() > kLandingCapacity) gather(image, radii, refusals, flux);
         if (volume_ && volume_->full()) gather_in_media(image, refusals);

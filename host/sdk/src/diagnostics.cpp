@@ -92,8 +92,8 @@ std::string format_message(const SourceLocation& where, const std::string& sever
 
 std::string in_quotes(std::string_view text) {
     const bool cut = text.size() > kQuotedBytes;
-    std::string shown = printable(cut ? text.substr(0, character_start(text, kQuotedBytes)) : text);
-    std::ranges::replace_if(shown, is_control, ' ');
+    std::string shown(cut ? text.substr(0, character_start(text, kQuotedBytes)) : text);
+    std::ranges::replace_if(shown, is_control, '?');
     return '"' + shown + (cut ? "..." : "") + '"';
 }
 

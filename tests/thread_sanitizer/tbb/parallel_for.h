@@ -7,6 +7,7 @@
 
 #include <tbb/blocked_range.h>
 #include <tbb/global_control.h>
+#include <tbb/info.h>
 
 #include <algorithm>
 #include <atomic>
@@ -19,8 +20,16 @@
 namespace tbb {
 namespace sanitized {
 
-/// Calls piece(i) once for each i below `pieces`, from as many threads as oneTBB would take; throws
-/// the first exception of a piece when all threads have ended.
+/// As many threads as a program asked oneTBB for; where none did, 8 on small machines, too.
+inline std::size_t allowed_threads() {
+    const std::size_t asked =
+        global_control::active_value(global_control::max_allowed_parallelism);
+    const auto processors = static_cast<std::size_t>(info::default_concurrency());
+    return asked == processors ? std::max<std::size_t>(asked, 8) : asked;
+}
+
+/// Calls piece(i) once for each i below `pieces`, from allowed_threads() threads; throws the first
+/// exception of a piece when all threads have ended.
 template <class Piece>
 void run(std::size_t pieces, const Piece& piece) {
     std::atomic<std::size_t> next{0};
@@ -37,10 +46,8 @@ void run(std::size_t pieces, const Piece& piece) {
             }
         }
     };
-    const std::size_t allowed =
-        global_control::active_value(global_control::max_allowed_parallelism);
     std::vector<std::thread> threads;
-    for (std::size_t t = 1; t < std::min(pieces, allowed); ++t)
+    for (std::size_t t = 1; t < std::min(pieces, allowed_threads()); ++t)
         threads.emplace_back(work);
     work();
     for (std::thread& thread : threads)

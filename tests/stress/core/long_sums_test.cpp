@@ -58,7 +58,7 @@ TEST(StressSums, PowersOfANode) {
 /// of landings stops at 2^24.
 TEST(StressSums, ErrorsThatThePapersTablesSee) {
     constexpr std::uint64_t kChunk = 1 << 15;
-    const std::uint64_t chunks = sized<std::uint64_t>(640, 1'000'000'000 / kChunk);  // even
+    const std::uint64_t chunks = 2 * sized<std::uint64_t>(320, 500'000'000 / kChunk);
     struct NodeError final : ErrorCriterion {
         double value = 0;
         double error(const NodeView&) const override { return value; }

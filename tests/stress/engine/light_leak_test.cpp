@@ -19,8 +19,9 @@ using namespace aips;
 constexpr std::uint32_t kWidth = 32, kHeight = 8;
 constexpr float kRadius = 0.25f;  // of the density estimation, scene units
 /// Radiance that rounding may carry: the mock host's rays start without an offset, so that one that
-/// grazes its surface may meet it again from behind. The lit side's radiance is above 0.05.
-constexpr double kRounding = 1e-8;
+/// grazes its surface may meet it again from behind. The lit side's radiance is above 0.05; such
+/// light is 2e-8 at most in the long form.
+constexpr double kRounding = 1e-7;
 /// Mean of a segment's share of its disc over all distances of the chord up to the radius.
 constexpr double kDiscBeyond = 2 / (3 * std::numbers::pi);
 
@@ -138,7 +139,7 @@ TEST(StressLightLeak, NoneThroughAWallHoweverThin) {
         kRounding);
     EXPECT_GT(bright(GuideKind::None), 0.05);
     stress::record("walls 0 to 0.45 radii thick, three guides",
-                   "radiance " + number(most) + " of at most 1e-8 on the dark side");
+                   "radiance " + number(most) + " of at most 1e-7 on the dark side");
 }
 
 /// The slab around the tangent plane is half a radius to each side.

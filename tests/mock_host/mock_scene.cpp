@@ -46,8 +46,12 @@ double hit_distance(const Ball& ball, Vec3d o, Vec3d d, double t_min, double t_m
     const double disc = b * b - c;
     if (disc < 0) return -1;
     const double root = std::sqrt(disc);
+    // A ray that starts on the ball, up to the rounding of its origin, meets it at the chord's
+    // other end alone: else one in 10^5 entered from outside what it was to cross within.
+    const double rounding = 4 * 0x1p-23 * (std::sqrt(dot(o, o)) + double(ball.radius));
+    const bool starts_on_ball = std::abs(c) < 2 * ball.radius * rounding;
     for (const double t : {-b - root, -b + root}) {
-        if (t > t_min && t < t_max) return t;
+        if (t > t_min && t < t_max && !(starts_on_ball && std::abs(t) < std::abs(b))) return t;
     }
     return -1;
 }

@@ -125,9 +125,10 @@ double expect_same_light(const mock::View& a, const mock::View& b) {
     return detectable;
 }
 
+/// Behind the camera: an eye path that met the larger lamp would outshine all others.
 mock::Surface ceiling_lamp(float edge) {
     mock::Surface lamp;
-    lamp.shape = mock::Quad{{0.2f, 0.1f, 0.9f}, {0, edge, 0}, {edge, 0, 0}};
+    lamp.shape = mock::Quad{{0.2f, -0.97f, 0.9f}, {0, edge, 0}, {edge, 0, 0}};
     lamp.material.reflectance = {0, 0, 0};
     lamp.emitted = Rgb{1, 1, 1} / (edge * edge);
     return lamp;

@@ -22,8 +22,7 @@ namespace sanitized {
 
 /// As many threads as a program asked oneTBB for; where none did, 8 on small machines, too.
 inline std::size_t allowed_threads() {
-    const std::size_t asked =
-        global_control::active_value(global_control::max_allowed_parallelism);
+    const std::size_t asked = global_control::active_value(global_control::max_allowed_parallelism);
     const auto processors = static_cast<std::size_t>(info::default_concurrency());
     return asked == processors ? std::max<std::size_t>(asked, 8) : asked;
 }

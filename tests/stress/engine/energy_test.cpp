@@ -100,11 +100,11 @@ mock::View lit_room(const std::function<void(mock::Scene&)>& light) {
 
 /// Four blocks of each of `seeds` renders.
 statistics::BlockMeans blocks(const mock::View& view, stress::Way way, std::uint64_t first_seed,
-                              unsigned seeds) {
+                              unsigned seeds, std::uint64_t passes = 4) {
     statistics::BlockMeans means;
     for (unsigned seed = 0; seed < seeds; ++seed) {
         way.settings.seed = first_seed + seed;
-        const auto r = mock::render(view.scene, view.camera, 12, 12, way.settings, 4);
+        const auto r = mock::render(view.scene, view.camera, 12, 12, way.settings, passes);
         expect_sane(r, way.settings, way.name);
         means.push_back(statistics::block_means(mock::luminances(r.film), 12, 12, 6));
     }
@@ -150,6 +150,27 @@ TEST(StressEnergy, TenThousandEqualLights) {
     });
     stress::record("10,000 equal lights against their sum",
                    "same; detectable " + percent(expect_same_light(one, many)) + " of 10 %");
+}
+
+/// A guide that learns from a photon at a time, and variances of one.
+TEST(StressEnergy, OnePhotonAPass) {
+    const auto view = lit_room([](mock::Scene& s) {
+        s.add_point_light({0.2f, 0.1f, 0.5f}, {1, 1, 1});
+    });
+    const unsigned seeds = stress::sized(8u, 24u);
+    const std::uint64_t passes = stress::sized(1000, 6000);
+    const auto ones = stress::ways(0, 1, false), many = stress::ways(0, 3000, false);
+    double detectable = 0;
+    for (std::size_t i = 0; i < ones.size(); ++i) {
+        const auto c =
+            statistics::compare(blocks(view, many[i], 1000, seeds),
+                                blocks(view, ones[i], 2000, seeds, passes), kSignificance / 3);
+        EXPECT_FALSE(c.differs()) << ones[i].name << ": " << c.describe();
+        EXPECT_LT(c.detectable, 0.25) << ones[i].name << ": " << c.describe();
+        detectable = std::max(detectable, c.detectable);
+    }
+    stress::record(std::to_string(passes) + " passes of one photon path against 4 of 3000",
+                   "same; detectable " + percent(detectable) + " of 25 %");
 }
 
 /// 9,999 lights that are a billionth of the one that matters each.

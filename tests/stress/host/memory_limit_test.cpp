@@ -14,6 +14,7 @@ namespace {
 using testing::HasSubstr;
 
 constexpr rlim_t kMiB = rlim_t{1} << 20;
+constexpr const char* kNoLimits = "a sanitizer reserves address space, and ends where none is left";
 
 std::function<void()> at_most(rlim_t bytes) {
     return [bytes] {
@@ -56,6 +57,7 @@ std::string hungry_scene() {
 }
 
 TEST(StressMemory, LimitsAtWhateverPointEndWithAMessage) {
+    if (AIPS_SANITIZED) GTEST_SKIP() << kNoLimits;
     TemporaryFolder folder;
     folder.write("scene.lxs", hungry_scene());
     const rlim_t least = least_to_start(folder);
@@ -85,6 +87,7 @@ TEST(StressMemory, LimitsAtWhateverPointEndWithAMessage) {
 }
 
 TEST(StressMemory, PassThatFindsNoneKeepsThePassesBefore) {
+    if (AIPS_SANITIZED) GTEST_SKIP() << kNoLimits;
     for (const std::string deed : {"no memory", "all memory"}) {
         SabotagedRender render;
         render.folder.write("scene.lxs", small_scene());

@@ -140,9 +140,10 @@ TEST_F(StressSizes, FilesThatAreNone) {
     };
     expect_error("folder", render(mesh("folder")), "no file \"folder\"");
     expect_error("device", render(mesh("/dev/zero")), "\"/dev/zero\" is no regular file");
-    expect_error("mesh", render(mesh("sparse")), "not enough memory for the mesh in \"sparse\"");
     expect_error("include", render(small_scene("", "Include \"/dev/zero\"")),
                  "scene.lxs:7:9: error: \"/dev/zero\" is no regular file");
+    if (AIPS_SANITIZED) return;  // a terabyte asked for is an error there
+    expect_error("mesh", render(mesh("sparse")), "not enough memory for the mesh in \"sparse\"");
     expect_error("include", render(small_scene("", "Include \"sparse\"")),
                  "scene.lxs:7:9: error: can't read ");
 }

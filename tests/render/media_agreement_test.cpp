@@ -54,7 +54,7 @@ TEST(MediaAgreement, LampInABoxOfFog) {
     const render::Folder folder;
     const auto scene = fog_box(folder);
     const auto path =
-        renders(scene, folder, "--integrator path --set path.maxdepth=16 --passes 400", 1);
+        renders(scene, folder, "--integrator path --set path.maxdepth=16 --passes 200", 1);
     for (const std::string strategy : {"true", "false"}) {
         const auto photons =
             renders(scene, folder,

@@ -15,6 +15,7 @@ Surface describe(const Primitive& primitive) {
     const MaterialFacts facts = primitive.material ? primitive.material->facts() : MaterialFacts{};
     surface.straight = facts.straight;
     surface.bends = facts.bends;
+    surface.reads_dpdv = facts.bends || facts.reads_dpdv;
     return surface;
 }
 

@@ -33,6 +33,7 @@ struct Surface {
     bool reversed = false;                        ///< the front is the other side
     bool straight = false;                        ///< may pass light undeviated
     bool bends = false;                           ///< the material has a bump map
+    bool reads_dpdv = false;                      ///< the material needs the tangent along v
 };
 
 /// The surfaces of the world or of one object: geometry ids are indices into it.

@@ -153,7 +153,7 @@ const Surface& TracedScene::locate_hit(const Ray& ray, RawHit raw, SurfaceHit& h
     point.ng = hit.ng;
     point.ns = hit.ns;
     point.dpdu = hit.dpdu;
-    if (surface.bends) point.dpdv = tangent_along_v(surface, transform, raw, hit);
+    if (surface.reads_dpdv) point.dpdv = tangent_along_v(surface, transform, raw, hit);
     point.interior = hit.interior;
     point.exterior = hit.exterior;
     point.component = ray.component;

@@ -31,6 +31,25 @@ class Leaning final : public Material {
     mutable Vec3 dpdv{0.0f};
 };
 
+/// Remembers the tangent without bending anything.
+class Woven final : public Material {
+  public:
+    explicit Woven(bool reads) : reads_(reads) {}
+    const Bsdf* scatter(const ShadingPoint& point, std::pmr::memory_resource&) const override {
+        dpdv = point.dpdv;
+        return nullptr;
+    }
+    MaterialFacts facts() const override {
+        MaterialFacts facts;
+        facts.reads_dpdv = reads_;
+        return facts;
+    }
+    mutable Vec3 dpdv{0.0f};
+
+  private:
+    bool reads_;
+};
+
 /// Traces one ray at `contents` made with the material; checks the normal and returns dpdv.
 template <class Make>
 Vec3 dpdv_at(const Ray& probe, const Make& make) {
@@ -57,6 +76,18 @@ TEST(BumpedHit, TriangleTangentAlongV) {
         dpdv_at(down,
                 [&](const auto& m) { return instanced({primitive(mesh, m)}, {scaling(1, 2, 1)}); }),
         {1, 6, 0});
+}
+
+TEST(BumpedHit, TangentAlongVIsThereForThoseThatReadIt) {
+    TriangleMesh mesh = triangle({0, 0, 0}, {2, 0, 0}, {1, 3, 0});
+    mesh.uvs = {{0, 0}, {1, 0}, {0, 1}};
+    for (const bool reads : {true, false}) {
+        const auto woven = std::make_shared<Woven>(reads);
+        const std::unique_ptr<Scene> scene = trace({primitive(mesh, woven)});
+        SurfaceHit result;
+        ASSERT_TRUE(hit(*scene, ray({1, 1, 5}, {0, 0, -1}), result));
+        EXPECT_LT((woven->dpdv - (reads ? Vec3(1, 3, 0) : Vec3(0.0f))).length(), 1e-5f);
+    }
 }
 
 TEST(BumpedHit, QuadricTangentAlongV) {

@@ -57,6 +57,7 @@ MaterialFacts DoubleSideMaterial::facts() const {
     facts.straight = front.straight || back.straight;
     facts.reads_image = front.reads_image || back.reads_image;
     facts.bends = front.bends || back.bends;
+    facts.reads_dpdv = front.reads_dpdv || back.reads_dpdv;
     facts.disperses = front.disperses || back.disperses;
     facts.max_bsdf_bytes = front.max_bsdf_bytes + back.max_bsdf_bytes + kBsdfBytes<DoubleSideBsdf>;
     return facts;

@@ -81,6 +81,7 @@ LayeredMaterial::LayeredMaterial(std::vector<Layer> layers) : layers_(std::move(
         facts_.straight = facts_.straight && facts.straight;
         facts_.reads_image |= facts.reads_image;
         facts_.bends |= facts.bends;
+        facts_.reads_dpdv |= facts.reads_dpdv;
         facts_.disperses |= facts.disperses;
         facts_.max_bsdf_bytes += facts.max_bsdf_bytes;
     }

@@ -44,6 +44,7 @@ MaterialFacts MixMaterial::facts() const {
     facts.straight = first.straight || second.straight;
     facts.reads_image = first.reads_image || second.reads_image || amount_.reads_image();
     facts.bends = first.bends || second.bends;
+    facts.reads_dpdv = first.reads_dpdv || second.reads_dpdv;
     facts.disperses = first.disperses || second.disperses;
     facts.max_bsdf_bytes = first.max_bsdf_bytes + second.max_bsdf_bytes + kBsdfBytes<MixBsdf>;
     return facts;

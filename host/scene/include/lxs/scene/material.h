@@ -12,10 +12,11 @@ namespace lxs {
 /// What a material reads of a surface point.
 struct ShadingPoint {
     TexturePoint texture;
-    Vec3 ng{0.0f};      ///< geometric normal, unit
-    Vec3 ns{0.0f};      ///< shading normal, unit, in the hemisphere of ng
-    Vec3 dpdu{0.0f};    ///< tangent along u; zero when unknown
-    Vec3 dpdv{0.0f};    ///< tangent along v; only known where MaterialFacts::bends, else zero
+    Vec3 ng{0.0f};    ///< geometric normal, unit
+    Vec3 ns{0.0f};    ///< shading normal, unit, in the hemisphere of ng
+    Vec3 dpdu{0.0f};  ///< tangent along u; zero when unknown
+    /// Tangent along v; only known where MaterialFacts::bends or reads_dpdv, else zero.
+    Vec3 dpdv{0.0f};
     bool bent = false;  ///< ns is already what Material::bend made of it
     const Medium* interior = nullptr;
     const Medium* exterior = nullptr;
@@ -30,6 +31,7 @@ struct MaterialFacts {
     bool reads_image = false;
     bool disperses = false;          ///< bends each wavelength its own way
     bool bends = false;              ///< has a bump or normal map, itself or in a part of it
+    bool reads_dpdv = false;         ///< needs the tangent along v even if it doesn't bend
     std::size_t max_bsdf_bytes = 0;  ///< most memory that one scatter() takes
 };
 

@@ -44,6 +44,7 @@ void register_textures(Registry& registry) {
 
 void register_materials(Registry& registry) {
     registry.materials["carpaint"] = shading::carpaint_plugin();
+    registry.materials["cloth"] = shading::cloth_plugin();
     registry.materials["matte"] = shading::matte_plugin();
     registry.materials["mattetranslucent"] = shading::mattetranslucent_plugin();
     registry.materials["mirror"] = shading::mirror_plugin();

@@ -99,6 +99,18 @@ std::vector<Case> cases() {
           number("M1", 0.6), number("M2", 0.3), number("M3", 0.25), color("Ka", tinted),
           number("d", 0.3)},
          "carpaint"},
+        {"cloth_denim",
+         {color("warp_Kd", {0.1f, 0.15f, 0.4f}), color("weft_Kd", white), color("warp_Ks", dull),
+          color("weft_Ks", tinted), number("repeat_u", 1), number("repeat_v", 1)},
+         "cloth"},
+        {"cloth_charmeuse",
+         {text("presetname", "silk_charmeuse"), color("warp_Kd", dull), color("warp_Ks", white),
+          color("weft_Ks", white), number("repeat_u", 1.3), number("repeat_v", -0.9)},
+         "cloth"},
+        {"cloth_gabardine_fibres",
+         {text("presetname", "wool_gabardine"), color("warp_Ks", tinted), color("weft_Ks", white),
+          number("repeat_u", 1.7), number("repeat_v", 1.3)},
+         "cloth"},
         {"doubleside",
          {text("frontnamedmaterial", "metal"), text("backnamedmaterial", "glossy")},
          "doubleside"},
@@ -162,9 +174,12 @@ class BsdfTest : public ::testing::TestWithParam<Case> {
     std::shared_ptr<const Material> material_;
 };
 
-/// A point with a bent shading normal and a grain that isn't perpendicular to it.
+/// A point with a bent shading normal and a grain that isn't perpendicular to it, amidst a yarn.
 ShadingPoint bent_point() {
-    return shading_point({0.3f, -0.5f, 0.8f}, {0.42f, -0.4f, 0.8f}, {0.7f, 0.4f, 0.2f});
+    ShadingPoint point =
+        shading_point({0.3f, -0.5f, 0.8f}, {0.42f, -0.4f, 0.8f}, {0.7f, 0.4f, 0.2f});
+    point.texture.uv = Vec2(0.37f, 0.62f);
+    return point;
 }
 
 Vec3 tilted(const Vec3& n, float degrees, float azimuth) {

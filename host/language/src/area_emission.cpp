@@ -1,8 +1,6 @@
 // AreaLightSource "area".
 #include "area_emission.h"
 
-#include <fmt/format.h>
-
 #include "lxs/language/read_scene.h"
 #include "lxs/lights/lights.h"
 #include "lxs/scene/constant_texture.h"
@@ -32,13 +30,10 @@ AreaEmission make_area_emission(const ParameterSet& set, const AssetContext& ass
     // LuxRender's defaults: a lamp of 100 W at 17 lm/W unless the scene sets both to 0.
     emission.power = static_cast<float>(parameters.number("power", 100));
     emission.efficacy = static_cast<float>(parameters.number("efficacy", 17));
-    for (const std::string_view profile : {"iesname", "mapname"}) {
-        if (parameters.string(profile, "").empty()) continue;
-        diagnostics.warning(parameters.where(profile),
-                            fmt::format("\"{}\" has no effect: an area light shines as a diffuse "
-                                        "one of the same flux",
-                                        profile));
-    }
+    emission.profile =
+        read_area_profile(parameters, [&](const std::string& name, const SourceLocation& where) {
+            return assets.resolve(name, where);
+        });
     emission.where = set.where;
     return emission;
 }

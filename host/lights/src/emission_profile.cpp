@@ -10,6 +10,9 @@ namespace lxs {
 SphereProfile::SphereProfile(const Rotation& rotation, LatLongMap map)
     : rotation_(rotation), map_(std::move(map)), importance_(map_.importance()) {}
 
+SphereProfile::SphereProfile(const Rotation& rotation, LatLongMap map, Piecewise2D importance)
+    : rotation_(rotation), map_(std::move(map)), importance_(std::move(importance)) {}
+
 Rgb SphereProfile::at(const Vec3& w) const {
     return map_.lookup(latlong_coordinates(rotation_.to_local(w)));
 }

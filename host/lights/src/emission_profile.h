@@ -25,6 +25,8 @@ class EmissionProfile {
 class SphereProfile final : public EmissionProfile {
   public:
     SphereProfile(const Rotation& rotation, LatLongMap map);
+    /// Draws directions by `importance`, which need not follow all of the map.
+    SphereProfile(const Rotation& rotation, LatLongMap map, Piecewise2D importance);
     Rgb at(const Vec3& w) const override;
     float sample(const Vec2& u, Vec3& w) const override;
     bool coordinates(const Vec3& w, Vec2& u) const override;

@@ -132,6 +132,17 @@ Rgb LatLongMap::integral(const std::function<double(const Vec2& st)>& weight) co
     return Rgb(sum / static_cast<double>(pixels_.size()));
 }
 
+std::vector<Rgb> LatLongMap::row_means() const {
+    std::vector<Rgb> means(height_);
+    for (std::size_t y = 0; y < height_; ++y) {
+        Imath::V3d sum(0.0);
+        for (std::size_t x = 0; x < width_; ++x)
+            sum += Imath::V3d(pixels_[y * width_ + x]);
+        means[y] = Rgb(sum / static_cast<double>(width_));
+    }
+    return means;
+}
+
 Rgb LatLongMap::fluence() const {
     Imath::V3d sum(0.0);
     const double step = std::numbers::pi / static_cast<double>(height_);

@@ -31,10 +31,12 @@ class LatLongMap {
     Rgb lookup(const Vec2& st) const;
     /// Density over the unit square following luminance * sin(pi t), positive wherever lookup is.
     Piecewise2D importance() const;
-    /// The same following luminance * `weight`, which must be positive.
+    /// The same following luminance * `weight`, which is zero where nothing is to be drawn.
     Piecewise2D importance(const std::function<double(const Vec2& st)>& weight) const;
     /// Integral of the pixels times `weight` over the unit square.
     Rgb integral(const std::function<double(const Vec2& st)>& weight) const;
+    /// Mean of each row of pixels, top row first.
+    std::vector<Rgb> row_means() const;
     /// Integral of the map over all directions.
     Rgb fluence() const;
 

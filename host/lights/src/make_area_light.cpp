@@ -44,7 +44,8 @@ std::unique_ptr<Light> make_area_light(const Primitive& primitive,
     if (sphere && is_whole(*sphere) && sphere->radius > 0 && !inverted && is_similarity(to_world)) {
         Matrix unit;
         unit.setScale(double(sphere->radius));
-        return std::make_unique<SphereLight>(primitive, emission, unit * to_world);
+        return std::make_unique<SphereLight>(primitive, emission, unit * to_world,
+                                             instance_to_world);
     }
     const FlatOrRound patch =
         sphere ? FlatOrRound(*sphere) : FlatOrRound(std::get<Disk>(quadric.shape));

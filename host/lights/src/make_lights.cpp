@@ -13,6 +13,7 @@
 #include "make_sky_lights.h"
 #include "point_intensity.h"
 #include "point_light.h"
+#include "profile_map.h"
 
 namespace lxs {
 namespace {
@@ -25,7 +26,7 @@ std::string_view color_name(const LightStatement& s) {
 }
 
 void make_point(const LightStatement& s, std::string_view color, Lights& lights) {
-    if (has_profile(s)) return make_goniometric(s, color, lights);
+    if (names_profile(s.reader)) return make_goniometric(s, color, lights);
     const Rgb unit = s.color(color);
     lights.push_back(std::make_unique<PointLight>(
         s.placement(), s.world_point(s.reader.vector("from", Vec3(0.0f))),

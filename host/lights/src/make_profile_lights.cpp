@@ -1,51 +1,16 @@
 // Makes lights at a point whose intensity follows an image or a photometric file.
 #include "make_profile_lights.h"
 
-#include <algorithm>
 #include <cmath>
 #include <numbers>
 
 #include "emission_profile.h"
-#include "photometric_file.h"
 #include "point_intensity.h"
 #include "profile_light.h"
+#include "profile_map.h"
 
 namespace lxs {
 namespace {
-
-LatLongMap read_map(const LightStatement& s) {
-    const SourceLocation& where = s.reader.where("mapname");
-    return LatLongMap::read(s.resolve(s.reader.string("mapname", ""), where), s.number("gamma", 1),
-                            where, s.reader.diagnostics());
-}
-
-/// Intensities of a luminaire relative to its largest; vertical angle 0 along +z.
-LatLongMap photometric_map(const LightStatement& s) {
-    constexpr std::size_t kWidth = 720, kHeight = 360;  // half a degree, finer than files measure
-    const SourceLocation& where = s.reader.where("iesname");
-    const PhotometricWeb web =
-        read_photometric_file(s.resolve(s.reader.string("iesname", ""), where), where);
-    const double scale = web.largest() > 0 ? 1 / web.largest() : 0;
-    return LatLongMap::of(kWidth, kHeight, [&](const Vec2& st) {
-        return Rgb(
-            static_cast<float>(scale * web.intensity(180 * double(st.y), 360 * double(st.x))));
-    });
-}
-
-LatLongMap sphere_map(const LightStatement& s) {
-    const bool image = !s.reader.string("mapname", "").empty();
-    const bool web = !s.reader.string("iesname", "").empty();
-    LatLongMap map = image ? read_map(s) : photometric_map(s);
-    if (image && web) {
-        const LatLongMap shape = photometric_map(s);
-        map = LatLongMap::of(std::max(map.width(), shape.width()),
-                             std::max(map.height(), shape.height()),
-                             [&](const Vec2& st) { return map.lookup(st) * shape.lookup(st); });
-    }
-    if (!s.reader.boolean("flipz", false)) return map;
-    return LatLongMap::of(map.width(), map.height(),
-                          [&](const Vec2& st) { return map.lookup(Vec2(st.x, 1 - st.y)); });
-}
 
 void add(const LightStatement& s, std::string_view kind, std::string_view color,
          std::unique_ptr<const EmissionProfile> profile, Lights& lights) {
@@ -58,13 +23,9 @@ void add(const LightStatement& s, std::string_view kind, std::string_view color,
 
 }  // namespace
 
-bool has_profile(const LightStatement& s) {
-    return !s.reader.string("mapname", "").empty() || !s.reader.string("iesname", "").empty();
-}
-
 void make_goniometric(const LightStatement& s, std::string_view color, Lights& lights) {
-    add(s, "goniometric", color, std::make_unique<SphereProfile>(s.rotation(), sphere_map(s)),
-        lights);
+    add(s, "goniometric", color,
+        std::make_unique<SphereProfile>(s.rotation(), sphere_map(s.reader, s.resolve)), lights);
 }
 
 void make_projection(const LightStatement& s, std::string_view color, Lights& lights) {
@@ -82,7 +43,7 @@ void make_projection(const LightStatement& s, std::string_view color, Lights& li
     constexpr std::size_t kBlank = 64;  // fine enough to follow the solid angle of its pixels
     LatLongMap image = s.reader.string("mapname", "").empty()
                            ? LatLongMap::of(kBlank, kBlank, [](const Vec2&) { return Rgb(1.0f); })
-                           : read_map(s);
+                           : read_map(s.reader, s.resolve);
     add(s, "projection", color, std::make_unique<ScreenProfile>(axes, std::move(image), fov),
         lights);
 }

@@ -5,9 +5,6 @@
 
 namespace lxs {
 
-/// True if the statement names an image or a photometric file.
-bool has_profile(const LightStatement& s);
-
 /// A point or goniometric light with mapname, iesname or both (their product); `color` names the
 /// parameter of its colour.
 void make_goniometric(const LightStatement& s, std::string_view color, Lights& lights);

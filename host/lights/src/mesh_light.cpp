@@ -35,7 +35,7 @@ Vec2 barycentric(const Vec3& e1, const Vec3& e2, const Vec3& offset) {
 
 MeshLight::MeshLight(const Primitive& primitive, const AreaEmission& emission,
                      const TriangleMesh& mesh, const Matrix& to_world)
-    : SurfaceLight(primitive, emission) {
+    : SurfaceLight(primitive, emission, to_world) {
     // The cross product of mirrored vertices points to the other side of the surface.
     const bool flip = primitive.reverse_orientation != (to_world.determinant() < 0);
     std::vector<double> cumulative;

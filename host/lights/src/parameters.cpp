@@ -254,18 +254,19 @@ std::span<const ParameterDeclaration> area_light_parameters() {
         // to.
         power("100"),
         efficacy("17"),
-        ParameterDeclaration{.name = "iesname",
-                             .type = Type::String,
-                             .default_text = "",
-                             .doc = "Ignored: an area light shines as a diffuse one."},
+        ParameterDeclaration{
+            .name = "iesname",
+            .type = Type::String,
+            .default_text = "",
+            .doc = "Photometric file (IESNA LM-63, type C) of the intensity by direction, relative "
+                   "to its largest; vertical angle 0 along the normal, one-sided."},
         ParameterDeclaration{.name = "mapname",
                              .type = Type::String,
                              .default_text = "",
-                             .doc = "Ignored: an area light shines as a diffuse one."},
-        ParameterDeclaration{.name = "flipz",
-                             .type = Type::Bool,
-                             .default_text = "false",
-                             .doc = "Ignored, as iesname and mapname are."},
+                             .doc = "Image of the intensity by direction, latitude-longitude, its "
+                                    "top row along the normal; one-sided."},
+        kMapGamma,
+        kFlip,
         kSamples,
         kImportance,
     };

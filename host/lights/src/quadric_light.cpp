@@ -11,7 +11,7 @@ namespace lxs {
 QuadricLight::QuadricLight(const Primitive& primitive, const AreaEmission& emission,
                            const FlatOrRound& patch, const Matrix& shape_to_object,
                            const Matrix& to_world)
-    : SurfaceLight(primitive, emission), shape_(patch) {
+    : SurfaceLight(primitive, emission, to_world), shape_(patch) {
     const float degrees = std::visit([](const auto& s) { return s.phi_max; }, shape_);
     phi_max_ = std::clamp(degrees, 0.0f, 360.0f) * (kPi / 180.0f);
     const Matrix matrix = shape_to_object * to_world;

@@ -14,7 +14,7 @@ using Imath::V3d;
 RevolutionLight::RevolutionLight(const Primitive& primitive, const AreaEmission& emission,
                                  const Quadric& quadric, const SurfaceOfRevolution& shape,
                                  const Matrix& to_world)
-    : SurfaceLight(primitive, emission),
+    : SurfaceLight(primitive, emission, to_world),
       shape_(shape),
       to_world_(quadric.to_world * to_world),
       to_local_(to_world_.inverse()) {

@@ -10,8 +10,8 @@
 namespace lxs {
 
 SphereLight::SphereLight(const Primitive& primitive, const AreaEmission& emission,
-                         const Matrix& to_world)
-    : SurfaceLight(primitive, emission), center_(Vec3(to_world.translation())) {
+                         const Matrix& to_world, const Matrix& object_to_world)
+    : SurfaceLight(primitive, emission, object_to_world), center_(Vec3(to_world.translation())) {
     const auto row = [&](int i) {
         return Imath::V3d(to_world[i][0], to_world[i][1], to_world[i][2]);
     };
@@ -72,7 +72,7 @@ bool SphereLight::sample_direct(const Vec3& p, const Vec3& /*n*/, const Vec2& u,
     const float t = distance * (1.0f - one_minus_cos) - std::sqrt(std::max(0.0f, half_chord2));
     if (!(t > 0)) return false;
     const SurfacePoint s = point_at((p + wi * t - center_).normalized());
-    sample = {wi, t, segment_end(s, wi, t), emitted(s), pdf, false};
+    sample = {wi, t, segment_end(s, wi, t), emitted(s, -wi), pdf, false};
     return true;
 }
 

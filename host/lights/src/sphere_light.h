@@ -8,8 +8,10 @@ namespace lxs {
 /// Full sphere under a similarity transform, emitting outwards.
 class SphereLight final : public SurfaceLight {
   public:
-    /// `to_world` maps the unit sphere; its scale is the world radius.
-    SphereLight(const Primitive& primitive, const AreaEmission& emission, const Matrix& to_world);
+    /// `to_world` maps the unit sphere; its scale is the world radius. `object_to_world` places the
+    /// object that the primitive belongs to.
+    SphereLight(const Primitive& primitive, const AreaEmission& emission, const Matrix& to_world,
+                const Matrix& object_to_world);
 
     bool sample_direct(const Vec3& p, const Vec3& n, const Vec2& u,
                        DirectSample& sample) const override;

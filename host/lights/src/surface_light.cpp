@@ -15,8 +15,11 @@ Vec3 segment_end(const SurfacePoint& s, const Vec3& wi, float distance) {
     return offset_origin(s.p, error, s.n, -wi);
 }
 
-SurfaceLight::SurfaceLight(const Primitive& primitive, const AreaEmission& emission)
-    : placement_{emission.group, primitive.exterior}, radiance_(emission.radiance) {}
+SurfaceLight::SurfaceLight(const Primitive& primitive, const AreaEmission& emission,
+                           const Matrix& object_to_world)
+    : placement_{emission.group, primitive.exterior}, radiance_(emission.radiance) {
+    if (emission.profile) profile_.emplace(emission.profile, primitive.to_world * object_to_world);
+}
 
 void SurfaceLight::set_emission(const AreaEmission& emission, double area,
                                 const SourceLocation& where) {
@@ -40,24 +43,38 @@ void SurfaceLight::set_emission(const AreaEmission& emission, double area,
 }
 
 float SurfaceLight::mean_luminance(double area) const {
-    if (radiance_.is_constant()) return luminance(radiance_.at(Vec3(0.0f), Vec3(0.0f), Vec2(0.0f)));
+    const Rgb share = profile_ ? profile_->flux() / kPi : Rgb(1.0f);
+    if (radiance_.is_constant())
+        return luminance(radiance_.at(Vec3(0.0f), Vec3(0.0f), Vec2(0.0f)) * share);
     // Importance-corrected mean over a grid: the estimate only steers the choice of lights, except
     // with power and efficacy, where LuxRender too takes a mean of the texture.
     constexpr std::size_t kGrid = 32;
     double sum = 0;
     for (std::size_t i = 0; i < kGrid * kGrid; ++i) {
         const SurfacePoint s = sample_surface(grid_center(i, kGrid));
-        if (s.density > 0) sum += luminance(emitted(s)) / (s.density * area);
+        if (s.density > 0)
+            sum += luminance(radiance_.at(s.p, s.n, s.uv) * share) / (s.density * area);
     }
     return static_cast<float>(sum / (kGrid * kGrid));
 }
 
+bool SurfaceLight::emit(const SurfacePoint& s, const Vec2& u, Vec3& direction, Rgb& power) const {
+    if (profile_) {
+        const float density = profile_->sample(s.n, u, direction);
+        if (!(density > 0)) return false;
+        power = emitted(s, direction) * ((s.n ^ direction) / density / s.density);
+        return true;
+    }
+    direction = Frame(s.n).to_world(square_to_cosine_hemisphere(u));
+    // Le cos / (density * cos / pi): the cosine cancels.
+    power = emitted(s, direction) * (kPi / s.density);
+    return true;
+}
+
 bool SurfaceLight::sample_emission(const std::array<float, 4>& u, EmissionSample& sample) const {
     const SurfacePoint s = sample_surface(Vec2(u[0], u[1]));
-    if (!(s.density > 0)) return false;
-    const Vec3 direction = Frame(s.n).to_world(square_to_cosine_hemisphere(Vec2(u[2], u[3])));
-    // Le cos / (density * cos / pi): the cosine cancels.
-    sample.power = emitted(s) * (kPi / s.density);
+    Vec3 direction(0.0f);
+    if (!(s.density > 0) || !emit(s, Vec2(u[2], u[3]), direction, sample.power)) return false;
     sample.normal = s.n;
     sample.ray = Ray{};
     sample.ray.origin = offset_origin(s.p, s.p_error, s.n, direction);
@@ -79,7 +96,7 @@ bool SurfaceLight::sample_direct(const Vec3& p, const Vec3& /*n*/, const Vec2& u
     if (!(cosine > 0)) return false;
     const float pdf = distance2 * s.density / cosine;
     if (!(pdf > 0) || !std::isfinite(pdf)) return false;
-    sample = {wi, distance, segment_end(s, wi, distance), emitted(s), pdf, false, s.primitive};
+    sample = {wi, distance, segment_end(s, wi, distance), emitted(s, -wi), pdf, false, s.primitive};
     return true;
 }
 
@@ -89,10 +106,15 @@ bool SurfaceLight::emission_coordinates(const Vec3& p, const DirectSample& sampl
     if (!surface_coordinates(sample.segment_end, sample.primitive, position)) return false;
     // Aimed from where the rounded coordinates lead, the ray still goes through p.
     const SurfacePoint s = sample_surface(position);
-    if (!(s.density > 0) || is_black(emitted(s))) return false;
     const Vec3 direction = (p - s.p).normalized();
-    if (!((direction ^ s.n) > 0)) return false;
-    const Vec2 d = cosine_hemisphere_to_square(Frame(s.n).to_local(direction));
+    if (!(s.density > 0) || !((direction ^ s.n) > 0) || is_black(emitted(s, direction)))
+        return false;
+    Vec2 d;
+    if (!profile_) {
+        d = cosine_hemisphere_to_square(Frame(s.n).to_local(direction));
+    } else if (!profile_->coordinates(s.n, direction, d)) {
+        return false;
+    }
     u = {position.x, position.y, d.x, d.y};
     return true;
 }
@@ -107,7 +129,7 @@ float SurfaceLight::pdf_direct(const Vec3& p, const Vec3& /*n*/, const Vec3& wi,
 }
 
 Rgb SurfaceLight::radiance(const Vec3& p, const Vec3& n, const Vec2& uv, const Vec3& wo) const {
-    return (n ^ wo) > 0 ? radiance_.at(p, n, uv) : Rgb(0.0f);
+    return (n ^ wo) > 0 ? shaped(radiance_.at(p, n, uv), n, wo) : Rgb(0.0f);
 }
 
 }  // namespace lxs

@@ -2,10 +2,12 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 
 #include "emitted_radiance.h"
 #include "light_placement.h"
 #include "lxs/lights/lights.h"
+#include "surface_profile.h"
 
 namespace lxs {
 
@@ -22,7 +24,8 @@ struct SurfacePoint {
 /// DirectSample::segment_end for a point met along the unit vector `wi` after `distance`.
 Vec3 segment_end(const SurfacePoint& s, const Vec3& wi, float distance);
 
-/// One-sided diffuse emitter. Derived classes call `set_emission` once their area is known.
+/// One-sided emitter, diffuse or with a profile of intensities. Derived classes call `set_emission`
+/// once their area is known.
 class SurfaceLight : public AreaLight {
   public:
     std::string_view kind() const override { return "area"; }
@@ -40,7 +43,9 @@ class SurfaceLight : public AreaLight {
     RefusedValues& refused_values() const override { return radiance_.refused_values(); }
 
   protected:
-    SurfaceLight(const Primitive& primitive, const AreaEmission& emission);
+    /// `object_to_world` places the object that the primitive belongs to.
+    SurfaceLight(const Primitive& primitive, const AreaEmission& emission,
+                 const Matrix& object_to_world);
 
     /// Draws a point of the surface.
     virtual SurfacePoint sample_surface(const Vec2& u) const = 0;
@@ -53,13 +58,25 @@ class SurfaceLight : public AreaLight {
     /// area is zero or not finite.
     void set_emission(const AreaEmission& emission, double area, const SourceLocation& where);
     bool has_constant_emission() const { return radiance_.is_constant(); }
-    Rgb emitted(const SurfacePoint& s) const { return radiance_.at(s.p, s.n, s.uv); }
+    /// Radiance towards the unit vector `wo`, in front of the surface.
+    Rgb emitted(const SurfacePoint& s, const Vec3& wo) const {
+        return shaped(radiance_.at(s.p, s.n, s.uv), s.n, wo);
+    }
 
   private:
+    /// `radiance` as the profile sends it along `wo`, if there is one.
+    Rgb shaped(const Rgb& radiance, const Vec3& n, const Vec3& wo) const {
+        return profile_ ? radiance * profile_->radiance(n, wo) : radiance;
+    }
+    /// Mean over the surface of what the radiance sends into all directions, relative to a diffuse
+    /// surface of luminance 1.
     float mean_luminance(double area) const;
+    /// Direction and power of a photon that leaves `s`; false if none does.
+    bool emit(const SurfacePoint& s, const Vec2& u, Vec3& direction, Rgb& power) const;
 
     LightPlacement placement_;
     EmittedRadiance radiance_;
+    std::optional<SurfaceProfile> profile_;  ///< none: diffuse
     float power_ = 0;
 };
 

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "scene_fakes.h"
+#include "temporary_folder.h"
 
 namespace lxs::test {
 namespace {
@@ -107,14 +108,22 @@ TEST(AreaLight, TakesATextureAndChecksItsName) {
               "test.lxs:2:24: error: an area light's L must not be negative");
 }
 
-TEST(AreaLight, SaysThatItHasNoPhotometricProfile) {
+TEST(AreaLight, ReadsItsProfileOnceForAllShapes) {
+    const files::TemporaryFolder folder;
+    const std::string lamp =
+        folder.write("lamp.ies", "TILT=NONE\n1 -1 1 2 1 1 2 0 0 0 1 1 1\n0 90\n0\n1 1\n");
     CollectingDiagnostics diagnostics;
-    read_world("AreaLightSource \"area\" \"string iesname\" [\"lamp.ies\"] Shape \"sphere\"",
-               diagnostics);
-    EXPECT_EQ(diagnostics.messages,
-              std::vector<std::string>{
-                  "test.lxs:2:24: warning: \"iesname\" has no effect: an area light shines as a "
-                  "diffuse one of the same flux"});
+    const SceneContents contents =
+        read_world("Shape \"sphere\" AreaLightSource \"area\" \"string iesname\" [\"" + lamp +
+                       "\"] Shape \"sphere\" Shape \"sphere\"",
+                   diagnostics);
+    EXPECT_EQ(diagnostics.messages, Messages{});
+    EXPECT_NE(contents.primitives.at(1).emission->profile, nullptr);
+    EXPECT_EQ(contents.primitives.at(1).emission->profile,
+              contents.primitives.at(2).emission->profile);
+    EXPECT_EQ(error_of_world("AreaLightSource \"area\" \"string iesname\" [\"none.ies\"]")
+                  .find("test.lxs:2:24: error: "),
+              0u);
 }
 
 TEST(Lights, KeepTransformGroupAndMedium) {

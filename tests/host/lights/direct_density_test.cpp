@@ -3,10 +3,10 @@
 #include <gtest/gtest.h>
 
 #include <array>
-#include <boost/math/distributions/chi_squared.hpp>
 #include <cmath>
 #include <numbers>
 
+#include "chi_square.h"
 #include "light_cases.h"
 
 namespace lxs::test {
@@ -65,34 +65,10 @@ std::size_t cell_of(const ExtendedLight& c, const Basis& basis, const Vec3& wi) 
     return i < kCosines ? j * kCosines + i : kCosines * kAzimuths;
 }
 
-/// Chi-square p value; cells that expect fewer than 20 are pooled.
-double p_value(const std::vector<double>& counts, const std::vector<double>& shares) {
-    double statistic = 0, pooled_count = 0, pooled_expected = 0;
-    int cells = 0;
-    const auto add = [&](double count, double expected) {
-        statistic += (count - expected) * (count - expected) / expected;
-        ++cells;
-    };
-    for (std::size_t i = 0; i < counts.size(); ++i) {
-        const double expected = shares[i] * kSamples;
-        if (expected < 20) {
-            pooled_count += counts[i];
-            pooled_expected += expected;
-        } else {
-            add(counts[i], expected);
-        }
-    }
-    // The pool also holds the integration error of the shares, up to a few in kSamples.
-    if (pooled_expected >= 20) add(pooled_count, pooled_expected);
-    EXPECT_LT(std::abs(pooled_count - pooled_expected), 60 + 0.1 * pooled_expected);
-    const boost::math::chi_squared distribution(std::max(1, cells - 1));
-    return boost::math::cdf(boost::math::complement(distribution, statistic));
-}
-
 // Family-wise significance 1 % over all lights (Sidak); fixed seeds.
 TEST(DirectDensity, SamplesFollowThePdf) {
     const std::vector<ExtendedLight> cases = extended_lights();
-    const double threshold = 1 - std::pow(0.99, 1.0 / static_cast<double>(cases.size()));
+    const double threshold = one_of(cases.size());
     for (const ExtendedLight& c : cases) {
         SCOPED_TRACE(c.name);
         const Basis basis(c.axis);
@@ -104,7 +80,7 @@ TEST(DirectDensity, SamplesFollowThePdf) {
             const bool found = c.light->sample_direct(c.from, Vec3(0, 0, 1), u, s);
             ++counts[found ? cell_of(c, basis, s.wi) : counts.size() - 1];
         }
-        EXPECT_GT(p_value(counts, expected_shares(c, basis)), threshold);
+        EXPECT_GT(chi_square_p(counts, expected_shares(c, basis), kSamples), threshold);
     }
 }
 

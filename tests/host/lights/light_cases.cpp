@@ -41,18 +41,27 @@ Meet meet_ellipsoid(const Vec3& center, const Vec3& radii, bool nearest, float z
     };
 }
 
+/// Lights read its files while tests run.
+const files::TemporaryFolder& folder() {
+    static const files::TemporaryFolder made;
+    return made;
+}
+
 Meet meet_everywhere() {
     return [](const Vec3&, const Vec3&) { return LightHit{}; };
 }
 
-ExtendedLight sphere_case(const std::string& name, const Vec3& from) {
+/// A ball of radius 0.5 around (0, 0, 3).
+Primitive ball() {
+    return emissive(placed(Sphere{0.5f, -0.5f, 0.5f, 360}, translation(0, 0, 3)), Rgb(2.0f));
+}
+
+ExtendedLight sphere_case(const std::string& name, const Vec3& from, const Primitive& primitive) {
     const Vec3 center(0, 0, 3);
     const float radius = 0.5f;
     ExtendedLight result;
     result.name = name;
-    result.light = make_area_light(
-        emissive(placed(Sphere{radius, -radius, radius, 360}, translation(0, 0, 3)), Rgb(2.0f)),
-        Matrix());
+    result.light = make_area_light(primitive, Matrix());
     result.from = from;
     result.meet = meet_ellipsoid(center, Vec3(radius), true, -2);
     const float distance = (center - from).length();
@@ -65,11 +74,16 @@ ExtendedLight sphere_case(const std::string& name, const Vec3& from) {
 void add_flat_lights(std::vector<ExtendedLight>& all) {
     const auto mesh = parallelogram(Vec3(-1, -0.5f, 2), Vec3(0, 1, 0), Vec3(2, 0, 0.5f));
     const Vec3 normal = (Vec3(0, 1, 0) % Vec3(2, 0, 0.5f)).normalized();
-    all.push_back(
-        {"mesh", make_area_light(emissive(mesh, Rgb(3, 2, 1)), Matrix()), Vec3(0.3f, 0.2f, 0),
-         meet_plane(Vec3(-1, -0.5f, 2), normal,
-                    [](const Vec3& p) { return std::abs(p.x) <= 1 && std::abs(p.y) <= 0.5f; }),
-         Vec3(0, 0, 1), 0.7f});
+    const Meet meet = meet_plane(Vec3(-1, -0.5f, 2), normal, [](const Vec3& p) {
+        return std::abs(p.x) <= 1 && std::abs(p.y) <= 0.5f;
+    });
+    const Primitive plain = emissive(mesh, Rgb(3, 2, 1));
+    for (const auto& [name, primitive] :
+         {std::pair("mesh", plain), std::pair("mesh with a photometric file",
+                                              profiled(plain, {text("iesname", wall_washer())}))}) {
+        all.push_back({name, make_area_light(primitive, Matrix()), Vec3(0.3f, 0.2f, 0), meet,
+                       Vec3(0, 0, 1), 0.7f});
+    }
     Primitive ring = emissive(placed(Disk{0, 0.8f, 0.3f, 360}, translation(0, 0, 2)), Rgb(1.0f));
     ring.reverse_orientation = true;
     all.push_back({"ring", make_area_light(ring, Matrix()), Vec3(0.2f, 0, 0),
@@ -82,9 +96,11 @@ void add_flat_lights(std::vector<ExtendedLight>& all) {
 }
 
 void add_curved_lights(std::vector<ExtendedLight>& all) {
-    all.push_back(sphere_case("sphere", Vec3(0.4f, 0.3f, 0)));
-    all.push_back(sphere_case("sphere near", Vec3(0, 0, 2.45f)));
-    all.push_back(sphere_case("sphere far", Vec3(30, 20, 0)));
+    all.push_back(sphere_case("sphere", Vec3(0.4f, 0.3f, 0), ball()));
+    all.push_back(sphere_case("sphere near", Vec3(0, 0, 2.45f), ball()));
+    all.push_back(sphere_case("sphere far", Vec3(30, 20, 0), ball()));
+    all.push_back(sphere_case("sphere with an image", Vec3(0.4f, 0.3f, 0),
+                              profiled(ball(), {text("mapname", probe_image())})));
     Primitive hollow = emissive(placed(Sphere{1, -1, 1, 360}, translation(0, 0, 0.2)), Rgb(1.0f));
     hollow.reverse_orientation = true;
     all.push_back({"sphere from inside", make_area_light(hollow, Matrix()), Vec3(0.3f, 0, 0),
@@ -177,6 +193,20 @@ Primitive emissive(Geometry geometry, const Rgb& radiance) {
     return primitive;
 }
 
+Primitive profiled(Primitive primitive, const std::vector<ParameterValue>& values,
+                   RecordedDiagnostics& diagnostics) {
+    const ParameterSet set{"area", {}, values};
+    const ParameterReader reader(set, area_light_parameters(), diagnostics);
+    primitive.emission->profile = read_area_profile(
+        reader, [](const std::string& name, const SourceLocation&) { return name; });
+    return primitive;
+}
+
+Primitive profiled(Primitive primitive, const std::vector<ParameterValue>& values) {
+    RecordedDiagnostics diagnostics;
+    return profiled(std::move(primitive), values, diagnostics);
+}
+
 Quadric placed(decltype(Quadric::shape) shape, const Matrix& to_world) {
     return {shape, to_world};
 }
@@ -201,14 +231,20 @@ std::string probe_image() {
             c[2] = spot ? 20.0f : 0.1f + 0.02f * static_cast<float>(y);
         }
     }
-    static const files::TemporaryFolder folder;  // the lights read the file while tests run
-    std::string path = folder / "light_probe.exr";
+    std::string path = folder() / "light_probe.exr";
     const auto file = OIIO::ImageOutput::create(path);
     if (!file ||
         !file->open(path, OIIO::ImageSpec(int(kWidth), int(kHeight), 3, OIIO::TypeDesc::FLOAT)) ||
         !file->write_image(OIIO::TypeDesc::FLOAT, pixels.data()) || !file->close())
         throw std::runtime_error("cannot write " + path);
     return path;
+}
+
+std::string wall_washer() {
+    return folder().write("wall_washer.ies",
+                          "IESNA:LM-63-2002\nTILT=NONE\n1 -1 1 4 5 1 2 0 0 0\n1 1 60\n"
+                          "0 30 60 90\n0 90 180 270 360\n"
+                          "60 100 80 10\n60 40 20 5\n60 10 5 4\n60 70 30 8\n60 100 80 10\n");
 }
 
 }  // namespace lxs::test

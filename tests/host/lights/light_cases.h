@@ -41,6 +41,10 @@ std::unique_ptr<Light> make_one(const std::string& plugin,
 std::shared_ptr<const ColorTexture> constant_color(const Rgb& color);
 /// An emissive primitive; power and efficacy 0.
 Primitive emissive(Geometry geometry, const Rgb& radiance);
+/// `primitive` as its AreaLightSource makes it with these parameters of a profile.
+Primitive profiled(Primitive primitive, const std::vector<ParameterValue>& values,
+                   RecordedDiagnostics& diagnostics);
+Primitive profiled(Primitive primitive, const std::vector<ParameterValue>& values);
 Quadric placed(decltype(Quadric::shape) shape, const Matrix& to_world);
 
 /// Where a ray from `p` along `wi` meets a light, and the front normal there.
@@ -63,6 +67,9 @@ std::vector<ExtendedLight> extended_lights();
 
 /// A 64 x 32 image file with a bright spot; its path.
 std::string probe_image();
+/// A photometric file of a luminaire without any symmetry that still shines at 90 degrees; its
+/// path.
+std::string wall_washer();
 
 /// Uniform floats in [0, 1).
 class Random {

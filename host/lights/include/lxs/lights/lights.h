@@ -29,6 +29,11 @@ std::vector<std::unique_ptr<Light>> make_lights(const LightDescription& descript
                                                 const AssetResolver& resolve,
                                                 Diagnostics& diagnostics);
 
+/// The intensities by direction that an area light's statement names; null if it names none, then
+/// it is diffuse. Throws InputError for files that can't be read.
+std::shared_ptr<const FrontProfile> read_area_profile(const ParameterReader& reader,
+                                                      const AssetResolver& resolve);
+
 /// The light of an emissive shape; `instance_to_world` is the identity outside of instances.
 /// Throws InputError for a shape of zero area.
 std::unique_ptr<Light> make_area_light(const Primitive& primitive, const Matrix& instance_to_world);

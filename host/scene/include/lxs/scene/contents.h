@@ -16,12 +16,15 @@
 
 namespace lxs {
 
+class FrontProfile;  // host/lights
+
 /// Emission of a shape (AreaLightSource "area").
 struct AreaEmission {
     std::shared_ptr<const ColorTexture> radiance;  ///< L, without gain
     float gain = 1;
     float power = 0;     ///< electrical watts; with efficacy > 0 it sets the emitted flux
     float efficacy = 0;  ///< lumens per watt
+    std::shared_ptr<const FrontProfile> profile;  ///< intensity by direction; null: diffuse
     std::uint32_t group = 0;
     SourceLocation where;
 };

@@ -1,0 +1,21 @@
+// The profile of intensities that an area light's statement names.
+#include "front_profile.h"
+#include "lxs/lights/lights.h"
+#include "profile_map.h"
+
+namespace lxs {
+
+std::shared_ptr<const FrontProfile> read_area_profile(const ParameterReader& reader,
+                                                      const AssetResolver& resolve) {
+    if (!names_profile(reader)) return nullptr;
+    auto profile = std::make_shared<const FrontProfile>(sphere_map(reader, resolve));
+    if (is_black(profile->flux())) {
+        reader.diagnostics().warning(
+            reader.where(reader.string("iesname", "").empty() ? "mapname" : "iesname"),
+            "the profile is dark in front of the surface, so the light is; \"flipz\" turns it "
+            "over");
+    }
+    return profile;
+}
+
+}  // namespace lxs

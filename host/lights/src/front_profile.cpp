@@ -13,11 +13,11 @@ namespace {
 /// at most 100 times L * map: the intensity falls to 0 there.
 constexpr float kGrazing = 0.01f;
 
-/// Follows the intensity in the front half. A row that the horizon cuts is drawn in full.
-Piecewise2D front_importance(const LatLongMap& map) {
-    return map.importance([](const Vec2& st) {
-        return st.y <= 0.5f ? std::sin(std::numbers::pi * double(st.y)) : 0.0;
-    });
+/// Draws directions in front. A row of pixels that the horizon cuts is drawn in full.
+SphereProfile drawn_in_front(const LatLongMap& map) {
+    return {Rotation(Matrix(), {}), map, map.importance([](const Vec2& st) {
+                return st.y <= 0.5f ? std::sin(std::numbers::pi * double(st.y)) : 0.0;
+            })};
 }
 
 /// Mean over the azimuths at `t` of the map whose rows have these means, as its lookup blends them.
@@ -45,10 +45,15 @@ Rgb front_flux(const LatLongMap& map) {
     return Rgb(sum * (2 * std::numbers::pi * kQuarter / kSteps));
 }
 
+/// Without what lies behind the surface, which would shine in at the horizon between pixels.
+LatLongMap front_half(const LatLongMap& map) {
+    return map.repeated_from((map.height() + 1) / 2);
+}
+
 }  // namespace
 
 FrontProfile::FrontProfile(const LatLongMap& map)
-    : sphere_(Rotation(Matrix(), {}), map, front_importance(map)), flux_(front_flux(map)) {}
+    : sphere_(drawn_in_front(front_half(map))), flux_(front_flux(front_half(map))) {}
 
 Rgb FrontProfile::radiance(const Vec3& w) const {
     return w.z > 0 ? sphere_.at(w) / std::max(w.z, kGrazing) : Rgb(0.0f);

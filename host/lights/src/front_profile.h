@@ -25,7 +25,7 @@ class FrontProfile {
     const Rgb& flux() const { return flux_; }
 
   private:
-    SphereProfile sphere_;
+    SphereProfile sphere_;  ///< behind the surface it goes on as at the horizon
     Rgb flux_{0.0f};
 };
 

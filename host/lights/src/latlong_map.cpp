@@ -95,6 +95,20 @@ LatLongMap LatLongMap::of(std::size_t width, std::size_t height,
     return LatLongMap(width, height, std::move(pixels));
 }
 
+LatLongMap LatLongMap::upside_down() const {
+    LatLongMap turned = *this;
+    for (std::size_t y = 0; y < height_; ++y)
+        std::copy_n(&pixels_[y * width_], width_, &turned.pixels_[(height_ - 1 - y) * width_]);
+    return turned;
+}
+
+LatLongMap LatLongMap::repeated_from(std::size_t row) const {
+    LatLongMap repeated = *this;
+    for (std::size_t y = row; y < height_; ++y)
+        std::copy_n(&pixels_[(row - 1) * width_], width_, &repeated.pixels_[y * width_]);
+    return repeated;
+}
+
 Piecewise2D LatLongMap::importance() const {
     return importance([](const Vec2& st) { return std::sin(std::numbers::pi * double(st.y)); });
 }

@@ -25,6 +25,11 @@ class LatLongMap {
     static LatLongMap of(std::size_t width, std::size_t height,
                          const std::function<Rgb(const Vec2& st)>& value);
 
+    /// The last row first.
+    LatLongMap upside_down() const;
+    /// Each row from `row` (above 0) on is as the one before it.
+    LatLongMap repeated_from(std::size_t row) const;
+
     std::size_t width() const { return width_; }
     std::size_t height() const { return height_; }
     /// Value at `st` in [0,1]^2, bilinear; s wraps around, t stops at the poles.

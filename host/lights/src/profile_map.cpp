@@ -2,23 +2,35 @@
 #include "profile_map.h"
 
 #include <algorithm>
+#include <functional>
 
 #include "photometric_file.h"
 
 namespace lxs {
 namespace {
 
+using OverDirections = std::function<Rgb(const Vec2& st)>;
+
 /// Intensities of a luminaire relative to its largest.
-LatLongMap photometric_map(const ParameterReader& reader, const AssetResolver& resolve) {
-    constexpr std::size_t kWidth = 720, kHeight = 360;  // half a degree, finer than files measure
+OverDirections photometric_intensity(const ParameterReader& reader, const AssetResolver& resolve) {
     const SourceLocation& where = reader.where("iesname");
-    const PhotometricWeb web =
-        read_photometric_file(resolve(reader.string("iesname", ""), where), where);
+    PhotometricWeb web = read_photometric_file(resolve(reader.string("iesname", ""), where), where);
     const double scale = web.largest() > 0 ? 1 / web.largest() : 0;
-    return LatLongMap::of(kWidth, kHeight, [&](const Vec2& st) {
+    return [web = std::move(web), scale](const Vec2& st) {
         return Rgb(
             static_cast<float>(scale * web.intensity(180 * double(st.y), 360 * double(st.x))));
-    });
+    };
+}
+
+LatLongMap upright_map(const ParameterReader& reader, const AssetResolver& resolve) {
+    constexpr std::size_t kWidth = 720, kHeight = 360;  // half a degree, finer than files measure
+    const bool image = !reader.string("mapname", "").empty();
+    if (reader.string("iesname", "").empty()) return read_map(reader, resolve);
+    const OverDirections intensity = photometric_intensity(reader, resolve);
+    if (!image) return LatLongMap::of(kWidth, kHeight, intensity);
+    const LatLongMap map = read_map(reader, resolve);
+    return LatLongMap::of(std::max(map.width(), kWidth), std::max(map.height(), kHeight),
+                          [&](const Vec2& st) { return map.lookup(st) * intensity(st); });
 }
 
 }  // namespace
@@ -35,18 +47,8 @@ LatLongMap read_map(const ParameterReader& reader, const AssetResolver& resolve)
 }
 
 LatLongMap sphere_map(const ParameterReader& reader, const AssetResolver& resolve) {
-    const bool image = !reader.string("mapname", "").empty();
-    const bool web = !reader.string("iesname", "").empty();
-    LatLongMap map = image ? read_map(reader, resolve) : photometric_map(reader, resolve);
-    if (image && web) {
-        const LatLongMap shape = photometric_map(reader, resolve);
-        map = LatLongMap::of(std::max(map.width(), shape.width()),
-                             std::max(map.height(), shape.height()),
-                             [&](const Vec2& st) { return map.lookup(st) * shape.lookup(st); });
-    }
-    if (!reader.boolean("flipz", false)) return map;
-    return LatLongMap::of(map.width(), map.height(),
-                          [&](const Vec2& st) { return map.lookup(Vec2(st.x, 1 - st.y)); });
+    const LatLongMap map = upright_map(reader, resolve);
+    return reader.boolean("flipz", false) ? map.upside_down() : map;
 }
 
 }  // namespace lxs

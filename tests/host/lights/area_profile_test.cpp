@@ -125,15 +125,21 @@ TEST(AreaProfile, ShinesFromTheFrontAndFlips) {
     EXPECT_TRUE(shines({text("iesname", even(100, 180)), flag("flipz")}, 1));
 }
 
+// Nothing of what a file has just behind the horizon may shine in front: with power and efficacy
+// that would be all of the light.
 TEST(AreaProfile, OneThatIsDarkInFrontIsSaid) {
-    RecordedDiagnostics diagnostics;
-    const Values behind{text("iesname", even(91, 180))};
-    const auto light =
-        make_area_light(profiled(square(1, Rgb(1.0f)), behind, diagnostics), Matrix());
-    EXPECT_EQ(diagnostics.warnings.size(), 1u);
-    EXPECT_EQ(light->power(), 0);
-    EmissionSample s;
-    EXPECT_FALSE(light->sample_emission({0.3f, 0.4f, 0.5f, 0.6f}, s));
+    for (const Values& behind :
+         {Values{text("iesname", even(90.1, 180))},
+          Values{text("iesname", wall_washer()), flag("flipz")},
+          Values{text("iesname", wall_washer()), text("mapname", probe_image()), flag("flipz")}}) {
+        RecordedDiagnostics diagnostics;
+        const auto light =
+            make_area_light(profiled(square(1, Rgb(1.0f)), behind, diagnostics), Matrix());
+        EXPECT_EQ(diagnostics.warnings.size(), 1u);
+        EXPECT_EQ(light->power(), 0);
+        EmissionSample s;
+        EXPECT_FALSE(light->sample_emission({0.3f, 0.4f, 0.5f, 0.6f}, s));
+    }
     EXPECT_THROW(profiled(square(1, Rgb(1.0f)), {text("iesname", "/no/such/file.ies")}),
                  InputError);
 }
@@ -173,8 +179,15 @@ std::vector<Primitive> shapes() {
 
 std::vector<Values> profiles() {
     return {{text("iesname", wall_washer())},
-            {text("mapname", probe_image())},
-            {text("mapname", probe_image()), text("iesname", wall_washer()), flag("flipz")}};
+            {text("mapname", probe_image()), flag("flipz")},
+            {text("mapname", probe_image()), text("iesname", wall_washer())}};
+}
+
+/// An image whose middle row the horizon cuts.
+std::string odd_image() {
+    static const files::TemporaryFolder folder;
+    return folder.write("odd.ppm",
+                        "P3 2 3 255\n9 99 9 200 50 20\n80 20 60 250 9 0\n0 0 255 0 255 0\n");
 }
 
 double emitted_power(const Light& light) {
@@ -191,7 +204,9 @@ double emitted_power(const Light& light) {
 
 // power() is what the photons carry, and power times efficacy where the scene gives both.
 TEST(AreaProfile, PhotonsCarryThePower) {
-    for (const Values& values : profiles()) {
+    std::vector<Values> all = profiles();
+    all.push_back({text("mapname", odd_image())});
+    for (const Values& values : all) {
         const auto profile = profiled(square(1, Rgb(1.0f)), values).emission->profile;
         for (Primitive primitive : shapes()) {
             primitive.emission->profile = profile;

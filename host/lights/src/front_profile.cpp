@@ -53,10 +53,14 @@ LatLongMap front_half(const LatLongMap& map) {
 }  // namespace
 
 FrontProfile::FrontProfile(const LatLongMap& map)
-    : sphere_(drawn_in_front(front_half(map))), flux_(front_flux(front_half(map))) {}
+    : sphere_(drawn_in_front(front_half(map))), flux_(front_flux(front_half(map))) {
+    const float total = luminance(flux_);
+    scale_ = total > 0 ? std::numbers::pi_v<float> / total : 0.0f;
+    flux_ *= scale_;
+}
 
 Rgb FrontProfile::radiance(const Vec3& w) const {
-    return w.z > 0 ? sphere_.at(w) / std::max(w.z, kGrazing) : Rgb(0.0f);
+    return w.z > 0 ? sphere_.at(w) * (scale_ / std::max(w.z, kGrazing)) : Rgb(0.0f);
 }
 
 float FrontProfile::sample(const Vec2& u, Vec3& w) const {

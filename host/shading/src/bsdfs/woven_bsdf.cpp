@@ -2,6 +2,7 @@
 #include "woven_bsdf.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "lxs/sdk/warp.h"
 
@@ -27,7 +28,7 @@ Rgb WovenBsdf::value(const HalfVector& pair, LobeMask mask) const {
 
 WovenBsdf::Choice WovenBsdf::choose(const Vec3& wo, LobeMask mask) const {
     Choice choice;
-    // By their weights, so that no sample's weight exceeds Kd + Ks.
+    // By what either can reflect at most: no sample weighs more than the sum of the two.
     if ((mask & kGlossy) && seen_area(wo) > 0) choice.fibres = max_component(ks_);
     if (mask & kDiffuse) choice.base = max_component(kd_);
     const float sum = choice.fibres + choice.base;

@@ -1,4 +1,5 @@
 // Material "cloth": woven of two kinds of yarn.
+#include <algorithm>
 #include <cmath>
 
 #include "bsdfs/channels.h"

@@ -1,8 +1,6 @@
 // Weaves: which yarn lies on top where, and how it is bent there.
 #pragma once
 
-#include "lxs/sdk/types.h"
-
 namespace lxs::shading {
 
 /// A weave whose picks (rows of weft) each repeat the one below, shifted: plain weave, twills and

@@ -87,6 +87,6 @@ export function photonSection({ data, looks }) {
   ].filter(Boolean));
   draw(present[0]);
   return section("photons", "Photon distribution over the passes",
-    `Debug layers of the snapshots (${variantNames[strips.variant].toLowerCase()}, seed ${strips.seed}): after the first pass, and after budgets in ${clockNames[strips.clock]}. All pictures of a scene and layer have one scale; pixels without a value, such as those that show no surface, have the darkest colour. Only a method with a guide has nodes.`,
+    `Debug layers of the snapshots (${variantNames[strips.variant].toLowerCase()}, seed ${strips.seed}): after the first pass, and after budgets in ${clockNames[strips.clock]}. All pictures of a scene and layer have one scale; pixels without a value, such as those that show no surface, have the darkest colour. Only guide=paper has nodes.`,
     shown);
 }

@@ -119,6 +119,7 @@ Json to_json(const Agreement& found, const Scene& scene, const std::string& meth
     const auto misses = scene.listed.misses.find(method);
     const bool is_missing = misses != scene.listed.misses.end();
     const statistics::Comparison& test = found.comparison;
+    const RatioInterval interval = found.ratio_interval();
     return {{"scene", scene.listed.name},
             {"variant", kFixed},
             {"method", method},
@@ -127,6 +128,8 @@ Json to_json(const Agreement& found, const Scene& scene, const std::string& meth
             {"mean_ratio", found.mean_ratio},
             {"claimed_bias", found.bias ? Json(*found.bias) : Json()},
             {"weighted_ratio", test.mean_ratio},
+            {"weighted_low", interval.low},
+            {"weighted_high", interval.high},
             {"standard_error", test.standard_error},
             {"smallest_p", test.smallest_p},
             {"threshold", test.threshold},

@@ -1,9 +1,10 @@
 // Ratio of two methods' errors with its spread over seeds.
 #include "error_ratio.h"
 
-#include <boost/math/distributions/students_t.hpp>
 #include <cmath>
 #include <vector>
+
+#include "block_test.h"
 
 namespace bench {
 
@@ -28,9 +29,8 @@ ErrorRatio error_ratio(std::span<const std::optional<double>> errors,
     double squares = 0;
     for (const double value : logs)
         squares += (value - mean) * (value - mean);
-    const boost::math::students_t distribution(count - 1);
-    const double half =
-        quantile(distribution, (1 + kConfidence) / 2) * std::sqrt(squares / (count - 1) / count);
+    const double half = statistics::student_interval(kConfidence, count - 1) *
+                        std::sqrt(squares / (count - 1) / count);
     result.low = std::exp(mean - half);
     result.high = std::exp(mean + half);
     return result;

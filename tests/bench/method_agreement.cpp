@@ -4,6 +4,7 @@
 
 #include <numeric>
 
+#include "error_ratio.h"
 #include "reference_checks.h"
 
 namespace bench {
@@ -99,6 +100,14 @@ std::vector<double> block_weights(const std::vector<BlockMeans>& samples) {
 
 bool Agreement::agrees() const {
     return !comparison.differs() && comparison.detectable <= kDecisive;
+}
+
+RatioInterval Agreement::ratio_interval() const {
+    const double ratio = comparison.mean_ratio, degrees = comparison.degrees_of_freedom;
+    if (!(degrees > 0)) return {ratio, ratio};
+    const double half =
+        statistics::student_interval(kConfidence, degrees) * comparison.standard_error;
+    return {ratio - half, ratio + half};
 }
 
 std::optional<Agreement> agreement_with_references(const BlockSample& references,

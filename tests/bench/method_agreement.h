@@ -34,6 +34,11 @@ struct RadiusBias {
 /// are 1 without samples.
 std::vector<double> block_weights(const std::vector<statistics::BlockMeans>& samples);
 
+/// Ends of the interval of kConfidence around a ratio.
+struct RatioInterval {
+    double low = 0, high = 0;
+};
+
 /// What one comparison says.
 struct Agreement {
     std::size_t seeds = 0;       ///< used of the method
@@ -43,6 +48,8 @@ struct Agreement {
     statistics::Comparison comparison;
     /// No difference was found though one of kDecisive would have been.
     bool agrees() const;
+    /// t-interval of the weighted means' ratio; no wider than the ratio where seeds show no spread.
+    RatioInterval ratio_interval() const;
 };
 
 /// Block means of all runs, in order of seeds.

@@ -62,6 +62,7 @@ double detectable(double mean, double variance, double degrees, double threshold
 struct Verdict {
     double p = 1, ratio = 1, detectable = 0;
     double standard_error = 0;  ///< of the difference, relative to a
+    double degrees_of_freedom = 0;
 };
 
 double mean_of(const std::vector<double>& blocks) {
@@ -96,6 +97,7 @@ Comparison all_tests(std::size_t blocks, double significance, Test&& test) {
     note_p(v.p, blocks, result);
     result.mean_ratio = v.ratio;
     result.standard_error = v.standard_error;
+    result.degrees_of_freedom = v.degrees_of_freedom;
     result.detectable = v.detectable;
     return result;
 }
@@ -107,6 +109,11 @@ double student_p(double t, double degrees_of_freedom) {
     return 2 * cdf(complement(distribution, std::abs(t)));
 }
 
+double student_interval(double confidence, double degrees_of_freedom) {
+    const boost::math::students_t distribution(degrees_of_freedom);
+    return quantile(complement(distribution, (1 - confidence) / 2));
+}
+
 Comparison compare(const BlockMeans& a, const BlockMeans& b, double significance, double allowed,
                    const std::vector<double>& weights) {
     return all_tests(a.front().size(), significance, [&](auto&& value, double threshold) {
@@ -116,7 +123,7 @@ Comparison compare(const BlockMeans& a, const BlockMeans& b, double significance
         const double variance = ma.variance_of_mean + mb.variance_of_mean;
         return Verdict{welch_p(ma, mb, allowed), mb.mean / ma.mean,
                        allowed + detectable(ma.mean, variance, degrees(ma, mb), threshold),
-                       std::sqrt(variance) / std::abs(ma.mean)};
+                       std::sqrt(variance) / std::abs(ma.mean), variance > 0 ? degrees(ma, mb) : 0};
     });
 }
 
@@ -131,7 +138,7 @@ Comparison compare_paired(const BlockMeans& a, const BlockMeans& b, double signi
                              : (std::abs(difference.mean) <= 1e-6 * std::abs(ma.mean) ? 1 : 0);
         return Verdict{p, 1 + difference.mean / ma.mean,
                        detectable(ma.mean, variance, free, threshold),
-                       std::sqrt(variance) / std::abs(ma.mean)};
+                       std::sqrt(variance) / std::abs(ma.mean), variance > 0 ? free : 0};
     });
 }
 

@@ -15,9 +15,10 @@ struct Comparison {
     double smallest_p = 1;  ///< over the blocks and the mean of all blocks
     double threshold = 0;   ///< Sidak-corrected significance a single test must fall below
     std::size_t tests = 0;
-    std::size_t smallest_at = 0;  ///< block of the smallest p; tests - 1: the mean of all
-    double mean_ratio = 0;        ///< mean of b over mean of a
-    double standard_error = 0;    ///< of the difference of the means, relative to the mean of a
+    std::size_t smallest_at = 0;    ///< block of the smallest p; tests - 1: the mean of all
+    double mean_ratio = 0;          ///< mean of b over mean of a
+    double standard_error = 0;      ///< of the difference of the means, relative to the mean of a
+    double degrees_of_freedom = 0;  ///< of that error; 0 without spread
     /// Relative difference of the whole image's mean that would be found with 90 % probability.
     double detectable = 0;
     /// The same of the median block, among those that have any light.
@@ -48,6 +49,10 @@ BlockMeans scaled(BlockMeans means, double factor);
 
 /// Two-sided p of Student's t with `degrees` (> 0, any real) of freedom.
 double student_p(double t, double degrees);
+
+/// What |t| of Student's t with `degrees` (> 0, any real) of freedom stays below with probability
+/// `confidence`, in (0, 1).
+double student_interval(double confidence, double degrees);
 
 /// Means of size x size blocks of a width x height image of luminances.
 std::vector<double> block_means(const std::vector<double>& luminance, std::size_t width,

@@ -107,6 +107,25 @@ TEST(MethodAgreement, WhatNoiseHidesIsNoAgreement) {
     EXPECT_FALSE(found->agrees());
 }
 
+TEST(MethodAgreement, TheRatiosIntervalHoldsTheTruthAsOftenAsItSays) {
+    std::mt19937 random(9);
+    // 200 intervals of 95 %: 190 +- 3.1 hold the truth; of one standard error 136 +- 6.6 would.
+    int holding = 0;
+    for (int study = 0; study < 200; ++study) {
+        const auto found = agreement_with_references(references(1, random),
+                                                     runs(1.1, kNoise, random), nullptr, kAlike);
+        const RatioInterval interval = found->ratio_interval();
+        holding += interval.low < 1.1 && 1.1 < interval.high;
+    }
+    EXPECT_GE(holding, 178);
+    EXPECT_LE(holding, 199);
+    // All seeds alike: nothing is left to doubt.
+    const SeedBlocks same{{1, kAlike}, {2, kAlike}, {3, kAlike}};
+    const RatioInterval point = agreement_with_baseline(same, same, kAlike)->ratio_interval();
+    EXPECT_EQ(point.low, 1);
+    EXPECT_EQ(point.high, 1);
+}
+
 TEST(MethodAgreement, ANoisyBlockHidesNoCommonFactor) {
     std::mt19937 random(8);
     // A lamp in one block, a hundred times as bright as the others and as noisy as it is bright.

@@ -93,11 +93,13 @@ TEST_F(SmallestStudyTest, ReferencesStudyResumptionAndTable) {
 void expect_documented_test(const Json& test) {
     for (const char* key :
          {"scene", "variant", "method", "against", "seeds", "mean_ratio", "claimed_bias",
-          "weighted_ratio", "standard_error", "smallest_p", "threshold", "smallest_at",
-          "detectable", "detectable_in_block", "misses", "verdict"}) {
+          "weighted_ratio", "weighted_low", "weighted_high", "standard_error", "smallest_p",
+          "threshold", "smallest_at", "detectable", "detectable_in_block", "misses", "verdict"}) {
         EXPECT_TRUE(test.contains(key)) << key;
     }
     EXPECT_EQ(test["seeds"], 3);
+    EXPECT_LT(test["weighted_low"], test["weighted_ratio"]);
+    EXPECT_GT(test["weighted_high"], test["weighted_ratio"]);
 }
 
 TEST_F(SmallestStudyTest, AgreementOfMethods) {

@@ -10,6 +10,7 @@
 #include "lxs/host/failure.h"
 #include "lxs/imaging/atomic_file.h"
 #include "photon_strips.h"
+#include "report_agreement.h"
 #include "report_curves.h"
 #include "report_images.h"
 #include "report_page.h"
@@ -114,6 +115,7 @@ Json report_data(const fs::path& study_folder, const Json& summary, ReferenceCac
     data["curves"] = report_curves(done, study);
     data["speedups"] = report_speedups(done, study);
     data["error_palette"] = colour_names(kErrorColours);
+    data["agreement"] = report_agreement(study_folder, summary);
     data["runs"] = run_facts(done);
     data["failures"] = failures(summary.at("runs"));
     shorten_numbers(data);

@@ -47,7 +47,7 @@ function curvePlot({ study, chosen, looks }, curves, domains) {
       Plot.axisX(logTicks(domains.x), { text: logTick, label: `time (${clockNames[chosen.clock]})`, labelAnchor: "center", labelArrow: "none" }),
       Plot.axisY(logTicks(domains.y), { text: logTick, label: null }),
       Plot.line(guide, { x: "seconds", y: "error", stroke: "#777", strokeDasharray: "3,4" }),
-      Plot.text(guide.slice(-1), { x: "seconds", y: "error", text: ["slope \u22121"], textAnchor: "end", dx: -6, dy: -2, lineAnchor: "top", fill: "#666", fontSize: 11, stroke: "#f7f7f5", strokeWidth: 3 }),
+      Plot.text(guide.slice(-1), { x: "seconds", y: "error", text: ["slope \u22121"], textAnchor: "end", dx: -10, dy: 0, lineAnchor: "top", fill: "#666", fontSize: 11, stroke: "#f7f7f5", strokeWidth: 3 }),
       Plot.line(seeds, { x: "seconds", y: "error", z: (p) => `${p.method}\n${p.seed}`, stroke: colour, strokeWidth: 1, strokeOpacity: 0.4, clip: true, className: "seed-curves" }),
       Plot.line(means, { x: "seconds", y: "error", z: "method", stroke: colour, strokeWidth: 2.5, className: "mean-curves" }),
       Plot.dot(means, { x: "seconds", y: "error", r: 4, fill: colour, stroke: "#f7f7f5", symbol: (p) => looks.get(p.method).symbol, className: "mean-dots" }),

@@ -1,4 +1,5 @@
 // The report's page: a study's data, drawn.
+import { agreementSection } from "./agreement.js";
 import { biasSection } from "./bias.js";
 import { curveSection } from "./curves.js";
 import { choice, element } from "./dom.js";
@@ -55,6 +56,7 @@ function draw() {
     ratioSection(context),
     curveSection(context),
     biasSection(context),
+    agreementSection(context),
     pictures,
     photons,
     speedupSection(context),

@@ -21,7 +21,7 @@ function referenceRow({ name, width_px, height_px, reference }) {
   const images = ["1", "2"].map((key) => reference.images[key]).filter(Boolean);
   return element("tr", null,
     element("th", { scope: "row" }, name),
-    element("td", null, `${width_px} \u00d7 ${height_px}`),
+    element("td", { class: "pixel-count" }, `${width_px} \u00d7 ${height_px}`),
     element("td", null, images.map(({ method, cpu_s }) => `${method} (${figure(cpu_s)} CPU s)`).join(" and ")),
     element("td", null, images.map(({ standard_error }) => standard_error === null ? "unknown" : `${figure(100 * standard_error, 2)} %`).join(" and ")),
     element("td", null, agreementText(reference.agreement)),

@@ -40,10 +40,10 @@ export function logTick(value) {
   return figure(value, 2);
 }
 
-/** Ticks of a logarithmic axis: powers of ten, with 2 and 5 between if the axis is short. */
+/** Ticks of a logarithmic axis: powers of ten, the shorter the axis the more between them. */
 export function logTicks([low, high]) {
   const decades = Math.log10(high / low);
-  const steps = decades > 3 ? [1] : [1, 2, 5];
+  const steps = decades > 3 ? [1] : decades > 1 ? [1, 2, 5] : [1, 2, 3, 4, 5, 6, 8];
   const ticks = [];
   for (let exponent = Math.floor(Math.log10(low)); exponent <= Math.ceil(Math.log10(high)); ++exponent) {
     for (const step of steps) {

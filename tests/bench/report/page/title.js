@@ -6,13 +6,14 @@ const list = (values) => values.join(", ");
 function facts({ data, study }) {
   const machine = data.machine;
   const threads = study.threads || machine?.hardware_threads;
+  const threadsText = threads === 1 ? "1 thread" : `${threads ?? "?"} threads`;
   const clock = { both: "CPU and wall", cpu: "CPU", wall: "wall" }[study.clock];
   return [
     ["Machine", machine ? `${machine.processor}, ${machine.hardware_threads} hardware threads; ${machine.system}` : "unknown"],
     ["Date", data.created.replace("T", " ").replace("Z", " UTC")],
     ["Revision", list(data.revisions)],
     ["Budgets", `${list(study.budgets_s)} s (${clock} time of the passes)`],
-    ["Runs", `${study.seeds.length} seeds per method, ${threads ?? "?"} threads per run`],
+    ["Runs", `${study.seeds.length} ${study.seeds.length === 1 ? "seed" : "seeds"} per method, ${threadsText} per run`],
     ["Images", study.width_px ? `${study.width_px} px wide` : "the scenes\u2019 own sizes"],
     ["Overrides", study.set.length ? list(study.set) : "none"],
     ["Baseline", study.baseline],

@@ -7,6 +7,7 @@
 #include <sstream>
 
 #include "bench_process.h"
+#include "synthetic_agreement.h"
 #include "synthetic_study.h"
 
 namespace bench::test {
@@ -38,14 +39,18 @@ TEST(ReportInBrowser, DrawsCurvesTablesAndPicturesAndFlips) {
     if (node.empty()) GTEST_SKIP() << "node is not there";
     if (!fs::exists(BENCH_REPORT_PAGE)) GTEST_SKIP() << "npm is not there: no page is built";
     const TemporaryFolder folder;
-    write_synthetic_study(folder.path());
-    const BenchResult report = run_bench(folder, "report study --references references");
+    const Json summary = write_synthetic_study(folder.path());
+    const std::string command = "report study --references references";
+    const BenchResult untested = run_bench(folder, command + " --out untested.html");
+    ASSERT_EQ(untested.exit_code, 0) << untested.text;
+    write_synthetic_agreement(folder.path(), summary);
+    const BenchResult report = run_bench(folder, command);
     ASSERT_EQ(report.exit_code, 0) << report.text;
     const fs::path page = folder.path() / "study/report.html";
     EXPECT_LT(fs::file_size(page), 10'000'000u);
-    const BenchResult check =
-        run_program(folder, node.string() + " '" CHECK_PAGE "' '" + page.string() + "' '" +
-                                chromium.string() + "' '" BENCH_REPORT_PACKAGES "'");
+    const BenchResult check = run_program(
+        folder, node.string() + " '" CHECK_PAGE "' '" + page.string() + "' untested.html '" +
+                    chromium.string() + "' '" BENCH_REPORT_PACKAGES "'");
     EXPECT_EQ(check.exit_code, 0) << check.text;
 }
 

@@ -1,11 +1,12 @@
 // Opens a report of the synthetic study in Chromium and checks what a reader would see:
-// node check_page.mjs REPORT.html CHROMIUM PACKAGES, PACKAGES being the folder with node_modules.
+// node check_page.mjs REPORT.html UNTESTED.html CHROMIUM PACKAGES, UNTESTED being the same study without
+// agreement.json and PACKAGES the folder with node_modules.
 import assert from "node:assert/strict";
 import { createRequire } from "node:module";
 import path from "node:path";
 import { pathToFileURL } from "node:url";
 
-const [page, executablePath, packages] = process.argv.slice(2);
+const [page, untestedPage, executablePath, packages] = process.argv.slice(2);
 const { chromium } = createRequire(path.resolve(packages, "package.json"))("playwright-core");
 const methods = ["sppm", "better", "worse"];
 const seeds = 2, scenes = 2, variants = 2;
@@ -124,6 +125,48 @@ async function checkPhotonPart(tab) {
   await checkBias(tab);
 }
 
+const verdictRows = (tab, scene) => tab.locator(`#agreement tr[data-scene="${quoted(scene)}"]`).evaluateAll((rows) =>
+  rows.map((row) => [row.dataset.method, ...[...row.querySelectorAll("[data-verdict]")].map(({ dataset }) => dataset.verdict)]));
+const quoted = (text) => text.replace(/["\\]/g, "\\$&");
+
+/** Where a plot's mark lies on its scale, in halves of it from its middle. */
+async function place(tab, selector) {
+  return tab.locator(selector).evaluate((mark) => {
+    const [frame, own] = [mark.ownerSVGElement, mark].map((shape) => shape.getBoundingClientRect());
+    const at = (x) => 2 * (x - frame.left) / frame.width - 1;
+    return { left: at(own.left), middle: at((own.left + own.right) / 2), right: at(own.right) };
+  });
+}
+
+/** The verdicts of the synthetic study in words and colours, and its ratios where their scale says. */
+async function checkAgreement(tab) {
+  const attack = "</script><img src=x onerror=alert(1)>";
+  assert.deepEqual(await verdictRows(tab, "box"), [["sppm", "agrees"], ["better", "agrees", "agrees"], ["worse", "differs", "open"]]);
+  assert.deepEqual(await verdictRows(tab, attack), [["sppm", "open"], ["better", "does not converge"], ["worse"]]);
+  const colours = await tab.locator("#agreement [data-verdict]").evaluateAll((all) => all.map((cell) => {
+    const { color, backgroundColor, outlineStyle } = getComputedStyle(cell);
+    return [cell.dataset.verdict, [color, backgroundColor, outlineStyle].join()];
+  }));
+  assert.equal(new Map(colours).size, 4);
+  assert.equal(new Set(colours.map(([, colour]) => colour)).size, 4, "a verdict has one look of its own");
+  assert.equal(await tab.locator("#agreement ol.footnotes li").textContent(), `Can\u2019t find ${attack}.`);
+  const row = (method) => `#agreement tr[data-scene=box][data-method=${method}]`;
+  assert.match(await tab.locator(`${row("worse")} .where`).textContent(), /^p\s2\.0\s\u00d7\s10\u207b\u2079\sin\sblock\s0,\s5$/);
+  const texts = await tab.locator(`${row("sppm")} .factor, ${row("sppm")} .range, ${row("sppm")} td.number`).allInnerTexts();
+  assert.deepEqual(texts.map((text) => text.replace(/\s+/g, " ")), ["1.010", "[0.995, 1.025]", "\u22121.3 %", "4.0 %"]);
+  // "worse" is off by a fifth and more: the scale ends at a tenth, and an arrow stands for it.
+  const line = await place(tab, `${row("sppm")} .interval-line path`);
+  assert.ok(Math.abs(line.left + 0.05) < 0.02 && Math.abs(line.right - 0.25) < 0.02, JSON.stringify(line));
+  const dot = await place(tab, `${row("sppm")} .ratio-dot circle, ${row("sppm")} .ratio-dot path`);
+  assert.ok(Math.abs(dot.middle - 0.1) < 0.02, JSON.stringify(dot));
+  const band = await place(tab, `${row("sppm")} .hidden-band rect`);
+  assert.ok(Math.abs(band.left + 0.4) < 0.02 && Math.abs(band.right - 0.4) < 0.02, JSON.stringify(band));
+  const arrow = await place(tab, `${row("worse")} .beyond path`);
+  assert.ok(arrow.middle < -0.9 && arrow.left >= -1, JSON.stringify(arrow));
+  const axes = await tab.locator("#agreement .axis").first().locator("text").allTextContents();
+  assert.deepEqual(axes, ["0.95", "1", "1.05", "0.95", "1", "1.05"]);
+}
+
 /** Nothing sticks out of the page. */
 async function checkWidth(tab) {
   const sideways = await tab.evaluate(() => document.documentElement.scrollWidth - document.documentElement.clientWidth);
@@ -134,7 +177,8 @@ async function checkWidth(tab) {
 async function checkOverlaps(tab) {
   const overlaps = await tab.evaluate(() => {
     const apart = (a, b) => a.right <= b.left + 0.5 || b.right <= a.left + 0.5 || a.bottom <= b.top + 0.5 || b.bottom <= a.top + 0.5;
-    const groups = ["#photons th, #photons td img, #photons td .quiet, #photons .layer-legend > *, #photons .layer-legend i", "#bias th, #bias td"];
+    const groups = ["#photons th, #photons td img, #photons td .quiet, #photons .layer-legend > *, #photons .layer-legend i", "#bias th, #bias td",
+      "#agreement th, #agreement td, #agreement .factor, #agreement .range, #agreement svg, #agreement .key, #agreement .where, #agreement li"];
     return groups.flatMap((group) => {
       const shown = [...document.querySelectorAll(group)];
       return shown.flatMap((one, i) => shown.slice(i + 1)
@@ -153,6 +197,9 @@ async function checkLayout(tab) {
     await tab.emulateMedia({ media });
     await checkOverlaps(tab);
     if (media === "screen") await checkWidth(tab);
+    const table = await tab.locator("table.agreement").boundingBox();
+    const end = await tab.locator("#agreement").boundingBox();
+    if (width !== 800) assert.ok(table.x + table.width <= end.x + end.width + 0.5, `the verdicts are ${table.width} px wide in ${media}`);
   }
   await tab.emulateMedia({ media: "screen" });
   await tab.setViewportSize(viewport);
@@ -193,10 +240,14 @@ try {
   await checkPictures(tab);
   await checkLayout(tab);
   await checkBias(tab);
+  await checkAgreement(tab);
   await checkPhotons(tab);
   await checkPhotonPart(tab);
   await checkFlip(tab);
   await checkControls(tab);
+  await tab.goto(pathToFileURL(untestedPage).href);
+  await tab.locator("#notes").waitFor({ timeout: 20000 });
+  assert.equal(await tab.locator("#agreement").count(), 0, "what was not tested has no section");
   assert.deepEqual(complaints, []);
 } finally {
   await browser.close();

@@ -17,6 +17,7 @@ struct Case {
     std::vector<ParameterValue> values;
     const char* plugin;
     bool gains = false;  ///< the model itself sends back more than arrives at grazing angles
+    bool by_wavelengths = false;  ///< as a pass of a spectral render sees it
 };
 
 std::ostream& operator<<(std::ostream& out, const Case& c) {
@@ -54,6 +55,10 @@ std::vector<Case> cases() {
         {"roughglass_tinted",
          with(roughness(0.3, 0.6), {color("Kt", tinted), number("index", 2.4)}), "roughglass"},
         {"roughglass_bubble", with(roughness(0.8, 0.8), {number("index", 0.7)}), "roughglass"},
+        {"roughglass_dispersing",
+         with(roughness(0.3, 0.3),
+              {color("Kt", tinted), number("cauchyb", 0.04), flag("dispersion", true)}),
+         "roughglass", false, true},
         {"metal", roughness(0.15, 0.15), "metal"},
         {"metal_gold_rough", with(roughness(0.8, 0.8), {text("name", "gold")}), "metal"},
         {"metal_grain", roughness(0.1, 0.35), "metal"},
@@ -164,12 +169,15 @@ class BsdfTest : public ::testing::TestWithParam<Case> {
         material_ = scene_.make_material(GetParam().plugin, GetParam().values);
     }
     const Bsdf& at(const ShadingPoint& point) {
-        const Bsdf* bsdf = memory_.scatter(*material_, point);
+        ShadingPoint seen = point;
+        if (GetParam().by_wavelengths) seen.texture.wavelengths = &wavelengths_;
+        const Bsdf* bsdf = memory_.scatter(*material_, seen);
         EXPECT_NE(bsdf, nullptr);
         return *bsdf;
     }
 
     ShadingFixture scene_;
+    const Wavelengths wavelengths_ = wavelengths_of_pass(0, 3);
     BsdfMemory memory_;
     std::shared_ptr<const Material> material_;
 };

@@ -208,6 +208,67 @@ TEST_F(GlassTest, WithoutWavelengthsTheMiddleOfTheSpectrumStandsForAll) {
     EXPECT_EQ(sample.component, kAllComponents);
 }
 
+// One direction of rough glass serves all components: each of them must see the glass of its own
+// index, whether the path carries the others or not.
+TEST_F(GlassTest, RoughDispersionShowsEachComponentItsOwnGlass) {
+    const std::vector<ParameterValue> rough{number("uroughness", 0.2), number("vroughness", 0.2)};
+    const auto made = [&](std::vector<ParameterValue> more) {
+        more.insert(more.end(), rough.begin(), rough.end());
+        return scene_.make_material("roughglass", std::move(more));
+    };
+    const auto glass =
+        made({number("index", 1.4), number("cauchyb", .03), flag("dispersion", true)});
+    EXPECT_TRUE(glass->facts().disperses);
+    EXPECT_TRUE(scene_.diagnostics.warnings.empty());
+    const Wavelengths wavelengths = wavelengths_of_pass(0, 1);
+    UniformSource u(12);
+    for (std::int8_t carried = kAllComponents; carried < 3; ++carried) {
+        const Bsdf& bsdf = *memory_.scatter(*glass, point_at(wavelengths, carried));
+        for (int c = 0; c < 3; ++c) {
+            const double um = wavelengths.nm[static_cast<std::size_t>(c)] / 1000;
+            const auto plain = made({number("index", 1.4 + 0.03 / (um * um))});
+            const Bsdf& one = *memory_.scatter(*plain, shading_point());
+            const bool there = carried == kAllComponents || carried == c;
+            for (int i = 0; i < 300; ++i) {
+                const Vec3 wo = u.direction(), wi = u.direction();
+                const float expected =
+                    there ? one.evaluate(wo, wi, Transport::Radiance, kAllLobes)[c] : 0;
+                ASSERT_NEAR(bsdf.evaluate(wo, wi, Transport::Radiance, kAllLobes)[c], expected,
+                            1e-4f * expected);
+            }
+            const MeanWeight mean = mean_weight(bsdf, {0.6f, 0, 0.8f}, Transport::Power, 40'000, 9);
+            const MeanWeight of_one =
+                mean_weight(one, {0.6f, 0, 0.8f}, Transport::Power, 40'000, 10);
+            EXPECT_NEAR(mean.mean[c], there ? of_one.mean[c] : 0,
+                        5 * (mean.deviation[c] + of_one.deviation[c]));
+        }
+    }
+}
+
+// With hardly any roughness the components part as at smooth glass: by Snell's law.
+TEST_F(GlassTest, NearlySmoothRoughGlassBendsByTheIndexOfTheComponent) {
+    const auto glass = scene_.make_material(
+        "roughglass", {number("index", 1.5), number("cauchyb", .04), flag("dispersion", true),
+                       number("uroughness", 0), number("vroughness", 0)});
+    const Wavelengths wavelengths = wavelengths_of_pass(0, 3);
+    UniformSource u(5);
+    for (std::int8_t c = 0; c < 3; ++c) {
+        const Bsdf& bsdf = *memory_.scatter(*glass, point_at(wavelengths, c));
+        const double um = wavelengths.nm[static_cast<std::size_t>(c)] / 1000;
+        double sum = 0;
+        int count = 0;
+        for (int i = 0; i < 20000; ++i) {
+            BsdfSample sample;
+            if (!bsdf.sample({0.6f, 0, 0.8f}, u.pair(), u(), Transport::Power, kAllLobes, sample))
+                continue;
+            if (!sample.transmitted || std::abs(sample.wi.y) > 0.01f) continue;
+            sum += sample.wi.x;
+            ++count;
+        }
+        EXPECT_NEAR(sum / count, -0.6 / (1.5 + 0.04 / (um * um)), 1e-3);
+    }
+}
+
 // glass2 takes its index from the volumes on its sides.
 TEST_F(GlassTest, VolumesDisperseByTheirFresnelTexture) {
     scene_.fresnels["flint"] =

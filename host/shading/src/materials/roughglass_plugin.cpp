@@ -1,7 +1,10 @@
 // Material "roughglass": rough dielectric in vacuum.
+#include <algorithm>
+
+#include "bsdfs/dispersive_rough_glass_bsdf.h"
 #include "bsdfs/place_bsdf.h"
-#include "bsdfs/rough_glass_bsdf.h"
 #include "common_parameters.h"
+#include "lxs/sdk/index_curve.h"
 #include "material_plugins.h"
 #include "rough_surface.h"
 #include "textures/texture_parameters.h"
@@ -28,12 +31,8 @@ class RoughGlassMaterial final : public Material {
           kt_(read_reflectance(reader, assets, "Kt", Rgb(1.0f))),
           index_(read_limited(reader, assets, "index", 1.5f, kMinIndex, kMaxIndex)),
           cauchy_b_(read_limited(reader, assets, "cauchyb", 0, 0, 1)),
-          surface_(reader, assets, kDefaultRoughness) {
-        if (cauchy_b_.is(0) || !reader.boolean("dispersion", false)) return;
-        reader.diagnostics().warning(reader.where("dispersion"),
-                                     "dispersion is not rendered yet; the index for 550 nm is "
-                                     "used");
-    }
+          surface_(reader, assets, kDefaultRoughness),
+          disperses_(reader.boolean("dispersion", false) && !cauchy_b_.is(0)) {}
 
     const Bsdf* scatter(const ShadingPoint& point,
                         std::pmr::memory_resource& memory) const override;
@@ -43,17 +42,24 @@ class RoughGlassMaterial final : public Material {
     PreparedColor kr_, kt_;
     PreparedFloat index_, cauchy_b_;
     RoughSurface surface_;
+    bool disperses_;
 };
 
 const Bsdf* RoughGlassMaterial::scatter(const ShadingPoint& point,
                                         std::pmr::memory_resource& memory) const {
-    constexpr float kMiddle = 0.55f;  // micrometres
     const Rgb kr = kr_.at(point.texture), kt = kt_.at(point.texture);
     if (is_black(kr) && is_black(kt)) return nullptr;
-    const float index =
-        index_.at(point.texture) + cauchy_b_.at(point.texture) / (kMiddle * kMiddle);
-    return place_bsdf<RoughGlassBsdf>(
-        memory, kr, kt, bending_index(limited(index, kMinIndex, kMaxIndex)), surface_.at(point));
+    const IndexCurve index{index_.at(point.texture), cauchy_b_.at(point.texture), 0};
+    const auto at = [&](double nm) {
+        return bending_index(limited(index.at(nm), kMinIndex, kMaxIndex));
+    };
+    const Wavelengths* const w = point.texture.wavelengths;
+    if (disperses_ && w && index.varies()) {
+        const Rgb etas(at(w->nm[0]), at(w->nm[1]), at(w->nm[2]));
+        return place_bsdf<DispersiveRoughGlassBsdf>(memory, kr, kt, etas, point.component,
+                                                    surface_.at(point));
+    }
+    return place_bsdf<RoughGlassBsdf>(memory, kr, kt, at(kMiddleNm), surface_.at(point));
 }
 
 MaterialFacts RoughGlassMaterial::facts() const {
@@ -62,7 +68,9 @@ MaterialFacts RoughGlassMaterial::facts() const {
     facts.transmits = true;
     facts.reads_image = kr_.reads_image() || kt_.reads_image() || index_.reads_image() ||
                         cauchy_b_.reads_image() || surface_.reads_image();
-    facts.max_bsdf_bytes = kBsdfBytes<RoughGlassBsdf>;
+    facts.disperses = disperses_;
+    facts.max_bsdf_bytes =
+        std::max(kBsdfBytes<RoughGlassBsdf>, kBsdfBytes<DispersiveRoughGlassBsdf>);
     return facts;
 }
 
@@ -81,9 +89,9 @@ MaterialFactory roughglass_plugin() {
         {"Kt", ColorTexture, "1 1 1", "colour of refracted light, 0 to 1"},
         {"index", FloatTexture, "1.5", "index of refraction", 0},
         {"cauchyb", FloatTexture, "0",
-         "Cauchy's B, square micrometres: changes the index for 550 nm", 0},
+         "Cauchy's B, square micrometres: the index is index + cauchyb / wavelength^2", 0},
         {"dispersion", Bool, "false",
-         "index depends on the wavelength by cauchyb (not rendered yet)"},
+         "bend each wavelength by its own index; else all by that of 550 nm"},
         {"roughness", FloatTexture, "0.001", "old name for both u and v roughness", 0}};
     return {with_common_parameters(declarations({own, roughness_parameters("0.001")})), &create};
 }

@@ -2,7 +2,12 @@
 // that disperses next to nothing looks as it does in RGB, and the bits depend on the seed alone.
 #include <gtest/gtest.h>
 
+#include <fmt/format.h>
+
+#include <fstream>
+
 #include "block_test.h"
+#include "lxs/spectrum/spectrum.h"
 #include "rendered_image.h"
 
 namespace {
@@ -65,6 +70,109 @@ TEST(Spectral, WithHardlyAnyDispersionTheImageIsThatOfRgb) {
     EXPECT_NEAR(b.r / a.r, 1, 0.03);
     EXPECT_NEAR(b.g / a.g, 1, 0.03);
     EXPECT_NEAR(b.b / a.b, 1, 0.03);
+}
+
+/// Floor of `material` under a lamp of emission `light`, both as a scene writes them, seen from
+/// above; `more` stands before them.
+struct Floor {
+    std::string more, light = "\"color L\" [1 1 1]", material = "\"color Kd\" [0.5 0.5 0.5]";
+};
+
+struct Rendered {
+    render::Image image;
+    std::string log;
+};
+
+Rendered render_floor(const Floor& floor, int passes) {
+    const render::Folder folder;
+    const auto scene = folder.path() / "floor.lxs", image = folder.path() / "floor.exr";
+    std::ofstream(scene) << fmt::format(
+        R"(Film "fleximage" "integer xresolution" [8] "integer yresolution" [8]
+LookAt 0 0 3  0 0 0  0 1 0
+Camera "perspective" "float fov" [30]
+SurfaceIntegrator "path"
+WorldBegin
+{}
+Material "matte" {}
+Shape "trianglemesh" "integer triindices" [0 1 2 0 2 3]
+  "point P" [-2 -2 0  2 -2 0  2 2 0  -2 2 0]
+AreaLightSource "area" {} "float power" [0] "float efficacy" [0] "float gain" [10]
+Material "matte" "color Kd" [0 0 0]
+Shape "trianglemesh" "integer triindices" [0 2 1 0 3 2]
+  "point P" [-2 -2 5  2 -2 5  2 2 5  -2 2 5]
+WorldEnd
+)",
+        floor.more, floor.material, floor.light);
+    Rendered result;
+    result.log = render::output_of(fmt::format("{} '{}' -o '{}' --passes {} --seed 3 2>&1",
+                                               LXSRENDER, scene.string(), image.string(), passes));
+    result.image = render::read_image(image);
+    return result;
+}
+
+bool says(const Rendered& rendered, const std::string& text) {
+    return rendered.log.find(text) != std::string::npos;
+}
+
+constexpr const char* kSodium = R"(Texture "lamp" "color" "lampspectrum" "string name" ["LPS"])";
+constexpr const char* kLamp = R"("texture L" ["lamp"])";
+
+// In closed form: a paint that reflects everything but the light that there is.
+TEST(Spectral, APaintThatLacksTheLampsLineIsBlack) {
+    const std::string paint =
+        R"(Texture "paint" "color" "irregulardata"
+  "float wavelengths" [400 500 501 570 571 610 611 700] "float data" [0 0 0.9 0.9 0 0 0.9 0.9]
+)";
+    const std::string material = R"("texture Kd" ["paint"])";
+    const Colour in_white =
+        region(render_floor({paint, "\"color L\" [1 1 1]", material}, 64).image, 0, 1000, 0, 1000);
+    EXPECT_GT(in_white.r, 10 * in_white.b);
+    EXPECT_GT(in_white.g, 10 * in_white.b);
+    const Rendered dark = render_floor({paint + kSodium, kLamp, material}, 16);
+    const Rendered lit = render_floor({kSodium, kLamp}, 16);
+    EXPECT_TRUE(says(dark,
+                     "rendering by wavelengths, three a pass, as RGB misrepresents "
+                     "lampspectrum \"LPS\" on "))
+        << dark.log;
+    const Colour black = region(dark.image, 0, 1000, 0, 1000);
+    const Colour yellow = region(lit.image, 0, 1000, 0, 1000);
+    EXPECT_LT(black.r, 1e-3 * yellow.r);
+    EXPECT_LT(black.g, 1e-3 * yellow.g);
+    // Light of 589 nm, by the standard observer: x .5752, y .4242, blue outside of the gamut.
+    EXPECT_NEAR(yellow.g / yellow.r, 0.5618 / 2.857, 0.03);
+    EXPECT_LT(yellow.b, 0.01 * yellow.r);
+}
+
+// Greys alone: products of colours are not products of spectra.
+TEST(Spectral, AFlatLampLooksAsItDoesInRgb) {
+    const std::string flat = R"(Texture "lamp" "color" "equalenergy")";
+    const std::string prism =
+        "\nAttributeBegin Translate 9 9 9 Material \"glass\" \"float cauchyb\" [0.02] "
+        "Shape \"sphere\" \"float radius\" [0.1] AttributeEnd";
+    const Rendered rgb = render_floor({flat, kLamp}, 128);
+    const Rendered spectral = render_floor({flat + prism, kLamp}, 128);
+    EXPECT_TRUE(says(rgb, "RGB represents spectra to ")) << rgb.log;
+    EXPECT_TRUE(says(spectral, "as a material disperses light")) << spectral.log;
+    const Colour a = region(rgb.image, 0, 1000, 0, 1000);
+    const Colour b = region(spectral.image, 0, 1000, 0, 1000);
+    EXPECT_NEAR(b.r / a.r, 1, 0.01);
+    EXPECT_NEAR(b.g / a.g, 1, 0.01);
+    EXPECT_NEAR(b.b / a.b, 1, 0.01);
+}
+
+// What RGB represents well enough costs nothing: the bits are those of the spectrum's colour.
+TEST(Spectral, SmoothSpectraStayInRgb) {
+    const Rendered spectrum = render_floor(
+        {R"(Texture "lamp" "color" "blackbody" "float temperature" [2856])", kLamp}, 4);
+    const lxs::Rgb rgb = lxs::colour_of_light(lxs::blackbody_spectrum(2856));
+    const Rendered colour =
+        render_floor({"", fmt::format("\"color L\" [{} {} {}]", rgb.x, rgb.y, rgb.z)}, 4);
+    EXPECT_EQ(spectrum.image.rgb, colour.image.rgb);
+    EXPECT_TRUE(says(spectrum,
+                     "wavelengths (nothing disperses; RGB represents spectra to 7.5 %, "
+                     "worst blackbody on a green surface)"))
+        << spectrum.log;
+    EXPECT_TRUE(says(colour, "wavelengths (nothing disperses)")) << colour.log;
 }
 
 TEST(Spectral, SameBitsForAnyNumberOfThreads) {

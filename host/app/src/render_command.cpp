@@ -36,6 +36,16 @@ void load_plugins(const CommandLine& command, PluginLibrary& plugins) {
     if (!own.empty()) plugins.load_folder(own);
 }
 
+/// How wavelengths are named among what is skipped; empty if they are not.
+std::string skipped_wavelengths(const RenderSession& session) {
+    const SpectralNeed& need = session.scene->spectral_need();
+    if (session.scene->facts().disperses || need.misrepresented()) return {};
+    if (!need.given) return "wavelengths (nothing disperses)";
+    return fmt::format(
+        "wavelengths (nothing disperses; RGB represents spectra to {:.1f} %, worst {})",
+        100 * need.worst.difference, need.worst.pair);
+}
+
 void log_scene(const RenderSession& session, ConsoleLog& log) {
     const SceneFacts facts = session.scene->facts();
     log.info(fmt::format("scene: {} triangles, {} lights, {} materials; image {} x {}",
@@ -46,7 +56,8 @@ void log_scene(const RenderSession& session, ConsoleLog& log) {
     if (!facts.has_image_textures) skipped.emplace_back("image textures (no texture system)");
     if (!facts.has_media) skipped.emplace_back("media");
     if (!facts.has_motion) skipped.emplace_back("motion");
-    if (!facts.disperses) skipped.emplace_back("wavelengths (nothing disperses)");
+    const std::string wavelengths = skipped_wavelengths(session);
+    if (!wavelengths.empty()) skipped.emplace_back(wavelengths);
     if (!skipped.empty()) {
         log.info(fmt::format("skipped, as the scene has none: {}", fmt::join(skipped, ", ")));
     }

@@ -95,24 +95,41 @@ void build_scene(RenderSession& session, SceneContents contents, ReadFiles& file
     }
 }
 
-/// Wavelengths are worth their price only where something bends each its own way.
+/// Why a scene is to be rendered by wavelengths; empty if it isn't: they are worth their price only
+/// where something bends each its own way, or where RGB misrepresents spectra that the scene gives.
+std::string reason_for_wavelengths(const TraceScene& scene) {
+    const SpectralNeed& need = scene.spectral_need();
+    std::string reason;
+    if (scene.facts().disperses) reason = "a material disperses light";
+    if (need.misrepresented()) {
+        reason += fmt::format("{}RGB misrepresents {} by {:.0f} % of its colour",
+                              reason.empty() ? "" : ", and ", need.worst.pair,
+                              100 * need.worst.difference);
+    }
+    return reason;
+}
+
 void choose_spectral(RenderSession& session, ConsoleLog& log) {
-    if (!session.scene->facts().disperses) return;
+    const std::string reason = reason_for_wavelengths(*session.scene);
+    if (reason.empty()) return;
     if (session.sampler->metropolis() || !session.integrator->passes_stand_alone()) {
         log.warning(
             fmt::format("\"{}\" carries light from pass to pass here, so that passes can't differ "
-                        "in wavelength: dispersion is left out, the index of 550 nm is used",
-                        session.integrator_name));
+                        "in wavelength: dispersion is left out, the index of 550 nm is used, and "
+                        "spectra are rendered by their RGB colours ({})",
+                        session.integrator_name, reason));
         return;
     }
     session.spectral = true;
-    log.info("rendering by wavelengths, three a pass, as a material disperses light");
+    session.wavelength_density = session.scene->wavelength_density();
+    log.info(fmt::format("rendering by wavelengths, three a pass, as {}", reason));
 }
 
 }  // namespace
 
 void begin_spectral_pass(RenderSession& session, std::uint64_t pass) {
-    const Wavelengths wavelengths = wavelengths_of_pass(session.seed, pass);
+    const Wavelengths wavelengths =
+        wavelengths_of_pass(session.seed, pass, session.wavelength_density);
     session.scene->set_wavelengths(wavelengths);
     session.film->set_wavelengths(wavelengths);
 }

@@ -119,15 +119,15 @@ FilmAccumulator& FlexImage::color_layer(std::string_view name) {
     const auto known = color_layers_.find(name);
     if (known != color_layers_.end()) return known->second;
     FilmAccumulator layer(width(), height(), 1, filter_);
-    if (wavelengths_) layer.set_conversion(wavelengths_->to_rgb);
+    if (wavelengths_) layer.set_conversion(wavelengths_->to_rgb, wavelengths_->white);
     return color_layers_.emplace(std::string(name), std::move(layer)).first->second;
 }
 
 void FlexImage::set_wavelengths(const Wavelengths& wavelengths) {
     wavelengths_ = wavelengths;
-    accumulator_.set_conversion(wavelengths.to_rgb);
+    accumulator_.set_conversion(wavelengths.to_rgb, wavelengths.white);
     for (auto& [name, layer] : color_layers_)
-        layer.set_conversion(wavelengths.to_rgb);
+        layer.set_conversion(wavelengths.to_rgb, wavelengths.white);
 }
 
 void FlexImage::clear() {

@@ -216,7 +216,7 @@ void FilmAccumulator::add(const PassSamples& pass) {
         }
     });
     if (!to_rgb_) return;
-    white_sum_ += Imath::V3d(1.0) * *to_rgb_ * pass.weight;
+    white_sum_ += white_of_pass_ * pass.weight;
     weight_sum_ += pass.weight;
 }
 

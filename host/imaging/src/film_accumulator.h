@@ -24,10 +24,13 @@ class FilmAccumulator {
                     const PixelFilter& filter);
 
     /// From now on samples hold values at wavelengths: a row vector of them times `to_rgb` is
-    /// linear RGB. Images are divided by what a white of 1 has become, which the few wavelengths
-    /// of few passes would tint; the quotient tends to 1 with the passes. Right to the last digit
-    /// where all pixels get the same passes. Not for splats.
-    void set_conversion(const Imath::M33d& to_rgb) { to_rgb_ = to_rgb; }
+    /// linear RGB. Images are divided by the mean over passes of `white`, what a white of 1 has
+    /// become, which the few wavelengths of few passes would tint; it tends to 1 with the passes.
+    /// Right to the last digit where all pixels get the same passes. Not for splats.
+    void set_conversion(const Imath::M33d& to_rgb, const Imath::V3d& white) {
+        to_rgb_ = to_rgb;
+        white_of_pass_ = white;
+    }
 
     /// Throws std::invalid_argument if the pass is malformed (sizes, groups, weight): a bug of the
     /// caller. Samples that are not finite or negative are refused whole and counted.
@@ -77,7 +80,8 @@ class FilmAccumulator {
     std::vector<double> splats_;
     double splat_samples_ = 0;
     std::optional<FilterIntegral> filter_integral_;
-    std::optional<Imath::M33d> to_rgb_;   ///< none: samples are RGB
+    std::optional<Imath::M33d> to_rgb_;  ///< none: samples are RGB
+    Imath::V3d white_of_pass_{1.0};
     Imath::V3d white_sum_{0.0};           ///< over passes, weight times a white of 1 as RGB
     double weight_sum_ = 0;               ///< of the passes in white_sum_
     std::vector<std::uint64_t> refused_;  ///< by light group, and for positions

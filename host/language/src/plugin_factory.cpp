@@ -72,8 +72,7 @@ std::shared_ptr<const Material> PluginFactory::material(const ParameterSet& set,
     return material(grey_matte(set), to_world);
 }
 
-std::shared_ptr<Medium> PluginFactory::medium(const ParameterSet& set,
-                                              const Matrix& to_world) const {
+SceneMedium PluginFactory::medium(const ParameterSet& set, const Matrix& to_world) const {
     const Kind kind{"volume", "MakeNamedVolume", "a clear one with its index is used instead"};
     const auto made = make(registry_.media, kind, set, to_world);
     if (made) return *made;

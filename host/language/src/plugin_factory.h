@@ -17,7 +17,7 @@ class PluginFactory {
     /// Nothing for a shape that isn't rendered.
     std::optional<Geometry> shape(const ParameterSet& set, const Matrix& to_world) const;
     std::shared_ptr<const Material> material(const ParameterSet& set, const Matrix& to_world) const;
-    std::shared_ptr<Medium> medium(const ParameterSet& set, const Matrix& to_world) const;
+    SceneMedium medium(const ParameterSet& set, const Matrix& to_world) const;
     std::shared_ptr<const FloatTexture> float_texture(const ParameterSet& set,
                                                       const Matrix& to_world) const;
     std::shared_ptr<const ColorTexture> color_texture(const ParameterSet& set,

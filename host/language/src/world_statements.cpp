@@ -105,7 +105,7 @@ void SceneReader::make_named_volume(Statement& statement) {
     const Name name = take_name(statement, 0);
     const ParameterSet set = take_parameters(statement, 2, take_name(statement, 1));
     contents_.media.push_back(factory_.medium(set, scopes_.transform));
-    const bool is_new = assets_.define(name.text, contents_.media.back());
+    const bool is_new = assets_.define(name.text, contents_.media.back().medium);
     warn_redefined(is_new, "volume", name);
 }
 

@@ -13,6 +13,9 @@ class EmittedRadiance {
     explicit EmittedRadiance(std::shared_ptr<const ColorTexture> texture);
     void scale_by(float factor) { scale_ *= factor; }
     bool is_constant() const { return constant_; }
+    /// The spectrum of which the radiance has the colour, if it is a constant given as one; else
+    /// null.
+    CurvePointer spectrum() const { return texture_ ? texture_->spectrum() : nullptr; }
     /// Counts values of the texture that were not finite or negative.
     RefusedValues& refused_values() const { return *refused_; }
     /// Radiance in W sr^-1 m^-2, finite and >= 0.

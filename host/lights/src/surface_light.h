@@ -40,6 +40,7 @@ class SurfaceLight : public AreaLight {
     bool emission_coordinates(const Vec3& p, const DirectSample& sample,
                               std::array<float, 4>& u) const override;
     Rgb radiance(const Vec3& p, const Vec3& n, const Vec2& uv, const Vec3& wo) const override;
+    CurvePointer spectrum() const override { return radiance_.spectrum(); }
     RefusedValues& refused_values() const override { return radiance_.refused_values(); }
 
   protected:

@@ -5,6 +5,8 @@
 #include <cmath>
 
 #include "lxs/spectrum/colour_matching.h"
+#include "lxs/spectrum/daylight.h"
+#include "lxs/spectrum/wavelength_density.h"
 
 namespace lxs {
 namespace {
@@ -16,7 +18,7 @@ double step_at(double nm, double centre, double width) {
 /// A soft partition of the spectrum: long, middle and short waves. Edges were fitted so that
 /// primary_spectra(), a mixture of the three, stays in [0, 1].
 Imath::V3d bands(double nm) {
-    const double above_short = step_at(nm, 490.75, 10.28), is_long = step_at(nm, 587.75, 4.135);
+    const double above_short = step_at(nm, 490.75, 9.37), is_long = step_at(nm, 590.2, 5.768);
     return {is_long, above_short - is_long, 1 - above_short};
 }
 
@@ -24,24 +26,13 @@ Imath::V3d bands(double nm) {
 Imath::M33d band_mixture() {
     Imath::M33d colour_of_band(0.0);  // [band][channel]
     for (double nm = kFirstVisibleNm; nm <= kLastVisibleNm; ++nm) {
-        const Imath::V3d response = rgb_response(nm), band = bands(nm);
+        const Imath::V3d response = daylight_response(nm), band = bands(nm);
         for (int b = 0; b < 3; ++b) {
             for (int c = 0; c < 3; ++c)
                 colour_of_band[b][c] += band[b] * response[c];
         }
     }
     return colour_of_band.inverse();  // [channel][band]
-}
-
-constexpr double kCentreNm = 538, kSharpness = 0.0072, kNormalisation = 0.0039398042;
-
-double density(double nm) {
-    const double c = std::cosh(kSharpness * (nm - kCentreNm));
-    return kNormalisation / (c * c);
-}
-
-double sample_density(double u) {
-    return kCentreNm - std::atanh(0.85691062 - 1.82750197 * u) / kSharpness;
 }
 
 double fraction(double x) {
@@ -70,23 +61,29 @@ Rgb Wavelengths::values_of(const Rgb& rgb) const {
                std::clamp(static_cast<float>(v.z), least, most));
 }
 
-Wavelengths wavelengths_of_pass(std::uint64_t seed, std::uint64_t pass) {
+Wavelengths wavelengths_of_pass(std::uint64_t seed, std::uint64_t pass,
+                                const WavelengthDensity& density) {
     constexpr double kGoldenRatio = 0.6180339887498949;
     constexpr double kPlasticRatio = 0.7548776662466927;  // a second direction, for seeds
     const double start = fraction(static_cast<double>(seed % (1u << 20)) * kPlasticRatio);
     const double offset = fraction(start + static_cast<double>(pass % (1u << 30)) * kGoldenRatio);
     Wavelengths set;
     for (int i = 0; i < 3; ++i) {
-        const double nm = sample_density((i + offset) / 3);
-        set.nm[static_cast<std::size_t>(i)] = nm;
-        const Imath::V3d spectra = primary_spectra(nm);
-        const Imath::V3d response = rgb_response(nm) / (3 * density(nm));
+        const DrawnWavelength drawn = density.draw((i + offset) / 3);
+        set.nm[static_cast<std::size_t>(i)] = drawn.nm;
+        const Imath::V3d spectra = primary_spectra(drawn.nm);
+        const Imath::V3d response = daylight_response(drawn.nm) / (3 * drawn.density);
         for (int c = 0; c < 3; ++c) {
             set.from_rgb[c][i] = spectra[c];
             set.to_rgb[i][c] = response[c];
         }
     }
+    if (density.is_the_eyes()) set.white = Imath::V3d(1.0) * set.to_rgb;
     return set;
+}
+
+Wavelengths wavelengths_of_pass(std::uint64_t seed, std::uint64_t pass) {
+    return wavelengths_of_pass(seed, pass, WavelengthDensity{});
 }
 
 }  // namespace lxs

@@ -15,21 +15,30 @@ void add_material(const MaterialFacts& material, SceneSurvey& survey) {
     facts.has_image_textures |= material.reads_image;
     facts.disperses |= material.disperses;
     facts.max_bsdf_bytes = std::max(facts.max_bsdf_bytes, material.max_bsdf_bytes);
+    for (const CurvePointer& spectrum : material.spectra)
+        add_once(spectrum, survey.spectra.surfaces);
     survey.has_straight |= material.straight;
 }
 
 void add_medium(const std::shared_ptr<const Medium>& medium, SceneSurvey& survey) {
     if (!medium) return;
+    survey.media.insert(medium.get());
     survey.facts.has_media |= medium->absorbs();
     survey.facts.has_scattering_media |= medium->scatters();
+}
+
+void add_emission(const AreaEmission& emission, SceneSurvey& survey) {
+    const CurvePointer spectrum = emission.radiance ? emission.radiance->spectrum() : nullptr;
+    add_once(spectrum, survey.spectra.lamps);
+    survey.spectra.has_plain_lamps |= !spectrum;
+    survey.facts.has_image_textures |= emission.radiance && emission.radiance->reads_image();
 }
 
 void add_primitive(const Primitive& primitive, SceneSurvey& survey) {
     if (primitive.material) add_material(primitive.material->facts(), survey);
     add_medium(primitive.interior, survey);
     add_medium(primitive.exterior, survey);
-    if (primitive.emission && primitive.emission->radiance)
-        survey.facts.has_image_textures |= primitive.emission->radiance->reads_image();
+    if (primitive.emission) add_emission(*primitive.emission, survey);
     if (const auto* mesh = std::get_if<TriangleMesh>(&primitive.geometry))
         survey.facts.triangles += mesh->indices.size() / 3;
 }
@@ -71,6 +80,12 @@ SceneSurvey survey(const SceneContents& contents, Diagnostics& diagnostics) {
     add_medium(contents.camera_medium, result);
     for (const LightDescription& light : contents.lights)
         add_medium(light.medium, result);
+    for (const SceneMedium& named : contents.media) {
+        if (!result.media.contains(named.medium.get())) continue;
+        add_once(named.spectra.absorption, result.spectra.media);
+        add_once(named.spectra.scattering, result.spectra.media);
+    }
+    result.spectra.has_plain_lamps |= !contents.lights.empty();
     if (result.facts.has_scattering_media) {
         result.facts.has_scattering_media = renders_scattering(contents, diagnostics);
     }

@@ -5,14 +5,14 @@ namespace lxs {
 
 bool SpectralLight::sample_emission(const std::array<float, 4>& u, EmissionSample& sample) const {
     if (!light_.sample_emission(u, sample)) return false;
-    sample.power = wavelengths_.values_of(sample.power);
-    return true;
+    sample.power = at_wavelengths(sample.power);
+    return !is_black(sample.power);
 }
 
 bool SpectralLight::sample_direct(const Vec3& p, const Vec3& n, const Vec2& u,
                                   DirectSample& sample) const {
     if (!light_.sample_direct(p, n, u, sample)) return false;
-    sample.radiance = wavelengths_.values_of(sample.radiance);
+    sample.radiance = at_wavelengths(sample.radiance);
     return true;
 }
 

@@ -8,9 +8,15 @@ namespace lxs {
 
 class SpectralLight final : public Light {
   public:
-    /// Both must outlive this; `wavelengths` may change from pass to pass.
-    SpectralLight(const Light& light, const Wavelengths& wavelengths)
-        : light_(light), wavelengths_(wavelengths) {}
+    /// All must outlive this; `wavelengths` may change from pass to pass. `unit`: what the light's
+    /// spectrum has there at luminance 1; null if it was given as a colour.
+    SpectralLight(const Light& light, const Wavelengths& wavelengths, const Rgb* unit)
+        : light_(light), wavelengths_(wavelengths), unit_(unit) {}
+
+    /// Of the light's own colour, in R, G and B: the same at the wavelengths.
+    Rgb at_wavelengths(const Rgb& rgb) const {
+        return unit_ ? *unit_ * luminance(rgb) : wavelengths_.values_of(rgb);
+    }
 
     std::string_view kind() const override { return light_.kind(); }
     std::uint32_t group() const override { return light_.group(); }
@@ -28,12 +34,13 @@ class SpectralLight final : public Light {
         return light_.emission_coordinates(p, sample, u);
     }
     Rgb escaped(const Vec3& direction) const override {
-        return wavelengths_.values_of(light_.escaped(direction));
+        return at_wavelengths(light_.escaped(direction));
     }
 
   private:
     const Light& light_;
     const Wavelengths& wavelengths_;
+    const Rgb* unit_;
 };
 
 }  // namespace lxs

@@ -1,19 +1,32 @@
 // The media of a scene as a spectral render sees them: coefficients at the wavelengths of the pass.
 #include "spectral_media.h"
 
-namespace lxs {
+#include <algorithm>
 
-SpectralMedia::SpectralMedia(const std::vector<std::shared_ptr<Medium>>& media) {
-    for (const auto& medium : media)
-        media_.push_back({medium, medium->coefficients()});
+namespace lxs {
+namespace {
+
+/// A coefficient at the wavelengths: by its spectrum, or else by that of its colour.
+Rgb at(const Wavelengths& wavelengths, const CurvePointer& spectrum, const Rgb& rgb) {
+    if (!spectrum) return wavelengths.values_of(rgb);
+    const Rgb value = spectrum->at(wavelengths);
+    return {std::max(value.x, 0.0f), std::max(value.y, 0.0f), std::max(value.z, 0.0f)};
+}
+
+}  // namespace
+
+SpectralMedia::SpectralMedia(const std::vector<SceneMedium>& media) {
+    for (const SceneMedium& medium : media)
+        media_.push_back({medium, medium.medium->coefficients()});
 }
 
 void SpectralMedia::set_wavelengths(const Wavelengths& wavelengths) {
     for (const Coloured& coloured : media_) {
+        const auto& [medium, spectra] = coloured.scene;
         const MediumCoefficients& rgb = coloured.rgb;
-        coloured.medium->set_coefficients({wavelengths.values_of(rgb.absorption),
-                                           wavelengths.values_of(rgb.scattering),
-                                           wavelengths.values_of(rgb.asymmetry)});
+        medium->set_coefficients({at(wavelengths, spectra.absorption, rgb.absorption),
+                                  at(wavelengths, spectra.scattering, rgb.scattering),
+                                  wavelengths.values_of(rgb.asymmetry)});
     }
 }
 

@@ -4,7 +4,7 @@
 #include <memory>
 #include <vector>
 
-#include "lxs/sdk/medium.h"
+#include "lxs/scene/scene_medium.h"
 #include "lxs/spectrum/wavelengths.h"
 
 namespace lxs {
@@ -12,14 +12,14 @@ namespace lxs {
 class SpectralMedia {
   public:
     /// Keeps the coefficients that the media have now: those of R, G and B.
-    explicit SpectralMedia(const std::vector<std::shared_ptr<Medium>>& media);
+    explicit SpectralMedia(const std::vector<SceneMedium>& media);
 
     /// Gives the media coefficients at `wavelengths`; nobody may use them meanwhile.
     void set_wavelengths(const Wavelengths& wavelengths);
 
   private:
     struct Coloured {
-        std::shared_ptr<Medium> medium;
+        SceneMedium scene;
         MediumCoefficients rgb;
     };
     std::vector<Coloured> media_;

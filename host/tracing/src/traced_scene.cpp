@@ -40,7 +40,8 @@ TracedScene::TracedScene(SceneContents contents, const AssetResolver& resolve,
       refused_(std::make_unique<RefusedValues[]>(contents_.material_names.size() + 1)),
       survey_(survey(contents_, diagnostics)),
       world_scene_(device_),
-      spectral_media_(contents_.media) {
+      spectral_media_(contents_.media),
+      spectral_need_(lxs::spectral_need(survey_.spectra)) {
     build_geometry();
     place_instances();
     warn_of_lost_precision(bounds_, contents_.end, diagnostics);
@@ -116,11 +117,25 @@ void TracedScene::set_wavelengths(const Wavelengths& wavelengths) {
     const bool first = !wavelengths_;
     wavelengths_ = wavelengths;
     spectral_media_.set_wavelengths(wavelengths);
-    if (!first) return;
+    if (first) make_spectral_lights();
+    spectral_lamps_.set_wavelengths(wavelengths);
+}
+
+/// Area lights come first among the lights, in the order of their table.
+void TracedScene::make_spectral_lights() {
     for (std::size_t i = 0; i < lights_.size(); ++i) {
-        spectral_lights_.push_back(std::make_unique<SpectralLight>(*lights_[i], *wavelengths_));
+        const Rgb* const unit =
+            i < area_lights_.size() ? spectral_lamps_.add(area_lights_[i]->spectrum()) : nullptr;
+        spectral_lights_.push_back(
+            std::make_unique<SpectralLight>(*lights_[i], *wavelengths_, unit));
         light_pointers_[i] = spectral_lights_.back().get();
     }
+}
+
+WavelengthDensity TracedScene::wavelength_density() const {
+    constexpr double kBesideOthers = 0.5, kAlone = 0.9;
+    const bool others = survey_.spectra.has_plain_lamps;
+    return {survey_.spectra.lamps, others ? kBesideOthers : kAlone};
 }
 
 const TracedScene::Placement& TracedScene::placement_of(const RawHit& raw) const {
@@ -183,7 +198,7 @@ bool TracedScene::intersect(const Ray& ray, SurfaceHit& hit,
         hit.light = light_pointers_[light];
         if (wo.dot(hit.ng) > 0) {
             hit.emitted = area_lights_[light]->radiance(hit.p, hit.ng, hit.uv, wo);
-            if (wavelengths_) hit.emitted = wavelengths_->values_of(hit.emitted);
+            if (wavelengths_) hit.emitted = spectral_lights_[light]->at_wavelengths(hit.emitted);
         }
     }
     hit.bsdf = nullptr;

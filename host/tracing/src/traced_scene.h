@@ -12,6 +12,7 @@
 #include "lxs/tracing/trace_scene.h"
 #include "placement.h"
 #include "scene_survey.h"
+#include "spectral_lamps.h"
 #include "spectral_light.h"
 #include "spectral_media.h"
 #include "surface.h"
@@ -38,6 +39,8 @@ class TracedScene : public TraceScene {
         return contents_.material_names;
     }
     void set_wavelengths(const Wavelengths& wavelengths) override;
+    const SpectralNeed& spectral_need() const override { return spectral_need_; }
+    WavelengthDensity wavelength_density() const override;
     RefusalList refused_values() const override;
     void state(StateArchive& archive) override;
     Bounds bounds() const override { return bounds_; }
@@ -63,6 +66,7 @@ class TracedScene : public TraceScene {
     void place_moving(const Instance& instance, std::uint32_t id, const TimeSpan& times,
                       Placement& placement);
     void make_all_lights(const AssetResolver& resolve, Diagnostics& diagnostics);
+    void make_spectral_lights();
     const Placement& placement_of(const RawHit& raw) const;
     /// The surface that was met; writes position, normals and media of `hit`, and what materials
     /// read of it.
@@ -89,6 +93,8 @@ class TracedScene : public TraceScene {
     Bounds bounds_;
     std::optional<Wavelengths> wavelengths_;  ///< none: R, G and B
     SpectralMedia spectral_media_;
+    SpectralLamps spectral_lamps_;
+    SpectralNeed spectral_need_;
     SceneSphere sphere_;  ///< around all surfaces: where media end that no surface bounds
 };
 

@@ -122,8 +122,8 @@ Registry accepting_registry() {
     accept_all<Geometry>(registry.shapes, "Shape", Quadric{Sphere{}, Matrix()});
     accept_all<std::shared_ptr<const Material>>(registry.materials, "Material",
                                                 std::make_shared<FakeMaterial>("any", Rgb(0.5f)));
-    accept_all<std::shared_ptr<Medium>>(registry.media, "MakeNamedVolume",
-                                        std::make_shared<Medium>(Rgb(0.0f), 1.0f));
+    accept_all<SceneMedium>(registry.media, "MakeNamedVolume",
+                            SceneMedium(std::make_shared<Medium>(Rgb(0.0f), 1.0f)));
     accept_all<std::shared_ptr<const FloatTexture>>(registry.float_textures, "Texture float",
                                                     std::make_shared<ConstantTexture<float>>(1.0f));
     accept_all<std::shared_ptr<const ColorTexture>>(

@@ -58,6 +58,10 @@ std::shared_ptr<const Material> ShadingFixture::make_material(const std::string&
 }
 std::shared_ptr<const Medium> ShadingFixture::make_medium(const std::string& plugin,
                                                           std::vector<ParameterValue> values) {
+    return make_scene_medium(plugin, std::move(values)).medium;
+}
+SceneMedium ShadingFixture::make_scene_medium(const std::string& plugin,
+                                              std::vector<ParameterValue> values) {
     return make(registry.media, plugin, std::move(values));
 }
 std::shared_ptr<const FloatTexture> ShadingFixture::make_float(const std::string& plugin,

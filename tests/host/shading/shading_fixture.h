@@ -44,6 +44,8 @@ class ShadingFixture : public AssetContext {
                                                   std::vector<ParameterValue> values = {});
     std::shared_ptr<const Medium> make_medium(const std::string& plugin,
                                               std::vector<ParameterValue> values = {});
+    SceneMedium make_scene_medium(const std::string& plugin,
+                                  std::vector<ParameterValue> values = {});
     std::shared_ptr<const FloatTexture> make_float(const std::string& plugin,
                                                    std::vector<ParameterValue> values = {},
                                                    const Matrix& to_world = {});

@@ -179,6 +179,79 @@ TEST_F(SpectralTextureTest, CombinationsPassOnWhatAColourIsFor) {
     EXPECT_NEAR(light_of(*half).x, 0.5f * 1.2048f, 1e-3f);
 }
 
+TEST_F(SpectralTextureTest, TexturesKeepTheirSpectrumBesideTheColour) {
+    const auto bell = scene_.make_color("gaussian", {number("wavelength", 530)});
+    ASSERT_NE(bell->spectrum(), nullptr);
+    EXPECT_NEAR(bell->spectrum()->at(580.5), std::exp(-0.5 * 1.01 * 1.01), 1e-4);
+    EXPECT_EQ(bell->spectrum()->name(), "gaussian");
+    const auto lamp = scene_.make_color("lampspectrum", {text("name", "LPS")});
+    EXPECT_EQ(lamp->spectrum()->name(), "lampspectrum \"LPS\"");
+    EXPECT_EQ(lamp->spectrum()->at(620), 0);
+    EXPECT_EQ(scene_.make_color("constant", {color("value", {1, 0, 0})})->spectrum(), nullptr);
+}
+
+// Products of spectra are spectra; of a colour, the spectrum that stands for it takes part.
+TEST_F(SpectralTextureTest, ScaledSpectraStaySpectra) {
+    scene_.colors["bell"] = scene_.make_color("gaussian", {number("wavelength", 530)});
+    const auto half =
+        scene_.make_color("scale", {texture("tex1", "bell"), color("tex2", Rgb(0.5f))});
+    ASSERT_NE(half->spectrum(), nullptr);
+    EXPECT_NEAR(half->spectrum()->at(530), 0.5, 1e-6);
+    const auto square =
+        scene_.make_color("scale", {texture("tex1", "bell"), texture("tex2", "bell")});
+    EXPECT_NEAR(square->spectrum()->at(580), std::exp(-1), 1e-6);
+    const auto red =
+        scene_.make_color("scale", {color("tex1", {1, 0, 0}), texture("tex2", "bell")});
+    EXPECT_NEAR(red->spectrum()->at(600),
+                primary_spectra(600).x * scene_.colors["bell"]->spectrum()->at(600), 1e-6);
+    const auto plain =
+        scene_.make_color("scale", {color("tex1", {1, 0, 0}), color("tex2", {0, 1, 0})});
+    EXPECT_EQ(plain->spectrum(), nullptr);
+    scene_.colors["uv"] = scene_.make_color("uv");
+    const auto varying =
+        scene_.make_color("scale", {texture("tex1", "uv"), texture("tex2", "bell")});
+    EXPECT_EQ(varying->spectrum(), nullptr);
+}
+
+// A material has its colour in RGB and its spectrum at wavelengths, within its limits.
+TEST_F(SpectralTextureTest, MaterialsUseTheSpectrumAtWavelengths) {
+    scene_.colors["bell"] =
+        scene_.make_color("gaussian", {number("energy", 1.2), number("wavelength", 560)});
+    const auto matte = scene_.make_material("matte", {texture("Kd", "bell")});
+    ASSERT_EQ(matte->facts().spectra.size(), 1u);
+    BsdfMemory memory;
+    ShadingPoint point = shading_point();
+    Rgb kd(0.0f);
+    ASSERT_TRUE(memory.scatter(*matte, point)->lambertian(kd));
+    expect_near(kd,
+                Rgb(std::min(surface_of(*scene_.colors["bell"]).x, 1.0f), 1,
+                    surface_of(*scene_.colors["bell"]).z),
+                1e-6f);
+    for (std::uint64_t pass = 0; pass < 8; ++pass) {
+        const Wavelengths wavelengths = wavelengths_of_pass(0, pass);
+        point.texture.wavelengths = &wavelengths;
+        ASSERT_TRUE(memory.scatter(*matte, point)->lambertian(kd));
+        for (int i = 0; i < 3; ++i) {
+            const double t = (wavelengths.nm[static_cast<std::size_t>(i)] - 560) / 50;
+            EXPECT_NEAR(kd[i], std::min(1.2 * std::exp(-0.5 * t * t), 1.0), 2e-4);
+        }
+    }
+    scene_.materials["matte"] = matte;
+    const auto mix = scene_.make_material(
+        "mix", {text("namedmaterial1", "matte"), text("namedmaterial2", "matte")});
+    EXPECT_EQ(mix->facts().spectra.size(), 2u);
+}
+
+TEST_F(SpectralTextureTest, VolumesKeepTheSpectraOfTheirCoefficients) {
+    scene_.colors["bell"] = scene_.make_color("gaussian", {number("wavelength", 600)});
+    const SceneMedium clear = scene_.make_scene_medium("clear", {texture("absorption", "bell")});
+    EXPECT_EQ(clear.spectra.absorption, scene_.colors["bell"]->spectrum());
+    const SceneMedium milk = scene_.make_scene_medium(
+        "homogeneous", {texture("sigma_s", "bell"), color("sigma_a", Rgb(0.1f))});
+    EXPECT_EQ(milk.spectra.scattering, scene_.colors["bell"]->spectrum());
+    EXPECT_EQ(milk.spectra.absorption, nullptr);
+}
+
 TEST_F(SpectralTextureTest, ColorDepthAbsorbsToItsColour) {
     const auto texture =
         scene_.make_color("colordepth", {number("depth", 2), color("Kt", {0.25f, 1, 0})});

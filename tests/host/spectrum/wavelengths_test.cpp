@@ -7,17 +7,22 @@
 
 #include <set>
 
+#include <cmath>
+#include <random>
+
 #include "lxs/spectrum/colour_matching.h"
+#include "lxs/spectrum/daylight.h"
+#include "lxs/spectrum/wavelength_density.h"
 
 namespace lxs {
 namespace {
 
-/// Sum of response times spectrum over the visible range.
+/// Sum of white light's response times spectrum over the visible range.
 template <class Spectrum>
 Imath::V3d colour_of(const Spectrum& spectrum) {
     Imath::V3d sum(0.0);
     for (double nm = kFirstVisibleNm; nm <= kLastVisibleNm; ++nm)
-        sum += rgb_response(nm) * spectrum(nm);
+        sum += daylight_response(nm) * spectrum(nm);
     return sum;
 }
 
@@ -52,6 +57,20 @@ TEST(ColourMatching, IsTheStandardObservers) {
     EXPECT_NEAR(flat.z / flat.y, 1, 0.01);
     const Imath::V3d rgb = rgb_of_xyz({0.95047, 1, 1.08883});  // D65
     EXPECT_NEAR((rgb - Imath::V3d(1.0)).length(), 0, 1e-4);
+}
+
+// D65 by the table's own chromaticity (CIE 15:2004, table T.3): x .3127, y .3290.
+TEST(Daylight, IsTheStandardIlluminant) {
+    Imath::V3d xyz(0.0);
+    double flat = 0;
+    for (double nm = kFirstVisibleNm; nm <= kLastVisibleNm; ++nm) {
+        xyz += colour_matching(nm) * daylight(nm);
+        flat += colour_matching(nm).y;
+    }
+    EXPECT_NEAR(xyz.x / (xyz.x + xyz.y + xyz.z), 0.3127, 1e-4);
+    EXPECT_NEAR(xyz.y / (xyz.x + xyz.y + xyz.z), 0.3290, 1e-4);
+    EXPECT_NEAR(xyz.y, flat, 1e-9 * flat);
+    EXPECT_NEAR((colour_of([](double) { return 1.0; }) - Imath::V3d(1.0)).length(), 0, 1e-12);
 }
 
 class WavelengthsOfSeed : public ::testing::TestWithParam<std::uint64_t> {};
@@ -110,6 +129,87 @@ TEST(Wavelengths, KeepReflectancesWithinTheirBounds) {
         const Rgb grey = w.values_of(Rgb(7.0f));
         EXPECT_NEAR(grey.x, 7, 1e-5);
         EXPECT_NEAR(grey.z, 7, 1e-5);
+    }
+}
+
+CurvePointer bell(double centre, double width) {
+    return std::make_shared<SpectralCurve>(
+        [=](double nm) { return std::exp(-0.5 * std::pow((nm - centre) / width, 2)); }, "bell");
+}
+
+std::vector<std::vector<CurvePointer>> lamps_of_scenes() {
+    return {{}, {bell(589, 1.5)}, {bell(589, 1.5), bell(436, 1.5), bell(550, 60)}};
+}
+
+// What is drawn has the density that it is weighed by.
+TEST(WavelengthDensity, InvertsItsDistribution) {
+    for (const auto& lamps : lamps_of_scenes()) {
+        const WavelengthDensity density(lamps, 0.5);
+        double last = density.draw(0).nm;
+        EXPECT_NEAR(last, kFirstVisibleNm, 1e-3);
+        constexpr int kSteps = 200'000;
+        for (int i = 1; i <= kSteps; ++i) {
+            const DrawnWavelength drawn = density.draw((i - 1e-9) / kSteps);
+            const double middle = density.draw((i - 0.5) / kSteps).density;
+            ASSERT_NEAR((drawn.nm - last) * middle * kSteps, 1, 0.02) << drawn.nm;
+            last = drawn.nm;
+        }
+        EXPECT_NEAR(last, kLastVisibleNm, 1e-3);
+    }
+}
+
+/// Colour of light of spectrum `lamp` on a reflectance `surface` as one pass sees it.
+Imath::V3d seen_in_pass(const SpectralCurve& lamp, const SpectralCurve& surface,
+                        const Wavelengths& w) {
+    return Imath::V3d(lamp.at(w) * surface.at(w)) * w.to_rgb;
+}
+
+// z-test of the mean over passes of random offsets against the integral: lines, smooth spectra and
+// white, by the eye's density and by those of lamps. Significance 1e-4 for all 54 together.
+TEST(WavelengthDensity, PassesAreUnbiased) {
+    const SpectralCurve white([](double) { return 1.0; }, "white");
+    const std::vector<CurvePointer> spectra{bell(589, 4), bell(500, 40),
+                                            std::make_shared<SpectralCurve>(white)};
+    std::mt19937_64 seeds(7);
+    for (const auto& lamps : lamps_of_scenes()) {
+        const WavelengthDensity density(lamps, 0.5);
+        for (const CurvePointer& lamp : spectra) {
+            for (const SpectralCurve* surface : {&white, spectra[1].get()}) {
+                constexpr int kPasses = 20'000;
+                Imath::V3d sum(0.0), squares(0.0);
+                for (int i = 0; i < kPasses; ++i) {
+                    const auto seen =
+                        seen_in_pass(*lamp, *surface, wavelengths_of_pass(seeds(), 0, density));
+                    sum += seen;
+                    squares += seen * seen;
+                }
+                const Imath::V3d exact =
+                    colour_of([&](double nm) { return lamp->at(nm) * surface->at(nm); });
+                for (int c = 0; c < 3; ++c) {
+                    const double mean = sum[c] / kPasses;
+                    const double deviation =
+                        std::sqrt((squares[c] / kPasses - mean * mean) / kPasses);
+                    // 0.1 %: sums at whole nanometres against integrals.
+                    EXPECT_NEAR(mean, exact[c], 4.6 * deviation + 1e-3 * std::abs(exact[c]))
+                        << lamps.size() << " lamps, channel " << c;
+                }
+            }
+        }
+    }
+}
+
+// By the eye's density alone most passes see nothing of a sodium lamp.
+TEST(WavelengthDensity, EveryPassSeesALampOfOneLine) {
+    const CurvePointer lamp = bell(589, 1.5);
+    const SpectralCurve white([](double) { return 1.0; }, "white");
+    const WavelengthDensity density(std::vector{lamp}, 0.5);
+    const double mean = colour_of([&](double nm) { return lamp->at(nm); }).y;
+    for (std::uint64_t pass = 0; pass < 100; ++pass) {
+        const Wavelengths w = wavelengths_of_pass(1, pass, density);
+        EXPECT_EQ(w.white, Imath::V3d(1.0));
+        const double seen = seen_in_pass(*lamp, white, w).y;
+        EXPECT_GT(seen, 0.4 * mean) << pass;
+        EXPECT_LT(seen, 2.1 * mean) << pass;
     }
 }
 

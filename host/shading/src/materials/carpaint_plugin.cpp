@@ -32,8 +32,9 @@ struct LobeParameters {
     CookTorranceLobe at(const TexturePoint& point) const {
         return {ks.at(point), reflectance.at(point), slope.at(point)};
     }
-    bool reads_image() const {
-        return ks.reads_image() || reflectance.reads_image() || slope.reads_image();
+    void add_to(MaterialFacts& facts) const {
+        ks.add_to(facts);
+        facts.reads_image |= reflectance.reads_image() || slope.reads_image();
     }
 };
 
@@ -82,11 +83,12 @@ MaterialFacts CarPaintMaterial::facts() const {
     MaterialFacts facts;
     facts.lobes = kDiffuse | kGlossy;
     if (preset_ ? is_black(preset_->kd) : kd_.is(Rgb(0.0f))) facts.lobes = kGlossy;
-    facts.reads_image = ka_.reads_image() || depth_.reads_image();
+    facts.reads_image = depth_.reads_image();
+    ka_.add_to(facts);
     if (!preset_) {
-        facts.reads_image |= kd_.reads_image();
+        kd_.add_to(facts);
         for (const LobeParameters& lobe : lobes_)
-            facts.reads_image |= lobe.reads_image();
+            lobe.add_to(facts);
     }
     facts.max_bsdf_bytes = kBsdfBytes<CarPaintBsdf>;
     return facts;

@@ -29,7 +29,8 @@ class CoatedDiffuse final : public Material {
     MaterialFacts facts() const override {
         MaterialFacts facts;
         facts.lobes = kd_.is(Rgb(0.0f)) ? kLobesOfBlackBase : kDiffuse | kGlossy;
-        facts.reads_image = kd_.reads_image() || coating_.reads_image();
+        kd_.add_to(facts);
+        coating_.add_to(facts);
         facts.max_bsdf_bytes = kBsdfBytes<Model>;
         return facts;
     }

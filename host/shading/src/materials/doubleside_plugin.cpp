@@ -59,6 +59,8 @@ MaterialFacts DoubleSideMaterial::facts() const {
     facts.bends = front.bends || back.bends;
     facts.reads_dpdv = front.reads_dpdv || back.reads_dpdv;
     facts.disperses = front.disperses || back.disperses;
+    facts.add_spectra_of(front);
+    facts.add_spectra_of(back);
     facts.max_bsdf_bytes = front.max_bsdf_bytes + back.max_bsdf_bytes + kBsdfBytes<DoubleSideBsdf>;
     return facts;
 }

@@ -30,8 +30,9 @@ class GlassMaterial final : public Material {
     }
     MaterialFacts facts() const override {
         MaterialFacts facts = glass_facts(architectural_, !cauchy_b_.is(0));
-        facts.reads_image = kr_.reads_image() || kt_.reads_image() || index_.reads_image() ||
-                            cauchy_b_.reads_image() || film_.reads_image();
+        facts.reads_image = index_.reads_image() || cauchy_b_.reads_image() || film_.reads_image();
+        kr_.add_to(facts);
+        kt_.add_to(facts);
         return facts;
     }
     Rgb straight_transmittance(const ShadingPoint& point, const Vec3& direction) const override {

@@ -46,8 +46,10 @@ MaterialFacts GlossyTranslucentMaterial::facts() const {
     const bool opaque = kt_.is(Rgb(0.0f));
     facts.lobes = opaque && kd_.is(Rgb(0.0f)) ? kGlossy : kDiffuse | kGlossy;
     facts.transmits = !opaque;
-    facts.reads_image =
-        kd_.reads_image() || kt_.reads_image() || front_.reads_image() || back_.reads_image();
+    kd_.add_to(facts);
+    kt_.add_to(facts);
+    front_.add_to(facts);
+    back_.add_to(facts);
     facts.max_bsdf_bytes = kBsdfBytes<GlossyTranslucentBsdf>;
     return facts;
 }

@@ -84,6 +84,7 @@ LayeredMaterial::LayeredMaterial(std::vector<Layer> layers) : layers_(std::move(
         facts_.reads_dpdv |= facts.reads_dpdv;
         facts_.disperses |= facts.disperses;
         facts_.max_bsdf_bytes += facts.max_bsdf_bytes;
+        facts_.add_spectra_of(facts);
     }
     facts_.max_bsdf_bytes += kBsdfBytes<LayeredBsdf>;
 }

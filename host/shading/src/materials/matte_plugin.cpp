@@ -28,7 +28,8 @@ class MatteMaterial final : public Material {
         MaterialFacts facts;
         if (kd_.is(Rgb(0.0f))) return facts;
         facts.lobes = kDiffuse;
-        facts.reads_image = kd_.reads_image() || sigma_.reads_image();
+        facts.reads_image = sigma_.reads_image();
+        kd_.add_to(facts);
         facts.max_bsdf_bytes = sigma_.is(0)
                                    ? kBsdfBytes<LambertBsdf>
                                    : std::max(kBsdfBytes<LambertBsdf>, kBsdfBytes<OrenNayarBsdf>);

@@ -45,7 +45,9 @@ MaterialFacts MatteTranslucentMaterial::facts() const {
     if (opaque && kr_.is(Rgb(0.0f))) return facts;
     facts.lobes = kDiffuse;
     facts.transmits = !opaque;
-    facts.reads_image = kr_.reads_image() || kt_.reads_image() || sigma_.reads_image();
+    facts.reads_image = sigma_.reads_image();
+    kr_.add_to(facts);
+    kt_.add_to(facts);
     facts.max_bsdf_bytes = kBsdfBytes<TranslucentBsdf>;
     return facts;
 }

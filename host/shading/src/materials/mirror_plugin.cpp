@@ -24,7 +24,8 @@ class MirrorMaterial final : public Material {
     MaterialFacts facts() const override {
         MaterialFacts facts;
         facts.lobes = kSpecular;
-        facts.reads_image = kr_.reads_image() || film_.reads_image();
+        facts.reads_image = film_.reads_image();
+        kr_.add_to(facts);
         facts.max_bsdf_bytes = kBsdfBytes<MirrorBsdf>;
         return facts;
     }

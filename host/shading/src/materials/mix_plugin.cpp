@@ -46,6 +46,8 @@ MaterialFacts MixMaterial::facts() const {
     facts.bends = first.bends || second.bends;
     facts.reads_dpdv = first.reads_dpdv || second.reads_dpdv;
     facts.disperses = first.disperses || second.disperses;
+    facts.add_spectra_of(first);
+    facts.add_spectra_of(second);
     facts.max_bsdf_bytes = first.max_bsdf_bytes + second.max_bsdf_bytes + kBsdfBytes<MixBsdf>;
     return facts;
 }

@@ -26,23 +26,33 @@ class PreparedTexture {
         : lowest_(lowest), highest_(highest) {
         if (const std::optional<T> value = texture->constant()) {
             constant_ = limited(*value, lowest, highest);
+            spectrum_ = texture->spectrum();
         } else {
             texture_ = std::move(texture);
         }
     }
     /// A colour is given at the point's wavelengths, if it has any.
     T at(const TexturePoint& point) const {
-        const T value = texture_ ? evaluated(point) : constant_;
         if constexpr (std::is_same_v<T, Rgb>) {
-            if (point.wavelengths) return point.wavelengths->values_of(value);
+            if (point.wavelengths) return at_wavelengths(point);
         }
-        return value;
+        return texture_ ? evaluated(point) : constant_;
     }
     /// True if the value is `value` everywhere.
     bool is(const T& value) const { return !texture_ && constant_ == value; }
     bool reads_image() const { return texture_ && texture_->reads_image(); }
+    /// Adds what is true of a material by this texture.
+    void add_to(MaterialFacts& facts) const {
+        facts.reads_image |= reads_image();
+        if (spectrum_) facts.spectra.push_back(spectrum_);
+    }
 
   private:
+    T at_wavelengths(const TexturePoint& point) const {
+        const Wavelengths& wavelengths = *point.wavelengths;
+        if (spectrum_) return limited(spectrum_->at(wavelengths), lowest_, highest_);
+        return wavelengths.values_of(texture_ ? evaluated(point) : constant_);
+    }
     /// What is cut off at the limits is meant so; what is no number, or a negative colour, is not.
     T evaluated(const TexturePoint& point) const {
         const T value = texture_->evaluate(point);
@@ -53,6 +63,7 @@ class PreparedTexture {
     }
 
     T constant_{};
+    CurvePointer spectrum_;  ///< of a constant colour that was given as one; else null
     float lowest_, highest_;
     std::shared_ptr<const Texture<T>> texture_;  ///< null for a constant
 };

@@ -66,8 +66,9 @@ MaterialFacts RoughGlassMaterial::facts() const {
     MaterialFacts facts;
     facts.lobes = kGlossy;
     facts.transmits = true;
-    facts.reads_image = kr_.reads_image() || kt_.reads_image() || index_.reads_image() ||
-                        cauchy_b_.reads_image() || surface_.reads_image();
+    facts.reads_image = index_.reads_image() || cauchy_b_.reads_image() || surface_.reads_image();
+    kr_.add_to(facts);
+    kt_.add_to(facts);
     facts.disperses = disperses_;
     facts.max_bsdf_bytes =
         std::max(kBsdfBytes<RoughGlassBsdf>, kBsdfBytes<DispersiveRoughGlassBsdf>);

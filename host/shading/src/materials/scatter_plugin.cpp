@@ -26,7 +26,8 @@ class ScatterMaterial final : public Material {
         if (kd_.is(Rgb(0.0f))) return facts;
         facts.lobes = kDiffuse;
         facts.transmits = true;
-        facts.reads_image = kd_.reads_image() || g_.reads_image();
+        kd_.add_to(facts);
+        g_.add_to(facts);
         facts.max_bsdf_bytes = kBsdfBytes<PhaseBsdf>;
         return facts;
     }

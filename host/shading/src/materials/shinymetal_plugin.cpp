@@ -27,8 +27,9 @@ class ShinyMetalMaterial final : public Material {
     MaterialFacts facts() const override {
         MaterialFacts facts;
         facts.lobes = kGlossy | kSpecular;
-        facts.reads_image =
-            ks_.reads_image() || kr_.reads_image() || film_.reads_image() || surface_.reads_image();
+        facts.reads_image = film_.reads_image() || surface_.reads_image();
+        ks_.add_to(facts);
+        kr_.add_to(facts);
         facts.max_bsdf_bytes = kBsdfBytes<ShinyMetalBsdf>;
         return facts;
     }

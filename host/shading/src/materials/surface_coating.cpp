@@ -32,9 +32,10 @@ Coating SurfaceCoating::coating_at(const TexturePoint& point) const {
     return coating;
 }
 
-bool SurfaceCoating::reads_image() const {
-    return ks_.reads_image() || ka_.reads_image() || index_.reads_image() || depth_.reads_image() ||
-           surface_.reads_image();
+void SurfaceCoating::add_to(MaterialFacts& facts) const {
+    ks_.add_to(facts);
+    ka_.add_to(facts);
+    facts.reads_image |= index_.reads_image() || depth_.reads_image() || surface_.reads_image();
 }
 
 std::vector<ParameterDeclaration> coating_parameters() {

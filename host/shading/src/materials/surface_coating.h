@@ -17,7 +17,8 @@ class SurfaceCoating {
 
     Coating coating_at(const TexturePoint& point) const;
     MicrofacetLobe facets_at(const ShadingPoint& point) const { return surface_.at(point); }
-    bool reads_image() const;
+    /// Adds what is true of a material by these textures.
+    void add_to(MaterialFacts& facts) const;
 
   private:
     PreparedColor ks_, ka_;

@@ -41,8 +41,9 @@ MaterialFacts VelvetMaterial::facts() const {
     MaterialFacts facts;
     if (kd_.is(Rgb(0.0f)) || thickness_.is(0)) return facts;
     facts.lobes = kDiffuse;
-    facts.reads_image = kd_.reads_image() || p1_.reads_image() || p2_.reads_image() ||
-                        p3_.reads_image() || thickness_.reads_image();
+    facts.reads_image =
+        p1_.reads_image() || p2_.reads_image() || p3_.reads_image() || thickness_.reads_image();
+    kd_.add_to(facts);
     facts.max_bsdf_bytes = kBsdfBytes<AsperityBsdf>;
     return facts;
 }

@@ -42,9 +42,15 @@ IndexCurve read_index(const ParameterReader& reader, const AssetContext& assets)
     return index;
 }
 
-/// A colour that is the same everywhere, limited to [lowest, highest].
-Rgb read_coefficient(const ParameterReader& reader, const AssetContext& assets,
-                     std::string_view name, float lowest, float highest) {
+/// A colour that is the same everywhere, and its spectrum if it was given as one.
+struct Coefficient {
+    Rgb value{0.0f};
+    CurvePointer spectrum;
+};
+
+/// Limited to [lowest, highest].
+Coefficient read_coefficient(const ParameterReader& reader, const AssetContext& assets,
+                             std::string_view name, float lowest, float highest) {
     const auto texture = read_color_texture(reader, assets, name, Rgb(0.0f));
     const Rgb value = value_everywhere(texture, reader, name);
     const Rgb inside = limited(value, lowest, highest);
@@ -55,7 +61,7 @@ Rgb read_coefficient(const ParameterReader& reader, const AssetContext& assets,
         reader.diagnostics().warning(reader.where(name),
                                      fmt::format("\"{}\" is limited to {}", name, limit));
     }
-    return inside;
+    return {inside, texture->spectrum()};
 }
 
 ParameterDeclaration fresnel_parameter() {
@@ -72,9 +78,10 @@ MediumFactory clear_plugin() {
         {fresnel_parameter(),
          {"absorption", ParameterType::ColorTexture, "0 0 0", "absorption per unit of distance"}},
         [](const ParameterReader& reader, const AssetContext& assets, const Matrix&) {
-            const MediumCoefficients coefficients{
-                read_coefficient(reader, assets, "absorption", 0, kNoLimit)};
-            return std::make_shared<Medium>(coefficients, read_index(reader, assets));
+            const auto absorption = read_coefficient(reader, assets, "absorption", 0, kNoLimit);
+            return SceneMedium(std::make_shared<Medium>(MediumCoefficients{absorption.value},
+                                                        read_index(reader, assets)),
+                               {absorption.spectrum, nullptr});
         }};
 }
 
@@ -89,11 +96,13 @@ MediumFactory homogeneous_plugin() {
           "mean cosine of the angle of scattering (Henyey and Greenstein's phase function), -1 to "
           "1: backwards to forwards"}},
         [](const ParameterReader& reader, const AssetContext& assets, const Matrix&) {
-            const MediumCoefficients coefficients{
-                read_coefficient(reader, assets, "sigma_a", 0, kNoLimit),
-                read_coefficient(reader, assets, "sigma_s", 0, kNoLimit),
-                read_coefficient(reader, assets, "g", -kMostAsymmetry, kMostAsymmetry)};
-            return std::make_shared<Medium>(coefficients, read_index(reader, assets));
+            const auto absorption = read_coefficient(reader, assets, "sigma_a", 0, kNoLimit);
+            const auto scattering = read_coefficient(reader, assets, "sigma_s", 0, kNoLimit);
+            const auto g = read_coefficient(reader, assets, "g", -kMostAsymmetry, kMostAsymmetry);
+            return SceneMedium(std::make_shared<Medium>(
+                                   MediumCoefficients{absorption.value, scattering.value, g.value},
+                                   read_index(reader, assets)),
+                               {absorption.spectrum, scattering.spectrum});
         }};
 }
 

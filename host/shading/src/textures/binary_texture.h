@@ -5,6 +5,7 @@
 #include <type_traits>
 
 #include "lxs/scene/texture.h"
+#include "spectral_product.h"
 
 namespace lxs::shading {
 
@@ -14,8 +15,9 @@ class ScaleTexture final : public Texture<T> {
   public:
     using Input = std::shared_ptr<const Texture<T>>;
 
-    ScaleTexture(Input first, Input second)
-        : first_(std::move(first)), second_(std::move(second)) {}
+    ScaleTexture(Input first, Input second) : first_(std::move(first)), second_(std::move(second)) {
+        if constexpr (std::is_same_v<T, Rgb>) spectrum_ = spectral_product(*first_, *second_);
+    }
     T evaluate(const TexturePoint& point) const override {
         return first_->evaluate(point) * second_->evaluate(point);
     }
@@ -31,10 +33,12 @@ class ScaleTexture final : public Texture<T> {
         if (!first || !second) return std::nullopt;
         return *first * *second;
     }
+    CurvePointer spectrum() const override { return spectrum_; }
     bool reads_image() const override { return first_->reads_image() || second_->reads_image(); }
 
   private:
     Input first_, second_;
+    CurvePointer spectrum_;
 };
 
 /// (1 - amount) * tex1 + amount * tex2.

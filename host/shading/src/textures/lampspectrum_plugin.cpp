@@ -41,7 +41,8 @@ std::shared_ptr<const ColorTexture> create(const ParameterReader& reader, const 
                         "measured ones ({})",
                         name, lamp->note));
     }
-    return std::make_shared<SpectralTexture>(lamp_spectrum(*lamp));
+    return std::make_shared<SpectralTexture>(lamp_spectrum(*lamp),
+                                             fmt::format("lampspectrum \"{}\"", name));
 }
 
 }  // namespace

@@ -32,7 +32,8 @@ std::shared_ptr<const ColorTexture> sampled_texture(const ParameterReader& reade
                                      reader.plugin() + ": negative values are taken as 0");
         std::replace_if(values.begin(), values.end(), negative, 0.0);
     }
-    return std::make_shared<SpectralTexture>(sampled_spectrum(std::move(nm), std::move(values)));
+    return std::make_shared<SpectralTexture>(sampled_spectrum(std::move(nm), std::move(values)),
+                                             reader.plugin());
 }
 
 std::shared_ptr<const ColorTexture> create_regular(const ParameterReader& reader,

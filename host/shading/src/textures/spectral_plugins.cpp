@@ -16,7 +16,7 @@ ColorTextureFactory blackbody_plugin() {
               "temperature in kelvin; the largest value of the visible spectrum is 1", 1}},
             [](const ParameterReader& reader, const AssetContext&, const Matrix&) {
                 return std::make_shared<SpectralTexture>(
-                    blackbody_spectrum(reader.number("temperature", 6500)));
+                    blackbody_spectrum(reader.number("temperature", 6500)), reader.plugin());
             }};
 }
 
@@ -24,7 +24,8 @@ ColorTextureFactory equalenergy_plugin() {
     return {{energy_parameter()},
             [](const ParameterReader& reader, const AssetContext&, const Matrix&) {
                 const double energy = reader.number("energy", 1);
-                return std::make_shared<SpectralTexture>([energy](double) { return energy; });
+                return std::make_shared<SpectralTexture>([energy](double) { return energy; },
+                                                         reader.plugin());
             }};
 }
 
@@ -36,10 +37,11 @@ ColorTextureFactory gaussian_plugin() {
                 const double energy = reader.number("energy", 1);
                 const double centre = reader.number("wavelength", 550);
                 const double width = reader.number("width", 50);
-                return std::make_shared<SpectralTexture>([=](double nm) {
+                const auto bell = [=](double nm) {
                     const double t = (nm - centre) / width;
                     return energy * std::exp(-0.5 * t * t);
-                });
+                };
+                return std::make_shared<SpectralTexture>(bell, reader.plugin());
             }};
 }
 
@@ -51,9 +53,10 @@ ColorTextureFactory frequency_plugin() {
                 const double energy = reader.number("energy", 1);
                 const double frequency = reader.number("freq", 0.01);
                 const double phase = reader.number("phase", 0.5);
-                return std::make_shared<SpectralTexture>([=](double nm) {
+                const auto wave = [=](double nm) {
                     return energy * 0.5 * (1 + std::sin(nm * frequency + phase));
-                });
+                };
+                return std::make_shared<SpectralTexture>(wave, reader.plugin());
             }};
 }
 

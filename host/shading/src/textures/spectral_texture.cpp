@@ -3,7 +3,9 @@
 
 namespace lxs::shading {
 
-SpectralTexture::SpectralTexture(const Spectrum& spectrum)
-    : surface_(colour_of_surface(spectrum)), light_(colour_of_light(spectrum)) {}
+SpectralTexture::SpectralTexture(const Spectrum& spectrum, std::string name)
+    : surface_(colour_of_surface(spectrum)),
+      light_(colour_of_light(spectrum)),
+      curve_(std::make_shared<SpectralCurve>(spectrum, std::move(name))) {}
 
 }  // namespace lxs::shading

@@ -10,15 +10,18 @@ namespace lxs::shading {
 /// colour_of_surface() and colour_of_light().
 class SpectralTexture final : public ColorTexture {
   public:
-    explicit SpectralTexture(const Spectrum& spectrum);
+    /// `name`: of its spectrum in messages.
+    SpectralTexture(const Spectrum& spectrum, std::string name);
 
     Rgb evaluate(const TexturePoint& point) const override {
         return point.use == ColourUse::Light ? light_ : surface_;
     }
     std::optional<Rgb> constant() const override { return surface_; }
+    CurvePointer spectrum() const override { return curve_; }
 
   private:
     Rgb surface_, light_;
+    CurvePointer curve_;
 };
 
 }  // namespace lxs::shading

@@ -33,6 +33,7 @@ struct RenderSession {
     PhaseTimes times;
     std::optional<Fingerprint> fingerprint;  ///< if checkpoints are asked for
     bool spectral = false;                   ///< each pass has wavelengths of its own
+    WavelengthDensity wavelength_density;    ///< that these are drawn from
 };
 
 /// Everything that can be wrong with the input or the output's place is found here. Throws

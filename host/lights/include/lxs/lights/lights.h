@@ -43,6 +43,9 @@ class AreaLight : public Light {
   public:
     /// Radiance leaving point `p` with front normal `n` and texture coordinates `uv` towards `wo`.
     virtual Rgb radiance(const Vec3& p, const Vec3& n, const Vec2& uv, const Vec3& wo) const = 0;
+    /// What it emits, up to a factor, if that was given as a spectrum and is the same everywhere;
+    /// else null.
+    virtual CurvePointer spectrum() const = 0;
     /// Counts values of its texture that were not finite or negative: taken for 0.
     virtual RefusedValues& refused_values() const = 0;
 };

@@ -11,6 +11,7 @@
 #include "lxs/scene/geometry.h"
 #include "lxs/scene/material.h"
 #include "lxs/scene/motion.h"
+#include "lxs/scene/scene_medium.h"
 #include "lxs/sdk/light.h"
 #include "lxs/sdk/parameters.h"
 
@@ -78,8 +79,8 @@ struct SceneContents {
     std::vector<ObjectDefinition> objects;
     std::vector<Instance> instances;
     std::vector<LightDescription> lights;
-    std::vector<std::shared_ptr<Medium>> media;  ///< all that were named
-    std::vector<std::string> light_groups;       ///< at least "default"
+    std::vector<SceneMedium> media;         ///< all that were named
+    std::vector<std::string> light_groups;  ///< at least "default"
     std::vector<std::string> material_names;
     std::shared_ptr<const Medium> camera_medium;  ///< Exterior in force at WorldEnd
     std::string directory;  ///< of the main scene file: asset names resolve against it

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory_resource>
+#include <vector>
 
 #include "lxs/scene/texture.h"
 #include "lxs/sdk/bsdf.h"
@@ -33,6 +34,12 @@ struct MaterialFacts {
     bool bends = false;              ///< has a bump or normal map, itself or in a part of it
     bool reads_dpdv = false;         ///< needs the tangent along v even if it doesn't bend
     std::size_t max_bsdf_bytes = 0;  ///< most memory that one scatter() takes
+    /// Colours of it that are given as spectra: reflectances, transmittances, absorptions.
+    std::vector<CurvePointer> spectra = {};
+
+    void add_spectra_of(const MaterialFacts& part) {
+        spectra.insert(spectra.end(), part.spectra.begin(), part.spectra.end());
+    }
 };
 
 class Material {

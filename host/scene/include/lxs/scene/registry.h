@@ -10,6 +10,7 @@
 
 #include "lxs/scene/geometry.h"
 #include "lxs/scene/material.h"
+#include "lxs/scene/scene_medium.h"
 #include "lxs/sdk/parameters.h"
 
 namespace lxs {
@@ -43,7 +44,7 @@ struct Factory {
 
 using ShapeFactory = Factory<Geometry>;
 using MaterialFactory = Factory<std::shared_ptr<const Material>>;
-using MediumFactory = Factory<std::shared_ptr<Medium>>;
+using MediumFactory = Factory<SceneMedium>;
 using FloatTextureFactory = Factory<std::shared_ptr<const FloatTexture>>;
 using ColorTextureFactory = Factory<std::shared_ptr<const ColorTexture>>;
 using FresnelTextureFactory = Factory<std::shared_ptr<const FresnelTexture>>;

@@ -8,7 +8,7 @@
 // First, or g++ 12 calls the enumerators of ParameterType shadows of the aliases below.
 #include "lxs/sdk/parameters.h"
 #include "lxs/sdk/types.h"
-#include "lxs/spectrum/wavelengths.h"
+#include "lxs/spectrum/spectral_curve.h"
 
 namespace lxs {
 
@@ -42,6 +42,10 @@ class Texture {
     virtual T evaluate(const TexturePoint& point) const = 0;
     /// The value if it is the same everywhere (ColourUse::Surface): materials prepare for it once.
     virtual std::optional<T> constant() const { return std::nullopt; }
+    /// For a colour that was given as a spectrum and is the same everywhere: that spectrum, of
+    /// which the values are colours. Else null; where wavelengths are rendered, a smooth spectrum
+    /// stands for the colour then.
+    virtual CurvePointer spectrum() const { return nullptr; }
     /// For a float texture that is taken as a height: the slope that normal maps add to that of the
     /// value, height per length along the two unit tangents of a surface (u, then v).
     virtual Vec2 mapped_slope(const TexturePoint& /*point*/) const { return Vec2(0.0f); }

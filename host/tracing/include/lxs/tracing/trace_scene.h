@@ -8,9 +8,18 @@
 #include "lxs/sdk/refusal.h"
 #include "lxs/sdk/scene.h"
 #include "lxs/sdk/state_archive.h"
-#include "lxs/spectrum/wavelengths.h"
+#include "lxs/spectrum/spectral_fidelity.h"
+#include "lxs/spectrum/wavelength_density.h"
 
 namespace lxs {
+
+/// What colours that are given as spectra ask of a render.
+struct SpectralNeed {
+    bool given = false;       ///< there are any
+    Misrepresentation worst;  ///< by RGB, of a lamp on a surface or through a medium
+
+    bool misrepresented() const { return worst.difference > kTolerated; }
+};
 
 /// The scene with what the host alone may ask of it.
 class TraceScene : public Scene {
@@ -18,6 +27,9 @@ class TraceScene : public Scene {
     /// From now on colours mean values at these wavelengths, not R, G and B. To be called before
     /// lights() is used the first time, and only while nobody traces.
     virtual void set_wavelengths(const Wavelengths& wavelengths) = 0;
+    virtual const SpectralNeed& spectral_need() const = 0;
+    /// What the wavelengths of passes are to be drawn from.
+    virtual WavelengthDensity wavelength_density() const = 0;
     /// Values of textures so far that were not finite, or negative colours, and were replaced: by
     /// the material or the light whose texture it is.
     virtual RefusalList refused_values() const = 0;

@@ -1,0 +1,24 @@
+// A medium as a scene names it: what integrators see, and the spectra of its coefficients.
+#pragma once
+
+#include <memory>
+
+#include "lxs/sdk/medium.h"
+#include "lxs/spectrum/spectral_curve.h"
+
+namespace lxs {
+
+/// The coefficients of a medium that are given as spectra; null for those that are colours.
+struct MediumSpectra {
+    CurvePointer absorption, scattering;
+};
+
+struct SceneMedium {
+    std::shared_ptr<Medium> medium;
+    MediumSpectra spectra;
+
+    SceneMedium(std::shared_ptr<Medium> plain, MediumSpectra given = {})
+        : medium(std::move(plain)), spectra(std::move(given)) {}
+};
+
+}  // namespace lxs

@@ -67,10 +67,11 @@ void use(const std::shared_ptr<const lxs::Material>& material) {
     bsdf->albedo(wo, lxs::kAllLobes);
 }
 
-void use(const std::shared_ptr<lxs::Medium>& medium) {
-    medium->transmittance(1.5f);
-    medium->sample_flight(3, Rgb(1.0f), {0.3f, 0.6f});
-    medium->sample_phase(Vec3(0, 0, 1), Rgb(1.0f), {0.3f, 0.6f});
+void use(const lxs::SceneMedium& named) {
+    const lxs::Medium& medium = *named.medium;
+    medium.transmittance(1.5f);
+    medium.sample_flight(3, Rgb(1.0f), {0.3f, 0.6f});
+    medium.sample_phase(Vec3(0, 0, 1), Rgb(1.0f), {0.3f, 0.6f});
 }
 
 void use_light(const ParameterSet& set) {

@@ -242,6 +242,15 @@ TEST_F(SpectralTextureTest, MaterialsUseTheSpectrumAtWavelengths) {
     EXPECT_EQ(mix->facts().spectra.size(), 2u);
 }
 
+TEST_F(SpectralTextureTest, ClothTellsOfTheSpectraOfItsYarns) {
+    scene_.colors["bell"] =
+        scene_.make_color("gaussian", {number("energy", 0.8), number("wavelength", 560)});
+    const auto cloth = scene_.make_material(
+        "cloth", {text("presetname", "denim"), texture("warp_Kd", "bell"),
+                  texture("weft_Ks", "bell"), color("weft_Kd", {0.5, 0.4, 0.3})});
+    EXPECT_EQ(cloth->facts().spectra.size(), 2u);
+}
+
 TEST_F(SpectralTextureTest, VolumesKeepTheSpectraOfTheirCoefficients) {
     scene_.colors["bell"] = scene_.make_color("gaussian", {number("wavelength", 600)});
     const SceneMedium clear = scene_.make_scene_medium("clear", {texture("absorption", "bell")});

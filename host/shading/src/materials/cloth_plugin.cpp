@@ -27,7 +27,10 @@ struct YarnParameters {
           kd(read_reflectance(reader, assets, name + "_Kd", Rgb(0.0f))),
           ks(read_reflectance(reader, assets, name + "_Ks", Rgb(0.0f))) {}
 
-    bool reads_image() const { return kd.reads_image() || ks.reads_image(); }
+    void add_to(MaterialFacts& facts) const {
+        kd.add_to(facts);
+        ks.add_to(facts);
+    }
 };
 
 class ClothMaterial final : public Material {
@@ -72,7 +75,8 @@ MaterialFacts ClothMaterial::facts() const {
     const Rgb black(0.0f);
     if (!warp_.kd.is(black) || !weft_.kd.is(black)) facts.lobes |= kDiffuse;
     if (!warp_.ks.is(black) || !weft_.ks.is(black)) facts.lobes |= kGlossy;
-    facts.reads_image = warp_.reads_image() || weft_.reads_image();
+    warp_.add_to(facts);
+    weft_.add_to(facts);
     facts.reads_dpdv = (facts.lobes & kGlossy) != 0;
     if (facts.lobes)
         facts.max_bsdf_bytes = std::max(kBsdfBytes<LambertBsdf>, kBsdfBytes<WovenBsdf>);

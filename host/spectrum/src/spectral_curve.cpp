@@ -31,6 +31,11 @@ Rgb SpectralCurve::at(const Wavelengths& wavelengths) const {
             static_cast<float>(at(wavelengths.nm[2]))};
 }
 
+Rgb SpectralCurve::amounts_at(const Wavelengths& wavelengths) const {
+    const Rgb value = at(wavelengths);
+    return {std::max(value.x, 0.0f), std::max(value.y, 0.0f), std::max(value.z, 0.0f)};
+}
+
 SpectralCurve relative_to_daylight(const SpectralCurve& lamp) {
     double luminance = 0, flat = 0;
     for (std::size_t i = 0; i < kVisibleSteps; ++i) {

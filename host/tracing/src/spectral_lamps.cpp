@@ -1,8 +1,6 @@
 // The lamps of a scene whose light is given as a spectrum, at the wavelengths of the pass.
 #include "spectral_lamps.h"
 
-#include <algorithm>
-
 namespace lxs {
 
 const Rgb* SpectralLamps::add(const CurvePointer& spectrum) {
@@ -13,10 +11,8 @@ const Rgb* SpectralLamps::add(const CurvePointer& spectrum) {
 }
 
 void SpectralLamps::set_wavelengths(const Wavelengths& wavelengths) {
-    for (auto& [spectrum, lamp] : lamps_) {
-        const Rgb value = lamp.relative.at(wavelengths);
-        lamp.value = {std::max(value.x, 0.0f), std::max(value.y, 0.0f), std::max(value.z, 0.0f)};
-    }
+    for (auto& [spectrum, lamp] : lamps_)
+        lamp.value = lamp.relative.amounts_at(wavelengths);
 }
 
 }  // namespace lxs

@@ -1,16 +1,12 @@
 // The media of a scene as a spectral render sees them: coefficients at the wavelengths of the pass.
 #include "spectral_media.h"
 
-#include <algorithm>
-
 namespace lxs {
 namespace {
 
 /// A coefficient at the wavelengths: by its spectrum, or else by that of its colour.
 Rgb at(const Wavelengths& wavelengths, const CurvePointer& spectrum, const Rgb& rgb) {
-    if (!spectrum) return wavelengths.values_of(rgb);
-    const Rgb value = spectrum->at(wavelengths);
-    return {std::max(value.x, 0.0f), std::max(value.y, 0.0f), std::max(value.z, 0.0f)};
+    return spectrum ? spectrum->amounts_at(wavelengths) : wavelengths.values_of(rgb);
 }
 
 }  // namespace

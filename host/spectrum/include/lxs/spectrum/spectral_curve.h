@@ -31,6 +31,8 @@ class SpectralCurve {
     double at(double nm) const;
     /// At the wavelengths of a pass.
     Rgb at(const Wavelengths& wavelengths) const;
+    /// The same of what can't be negative, such as light: 0 where the curve is below 0.
+    Rgb amounts_at(const Wavelengths& wavelengths) const;
     const std::string& name() const { return name_; }
 
   private:

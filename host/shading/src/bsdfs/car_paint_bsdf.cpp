@@ -87,10 +87,9 @@ float CarPaintBsdf::pdf(const Vec3& wo, const Vec3& wi, LobeMask mask) const {
 bool CarPaintBsdf::sample(const Vec3& wo, const Vec2& u, float u_lobe, Transport, LobeMask mask,
                           BsdfSample& sample) const {
     if (!(mask & lobes())) return false;
-    const float side = wo.dot(ng_) < 0 ? -1.0f : 1.0f;
-    Vec3 local = frame_.to_local(wo);
-    local.z *= side;
-    if (!(local.z > 0)) return false;
+    Vec3 local;
+    const float side = local_above(frame_, ng_, wo, local);
+    if (side == 0) return false;
     const Choice choice = choose(wo, mask);
     int chosen = 0;
     while (chosen < 3 && u_lobe >= choice[chosen])

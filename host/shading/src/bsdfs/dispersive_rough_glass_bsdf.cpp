@@ -1,6 +1,7 @@
 // Rough dielectric interface that bends each wavelength its own way.
 #include "dispersive_rough_glass_bsdf.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "lxs/sdk/warp.h"

@@ -5,6 +5,13 @@
 
 namespace lxs::shading {
 
+float local_above(const Frame& frame, const Vec3& ng, const Vec3& wo, Vec3& local) {
+    const float side = wo.dot(ng) < 0 ? -1.0f : 1.0f;
+    local = frame.to_local(wo);
+    local.z *= side;
+    return local.z > 0 ? side : 0.0f;
+}
+
 bool reflecting_half_vector(const Frame& frame, const Vec3& ng, const Vec3& wo, const Vec3& wi,
                             HalfVector& half) {
     const float side = wo.dot(ng);
@@ -66,10 +73,9 @@ Vec3 MicrofacetLobe::sample_facet(const Vec3& wo, const Vec2& u, float& u_choice
 
 bool MicrofacetLobe::sample(const Vec3& wo, const Vec2& u, float u_choice, Vec3& wi,
                             HalfVector& half) const {
-    const float side = wo.dot(ng_) < 0 ? -1.0f : 1.0f;
-    Vec3 local = frame_.to_local(wo);
-    local.z *= side;
-    if (!(local.z > 0)) return false;
+    Vec3 local;
+    const float side = local_above(frame_, ng_, wo, local);
+    if (side == 0) return false;
     Vec3 reflected = reflect(local, sample_facet(local, u, u_choice));
     if (!(reflected.z > 0)) return false;
     reflected.z *= side;

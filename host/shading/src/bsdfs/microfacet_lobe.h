@@ -13,6 +13,10 @@ struct HalfVector {
     float cosine = 0;  ///< wo.h = wi.h, > 0
 };
 
+/// `wo` in local coordinates with z > 0, whichever side it lies on; returns 1 or -1, by which a
+/// local direction's z goes back to that side, or 0 if the shading frame doesn't see `wo`.
+float local_above(const Frame& frame, const Vec3& ng, const Vec3& wo, Vec3& local);
+
 /// Half vector of two directions at a surface with shading frame `frame` and geometric normal `ng`;
 /// false when they don't see each other by reflection.
 bool reflecting_half_vector(const Frame& frame, const Vec3& ng, const Vec3& wo, const Vec3& wi,

@@ -13,6 +13,12 @@ namespace {
 /// at most 100 times L * map: the intensity falls to 0 there.
 constexpr float kGrazing = 0.01f;
 
+/// Rows that reach in front. Those behind them would shine in at the horizon between pixels, so the
+/// last of these stands for them.
+std::size_t front_rows(const LatLongMap& map) {
+    return (map.height() + 1) / 2;
+}
+
 /// Draws directions in front. A row of pixels that the horizon cuts is drawn in full.
 SphereProfile drawn_in_front(const LatLongMap& map) {
     return {Rotation(Matrix(), {}), map, map.importance([](const Vec2& st) {
@@ -20,9 +26,9 @@ SphereProfile drawn_in_front(const LatLongMap& map) {
             })};
 }
 
-/// Mean over the azimuths at `t` of the map whose rows have these means, as its lookup blends them.
-Imath::V3d mean_at(const std::vector<Rgb>& rows, double t) {
-    const double y = t * static_cast<double>(rows.size()) - 0.5;
+/// Mean over the azimuths at height `y`, in rows from the middle of the first, of the map whose
+/// rows have these means, as its lookup blends them; it goes on as its last row.
+Imath::V3d mean_at(const std::vector<Rgb>& rows, double y) {
     const double below = std::floor(y);
     const auto row = [&](double i) {
         return Imath::V3d(
@@ -35,25 +41,22 @@ Imath::V3d mean_at(const std::vector<Rgb>& rows, double t) {
 Rgb front_flux(const LatLongMap& map) {
     constexpr std::size_t kSteps = 8192;  // 50 of them below the grazing cosine
     constexpr double kQuarter = std::numbers::pi / 2;
-    const std::vector<Rgb> rows = map.row_means();
+    const auto height = static_cast<double>(map.height());
+    std::vector<Rgb> rows = map.row_means();
+    rows.resize(front_rows(map));
     Imath::V3d sum(0.0);
     for (std::size_t i = 0; i < kSteps; ++i) {
         const double share = (static_cast<double>(i) + 0.5) / kSteps, theta = kQuarter * share;
         const double grazing = std::min(1.0, std::cos(theta) / double(kGrazing));
-        sum += mean_at(rows, share / 2) * (std::sin(theta) * grazing);
+        sum += mean_at(rows, share / 2 * height - 0.5) * (std::sin(theta) * grazing);
     }
     return Rgb(sum * (2 * std::numbers::pi * kQuarter / kSteps));
-}
-
-/// Without what lies behind the surface, which would shine in at the horizon between pixels.
-LatLongMap front_half(const LatLongMap& map) {
-    return map.repeated_from((map.height() + 1) / 2);
 }
 
 }  // namespace
 
 FrontProfile::FrontProfile(const LatLongMap& map)
-    : sphere_(drawn_in_front(front_half(map))), flux_(front_flux(front_half(map))) {
+    : sphere_(drawn_in_front(map.repeated_from(front_rows(map)))), flux_(front_flux(map)) {
     const float total = luminance(flux_);
     scale_ = total > 0 ? std::numbers::pi_v<float> / total : 0.0f;
     flux_ *= scale_;

@@ -23,7 +23,7 @@ Draft draft(const Weave& weave) {
             const WovenPlace place =
                 locate_in_weave(weave, (static_cast<float>(end) + 0.4f) / weave.ends,
                                 (static_cast<float>(pick) + 0.6f) / weave.ends);
-            row += place.warp ? 'X' : '.';
+            row += place.warp ? '#' : '.';
         }
         rows.push_back(row);
     }
@@ -31,11 +31,11 @@ Draft draft(const Weave& weave) {
 }
 
 TEST(Weave, AreThoseOfTheTextbooks) {
-    EXPECT_EQ(draft({2, 1, 1}), (Draft{".X", "X."})) << "plain weave";
-    EXPECT_EQ(draft({3, 2, 1}), (Draft{"X.X", ".XX", "XX."})) << "2/1 twill, its line to the right";
-    EXPECT_EQ(draft({4, 2, 1}), (Draft{"X..X", "..XX", ".XX.", "XX.."})) << "2/2 twill";
-    EXPECT_EQ(draft({4, 3, 1}), (Draft{"XX.X", "X.XX", ".XXX", "XXX."})) << "3/1 twill";
-    EXPECT_EQ(draft({5, 4, 2}), (Draft{"XX.XX", ".XXXX", "XXX.X", "X.XXX", "XXXX."})) << "satin";
+    EXPECT_EQ(draft({2, 1, 1}), (Draft{".#", "#."})) << "plain weave";
+    EXPECT_EQ(draft({3, 2, 1}), (Draft{"#.#", ".##", "##."})) << "2/1 twill, its line to the right";
+    EXPECT_EQ(draft({4, 2, 1}), (Draft{"#..#", "..##", ".##.", "##.."})) << "2/2 twill";
+    EXPECT_EQ(draft({4, 3, 1}), (Draft{"##.#", "#.##", ".###", "###."})) << "3/1 twill";
+    EXPECT_EQ(draft({5, 4, 2}), (Draft{"##.##", ".####", "###.#", "#.###", "####."})) << "satin";
 }
 
 TEST(Weave, PartsAreAsLongAsTheirFloats) {

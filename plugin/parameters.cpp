@@ -109,6 +109,10 @@ std::vector<ParameterDeclaration> guide_declarations() {
          "With guide adaptive: guides where photons go on to from matte surfaces."},
         {"guidesurvival", ParameterType::Bool, "true",
          "With guide adaptive: photons go on by what they may still bring, where that pays."},
+        {"guidechains", ParameterType::Bool, "true",
+         "With guide adaptive: adaptive Markov chains (as photonsampler amc) take the guide's "
+         "place "
+         "where next to no photon path reaches what is seen."},
     };
 }
 
@@ -221,6 +225,7 @@ void read_guide(const lxs::ParameterReader& in, Settings& s) {
     s.eye_seeding = in.boolean("eyeseeding", s.eye_seeding);
     s.guide_bounces = in.boolean("guidebounces", s.guide_bounces);
     s.guide_survival = in.boolean("guidesurvival", s.guide_survival);
+    s.guide_chains = in.boolean("guidechains", s.guide_chains);
 }
 
 void read_radius(const lxs::ParameterReader& in, Settings& s) {

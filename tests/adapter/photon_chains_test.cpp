@@ -22,23 +22,8 @@ View box_view() {
     return mock::half_mirror_view(kWidth, kHeight);
 }
 
-/// A patch of 0.8 x 0.6 in the middle of a floor of half width `half` under a lamp as wide: few
-/// photon paths reach it. A wall beside the patch brings light of two bounces.
 View wide_view(float half) {
-    mock::Scene scene;
-    mock::Surface ground;
-    ground.shape = mock::Quad{{-half, -half, 0}, {2 * half, 0, 0}, {0, 2 * half, 0}};
-    scene.add(ground);
-    mock::Surface wall;
-    wall.shape = mock::Quad{{0.6f, -1, 0}, {0, 2, 0}, {0, 0, 1}};
-    scene.add(wall);
-    mock::Surface lamp;
-    lamp.shape = mock::Quad{{-half, -half, 3}, {0, 2 * half, 0}, {2 * half, 0, 0}};
-    lamp.material.reflectance = {0, 0, 0};
-    lamp.emitted = {1, 1, 1};
-    scene.add(lamp);
-    scene.finish();
-    return {std::move(scene), {{0, 0, 1}, {0, 0, -1}, {0.4f, 0, 0}, {0, 0.3f, 0}, kWidth, kHeight}};
+    return mock::wide_view(half, kWidth, kHeight);
 }
 
 Settings chain_settings(std::uint64_t seed, std::uint32_t photons, PhotonSampler sampler,

@@ -32,7 +32,7 @@ std::vector<PassPhotons> passes(const Settings& settings, bool learns, const Mod
     for (int i = 0; i < count; ++i) {
         all.push_back(schedule.next());
         schedule.end_pass({model.eye_cost, double(all.back().paths)},
-                          {model.eye, model.photon_path});
+                          {model.eye, model.photon_path}, false);
     }
     return all;
 }
@@ -112,7 +112,7 @@ TEST(PhotonSchedule, LaterChoicesFollowSlowly) {
             last = paths;
             // A scene that changes altogether.
             const bool many = i > 20 && i < 70;
-            schedule.end_pass({1e5, double(paths)}, {1, many ? 1e15 : 1.0});
+            schedule.end_pass({1e5, double(paths)}, {1, many ? 1e15 : 1.0}, false);
         }
     }
 }
@@ -141,6 +141,30 @@ TEST(PhotonSchedule, AMillionWhereNoiseIsNotFollowed) {
         EXPECT_FALSE(PhotonSchedule(settings, kEyePaths, true, false).adapts());
         EXPECT_EQ(passes(settings, false, {1, 1e12, 1e5}, 20).back().paths, 1'000'000u);
     }
+}
+
+/// Where chains take over, photons get the most time that they may, at once; and what passes count
+/// for goes by their number alone.
+TEST(PhotonSchedule, ChainsGetMostOfTheTimeAndChangeNoWeights) {
+    const auto weights = [](int chains_from, std::uint32_t& last_paths) {
+        PhotonSchedule schedule({}, kEyePaths, true, true);
+        std::vector<double> all;
+        for (int pass = 0; pass < 20; ++pass) {
+            last_paths = schedule.next().paths;
+            all.push_back(schedule.next().weight);
+            const bool chains = pass + 1 >= chains_from;
+            schedule.end_pass({1e5, double(last_paths)}, chains ? PassNoise{} : PassNoise{1, 1e4},
+                              chains);
+        }
+        return all;
+    };
+    std::uint32_t guided = 0, chained = 0, late = 0;
+    const std::vector<double> expected = weights(100, guided);
+    EXPECT_EQ(weights(8, chained), expected);
+    EXPECT_EQ(weights(13, late), expected);
+    EXPECT_LT(guided, 200'000u);
+    EXPECT_EQ(chained, 1'000'000u);
+    EXPECT_EQ(late, chained);
 }
 
 }  // namespace

@@ -93,4 +93,21 @@ View half_mirror_view(std::uint32_t width, std::uint32_t height) {
     return {lamp_box({}, half_mirror()), camera_along_y({0, -0.95f, 0}, 1, width, height)};
 }
 
+View wide_view(float half, std::uint32_t width, std::uint32_t height) {
+    Scene scene;
+    Surface ground;
+    ground.shape = Quad{{-half, -half, 0}, {2 * half, 0, 0}, {0, 2 * half, 0}};
+    scene.add(ground);
+    Surface wall;
+    wall.shape = Quad{{0.6f, -1, 0}, {0, 2, 0}, {0, 0, 1}};
+    scene.add(wall);
+    Surface lamp;
+    lamp.shape = Quad{{-half, -half, 3}, {0, 2 * half, 0}, {2 * half, 0, 0}};
+    lamp.material.reflectance = {0, 0, 0};
+    lamp.emitted = {1, 1, 1};
+    scene.add(lamp);
+    scene.finish();
+    return {std::move(scene), {{0, 0, 1}, {0, 0, -1}, {0.4f, 0, 0}, {0, 0.3f, 0}, width, height}};
+}
+
 }  // namespace mock

@@ -53,6 +53,10 @@ struct View {
 /// lamp_box with white walls and a ball of half_mirror, seen from its front.
 View half_mirror_view(std::uint32_t width, std::uint32_t height);
 
+/// A patch of 0.8 x 0.6 in the middle of a floor of half width `half` under a lamp as wide: few
+/// photon paths reach it. A wall beside the patch brings light of two bounces.
+View wide_view(float half, std::uint32_t width, std::uint32_t height);
+
 /// A white box [-1,1]^3 with a quad lamp under its ceiling and a matte ball on its floor.
 Scene lamp_box(const Material& wall, const Material& ball);
 

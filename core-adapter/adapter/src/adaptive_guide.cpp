@@ -6,6 +6,7 @@
 
 #include <limits>
 
+#include "learning_weight.h"
 #include "light_choice.h"
 
 namespace aips {
@@ -18,6 +19,10 @@ constexpr std::uint32_t kEagerOneOf = 4, kOneOf = 16;
 constexpr std::uint64_t kSeededPaths = 2'000'000;
 /// Scored photon paths that count in full; older ones fade.
 constexpr double kMemoryPaths = 5e5;
+/// Share of unguided paths worth anything below which chains do better than this guide, and how
+/// many logged ones have to tell (docs/adaptive-guide.md).
+constexpr double kChainShare = 5e-4;
+constexpr std::uint64_t kChainEvidence = 64;
 /// Cost of an emission, in rays: a little less than a bounce's.
 constexpr double kEmissionCost = 0.5;
 /// Cost of storing and gathering a landing, in rays: gather and grid take about a third of what
@@ -109,6 +114,13 @@ void AdaptiveGuide::learn(const PathLog& log, std::span<const Landing> landings,
     path_score_ *= kept;
     path_cost_ *= kept;
     logged_ *= kept;
+    visible_ *= kept;
+}
+
+bool AdaptiveGuide::gives_way_to_chains() {
+    gave_way_ = gave_way_ || (settings_.guide_chains && double(paths_) >= kLearningPaths &&
+                              visible_logged_ >= kChainEvidence && visible_share() < kChainShare);
+    return gave_way_;
 }
 
 void AdaptiveGuide::score_landings(const PathLog& log, std::span<const Landing> landings) {
@@ -168,6 +180,10 @@ void AdaptiveGuide::learn_path(const PathLog& log, const PathRecord& path,
     path_score_ += score;
     path_cost_ += cost;
     logged_ += 1;
+    if (score > 0) {
+        visible_ += double(light_choice_.pdf(path.light)) / path.pdf;
+        ++visible_logged_;
+    }
 }
 
 // From the path's start to its end.
@@ -203,10 +219,11 @@ void AdaptiveGuide::state(StateArchive& archive) {
     if (bounces_) bounces_->state(archive);
     for (PartRest* rest : {&emission_rest_, &survival_rest_, &bounces_rest_})
         rest->state(archive);
-    for (std::uint64_t* count : {&paths_, &walks_, &seeds_found_})
+    for (std::uint64_t* count : {&paths_, &walks_, &seeds_found_, &visible_logged_})
         archive.value(*count);
-    for (double* sum : {&path_score_, &path_cost_, &logged_})
+    for (double* sum : {&path_score_, &path_cost_, &logged_, &visible_})
         archive.amount(*sum);
+    archive.value(gave_way_);
 }
 
 std::size_t AdaptiveGuide::memory_bytes() const {

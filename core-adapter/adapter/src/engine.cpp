@@ -115,7 +115,8 @@ class Engine::State {
         report.rays = eye_rays + after.counts.rays - before.counts.rays;
         learn_from_pass(report, pass_work(report, eye_rays, before, after));
         count(report, eye_rays);
-        skip_log_.after_pass(photon_pass_.adaptive(), after.counts);
+        skip_log_.after_pass(photon_pass_.adaptive(), photon_pass_.chains() != nullptr,
+                             after.counts);
         return report;
     }
 
@@ -223,13 +224,14 @@ class Engine::State {
         PassNoise noise;
         if (importance_ && report.photon_paths) {
             const Stopwatch watch(statistics_.plan_seconds);
-            if (noise_) {
+            // Landings of chains come in clusters, whose noise their squares do not tell.
+            if (noise_ && !photon_pass_.chains()) {
                 noise =
                     noise_->add_pass(image_, radiance_, flux_, report.photon_paths, *importance_);
             }
             importance_->add_pass(image_, radiance_);
         }
-        photons_.end_pass(work, noise);
+        photons_.end_pass(work, noise, photon_pass_.chained_next());
     }
 
     /// One moment of the shutter interval for all paths of a pass; frozen visible points stay where

@@ -43,10 +43,9 @@ std::size_t photon_bytes(const Settings& s, std::uint32_t eye_paths) {
         s, s.guide == GuideKind::Paper ? std::max(s.iteration_photons, s.initial_photons)
                                        : kPlainIterationPaths);
     const std::size_t waiting = kLandingCapacity + iteration;
-    const bool chains = s.photon_sampler == PhotonSampler::AdaptiveChains;
     return (waiting + 2 * iteration) * kGrowth * sizeof(Landing) +
            LandingGrid::memory_bound_bytes(waiting) +
-           (chains ? PhotonChains::memory_bound_bytes(s, eye_paths) : 0);
+           (may_use_chains(s) ? PhotonChains::memory_bound_bytes(s, eye_paths) : 0);
 }
 
 /// Records of an iteration's paths, in blocks and joined, and their landings' scores. At most all

@@ -73,6 +73,10 @@ void drop_parts_for_surfaces(Needs& needs, const SceneFacts& facts) {
         s.photon_sampler = PhotonSampler::Sequence;
         skip(needs, "photonsampler amc", "its chains do not know which photons are seen in media");
     }
+    if (s.guide == GuideKind::Adaptive && s.guide_chains) {
+        s.guide_chains = false;
+        skip(needs, "Markov chains", "they do not know which photons are seen in media");
+    }
     if (s.guide == GuideKind::Adaptive && s.guide_survival) {
         s.guide_survival = false;
         skip(needs, "survival by score", "scores do not know what light in media is worth");

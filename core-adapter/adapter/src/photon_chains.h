@@ -6,6 +6,12 @@
 
 namespace aips {
 
+/// Whether some pass may take its photon paths from chains.
+inline bool may_use_chains(const Settings& s) {
+    return s.photon_sampler == PhotonSampler::AdaptiveChains ||
+           (s.guide == GuideKind::Adaptive && s.guide_chains);
+}
+
 /// Chains that walk among the photon paths which reach visible points. Their number is fixed, each
 /// is sequential, and their landings are joined in order: the result does not depend on the number
 /// of threads. See docs/photon-samplers.md for what is exact about them.

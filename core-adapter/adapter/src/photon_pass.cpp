@@ -12,7 +12,8 @@ namespace aips {
 PhotonPass::PhotonPass(const Scene& scene, const Settings& settings, Guide* guide,
                        const PixelImportance* importance)
     : scene_(scene), settings_(settings), guide_(guide), light_choice_(light_choice(scene)) {
-    if (settings.photon_sampler == PhotonSampler::AdaptiveChains) chains_.emplace();
+    chained_ = settings.photon_sampler == PhotonSampler::AdaptiveChains;
+    if (may_use_chains(settings)) chains_.emplace();
     if (settings.guide == GuideKind::Adaptive) {
         adaptive_.emplace(scene, settings, light_choice_, *importance);
     }
@@ -22,8 +23,13 @@ PhotonPass::PhotonPass(const Scene& scene, const Settings& settings, Guide* guid
 
 void PhotonPass::begin_pass(std::uint64_t pass, const PassPhotons& photons, float time,
                             const EyeImage& image, const SearchRadii& radii) {
+    if (!chained_ && chained_next()) {
+        chained_ = true;
+        reach_ = 0;  // chains have not marked what lasts
+    }
+    const bool guided = guide_ || (adaptive_ && !chained_);
     const bool reach_lasts = freezes_eye_pass(settings_.mode) && reach_ == radii.reach();
-    if (guide_ || adaptive_ || !reach_lasts) {
+    if (guided || !reach_lasts) {
         std::vector<Vec3> positions;
         positions.reserve(image.visible_points.size());
         for (const VisiblePoint& point : image.visible_points)
@@ -31,10 +37,10 @@ void PhotonPass::begin_pass(std::uint64_t pass, const PassPhotons& photons, floa
         if (!reach_lasts) mark_reach(positions, radii.reach());
         const Stopwatch watch(totals_.guide_seconds);
         if (guide_) guide_->begin_pass(positions, image.positions.size());
-        if (adaptive_)
+        if (adaptive_ && !chained_)
             totals_.counts.rays += adaptive_->begin_pass(pass, time, image, positions, radii);
     }
-    if (chains_) chains_->begin_pass(photons.paths);
+    if (chained_) chains_->begin_pass(photons.paths);
     if (bounces_) bounces_->begin_pass();
     waiting_.clear();
     if (volume_) volume_->begin_pass(pass, photons, image);
@@ -42,7 +48,7 @@ void PhotonPass::begin_pass(std::uint64_t pass, const PassPhotons& photons, floa
 
 void PhotonPass::mark_reach(std::span<const Vec3> visible_points, float radius) {
     occupancy_.build(visible_points, radius);
-    if (chains_) chains_->mark_reach(visible_points, radius);
+    if (chained_) chains_->mark_reach(visible_points, radius);
     reach_ = radius;
 }
 
@@ -58,7 +64,7 @@ void PhotonPass::shoot(std::uint64_t pass, const PassPhotons& photons, float tim
         const std::size_t collisions = volume_ ? volume_->waiting().size() : 0;
         trace(input_of(pass, time, iteration), photons, first, count, refusals);
         learn(count);
-        if (adaptive_) {
+        if (adaptive_ && !chained_) {
             // After learning: a guide learns from what photons really carried.
             const auto weight = float(learning_weight(photons.before + first));
             if (weight < 1) {
@@ -72,7 +78,7 @@ void PhotonPass::shoot(std::uint64_t pass, const PassPhotons& photons, float tim
     }
     gather_in_media(image, refusals);
     gather(image, radii, refusals, flux);
-    if (chains_) flux.scale(chains_->end_pass());
+    if (chained_) flux.scale(chains_->end_pass());
     if (photons.counted < photons.paths) {
         const double factor = double(photons.paths) / photons.counted;
         flux.scale(factor);
@@ -92,7 +98,7 @@ PhotonInput PhotonPass::input_of(std::uint64_t pass, float time, std::uint64_t i
     } else {
         input.occupancy = &occupancy_;
     }
-    if (adaptive_) {
+    if (adaptive_ && !chained_) {
         input.emission = adaptive_->emission();
         input.survival = adaptive_->survival();
         input.score_mix = adaptive_->score_mix();
@@ -107,22 +113,22 @@ PhotonInput PhotonPass::input_of(std::uint64_t pass, float time, std::uint64_t i
 
 std::uint32_t PhotonPass::iteration_paths(std::uint64_t iteration) const {
     if (guide_) return guide_->iteration_paths(iteration);
-    return chains_ ? chains_->round_paths() : kPlainIterationPaths;
+    return chained_ ? chains_->round_paths() : kPlainIterationPaths;
 }
 
 void PhotonPass::trace(const PhotonInput& input, const PassPhotons& photons, std::uint32_t first,
                        std::uint32_t count, Refusals& refusals) {
     const Stopwatch watch(totals_.photon_seconds);
     LandingStore& store = guide_ ? iteration_ : waiting_;
-    totals_.counts += chains_ ? chains_->trace(input, count, refusals, store)
-                              : tracer_.trace(input, photons.before, first, count, refusals, store,
-                                              adaptive_ ? &log_ : nullptr,
-                                              volume_ ? &volume_->waiting() : nullptr);
+    totals_.counts += chained_ ? chains_->trace(input, count, refusals, store)
+                               : tracer_.trace(input, photons.before, first, count, refusals, store,
+                                               adaptive_ ? &log_ : nullptr,
+                                               volume_ ? &volume_->waiting() : nullptr);
 }
 
 void PhotonPass::learn(std::uint32_t paths) {
     const Stopwatch watch(totals_.guide_seconds);
-    if (adaptive_) {
+    if (adaptive_ && !chained_) {
         adaptive_->learn(log_, waiting_.landings(), paths);
         log_.clear();
     }

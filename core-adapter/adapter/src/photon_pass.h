@@ -43,13 +43,16 @@ class PhotonPass {
         if (volume_) volume_->add_to(image, photon_paths, refusals, radiance);
     }
 
+    /// Between passes: whether the next one takes its photon paths from chains.
+    bool chained_next() { return chained_ || (adaptive_ && adaptive_->gives_way_to_chains()); }
+
     /// Between passes: saves what later ones go on from, or restores it into a new one; the guide
     /// and the importance are saved by themselves, and seconds by state_of_seconds().
     void state(StateArchive& archive);
     void state_of_seconds(StateArchive& archive);
 
-    /// Null unless photonsampler=amc.
-    const PhotonChains* chains() const { return chains_ ? &*chains_ : nullptr; }
+    /// Null unless the photon paths of the last pass came from chains.
+    const PhotonChains* chains() const { return chained_ ? &*chains_ : nullptr; }
     /// Null unless guide=adaptive.
     const AdaptiveGuide* adaptive() const { return adaptive_ ? &*adaptive_ : nullptr; }
     /// Bounces of the last pass by the guide's node; null without a guide or debug layers.
@@ -75,7 +78,8 @@ class PhotonPass {
     DiscreteDistribution light_choice_;
     OccupancyGrid occupancy_;
     float reach_ = 0;  // radius that the visible points are marked for; 0 before the first pass
-    std::optional<PhotonChains> chains_;
+    std::optional<PhotonChains> chains_;  // if some pass may use them
+    bool chained_ = false;                // a pass does
     std::optional<AdaptiveGuide> adaptive_;
     PhotonTracer tracer_;
     PathLog log_;             // of one adaptive iteration

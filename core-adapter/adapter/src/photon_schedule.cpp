@@ -65,7 +65,7 @@ void PhotonSchedule::plan() {
     if (adapts_) next_.weight = decided_ ? kChosenWeight : next_.counted / paths_;
 }
 
-void PhotonSchedule::end_pass(const PassWork& work, const PassNoise& noise) {
+void PhotonSchedule::end_pass(const PassWork& work, const PassNoise& noise, bool by_chains) {
     ++pass_;
     next_.before += paths_;
     // What comes first, the eye's estimate of the image or a guide, is blind.
@@ -76,8 +76,12 @@ void PhotonSchedule::end_pass(const PassWork& work, const PassNoise& noise) {
         noise_.photon_path += noise.photon_path;
         shot_ += paths_;
     }
+    const bool chains_begin = by_chains && !by_chains_;
+    by_chains_ = by_chains;
+    // Chains begin when the image says so: what passes count for must not follow from that.
+    if (adapts_ && chains_begin && shot_ > 0) paths_ = best_paths();
     if (adapts_ && pass_ == decide_at_) {
-        paths_ = best_paths();
+        if (!chains_begin) paths_ = best_paths();
         decide_at_ += std::max<std::uint64_t>(2, pass_ / 4);
         decided_ = true;
         work_ = {};
@@ -95,6 +99,7 @@ void PhotonSchedule::state(StateArchive& archive) {
     archive.value(pass_);
     archive.value(decide_at_);
     archive.value(decided_);
+    archive.value(by_chains_);
     archive.value(next_.before);
     for (double* sum : {&work_.eye, &work_.photons})
         archive.amount(*sum);
@@ -113,6 +118,8 @@ std::uint32_t PhotonSchedule::best_paths() const {
     const double even = eye_cost / path_cost;
     if (!std::isfinite(even)) return paths_;
     double paths = even * kGreatestRatio;
+    if (by_chains_)
+        return static_cast<std::uint32_t>(std::clamp(paths, double(kFewest), double(kMost)));
     // Noise that photons explain altogether leaves less than none to the eye, by chance.
     if (noise_.eye > 0) paths = std::sqrt(even * std::max(0.0, noise_.photon_path) / noise_.eye);
     if (std::isnan(paths)) return paths_;

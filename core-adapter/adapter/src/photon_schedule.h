@@ -41,7 +41,9 @@ class PhotonSchedule {
     const PassPhotons& next() const { return next_; }
     /// Whether numbers follow the noise, which end_pass() then wants to know.
     bool adapts() const { return adapts_; }
-    void end_pass(const PassWork& work, const PassNoise& noise);
+    /// `by_chains`: the passes to come take their photon paths from Markov chains, whose landings
+    /// come in clusters: their noise is not known, and photons take the most time that they may.
+    void end_pass(const PassWork& work, const PassNoise& noise, bool by_chains);
     /// Between passes: saves what is planned and what that rests on, or restores it into a new
     /// schedule with the same settings.
     void state(StateArchive& archive);
@@ -55,6 +57,7 @@ class PhotonSchedule {
     std::uint64_t pass_ = 0;
     std::uint64_t decide_at_;  // pass before which the number is chosen next
     bool decided_ = false;
+    bool by_chains_ = false;  // from the next pass on
     PassPhotons next_;
     // Since the last choice; at first, of the second half of all passes.
     PassWork work_;

@@ -82,7 +82,8 @@ std::string describe(const Settings& s) {
         out << ", guideemission = " << (s.guide_emission ? "true" : "false")
             << ", eyeseeding = " << (s.eye_seeding ? "true" : "false")
             << ", guidebounces = " << (s.guide_bounces ? "true" : "false")
-            << ", guidesurvival = " << (s.guide_survival ? "true" : "false");
+            << ", guidesurvival = " << (s.guide_survival ? "true" : "false")
+            << ", guidechains = " << (s.guide_chains ? "true" : "false");
     }
     return out.str();
 }

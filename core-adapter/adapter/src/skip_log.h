@@ -24,8 +24,9 @@ class SkipLog {
     void start(const Needs& needs);
     /// A pass shot no photons, for lack of visible points; `for_good` if all passes see the same.
     void no_visible_points(bool for_good);
-    /// A pass has ended. `guide` is null but for guide=adaptive; `photons`: of all passes so far.
-    void after_pass(const AdaptiveGuide* guide, const PhotonCounts& photons);
+    /// A pass has ended. `guide` is null but for guide=adaptive; `chained`: its photon paths came
+    /// from Markov chains; `photons`: of all passes so far.
+    void after_pass(const AdaptiveGuide* guide, bool chained, const PhotonCounts& photons);
     /// Saves or restores what was said.
     void state(StateArchive& archive);
 
@@ -34,7 +35,7 @@ class SkipLog {
 
     Log* log_;
     bool said_no_points_ = false, said_no_seeds_ = false, said_pruned_ = false;
-    bool emission_off_ = false, survival_off_ = false, resting_ = false;
+    bool emission_off_ = false, survival_off_ = false, resting_ = false, said_chains_ = false;
 };
 
 }  // namespace aips

@@ -8,13 +8,17 @@ using namespace aips;
 namespace {
 
 /// Two lights of different kinds, a dead one, and all lobes that guides treat apart.
-View view_of(const ResumableCase& what) {
+View lit_view(const ResumableCase& what) {
     View view = half_mirror_view(what.width, what.height);
     view.scene.add_point_light({-0.5f, 0.2f, 0.3f}, {0.4f, 0.3f, 0.1f});
     view.scene.add_point_light({0.5f, 0.2f, 0.3f}, {0, 0, 0});
     view.scene.finish();
     if (what.fog) view.scene.fill({{0.05f, 0.1f, 0.3f}, {0.5f, 0.4f, 0.2f}, 0});
     return view;
+}
+
+View view_of(const ResumableCase& what) {
+    return what.wide ? wide_view(40, what.width, what.height) : lit_view(what);
 }
 
 std::string mode_name(Mode mode) {
@@ -59,6 +63,11 @@ void add_parts(std::vector<ResumableCase>& cases) {
     Settings plain = settings_of(GuideKind::Adaptive);
     plain.guide_survival = plain.guide_bounces = plain.guide_emission = false;
     cases.push_back({"measured", plain});
+    // Chains take over after the second pass.
+    Settings chains = settings_of(GuideKind::Adaptive);
+    chains.photons_per_pass = 500'000;
+    chains.direct_light_sampling = false;
+    cases.push_back({"guide_gives_way", chains, false, 4, 20, 15, true});
 }
 
 }  // namespace

@@ -16,6 +16,7 @@ struct ResumableCase {
     bool fog = false;
     unsigned passes = 5;
     std::uint32_t width = 20, height = 15;
+    bool wide = false;  ///< a patch of a wide ground, which few photon paths reach
 };
 
 /// For messages of tests.

@@ -85,14 +85,30 @@ TEST(SecondMoments, NothingIsGainedBeforeAnythingWasWorthSomething) {
     EXPECT_FALSE(moments.pays(true));
 }
 
+/// A sample for each group.
+void add_to_all(SecondMoments& moments, double score, double cost, double guided) {
+    for (std::size_t i = 0; i < SecondMoments::kGroups; ++i)
+        moments.add(score, cost, 0, 1, 1, guided);
+}
+
+/// Drawn where the guided density is least, and worth more than all others together.
+TEST(SecondMoments, NoSinglePathDecides) {
+    SecondMoments moments = measured(kPlain, 100000, 3001);
+    const double gain = moments.gain();
+    EXPECT_TRUE(moments.pays(true));
+    for (int i = 0; i < 2; ++i)
+        moments.add(1e9, 1, kGuideCost, 1, 1, 0.15);
+    EXPECT_NEAR(moments.gain(), gain, 0.03 * gain);
+}
+
 /// On above kGain, off below kStayGain, and between the two as before.
 TEST(SecondMoments, SwitchHasHysteresis) {
     // One path of cost c, twice as probable with the guide: moments 1 : 1/2, costs 1 : 2, gain 1.
     // A second one without worth, less probable, makes the guide's cost less.
     const auto with_cheaper_rest = [](double rest) {
         SecondMoments moments;
-        moments.add(1, 1, 0, 1, 1, 2);
-        moments.add(0, rest, 0, 1, 1, 0.5);
+        add_to_all(moments, 1, 1, 2);
+        add_to_all(moments, 0, rest, 0.5);
         return moments;
     };
     // (1 + c) / (0.5 (2 + c / 2)) = (1 + c) / (1 + c / 4)
@@ -106,8 +122,8 @@ TEST(SecondMoments, SwitchHasHysteresis) {
     check(0.5, false, true);   // 1.33
     check(0.8, true, true);    // 1.5
     SecondMoments loses;
-    loses.add(1, 1, 0, 1, 1, 0.5);
-    loses.add(0, 1, 0, 1, 1, 1.5);
+    add_to_all(loses, 1, 1, 0.5);
+    add_to_all(loses, 0, 1, 1.5);
     EXPECT_FALSE(loses.pays(true));
 }
 

@@ -3,9 +3,15 @@
 // A sample drawn with density p that was worth Q = (f / p)^2 tells the second moment that another
 // density p' would give, E_p[Q p / p'], and the cost of its paths, E_p[c p' / p]. Judged on the
 // samples that had shaped the density themselves, moments come out too low.
+//
+// Scores have heavy tails: one path in a million, drawn where the guided density is least, may
+// outweigh all others. Samples are therefore dealt out to five groups, and the median of what these
+// say is taken: no single path decides (median of means: Nemirovsky and Yudin 1983).
 #pragma once
 
 #include <algorithm>
+#include <array>
+#include <cstdint>
 
 #include "aips/core/state_archive.h"
 
@@ -16,6 +22,8 @@ class SecondMoments {
     /// Least gain at which guiding is switched on, and at which it stays on. Moments are noisy,
     /// stratified plain samples do better than theirs, and learning has its price.
     static constexpr double kGain = 1.4, kStayGain = 1.25;
+    /// Groups of samples, an odd number.
+    static constexpr std::size_t kGroups = 5;
 
     /// One photon path: worth `score` and costing `cost`, drawn with density `drawn` where the
     /// plain one is `plain` and the guided one `guided` (all > 0); `guide_cost`: of guiding it.
@@ -43,13 +51,17 @@ class SecondMoments {
         }
     };
     void add(const Work& plain, const Work& guided) {
-        plain_.add(plain);
-        guided_.add(guided);
+        Group& group = groups_[next_];
+        next_ = (next_ + 1) % kGroups;
+        group.plain.add(plain);
+        group.guided.add(guided);
     }
     /// Keeps this share of what was counted.
     void forget(double share) {
-        plain_.scale(share);
-        guided_.scale(share);
+        for (Group& group : groups_) {
+            group.plain.scale(share);
+            group.guided.scale(share);
+        }
     }
     /// After `paths` further scored paths. Ways of drawing that are gone say little of the present
     /// one: `memory_paths`, and half of all paths, are the most that count in full.
@@ -60,22 +72,36 @@ class SecondMoments {
     }
     /// Saves or restores what was counted.
     void state(StateArchive& archive) {
-        plain_.state(archive);
-        guided_.state(archive);
+        for (Group& group : groups_) {
+            group.plain.state(archive);
+            group.guided.state(archive);
+        }
+        archive.value(next_);
+        StateArchive::check(next_ < kGroups, "a group of moments that is none");
         archive.amount(paths_);
     }
     /// Scored paths so far, whether they were worth anything or not.
     double paths() const { return paths_; }
-    /// Plain second moment times cost over the guided; 1 before anything was worth something.
+    /// Plain second moment times cost over the guided, the median of the groups'; 1 before anything
+    /// was worth something.
     double gain() const {
-        const double guided = guided_.product();
-        return guided > 0 ? plain_.product() / guided : 1;
+        std::array<double, kGroups> gains;
+        for (std::size_t i = 0; i < kGroups; ++i) {
+            const double guided = groups_[i].guided.product();
+            gains[i] = guided > 0 ? groups_[i].plain.product() / guided : 1;
+        }
+        std::nth_element(gains.begin(), gains.begin() + kGroups / 2, gains.end());
+        return gains[kGroups / 2];
     }
     /// The switch after what it was before.
     bool pays(bool on) const { return gain() > (on ? kStayGain : kGain); }
 
   private:
-    Work plain_, guided_;
+    struct Group {
+        Work plain, guided;
+    };
+    std::array<Group, kGroups> groups_;
+    std::uint32_t next_ = 0;
     double paths_ = 0;
 };
 

@@ -4,7 +4,9 @@
 #include <algorithm>
 
 #include "area_emission.h"
+#include "lxs/language/read_scene.h"
 #include "scene_reader.h"
+#include "textures_by_name.h"
 
 namespace lxs {
 namespace {
@@ -120,8 +122,13 @@ void SceneReader::exterior(Statement& statement) {
 }
 
 void SceneReader::volume_region(Statement& statement) {
-    take_plugin(statement);
-    diagnostics_.warning(statement.where, "volume regions are not rendered");
+    const ParameterSet set = take_plugin(statement);
+    const std::vector<std::string>& known = known_plugin_names().at("Volume");
+    if (std::find(known.begin(), known.end(), set.plugin) == known.end())
+        throw InputError(set.where, unknown_name_message("volume region", set.plugin, known));
+    diagnostics_.warning(
+        statement.where,
+        fmt::format("volume region \"{}\" is not rendered: it is left out", set.plugin));
 }
 
 void SceneReader::light_group(Statement& statement) {
@@ -144,6 +151,7 @@ std::uint32_t SceneReader::group_index(const std::string& name) {
 void SceneReader::light_source(Statement& statement) {
     LightDescription light;
     light.parameters = take_plugin(statement);
+    evaluate_light_colours(light.parameters, assets_, diagnostics_);
     light.to_world = still_transform("light", statement.where);
     light.group = group_index(scopes_.graphics.light_group);
     light.medium = scopes_.graphics.exterior;
@@ -161,7 +169,8 @@ void SceneReader::area_light_source(Statement& statement) {
 }
 
 void SceneReader::shape(Statement& statement) {
-    const ParameterSet set = take_plugin(statement);
+    ParameterSet set = take_plugin(statement);
+    name_displacement_as_texture(set);
     const GraphicsState& graphics = scopes_.graphics;
     std::optional<Geometry> geometry =
         factory_.shape(set, still_transform("shape", statement.where));

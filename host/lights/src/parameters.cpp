@@ -12,9 +12,11 @@ constexpr ParameterDeclaration kGain{
     .name = "gain", .default_text = "1", .doc = "Factor on the light's emission.", .minimum = 0};
 constexpr ParameterDeclaration kColor{
     .name = "L",
-    .type = Type::Color,
+    .type = Type::ColorTexture,
     .default_text = "1 1 1",
-    .doc = "Emission: cd of point and spot, cd/m^2 of infinite, 1/10417 lx of distant."};
+    .doc =
+        "Emission: cd of point and spot, cd/m^2 of infinite, 1/10417 lx of distant. A texture "
+        "counts with its colour at the origin."};
 constexpr ParameterDeclaration power(std::string_view default_text) {
     return {
         .name = "power",
@@ -190,7 +192,7 @@ Declarations distant_parameters() {
 Declarations goniometric_parameters() {
     Declarations all = point_parameters();
     all.push_back({.name = "I",
-                   .type = Type::Color,
+                   .type = Type::ColorTexture,
                    .default_text = "1 1 1",
                    .doc = "Intensity, W/sr (older name of L)."});
     return all;
@@ -199,7 +201,7 @@ Declarations goniometric_parameters() {
 Declarations projection_parameters() {
     return {kColor,
             {.name = "I",
-             .type = Type::Color,
+             .type = Type::ColorTexture,
              .default_text = "1 1 1",
              .doc = "Intensity, W/sr (older name of L)."},
             kGain,

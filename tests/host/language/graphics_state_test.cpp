@@ -3,6 +3,7 @@
 
 #include "scene_fakes.h"
 #include "temporary_folder.h"
+#include "textures_by_name.h"
 
 namespace lxs::test {
 namespace {
@@ -136,6 +137,29 @@ TEST(Lights, KeepTransformGroupAndMedium) {
     EXPECT_EQ(light.to_world.translation(), Imath::V3d(1, 2, 3));
     EXPECT_EQ(contents.light_groups, (Messages{"sun"}));
     EXPECT_NE(light.medium, nullptr);
+}
+
+// LuxRender reads their L as a texture, and exporters write blackbody ones.
+TEST(Lights, TakeTheColourOfATexture) {
+    const std::string texture = "Texture \"t\" \"color\" \"constant\" \"color value\" [1 0.5 0]\n";
+    for (const std::string light : {"point", "spot", "distant", "infinite"}) {
+        const SceneContents contents =
+            read_world(texture + "LightSource \"" + light + "\" \"texture L\" [\"t\"]");
+        const ParameterValue& value = contents.lights.at(0).parameters.values.at(0);
+        EXPECT_EQ(value.type, "color");
+        EXPECT_EQ(std::get<std::vector<double>>(value.values), (std::vector<double>{1, 0.5, 0}));
+    }
+    EXPECT_EQ(
+        error_of_world("LightSource \"point\" \"texture L\" [\"none\"]").find("test.lxs:2:21"), 0u);
+}
+
+TEST(Shapes, NameTheirDisplacementByAString) {
+    ParameterSet set;
+    set.values.push_back({"string", "displacementmap", std::vector<std::string>{"bumps"}, {}, {}});
+    set.values.push_back({"string", "subdivscheme", std::vector<std::string>{"loop"}, {}, {}});
+    name_displacement_as_texture(set);
+    EXPECT_EQ(set.values.at(0).type, "texture");
+    EXPECT_EQ(set.values.at(1).type, "string");
 }
 
 TEST(Lights, ThereIsAlwaysAGroup) {

@@ -1,0 +1,40 @@
+// Parameters that name a texture in ways of their own.
+#include "textures_by_name.h"
+
+namespace lxs {
+namespace {
+
+Rgb light_at_origin(const ColorTexture& texture) {
+    TexturePoint point;
+    point.use = ColourUse::Light;
+    return texture.evaluate(point);
+}
+
+}  // namespace
+
+void evaluate_light_colours(ParameterSet& light, const AssetContext& assets,
+                            Diagnostics& diagnostics) {
+    for (ParameterValue& value : light.values) {
+        if (value.name != "L" && value.name != "I") continue;
+        const auto* names = std::get_if<std::vector<std::string>>(&value.values);
+        if (value.type != "texture" || !names || names->size() != 1) continue;
+        const auto texture = assets.color_texture(names->front(), value.where);
+        if (!texture->constant()) {
+            diagnostics.warning(value.where, "\"" + value.name +
+                                                 "\" varies, which only area lights can: its "
+                                                 "colour at the origin is used");
+        }
+        const Rgb colour = light_at_origin(*texture);
+        value.type = "color";
+        value.values = std::vector<double>{colour.x, colour.y, colour.z};
+        value.value_where.clear();
+    }
+}
+
+void name_displacement_as_texture(ParameterSet& shape) {
+    for (ParameterValue& value : shape.values) {
+        if (value.name == "displacementmap" && value.type == "string") value.type = "texture";
+    }
+}
+
+}  // namespace lxs

@@ -80,17 +80,25 @@ bool stands_in(ParameterSet& set, Diagnostics& diagnostics) {
     return true;
 }
 
-/// Leaves out the parameters that `plugin` doesn't declare.
-void keep_declared(const IntegratorPlugin& plugin, ParameterSet& set, Log& log) {
+/// Leaves out the parameters that `plugin` doesn't declare. `asked_for`: by the command line;
+/// where it stands in for the scene's choice that is warned of.
+void keep_declared(const IntegratorPlugin& plugin, ParameterSet& set, bool asked_for,
+                   Diagnostics& diagnostics, Log& log) {
     std::vector<std::string> dropped;
+    SourceLocation where;
     std::erase_if(set.values, [&](const ParameterValue& value) {
         const bool declared =
             std::any_of(plugin.parameters.begin(), plugin.parameters.end(),
                         [&](const auto& declaration) { return declaration.name == value.name; });
+        if (!declared && dropped.empty()) where = value.where;
         if (!declared) dropped.push_back(value.name);
         return !declared;
     });
-    if (!dropped.empty()) {
+    if (dropped.empty()) return;
+    if (!asked_for) {
+        diagnostics.warning(where, fmt::format("parameters without effect with \"{}\": {}",
+                                               plugin.name, fmt::join(dropped, ", ")));
+    } else {
         log.info(fmt::format("the scene's parameters unknown to \"{}\" are left out: {}",
                              plugin.name, fmt::join(dropped, ", ")));
     }
@@ -122,7 +130,8 @@ IntegratorChoice choose_integrator(const CommandLine& command, const SceneConten
             unknown_name_message("SurfaceIntegrator", choice.parameters.plugin, plugins.names()));
     }
     if (choice.parameters.plugin != named) {
-        keep_declared(*choice.integrator->plugin, choice.parameters, log);
+        keep_declared(*choice.integrator->plugin, choice.parameters, command.integrator.has_value(),
+                      diagnostics, log);
     }
     apply_overrides(command.overrides, plugins, choice.parameters, log);
     return choice;

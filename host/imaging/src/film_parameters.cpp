@@ -167,6 +167,7 @@ constexpr IgnoredFlag kIgnoredFlags[] = {
     {"write_exr_halftype", "the EXR always holds 32-bit floats"},
     {"write_exr_applyimaging", "the EXR always holds raw linear radiance"},
     {"write_exr_ZBuf", "no depth channel is written"},
+    {"write_png", "the PNG is always written"},
     {"write_png_ZBuf", "no depth image is written"},
     {"write_png_16bit", "the PNG has 8 bits per channel"},
     {"write_tga", "no TGA file is written"},

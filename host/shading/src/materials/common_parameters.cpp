@@ -36,7 +36,7 @@ constexpr CompositingFlag kCompositingFlags[] = {
     {"compo_visible_emission", true, "the emission is seen by all rays"},
     {"compo_visible_indirect_material", true, "the surface is seen by all rays"},
     {"compo_visible_indirect_emission", true, "the emission is seen by all rays"},
-    {"compo_override_alpha", false, "the alpha channel is that of the film"},
+    {"compo_override_alpha", false, "there is no alpha channel"},
     {"compo_use_key", false, "the surface keeps its colour"}};
 
 }  // namespace

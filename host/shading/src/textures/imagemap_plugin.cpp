@@ -62,9 +62,14 @@ ImageLookup::ImageLookup(const ParameterReader& reader, const AssetContext& asse
                                       : wrap == Wrap::Black ? OIIO::TextureOpt::WrapBlack
                                                             : OIIO::TextureOpt::WrapClamp;
     options_.mipmode = OIIO::TextureOpt::MipModeNoMIP;
-    options_.interpmode = reader.string("filtertype", "bilinear") == "nearest"
-                              ? OIIO::TextureOpt::InterpClosest
-                              : OIIO::TextureOpt::InterpBilinear;
+    const std::string filter = reader.string("filtertype", "bilinear");
+    options_.interpmode =
+        filter == "nearest" ? OIIO::TextureOpt::InterpClosest : OIIO::TextureOpt::InterpBilinear;
+    if (filter.starts_with("mipmap")) {
+        reader.diagnostics().warning(
+            reader.where("filtertype"),
+            "filtertype \"" + filter + "\" is not rendered: \"bilinear\" is used instead");
+    }
 }
 
 void ImageLookup::read(const TexturePoint& point, int first, int count, float* values) const {

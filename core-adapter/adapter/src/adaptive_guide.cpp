@@ -117,10 +117,9 @@ void AdaptiveGuide::learn(const PathLog& log, std::span<const Landing> landings,
     visible_ *= kept;
 }
 
-bool AdaptiveGuide::gives_way_to_chains() {
-    gave_way_ = gave_way_ || (settings_.guide_chains && double(paths_) >= kLearningPaths &&
-                              visible_logged_ >= kChainEvidence && visible_share() < kChainShare);
-    return gave_way_;
+bool AdaptiveGuide::gives_way_to_chains() const {
+    return settings_.guide_chains && double(paths_) >= kLearningPaths &&
+           visible_logged_ >= kChainEvidence && visible_share() < kChainShare;
 }
 
 void AdaptiveGuide::score_landings(const PathLog& log, std::span<const Landing> landings) {
@@ -223,7 +222,6 @@ void AdaptiveGuide::state(StateArchive& archive) {
         archive.value(*count);
     for (double* sum : {&path_score_, &path_cost_, &logged_, &visible_})
         archive.amount(*sum);
-    archive.value(gave_way_);
 }
 
 std::size_t AdaptiveGuide::memory_bytes() const {

@@ -49,9 +49,9 @@ class AdaptiveGuide {
         return bounces_rest_.awake() && bounces_ ? &*bounces_ : nullptr;
     }
     /// Whether so few unguided paths are worth anything that chains on those do better than this
-    /// guide; after the passes whose photons count for less, and then for good: false until it is
-    /// true. To be asked between passes.
-    bool gives_way_to_chains();
+    /// guide; not before photons count in full. To be asked between passes: once it gives way it
+    /// learns no more, and keeps to that.
+    bool gives_way_to_chains() const;
     /// Share of unguided photon paths that are worth something to the image; 0 before any was.
     double visible_share() const { return logged_ > 0 ? visible_ / logged_ : 0; }
     /// Learns from the logged ones of `paths` photon paths, whose landings are among `landings`.
@@ -118,7 +118,6 @@ class AdaptiveGuide {
     // Of logged paths, old ones forgotten. `visible_`: worth something, as many as were unguided.
     double path_score_ = 0, path_cost_ = 0, logged_ = 0, visible_ = 0;
     std::uint64_t visible_logged_ = 0;
-    bool gave_way_ = false;
 };
 
 }  // namespace aips

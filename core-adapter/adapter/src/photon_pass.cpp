@@ -27,9 +27,8 @@ void PhotonPass::begin_pass(std::uint64_t pass, const PassPhotons& photons, floa
         chained_ = true;
         reach_ = 0;  // chains have not marked what lasts
     }
-    const bool guided = guide_ || (adaptive_ && !chained_);
     const bool reach_lasts = freezes_eye_pass(settings_.mode) && reach_ == radii.reach();
-    if (guided || !reach_lasts) {
+    if (guide_ || guiding() || !reach_lasts) {
         std::vector<Vec3> positions;
         positions.reserve(image.visible_points.size());
         for (const VisiblePoint& point : image.visible_points)
@@ -37,8 +36,8 @@ void PhotonPass::begin_pass(std::uint64_t pass, const PassPhotons& photons, floa
         if (!reach_lasts) mark_reach(positions, radii.reach());
         const Stopwatch watch(totals_.guide_seconds);
         if (guide_) guide_->begin_pass(positions, image.positions.size());
-        if (adaptive_ && !chained_)
-            totals_.counts.rays += adaptive_->begin_pass(pass, time, image, positions, radii);
+        if (AdaptiveGuide* adaptive = guiding())
+            totals_.counts.rays += adaptive->begin_pass(pass, time, image, positions, radii);
     }
     if (chained_) chains_->begin_pass(photons.paths);
     if (bounces_) bounces_->begin_pass();
@@ -64,7 +63,7 @@ void PhotonPass::shoot(std::uint64_t pass, const PassPhotons& photons, float tim
         const std::size_t collisions = volume_ ? volume_->waiting().size() : 0;
         trace(input_of(pass, time, iteration), photons, first, count, refusals);
         learn(count);
-        if (adaptive_ && !chained_) {
+        if (guiding()) {
             // After learning: a guide learns from what photons really carried.
             const auto weight = float(learning_weight(photons.before + first));
             if (weight < 1) {
@@ -98,13 +97,13 @@ PhotonInput PhotonPass::input_of(std::uint64_t pass, float time, std::uint64_t i
     } else {
         input.occupancy = &occupancy_;
     }
-    if (adaptive_ && !chained_) {
-        input.emission = adaptive_->emission();
-        input.survival = adaptive_->survival();
-        input.score_mix = adaptive_->score_mix();
+    if (const AdaptiveGuide* adaptive = guiding()) {
+        input.emission = adaptive->emission();
+        input.survival = adaptive->survival();
+        input.score_mix = adaptive->score_mix();
         input.split_landings = split_landings(settings_);
-        input.log_one_of = adaptive_->log_one_of();
-        input.guide = adaptive_->bounces();
+        input.log_one_of = adaptive->log_one_of();
+        input.guide = adaptive->bounces();
         input.unguided_roulette = input.guide != nullptr;
         input.log_vertices = input.survival || input.guide;
     }
@@ -128,8 +127,8 @@ void PhotonPass::trace(const PhotonInput& input, const PassPhotons& photons, std
 
 void PhotonPass::learn(std::uint32_t paths) {
     const Stopwatch watch(totals_.guide_seconds);
-    if (adaptive_ && !chained_) {
-        adaptive_->learn(log_, waiting_.landings(), paths);
+    if (AdaptiveGuide* adaptive = guiding()) {
+        adaptive->learn(log_, waiting_.landings(), paths);
         log_.clear();
     }
     if (!guide_) return;

@@ -44,7 +44,9 @@ class PhotonPass {
     }
 
     /// Between passes: whether the next one takes its photon paths from chains.
-    bool chained_next() { return chained_ || (adaptive_ && adaptive_->gives_way_to_chains()); }
+    bool chained_next() const {
+        return chained_ || (adaptive_ && adaptive_->gives_way_to_chains());
+    }
 
     /// Between passes: saves what later ones go on from, or restores it into a new one; the guide
     /// and the importance are saved by themselves, and seconds by state_of_seconds().
@@ -60,6 +62,8 @@ class PhotonPass {
     std::size_t memory_bytes() const;
 
   private:
+    /// The adaptive guide while it decides where photons go; null once chains do.
+    AdaptiveGuide* guiding() { return adaptive_ && !chained_ ? &*adaptive_ : nullptr; }
     void begin_pass(std::uint64_t pass, const PassPhotons& photons, float time,
                     const EyeImage& image, const SearchRadii& radii);
     PhotonInput input_of(std::uint64_t pass, float time, std::uint64_t iteration);

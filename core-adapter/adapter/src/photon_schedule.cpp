@@ -79,9 +79,9 @@ void PhotonSchedule::end_pass(const PassWork& work, const PassNoise& noise, bool
     const bool chains_begin = by_chains && !by_chains_;
     by_chains_ = by_chains;
     // Chains begin when the image says so: what passes count for must not follow from that.
-    if (adapts_ && chains_begin && shot_ > 0) paths_ = best_paths();
-    if (adapts_ && pass_ == decide_at_) {
-        if (!chains_begin) paths_ = best_paths();
+    const bool decides = adapts_ && pass_ == decide_at_;
+    if (decides || (adapts_ && chains_begin && shot_ > 0)) paths_ = best_paths();
+    if (decides) {
         decide_at_ += std::max<std::uint64_t>(2, pass_ / 4);
         decided_ = true;
         work_ = {};

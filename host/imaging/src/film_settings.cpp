@@ -92,10 +92,8 @@ std::string without_image_suffix(const std::string& name) {
 
 ToneMapSettings::Kernel read_kernel(const ParameterReader& reader) {
     using Kernel = ToneMapSettings::Kernel;
-    const std::string_view parameter = reader.plugin() == "multiimage" && reader.given("tonemapper")
-                                           ? "tonemapper"
-                                           : "tonemapkernel";
-    const std::string name = reader.string(parameter, "autolinear");
+    constexpr std::string_view kKernel = "tonemapkernel";
+    const std::string name = reader.string(kKernel, "autolinear");
     if (name == "linear") return Kernel::Linear;
     if (name == "reinhard") return Kernel::Reinhard;
     if (name == "contrast") return Kernel::Contrast;
@@ -103,8 +101,9 @@ ToneMapSettings::Kernel read_kernel(const ParameterReader& reader) {
     if (name == "nonlinear") return Kernel::NonLinear;
     if (name == "falsecolors") {
         reader.diagnostics().warning(
-            reader.where(parameter),
-            fmt::format("{} \"falsecolors\" is not available; autolinear is used", parameter));
+            reader.where(kKernel), fmt::format("{} \"falsecolors\" is not available; autolinear is "
+                                               "used",
+                                               reader.spelling(kKernel)));
     }
     return Kernel::AutoLinear;
 }
@@ -129,10 +128,9 @@ ToneMapSettings read_tone_map(const ParameterReader& reader) {
 }
 
 std::string read_base_name(const ParameterReader& reader) {
-    const bool old_name = reader.plugin() == "multiimage" && reader.given("hdr_filename");
-    const std::string_view parameter = old_name ? "hdr_filename" : "filename";
-    std::string name = without_image_suffix(reader.string(parameter, "luxout"));
-    if (name.empty()) reader.fail(parameter, fmt::format("{} is empty", parameter));
+    std::string name = without_image_suffix(reader.string("filename", "luxout"));
+    if (name.empty())
+        reader.fail("filename", fmt::format("{} is empty", reader.spelling("filename")));
     return name;
 }
 
@@ -178,10 +176,8 @@ FilmSettings read(const SceneContents& contents, Diagnostics& diagnostics) {
     settings.halt_time_seconds = std::max(0.0, reader.number("halttime", 0));
     settings.halt_passes =
         static_cast<std::uint64_t>(std::max<std::int64_t>(0, reader.integer("haltspp", 0)));
-    const bool old_interval = set.plugin == "multiimage" && reader.given("hdr_writeinterval");
     settings.write_interval_seconds =
-        std::max(0.0, reader.number(old_interval ? "hdr_writeinterval" : "writeinterval",
-                                    settings.write_interval_seconds));
+        std::max(0.0, reader.number("writeinterval", settings.write_interval_seconds));
     settings.tone_map = read_tone_map(reader);
     settings.to_film_colors = read_color_space(reader);
     warn_of_ignored_film_parameters(reader);

@@ -25,9 +25,10 @@ struct LightStatement {
     float number(std::string_view name, double fallback) const {
         return static_cast<float>(reader.number(name, fallback));
     }
-    Rgb color(std::string_view name) const { return cleaned(reader.color(name, Rgb(1.0f)), name); }
+    /// L, by whatever name.
+    Rgb color() const { return cleaned(reader.color("L", Rgb(1.0f)), reader.spelling("L")); }
     /// L times gain.
-    Rgb emission() const { return cleaned(color("L") * number("gain", 1), "gain"); }
+    Rgb emission() const { return cleaned(color() * number("gain", 1), "gain"); }
     /// `value` without what is not finite or negative, of which a warning at parameter `name` says.
     Rgb cleaned(const Rgb& value, std::string_view name) const {
         const Rgb usable = non_negative(value);

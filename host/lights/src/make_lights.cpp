@@ -20,14 +20,9 @@ namespace {
 
 constexpr double kRadians = std::numbers::pi / 180;
 
-/// Parameter that holds the colour: "I" is its older name.
-std::string_view color_name(const LightStatement& s) {
-    return s.reader.given("I") ? "I" : "L";
-}
-
-void make_point(const LightStatement& s, std::string_view color, Lights& lights) {
-    if (names_profile(s.reader)) return make_goniometric(s, color, lights);
-    const Rgb unit = s.color(color);
+void make_point(const LightStatement& s, Lights& lights) {
+    if (names_profile(s.reader)) return make_goniometric(s, lights);
+    const Rgb unit = s.color();
     lights.push_back(std::make_unique<PointLight>(
         s.placement(), s.world_point(s.reader.vector("from", Vec3(0.0f))),
         point_intensity(s, unit, 4 * std::numbers::pi * luminance(unit))));
@@ -39,7 +34,7 @@ void make_spot(const LightStatement& s, Lights& lights) {
     const double inner = std::max(0.0, outer - s.reader.number("conedeltaangle", 5));
     const SpotCone cone{static_cast<float>(inner * kRadians), static_cast<float>(outer * kRadians)};
     const Vec3 axis = s.from_to_direction();
-    const Rgb color = s.color("L");
+    const Rgb color = s.color();
     const SpotLight unit(s.placement(), Vec3(0.0f), axis, Rgb(1.0f), cone);
     lights.push_back(std::make_unique<SpotLight>(
         s.placement(), s.world_point(s.reader.vector("from", Vec3(0.0f))), axis,
@@ -82,12 +77,11 @@ void make_infinite(const LightStatement& s, Lights& lights) {
 
 void make_by_name(const LightStatement& s, Lights& lights) {
     const std::string& name = s.reader.plugin();
-    if (name == "point") return make_point(s, "L", lights);
+    if (name == "point" || name == "goniometric") return make_point(s, lights);
     if (name == "spot") return make_spot(s, lights);
     if (name == "distant") return make_distant(s, lights);
     if (name == "infinite" || name == "infinitesample") return make_infinite(s, lights);
-    if (name == "goniometric") return make_point(s, color_name(s), lights);
-    if (name == "projection") return make_projection(s, color_name(s), lights);
+    if (name == "projection") return make_projection(s, lights);
     make_sky_lights(s, lights);
 }
 

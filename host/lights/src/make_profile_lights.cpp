@@ -12,9 +12,9 @@
 namespace lxs {
 namespace {
 
-void add(const LightStatement& s, std::string_view kind, std::string_view color,
+void add(const LightStatement& s, std::string_view kind,
          std::unique_ptr<const EmissionProfile> profile, Lights& lights) {
-    const Rgb unit = s.color(color);
+    const Rgb unit = s.color();
     const Rgb intensity = point_intensity(s, unit, luminance(unit * profile->integral()));
     lights.push_back(std::make_unique<ProfileLight>(
         s.placement(), kind, s.world_point(s.reader.vector("from", Vec3(0.0f))), intensity,
@@ -23,12 +23,12 @@ void add(const LightStatement& s, std::string_view kind, std::string_view color,
 
 }  // namespace
 
-void make_goniometric(const LightStatement& s, std::string_view color, Lights& lights) {
-    add(s, "goniometric", color,
+void make_goniometric(const LightStatement& s, Lights& lights) {
+    add(s, "goniometric",
         std::make_unique<SphereProfile>(s.rotation(), sphere_map(s.reader, s.resolve)), lights);
 }
 
-void make_projection(const LightStatement& s, std::string_view color, Lights& lights) {
+void make_projection(const LightStatement& s, Lights& lights) {
     const auto fov = static_cast<float>(s.reader.number("fov", 45) * std::numbers::pi / 180);
     const Vec3 axis = s.unit(Imath::V3d(s.reader.vector("to", Vec3(0, 0, 1))) -
                                  Imath::V3d(s.reader.vector("from", Vec3(0.0f))),
@@ -44,8 +44,7 @@ void make_projection(const LightStatement& s, std::string_view color, Lights& li
     LatLongMap image = s.reader.string("mapname", "").empty()
                            ? LatLongMap::of(kBlank, kBlank, [](const Vec2&) { return Rgb(1.0f); })
                            : read_map(s.reader, s.resolve);
-    add(s, "projection", color, std::make_unique<ScreenProfile>(axes, std::move(image), fov),
-        lights);
+    add(s, "projection", std::make_unique<ScreenProfile>(axes, std::move(image), fov), lights);
 }
 
 }  // namespace lxs

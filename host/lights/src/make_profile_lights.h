@@ -7,9 +7,9 @@ namespace lxs {
 
 /// A point or goniometric light with mapname, iesname or both (their product); `color` names the
 /// parameter of its colour.
-void make_goniometric(const LightStatement& s, std::string_view color, Lights& lights);
+void make_goniometric(const LightStatement& s, Lights& lights);
 
 /// Light "projection": an image thrown from one point to another.
-void make_projection(const LightStatement& s, std::string_view color, Lights& lights);
+void make_projection(const LightStatement& s, Lights& lights);
 
 }  // namespace lxs

@@ -57,15 +57,12 @@ double turbidity_within(const LightStatement& s, double least, double most) {
 }
 
 SkyModel preetham_sky(const LightStatement& s) {
-    const auto factor = [&s](std::string_view name, std::string_view old_name) {
-        return s.reader.number(name, s.reader.number(old_name, 1));
-    };
+    const auto factor = [&s](std::string_view name) { return s.reader.number(name, 1); };
     constexpr double kNoMost = std::numeric_limits<double>::infinity();
     return {given_sun_direction(s),
             turbidity_within(s, SkyModel::kLeastTurbidity, kNoMost),
-            {factor("horizonbrightness", "aconst"), factor("horizonsize", "bconst"),
-             factor("sunhalobrightness", "cconst"), factor("sunhalosize", "dconst"),
-             factor("backscattering", "econst")}};
+            {factor("horizonbrightness"), factor("horizonsize"), factor("sunhalobrightness"),
+             factor("sunhalosize"), factor("backscattering")}};
 }
 
 HosekWilkieSky hosek_wilkie_sky(const LightStatement& s) {

@@ -88,20 +88,16 @@ constexpr ParameterDeclaration kFlip{.name = "flipz",
                                      .default_text = "false",
                                      .doc = "Turns image and photometric file upside down."};
 
-constexpr ParameterDeclaration coefficient(std::string_view name, std::string_view doc) {
-    return {.name = name, .default_text = "1", .doc = doc};
+constexpr ParameterDeclaration coefficient(std::string_view name, std::string_view older_name,
+                                           std::string_view doc) {
+    return {.name = name, .default_text = "1", .doc = doc, .older_name = older_name};
 }
 constexpr std::array kSkyCoefficients = {
-    coefficient("horizonbrightness", "Factor on coefficient A of the sky's luminance."),
-    coefficient("horizonsize", "Factor on coefficient B of the sky's luminance."),
-    coefficient("sunhalobrightness", "Factor on coefficient C of the sky's luminance."),
-    coefficient("sunhalosize", "Factor on coefficient D of the sky's luminance."),
-    coefficient("backscattering", "Factor on coefficient E of the sky's luminance."),
-    coefficient("aconst", "Old name of horizonbrightness."),
-    coefficient("bconst", "Old name of horizonsize."),
-    coefficient("cconst", "Old name of sunhalobrightness."),
-    coefficient("dconst", "Old name of sunhalosize."),
-    coefficient("econst", "Old name of backscattering."),
+    coefficient("horizonbrightness", "aconst", "Factor on coefficient A of the sky's luminance."),
+    coefficient("horizonsize", "bconst", "Factor on coefficient B of the sky's luminance."),
+    coefficient("sunhalobrightness", "cconst", "Factor on coefficient C of the sky's luminance."),
+    coefficient("sunhalosize", "dconst", "Factor on coefficient D of the sky's luminance."),
+    coefficient("backscattering", "econst", "Factor on coefficient E of the sky's luminance."),
 };
 
 constexpr std::array<std::string_view, 3> kMappings = {"latlong", "angular", "vcross"};
@@ -189,21 +185,16 @@ Declarations distant_parameters() {
             kImportance};
 }
 
-Declarations goniometric_parameters() {
-    Declarations all = point_parameters();
-    all.push_back({.name = "I",
-                   .type = Type::ColorTexture,
-                   .default_text = "1 1 1",
-                   .doc = "Intensity, W/sr (older name of L)."});
+/// Lights whose colour is an intensity by direction; it was called so.
+Declarations with_older_intensity(Declarations all) {
+    for (ParameterDeclaration& declaration : all) {
+        if (declaration.name == kColor.name) declaration.older_name = "I";
+    }
     return all;
 }
 
 Declarations projection_parameters() {
     return {kColor,
-            {.name = "I",
-             .type = Type::ColorTexture,
-             .default_text = "1 1 1",
-             .doc = "Intensity, W/sr (older name of L)."},
             kGain,
             power("0"),
             efficacy("0"),
@@ -228,11 +219,11 @@ Declarations projection_parameters() {
 const std::vector<LightPlugin>& light_plugins() {
     static const std::vector<LightPlugin> plugins = {
         {"distant", distant_parameters()},
-        {"goniometric", goniometric_parameters()},
+        {"goniometric", with_older_intensity(point_parameters())},
         {"infinite", infinite_parameters()},
         {"infinitesample", infinite_parameters()},
         {"point", point_parameters()},
-        {"projection", projection_parameters()},
+        {"projection", with_older_intensity(projection_parameters())},
         {"sky", sky_parameters()},
         {"sky2", sky2_parameters()},
         {"spot", spot_parameters()},

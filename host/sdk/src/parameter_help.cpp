@@ -1,6 +1,7 @@
 // Help made from parameter declarations: aligned text and Markdown.
 #include <algorithm>
 #include <array>
+#include <cctype>
 
 #include "lxs/sdk/parameters.h"
 #include "parameter_text.h"
@@ -17,6 +18,18 @@ std::string joined_choices(const ParameterDeclaration& declaration) {
     return text;
 }
 
+/// Adds a sentence; to a doc that is no sentence, a clause.
+void add_remark(std::string& doc, std::string sentence) {
+    if (doc.empty() || doc.ends_with('.')) {
+        doc += doc.empty() ? sentence : " " + sentence;
+        return;
+    }
+    sentence.front() =
+        static_cast<char>(std::tolower(static_cast<unsigned char>(sentence.front())));
+    sentence.pop_back();
+    doc += "; " + sentence;
+}
+
 /// Name, type, default, allowed values, doc.
 std::array<std::string, 5> columns(const ParameterDeclaration& declaration) {
     std::string type(type_name(declaration.type));
@@ -24,7 +37,9 @@ std::array<std::string, 5> columns(const ParameterDeclaration& declaration) {
     const std::string allowed =
         declaration.choices.empty() ? range_text(declaration) : joined_choices(declaration);
     std::string doc(declaration.doc);
-    if (declaration.no_effect) doc += doc.empty() ? "Has no effect." : " Has no effect.";
+    if (!declaration.older_name.empty())
+        add_remark(doc, "Older name: " + std::string(declaration.older_name) + ".");
+    if (declaration.no_effect) add_remark(doc, "Has no effect.");
     return {std::string(declaration.name), type, std::string(declaration.default_text), allowed,
             doc};
 }

@@ -25,19 +25,39 @@ const ParameterDeclaration* declared(std::span<const ParameterDeclaration> decla
                                      const ParameterValue& value) {
     const ParameterDeclaration* named = nullptr;
     for (const ParameterDeclaration& declaration : declarations) {
-        if (declaration.name != value.name) continue;
+        if (declaration.name != value.name && declaration.older_name != value.name) continue;
         if (!named || is_vector(value) == (declaration.type == ParameterType::Vector))
             named = &declaration;
     }
     return named;
 }
 
+template <class Predicate>
+const ParameterValue* last_value(const ParameterSet& set, const Predicate& fits) {
+    const auto found = std::find_if(set.values.rbegin(), set.values.rend(), fits);
+    return found == set.values.rend() ? nullptr : &*found;
+}
+
+const ParameterValue* last_value(const ParameterSet& set, std::string_view name) {
+    return last_value(set, [&](const ParameterValue& value) { return value.name == name; });
+}
+
 /// The last value of `name` that is, or isn't, written as a vector.
 const ParameterValue* last_value(const ParameterSet& set, std::string_view name, bool vector) {
-    const auto found = std::find_if(set.values.rbegin(), set.values.rend(), [&](const auto& value) {
+    return last_value(set, [&](const ParameterValue& value) {
         return value.name == name && is_vector(value) == vector;
     });
-    return found == set.values.rend() ? nullptr : &*found;
+}
+
+std::string prefix(const ParameterSet& set) {
+    return set.plugin.empty() ? "" : set.plugin + ": ";
+}
+
+std::string quoted_list(const std::vector<std::string_view>& names) {
+    std::string text;
+    for (const std::string_view name : names)
+        text += (text.empty() ? "" : ", ") + in_quotes(name);
+    return text;
 }
 
 /// For each value of the set, whether a later one is for the same parameter.
@@ -55,11 +75,12 @@ std::vector<bool> overridden(const ParameterSet& set,
 void report_unknown(const ParameterSet& set, const ParameterValue& value,
                     std::span<const ParameterDeclaration> declarations, Diagnostics& diagnostics) {
     std::vector<std::string> known;
-    for (const ParameterDeclaration& d : declarations)
+    for (const ParameterDeclaration& d : declarations) {
         known.emplace_back(d.name);
+        if (!d.older_name.empty()) known.emplace_back(d.older_name);
+    }
     const std::string nearest = nearest_name(value.name, known);
-    std::string message = set.plugin.empty() ? "" : set.plugin + ": ";
-    message += "unknown parameter " + in_quotes(value.name);
+    std::string message = prefix(set) + "unknown parameter " + in_quotes(value.name);
     if (!nearest.empty()) message += "; did you mean \"" + nearest + "\"?";
     diagnostics.unknown_parameter(value.where, message);
 }
@@ -68,12 +89,28 @@ void report_unknown(const ParameterSet& set, const ParameterValue& value,
 void report_no_effect(const ParameterSet& set, const std::vector<const ParameterValue*>& values,
                       Diagnostics& diagnostics) {
     if (values.empty()) return;
-    std::string message = set.plugin.empty() ? "" : set.plugin + ": ";
-    for (std::size_t i = 0; i < values.size(); ++i) {
-        message += (i == 0 ? "" : ", ") + in_quotes(values[i]->name);
+    std::vector<std::string_view> names;
+    for (const ParameterValue* value : values)
+        names.push_back(value->name);
+    diagnostics.warning(values.front()->where,
+                        prefix(set) + quoted_list(names) +
+                            (names.size() == 1 ? " has no effect here" : " have no effect here"));
+}
+
+/// A value under an older name beside others of the same under the names of today.
+void report_superseded(const ParameterSet& set, const ParameterValue& older,
+                       std::span<const ParameterDeclaration> declarations,
+                       Diagnostics& diagnostics) {
+    std::vector<std::string_view> used;
+    for (const ParameterDeclaration& declaration : declarations) {
+        if (declaration.older_name != older.name) continue;
+        const ParameterValue* newer = last_value(set, declaration.name);
+        if (newer && newer->values != older.values) used.push_back(declaration.name);
     }
-    message += values.size() == 1 ? " has no effect here" : " have no effect here";
-    diagnostics.warning(values.front()->where, message);
+    if (used.empty()) return;
+    diagnostics.warning(older.where, prefix(set) + quoted_list(used) +
+                                         (used.size() == 1 ? " is" : " are") +
+                                         " used in place of " + in_quotes(older.name));
 }
 
 }  // namespace
@@ -81,7 +118,7 @@ void report_no_effect(const ParameterSet& set, const std::vector<const Parameter
 ParameterReader::ParameterReader(const ParameterSet& set,
                                  std::span<const ParameterDeclaration> declarations,
                                  Diagnostics& diagnostics)
-    : set_(set), diagnostics_(diagnostics) {
+    : set_(set), declarations_(declarations), diagnostics_(diagnostics) {
     std::vector<const ParameterValue*> without_effect;
     const std::vector<bool> is_overridden = overridden(set, declarations);
     for (std::size_t i = 0; i < set.values.size(); ++i) {
@@ -95,14 +132,17 @@ ParameterReader::ParameterReader(const ParameterSet& set,
         } else if (declaration->no_effect) {
             without_effect.push_back(&value);
         } else {
-            check_parameter(value, *declaration, set.plugin);
+            ParameterDeclaration spelled = *declaration;
+            spelled.name = value.name;
+            check_parameter(value, spelled, set.plugin);
+            report_superseded(set, value, declarations, diagnostics);
         }
     }
     report_no_effect(set, without_effect, diagnostics);
 }
 
 double ParameterReader::number(std::string_view name, double fallback) const {
-    const Numbers* numbers = numbers_of(last_value(set_, name, false), 1);
+    const Numbers* numbers = numbers_of(last_value(set_, spelling(name), false), 1);
     return numbers ? numbers->front() : fallback;
 }
 
@@ -130,7 +170,7 @@ Rgb ParameterReader::color(std::string_view name, const Rgb& fallback) const {
 
 Vec3 ParameterReader::vector(std::string_view name, const Vec3& fallback) const {
     const Numbers* numbers = numbers_of(find(name), 3);
-    if (!numbers) numbers = numbers_of(last_value(set_, name, true), 3);
+    if (!numbers) numbers = numbers_of(last_value(set_, spelling(name), true), 3);
     if (!numbers) return fallback;
     return {static_cast<float>((*numbers)[0]), static_cast<float>((*numbers)[1]),
             static_cast<float>((*numbers)[2])};
@@ -156,10 +196,17 @@ void ParameterReader::fail(std::string_view name, const std::string& message) co
     throw InputError(where(name), message);
 }
 
+std::string_view ParameterReader::spelling(std::string_view name) const {
+    if (last_value(set_, name)) return name;
+    for (const ParameterDeclaration& declaration : declarations_) {
+        if (declaration.name == name && last_value(set_, declaration.older_name))
+            return declaration.older_name;
+    }
+    return name;
+}
+
 const ParameterValue* ParameterReader::find(std::string_view name) const {
-    const auto found = std::find_if(set_.values.rbegin(), set_.values.rend(),
-                                    [&](const auto& value) { return value.name == name; });
-    return found == set_.values.rend() ? nullptr : &*found;
+    return last_value(set_, spelling(name));
 }
 
 }  // namespace lxs

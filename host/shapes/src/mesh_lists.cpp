@@ -117,14 +117,17 @@ std::vector<ParameterDeclaration> list_parameters() {
         declaration.no_effect = true;
         return declaration;
     };
+    const auto renamed = [](ParameterDeclaration declaration, std::string_view older_name) {
+        declaration.older_name = older_name;
+        return declaration;
+    };
     return {
         list("P", Point, "Vertex positions."),
-        list("triindices", Integer, "Vertices of the triangles, three each, from 0."),
-        list("indices", Integer, "The same under its older name."),
+        renamed(list("triindices", Integer, "Vertices of the triangles, three each, from 0."),
+                "indices"),
         list("quadindices", Integer, "Vertices of quadrilaterals, four each, from 0."),
         list("N", Normal, "Vertex normals, one for each position."),
-        list("uv", Float, "Texture coordinates, a pair for each position."),
-        list("st", Float, "The same under its older name."),
+        renamed(list("uv", Float, "Texture coordinates, a pair for each position."), "st"),
         list("C", Color, "Vertex colours, which hitpointcolor and hitpointgrey read."),
         list("alpha", Float, "Vertex opacities, which hitpointalpha reads."),
         {"gamma", Float, "1", "Exponent of the vertex colours.", 0},
@@ -140,14 +143,14 @@ TriangleMesh read_lists(const ParameterReader& reader) {
         reader.fail("P", "a mesh needs vertex positions: \"point P\" [...]");
     check_vectors(mesh.positions, "vertex", {reader, "P", "\"P\""});
     const std::size_t vertex_count = mesh.positions.size();
-    const std::string_view triangles = reader.given("triindices") ? "triindices" : "indices";
+    const std::string_view triangles = reader.spelling("triindices");
     append_faces(reader, triangles, 3, vertex_count, mesh.indices);
     append_faces(reader, "quadindices", 4, vertex_count, mesh.indices);
     if (mesh.indices.empty())
         reader.fail(triangles, "a mesh needs triangles: \"integer triindices\" [...]");
     if (reader.given("N")) mesh.normals = read_normals(reader, vertex_count);
-    const std::string_view coordinates = reader.given("uv") ? "uv" : "st";
-    if (reader.given(coordinates)) mesh.uvs = read_coordinates(reader, coordinates, vertex_count);
+    if (reader.given("uv"))
+        mesh.uvs = read_coordinates(reader, reader.spelling("uv"), vertex_count);
     read_colors(reader, mesh);
     return mesh;
 }

@@ -110,5 +110,20 @@ TEST(FilmSettings, MultiImageIsTakenAsFlexImage) {
                   "scene.lxs:1:6: warning: Film \"multiimage\" is treated as \"fleximage\""});
 }
 
+TEST(FilmSettings, OlderNamesGiveWayToTodays) {
+    const Read read({text("filename", "new"), text("hdr_filename", "old"),
+                     integer("writeinterval", 5), integer("hdr_writeinterval", 7),
+                     text("tonemapkernel", "linear"), text("tonemapper", "reinhard")});
+    EXPECT_EQ(read.settings.base_name, "new");
+    EXPECT_EQ(read.settings.write_interval_seconds, 5);
+    EXPECT_EQ(read.settings.tone_map.kernel, ToneMapSettings::Kernel::Linear);
+    const std::string start = "scene.lxs:2:5: warning: fleximage: ";
+    EXPECT_EQ(read.diagnostics.warnings,
+              (std::vector<std::string>{
+                  start + "\"filename\" is used in place of \"hdr_filename\"",
+                  start + "\"writeinterval\" is used in place of \"hdr_writeinterval\"",
+                  start + "\"tonemapkernel\" is used in place of \"tonemapper\""}));
+}
+
 }  // namespace
 }  // namespace lxs::test

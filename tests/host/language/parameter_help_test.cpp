@@ -14,7 +14,8 @@ constexpr std::array kParameters = {
                          .type = ParameterType::Float,
                          .default_text = "1",
                          .doc = "Radius, scene units.",
-                         .minimum = 0},
+                         .minimum = 0,
+                         .older_name = "r"},
     ParameterDeclaration{.name = "mode",
                          .type = ParameterType::String,
                          .default_text = "fast",
@@ -22,25 +23,25 @@ constexpr std::array kParameters = {
                          .choices = kModes},
     ParameterDeclaration{.name = "P",
                          .type = ParameterType::Point,
-                         .doc = "Points.",
+                         .doc = "corners",
                          .array = true,
                          .no_effect = true},
 };
 
 TEST(DescribeText, AlignsColumns) {
     EXPECT_EQ(describe_text(kParameters),
-              "  radius  float       1     Radius, scene units. (at least 0)\n"
+              "  radius  float       1     Radius, scene units. Older name: r. (at least 0)\n"
               "  mode    string      fast  A | B. (fast, exact)\n"
-              "  P       point list        Points. Has no effect.\n");
+              "  P       point list        corners; has no effect\n");
 }
 
 TEST(DescribeMarkdown, IsATable) {
     EXPECT_EQ(describe_markdown(kParameters),
               "| name | type | default | allowed | meaning |\n"
               "| --- | --- | --- | --- | --- |\n"
-              "| radius | float | 1 | at least 0 | Radius, scene units. |\n"
+              "| radius | float | 1 | at least 0 | Radius, scene units. Older name: r. |\n"
               "| mode | string | fast | fast, exact | A \\| B. |\n"
-              "| P | point list | | | Points. Has no effect. |\n");
+              "| P | point list | | | corners; has no effect |\n");
 }
 
 }  // namespace

@@ -27,6 +27,8 @@ constexpr std::array kDeclarations = {
     ParameterDeclaration{.name = "fresnel", .type = Type::FresnelTexture},
     ParameterDeclaration{.name = "old", .type = Type::Float, .no_effect = true},
     ParameterDeclaration{.name = "older", .type = Type::String, .no_effect = true},
+    ParameterDeclaration{.name = "along", .type = Type::Float, .minimum = 0, .older_name = "both"},
+    ParameterDeclaration{.name = "across", .type = Type::Float, .minimum = 0, .older_name = "both"},
 };
 
 template <class Values>
@@ -105,6 +107,33 @@ TEST(ParameterReader, TakesWholeFloatsAndIntegersForOneAnother) {
     EXPECT_EQ(error_of(value("rgb", "L", Numbers{1, 1, 1})), "");
     EXPECT_EQ(error_of(value("float", "fresnel", Numbers{1.5})), "");
     EXPECT_EQ(error_of(value("color", "Kd", Strings{"named"})), "");
+}
+
+TEST(ParameterReader, ReadsAnOlderNameAsTodays) {
+    CollectingDiagnostics diagnostics;
+    const ParameterSet set =
+        set_of({value("float", "both", Numbers{2}), value("float", "across", Numbers{3})});
+    const ParameterReader reader(set, kDeclarations, diagnostics);
+    EXPECT_TRUE(reader.given("along"));
+    EXPECT_EQ(reader.number("along", 0), 2);
+    EXPECT_EQ(reader.spelling("along"), "both");
+    EXPECT_EQ(reader.number("across", 0), 3);
+    EXPECT_EQ(reader.spelling("across"), "across");
+    EXPECT_EQ(reader.spelling("alpha"), "alpha");
+    EXPECT_EQ(error_of(value("float", "both", Numbers{-1})),
+              "error: thing: \"both\" is out of range: -1 is not at least 0");
+}
+
+TEST(ParameterReader, SaysWhichOfTwoNamesIsUsed) {
+    const auto both = value("float", "both", Numbers{2});
+    const auto along = value("float", "along", Numbers{1}),
+               across = value("float", "across", Numbers{1});
+    using Messages = std::vector<std::string>;
+    EXPECT_EQ(warnings_of({both, along}),
+              Messages{"warning: thing: \"along\" is used in place of \"both\""});
+    EXPECT_EQ(warnings_of({across, both, along}),
+              Messages{"warning: thing: \"along\", \"across\" are used in place of \"both\""});
+    EXPECT_EQ(warnings_of({value("float", "both", Numbers{1}), along, across}), Messages{});
 }
 
 TEST(ParameterReader, NamesExpectedAndFoundTypes) {

@@ -33,6 +33,16 @@ TEST(MeshShape, OlderNamesOfLists) {
     EXPECT_EQ(mesh.uvs.at(2), Vec2(1, 1));
 }
 
+TEST(MeshShape, TodaysNamesCountBesideOlderOnes) {
+    RecordedDiagnostics diagnostics;
+    const auto mesh = std::get<TriangleMesh>(make_shape(
+        "mesh", {square, numbers("integer", "indices", {0, 1, 2}), two_triangles}, diagnostics));
+    EXPECT_EQ(mesh.indices.size(), 6u);
+    EXPECT_THAT(diagnostics.warnings,
+                ElementsAre("mesh: \"triindices\" is used in place of \"indices\""));
+    EXPECT_THAT(diagnostics.lines, ElementsAre(3u));
+}
+
 TEST(MeshShape, QuadrilateralsBecomeTwoTriangles) {
     const TriangleMesh mesh =
         make_mesh("mesh", {square, numbers("integer", "quadindices", {0, 1, 2, 3})});

@@ -62,10 +62,12 @@ std::shared_ptr<const Material> read_named_material(const ParameterReader& reade
 }
 
 std::vector<ParameterDeclaration> roughness_parameters(std::string_view default_text) {
-    return {{"uroughness", ParameterType::FloatTexture, default_text,
-             "roughness along u, 0.006 to 1", 0},
-            {"vroughness", ParameterType::FloatTexture, default_text,
-             "roughness along v, 0.006 to 1", 0}};
+    ParameterDeclaration u{"uroughness", ParameterType::FloatTexture, default_text,
+                           "roughness along u, 0.006 to 1", 0};
+    ParameterDeclaration v{"vroughness", ParameterType::FloatTexture, default_text,
+                           "roughness along v, 0.006 to 1", 0};
+    u.older_name = v.older_name = "roughness";
+    return {u, v};
 }
 
 }  // namespace lxs::shading

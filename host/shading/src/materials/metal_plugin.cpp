@@ -23,26 +23,19 @@ std::shared_ptr<const Material> create_metal2(const ParameterReader& reader,
         RoughSurface(reader, assets));
 }
 
-/// Roughness along u and v, and the one name that old scenes have for both.
-std::vector<ParameterDeclaration> old_and_new_roughness() {
-    return declarations({{{"roughness", ParameterType::FloatTexture, "0.1",
-                           "old name for both u and v roughness", 0}},
-                         roughness_parameters("0.1")});
-}
-
 }  // namespace
 
 MaterialFactory metal_plugin() {
-    return {
-        with_common_parameters(declarations({metal_preset_parameters(), old_and_new_roughness()})),
-        &create_metal};
+    return {with_common_parameters(
+                declarations({metal_preset_parameters(), roughness_parameters("0.1")})),
+            &create_metal};
 }
 
 MaterialFactory metal2_plugin() {
     ParameterDeclaration fresnel{"fresnel", ParameterType::FresnelTexture, "5",
                                  "index of refraction or texture of optical constants"};
     fresnel.minimum = 1e-3;
-    return {with_common_parameters(declarations({{fresnel}, old_and_new_roughness()})),
+    return {with_common_parameters(declarations({{fresnel}, roughness_parameters("0.1")})),
             &create_metal2};
 }
 

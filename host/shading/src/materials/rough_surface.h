@@ -11,8 +11,7 @@ namespace lxs::shading {
 
 class RoughSurface {
   public:
-    /// Reads "uroughness" and "vroughness" after `prefix`; an old scene's "roughness" stands for
-    /// both where there is no prefix.
+    /// Reads "uroughness" and "vroughness" after `prefix`.
     RoughSurface(const ParameterReader& reader, const AssetContext& assets, float fallback = 0.1f,
                  const std::string& prefix = "");
 

@@ -92,8 +92,7 @@ MaterialFactory roughglass_plugin() {
         {"cauchyb", FloatTexture, "0",
          "Cauchy's B, square micrometres: the index is index + cauchyb / wavelength^2", 0},
         {"dispersion", Bool, "false",
-         "bend each wavelength by its own index; else all by that of 550 nm"},
-        {"roughness", FloatTexture, "0.001", "old name for both u and v roughness", 0}};
+         "bend each wavelength by its own index; else all by that of 550 nm"}};
     return {with_common_parameters(declarations({own, roughness_parameters("0.001")})), &create};
 }
 

@@ -56,9 +56,7 @@ MaterialFactory shinymetal_plugin() {
         {"Kr", ParameterType::ColorTexture, "1 1 1",
          "reflectance of the mirror-like part at normal incidence, 0 to 1"},
         {"Ks", ParameterType::ColorTexture, "1 1 1",
-         "reflectance of the rough part at normal incidence, 0 to 1"},
-        {"roughness", ParameterType::FloatTexture, "0.1", "old name for both u and v roughness",
-         0}};
+         "reflectance of the rough part at normal incidence, 0 to 1"}};
     return {with_common_parameters(declarations(
                 {declarations({own, roughness_parameters("0.1")}), film_parameters()})),
             &create};

@@ -46,8 +46,7 @@ std::vector<ParameterDeclaration> coating_parameters() {
           {"index", FloatTexture, "0", "index of the coating; overrides Ks when above 0", 0},
           {"d", FloatTexture, "0", "depth of the coating", 0},
           {"multibounce", Bool, "false",
-           "light shadowed by the coating's facets comes out diffusely"},
-          {"roughness", FloatTexture, "0.1", "old name for both u and v roughness", 0}},
+           "light shadowed by the coating's facets comes out diffusely"}},
          roughness_parameters("0.1")});
 }
 

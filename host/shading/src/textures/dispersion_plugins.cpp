@@ -59,7 +59,7 @@ FresnelPointer create_sellmeier(const ParameterReader& reader, const AssetContex
     SellmeierTerms terms;
     read_terms(reader, "B", terms.b);
     read_terms(reader, "C", terms.c);
-    const double a = reader.number("A", reader.number("a", 1));
+    const double a = reader.number("A", 1);
     return dielectric(reader, "B", [&](double l) {
         double n2 = a;
         for (std::size_t i = 0; i < terms.b.size(); ++i)
@@ -127,8 +127,11 @@ FresnelTextureFactory sellmeier_plugin() {
     ParameterDeclaration c{"C", ParameterType::Float, "0.0684043 0.1162414 9.896161",
                            "wavelengths of the resonances, micrometres"};
     b.array = c.array = true;
-    return {{{"A", ParameterType::Float, "1", "constant term of the squared index"},
-             {"a", ParameterType::Float, "1", "other name of A"},
+    return {{{.name = "A",
+              .type = ParameterType::Float,
+              .default_text = "1",
+              .doc = "constant term of the squared index",
+              .older_name = "a"},
              b,
              c},
             &create_sellmeier};

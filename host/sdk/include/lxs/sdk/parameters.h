@@ -39,6 +39,9 @@ struct ParameterDeclaration {
     std::span<const std::string_view> choices = {};             ///< allowed strings; empty = any
     bool array = false;                                         ///< takes any number of values
     bool no_effect = false;  ///< accepted for compatibility; said once when a scene sets it
+    /// Another name of the same, which counts where `name` isn't given; several declarations may
+    /// share one.
+    std::string_view older_name = {};
 };
 
 /// One parameter as a scene file gives it.
@@ -59,7 +62,9 @@ struct ParameterSet {
 
 /// Reads a ParameterSet against declarations. The constructor reports unknown names (with the
 /// nearest known one), and throws InputError for wrong types, wrong counts, values out of range
-/// and unknown choices. A name given twice: the last one counts, with a warning.
+/// and unknown choices. A name given twice: the last one counts, with a warning. Older names are
+/// read as the names of today, which count, with a warning, where both are given and differ. Set,
+/// declarations and diagnostics must outlive the reader.
 class ParameterReader {
   public:
     ParameterReader(const ParameterSet& set, std::span<const ParameterDeclaration> declarations,
@@ -77,6 +82,9 @@ class ParameterReader {
     /// Name of the texture that the parameter refers to, if it refers to one.
     std::optional<std::string> texture_name(std::string_view name) const;
 
+    /// The name that the scene gives the parameter: `name`, or its older one where only that is
+    /// given.
+    std::string_view spelling(std::string_view name) const;
     /// Where the parameter stands, or the statement if it isn't given.
     const SourceLocation& where(std::string_view name) const;
     const SourceLocation& where() const { return set_.where; }
@@ -91,6 +99,7 @@ class ParameterReader {
     const ParameterValue* find(std::string_view name) const;
 
     const ParameterSet& set_;
+    std::span<const ParameterDeclaration> declarations_;
     Diagnostics& diagnostics_;
 };
 

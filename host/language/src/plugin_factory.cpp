@@ -44,17 +44,28 @@ std::optional<Product> PluginFactory::make(
         const ParameterReader parameters(set, found->second.parameters, diagnostics_);
         return found->second.create(parameters, assets_, to_world);
     }
+    std::vector<std::string> rendered;
+    for (const auto& entry : registered)
+        rendered.push_back(entry.first);
+    report_missing(kind, set, rendered);
+    return std::nullopt;
+}
+
+void PluginFactory::report_missing(const Kind& kind, const ParameterSet& set,
+                                   const std::vector<std::string>& rendered) const {
     std::vector<std::string> known = known_plugin_names().at(kind.statement);
     if (std::find(known.begin(), known.end(), set.plugin) == known.end()) {
-        for (const auto& entry : registered)
-            known.push_back(entry.first);
+        known.insert(known.end(), rendered.begin(), rendered.end());
         std::sort(known.begin(), known.end());
         known.erase(std::unique(known.begin(), known.end()), known.end());
         throw InputError(set.where, unknown_name_message(kind.noun, set.plugin, known));
     }
     diagnostics_.warning(set.where, fmt::format("{} \"{}\" is {}: {}", kind.noun, set.plugin,
                                                 kind.state, kind.stand_in));
-    return std::nullopt;
+}
+
+void PluginFactory::volume_region(const ParameterSet& set) const {
+    report_missing({"volume region", "Volume", "it is left out", "not rendered"}, set, {});
 }
 
 std::optional<Geometry> PluginFactory::shape(const ParameterSet& set,

@@ -24,6 +24,8 @@ class PluginFactory {
                                                       const Matrix& to_world) const;
     std::shared_ptr<const FresnelTexture> fresnel_texture(const ParameterSet& set,
                                                           const Matrix& to_world) const;
+    /// None is rendered.
+    void volume_region(const ParameterSet& set) const;
 
   private:
     /// What a kind of plugin is called in messages and in known_plugin_names().
@@ -37,6 +39,10 @@ class PluginFactory {
     std::optional<Product> make(const std::map<std::string, Factory<Product>>& registered,
                                 const Kind& kind, const ParameterSet& set,
                                 const Matrix& to_world) const;
+    /// Warns of a name that LuxRender knows; throws for any other, with the `rendered` ones among
+    /// those that are known.
+    void report_missing(const Kind& kind, const ParameterSet& set,
+                        const std::vector<std::string>& rendered) const;
 
     const Registry& registry_;
     const AssetContext& assets_;

@@ -1,10 +1,7 @@
 // Statements of the world block: attributes, named things, lights, shapes.
 #include <fmt/format.h>
 
-#include <algorithm>
-
 #include "area_emission.h"
-#include "lxs/language/read_scene.h"
 #include "scene_reader.h"
 #include "textures_by_name.h"
 
@@ -122,13 +119,7 @@ void SceneReader::exterior(Statement& statement) {
 }
 
 void SceneReader::volume_region(Statement& statement) {
-    const ParameterSet set = take_plugin(statement);
-    const std::vector<std::string>& known = known_plugin_names().at("Volume");
-    if (std::find(known.begin(), known.end(), set.plugin) == known.end())
-        throw InputError(set.where, unknown_name_message("volume region", set.plugin, known));
-    diagnostics_.warning(
-        statement.where,
-        fmt::format("volume region \"{}\" is not rendered: it is left out", set.plugin));
+    factory_.volume_region(take_plugin(statement));
 }
 
 void SceneReader::light_group(Statement& statement) {

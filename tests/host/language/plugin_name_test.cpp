@@ -54,6 +54,16 @@ TEST(PluginNames, ShapesAreLeftOut) {
               (Messages{"test.lxs:2:7: warning: shape \"torus\" is not supported: it is skipped"}));
 }
 
+TEST(PluginNames, VolumeRegionsAreLeftOut) {
+    CollectingDiagnostics diagnostics;
+    read_world("Volume \"cloud\"", diagnostics);
+    EXPECT_EQ(diagnostics.messages,
+              (Messages{"test.lxs:2:8: warning: volume region \"cloud\" is not rendered: it is "
+                        "left out"}));
+    expect_start(error_of_world("Volume \"clout\""),
+                 "test.lxs:2:8: error: unknown volume region \"clout\"; did you mean \"cloud\"?");
+}
+
 TEST(PluginNames, TexturesAndVolumesStandIn) {
     CollectingDiagnostics diagnostics;
     const SceneContents contents = read_world(

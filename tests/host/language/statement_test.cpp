@@ -93,7 +93,7 @@ TEST(Statement, WarnsOnceOfWhatIsNotRendered) {
     EXPECT_EQ(diagnostics.messages,
               (std::vector<std::string>{
                   "test.lxs:2:1: warning: portals are not used: they only guide sampling",
-                  "test.lxs:5:1: warning: volume region \"cloud\" is not rendered: it is left out",
+                  "test.lxs:5:8: warning: volume region \"cloud\" is not rendered: it is left out",
                   "test.lxs:7:1: warning: SearchPath has no effect"}));
 }
 

@@ -70,8 +70,13 @@ void PluginFactory::volume_region(const ParameterSet& set) const {
 
 std::optional<Geometry> PluginFactory::shape(const ParameterSet& set,
                                              const Matrix& to_world) const {
-    return make(registry_.shapes, {"shape", "Shape", "it is skipped", "not supported"}, set,
-                to_world);
+    try {
+        return make(registry_.shapes, {"shape", "Shape", "it is skipped", "not supported"}, set,
+                    to_world);
+    } catch (const EmptyShape& empty) {
+        diagnostics_.warning(empty.where(), empty.message() + "; the shape is skipped");
+        return std::nullopt;
+    }
 }
 
 std::shared_ptr<const Material> PluginFactory::material(const ParameterSet& set,

@@ -14,7 +14,7 @@ class PluginFactory {
     PluginFactory(const Registry& registry, const AssetContext& assets, Diagnostics& diagnostics)
         : registry_(registry), assets_(assets), diagnostics_(diagnostics) {}
 
-    /// Nothing for a shape that isn't rendered.
+    /// Nothing for a shape that isn't rendered or has no extent.
     std::optional<Geometry> shape(const ParameterSet& set, const Matrix& to_world) const;
     std::shared_ptr<const Material> material(const ParameterSet& set, const Matrix& to_world) const;
     SceneMedium medium(const ParameterSet& set, const Matrix& to_world) const;

@@ -57,10 +57,11 @@ MeshLight::MeshLight(const Primitive& primitive, const AreaEmission& emission,
     for (const double sum : cumulative)
         cdf_.push_back(static_cast<float>(sum / area));
     density_ = area > 0 ? static_cast<float>(1 / area) : 0;
-    set_emission(emission, area, primitive.where);
+    set_emission(emission, area);
 }
 
 SurfacePoint MeshLight::sample_surface(const Vec2& u) const {
+    if (triangles_.empty()) return {};
     std::size_t i = 0;
     float first = u.x;
     if (cdf_.size() > 1) {

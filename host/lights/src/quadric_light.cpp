@@ -29,7 +29,7 @@ QuadricLight::QuadricLight(const Primitive& primitive, const AreaEmission& emiss
         (rows_[3].length() + reach() * (rows_[0].length() + rows_[1].length() + rows_[2].length()));
     const double local = local_area();
     local_density_ = local > 0 ? static_cast<float>(1 / local) : 0;
-    set_emission(emission, world_area(), primitive.where);
+    set_emission(emission, world_area());
 }
 
 QuadricLight::LocalPoint QuadricLight::local_point(const Sphere& sphere, const Vec2& u) const {

@@ -32,7 +32,7 @@ RevolutionLight::RevolutionLight(const Primitive& primitive, const AreaEmission&
     error_ = rounding_bound(16) *
              static_cast<float>(rows[3].length() +
                                 reach * (rows[0].length() + rows[1].length() + rows[2].length()));
-    set_emission(emission, world_area(), primitive.where);
+    set_emission(emission, world_area());
 }
 
 double RevolutionLight::stretch(const V3d& n, V3d& normal_image) const {

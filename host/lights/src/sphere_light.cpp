@@ -24,7 +24,7 @@ SphereLight::SphereLight(const Primitive& primitive, const AreaEmission& emissio
     error_ = Vec3(bound(center_.x), bound(center_.y), bound(center_.z));
     const double area = 4 * std::numbers::pi * radius * radius;
     density_ = area > 0 ? static_cast<float>(1 / area) : 0;
-    set_emission(emission, area, primitive.where);
+    set_emission(emission, area);
 }
 
 SurfacePoint SphereLight::point_at(const Vec3& n) const {

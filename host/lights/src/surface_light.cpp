@@ -21,12 +21,10 @@ SurfaceLight::SurfaceLight(const Primitive& primitive, const AreaEmission& emiss
     if (emission.profile) profile_.emplace(emission.profile, primitive.to_world * object_to_world);
 }
 
-void SurfaceLight::set_emission(const AreaEmission& emission, double area,
-                                const SourceLocation& where) {
-    if (!(area > 0) || !std::isfinite(area) || !(static_cast<float>(1 / area) > 0) ||
-        !std::isfinite(static_cast<float>(1 / area))) {
-        throw InputError(where, "an area light needs a shape of non-zero, finite area");
-    }
+void SurfaceLight::set_emission(const AreaEmission& emission, double area) {
+    has_area_ = area > 0 && std::isfinite(area) && static_cast<float>(1 / area) > 0 &&
+                std::isfinite(static_cast<float>(1 / area));
+    if (!has_area_) return radiance_.scale_by(0);
     const double emitting = kPi * area;
     float luminance_mean = mean_luminance(area);
     if (emission.power > 0 && emission.efficacy > 0 && luminance_mean > 0) {

@@ -31,6 +31,7 @@ class SurfaceLight : public AreaLight {
     std::string_view kind() const override { return "area"; }
     std::uint32_t group() const override { return placement_.group; }
     float power() const override { return power_; }
+    bool has_area() const override { return has_area_; }
 
     bool sample_emission(const std::array<float, 4>& u, EmissionSample& sample) const override;
     bool sample_direct(const Vec3& p, const Vec3& n, const Vec2& u,
@@ -55,9 +56,9 @@ class SurfaceLight : public AreaLight {
     /// Density per unit of area with which sample_surface draws the point `p`.
     virtual float area_density(const Vec3& p) const = 0;
 
-    /// Sets gain, flux and power() for a surface of `area`; throws InputError at `where` if the
-    /// area is zero or not finite.
-    void set_emission(const AreaEmission& emission, double area, const SourceLocation& where);
+    /// Sets gain, flux and power() for a surface of `area`; all are 0 if that is zero or not
+    /// finite.
+    void set_emission(const AreaEmission& emission, double area);
     bool has_constant_emission() const { return radiance_.is_constant(); }
     /// Radiance towards the unit vector `wo`, in front of the surface.
     Rgb emitted(const SurfacePoint& s, const Vec3& wo) const {
@@ -79,6 +80,7 @@ class SurfaceLight : public AreaLight {
     EmittedRadiance radiance_;
     std::optional<SurfaceProfile> profile_;  ///< none: diffuse
     float power_ = 0;
+    bool has_area_ = false;
 };
 
 }  // namespace lxs

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "empty_shape.h"
+
 namespace lxs {
 namespace {
 
@@ -41,10 +43,10 @@ void drop_degenerate(TriangleMesh& mesh, const ParameterReader& reader) {
     }
     const std::size_t dropped = (mesh.indices.size() - kept) / 3;
     mesh.indices.resize(kept);
+    if (kept == 0) throw EmptyShape(reader.where(), "no triangle of the mesh has an area");
     if (dropped == 0) return;
-    reader.diagnostics().warning(
-        reader.where(), fmt::format("{} triangle{} without area left out{}", dropped,
-                                    dropped == 1 ? "" : "s", kept == 0 ? "; none remains" : ""));
+    reader.diagnostics().warning(reader.where(), fmt::format("{} triangle{} without area left out",
+                                                             dropped, dropped == 1 ? "" : "s"));
 }
 
 void transform_positions(TriangleMesh& mesh, const Matrix& to_world,

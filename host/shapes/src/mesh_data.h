@@ -37,7 +37,8 @@ std::vector<Vec3> smooth_normals(const std::vector<Vec3>& positions,
 
 /// Turns checked data in the shape's own space into a mesh in the enclosing object's: transforms,
 /// leaves out triangles without area (a warning counts them), makes normals unit and replaces zero
-/// ones by smooth_normals. Throws InputError if the transform moves a vertex out of range.
+/// ones by smooth_normals. Throws InputError if the transform moves a vertex out of range,
+/// EmptyShape if no triangle has an area.
 TriangleMesh finish_mesh(TriangleMesh mesh, const Matrix& to_world, const ParameterReader& reader);
 
 /// Declarations of what LuxRender knows of meshes and this host reads past.

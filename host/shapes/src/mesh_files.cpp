@@ -7,6 +7,7 @@
 #include <new>
 #include <stdexcept>
 
+#include "empty_shape.h"
 #include "mesh_data.h"
 #include "mesh_refinement.h"
 #include "ply_mesh.h"
@@ -45,6 +46,8 @@ TriangleMesh read_mesh(const ParameterReader& reader, const AssetContext& assets
     } catch (const std::runtime_error& error) {
         reader.fail(kFile, fmt::format("\"{}\" can't be read: {}", name, error.what()));
     }
+    if (mesh.indices.empty())
+        fail_empty(reader, kFile, fmt::format("\"{}\" holds a mesh without triangles", name));
     const MeshSource source{reader, kFile, fmt::format("\"{}\"", name)};
     check_vectors(mesh.positions, "vertex", source);
     check_vectors(mesh.normals, "normal", source);

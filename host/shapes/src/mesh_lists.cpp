@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "empty_shape.h"
 #include "mesh_data.h"
 
 namespace lxs {
@@ -139,15 +140,16 @@ std::vector<ParameterDeclaration> list_parameters() {
 TriangleMesh read_lists(const ParameterReader& reader) {
     TriangleMesh mesh;
     mesh.positions = read_vectors(reader, "P");
-    if (mesh.positions.empty())
-        reader.fail("P", "a mesh needs vertex positions: \"point P\" [...]");
+    if (!reader.given("P")) reader.fail("P", "a mesh needs vertex positions: \"point P\" [...]");
+    if (mesh.positions.empty()) fail_empty(reader, "P", "the mesh has no vertices");
     check_vectors(mesh.positions, "vertex", {reader, "P", "\"P\""});
     const std::size_t vertex_count = mesh.positions.size();
     const std::string_view triangles = reader.spelling("triindices");
     append_faces(reader, triangles, 3, vertex_count, mesh.indices);
     append_faces(reader, "quadindices", 4, vertex_count, mesh.indices);
-    if (mesh.indices.empty())
+    if (!reader.given(triangles) && !reader.given("quadindices"))
         reader.fail(triangles, "a mesh needs triangles: \"integer triindices\" [...]");
+    if (mesh.indices.empty()) fail_empty(reader, triangles, "the mesh has no triangles");
     if (reader.given("N")) mesh.normals = read_normals(reader, vertex_count);
     if (reader.given("uv"))
         mesh.uvs = read_coordinates(reader, reader.spelling("uv"), vertex_count);

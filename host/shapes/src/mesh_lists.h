@@ -9,7 +9,8 @@ namespace lxs {
 /// P, triindices, N, uv and the like.
 std::vector<ParameterDeclaration> list_parameters();
 
-/// The mesh of these lists, checked. Throws InputError.
+/// The mesh of these lists, checked. Throws InputError, EmptyShape if there is nothing in
+/// them.
 TriangleMesh read_lists(const ParameterReader& reader);
 
 }  // namespace lxs

@@ -149,7 +149,9 @@ TriangleMesh read_ply_mesh(std::string_view file) {
     const PlyHeader header = read_ply_header(file);
     PlyValues values(file.substr(header.size), header.format);
     TriangleMesh mesh;
+    bool has_vertices = false;
     for (const PlyElement& element : header.elements) {
+        has_vertices |= element.name == "vertex";
         if (element.properties.empty()) continue;
         const std::size_t room = plausible(element.count, file);
         if (element.name == "vertex") {
@@ -161,8 +163,7 @@ TriangleMesh read_ply_mesh(std::string_view file) {
             skip_element(element, values);
         }
     }
-    if (mesh.positions.empty() || mesh.indices.empty())
-        throw std::runtime_error("it holds no mesh");
+    if (!has_vertices) throw std::runtime_error("it holds no mesh");
     return mesh;
 }
 

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "empty_shape.h"
+
 namespace lxs {
 
 ParameterDeclaration length_parameter(std::string_view name, std::string_view default_text,
@@ -23,8 +25,9 @@ ParameterDeclaration name_parameter() {
 
 float positive(const ParameterReader& reader, std::string_view name, double fallback) {
     const auto value = static_cast<float>(reader.number(name, fallback));
-    if (!(value > 0 && value <= kLargestCoordinate)) {
-        reader.fail(name, fmt::format("\"{}\" is {}: expected a number above 0", name, value));
+    if (!(value > 0)) {
+        fail_empty(reader, name,
+                   fmt::format("\"{}\" is {}: expected a number above 0", name, value));
     }
     return value;
 }

@@ -12,7 +12,7 @@ ParameterDeclaration length_parameter(std::string_view name, std::string_view de
 ParameterDeclaration sweep_parameter();  ///< phimax
 ParameterDeclaration name_parameter();
 
-/// The number, which is finite and above zero; else InputError.
+/// The number, declared as a length or sweep; EmptyShape if it is 0.
 float positive(const ParameterReader& reader, std::string_view name, double fallback);
 /// The number; InputError if it is not finite.
 float finite(const ParameterReader& reader, std::string_view name, double fallback);

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "empty_shape.h"
 #include "quadric_parameters.h"
 #include "shape_factories.h"
 
@@ -19,9 +20,10 @@ Geometry create_sphere(const ParameterReader& reader, const AssetContext& /*asse
     sphere.z_min = std::clamp(std::min(z1, z2), -sphere.radius, sphere.radius);
     sphere.z_max = std::clamp(std::max(z1, z2), -sphere.radius, sphere.radius);
     if (sphere.z_min == sphere.z_max) {
-        reader.fail("zmin", fmt::format("\"zmin\" {} and \"zmax\" {} leave nothing of a sphere of "
-                                        "radius {}",
-                                        z1, z2, sphere.radius));
+        fail_empty(reader, "zmin",
+                   fmt::format("\"zmin\" {} and \"zmax\" {} leave nothing of a sphere of "
+                               "radius {}",
+                               z1, z2, sphere.radius));
     }
     sphere.phi_max = sweep_angle(reader);
     return Quadric{sphere, to_world};
@@ -35,10 +37,10 @@ Geometry create_disk(const ParameterReader& reader, const AssetContext& /*assets
     disk.radius = positive(reader, "radius", 1);
     disk.inner_radius = finite(reader, "innerradius", 0);
     if (!(disk.inner_radius >= 0 && disk.inner_radius < disk.radius)) {
-        reader.fail("innerradius",
-                    fmt::format("\"innerradius\" is {}: expected at least 0 and less "
-                                "than the radius {}",
-                                disk.inner_radius, disk.radius));
+        fail_empty(reader, "innerradius",
+                   fmt::format("\"innerradius\" is {}: expected at least 0 and less "
+                               "than the radius {}",
+                               disk.inner_radius, disk.radius));
     }
     disk.phi_max = sweep_angle(reader);
     return Quadric{disk, to_world};

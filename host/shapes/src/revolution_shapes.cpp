@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "empty_shape.h"
 #include "quadric_parameters.h"
 #include "shape_factories.h"
 
@@ -14,7 +15,7 @@ Geometry create_cylinder(const ParameterReader& reader, const AssetContext& /*as
     check_transform(to_world, reader);
     const float radius = positive(reader, "radius", 1);
     const float z1 = finite(reader, "zmin", -1), z2 = finite(reader, "zmax", 1);
-    if (z1 == z2) reader.fail("zmin", fmt::format("\"zmin\" and \"zmax\" are both {}", z1));
+    if (z1 == z2) fail_empty(reader, "zmin", fmt::format("\"zmin\" and \"zmax\" are both {}", z1));
     return Quadric{RevolvedSegment{Vec3(radius, 0, std::min(z1, z2)),
                                    Vec3(radius, 0, std::max(z1, z2)), sweep_angle(reader)},
                    to_world};
@@ -26,7 +27,7 @@ Geometry create_cone(const ParameterReader& reader, const AssetContext& /*assets
     const float radius = positive(reader, "radius", 1);
     const float top = finite(reader, "radius2", 0), height = finite(reader, "height", 1);
     if (top < 0) reader.fail("radius2", fmt::format("\"radius2\" is {}: expected at least 0", top));
-    if (height == 0) reader.fail("height", "a cone of \"height\" 0 is a disk: use that");
+    if (height == 0) fail_empty(reader, "height", "a cone of \"height\" 0 is a disk: use that");
     return Quadric{RevolvedSegment{Vec3(radius, 0, 0), Vec3(top, 0, height), sweep_angle(reader)},
                    to_world};
 }
@@ -38,12 +39,14 @@ Geometry create_hyperboloid(const ParameterReader& reader, const AssetContext& /
     check_vectors({start}, "end", {reader, "p1", "\"p1\""});
     check_vectors({end}, "end", {reader, "p2", "\"p2\""});
     if (start.z == end.z) {
-        reader.fail("p2", fmt::format("\"p1\" and \"p2\" are both at z = {}: a hyperboloid needs "
-                                      "ends at different heights",
-                                      end.z));
+        fail_empty(reader, "p2",
+                   fmt::format("\"p1\" and \"p2\" are both at z = {}: a flat ring is a disk "
+                               "with an \"innerradius\"",
+                               end.z));
     }
     if (start.x == 0 && start.y == 0 && end.x == 0 && end.y == 0)
-        reader.fail("p1", "\"p1\" and \"p2\" both lie on the z axis: nothing to turn about it");
+        fail_empty(reader, "p1",
+                   "\"p1\" and \"p2\" both lie on the z axis: nothing to turn about it");
     return Quadric{RevolvedSegment{start, end, sweep_angle(reader)}, to_world};
 }
 
@@ -55,12 +58,12 @@ Geometry create_paraboloid(const ParameterReader& reader, const AssetContext& /*
     bowl.radius = positive(reader, "radius", 1);
     bowl.height = std::max(z1, z2);
     if (!(bowl.height > 0)) {
-        reader.fail("zmax", fmt::format("\"zmax\" is {}: the paraboloid opens upwards from 0",
-                                        bowl.height));
+        fail_empty(reader, "zmax",
+                   fmt::format("\"zmax\" is {}: the paraboloid opens upwards from 0", bowl.height));
     }
     bowl.z_min = std::max(std::min(z1, z2), 0.0f);
     if (bowl.z_min == bowl.height)
-        reader.fail("zmin", fmt::format("\"zmin\" and \"zmax\" are both {}", bowl.height));
+        fail_empty(reader, "zmin", fmt::format("\"zmin\" and \"zmax\" are both {}", bowl.height));
     bowl.phi_max = sweep_angle(reader);
     return Quadric{bowl, to_world};
 }
@@ -88,8 +91,9 @@ Geometry create_torus(const ParameterReader& reader, const AssetContext& /*asset
     torus.theta_min = std::min(theta1, theta2);
     torus.theta_max = std::max(theta1, theta2);
     if (torus.theta_min == torus.theta_max) {
-        reader.fail("thetamin", fmt::format("\"thetamin\" {} and \"thetamax\" {} leave nothing",
-                                            theta1, theta2));
+        fail_empty(
+            reader, "thetamin",
+            fmt::format("\"thetamin\" {} and \"thetamax\" {} leave nothing", theta1, theta2));
     }
     torus.phi_max = sweep_angle(reader);
     return Quadric{torus, to_world};

@@ -82,9 +82,9 @@ TriangleMesh read_stl_mesh(std::string_view file) {
             mesh = read_binary(file, facets);
         }
     }
-    if (mesh.indices.empty() && file.starts_with("solid")) mesh = read_text(file);
-    if (mesh.indices.empty()) throw std::runtime_error("it holds no STL mesh");
-    return mesh;
+    if (!mesh.indices.empty()) return mesh;
+    if (!file.starts_with("solid")) throw std::runtime_error("it holds no STL mesh");
+    return read_text(file);
 }
 
 }  // namespace lxs

@@ -10,9 +10,10 @@
 namespace lxs {
 
 /// Appends a light per emissive primitive to `lights`, in the order of `primitives`, and the same
-/// to `table`, which hits look up by Surface::emissive_index. Throws InputError (zero area).
+/// to `table`, which hits look up by Surface::emissive_index. A dark one, for want
+/// of an area, is warned of.
 void append_area_lights(const std::vector<Primitive>& primitives, const Matrix& instance_to_world,
                         std::vector<std::unique_ptr<Light>>& lights,
-                        std::vector<const AreaLight*>& table);
+                        std::vector<const AreaLight*>& table, Diagnostics& diagnostics);
 
 }  // namespace lxs

@@ -99,10 +99,10 @@ void TracedScene::place_moving(const Instance& instance, std::uint32_t id, const
 }
 
 void TracedScene::make_all_lights(const AssetResolver& resolve, Diagnostics& diagnostics) {
-    append_area_lights(contents_.primitives, Matrix(), lights_, area_lights_);
+    append_area_lights(contents_.primitives, Matrix(), lights_, area_lights_, diagnostics);
     for (const Instance& instance : contents_.instances) {
         append_area_lights(contents_.objects[instance.object].primitives, instance.to_world,
-                           lights_, area_lights_);
+                           lights_, area_lights_, diagnostics);
     }
     sphere_ = unbounded_media_end(contents_, bounds_);
     for (const LightDescription& description : contents_.lights) {

@@ -54,6 +54,15 @@ TEST(PluginNames, ShapesAreLeftOut) {
               (Messages{"test.lxs:2:7: warning: shape \"torus\" is not supported: it is skipped"}));
 }
 
+TEST(PluginNames, ShapesWithoutExtentAreSkipped) {
+    CollectingDiagnostics diagnostics;
+    const SceneContents contents =
+        read_world("Shape \"sphere\" \"float phimax\" [0]\nShape \"sphere\"", diagnostics);
+    EXPECT_EQ(contents.primitives.size(), 1u);
+    EXPECT_EQ(diagnostics.messages,
+              (Messages{"test.lxs:2:16: warning: \"phimax\" is 0; the shape is skipped"}));
+}
+
 TEST(PluginNames, VolumeRegionsAreLeftOut) {
     CollectingDiagnostics diagnostics;
     read_world("Volume \"cloud\"", diagnostics);

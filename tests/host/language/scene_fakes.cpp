@@ -20,6 +20,8 @@ Geometry fake_sphere(const ParameterReader& parameters, const AssetContext&,
                      const Matrix& to_world) {
     Sphere sphere;
     sphere.radius = static_cast<float>(parameters.number("radius", 1));
+    if (parameters.number("phimax", 360) == 0)
+        throw EmptyShape(parameters.where("phimax"), "\"phimax\" is 0");
     return Quadric{sphere, to_world};
 }
 
@@ -88,7 +90,8 @@ void CollectingDiagnostics::unknown_parameter(const SourceLocation& where,
 
 Registry fake_registry() {
     Registry registry;
-    registry.shapes["sphere"] = {{declare("radius", Type::Float)}, fake_sphere};
+    registry.shapes["sphere"] = {{declare("radius", Type::Float), declare("phimax", Type::Float)},
+                                 fake_sphere};
     registry.shapes["trianglemesh"] = {
         {declare("P", Type::Point, true), declare("indices", Type::Integer, true)}, fake_mesh};
     registry.materials["matte"] = {{declare("Kd", Type::ColorTexture)}, fake_matte};

@@ -43,6 +43,17 @@ TEST(MeshShape, TodaysNamesCountBesideOlderOnes) {
     EXPECT_THAT(diagnostics.lines, ElementsAre(3u));
 }
 
+TEST(MeshShape, WithoutExtentIsEmpty) {
+    const ParameterValue line = numbers("point", "P", {0, 0, 0, 1, 0, 0, 2, 0, 0});
+    const ParameterValue triangle = numbers("integer", "indices", {0, 1, 2});
+    RecordedDiagnostics diagnostics;
+    EXPECT_THROW(make_shape("mesh", {line, triangle}, diagnostics), EmptyShape);
+    EXPECT_THROW(make_shape("mesh", {numbers("point", "P", {}), triangle}, diagnostics),
+                 EmptyShape);
+    EXPECT_THROW(make_shape("mesh", {line, numbers("integer", "indices", {})}, diagnostics),
+                 EmptyShape);
+}
+
 TEST(MeshShape, QuadrilateralsBecomeTwoTriangles) {
     const TriangleMesh mesh =
         make_mesh("mesh", {square, numbers("integer", "quadindices", {0, 1, 2, 3})});

@@ -81,8 +81,26 @@ TEST(RevolutionShapes, Errors) {
     EXPECT_THAT(error_of("paraboloid", {numbers("float", "zmax", {-1})}),
                 HasSubstr("opens upwards"));
     EXPECT_THAT(error_of("hyperboloid", {numbers("point", "p2", {1, 0, 0})}),
-                HasSubstr("needs ends at different heights"));
+                HasSubstr("a flat ring is a disk with an"));
     EXPECT_NE(error_of("torus", {numbers("float", "thetamax", {0})}), "");
+}
+
+TEST(Quadrics, WithoutExtentAreEmpty) {
+    using Values = std::vector<ParameterValue>;
+    const std::vector<std::pair<std::string, Values>> shapes{
+        {"sphere", {numbers("float", "radius", {0})}},
+        {"sphere", {numbers("float", "phimax", {0})}},
+        {"sphere", {numbers("float", "zmin", {2}), numbers("float", "zmax", {3})}},
+        {"disk", {numbers("float", "innerradius", {2})}},
+        {"cylinder", {numbers("float", "zmin", {1})}},
+        {"cone", {numbers("float", "height", {0})}},
+        {"hyperboloid", {numbers("point", "p2", {1, 0, 0})}},
+        {"paraboloid", {numbers("float", "zmax", {0})}},
+        {"torus", {numbers("float", "thetamax", {0})}}};
+    for (const auto& [plugin, values] : shapes) {
+        RecordedDiagnostics diagnostics;
+        EXPECT_THROW(make_shape(plugin, values, diagnostics), EmptyShape) << plugin;
+    }
 }
 
 }  // namespace

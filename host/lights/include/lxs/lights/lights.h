@@ -35,12 +35,13 @@ std::shared_ptr<const FrontProfile> read_area_profile(const ParameterReader& rea
                                                       const AssetResolver& resolve);
 
 /// The light of an emissive shape; `instance_to_world` is the identity outside of instances.
-/// Throws InputError for a shape of zero area.
 std::unique_ptr<Light> make_area_light(const Primitive& primitive, const Matrix& instance_to_world);
 
 /// Radiance that an area light sends from its front; the tracer asks it at a hit.
 class AreaLight : public Light {
   public:
+    /// Whether its shape has an area that is neither zero nor infinite; else it sends no light.
+    virtual bool has_area() const = 0;
     /// Radiance leaving point `p` with front normal `n` and texture coordinates `uv` towards `wo`.
     virtual Rgb radiance(const Vec3& p, const Vec3& n, const Vec2& uv, const Vec3& wo) const = 0;
     /// What it emits, up to a factor, if that was given as a spectrum and is the same everywhere;

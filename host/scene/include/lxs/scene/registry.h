@@ -35,6 +35,20 @@ class AssetContext {
                                                      const SourceLocation& where) const = 0;
 };
 
+/// Thrown by the factory of a shape without extent: it is skipped with a warning, as in LuxRender,
+/// and the rest of the scene is rendered.
+class EmptyShape : public InputError {
+  public:
+    EmptyShape(const SourceLocation& where, const std::string& message)
+        : InputError(where, message), where_(where), message_(message) {}
+    const SourceLocation& where() const { return where_; }
+    const std::string& message() const { return message_; }
+
+  private:
+    SourceLocation where_;
+    std::string message_;
+};
+
 template <class Product>
 struct Factory {
     std::vector<ParameterDeclaration> parameters;

@@ -11,6 +11,8 @@
 
 #include <string>
 
+#include "unknown_preset.h"
+
 namespace lxs::shading {
 namespace {
 
@@ -58,13 +60,6 @@ const Preset* find_preset(std::string_view name) {
     return nullptr;
 }
 
-[[noreturn]] void fail_unknown(const ParameterReader& reader, const std::string& name) {
-    std::string known;
-    for (const Preset& preset : presets())
-        known += fmt::format("{}\"{}\"", known.empty() ? "" : ", ", preset.name);
-    reader.fail("name", fmt::format("unknown car paint {}; known: {}", in_quotes(name), known));
-}
-
 }  // namespace
 
 const CarPaint& car_paint_preset(std::string_view name) {
@@ -75,7 +70,10 @@ const CarPaint* read_car_paint_preset(const ParameterReader& reader) {
     const std::string name = reader.string("name", "");
     if (name.empty() || name == "-") return nullptr;
     const Preset* preset = find_preset(name);
-    if (!preset) fail_unknown(reader, name);
+    if (!preset) {
+        warn_of_unknown_preset(reader, "name", "car paint", presets(), kDefaultCarPaint);
+        return &car_paint_preset(kDefaultCarPaint);
+    }
     reader.diagnostics().warning(
         reader.where("name"),
         fmt::format("the measured parameters of car paint \"{}\" are not available; {} is used "

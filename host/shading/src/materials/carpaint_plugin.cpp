@@ -14,7 +14,6 @@ namespace {
 constexpr float kLargest = std::numeric_limits<float>::max();
 /// Sharper lobes would overflow and look like a mirror.
 constexpr float kMinSlope = 1e-3f, kMaxSlope = 10;
-constexpr std::string_view kDefaultPaint = "ford f8";
 
 /// Textures of one lobe.
 struct LobeParameters {
@@ -58,12 +57,12 @@ class CarPaintMaterial final : public Material {
 CarPaintMaterial::CarPaintMaterial(const ParameterReader& reader, const AssetContext& assets,
                                    const CarPaint* preset)
     : preset_(preset),
-      kd_(read_reflectance(reader, assets, "Kd", car_paint_preset(kDefaultPaint).kd)),
+      kd_(read_reflectance(reader, assets, "Kd", car_paint_preset(kDefaultCarPaint).kd)),
       ka_(read_positive_color(reader, assets, "Ka", Rgb(0.0f))),
       depth_(read_limited(reader, assets, "d", 0, 0, kLargest)),
-      lobes_{LobeParameters(reader, assets, 1, car_paint_preset(kDefaultPaint).lobes[0]),
-             LobeParameters(reader, assets, 2, car_paint_preset(kDefaultPaint).lobes[1]),
-             LobeParameters(reader, assets, 3, car_paint_preset(kDefaultPaint).lobes[2])} {}
+      lobes_{LobeParameters(reader, assets, 1, car_paint_preset(kDefaultCarPaint).lobes[0]),
+             LobeParameters(reader, assets, 2, car_paint_preset(kDefaultCarPaint).lobes[1]),
+             LobeParameters(reader, assets, 3, car_paint_preset(kDefaultCarPaint).lobes[2])} {}
 
 const Bsdf* CarPaintMaterial::scatter(const ShadingPoint& point,
                                       std::pmr::memory_resource& memory) const {

@@ -12,6 +12,8 @@
 #include <array>
 #include <string>
 
+#include "unknown_preset.h"
+
 namespace lxs::shading {
 namespace {
 
@@ -36,13 +38,6 @@ constexpr std::array<ClothPreset, 6> kPresets{
 /// What old exporters write.
 constexpr std::string_view kMisspelt = "wool_garbardine", kMeant = "wool_gabardine";
 
-[[noreturn]] void fail_unknown(const ParameterReader& reader, const std::string& name) {
-    std::string known;
-    for (const ClothPreset& preset : kPresets)
-        known += fmt::format("{}\"{}\"", known.empty() ? "" : ", ", preset.name);
-    reader.fail("presetname", fmt::format("unknown cloth {}; known: {}", in_quotes(name), known));
-}
-
 }  // namespace
 
 const ClothPreset& read_cloth_preset(const ParameterReader& reader) {
@@ -56,7 +51,8 @@ const ClothPreset& read_cloth_preset(const ParameterReader& reader) {
                         preset.name, preset.weave_name));
         return preset;
     }
-    fail_unknown(reader, name);
+    warn_of_unknown_preset(reader, "presetname", "cloth", kPresets, kPresets[0].name);
+    return kPresets[0];
 }
 
 }  // namespace lxs::shading

@@ -15,8 +15,8 @@ struct ClothPreset {
     Yarn warp, weft;
 };
 
-/// The preset "presetname", with a warning of what of it is a stand-in. Throws InputError for an
-/// unknown name.
+/// The preset "presetname", with a warning of what of it is a stand-in; the default one
+/// for an unknown name, with a warning of that.
 const ClothPreset& read_cloth_preset(const ParameterReader& reader);
 
 }  // namespace lxs::shading

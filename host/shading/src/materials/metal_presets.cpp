@@ -4,12 +4,11 @@
 // amorphous carbon: Arakawa, Williams & Inagaki 1977, J. Appl. Phys. 48, 3176-3177.
 #include "metal_presets.h"
 
-#include <fmt/format.h>
-
 #include <span>
 #include <string>
 
 #include "optical_table.h"
+#include "unknown_preset.h"
 
 namespace lxs::shading {
 namespace {
@@ -65,14 +64,6 @@ const Preset* find_preset(std::string_view name) {
     return nullptr;
 }
 
-[[noreturn]] void fail_unknown(const ParameterReader& reader, const std::string& name) {
-    std::string known;
-    for (const Preset& preset : kPresets) {
-        known += fmt::format("{}\"{}\"", known.empty() ? "" : ", ", preset.name);
-    }
-    reader.fail("name", fmt::format("unknown metal {}; known: {}", in_quotes(name), known));
-}
-
 }  // namespace
 
 std::vector<ParameterDeclaration> metal_preset_parameters() {
@@ -84,6 +75,10 @@ std::vector<ParameterDeclaration> metal_preset_parameters() {
 
 FresnelValue read_metal_preset(const ParameterReader& reader, const AssetContext& assets) {
     const std::string name = reader.string("name", kDefaultMetal);
+    if (reader.given("filename") && reader.given("name")) {
+        reader.diagnostics().warning(reader.where("name"),
+                                     "\"name\" has no effect beside \"filename\"");
+    }
     // LuxRender takes a name that it doesn't know for a file.
     const bool name_is_file = name.find('.') != std::string::npos;
     if (reader.given("filename") || name_is_file) {
@@ -93,8 +88,8 @@ FresnelValue read_metal_preset(const ParameterReader& reader, const AssetContext
         return rgb_constants(read_optical_table(path, OpticalFormat::Any, where));
     }
     const Preset* preset = find_preset(name);
-    if (!preset) fail_unknown(reader, name);
-    return preset_constants(*preset);
+    if (!preset) warn_of_unknown_preset(reader, "name", "metal", kPresets, kDefaultMetal);
+    return preset_constants(preset ? *preset : *find_preset(kDefaultMetal));
 }
 
 }  // namespace lxs::shading

@@ -15,7 +15,8 @@ inline constexpr std::array<float, 3> kRgbWavelengths{650, 532, 450};
 std::vector<ParameterDeclaration> metal_preset_parameters();
 
 /// Constants of the metal that "name" says (default aluminium), or of the file in "filename".
-/// Throws InputError for an unknown name or a file that isn't a table.
+/// An unknown name is warned of and taken for the default; throws InputError for a file that
+/// isn't a table.
 FresnelValue read_metal_preset(const ParameterReader& reader, const AssetContext& assets);
 
 }  // namespace lxs::shading

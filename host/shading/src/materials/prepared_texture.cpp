@@ -14,20 +14,19 @@ namespace {
 
 constexpr float kLargest = std::numeric_limits<float>::max();
 
-void warn_outside(const ParameterReader& reader, std::string_view name, const Rgb& value,
-                  float highest) {
-    const Rgb inside = limited(value, 0, highest);
-    if (inside == value) return;
+void warn_of_limit(const ParameterReader& reader, std::string_view name, float lowest,
+                   float highest) {
+    const std::string range = highest < kLargest ? fmt::format("{} to {}", lowest, highest)
+                                                 : fmt::format("{} and above", lowest);
     reader.diagnostics().warning(
-        reader.where(name),
-        fmt::format("\"{}\" is limited to {}", name, highest == 1 ? "0 to 1" : "0 and above"));
+        reader.where(name), fmt::format("\"{}\" is limited to {}", reader.spelling(name), range));
 }
 
 PreparedColor read_color(const ParameterReader& reader, const AssetContext& assets,
                          std::string_view name, const Rgb& fallback, float highest) {
     auto texture = read_color_texture(reader, assets, name, fallback);
-    if (const std::optional<Rgb> value = texture->constant())
-        warn_outside(reader, name, *value, highest);
+    const std::optional<Rgb> value = texture->constant();
+    if (value && limited(*value, 0, highest) != *value) warn_of_limit(reader, name, 0, highest);
     return {std::move(texture), 0, highest};
 }
 
@@ -45,7 +44,11 @@ PreparedColor read_positive_color(const ParameterReader& reader, const AssetCont
 
 PreparedFloat read_limited(const ParameterReader& reader, const AssetContext& assets,
                            std::string_view name, float fallback, float lowest, float highest) {
-    return {read_float_texture(reader, assets, name, fallback), lowest, highest};
+    auto texture = read_float_texture(reader, assets, name, fallback);
+    const std::optional<float> value = texture->constant();
+    if (value && reader.given(name) && std::clamp(*value, lowest, highest) != *value)
+        warn_of_limit(reader, name, lowest, highest);
+    return {std::move(texture), lowest, highest};
 }
 
 PreparedFresnel::PreparedFresnel(std::shared_ptr<const FresnelTexture> texture) {

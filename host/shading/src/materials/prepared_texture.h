@@ -78,6 +78,8 @@ PreparedColor read_reflectance(const ParameterReader& reader, const AssetContext
 /// A colour without upper limit (absorption).
 PreparedColor read_positive_color(const ParameterReader& reader, const AssetContext& assets,
                                   std::string_view name, const Rgb& fallback);
+/// A number limited to [lowest, highest], with a warning at the parameter if a constant that the
+/// scene gives lies outside.
 PreparedFloat read_limited(const ParameterReader& reader, const AssetContext& assets,
                            std::string_view name, float fallback, float lowest, float highest);
 

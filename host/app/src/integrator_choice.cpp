@@ -50,6 +50,25 @@ void check_name(const SceneContents& contents, const std::string& kind,
         throw InputError(set->where, unknown_name_message(kind, set->plugin, known));
 }
 
+/// One warning for all parameters of a statement of which only the name is looked at.
+void warn_of_parameters(const SceneContents& contents, const std::string& kind,
+                        std::string_view reason, Diagnostics& diagnostics) {
+    const ParameterSet* set = statement(contents, kind);
+    if (set == nullptr || set->values.empty()) return;
+    diagnostics.warning(set->values.front().where,
+                        fmt::format("parameters of {} have no effect: {}", kind, reason));
+}
+
+void check_statements_by_name(const SceneContents& contents, Diagnostics& diagnostics) {
+    check_name(contents, "Renderer", kPhotonRenderers);
+    warn_of_parameters(contents, "Renderer", "the integrator decides", diagnostics);
+    check_name(contents, "VolumeIntegrator", {});
+    warn_of_parameters(contents, "VolumeIntegrator", "media are uniform and need no steps",
+                       diagnostics);
+    check_name(contents, "Accelerator", {});
+    warn_of_parameters(contents, "Accelerator", "Embree builds the tree", diagnostics);
+}
+
 /// What the scene asks for, whether or not there is such a plugin.
 ParameterSet scene_choice(const SceneContents& contents, Diagnostics& diagnostics) {
     const ParameterSet* renderer = statement(contents, "Renderer");
@@ -109,10 +128,7 @@ void keep_declared(const IntegratorPlugin& plugin, ParameterSet& set, bool asked
 IntegratorChoice choose_integrator(const CommandLine& command, const SceneContents& contents,
                                    const PluginLibrary& plugins, Diagnostics& diagnostics,
                                    Log& log) {
-    check_name(contents, "Renderer", kPhotonRenderers);
-    check_name(contents, "VolumeIntegrator", {});
-    check_name(contents, "Accelerator", {});
-
+    check_statements_by_name(contents, diagnostics);
     IntegratorChoice choice;
     choice.parameters = scene_choice(contents, diagnostics);
     const std::string named = choice.parameters.plugin;

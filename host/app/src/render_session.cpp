@@ -41,13 +41,6 @@ SceneContents load(const std::string& path, Diagnostics& diagnostics, ReadFiles&
     }
 }
 
-void check_camera(const SceneContents& contents, Diagnostics& diagnostics) {
-    if (contents.options.contains("Camera")) return;
-    diagnostics.warning(contents.end,
-                        "the scene has no Camera statement; using LuxRender's default: a "
-                        "perspective camera with fov 90 at the origin, looking along +z");
-}
-
 /// The command line's seed, else the integrator's parameter "seed", else 0.
 std::uint64_t choose_seed(const CommandLine& command, const ParameterReader& parameters) {
     if (command.seed) return *command.seed;
@@ -149,7 +142,6 @@ RenderSession prepare_session(const CommandLine& command, const PluginLibrary& p
     const PhaseTimer timer(session.times, "build");
     const IntegratorChoice choice = choose_integrator(command, contents, plugins, diagnostics, log);
     create_chosen(session, command, choice, diagnostics);
-    check_camera(contents, diagnostics);
     session.film = make_film(contents, diagnostics);
     session.files = choose_output_files(command, *session.film);
     check_writable(session.files);

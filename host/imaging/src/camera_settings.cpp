@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "no_effect.h"
 #include "option_choice.h"
 
 namespace lxs {
@@ -120,8 +121,7 @@ void read_shutter(const ParameterReader& reader, CameraSettings& settings) {
         std::swap(settings.shutter_open, settings.shutter_close);
     }
     if (reader.string("shutterdistribution", "uniform") != "uniform") {
-        reader.diagnostics().warning(reader.where("shutterdistribution"),
-                                     "\"shutterdistribution\" has no effect: times are uniform");
+        warn_of_no_effect(reader, "shutterdistribution", "times are uniform");
     }
 }
 
@@ -146,8 +146,7 @@ void read_perspective(const ParameterReader& reader, CameraSettings& settings) {
     settings.blades =
         static_cast<int>(std::clamp<std::int64_t>(reader.integer("blades", 0), 0, kMostBlades));
     if (reader.string("distribution", "uniform") != "uniform") {
-        reader.diagnostics().warning(reader.where("distribution"),
-                                     "\"distribution\" has no effect: the aperture is uniform");
+        warn_of_no_effect(reader, "distribution", "the aperture is uniform");
     }
 }
 
@@ -163,8 +162,8 @@ CameraSettings read_camera_settings(const SceneContents& contents, const FilmFra
                                               {"environment", "orthographic", "perspective"});
     if (!choice.given) {
         diagnostics.warning(contents.end,
-                            "the scene has no Camera; a perspective camera of 90 degrees at the "
-                            "origin looks along +z");
+                            "the scene has no Camera statement; using LuxRender's default: a "
+                            "perspective camera with fov 90 at the origin, looking along +z");
     }
     CameraSettings settings;
     settings.projection = projection_of(choice.statement.parameters.plugin);

@@ -1,10 +1,10 @@
 // The declared parameters of the films.
 #include "film_parameters.h"
 
-#include <fmt/format.h>
-
 #include <array>
 #include <string>
+
+#include "no_effect.h"
 
 namespace lxs {
 namespace {
@@ -16,6 +16,12 @@ constexpr std::array<std::string_view, 7> kToneMapKernels{
 constexpr std::array<std::string_view, 4> kClampMethods{"lum", "hue", "cut", "darken"};
 constexpr double kTiny = 1e-6;
 constexpr double kHuge = 1e12;
+
+constexpr ParameterDeclaration past(std::string_view name, ParameterType type,
+                                    std::string_view default_text, std::string_view doc) {
+    return {
+        .name = name, .type = type, .default_text = default_text, .doc = doc, .no_effect = true};
+}
 
 constexpr ParameterDeclaration kPicture[] = {
     {"xresolution", Integer, "800", "Width of the whole image, pixels."},
@@ -140,37 +146,33 @@ constexpr ParameterDeclaration kAccepted[] = {
     {"glare_threshold", Float, "0.5", "Ignored: no lens effects."},
     {"glarelashesfilename", String, "", "Ignored: no lens effects."},
     {"glarepupilfilename", String, "", "Ignored: no lens effects."},
-    {.name = "write_tonemapped_exr",
-     .type = Bool,
-     .default_text = "true",
-     .doc = "Of LuxRender 0.x: the EXR always holds raw linear radiance.",
-     .no_effect = true},
-    {.name = "write_untonemapped_exr",
-     .type = Bool,
-     .default_text = "false",
-     .doc = "Of LuxRender 0.x: the EXR is always written so.",
-     .no_effect = true},
+    past("write_tonemapped_exr", Bool, "true",
+         "Of LuxRender 0.x: the EXR always holds raw linear radiance."),
+    past("write_untonemapped_exr", Bool, "false",
+         "Of LuxRender 0.x: the EXR is always written so."),
 };
 
 constexpr ParameterDeclaration kMultiImage[] = {
-    {"igi_filename", String, "", "Ignored: no IGI file is written."},
-    {"igi_writeinterval", Integer, "60", "Ignored: no IGI file is written."},
-    {"ldr_filename", String, "", "Ignored: the PNG is named like the EXR."},
-    {"ldr_writeinterval", Integer, "60", "Ignored: the PNG is written with the EXR."},
-    {"ldr_displayinterval", Integer, "12", "Ignored: there is no window."},
-    {"dither", Float, "0", "Ignored: the PNG isn't dithered."},
+    past("igi_filename", String, "", "No IGI file is written."),
+    past("igi_writeinterval", Integer, "60", "No IGI file is written."),
+    past("ldr_filename", String, "", "The PNG is named like the EXR."),
+    past("ldr_writeinterval", Integer, "60", "The PNG is written with the EXR."),
+    past("ldr_displayinterval", Integer, "12", "There is no window."),
+    past("dither", Float, "0", "The PNG isn't dithered."),
 };
 
 struct IgnoredFlag {
     std::string_view name, consequence;
+    bool neutral = false;  ///< changes nothing
 };
 
 constexpr IgnoredFlag kIgnoredFlags[] = {
     {"write_exr_halftype", "the EXR always holds 32-bit floats"},
     {"write_exr_applyimaging", "the EXR always holds raw linear radiance"},
     {"write_exr_ZBuf", "no depth channel is written"},
-    {"write_png", "the PNG is always written"},
+    {"write_png", "the PNG is always written", true},
     {"write_png_ZBuf", "no depth image is written"},
+    {"write_png_gamutclamp", "colours are clamped by ldr_clamp_method", true},
     {"write_png_16bit", "the PNG has 8 bits per channel"},
     {"write_tga", "no TGA file is written"},
     {"write_resume_flm", "no FLM file is written"},
@@ -194,11 +196,6 @@ constexpr IgnoredText kIgnoredTexts[] = {
     {"usersamplingmap_filename", "", "all pixels get as many samples"},
 };
 
-void warn(const ParameterReader& reader, std::string_view name, std::string_view consequence) {
-    reader.diagnostics().warning(reader.where(name),
-                                 fmt::format("\"{}\" has no effect: {}", name, consequence));
-}
-
 }  // namespace
 
 std::vector<ParameterDeclaration> film_parameters(std::string_view plugin) {
@@ -212,18 +209,19 @@ std::vector<ParameterDeclaration> film_parameters(std::string_view plugin) {
 
 void warn_of_ignored_film_parameters(const ParameterReader& reader) {
     for (const IgnoredFlag& flag : kIgnoredFlags) {
-        if (reader.boolean(flag.name, false)) warn(reader, flag.name, flag.consequence);
+        if (reader.boolean(flag.name, flag.neutral) != flag.neutral)
+            warn_of_no_effect(reader, flag.name, flag.consequence);
     }
     for (const IgnoredText& text : kIgnoredTexts) {
         if (reader.string(text.name, text.neutral) != text.neutral) {
-            warn(reader, text.name, text.consequence);
+            warn_of_no_effect(reader, text.name, text.consequence);
         }
     }
     if (reader.integer("outlierrejection_k", 0) > 0) {
-        warn(reader, "outlierrejection_k", "no sample is rejected as an outlier");
+        warn_of_no_effect(reader, "outlierrejection_k", "no sample is rejected as an outlier");
     }
     if (reader.number("haltthreshold", -1) > 0) {
-        warn(reader, "haltthreshold", "convergence isn't tested");
+        warn_of_no_effect(reader, "haltthreshold", "convergence isn't tested");
     }
 }
 

@@ -10,6 +10,7 @@
 #include <string_view>
 
 #include "lxs/imaging/imaging.h"
+#include "no_effect.h"
 #include "option_choice.h"
 #include "sampler_parameters.h"
 
@@ -172,6 +173,14 @@ MetropolisSettings read_metropolis(const ParameterReader& reader) {
     return settings;
 }
 
+/// What a scene would set for another image, or another order of its pixels.
+void warn_of_ignored(const ParameterReader& reader) {
+    if (reader.string("pixelsampler", "linear") != "linear")
+        warn_of_no_effect(reader, "pixelsampler", "a pass covers the whole image");
+    if (reader.boolean("noiseaware", false))
+        warn_of_no_effect(reader, "noiseaware", "all pixels get as many samples");
+}
+
 }  // namespace
 
 std::span<const ParameterDeclaration> sampler_parameters(std::string_view sampler) {
@@ -205,13 +214,15 @@ std::unique_ptr<Sampler> make_sampler(const SceneContents& contents, std::uint64
         return std::make_unique<OwenSampler>(seed, read_metropolis(reader));
     }
     declare(kNoiseAware);
-    if (set.plugin == "metropolis" || set.plugin == "erpt") {
+    const bool has_chains = set.plugin == "metropolis" || set.plugin == "erpt";
+    if (has_chains) {
         declare(kMarkovChain);
         diagnostics.warning(set.where,
                             "Sampler \"" + set.plugin +
                                 "\" has no effect: every pixel gets the same number of samples");
     }
     const ParameterReader reader(set, declared, diagnostics);
+    if (!has_chains) warn_of_ignored(reader);
     return std::make_unique<OwenSampler>(seed, std::nullopt);
 }
 

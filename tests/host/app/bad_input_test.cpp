@@ -109,6 +109,7 @@ TEST_F(BadInputTest, NoCameraWarnsAndUsesLuxRendersDefault) {
     EXPECT_THAT(result.err, HasSubstr("scene.lxs:4:1: warning: the scene has no Camera statement; "
                                       "using LuxRender's default: a perspective camera with fov 90 "
                                       "at the origin, looking along +z"));
+    EXPECT_EQ(result.err.find("Camera"), result.err.rfind("Camera")) << "said once";
 }
 
 TEST_F(BadInputTest, FilmResolutions) {

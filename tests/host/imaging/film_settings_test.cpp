@@ -90,6 +90,15 @@ TEST(FilmSettings, FlagsWarnOnlyWhenTheyAskForSomethingElse) {
     EXPECT_EQ(Read({text("cameraresponse", "Gold_100CD")}).diagnostics.warnings.size(), 1u);
 }
 
+TEST(FilmSettings, WhatIsWrittenAnywayIsWarnedOfWhereItIsRefused) {
+    EXPECT_TRUE(Read({flag("write_png", true), flag("write_png_gamutclamp", true)})
+                    .diagnostics.warnings.empty());
+    EXPECT_EQ(Read({flag("write_png", false)}).diagnostics.warnings,
+              std::vector<std::string>{"scene.lxs:2:5: warning: \"write_png\" has no effect: the "
+                                       "PNG is always written"});
+    EXPECT_EQ(Read({flag("write_png_gamutclamp", false)}).diagnostics.warnings.size(), 1u);
+}
+
 TEST(FilmSettings, MisspeltParameterIsReported) {
     const Read read({text("tonemappkernel", "linear")});
     EXPECT_EQ(read.diagnostics.unknown,

@@ -92,8 +92,8 @@ TEST(CameraErrors, ImpossibleParameters) {
 TEST(CameraErrors, WarningsSayWhatHasNoEffect) {
     using Lines = std::vector<std::string>;
     EXPECT_EQ(camera("", {}).diagnostics.warnings,
-              Lines{"scene.lxs:9:1: warning: the scene has no Camera; a perspective camera of 90 "
-                    "degrees at the origin looks along +z"});
+              Lines{"scene.lxs:9:1: warning: the scene has no Camera statement; using LuxRender's "
+                    "default: a perspective camera with fov 90 at the origin, looking along +z"});
     EXPECT_EQ(camera("perspective", {text("distribution", "gaussian"), real("lensradius", 0.1)})
                   .diagnostics.warnings,
               Lines{"scene.lxs:2:5: warning: \"distribution\" has no effect: the aperture is "
@@ -118,6 +118,24 @@ TEST(SamplerErrors, MarkovChainSamplersAreNamedOnce) {
               std::vector<std::string>{"scene.lxs:1:6: warning: Sampler \"metropolis\" has no "
                                        "effect: every pixel gets the same number of samples"});
     EXPECT_TRUE(diagnostics.unknown.empty());
+}
+
+TEST(SamplerErrors, WhatWouldMatterIsSaidToHaveNoEffect) {
+    SceneContents contents = empty_scene();
+    set_option(contents, "Sampler", "lowdiscrepancy",
+               {text("pixelsampler", "hilbert"), flag("noiseaware", true)});
+    RecordedDiagnostics diagnostics;
+    make_sampler(contents, 0, diagnostics);
+    EXPECT_EQ(diagnostics.warnings,
+              (std::vector<std::string>{"scene.lxs:2:5: warning: \"pixelsampler\" has no effect: a "
+                                        "pass covers the whole image",
+                                        "scene.lxs:2:5: warning: \"noiseaware\" has no effect: all "
+                                        "pixels get as many samples"}));
+    diagnostics.warnings.clear();
+    set_option(contents, "Sampler", "random",
+               {text("pixelsampler", "linear"), flag("noiseaware", false)});
+    make_sampler(contents, 0, diagnostics);
+    EXPECT_TRUE(diagnostics.warnings.empty());
 }
 
 TEST(SamplerErrors, MetropolisSettingsReachIntegratorsThatRunChains) {

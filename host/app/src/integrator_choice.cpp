@@ -23,7 +23,8 @@ constexpr std::array<std::string_view, 4> kPhotonIntegrators = {"aips", "exphoto
                                                                 "sppm"};
 
 /// Integrators of LuxRender's that have no plugin of their own.
-constexpr std::array<std::string_view, 2> kRenderedByDefault = {"bidirectional", "directlighting"};
+constexpr std::array<std::string_view, 4> kRenderedByDefault = {"bidirectional", "directlighting",
+                                                                "distributedpath", "igi"};
 
 bool contains(auto&& names, std::string_view name) {
     return std::find(std::begin(names), std::end(names), name) != std::end(names);

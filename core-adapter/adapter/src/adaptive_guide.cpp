@@ -21,7 +21,7 @@ constexpr std::uint64_t kSeededPaths = 2'000'000;
 constexpr double kMemoryPaths = 5e5;
 /// Share of unguided paths worth anything below which chains do better than this guide, and how
 /// many logged ones have to tell (docs/adaptive-guide.md).
-constexpr double kChainShare = 5e-4;
+constexpr double kChainShare = 1e-3;
 constexpr std::uint64_t kChainEvidence = 64;
 /// Cost of an emission, in rays: a little less than a bounce's.
 constexpr double kEmissionCost = 0.5;
@@ -71,7 +71,7 @@ std::uint64_t AdaptiveGuide::begin_pass(std::uint64_t pass, float time, const Ey
 
 void AdaptiveGuide::rest_or_wake() {
     // Before any path was worth something there is nothing to judge.
-    const bool judged = path_score_ > 0;
+    const bool judged = visible_logged_ > 0;
     emission_rest_.update(paths_, !emission_.switched_off());
     survival_rest_.update(paths_, !judged || !survival_switched_off());
     bounces_rest_.update(paths_, !judged || (bounces_ && bounces_->tables().tables_in_use() > 0));
@@ -106,13 +106,12 @@ void AdaptiveGuide::learn(const PathLog& log, std::span<const Landing> landings,
     if (emission()) emission_.update(scored);
     if (survival()) {
         cache_->update(scored);
-        survival_->set_reference(path_score_ > 0 ? path_cost_ / path_score_ : 0);
+        survival_->set_reference(path_means_.cost_over_score());
         survival_switch_.update(scored, kMemoryPaths);
     }
     if (bounces()) bounces_->update(scored);
     const double kept = kMemoryPaths / (kMemoryPaths + scored);
-    path_score_ *= kept;
-    path_cost_ *= kept;
+    path_means_.update(scored);
     logged_ *= kept;
     visible_ *= kept;
 }
@@ -176,8 +175,7 @@ void AdaptiveGuide::learn_path(const PathLog& log, const PathRecord& path,
     if (emission()) {
         emission_.add({{path.light, path.start, path.pdf}, score, cost});
     }
-    path_score_ += score;
-    path_cost_ += cost;
+    path_means_.add(score, cost);
     logged_ += 1;
     if (score > 0) {
         visible_ += double(light_choice_.pdf(path.light)) / path.pdf;
@@ -216,11 +214,12 @@ void AdaptiveGuide::state(StateArchive& archive) {
     if (survival_) survival_->state(archive);
     survival_switch_.state(archive);
     if (bounces_) bounces_->state(archive);
+    path_means_.state(archive);
     for (PartRest* rest : {&emission_rest_, &survival_rest_, &bounces_rest_})
         rest->state(archive);
     for (std::uint64_t* count : {&paths_, &walks_, &seeds_found_, &visible_logged_})
         archive.value(*count);
-    for (double* sum : {&path_score_, &path_cost_, &logged_, &visible_})
+    for (double* sum : {&logged_, &visible_})
         archive.amount(*sum);
 }
 

@@ -15,6 +15,7 @@
 #include "landing_score.h"
 #include "part_rest.h"
 #include "path_log.h"
+#include "path_means.h"
 #include "pixel_importance.h"
 #include "score_survival.h"
 #include "survival_switch.h"
@@ -72,10 +73,8 @@ class AdaptiveGuide {
     bool resting() const { return !awake(); }
     double survival_gain() const { return survival_switch_.gain(); }
     /// Mean score of a photon path times its mean cost in rays: the error of equal-time images,
-    /// about, in units of the scene's own. Old paths forgotten; 0 before anything was scored.
-    double score_times_cost() const {
-        return logged_ > 0 ? path_score_ * path_cost_ / (logged_ * logged_) : 0;
-    }
+    /// about, in units of the scene's own. Of the last paths; 0 before anything was scored.
+    double score_times_cost() const { return path_means_.score_times_cost(); }
     std::size_t node_count() const { return emission_.leaf_count(); }
     std::size_t memory_bytes() const;
     static std::size_t memory_bound_bytes(const Scene& scene, const Settings& settings,
@@ -107,6 +106,7 @@ class AdaptiveGuide {
     std::optional<ScoreSurvival> survival_;  // reads cache_
     SurvivalSwitch survival_switch_;
     std::optional<BounceGuide> bounces_;  // if directions are guided
+    PathMeans path_means_;
     std::vector<float> weights_;          // [visible point]
     std::vector<EmissionSeed> seeds_;     // of this pass
     std::vector<std::uint32_t> scored_;   // landings of logged paths, path after path
@@ -116,7 +116,7 @@ class AdaptiveGuide {
     PartRest emission_rest_, survival_rest_, bounces_rest_;
     std::uint64_t walks_ = 0, seeds_found_ = 0;
     // Of logged paths, old ones forgotten. `visible_`: worth something, as many as were unguided.
-    double path_score_ = 0, path_cost_ = 0, logged_ = 0, visible_ = 0;
+    double logged_ = 0, visible_ = 0;
     std::uint64_t visible_logged_ = 0;
 };
 

@@ -47,6 +47,7 @@ float middle(const Bounds& box, int axis) {
 
 void ScoreCache::Totals::add(const Totals& other) {
     count += other.count;
+    scored += other.scored;
     root += other.root;
     score += other.score;
     cost += other.cost;
@@ -54,15 +55,10 @@ void ScoreCache::Totals::add(const Totals& other) {
 
 void ScoreCache::Totals::scale(double factor) {
     count *= factor;
+    scored *= factor;
     root *= factor;
     score *= factor;
     cost *= factor;
-}
-
-/// Kish's effective sample size, (sum r)^2 / sum r^2, of root scores: it falls short of the count
-/// as scores are rare, or as few outshine the others.
-double ScoreCache::Totals::effective_count() const {
-    return score > 0 ? root * root / score : 0;
 }
 
 ScoreCache::Means ScoreCache::Totals::blend(Means prior, double prior_weight) const {
@@ -90,17 +86,17 @@ double ScoreCache::HalfSums::half(int axis, bool upper) const {
 }
 
 void ScoreCache::Probe::scale(double factor) {
-    for (HalfSums* sums : {&count, &root, &score, &cost})
+    for (HalfSums* sums : {&count, &scored, &root, &score, &cost})
         sums->scale(factor);
 }
 
 ScoreCache::Totals ScoreCache::Probe::whole() const {
-    return {count.whole, root.whole, score.whole, cost.whole};
+    return {count.whole, scored.whole, root.whole, score.whole, cost.whole};
 }
 
 ScoreCache::Totals ScoreCache::Probe::half(int axis, bool upper) const {
-    return {count.half(axis, upper), root.half(axis, upper), score.half(axis, upper),
-            cost.half(axis, upper)};
+    return {count.half(axis, upper), scored.half(axis, upper), root.half(axis, upper),
+            score.half(axis, upper), cost.half(axis, upper)};
 }
 
 /// Fall of sqrt(S C) by a split, as a share of it: >= 0 by Cauchy and Schwarz, and 0 only if the
@@ -114,7 +110,22 @@ double ScoreCache::Probe::gain(int axis) const {
     return std::max(0.0, 1 - halves / whole);
 }
 
+/// Whether more vertices have a score in one half than by chance. Scores' sizes, which are uneven,
+/// are slower to tell.
+bool ScoreCache::Probe::shares_differ(int axis) const {
+    const double share = scored.whole / count.whole;
+    double difference = 0, variance = 0;
+    for (const bool upper : {false, true}) {
+        const Totals sums = half(axis, upper);
+        if (sums.count < 2) return false;
+        difference += (upper ? 1 : -1) * sums.scored / sums.count;
+        variance += share * (1 - share) / sums.count;
+    }
+    return difference * difference > kSignificance * kSignificance * variance;
+}
+
 bool ScoreCache::Probe::halves_differ(int axis) const {
+    if (shares_differ(axis)) return true;
     double difference = 0, variance = 0;
     for (const bool upper : {false, true}) {
         const Totals sums = half(axis, upper);
@@ -152,16 +163,17 @@ bool ScoreCache::add(const VertexScore& vertex) {
     if (!representable(vertex.score) || !representable(vertex.cost)) return false;
     const std::uint32_t branch = locate(vertex.position, vertex.normal);
     Leaf& leaf = leaves_[branches_[branch].target()];
-    const double score =
-        leaf.score_limit > 0 ? std::min(vertex.score, leaf.score_limit) : vertex.score;
-    totals_[branch].add({1, std::sqrt(score), score, vertex.cost});
+    const double root = std::sqrt(vertex.score);
+    const double scored = vertex.score > 0 ? 1 : 0;
+    totals_[branch].add({1, scored, root, vertex.score, vertex.cost});
     std::array<bool, 3> lower{};
     for (int axis = 0; axis < 3; ++axis)
         lower[unsigned(axis)] = vertex.position[axis] < middle(leaf.box, axis);
     leaf.met.extend(vertex.position);
     leaf.probe.count.add(lower, 1);
-    leaf.probe.root.add(lower, std::sqrt(score));
-    leaf.probe.score.add(lower, score);
+    leaf.probe.scored.add(lower, scored);
+    leaf.probe.root.add(lower, root);
+    leaf.probe.score.add(lower, vertex.score);
     leaf.probe.cost.add(lower, vertex.cost);
     return true;
 }
@@ -239,7 +251,7 @@ void ScoreCache::split_leaves() {
     for (std::uint32_t i = 0; i < branches_.size(); ++i) {
         if (branches_[i].axis() != kLeaf) continue;
         Leaf& leaf = leaves_[branches_[i].target()];
-        if (leaf.probe.whole().effective_count() < settings_.split_count) continue;
+        if (leaf.probe.scored.whole < settings_.split_count) continue;
         if (fit_box(leaf)) continue;
         const Split best = best_split(i, whole_mass);
         if (best.axis != kLeaf) splits.push_back(best);
@@ -282,10 +294,9 @@ void ScoreCache::add_totals() {
     }
 }
 
-/// In vertices: prior_count effective ones of the parent.
+/// In vertices: as many of the parent's as have prior_count with a score among them.
 double ScoreCache::prior_weight(const Totals& parent) const {
-    const double effective = parent.effective_count();
-    return settings_.prior_count * (effective > 0 ? parent.count / effective : 1);
+    return settings_.prior_count * (parent.scored > 0 ? parent.count / parent.scored : 1);
 }
 
 // From the roots down: the prior of a node is its parent.
@@ -295,23 +306,15 @@ void ScoreCache::set_means() {
         whole.add(totals_[tree]);
     if (!(whole.count > 0)) {
         std::fill(means_.begin(), means_.end(), Means{});
-        for (Leaf& leaf : leaves_)
-            leaf.score_limit = 0;
         return;
     }
-    const auto set = [&](std::uint32_t i, Means prior, double weight) {
-        means_[i] = totals_[i].blend(prior, weight);
-        if (branches_[i].axis() != kLeaf) return;
-        leaves_[branches_[i].target()].score_limit =
-            double(means_[i].score) * (totals_[i].count + weight);
-    };
     const Means mean = whole.blend({}, 0);
     for (std::uint32_t tree = 0; tree < kTrees; ++tree)
-        set(tree, mean, prior_weight(whole));
+        means_[tree] = totals_[tree].blend(mean, prior_weight(whole));
     for (std::uint32_t i = 0; i < branches_.size(); ++i) {
         if (branches_[i].axis() == kLeaf) continue;
         for (const std::uint32_t child : {branches_[i].target(), branches_[i].target() + 1})
-            set(child, means_[i], prior_weight(totals_[i]));
+            means_[child] = totals_[child].blend(means_[i], prior_weight(totals_[i]));
     }
 }
 

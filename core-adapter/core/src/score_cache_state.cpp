@@ -20,7 +20,7 @@ void state_of_box(StateArchive& archive, Bounds& box) {
 }  // namespace
 
 void ScoreCache::Totals::state(StateArchive& archive) {
-    for (double* sum : {&count, &root, &score, &cost})
+    for (double* sum : {&count, &scored, &root, &score, &cost})
         archive.amount(*sum);
 }
 
@@ -48,8 +48,8 @@ void ScoreCache::state(StateArchive& archive) {
         Leaf& leaf = leaves_[branches_[i].target()];
         state_of_box(archive, leaf.box);
         state_of_box(archive, leaf.met);
-        for (HalfSums* sums :
-             {&leaf.probe.count, &leaf.probe.root, &leaf.probe.score, &leaf.probe.cost})
+        for (HalfSums* sums : {&leaf.probe.count, &leaf.probe.scored, &leaf.probe.root,
+                               &leaf.probe.score, &leaf.probe.cost})
             sums->state(archive);
     }
     if (!archive.restoring()) return;

@@ -23,9 +23,9 @@ namespace aips {
 
 struct ScoreCacheSettings {
     std::uint32_t max_leaves = 8192;  ///< of the whole cache, in [6, 2^24]
-    /// Effective vertices that a leaf must have met since it came to be before it is split, >= 4:
-    /// as many as would, with equal scores, be as informative (rare or uneven scores: fewer).
-    std::uint32_t split_count = 64;
+    /// Vertices with a score above zero that a leaf must have met since it came to be before it is
+    /// split, >= 4. Those without tell where others are not, however uneven scores may be.
+    std::uint32_t split_count = 16;
     /// Least fall of the cache's mass, the sum of sqrt(S C), by a split, as a share of it.
     double split_gain = 1e-4;
     /// A leaf with more than this share of the cache's mass is halved even if its halves look
@@ -33,8 +33,8 @@ struct ScoreCacheSettings {
     double split_mass = 1.0 / 256;
     /// Photon paths whose vertices count in full; older ones fade as exp(-paths / memory_paths).
     double memory_paths = 4e6;
-    /// Effective vertices that every node's prior weighs, > 0: the number below which what a leaf
-    /// met is not trusted.
+    /// Vertices with a score that every node's prior weighs, > 0: the number below which what a
+    /// leaf met is not trusted.
     double prior_count = 4;
 };
 
@@ -67,8 +67,8 @@ class ScoreCache {
 
     /// Of a photon that continues from a vertex: the mean over its leaf's vertices as of the last
     /// update(), joined by a prior at the parent's expectation; the parent of a tree's root is the
-    /// mean over the whole cache. The prior weighs prior_count * n / n_eff vertices, n / n_eff
-    /// being the parent's: where one vertex in a hundred has a score, some hundred zeros prove
+    /// mean over the whole cache. The prior weighs prior_count * n / m vertices, m of n having a
+    /// score in the parent: where one vertex in a hundred has one, some hundred zeros prove
     /// nothing. Never fails.
     Expectation at(Vec3 position, Vec3 normal) const {
         const Means means = means_[locate(position, normal)];
@@ -77,11 +77,7 @@ class ScoreCache {
     }
 
     /// Learns from a vertex; false, changing nothing, if a number is not finite, negative, or
-    /// beyond single precision. Vertices whose score is zero count. A score counts at most as much
-    /// as all that its leaf knew at the last update(), the prior included, so that one vertex about
-    /// doubles the expectation of its leaf, and hardly moves others. The greatest of n draws is a
-    /// vanishing part of their sum for every distribution with a mean, so expectations still
-    /// converge to the mean. Until scores above zero are known there is no such bound.
+    /// beyond single precision. Vertices whose score is zero count.
     bool add(const VertexScore& vertex);
     /// After `paths` further photon paths: forgets, splits what pays to be split, and sets the
     /// expectations from what was learned so far.
@@ -144,14 +140,14 @@ class ScoreCache {
     /// Sums over the vertices below a node.
     struct Totals {
         double count = 0;
-        double root = 0;  ///< of sqrt(score), whose second moment is `score`
+        double scored = 0;  ///< of them, with a score above zero
+        double root = 0;    ///< of sqrt(score), whose second moment is `score`
         double score = 0;
         double cost = 0;
 
         void add(const Totals& other);
         void scale(double factor);
         void state(StateArchive& archive);
-        double effective_count() const;
         Means blend(Means prior, double prior_weight) const;
     };
 
@@ -169,6 +165,7 @@ class ScoreCache {
     /// What a leaf met since it came to be, or since its box was last fitted.
     struct Probe {
         HalfSums count;
+        HalfSums scored;
         HalfSums root;
         HalfSums score;
         HalfSums cost;
@@ -178,12 +175,12 @@ class ScoreCache {
         Totals half(int axis, bool upper) const;
         double gain(int axis) const;
         bool halves_differ(int axis) const;
+        bool shares_differ(int axis) const;
     };
 
     struct Leaf {
         Bounds box;  ///< where its vertices lie, roughly; its middle planes are those of `probe`
         Bounds met;  ///< of all vertices met
-        double score_limit = 0;  ///< 0: none
         std::uint32_t parent = 0;
         Probe probe;
     };

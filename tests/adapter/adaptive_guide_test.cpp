@@ -165,7 +165,7 @@ TEST(AdaptiveGuide, GuidedBouncesGiveTheSameBitsForAnyNumberOfThreads) {
     settings.guide_survival = false;  // needs longer here until tables pay
     const auto with_threads = [&](std::size_t threads) {
         const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
-        return mock::render(view.scene, view.camera, kWidth, kHeight, settings, 6);
+        return mock::render(view.scene, view.camera, kWidth, kHeight, settings, 12);
     };
     const auto one = with_threads(1);
     EXPECT_GT(one.statistics.bounce_tables, 0u);

@@ -27,7 +27,7 @@ namespace aips {
 
 struct BounceTableSettings {
     /// A table has to be filled before it pays to halve its place.
-    ScoreCacheSettings places{.max_leaves = 2048, .split_count = 64, .split_mass = 1.0 / 2048};
+    ScoreCacheSettings places{.max_leaves = 2048, .split_count = 192, .split_mass = 1.0 / 2048};
     /// Effective photons that equal shares of a square's quarters weigh, at each level, > 0.
     double prior_count = 8;
     /// Scored paths that count in full for the choice of shares: fewer than for the tables, which

@@ -14,7 +14,7 @@ using namespace aips;
 
 constexpr std::uint32_t kWidth = 16, kHeight = 12;
 /// Two passes of guided photons, which count for less, come before the first of chains.
-constexpr std::uint32_t kPhotons = 500'000, kGuidedPasses = 2;
+constexpr std::uint32_t kPhotons = 480'000, kGuidedPasses = 2;
 
 Settings adaptive(std::uint64_t seed, bool chains) {
     Settings settings = mock::small_settings(seed, kPhotons);

@@ -41,7 +41,7 @@ TEST(LearningWeight, PassesCountByTheirPaths) {
                 learning_weight(pass * kPaths + first) * std::min(kIteration, kPaths - first);
         }
     }
-    EXPECT_LT(expected[0], 0.01 * kPaths);
+    EXPECT_LT(expected[0], 0.02 * kPaths);
     EXPECT_EQ(mock::render(scene, camera, 8, 8, settings, 2).film.pass_weights(), expected);
     // Whatever the eye saw: these look out into the dark.
     const mock::Camera away = mock::camera_along_y({0, 5, 0}, 1, 8, 8);

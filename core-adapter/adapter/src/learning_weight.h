@@ -17,9 +17,9 @@
 namespace aips {
 
 /// Photon paths after which photons count in full.
-inline constexpr double kLearningPaths = 1e6;
+inline constexpr double kLearningPaths = 5e5;
 /// Weight of the very first, > 0: an image stopped early is made of them.
-inline constexpr double kFirstWeight = 1.0 / 256;
+inline constexpr double kFirstWeight = 1.0 / 64;
 
 /// Weight in (0, 1] of photon paths before which `paths_before` others were shot.
 inline double learning_weight(std::uint64_t paths_before) {

@@ -18,7 +18,7 @@ class PartRest {
     void update(std::uint64_t paths, bool pays) {
         if (paths < turn_at_ || (awake_ && pays)) return;
         awake_ = !awake_;
-        turn_at_ = awake_ ? paths + kTrial / 4 : 2 * paths;
+        turn_at_ = awake_ ? paths + kTrial / 2 : 2 * paths;
     }
 
     /// Saves or restores it.

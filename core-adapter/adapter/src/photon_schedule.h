@@ -6,7 +6,7 @@
 //
 // The image is a mean over passes with weights that depend on a pass's number alone, so what N
 // follows does not change its expectation. The first passes, with numbers chosen blindly, count for
-// next to nothing.
+// little.
 #pragma once
 
 #include <cstdint>

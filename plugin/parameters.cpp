@@ -105,7 +105,7 @@ std::vector<ParameterDeclaration> guide_declarations() {
          "With guide adaptive: guides where photons start."},
         {"eyeseeding", ParameterType::Bool, "true",
          "With guide adaptive: paths from the eye tell where photons ought to start."},
-        {"guidebounces", ParameterType::Bool, "false",
+        {"guidebounces", ParameterType::Bool, "true",
          "With guide adaptive: guides where photons go on to from matte surfaces."},
         {"guidesurvival", ParameterType::Bool, "true",
          "With guide adaptive: photons go on by what they may still bring, where that pays."},

@@ -76,12 +76,6 @@ void adaptive(Settings& settings) {
     settings.guide = GuideKind::Adaptive;
 }
 
-/// Directions guided besides, or alone.
-void bounces(Settings& settings) {
-    adaptive(settings);
-    settings.guide_bounces = true;
-}
-
 /// 13 tests per comparison at a family-wise significance of 1 %, fixed seeds; a planted bias must
 /// be found.
 void expect_same(const statistics::BlockMeans& a, const statistics::BlockMeans& b,
@@ -103,11 +97,11 @@ TEST(AdaptiveGuide, SameExpectationWithEachPartAlone) {
     const auto reference = renders(view, plain, 24, 1000);
     const auto emission = [](Settings& s) {
         adaptive(s);
-        s.guide_survival = false;
+        s.guide_survival = s.guide_bounces = false;
     };
     const auto survival = [](Settings& s) {
         adaptive(s);
-        s.guide_emission = false;
+        s.guide_emission = s.guide_bounces = false;
     };
     expect_same(reference, renders(view, emission, 24, 3000));
     expect_same(reference, renders(view, survival, 24, 4000));
@@ -117,12 +111,11 @@ TEST(AdaptiveGuide, SameExpectationWithGuidedBounces) {
     const View view = lamp_behind_a_wall();
     const auto reference = renders(view, plain, 24, 1000);
     const auto alone = [](Settings& s) {
-        bounces(s);
-        s.guide_emission = false;
-        s.guide_survival = false;
+        adaptive(s);
+        s.guide_emission = s.guide_survival = false;
     };
     expect_same(reference, renders(view, alone, 24, 9000), 0.05);
-    expect_same(reference, renders(view, bounces, 24, 10000), 0.05);
+    expect_same(reference, renders(view, adaptive, 24, 10000), 0.05);
     const auto unguided = [&](Settings& s) {
         alone(s);
         s.guide_bounces = false;
@@ -161,7 +154,7 @@ TEST(AdaptiveGuide, GuidedBouncesGiveTheSameBitsForAnyNumberOfThreads) {
     const View view = lamp_behind_a_wall();
     Settings settings = mock::small_settings(13, 40000);
     settings.direct_light_sampling = false;
-    bounces(settings);
+    adaptive(settings);
     settings.guide_survival = false;  // needs longer here until tables pay
     const auto with_threads = [&](std::size_t threads) {
         const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
@@ -182,7 +175,7 @@ TEST(AdaptiveGuide, NoTablesOfDirectionsWhereTheyDoNotPay) {
     scene.add_box({-1, -1, -1}, {1, 1, 1}, surface);
     scene.finish();
     Settings settings = mock::small_settings(14, 40000);
-    bounces(settings);
+    adaptive(settings);
     const auto camera = mock::camera_along_y({0, -0.9f, 0}, 1, kWidth, kHeight);
     const auto s = mock::render(scene, camera, kWidth, kHeight, settings, 12).statistics;
     EXPECT_LT(double(s.guided_bounces), 0.02 * double(s.bounces));

@@ -86,7 +86,6 @@ TEST(BadPdf, ImagesAreFinite) {
         for (const float bad : {0.0f, kNan, kInfinity}) {
             Settings settings = mock::small_settings(62, 10000);
             settings.guide = guide;
-            settings.guide_bounces = true;
             const mock::Scene scene = box_with(bad);
             const auto r = mock::render(scene, camera, kSize, kSize, settings, 6);
             for (const Rgb& pixel : r.film.image())

@@ -55,7 +55,6 @@ TEST(Furnace, Guides) {
     for (const GuideKind guide : {GuideKind::Paper, GuideKind::Adaptive}) {
         Settings settings = mock::small_settings(3, 40000);
         settings.guide = guide;
-        settings.guide_bounces = true;
         EXPECT_NEAR(measured(scene, settings, 20), furnace_radiance(8), 0.01 * furnace_radiance(8))
             << mock::name(guide);
     }
@@ -79,7 +78,6 @@ TEST(Furnace, FrozenEyePass) {
             settings.mode = mode;
             settings.alpha = 0.7;
             settings.guide = guide;
-            settings.guide_bounces = true;
             EXPECT_NEAR(measured(scene, settings, 20), furnace_radiance(8),
                         0.01 * furnace_radiance(8));
         }
@@ -105,7 +103,6 @@ TEST(Furnace, DiffuseUnderMirror) {
     for (const GuideKind guide : {GuideKind::None, GuideKind::Paper, GuideKind::Adaptive}) {
         Settings settings = mock::small_settings(6, 40000);
         settings.guide = guide;
-        settings.guide_bounces = true;
         settings.max_eye_depth = 32;
         settings.max_photon_depth = 32;
         constexpr std::uint32_t kSize = 32;

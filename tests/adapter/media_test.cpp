@@ -141,7 +141,6 @@ TEST(Media, GuidesKeepTheExpectation) {
     for (const GuideKind kind : {GuideKind::Paper, GuideKind::Adaptive}) {
         Settings guided = fog_settings(0);
         guided.guide = kind;
-        guided.guide_bounces = true;
         expect_same(fog_settings(0), guided);
     }
 }

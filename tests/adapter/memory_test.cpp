@@ -21,7 +21,6 @@ TEST_P(Memory, StaysBelowTheBoundAndFlat) {
     settings.mode = std::get<1>(GetParam());
     settings.alpha = 0.7;
     settings.max_nodes = 512;
-    settings.guide_bounces = true;
     // The adaptive guide sends ever more photons where they land until it has learned.
     const unsigned settled = settings.guide == GuideKind::Adaptive ? 30 : 6;
     const auto late = mock::expect_flat_memory(scene, camera, 32, 24, settings, settled);

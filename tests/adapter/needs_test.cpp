@@ -153,7 +153,6 @@ TEST(Needs, NoPartsOfGuidesThatSteerNothing) {
     Settings settings = mock::small_settings(70, 20000);
     settings.direct_light_sampling = false;
     settings.guide = GuideKind::Adaptive;
-    settings.guide_bounces = true;
     const auto bounced = render_box(settings);
     settings.max_photon_depth = 1;
     const auto landed = render_box(settings);
@@ -173,7 +172,6 @@ TEST(Needs, NoGuidedBouncesWithoutDiffuseSurfaces) {
     Settings settings = mock::small_settings(71, 5000);
     settings.store_glossy = true;
     settings.guide = GuideKind::Adaptive;
-    settings.guide_bounces = true;
     const auto r = render_glossy_box(settings);
     EXPECT_TRUE(logged(r.log, "skipped guided bounces: no surface is diffuse"));
     EXPECT_GT(r.statistics.photon_paths, 0u);

@@ -58,7 +58,6 @@ class UnmetParts : public testing::TestWithParam<GuideKind> {};
 TEST_P(UnmetParts, ChangeNoBits) {
     Settings settings = mock::small_settings(91, 20000);
     settings.guide = GetParam();
-    settings.guide_bounces = true;
     const auto plain = image_of(box_with(nothing), settings);
     EXPECT_EQ(image_of(box_with(dead_lights), settings), plain) << "dead lights";
     EXPECT_EQ(image_of(box_with(hidden_mirror), settings), plain) << "a mirror";

@@ -31,7 +31,6 @@ Settings settings_of(GuideKind guide, Mode mode = Mode::Progressive) {
     settings.alpha = 0.7;
     settings.guide = guide;
     settings.mode = mode;
-    settings.guide_bounces = true;
     return settings;
 }
 

@@ -61,7 +61,6 @@ Render photons(GuideKind guide, double radius) {
     return [=](const mock::View& view, std::uint64_t seed) {
         Settings settings = mock::small_settings(seed, 4000);
         settings.guide = guide;
-        settings.guide_bounces = guide == GuideKind::Adaptive;
         settings.start_radius = radius;
         settings.hit_points_per_pass = 5 * kSize * kSize;
         settings.max_photon_depth = settings.max_eye_depth = 40;

@@ -36,7 +36,6 @@ std::vector<Way> ways() {
 Settings settings_for(const Way& way) {
     Settings settings = mock::small_settings(29, 6000);
     settings.guide = way.guide;
-    settings.guide_bounces = true;
     settings.mode = way.mode;
     return settings;
 }

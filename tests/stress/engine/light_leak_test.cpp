@@ -59,7 +59,6 @@ double seen(const mock::Scene& scene, GuideKind guide, Mode mode, std::uint32_t 
                               {0, 0, -0.125f / 0.9f}, kWidth, kHeight);
     Settings settings = mock::small_settings(23, 20000);
     settings.guide = guide;
-    settings.guide_bounces = true;
     settings.mode = mode;
     settings.direct_light_sampling = false;
     settings.start_radius = 1;

@@ -121,7 +121,6 @@ bool is_refused(Part part, float value) {
 Settings settings_for(GuideKind guide, Mode mode) {
     Settings settings = mock::small_settings(17, 3000);
     settings.guide = guide;
-    settings.guide_bounces = true;
     settings.mode = mode;
     settings.max_eye_depth = 6;
     return settings;

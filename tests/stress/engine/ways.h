@@ -24,7 +24,6 @@ inline std::vector<Way> ways(std::uint64_t seed, std::uint32_t photons, bool all
     result[1].settings.guide = GuideKind::Paper;
     result[1].settings.iteration_photons = result[1].settings.initial_photons = 500;
     result[2].settings.guide = GuideKind::Adaptive;
-    result[2].settings.guide_bounces = true;
     if (!all) return result;
     const auto add = [&](const char* name, auto&& change) {
         result.push_back({name, plain});

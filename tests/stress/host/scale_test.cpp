@@ -33,7 +33,7 @@ const std::vector<Method>& methods() {
     static const std::vector<Method> all{
         {"path", "--passes 6 --integrator path"},
         {"none", photons("aips", " --set aips.guide=none")},
-        {"adaptive", photons("aips", " --set aips.guidebounces=true")},
+        {"adaptive", photons("aips")},
         {"paper", photons("aips", " --set aips.guide=paper")},
         {"ppm", photons("ppm")},
         {"sppm", photons("sppm")},

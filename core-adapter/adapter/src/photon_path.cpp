@@ -230,6 +230,7 @@ class PhotonTrace {
 
 PhotonCounts& PhotonCounts::operator+=(const PhotonCounts& o) {
     paths += o.paths;
+    guided_emissions += o.guided_emissions;
     rays += o.rays;
     bounces += o.bounces;
     guided_bounces += o.guided_bounces;
@@ -240,8 +241,8 @@ PhotonCounts& PhotonCounts::operator+=(const PhotonCounts& o) {
 }
 
 void PhotonCounts::state(StateArchive& archive) {
-    for (std::uint64_t* count :
-         {&paths, &rays, &bounces, &guided_bounces, &landings, &split_off, &pruned})
+    for (std::uint64_t* count : {&paths, &guided_emissions, &rays, &bounces, &guided_bounces,
+                                 &landings, &split_off, &pruned})
         archive.value(*count);
 }
 
@@ -250,6 +251,7 @@ void trace_photon_path(const PhotonInput& in, Numbers& numbers, std::uint32_t in
                        Refusals& refusals, Arena& arena, std::vector<Landing>& landings,
                        PhotonCounts& counts, PathLog* log, std::vector<VolumePhoton>* collisions) {
     ++counts.paths;
+    if (in.emission) ++counts.guided_emissions;
     Photon photon;
     const bool left_light = emit(in, numbers, refusals, photon);
     PhotonTrace<Numbers> trace(in, numbers, index, refusals, arena, landings, collisions, counts);

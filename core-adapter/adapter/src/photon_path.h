@@ -26,6 +26,7 @@ namespace aips {
 /// Counts over photon paths.
 struct PhotonCounts {
     std::uint64_t paths = 0;
+    std::uint64_t guided_emissions = 0;  ///< of these, with a guide that knows where to start
     std::uint64_t rays = 0;
     std::uint64_t bounces = 0;         ///< scatterings through non-specular lobes
     std::uint64_t guided_bounces = 0;  ///< of these, directions drawn from the guide

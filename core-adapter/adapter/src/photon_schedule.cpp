@@ -21,9 +21,9 @@ constexpr double kGreatestRise = 2, kGreatestFall = 4;
 /// by then, and its photons only become fewer at once: what it began with is not so far off.
 constexpr double kChosenWeight = 64, kChosenWeightOfAGuide = 8;
 /// Bounds of the photons' cost over the eye's. Eye paths are stratified from pass to pass, so that
-/// their noise falls faster than what two passes differ by tells: at least half of the time goes to
+/// their noise falls faster than what two passes differ by tells: at least 60 % of the time goes to
 /// photons. Beyond the upper bound no more than a tenth could be gained.
-constexpr double kLeastRatio = 1, kGreatestRatio = 10;
+constexpr double kLeastRatio = 1.5, kGreatestRatio = 10;
 
 bool follows_noise(const Settings& settings) {
     // Chains' landings come in clusters, whose noise their squares do not tell.
@@ -47,7 +47,8 @@ PhotonSchedule::PhotonSchedule(const Settings& settings, std::uint32_t eye_paths
     : adapts_(shoots && follows_noise(settings)),
       learns_(learns),
       paths_(first_paths(settings, eye_paths, adapts_, learns)),
-      decide_at_(learns ? kFirstPassesOfAGuide : kFirstPasses) {
+      decide_at_(learns ? kFirstPassesOfAGuide : kFirstPasses),
+      chain_ratio_(kGreatestRatio) {
     plan();
 }
 
@@ -82,7 +83,7 @@ void PhotonSchedule::end_pass(const PassWork& work, const PassNoise& noise, bool
     by_chains_ = by_chains;
     // Chains begin when the image says so: what passes count for must not follow from that.
     const bool decides = adapts_ && pass_ == decide_at_;
-    if (decides || (adapts_ && chains_begin && shot_ > 0)) paths_ = best_paths();
+    if (decides || (adapts_ && chains_begin && shot_ > 0)) paths_ = best_paths(chains_begin);
     if (decides) {
         decide_at_ += std::max<std::uint64_t>(2, pass_ / 4);
         decided_ = true;
@@ -102,6 +103,9 @@ void PhotonSchedule::state(StateArchive& archive) {
     archive.value(decide_at_);
     archive.value(decided_);
     archive.value(by_chains_);
+    archive.value(chain_ratio_);
+    StateArchive::check(chain_ratio_ >= kLeastRatio && chain_ratio_ <= kGreatestRatio,
+                        "a ratio of costs that no pass has");
     archive.value(next_.before);
     for (double* sum : {&work_.eye, &work_.photons})
         archive.amount(*sum);
@@ -112,21 +116,23 @@ void PhotonSchedule::state(StateArchive& archive) {
     if (archive.restoring()) plan();
 }
 
-std::uint32_t PhotonSchedule::best_paths() const {
+double PhotonSchedule::best_ratio(double even) const {
+    // Noise that photons explain altogether leaves less than none to the eye, by chance.
+    if (!(noise_.eye > 0)) return kGreatestRatio;
+    const double ratio = std::sqrt(std::max(0.0, noise_.photon_path) / (noise_.eye * even));
+    return std::isnan(ratio) ? kGreatestRatio : std::clamp(ratio, kLeastRatio, kGreatestRatio);
+}
+
+std::uint32_t PhotonSchedule::best_paths(bool chains_begin) {
     const double passes = double(shot_) / paths_;
     const double eye_cost = work_.eye / passes;
     const double path_cost = work_.photons / double(shot_);
     if (!(eye_cost > 0 && path_cost > 0)) return paths_;
     const double even = eye_cost / path_cost;
     if (!std::isfinite(even)) return paths_;
-    double paths = even * kGreatestRatio;
-    if (by_chains_)
-        return static_cast<std::uint32_t>(std::clamp(paths, double(kFewest), double(kMost)));
-    // Noise that photons explain altogether leaves less than none to the eye, by chance.
-    if (noise_.eye > 0) paths = std::sqrt(even * std::max(0.0, noise_.photon_path) / noise_.eye);
-    if (std::isnan(paths)) return paths_;
-    paths = std::clamp(paths, even * kLeastRatio, even * kGreatestRatio);
-    if (decided_ || learns_) {
+    if (chains_begin) chain_ratio_ = best_ratio(even);
+    double paths = even * (by_chains_ ? chain_ratio_ : best_ratio(even));
+    if (!by_chains_ && (decided_ || learns_)) {
         // A guide that has just learned will do with less.
         const double rise = decided_ ? kGreatestRise : 1;
         paths = std::clamp(paths, paths_ / kGreatestFall, paths_ * rise);

@@ -42,7 +42,8 @@ class PhotonSchedule {
     /// Whether numbers follow the noise, which end_pass() then wants to know.
     bool adapts() const { return adapts_; }
     /// `by_chains`: the passes to come take their photon paths from Markov chains, whose landings
-    /// come in clusters: their noise is not known, and photons take the most time that they may.
+    /// come in clusters: their noise is not known. Photons keep the share of time that the noise
+    /// of those before asked for.
     void end_pass(const PassWork& work, const PassNoise& noise, bool by_chains);
     /// Between passes: saves what is planned and what that rests on, or restores it into a new
     /// schedule with the same settings.
@@ -50,7 +51,9 @@ class PhotonSchedule {
 
   private:
     void plan();
-    std::uint32_t best_paths() const;
+    /// Cost of photons over that of the eye, where `even` photon paths cost as much as the eye.
+    double best_ratio(double even) const;
+    std::uint32_t best_paths(bool chains_begin);
 
     bool adapts_, learns_;
     std::uint32_t paths_;
@@ -58,6 +61,7 @@ class PhotonSchedule {
     std::uint64_t decide_at_;  // pass before which the number is chosen next
     bool decided_ = false;
     bool by_chains_ = false;  // from the next pass on
+    double chain_ratio_;      // photons' cost over the eye's while they come from chains
     PassPhotons next_;
     // Since the last choice; at first, of the second half of all passes.
     PassWork work_;

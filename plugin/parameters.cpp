@@ -57,6 +57,9 @@ std::vector<ParameterDeclaration> common_declarations() {
          "Lights at infinity are seen by eye rays and mirrored by specular surfaces."},
         {"directlightsampling", ParameterType::Bool, "true",
          "Direct light comes from shadow rays; photons then carry the rest."},
+        {"learnlights", ParameterType::Bool, "true",
+         "Shadow rays choose the lights more often that were seen to light a place "
+         "(docs/learned-lights.md)."},
         {"storeglossy", ParameterType::Bool, "false",
          "Glossy lobes take photons instead of bouncing the eye path."},
         {"debuglayers", ParameterType::Bool, "false",
@@ -199,6 +202,7 @@ void read_common(PluginKind kind, const lxs::ParameterReader& in, Settings& s) {
     s.alpha = in.number("alpha", s.alpha);
     s.include_environment = in.boolean("includeenvironment", s.include_environment);
     s.direct_light_sampling = in.boolean("directlightsampling", s.direct_light_sampling);
+    s.learn_lights = in.boolean("learnlights", s.learn_lights);
     s.store_glossy = in.boolean("storeglossy", s.store_glossy);
     s.debug_layers = in.boolean("debuglayers", s.debug_layers);
     s.seed = static_cast<std::uint64_t>(in.integer("seed", 0));

@@ -83,7 +83,7 @@ class Balance {
         for (const Light* light : view.scene.lights())
             power_ += double(light->power());
         const mock::Sampler sampler(settings.seed);
-        const DirectLight direct(view.scene);
+        const DirectLight direct(view.scene, false);
         trace_eye_pass(
             {view.scene, view.camera, sampler, direct, settings_, kSize, kSize, kSize * kSize}, 0,
             0, refusals_, image_);

@@ -11,7 +11,7 @@ using namespace aips;
 EyeImage trace(const mock::Scene& scene, const mock::Camera& camera, std::uint32_t size,
                std::uint32_t paths, const Settings& settings) {
     const mock::Sampler sampler(settings.seed);
-    const DirectLight direct(scene);
+    const DirectLight direct(scene, false);
     Refusals refusals(scene);
     EyeImage image;
     trace_eye_pass({scene, camera, sampler, direct, settings, size, size, paths}, 0, 0, refusals,

@@ -15,7 +15,7 @@ using namespace aips;
 EyeImage trace_eye(const mock::Scene& scene, const mock::Camera& camera, std::uint32_t size,
                    const Settings& settings) {
     const mock::Sampler sampler(settings.seed);
-    const DirectLight direct(scene);
+    const DirectLight direct(scene, false);
     Refusals refusals(scene);
     EyeImage image;
     trace_eye_pass({scene, camera, sampler, direct, settings, size, size, size * size}, 0, 0,

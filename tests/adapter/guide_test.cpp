@@ -36,8 +36,8 @@ statistics::BlockMeans renders(GuideKind guide, unsigned seeds, std::uint64_t fi
 
 /// 13 tests per comparison at a family-wise significance of 1 %, fixed seeds.
 TEST(PaperGuide, SameExpectationAsUnguided) {
-    const auto plain = renders(GuideKind::None, 24, 1000);
-    const auto guided = renders(GuideKind::Paper, 24, 2000);
+    const auto plain = renders(GuideKind::None, 28, 1000);
+    const auto guided = renders(GuideKind::Paper, 28, 2000);
     const auto same = statistics::compare(plain, guided, 0.01);
     EXPECT_FALSE(same.differs()) << same.describe();
     EXPECT_LT(same.detectable, 0.02) << same.describe();

@@ -91,7 +91,7 @@ TEST(SkippedVisiblePoints, ChangeNoBits) {
     const mock::View view = mock::half_mirror_view(kWidth, kHeight);
     const Settings settings = mock::small_settings(94, 1);
     const mock::Sampler sampler(settings.seed);
-    const DirectLight direct(view.scene);
+    const DirectLight direct(view.scene, false);
     Refusals refusals(view.scene);
     EyePassInput input{view.scene, view.camera, sampler, direct,
                        settings,   kWidth,      kHeight, 16 * kWidth * kHeight};

@@ -69,7 +69,7 @@ class Engine::State {
           skip_log_(host.log),
           settings_(needs_.settings),
           eye_paths_(eye_paths_per_pass(host, settings)),
-          direct_light_(host.scene),
+          direct_light_(host.scene, settings_.learn_lights),
           refusals_(host.scene),
           guide_(make_guide(host.scene, settings_)),
           photons_(settings_, eye_paths_, needs_.photons, learns()),
@@ -117,6 +117,7 @@ class Engine::State {
         if (report.photon_paths && any_points) radius_policy_->after_pass(flux_);
         const PhotonPassTotals& after = photon_pass_.totals();
         report.rays = eye_rays + after.counts.rays - before.counts.rays;
+        if (report.eye_paths) direct_light_.learn(image_.light_samples, pass + 1);
         learn_from_pass(report, pass_work(report, eye_rays, before, after));
         count(report, eye_rays);
         skip_log_.after_pass(photon_pass_.adaptive(), photon_pass_.chains() != nullptr,
@@ -174,6 +175,7 @@ class Engine::State {
         refusals_.state(archive);
         skip_log_.state(archive);
         photons_.state(archive);
+        direct_light_.state(archive);
         if (guide_) guide_->state(archive);
         if (importance_) importance_->state(archive);
         if (noise_) noise_->state(archive);
@@ -273,7 +275,7 @@ class Engine::State {
     std::size_t memory_bytes() const {
         return image_.memory_bytes() + flux_.memory_bytes() + radiance_.capacity() * sizeof(Rgb) +
                photon_pass_.memory_bytes() + radius_policy_->memory_bytes() +
-               (guide_ ? guide_->statistics().memory_bytes : 0) +
+               direct_light_.memory_bytes() + (guide_ ? guide_->statistics().memory_bytes : 0) +
                (importance_ ? importance_->memory_bytes() : 0) +
                (noise_ ? noise_->memory_bytes() : 0) + (layers_ ? layers_->memory_bytes() : 0);
     }

@@ -16,6 +16,7 @@ struct Block {
     std::vector<VisiblePoint> visible_points;
     std::vector<VolumeBeam> beams;
     std::vector<float> footprints;
+    std::vector<LightSample> light_samples;
     double beam_footprint_sum = 0;
     std::uint64_t rays = 0;
 };
@@ -24,18 +25,23 @@ void trace_block(const EyePassInput& in, std::uint64_t pass, float time, std::ui
                  std::uint32_t last, Refusals& refusals, EyeImage& image, Arena& arena,
                  Block& block) {
     const std::uint64_t pixels = std::uint64_t(in.width) * in.height;
+    const std::uint64_t before = in.direct_light.passes_before();
     for (std::uint32_t i = first; i < last; ++i) {
         // Consecutive eye paths walk over the film again and again, whatever their number per pass.
         const std::uint64_t serial = pass * in.paths + i;
         const std::uint64_t pixel = serial % pixels;
         const CameraSample sample = in.sampler.camera_sample(
             serial / pixels, std::uint32_t(pixel % in.width), std::uint32_t(pixel / in.width));
+        const EyeNumbers numbers(in.settings.seed, before, pixel,
+                                 serial / pixels - before * in.paths / pixels);
         RandomStream random(in.settings.seed, pass, i, RandomDomain::Eye);
         image.positions[i] = sample.film;
         const EyePathResult result = trace_eye_path(
-            in, in.camera.generate(sample, time), random, refusals, arena,
+            in, in.camera.generate(sample, time), numbers, random, refusals, arena,
             std::span(image.radiance).subspan(std::size_t(i) * image.groups, image.groups));
         block.rays += result.rays;
+        if (result.light_sample.pdf > 0 && (i + pass) % kEyePathsPerLightSample == 0)
+            block.light_samples.push_back(result.light_sample);
         if (result.has_beam) {
             block.beams.push_back(result.beam);
             block.beams.back().sample = i;
@@ -53,6 +59,7 @@ void join_blocks(std::vector<Block>& blocks, EyeImage& image) {
     image.visible_points.clear();
     image.beams.clear();
     image.footprints.clear();
+    image.light_samples.clear();
     image.beam_footprint_sum = 0;
     image.rays = 0;
     for (Block& block : blocks) {
@@ -61,6 +68,8 @@ void join_blocks(std::vector<Block>& blocks, EyeImage& image) {
         image.beams.insert(image.beams.end(), block.beams.begin(), block.beams.end());
         image.footprints.insert(image.footprints.end(), block.footprints.begin(),
                                 block.footprints.end());
+        image.light_samples.insert(image.light_samples.end(), block.light_samples.begin(),
+                                   block.light_samples.end());
         image.beam_footprint_sum += block.beam_footprint_sum;
         image.rays += block.rays;
         block = {};
@@ -71,10 +80,10 @@ void join_blocks(std::vector<Block>& blocks, EyeImage& image) {
 }  // namespace
 
 std::size_t EyeImage::memory_bytes() const {
-    std::size_t bytes = positions.capacity() * sizeof(Vec2) + radiance.capacity() * sizeof(Rgb) +
-                        visible_points.capacity() * sizeof(VisiblePoint) +
-                        footprints.capacity() * sizeof(float) +
-                        beams.capacity() * sizeof(VolumeBeam);
+    std::size_t bytes =
+        positions.capacity() * sizeof(Vec2) + radiance.capacity() * sizeof(Rgb) +
+        visible_points.capacity() * sizeof(VisiblePoint) + footprints.capacity() * sizeof(float) +
+        light_samples.capacity() * sizeof(LightSample) + beams.capacity() * sizeof(VolumeBeam);
     for (const Arena& arena : arenas)
         bytes += arena.bytes_reserved();
     return bytes;

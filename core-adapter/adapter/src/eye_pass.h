@@ -13,6 +13,9 @@
 
 namespace aips {
 
+/// Of so many eye paths one tells what its first shadow ray found, if lights are learned from.
+inline constexpr std::uint32_t kEyePathsPerLightSample = 4;
+
 /// Where an eye path first met a surface that takes photons.
 struct VisiblePoint {
     Vec3 position;
@@ -38,6 +41,7 @@ struct EyeImage {
     std::vector<Arena> arenas;      ///< one per block of eye paths; hold the visible points' Bsdfs
     double footprint_sum = 0;       ///< of the pixel footprints' radii, as footprints.h sums them
     std::vector<float> footprints;  ///< those radii, in no order; one a visible point
+    std::vector<LightSample> light_samples;  ///< of some shadow rays, if they are learned from
     std::uint64_t rays = 0;
 
     /// Mean radius of a pixel's footprint at the visible points, far ones bounded (footprints.h),

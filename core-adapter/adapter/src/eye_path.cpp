@@ -13,10 +13,11 @@ namespace {
 /// State of an eye path between two surfaces.
 class EyePath {
   public:
-    EyePath(const EyePassInput& input, const CameraRay& camera_ray, RandomStream& random,
-            Refusals& refusals, Arena& arena, std::span<Rgb> radiance)
+    EyePath(const EyePassInput& input, const CameraRay& camera_ray, const EyeNumbers& numbers,
+            RandomStream& random, Refusals& refusals, Arena& arena, std::span<Rgb> radiance)
         : in_(input),
           camera_ray_(camera_ray),
+          numbers_(numbers),
           random_(random),
           refusals_(refusals),
           arena_(arena),
@@ -38,7 +39,7 @@ class EyePath {
             }
             travelled_ += point.distance;
             add_emitted(point);
-            const bool go_on = point.bsdf && scatter(point, depth == in_.settings.max_eye_depth);
+            const bool go_on = point.bsdf && scatter(point, depth);
             if (result_.has_visible_point) {
                 if (!result_.visible_point.bsdf) arena_.rewind(mark);
                 break;
@@ -108,7 +109,9 @@ class EyePath {
     }
 
     /// Direct light, then either a visible point or a bounce. False when the path ends.
-    bool scatter(const SurfacePoint& point, bool last) {
+    bool scatter(const SurfacePoint& point, std::uint32_t depth) {
+        const bool last = depth == in_.settings.max_eye_depth;
+        const VertexNumbers numbers = numbers_.vertex(depth);
         const Vec3 wo = -ray_.direction;
         const LobeMask lobes = point.bsdf->lobes();
         const LobeMask receiving = lobes & receiving_lobes(in_.settings);
@@ -119,15 +122,23 @@ class EyePath {
             const LobeMask shared = bouncing & kNonSpecular;
             const DirectLightQuery query{point,     wo,     ray_.time, throughput_,
                                          receiving, shared, bouncing,  last ? 0 : 1 - store_pdf};
-            result_.rays += in_.direct_light.estimate(query, random_, refusals_, radiance_);
+            estimate_direct_light(query, numbers);
         }
-        if (receiving && (store_pdf == 1 || random_.next() < store_pdf)) {
+        if (receiving && (store_pdf == 1 || numbers.end() < store_pdf)) {
             if (in_.keep_visible_points) store(point, wo, receiving, store_pdf);
             return false;
         }
         if (last || !bouncing) return false;
         throughput_ *= 1 / (1 - store_pdf);
-        return bounce(point, wo, bouncing, 1 - store_pdf);
+        return bounce(point, wo, bouncing, 1 - store_pdf, numbers);
+    }
+
+    void estimate_direct_light(const DirectLightQuery& query, const VertexNumbers& numbers) {
+        const DirectLightResult direct =
+            in_.direct_light.estimate(query, numbers, refusals_, radiance_);
+        result_.rays += direct.rays;
+        if (in_.direct_light.learns() && result_.light_sample.pdf == 0)
+            result_.light_sample = direct.sample;
     }
 
     /// Probability of ending here rather than bouncing on: by albedo, kept away from 0 and 1.
@@ -156,10 +167,11 @@ class EyePath {
                                     refusals_.accept(v.kd, point.material);
     }
 
-    bool bounce(const SurfacePoint& point, Vec3 wo, LobeMask mask, float choice_pdf) {
-        const Vec2 u = random_.next2();
+    bool bounce(const SurfacePoint& point, Vec3 wo, LobeMask mask, float choice_pdf,
+                const VertexNumbers& numbers) {
         BsdfSample sample;
-        if (!point.bsdf->sample(wo, u, random_.next(), Transport::Radiance, mask, sample)) {
+        if (!point.bsdf->sample(wo, numbers.direction(), numbers.lobe(), Transport::Radiance, mask,
+                                sample)) {
             return false;
         }
         throughput_ *= sample.weight;
@@ -180,7 +192,8 @@ class EyePath {
 
     const EyePassInput& in_;
     const CameraRay& camera_ray_;
-    RandomStream& random_;
+    const EyeNumbers& numbers_;  // at surfaces
+    RandomStream& random_;       // in media
     Refusals& refusals_;
     Arena& arena_;
     std::span<Rgb> radiance_;
@@ -200,9 +213,9 @@ class EyePath {
 }  // namespace
 
 EyePathResult trace_eye_path(const EyePassInput& input, const CameraRay& camera_ray,
-                             RandomStream& random, Refusals& refusals, Arena& arena,
-                             std::span<Rgb> radiance) {
-    return EyePath(input, camera_ray, random, refusals, arena, radiance).trace();
+                             const EyeNumbers& numbers, RandomStream& random, Refusals& refusals,
+                             Arena& arena, std::span<Rgb> radiance) {
+    return EyePath(input, camera_ray, numbers, random, refusals, arena, radiance).trace();
 }
 
 }  // namespace aips

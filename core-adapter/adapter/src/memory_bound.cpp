@@ -24,6 +24,14 @@ std::size_t eye_image_bytes(const Scene& scene, std::size_t paths) {
     return paths * (image + arenas) + last_block;
 }
 
+/// What shadow rays tell, in blocks and joined, and what is learned from it.
+std::size_t light_bytes(const Settings& s, const Scene& scene, std::size_t eye_paths) {
+    if (!s.learn_lights) return 0;
+    const std::size_t samples = eye_paths / kEyePathsPerLightSample + 1;
+    return 2 * samples * kGrowth * sizeof(LightSample) +
+           DirectLight::memory_bound_bytes(scene, samples);
+}
+
 /// Visible points, their Bsdfs, and what is estimated there.
 std::size_t visible_point_bytes(const Scene& scene, std::size_t paths) {
     const std::size_t groups = scene.light_groups();
@@ -71,7 +79,9 @@ std::size_t volume_bytes(const Scene& scene, const Settings& s, std::size_t eye_
 
 std::size_t memory_bound(const Scene& scene, const Needs& needs, std::uint32_t eye_paths,
                          std::size_t pixels) {
-    if (!needs.photons) return eye_image_bytes(scene, eye_paths);
+    const std::size_t eye =
+        eye_image_bytes(scene, eye_paths) + light_bytes(needs.settings, scene, eye_paths);
+    if (!needs.photons) return eye;
     const Settings& settings = needs.settings;
     std::size_t guide = 0;
     if (settings.guide == GuideKind::Paper) guide = PaperGuide::memory_bound_bytes(settings);
@@ -89,7 +99,7 @@ std::size_t memory_bound(const Scene& scene, const Needs& needs, std::uint32_t e
     // What the photons per pass and the adaptive guide go by.
     const std::size_t plan =
         PixelImportance::memory_bound_bytes(pixels) + PassNoiseMeter::memory_bound_bytes(pixels);
-    return eye_image_bytes(scene, eye_paths) + visible_point_bytes(scene, eye_paths) + plan +
+    return eye + visible_point_bytes(scene, eye_paths) + plan +
            OccupancyGrid::memory_bound_bytes(eye_paths) + photon_bytes(settings, eye_paths) +
            guide + radii + volume_bytes(scene, settings, eye_paths);
 }

@@ -53,6 +53,25 @@ void drop_adaptive_parts(Needs& needs, const SceneFacts& facts) {
     }
 }
 
+/// A choice among lights is worth learning where there is one and each pass looks anew.
+void drop_learned_lights(Needs& needs, std::size_t living, const SceneFacts& facts) {
+    Settings& s = needs.settings;
+    if (!s.learn_lights) return;
+    std::string reason;
+    if (!s.direct_light_sampling) {
+        reason = "no shadow rays";
+    } else if (living < 2) {
+        reason = "nothing to choose from";
+    } else if (freezes_eye_pass(s.mode)) {
+        reason = "shadow rays belong to one pass";
+    } else if (!(facts.lobes & kNonSpecular)) {
+        reason = "no surface that asks for lights";
+    }
+    if (reason.empty()) return;
+    s.learn_lights = false;
+    skip(needs, "learned choice of lights", reason);
+}
+
 void drop_guides(Needs& needs, const SceneFacts& facts) {
     const Settings& s = needs.settings;
     if (s.guide == GuideKind::None) {
@@ -104,6 +123,7 @@ Needs analyse(const Scene& scene, const Settings& settings) {
     if (needs.photons && settings.direct_light_sampling) {
         skip(needs, "direct photons", "shadow rays carry direct light");
     }
+    drop_learned_lights(needs, lights.size() - dead, facts);
     if (scene.media()) drop_parts_for_surfaces(needs, facts);
     drop_guides(needs, facts);
     if (!facts.has_media) {

@@ -72,6 +72,7 @@ std::string describe(const Settings& s) {
     out << ", alpha = " << s.alpha << ", seed = " << s.seed;
     if (s.photon_sampler == PhotonSampler::AdaptiveChains) out << ", photonsampler = amc";
     if (s.debug_layers) out << ", debuglayers = true";
+    if (!s.learn_lights) out << ", learnlights = false";
     if (s.guide == GuideKind::Paper) {
         out << ", guideshare = " << s.guide_share << ", iterationphotons = " << s.iteration_photons
             << " paths, nodephotons = " << s.node_photons << ", treedepth = " << s.tree_depth

@@ -62,6 +62,10 @@ void add_parts(std::vector<ResumableCase>& cases) {
     Settings plain = settings_of(GuideKind::Adaptive);
     plain.guide_survival = plain.guide_bounces = plain.guide_emission = false;
     cases.push_back({"measured", plain});
+    // Shadow rays enough for tables of the lights.
+    Settings lights = settings_of(GuideKind::None);
+    lights.photons_per_pass = 1000;
+    cases.push_back({"lights", lights, false, 8, 64, 48});
     // Chains take over after the second pass.
     Settings chains = settings_of(GuideKind::Adaptive);
     chains.photons_per_pass = 500'000;

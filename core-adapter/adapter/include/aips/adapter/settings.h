@@ -54,6 +54,7 @@ struct Settings {
     double alpha = 0.7;       ///< how slowly the radius shrinks: 1 keeps it
     bool include_environment = true;    ///< lights at infinity are seen by eye rays
     bool direct_light_sampling = true;  ///< direct light by shadow rays instead of photons
+    bool learn_lights = true;           ///< shadow rays go where lights were seen to come from
     bool store_glossy = false;          ///< glossy lobes receive photons instead of bouncing
     bool debug_layers = false;          ///< extra layers of the film: docs/debug-layers.md
 

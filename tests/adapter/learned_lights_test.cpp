@@ -88,9 +88,10 @@ TEST(LearnedLights, SameBitsForAnyNumberOfThreads) {
     const mock::View view = rooms();
     const auto image_with = [&](std::size_t threads) {
         const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
-        return mock::render(view.scene, view.camera, kWidth, kHeight, mock::small_settings(7, 1000),
-                            24)
-            .film.image();
+        const auto r = mock::render(view.scene, view.camera, kWidth, kHeight,
+                                    mock::small_settings(7, 1000), 24);
+        EXPECT_LE(r.statistics.memory_bytes, r.statistics.memory_bound_bytes);
+        return r.film.image();
     };
     const auto one = image_with(1);
     EXPECT_EQ(one, image_with(2));

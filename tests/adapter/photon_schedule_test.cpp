@@ -146,8 +146,9 @@ TEST(PhotonSchedule, AMillionWhereNoiseIsNotFollowed) {
 /// Where chains take over, photons keep the share of time that the noise before asked for, whatever
 /// their own noise seems to be; and what passes count for goes by their number alone.
 TEST(PhotonSchedule, ChainsKeepTheirShareOfTimeAndChangeNoWeights) {
-    const auto weights = [](int chains_from, double photon_noise, std::uint32_t& last_paths) {
-        PhotonSchedule schedule({}, kEyePaths, true, true);
+    const auto weights = [](std::uint32_t eye_paths, int chains_from, double photon_noise,
+                            std::uint32_t& last_paths) {
+        PhotonSchedule schedule({}, eye_paths, true, true);
         std::vector<double> all;
         for (int pass = 0; pass < 20; ++pass) {
             last_paths = schedule.next().paths;
@@ -158,11 +159,13 @@ TEST(PhotonSchedule, ChainsKeepTheirShareOfTimeAndChangeNoWeights) {
         return all;
     };
     std::uint32_t last = 0;
-    const std::vector<double> expected = weights(100, 1e4, last);
-    for (const int chains_from : {8, 13}) {
+    // The guide has learned before they begin: after eight passes, or sooner in large images.
+    for (const auto& [eye_paths, chains_from] :
+         {std::pair{kEyePaths, 8}, {kEyePaths, 13}, {250'000u, 2}, {1'000'000u, 1}}) {
+        const std::vector<double> expected = weights(eye_paths, 100, 1e4, last);
         // The least that they may cost, three times the eye's paths, and the most.
         for (const auto& [noise, paths] : {std::pair{1e4, 1.5e5}, {9e5, 3e5}, {1e9, 1e6}}) {
-            EXPECT_EQ(weights(chains_from, noise, last), expected);
+            EXPECT_EQ(weights(eye_paths, chains_from, noise, last), expected);
             EXPECT_NEAR(double(last), paths, 1) << noise << " from " << chains_from;
         }
     }

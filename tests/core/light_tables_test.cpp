@@ -81,7 +81,8 @@ TEST(LightTables, NoLightIsAskedMuchLessThanWithoutThem) {
 }
 
 TEST(LightTables, UnusableSamplesTeachNothing) {
-    LightTables tables = equal_lights(2);
+    const std::vector<float> weights{1, 0};
+    LightTables tables(kScene, DiscreteDistribution(weights), light_table_settings(2));
     const LightSample good{{0.5f, 0.5f, 0}, kUp, 0, 0.5f, 1};
     const float nan = std::numeric_limits<float>::quiet_NaN();
     const float infinity = std::numeric_limits<float>::infinity();
@@ -99,10 +100,16 @@ TEST(LightTables, UnusableSamplesTeachNothing) {
     s.light = 2;
     EXPECT_FALSE(tables.add(s));
     s = good;
+    s.light = 1;
+    EXPECT_FALSE(tables.add(s)) << "a dead light";
+    s = good;
     s.position.x = nan;
     EXPECT_FALSE(tables.add(s));
     tables.update(0);
-    EXPECT_NEAR(tables.at(good.position, kUp).pdf(0), 0.5, 1e-6);
+    EXPECT_EQ(tables.at(good.position, kUp).pdf(0), 1);
+    EXPECT_TRUE(tables.add(good));
+    tables.update(1);
+    EXPECT_EQ(tables.at(good.position, kUp).pdf(1), 0);
 }
 
 TEST(LightTables, SettingsAreChecked) {
@@ -126,7 +133,7 @@ TEST(LightTables, MemoryIsBounded) {
         const std::size_t bound =
             LightTables::memory_bound_bytes(light_table_settings(lights), lights);
         EXPECT_LE(tables.memory_bytes(), bound) << lights;
-        EXPECT_LE(bound, std::size_t{5} << 20) << lights;
+        EXPECT_LE(bound, std::size_t{4} << 20) << lights;
     }
 }
 

@@ -2,6 +2,7 @@
 #include "direct_light.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "light_choice.h"
 
@@ -65,16 +66,27 @@ float DirectLight::pdf(LightIndex light, const SurfacePoint& from, Vec3 wi,
     return choice_at(from).pdf(light) * scene_.lights()[light]->pdf_direct(from, wi, at);
 }
 
-void DirectLight::learn(std::span<const LightSample> samples, std::uint64_t passes) {
-    if (!tables_ || learned_ >= kEnoughSamples) return;
+void DirectLight::learn(std::span<const LightSample> samples, std::uint64_t due,
+                        std::uint64_t passes) {
+    if (!learns()) return;
     waiting_.insert(waiting_.end(), samples.begin(), samples.end());
-    if (waiting_.size() < std::clamp(learned_ / 2, kFewestNew, kMostNew)) return;
+    due_ += due;
+    if (due_ < due_at_most()) return;
     for (const LightSample& sample : waiting_)
         tables_->add(sample);
     tables_->update(waiting_.size());
-    learned_ += waiting_.size();
-    waiting_.clear();
+    learned_ += std::exchange(due_, 0);
     passes_before_ = passes;
+    waiting_.clear();
+    if (!learns()) waiting_.shrink_to_fit();
+}
+
+bool DirectLight::learns() const {
+    return tables_ && learned_ < kEnoughSamples;
+}
+
+std::uint64_t DirectLight::due_at_most() const {
+    return learns() ? std::clamp(learned_ / 2, kFewestNew, kMostNew) : 1;
 }
 
 void DirectLight::state(StateArchive& archive) {
@@ -82,7 +94,11 @@ void DirectLight::state(StateArchive& archive) {
     tables_->state(archive);
     archive.value(learned_);
     archive.value(passes_before_);
-    waiting_.resize(archive.count(waiting_.size(), 9 * sizeof(float)));
+    archive.value(due_);
+    StateArchive::check(due_ < due_at_most(), "shadow rays that would have been learned from");
+    const std::size_t waiting = archive.count(waiting_.size(), 9 * sizeof(float));
+    StateArchive::check(waiting <= due_, "more shadow rays than were to tell");
+    waiting_.resize(waiting);
     for (LightSample& s : waiting_) {
         for (Vec3* v : {&s.position, &s.normal}) {
             for (float* x : {&v->x, &v->y, &v->z})

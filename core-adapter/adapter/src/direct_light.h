@@ -48,15 +48,19 @@ class DirectLight {
     /// Probabilities of the lights to be chosen without knowing where.
     const DiscreteDistribution& choice() const { return choice_; }
 
-    bool learns() const { return tables_.has_value(); }
+    /// Whether there is more to learn.
+    bool learns() const;
     /// After `passes` passes: what shadow rays told, in an order that does not depend on threads.
-    void learn(std::span<const LightSample> samples, std::uint64_t passes);
+    /// `due`: eye paths that were to tell, found by their numbers; at least as many as did. Choices
+    /// are made anew after a number of those: the number that did depends on the numbers they drew.
+    void learn(std::span<const LightSample> samples, std::uint64_t due, std::uint64_t passes);
     /// Passes before the present choices were made. Numbers that are stratified over passes start
     /// anew there: points that keep away from those that were learned from are not independent of
     /// the choices.
     std::uint64_t passes_before() const { return passes_before_; }
     /// Saves or restores what was learned.
     void state(StateArchive& archive);
+    /// Memory held for learning.
     std::size_t memory_bytes() const;
     /// Upper bound of memory_bytes() if it learns, from at most `samples` shadow rays a pass.
     static std::size_t memory_bound_bytes(const Scene& scene, std::size_t samples);
@@ -69,11 +73,14 @@ class DirectLight {
         return tables_ ? tables_->at(point.position, point.geometric_normal) : choice_;
     }
 
+    std::uint64_t due_at_most() const;
+
     const Scene& scene_;
     DiscreteDistribution choice_;
     std::optional<LightTables> tables_;
     std::vector<LightSample> waiting_;  ///< not learned yet: tables are made anew now and then
-    std::uint64_t learned_ = 0;         ///< samples
+    std::uint64_t due_ = 0;             ///< since choices were made, and all before that
+    std::uint64_t learned_ = 0;
     std::uint64_t passes_before_ = 0;
     std::vector<LightIndex> at_infinity_;
 };

@@ -41,9 +41,9 @@ std::unique_ptr<Guide> make_guide(const Scene& scene, const Settings& settings) 
     return std::make_unique<PaperGuide>(scene.bounds(), settings);
 }
 
-/// Costs in photon rays that meet nothing much, the eye's rays being shaded and their film samples
-/// weighed, photons being scattered, stored, gathered and guided: fitted to the phases' times in
-/// thirteen scenes (docs/photons-per-pass.md).
+/// Costs in units of about 0.3 us, the eye's rays being shaded and their film samples weighed,
+/// photons being scattered, stored, gathered and guided: fitted to the phases' times in thirteen
+/// scenes (docs/photons-per-pass.md).
 PassWork pass_work(const PassReport& report, std::uint64_t eye_rays, const PhotonPassTotals& before,
                    const PhotonPassTotals& after) {
     constexpr double kEyeRay = 1.1, kEyePath = 1.2;
@@ -117,7 +117,10 @@ class Engine::State {
         if (report.photon_paths && any_points) radius_policy_->after_pass(flux_);
         const PhotonPassTotals& after = photon_pass_.totals();
         report.rays = eye_rays + after.counts.rays - before.counts.rays;
-        if (report.eye_paths) direct_light_.learn(image_.light_samples, pass + 1);
+        if (report.eye_paths) {
+            direct_light_.learn(image_.light_samples, light_samples_due(report.eye_paths),
+                                pass + 1);
+        }
         learn_from_pass(report, pass_work(report, eye_rays, before, after));
         count(report, eye_rays);
         skip_log_.after_pass(photon_pass_.adaptive(), photon_pass_.chains() != nullptr,

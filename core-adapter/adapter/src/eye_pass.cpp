@@ -26,6 +26,7 @@ void trace_block(const EyePassInput& in, std::uint64_t pass, float time, std::ui
                  Block& block) {
     const std::uint64_t pixels = std::uint64_t(in.width) * in.height;
     const std::uint64_t before = in.direct_light.passes_before();
+    const std::uint32_t stride = eye_paths_per_light_sample(in.paths);
     for (std::uint32_t i = first; i < last; ++i) {
         // Consecutive eye paths walk over the film again and again, whatever their number per pass.
         const std::uint64_t serial = pass * in.paths + i;
@@ -33,14 +34,14 @@ void trace_block(const EyePassInput& in, std::uint64_t pass, float time, std::ui
         const CameraSample sample = in.sampler.camera_sample(
             serial / pixels, std::uint32_t(pixel % in.width), std::uint32_t(pixel / in.width));
         const EyeNumbers numbers(in.settings.seed, before, pixel,
-                                 serial / pixels - before * in.paths / pixels);
+                                 (serial - before * in.paths) / pixels);
         RandomStream random(in.settings.seed, pass, i, RandomDomain::Eye);
         image.positions[i] = sample.film;
         const EyePathResult result = trace_eye_path(
             in, in.camera.generate(sample, time), numbers, random, refusals, arena,
             std::span(image.radiance).subspan(std::size_t(i) * image.groups, image.groups));
         block.rays += result.rays;
-        if (result.light_sample.pdf > 0 && (i + pass) % kEyePathsPerLightSample == 0)
+        if (result.light_sample.pdf > 0 && (i + pass) % stride == 0)
             block.light_samples.push_back(result.light_sample);
         if (result.has_beam) {
             block.beams.push_back(result.beam);

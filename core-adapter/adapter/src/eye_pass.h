@@ -1,6 +1,7 @@
 // The eye pass: camera paths up to the first surface that takes photons.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <vector>
 
@@ -13,8 +14,16 @@
 
 namespace aips {
 
-/// Of so many eye paths one tells what its first shadow ray found, if lights are learned from.
-inline constexpr std::uint32_t kEyePathsPerLightSample = 4;
+/// Of so many of a pass's eye paths one tells what its first shadow ray found, while lights are
+/// learned from: of four, or fewer so that there are about 2^16 at most.
+constexpr std::uint32_t eye_paths_per_light_sample(std::uint32_t paths) {
+    return std::max(4u, paths >> 16);
+}
+
+/// How many of a pass's eye paths are to tell, at most.
+constexpr std::uint32_t light_samples_due(std::uint32_t paths) {
+    return paths / eye_paths_per_light_sample(paths) + 1;
+}
 
 /// Where an eye path first met a surface that takes photons.
 struct VisiblePoint {

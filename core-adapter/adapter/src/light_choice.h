@@ -1,4 +1,5 @@
-// Probability of choosing each light, for photons and shadow rays: in proportion to its power.
+// Probability of choosing each light, in proportion to its power: for photons, for light in media,
+// and for shadow rays before they have learned (light_tables.h).
 #pragma once
 
 #include "aips/adapter/scene.h"

@@ -25,9 +25,9 @@ std::size_t eye_image_bytes(const Scene& scene, std::size_t paths) {
 }
 
 /// What shadow rays tell, in blocks and joined, and what is learned from it.
-std::size_t light_bytes(const Settings& s, const Scene& scene, std::size_t eye_paths) {
+std::size_t light_bytes(const Settings& s, const Scene& scene, std::uint32_t eye_paths) {
     if (!s.learn_lights) return 0;
-    const std::size_t samples = eye_paths / kEyePathsPerLightSample + 1;
+    const std::size_t samples = light_samples_due(eye_paths);
     return 2 * samples * kGrowth * sizeof(LightSample) +
            DirectLight::memory_bound_bytes(scene, samples);
 }

@@ -71,25 +71,28 @@ void PhotonSchedule::plan() {
 void PhotonSchedule::end_pass(const PassWork& work, const PassNoise& noise, bool by_chains) {
     ++pass_;
     next_.before += paths_;
+    const bool chains_begin = by_chains && !by_chains_;
+    by_chains_ = by_chains;
     // What comes first, the eye's estimate of the image or a guide, is blind.
-    if (decided_ || 2 * pass_ > decide_at_) {
+    if (decided_ || 2 * pass_ > decide_at_ || chains_begin) {
         work_.eye += work.eye;
         work_.photons += work.photons;
         noise_.eye += noise.eye;
         noise_.photon_path += noise.photon_path;
         shot_ += paths_;
     }
-    const bool chains_begin = by_chains && !by_chains_;
-    by_chains_ = by_chains;
     // Chains begin when the image says so: what passes count for must not follow from that.
     const bool decides = adapts_ && pass_ == decide_at_;
-    if (decides || (adapts_ && chains_begin && shot_ > 0)) paths_ = best_paths(chains_begin);
-    if (decides) {
-        decide_at_ += std::max<std::uint64_t>(2, pass_ / 4);
-        decided_ = true;
+    if (decides || (adapts_ && chains_begin)) {
+        if (chains_begin) chain_ratio_ = best_ratio();
+        paths_ = best_paths();
         work_ = {};
         noise_ = {};
         shot_ = 0;
+    }
+    if (decides) {
+        decide_at_ += std::max<std::uint64_t>(2, pass_ / 4);
+        decided_ = true;
     }
     plan();
 }
@@ -116,22 +119,24 @@ void PhotonSchedule::state(StateArchive& archive) {
     if (archive.restoring()) plan();
 }
 
-double PhotonSchedule::best_ratio(double even) const {
-    // Noise that photons explain altogether leaves less than none to the eye, by chance.
-    if (!(noise_.eye > 0)) return kGreatestRatio;
-    const double ratio = std::sqrt(std::max(0.0, noise_.photon_path) / (noise_.eye * even));
-    return std::isnan(ratio) ? kGreatestRatio : std::clamp(ratio, kLeastRatio, kGreatestRatio);
-}
-
-std::uint32_t PhotonSchedule::best_paths(bool chains_begin) {
+double PhotonSchedule::even_paths() const {
     const double passes = double(shot_) / paths_;
     const double eye_cost = work_.eye / passes;
     const double path_cost = work_.photons / double(shot_);
-    if (!(eye_cost > 0 && path_cost > 0)) return paths_;
-    const double even = eye_cost / path_cost;
-    if (!std::isfinite(even)) return paths_;
-    if (chains_begin) chain_ratio_ = best_ratio(even);
-    double paths = even * (by_chains_ ? chain_ratio_ : best_ratio(even));
+    return eye_cost > 0 && path_cost > 0 ? eye_cost / path_cost : 0;
+}
+
+double PhotonSchedule::best_ratio() const {
+    // Noise that photons explain altogether leaves less than none to the eye, by chance.
+    if (!(noise_.eye > 0)) return kGreatestRatio;
+    const double ratio = std::sqrt(std::max(0.0, noise_.photon_path) / (noise_.eye * even_paths()));
+    return std::isnan(ratio) ? kGreatestRatio : std::clamp(ratio, kLeastRatio, kGreatestRatio);
+}
+
+std::uint32_t PhotonSchedule::best_paths() const {
+    const double even = even_paths();
+    if (!(even > 0) || !std::isfinite(even)) return paths_;
+    double paths = even * (by_chains_ ? chain_ratio_ : best_ratio());
     if (!by_chains_ && (decided_ || learns_)) {
         // A guide that has just learned will do with less.
         const double rise = decided_ ? kGreatestRise : 1;

@@ -25,7 +25,7 @@ struct PassPhotons {
     double weight = 1;         ///< of the pass in the film
 };
 
-/// Work of a pass in photon rays, counted and not measured: bits do not depend on clocks.
+/// Work of a pass, counted and not measured: bits do not depend on clocks. Any unit.
 struct PassWork {
     double eye = 0;      ///< independent of the number of photons
     double photons = 0;  ///< proportional to it
@@ -43,7 +43,7 @@ class PhotonSchedule {
     bool adapts() const { return adapts_; }
     /// `by_chains`: the passes to come take their photon paths from Markov chains, whose landings
     /// come in clusters: their noise is not known. Photons keep the share of time that the noise
-    /// of those before asked for.
+    /// of the last pass without them, and of those since the last choice, asked for.
     void end_pass(const PassWork& work, const PassNoise& noise, bool by_chains);
     /// Between passes: saves what is planned and what that rests on, or restores it into a new
     /// schedule with the same settings.
@@ -51,9 +51,11 @@ class PhotonSchedule {
 
   private:
     void plan();
-    /// Cost of photons over that of the eye, where `even` photon paths cost as much as the eye.
-    double best_ratio(double even) const;
-    std::uint32_t best_paths(bool chains_begin);
+    /// Photon paths that cost as much as a pass's eye paths; 0 if that is not known.
+    double even_paths() const;
+    /// What photons should cost over what the eye does.
+    double best_ratio() const;
+    std::uint32_t best_paths() const;
 
     bool adapts_, learns_;
     std::uint32_t paths_;

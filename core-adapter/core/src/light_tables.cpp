@@ -14,8 +14,9 @@ constexpr std::uint32_t kFewestLeaves = 6, kMostLeaves = 1024;
 /// Shadow rays that the halves of a leaf start with at most: what it knew is a prior for them.
 constexpr double kInheritedRays = 16;
 
-bool usable(const LightSample& s, std::size_t lights) {
-    return s.light < lights && s.pdf > 0 && s.value >= 0 && std::isfinite(s.value);
+bool usable(const LightSample& s, std::span<const float> plain) {
+    return s.light < plain.size() && plain[s.light] > 0 && s.pdf > 0 && s.value >= 0 &&
+           std::isfinite(s.value);
 }
 
 }  // namespace
@@ -46,7 +47,7 @@ LightTables::LightTables(const Bounds& scene, const DiscreteDistribution& plain,
 }
 
 bool LightTables::add(const LightSample& s) {
-    if (!usable(s, plain_.size())) return false;
+    if (!usable(s, plain_)) return false;
     const double square = double(s.value) * double(s.value) / double(s.pdf);
     if (!places_.add({s.position, s.normal, square, 1})) return false;
     for (Sums* sums : {&leaves_[places_.leaf_at(s.position, s.normal)], &everywhere_}) {
@@ -84,22 +85,21 @@ void LightTables::make_choices() {
     const std::size_t lights = plain_.size();
     const double prior = settings_.prior_count;
     const double of_all = everywhere_.rays > 0 ? prior / everywhere_.rays : 0;
+    std::vector<double> roots(lights);
     std::vector<float> weights(lights);
     for (std::size_t leaf = 0; leaf < leaves_.size(); ++leaf) {
-        const Sums& sums = leaves_[leaf];
         double total = 0;
         for (std::size_t i = 0; i < lights; ++i) {
             // Their common divisor, all rays and the prior's, is left out.
-            const double square = sums.squares[i] + of_all * everywhere_.squares[i];
-            weights[i] = float(std::sqrt(square));
-            total += double(weights[i]);
+            const double square = leaves_[leaf].squares[i] + of_all * everywhere_.squares[i];
+            roots[i] = plain_[i] > 0 ? std::sqrt(square) : 0;
+            total += roots[i];
         }
         const bool known = total > 0 && std::isfinite(total);
         const double share = settings_.plain_share;
         for (std::size_t i = 0; i < lights; ++i) {
             const double plain = double(plain_[i]);
-            weights[i] =
-                float(known ? share * plain + (1 - share) / total * double(weights[i]) : plain);
+            weights[i] = float(known ? share * plain + (1 - share) * (roots[i] / total) : plain);
         }
         choices_[leaf].build(weights);
     }

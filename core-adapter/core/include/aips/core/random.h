@@ -13,7 +13,7 @@ namespace aips {
 /// What a stream of numbers is for; streams of different domains are independent.
 enum class RandomDomain : std::uint8_t {
     Photon,       ///< bounces of a photon path; index: the path
-    Eye,          ///< eye paths; index: the path
+    Eye,          ///< eye paths in media; index: the path
     DirectLight,  ///< shadow rays, where they do not share the eye path's stream
     Guide,        ///< choices of a guide's training
     Time,         ///< the moment of a pass; index 0

@@ -34,6 +34,7 @@ class BsdfShim final : public Bsdf {
         sample = {from(s.wi), from(s.weight), s.pdf, s.lobe, s.straight, s.component};
         return true;
     }
+    float first_specular(Vec3 wo) const override { return bsdf_.first_specular(to(wo)); }
     Rgb albedo(Vec3 wo, LobeMask mask) const override { return from(bsdf_.albedo(to(wo), mask)); }
     bool lambertian(Rgb& kd) const override {
         lxs::Rgb value;

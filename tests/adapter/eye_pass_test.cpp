@@ -69,6 +69,44 @@ TEST(EyePass, ChoiceBetweenStoringAndBouncingIsUnbiased) {
     EXPECT_NEAR(bounced / (64 * 500), 0.3, 0.01);
 }
 
+/// A lamp that glass reflects at 4 % is in each path, at 4 %: not in one of 25, whole.
+TEST(EyePass, LampsAreLookedForBothWays) {
+    mock::Scene scene;
+    mock::Surface glass;
+    glass.shape = mock::Quad{{-2, -2, 0}, {4, 0, 0}, {0, 4, 0}};
+    glass.material.kind = mock::Material::Kind::Glass;
+    scene.add(glass);
+    mock::Surface lamp;
+    lamp.shape = mock::Quad{{-2, -2, 3}, {0, 4, 0}, {4, 0, 0}};
+    lamp.emitted = {10, 10, 10};
+    scene.add(lamp);
+    scene.finish();
+    const EyeImage image = trace(scene, kDown, 8, 64 * 50, mock::small_settings(5, 1));
+    for (const Rgb& radiance : image.radiance)
+        EXPECT_NEAR(radiance.r, 0.04 * 10, 0.01);
+}
+
+/// Shares of all ways are 1: a ball of glass, from outside and within, in front of a wall that
+/// shines everywhere is as bright as the wall, path by path.
+TEST(EyePass, BothWaysTogetherAreTheWhole) {
+    mock::Scene scene;
+    mock::Surface wall;
+    wall.emitted = {2, 2, 2};
+    wall.material.reflectance = {};
+    scene.add_box({-4, -4, -4}, {4, 4, 4}, wall);
+    mock::Surface ball;
+    ball.shape = mock::Ball{{0, 0, 0}, 0.2f, false};
+    ball.material.kind = mock::Material::Kind::Glass;
+    scene.add(ball);
+    scene.finish();
+    Settings settings = mock::small_settings(6, 1);
+    settings.direct_light_sampling = false;
+    settings.max_eye_depth = 64;
+    const EyeImage image = trace(scene, kDown, 8, 64 * 50, settings);
+    for (const Rgb& radiance : image.radiance)
+        EXPECT_NEAR(radiance.r, 2, 2e-3);
+}
+
 TEST(EyePass, LambertianPointsKeepNoBsdf) {
     const EyeImage plain = trace(floor_of({}), kDown, 8, 64, mock::small_settings(4, 1));
     for (const VisiblePoint& point : plain.visible_points)

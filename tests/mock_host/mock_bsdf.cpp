@@ -102,7 +102,7 @@ class Glass final : public SurfaceBsdf {
                 BsdfSample& s) const override {
         if (!(mask & kSpecular)) return false;
         const Vec3 n = normal_towards(wo);
-        const float eta = dot(wo, ng_) > 0 ? 1 / index_ : index_;  // incident over transmitted
+        const float eta = eta_from(wo);
         const float cos_i = dot(wo, n);
         if (cos_i <= 0) return false;
         const float sin2_t = eta * eta * (1 - cos_i * cos_i);
@@ -116,9 +116,16 @@ class Glass final : public SurfaceBsdf {
         s = {n * (eta * cos_i - cos_t) - wo * eta, kWhite * scale, 0, kSpecular, false};
         return !same_side(wo, s.wi);
     }
+    float first_specular(Vec3 wo) const override {
+        const float eta = eta_from(wo), cos_i = dot(wo, normal_towards(wo));
+        const float sin2_t = eta * eta * (1 - cos_i * cos_i);
+        return fresnel(eta, cos_i, sin2_t, std::sqrt(std::max(0.0f, 1 - sin2_t)));
+    }
     Rgb albedo(Vec3, LobeMask mask) const override { return mask & kSpecular ? kWhite : Rgb{}; }
 
   private:
+    /// Incident over transmitted.
+    float eta_from(Vec3 wo) const { return dot(wo, ng_) > 0 ? 1 / index_ : index_; }
     static float fresnel(float eta, float cos_i, float sin2_t, float cos_t) {
         if (sin2_t >= 1) return 1;
         const float parallel = (cos_i - eta * cos_t) / (cos_i + eta * cos_t);

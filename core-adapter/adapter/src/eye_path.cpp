@@ -2,6 +2,8 @@
 // strategy owns which class of paths is tabulated in docs/path-classes.md.
 #include "eye_path.h"
 
+#include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "meet_surface.h"
@@ -26,7 +28,15 @@ class EyePath {
           ray_(camera_ray.ray) {}
 
     EyePathResult trace() {
-        for (std::uint32_t depth = 1; depth <= in_.settings.max_eye_depth; ++depth) {
+        follow(1);
+        if (result_.has_beam) result_.beam.throughput *= beam_weights_ / beam_weight_;
+        return result_;
+    }
+
+  private:
+    /// From vertex number `depth` on.
+    void follow(std::uint32_t depth) {
+        for (; depth <= in_.settings.max_eye_depth; ++depth) {
             const auto mark = arena_.mark();
             SurfacePoint point;
             ++result_.rays;
@@ -47,11 +57,8 @@ class EyePath {
             arena_.rewind(mark);
             if (!go_on) break;
         }
-        if (result_.has_beam) result_.beam.throughput *= beam_weights_ / beam_weight_;
-        return result_;
     }
 
-  private:
     /// Light that the medium scatters into the ray on the way to the next surface: from lights by a
     /// shadow ray, all other by photons.
     void cross_medium(float length) {
@@ -95,7 +102,8 @@ class EyePath {
 
     void add_emitted(const SurfacePoint& point) {
         if (point.light == kNoLight || is_black(point.emitted)) return;
-        add(throughput_ * point.emitted * emission_weight(point.light, &point), point.light);
+        const float weight = lamp_share_ * emission_weight(point.light, &point);
+        add(throughput_ * point.emitted * weight, point.light);
     }
 
     void add_escaped() {
@@ -104,7 +112,7 @@ class EyePath {
         for (const LightIndex i : in_.direct_light.at_infinity()) {
             const Rgb seen = lights[i]->escaped(ray_.direction);
             if (is_black(seen) || !refusals_.accept(seen, refusals_.of_light(i))) continue;
-            add(throughput_ * seen * emission_weight(i, nullptr), i);
+            add(throughput_ * seen * (lamp_share_ * emission_weight(i, nullptr)), i);
         }
     }
 
@@ -114,6 +122,14 @@ class EyePath {
         const VertexNumbers numbers = numbers_.vertex(depth);
         const Vec3 wo = -ray_.direction;
         const LobeMask lobes = point.bsdf->lobes();
+        if (lobes == kSpecular) {
+            if (last) return false;
+            if (branches_ < kMostBranches && !media_) look_the_other_way(point, wo, depth);
+            return bounce(point, wo, kSpecular, 1, numbers.direction(), numbers.lobe());
+        }
+        if (lamps_only_) return false;
+        lamp_share_ = 1;
+        branches_ = kMostBranches;
         const LobeMask receiving = lobes & receiving_lobes(in_.settings);
         const LobeMask bouncing = lobes & ~receiving;
         const float store_pdf = store_probability(point, wo, receiving, last ? 0 : bouncing);
@@ -130,7 +146,32 @@ class EyePath {
         }
         if (last || !bouncing) return false;
         throughput_ *= 1 / (1 - store_pdf);
-        return bounce(point, wo, bouncing, 1 - store_pdf, numbers);
+        return bounce(point, wo, bouncing, 1 - store_pdf, numbers.direction(), numbers.lobe());
+    }
+
+    /// Of the two ways that a smooth surface offers the path takes one. Lamps seen by smooth
+    /// surfaces alone are looked for by the other way too, and count each way by its share: by
+    /// chance alone one path in 25 would meet the lamp that a glass reflects, with all its light.
+    void look_the_other_way(const SurfacePoint& point, Vec3 wo, std::uint32_t depth) {
+        const float first = point.bsdf->first_specular(wo);
+        if (!(first > 0 && first < 1)) return;
+        ++branches_;
+        const VertexNumbers numbers = numbers_.vertex(depth);
+        const float u = numbers.lobe();
+        const bool takes_first = u < first;
+        const float within = takes_first ? u / first : (u - first) / (1 - first);
+        const float other_u = takes_first ? std::min(first + within * (1 - first), 0x1.fffffep-1f)
+                                          : std::min(within * first, std::nextafter(first, 0.0f));
+        EyePath other(*this);
+        other.lamps_only_ = true;
+        other.result_ = {};
+        other.branches_ = kMostBranches;
+        other.lamp_share_ *= takes_first ? 1 - first : first;
+        lamp_share_ *= takes_first ? first : 1 - first;
+        if (other.bounce(point, wo, kSpecular, 1, numbers.direction(), other_u)) {
+            other.follow(depth + 1);
+        }
+        result_.rays += other.result_.rays;
     }
 
     void estimate_direct_light(const DirectLightQuery& query, const VertexNumbers& numbers) {
@@ -167,13 +208,10 @@ class EyePath {
                                     refusals_.accept(v.kd, point.material);
     }
 
-    bool bounce(const SurfacePoint& point, Vec3 wo, LobeMask mask, float choice_pdf,
-                const VertexNumbers& numbers) {
+    bool bounce(const SurfacePoint& point, Vec3 wo, LobeMask mask, float choice_pdf, Vec2 u,
+                float u_lobe) {
         BsdfSample sample;
-        if (!point.bsdf->sample(wo, numbers.direction(), numbers.lobe(), Transport::Radiance, mask,
-                                sample)) {
-            return false;
-        }
+        if (!point.bsdf->sample(wo, u, u_lobe, Transport::Radiance, mask, sample)) return false;
         throughput_ *= sample.weight;
         if (!refusals_.accept(throughput_, point.material) || is_black(throughput_)) return false;
         if (!refusals_.accept_density(sample.pdf, point.material) ||
@@ -190,6 +228,9 @@ class EyePath {
         return true;
     }
 
+    /// Vertices of a path from which the other way is looked along, at most.
+    static constexpr std::uint32_t kMostBranches = 2;
+
     const EyePassInput& in_;
     const CameraRay& camera_ray_;
     const EyeNumbers& numbers_;  // at surfaces
@@ -205,6 +246,9 @@ class EyePath {
     bool last_was_specular_ = true;  // the camera counts as specular: no shadow rays from it
     float bounce_pdf_ = 0;           // of the last scattering that was not straight
     SurfacePoint last_vertex_;       // where that was
+    bool lamps_only_ = false;        // another way: nothing else is collected
+    float lamp_share_ = 1;           // of lamps met, as other ways from smooth surfaces tell too
+    std::uint32_t branches_ = 0;     // vertices from which that was so
     float beam_weights_ = 0;         // of all beams of the path
     float beam_weight_ = 0;          // of the one that is kept
     EyePathResult result_;

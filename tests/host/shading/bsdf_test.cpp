@@ -196,7 +196,7 @@ Vec3 tilted(const Vec3& n, float degrees, float azimuth) {
                               std::sin(theta) * std::sin(azimuth), std::cos(theta)});
 }
 
-// 29 cases with 8 tests each: Sidak-corrected to 0.2 % for all of them together.
+// 29 cases with 9 tests each: Sidak-corrected to 0.2 % for all of them together.
 constexpr double kSignificance = 1e-5;
 
 TEST_P(BsdfTest, SamplesFollowTheDensity) {
@@ -246,6 +246,31 @@ TEST_P(BsdfTest, WeightIsValueTimesCosineOverDensity) {
         for (int c = 0; c < 3; ++c) {
             const float weight = f[c] * std::abs(sample.wi.dot(point.ns)) / pdf;
             ASSERT_NEAR(sample.weight[c], weight, 2e-3f * weight + 1e-6f);
+        }
+    }
+}
+
+/// Where two specular lobes are to choose from, u_lobe is below what is said for the one and not
+/// for the other, each is drawn alike all over its part, and where there is no choice none is said.
+TEST_P(BsdfTest, SaysWhereTheSecondSpecularLobeBegins) {
+    const Bsdf& bsdf = at(bent_point());
+    UniformSource u(11);
+    for (int i = 0; i < 200; ++i) {
+        const Vec3 wo = u.direction();
+        const float first = bsdf.first_specular(wo);
+        ASSERT_GE(first, 0);
+        ASSERT_LE(first, 1);
+        if (!(first > 0 && first < 1)) continue;
+        ASSERT_EQ(bsdf.lobes(), kSpecular);
+        const auto draw = [&](float u_lobe, BsdfSample& sample) {
+            return bsdf.sample(wo, {0, 0}, u_lobe, Transport::Radiance, kSpecular, sample);
+        };
+        BsdfSample begin, end, second;
+        const float below = std::nextafter(first, 0.0f);
+        ASSERT_EQ(draw(0, begin), draw(below, end));
+        EXPECT_EQ(begin.wi, end.wi);
+        if (draw(0, begin) && draw(first, second)) {
+            EXPECT_NE(begin.wi, second.wi);
         }
     }
 }

@@ -40,6 +40,11 @@ Rgb DispersiveGlassBsdf::transmitted(const Vec3& wo) const {
     return carried() * kt_ * (Rgb(1.0f) - share);
 }
 
+float DispersiveGlassBsdf::first_specular(const Vec3& wo) const {
+    const float back = sum(reflected(wo)), through = sum(transmitted(wo));
+    return back + through > 0 ? back / (back + through) : 0;
+}
+
 bool DispersiveGlassBsdf::sample(const Vec3& wo, const Vec2&, float u_lobe, Transport transport,
                                  LobeMask mask, BsdfSample& sample) const {
     if (!(mask & kSpecular)) return false;
@@ -47,9 +52,8 @@ bool DispersiveGlassBsdf::sample(const Vec3& wo, const Vec2&, float u_lobe, Tran
     const Vec3 n = from_front ? ns_ : -ns_;
     if (!(wo.dot(n) > 0)) return false;
     const Rgb back = reflected(wo), through = transmitted(wo);
-    const float total = sum(back) + sum(through);
-    if (!(total > 0)) return false;
-    const float p_reflect = sum(back) / total;
+    if (!(sum(back) + sum(through) > 0)) return false;
+    const float p_reflect = first_specular(wo);
     if (u_lobe < p_reflect) {
         const Vec3 wi = reflect(wo, n);
         sample = {wi, back / p_reflect, 0, kSpecular, false, false};

@@ -18,6 +18,7 @@ class DispersiveGlassBsdf final : public SpecularBsdf {
 
     bool sample(const Vec3& wo, const Vec2& u, float u_lobe, Transport transport, LobeMask mask,
                 BsdfSample& sample) const override;
+    float first_specular(const Vec3& wo) const override;
     Rgb albedo(const Vec3& wo, LobeMask mask) const override;
 
   private:

@@ -7,28 +7,39 @@
 
 namespace lxs::shading {
 
+bool GlassBsdf::meet(const Vec3& wo, Meeting& met) const {
+    const bool from_front = wo.dot(ng_) > 0;
+    met.n = from_front ? ns_ : -ns_;
+    const float cos_o = wo.dot(met.n);
+    if (!(cos_o > 0)) return false;
+    met.eta = from_front ? eta_ : 1 / eta_;
+    const float fresnel = fresnel_dielectric(cos_o, met.eta);
+    met.reflected = kr_ * film_.filter(cos_o) * fresnel;
+    met.transmitted = kt_ * (1 - fresnel);
+    const float total = max_component(met.reflected) + max_component(met.transmitted);
+    if (!(total > 0)) return false;
+    met.p_reflect = max_component(met.reflected) / total;
+    return true;
+}
+
 bool GlassBsdf::sample(const Vec3& wo, const Vec2&, float u_lobe, Transport transport,
                        LobeMask mask, BsdfSample& sample) const {
-    if (!(mask & kSpecular)) return false;
-    const bool from_front = wo.dot(ng_) > 0;
-    const Vec3 n = from_front ? ns_ : -ns_;
-    const float cos_o = wo.dot(n);
-    if (!(cos_o > 0)) return false;
-    const float eta = from_front ? eta_ : 1 / eta_;
-    const float fresnel = fresnel_dielectric(cos_o, eta);
-    const Rgb reflected = kr_ * film_.filter(cos_o) * fresnel, transmitted = kt_ * (1 - fresnel);
-    const float total = max_component(reflected) + max_component(transmitted);
-    if (!(total > 0)) return false;
-    const float p_reflect = max_component(reflected) / total;
-    if (u_lobe < p_reflect) {
-        const Vec3 wi = reflect(wo, n);
-        sample = {wi, reflected / p_reflect, 0, kSpecular, false, false};
+    Meeting met;
+    if (!(mask & kSpecular) || !meet(wo, met)) return false;
+    if (u_lobe < met.p_reflect) {
+        const Vec3 wi = reflect(wo, met.n);
+        sample = {wi, met.reflected / met.p_reflect, 0, kSpecular, false, false};
         return same_side(wo, wi, ng_);
     }
-    const Vec3 wi = refract(wo, n, eta);
-    const float scale = transport == Transport::Radiance ? 1 / (eta * eta) : 1.0f;
-    sample = {wi, transmitted * (scale / (1 - p_reflect)), 0, kSpecular, true, false};
+    const Vec3 wi = refract(wo, met.n, met.eta);
+    const float scale = transport == Transport::Radiance ? 1 / (met.eta * met.eta) : 1.0f;
+    sample = {wi, met.transmitted * (scale / (1 - met.p_reflect)), 0, kSpecular, true, false};
     return wo.dot(ng_) * wi.dot(ng_) < 0;
+}
+
+float GlassBsdf::first_specular(const Vec3& wo) const {
+    Meeting met;
+    return meet(wo, met) ? met.p_reflect : 0;
 }
 
 Rgb GlassBsdf::albedo(const Vec3& wo, LobeMask mask) const {

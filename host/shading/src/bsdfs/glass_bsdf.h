@@ -15,9 +15,20 @@ class GlassBsdf final : public SpecularBsdf {
 
     bool sample(const Vec3& wo, const Vec2& u, float u_lobe, Transport transport, LobeMask mask,
                 BsdfSample& sample) const override;
+    float first_specular(const Vec3& wo) const override;
     Rgb albedo(const Vec3& wo, LobeMask mask) const override;
 
   private:
+    /// What a ray that comes from `wo` meets.
+    struct Meeting {
+        Vec3 n;         ///< shading normal, on the side of wo
+        float eta = 1;  ///< index behind over index before
+        Rgb reflected{0.0f}, transmitted{0.0f};
+        float p_reflect = 0;  ///< with which `sample` reflects
+    };
+    /// False if nothing is scattered.
+    bool meet(const Vec3& wo, Meeting& met) const;
+
     Rgb kr_, kt_;
     float eta_;
     ThinFilm film_;

@@ -21,15 +21,19 @@ Rgb ThinGlassBsdf::reflection(const Vec3& wo) const {
                            : Rgb(0.0f);
 }
 
+float ThinGlassBsdf::first_specular(const Vec3& wo) const {
+    const float back = max_component(reflection(wo));
+    const float through = max_component(thin_glass_transmission(kt_, eta_, wo.dot(ns_)));
+    return back + through > 0 ? back / (back + through) : 0;
+}
+
 bool ThinGlassBsdf::sample(const Vec3& wo, const Vec2&, float u_lobe, Transport, LobeMask mask,
                            BsdfSample& sample) const {
     if (!(mask & kSpecular)) return false;
-    const float cos_o = wo.dot(ns_);
     const Rgb reflected = reflection(wo);
-    const Rgb transmitted = thin_glass_transmission(kt_, eta_, cos_o);
-    const float total = max_component(reflected) + max_component(transmitted);
-    if (!(total > 0)) return false;
-    const float p_reflect = max_component(reflected) / total;
+    const Rgb transmitted = thin_glass_transmission(kt_, eta_, wo.dot(ns_));
+    if (!(max_component(reflected) + max_component(transmitted) > 0)) return false;
+    const float p_reflect = first_specular(wo);
     if (u_lobe >= p_reflect) {
         sample = {-wo, transmitted / (1 - p_reflect), 0, kSpecular, true, true};
         return true;

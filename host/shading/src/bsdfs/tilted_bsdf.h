@@ -27,6 +27,7 @@ class TiltedBsdf final : public Bsdf {
     float pdf(const Vec3& wo, const Vec3& wi, LobeMask mask) const override;
     bool sample(const Vec3& wo, const Vec2& u, float u_lobe, Transport transport, LobeMask mask,
                 BsdfSample& sample) const override;
+    float first_specular(const Vec3& wo) const override { return part_.first_specular(wo); }
     Rgb albedo(const Vec3& wo, LobeMask mask) const override { return part_.albedo(wo, mask); }
 
   private:

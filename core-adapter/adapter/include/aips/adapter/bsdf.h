@@ -49,6 +49,10 @@ class Bsdf {
     /// Draws a direction; false when the light is absorbed.
     virtual bool sample(Vec3 wo, Vec2 u, float u_lobe, Transport transport, LobeMask mask,
                         BsdfSample& sample) const = 0;
+    /// Where `sample` has two specular lobes to choose from, and no other, the probability that it
+    /// takes the first of them: it does where u_lobe is below, else it takes the second. 0: there
+    /// is no such choice. With it lamps are looked for both ways.
+    virtual float first_specular(Vec3 /*wo*/) const { return 0; }
     /// Approximate albedo in [0, 1], for choices only, never as a value of the image.
     virtual Rgb albedo(Vec3 wo, LobeMask mask) const = 0;
     /// True and Kd if this is exactly f = Kd / pi on both sides, so that it can be kept compactly.

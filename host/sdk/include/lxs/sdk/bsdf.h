@@ -52,6 +52,10 @@ class Bsdf {
     /// `u_lobe`. False when nothing is scattered (absorbed); `sample.weight` is then not set.
     virtual bool sample(const Vec3& wo, const Vec2& u, float u_lobe, Transport transport,
                         LobeMask mask, BsdfSample& sample) const = 0;
+    /// Where `sample` has two specular lobes to choose from, and no other, the probability that it
+    /// takes the first of them: it does where u_lobe is below, else it takes the second. 0: there
+    /// is no such choice. Lets integrators go both ways.
+    virtual float first_specular(const Vec3& /*wo*/) const { return 0; }
     /// Approximate albedo per channel of the lobes in `mask` seen from `wo`, in [0, 1]; used for
     /// choosing between strategies only, never as a value of the image.
     virtual Rgb albedo(const Vec3& wo, LobeMask mask) const = 0;

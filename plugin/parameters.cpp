@@ -116,6 +116,9 @@ std::vector<ParameterDeclaration> guide_declarations() {
          "With guide adaptive: adaptive Markov chains (as photonsampler amc) take the guide's "
          "place "
          "where next to no photon path reaches what is seen."},
+        {"guidescout", ParameterType::Bool, "true",
+         "With guide adaptive: left out where a first look shows that many photon paths reach what "
+         "is seen without it."},
     };
 }
 
@@ -230,6 +233,7 @@ void read_guide(const lxs::ParameterReader& in, Settings& s) {
     s.guide_bounces = in.boolean("guidebounces", s.guide_bounces);
     s.guide_survival = in.boolean("guidesurvival", s.guide_survival);
     s.guide_chains = in.boolean("guidechains", s.guide_chains);
+    s.guide_scout = in.boolean("guidescout", s.guide_scout);
 }
 
 void read_radius(const lxs::ParameterReader& in, Settings& s) {

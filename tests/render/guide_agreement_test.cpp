@@ -30,11 +30,12 @@ statistics::BlockMeans renders(const std::filesystem::path& scene, const std::st
                                const render::Folder& folder) {
     statistics::BlockMeans means;
     for (unsigned seed = kFirstSeed; seed < kFirstSeed + kSeeds; ++seed) {
-        const auto image = render::render(
-            scene,
-            "--passes 2 --set aips.photonperpass=60000 --set aips.startradius=4 --set aips.guide=" +
-                guide + " --seed " + std::to_string(seed),
-            folder);
+        const auto image =
+            render::render(scene,
+                           "--passes 2 --set aips.photonperpass=60000 --set aips.startradius=4 "
+                           "--set aips.guidescout=false --set aips.guide=" +
+                               guide + " --seed " + std::to_string(seed),
+                           folder);
         means.push_back(image.block_means(kBlock));
     }
     return means;

@@ -18,8 +18,8 @@ TEST(ThreadBits, SameExrWithOneTwoAndSevenThreads) {
     const render::Folder folder;
     for (const std::string scene : {"glass-ball", "cornell-box"}) {
         const auto file = render::small_scene(scene, folder, 120, 80);
-        for (const std::string guide :
-             {"none", "paper", "adaptive", "adaptive --set aips.guidebounces=false"}) {
+        for (const std::string guide : {"none", "paper", "adaptive --set aips.guidescout=false",
+                                        "adaptive --set aips.guidebounces=false"}) {
             const std::string arguments =
                 "--passes 3 --seed 5 --set aips.photonperpass=40000 --set aips.guide=" + guide;
             const auto one = render::render(file, arguments + " --threads 1", folder);

@@ -7,10 +7,12 @@
 
 #include "aips/core/random.h"
 #include "debug_layers.h"
+#include "guide_scout.h"
 #include "memory_bound.h"
 #include "needs.h"
 #include "paper_guide.h"
 #include "pass_noise.h"
+#include "pass_work.h"
 #include "photon_pass.h"
 #include "photon_schedule.h"
 #include "pixel_estimate.h"
@@ -39,24 +41,6 @@ std::uint32_t eye_paths_per_pass(const Host& host, const Settings& settings) {
 std::unique_ptr<Guide> make_guide(const Scene& scene, const Settings& settings) {
     if (settings.guide != GuideKind::Paper) return nullptr;
     return std::make_unique<PaperGuide>(scene.bounds(), settings);
-}
-
-/// Costs in units of about 0.3 us, the eye's rays being shaded and their film samples weighed,
-/// photons being scattered, stored, gathered and guided: fitted to the phases' times in thirteen
-/// scenes (docs/photons-per-pass.md).
-PassWork pass_work(const PassReport& report, std::uint64_t eye_rays, const PhotonPassTotals& before,
-                   const PhotonPassTotals& after) {
-    constexpr double kEyeRay = 1.1, kEyePath = 1.2;
-    constexpr double kRay = 0.8, kBounce = 0.8, kGathered = 0.6;
-    constexpr double kGuidedEmission = 0.8, kGuidedBounce = 1.8;
-    const auto difference = [](std::uint64_t from, std::uint64_t to) { return double(to - from); };
-    const PhotonCounts &first = before.counts, &last = after.counts;
-    return {kEyeRay * double(eye_rays) + kEyePath * double(report.eye_paths),
-            kRay * difference(first.rays, last.rays) +
-                kBounce * difference(first.bounces, last.bounces) +
-                kGuidedEmission * difference(first.guided_emissions, last.guided_emissions) +
-                kGuidedBounce * difference(first.guided_bounces, last.guided_bounces) +
-                kGathered * difference(before.gathered, after.gathered)};
 }
 
 }  // namespace
@@ -92,9 +76,10 @@ class Engine::State {
         report.eye_paths = trace_eye_paths(pass, time);
         if (pass == 0) warn_of_lost_precision(image_, host_.log);
         const std::uint64_t eye_rays = report.eye_paths ? image_.rays : 0;
+        const bool any_points = !image_.visible_points.empty();
+        if (pass == 0 && any_points) leave_out_needless_guide(time);
         const PhotonPassTotals before = photon_pass_.totals();
         const PassPhotons photons = photons_.next();
-        const bool any_points = !image_.visible_points.empty();
         if (needs_.photons && (any_points || !image_.beams.empty())) {
             if (any_points) radii = radius_policy_->before_pass(pass, photons, image_);
             report.radius = radii.mean;
@@ -121,7 +106,7 @@ class Engine::State {
             direct_light_.learn(image_.light_samples, light_samples_due(report.eye_paths),
                                 pass + 1);
         }
-        learn_from_pass(report, pass_work(report, eye_rays, before, after));
+        learn_from_pass(report, pass_work(report.eye_paths, eye_rays, before, after));
         count(report, eye_rays);
         skip_log_.after_pass(photon_pass_.adaptive(), photon_pass_.chains() != nullptr,
                              after.counts);
@@ -177,6 +162,10 @@ class Engine::State {
         archive.amount(statistics_.radius);
         refusals_.state(archive);
         skip_log_.state(archive);
+        archive.value(needless_guide_);
+        StateArchive::check(!needless_guide_ || settings_.guide == GuideKind::Adaptive,
+                            "a guide left out that was not asked for");
+        if (archive.restoring() && needless_guide_) leave_out_guide();
         photons_.state(archive);
         direct_light_.state(archive);
         if (guide_) guide_->state(archive);
@@ -221,7 +210,25 @@ class Engine::State {
     }
 
     /// Whether a guide learns that lessens the weight of the first photon paths.
-    bool learns() const { return settings_.guide == GuideKind::Adaptive; }
+    bool learns() const { return settings_.guide == GuideKind::Adaptive && !needless_guide_; }
+
+    /// Before the first photon path. In media scores know surfaces alone, and so does the share.
+    void leave_out_needless_guide(float time) {
+        if (!needs_.photons || !learns() || !settings_.guide_scout || host_.scene.media()) return;
+        const Stopwatch watch(statistics_.plan_seconds);
+        const double radius = initial_radius(settings_, image_, smallest_radius(host_.scene));
+        const double seen = seen_share(host_.scene, settings_, time, image_, float(radius));
+        if (seen < kSeenWithoutGuide) return;
+        leave_out_guide();
+        skip_log_.needless_guide(seen);
+    }
+
+    void leave_out_guide() {
+        needless_guide_ = true;
+        photon_pass_.leave_out_guide();
+        photons_ = PhotonSchedule(settings_, eye_paths_, needs_.photons, learns());
+        if (!photons_.adapts()) importance_.reset();
+    }
 
     std::optional<PixelImportance> make_importance() const {
         if (!learns() && !photons_.adapts()) return {};
@@ -291,6 +298,7 @@ class Engine::State {
     DirectLight direct_light_;
     Refusals refusals_;
     std::unique_ptr<Guide> guide_;
+    bool needless_guide_ = false;  // the adaptive one: enough photons are seen without
     PhotonSchedule photons_;
     std::optional<PixelImportance> importance_;  // if something steers by it
     std::optional<PassNoiseMeter> noise_;        // if the photons per pass follow it

@@ -43,6 +43,8 @@ class PhotonPass {
         if (volume_) volume_->add_to(image, photon_paths, refusals, radiance);
     }
 
+    /// Before the first pass: photons go without the adaptive guide, for good.
+    void leave_out_guide() { adaptive_.reset(); }
     /// Between passes: whether the next one takes its photon paths from chains.
     bool chained_next() const {
         return chained_ || (adaptive_ && adaptive_->gives_way_to_chains());

@@ -84,7 +84,8 @@ std::string describe(const Settings& s) {
             << ", eyeseeding = " << (s.eye_seeding ? "true" : "false")
             << ", guidebounces = " << (s.guide_bounces ? "true" : "false")
             << ", guidesurvival = " << (s.guide_survival ? "true" : "false")
-            << ", guidechains = " << (s.guide_chains ? "true" : "false");
+            << ", guidechains = " << (s.guide_chains ? "true" : "false")
+            << ", guidescout = " << (s.guide_scout ? "true" : "false");
     }
     return out.str();
 }

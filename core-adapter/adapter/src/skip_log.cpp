@@ -38,6 +38,10 @@ void SkipLog::no_visible_points(bool for_good) {
                           "so in each pass where none does");
 }
 
+void SkipLog::needless_guide(double seen) {
+    log_->info("skipped the guide: " + percent(seen) + " of the photon paths are seen without it");
+}
+
 void SkipLog::say_switch(bool off, bool& was_off, const std::string& part, double gain) {
     if (off == was_off) return;
     was_off = off;

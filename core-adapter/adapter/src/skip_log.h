@@ -24,6 +24,8 @@ class SkipLog {
     void start(const Needs& needs);
     /// A pass shot no photons, for lack of visible points; `for_good` if all passes see the same.
     void no_visible_points(bool for_good);
+    /// The adaptive guide is left out, as this share of unguided photon paths is seen.
+    void needless_guide(double seen);
     /// A pass has ended. `guide` is null but for guide=adaptive; `chained`: its photon paths came
     /// from Markov chains; `photons`: of all passes so far.
     void after_pass(const AdaptiveGuide* guide, bool chained, const PhotonCounts& photons);

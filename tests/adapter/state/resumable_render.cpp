@@ -62,6 +62,10 @@ void add_parts(std::vector<ResumableCase>& cases) {
     Settings plain = settings_of(GuideKind::Adaptive);
     plain.guide_survival = plain.guide_bounces = plain.guide_emission = false;
     cases.push_back({"measured", plain});
+    Settings needless = settings_of(GuideKind::Adaptive);
+    needless.guide_scout = true;
+    needless.photons_per_pass = 0;
+    cases.push_back({"needless_guide", needless, false, 8});
     // Shadow rays enough for tables of the lights.
     Settings lights = settings_of(GuideKind::None);
     lights.photons_per_pass = 1000;

@@ -71,6 +71,7 @@ struct Settings {
     bool eye_seeding = true;    ///< guide=adaptive learns from the eye where photons ought to start
     bool guide_bounces = true;  ///< guide=adaptive guides where photons go on to
     bool guide_survival = true;  ///< guide=adaptive decides which photons go on
+    bool guide_scout = true;   ///< guide=adaptive is left out where a first look tells it can't pay
     bool guide_chains = true;  ///< guide=adaptive gives way to chains where next to nothing is seen
 
     RadiusKind radius = RadiusKind::Schedule;  ///< mode=progressive; other modes have their own

@@ -1,0 +1,70 @@
+// Protects the first look at a scene: the share of photon paths that are seen is what it ought to
+// be, and where it is large guide=adaptive gives the bits of guide=none.
+#include "guide_scout.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "render_mock.h"
+
+namespace {
+
+using namespace aips;
+
+constexpr std::uint32_t kWidth = 16, kHeight = 12;
+
+bool says(const mock::Log& log, std::string_view what) {
+    return std::ranges::any_of(
+        log.lines, [&](const std::string& line) { return line.find(what) != std::string::npos; });
+}
+
+mock::Rendering render(const mock::View& view, GuideKind guide, std::uint32_t photons) {
+    Settings settings = mock::small_settings(7, photons);
+    settings.guide = guide;
+    settings.guide_scout = true;
+    return mock::render(view.scene, view.camera, kWidth, kHeight, settings, 6);
+}
+
+/// A lamp in the middle of a box, of whose six walls the eye sees one.
+TEST(SeenShare, IsThatOfTheWallThatIsSeen) {
+    mock::Scene scene;
+    scene.add_box({-1, -1, -1}, {1, 1, 1}, {});
+    scene.add_point_light({0, 0, 0}, {1, 1, 1});
+    scene.finish();
+    Settings settings = mock::small_settings(8, 1);
+    settings.direct_light_sampling = false;
+    settings.max_photon_depth = 1;
+    constexpr std::uint32_t kSize = 128;
+    const auto camera = mock::camera_along_y({0, 0, 0}, 1, kSize, kSize);
+    const mock::Sampler sampler(settings.seed);
+    const DirectLight direct(scene, false);
+    Refusals refusals(scene);
+    EyeImage image;
+    trace_eye_pass({scene, camera, sampler, direct, settings, kSize, kSize, kSize * kSize}, 0, 0,
+                   refusals, image);
+    // The rim of the other walls, a radius wide, is near what is seen.
+    EXPECT_NEAR(seen_share(scene, settings, 0, image, 0.02f), 1.0 / 6, 0.02);
+}
+
+/// With a number of photons that is given, and with one that follows the noise.
+TEST(GuideScout, WhereMostIsSeenPhotonsGoAsWithoutAGuide) {
+    const mock::View view = mock::half_mirror_view(kWidth, kHeight);
+    for (const std::uint32_t photons : {5000u, 0u}) {
+        const mock::Rendering scouted = render(view, GuideKind::Adaptive, photons);
+        const mock::Rendering unguided = render(view, GuideKind::None, photons);
+        EXPECT_TRUE(says(scouted.log, "skipped the guide"));
+        EXPECT_EQ(scouted.film.image(), unguided.film.image()) << photons;
+        EXPECT_EQ(scouted.statistics.photon_paths, unguided.statistics.photon_paths);
+        EXPECT_EQ(scouted.statistics.guide_bytes, 0u);
+    }
+}
+
+TEST(GuideScout, WhereLittleIsSeenTheGuideStays) {
+    const mock::View view = mock::wide_view(20, kWidth, kHeight);
+    const mock::Rendering scouted = render(view, GuideKind::Adaptive, 5000);
+    EXPECT_FALSE(says(scouted.log, "skipped the guide"));
+    EXPECT_GT(scouted.statistics.guide_bytes, 0u);
+}
+
+}  // namespace

@@ -14,8 +14,8 @@ using lxs::ParameterType;
 
 /// By number of Mode.
 constexpr std::array<std::string_view, 3> kModes{"progressive", "photonmap", "ppm"};
-/// By number of RadiusKind.
 constexpr std::array<std::string_view, 2> kRadii{"schedule", "adaptive"};
+constexpr std::array<std::string_view, 3> kRadiiOfAips{"automatic", "schedule", "adaptive"};
 constexpr std::array<std::string_view, 3> kGuides{"none", "paper", "adaptive"};
 constexpr std::array<std::string_view, 2> kPhotonSamplers{"halton", "amc"};
 constexpr double kMaxCount = 4294967295.0;
@@ -123,14 +123,26 @@ std::vector<ParameterDeclaration> guide_declarations() {
 }
 
 /// Of plugins that have mode progressive.
-ParameterDeclaration radius_declaration() {
-    ParameterDeclaration d{"radius", ParameterType::String, "schedule",
-                           "How the radius goes on in mode progressive: schedule, the same at all "
-                           "visible points, falling with the photons shot; adaptive, at each "
-                           "visible point the one that balances noise and bias, between an eighth "
-                           "of the scheduled and four times it (after Kaplanyan and Dachsbacher "
-                           "2013). The other modes have radii of their own: no effect there."};
-    d.choices = kRadii;
+ParameterDeclaration radius_declaration(PluginKind kind) {
+    constexpr std::string_view kDoc =
+        "How the radius goes on in mode progressive: schedule, the same at all visible points, "
+        "falling with the photons shot; adaptive, at each visible point the one that balances "
+        "noise and bias, between an eighth of the scheduled and four times it (after Kaplanyan and "
+        "Dachsbacher 2013). The other modes have radii of their own: no effect there.";
+    constexpr std::string_view kDocOfAips =
+        "How the radius goes on in mode progressive: schedule, the same at all visible points, "
+        "falling with the photons shot; adaptive, at each visible point the one that balances "
+        "noise and bias, between an eighth of the scheduled and four times it (after Kaplanyan and "
+        "Dachsbacher 2013); automatic, adaptive unless startradius or alpha ask for a schedule of "
+        "their own, or guide is paper. The other modes have radii of their own: no effect there.";
+    const bool aips = kind == PluginKind::Aips;
+    ParameterDeclaration d{"radius", ParameterType::String, aips ? "automatic" : "schedule",
+                           aips ? kDocOfAips : kDoc};
+    if (aips) {
+        d.choices = kRadiiOfAips;
+    } else {
+        d.choices = kRadii;
+    }
     return d;
 }
 
@@ -185,7 +197,9 @@ std::vector<ParameterDeclaration> declarations_of(PluginKind kind) {
     if (kind == PluginKind::Aips) append(all, guide_declarations());
     append(all, common_declarations());
     all.push_back(photons_declaration(kind));
-    if (kind == PluginKind::Aips || kind == PluginKind::Sppm) all.push_back(radius_declaration());
+    if (kind == PluginKind::Aips || kind == PluginKind::Sppm) {
+        all.push_back(radius_declaration(kind));
+    }
     if (kind != PluginKind::ExPhotonMap) all.push_back(photon_sampler_declaration());
     append(all,
            kind == PluginKind::ExPhotonMap ? foreign_map_declarations() : foreign_declarations());
@@ -236,8 +250,18 @@ void read_guide(const lxs::ParameterReader& in, Settings& s) {
     s.guide_scout = in.boolean("guidescout", s.guide_scout);
 }
 
-void read_radius(const lxs::ParameterReader& in, Settings& s) {
-    if (in.string("radius", kRadii[0]) == kRadii[0]) return;
+void read_radius(PluginKind kind, const lxs::ParameterReader& in, Settings& s) {
+    const bool aips = kind == PluginKind::Aips;
+    const std::string radius = in.string("radius", aips ? kRadiiOfAips[0] : kRadii[0]);
+    if (radius == "schedule") return;
+    if (radius == "automatic") {
+        // Who gives a radius, or how it falls, wants that one; the paper's engine has one radius.
+        const bool own = in.given("startradius") || in.given("alpha");
+        const bool adapts = s.mode == Mode::Progressive && s.guide != GuideKind::Paper &&
+                            s.photon_sampler == PhotonSampler::Sequence;
+        if (!own && adapts) s.radius = RadiusKind::Adaptive;
+        return;
+    }
     s.radius = RadiusKind::Adaptive;
     if (!adapts_radius(s)) {
         in.diagnostics().warning(in.where("radius"),
@@ -274,11 +298,13 @@ Settings read_settings(PluginKind kind, const lxs::ParameterReader& parameters) 
     settings.guide = GuideKind::None;
     if (kind == PluginKind::Aips) read_guide(parameters, settings);
     if (kind == PluginKind::Ppm) settings.mode = Mode::Ppm;
-    if (kind == PluginKind::Aips || kind == PluginKind::Sppm) read_radius(parameters, settings);
     if (kind == PluginKind::ExPhotonMap) {
         settings.mode = Mode::PhotonMap;
     } else {
         read_photon_sampler(parameters, settings);
+    }
+    if (kind == PluginKind::Aips || kind == PluginKind::Sppm) {
+        read_radius(kind, parameters, settings);
     }
     return settings;
 }

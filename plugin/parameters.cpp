@@ -127,12 +127,12 @@ ParameterDeclaration radius_declaration(PluginKind kind) {
     constexpr std::string_view kDoc =
         "How the radius goes on in mode progressive: schedule, the same at all visible points, "
         "falling with the photons shot; adaptive, at each visible point the one that balances "
-        "noise and bias, between an eighth of the scheduled and four times it (after Kaplanyan and "
+        "noise and bias, between an eighth of the scheduled and twice it (after Kaplanyan and "
         "Dachsbacher 2013). The other modes have radii of their own: no effect there.";
     constexpr std::string_view kDocOfAips =
         "How the radius goes on in mode progressive: schedule, the same at all visible points, "
         "falling with the photons shot; adaptive, at each visible point the one that balances "
-        "noise and bias, between an eighth of the scheduled and four times it (after Kaplanyan and "
+        "noise and bias, between an eighth of the scheduled and twice it (after Kaplanyan and "
         "Dachsbacher 2013); automatic, adaptive unless startradius or alpha ask for a schedule of "
         "their own, or guide is paper. The other modes have radii of their own: no effect there.";
     const bool aips = kind == PluginKind::Aips;

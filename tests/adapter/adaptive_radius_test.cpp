@@ -128,9 +128,9 @@ TEST(AdaptiveRadius, StaysWithinBoundsOfTheSchedule) {
             adaptive.after_pass(flux_with(radii, sums));
         }
         EXPECT_GE(least, 0.125f * 0.9999f);
-        EXPECT_LE(greatest, 4 * 1.0001f);
+        EXPECT_LE(greatest, 2 * 1.0001f);
         if (excess == 0) {
-            EXPECT_GT(greatest, 3.9f);
+            EXPECT_GT(greatest, 1.95f);
         } else {
             EXPECT_LT(least, 0.126f);
         }

@@ -14,8 +14,8 @@ using lxs::ParameterType;
 
 /// By number of Mode.
 constexpr std::array<std::string_view, 3> kModes{"progressive", "photonmap", "ppm"};
-constexpr std::array<std::string_view, 2> kRadii{"schedule", "adaptive"};
-constexpr std::array<std::string_view, 3> kRadiiOfAips{"automatic", "schedule", "adaptive"};
+/// The first is the default of aips, and of it alone; LuxRender's plugins have the others.
+constexpr std::array<std::string_view, 3> kRadii{"automatic", "schedule", "adaptive"};
 constexpr std::array<std::string_view, 3> kGuides{"none", "paper", "adaptive"};
 constexpr std::array<std::string_view, 2> kPhotonSamplers{"halton", "amc"};
 constexpr double kMaxCount = 4294967295.0;
@@ -122,27 +122,21 @@ std::vector<ParameterDeclaration> guide_declarations() {
     };
 }
 
+std::span<const std::string_view> radii_of(PluginKind kind) {
+    return std::span(kRadii).subspan(kind == PluginKind::Aips ? 0 : 1);
+}
+
 /// Of plugins that have mode progressive.
 ParameterDeclaration radius_declaration(PluginKind kind) {
-    constexpr std::string_view kDoc =
-        "How the radius goes on in mode progressive: schedule, the same at all visible points, "
-        "falling with the photons shot; adaptive, at each visible point the one that balances "
-        "noise and bias, between an eighth of the scheduled and twice it (after Kaplanyan and "
-        "Dachsbacher 2013). The other modes have radii of their own: no effect there.";
-    constexpr std::string_view kDocOfAips =
-        "How the radius goes on in mode progressive: schedule, the same at all visible points, "
-        "falling with the photons shot; adaptive, at each visible point the one that balances "
-        "noise and bias, between an eighth of the scheduled and twice it (after Kaplanyan and "
-        "Dachsbacher 2013); automatic, adaptive unless startradius or alpha ask for a schedule of "
-        "their own, or guide is paper. The other modes have radii of their own: no effect there.";
-    const bool aips = kind == PluginKind::Aips;
-    ParameterDeclaration d{"radius", ParameterType::String, aips ? "automatic" : "schedule",
-                           aips ? kDocOfAips : kDoc};
-    if (aips) {
-        d.choices = kRadiiOfAips;
-    } else {
-        d.choices = kRadii;
-    }
+    ParameterDeclaration d{"radius", ParameterType::String, radii_of(kind).front(),
+                           "How the radius goes on in mode progressive: schedule, the same at all "
+                           "visible points, falling with the photons shot; adaptive, at each "
+                           "visible point the one that balances noise and bias, between an eighth "
+                           "of the scheduled and twice it (after Kaplanyan and Dachsbacher 2013); "
+                           "automatic, in aips alone, adaptive unless startradius or alpha ask for "
+                           "a schedule of their own, or guide is paper. The other modes have radii "
+                           "of their own: no effect there."};
+    d.choices = radii_of(kind);
     return d;
 }
 
@@ -251,8 +245,7 @@ void read_guide(const lxs::ParameterReader& in, Settings& s) {
 }
 
 void read_radius(PluginKind kind, const lxs::ParameterReader& in, Settings& s) {
-    const bool aips = kind == PluginKind::Aips;
-    const std::string radius = in.string("radius", aips ? kRadiiOfAips[0] : kRadii[0]);
+    const std::string radius = in.string("radius", radii_of(kind).front());
     if (radius == "schedule") return;
     if (radius == "automatic") {
         // Who gives a radius, or how it falls, wants that one; the paper's engine has one radius.

@@ -1,23 +1,14 @@
 // Protects the eye pass: where visible points arise, and what footprint they carry.
 #include <gtest/gtest.h>
 
-#include "eye_pass.h"
 #include "render_mock.h"
+#include "traced_eye_image.h"
 
 namespace {
 
 using namespace aips;
 
-EyeImage trace(const mock::Scene& scene, const mock::Camera& camera, std::uint32_t size,
-               std::uint32_t paths, const Settings& settings) {
-    const mock::Sampler sampler(settings.seed);
-    const DirectLight direct(scene, false);
-    Refusals refusals(scene);
-    EyeImage image;
-    trace_eye_pass({scene, camera, sampler, direct, settings, size, size, paths}, 0, 0, refusals,
-                   image);
-    return image;
-}
+using mock::traced_eye_image;
 
 mock::Scene floor_of(const mock::Material& material) {
     mock::Scene scene;
@@ -35,7 +26,7 @@ mock::Scene floor_of(const mock::Material& material) {
 const mock::Camera kDown{{0, 0, 1}, {0, 0, -1}, {0.25f, 0, 0}, {0, 0.25f, 0}, 8, 8};
 
 TEST(EyePass, FootprintIsHalfAPixelAtTheSurface) {
-    const EyeImage image = trace(floor_of({}), kDown, 8, 64, mock::small_settings(1, 1));
+    const EyeImage image = traced_eye_image(floor_of({}), kDown, 8, 64, mock::small_settings(1, 1));
     ASSERT_EQ(image.visible_points.size(), 64u);
     // Half width of the view at distance 1 is 0.25, so half a pixel is 0.25 / 8; rays off the axis
     // travel up to 6 % further.
@@ -46,7 +37,8 @@ TEST(EyePass, MirrorsAreFollowedToTheNextReceiver) {
     mock::Material mirror;
     mirror.kind = mock::Material::Kind::Mirror;
     mirror.reflectance = {0.5f, 0.5f, 0.5f};
-    const EyeImage image = trace(floor_of(mirror), kDown, 8, 64, mock::small_settings(2, 1));
+    const EyeImage image =
+        traced_eye_image(floor_of(mirror), kDown, 8, 64, mock::small_settings(2, 1));
     ASSERT_EQ(image.visible_points.size(), 64u);
     for (const VisiblePoint& point : image.visible_points) {
         EXPECT_NEAR(point.position.z, 3, 1e-4);
@@ -60,7 +52,8 @@ TEST(EyePass, ChoiceBetweenStoringAndBouncingIsUnbiased) {
     mock::Material both;
     both.kind = mock::Material::Kind::LambertAndMirror;
     both.specular = {0.3f, 0.3f, 0.3f};
-    const EyeImage image = trace(floor_of(both), kDown, 8, 64 * 500, mock::small_settings(3, 1));
+    const EyeImage image =
+        traced_eye_image(floor_of(both), kDown, 8, 64 * 500, mock::small_settings(3, 1));
     double stored = 0, bounced = 0;
     for (const VisiblePoint& point : image.visible_points) {
         (point.position.z < 1 ? stored : bounced) += point.throughput.r;
@@ -81,7 +74,7 @@ TEST(EyePass, LampsAreLookedForBothWays) {
     lamp.emitted = {10, 10, 10};
     scene.add(lamp);
     scene.finish();
-    const EyeImage image = trace(scene, kDown, 8, 64 * 50, mock::small_settings(5, 1));
+    const EyeImage image = traced_eye_image(scene, kDown, 8, 64 * 50, mock::small_settings(5, 1));
     for (const Rgb& radiance : image.radiance)
         EXPECT_NEAR(radiance.r, 0.04 * 10, 0.01);
 }
@@ -102,18 +95,19 @@ TEST(EyePass, BothWaysTogetherAreTheWhole) {
     Settings settings = mock::small_settings(6, 1);
     settings.direct_light_sampling = false;
     settings.max_eye_depth = 64;
-    const EyeImage image = trace(scene, kDown, 8, 64 * 50, settings);
+    const EyeImage image = traced_eye_image(scene, kDown, 8, 64 * 50, settings);
     for (const Rgb& radiance : image.radiance)
         EXPECT_NEAR(radiance.r, 2, 2e-3);
 }
 
 TEST(EyePass, LambertianPointsKeepNoBsdf) {
-    const EyeImage plain = trace(floor_of({}), kDown, 8, 64, mock::small_settings(4, 1));
+    const EyeImage plain = traced_eye_image(floor_of({}), kDown, 8, 64, mock::small_settings(4, 1));
     for (const VisiblePoint& point : plain.visible_points)
         EXPECT_EQ(point.bsdf, nullptr);
     mock::Material hidden;
     hidden.hide_lambert = true;
-    const EyeImage general = trace(floor_of(hidden), kDown, 8, 64, mock::small_settings(4, 1));
+    const EyeImage general =
+        traced_eye_image(floor_of(hidden), kDown, 8, 64, mock::small_settings(4, 1));
     for (const VisiblePoint& point : general.visible_points)
         EXPECT_NE(point.bsdf, nullptr);
 }

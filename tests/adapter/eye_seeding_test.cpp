@@ -7,21 +7,13 @@
 #include "eye_seeding.h"
 #include "light_choice.h"
 #include "render_mock.h"
+#include "traced_eye_image.h"
 
 namespace {
 
 using namespace aips;
 
-EyeImage trace_eye(const mock::Scene& scene, const mock::Camera& camera, std::uint32_t size,
-                   const Settings& settings) {
-    const mock::Sampler sampler(settings.seed);
-    const DirectLight direct(scene, false);
-    Refusals refusals(scene);
-    EyeImage image;
-    trace_eye_pass({scene, camera, sampler, direct, settings, size, size, size * size}, 0, 0,
-                   refusals, image);
-    return image;
-}
+constexpr std::uint32_t kSize = 64, kEyePaths = kSize * kSize;
 
 std::vector<EmissionSeed> find(const mock::Scene& scene, const Settings& settings,
                                const EyeImage& image, std::uint64_t pass = 0) {
@@ -73,7 +65,8 @@ double share_near_view(const mock::Scene& scene, const std::vector<PrimaryPoint>
 TEST(EyeSeeding, SunOverAWideGroundIsSeededWhereTheEyeLooks) {
     const mock::Scene scene = wide_ground();
     const Settings settings = mock::small_settings(1, 1);
-    const EyeImage image = trace_eye(scene, view_beside_the_pillar(), 64, settings);
+    const EyeImage image =
+        mock::traced_eye_image(scene, view_beside_the_pillar(), kSize, kEyePaths, settings);
     const auto seeds = find(scene, settings, image);
     ASSERT_GT(seeds.size(), 10u);
     std::vector<PrimaryPoint> guided, plain;
@@ -95,7 +88,7 @@ TEST(EyeSeeding, DirectLightIsSeededWherePhotonsOwnIt) {
     const mock::Scene scene = wide_ground();
     Settings settings = mock::small_settings(2, 1);
     mock::Camera above = view_from_above();
-    EyeImage image = trace_eye(scene, above, 64, settings);
+    EyeImage image = mock::traced_eye_image(scene, above, kSize, kEyePaths, settings);
     std::erase_if(image.visible_points, [](const VisiblePoint& v) { return v.position.z < 1; });
     ASSERT_GT(image.visible_points.size(), 1000u);
     EXPECT_TRUE(find(scene, settings, image).empty());
@@ -180,7 +173,7 @@ TEST(EyeSeeding, BitsDoNotDependOnThreads) {
     const mock::Scene scene = mock::lamp_box({}, {});
     const Settings settings = mock::small_settings(5, 1);
     const mock::Camera camera = mock::camera_along_y({0, -0.9f, 0}, 0.5f, 64, 64);
-    const EyeImage image = trace_eye(scene, camera, 64, settings);
+    const EyeImage image = mock::traced_eye_image(scene, camera, kSize, kEyePaths, settings);
     const auto with_threads = [&](std::size_t threads, std::uint64_t pass) {
         const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
         return find(scene, settings, image, pass);

@@ -7,6 +7,7 @@
 #include <algorithm>
 
 #include "render_mock.h"
+#include "traced_eye_image.h"
 
 namespace {
 
@@ -37,12 +38,7 @@ TEST(SeenShare, IsThatOfTheWallThatIsSeen) {
     settings.max_photon_depth = 1;
     constexpr std::uint32_t kSize = 128;
     const auto camera = mock::camera_along_y({0, 0, 0}, 1, kSize, kSize);
-    const mock::Sampler sampler(settings.seed);
-    const DirectLight direct(scene, false);
-    Refusals refusals(scene);
-    EyeImage image;
-    trace_eye_pass({scene, camera, sampler, direct, settings, kSize, kSize, kSize * kSize}, 0, 0,
-                   refusals, image);
+    const EyeImage image = mock::traced_eye_image(scene, camera, kSize, kSize * kSize, settings);
     // The rim of the other walls, a radius wide, is near what is seen.
     EXPECT_NEAR(seen_share(scene, settings, 0, image, 0.02f), 1.0 / 6, 0.02);
 }

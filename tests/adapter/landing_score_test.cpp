@@ -40,10 +40,7 @@ double score(const std::vector<VisiblePoint>& points, const SearchRadii& radii,
              const Landing& landing, float weight = 1) {
     EyeImage image;
     image.visible_points = points;
-    std::vector<Vec3> positions;
-    positions.reserve(points.size());
-    for (const VisiblePoint& point : points)
-        positions.push_back(point.position);
+    const std::vector<Vec3> positions = positions_of(points);
     const std::vector<float> weights(points.size(), weight);
     LandingScore scores;
     scores.build(image, positions, radii, weights);

@@ -81,9 +81,7 @@ std::vector<std::uint32_t> nodes_by_boxes(const NodeTree& tree) {
 TEST(NodeLayers, ShowTheTreeAtTheVisiblePoints) {
     PaperGuide guide(unit_box(), tiny_tree());
     const EyeImage image = floor_from_above();
-    std::vector<Vec3> eye;
-    for (const VisiblePoint& point : image.visible_points)
-        eye.push_back(point.position);
+    const std::vector<Vec3> eye = positions_of(image.visible_points);
     BounceTally bounces(guide, 6);
     guide.begin_pass(eye, image.positions.size());
     bounces.begin_pass();

@@ -105,9 +105,8 @@ class Glass final : public SurfaceBsdf {
         const float eta = eta_from(wo);
         const float cos_i = dot(wo, n);
         if (cos_i <= 0) return false;
-        const float sin2_t = eta * eta * (1 - cos_i * cos_i);
-        const float cos_t = std::sqrt(std::max(0.0f, 1 - sin2_t));
-        if (u_lobe < fresnel(eta, cos_i, sin2_t, cos_t)) {
+        const float cos_t = cos_behind(eta, cos_i);
+        if (u_lobe < fresnel(eta, cos_i, cos_t)) {
             s = {reflect(wo), kWhite, 0, kSpecular, false};
             return same_side(wo, s.wi);
         }
@@ -118,16 +117,18 @@ class Glass final : public SurfaceBsdf {
     }
     float first_specular(Vec3 wo) const override {
         const float eta = eta_from(wo), cos_i = dot(wo, normal_towards(wo));
-        const float sin2_t = eta * eta * (1 - cos_i * cos_i);
-        return fresnel(eta, cos_i, sin2_t, std::sqrt(std::max(0.0f, 1 - sin2_t)));
+        return fresnel(eta, cos_i, cos_behind(eta, cos_i));
     }
     Rgb albedo(Vec3, LobeMask mask) const override { return mask & kSpecular ? kWhite : Rgb{}; }
 
   private:
     /// Incident over transmitted.
     float eta_from(Vec3 wo) const { return dot(wo, ng_) > 0 ? 1 / index_ : index_; }
-    static float fresnel(float eta, float cos_i, float sin2_t, float cos_t) {
-        if (sin2_t >= 1) return 1;
+    /// Of the refracted direction; 0 where all is reflected, which makes fresnel() 1.
+    static float cos_behind(float eta, float cos_i) {
+        return std::sqrt(std::max(0.0f, 1 - eta * eta * (1 - cos_i * cos_i)));
+    }
+    static float fresnel(float eta, float cos_i, float cos_t) {
         const float parallel = (cos_i - eta * cos_t) / (cos_i + eta * cos_t);
         const float perpendicular = (eta * cos_i - cos_t) / (eta * cos_i + cos_t);
         return 0.5f * (parallel * parallel + perpendicular * perpendicular);

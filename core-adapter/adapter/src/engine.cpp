@@ -56,7 +56,7 @@ class Engine::State {
           direct_light_(host.scene, settings_.learn_lights),
           refusals_(host.scene),
           guide_(make_guide(host.scene, settings_)),
-          photons_(settings_, eye_paths_, needs_.photons, learns()),
+          photons_(make_schedule()),
           importance_(make_importance()),
           photon_pass_(host.scene, settings_, guide_.get(), importance_ ? &*importance_ : nullptr),
           radius_policy_(
@@ -226,8 +226,12 @@ class Engine::State {
     void leave_out_guide() {
         needless_guide_ = true;
         photon_pass_.leave_out_guide();
-        photons_ = PhotonSchedule(settings_, eye_paths_, needs_.photons, learns());
-        if (!photons_.adapts()) importance_.reset();
+        photons_ = make_schedule();
+        importance_ = make_importance();
+    }
+
+    PhotonSchedule make_schedule() const {
+        return {settings_, eye_paths_, needs_.photons, learns()};
     }
 
     std::optional<PixelImportance> make_importance() const {

@@ -90,6 +90,14 @@ std::size_t EyeImage::memory_bytes() const {
     return bytes;
 }
 
+std::vector<Vec3> positions_of(std::span<const VisiblePoint> points) {
+    std::vector<Vec3> positions;
+    positions.reserve(points.size());
+    for (const VisiblePoint& point : points)
+        positions.push_back(point.position);
+    return positions;
+}
+
 void trace_eye_pass(const EyePassInput& in, std::uint64_t pass, float time, Refusals& refusals,
                     EyeImage& image) {
     const std::uint32_t block_count =

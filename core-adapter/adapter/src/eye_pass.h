@@ -61,6 +61,9 @@ struct EyeImage {
     std::size_t memory_bytes() const;
 };
 
+/// Where visible points are, in their order.
+std::vector<Vec3> positions_of(std::span<const VisiblePoint> points);
+
 /// Luminance of an eye path, or of a visible point, over its light groups in `values`:
 /// [path * groups + group].
 inline float luminance_over_groups(std::span<const Rgb> values, std::size_t path,

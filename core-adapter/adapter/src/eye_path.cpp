@@ -124,8 +124,11 @@ class EyePath {
         const LobeMask lobes = point.bsdf->lobes();
         if (lobes == kSpecular) {
             if (last) return false;
-            if (branches_ < kMostBranches && !media_) look_the_other_way(point, wo, depth);
-            return bounce(point, wo, kSpecular, 1, numbers.direction(), numbers.lobe());
+            const Vec2 u = numbers.direction();
+            const float u_lobe = numbers.lobe();
+            if (branches_ < kMostBranches && !media_)
+                look_the_other_way(point, wo, u, u_lobe, depth);
+            return bounce(point, wo, kSpecular, 1, u, u_lobe);
         }
         if (lamps_only_) return false;
         lamp_share_ = 1;
@@ -152,14 +155,13 @@ class EyePath {
     /// Of the two ways that a smooth surface offers the path takes one. Lamps seen by smooth
     /// surfaces alone are looked for by the other way too, and count each way by its share: by
     /// chance alone one path in 25 would meet the lamp that a glass reflects, with all its light.
-    void look_the_other_way(const SurfacePoint& point, Vec3 wo, std::uint32_t depth) {
+    void look_the_other_way(const SurfacePoint& point, Vec3 wo, Vec2 u, float u_lobe,
+                            std::uint32_t depth) {
         const float first = point.bsdf->first_specular(wo);
         if (!(first > 0 && first < 1)) return;
         ++branches_;
-        const VertexNumbers numbers = numbers_.vertex(depth);
-        const float u = numbers.lobe();
-        const bool takes_first = u < first;
-        const float within = takes_first ? u / first : (u - first) / (1 - first);
+        const bool takes_first = u_lobe < first;
+        const float within = takes_first ? u_lobe / first : (u_lobe - first) / (1 - first);
         const float other_u = takes_first ? std::min(first + within * (1 - first), 0x1.fffffep-1f)
                                           : std::min(within * first, std::nextafter(first, 0.0f));
         EyePath other(*this);
@@ -168,9 +170,7 @@ class EyePath {
         other.branches_ = kMostBranches;
         other.lamp_share_ *= takes_first ? 1 - first : first;
         lamp_share_ *= takes_first ? first : 1 - first;
-        if (other.bounce(point, wo, kSpecular, 1, numbers.direction(), other_u)) {
-            other.follow(depth + 1);
-        }
+        if (other.bounce(point, wo, kSpecular, 1, u, other_u)) other.follow(depth + 1);
         result_.rays += other.result_.rays;
     }
 

@@ -18,12 +18,8 @@ constexpr std::uint64_t kFirstPath = std::uint64_t{1} << 62;
 
 double seen_share(const Scene& scene, const Settings& settings, float time, const EyeImage& image,
                   float radius) {
-    std::vector<Vec3> positions;
-    positions.reserve(image.visible_points.size());
-    for (const VisiblePoint& point : image.visible_points)
-        positions.push_back(point.position);
     OccupancyGrid occupancy;
-    occupancy.build(positions, radius);
+    occupancy.build(positions_of(image.visible_points), radius);
 
     const DiscreteDistribution choice = light_choice(scene);
     PhotonInput input{scene, settings, choice};

@@ -29,10 +29,7 @@ void PhotonPass::begin_pass(std::uint64_t pass, const PassPhotons& photons, floa
     }
     const bool reach_lasts = freezes_eye_pass(settings_.mode) && reach_ == radii.reach();
     if (guide_ || guiding() || !reach_lasts) {
-        std::vector<Vec3> positions;
-        positions.reserve(image.visible_points.size());
-        for (const VisiblePoint& point : image.visible_points)
-            positions.push_back(point.position);
+        const std::vector<Vec3> positions = positions_of(image.visible_points);
         if (!reach_lasts) mark_reach(positions, radii.reach());
         const Stopwatch watch(totals_.guide_seconds);
         if (guide_) guide_->begin_pass(positions, image.positions.size());

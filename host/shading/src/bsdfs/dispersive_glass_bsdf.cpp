@@ -41,8 +41,7 @@ Rgb DispersiveGlassBsdf::transmitted(const Vec3& wo) const {
 }
 
 float DispersiveGlassBsdf::first_specular(const Vec3& wo) const {
-    const float back = sum(reflected(wo)), through = sum(transmitted(wo));
-    return back + through > 0 ? back / (back + through) : 0;
+    return share_of_first(sum(reflected(wo)), sum(transmitted(wo)));
 }
 
 bool DispersiveGlassBsdf::sample(const Vec3& wo, const Vec2&, float u_lobe, Transport transport,
@@ -53,7 +52,7 @@ bool DispersiveGlassBsdf::sample(const Vec3& wo, const Vec2&, float u_lobe, Tran
     if (!(wo.dot(n) > 0)) return false;
     const Rgb back = reflected(wo), through = transmitted(wo);
     if (!(sum(back) + sum(through) > 0)) return false;
-    const float p_reflect = first_specular(wo);
+    const float p_reflect = share_of_first(sum(back), sum(through));
     if (u_lobe < p_reflect) {
         const Vec3 wi = reflect(wo, n);
         sample = {wi, back / p_reflect, 0, kSpecular, false, false};

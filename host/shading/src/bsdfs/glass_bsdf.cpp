@@ -16,10 +16,9 @@ bool GlassBsdf::meet(const Vec3& wo, Meeting& met) const {
     const float fresnel = fresnel_dielectric(cos_o, met.eta);
     met.reflected = kr_ * film_.filter(cos_o) * fresnel;
     met.transmitted = kt_ * (1 - fresnel);
-    const float total = max_component(met.reflected) + max_component(met.transmitted);
-    if (!(total > 0)) return false;
-    met.p_reflect = max_component(met.reflected) / total;
-    return true;
+    const float back = max_component(met.reflected), through = max_component(met.transmitted);
+    met.p_reflect = share_of_first(back, through);
+    return back + through > 0;
 }
 
 bool GlassBsdf::sample(const Vec3& wo, const Vec2&, float u_lobe, Transport transport,

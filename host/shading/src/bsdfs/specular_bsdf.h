@@ -6,6 +6,13 @@
 
 namespace lxs::shading {
 
+/// Probability of the first of two lobes, in proportion to what they weigh (>= 0); 0 if that is
+/// nothing for both.
+inline float share_of_first(float first, float second) {
+    const float total = first + second;
+    return total > 0 ? first / total : 0;
+}
+
 /// A Bsdf that `evaluate` and `pdf` never see.
 class SpecularBsdf : public Bsdf {
   public:

@@ -22,9 +22,8 @@ Rgb ThinGlassBsdf::reflection(const Vec3& wo) const {
 }
 
 float ThinGlassBsdf::first_specular(const Vec3& wo) const {
-    const float back = max_component(reflection(wo));
-    const float through = max_component(thin_glass_transmission(kt_, eta_, wo.dot(ns_)));
-    return back + through > 0 ? back / (back + through) : 0;
+    const Rgb transmitted = thin_glass_transmission(kt_, eta_, wo.dot(ns_));
+    return share_of_first(max_component(reflection(wo)), max_component(transmitted));
 }
 
 bool ThinGlassBsdf::sample(const Vec3& wo, const Vec2&, float u_lobe, Transport, LobeMask mask,
@@ -32,8 +31,9 @@ bool ThinGlassBsdf::sample(const Vec3& wo, const Vec2&, float u_lobe, Transport,
     if (!(mask & kSpecular)) return false;
     const Rgb reflected = reflection(wo);
     const Rgb transmitted = thin_glass_transmission(kt_, eta_, wo.dot(ns_));
-    if (!(max_component(reflected) + max_component(transmitted) > 0)) return false;
-    const float p_reflect = first_specular(wo);
+    const float back = max_component(reflected), through = max_component(transmitted);
+    if (!(back + through > 0)) return false;
+    const float p_reflect = share_of_first(back, through);
     if (u_lobe >= p_reflect) {
         sample = {-wo, transmitted / (1 - p_reflect), 0, kSpecular, true, true};
         return true;

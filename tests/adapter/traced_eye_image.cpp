@@ -1,0 +1,17 @@
+// One eye pass by itself.
+#include "traced_eye_image.h"
+
+namespace mock {
+
+aips::EyeImage traced_eye_image(const Scene& scene, const Camera& camera, std::uint32_t size,
+                                std::uint32_t paths, const aips::Settings& settings) {
+    const Sampler sampler(settings.seed);
+    const aips::DirectLight direct(scene, false);
+    aips::Refusals refusals(scene);
+    aips::EyeImage image;
+    trace_eye_pass({scene, camera, sampler, direct, settings, size, size, paths}, 0, 0, refusals,
+                   image);
+    return image;
+}
+
+}  // namespace mock

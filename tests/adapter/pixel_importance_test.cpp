@@ -1,10 +1,11 @@
-// Protects the weights of errors by pixel: 1 / (L^2 + eps) of the blurred image so far, finite and
-// positive whatever the image.
+// Protects the weights of errors by pixel: 1 / (L^2 + eps) of the blurred image so far, of one
+// scale in all passes, finite and positive whatever the image.
 #include "pixel_importance.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numeric>
 
 #include "aips/core/random.h"
 #include "image_of_pixels.h"
@@ -26,25 +27,57 @@ std::vector<Rgb> uniform(double value) {
     return std::vector<Rgb>(kPixels, kWhite * float(value));
 }
 
-std::vector<float> weights_of(const PixelImportance& importance, const EyeImage& image) {
-    std::vector<float> weights;
-    importance.weigh(image, weights);
-    EXPECT_EQ(weights.size(), image.visible_points.size());
-    for (const float w : weights)
+/// Weights as they are before they are divided by their mean.
+std::vector<double> weights_of(const PixelImportance& importance, const EyeImage& image) {
+    std::vector<float> relative;
+    const double mean = importance.weigh(image, relative);
+    EXPECT_EQ(relative.size(), image.visible_points.size());
+    EXPECT_TRUE(std::isfinite(mean) && mean > 0) << mean;
+    std::vector<double> weights;
+    for (const float w : relative) {
         EXPECT_TRUE(std::isfinite(w) && w > 0) << w;
+        weights.push_back(mean * double(w));
+    }
     return weights;
+}
+
+double mean_of(const std::vector<float>& values) {
+    return std::accumulate(values.begin(), values.end(), 0.0) / double(values.size());
 }
 
 double weight(double luminance, double mean) {
     return 1 / (luminance * luminance + kDarkest * kDarkest * mean * mean);
 }
 
-TEST(PixelImportance, UniformBeforeTheFirstPass) {
+/// What the eye saw by itself says nothing of how bright photons will make it.
+TEST(PixelImportance, LowBeforeTheFirstPass) {
     EyeImage image = eye_image(2);
     for (std::size_t i = 0; i < image.radiance.size(); ++i)
-        image.radiance[i] = kWhite * (i % 4 == 0 ? 3.0f : 1.0f);  // mean of both groups' sum: 3
-    for (const float w : weights_of(PixelImportance(kWidth, kHeight), image))
-        EXPECT_NEAR(w, 1.0 / 9, 1e-6);
+        image.radiance[i] = kWhite * (i % 4 == 0 ? 3.0f : 1.0f);
+    for (const double w : weights_of(PixelImportance(kWidth, kHeight), image))
+        EXPECT_EQ(w, double(PixelImportance::kUnknownWeight));
+}
+
+/// A guide adds up what it learns in all passes: scores must not depend on the scene's units, nor
+/// on how much of its light has been found.
+TEST(PixelImportance, MeanWeightIsOneInAnyUnits) {
+    const EyeImage image = eye_image();
+    std::vector<std::vector<float>> found;
+    for (const double unit : {1.0, 0x1p-20, 0x1p20}) {
+        PixelImportance importance(kWidth, kHeight);
+        for (int pass = 0; pass < 3; ++pass) {
+            auto radiance = uniform(0);
+            for (std::size_t i = 0; i < radiance.size(); ++i)
+                radiance[i] = kWhite * float(unit * double((i * 7919 + std::size_t(pass)) % 31));
+            importance.add_pass(image, radiance);
+            std::vector<float> weights;
+            importance.weigh(image, weights);
+            EXPECT_NEAR(mean_of(weights), 1, 1e-5) << unit << " pass " << pass;
+            if (pass == 2) found.push_back(weights);
+        }
+    }
+    EXPECT_EQ(found[1], found[0]);
+    EXPECT_EQ(found[2], found[0]);
 }
 
 /// Windows end at the image's border: pixels beyond are no black ones.
@@ -53,7 +86,7 @@ TEST(PixelImportance, BorderPixelsWeighAsOthersInAnEvenImage) {
     PixelImportance importance(kWidth, kHeight);
     for (int pass = 0; pass < 3; ++pass) {
         importance.add_pass(image, uniform(2));
-        for (const float w : weights_of(importance, image))
+        for (const double w : weights_of(importance, image))
             EXPECT_NEAR(w, weight(2, 2), 1e-5);
     }
 }
@@ -102,7 +135,7 @@ TEST(PixelImportance, WeightsAreOfTheBlurredMean) {
         for (int y = 0; y < int(kHeight); ++y) {
             for (int x = 0; x < int(kWidth); ++x) {
                 const double w = weight(box_mean(sums, counts, x, y, radius), total / paths);
-                const float found = weights[std::size_t(y) * kWidth + std::size_t(x)];
+                const double found = weights[std::size_t(y) * kWidth + std::size_t(x)];
                 ASSERT_NEAR(found, w, 1e-3 * w) << x << ", " << y << " pass " << pass;
             }
         }

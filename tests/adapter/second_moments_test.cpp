@@ -22,6 +22,7 @@ constexpr Cells kPlain{0.25, 0.25, 0.25, 0.25}, kGuided{0.1, 0.3, 0.5, 0.1};
 
 /// Of guiding a path.
 constexpr double kGuideCost = 0.25;
+constexpr LeastGain kLeast{1.4, 1.25};
 
 /// Second moment times mean cost of a path drawn by `p`, at `more` than the cells' own cost.
 double work(const Cells& p, double more) {
@@ -81,8 +82,8 @@ TEST(SecondMoments, NothingIsGainedBeforeAnythingWasWorthSomething) {
     EXPECT_EQ(moments.gain(), 1);
     moments.add(0, 3, 0, 1, 1, 2);
     EXPECT_EQ(moments.gain(), 1);
-    EXPECT_FALSE(moments.pays(false));
-    EXPECT_FALSE(moments.pays(true));
+    EXPECT_FALSE(moments.pays(false, kLeast));
+    EXPECT_FALSE(moments.pays(true, kLeast));
 }
 
 /// A sample for each group.
@@ -95,13 +96,13 @@ void add_to_all(SecondMoments& moments, double score, double cost, double guided
 TEST(SecondMoments, NoSinglePathDecides) {
     SecondMoments moments = measured(kPlain, 100000, 3001);
     const double gain = moments.gain();
-    EXPECT_TRUE(moments.pays(true));
+    EXPECT_TRUE(moments.pays(true, kLeast));
     for (int i = 0; i < 2; ++i)
         moments.add(1e9, 1, kGuideCost, 1, 1, 0.15);
     EXPECT_NEAR(moments.gain(), gain, 0.03 * gain);
 }
 
-/// On above kGain, off below kStayGain, and between the two as before.
+/// On above one gain, off below the other, and between the two as before.
 TEST(SecondMoments, SwitchHasHysteresis) {
     // One path of cost c, twice as probable with the guide: moments 1 : 1/2, costs 1 : 2, gain 1.
     // A second one without worth, less probable, makes the guide's cost less.
@@ -115,8 +116,8 @@ TEST(SecondMoments, SwitchHasHysteresis) {
     const auto check = [&](double rest, bool from_off, bool from_on) {
         const SecondMoments moments = with_cheaper_rest(rest);
         EXPECT_DOUBLE_EQ(moments.gain(), (1 + rest) / (1 + rest / 4));
-        EXPECT_EQ(moments.pays(false), from_off) << rest;
-        EXPECT_EQ(moments.pays(true), from_on) << rest;
+        EXPECT_EQ(moments.pays(false, kLeast), from_off) << rest;
+        EXPECT_EQ(moments.pays(true, kLeast), from_on) << rest;
     };
     check(0.2, false, false);  // 1.14
     check(0.5, false, true);   // 1.33
@@ -124,7 +125,7 @@ TEST(SecondMoments, SwitchHasHysteresis) {
     SecondMoments loses;
     add_to_all(loses, 1, 1, 0.5);
     add_to_all(loses, 0, 1, 1.5);
-    EXPECT_FALSE(loses.pays(true));
+    EXPECT_FALSE(loses.pays(true, kLeast));
 }
 
 TEST(SecondMoments, OldSamplesFadeAndAreOutvoted) {

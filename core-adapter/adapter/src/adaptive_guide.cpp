@@ -62,7 +62,7 @@ std::uint64_t AdaptiveGuide::begin_pass(std::uint64_t pass, float time, const Ey
                                         std::span<const Vec3> positions, const SearchRadii& radii) {
     rest_or_wake();
     if (!awake()) return 0;
-    importance_.weigh(image, weights_);
+    mean_weight_ = importance_.weigh(image, weights_);
     score_.build(image, positions, radii, weights_);
     const bool seeds =
         emission() && settings_.eye_seeding && paths_ < kSeededPaths && !seeding_given_up();
@@ -219,7 +219,7 @@ void AdaptiveGuide::state(StateArchive& archive) {
         rest->state(archive);
     for (std::uint64_t* count : {&paths_, &walks_, &seeds_found_, &visible_logged_})
         archive.value(*count);
-    for (double* sum : {&logged_, &visible_})
+    for (double* sum : {&logged_, &visible_, &mean_weight_})
         archive.amount(*sum);
 }
 

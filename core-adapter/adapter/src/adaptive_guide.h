@@ -72,9 +72,9 @@ class AdaptiveGuide {
     /// Whether parts of it were tried and none pays: nothing is learned.
     bool resting() const { return !awake(); }
     double survival_gain() const { return survival_switch_.gain(); }
-    /// Mean score of a photon path times its mean cost in rays: the error of equal-time images,
-    /// about, in units of the scene's own. Of the last paths; 0 before anything was scored.
-    double score_times_cost() const { return path_means_.score_times_cost(); }
+    /// Mean score of a photon path times its mean cost in rays: the relative error of equal-time
+    /// images, about. Of the last paths; 0 before anything was scored.
+    double score_times_cost() const { return mean_weight_ * path_means_.score_times_cost(); }
     std::size_t node_count() const { return emission_.leaf_count(); }
     std::size_t memory_bytes() const;
     static std::size_t memory_bound_bytes(const Scene& scene, const Settings& settings,
@@ -107,7 +107,8 @@ class AdaptiveGuide {
     SurvivalSwitch survival_switch_;
     std::optional<BounceGuide> bounces_;  // if directions are guided
     PathMeans path_means_;
-    std::vector<float> weights_;          // [visible point]
+    std::vector<float> weights_;          // [visible point], over mean_weight_
+    double mean_weight_ = 1;              // of the last pass that was learned from
     std::vector<EmissionSeed> seeds_;     // of this pass
     std::vector<std::uint32_t> scored_;   // landings of logged paths, path after path
     std::vector<double> landing_scores_;  // as scored_

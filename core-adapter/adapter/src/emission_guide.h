@@ -51,6 +51,9 @@ class EmissionGuide {
   public:
     /// Cost of the way through a light's tree, in rays: measured in cornell-box.
     static constexpr double kGuideCost = 0.5;
+    /// Moments are noisy, stratified plain starts do better than theirs, and learning has its
+    /// price.
+    static constexpr LeastGain kLeastGain{1.4, 1.25};
 
     /// `plain_choice` chooses between `lights` by power and is not empty; it outlives this.
     EmissionGuide(std::size_t lights, const DiscreteDistribution& plain_choice,

@@ -28,18 +28,10 @@ void sum_windows(const double* from, double* to, int count, std::ptrdiff_t strid
     }
 }
 
-/// 1 / L^2 within the floats: their squares' range is wider.
-float inverse_square(double squared_luminance) {
+/// A positive float, whatever the units: the range of squared luminances is wider than theirs.
+float within_floats(double weight) {
     using Limits = std::numeric_limits<float>;
-    return float(std::clamp(1 / squared_luminance, double(Limits::min()), double(Limits::max())));
-}
-
-/// Of what the eye pass saw by itself.
-double mean_luminance(const EyeImage& image) {
-    double sum = 0;
-    for (const Rgb& radiance : image.radiance)
-        sum += double(luminance(radiance));
-    return image.positions.empty() ? 0 : sum / double(image.positions.size());
+    return float(std::clamp(weight, double(Limits::min()), double(Limits::max())));
 }
 
 }  // namespace
@@ -102,24 +94,26 @@ void PixelImportance::state(StateArchive& archive) {
     if (archive.restoring() && passes_ > 0) estimate();
 }
 
-void PixelImportance::weigh(const EyeImage& image, std::vector<float>& weights) const {
-    weights.resize(image.visible_points.size());
-    if (!(mean_ > 0)) {
-        const double mean = mean_luminance(image);
-        std::fill(weights.begin(), weights.end(), mean > 0 ? inverse_square(mean * mean) : 1.0f);
-        return;
-    }
+double PixelImportance::weigh(const EyeImage& image, std::vector<float>& weights) const {
+    weights.assign(image.visible_points.size(), kUnknownWeight);
+    if (!(mean_ > 0) || weights.empty()) return 1;
+    double sum = 0;
     for (std::size_t i = 0; i < weights.size(); ++i) {
         const Vec2 position = image.positions[image.visible_points[i].sample];
         weights[i] = weight(film_pixel(position, width_, height_));
+        sum += double(weights[i]);
     }
+    const double mean = sum / double(weights.size());
+    for (float& w : weights)
+        w = within_floats(double(w) / mean);
+    return mean;
 }
 
 float PixelImportance::weight(std::size_t pixel) const {
     if (!(mean_ > 0)) return 1;
     const double least = kDarkest * mean_;
     const auto value = double(blurred_[pixel]);
-    return inverse_square(value * value + least * least);
+    return within_floats(1 / (value * value + least * least));
 }
 
 std::size_t PixelImportance::memory_bytes() const {

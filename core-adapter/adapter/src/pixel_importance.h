@@ -20,9 +20,11 @@ class PixelImportance {
     /// Adds the radiance of a pass, one entry per eye path and light group.
     void add_pass(const EyeImage& image, std::span<const Rgb> radiance);
 
-    /// [visible point]: weight of a squared error of luminance there. Before the first pass all are
-    /// the same, by the mean of what the eye pass saw.
-    void weigh(const EyeImage& image, std::vector<float>& weights) const;
+    /// [visible point]: weight of a squared error of luminance there, over the mean of all, so that
+    /// scores of all passes have one scale, whatever the scene's units and however dark the image
+    /// was when they were given. Before the first pass all are kUnknownWeight. Returns the mean, by
+    /// which they were divided.
+    double weigh(const EyeImage& image, std::vector<float>& weights) const;
 
     /// Weight of a squared error of luminance in the pixel of this number (film_pixel.h); 1 before
     /// the first pass.
@@ -33,6 +35,10 @@ class PixelImportance {
 
     std::size_t memory_bytes() const;
     static std::size_t memory_bound_bytes(std::size_t pixels);
+
+    /// Weight where nothing is known of the image: below the mean of 1, since those scores are for
+    /// no pixel in particular, and the next ones shall soon outweigh them.
+    static constexpr float kUnknownWeight = 0.1f;
 
   private:
     void estimate();

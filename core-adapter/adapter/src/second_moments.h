@@ -17,11 +17,13 @@
 
 namespace aips {
 
+/// Gain at which something is switched on, and at which it stays on.
+struct LeastGain {
+    double on, stay;
+};
+
 class SecondMoments {
   public:
-    /// Least gain at which guiding is switched on, and at which it stays on. Moments are noisy,
-    /// stratified plain samples do better than theirs, and learning has its price.
-    static constexpr double kGain = 1.4, kStayGain = 1.25;
     /// Groups of samples, an odd number.
     static constexpr std::size_t kGroups = 5;
 
@@ -94,7 +96,9 @@ class SecondMoments {
         return gains[kGroups / 2];
     }
     /// The switch after what it was before.
-    bool pays(bool on) const { return gain() > (on ? kStayGain : kGain); }
+    bool pays(bool on, const LeastGain& least) const {
+        return gain() > (on ? least.stay : least.on);
+    }
 
   private:
     struct Group {

@@ -58,6 +58,10 @@ class SurvivalSwitch {
   private:
     /// Cost of looking up what a photon may still bring, in rays: measured in cornell-box.
     static constexpr double kLookUpCost = 0.2;
+    /// Less than a guide of starts has to gain: paths of both ways start at the same points, none
+    /// of whose stratification is lost. What is off while all else learns is found to pay far
+    /// later.
+    static constexpr LeastGain kLeastGain{1.1, 1.0};
     /// Scored photon paths before it may be switched off.
     static constexpr double kTrialPaths = 1e5;
     /// A way has to be so much better than the other to replace it.
@@ -93,7 +97,7 @@ inline void SurvivalSwitch::update(double paths, double memory_paths) {
     const bool on = mix_ != ScoreMix::None;
     const double favour = mix_ == ScoreMix::Quarters ? 1 / kChange : kChange;
     const bool more = quarters_.gain() > favour * half_.gain();
-    const bool pays = more ? quarters_.pays(on) : half_.pays(on);
+    const bool pays = (more ? quarters_ : half_).pays(on, kLeastGain);
     mix_ = !pays ? ScoreMix::None : more ? ScoreMix::Quarters : ScoreMix::Half;
 }
 

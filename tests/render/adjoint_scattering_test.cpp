@@ -8,8 +8,7 @@
 #include <fstream>
 #include <iostream>
 
-#include "block_test.h"
-#include "rendered_image.h"
+#include "seeded_renders.h"
 
 namespace {
 
@@ -144,17 +143,6 @@ std::string room_seen_from_inside_glass() {
            "WorldEnd\n";
 }
 
-statistics::BlockMeans renders(const std::filesystem::path& scene, const std::string& arguments,
-                               unsigned first_seed, unsigned seeds, const render::Folder& folder) {
-    statistics::BlockMeans means;
-    for (unsigned seed = first_seed; seed < first_seed + seeds; ++seed) {
-        const auto image =
-            render::render(scene, arguments + " --seed " + std::to_string(seed), folder);
-        means.push_back(image.block_means(kBlock));
-    }
-    return means;
-}
-
 /// What a comparison takes to find differences of the mean of 2 to 4 %.
 struct Effort {
     std::string photons, radius;  ///< photon paths a pass; radius in footprints
@@ -166,15 +154,16 @@ void check(const std::string& name, const std::string& text, const Effort& effor
     const auto scene = folder.path() / "scene.lxs";
     std::ofstream(scene) << text;
     const auto reference =
-        renders(scene, "--integrator path --set path.maxdepth=64 --passes 60", 100, kSeeds, folder);
+        render::seeded_block_means(scene, "--integrator path --set path.maxdepth=64 --passes 60",
+                                   folder, {.first = 100, .count = kSeeds}, kBlock);
     for (const std::string guide : {"none", "paper", "adaptive"}) {
-        const auto photons = renders(
+        const auto photons = render::seeded_block_means(
             scene,
             "--passes 4 --set aips.alpha=1 --set aips.maxphotondepth=64 --set aips.maxeyedepth=64 "
             "--set aips.photonperpass=" +
                 effort.photons + " --set aips.startradius=" + effort.radius +
                 " --set aips.guide=" + guide,
-            200, kSeeds, folder);
+            folder, {.first = 200, .count = kSeeds}, kBlock);
         const auto same = statistics::compare(reference, photons, 0.01, kRadiusBias);
         std::cout << name << ", guide " << guide << ": " << same.describe() << "\n";
         EXPECT_FALSE(same.differs()) << name << ", guide " << guide << ": " << same.describe();

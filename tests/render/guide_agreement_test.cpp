@@ -4,8 +4,7 @@
 
 #include <iostream>
 
-#include "block_test.h"
-#include "rendered_image.h"
+#include "seeded_renders.h"
 
 namespace {
 
@@ -28,17 +27,12 @@ struct Region {
 /// and calm, which leaves the means of both guides equal as before.
 statistics::BlockMeans renders(const std::filesystem::path& scene, const std::string& guide,
                                const render::Folder& folder) {
-    statistics::BlockMeans means;
-    for (unsigned seed = kFirstSeed; seed < kFirstSeed + kSeeds; ++seed) {
-        const auto image =
-            render::render(scene,
-                           "--passes 2 --set aips.photonperpass=60000 --set aips.startradius=4 "
-                           "--set aips.guidescout=false --set aips.guide=" +
-                               guide + " --seed " + std::to_string(seed),
-                           folder);
-        means.push_back(image.block_means(kBlock));
-    }
-    return means;
+    return render::seeded_block_means(
+        scene,
+        "--passes 2 --set aips.photonperpass=60000 --set aips.startradius=4 "
+        "--set aips.guidescout=false --set aips.guide=" +
+            guide,
+        folder, {.first = kFirstSeed, .count = kSeeds}, kBlock);
 }
 
 using Edits = std::vector<std::pair<std::string, std::string>>;

@@ -4,13 +4,13 @@
 
 #include <string>
 
-#include "block_test.h"
-#include "rendered_image.h"
+#include "seeded_renders.h"
 
 namespace {
 
 constexpr int kSize = 32;
 constexpr std::size_t kBlock = 8;
+constexpr unsigned kSeeds = 6;
 
 /// A lamp under the ceiling of a box, in coloured fog that scatters forwards. (A point or spot
 /// light would leave `path` too noisy to tell.)
@@ -39,29 +39,19 @@ WorldEnd
 )");
 }
 
-statistics::BlockMeans renders(const std::filesystem::path& scene, const render::Folder& folder,
-                               const std::string& arguments, int first_seed) {
-    statistics::BlockMeans means;
-    for (int seed = first_seed; seed < first_seed + 6; ++seed) {
-        const auto image =
-            render::render(scene, arguments + " --seed " + std::to_string(seed), folder);
-        means.push_back(image.block_means(kBlock));
-    }
-    return means;
-}
-
 TEST(MediaAgreement, LampInABoxOfFog) {
     const render::Folder folder;
     const auto scene = fog_box(folder);
     const auto path =
-        renders(scene, folder, "--integrator path --set path.maxdepth=16 --passes 200", 1);
+        render::seeded_block_means(scene, "--integrator path --set path.maxdepth=16 --passes 200",
+                                   folder, {.first = 1, .count = kSeeds}, kBlock);
     for (const std::string strategy : {"true", "false"}) {
-        const auto photons =
-            renders(scene, folder,
-                    "--integrator aips --set aips.guide=none --set aips.photonperpass=100000 "
-                    "--set aips.startradius=0.7 --passes 12 --set aips.directlightsampling=" +
-                        strategy,
-                    100);
+        const auto photons = render::seeded_block_means(
+            scene,
+            "--integrator aips --set aips.guide=none --set aips.photonperpass=100000 "
+            "--set aips.startradius=0.7 --passes 12 --set aips.directlightsampling=" +
+                strategy,
+            folder, {.first = 100, .count = kSeeds}, kBlock);
         const auto same = statistics::compare(path, photons, 0.01, 0.01);
         EXPECT_FALSE(same.differs())
             << "directlightsampling " << strategy << ": " << same.describe();

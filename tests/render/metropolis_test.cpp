@@ -7,8 +7,7 @@
 #include <iostream>
 #include <nlohmann/json.hpp>
 
-#include "block_test.h"
-#include "rendered_image.h"
+#include "seeded_renders.h"
 
 namespace {
 
@@ -36,16 +35,9 @@ nlohmann::json statistics_of(const fs::path& scene, const std::string& arguments
 
 statistics::BlockMeans renders(const fs::path& scene, int passes, unsigned first_seed,
                                const render::Folder& folder) {
-    statistics::BlockMeans means;
-    for (unsigned seed = first_seed; seed < first_seed + 10; ++seed) {
-        const auto image =
-            render::render(scene,
-                           "--integrator path --set path.maxdepth=8 --passes " +
-                               std::to_string(passes) + " --seed " + std::to_string(seed),
-                           folder);
-        means.push_back(image.block_means(kBlock));
-    }
-    return means;
+    return render::seeded_block_means(
+        scene, "--integrator path --set path.maxdepth=8 --passes " + std::to_string(passes), folder,
+        {.first = first_seed, .count = 10}, kBlock);
 }
 
 /// 25 tests a scene at a family-wise significance of 1 %, fixed seeds, and a bias planted to show

@@ -4,8 +4,7 @@
 
 #include <iostream>
 
-#include "block_test.h"
-#include "rendered_image.h"
+#include "seeded_renders.h"
 
 namespace {
 
@@ -16,16 +15,9 @@ const std::string kSequence = " --set aips.guide=none --set aips.photonsampler=h
 
 statistics::BlockMeans renders(const std::filesystem::path& scene, const std::string& sampler,
                                unsigned first_seed, const render::Folder& folder) {
-    statistics::BlockMeans means;
-    for (unsigned seed = first_seed; seed < first_seed + 10; ++seed) {
-        const auto image = render::render(
-            scene,
-            "--passes 6 --set aips.photonperpass=30000 --set aips.startradius=3 --seed " +
-                std::to_string(seed) + sampler,
-            folder);
-        means.push_back(image.block_means(16));
-    }
-    return means;
+    return render::seeded_block_means(
+        scene, "--passes 6 --set aips.photonperpass=30000 --set aips.startradius=3" + sampler,
+        folder, {.first = first_seed, .count = 10}, 16);
 }
 
 /// 25 tests at a family-wise significance of 1 %, fixed seeds.

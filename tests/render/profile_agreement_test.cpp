@@ -5,12 +5,12 @@
 
 #include <string>
 
-#include "block_test.h"
-#include "rendered_image.h"
+#include "seeded_renders.h"
 
 namespace {
 
 constexpr std::size_t kBlock = 8;
+constexpr unsigned kSeeds = 6;
 
 /// A room lit by a panel under its ceiling, an instance, with a file without symmetry, and by a
 /// ball with coloured light. Both are out of view, where few samples would show their rims.
@@ -53,27 +53,18 @@ WorldEnd
 )");
 }
 
-statistics::BlockMeans renders(const std::filesystem::path& scene, const render::Folder& folder,
-                               const std::string& arguments, int first_seed) {
-    statistics::BlockMeans means;
-    for (int seed = first_seed; seed < first_seed + 6; ++seed) {
-        const auto image =
-            render::render(scene, arguments + " --seed " + std::to_string(seed), folder);
-        means.push_back(image.block_means(kBlock));
-    }
-    return means;
-}
-
 // In the corners the radius costs up to 2.4 % of a block, half of that at half the radius.
 TEST(ProfileAgreement, PanelAndBallInARoom) {
     const render::Folder folder;
     const auto scene = room(folder);
     const auto path =
-        renders(scene, folder, "--integrator path --set path.maxdepth=17 --passes 150", 1);
-    const auto photons = renders(scene, folder,
-                                 "--integrator aips --passes 6 --set aips.photonperpass=40000 "
-                                 "--set aips.directlightsampling=false --set aips.startradius=0.5",
-                                 100);
+        render::seeded_block_means(scene, "--integrator path --set path.maxdepth=17 --passes 150",
+                                   folder, {.first = 1, .count = kSeeds}, kBlock);
+    const auto photons = render::seeded_block_means(
+        scene,
+        "--integrator aips --passes 6 --set aips.photonperpass=40000 "
+        "--set aips.directlightsampling=false --set aips.startradius=0.5",
+        folder, {.first = 100, .count = kSeeds}, kBlock);
     const auto same = statistics::compare(path, photons, 0.01, 0.03);
     EXPECT_FALSE(same.differs()) << same.describe();
     EXPECT_LT(same.detectable, 0.05) << same.describe();

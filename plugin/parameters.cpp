@@ -114,11 +114,10 @@ std::vector<ParameterDeclaration> guide_declarations() {
          "With guide adaptive: photons go on by what they may still bring, where that pays."},
         {"guidechains", ParameterType::Bool, "true",
          "With guide adaptive: adaptive Markov chains (as photonsampler amc) take the guide's "
-         "place "
-         "where next to no photon path reaches what is seen."},
+         "place where the first look shows that next to no photon path reaches what is seen."},
         {"guidescout", ParameterType::Bool, "true",
-         "With guide adaptive: left out where a first look shows that many photon paths reach what "
-         "is seen without it."},
+         "With guide adaptive: a first look decides whether it guides; it is left out where many "
+         "photon paths reach what is seen without it, and where next to none do."},
     };
 }
 

@@ -1,5 +1,6 @@
 // Protects the first look at a scene: the share of photon paths that are seen is what it ought to
-// be, and where it is large guide=adaptive gives the bits of guide=none.
+// be, it is looked for longer where it is small, and where it is large guide=adaptive gives the
+// bits of guide=none. Chains, where it is small: guide_chains_test.cpp.
 #include "guide_scout.h"
 
 #include <gtest/gtest.h>
@@ -24,6 +25,7 @@ mock::Rendering render(const mock::View& view, GuideKind guide, std::uint32_t ph
     Settings settings = mock::small_settings(7, photons);
     settings.guide = guide;
     settings.guide_scout = true;
+    settings.direct_light_sampling = false;
     return mock::render(view.scene, view.camera, kWidth, kHeight, settings, 6);
 }
 
@@ -39,8 +41,41 @@ TEST(SeenShare, IsThatOfTheWallThatIsSeen) {
     constexpr std::uint32_t kSize = 128;
     const auto camera = mock::camera_along_y({0, 0, 0}, 1, kSize, kSize);
     const EyeImage image = mock::traced_eye_image(scene, camera, kSize, kSize * kSize, settings);
-    // The rim of the other walls, a radius wide, is near what is seen.
-    EXPECT_NEAR(seen_share(scene, settings, 0, image, 0.02f), 1.0 / 6, 0.02);
+    // The rim of the other walls, a radius wide, is within reach of what is seen.
+    EXPECT_NEAR(scout_photons(scene, settings, 0, image, 0.02f).share(), 1.0 / 6, 0.02);
+}
+
+TEST(SeenShare, IsLookedForLongerWhereItIsSmall) {
+    constexpr std::uint32_t kSize = 16;
+    const mock::View view = mock::wide_view(20, kSize, kSize);
+    Settings settings = mock::small_settings(8, 1);
+    settings.direct_light_sampling = false;
+    const EyeImage image =
+        mock::traced_eye_image(view.scene, view.camera, kSize, kSize * kSize, settings);
+    const auto counts = [&](bool chains) {
+        settings.guide_chains = chains;
+        return scout_photons(view.scene, settings, 0, image, 0.05f);
+    };
+    const SeenPaths first = counts(false), longer = counts(true);
+    EXPECT_EQ(first.traced, 16384u);
+    EXPECT_LT(first.seen, 32u);
+    EXPECT_GT(longer.traced, first.traced);
+    EXPECT_TRUE(longer.seen >= 32 || longer.traced == 16 * 16384u);
+    EXPECT_GE(longer.seen, first.seen);
+}
+
+TEST(PhotonWay, GoesByTheShareThatIsSeen) {
+    Settings settings;
+    const auto way = [&](std::uint64_t seen) { return photon_way(settings, {seen, 240'000}); };
+    EXPECT_EQ(way(240'000), PhotonWay::Unguided);
+    EXPECT_EQ(way(80'000), PhotonWay::Unguided);
+    EXPECT_EQ(way(79'999), PhotonWay::Guided);
+    EXPECT_EQ(way(240), PhotonWay::Guided);
+    EXPECT_EQ(way(239), PhotonWay::Chains);
+    EXPECT_EQ(way(2), PhotonWay::Chains);
+    EXPECT_EQ(way(1), PhotonWay::Guided) << "chains might find none in most passes";
+    settings.guide_chains = false;
+    EXPECT_EQ(way(239), PhotonWay::Guided);
 }
 
 /// With a number of photons that is given, and with one that follows the noise.
@@ -57,7 +92,7 @@ TEST(GuideScout, WhereMostIsSeenPhotonsGoAsWithoutAGuide) {
 }
 
 TEST(GuideScout, WhereLittleIsSeenTheGuideStays) {
-    const mock::View view = mock::wide_view(20, kWidth, kHeight);
+    const mock::View view = mock::wide_view(3, kWidth, kHeight);
     const mock::Rendering scouted = render(view, GuideKind::Adaptive, 5000);
     EXPECT_FALSE(says(scouted.log, "skipped the guide"));
     EXPECT_GT(scouted.statistics.guide_bytes, 0u);

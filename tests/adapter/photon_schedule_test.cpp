@@ -26,13 +26,13 @@ struct Model {
 
 /// The passes that follow one another in such a scene.
 std::vector<PassPhotons> passes(const Settings& settings, bool learns, const Model& model,
-                                int count) {
-    PhotonSchedule schedule(settings, kEyePaths, true, learns);
+                                int count, bool chains = false) {
+    PhotonSchedule schedule(settings, kEyePaths, true, learns, chains);
     std::vector<PassPhotons> all;
     for (int i = 0; i < count; ++i) {
         all.push_back(schedule.next());
         schedule.end_pass({model.eye_cost, double(all.back().paths)},
-                          {model.eye, model.photon_path}, false);
+                          {model.eye, model.photon_path});
     }
     return all;
 }
@@ -112,7 +112,7 @@ TEST(PhotonSchedule, LaterChoicesFollowSlowly) {
             last = paths;
             // A scene that changes altogether.
             const bool many = i > 20 && i < 70;
-            schedule.end_pass({1e5, double(paths)}, {1, many ? 1e15 : 1.0}, false);
+            schedule.end_pass({1e5, double(paths)}, {1, many ? 1e15 : 1.0});
         }
     }
 }
@@ -143,31 +143,14 @@ TEST(PhotonSchedule, AMillionWhereNoiseIsNotFollowed) {
     }
 }
 
-/// Where chains take over, photons keep the share of time that the noise before asked for, whatever
-/// their own noise seems to be; and what passes count for goes by their number alone.
-TEST(PhotonSchedule, ChainsKeepTheirShareOfTimeAndChangeNoWeights) {
-    const auto weights = [](std::uint32_t eye_paths, int chains_from, double photon_noise,
-                            std::uint32_t& last_paths) {
-        PhotonSchedule schedule({}, eye_paths, true, true);
-        std::vector<double> all;
-        for (int pass = 0; pass < 20; ++pass) {
-            last_paths = schedule.next().paths;
-            all.push_back(schedule.next().weight);
-            const PassNoise noise = pass < chains_from ? PassNoise{1, photon_noise} : PassNoise{};
-            schedule.end_pass({1e5, double(last_paths)}, noise, pass + 1 >= chains_from);
-        }
-        return all;
-    };
-    std::uint32_t last = 0;
-    // The guide has learned before they begin: after eight passes, or sooner in large images.
-    for (const auto& [eye_paths, chains_from] :
-         {std::pair{kEyePaths, 8}, {kEyePaths, 13}, {250'000u, 2}, {1'000'000u, 1}}) {
-        const std::vector<double> expected = weights(eye_paths, 100, 1e4, last);
-        // The least that they may cost, three times the eye's paths, and the most.
-        for (const auto& [noise, paths] : {std::pair{1e4, 1.5e5}, {9e5, 3e5}, {1e9, 1e6}}) {
-            EXPECT_EQ(weights(eye_paths, chains_from, noise, last), expected);
-            EXPECT_NEAR(double(last), paths, 1) << noise << " from " << chains_from;
-        }
+// Whatever their noise seems to be; and what passes count for goes by their number alone.
+TEST(PhotonSchedule, ChainsTakeAFixedShareOfTime) {
+    const auto unchained = passes({}, false, {1, 1e6, 1e5}, 70);
+    for (const double noise : {-1.0, 1.0, 1e9}) {
+        const auto chained = passes({}, false, {1, noise, 1e4}, 70, true);
+        EXPECT_NEAR(chained.back().paths, 5 * 1e4, 1);
+        for (std::size_t i = 0; i < chained.size(); ++i)
+            EXPECT_EQ(chained[i].weight, unchained[i].weight);
     }
 }
 

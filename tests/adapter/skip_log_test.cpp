@@ -92,11 +92,11 @@ TEST(SkipLog, NamesWhatIsSwitchedOffOnce) {
     PhotonCounts photons;
     photons.paths = 400'000;
     learner.learn_nothing(400'000, 8);
-    skip_log.after_pass(&learner.guide, false, photons);
+    skip_log.after_pass(&learner.guide, photons);
     EXPECT_TRUE(log.lines.empty()) << "still tried";
     learner.learn_nothing(400'000, 4);
-    skip_log.after_pass(&learner.guide, false, photons);
-    skip_log.after_pass(&learner.guide, false, photons);
+    skip_log.after_pass(&learner.guide, photons);
+    skip_log.after_pass(&learner.guide, photons);
     ASSERT_EQ(log.lines.size(), 1u);
     EXPECT_EQ(log.lines[0], "skipped survival by score for now: too little is gained, 1.00");
 }
@@ -109,7 +109,7 @@ TEST(SkipLog, SaysNothingOfPartsThatAreNotThere) {
     mock::Log log;
     SkipLog skip_log(log);
     learner.learn_nothing(800'000, 4);
-    skip_log.after_pass(&learner.guide, false, {});
+    skip_log.after_pass(&learner.guide, {});
     EXPECT_TRUE(log.lines.empty());
 }
 
@@ -120,13 +120,13 @@ TEST(SkipLog, TellsWhatIsPruned) {
     PhotonCounts photons;
     photons.paths = 1'000'000;
     photons.pruned = 130'000;
-    skip_log.after_pass(&learner.guide, false, photons);
-    skip_log.after_pass(&learner.guide, false, photons);
+    skip_log.after_pass(&learner.guide, photons);
+    skip_log.after_pass(&learner.guide, photons);
     ASSERT_EQ(log.lines.size(), 1u);
     EXPECT_EQ(log.lines[0],
               "pruned: 0 % of what lights emit gets under a quarter of its photons, 13 % of the "
               "photon paths were ended by their score");
-    skip_log.after_pass(nullptr, false, photons);
+    skip_log.after_pass(nullptr, photons);
     EXPECT_EQ(log.lines.size(), 1u);
 }
 

@@ -19,10 +19,6 @@ constexpr std::uint32_t kEagerOneOf = 4, kOneOf = 16;
 constexpr std::uint64_t kSeededPaths = 2'000'000;
 /// Scored photon paths that count in full; older ones fade.
 constexpr double kMemoryPaths = 5e5;
-/// Share of unguided paths worth anything below which chains do better than this guide, and how
-/// many logged ones have to tell (docs/adaptive-guide.md).
-constexpr double kChainShare = 1e-3;
-constexpr std::uint64_t kChainEvidence = 64;
 /// Cost of an emission, in rays: a little less than a bounce's.
 constexpr double kEmissionCost = 0.5;
 /// Cost of storing and gathering a landing, in rays: gather and grid take about a third of what
@@ -71,7 +67,7 @@ std::uint64_t AdaptiveGuide::begin_pass(std::uint64_t pass, float time, const Ey
 
 void AdaptiveGuide::rest_or_wake() {
     // Before any path was worth something there is nothing to judge.
-    const bool judged = visible_logged_ > 0;
+    const bool judged = visible_paths_ > 0;
     emission_rest_.update(paths_, !emission_.switched_off());
     survival_rest_.update(paths_, !judged || !survival_switched_off());
     bounces_rest_.update(paths_, !judged || (bounces_ && bounces_->tables().tables_in_use() > 0));
@@ -110,15 +106,7 @@ void AdaptiveGuide::learn(const PathLog& log, std::span<const Landing> landings,
         survival_switch_.update(scored, kMemoryPaths);
     }
     if (bounces()) bounces_->update(scored);
-    const double kept = kMemoryPaths / (kMemoryPaths + scored);
     path_means_.update(scored);
-    logged_ *= kept;
-    visible_ *= kept;
-}
-
-bool AdaptiveGuide::gives_way_to_chains() const {
-    return settings_.guide_chains && double(paths_) >= kLearningPaths &&
-           visible_logged_ >= kChainEvidence && visible_share() < kChainShare;
 }
 
 void AdaptiveGuide::score_landings(const PathLog& log, std::span<const Landing> landings) {
@@ -176,11 +164,7 @@ void AdaptiveGuide::learn_path(const PathLog& log, const PathRecord& path,
         emission_.add({{path.light, path.start, path.pdf}, score, cost});
     }
     path_means_.add(score, cost);
-    logged_ += 1;
-    if (score > 0) {
-        visible_ += double(light_choice_.pdf(path.light)) / path.pdf;
-        ++visible_logged_;
-    }
+    if (score > 0) ++visible_paths_;
 }
 
 // From the path's start to its end.
@@ -217,10 +201,9 @@ void AdaptiveGuide::state(StateArchive& archive) {
     path_means_.state(archive);
     for (PartRest* rest : {&emission_rest_, &survival_rest_, &bounces_rest_})
         rest->state(archive);
-    for (std::uint64_t* count : {&paths_, &walks_, &seeds_found_, &visible_logged_})
+    for (std::uint64_t* count : {&paths_, &walks_, &seeds_found_, &visible_paths_})
         archive.value(*count);
-    for (double* sum : {&logged_, &visible_, &mean_weight_})
-        archive.amount(*sum);
+    archive.amount(mean_weight_);
 }
 
 std::size_t AdaptiveGuide::memory_bytes() const {

@@ -49,12 +49,6 @@ class AdaptiveGuide {
     const BounceGuide* bounces() const {
         return bounces_rest_.awake() && bounces_ ? &*bounces_ : nullptr;
     }
-    /// Whether so few unguided paths are worth anything that chains on those do better than this
-    /// guide; not before photons count in full. To be asked between passes: once it gives way it
-    /// learns no more, and keeps to that.
-    bool gives_way_to_chains() const;
-    /// Share of unguided photon paths that are worth something to the image; 0 before any was.
-    double visible_share() const { return logged_ > 0 ? visible_ / logged_ : 0; }
     /// Learns from the logged ones of `paths` photon paths, whose landings are among `landings`.
     void learn(const PathLog& log, std::span<const Landing> landings, std::uint32_t paths);
 
@@ -116,9 +110,7 @@ class AdaptiveGuide {
     std::uint64_t paths_ = 0;             // shot so far
     PartRest emission_rest_, survival_rest_, bounces_rest_;
     std::uint64_t walks_ = 0, seeds_found_ = 0;
-    // Of logged paths, old ones forgotten. `visible_`: worth something, as many as were unguided.
-    double logged_ = 0, visible_ = 0;
-    std::uint64_t visible_logged_ = 0;
+    std::uint64_t visible_paths_ = 0;  // logged ones that were worth something
 };
 
 }  // namespace aips

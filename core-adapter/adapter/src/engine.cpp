@@ -77,7 +77,7 @@ class Engine::State {
         if (pass == 0) warn_of_lost_precision(image_, host_.log);
         const std::uint64_t eye_rays = report.eye_paths ? image_.rays : 0;
         const bool any_points = !image_.visible_points.empty();
-        if (pass == 0 && any_points) leave_out_needless_guide(time);
+        if (pass == 0 && any_points) choose_photon_way(time);
         const PhotonPassTotals before = photon_pass_.totals();
         const PassPhotons photons = photons_.next();
         if (needs_.photons && (any_points || !image_.beams.empty())) {
@@ -108,8 +108,7 @@ class Engine::State {
         }
         learn_from_pass(report, pass_work(report.eye_paths, eye_rays, before, after));
         count(report, eye_rays);
-        skip_log_.after_pass(photon_pass_.adaptive(), photon_pass_.chains() != nullptr,
-                             after.counts);
+        skip_log_.after_pass(photon_pass_.adaptive(), after.counts);
         return report;
     }
 
@@ -162,10 +161,7 @@ class Engine::State {
         archive.amount(statistics_.radius);
         refusals_.state(archive);
         skip_log_.state(archive);
-        archive.value(needless_guide_);
-        StateArchive::check(!needless_guide_ || settings_.guide == GuideKind::Adaptive,
-                            "a guide left out that was not asked for");
-        if (archive.restoring() && needless_guide_) leave_out_guide();
+        state_of_way(archive);
         photons_.state(archive);
         direct_light_.state(archive);
         if (guide_) guide_->state(archive);
@@ -181,6 +177,16 @@ class Engine::State {
     }
 
   private:
+    void state_of_way(StateArchive& archive) {
+        archive.value(photon_way_);
+        const bool asked_for = settings_.guide == GuideKind::Adaptive &&
+                               (photon_way_ != PhotonWay::Chains || settings_.guide_chains);
+        StateArchive::check(
+            photon_way_ <= PhotonWay::Chains && (photon_way_ == PhotonWay::Guided || asked_for),
+            "a guide left out that was not asked for");
+        if (archive.restoring()) take_way(photon_way_);
+    }
+
     /// Their Bsdfs are the host's, which only it can make.
     void trace_frozen_again() {
         if (!freezes_eye_pass(settings_.mode)) return;
@@ -210,32 +216,37 @@ class Engine::State {
     }
 
     /// Whether a guide learns that lessens the weight of the first photon paths.
-    bool learns() const { return settings_.guide == GuideKind::Adaptive && !needless_guide_; }
+    bool learns() const {
+        return settings_.guide == GuideKind::Adaptive && photon_way_ == PhotonWay::Guided;
+    }
 
-    /// Before the first photon path. In media scores know surfaces alone, and so does the share.
-    void leave_out_needless_guide(float time) {
+    /// Before the first photon path. In media scores know surfaces alone, and so do the counts.
+    void choose_photon_way(float time) {
         if (!needs_.photons || !learns() || !settings_.guide_scout || host_.scene.media()) return;
         const Stopwatch watch(statistics_.plan_seconds);
         const double radius = initial_radius(settings_, image_, smallest_radius(host_.scene));
-        const double seen = seen_share(host_.scene, settings_, time, image_, float(radius));
-        if (seen < kSeenWithoutGuide) return;
-        leave_out_guide();
-        skip_log_.needless_guide(seen);
+        const SeenPaths seen = scout_photons(host_.scene, settings_, time, image_, float(radius));
+        take_way(photon_way(settings_, seen));
+        if (photon_way_ != PhotonWay::Guided) skip_log_.left_out_guide(photon_way_, seen);
     }
 
-    void leave_out_guide() {
-        needless_guide_ = true;
-        photon_pass_.leave_out_guide();
+    void take_way(PhotonWay way) {
+        photon_way_ = way;
+        if (way == PhotonWay::Guided) return;
+        photon_pass_.leave_out_guide(way == PhotonWay::Chains);
         photons_ = make_schedule();
         importance_ = make_importance();
+        // Landings of chains come in clusters, whose noise their squares do not tell.
+        if (way == PhotonWay::Chains) noise_.reset();
     }
 
     PhotonSchedule make_schedule() const {
-        return {settings_, eye_paths_, needs_.photons, learns()};
+        return {settings_, eye_paths_, needs_.photons, learns(), photon_way_ == PhotonWay::Chains};
     }
 
     std::optional<PixelImportance> make_importance() const {
-        if (!learns() && !photons_.adapts()) return {};
+        const bool measures_noise = photons_.adapts() && photon_way_ != PhotonWay::Chains;
+        if (!learns() && !measures_noise) return {};
         return PixelImportance(host_.film.width(), host_.film.height());
     }
 
@@ -244,14 +255,13 @@ class Engine::State {
         PassNoise noise;
         if (importance_ && report.photon_paths) {
             const Stopwatch watch(statistics_.plan_seconds);
-            // Landings of chains come in clusters, whose noise their squares do not tell.
-            if (noise_ && !photon_pass_.chains()) {
+            if (noise_) {
                 noise =
                     noise_->add_pass(image_, radiance_, flux_, report.photon_paths, *importance_);
             }
             importance_->add_pass(image_, radiance_);
         }
-        photons_.end_pass(work, noise, photon_pass_.chained_next());
+        photons_.end_pass(work, noise);
     }
 
     /// One moment of the shutter interval for all paths of a pass; frozen visible points stay where
@@ -302,7 +312,7 @@ class Engine::State {
     DirectLight direct_light_;
     Refusals refusals_;
     std::unique_ptr<Guide> guide_;
-    bool needless_guide_ = false;  // the adaptive one: enough photons are seen without
+    PhotonWay photon_way_ = PhotonWay::Guided;  // if the guide is the adaptive one
     PhotonSchedule photons_;
     std::optional<PixelImportance> importance_;  // if something steers by it
     std::optional<PassNoiseMeter> noise_;        // if the photons per pass follow it

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "light_choice.h"
+#include "parallel_for.h"
 #include "photon_iteration.h"
 
 namespace aips {
@@ -14,26 +15,52 @@ namespace {
 constexpr std::uint64_t kNoPass = std::numeric_limits<std::uint64_t>::max();
 constexpr std::uint64_t kFirstPath = std::uint64_t{1} << 62;
 
+/// Shares of unguided photon paths that are seen from which on photons go without the adaptive
+/// guide, and below which chains do better.
+constexpr double kSeenWithoutGuide = 1.0 / 3, kSeenForChains = 1e-3;
+/// Paths seen that tell the second from more, and at most so many paths to find them; chains need
+/// to find a visible path now and then.
+constexpr std::uint64_t kSeenEnough = 32, kMostPaths = 16 * kPlainIterationPaths, kSeenAtLeast = 2;
+
 }  // namespace
 
-double seen_share(const Scene& scene, const Settings& settings, float time, const EyeImage& image,
-                  float radius) {
+SeenPaths scout_photons(const Scene& scene, const Settings& settings, float time,
+                        const EyeImage& image, float radius) {
+    const std::vector<Vec3> positions = positions_of(image.visible_points);
     OccupancyGrid occupancy;
-    occupancy.build(positions_of(image.visible_points), radius);
+    occupancy.build(positions, radius);
+    // The false hits of hashed occupancy would outnumber what is seen of a wide scene.
+    PointGrid reach;
+    reach.build(positions, radius, tbb_for);
 
     const DiscreteDistribution choice = light_choice(scene);
     PhotonInput input{scene, settings, choice};
     input.occupancy = &occupancy;
+    input.reach = &reach;
     input.pass = kNoPass;
     input.time = time;
     input.log_one_of = 1;
     Refusals refusals(scene);
     LandingStore landings;
     PathLog log;
-    PhotonTracer().trace(input, kFirstPath, 0, kPlainIterationPaths, refusals, landings, &log);
-    const auto seen =
-        std::ranges::count_if(log.paths, [](const PathRecord& path) { return path.landings > 0; });
-    return double(seen) / kPlainIterationPaths;
+    PhotonTracer tracer;
+    SeenPaths counts;
+    do {
+        tracer.trace(input, kFirstPath, std::uint32_t(counts.traced), kPlainIterationPaths,
+                     refusals, landings, &log);
+        counts.traced += kPlainIterationPaths;
+        counts.seen += std::uint64_t(std::ranges::count_if(
+            log.paths, [](const PathRecord& path) { return path.landings > 0; }));
+        log.clear();
+        landings.clear();
+    } while (settings.guide_chains && counts.seen < kSeenEnough && counts.traced < kMostPaths);
+    return counts;
+}
+
+PhotonWay photon_way(const Settings& settings, const SeenPaths& seen) {
+    if (seen.share() >= kSeenWithoutGuide) return PhotonWay::Unguided;
+    const bool chains = settings.guide_chains && seen.seen >= kSeenAtLeast;
+    return chains && seen.share() < kSeenForChains ? PhotonWay::Chains : PhotonWay::Guided;
 }
 
 }  // namespace aips

@@ -1,7 +1,10 @@
-// Whether a guide of photons can pay in a scene, found out before its first pass.
+// How photons of guide=adaptive find their way in a scene, found out before its first pass.
 //
 // A guide sends photons where the image sees them. Where most are seen anyway there is nothing to
 // gain, and what learning costs, and photons that count for less while it learns, would be lost.
+// Where next to none is seen, a guide that learns from those is blind for long, and what few of its
+// first photons carry stays in the image as fireflies; Markov chains on the visible paths do better
+// (docs/adaptive-guide.md).
 #pragma once
 
 #include "aips/adapter/settings.h"
@@ -9,15 +12,28 @@
 
 namespace aips {
 
-/// Share of unguided photon paths that are seen from which on photons go without the adaptive guide
-/// (docs/adaptive-guide.md).
-inline constexpr double kSeenWithoutGuide = 1.0 / 3;
+/// Of unguided photon paths, how many are seen.
+struct SeenPaths {
+    std::uint64_t seen = 0, traced = 0;
 
-/// Share of unguided photon paths that land within `radius` (scene units, > 0) of a visible point
-/// of `image`, or a cell's width beyond, in [0, 1]. The paths have numbers of their own and bring
-/// nothing into the image, whose expectation therefore does not depend on what is made of the
-/// share.
-double seen_share(const Scene& scene, const Settings& settings, float time, const EyeImage& image,
-                  float radius);
+    /// In [0, 1]; 0 if none was traced.
+    double share() const { return traced > 0 ? double(seen) / double(traced) : 0; }
+};
+
+/// Follows unguided photon paths and counts those that land within `radius` (scene units, > 0) of a
+/// visible point of `image`. The paths have numbers of their own and bring nothing into the image,
+/// whose expectation therefore does not depend on what is made of the counts. Where chains are
+/// allowed (`guide_chains`) and few are seen, more paths are followed.
+SeenPaths scout_photons(const Scene& scene, const Settings& settings, float time,
+                        const EyeImage& image, float radius);
+
+/// What takes photons through the scene under guide=adaptive.
+enum class PhotonWay : std::uint8_t {
+    Guided,
+    Unguided,  ///< the guide is left out: a third of the photon paths is seen without it
+    Chains     ///< Markov chains in its place: fewer than one in 1000 is seen, but at least two
+};
+
+PhotonWay photon_way(const Settings& settings, const SeenPaths& seen);
 
 }  // namespace aips

@@ -23,18 +23,14 @@ PhotonPass::PhotonPass(const Scene& scene, const Settings& settings, Guide* guid
 
 void PhotonPass::begin_pass(std::uint64_t pass, const PassPhotons& photons, float time,
                             const EyeImage& image, const SearchRadii& radii) {
-    if (!chained_ && chained_next()) {
-        chained_ = true;
-        reach_ = 0;  // chains have not marked what lasts
-    }
     const bool reach_lasts = freezes_eye_pass(settings_.mode) && reach_ == radii.reach();
-    if (guide_ || guiding() || !reach_lasts) {
+    if (guide_ || adaptive_ || !reach_lasts) {
         const std::vector<Vec3> positions = positions_of(image.visible_points);
         if (!reach_lasts) mark_reach(positions, radii.reach());
         const Stopwatch watch(totals_.guide_seconds);
         if (guide_) guide_->begin_pass(positions, image.positions.size());
-        if (AdaptiveGuide* adaptive = guiding())
-            totals_.counts.rays += adaptive->begin_pass(pass, time, image, positions, radii);
+        if (adaptive_)
+            totals_.counts.rays += adaptive_->begin_pass(pass, time, image, positions, radii);
     }
     if (chained_) chains_->begin_pass(photons.paths);
     if (bounces_) bounces_->begin_pass();
@@ -60,7 +56,7 @@ void PhotonPass::shoot(std::uint64_t pass, const PassPhotons& photons, float tim
         const std::size_t collisions = volume_ ? volume_->waiting().size() : 0;
         trace(input_of(pass, time, iteration), photons, first, count, refusals);
         learn(count);
-        if (guiding()) {
+        if (adaptive_) {
             // After learning: a guide learns from what photons really carried.
             const auto weight = float(learning_weight(photons.before + first));
             if (weight < 1) {
@@ -94,13 +90,13 @@ PhotonInput PhotonPass::input_of(std::uint64_t pass, float time, std::uint64_t i
     } else {
         input.occupancy = &occupancy_;
     }
-    if (const AdaptiveGuide* adaptive = guiding()) {
-        input.emission = adaptive->emission();
-        input.survival = adaptive->survival();
-        input.score_mix = adaptive->score_mix();
+    if (adaptive_) {
+        input.emission = adaptive_->emission();
+        input.survival = adaptive_->survival();
+        input.score_mix = adaptive_->score_mix();
         input.split_landings = split_landings(settings_);
-        input.log_one_of = adaptive->log_one_of();
-        input.guide = adaptive->bounces();
+        input.log_one_of = adaptive_->log_one_of();
+        input.guide = adaptive_->bounces();
         input.unguided_roulette = input.guide != nullptr;
         input.log_vertices = input.survival || input.guide;
     }
@@ -124,8 +120,8 @@ void PhotonPass::trace(const PhotonInput& input, const PassPhotons& photons, std
 
 void PhotonPass::learn(std::uint32_t paths) {
     const Stopwatch watch(totals_.guide_seconds);
-    if (AdaptiveGuide* adaptive = guiding()) {
-        adaptive->learn(log_, waiting_.landings(), paths);
+    if (adaptive_) {
+        adaptive_->learn(log_, waiting_.landings(), paths);
         log_.clear();
     }
     if (!guide_) return;

@@ -43,11 +43,11 @@ class PhotonPass {
         if (volume_) volume_->add_to(image, photon_paths, refusals, radiance);
     }
 
-    /// Before the first pass: photons go without the adaptive guide, for good.
-    void leave_out_guide() { adaptive_.reset(); }
-    /// Between passes: whether the next one takes its photon paths from chains.
-    bool chained_next() const {
-        return chained_ || (adaptive_ && adaptive_->gives_way_to_chains());
+    /// Before the first pass: photons go without the adaptive guide, for good, independent ones or
+    /// (may_use_chains) from Markov chains.
+    void leave_out_guide(bool for_chains) {
+        adaptive_.reset();
+        chained_ = for_chains;
     }
 
     /// Between passes: saves what later ones go on from, or restores it into a new one; the guide
@@ -55,17 +55,15 @@ class PhotonPass {
     void state(StateArchive& archive);
     void state_of_seconds(StateArchive& archive);
 
-    /// Null unless the photon paths of the last pass came from chains.
+    /// Null unless photon paths come from chains.
     const PhotonChains* chains() const { return chained_ ? &*chains_ : nullptr; }
-    /// Null unless guide=adaptive.
+    /// Null unless guide=adaptive, and not left out.
     const AdaptiveGuide* adaptive() const { return adaptive_ ? &*adaptive_ : nullptr; }
     /// Bounces of the last pass by the guide's node; null without a guide or debug layers.
     const BounceTally* bounces() const { return bounces_ ? &*bounces_ : nullptr; }
     std::size_t memory_bytes() const;
 
   private:
-    /// The adaptive guide while it decides where photons go; null once chains do.
-    AdaptiveGuide* guiding() { return adaptive_ && !chained_ ? &*adaptive_ : nullptr; }
     void begin_pass(std::uint64_t pass, const PassPhotons& photons, float time,
                     const EyeImage& image, const SearchRadii& radii);
     PhotonInput input_of(std::uint64_t pass, float time, std::uint64_t iteration);
@@ -85,7 +83,7 @@ class PhotonPass {
     OccupancyGrid occupancy_;
     float reach_ = 0;  // radius that the visible points are marked for; 0 before the first pass
     std::optional<PhotonChains> chains_;  // if some pass may use them
-    bool chained_ = false;                // a pass does
+    bool chained_ = false;                // they all do
     std::optional<AdaptiveGuide> adaptive_;
     PhotonTracer tracer_;
     PathLog log_;             // of one adaptive iteration

@@ -24,6 +24,9 @@ constexpr double kChosenWeight = 64, kChosenWeightOfAGuide = 8;
 /// their noise falls faster than what two passes differ by tells: at least 60 % of the time goes to
 /// photons. Beyond the upper bound no more than a tenth could be gained.
 constexpr double kLeastRatio = 1.5, kGreatestRatio = 10;
+/// What photons from chains cost over the eye: of 10, 5 and 3 the best for the image, and as good
+/// as 10 for their own light (docs/photons-per-pass.md).
+constexpr double kChainRatio = 5;
 
 bool follows_noise(const Settings& settings) {
     // Chains' landings come in clusters, whose noise their squares do not tell.
@@ -43,12 +46,12 @@ std::uint32_t first_paths(const Settings& settings, std::uint32_t eye_paths, boo
 }  // namespace
 
 PhotonSchedule::PhotonSchedule(const Settings& settings, std::uint32_t eye_paths, bool shoots,
-                               bool learns)
+                               bool learns, bool chains)
     : adapts_(shoots && follows_noise(settings)),
       learns_(learns),
+      chains_(chains),
       paths_(first_paths(settings, eye_paths, adapts_, learns)),
-      decide_at_(learns ? kFirstPassesOfAGuide : kFirstPasses),
-      chain_ratio_(kGreatestRatio) {
+      decide_at_(learns ? kFirstPassesOfAGuide : kFirstPasses) {
     plan();
 }
 
@@ -68,29 +71,22 @@ void PhotonSchedule::plan() {
     if (adapts_) next_.weight = decided_ ? chosen : next_.counted / paths_;
 }
 
-void PhotonSchedule::end_pass(const PassWork& work, const PassNoise& noise, bool by_chains) {
+void PhotonSchedule::end_pass(const PassWork& work, const PassNoise& noise) {
     ++pass_;
     next_.before += paths_;
-    const bool chains_begin = by_chains && !by_chains_;
-    by_chains_ = by_chains;
     // What comes first, the eye's estimate of the image or a guide, is blind.
-    if (decided_ || 2 * pass_ > decide_at_ || chains_begin) {
+    if (decided_ || 2 * pass_ > decide_at_) {
         work_.eye += work.eye;
         work_.photons += work.photons;
         noise_.eye += noise.eye;
         noise_.photon_path += noise.photon_path;
         shot_ += paths_;
     }
-    // Chains begin when the image says so: what passes count for must not follow from that.
-    const bool decides = adapts_ && pass_ == decide_at_;
-    if (decides || (adapts_ && chains_begin)) {
-        if (chains_begin) chain_ratio_ = best_ratio();
+    if (adapts_ && pass_ == decide_at_) {
         paths_ = best_paths();
         work_ = {};
         noise_ = {};
         shot_ = 0;
-    }
-    if (decides) {
         decide_at_ += std::max<std::uint64_t>(2, pass_ / 4);
         decided_ = true;
     }
@@ -105,10 +101,6 @@ void PhotonSchedule::state(StateArchive& archive) {
     archive.value(pass_);
     archive.value(decide_at_);
     archive.value(decided_);
-    archive.value(by_chains_);
-    archive.value(chain_ratio_);
-    StateArchive::check(chain_ratio_ >= kLeastRatio && chain_ratio_ <= kGreatestRatio,
-                        "a ratio of costs that no pass has");
     archive.value(next_.before);
     for (double* sum : {&work_.eye, &work_.photons})
         archive.amount(*sum);
@@ -127,6 +119,7 @@ double PhotonSchedule::even_paths() const {
 }
 
 double PhotonSchedule::best_ratio() const {
+    if (chains_) return kChainRatio;
     // Noise that photons explain altogether leaves less than none to the eye, by chance.
     if (!(noise_.eye > 0)) return kGreatestRatio;
     const double ratio = std::sqrt(std::max(0.0, noise_.photon_path) / (noise_.eye * even_paths()));
@@ -136,8 +129,8 @@ double PhotonSchedule::best_ratio() const {
 std::uint32_t PhotonSchedule::best_paths() const {
     const double even = even_paths();
     if (!(even > 0) || !std::isfinite(even)) return paths_;
-    double paths = even * (by_chains_ ? chain_ratio_ : best_ratio());
-    if (!by_chains_ && (decided_ || learns_)) {
+    double paths = even * best_ratio();
+    if (decided_ || learns_) {
         // A guide that has just learned will do with less.
         const double rise = decided_ ? kGreatestRise : 1;
         paths = std::clamp(paths, paths_ / kGreatestFall, paths_ * rise);

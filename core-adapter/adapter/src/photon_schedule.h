@@ -34,17 +34,18 @@ struct PassWork {
 class PhotonSchedule {
   public:
     /// `shoots`: photons are needed at all; `learns`: the first photon paths count for less
-    /// (learning_weight.h).
-    PhotonSchedule(const Settings& settings, std::uint32_t eye_paths, bool shoots, bool learns);
+    /// (learning_weight.h); `chains`: they come from Markov chains in a guide's place, whose
+    /// landings come in clusters and do not tell their noise. Photons then take a fixed share of
+    /// the time.
+    PhotonSchedule(const Settings& settings, std::uint32_t eye_paths, bool shoots, bool learns,
+                   bool chains = false);
 
     /// The pass that comes next.
     const PassPhotons& next() const { return next_; }
-    /// Whether numbers follow the noise, which end_pass() then wants to know.
+    /// Whether numbers follow what passes tell; `noise`, which end_pass() then wants to know, says
+    /// nothing of chains.
     bool adapts() const { return adapts_; }
-    /// `by_chains`: the passes to come take their photon paths from Markov chains, whose landings
-    /// come in clusters: their noise is not known. Photons keep the share of time that the noise
-    /// of the last pass without them, and of those since the last choice, asked for.
-    void end_pass(const PassWork& work, const PassNoise& noise, bool by_chains);
+    void end_pass(const PassWork& work, const PassNoise& noise);
     /// Between passes: saves what is planned and what that rests on, or restores it into a new
     /// schedule with the same settings.
     void state(StateArchive& archive);
@@ -57,13 +58,11 @@ class PhotonSchedule {
     double best_ratio() const;
     std::uint32_t best_paths() const;
 
-    bool adapts_, learns_;
+    bool adapts_, learns_, chains_;
     std::uint32_t paths_;
     std::uint64_t pass_ = 0;
     std::uint64_t decide_at_;  // pass before which the number is chosen next
     bool decided_ = false;
-    bool by_chains_ = false;  // from the next pass on
-    double chain_ratio_;      // photons' cost over the eye's while they come from chains
     PassPhotons next_;
     // Since the last choice; at first, of the second half of all passes.
     PassWork work_;

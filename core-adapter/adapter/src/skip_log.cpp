@@ -38,8 +38,14 @@ void SkipLog::no_visible_points(bool for_good) {
                           "so in each pass where none does");
 }
 
-void SkipLog::needless_guide(double seen) {
-    log_->info("skipped the guide: " + percent(seen) + " of the photon paths are seen without it");
+void SkipLog::left_out_guide(PhotonWay way, const SeenPaths& seen) {
+    if (way == PhotonWay::Chains) {
+        log_->info("skipped the guide: Markov chains take its place, as one photon path in " +
+                   std::to_string(std::lround(1 / seen.share())) + " is seen without it");
+        return;
+    }
+    log_->info("skipped the guide: " + percent(seen.share()) +
+               " of the photon paths are seen without it");
 }
 
 void SkipLog::say_switch(bool off, bool& was_off, const std::string& part, double gain) {
@@ -49,15 +55,8 @@ void SkipLog::say_switch(bool off, bool& was_off, const std::string& part, doubl
                    : part + " is back: it gains " + two_decimals(gain));
 }
 
-void SkipLog::after_pass(const AdaptiveGuide* guide, bool chained, const PhotonCounts& photons) {
+void SkipLog::after_pass(const AdaptiveGuide* guide, const PhotonCounts& photons) {
     if (!guide) return;
-    if (chained && !said_chains_) {
-        said_chains_ = true;
-        log_->info(
-            "skipped the guide from here on: Markov chains take its place, as one unguided "
-            "photon path in " +
-            std::to_string(std::lround(1 / guide->visible_share())) + " is seen");
-    }
     const EmissionGuide& emission = guide->emission_guide();
     say_switch(emission.switched_off(), emission_off_, "guided emission", emission.gain());
     say_switch(guide->survival_switched_off(), survival_off_, "survival by score",
@@ -82,7 +81,7 @@ void SkipLog::after_pass(const AdaptiveGuide* guide, bool chained, const PhotonC
 
 void SkipLog::state(StateArchive& archive) {
     for (bool* said : {&said_no_points_, &said_no_seeds_, &said_pruned_, &emission_off_,
-                       &survival_off_, &resting_, &said_chains_})
+                       &survival_off_, &resting_})
         archive.value(*said);
 }
 

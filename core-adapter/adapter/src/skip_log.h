@@ -6,6 +6,7 @@
 
 #include "adaptive_guide.h"
 #include "aips/adapter/camera.h"
+#include "guide_scout.h"
 #include "needs.h"
 #include "photon_path.h"
 
@@ -24,11 +25,10 @@ class SkipLog {
     void start(const Needs& needs);
     /// A pass shot no photons, for lack of visible points; `for_good` if all passes see the same.
     void no_visible_points(bool for_good);
-    /// The adaptive guide is left out, as this share of unguided photon paths is seen.
-    void needless_guide(double seen);
-    /// A pass has ended. `guide` is null but for guide=adaptive; `chained`: its photon paths came
-    /// from Markov chains; `photons`: of all passes so far.
-    void after_pass(const AdaptiveGuide* guide, bool chained, const PhotonCounts& photons);
+    /// The adaptive guide is left out for `way`, as so many unguided photon paths are seen.
+    void left_out_guide(PhotonWay way, const SeenPaths& seen);
+    /// A pass has ended. `guide` is null but for guide=adaptive; `photons`: of all passes so far.
+    void after_pass(const AdaptiveGuide* guide, const PhotonCounts& photons);
     /// Saves or restores what was said.
     void state(StateArchive& archive);
 
@@ -37,7 +37,7 @@ class SkipLog {
 
     Log* log_;
     bool said_no_points_ = false, said_no_seeds_ = false, said_pruned_ = false;
-    bool emission_off_ = false, survival_off_ = false, resting_ = false, said_chains_ = false;
+    bool emission_off_ = false, survival_off_ = false, resting_ = false;
 };
 
 }  // namespace aips

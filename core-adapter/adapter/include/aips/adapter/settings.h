@@ -72,7 +72,7 @@ struct Settings {
     bool guide_bounces = true;  ///< guide=adaptive guides where photons go on to
     bool guide_survival = true;  ///< guide=adaptive decides which photons go on
     bool guide_scout = true;   ///< guide=adaptive is left out where a first look tells it can't pay
-    bool guide_chains = true;  ///< guide=adaptive gives way to chains where next to nothing is seen
+    bool guide_chains = true;  ///< then chains take its place where next to nothing is seen
 
     RadiusKind radius = RadiusKind::Schedule;  ///< mode=progressive; other modes have their own
 };

@@ -85,7 +85,7 @@ TEST(StressCounters, OfTheSchedule) {
             }
             EXPECT_LE(photons.counted, double(kMost));
             EXPECT_GE(photons.counted, double(kMost) - 1e6);
-            schedule.end_pass({1, 1}, {1, 1}, false);
+            schedule.end_pass({1, 1}, {1, 1});
         }
     }
     EXPECT_EQ(learning_weight(kOne << 53), 1);
@@ -107,7 +107,7 @@ TEST(StressCounters, TheScheduleGoesOnChoosing) {
     const int passes = sized(10000, 1000000);
     for (int pass = 0; pass < passes; ++pass) {
         const double paths = schedule.next().paths;
-        schedule.end_pass({1e5, paths}, {1, pass < passes / 2 ? 1e6 : 1e7}, false);
+        schedule.end_pass({1e5, paths}, {1, pass < passes / 2 ? 1e6 : 1e7});
         ASSERT_GE(schedule.next().paths, 1u << 12);
         ASSERT_LE(schedule.next().paths, 1u << 22);
     }

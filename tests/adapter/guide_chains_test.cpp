@@ -30,9 +30,9 @@ mock::Rendering render(const mock::View& view, const Settings& settings, std::ui
     return mock::render(view.scene, view.camera, kWidth, kHeight, settings, passes);
 }
 
-/// One unguided photon path in 3000 or so reaches the patch.
+/// One unguided photon path in 3000 or so comes within reach of the patch.
 mock::View wide_view() {
-    return mock::wide_view(20, kWidth, kHeight);
+    return mock::wide_view(26, kWidth, kHeight);
 }
 
 bool by_chains(const mock::Rendering& rendering) {
@@ -57,12 +57,31 @@ TEST(GuideChains, StayOutWhereEnoughIsSeenOrTheyAreNotWanted) {
     EXPECT_FALSE(by_chains(render(wide_view(), adaptive(3, false), 2)));
 }
 
+/// In each mode, and with radii that follow the light.
 TEST(GuideChains, AreThoseOfPhotonSamplerAmc) {
-    Settings settings = adaptive(4, true);
-    const auto chained = render(wide_view(), settings, 2).film.image();
-    settings.guide = GuideKind::None;
-    settings.photon_sampler = PhotonSampler::AdaptiveChains;
-    EXPECT_EQ(chained, render(wide_view(), settings, 2).film.image());
+    const auto expect_same = [](Mode mode, RadiusKind radius) {
+        Settings settings = adaptive(4, true);
+        settings.photons_per_pass = 60'000;
+        settings.mode = mode;
+        settings.radius = radius;
+        const auto chained = render(wide_view(), settings, 3);
+        EXPECT_TRUE(by_chains(chained));
+        settings.guide = GuideKind::None;
+        settings.photon_sampler = PhotonSampler::AdaptiveChains;
+        EXPECT_EQ(chained.film.image(), render(wide_view(), settings, 3).film.image());
+    };
+    for (const Mode mode : {Mode::Progressive, Mode::PhotonMap, Mode::Ppm})
+        expect_same(mode, RadiusKind::Schedule);
+    expect_same(Mode::Progressive, RadiusKind::Adaptive);
+}
+
+TEST(GuideChains, TakeLongPasses) {
+    Settings settings = adaptive(6, true);
+    settings.photons_per_pass = 0;
+    const auto r = render(wide_view(), settings, 8);
+    EXPECT_TRUE(by_chains(r));
+    EXPECT_EQ(r.statistics.photon_paths, 8 * 65536u);
+    EXPECT_GT(r.statistics.visible_paths, 0u);
 }
 
 /// Family-wise significance of 1 %, fixed seeds; an eighth more or less would be found. Most of
@@ -70,7 +89,7 @@ TEST(GuideChains, AreThoseOfPhotonSamplerAmc) {
 TEST(GuideChains, HaveTheExpectationOfUnguidedPhotons) {
     const auto renders = [](GuideKind guide, std::uint64_t first_seed) {
         statistics::BlockMeans means;
-        for (unsigned s = 0; s < 12; ++s) {
+        for (unsigned s = 0; s < 16; ++s) {
             Settings settings = adaptive(first_seed + s, true);
             settings.guide = guide;
             const auto r = render(wide_view(), settings, 4);

@@ -25,7 +25,6 @@ mock::Rendering render(const mock::View& view, GuideKind guide, std::uint32_t ph
     Settings settings = mock::small_settings(7, photons);
     settings.guide = guide;
     settings.guide_scout = true;
-    settings.direct_light_sampling = false;
     return mock::render(view.scene, view.camera, kWidth, kHeight, settings, 6);
 }
 
@@ -42,7 +41,7 @@ TEST(SeenShare, IsThatOfTheWallThatIsSeen) {
     const auto camera = mock::camera_along_y({0, 0, 0}, 1, kSize, kSize);
     const EyeImage image = mock::traced_eye_image(scene, camera, kSize, kSize * kSize, settings);
     // The rim of the other walls, a radius wide, is within reach of what is seen.
-    EXPECT_NEAR(scout_photons(scene, settings, 0, image, 0.02f).share(), 1.0 / 6, 0.02);
+    EXPECT_NEAR(scout_photons(scene, settings, 0, image, 0.02f).seen_share(), 1.0 / 6, 0.02);
 }
 
 TEST(SeenShare, IsLookedForLongerWhereItIsSmall) {
@@ -64,18 +63,35 @@ TEST(SeenShare, IsLookedForLongerWhereItIsSmall) {
     EXPECT_GE(longer.seen, first.seen);
 }
 
+/// Small radii leave gaps between visible points, which the share that comes near does not have.
+TEST(SeenShare, IsLessThanWhatComesNear) {
+    constexpr std::uint32_t kSize = 32;
+    const mock::View view = mock::wide_view(3, kSize, kSize);
+    Settings settings = mock::small_settings(8, 1);
+    settings.direct_light_sampling = false;
+    const EyeImage image =
+        mock::traced_eye_image(view.scene, view.camera, kSize, kSize * kSize, settings);
+    const SeenPaths wide = scout_photons(view.scene, settings, 0, image, 0.04f);
+    const SeenPaths narrow = scout_photons(view.scene, settings, 0, image, 0.005f);
+    EXPECT_GE(wide.near, wide.seen);
+    EXPECT_LT(narrow.seen_share(), 0.5 * wide.seen_share());
+    EXPECT_GT(narrow.near_share(), narrow.seen_share());
+}
+
 TEST(PhotonWay, GoesByTheShareThatIsSeen) {
     Settings settings;
-    const auto way = [&](std::uint64_t seen) { return photon_way(settings, {seen, 240'000}); };
-    EXPECT_EQ(way(240'000), PhotonWay::Unguided);
-    EXPECT_EQ(way(80'000), PhotonWay::Unguided);
-    EXPECT_EQ(way(79'999), PhotonWay::Guided);
-    EXPECT_EQ(way(240), PhotonWay::Guided);
-    EXPECT_EQ(way(239), PhotonWay::Chains);
-    EXPECT_EQ(way(2), PhotonWay::Chains);
-    EXPECT_EQ(way(1), PhotonWay::Guided) << "chains might find none in most passes";
+    const auto way = [&](std::uint64_t near, std::uint64_t seen) {
+        return photon_way(settings, {near, seen, 240'000});
+    };
+    EXPECT_EQ(way(240'000, 240'000), PhotonWay::Unguided);
+    EXPECT_EQ(way(80'000, 50'000), PhotonWay::Unguided);
+    EXPECT_EQ(way(79'999, 50'000), PhotonWay::Guided);
+    EXPECT_EQ(way(200, 120), PhotonWay::Guided);
+    EXPECT_EQ(way(200, 119), PhotonWay::Chains);
+    EXPECT_EQ(way(200, 2), PhotonWay::Chains);
+    EXPECT_EQ(way(200, 1), PhotonWay::Guided) << "chains might find none in most passes";
     settings.guide_chains = false;
-    EXPECT_EQ(way(239), PhotonWay::Guided);
+    EXPECT_EQ(way(200, 119), PhotonWay::Guided);
 }
 
 /// With a number of photons that is given, and with one that follows the noise.
@@ -84,7 +100,7 @@ TEST(GuideScout, WhereMostIsSeenPhotonsGoAsWithoutAGuide) {
     for (const std::uint32_t photons : {5000u, 0u}) {
         const mock::Rendering scouted = render(view, GuideKind::Adaptive, photons);
         const mock::Rendering unguided = render(view, GuideKind::None, photons);
-        EXPECT_TRUE(says(scouted.log, "skipped the guide"));
+        EXPECT_TRUE(says(scouted.log, "skipped the guide:"));
         EXPECT_EQ(scouted.film.image(), unguided.film.image()) << photons;
         EXPECT_EQ(scouted.statistics.photon_paths, unguided.statistics.photon_paths);
         EXPECT_EQ(scouted.statistics.guide_bytes, 0u);
@@ -94,7 +110,7 @@ TEST(GuideScout, WhereMostIsSeenPhotonsGoAsWithoutAGuide) {
 TEST(GuideScout, WhereLittleIsSeenTheGuideStays) {
     const mock::View view = mock::wide_view(3, kWidth, kHeight);
     const mock::Rendering scouted = render(view, GuideKind::Adaptive, 5000);
-    EXPECT_FALSE(says(scouted.log, "skipped the guide"));
+    EXPECT_FALSE(says(scouted.log, "skipped the guide:"));
     EXPECT_GT(scouted.statistics.guide_bytes, 0u);
 }
 

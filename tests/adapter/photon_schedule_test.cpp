@@ -147,11 +147,17 @@ TEST(PhotonSchedule, AMillionWhereNoiseIsNotFollowed) {
 TEST(PhotonSchedule, ChainsTakeAFixedShareOfTime) {
     const auto unchained = passes({}, false, {1, 1e6, 1e5}, 70);
     for (const double noise : {-1.0, 1.0, 1e9}) {
-        const auto chained = passes({}, false, {1, noise, 1e4}, 70, true);
-        EXPECT_NEAR(chained.back().paths, 5 * 1e4, 1);
+        const auto chained = passes({}, false, {1, noise, 1e5}, 70, true);
+        EXPECT_NEAR(chained.back().paths, 5 * 1e5, 1);
         for (std::size_t i = 0; i < chained.size(); ++i)
             EXPECT_EQ(chained[i].weight, unchained[i].weight);
     }
+}
+
+// They find their paths anew in each pass.
+TEST(PhotonSchedule, PassesOfChainsAreNeverShort) {
+    for (const PassPhotons& pass : passes({}, false, {1, 1, 1e3}, 70, true))
+        EXPECT_EQ(pass.paths, 65536u);
 }
 
 }  // namespace

@@ -101,6 +101,19 @@ TEST(SkipLog, NamesWhatIsSwitchedOffOnce) {
     EXPECT_EQ(log.lines[0], "skipped survival by score for now: too little is gained, 1.00");
 }
 
+TEST(SkipLog, TellsWhyTheGuideIsLeftOut) {
+    mock::Log log;
+    SkipLog skip_log(log);
+    skip_log.left_out_guide(PhotonWay::Unguided, {8000, 7000, 16384});
+    skip_log.left_out_guide(PhotonWay::Chains, {50, 32, 100'000});
+    ASSERT_EQ(log.lines.size(), 2u);
+    EXPECT_EQ(log.lines[0],
+              "skipped the guide: 49 % of the photon paths come near what is seen without it");
+    EXPECT_EQ(log.lines[1],
+              "skipped the guide: Markov chains take its place, as one photon path in 3125 is seen "
+              "without it");
+}
+
 /// What nobody asked for was not tried.
 TEST(SkipLog, SaysNothingOfPartsThatAreNotThere) {
     Settings settings = survival_alone();

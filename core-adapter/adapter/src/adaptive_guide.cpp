@@ -6,7 +6,6 @@
 
 #include <limits>
 
-#include "learning_weight.h"
 #include "light_choice.h"
 
 namespace aips {

@@ -179,7 +179,7 @@ class Engine::State {
   private:
     void state_of_way(StateArchive& archive) {
         archive.value(photon_way_);
-        const bool asked_for = settings_.guide == GuideKind::Adaptive &&
+        const bool asked_for = settings_.guide == GuideKind::Adaptive && settings_.guide_scout &&
                                (photon_way_ != PhotonWay::Chains || settings_.guide_chains);
         StateArchive::check(
             photon_way_ <= PhotonWay::Chains && (photon_way_ == PhotonWay::Guided || asked_for),

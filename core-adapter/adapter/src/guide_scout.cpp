@@ -15,9 +15,9 @@ namespace {
 constexpr std::uint64_t kNoPass = std::numeric_limits<std::uint64_t>::max();
 constexpr std::uint64_t kFirstPath = std::uint64_t{1} << 62;
 
-/// Shares of unguided photon paths that are seen from which on photons go without the adaptive
-/// guide, and below which chains do better.
-constexpr double kSeenWithoutGuide = 1.0 / 3, kSeenForChains = 1e-3;
+/// Share of unguided photon paths that come near what is seen from which on photons go without the
+/// adaptive guide, and share of those that are seen below which chains do better.
+constexpr double kNearWithoutGuide = 1.0 / 3, kSeenForChains = 5e-4;
 /// Paths seen that tell the second from more, and at most so many paths to find them; chains need
 /// to find a visible path now and then.
 constexpr std::uint64_t kSeenEnough = 32, kMostPaths = 16 * kPlainIterationPaths, kSeenAtLeast = 2;
@@ -36,7 +36,6 @@ SeenPaths scout_photons(const Scene& scene, const Settings& settings, float time
     const DiscreteDistribution choice = light_choice(scene);
     PhotonInput input{scene, settings, choice};
     input.occupancy = &occupancy;
-    input.reach = &reach;
     input.pass = kNoPass;
     input.time = time;
     input.log_one_of = 1;
@@ -49,8 +48,14 @@ SeenPaths scout_photons(const Scene& scene, const Settings& settings, float time
         tracer.trace(input, kFirstPath, std::uint32_t(counts.traced), kPlainIterationPaths,
                      refusals, landings, &log);
         counts.traced += kPlainIterationPaths;
-        counts.seen += std::uint64_t(std::ranges::count_if(
-            log.paths, [](const PathRecord& path) { return path.landings > 0; }));
+        for (const PathRecord& path : log.paths) {
+            const auto landed =
+                std::span(landings.landings()).subspan(path.first_landing, path.landings);
+            counts.near += !landed.empty();
+            counts.seen += std::ranges::any_of(landed, [&](const Landing& landing) {
+                return reach.any_within_radius(landing.position);
+            });
+        }
         log.clear();
         landings.clear();
     } while (settings.guide_chains && counts.seen < kSeenEnough && counts.traced < kMostPaths);
@@ -58,9 +63,9 @@ SeenPaths scout_photons(const Scene& scene, const Settings& settings, float time
 }
 
 PhotonWay photon_way(const Settings& settings, const SeenPaths& seen) {
-    if (seen.share() >= kSeenWithoutGuide) return PhotonWay::Unguided;
+    if (seen.near_share() >= kNearWithoutGuide) return PhotonWay::Unguided;
     const bool chains = settings.guide_chains && seen.seen >= kSeenAtLeast;
-    return chains && seen.share() < kSeenForChains ? PhotonWay::Chains : PhotonWay::Guided;
+    return chains && seen.seen_share() < kSeenForChains ? PhotonWay::Chains : PhotonWay::Guided;
 }
 
 }  // namespace aips

@@ -12,26 +12,30 @@
 
 namespace aips {
 
-/// Of unguided photon paths, how many are seen.
+/// Of `traced` unguided photon paths (> 0), how many are seen.
 struct SeenPaths {
-    std::uint64_t seen = 0, traced = 0;
+    std::uint64_t near = 0;  ///< land within the radius of a visible point or a cell's width beyond
+    std::uint64_t seen = 0;  ///< within the radius
+    std::uint64_t traced = 0;
 
-    /// In [0, 1]; 0 if none was traced.
-    double share() const { return traced > 0 ? double(seen) / double(traced) : 0; }
+    /// In [0, 1]. The first takes visible surfaces whole, however small the radius.
+    double near_share() const { return double(near) / double(traced); }
+    double seen_share() const { return double(seen) / double(traced); }
 };
 
 /// Follows unguided photon paths and counts those that land within `radius` (scene units, > 0) of a
-/// visible point of `image`. The paths have numbers of their own and bring nothing into the image,
-/// whose expectation therefore does not depend on what is made of the counts. Where chains are
-/// allowed (`guide_chains`) and few are seen, more paths are followed.
+/// visible point of `image`. The paths have numbers of their own and bring nothing into the image:
+/// its expectation does not depend on what is made of the counts, but for what the eye paths of the
+/// first pass, which hardly count, had to do with them. Where chains are allowed (`guide_chains`)
+/// and few are seen, more paths are followed.
 SeenPaths scout_photons(const Scene& scene, const Settings& settings, float time,
                         const EyeImage& image, float radius);
 
 /// What takes photons through the scene under guide=adaptive.
 enum class PhotonWay : std::uint8_t {
     Guided,
-    Unguided,  ///< the guide is left out: a third of the photon paths is seen without it
-    Chains     ///< Markov chains in its place: fewer than one in 1000 is seen, but at least two
+    Unguided,  ///< the guide is left out: a third of the photon paths comes near what is seen
+    Chains     ///< Markov chains in its place: fewer than one in 2000 is seen, but at least two
 };
 
 PhotonWay photon_way(const Settings& settings, const SeenPaths& seen);

@@ -1,4 +1,5 @@
-// photonsampler=amc: photon paths from adaptive Markov chains (Hachisuka & Jensen 2011).
+// photonsampler=amc, and guide=adaptive where next to nothing is seen: photon paths from adaptive
+// Markov chains (Hachisuka & Jensen 2011).
 #pragma once
 
 #include "aips/core/visibility_chain.h"
@@ -9,7 +10,7 @@ namespace aips {
 /// Whether some pass may take its photon paths from chains.
 inline bool may_use_chains(const Settings& s) {
     return s.photon_sampler == PhotonSampler::AdaptiveChains ||
-           (s.guide == GuideKind::Adaptive && s.guide_chains);
+           (s.guide == GuideKind::Adaptive && s.guide_scout && s.guide_chains);
 }
 
 /// Chains that walk among the photon paths which reach visible points. Their number is fixed, each

@@ -12,6 +12,8 @@ namespace {
 
 /// Bounds of what is chosen.
 constexpr std::uint32_t kFewest = 1u << 12, kMost = 1u << 22;
+/// Chains find their paths anew in each pass: short ones find none where they are rare.
+constexpr std::uint32_t kFewestOfChains = 1u << 16;
 /// Passes before the first choice. Others follow whenever there are a quarter more.
 constexpr std::uint64_t kFirstPasses = 4, kFirstPassesOfAGuide = 8;
 /// Factors by which a choice may change the last one, and that of a guide the first: passes count
@@ -36,11 +38,12 @@ bool follows_noise(const Settings& settings) {
 
 /// Before anything is known: as many as eye paths, and at least what a guide has to learn from.
 std::uint32_t first_paths(const Settings& settings, std::uint32_t eye_paths, bool adapts,
-                          bool learns) {
+                          bool learns, bool chains) {
     if (!adapts)
         return settings.photons_per_pass ? settings.photons_per_pass : kUsualPhotonsPerPass;
     const auto learning = std::uint32_t(kLearningPaths / kFirstPassesOfAGuide);
-    return std::clamp(eye_paths, learns ? learning : kFewest, kUsualPhotonsPerPass);
+    const std::uint32_t fewest = learns ? learning : chains ? kFewestOfChains : kFewest;
+    return std::clamp(eye_paths, fewest, kUsualPhotonsPerPass);
 }
 
 }  // namespace
@@ -50,7 +53,7 @@ PhotonSchedule::PhotonSchedule(const Settings& settings, std::uint32_t eye_paths
     : adapts_(shoots && follows_noise(settings)),
       learns_(learns),
       chains_(chains),
-      paths_(first_paths(settings, eye_paths, adapts_, learns)),
+      paths_(first_paths(settings, eye_paths, adapts_, learns, chains)),
       decide_at_(learns ? kFirstPassesOfAGuide : kFirstPasses) {
     plan();
 }
@@ -135,7 +138,8 @@ std::uint32_t PhotonSchedule::best_paths() const {
         const double rise = decided_ ? kGreatestRise : 1;
         paths = std::clamp(paths, paths_ / kGreatestFall, paths_ * rise);
     }
-    return static_cast<std::uint32_t>(std::clamp(paths, double(kFewest), double(kMost)));
+    const double fewest = chains_ ? kFewestOfChains : kFewest;
+    return static_cast<std::uint32_t>(std::clamp(paths, fewest, double(kMost)));
 }
 
 }  // namespace aips

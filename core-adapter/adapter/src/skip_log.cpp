@@ -41,11 +41,11 @@ void SkipLog::no_visible_points(bool for_good) {
 void SkipLog::left_out_guide(PhotonWay way, const SeenPaths& seen) {
     if (way == PhotonWay::Chains) {
         log_->info("skipped the guide: Markov chains take its place, as one photon path in " +
-                   std::to_string(std::lround(1 / seen.share())) + " is seen without it");
+                   std::to_string(std::lround(1 / seen.seen_share())) + " is seen without it");
         return;
     }
-    log_->info("skipped the guide: " + percent(seen.share()) +
-               " of the photon paths are seen without it");
+    log_->info("skipped the guide: " + percent(seen.near_share()) +
+               " of the photon paths come near what is seen without it");
 }
 
 void SkipLog::say_switch(bool off, bool& was_off, const std::string& part, double gain) {

@@ -24,7 +24,7 @@ std::vector<ResumableCase> small_cases() {
         what.settings.max_nodes = 64;
         what.settings.cdf_resolution = 4;
         if (what.settings.photons_per_pass) what.settings.photons_per_pass = 1500;
-        // The guide would begin with 125000 photons a pass: that of automatic_none tells enough.
+        // The guide would begin with 62500 photons a pass: that of automatic_none tells enough.
         if (what.name != "automatic_paper" && what.name != "automatic_adaptive")
             cases.push_back(what);
     }

@@ -81,6 +81,17 @@ TEST_P(EngineState, GoesOnWithTheSameBits) {
     }
 }
 
+/// What the cases are named after has happened in them.
+TEST(ResumableCases, LeaveTheGuideOutWhereTheySaySo) {
+    for (const ResumableCase& what : mock::resumable_cases()) {
+        if (what.name != "chains_for_guide" && what.name != "needless_guide") continue;
+        ResumableRender render(what);
+        render.render_to(2);
+        EXPECT_EQ(render.statistics().guide_bytes, 0u) << what.name;
+        EXPECT_EQ(render.statistics().visible_paths > 0, what.name == "chains_for_guide");
+    }
+}
+
 INSTANTIATE_TEST_SUITE_P(Renders, EngineState, testing::ValuesIn(mock::resumable_cases()),
                          [](const auto& test) { return test.param.name; });
 

@@ -48,10 +48,10 @@ struct EngineStatistics {
     std::uint64_t gathered = 0;   ///< photon contributions to visible points
     std::uint64_t bounces = 0;
     std::uint64_t guided_bounces = 0;
-    /// photonsampler=amc: independent photon paths that measure which share reaches visible points
+    /// Markov chains: independent photon paths that measure which share reaches visible points
     std::uint64_t measured_paths = 0;
     std::uint64_t visible_paths = 0;  ///< of these, those that did
-    double mutation_size = 0;         ///< photonsampler=amc: see docs/photon-samplers.md
+    double mutation_size = 0;         ///< of Markov chains: see docs/photon-samplers.md
     std::uint64_t guide_nodes = 0;
     std::uint64_t guide_bytes = 0;
     /// guide=adaptive: plain second moment times cost of emission over guided
@@ -68,7 +68,7 @@ struct EngineStatistics {
     /// guide=adaptive: share of what the lights emit that now gets under a quarter of its photons
     double pruned_emission = 0;
     double eye_seconds = 0, photon_seconds = 0, gather_seconds = 0, guide_seconds = 0;
-    double plan_seconds = 0;             ///< measuring noise and what pixels weigh
+    double plan_seconds = 0;             ///< first look at photons, noise, pixels' weights
     float radius = 0;                    ///< of the last pass
     std::uint32_t photons_per_pass = 0;  ///< of the next pass
     std::size_t memory_bytes = 0;        ///< held by the engine now

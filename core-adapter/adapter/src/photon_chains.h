@@ -4,6 +4,7 @@
 
 #include "aips/core/visibility_chain.h"
 #include "photon_iteration.h"
+#include "search_radii.h"
 
 namespace aips {
 
@@ -22,6 +23,9 @@ class PhotonChains {
 
     PhotonChains() : chains_(kChains) {}
 
+    /// How far from a visible point (scene units) photons count as visible: twice the mean radius.
+    /// Discs that just touch, or do not, are islands to a chain, which stays on one for long.
+    static float reach(const SearchRadii& radii) { return std::max(2 * radii.mean, radii.reach()); }
     /// Where paths have to land to be visible, from the next pass until it is told anew.
     void mark_reach(std::span<const Vec3> visible_points, float radius);
 
@@ -34,8 +38,8 @@ class PhotonChains {
     std::uint32_t round_paths() const;
 
     /// Traces exactly `count` photon paths, independent and mutated ones together, and appends the
-    /// landings of the recorded states. A path is visible when it leaves a landing within the
-    /// radius of a visible point; `input.occupancy` must be there and `input.guide` must not.
+    /// landings of the recorded states. A path is visible when it leaves a landing within reach of
+    /// a visible point; `input.occupancy` must be there and `input.guide` must not.
     PhotonCounts trace(const PhotonInput& input, std::uint32_t count, Refusals& refusals,
                        LandingStore& store);
 

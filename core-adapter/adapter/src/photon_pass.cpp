@@ -23,10 +23,11 @@ PhotonPass::PhotonPass(const Scene& scene, const Settings& settings, Guide* guid
 
 void PhotonPass::begin_pass(std::uint64_t pass, const PassPhotons& photons, float time,
                             const EyeImage& image, const SearchRadii& radii) {
-    const bool reach_lasts = freezes_eye_pass(settings_.mode) && reach_ == radii.reach();
+    const float reach = chained_ ? PhotonChains::reach(radii) : radii.reach();
+    const bool reach_lasts = freezes_eye_pass(settings_.mode) && reach_ == reach;
     if (guide_ || adaptive_ || !reach_lasts) {
         const std::vector<Vec3> positions = positions_of(image.visible_points);
-        if (!reach_lasts) mark_reach(positions, radii.reach());
+        if (!reach_lasts) mark_reach(positions, reach);
         const Stopwatch watch(totals_.guide_seconds);
         if (guide_) guide_->begin_pass(positions, image.positions.size());
         if (adaptive_)

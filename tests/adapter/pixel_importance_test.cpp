@@ -17,7 +17,7 @@ using namespace aips;
 constexpr std::uint32_t kWidth = 40, kHeight = 30;
 constexpr std::size_t kPixels = std::size_t{kWidth} * kHeight;
 /// As documented: pixels darker than this share of the mean weigh as if they were about as bright.
-constexpr double kDarkest = 0.02;
+constexpr double kDarkest = 0.3;
 
 EyeImage eye_image(std::uint32_t groups = 1) {
     return mock::image_of_pixels(kWidth, kHeight, kWhite, groups);

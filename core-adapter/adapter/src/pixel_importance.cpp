@@ -13,8 +13,10 @@ namespace {
 /// Half width of the box that is blurred over, pixels: in the first passes, when photons are few, a
 /// wide one.
 constexpr int kFirstBlur = 12, kLastBlur = 2;
-/// Pixels darker than this share of the mean weigh no more than at it.
-constexpr double kDarkest = 0.02;
+/// Pixels darker than this share of the mean weigh no more than at it. Down to a fiftieth the few
+/// photons that the darkest get decide most of the scores, and the guide follows their noise: all
+/// pixels, those too, have less of it with 0.3 (docs/design-notes.md).
+constexpr double kDarkest = 0.3;
 
 /// Sums of sliding windows along a line of `count` values, `stride` apart, of ratios' parts. What a
 /// bright value leaves behind by rounding, 2^-53 of it, is far below what counts as dark

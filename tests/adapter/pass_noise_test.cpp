@@ -59,9 +59,9 @@ PassNoise measured(double eye_variance, const std::vector<double>& per_pixel) {
             EXPECT_EQ(noise.photon_path, 0);
         }
     }
-    // It is relative to L^2 + (0.3 L)^2, as pixels weigh where all are alike.
-    mean.eye *= 1.09;
-    mean.photon_path *= 1.09;
+    // It is relative to L^2 + eps^2, as pixels weigh, all of which are alike.
+    mean.eye *= 1 + kDarkestShare * kDarkestShare;
+    mean.photon_path *= 1 + kDarkestShare * kDarkestShare;
     return mean;
 }
 

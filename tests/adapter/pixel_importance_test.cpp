@@ -16,8 +16,6 @@ using namespace aips;
 
 constexpr std::uint32_t kWidth = 40, kHeight = 30;
 constexpr std::size_t kPixels = std::size_t{kWidth} * kHeight;
-/// As documented: pixels darker than this share of the mean weigh as if they were about as bright.
-constexpr double kDarkest = 0.3;
 
 EyeImage eye_image(std::uint32_t groups = 1) {
     return mock::image_of_pixels(kWidth, kHeight, kWhite, groups);
@@ -46,7 +44,7 @@ double mean_of(const std::vector<float>& values) {
 }
 
 double weight(double luminance, double mean) {
-    return 1 / (luminance * luminance + kDarkest * kDarkest * mean * mean);
+    return 1 / (luminance * luminance + kDarkestShare * kDarkestShare * mean * mean);
 }
 
 /// What the eye saw by itself says nothing of how bright photons will make it.
@@ -149,13 +147,13 @@ TEST(PixelImportance, BlackImagesHaveWeights) {
     weights_of(importance, image);
     importance.add_pass(image, uniform(0));
     weights_of(importance, image);
-    // One pixel is lit: the darkest elsewhere weigh at most 1 / (kDarkest mean)^2.
+    // One pixel is lit: the darkest elsewhere weigh at most 1 / (kDarkestShare mean)^2.
     auto radiance = uniform(0);
     radiance[0] = kWhite;
     importance.add_pass(image, radiance);
     const double mean = 0.5 / kPixels;
     const auto weights = weights_of(importance, image);
-    EXPECT_NEAR(weights.back() * std::pow(kDarkest * mean, 2), 1, 1e-4);
+    EXPECT_NEAR(weights.back() * std::pow(kDarkestShare * mean, 2), 1, 1e-4);
     EXPECT_LT(weights.front(), weights.back());
 }
 

@@ -13,14 +13,10 @@ namespace {
 /// Half width of the box that is blurred over, pixels: in the first passes, when photons are few, a
 /// wide one.
 constexpr int kFirstBlur = 12, kLastBlur = 2;
-/// Pixels darker than this share of the mean weigh no more than at it. Down to a fiftieth the few
-/// photons that the darkest get decide most of the scores, and the guide follows their noise: all
-/// pixels, those too, have less of it with 0.3 (docs/design-notes.md).
-constexpr double kDarkest = 0.3;
 
 /// Sums of sliding windows along a line of `count` values, `stride` apart, of ratios' parts. What a
 /// bright value leaves behind by rounding, 2^-53 of it, is far below what counts as dark
-/// (kDarkest).
+/// (kDarkestShare).
 void sum_windows(const double* from, double* to, int count, std::ptrdiff_t stride, int radius) {
     double sum = 0;
     for (int i = -radius; i < count; ++i) {
@@ -113,7 +109,7 @@ double PixelImportance::weigh(const EyeImage& image, std::vector<float>& weights
 
 float PixelImportance::weight(std::size_t pixel) const {
     if (!(mean_ > 0)) return 1;
-    const double least = kDarkest * mean_;
+    const double least = kDarkestShare * mean_;
     const auto value = double(blurred_[pixel]);
     return within_floats(1 / (value * value + least * least));
 }

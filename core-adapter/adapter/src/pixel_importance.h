@@ -1,4 +1,4 @@
-// How much an error weighs in each pixel: 1 / (L^2 + eps), L being the pixel's luminance so far.
+// How much an error weighs in each pixel: 1 / (L^2 + eps^2), L being the pixel's luminance so far.
 //
 // A guide that minimises the relative squared error divides by L^2. The running estimate is
 // blurred, as single pixels are noisy for long; it only steers sampling, so that any error in it
@@ -12,6 +12,11 @@
 #include "eye_pass.h"
 
 namespace aips {
+
+/// eps over the mean luminance: darker pixels weigh little more than at it. With a fiftieth the few
+/// photons that the darkest get decide most of the scores, and the guide follows their noise: all
+/// pixels, those too, have less of it with this (docs/design-notes.md).
+inline constexpr double kDarkestShare = 0.3;
 
 class PixelImportance {
   public:

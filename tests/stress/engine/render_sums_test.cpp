@@ -127,8 +127,9 @@ TEST(StressSums, LuminanceOfAPixel) {
         }
         importance.add_pass(image, radiance);
     }
-    // 1 / (L^2 + (0.02 L)^2), L being the mean.
-    const double mean = std::sqrt(1 / (double(importance.weight(0)) * (1 + 0.02 * 0.02)));
+    // 1 / (L^2 + eps^2), L being the mean.
+    const double weight = double(importance.weight(0));
+    const double mean = std::sqrt(1 / (weight * (1 + kDarkestShare * kDarkestShare)));
     const double terms = double(kPaths) * passes;
     const double expected = (double(luminance({kTerm, kTerm, kTerm})) +
                              double(luminance({3 * kTerm, 3 * kTerm, 3 * kTerm}))) /

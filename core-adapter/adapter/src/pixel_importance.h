@@ -14,8 +14,8 @@
 namespace aips {
 
 /// eps over the mean luminance: darker pixels weigh little more than at it. With a fiftieth the few
-/// photons that the darkest get decide most of the scores, and the guide follows their noise: all
-/// pixels, those too, have less of it with this (docs/design-notes.md).
+/// photons that the darkest get decide most of the scores, and the guide follows their noise for
+/// long: in short renders all pixels, those too, have less of it with this (docs/design-notes.md).
 inline constexpr double kDarkestShare = 0.3;
 
 class PixelImportance {

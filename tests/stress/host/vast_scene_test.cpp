@@ -69,7 +69,7 @@ Result rendered(double extent, bool horizon, const std::string& method) {
     const auto scene = folder.write("ground.lxs", ball_on_ground(extent, horizon));
     Result result;
     result.image = render::render(
-        scene, "--passes 4 --seed 3 " + method + " --stats '" + (folder / "stats.json") + "'",
+        scene, "--passes 32 --seed 3 " + method + " --stats '" + (folder / "stats.json") + "'",
         folder);
     const std::string statistics = folder.read("stats.json");
     result.radius = number(statistics, "radius");
@@ -88,7 +88,8 @@ const std::vector<std::string> kMethods{
 
 constexpr double kVast = 474e3, kNear = 20;  // extents, metres
 
-/// Of the lower half of the image: the caustic, and never the lamp itself.
+/// Of the lower half of the image: the caustic, and never the lamp itself. Of 32 passes it has a
+/// standard deviation of 4 % over seeds, of 4 passes one of 28 %.
 double brightest_block(const Result& result) {
     const auto blocks = result.image.block_means(2);
     return *std::max_element(blocks.begin() + std::ptrdiff_t(blocks.size() / 2), blocks.end());

@@ -79,7 +79,7 @@ Result rendered(double extent, bool horizon, const std::string& method) {
 }
 
 const std::vector<std::string> kMethods{
-    "--set aips.photonperpass=40000",
+    "--set aips.photonperpass=40000 --set aips.radius=schedule",
     "--set aips.photonperpass=40000 --set aips.radius=adaptive",
     "--set aips.photonperpass=40000 --set aips.mode=photonmap",
     "--integrator sppm --set sppm.photonperpass=40000",

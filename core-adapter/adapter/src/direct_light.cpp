@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "light_choice.h"
+#include "vector_growth.h"
 
 namespace aips {
 namespace {
@@ -115,10 +116,9 @@ std::size_t DirectLight::memory_bytes() const {
 }
 
 std::size_t DirectLight::memory_bound_bytes(const Scene& scene, std::size_t samples) {
-    constexpr std::size_t kGrowth = 2;  // vectors grow by doubling
     const std::size_t lights = scene.lights().size();
     return LightTables::memory_bound_bytes(light_table_settings(lights), lights) +
-           (kMostNew + samples) * kGrowth * sizeof(LightSample);
+           (kMostNew + samples) * kVectorGrowth * sizeof(LightSample);
 }
 
 }  // namespace aips

@@ -4,6 +4,7 @@
 #include <tbb/enumerable_thread_specific.h>
 
 #include "parallel_for.h"
+#include "vector_growth.h"
 
 namespace aips {
 namespace {
@@ -133,13 +134,12 @@ std::size_t PhotonChains::memory_bytes() const {
 }
 
 std::size_t PhotonChains::memory_bound_bytes(const Settings& settings, std::uint32_t eye_paths) {
-    constexpr std::size_t kGrowth = 2;  // vectors grow by doubling
     const std::size_t state = max_coordinates(settings.max_photon_depth) * sizeof(Coordinate) +
                               settings.max_photon_depth * sizeof(Landing);
     // A current and a proposed state; what lasts from the last round is recorded in this one too.
     const std::size_t carried = 2 * sizeof(Landing) * settings.max_photon_depth;
     return PointGrid::memory_bound_bytes(eye_paths) +
-           kChains * (sizeof(Chain) + kGrowth * (2 * state + carried));
+           kChains * (sizeof(Chain) + kVectorGrowth * (2 * state + carried));
 }
 
 }  // namespace aips

@@ -15,6 +15,7 @@
 #include "parallel_for.h"
 #include "radius_policy.h"
 #include "scheduled_radius.h"
+#include "vector_growth.h"
 
 namespace aips {
 namespace {
@@ -166,10 +167,9 @@ std::size_t VolumeGather::memory_bytes() const {
 
 std::size_t VolumeGather::memory_bound_bytes(const Scene& scene, std::size_t eye_paths,
                                              std::size_t iteration) {
-    constexpr std::size_t kGrowth = 2;  // vectors grow by doubling
     const std::size_t photons = kVolumePhotonCapacity + iteration;
-    return kGrowth * (2 * photons + iteration) * sizeof(VolumePhoton) +
-           kGrowth * photons * sizeof(Vec3) + CellSort::memory_bound_bytes(photons) +
+    return kVectorGrowth * (2 * photons + iteration) * sizeof(VolumePhoton) +
+           kVectorGrowth * photons * sizeof(Vec3) + CellSort::memory_bound_bytes(photons) +
            eye_paths * scene.light_groups() * sizeof(Rgb);
 }
 

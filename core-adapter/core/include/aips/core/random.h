@@ -10,19 +10,17 @@
 
 namespace aips {
 
-/// What a stream of numbers is for; streams of different domains are independent.
+/// What a stream of numbers is for; streams of different domains are independent. The numbers of
+/// the domains are part of every render's bits; 2, 5 and 6 are free.
 enum class RandomDomain : std::uint8_t {
-    Photon,       ///< bounces of a photon path; index: the path
-    Eye,          ///< eye paths in media; index: the path
-    DirectLight,  ///< shadow rays, where they do not share the eye path's stream
-    Guide,        ///< choices of a guide's training
-    Time,         ///< the moment of a pass; index 0
-    Camera,       ///< film and lens positions, where they do not share the eye path's stream
-    Emission,     ///< primary coordinates of photon paths without a low-discrepancy sequence
-    UniformPath,  ///< independent paths of Markov chains; index: step * chains + chain
-    MutatedPath,  ///< mutations of Markov chains; index: step * chains + chain
-    EyeSeeding,   ///< walks from visible points to lights; index: the group of visible points
-    VolumePieces  ///< parts of eye paths in media; index: the eye path
+    Photon = 0,        ///< bounces of a photon path; index: the path
+    Eye = 1,           ///< eye paths in media; index: the path
+    Guide = 3,         ///< choices of a guide's training
+    Time = 4,          ///< the moment of a pass; index 0
+    UniformPath = 7,   ///< independent paths of Markov chains; index: step * chains + chain
+    MutatedPath = 8,   ///< mutations of Markov chains; index: step * chains + chain
+    EyeSeeding = 9,    ///< walks from visible points to lights; index: the group of visible points
+    VolumePieces = 10  ///< parts of eye paths in media; index: the eye path
 };
 
 /// The top 24 bits as a number in [0, 1); never 1, all 2^24 values equally likely.

@@ -17,6 +17,7 @@ constexpr std::array<std::string_view, 3> kModes{"progressive", "photonmap", "pp
 /// The first is the default of aips, and of it alone; LuxRender's plugins have the others.
 constexpr std::array<std::string_view, 3> kRadii{"automatic", "schedule", "adaptive"};
 constexpr std::array<std::string_view, 3> kGuides{"none", "paper", "adaptive"};
+constexpr std::array<std::string_view, 2> kCriteria{"paper", "image"};
 constexpr std::array<std::string_view, 2> kPhotonSamplers{"halton", "amc"};
 constexpr double kMaxCount = 4294967295.0;
 
@@ -91,6 +92,11 @@ std::vector<ParameterDeclaration> guide_declarations() {
                                "(docs/adaptive-guide.md)."};
     guide.choices = kGuides;
     return {
+    ParameterDeclaration criterion{"errorcriterion", ParameterType::String, "paper",
+                                   "With guide paper: a node's error is noise and bias of its "
+                                   "photons' density (eq. 2 to 4); or, beyond the paper, what they "
+                                   "are worth to the image (docs/paper-guide.md)."};
+    criterion.choices = kCriteria;
         mode,
         guide,
         {"guideshare", ParameterType::Float, "0.5",
@@ -105,6 +111,7 @@ std::vector<ParameterDeclaration> guide_declarations() {
         {"erroralpha", ParameterType::Float, "0.4",
          "Weight of the last pass in a node's error (eq. 8).", 0, 0.99},
         {"guideemission", ParameterType::Bool, "true",
+        criterion,
          "With guide adaptive: guides where photons start."},
         {"eyeseeding", ParameterType::Bool, "true",
          "With guide adaptive: paths from the eye tell where photons ought to start."},
@@ -126,15 +133,20 @@ std::span<const std::string_view> radii_of(PluginKind kind) {
 }
 
 /// Of plugins that have mode progressive.
+constexpr std::string_view kRadiusOfSppm =
+    "How the radius goes on: schedule, the same at all visible points, falling with the photons "
+    "shot; adaptive, at each visible point the one that balances noise and bias, between an eighth "
+    "of the scheduled and twice it (after Kaplanyan and Dachsbacher 2013).";
+constexpr std::string_view kRadiusOfAips =
+    "How the radius goes on in mode progressive: schedule, the same at all visible points, falling "
+    "with the photons shot; adaptive, at each visible point the one that balances noise and bias, "
+    "between an eighth of the scheduled and twice it (after Kaplanyan and Dachsbacher 2013); "
+    "automatic, adaptive unless startradius or alpha ask for a schedule of their own, or guide is "
+    "paper. The other modes have radii of their own: no effect there.";
+
 ParameterDeclaration radius_declaration(PluginKind kind) {
     ParameterDeclaration d{"radius", ParameterType::String, radii_of(kind).front(),
-                           "How the radius goes on in mode progressive: schedule, the same at all "
-                           "visible points, falling with the photons shot; adaptive, at each "
-                           "visible point the one that balances noise and bias, between an eighth "
-                           "of the scheduled and twice it (after Kaplanyan and Dachsbacher 2013); "
-                           "automatic, in aips alone, adaptive unless startradius or alpha ask for "
-                           "a schedule of their own, or guide is paper. The other modes have radii "
-                           "of their own: no effect there."};
+                           kind == PluginKind::Aips ? kRadiusOfAips : kRadiusOfSppm};
     d.choices = radii_of(kind);
     return d;
 }
@@ -236,6 +248,9 @@ void read_guide(const lxs::ParameterReader& in, Settings& s) {
     s.cdf_resolution = count("cdfresolution", s.cdf_resolution);
     s.error_alpha = in.number("erroralpha", s.error_alpha);
     s.guide_emission = in.boolean("guideemission", s.guide_emission);
+    s.error_criterion = in.string("errorcriterion", kCriteria[0]) == kCriteria[1]
+                            ? CriterionKind::Image
+                            : CriterionKind::Paper;
     s.eye_seeding = in.boolean("eyeseeding", s.eye_seeding);
     s.guide_bounces = in.boolean("guidebounces", s.guide_bounces);
     s.guide_survival = in.boolean("guidesurvival", s.guide_survival);

@@ -9,12 +9,14 @@ namespace {
 using namespace aips;
 
 std::vector<Rgb> image_with(unsigned threads, GuideKind guide, std::uint64_t seed,
-                            Mode mode = Mode::Progressive) {
+                            Mode mode = Mode::Progressive,
+                            CriterionKind criterion = CriterionKind::Paper) {
     const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
     const mock::Scene scene = mock::lamp_box({}, mock::half_mirror());
     Settings settings = mock::small_settings(seed, 20000);
     settings.guide = guide;
     settings.mode = mode;
+    settings.error_criterion = criterion;
     settings.alpha = 0.7;
     const auto camera = mock::camera_along_y({0, -0.9f, 0}, 1, 40, 30);
     return mock::render(scene, camera, 40, 30, settings, 3).film.image();
@@ -36,6 +38,16 @@ TEST_P(Determinism, SameBitsForAnyNumberOfThreadsWithARadiusPerPoint) {
 
 TEST_P(Determinism, SeedsDiffer) {
     EXPECT_NE(image_with(2, GetParam(), 11), image_with(2, GetParam(), 12));
+}
+
+TEST(DeterminismOfScores, SameBitsForAnyNumberOfThreadsWithTheImagesError) {
+    const auto image = [](unsigned threads, CriterionKind criterion) {
+        return image_with(threads, GuideKind::Paper, 11, Mode::Progressive, criterion);
+    };
+    const auto one = image(1, CriterionKind::Image);
+    EXPECT_EQ(one, image(2, CriterionKind::Image));
+    EXPECT_EQ(one, image(7, CriterionKind::Image));
+    EXPECT_NE(one, image(2, CriterionKind::Paper));
 }
 
 INSTANTIATE_TEST_SUITE_P(Guides, Determinism,

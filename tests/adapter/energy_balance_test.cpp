@@ -103,7 +103,7 @@ class Balance {
             PhotonInput input{view_.scene, settings_, lights_};
             if (guide.guides(i)) input.guide = &guide;
             trace(input, i);
-            guide.update(store_.landings());
+            guide.update(store_.landings(), {});
         }
         return ledger_;
     }

@@ -16,13 +16,15 @@ using namespace aips;
 constexpr std::uint32_t kWidth = 32, kHeight = 24;
 
 /// Block means of renders with different seeds.
-statistics::BlockMeans renders(GuideKind guide, unsigned seeds, std::uint64_t first_seed) {
+statistics::BlockMeans renders(GuideKind guide, unsigned seeds, std::uint64_t first_seed,
+                               CriterionKind criterion = CriterionKind::Paper) {
     const auto [scene, camera] = mock::half_mirror_view(kWidth, kHeight);
     statistics::BlockMeans means;
     for (unsigned s = 0; s < seeds; ++s) {
         // alpha 1 keeps the radius, and a fixed start radius is the same for both: equal bias.
         Settings settings = mock::small_settings(first_seed + s, 8000);
         settings.guide = guide;
+        settings.error_criterion = criterion;
         settings.start_radius = 3;
         settings.iteration_photons = 1000;
         settings.initial_photons = 500;
@@ -43,6 +45,14 @@ TEST(PaperGuide, SameExpectationAsUnguided) {
     EXPECT_LT(same.detectable, 0.02) << same.describe();
     const auto found = statistics::compare(plain, statistics::scaled(guided, 1.02), 0.01);
     EXPECT_TRUE(found.differs()) << "a planted bias of 2 % went unnoticed: " << found.describe();
+}
+
+TEST(PaperGuide, SameExpectationWithTheImagesError) {
+    const auto plain = renders(GuideKind::None, 28, 1000);
+    const auto guided = renders(GuideKind::Paper, 28, 3000, CriterionKind::Image);
+    const auto same = statistics::compare(plain, guided, 0.01);
+    EXPECT_FALSE(same.differs()) << same.describe();
+    EXPECT_LT(same.detectable, 0.02) << same.describe();
 }
 
 Settings guide_settings() {
@@ -79,7 +89,7 @@ TEST(PaperGuide, ErrorsAndTablesFollowVisibleNoise) {
             // What the ceiling's middle sees of the floor.
             landings.push_back(landing_at({0.5f, 0.5f, 1}, {u.x, u.y, 0}, 1));
         }
-        guide.update(landings);
+        guide.update(landings, {});
     }
     const NodeTree& tree = guide.tree();
     EXPECT_GT(tree.node_count(), 8u);
@@ -97,6 +107,41 @@ TEST(PaperGuide, ErrorsAndTablesFollowVisibleNoise) {
     ASSERT_NE(directions, nullptr);
     EXPECT_GT(directions->pdf(normalize(Vec3{-0.4f, -0.4f, -1})),
               directions->pdf(normalize(Vec3{0.4f, 0.4f, -1})));
+}
+
+/// A node's error is what its photons are worth to the image, whatever their power, and the ceiling
+/// sends photons to where that is most.
+TEST(PaperGuide, ErrorsAndTablesFollowScores) {
+    Bounds box;
+    box.extend(Vec3{0, 0, 0});
+    box.extend(Vec3{1, 1, 1});
+    Settings settings = guide_settings();
+    settings.error_criterion = CriterionKind::Image;
+    PaperGuide guide(box, settings);
+    ASSERT_TRUE(guide.needs_scores());
+    guide.begin_pass(std::vector<Vec3>(100, Vec3{0.9f, 0.9f, 0}), 100);
+    std::vector<Landing> landings;
+    std::vector<double> scores;
+    RandomStream random(6, 0, 0, RandomDomain::Photon);
+    for (int i = 0; i < 400; ++i) {
+        const Vec2 u = random.next2();
+        const float power = 0.5f + random.next();
+        const bool valuable = u.x < 0.5f && u.y < 0.5f;
+        landings.push_back(landing_at({u.x, u.y, 0}, {0.5f, 0.5f, 1}, power));
+        scores.push_back((valuable ? 9.0 : 1.0) * double(power) * double(power));
+    }
+    guide.update(landings, scores);
+    const NodeTree& tree = guide.tree();
+    EXPECT_NEAR(tree.node(tree.locate({0.1f, 0.1f, 0})).error, 3, 1e-5);
+    EXPECT_NEAR(tree.node(tree.locate({0.9f, 0.9f, 0})).error, 1, 1e-5);
+
+    Arena arena;
+    const Bsdf* matte = mock::make_bsdf({}, {0, 0, -1}, {0, 0, -1}, arena);
+    const GuidedDirections* directions =
+        guide.directions({{0.5f, 0.5f, 1}, {0, 0, -1}, {0, 0, -1}, matte, {0, 0, -1}}, arena);
+    ASSERT_NE(directions, nullptr);
+    EXPECT_GT(directions->pdf(normalize(Vec3{-0.4f, -0.4f, -1})),
+              2 * directions->pdf(normalize(Vec3{0.4f, 0.4f, -1})));
 }
 
 TEST(PaperGuide, FirstIterationOfAPassIsPlain) {

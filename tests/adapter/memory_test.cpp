@@ -34,6 +34,16 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Combine(testing::Values(GuideKind::None, GuideKind::Paper, GuideKind::Adaptive),
                      testing::Values(Mode::Progressive, Mode::PhotonMap, Mode::Ppm)));
 
+TEST(MemoryOfScores, StaysBelowTheBoundAndFlatWithTheImagesError) {
+    const mock::Scene scene = mock::lamp_box({}, {});
+    const auto camera = mock::camera_along_y({0, -0.9f, 0}, 1, 32, 24);
+    Settings settings = mock::small_settings(73, 20000);
+    settings.guide = GuideKind::Paper;
+    settings.error_criterion = CriterionKind::Image;
+    settings.max_nodes = 512;
+    mock::expect_flat_memory(scene, camera, 32, 24, settings, 6);
+}
+
 /// Photons of a pass wait in memory until about a million are gathered at once, however many
 /// there are.
 TEST(MemoryOfAPass, DoesNotGrowWithItsPhotons) {

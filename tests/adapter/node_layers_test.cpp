@@ -85,7 +85,7 @@ TEST(NodeLayers, ShowTheTreeAtTheVisiblePoints) {
     BounceTally bounces(guide, 6);
     guide.begin_pass(eye, image.positions.size());
     bounces.begin_pass();
-    guide.update(landings_on_floor(3));
+    guide.update(landings_on_floor(3), {});
     bounces.follow_splits();
     const NodeTree& tree = guide.tree();
     ASSERT_GE(tree.node_count(), 4u);
@@ -139,7 +139,7 @@ TEST(BounceTally, ChildrenShareTheirParentsCounts) {
     constexpr int kBounces = 256;  // can be halved by every split that this tree makes
     for (int i = 0; i < kBounces; ++i)
         bounces.count({0.9f, 0.9f, 0}, i % 4 == 0);
-    guide.update(landings_on_floor(3));
+    guide.update(landings_on_floor(3), {});
     bounces.follow_splits();
     const auto count = std::uint32_t(guide.statistics().nodes);
     ASSERT_GE(count, 4u);

@@ -16,10 +16,10 @@ namespace {
 
 constexpr double kPi64 = std::numbers::pi;
 
-PowerStatistics statistics_of(std::span<const NodePhoton> photons) {
-    PowerStatistics s;
+ValueStatistics statistics_of(std::span<const NodePhoton> photons) {
+    ValueStatistics s;
     for (const NodePhoton& p : photons)
-        s.add(double(p.power));
+        s.add(double(p.value));
     return s;
 }
 
@@ -99,7 +99,7 @@ TEST(CorrectedVariance, IsEquation4) {
     const double bias = 0.75, mean = 3.5;
     double sum = 0;
     for (const NodePhoton& p : photons)
-        sum += std::pow(double(p.power) - mean + bias, 2);
+        sum += std::pow(double(p.value) - mean + bias, 2);
     EXPECT_NEAR(corrected_variance(statistics_of(photons), bias), sum / 3, 1e-12);
 }
 
@@ -117,7 +117,7 @@ class PaperCriterion : public testing::Test {
     PaperCriterion() {
         node.weight = 2;
         for (const NodePhoton& p : photons)
-            node.powers.add(double(p.power));
+            node.values.add(double(p.value));
     }
     std::vector<NodePhoton> photons{{{0, 0, 0}, 1}, {{1, 0, 0}, 3}};  // variance 2, no area
     Node node;
@@ -136,8 +136,8 @@ TEST_F(PaperCriterion, LaterPassesMixInTheLastError) {
 }
 
 TEST_F(PaperCriterion, FewerThanTwoPhotonsKeepTheError) {
-    node.powers = {};
-    node.powers.add(4);
+    node.values = {};
+    node.values.add(4);
     node.error = 3.25;
     EXPECT_EQ(PaperErrorCriterion().error({node, photons, 5}), 3.25);
 }
@@ -150,11 +150,34 @@ TEST_F(PaperCriterion, ExtremePowersStayFinite) {
         for (int i = 0; i < 32; ++i) {
             const float there = float(i % 6);
             many.push_back({{there, float(i / 6), 0}, i % 2 ? power : 0.0f});
-            extreme.powers.add(double(many.back().power));
+            extreme.values.add(double(many.back().value));
         }
         const double error = PaperErrorCriterion().error({extreme, many, 1e100});
         EXPECT_TRUE(std::isfinite(error) && error >= 0);
     }
+}
+
+TEST(ImageCriterion, ErrorIsTheRootOfTheMeanScoreOfUnitPower) {
+    const ImageErrorCriterion criterion(0.4);
+    EXPECT_TRUE(criterion.needs_scores());
+    Node node;
+    const double scores[] = {16, 0, 100};
+    const float powers[] = {2, 3, 5};  // of unit power: 4, 0, 4
+    for (int i = 0; i < 3; ++i)
+        node.values.add(double(criterion.value(powers[i], scores[i])));
+    const double root_mean_square = std::sqrt(8.0 / 3);
+    EXPECT_DOUBLE_EQ(criterion.error({node, {}, 5}), root_mean_square);
+    node.has_last_error = true;
+    node.last_error = 10;
+    EXPECT_DOUBLE_EQ(criterion.error({node, {}, 5}), 0.6 * root_mean_square + 4);
+}
+
+TEST(ImageCriterion, AsksNothingOfPowersThatTellNothing) {
+    const ImageErrorCriterion criterion;
+    EXPECT_EQ(criterion.value(0, 1), 0);
+    EXPECT_EQ(criterion.value(1, 0), 0);
+    EXPECT_EQ(criterion.value(std::nanf(""), 1), 0);
+    EXPECT_EQ(criterion.value(1, std::nan("")), 0);
 }
 
 TEST_F(PaperCriterion, RefusesAlphaOutOfRange) {

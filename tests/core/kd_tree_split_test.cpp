@@ -17,7 +17,7 @@ constexpr Bounds kFlatBox{{0, 0, 0}, {4, 2, 1}};
 std::uint64_t photons_counted(const NodeTree& tree) {
     std::uint64_t count = 0;
     for (std::uint32_t i = 0; i < tree.node_count(); ++i)
-        count += tree.node(i).powers.count;
+        count += tree.node(i).values.count;
     return count;
 }
 
@@ -49,8 +49,8 @@ TEST(NodeTreeSplit, ManyPhotonsAtOnePointStayInOneNode) {
     for (int i = 0; i < 10000; ++i)
         tree.insert({0.3f, 0.3f, 0.3f}, float(i % 3));
     EXPECT_EQ(tree.node_count(), 1u);
-    EXPECT_EQ(tree.node(0).powers.count, 10000u);
-    EXPECT_NEAR(tree.node(0).powers.mean, 1, 1e-3);
+    EXPECT_EQ(tree.node(0).values.count, 10000u);
+    EXPECT_NEAR(tree.node(0).values.mean, 1, 1e-3);
     EXPECT_LE(tree.photons(0).size(), 9u);
     tree.end_pass();  // the next pass may split it again
     for (int i = 0; i < 9; ++i)
@@ -127,7 +127,7 @@ TEST(NodeTreeSplit, OneNodeMeansNoSplits) {
     for (int i = 0; i < 100; ++i)
         tree.insert({random.next(), random.next(), 0}, 1);
     EXPECT_EQ(tree.node_count(), 1u);
-    EXPECT_EQ(tree.node(0).powers.count, 100u);
+    EXPECT_EQ(tree.node(0).values.count, 100u);
 }
 
 TEST(NodeTreeSplit, RefusesPhotonsThatAreNoNumbers) {

@@ -32,7 +32,7 @@ NodeTree filled_tree(const NodeTreeSettings& settings, int photons, std::uint64_
 class CountCriterion final : public ErrorCriterion {
   public:
     double error(const NodeView& view) const override {
-        return double(view.node.powers.count) * view.volume;
+        return double(view.node.values.count) * view.volume;
     }
 };
 
@@ -77,15 +77,15 @@ TEST(NodeTree, PhotonsLieInTheirNodes) {
     const NodeTree tree = filled_tree({.max_nodes = 5000, .node_photons = 8}, 3000, 3);
     std::uint64_t count = 0;
     for (std::uint32_t i = 0; i < tree.node_count(); ++i) {
-        count += tree.node(i).powers.count;
+        count += tree.node(i).values.count;
         EXPECT_LE(tree.photons(i).size(), 8u);
         double sum = 0;
         for (const NodePhoton& photon : tree.photons(i)) {
             ASSERT_EQ(tree.locate(photon.position), i);
-            sum += double(photon.power);
+            sum += double(photon.value);
         }
         if (!tree.photons(i).empty()) {
-            EXPECT_NEAR(tree.node(i).powers.mean, sum / double(tree.photons(i).size()), 1e-6);
+            EXPECT_NEAR(tree.node(i).values.mean, sum / double(tree.photons(i).size()), 1e-6);
         }
     }
     EXPECT_EQ(count, 3000u);
@@ -104,7 +104,7 @@ TEST(NodeTree, IsAFunctionOfTheCalls) {
     ASSERT_EQ(a.node_count(), b.node_count());
     for (std::uint32_t i = 0; i < a.node_count(); ++i) {
         EXPECT_EQ(a.node(i).bounds.lower, b.node(i).bounds.lower);
-        EXPECT_EQ(a.node(i).powers.squared_deviations, b.node(i).powers.squared_deviations);
+        EXPECT_EQ(a.node(i).values.squared_deviations, b.node(i).values.squared_deviations);
     }
 }
 
@@ -157,7 +157,7 @@ TEST(NodeTree, EndOfPassKeepsStructureWeightsAndErrors) {
     ASSERT_EQ(tree.node_count(), nodes);
     for (std::uint32_t i = 0; i < nodes; ++i) {
         EXPECT_TRUE(tree.photons(i).empty());
-        EXPECT_EQ(tree.node(i).powers.count, 0u);
+        EXPECT_EQ(tree.node(i).values.count, 0u);
         EXPECT_EQ(tree.node(i).error, errors[i]);
         EXPECT_EQ(tree.node(i).last_error, errors[i]);
     }

@@ -246,7 +246,7 @@ class Engine::State {
 
     std::optional<PixelImportance> make_importance() const {
         const bool measures_noise = photons_.adapts() && photon_way_ != PhotonWay::Chains;
-        if (!learns() && !measures_noise) return {};
+        if (!learns() && !measures_noise && !(guide_ && guide_->needs_scores())) return {};
         return PixelImportance(host_.film.width(), host_.film.height());
     }
 

@@ -8,12 +8,10 @@
 #include "photon_pass.h"
 #include "ppm_radius.h"
 #include "scheduled_radius.h"
+#include "vector_growth.h"
 
 namespace aips {
 namespace {
-
-/// Vectors grow by doubling: their capacity may be twice what they hold.
-constexpr std::size_t kGrowth = 2;
 
 /// What an eye pass leaves but for its visible points. Each block's arena holds a chunk, and a
 /// second one where a Bsdf did not fit.
@@ -28,7 +26,7 @@ std::size_t eye_image_bytes(const Scene& scene, std::size_t paths) {
 std::size_t light_bytes(const Settings& s, const Scene& scene, std::uint32_t eye_paths) {
     if (!s.learn_lights) return 0;
     const std::size_t samples = light_samples_due(eye_paths);
-    return 2 * samples * kGrowth * sizeof(LightSample) +
+    return 2 * samples * kVectorGrowth * sizeof(LightSample) +
            DirectLight::memory_bound_bytes(scene, samples);
 }
 
@@ -38,20 +36,25 @@ std::size_t visible_point_bytes(const Scene& scene, std::size_t paths) {
     // Flux, its photons and squares, and radiance.
     const std::size_t estimate = 2 * groups * sizeof(Rgb) + sizeof(std::uint32_t) + sizeof(float);
     // While blocks are joined, their visible points exist twice; positions are copied for grids.
-    const std::size_t transient = kGrowth * sizeof(VisiblePoint) + sizeof(Vec3);
-    const std::size_t footprints = 2 * kGrowth * sizeof(float);
+    const std::size_t transient = kVectorGrowth * sizeof(VisiblePoint) + sizeof(Vec3);
+    const std::size_t footprints = 2 * kVectorGrowth * sizeof(float);
     return paths * (sizeof(VisiblePoint) + scene.facts().max_bsdf_bytes + estimate + transient +
                     footprints);
+}
+
+/// Most landings of an iteration.
+std::size_t iteration_landings(const Settings& s) {
+    return most_landings(s, s.guide == GuideKind::Paper
+                                ? std::max(s.iteration_photons, s.initial_photons)
+                                : kPlainIterationPaths);
 }
 
 /// Landings of the store that waits, of one iteration (twice with a guide: blocks, then joined),
 /// and the grid.
 std::size_t photon_bytes(const Settings& s, std::uint32_t eye_paths) {
-    const std::size_t iteration = most_landings(
-        s, s.guide == GuideKind::Paper ? std::max(s.iteration_photons, s.initial_photons)
-                                       : kPlainIterationPaths);
+    const std::size_t iteration = iteration_landings(s);
     const std::size_t waiting = kLandingCapacity + iteration;
-    return (waiting + 2 * iteration) * kGrowth * sizeof(Landing) +
+    return (waiting + 2 * iteration) * kVectorGrowth * sizeof(Landing) +
            LandingGrid::memory_bound_bytes(waiting) +
            (may_use_chains(s) ? PhotonChains::memory_bound_bytes(s, eye_paths) : 0);
 }
@@ -62,16 +65,14 @@ std::size_t log_bytes(const Settings& s, std::size_t paths) {
     const std::size_t path = sizeof(PathRecord) + s.max_photon_depth * sizeof(PathVertex);
     // Of the first photon of each path.
     const std::size_t scores = s.max_photon_depth * (sizeof(double) + sizeof(std::uint32_t));
-    return paths * kGrowth * (2 * path + scores);
+    return paths * kVectorGrowth * (2 * path + scores);
 }
 
 /// Beams, which exist twice while blocks are joined, and what photons bring to them.
 std::size_t volume_bytes(const Scene& scene, const Settings& s, std::size_t eye_paths) {
     if (!scene.media()) return 0;
-    const std::size_t iteration = most_landings(
-        s, s.guide == GuideKind::Paper ? std::max(s.iteration_photons, s.initial_photons)
-                                       : kPlainIterationPaths);
-    return eye_paths * 2 * kGrowth * sizeof(VolumeBeam) +
+    const std::size_t iteration = iteration_landings(s);
+    return eye_paths * 2 * kVectorGrowth * sizeof(VolumeBeam) +
            VolumeGather::memory_bound_bytes(scene, eye_paths, iteration);
 }
 
@@ -84,7 +85,12 @@ std::size_t memory_bound(const Scene& scene, const Needs& needs, std::uint32_t e
     if (!needs.photons) return eye;
     const Settings& settings = needs.settings;
     std::size_t guide = 0;
-    if (settings.guide == GuideKind::Paper) guide = PaperGuide::memory_bound_bytes(settings);
+    if (settings.guide == GuideKind::Paper) {
+        guide = PaperGuide::memory_bound_bytes(settings);
+        if (settings.error_criterion == CriterionKind::Image) {
+            guide += IterationScores::memory_bound_bytes(eye_paths, iteration_landings(settings));
+        }
+    }
     if (settings.guide == GuideKind::Adaptive) {
         guide = AdaptiveGuide::memory_bound_bytes(scene, settings, eye_paths) +
                 log_bytes(settings, kPlainIterationPaths);

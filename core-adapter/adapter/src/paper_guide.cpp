@@ -27,6 +27,13 @@ NodeTreeSettings tree_settings(const Settings& s) {
     return {s.max_nodes, s.node_photons, s.tree_depth};
 }
 
+std::unique_ptr<const ErrorCriterion> make_criterion(const Settings& s) {
+    if (s.error_criterion == CriterionKind::Image) {
+        return std::make_unique<ImageErrorCriterion>(s.error_alpha);
+    }
+    return std::make_unique<PaperErrorCriterion>(s.error_alpha);
+}
+
 PaperTableSettings table_settings(const Settings& s) {
     PaperTableSettings table;
     table.resolution = static_cast<int>(s.cdf_resolution);
@@ -39,7 +46,7 @@ PaperGuide::PaperGuide(const Bounds& scene, const Settings& s)
     : initial_photons_(s.initial_photons),
       iteration_photons_(s.iteration_photons),
       share_(float(s.guide_share)),
-      criterion_(s.error_alpha),
+      criterion_(make_criterion(s)),
       tree_(scene, tree_settings(s)),
       tables_(table_settings(s)) {}
 
@@ -73,9 +80,10 @@ const GuidedDirections* PaperGuide::directions(const GuideVertex& vertex,
     return directions->empty() ? nullptr : directions;
 }
 
-void PaperGuide::update(std::span<const Landing> landings) {
-    for (const Landing& landing : landings) {
-        tree_.insert(landing.position, luminance(landing.power));
+void PaperGuide::update(std::span<const Landing> landings, std::span<const double> scores) {
+    for (std::size_t i = 0; i < landings.size(); ++i) {
+        const double score = scores.empty() ? 0.0 : scores[i];
+        tree_.insert(landings[i].position, criterion_->value(luminance(landings[i].power), score));
     }
     if (!first_points_.empty()) {
         // Departure: in the first pass the eye rays end in a tree of one node, whose weight all
@@ -83,7 +91,7 @@ void PaperGuide::update(std::span<const Landing> landings) {
         tree_.add_eye_rays(first_points_, first_eye_paths_);
         first_points_ = {};
     }
-    tree_.update_errors(criterion_, true);
+    tree_.update_errors(*criterion_, true);
     tables_.update(tree_, landings);
     ++updates_;
 }

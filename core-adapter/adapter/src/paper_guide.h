@@ -4,6 +4,8 @@
 // docs/paper-guide.md lists them together.
 #pragma once
 
+#include <memory>
+
 #include "aips/adapter/guide.h"
 #include "aips/adapter/settings.h"
 #include "aips/core/bounds.h"
@@ -22,7 +24,8 @@ class PaperGuide final : public Guide {
     bool guides(std::uint64_t iteration) const override { return iteration > 0; }
     const GuidedDirections* directions(const GuideVertex& vertex,
                                        std::pmr::memory_resource& memory) const override;
-    void update(std::span<const Landing> landings) override;
+    bool needs_scores() const override { return criterion_->needs_scores(); }
+    void update(std::span<const Landing> landings, std::span<const double> scores) override;
     GuideStatistics statistics() const override;
     std::uint32_t node_at(Vec3 position) const override { return tree_.locate(position); }
     GuideNode node(std::uint32_t number) const override;
@@ -36,7 +39,7 @@ class PaperGuide final : public Guide {
   private:
     std::uint32_t initial_photons_, iteration_photons_;
     float share_;
-    PaperErrorCriterion criterion_;
+    std::unique_ptr<const ErrorCriterion> criterion_;  // never null
     NodeTree tree_;
     PaperTables tables_;
     std::vector<Vec3> first_points_;  // visible points of the first pass, until the tree is split

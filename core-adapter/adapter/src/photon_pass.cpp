@@ -17,6 +17,7 @@ PhotonPass::PhotonPass(const Scene& scene, const Settings& settings, Guide* guid
     if (settings.guide == GuideKind::Adaptive) {
         adaptive_.emplace(scene, settings, light_choice_, *importance);
     }
+    if (guide && guide->needs_scores()) scores_.emplace(*importance);
     if (scene.media()) volume_.emplace(scene, settings);
     if (guide && settings.debug_layers) bounces_.emplace(*guide, settings.max_nodes);
 }
@@ -30,6 +31,7 @@ void PhotonPass::begin_pass(std::uint64_t pass, const PassPhotons& photons, floa
         if (!reach_lasts) mark_reach(positions, reach);
         const Stopwatch watch(totals_.guide_seconds);
         if (guide_) guide_->begin_pass(positions, image.positions.size());
+        if (scores_) scores_->begin_pass(image, positions, radii);
         if (adaptive_)
             totals_.counts.rays += adaptive_->begin_pass(pass, time, image, positions, radii);
     }
@@ -126,7 +128,8 @@ void PhotonPass::learn(std::uint32_t paths) {
         log_.clear();
     }
     if (!guide_) return;
-    guide_->update(iteration_.landings());
+    const std::span<const Landing> landings = iteration_.landings();
+    guide_->update(landings, scores_ ? scores_->of(landings) : std::span<const double>());
     if (bounces_) bounces_->follow_splits();
     for (const Landing& landing : iteration_.landings()) {
         if (occupancy_.near_visible_point(landing.position)) waiting_.append({&landing, 1});
@@ -174,7 +177,7 @@ std::size_t PhotonPass::memory_bytes() const {
     return tracer_.memory_bytes() + waiting_.memory_bytes() + iteration_.memory_bytes() +
            grid_.memory_bytes() + occupancy_.memory_bytes() +
            (volume_ ? volume_->memory_bytes() : 0) + (chains_ ? chains_->memory_bytes() : 0) +
-           (bounces_ ? bounces_->memory_bytes() : 0) +
+           (bounces_ ? bounces_->memory_bytes() : 0) + (scores_ ? scores_->memory_bytes() : 0) +
            (adaptive_ ? adaptive_->memory_bytes() + log_.memory_bytes() : 0);
 }
 

@@ -8,6 +8,7 @@
 #include "adaptive_guide.h"
 #include "aips/adapter/engine.h"
 #include "gather.h"
+#include "iteration_scores.h"
 #include "photon_chains.h"
 #include "photon_schedule.h"
 #include "volume_gather.h"
@@ -27,7 +28,7 @@ inline constexpr std::uint32_t kLandingCapacity = 1u << 20;
 /// Shoots the photons of one pass onto the visible points of an eye image.
 class PhotonPass {
   public:
-    /// `guide` may be null, `importance` too unless guide=adaptive; they outlive this.
+    /// `guide` may be null, `importance` too unless a guide needs scores; they outlive this.
     PhotonPass(const Scene& scene, const Settings& settings, Guide* guide,
                const PixelImportance* importance);
 
@@ -86,9 +87,10 @@ class PhotonPass {
     bool chained_ = false;                // they all do
     std::optional<AdaptiveGuide> adaptive_;
     PhotonTracer tracer_;
-    PathLog log_;             // of one adaptive iteration
-    LandingStore waiting_;    // near visible points, not gathered yet
-    LandingStore iteration_;  // all landings of one guided iteration
+    PathLog log_;                            // of one adaptive iteration
+    LandingStore waiting_;                   // near visible points, not gathered yet
+    LandingStore iteration_;                 // all landings of one guided iteration
+    std::optional<IterationScores> scores_;  // if guide_ learns from their scores
     LandingGrid grid_;
     std::optional<VolumeGather> volume_;  // if some medium scatters
     std::optional<BounceTally> bounces_;  // debug layers of a guide only

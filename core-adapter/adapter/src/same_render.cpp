@@ -5,13 +5,14 @@ namespace aips {
 namespace {
 
 /// To be raised whenever the content of states changes.
-constexpr std::uint32_t kStateVersion = 5;
+constexpr std::uint32_t kStateVersion = 6;
 
 void state_of_settings(StateArchive& archive, const Settings& s) {
     archive.same(s.mode, "mode");
     archive.same(s.guide, "guide");
     archive.same(s.photon_sampler, "photonsampler");
     archive.same(s.radius, "radius");
+    archive.same(s.error_criterion, "errorcriterion");
     archive.same(s.seed, "seed");
     for (const std::uint32_t count : {s.max_eye_depth, s.max_photon_depth, s.photons_per_pass,
                                       s.hit_points_per_pass, s.iteration_photons, s.initial_photons,

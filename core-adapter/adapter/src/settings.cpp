@@ -50,6 +50,16 @@ const char* name(GuideKind guide) {
     return "";
 }
 
+const char* name(CriterionKind criterion) {
+    switch (criterion) {
+        case CriterionKind::Paper:
+            return "paper";
+        case CriterionKind::Image:
+            return "image";
+    }
+    return "";
+}
+
 }  // namespace
 
 std::string describe(const Settings& s) {
@@ -77,7 +87,8 @@ std::string describe(const Settings& s) {
         out << ", guideshare = " << s.guide_share << ", iterationphotons = " << s.iteration_photons
             << " paths, nodephotons = " << s.node_photons << ", treedepth = " << s.tree_depth
             << ", maxnodes = " << s.max_nodes << ", cdfresolution = " << s.cdf_resolution << "x"
-            << s.cdf_resolution << ", erroralpha = " << s.error_alpha;
+            << s.cdf_resolution << ", erroralpha = " << s.error_alpha
+            << ", errorcriterion = " << name(s.error_criterion);
     }
     if (s.guide == GuideKind::Adaptive) {
         out << ", guideemission = " << (s.guide_emission ? "true" : "false")

@@ -1,4 +1,4 @@
-// The paper's error criterion, equation by equation.
+// The error criteria; the paper's equation by equation.
 #include "aips/core/error_criterion.h"
 
 #include <algorithm>
@@ -67,7 +67,7 @@ double bias_correction(std::span<const NodePhoton> photons) {
     for (const NodePhoton& photon : photons) {
         const double s_squared = squared_distance(photon.position, center) * inverse;
         if (s_squared >= 1) continue;
-        sum += triweight_laplacian(std::sqrt(s_squared)) * double(photon.power);
+        sum += triweight_laplacian(std::sqrt(s_squared)) * double(photon.value);
         ++under_kernel;
     }
     if (under_kernel == 0) return 0;
@@ -78,7 +78,7 @@ double bias_correction(std::span<const NodePhoton> photons) {
 // Eq. 4. B is one number per node, so the sum of (Phi_j - mean + B)^2 is that of the squared
 // deviations plus N B^2: the deviations themselves sum to zero. (The paper's sum starts at j = 0,
 // a misprint for 1.)
-double corrected_variance(const PowerStatistics& powers, double bias) {
+double corrected_variance(const ValueStatistics& powers, double bias) {
     const auto n = double(powers.count);
     return (powers.squared_deviations + n * bias * bias) / (n - 1);
 }
@@ -87,20 +87,34 @@ double node_error(double weight, double variance, double volume, double count) {
     return clamp_error(weight * variance * volume / count);
 }
 
-PaperErrorCriterion::PaperErrorCriterion(double alpha) : alpha_(alpha) {
+ProgressiveCriterion::ProgressiveCriterion(double alpha) : alpha_(alpha) {
     if (!(alpha >= 0 && alpha < 1)) {
-        throw std::invalid_argument("PaperErrorCriterion: alpha must be in [0, 1)");
+        throw std::invalid_argument("ProgressiveCriterion: alpha must be in [0, 1)");
     }
 }
 
-// Departure: in its first pass a node has no last error, and takes eq. 2 as it is.
-double PaperErrorCriterion::error(const NodeView& view) const {
+// Departure: in its first pass a node has no last error, and takes the present one as it is.
+double ProgressiveCriterion::error(const NodeView& view) const {
     const Node& node = view.node;
-    if (node.powers.count < 2) return node.error;
-    const double variance = corrected_variance(node.powers, bias_correction(view.photons));
-    const double fresh = node_error(node.weight, variance, view.volume, double(node.powers.count));
-    if (!node.has_last_error) return fresh;
-    return clamp_error((1 - alpha_) * fresh + alpha_ * node.last_error);
+    if (node.values.count < 2) return node.error;
+    const double present = clamp_error(error_of_pass(view));
+    if (!node.has_last_error) return present;
+    return clamp_error((1 - alpha_) * present + alpha_ * node.last_error);
+}
+
+double PaperErrorCriterion::error_of_pass(const NodeView& view) const {
+    const Node& node = view.node;
+    const double variance = corrected_variance(node.values, bias_correction(view.photons));
+    return node_error(node.weight, variance, view.volume, double(node.values.count));
+}
+
+float ImageErrorCriterion::value(float power, double score) const {
+    return power > 0 && score > 0 ? float(std::sqrt(score) / double(power)) : 0.0f;
+}
+
+double ImageErrorCriterion::error_of_pass(const NodeView& view) const {
+    const ValueStatistics& values = view.node.values;
+    return std::sqrt(values.mean * values.mean + values.squared_deviations / double(values.count));
 }
 
 }  // namespace aips

@@ -65,18 +65,18 @@ std::uint32_t NodeTree::locate_branch(Vec3 p) const {
     return i;
 }
 
-std::uint32_t NodeTree::insert(Vec3 position, float power) {
-    if (!is_finite(position) || !std::isfinite(power) || power < 0) return kNoNode;
+std::uint32_t NodeTree::insert(Vec3 position, float value) {
+    if (!is_finite(position) || !std::isfinite(value) || value < 0) return kNoNode;
     const std::uint32_t branch = locate_branch(position);
     const std::uint32_t node = branches_[branch].target();
-    store(node, {position, power});
+    store(node, {position, value});
     if (full(nodes_[node]) && !nodes_[node].whole) split(branch);
     return node;
 }
 
 void NodeTree::store(std::uint32_t i, const NodePhoton& photon) {
     Node& node = nodes_[i];
-    node.powers.add(double(photon.power));
+    node.values.add(double(photon.value));
     node.changed = true;
     if (!full(node)) photons_[i * slots_ + node.stored++] = photon;
 }
@@ -157,7 +157,7 @@ void NodeTree::divide_photons(std::uint32_t lower, std::uint32_t upper, SplitPla
     const std::uint32_t count = nodes_[lower].stored;
     for (const std::uint32_t child : {lower, upper}) {
         nodes_[child].stored = 0;
-        nodes_[child].powers = {};
+        nodes_[child].values = {};
     }
     for (std::uint32_t k = 0; k < count; ++k) {
         const NodePhoton photon = photons_[lower * slots_ + k];  // k never lags behind the writes
@@ -189,10 +189,10 @@ void NodeTree::update_errors(const ErrorCriterion& criterion, bool only_changed)
 
 void NodeTree::end_pass() {
     for (Node& node : nodes_) {
-        node.has_last_error = node.has_last_error || node.powers.count >= 2;
+        node.has_last_error = node.has_last_error || node.values.count >= 2;
         node.last_error = node.error;
         node.stored = 0;
-        node.powers = {};
+        node.values = {};
         node.whole = false;
         node.changed = false;
     }
@@ -214,7 +214,7 @@ void NodeTree::state(StateArchive& archive) {
     for (Node& node : nodes_) {
         archive.amount(node.weight);
         archive.amount(node.error);
-        bool has_error = node.has_last_error || node.powers.count >= 2;
+        bool has_error = node.has_last_error || node.values.count >= 2;
         archive.value(has_error);
         if (!archive.restoring()) continue;
         node.has_last_error = has_error;

@@ -66,6 +66,9 @@ void add_parts(std::vector<ResumableCase>& cases) {
     needless.guide_scout = true;
     needless.photons_per_pass = 0;
     cases.push_back({"needless_guide", needless, false, 8});
+    Settings scored = settings_of(GuideKind::Paper);
+    scored.error_criterion = CriterionKind::Image;
+    cases.push_back({"scored_paper", scored});
     // Shadow rays enough for tables of the lights.
     Settings lights = settings_of(GuideKind::None);
     lights.photons_per_pass = 1000;

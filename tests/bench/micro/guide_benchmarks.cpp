@@ -31,7 +31,7 @@ PaperGuide trained_guide() {
     const std::vector<Vec3> eye = some_positions();
     guide.begin_pass(eye, eye.size());
     for (std::uint32_t first = 0; first < work.paths; first += kPathsPerUpdate)
-        guide.update(landings_of_paths(first, kPathsPerUpdate));
+        guide.update(landings_of_paths(first, kPathsPerUpdate), {});
     return guide;
 }
 
@@ -149,7 +149,7 @@ void guide_update_1000_paths(benchmark::State& state) {
             first = 0;
             state.ResumeTiming();
         }
-        guide.update(landings_of_paths(first, kPathsPerUpdate));
+        guide.update(landings_of_paths(first, kPathsPerUpdate), {});
         first += kPathsPerUpdate;
     }
     state.SetItemsProcessed(state.iterations() * kPathsPerUpdate);

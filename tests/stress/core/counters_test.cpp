@@ -20,7 +20,7 @@ constexpr std::uint64_t kOne = 1, kTwoTo32 = kOne << 32, kTwoTo53 = kOne << 53;
 
 TEST(StressCounters, OfANodesPhotons) {
     for (const std::uint64_t before : {kTwoTo32 - 1, kTwoTo53 - 1, kOne << 62}) {
-        PowerStatistics powers;
+        ValueStatistics powers;
         powers.count = before;
         powers.mean = 1;
         powers.squared_deviations = double(before);

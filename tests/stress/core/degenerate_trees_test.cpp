@@ -33,7 +33,7 @@ bool holds(const Node& node, const Bounds& scene, Vec3 p) {
 void expect_whole(const NodeTree& tree, const std::vector<Vec3>& points) {
     std::uint64_t count = 0;
     for (std::uint32_t i = 0; i < tree.node_count(); ++i) {
-        count += tree.node(i).powers.count;
+        count += tree.node(i).values.count;
         ASSERT_TRUE(tree.volume(i) >= 0 && std::isfinite(tree.volume(i)));
         ASSERT_TRUE(tree.node(i).error >= 0 && std::isfinite(tree.node(i).error));
         for (const NodePhoton& photon : tree.photons(i))
@@ -217,7 +217,7 @@ TEST(StressTrees, RefuseWhatHasNoPlace) {
     }
     nodes.add_eye_rays(impossible_points(), 10);
     EXPECT_EQ(nodes.node(0).weight, 0);
-    EXPECT_EQ(nodes.node(0).powers.count, 0u);
+    EXPECT_EQ(nodes.node(0).values.count, 0u);
     tables.update(nodes, landings);
     for (const float e : tables.relative_error(0))
         EXPECT_EQ(e, 1);

@@ -42,7 +42,7 @@ void record_error(std::string_view what, std::uint64_t terms, double error, doub
 
 TEST(StressSums, PowersOfANode) {
     const std::uint64_t terms = sized<std::uint64_t>(10'000'000, 1'000'000'000);
-    PowerStatistics powers;
+    ValueStatistics powers;
     for (std::uint64_t i = 0; i < terms; ++i)
         powers.add(term(i));
     EXPECT_EQ(powers.count, terms);

@@ -35,6 +35,11 @@ inline std::vector<Way> ways(std::uint64_t seed, std::uint32_t photons, bool all
     add("ppm", [](Settings& s) { s.mode = Mode::Ppm; });
     add("radius=adaptive", [](Settings& s) { s.radius = RadiusKind::Adaptive; });
     add("chains", [](Settings& s) { s.photon_sampler = PhotonSampler::AdaptiveChains; });
+    add("paper by scores", [](Settings& s) {
+        s.guide = GuideKind::Paper;
+        s.error_criterion = CriterionKind::Image;
+        s.iteration_photons = s.initial_photons = 500;
+    });
     add("by noise", [](Settings& s) { s.photons_per_pass = 0; });
     return result;
 }

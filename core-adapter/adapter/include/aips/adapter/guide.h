@@ -57,7 +57,7 @@ struct GuideStatistics {
 /// What a guide knows of one node, for debug views.
 struct GuideNode {
     double weight = 0;         ///< w of eq. 7, summed over passes
-    double error = 0;          ///< feature error, eq. 2 or 8: finite, >= 0
+    double error = 0;          ///< feature error: finite, >= 0
     std::uint32_t parent = 0;  ///< node that it split from: a lower number, or 0 for node 0
 };
 
@@ -70,8 +70,11 @@ class Guide : public DirectionGuide {
     virtual std::uint32_t iteration_paths(std::uint64_t iteration) const = 0;
     /// Whether that iteration follows the guide; the first of a pass does not.
     virtual bool guides(std::uint64_t iteration) const = 0;
-    /// Learns from an iteration's landings, in their order.
-    virtual void update(std::span<const Landing> landings) = 0;
+    /// Whether update() wants the landings' scores.
+    virtual bool needs_scores() const = 0;
+    /// Learns from an iteration's landings, in their order; `scores` (LandingScore), one for each,
+    /// are empty unless needs_scores().
+    virtual void update(std::span<const Landing> landings, std::span<const double> scores) = 0;
     virtual GuideStatistics statistics() const = 0;
     /// Number of the node at a position, below statistics().nodes; nodes are numbered in the order
     /// in which they split off, and keep their numbers.

@@ -29,6 +29,12 @@ enum class GuideKind : std::uint8_t {
     Adaptive  ///< by what photons are worth to the image: docs/adaptive-guide.md
 };
 
+/// What guide=paper takes for a node's error.
+enum class CriterionKind : std::uint8_t {
+    Paper,  ///< noise and bias of the photons' density (eq. 2 to 4)
+    Image   ///< what its photons are worth to the image
+};
+
 /// Where the random numbers of unguided photon paths come from.
 enum class PhotonSampler : std::uint8_t {
     Sequence,       ///< emission from an Owen-scrambled Sobol' sequence
@@ -66,6 +72,7 @@ struct Settings {
     std::uint32_t max_nodes = 16384;   ///< leaves of the guide's kd-tree
     std::uint32_t cdf_resolution = 8;  ///< cells per side of a directional table
     double error_alpha = 0.4;          ///< weight of the last pass's error (eq. 8)
+    CriterionKind error_criterion = CriterionKind::Paper;
 
     bool guide_emission = true;  ///< guide=adaptive guides where photons start
     bool eye_seeding = true;    ///< guide=adaptive learns from the eye where photons ought to start

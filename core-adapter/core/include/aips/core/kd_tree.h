@@ -36,8 +36,8 @@ class NodeTree {
     /// median of its photons along the longest side of its box. Where no plane separates them on
     /// that axis the next longest is tried; a leaf that cannot split (equal positions, depth, node
     /// cap) counts further photons without storing them. Returns the node before any split, or
-    /// kNoNode, changing nothing, if the position is not finite or the power not in [0, inf).
-    std::uint32_t insert(Vec3 position, float power);
+    /// kNoNode, changing nothing, if the position is not finite or the value not in [0, inf).
+    std::uint32_t insert(Vec3 position, float value);
 
     /// The node of a point; outside the box, that of the nearest half-spaces. Never fails.
     std::uint32_t locate(Vec3 p) const {

@@ -12,21 +12,21 @@ namespace aips {
 /// A photon as a node remembers it.
 struct NodePhoton {
     Vec3 position;
-    float power = 0;  ///< luminance of the landing's power
+    float value = 0;  ///< what its error criterion looks at: ErrorCriterion::value
 };
 
-/// Running mean and spread of the photon powers of one pass (Welford 1962), over all photons that
+/// Running mean and spread of the photons' values in one pass (Welford 1962), over all photons that
 /// came, whether stored or not.
-struct PowerStatistics {
+struct ValueStatistics {
     std::uint64_t count = 0;
     double mean = 0;
-    double squared_deviations = 0;  ///< sum of (power - mean)^2
+    double squared_deviations = 0;  ///< sum of (value - mean)^2
 
-    void add(double power) {
+    void add(double value) {
         ++count;
-        const double delta = power - mean;
+        const double delta = value - mean;
         mean += delta / double(count);
-        squared_deviations += delta * (power - mean);
+        squared_deviations += delta * (value - mean);
     }
 };
 
@@ -42,7 +42,7 @@ struct Node {
     double weight = 0;      ///< w, eq. 7: share of eye rays ending here, summed over passes
     double error = 0;       ///< epsilon, eq. 2 or 8: finite, >= 0
     double last_error = 0;  ///< epsilon' of eq. 8: its value at the end of the last pass
-    PowerStatistics powers;
+    ValueStatistics values;
 };
 
 /// What an ErrorCriterion may look at.

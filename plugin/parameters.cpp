@@ -46,7 +46,8 @@ std::vector<ParameterDeclaration> common_declarations() {
         {"startradius", ParameterType::Float, "0",
          "Radius of the first density estimate, the same at all visible points, in their mean "
          "pixel "
-         "footprints (widths; those beyond eight medians count as eight); 0: automatic (2).",
+         "footprints (widths; those beyond eight medians count as eight); 0: automatic (2; 1 where "
+         "chains take a guide's place).",
          0, 1e6},
         {"alpha", ParameterType::Float, "0.7",
          "Share of the variance reduction in the radius schedule (Knaus and Zwicker 2011), in ppm "
@@ -91,12 +92,12 @@ std::vector<ParameterDeclaration> guide_declarations() {
                                "Liu and Zheng 2014; or what photons are worth to the image "
                                "(docs/adaptive-guide.md)."};
     guide.choices = kGuides;
-    return {
     ParameterDeclaration criterion{"errorcriterion", ParameterType::String, "paper",
                                    "With guide paper: a node's error is noise and bias of its "
                                    "photons' density (eq. 2 to 4); or, beyond the paper, what they "
                                    "are worth to the image (docs/paper-guide.md)."};
     criterion.choices = kCriteria;
+    return {
         mode,
         guide,
         {"guideshare", ParameterType::Float, "0.5",
@@ -110,8 +111,8 @@ std::vector<ParameterDeclaration> guide_declarations() {
         integer("cdfresolution", "8", "Cells per side of a node's directional table.", 1, 64),
         {"erroralpha", ParameterType::Float, "0.4",
          "Weight of the last pass in a node's error (eq. 8).", 0, 0.99},
-        {"guideemission", ParameterType::Bool, "true",
         criterion,
+        {"guideemission", ParameterType::Bool, "true",
          "With guide adaptive: guides where photons start."},
         {"eyeseeding", ParameterType::Bool, "true",
          "With guide adaptive: paths from the eye tell where photons ought to start."},
@@ -132,7 +133,6 @@ std::span<const std::string_view> radii_of(PluginKind kind) {
     return std::span(kRadii).subspan(kind == PluginKind::Aips ? 0 : 1);
 }
 
-/// Of plugins that have mode progressive.
 constexpr std::string_view kRadiusOfSppm =
     "How the radius goes on: schedule, the same at all visible points, falling with the photons "
     "shot; adaptive, at each visible point the one that balances noise and bias, between an eighth "
@@ -144,6 +144,7 @@ constexpr std::string_view kRadiusOfAips =
     "automatic, adaptive unless startradius or alpha ask for a schedule of their own, or guide is "
     "paper. The other modes have radii of their own: no effect there.";
 
+/// Of plugins that have mode progressive.
 ParameterDeclaration radius_declaration(PluginKind kind) {
     ParameterDeclaration d{"radius", ParameterType::String, radii_of(kind).front(),
                            kind == PluginKind::Aips ? kRadiusOfAips : kRadiusOfSppm};
@@ -247,10 +248,10 @@ void read_guide(const lxs::ParameterReader& in, Settings& s) {
     s.max_nodes = count("maxnodes", s.max_nodes);
     s.cdf_resolution = count("cdfresolution", s.cdf_resolution);
     s.error_alpha = in.number("erroralpha", s.error_alpha);
-    s.guide_emission = in.boolean("guideemission", s.guide_emission);
     s.error_criterion = in.string("errorcriterion", kCriteria[0]) == kCriteria[1]
                             ? CriterionKind::Image
                             : CriterionKind::Paper;
+    s.guide_emission = in.boolean("guideemission", s.guide_emission);
     s.eye_seeding = in.boolean("eyeseeding", s.eye_seeding);
     s.guide_bounces = in.boolean("guidebounces", s.guide_bounces);
     s.guide_survival = in.boolean("guidesurvival", s.guide_survival);

@@ -57,6 +57,18 @@ TEST(GuideChains, StayOutWhereEnoughIsSeenOrTheyAreNotWanted) {
     EXPECT_FALSE(by_chains(render(wide_view(), adaptive(3, false), 2)));
 }
 
+/// A radius that was asked for is the same for all methods.
+TEST(GuideChains, StartAtHalfTheAutomaticRadius) {
+    const auto radius = [](GuideKind guide, double start) {
+        Settings settings = adaptive(6, true);
+        settings.guide = guide;
+        settings.start_radius = start;
+        return render(wide_view(), settings, 1).statistics.radius;
+    };
+    EXPECT_FLOAT_EQ(radius(GuideKind::Adaptive, 0), radius(GuideKind::None, 0) / 2);
+    EXPECT_EQ(radius(GuideKind::Adaptive, 1.5), radius(GuideKind::None, 1.5));
+}
+
 /// In each mode, and with radii that follow the light.
 TEST(GuideChains, AreThoseOfPhotonSamplerAmc) {
     const auto expect_same = [](Mode mode, RadiusKind radius) {

@@ -236,8 +236,13 @@ class Engine::State {
         photon_pass_.leave_out_guide(way == PhotonWay::Chains);
         photons_ = make_schedule();
         importance_ = make_importance();
+        if (way != PhotonWay::Chains) return;
         // Landings of chains come in clusters, whose noise their squares do not tell.
-        if (way == PhotonWay::Chains) noise_.reset();
+        noise_.reset();
+        Settings radii = settings_;
+        if (!(radii.start_radius > 0)) radii.start_radius = kChainAutomaticRadius;
+        radius_policy_ =
+            make_radius_policy(radii, host_.scene, host_.film.width(), host_.film.height());
     }
 
     PhotonSchedule make_schedule() const {

@@ -12,8 +12,6 @@
 namespace aips {
 namespace {
 
-/// Automatic start radius in pixel footprints.
-constexpr double kAutomaticRadius = 2;
 /// Smallest radius as a share of the scene's diagonal.
 constexpr double kMinRadiusShare = 1e-7;
 

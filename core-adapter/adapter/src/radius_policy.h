@@ -13,6 +13,12 @@
 
 namespace aips {
 
+/// Automatic start radius in pixel footprints.
+inline constexpr double kAutomaticRadius = 2;
+/// The same where chains take the guide's place: next to none of other photons would be seen, all
+/// of theirs are, and bias is most of the error that is left.
+inline constexpr double kChainAutomaticRadius = 1;
+
 class RadiusPolicy {
   public:
     virtual ~RadiusPolicy() = default;

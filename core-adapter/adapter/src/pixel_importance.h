@@ -13,10 +13,10 @@
 
 namespace aips {
 
-/// eps over the mean luminance: darker pixels weigh little more than at it. With a fiftieth the few
-/// photons that the darkest get decide most of the scores, and the guide follows their noise for
-/// long: in short renders all pixels, those too, have less of it with this (docs/design-notes.md).
-inline constexpr double kDarkestShare = 0.3;
+/// eps over the mean luminance: brighter pixels weigh by their relative error, darker ones nearly
+/// alike. With a fiftieth the few photons that the darkest get decide most of the scores, and the
+/// guide follows their noise for long (docs/design-notes.md).
+inline constexpr double kDarkestShare = 1;
 
 class PixelImportance {
   public:

@@ -12,12 +12,12 @@ namespace {
 using lxs::ParameterDeclaration;
 using lxs::ParameterType;
 
-/// By number of Mode.
+/// By number of Mode, GuideKind and CriterionKind.
 constexpr std::array<std::string_view, 3> kModes{"progressive", "photonmap", "ppm"};
-/// The first is the default of aips, and of it alone; LuxRender's plugins have the others.
-constexpr std::array<std::string_view, 3> kRadii{"automatic", "schedule", "adaptive"};
 constexpr std::array<std::string_view, 3> kGuides{"none", "paper", "adaptive"};
 constexpr std::array<std::string_view, 2> kCriteria{"paper", "image"};
+/// The first is the default of aips, and of it alone; LuxRender's plugins have the others.
+constexpr std::array<std::string_view, 3> kRadii{"automatic", "schedule", "adaptive"};
 constexpr std::array<std::string_view, 2> kPhotonSamplers{"halton", "amc"};
 constexpr double kMaxCount = 4294967295.0;
 
@@ -231,15 +231,19 @@ void read_common(PluginKind kind, const lxs::ParameterReader& in, Settings& s) {
     s.seed = static_cast<std::uint64_t>(in.integer("seed", 0));
 }
 
+/// The number, among `choices`, of what was chosen.
+std::ptrdiff_t chosen(const lxs::ParameterReader& in, std::string_view name,
+                      std::span<const std::string_view> choices, std::string_view unless_given) {
+    const std::string choice = in.string(name, unless_given);
+    return std::find(choices.begin(), choices.end(), choice) - choices.begin();
+}
+
 void read_guide(const lxs::ParameterReader& in, Settings& s) {
     const auto count = [&](std::string_view name, std::uint32_t value) {
         return static_cast<std::uint32_t>(in.integer(name, value));
     };
-    s.mode = static_cast<Mode>(
-        std::find(kModes.begin(), kModes.end(), in.string("mode", kModes[0])) - kModes.begin());
-    s.guide = static_cast<GuideKind>(
-        std::find(kGuides.begin(), kGuides.end(), in.string("guide", "adaptive")) -
-        kGuides.begin());
+    s.mode = static_cast<Mode>(chosen(in, "mode", kModes, kModes[0]));
+    s.guide = static_cast<GuideKind>(chosen(in, "guide", kGuides, "adaptive"));
     s.guide_share = in.number("guideshare", s.guide_share);
     s.iteration_photons = count("iterationphotons", s.iteration_photons);
     s.initial_photons = count("initialphotons", s.initial_photons);
@@ -248,9 +252,8 @@ void read_guide(const lxs::ParameterReader& in, Settings& s) {
     s.max_nodes = count("maxnodes", s.max_nodes);
     s.cdf_resolution = count("cdfresolution", s.cdf_resolution);
     s.error_alpha = in.number("erroralpha", s.error_alpha);
-    s.error_criterion = in.string("errorcriterion", kCriteria[0]) == kCriteria[1]
-                            ? CriterionKind::Image
-                            : CriterionKind::Paper;
+    s.error_criterion =
+        static_cast<CriterionKind>(chosen(in, "errorcriterion", kCriteria, kCriteria[0]));
     s.guide_emission = in.boolean("guideemission", s.guide_emission);
     s.eye_seeding = in.boolean("eyeseeding", s.eye_seeding);
     s.guide_bounces = in.boolean("guidebounces", s.guide_bounces);

@@ -1,12 +1,10 @@
 // Learning from logged photon paths.
 #include "adaptive_guide.h"
 
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
-
 #include <limits>
 
 #include "light_choice.h"
+#include "vector_growth.h"
 
 namespace aips {
 namespace {
@@ -44,7 +42,7 @@ AdaptiveGuide::AdaptiveGuide(const Scene& scene, const Settings& settings,
     : scene_(scene),
       settings_(settings),
       light_choice_(light_choice),
-      importance_(importance),
+      scores_(importance),
       emission_(scene.lights().size(), light_choice, emission_settings()) {
     if (settings.guide_survival) {
         cache_.emplace(scene.bounds(), cache_settings());
@@ -57,8 +55,7 @@ std::uint64_t AdaptiveGuide::begin_pass(std::uint64_t pass, float time, const Ey
                                         std::span<const Vec3> positions, const SearchRadii& radii) {
     rest_or_wake();
     if (!awake()) return 0;
-    mean_weight_ = importance_.weigh(image, weights_);
-    score_.build(image, positions, radii, weights_);
+    mean_weight_ = scores_.begin_pass(image, positions, radii);
     const bool seeds =
         emission() && settings_.eye_seeding && paths_ < kSeededPaths && !seeding_given_up();
     return seeds ? seed(pass, time, image) : 0;
@@ -115,12 +112,7 @@ void AdaptiveGuide::score_landings(const PathLog& log, std::span<const Landing> 
         for (std::uint32_t i = 0; i < path.landings; ++i)
             numbers.push_back(path.first_landing + i);
     }
-    landing_scores_.resize(numbers.size());
-    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, numbers.size(), 128),
-                      [&](const tbb::blocked_range<std::size_t>& range) {
-                          for (std::size_t i = range.begin(); i < range.end(); ++i)
-                              landing_scores_[i] = score_.score(landings[numbers[i]]);
-                      });
+    landing_scores_ = scores_.of(landings, numbers);
 }
 
 // From the path's end to its start, summing what came after.
@@ -206,18 +198,18 @@ void AdaptiveGuide::state(StateArchive& archive) {
 }
 
 std::size_t AdaptiveGuide::memory_bytes() const {
-    return score_.memory_bytes() + emission_.memory_bytes() +
+    return scores_.memory_bytes() + emission_.memory_bytes() +
            (cache_ ? cache_->memory_bytes() : 0) + (bounces_ ? bounces_->memory_bytes() : 0) +
-           weights_.capacity() * sizeof(float) + seeds_.capacity() * sizeof(EmissionSeed) +
-           scored_.capacity() * sizeof(std::uint32_t) + landing_scores_.capacity() * sizeof(double);
+           seeds_.capacity() * sizeof(EmissionSeed) + scored_.capacity() * sizeof(std::uint32_t);
 }
 
 std::size_t AdaptiveGuide::memory_bound_bytes(const Scene& scene, const Settings& settings,
                                               std::size_t eye_paths) {
-    // In blocks, and joined; vectors grow by doubling.
     const std::size_t walks = eye_paths / kSeedGroup + 1;
-    const std::size_t seeds = 4 * walks * kMaxSeedsPerWalk * sizeof(EmissionSeed);
-    return eye_paths * sizeof(float) + CellSort::memory_bound_bytes(eye_paths) + seeds +
+    // In blocks, and joined.
+    const std::size_t seeds = 2 * kVectorGrowth * walks * kMaxSeedsPerWalk * sizeof(EmissionSeed);
+    // The scores themselves are counted with the log.
+    return IterationScores::memory_bound_bytes(eye_paths, 0) + seeds +
            (settings.guide_survival ? ScoreCache::memory_bound_bytes(cache_settings()) : 0) +
            (settings.guide_bounces ? BounceGuide::memory_bound_bytes(kMemoryPaths) : 0) +
            EmissionGuide::memory_bound_bytes(light_choice(scene), emission_settings());

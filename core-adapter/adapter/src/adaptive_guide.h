@@ -12,11 +12,10 @@
 #include "bounce_guide.h"
 #include "emission_guide.h"
 #include "eye_seeding.h"
-#include "landing_score.h"
+#include "iteration_scores.h"
 #include "part_rest.h"
 #include "path_log.h"
 #include "path_means.h"
-#include "pixel_importance.h"
 #include "score_survival.h"
 #include "survival_switch.h"
 
@@ -93,21 +92,19 @@ class AdaptiveGuide {
     const Scene& scene_;
     const Settings& settings_;
     const DiscreteDistribution& light_choice_;
-    const PixelImportance& importance_;
-    LandingScore score_;
+    IterationScores scores_;
     EmissionGuide emission_;
     std::optional<ScoreCache> cache_;        // if photons go on by score
     std::optional<ScoreSurvival> survival_;  // reads cache_
     SurvivalSwitch survival_switch_;
     std::optional<BounceGuide> bounces_;  // if directions are guided
     PathMeans path_means_;
-    std::vector<float> weights_;          // [visible point], over mean_weight_
-    double mean_weight_ = 1;              // of the last pass that was learned from
-    std::vector<EmissionSeed> seeds_;     // of this pass
-    std::vector<std::uint32_t> scored_;   // landings of logged paths, path after path
-    std::vector<double> landing_scores_;  // as scored_
-    std::size_t landing_score_at_ = 0;    // of the next path
-    std::uint64_t paths_ = 0;             // shot so far
+    double mean_weight_ = 1;                  // of the last pass that was learned from
+    std::vector<EmissionSeed> seeds_;         // of this pass
+    std::vector<std::uint32_t> scored_;       // landings of logged paths, path after path
+    std::span<const double> landing_scores_;  // as scored_, until learn() ends
+    std::size_t landing_score_at_ = 0;        // of the next path
+    std::uint64_t paths_ = 0;                 // shot so far
     PartRest emission_rest_, survival_rest_, bounces_rest_;
     std::uint64_t walks_ = 0, seeds_found_ = 0;
     std::uint64_t visible_paths_ = 0;  // logged ones that were worth something

@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "scheduled_radius.h"
+#include "vector_growth.h"
 
 namespace aips {
 namespace {
@@ -115,8 +116,7 @@ std::size_t AdaptiveRadius::memory_bytes() const {
 }
 
 std::size_t AdaptiveRadius::memory_bound_bytes(std::size_t pixels, std::size_t visible_points) {
-    // Vectors grow by doubling.
-    const std::size_t point = 2 * (sizeof(float) + 2 * sizeof(std::uint32_t));
+    const std::size_t point = kVectorGrowth * (sizeof(float) + 2 * sizeof(std::uint32_t));
     return CurvatureMap::memory_bound_bytes(pixels) + visible_points * point;
 }
 

@@ -59,8 +59,7 @@ class Engine::State {
           photons_(make_schedule()),
           importance_(make_importance()),
           photon_pass_(host.scene, settings_, guide_.get(), importance_ ? &*importance_ : nullptr),
-          radius_policy_(
-              make_radius_policy(settings_, host.scene, host.film.width(), host.film.height())) {
+          radius_policy_(make_radii()) {
         statistics_.memory_bound_bytes = memory_bound(
             host.scene, needs_, eye_paths_, std::size_t{host.film.width()} * host.film.height());
         if (photons_.adapts()) noise_.emplace(host.film.width(), host.film.height());
@@ -236,17 +235,22 @@ class Engine::State {
         photon_pass_.leave_out_guide(way == PhotonWay::Chains);
         photons_ = make_schedule();
         importance_ = make_importance();
-        if (way != PhotonWay::Chains) return;
+        radius_policy_ = make_radii();
         // Landings of chains come in clusters, whose noise their squares do not tell.
-        noise_.reset();
-        Settings radii = settings_;
-        if (!(radii.start_radius > 0)) radii.start_radius = kChainAutomaticRadius;
-        radius_policy_ =
-            make_radius_policy(radii, host_.scene, host_.film.width(), host_.film.height());
+        if (way == PhotonWay::Chains) noise_.reset();
     }
 
     PhotonSchedule make_schedule() const {
         return {settings_, eye_paths_, needs_.photons, learns(), photon_way_ == PhotonWay::Chains};
+    }
+
+    std::unique_ptr<RadiusPolicy> make_radii() const {
+        Settings radii = settings_;
+        const bool automatic = !(radii.start_radius > 0);
+        if (automatic && photon_way_ == PhotonWay::Chains) {
+            radii.start_radius = kChainAutomaticRadius;
+        }
+        return make_radius_policy(radii, host_.scene, host_.film.width(), host_.film.height());
     }
 
     std::optional<PixelImportance> make_importance() const {

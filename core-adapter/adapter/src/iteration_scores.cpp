@@ -1,4 +1,4 @@
-// Scores of all landings of an iteration.
+// Scores of landings, in parallel.
 #include "iteration_scores.h"
 
 #include <tbb/blocked_range.h>
@@ -8,20 +8,32 @@
 
 namespace aips {
 
-void IterationScores::begin_pass(const EyeImage& image, std::span<const Vec3> positions,
-                                 const SearchRadii& radii) {
-    importance_.weigh(image, weights_);
+double IterationScores::begin_pass(const EyeImage& image, std::span<const Vec3> positions,
+                                   const SearchRadii& radii) {
+    const double mean_weight = importance_.weigh(image, weights_);
     score_.build(image, positions, radii, weights_);
+    return mean_weight;
+}
+
+template <typename LandingOf>
+std::span<const double> IterationScores::score(std::size_t count, const LandingOf& landing) {
+    scores_.resize(count);
+    using Range = tbb::blocked_range<std::size_t>;
+    tbb::parallel_for(Range(0, count, 128), [&](const Range& range) {
+        for (std::size_t i = range.begin(); i < range.end(); ++i)
+            scores_[i] = score_.score(landing(i));
+    });
+    return scores_;
 }
 
 std::span<const double> IterationScores::of(std::span<const Landing> landings) {
-    scores_.resize(landings.size());
-    using Range = tbb::blocked_range<std::size_t>;
-    tbb::parallel_for(Range(0, landings.size(), 128), [&](const Range& range) {
-        for (std::size_t i = range.begin(); i < range.end(); ++i)
-            scores_[i] = score_.score(landings[i]);
-    });
-    return scores_;
+    return score(landings.size(), [&](std::size_t i) -> const Landing& { return landings[i]; });
+}
+
+std::span<const double> IterationScores::of(std::span<const Landing> landings,
+                                            std::span<const std::uint32_t> numbers) {
+    return score(numbers.size(),
+                 [&](std::size_t i) -> const Landing& { return landings[numbers[i]]; });
 }
 
 std::size_t IterationScores::memory_bytes() const {

@@ -88,8 +88,10 @@ void add_run(CLI::App& app, BenchCommandLine& command) {
 void add_reference(CLI::App& app, BenchCommandLine& command) {
     CLI::App& reference = *app.add_subcommand("reference", "add to the reference images of scenes");
     add_rendering(reference, command);
-    reference.add_option("--seconds", command.seconds, "wall seconds for each scene (default: 60)")
+    reference.add_option("--seconds", command.seconds, "seconds for each scene (default: 60)")
         ->check(CLI::Validator(lxs::check_positive, "SECONDS"));
+    reference.add_option("--clock", command.clock, "clock of --seconds: wall (default) or cpu")
+        ->check(CLI::IsMember({"cpu", "wall"}));
     reference.add_flag("--up-to", command.up_to,
                        "only what is missing to that many seconds in all");
     reference.callback([&command] { command.command = Command::Reference; });

@@ -54,6 +54,7 @@ ExitCode reference(const BenchCommandLine& command, const lxs::PluginLibrary& pl
     ReferenceRequest request;
     request.scenes = find_scenes(command);
     request.seconds = command.seconds;
+    request.clock = command.clock == "cpu" ? "cpu" : "wall";
     request.up_to = command.up_to;
     request.threads = command.threads;
     request.width_px = command.width_px;

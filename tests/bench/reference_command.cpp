@@ -63,10 +63,10 @@ std::vector<ReferenceImage> images_of(const BenchScene& scene, const MethodTable
     return images;
 }
 
-double seconds_so_far(const Json& metadata) {
+double seconds_so_far(const Json& metadata, const std::string& clock) {
     double sum = 0;
     for (const Json& image : metadata.at("images"))
-        sum += image.at("wall_s").get<double>();
+        sum += image.at(clock + "_s").get<double>();
     return sum;
 }
 
@@ -85,7 +85,7 @@ RenderJob chunk_job(const ReferenceRequest& request, const BenchScene& scene,
     job.settings.seed = seed;
     job.settings.threads = request.threads;
     job.settings.budgets_s = {image.chunk_seconds};
-    job.settings.clock = "wall";
+    job.settings.clock = request.clock;
     job.images = (folder / "chunk").string();
     job.final_only = true;
     job.result = (folder / "chunk.json").string();
@@ -225,7 +225,7 @@ void report(const Folder& folder, const std::string& scene, lxs::ConsoleLog& log
 bool grow(const ReferenceRequest& request, const BenchScene& scene,
           std::vector<ReferenceImage> images, Folder& folder, const lxs::Interruption& interruption,
           lxs::ConsoleLog& log) {
-    const double gone = request.up_to ? seconds_so_far(folder.metadata) : 0;
+    const double gone = request.up_to ? seconds_so_far(folder.metadata, request.clock) : 0;
     const double seconds = request.seconds - gone;
     const double shortest_round = kShortestChunk * double(images.size());
     // A remainder that is shorter than a round of chunks is not worth its loading time.

@@ -16,8 +16,9 @@ namespace bench {
 
 struct ReferenceRequest {
     std::vector<BenchScene> scenes;
-    double seconds = 60;  ///< wall time for each scene
-    bool up_to = false;   ///< the seconds that the references already took count
+    double seconds = 60;         ///< for each scene
+    std::string clock = "wall";  ///< of the seconds: "wall" or "cpu"
+    bool up_to = false;          ///< the seconds that the references already took count
     unsigned threads = 0;
     std::uint32_t width_px = 0, height_px = 0;  ///< 0: the scene's own, in proportion
     std::filesystem::path root;                 ///< folder of all references

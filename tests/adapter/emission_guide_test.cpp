@@ -120,8 +120,10 @@ TEST(EmissionGuide, DrawsFollowThePdf) {
     const DiscreteDistribution plain = choice_of({1, 5, 2});
     EmissionGuide guide(3, plain);
     expect_draws_follow_pdf(guide, 2);
+    std::vector<EmissionSeed> seeds;
     for (int i = 0; i < 200; ++i)
-        guide.add_seed(2, {0.3f, 0.3f, 0.6f, 0.001f * float(i)}, 1);
+        seeds.push_back({2, {0.3f, 0.3f, 0.6f, 0.001f * float(i)}, 1});
+    guide.add_seeds(seeds);
     guide.update(0);
     ASSERT_TRUE(guide.on());
     expect_draws_follow_pdf(guide, 3);  // seeds alone
@@ -193,15 +195,17 @@ TEST(EmissionGuide, SeedsActBeforeAnythingIsLearned) {
     const DiscreteDistribution plain = choice_of({1, 1, 0});
     EmissionGuide guide(3, plain);
     RandomStream random(12, 0, 0, RandomDomain::Guide);
-    guide.add_seed(2, {0.5f, 0.5f, 0.5f, 0.5f}, 1000);  // shines not at all
-    guide.add_seed(7, {0.5f, 0.5f, 0.5f, 0.5f}, 1000);  // does not exist
+    guide.add_seeds({{{2, {0.5f, 0.5f, 0.5f, 0.5f}, 1000}}});  // shines not at all
+    guide.add_seeds({{{7, {0.5f, 0.5f, 0.5f, 0.5f}, 1000}}});  // does not exist
     for (int round = 0; round < 10; ++round) {
+        std::vector<EmissionSeed> seeds;
         for (int i = 0; i < 200; ++i) {
             PrimaryPoint u = random_point(random);
             for (float& x : u)
                 x = 0.5f + 0.25f * x;
-            guide.add_seed(1, u, 1);
+            seeds.push_back({1, u, 1});
         }
+        guide.add_seeds(seeds);
         guide.update(0);
     }
     ASSERT_TRUE(guide.on());

@@ -4,6 +4,7 @@
 #include <tbb/global_control.h>
 
 #include "aips/core/sampling.h"
+#include "emission_guide.h"
 #include "eye_seeding.h"
 #include "light_choice.h"
 #include "render_mock.h"
@@ -26,11 +27,12 @@ std::vector<EmissionSeed> find(const mock::Scene& scene, const Settings& setting
     return seeds;
 }
 
-/// A pillar on a ground a hundred times as wide as the view, under a sun.
-mock::Scene wide_ground() {
+/// A pillar on a ground that is a hundred times as wide as the view, under a sun.
+mock::Scene wide_ground(float half_width = 100) {
     mock::Scene scene;
     mock::Surface ground;
-    ground.shape = mock::Quad{{-100, -100, 0}, {200, 0, 0}, {0, 200, 0}};
+    ground.shape =
+        mock::Quad{{-half_width, -half_width, 0}, {2 * half_width, 0, 0}, {0, 2 * half_width, 0}};
     scene.add(ground);
     mock::Surface pillar;
     scene.add_box({0.5f, 0.5f, 2}, {-0.5f, -0.5f, 0}, pillar);  // inside out: faces look outwards
@@ -80,6 +82,26 @@ TEST(EyeSeeding, SunOverAWideGroundIsSeededWhereTheEyeLooks) {
         plain.push_back({random.next(), random.next(), random.next(), random.next()});
     EXPECT_LT(share_near_view(scene, plain), 0.01);
     EXPECT_EQ(share_near_view(scene, guided), 1.0);
+}
+
+/// Four thousand times as wide: one start in ten millions is near the view. The seeds of one pass
+/// lead the guide there, without any photon having been there.
+TEST(EyeSeeding, SeedsOfOnePassLeadToATenMillionthOfAllStarts) {
+    const mock::Scene scene = wide_ground(4000);
+    const Settings settings = mock::small_settings(1, 1);
+    const EyeImage image =
+        mock::traced_eye_image(scene, view_beside_the_pillar(), kSize, kEyePaths, settings);
+    const DiscreteDistribution choice = light_choice(scene);
+    EmissionGuide guide(1, choice);
+    guide.add_seeds(find(scene, settings, image));
+    guide.update(0);
+    std::vector<PrimaryPoint> starts;
+    RandomStream random(80, 0, 0, RandomDomain::Guide);
+    for (int i = 0; i < 20000; ++i) {
+        const PrimaryPoint u{random.next(), random.next(), random.next(), random.next()};
+        starts.push_back(guide.sample(0.5f, u).point);
+    }
+    EXPECT_GT(share_near_view(scene, starts), 0.5 * EmissionGuideSettings{}.seed_share);
 }
 
 /// From a pillar's flat top alone nothing but sky is met; photons that own direct light, however,

@@ -80,8 +80,8 @@ TEST(PhotonSchedule, WeightsDependOnThePassAlone) {
             EXPECT_GE(few[i].weight, last);
             last = few[i].weight;
         }
-        // Those before anything was known hardly count.
-        EXPECT_GT(last, 40 * few[3].weight);
+        // Those before anything was known, or learned, count for less.
+        EXPECT_GE(last, 8 * few[0].weight);
     }
 }
 

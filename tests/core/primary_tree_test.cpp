@@ -202,6 +202,61 @@ TEST(PrimaryTree, SeedsShapeTheDensityBeforeAnythingIsLearned) {
     EXPECT_EQ(tree.mass(), 0.0);
 }
 
+/// Seeds in a cube about `middle`, its sides 2^-20 along two axes and 1 along the others, and as a
+/// twentieth of them seeds anywhere.
+std::vector<PrimaryPoint> narrow_seeds(float middle, std::size_t count) {
+    RandomStream random(14, 0, 0, RandomDomain::Guide);
+    std::vector<PrimaryPoint> seeds;
+    for (std::size_t i = 0; i < count; ++i) {
+        PrimaryPoint p = random_point(random);
+        if (i % 20 > 0) {
+            for (const unsigned axis : {0u, 1u})
+                p[axis] = middle + 0x1p-20f * (p[axis] - 0.5f);
+        }
+        seeds.push_back(p);
+    }
+    return seeds;
+}
+
+/// A picture on a ground a thousand times as wide as what is seen: light starts in a millionth of
+/// all points, about the middle, where halving gains nothing, or beside it.
+TEST(PrimaryTree, FocusesOnNarrowSeedsAtOnce) {
+    for (const float middle : {0.5f, 0.3f}) {
+        PrimaryTree tree;
+        std::vector<PrimaryPoint> seeds = narrow_seeds(middle, 100);
+        tree.focus(seeds);
+        for (const PrimaryPoint& p : seeds)
+            tree.add_seed(p, 1);
+        tree.update(0);
+        tree.set_mixture({.plain = 0.2, .seeds = 0.5});
+        EXPECT_LT(tree.leaf_count(), 200u);
+        RandomStream random(15, 0, 0, RandomDomain::Guide);
+        int near = 0;
+        constexpr int kDraws = 1000;
+        for (int i = 0; i < kDraws; ++i) {
+            const PrimaryPoint p = tree.sample(random_point(random)).point;
+            near += std::abs(p[0] - middle) < 0x1p-17f && std::abs(p[1] - middle) < 0x1p-17f;
+        }
+        // All of the seeds' share, but for the twentieth that lies apart.
+        EXPECT_GT(near, 0.4 * kDraws) << middle;
+    }
+}
+
+TEST(PrimaryTree, FocusKeepsHalfOfItsLeavesAndWideSeedsAlone) {
+    PrimaryTree wide;
+    RandomStream random(16, 0, 0, RandomDomain::Guide);
+    std::vector<PrimaryPoint> seeds(200);
+    for (PrimaryPoint& p : seeds)
+        p = random_point(random);
+    wide.focus(seeds);
+    EXPECT_EQ(wide.leaf_count(), 1u);
+
+    PrimaryTree small({.max_leaves = 16});
+    std::vector<PrimaryPoint> narrow = narrow_seeds(0.3f, 40);
+    small.focus(narrow);
+    EXPECT_EQ(small.leaf_count(), 8u);
+}
+
 TEST(PrimaryTree, ForgetsWhatIsOutdated) {
     PrimaryTreeSettings settings;
     settings.memory_paths = 40000;

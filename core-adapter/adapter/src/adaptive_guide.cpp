@@ -1,6 +1,7 @@
 // Learning from logged photon paths.
 #include "adaptive_guide.h"
 
+#include <algorithm>
 #include <limits>
 
 #include "light_choice.h"
@@ -74,8 +75,8 @@ std::uint64_t AdaptiveGuide::seed(std::uint64_t pass, float time, const EyeImage
     find_emission_seeds(scene_, settings_, light_choice_, pass, time, image, seeds_, counts);
     walks_ += counts.walks;
     seeds_found_ += seeds_.size();
-    for (const EmissionSeed& s : seeds_)
-        emission_.add_seed(s.light, s.point, double(s.weight));
+    std::ranges::stable_sort(seeds_, {}, &EmissionSeed::light);
+    emission_.add_seeds(seeds_);
     emission_.update(0);
     return counts.rays;
 }
@@ -206,7 +207,7 @@ std::size_t AdaptiveGuide::memory_bytes() const {
 std::size_t AdaptiveGuide::memory_bound_bytes(const Scene& scene, const Settings& settings,
                                               std::size_t eye_paths) {
     const std::size_t walks = eye_paths / kSeedGroup + 1;
-    // In blocks, and joined.
+    // In blocks and joined, or joined and sorted.
     const std::size_t seeds = 2 * kVectorGrowth * walks * kMaxSeedsPerWalk * sizeof(EmissionSeed);
     // The scores themselves are counted with the log.
     return IterationScores::memory_bound_bytes(eye_paths, 0) + seeds +

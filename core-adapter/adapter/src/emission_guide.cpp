@@ -64,10 +64,28 @@ void EmissionGuide::add(const EmissionScore& s) {
     trees_[s.start.light].add(s.start.point, s.score, s.cost);
 }
 
-void EmissionGuide::add_seed(LightIndex light, const PrimaryPoint& point, double weight) {
-    if (light >= trees_.size() || !(plain_pdf(light) > 0)) return;
-    trees_[light].add_seed(point, weight);
-    seeds_[light] += weight;
+void EmissionGuide::add_seeds(std::span<const EmissionSeed> seeds) {
+    while (!seeds.empty()) {
+        const LightIndex light = seeds.front().light;
+        const auto end = std::ranges::find_if_not(
+            seeds, [light](const EmissionSeed& seed) { return seed.light == light; });
+        const auto count = static_cast<std::size_t>(end - seeds.begin());
+        if (light < trees_.size() && plain_pdf(light) > 0) add_seeds_of_a_light(seeds.first(count));
+        seeds = seeds.subspan(count);
+    }
+}
+
+void EmissionGuide::add_seeds_of_a_light(std::span<const EmissionSeed> seeds) {
+    const LightIndex light = seeds.front().light;
+    std::vector<PrimaryPoint> points;
+    points.reserve(seeds.size());
+    for (const EmissionSeed& seed : seeds)
+        points.push_back(seed.point);
+    trees_[light].focus(points);
+    for (const EmissionSeed& seed : seeds) {
+        trees_[light].add_seed(seed.point, double(seed.weight));
+        seeds_[light] += double(seed.weight);
+    }
 }
 
 void EmissionGuide::update(double paths) {

@@ -11,6 +11,7 @@
 #include "aips/adapter/scene.h"
 #include "aips/core/discrete_distribution.h"
 #include "aips/core/primary_tree.h"
+#include "emission_seed.h"
 #include "second_moments.h"
 
 namespace aips {
@@ -63,7 +64,9 @@ class EmissionGuide {
     EmissionStart sample(float u_light, const PrimaryPoint& u) const;
 
     void add(const EmissionScore& score);
-    void add_seed(LightIndex light, const PrimaryPoint& point, double weight);
+    /// Starts found from the eye, those of one light in succession. Of lights that do not emit, or
+    /// do not exist, they are passed over.
+    void add_seeds(std::span<const EmissionSeed> seeds);
     /// After `paths` further photon paths: forgets, splits, decides whether guiding pays, and sets
     /// the density of the next iterations.
     void update(double paths);
@@ -91,6 +94,7 @@ class EmissionGuide {
     double guided_pdf(const EmissionStart& start) const;
     void judge();
     void set_densities();
+    void add_seeds_of_a_light(std::span<const EmissionSeed> seeds);
 
     const DiscreteDistribution* plain_choice_;
     EmissionGuideSettings settings_;

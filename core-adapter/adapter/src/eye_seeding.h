@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "aips/core/discrete_distribution.h"
-#include "aips/core/primary_tree.h"
+#include "emission_seed.h"
 #include "eye_pass.h"
 
 namespace aips {
@@ -18,13 +18,6 @@ inline constexpr std::uint32_t kSeedGroup = 16;
 inline constexpr std::uint32_t kMaxSeedBounces = 4;
 /// Connections to a light per walk: the visible point, each surface met, a light met.
 inline constexpr std::uint32_t kMaxSeedsPerWalk = kMaxSeedBounces + 3;
-
-/// Where a photon ought to start.
-struct EmissionSeed {
-    LightIndex light = kNoLight;
-    PrimaryPoint point{};
-    float weight = 0;  ///< > 0, finite: about the luminance that such light adds to the eye path
-};
 
 /// What finding seeds cost.
 struct SeedCounts {

@@ -19,9 +19,11 @@ constexpr std::uint64_t kFirstPasses = 4, kFirstPassesOfAGuide = 8;
 /// Factors by which a choice may change the last one, and that of a guide the first: passes count
 /// alike, whatever they cost.
 constexpr double kGreatestRise = 2, kGreatestFall = 4;
-/// What a pass after the first choice counts for, passes before at most for 1. A guide has learned
-/// by then, and its photons only become fewer at once: what it began with is not so far off.
-constexpr double kChosenWeight = 64, kChosenWeightOfAGuide = 8;
+/// What a pass after the first choice counts for, those before, of few photons, for 1. Where a
+/// guide learns they all count for 1, but for what is shot while it does: its photons only become
+/// fewer at once. Of 64, 8 and 2, and for the guide of 8, 2 and 1, the best where passes are few,
+/// in large images and short runs (docs/photons-per-pass.md).
+constexpr double kChosenWeight = 8;
 /// Bounds of the photons' cost over the eye's. Eye paths are stratified from pass to pass, so that
 /// their noise falls faster than what two passes differ by tells: at least 60 % of the time goes to
 /// photons. Beyond the upper bound no more than a tenth could be gained.
@@ -70,8 +72,7 @@ void PhotonSchedule::plan() {
         }
     }
     next_.weight = next_.counted;
-    const double chosen = learns_ ? kChosenWeightOfAGuide : kChosenWeight;
-    if (adapts_) next_.weight = decided_ ? chosen : next_.counted / paths_;
+    if (adapts_) next_.weight = decided_ && !learns_ ? kChosenWeight : next_.counted / paths_;
 }
 
 void PhotonSchedule::end_pass(const PassWork& work, const PassNoise& noise) {

@@ -13,8 +13,6 @@ namespace aips {
 namespace {
 
 constexpr std::uint32_t kMaxLeaves = 1u << 24;
-/// Sides below this would outrun the 24 bits of a random number.
-constexpr float kMinSide = 0x1p-20f;
 /// Share of its history that a new leaf keeps: how the score lay within the half is a guess.
 constexpr double kInherited = 0.1;
 

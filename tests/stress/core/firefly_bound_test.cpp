@@ -53,7 +53,11 @@ PrimaryTree taught(const Adversary& a, int updates, bool forgets) {
     for (int u = 0; u < updates; ++u) {
         for (std::size_t i = 0; i < a.points.size(); ++i)
             tree.add(a.points[i], a.scores[i], u % 2 ? 1e-3 : 1e3);
-        if (u % 3 == 0) tree.add_seed(a.points[0], 1e30);
+        if (u % 3 == 0) {
+            std::vector<PrimaryPoint> close(20, a.points[0]);
+            tree.focus(close);
+            tree.add_seed(a.points[0], 1e30);
+        }
         tree.update(1 + u);
         tree.set_mixture({kPlain, u % 2 ? 0.05 : 0.25});
     }

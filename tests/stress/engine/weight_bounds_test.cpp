@@ -44,7 +44,7 @@ void mislead(EmissionGuide& guide, LightIndex light, int updates) {
         }
         for (int i = 0; i < 64; ++i)
             guide.add({{light, {x, 0, x, 0}, 1}, std::pow(10.0, i - 30), 1e-3});
-        guide.add_seed(light, {0.7f, 0.7f, x, x}, 1e30);
+        guide.add_seeds(std::vector<EmissionSeed>(20, {light, {0.7f, 0.7f, x, x}, 1e30f}));
         guide.update(100);
     }
 }

@@ -13,6 +13,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "aips/core/state_archive.h"
@@ -67,6 +68,10 @@ class PrimaryTree {
     void add(const PrimaryPoint& point, double score, double cost = 1);
     /// A point where photons ought to start, found from the eye: shapes the density of seeds only.
     void add_seed(const PrimaryPoint& point, double weight);
+    /// Halves leaves in which many of these points lie close together, as often as it takes: points
+    /// found from the eye may name a millionth of all starts, and update() halves a leaf once. To
+    /// be called before they are added as seeds; reorders them.
+    void focus(std::span<PrimaryPoint> points);
     /// After `paths` further scored photon paths of all lights, those worth nothing included:
     /// forgets, splits what pays to be split.
     void update(double paths);
@@ -91,6 +96,8 @@ class PrimaryTree {
 
   private:
     static constexpr std::uint32_t kLeafAxis = 4;
+    /// Sides below this would outrun the 24 bits of a random number.
+    static constexpr float kMinSide = 0x1p-20f;
 
     /// Interior: halves its box across an axis; children are `target` and `target` + 1. Leaf:
     /// `target` is its number. Small, as photons walk over nothing else.
@@ -160,6 +167,10 @@ class PrimaryTree {
 
     Place locate(const PrimaryPoint& point) const;
     std::array<bool, 4> lower_halves(const Leaf& leaf, const PrimaryPoint& point) const;
+    /// Axis along which the points take little of the leaf, or kLeafAxis.
+    unsigned narrow_axis(const Leaf& leaf, std::span<const PrimaryPoint> points) const;
+    void focus(std::uint32_t node, PrimaryPoint corner, PrimaryPoint side,
+               std::span<PrimaryPoint> points);
     double leaf_mass(const Leaf& leaf) const;
     void split_leaves();
     void split(std::uint32_t node, unsigned axis);

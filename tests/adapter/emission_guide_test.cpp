@@ -120,9 +120,9 @@ TEST(EmissionGuide, DrawsFollowThePdf) {
     const DiscreteDistribution plain = choice_of({1, 5, 2});
     EmissionGuide guide(3, plain);
     expect_draws_follow_pdf(guide, 2);
-    std::vector<EmissionSeed> seeds;
-    for (int i = 0; i < 200; ++i)
-        seeds.push_back({2, {0.3f, 0.3f, 0.6f, 0.001f * float(i)}, 1});
+    std::vector<EmissionSeed> seeds(200, {2, {0.3f, 0.3f, 0.6f, 0}, 1});
+    for (std::size_t i = 0; i < seeds.size(); ++i)
+        seeds[i].point[3] = 0.001f * float(i);
     guide.add_seeds(seeds);
     guide.update(0);
     ASSERT_TRUE(guide.on());

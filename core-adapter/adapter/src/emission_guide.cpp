@@ -14,9 +14,10 @@ std::vector<PrimaryTreeSettings> tree_settings(const DiscreteDistribution& plain
     std::uint32_t alive = 0;
     for (std::size_t l = 0; l < plain_choice.size(); ++l)
         alive += plain_choice.pdf(l) > 0 ? 1 : 0;
+    const std::uint32_t share = std::max(1u, s.max_leaves / std::max(1u, alive));
     std::vector<PrimaryTreeSettings> trees(plain_choice.size());
     for (std::size_t l = 0; l < trees.size(); ++l) {
-        trees[l].max_leaves = plain_choice.pdf(l) > 0 ? std::max(1u, s.max_leaves / alive) : 1;
+        trees[l].max_leaves = plain_choice.pdf(l) > 0 ? share : 1;
         trees[l].memory_paths = s.memory_paths;
     }
     return trees;

@@ -64,11 +64,12 @@ void PrimaryTree::focus(std::uint32_t node, PrimaryPoint corner, PrimaryPoint si
     const std::uint32_t lower = nodes_[node].target();
     side[axis] *= 0.5f;
     const float middle = corner[axis] + side[axis];
-    const auto upper = std::ranges::stable_partition(
-        points, [&](const PrimaryPoint& p) { return p[axis] < middle; });
-    focus(lower, corner, side, points.first(points.size() - upper.size()));
+    const auto upper = std::stable_partition(
+        points.begin(), points.end(), [&](const PrimaryPoint& p) { return p[axis] < middle; });
+    const auto below = static_cast<std::size_t>(upper - points.begin());
+    focus(lower, corner, side, points.first(below));
     corner[axis] = middle;
-    focus(lower + 1, corner, side, {upper.begin(), upper.end()});
+    focus(lower + 1, corner, side, points.subspan(below));
 }
 
 }  // namespace aips

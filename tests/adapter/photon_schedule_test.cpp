@@ -85,6 +85,18 @@ TEST(PhotonSchedule, WeightsDependOnThePassAlone) {
     }
 }
 
+// In large images a guide's first passes have as many photons as those of small ones together.
+TEST(PhotonSchedule, AGuidesPassesCountAlikeInSmallImages) {
+    for (const std::uint32_t eye_paths : {20'000u, 500'000u}) {
+        PhotonSchedule schedule({}, eye_paths, true, true);
+        for (int pass = 0; pass < 8; ++pass) {
+            EXPECT_LE(schedule.next().weight, 1);
+            schedule.end_pass({1, 1}, {1, 1e6});
+        }
+        EXPECT_EQ(schedule.next().weight, eye_paths > 100'000 ? 2 : 1);
+    }
+}
+
 TEST(PhotonSchedule, AGuideHasLearnedBeforeTheFirstChoice) {
     const auto all = passes({}, true, {1, 1, 1e5}, 20);
     for (const PassPhotons& pass : all) {

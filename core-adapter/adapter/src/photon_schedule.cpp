@@ -19,11 +19,13 @@ constexpr std::uint64_t kFirstPasses = 4, kFirstPassesOfAGuide = 8;
 /// Factors by which a choice may change the last one, and that of a guide the first: passes count
 /// alike, whatever they cost.
 constexpr double kGreatestRise = 2, kGreatestFall = 4;
-/// What a pass after the first choice counts for, those before, of few photons, for 1. Where a
-/// guide learns they all count for 1, but for what is shot while it does: its photons only become
-/// fewer at once. Of 64, 8 and 2, and for the guide of 8, 2 and 1, the best where passes are few,
-/// in large images and short runs (docs/photons-per-pass.md).
-constexpr double kChosenWeight = 8;
+/// What a pass after the first choice counts for, those before, of few photons, for 1. A guide is
+/// given more at first, and what it shoots while it learns counts for less anyway: 2 in large
+/// images, whose passes it begins with as many photons as eye paths, and 1 in small ones
+/// (docs/design-notes.md).
+constexpr double kChosenWeight = 8, kChosenWeightOfAGuide = 2, kChosenWeightInSmallImages = 1;
+/// Least photon paths of a guide's first passes.
+constexpr auto kLearningPass = std::uint32_t(kLearningPaths / kFirstPassesOfAGuide);
 /// Bounds of the photons' cost over the eye's. Eye paths are stratified from pass to pass, so that
 /// their noise falls faster than what two passes differ by tells: at least 60 % of the time goes to
 /// photons. Beyond the upper bound no more than a tenth could be gained.
@@ -43,9 +45,13 @@ std::uint32_t first_paths(const Settings& settings, std::uint32_t eye_paths, boo
                           bool learns, bool chains) {
     if (!adapts)
         return settings.photons_per_pass ? settings.photons_per_pass : kUsualPhotonsPerPass;
-    const auto learning = std::uint32_t(kLearningPaths / kFirstPassesOfAGuide);
-    const std::uint32_t fewest = learns ? learning : chains ? kFewestOfChains : kFewest;
+    const std::uint32_t fewest = learns ? kLearningPass : chains ? kFewestOfChains : kFewest;
     return std::clamp(eye_paths, fewest, kUsualPhotonsPerPass);
+}
+
+double chosen_weight(std::uint32_t first_paths, bool learns) {
+    if (!learns) return kChosenWeight;
+    return first_paths > kLearningPass ? kChosenWeightOfAGuide : kChosenWeightInSmallImages;
 }
 
 }  // namespace
@@ -56,6 +62,7 @@ PhotonSchedule::PhotonSchedule(const Settings& settings, std::uint32_t eye_paths
       learns_(learns),
       chains_(chains),
       paths_(first_paths(settings, eye_paths, adapts_, learns, chains)),
+      chosen_weight_(chosen_weight(paths_, learns)),
       decide_at_(learns ? kFirstPassesOfAGuide : kFirstPasses) {
     plan();
 }
@@ -72,7 +79,7 @@ void PhotonSchedule::plan() {
         }
     }
     next_.weight = next_.counted;
-    if (adapts_) next_.weight = decided_ && !learns_ ? kChosenWeight : next_.counted / paths_;
+    if (adapts_) next_.weight = next_.counted / paths_ * (decided_ ? chosen_weight_ : 1);
 }
 
 void PhotonSchedule::end_pass(const PassWork& work, const PassNoise& noise) {

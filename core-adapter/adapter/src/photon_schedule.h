@@ -60,6 +60,7 @@ class PhotonSchedule {
 
     bool adapts_, learns_, chains_;
     std::uint32_t paths_;
+    double chosen_weight_;  // of passes after the first choice
     std::uint64_t pass_ = 0;
     std::uint64_t decide_at_;  // pass before which the number is chosen next
     bool decided_ = false;

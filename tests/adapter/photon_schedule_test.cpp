@@ -85,8 +85,8 @@ TEST(PhotonSchedule, WeightsDependOnThePassAlone) {
     }
 }
 
-// In large images a guide's first passes have as many photons as those of small ones together.
-TEST(PhotonSchedule, AGuidesPassesCountAlikeInSmallImages) {
+// Those of large images have fewer photons at first than later, those of small ones more.
+TEST(PhotonSchedule, AGuidesFirstPassesCountByTheImagesSize) {
     for (const std::uint32_t eye_paths : {20'000u, 500'000u}) {
         PhotonSchedule schedule({}, eye_paths, true, true);
         for (int pass = 0; pass < 8; ++pass) {

@@ -31,8 +31,7 @@ float extent_of(std::span<const PrimaryPoint> points, unsigned axis, std::vector
 
 }  // namespace
 
-unsigned PrimaryTree::narrow_axis(const Leaf& leaf, std::span<const PrimaryPoint> points) const {
-    if (points.size() < kFewestPoints) return kLeafAxis;
+unsigned PrimaryTree::narrow_axis(const Leaf& leaf, std::span<const PrimaryPoint> points) {
     unsigned narrowest = kLeafAxis;
     float least = kNarrow;
     std::vector<float> scratch;

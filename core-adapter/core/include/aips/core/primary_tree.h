@@ -167,8 +167,8 @@ class PrimaryTree {
 
     Place locate(const PrimaryPoint& point) const;
     std::array<bool, 4> lower_halves(const Leaf& leaf, const PrimaryPoint& point) const;
-    /// Axis along which the points take little of the leaf, or kLeafAxis.
-    unsigned narrow_axis(const Leaf& leaf, std::span<const PrimaryPoint> points) const;
+    /// Axis along which the points, at least one, take little of the leaf, or kLeafAxis.
+    static unsigned narrow_axis(const Leaf& leaf, std::span<const PrimaryPoint> points);
     void focus(std::uint32_t node, PrimaryPoint corner, PrimaryPoint side,
                std::span<PrimaryPoint> points);
     double leaf_mass(const Leaf& leaf) const;

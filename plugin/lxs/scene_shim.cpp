@@ -85,6 +85,14 @@ class LambertShim final : public Bsdf {
     Vec3 ng_, ns_;
 };
 
+/// Values in the host's terms, in memory that is kept from pass to pass.
+template <class From, class To>
+void convert(std::span<const From> from, std::vector<To>& converted) {
+    converted.clear();
+    for (const From& value : from)
+        converted.push_back(to(value));
+}
+
 constexpr std::size_t kShimBytes = std::max(sizeof(BsdfShim), sizeof(LambertShim));
 
 /// The host's Bsdf at a hit, built in `memory`.
@@ -208,25 +216,22 @@ CameraSample SamplerShim::camera_sample(std::uint64_t number, std::uint32_t x,
     return {{s.film.x, s.film.y}, {s.lens.x, s.lens.y}};
 }
 
-lxs::PassSamples FilmShim::converted(std::span<const Vec2> positions, std::span<const Rgb> radiance,
-                                     std::uint32_t groups, double weight) {
-    positions_.clear();
-    radiance_.clear();
-    for (const Vec2 p : positions)
-        positions_.push_back(to(p));
-    for (const Rgb c : radiance)
-        radiance_.push_back(to(c));
-    return {positions_, radiance_, groups, weight};
-}
-
-void FilmShim::add_pass(std::span<const Vec2> positions, std::span<const Rgb> radiance,
-                        std::uint32_t groups, double weight) {
-    film_.add_pass(converted(positions, radiance, groups, weight));
+void FilmShim::add_pass(const FilmPass& pass) {
+    convert(pass.positions, positions_);
+    convert(pass.eye, radiance_);
+    convert(pass.photons, photons_);
+    film_.add_pass({.positions = positions_,
+                    .radiance = radiance_,
+                    .groups = pass.groups,
+                    .second_radiance = photons_,
+                    .second_weight = pass.photon_weight});
 }
 
 void FilmShim::add_layer_pass(std::string_view name, std::span<const Vec2> positions,
                               std::span<const Rgb> values, double weight) {
-    film_.add_layer_pass(name, converted(positions, values, 1, weight));
+    convert(positions, positions_);
+    convert(values, radiance_);
+    film_.add_layer_pass(name, {.positions = positions_, .radiance = radiance_, .weight = weight});
 }
 
 }  // namespace aips::shim

@@ -64,8 +64,7 @@ class FilmShim final : public Film {
     explicit FilmShim(lxs::Film& film) : film_(film) {}
     std::uint32_t width() const override { return film_.width(); }
     std::uint32_t height() const override { return film_.height(); }
-    void add_pass(std::span<const Vec2> positions, std::span<const Rgb> radiance,
-                  std::uint32_t groups, double weight) override;
+    void add_pass(const FilmPass& pass) override;
     void add_layer_pass(std::string_view name, std::span<const Vec2> positions,
                         std::span<const Rgb> values, double weight) override;
     void set_layer(std::string_view name, std::span<const float> values) override {
@@ -73,13 +72,9 @@ class FilmShim final : public Film {
     }
 
   private:
-    /// The samples in the host's terms, valid until the next call.
-    lxs::PassSamples converted(std::span<const Vec2> positions, std::span<const Rgb> radiance,
-                               std::uint32_t groups, double weight);
-
     lxs::Film& film_;
     std::vector<lxs::Vec2> positions_;
-    std::vector<lxs::Rgb> radiance_;
+    std::vector<lxs::Rgb> radiance_, photons_;
 };
 
 class LogShim final : public Log {

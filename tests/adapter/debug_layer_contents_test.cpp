@@ -45,8 +45,9 @@ void add_pass(DebugLayers& layers, const EyeImage& image, const std::vector<std:
     PhotonFlux flux;
     flux.reset(image.visible_points.size(), 1);
     flux.accepted = photons;
-    layers.add_pass(image, flux, radii.empty() ? SearchRadii() : SearchRadii(radii), image.radiance,
-                    weight, bounces);
+    layers.add_pass(image, flux, radii.empty() ? SearchRadii() : SearchRadii(radii),
+                    {.positions = image.positions, .eye = image.radiance, .photon_weight = weight},
+                    bounces);
 }
 
 /// Pixel (0, 0) of 3 x 2: in a pass of weight 1 two eye paths, of which one has 8 photons in a disk

@@ -28,8 +28,8 @@ std::uint32_t poisson(double mean, RandomStream& random) {
     return count;
 }
 
-/// Mean noise over passes in which eye paths see kLight times a factor of relative variance
-/// `eye_variance`, brought by photons of power 1 / `per_pixel`, as many on average.
+/// Mean noise over passes in which photons of power 1 / `per_pixel`, as many on average, bring
+/// kLight times a factor of the eye path's, of relative variance `eye_variance`.
 PassNoise measured(double eye_variance, const std::vector<double>& per_pixel) {
     EyeImage image = eye_image();
     PixelImportance importance(kWidth, kHeight);
@@ -38,7 +38,7 @@ PassNoise measured(double eye_variance, const std::vector<double>& per_pixel) {
     for (std::size_t pass = 0; pass < per_pixel.size(); ++pass) {
         PhotonFlux flux;
         flux.reset(image.positions.size(), 1);
-        std::vector<Rgb> radiance;
+        std::vector<Rgb> brought;
         const auto power = float(1 / per_pixel[pass]);
         for (std::size_t i = 0; i < image.positions.size(); ++i) {
             RandomStream random(17, pass, i, RandomDomain::Photon);
@@ -47,11 +47,11 @@ PassNoise measured(double eye_variance, const std::vector<double>& per_pixel) {
             const auto photons = float(poisson(per_pixel[pass], random));
             flux.flux[i] = kWhite * (photons * power);
             flux.squares[i] = photons * power * power;
-            radiance.push_back(kWhite * (photons * power * seen));
+            brought.push_back(kWhite * (photons * power * seen));
         }
         const auto paths = static_cast<std::uint64_t>(1000 * per_pixel[pass]);
-        const PassNoise noise = meter.add_pass(image, radiance, flux, paths, importance);
-        importance.add_pass(image, radiance);
+        const PassNoise noise = meter.add_pass(image, brought, flux, paths, importance);
+        importance.add_pass(image, brought);
         mean.eye += noise.eye / double(per_pixel.size() - 1);
         mean.photon_path += noise.photon_path / double(per_pixel.size() - 1);
         if (pass == 0) {
@@ -80,6 +80,34 @@ TEST(PassNoise, PassesMayDifferInTheirPhotons) {
     const PassNoise noise = measured(0.2, {4, 12, 4, 12, 4, 12, 4, 12, 4});
     EXPECT_NEAR(noise.eye, 0.2, 0.02);
     EXPECT_NEAR(noise.photon_path / (1000 * 1.2), 1, 0.03);
+}
+
+// What eye paths see without photons, of relative variance 0.3, is noise of the eye alone, though
+// photons bring as much again.
+TEST(PassNoise, WhatEyePathsSeeThemselvesIsTheEyes) {
+    EyeImage image = eye_image();
+    PixelImportance importance(kWidth, kHeight);
+    PassNoiseMeter meter(kWidth, kHeight);
+    PassNoise mean;
+    PhotonFlux flux;
+    flux.reset(image.positions.size(), 1);
+    const std::vector<Rgb> brought(image.positions.size(), kWhite);
+    constexpr int kPasses = 9;
+    for (int pass = 0; pass < kPasses; ++pass) {
+        for (std::size_t i = 0; i < image.positions.size(); ++i) {
+            RandomStream random(18, std::uint64_t(pass), i, RandomDomain::Eye);
+            flux.flux[i] = kWhite;
+            image.radiance[i] =
+                kWhite * float(1 + std::sqrt(12 * 0.3) * (double(random.next()) - 0.5));
+        }
+        const PassNoise noise = meter.add_pass(image, brought, flux, 1000, importance);
+        importance.add_pass(image, brought);
+        mean.eye += noise.eye / (kPasses - 1);
+        mean.photon_path += noise.photon_path / (kPasses - 1);
+    }
+    // Relative to the square of what both are together, 2, and eps.
+    EXPECT_NEAR(mean.eye * (1 + kDarkestShare * kDarkestShare), 0.3 / 4, 0.005);
+    EXPECT_EQ(mean.photon_path, 0);
 }
 
 TEST(PassNoise, BlackPassesHaveNone) {

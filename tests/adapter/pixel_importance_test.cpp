@@ -18,7 +18,7 @@ constexpr std::uint32_t kWidth = 40, kHeight = 30;
 constexpr std::size_t kPixels = std::size_t{kWidth} * kHeight;
 
 EyeImage eye_image(std::uint32_t groups = 1) {
-    return mock::image_of_pixels(kWidth, kHeight, kWhite, groups);
+    return mock::image_of_pixels(kWidth, kHeight, {}, groups);
 }
 
 std::vector<Rgb> uniform(double value) {
@@ -102,7 +102,8 @@ double box_mean(const std::vector<double>& sums, const std::vector<double>& coun
     return count > 0 ? sum / count : 0;
 }
 
-/// Against a box summed in full: eye paths anywhere, several or none in a pixel, two light groups;
+/// Against a box summed in full: eye paths anywhere, several or none in a pixel, which see light
+/// themselves and by photons, in two light groups;
 /// the box narrows from 12 pixels to 2.
 TEST(PixelImportance, WeightsAreOfTheBlurredMean) {
     PixelImportance importance(kWidth, kHeight);
@@ -113,20 +114,22 @@ TEST(PixelImportance, WeightsAreOfTheBlurredMean) {
         RandomStream random(1, std::uint64_t(pass), 0, RandomDomain::Guide);
         EyeImage image;
         image.groups = 2;
-        std::vector<Rgb> radiance;
+        std::vector<Rgb> photons;
         for (int i = 0; i < 60; ++i) {
             const Vec2 p{float(kWidth) * random.next(), float(kHeight) * random.next()};
             const float value = p.x * random.next();
             image.positions.push_back(p);
-            radiance.push_back(kWhite * value);
-            radiance.push_back(kWhite * (2 * value));
+            photons.push_back(kWhite * (value / 2));
+            photons.push_back(kWhite * (2 * value));
+            image.radiance.push_back(kWhite * (value / 2));
+            image.radiance.push_back({});
             const std::size_t pixel = std::size_t(p.y) * kWidth + std::size_t(p.x);
             sums[pixel] += 3 * double(value);
             counts[pixel] += 1;
             total += 3 * double(value);
             paths += 1;
         }
-        importance.add_pass(image, radiance);
+        importance.add_pass(image, photons);
         if (pass != 1 && pass != 4 && pass != 40) continue;
         const int radius = pass == 1 ? 12 : pass == 4 ? 6 : 2;
         const auto weights = weights_of(importance, everywhere);
@@ -141,8 +144,7 @@ TEST(PixelImportance, WeightsAreOfTheBlurredMean) {
 }
 
 TEST(PixelImportance, BlackImagesHaveWeights) {
-    EyeImage image = eye_image();
-    image.radiance.assign(image.positions.size(), Rgb{});
+    const EyeImage image = eye_image();
     PixelImportance importance(kWidth, kHeight);
     weights_of(importance, image);
     importance.add_pass(image, uniform(0));

@@ -112,7 +112,7 @@ Json new_image(const ReferenceImage& image) {
             {"chunks", Json::array()}};
 }
 
-/// Work in a chunk: what the film itself weighs passes by.
+/// Work in a chunk.
 double weight_of(const Json& totals) {
     const double paths = totals.at("photon_paths");
     return paths > 0 ? paths : totals.at("samples_per_pixel").get<double>();

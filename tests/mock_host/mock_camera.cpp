@@ -25,52 +25,69 @@ CameraSample Sampler::camera_sample(std::uint64_t number, std::uint32_t x, std::
 }
 
 Film::Film(std::uint32_t width, std::uint32_t height, std::uint32_t groups)
-    : width_(width),
-      height_(height),
-      groups_(groups),
-      sums_(std::size_t(width) * height * groups * 3),
-      weights_(std::size_t(width) * height) {}
+    : width_(width), height_(height), groups_(groups) {
+    for (Mean* mean : {&eye_, &photons_}) {
+        mean->sums.resize(std::size_t(width) * height * groups * 3);
+        mean->weights.resize(std::size_t(width) * height);
+    }
+}
 
-void Film::add_pass(std::span<const Vec2> positions, std::span<const Rgb> radiance,
-                    std::uint32_t groups, double weight) {
+void Film::add_pass(const FilmPass& pass) {
+    add(eye_, pass.positions, pass.eye, 1);
+    if (!pass.photons.empty()) add(photons_, pass.positions, pass.photons, pass.photon_weight);
+    photon_weights_.push_back(pass.photon_weight);
+}
+
+void Film::add(Mean& mean, std::span<const Vec2> positions, std::span<const Rgb> radiance,
+               double weight) const {
     for (std::size_t i = 0; i < positions.size(); ++i) {
         const auto x = std::min(width_ - 1, static_cast<std::uint32_t>(positions[i].x));
         const auto y = std::min(height_ - 1, static_cast<std::uint32_t>(positions[i].y));
         const std::size_t pixel = std::size_t(y) * width_ + x;
-        weights_[pixel] += weight;
-        for (std::uint32_t g = 0; g < groups; ++g) {
-            const Rgb& value = radiance[i * groups + g];
-            double* sum = &sums_[(pixel * groups_ + g) * 3];
+        mean.weights[pixel] += weight;
+        for (std::uint32_t g = 0; g < groups_; ++g) {
+            const Rgb& value = radiance[i * groups_ + g];
+            double* sum = &mean.sums[(pixel * groups_ + g) * 3];
             sum[0] += weight * value.r;
             sum[1] += weight * value.g;
             sum[2] += weight * value.b;
         }
     }
-    pass_weights_.push_back(weight);
 }
 
 void Film::add_layer_pass(std::string_view name, std::span<const Vec2> positions,
                           std::span<const Rgb> values, double weight) {
-    color_layers_.try_emplace(std::string(name), width_, height_)
-        .first->second.add_pass(positions, values, 1, weight);
+    Film& layer = color_layers_.try_emplace(std::string(name), width_, height_).first->second;
+    layer.add(layer.eye_, positions, values, weight);
 }
 
 void Film::set_layer(std::string_view name, std::span<const float> values) {
-    if (values.size() != weights_.size()) throw std::invalid_argument("mock film: layer size");
+    if (values.size() != eye_.weights.size()) throw std::invalid_argument("mock film: layer size");
     layers_[std::string(name)].assign(values.begin(), values.end());
 }
 
 std::vector<Rgb> Film::image(int group) const {
-    std::vector<Rgb> pixels(weights_.size());
+    std::vector<Rgb> pixels(std::size_t(width_) * height_);
+    for (const Mean* mean : {&eye_, &photons_})
+        add_to_image(*mean, group, pixels);
+    return pixels;
+}
+
+std::vector<Rgb> Film::eye_part() const {
+    std::vector<Rgb> pixels(std::size_t(width_) * height_);
+    add_to_image(eye_, -1, pixels);
+    return pixels;
+}
+
+void Film::add_to_image(const Mean& mean, int group, std::vector<Rgb>& pixels) const {
     for (std::size_t p = 0; p < pixels.size(); ++p) {
+        const double weight = mean.weights[p];
         for (std::uint32_t g = 0; g < groups_; ++g) {
-            if ((group >= 0 && g != std::uint32_t(group)) || !(weights_[p] > 0)) continue;
-            const double* sum = &sums_[(p * groups_ + g) * 3];
-            pixels[p] += {float(sum[0] / weights_[p]), float(sum[1] / weights_[p]),
-                          float(sum[2] / weights_[p])};
+            if ((group >= 0 && g != std::uint32_t(group)) || !(weight > 0)) continue;
+            const double* sum = &mean.sums[(p * groups_ + g) * 3];
+            pixels[p] += {float(sum[0] / weight), float(sum[1] / weight), float(sum[2] / weight)};
         }
     }
-    return pixels;
 }
 
 double Film::mean() const {

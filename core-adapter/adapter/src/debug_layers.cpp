@@ -16,11 +16,10 @@ DebugLayers::DebugLayers(Film& film, const Guide* guide) : film_(film) {
 }
 
 void DebugLayers::add_pass(const EyeImage& image, const PhotonFlux& flux, const SearchRadii& radii,
-                           std::span<const Rgb> radiance, double weight,
-                           const BounceTally* bounces) {
+                           const FilmPass& pass, const BounceTally* bounces) {
     find_pixels(image.positions);
-    add_photon_part(image, radiance, weight);
-    add_photon_density(image, flux, radii, weight);
+    add_photon_part(pass);
+    add_photon_density(image, flux, radii, pass.photon_weight);
     if (node_layers_) node_layers_->show(image, pixel_of_path_, *bounces);
 }
 
@@ -30,16 +29,11 @@ void DebugLayers::find_pixels(std::span<const Vec2> positions) {
                    [&](Vec2 p) { return film_pixel(p, film_.width(), film_.height()); });
 }
 
-// What the film was given less what the eye pass gave: whatever the estimator, the image is the sum
-// of the photon part and of the eye's.
-void DebugLayers::add_photon_part(const EyeImage& image, std::span<const Rgb> radiance,
-                                  double weight) {
-    photon_part_.assign(image.positions.size(), Rgb{});
-    for (std::size_t i = 0; i < radiance.size(); ++i) {
-        const Rgb &all = radiance[i], &eye = image.radiance[i];
-        photon_part_[i / image.groups] += {all.r - eye.r, all.g - eye.g, all.b - eye.b};
-    }
-    film_.add_layer_pass("photons", image.positions, photon_part_, weight);
+void DebugLayers::add_photon_part(const FilmPass& pass) {
+    photon_part_.assign(pass.positions.size(), Rgb{});
+    for (std::size_t i = 0; i < pass.photons.size(); ++i)
+        photon_part_[i / pass.groups] += pass.photons[i];
+    film_.add_layer_pass("photons", pass.positions, photon_part_, pass.photon_weight);
 }
 
 void DebugLayers::add_photon_density(const EyeImage& image, const PhotonFlux& flux,

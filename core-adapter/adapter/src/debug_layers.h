@@ -19,11 +19,10 @@ class DebugLayers {
     /// The film and the guide outlive the layers; `guide` may be null, its layers then don't exist.
     DebugLayers(Film& film, const Guide* guide);
 
-    /// Adds a pass whose samples, `radiance` of `weight`, the film has. `flux` counts photons per
-    /// visible point, found within `radii` (0: no photons were shot); `bounces` is not null with a
-    /// guide.
+    /// Adds a pass that the film has. `flux` counts photons per visible point, found within `radii`
+    /// (0: no photons were shot); `bounces` is not null with a guide.
     void add_pass(const EyeImage& image, const PhotonFlux& flux, const SearchRadii& radii,
-                  std::span<const Rgb> radiance, double weight, const BounceTally* bounces);
+                  const FilmPass& pass, const BounceTally* bounces);
 
     /// Between passes: saves what later layers go on from, or restores it; the layers themselves
     /// are the film's.
@@ -37,7 +36,7 @@ class DebugLayers {
 
   private:
     void find_pixels(std::span<const Vec2> positions);
-    void add_photon_part(const EyeImage& image, std::span<const Rgb> radiance, double weight);
+    void add_photon_part(const FilmPass& pass);
     void add_photon_density(const EyeImage& image, const PhotonFlux& flux, const SearchRadii& radii,
                             double weight);
 

@@ -88,16 +88,7 @@ class Engine::State {
             flux_.reset(image_.visible_points.size(), image_.groups);
             if (needs_.photons) skip_log_.no_visible_points(freezes_eye_pass(settings_.mode));
         }
-        if (report.photon_paths) {
-            estimate_pixels(image_, flux_, radii, report.photon_paths, refusals_, radiance_);
-            photon_pass_.add_light_in_media(image_, report.photon_paths, refusals_, radiance_);
-        }
-        const auto& radiance = report.photon_paths ? radiance_ : image_.radiance;
-        host_.film.add_pass(image_.positions, radiance, image_.groups, photons.weight);
-        if (layers_) {
-            layers_->add_pass(image_, flux_, radii, radiance, photons.weight,
-                              photon_pass_.bounces());
-        }
+        add_to_film(report.photon_paths, radii, photons.weight);
         if (report.photon_paths && any_points) radius_policy_->after_pass(flux_);
         const PhotonPassTotals& after = photon_pass_.totals();
         report.rays = eye_rays + after.counts.rays - before.counts.rays;
@@ -259,16 +250,33 @@ class Engine::State {
         return PixelImportance(host_.film.width(), host_.film.height());
     }
 
+    /// Eye paths count alike in all passes; a pass that shot no photons has black ones.
+    void add_to_film(std::uint64_t photon_paths, const SearchRadii& radii, double photon_weight) {
+        if (photon_paths) {
+            estimate_pixels(image_, flux_, radii, photon_paths, refusals_, photon_radiance_);
+            photon_pass_.add_light_in_media(image_, photon_paths, refusals_, photon_radiance_);
+        } else if (needs_.photons) {
+            photon_radiance_.assign(image_.radiance.size(), Rgb{});
+        }
+        const FilmPass pass{.positions = image_.positions,
+                            .groups = image_.groups,
+                            .eye = image_.radiance,
+                            .photons = photon_radiance_,
+                            .photon_weight = photon_weight};
+        host_.film.add_pass(pass);
+        if (layers_) layers_->add_pass(image_, flux_, radii, pass, photon_pass_.bounces());
+    }
+
     /// The pass's image is known.
     void learn_from_pass(const PassReport& report, const PassWork& work) {
         PassNoise noise;
         if (importance_ && report.photon_paths) {
             const Stopwatch watch(statistics_.plan_seconds);
             if (noise_) {
-                noise =
-                    noise_->add_pass(image_, radiance_, flux_, report.photon_paths, *importance_);
+                noise = noise_->add_pass(image_, photon_radiance_, flux_, report.photon_paths,
+                                         *importance_);
             }
-            importance_->add_pass(image_, radiance_);
+            importance_->add_pass(image_, photon_radiance_);
         }
         photons_.end_pass(work, noise);
     }
@@ -306,9 +314,10 @@ class Engine::State {
     }
 
     std::size_t memory_bytes() const {
-        return image_.memory_bytes() + flux_.memory_bytes() + radiance_.capacity() * sizeof(Rgb) +
-               photon_pass_.memory_bytes() + radius_policy_->memory_bytes() +
-               direct_light_.memory_bytes() + (guide_ ? guide_->statistics().memory_bytes : 0) +
+        return image_.memory_bytes() + flux_.memory_bytes() +
+               photon_radiance_.capacity() * sizeof(Rgb) + photon_pass_.memory_bytes() +
+               radius_policy_->memory_bytes() + direct_light_.memory_bytes() +
+               (guide_ ? guide_->statistics().memory_bytes : 0) +
                (importance_ ? importance_->memory_bytes() : 0) +
                (noise_ ? noise_->memory_bytes() : 0) + (layers_ ? layers_->memory_bytes() : 0);
     }
@@ -329,7 +338,7 @@ class Engine::State {
     std::unique_ptr<RadiusPolicy> radius_policy_;
     EyeImage image_;
     PhotonFlux flux_;
-    std::vector<Rgb> radiance_;
+    std::vector<Rgb> photon_radiance_;  // [eye path * groups + group]; empty if none are needed
     std::optional<DebugLayers> layers_;
     EngineStatistics statistics_;
     bool traced_eye_pass_ = false;

@@ -25,9 +25,9 @@ struct SeenPaths {
 
 /// Follows unguided photon paths and counts those that land within `radius` (scene units, > 0) of a
 /// visible point of `image`. The paths have numbers of their own and bring nothing into the image:
-/// its expectation does not depend on what is made of the counts, but for what the eye paths of the
-/// first pass, which hardly count, had to do with them. Where chains are allowed (`guide_chains`)
-/// and few are seen, more paths are followed.
+/// its expectation does not depend on what is made of the counts, but for what the photons' part of
+/// the first pass, one of many, has to do with them by its eye paths. Where chains are allowed
+/// (`guide_chains`) and few are seen, more paths are followed.
 SeenPaths scout_photons(const Scene& scene, const Settings& settings, float time,
                         const EyeImage& image, float radius);
 

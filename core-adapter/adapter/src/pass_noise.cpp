@@ -13,12 +13,12 @@ PassNoiseMeter::PassNoiseMeter(std::uint32_t width, std::uint32_t height)
       pixels_(std::size_t{width} * height),
       last_(std::size_t{width} * height) {}
 
-PassNoise PassNoiseMeter::add_pass(const EyeImage& image, std::span<const Rgb> radiance,
+PassNoise PassNoiseMeter::add_pass(const EyeImage& image, std::span<const Rgb> photons,
                                    const PhotonFlux& flux, std::uint64_t photon_paths,
                                    const PixelImportance& importance) {
     std::swap(pixels_, last_);
-    sum_pixels(image, radiance, flux);
-    double all = 0, photons = 0, photon_path = 0, compared = 0;
+    sum_pixels(image, photons, flux);
+    double all = 0, of_photons = 0, photon_path = 0, compared = 0;
     for (std::size_t i = 0; i < pixels_.size(); ++i) {
         const Pixel &now = pixels_[i], &before = last_[i];
         if (!(now.paths > 0 && before.paths > 0)) continue;
@@ -28,18 +28,18 @@ PassNoise PassNoiseMeter::add_pass(const EyeImage& image, std::span<const Rgb> r
         const double first = double(before.variance) / (paths_before * paths_before);
         const double second = double(now.variance) / (paths * paths);
         all += weight * difference * difference / 2;
-        photons += weight * (first + second) / 2;
+        of_photons += weight * (first + second) / 2;
         photon_path += weight * (first * double(last_paths_) + second * double(photon_paths)) / 2;
         compared += 1;
     }
     last_paths_ = photon_paths;
     if (!(compared > 0)) return {};
-    return {(all - photons) / compared, photon_path / compared};
+    return {(all - of_photons) / compared, photon_path / compared};
 }
 
 // A visible point's sum of squares over the square of its sum is the relative variance of what its
 // photons bring, as if they came independently; stratified ones come more evenly.
-void PassNoiseMeter::sum_pixels(const EyeImage& image, std::span<const Rgb> radiance,
+void PassNoiseMeter::sum_pixels(const EyeImage& image, std::span<const Rgb> photons,
                                 const PhotonFlux& flux) {
     pixels_.assign(pixels_.size(), {});
     const auto luminance_of = [&](std::span<const Rgb> values, std::size_t path) {
@@ -47,15 +47,15 @@ void PassNoiseMeter::sum_pixels(const EyeImage& image, std::span<const Rgb> radi
     };
     for (std::size_t path = 0; path < image.positions.size(); ++path) {
         Pixel& pixel = pixels_[film_pixel(image.positions[path], width_, height_)];
-        pixel.sum += double(luminance_of(radiance, path));
+        pixel.sum +=
+            double(luminance_of(image.radiance, path)) + double(luminance_of(photons, path));
         ++pixel.paths;
     }
     for (std::size_t i = 0; i < image.visible_points.size(); ++i) {
         const float brought = luminance_of(flux.flux, i);
         if (!(brought > 0)) continue;
         const std::size_t path = image.visible_points[i].sample;
-        const float photons = luminance_of(radiance, path) - luminance_of(image.radiance, path);
-        const float share = photons / brought;
+        const float share = luminance_of(photons, path) / brought;
         Pixel& pixel = pixels_[film_pixel(image.positions[path], width_, height_)];
         pixel.variance += share * share * flux.squares[i];
     }

@@ -23,9 +23,9 @@ class PassNoiseMeter {
   public:
     PassNoiseMeter(std::uint32_t width, std::uint32_t height);
 
-    /// Noise of this pass and the last together; all zero after the first. `radiance`: of each eye
-    /// path and light group; `importance`: of earlier passes.
-    PassNoise add_pass(const EyeImage& image, std::span<const Rgb> radiance, const PhotonFlux& flux,
+    /// Noise of this pass and the last together; all zero after the first. `photons`: radiance that
+    /// they bring to each eye path and light group; `importance`: of earlier passes.
+    PassNoise add_pass(const EyeImage& image, std::span<const Rgb> photons, const PhotonFlux& flux,
                        std::uint64_t photon_paths, const PixelImportance& importance);
 
     /// Saves the last pass's pixels, or restores them into a new meter for the same film.
@@ -42,7 +42,7 @@ class PassNoiseMeter {
         float variance = 0;  // of the sum, the photons' part
         std::uint32_t paths = 0;
     };
-    void sum_pixels(const EyeImage& image, std::span<const Rgb> radiance, const PhotonFlux& flux);
+    void sum_pixels(const EyeImage& image, std::span<const Rgb> photons, const PhotonFlux& flux);
 
     std::uint32_t width_, height_;
     std::vector<Pixel> pixels_, last_;  // [pixel] of this pass and the one before

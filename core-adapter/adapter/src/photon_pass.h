@@ -38,7 +38,7 @@ class PhotonPass {
                const SearchRadii& radii, Refusals& refusals, PhotonFlux& flux);
 
     const PhotonPassTotals& totals() const { return totals_; }
-    /// Adds the light that photons brought into media to the radiance of the eye paths.
+    /// Adds the light that photons brought into media to what they bring to the eye paths.
     void add_light_in_media(const EyeImage& image, std::uint64_t photon_paths, Refusals& refusals,
                             std::vector<Rgb>& radiance) const {
         if (volume_) volume_->add_to(image, photon_paths, refusals, radiance);

@@ -1,12 +1,12 @@
-// How many photon paths each pass shoots, and what the pass weighs in the image.
+// How many photon paths each pass shoots, and what they weigh in the image.
 //
 // An eye path and the photons that it gathers cost time, and both are noise: with A the variance
 // that eye paths leave and B that of a single photon path, a pass of N photon paths has a variance
 // of A + B / N and costs a + b N. Variance times cost is least at N = sqrt(a B / (b A)).
 //
-// The image is a mean over passes with weights that depend on a pass's number alone, so what N
-// follows does not change its expectation. The first passes, with numbers chosen blindly, count for
-// little.
+// The photons' part of the image is a mean over passes with weights that depend on a pass's number
+// alone, so what N follows does not change its expectation. The first passes, with numbers chosen
+// blindly, count for little.
 #pragma once
 
 #include <cstdint>
@@ -22,7 +22,7 @@ struct PassPhotons {
     std::uint64_t before = 0;  ///< photon paths of all passes before
     std::uint32_t paths = 0;   ///< of this pass
     double counted = 0;        ///< paths, those that are shot while a guide learns as they weigh
-    double weight = 1;         ///< of the pass in the film
+    double weight = 1;         ///< of the pass in the photons' part of the image
 };
 
 /// Work of a pass, counted and not measured: bits do not depend on clocks. Any unit.

@@ -8,8 +8,9 @@
 namespace aips {
 
 void estimate_pixels(const EyeImage& image, const PhotonFlux& flux, const SearchRadii& radii,
-                     std::uint64_t photon_paths, Refusals& refusals, std::vector<Rgb>& radiance) {
-    radiance.assign(image.radiance.begin(), image.radiance.end());
+                     std::uint64_t photon_paths, Refusals& refusals,
+                     std::vector<Rgb>& photon_radiance) {
+    photon_radiance.assign(image.radiance.size(), Rgb{});
     const std::uint32_t groups = image.groups;
     tbb::parallel_for(std::size_t{0}, image.visible_points.size(), [&](std::size_t i) {
         const VisiblePoint& point = image.visible_points[i];
@@ -22,7 +23,8 @@ void estimate_pixels(const EyeImage& image, const PhotonFlux& flux, const Search
             const Rgb density{float(sum.r * scale), float(sum.g * scale), float(sum.b * scale)};
             const Rgb value = point.throughput * f * density;
             // Each eye path has one visible point at the most: no two iterations share an entry.
-            refusals.add(radiance[std::size_t(point.sample) * groups + g], value, point.material);
+            Rgb& brought = photon_radiance[std::size_t(point.sample) * groups + g];
+            refusals.add(brought, value, point.material);
         }
     });
 }

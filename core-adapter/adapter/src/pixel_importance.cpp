@@ -42,10 +42,11 @@ PixelImportance::PixelImportance(std::uint32_t width, std::uint32_t height)
     blurred_.assign(pixels, 0.0f);
 }
 
-void PixelImportance::add_pass(const EyeImage& image, std::span<const Rgb> radiance) {
+void PixelImportance::add_pass(const EyeImage& image, std::span<const Rgb> photons) {
     for (std::size_t i = 0; i < image.positions.size(); ++i) {
         const std::size_t at = film_pixel(image.positions[i], width_, height_);
-        sum_[at] += double(luminance_over_groups(radiance, i, image.groups));
+        sum_[at] += double(luminance_over_groups(image.radiance, i, image.groups)) +
+                    double(luminance_over_groups(photons, i, image.groups));
         count_[at] += 1;
     }
     ++passes_;

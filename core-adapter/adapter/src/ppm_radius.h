@@ -9,9 +9,9 @@
 //     tau_n / (pi R_n^2 N) = 1/N sum over passes i of flux_i / (pi R_i^2),
 //
 // which is the mean over passes, by paths shot, of their own estimates. The film takes just that
-// mean, and the eye paths' own light, added in each pass, stays a constant in it. Thus no flux is
-// kept here: a point's statistics are its radius and its photon count, whatever the light groups.
-// Both are in double precision: late passes shrink R by less than a float can tell from nothing.
+// mean; the eye paths' own light has another, of which it is a constant. Thus no flux is kept here:
+// a point's statistics are its radius and its photon count, whatever the light groups. Both are in
+// double precision: late passes shrink R by less than a float can tell from nothing.
 #pragma once
 
 #include <vector>

@@ -1,6 +1,6 @@
 // How the radii of the density estimate go on from pass to pass: all that the modes' estimates
-// differ in. The estimate of a pass is sum(f * power) / (pi r^2 N) in each of them, the image is
-// the film's mean over passes.
+// differ in. The estimate of a pass is sum(f * power) / (pi r^2 N) in each of them, what
+// photons bring to the image is the film's mean over passes.
 #pragma once
 
 #include <memory>

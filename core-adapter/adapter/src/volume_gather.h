@@ -42,8 +42,8 @@ class VolumeGather {
     /// Adds what waits to the beams' flux. Every beam sums its photons in a fixed order.
     void gather(const EyeImage& image, Refusals& refusals);
     void scale_flux(float factor);
-    /// Adds sum(flux) / (pi r^2 N) of each beam to the radiance of its eye path, N being the photon
-    /// paths of the pass.
+    /// Adds sum(flux) / (pi r^2 N) of each beam to what photons bring to its eye path, N being the
+    /// photon paths of the pass.
     void add_to(const EyeImage& image, std::uint64_t photon_paths, Refusals& refusals,
                 std::vector<Rgb>& radiance) const;
 

@@ -61,7 +61,8 @@ void log_scene(const RenderSession& session, ConsoleLog& log) {
     if (!skipped.empty()) {
         log.info(fmt::format("skipped, as the scene has none: {}", fmt::join(skipped, ", ")));
     }
-    log.debug(fmt::format("film: {} MB", session.film->memory_bytes() / 1'000'000));
+    log.debug(
+        fmt::format("film before its first pass: {} MB", session.film->memory_bytes() / 1'000'000));
 }
 
 void write_snapshot(const CommandLine& command, RenderSession& session, const RenderTotals& totals,

@@ -9,26 +9,9 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
-#include <stdexcept>
 
 namespace lxs {
 namespace {
-
-constexpr std::uint32_t kRefused = std::numeric_limits<std::uint32_t>::max();
-
-bool acceptable(float value) {
-    return value >= 0 && value <= std::numeric_limits<float>::max();  // false for NaN
-}
-
-bool acceptable(std::span<const Rgb> radiance) {
-    return std::all_of(radiance.begin(), radiance.end(), [](const Rgb& c) {
-        return acceptable(c.x) && acceptable(c.y) && acceptable(c.z);
-    });
-}
-
-std::uint32_t cell_index(float position, std::uint32_t size) {
-    return static_cast<std::uint32_t>(std::clamp(position, 0.0f, static_cast<float>(size - 1)));
-}
 
 /// Cells [first, last] that a filter of this radius around the centre of pixel `i` reaches.
 struct CellRange {
@@ -42,6 +25,32 @@ struct CellRange {
     }
 };
 
+/// Adds f times the radiance of all light groups but the first to the sums of all.
+void add_other_groups(std::span<const Rgb> radiance, double f, std::span<double> sums) {
+    for (std::size_t g = 1; g < radiance.size(); ++g) {
+        sums[3 * g] += f * radiance[g].x;
+        sums[3 * g + 1] += f * radiance[g].y;
+        sums[3 * g + 2] += f * radiance[g].z;
+    }
+}
+
+/// Sums R, G, B of light groups [first, end).
+Imath::V3d sum_over_groups(const double* sums, std::uint32_t first, std::uint32_t end) {
+    Imath::V3d sum(0.0);
+    for (std::size_t g = first; g < end; ++g)
+        sum += Imath::V3d(sums[3 * g], sums[3 * g + 1], sums[3 * g + 2]);
+    return sum;
+}
+
+/// What a white of 1 is in the mean over the passes; 1 but for the choice of wavelengths. Never
+/// so little that a pixel is blown up where a pass saw one end of the spectrum alone.
+Imath::V3d white_of(const Imath::V3d& white_sum, double weight_sum) {
+    constexpr double kLeast = 0.25;
+    if (!(weight_sum > 0)) return Imath::V3d(1.0);
+    const Imath::V3d mean = white_sum / weight_sum;
+    return {std::max(mean.x, kLeast), std::max(mean.y, kLeast), std::max(mean.z, kLeast)};
+}
+
 }  // namespace
 
 FilmAccumulator::FilmAccumulator(std::uint32_t width, std::uint32_t height, std::uint32_t groups,
@@ -50,75 +59,23 @@ FilmAccumulator::FilmAccumulator(std::uint32_t width, std::uint32_t height, std:
       height_(height),
       groups_(groups),
       filter_(filter),
-      sums_(std::size_t{width} * height * (1 + 3 * std::size_t{groups})),
-      refused_(std::size_t{groups} + 1) {}
-
-void FilmAccumulator::check(const PassSamples& pass) const {
-    if (pass.groups != groups_ || pass.radiance.size() != pass.positions.size() * groups_) {
-        throw std::invalid_argument("film: radiance doesn't match positions and light groups");
-    }
-    if (!(pass.weight > 0) || !std::isfinite(pass.weight)) {
-        throw std::invalid_argument("film: the weight of a pass must be finite and positive");
-    }
-    if (pass.positions.size() >= kRefused) {
-        throw std::invalid_argument("film: a pass has more than 2^32 - 2 samples");
-    }
-}
-
-void FilmAccumulator::find_cells(const PassSamples& pass) {
-    cell_of_sample_.resize(pass.positions.size());
-    tbb::parallel_for(
-        tbb::blocked_range<std::size_t>(0, pass.positions.size(), 4096), [&](const auto& range) {
-            for (std::size_t i = range.begin(); i != range.end(); ++i) {
-                const Vec2& p = pass.positions[i];
-                const bool good = std::isfinite(p.x) && std::isfinite(p.y) &&
-                                  acceptable(pass.radiance.subspan(i * groups_, groups_));
-                cell_of_sample_[i] =
-                    good ? cell_index(p.y, height_) * width_ + cell_index(p.x, width_) : kRefused;
-            }
-        });
-}
-
-/// The first group whose radiance can't be taken, or the number of groups: its position can't.
-std::size_t FilmAccumulator::reason_for_refusal(const PassSamples& pass, std::size_t sample) const {
-    for (std::size_t g = 0; g < groups_; ++g) {
-        if (!acceptable(pass.radiance.subspan(sample * groups_ + g, 1))) return g;
-    }
-    return groups_;
+      cells_(width, height, groups) {
+    first_.sums.resize(std::size_t{width} * height * (1 + 3 * std::size_t{groups}));
 }
 
 std::uint64_t FilmAccumulator::refused_samples() const {
-    return std::accumulate(refused_.begin(), refused_.end(), std::uint64_t{0});
-}
-
-void FilmAccumulator::sort_by_cell(const PassSamples& pass) {
-    // Stable counting sort; cell_begin_[c + 1] counts and becomes the next free place of cell c.
-    const std::size_t cells = std::size_t{width_} * height_;
-    cell_begin_.assign(cells + 2, 0);
-    for (std::size_t i = 0; i < cell_of_sample_.size(); ++i) {
-        if (cell_of_sample_[i] == kRefused) {
-            ++refused_[reason_for_refusal(pass, i)];
-        } else {
-            ++cell_begin_[cell_of_sample_[i] + 2];
-        }
-    }
-    for (std::size_t c = 2; c < cells + 2; ++c) {
-        cell_begin_[c] += cell_begin_[c - 1];
-    }
-    order_.resize(cell_begin_.back());
-    for (std::uint32_t i = 0; i < cell_of_sample_.size(); ++i) {
-        if (cell_of_sample_[i] != kRefused) order_[cell_begin_[cell_of_sample_[i] + 1]++] = i;
-    }
+    const auto refused = cells_.refused();
+    return std::accumulate(refused.begin(), refused.end(), std::uint64_t{0});
 }
 
 /// All memory of a pass is taken before it is summed: one that there is no memory for leaves the
 /// sums as they were.
-void FilmAccumulator::reserve_rows() {
-    row_pixels_.resize(std::size_t{height_} * (1 + 3 * std::size_t{groups_}));
+void FilmAccumulator::reserve_rows(bool second) {
+    row_pixels_.resize(std::size_t{height_} * (1 + (second ? 6 : 3) * std::size_t{groups_}));
 }
 
 std::span<double> FilmAccumulator::row_pixel(std::uint32_t y) {
-    const std::size_t size = 1 + 3 * std::size_t{groups_};
+    const std::size_t size = row_pixels_.size() / height_;
     return std::span(row_pixels_).subspan(y * size, size);
 }
 
@@ -127,62 +84,64 @@ void FilmAccumulator::gather_pixel(const PassSamples& pass, std::uint32_t x, std
     std::fill(pixel.begin(), pixel.end(), 0.0);
     // Registers for what every film has: sums in memory wait for their own last store.
     double weights = 0;
-    Imath::V3d first_group(0.0);
+    Imath::V3d first(0.0), second(0.0);
+    const bool has_second = !pass.second_radiance.empty();
+    const std::size_t second_begin = 1 + 3 * std::size_t{groups_};
     const CellRange rows(y, filter_.radius_y(), height_);
     const CellRange columns(x, filter_.radius_x(), width_);
     const Vec2 centre(static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f);
     for (std::uint32_t row = rows.first; row <= rows.last; ++row) {
-        const std::size_t first_cell = std::size_t{row} * width_;
-        const std::uint32_t end = cell_begin_[first_cell + columns.last + 1];
-        for (std::uint32_t k = cell_begin_[first_cell + columns.first]; k < end; ++k) {
-            const std::uint32_t i = order_[k];
+        for (const std::uint32_t i : cells_.samples(row, columns.first, columns.last)) {
             const Vec2& p = pass.positions[i];
             const double f = filter_.weight(p.x - centre.x, p.y - centre.y);
             if (f == 0) continue;
             weights += f;
-            const Rgb* radiance = &pass.radiance[std::size_t{i} * groups_];
-            first_group += Imath::V3d(*radiance) * f;
-            for (std::uint32_t g = 1; g < groups_; ++g) {
-                pixel[3 * g + 1] += f * radiance[g].x;
-                pixel[3 * g + 2] += f * radiance[g].y;
-                pixel[3 * g + 3] += f * radiance[g].z;
-            }
+            const std::size_t at = std::size_t{i} * groups_;
+            first += Imath::V3d(pass.radiance[at]) * f;
+            if (has_second) second += Imath::V3d(pass.second_radiance[at]) * f;
+            if (groups_ == 1) continue;
+            add_other_groups(pass.radiance.subspan(at, groups_), f, pixel.subspan(1));
+            if (has_second)
+                add_other_groups(pass.second_radiance.subspan(at, groups_), f,
+                                 pixel.subspan(second_begin));
         }
     }
     pixel[0] = weights;
-    for (int c = 0; c < 3; ++c) {
-        pixel[1 + static_cast<std::size_t>(c)] = first_group[c];
+    for (unsigned c = 0; c < 3; ++c) {
+        pixel[1 + c] = first[int(c)];
+        if (has_second) pixel[second_begin + c] = second[int(c)];
     }
 }
 
 /// From sums of values at wavelengths to sums of linear RGB.
-void FilmAccumulator::convert(std::span<double> pixel) const {
+void FilmAccumulator::convert(std::span<double> colors) const {
     for (std::uint32_t g = 0; g < groups_; ++g) {
-        double* const sums = &pixel[3 * std::size_t{g} + 1];
+        double* const sums = &colors[3 * std::size_t{g}];
         const Imath::V3d rgb = Imath::V3d(sums[0], sums[1], sums[2]) * *to_rgb_;
         for (int c = 0; c < 3; ++c)
             sums[c] = rgb[c];
     }
 }
 
-/// What a white of 1 is in the mean over the passes; 1 but for the choice of wavelengths. Never
-/// so little that a pixel is blown up where a pass saw one end of the spectrum alone.
-Imath::V3d FilmAccumulator::white() const {
-    constexpr double kLeast = 0.25;
-    if (!(weight_sum_ > 0)) return Imath::V3d(1.0);
-    const Imath::V3d mean = white_sum_ / weight_sum_;
-    return {std::max(mean.x, kLeast), std::max(mean.y, kLeast), std::max(mean.z, kLeast)};
+void FilmAccumulator::add_pixel(Mean& mean, std::size_t index, double weight, double filter_sum,
+                                std::span<double> colors) const {
+    if (to_rgb_) convert(colors);
+    double* const sums = &mean.sums[index * (1 + colors.size())];
+    sums[0] += weight * filter_sum;
+    for (std::size_t c = 0; c < colors.size(); ++c)
+        sums[1 + c] += weight * colors[c];
 }
 
 void FilmAccumulator::gather_row(const PassSamples& pass, std::uint32_t y,
                                  std::span<double> pixel) {
+    const std::size_t channels = 3 * std::size_t{groups_};
     for (std::uint32_t x = 0; x < width_; ++x) {
         gather_pixel(pass, x, y, pixel);
-        if (to_rgb_) convert(pixel);
-        double* sums = &sums_[(std::size_t{y} * width_ + x) * pixel.size()];
-        for (std::size_t c = 0; c < pixel.size(); ++c) {
-            sums[c] += pass.weight * pixel[c];
-        }
+        const std::size_t index = std::size_t{y} * width_ + x;
+        add_pixel(first_, index, pass.weight, pixel[0], pixel.subspan(1, channels));
+        if (pass.second_radiance.empty()) continue;
+        add_pixel(second_, index, pass.second_weight, pixel[0],
+                  pixel.subspan(1 + channels, channels));
     }
 }
 
@@ -206,27 +165,28 @@ void FilmAccumulator::gather_splats(const PassSamples& pass, std::uint32_t y,
 }
 
 void FilmAccumulator::add(const PassSamples& pass) {
-    check(pass);
-    find_cells(pass);
-    sort_by_cell(pass);
-    reserve_rows();
+    const bool second = !pass.second_radiance.empty();
+    if (second) begin_second();
+    reserve_rows(second);
+    cells_.sort(pass);
     tbb::parallel_for(tbb::blocked_range<std::uint32_t>(0, height_), [&](const auto& rows) {
         for (std::uint32_t y = rows.begin(); y != rows.end(); ++y) {
             gather_row(pass, y, row_pixel(y));
         }
     });
     if (!to_rgb_) return;
-    white_sum_ += white_of_pass_ * pass.weight;
-    weight_sum_ += pass.weight;
+    first_.white_sum += white_of_pass_ * pass.weight;
+    first_.weight_sum += pass.weight;
+    if (!second) return;
+    second_.white_sum += white_of_pass_ * pass.second_weight;
+    second_.weight_sum += pass.second_weight;
 }
 
 void FilmAccumulator::add_splats(const PassSplats& splats) {
     const PassSamples pass{splats.positions, splats.radiance, splats.groups, splats.samples};
-    check(pass);
     begin_splats();
-    find_cells(pass);
-    sort_by_cell(pass);
-    reserve_rows();
+    reserve_rows(false);
+    cells_.sort(pass);
     tbb::parallel_for(tbb::blocked_range<std::uint32_t>(0, height_), [&](const auto& rows) {
         for (std::uint32_t y = rows.begin(); y != rows.end(); ++y) {
             gather_splats(pass, y, row_pixel(y));
@@ -235,25 +195,42 @@ void FilmAccumulator::add_splats(const PassSplats& splats) {
     splat_samples_ += splats.samples;
 }
 
+void FilmAccumulator::begin_second() {
+    second_.sums.resize(first_.sums.size());
+}
+
 void FilmAccumulator::begin_splats() {
     if (filter_integral_) return;
-    filter_integral_.emplace(filter_);
     splats_.resize(std::size_t{width_} * height_ * 3 * groups_);
+    filter_integral_.emplace(filter_);
 }
 
 void FilmAccumulator::state(StateArchive& archive) {
     check_size(archive);
-    archive.fixed(sums_);
+    archive.fixed(first_.sums);
+    bool has_second = !second_.sums.empty();
+    archive.value(has_second);
+    if (has_second) {
+        begin_second();
+        archive.fixed(second_.sums);
+    } else if (archive.restoring()) {
+        second_ = {};
+    }
     bool has_splats = filter_integral_.has_value();
     archive.value(has_splats);
     if (has_splats) {
         begin_splats();
         archive.fixed(splats_);
+    } else if (archive.restoring()) {
+        std::fill(splats_.begin(), splats_.end(), 0.0);
     }
     archive.value(splat_samples_);
-    for (double* sum : {&white_sum_.x, &white_sum_.y, &white_sum_.z, &weight_sum_})
-        archive.value(*sum);
-    archive.fixed(refused_);
+    for (Mean* mean : {&first_, &second_}) {
+        for (double* sum :
+             {&mean->white_sum.x, &mean->white_sum.y, &mean->white_sum.z, &mean->weight_sum})
+            archive.value(*sum);
+    }
+    cells_.state_of_refused(archive);
     if (archive.restoring()) check_sums();
 }
 
@@ -267,42 +244,49 @@ void FilmAccumulator::check_size(StateArchive& archive) const {
 
 void FilmAccumulator::check_sums() const {
     const auto finite = [](double sum) { return std::isfinite(sum); };
-    const bool sound = std::all_of(sums_.begin(), sums_.end(), finite) &&
-                       std::all_of(splats_.begin(), splats_.end(), finite) &&
-                       finite(splat_samples_) && splat_samples_ >= 0 && finite(white_sum_.x) &&
-                       finite(white_sum_.y) && finite(white_sum_.z) && finite(weight_sum_);
-    if (!sound) throw StateError("a sum of the film is no finite number");
+    const auto sound = [&](const Mean& mean) {
+        return std::all_of(mean.sums.begin(), mean.sums.end(), finite) &&
+               finite(mean.white_sum.x) && finite(mean.white_sum.y) && finite(mean.white_sum.z) &&
+               finite(mean.weight_sum);
+    };
+    if (!sound(first_) || !sound(second_) || !std::all_of(splats_.begin(), splats_.end(), finite) ||
+        !finite(splat_samples_) || splat_samples_ < 0)
+        throw StateError("a sum of the film is no finite number");
 }
 
 void FilmAccumulator::clear() {
-    std::fill(sums_.begin(), sums_.end(), 0.0);
+    for (Mean* mean : {&first_, &second_}) {
+        std::fill(mean->sums.begin(), mean->sums.end(), 0.0);
+        mean->white_sum = Imath::V3d(0.0);
+        mean->weight_sum = 0;
+    }
     std::fill(splats_.begin(), splats_.end(), 0.0);
     splat_samples_ = 0;
-    white_sum_ = Imath::V3d(0.0);
-    weight_sum_ = 0;
 }
 
-/// A pixel's value summed over light groups: the mean of samples, and the splats.
+/// A pixel's value summed over light groups: the means of samples, and the splats.
 Rgb FilmAccumulator::resolve(std::size_t pixel, std::uint32_t first_group,
                              std::uint32_t end_group) const {
     const std::size_t channels = 3 * std::size_t{groups_};
-    const double* sums = &sums_[pixel * (1 + channels)];
     const double pixels = static_cast<double>(width_) * height_;
-    const Imath::V3d white = this->white();
-    Rgb value;
-    for (std::size_t c = 0; c < 3; ++c) {
-        double mean = 0, splats = 0;
-        for (std::size_t g = first_group; g < end_group; ++g) {
-            mean += sums[1 + 3 * g + c];
-            if (!splats_.empty()) splats += splats_[pixel * channels + 3 * g + c];
-        }
-        mean = *sums > 0 ? mean / (*sums * white[static_cast<int>(c)]) : 0;
-        if (splat_samples_ > 0) mean += splats * pixels / splat_samples_;
-        // The lobes of a filter may be negative, an image may not.
-        value[static_cast<int>(c)] = static_cast<float>(
-            std::clamp(mean, 0.0, static_cast<double>(std::numeric_limits<float>::max())));
+    Imath::V3d value(0.0);
+    for (const Mean* mean : {&first_, &second_}) {
+        if (mean->sums.empty()) continue;
+        const double* const sums = &mean->sums[pixel * (1 + channels)];
+        if (*sums > 0)
+            value += sum_over_groups(sums + 1, first_group, end_group) /
+                     (*sums * white_of(mean->white_sum, mean->weight_sum));
     }
-    return value;
+    if (splat_samples_ > 0)
+        value += sum_over_groups(&splats_[pixel * channels], first_group, end_group) * pixels /
+                 splat_samples_;
+    // The lobes of a filter may be negative, an image may not.
+    Rgb shown;
+    for (int c = 0; c < 3; ++c) {
+        shown[c] = static_cast<float>(
+            std::clamp(value[c], 0.0, static_cast<double>(std::numeric_limits<float>::max())));
+    }
+    return shown;
 }
 
 void FilmAccumulator::resolve_group(std::uint32_t group, std::span<Rgb> image) const {
@@ -316,11 +300,10 @@ void FilmAccumulator::resolve_total(std::span<Rgb> image) const {
 }
 
 std::size_t FilmAccumulator::memory_bytes() const {
-    const std::size_t cells = std::size_t{width_} * height_;
-    const std::size_t samples = std::max(cells, cell_of_sample_.capacity());
     const std::size_t rows = std::size_t{height_} * (1 + 3 * std::size_t{groups_});
-    return (sums_.capacity() + splats_.capacity() + rows) * sizeof(double) +
-           (cells + 2 + 2 * samples) * sizeof(std::uint32_t);
+    const std::size_t sums = first_.sums.capacity() + second_.sums.capacity() + splats_.capacity() +
+                             std::max(rows, row_pixels_.capacity());
+    return sums * sizeof(double) + cells_.memory_bytes();
 }
 
 }  // namespace lxs

@@ -10,21 +10,22 @@
 #include "lxs/sdk/film.h"
 #include "lxs/sdk/state_archive.h"
 #include "pixel_filter.h"
+#include "sample_cells.h"
 
 namespace lxs {
 
 /// Estimates each pixel as sum(f w L) / sum(f w) over all samples: f the filter, w the weight of
-/// the sample's pass; splats are kept apart and added (see Film::add_splats). Each pixel gathers
-/// its samples in a fixed order (cells row by row, within a cell as given), so that the bits depend
-/// on neither the number of threads nor their schedule. Sums are in double precision: 10^4 passes
-/// stay far below a float's rounding.
+/// the sample's pass; likewise of what passes bring as their second part, and both are added.
+/// Splats are kept apart and added too (see Film::add_splats). Each pixel gathers its samples in a
+/// fixed order (that of SampleCells), so that the bits depend on neither the number of threads nor
+/// their schedule. Sums are in double precision: 10^4 passes stay far below a float's rounding.
 class FilmAccumulator {
   public:
     FilmAccumulator(std::uint32_t width, std::uint32_t height, std::uint32_t groups,
                     const PixelFilter& filter);
 
     /// From now on samples hold values at wavelengths: a row vector of them times `to_rgb` is
-    /// linear RGB. Images are divided by the mean over passes of `white`, what a white of 1 has
+    /// linear RGB. Each part is divided by its mean over passes of `white`, what a white of 1 has
     /// become, which the few wavelengths of few passes would tint; it tends to 1 with the passes.
     /// Right to the last digit where all pixels get the same passes. Not for splats.
     void set_conversion(const Imath::M33d& to_rgb, const Imath::V3d& white) {
@@ -32,7 +33,7 @@ class FilmAccumulator {
         white_of_pass_ = white;
     }
 
-    /// Throws std::invalid_argument if the pass is malformed (sizes, groups, weight): a bug of the
+    /// Throws std::invalid_argument if the pass is malformed (sizes, groups, weights): a bug of the
     /// caller. Samples that are not finite or negative are refused whole and counted.
     void add(const PassSamples& pass);
     /// Likewise, by the rule of Film::add_splats.
@@ -49,47 +50,49 @@ class FilmAccumulator {
     std::uint64_t refused_samples() const;
     /// Samples refused for what they brought of each light group, each counted once; the last
     /// entry: for their position.
-    std::span<const std::uint64_t> refused_by_group() const { return refused_; }
+    std::span<const std::uint64_t> refused_by_group() const { return cells_.refused(); }
     /// Bytes held at one sample per pixel and pass, or more if a pass brought more.
     std::size_t memory_bytes() const;
 
   private:
-    void check(const PassSamples& pass) const;
+    /// A weighted mean over passes.
+    struct Mean {
+        /// Per pixel: sum of weights, then the weighted sums R, G, B of each light group.
+        std::vector<double> sums;
+        Imath::V3d white_sum{0.0};  ///< over passes, weight times a white of 1 as RGB
+        double weight_sum = 0;      ///< of the passes in white_sum
+    };
+
     void check_size(StateArchive& archive) const;
     void check_sums() const;
+    void begin_second();
     void begin_splats();
-    void find_cells(const PassSamples& pass);
-    void sort_by_cell(const PassSamples& pass);
-    std::size_t reason_for_refusal(const PassSamples& pass, std::size_t sample) const;
-    void reserve_rows();
+    void reserve_rows(bool second);
     std::span<double> row_pixel(std::uint32_t y);
     void gather_pixel(const PassSamples& pass, std::uint32_t x, std::uint32_t y,
                       std::span<double> pixel) const;
     void gather_row(const PassSamples& pass, std::uint32_t y, std::span<double> pixel);
     void gather_splats(const PassSamples& pass, std::uint32_t y, std::span<double> pixel);
-    void convert(std::span<double> pixel) const;
-    Imath::V3d white() const;
+    void add_pixel(Mean& mean, std::size_t index, double weight, double filter_sum,
+                   std::span<double> colors) const;
+    void convert(std::span<double> colors) const;
     double filter_on_film(std::uint32_t x, std::uint32_t y) const;
     Rgb resolve(std::size_t pixel, std::uint32_t first_group, std::uint32_t end_group) const;
 
     std::uint32_t width_, height_, groups_;
     PixelFilter filter_;
-    /// Per pixel: sum of weights, then the weighted sums R, G, B of each light group.
-    std::vector<double> sums_;
+    SampleCells cells_;
+    Mean first_;
+    Mean second_;  ///< its sums are empty until a pass has a second part
     /// Per pixel: sums of f * radiance / F, as R, G, B of each light group. Empty without splats.
     std::vector<double> splats_;
     double splat_samples_ = 0;
     std::optional<FilterIntegral> filter_integral_;
     std::optional<Imath::M33d> to_rgb_;  ///< none: samples are RGB
     Imath::V3d white_of_pass_{1.0};
-    Imath::V3d white_sum_{0.0};           ///< over passes, weight times a white of 1 as RGB
-    double weight_sum_ = 0;               ///< of the passes in white_sum_
-    std::vector<std::uint64_t> refused_;  ///< by light group, and for positions
-    // Kept between passes, so that passes after the first allocate nothing.
-    std::vector<std::uint32_t> cell_of_sample_;
-    std::vector<std::uint32_t> cell_begin_;  ///< per cell, and the end: index into `order_`
-    std::vector<std::uint32_t> order_;       ///< samples by cell
-    std::vector<double> row_pixels_;         ///< per row, the sums of the pixel being gathered
+    /// Per row, the sums of the pixel being gathered: of f, and of f * radiance of each part. Kept
+    /// between passes, so that passes after the first allocate nothing.
+    std::vector<double> row_pixels_;
 };
 
 }  // namespace lxs

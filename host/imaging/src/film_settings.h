@@ -18,10 +18,11 @@ struct FilmFrame {
 };
 
 /// Most pixels of an image (16384 x 8192). The film's sums take 8 + 24 bytes per light group and
-/// pixel: 4.3 GB for this many with one group.
+/// pixel: 4.3 GB for this many with one group, and as much again where passes have a second part.
 inline constexpr std::uint64_t kMaxFilmPixels = std::uint64_t{1} << 27;
 
-/// Most sums of a film, 8 bytes each: 1 + 3 per light group and pixel.
+/// Most sums of a film, 8 bytes each, of either part of what passes bring: 1 + 3 per light group
+/// and pixel.
 inline constexpr double kMaxFilmValues = 1 << 30;
 
 struct FilmSettings {

@@ -11,7 +11,7 @@ using mock::ResumableCase;
 using mock::ResumableRender;
 
 void expect_same_film(const mock::Film& film, const mock::Film& other) {
-    EXPECT_EQ(film.pass_weights(), other.pass_weights());
+    EXPECT_EQ(film.photon_weights(), other.photon_weights());
     EXPECT_EQ(film.image(), other.image());
     EXPECT_EQ(film.layers(), other.layers());
     ASSERT_EQ(film.color_layers().size(), other.color_layers().size());

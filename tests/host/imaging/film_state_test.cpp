@@ -56,7 +56,7 @@ void add_pass(FileFilm& film, int pass) {
         radiance.emplace_back(i == 3 ? std::nanf("") : 0.2f);
         layer.emplace_back(static_cast<float>(i + static_cast<std::uint32_t>(pass)));
     }
-    film.add_pass({positions, radiance, 2, 1.5});
+    film.add_pass({positions, radiance, 2, 1.5, radiance, 1.0 + pass});
     film.add_splats({positions, radiance, 2, 40});
     film.add_layer_pass("photons", {positions, layer, 1, 1.5});
     film.set_layer("error", std::vector<float>(positions.size(), static_cast<float>(pass)));
@@ -111,16 +111,33 @@ TEST(FilmState, AFilmOfAnotherSizeIsRefused) {
 
 TEST(FilmState, SumsThatAreNoNumbersAreRefused) {
     constexpr std::size_t kSums = 8 + 3 * sizeof(std::uint32_t) + 8;  // the size, their number
-    for (const double bad :
-         {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()}) {
-        MemoryArchive archive;
-        const auto saved = film();
-        add_pass(*saved, 0);
-        saved->state(archive);
-        std::memcpy(&archive.content()[kSums + 40 * sizeof(double)], &bad, sizeof bad);
-        archive.restore();
-        EXPECT_THROW(film()->state(archive), StateError);
+    constexpr std::size_t kSecondSums = kSums + std::size_t{7} * 5 * 7 * sizeof(double) + 1 + 8;
+    for (const std::size_t sums : {kSums, kSecondSums}) {
+        for (const double bad :
+             {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()}) {
+            MemoryArchive archive;
+            const auto saved = film();
+            add_pass(*saved, 0);
+            saved->state(archive);
+            std::memcpy(&archive.content()[sums + 40 * sizeof(double)], &bad, sizeof bad);
+            archive.restore();
+            EXPECT_THROW(film()->state(archive), StateError);
+        }
     }
+}
+
+/// Splats and second parts that the restored film has, but the saved one has not.
+TEST(FilmState, WhatTheSavedFilmHasNotIsForgotten) {
+    MemoryArchive archive;
+    film()->state(archive);
+    archive.restore();
+    const auto restored = film(), fresh = film();
+    add_pass(*restored, 1);
+    restored->state(archive);
+    EXPECT_EQ(restored->image(), fresh->image());
+    for (const auto& one : {restored.get(), fresh.get()})
+        add_pass(*one, 2);
+    EXPECT_EQ(restored->image(), fresh->image());
 }
 
 TEST(FilmState, EveryMissingEndIsRefused) {

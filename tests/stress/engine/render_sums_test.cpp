@@ -118,6 +118,7 @@ TEST(StressSums, LuminanceOfAPixel) {
     const int passes = sized(24, 1000);
     EyeImage image = mock::image_of_pixels(1, 1, {});
     image.positions.resize(kPaths, image.positions[0]);
+    image.radiance.resize(image.positions.size());
     PixelImportance importance(1, 1);
     std::vector<Rgb> radiance;
     for (int pass = 0; pass < passes; ++pass) {
@@ -143,6 +144,7 @@ TEST(StressSums, EyePathsOfOnePass) {
     EyeImage image = mock::image_of_pixels(1, 1, {});
     image.visible_points.clear();
     image.positions.resize(paths, image.positions[0]);
+    image.radiance.resize(image.positions.size());
     PassNoiseMeter meter(1, 1);
     const PixelImportance importance(1, 1);  // weighs 1 before its first pass
     PhotonFlux none;

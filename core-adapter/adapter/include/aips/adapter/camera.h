@@ -38,17 +38,27 @@ class Sampler {
                                        std::uint32_t y) const = 0;
 };
 
+/// What a pass brings to the film, in two parts: the image is the sum of a mean over passes of
+/// each. Eye paths of all passes count alike, photons by weights that are fixed before the pass:
+/// less while a guide learns.
+struct FilmPass {
+    std::span<const Vec2> positions;  ///< of the samples, pixels
+    std::uint32_t groups = 1;         ///< light groups
+    /// Radiance that sample i sees without photons in light group g, at [i * groups + g].
+    std::span<const Rgb> eye;
+    /// What photons bring it, laid out as `eye`; empty in all passes of a scene that needs none.
+    std::span<const Rgb> photons = {};
+    double photon_weight = 1;  ///< of the pass in the mean of `photons`, > 0
+};
+
 class Film {
   public:
     virtual ~Film() = default;
     virtual std::uint32_t width() const = 0;
     virtual std::uint32_t height() const = 0;
-    /// Adds a pass: `radiance[i * groups + g]` of sample i at `positions[i]`. `weight` > 0 is the
-    /// pass's share in the mean over passes.
-    virtual void add_pass(std::span<const Vec2> positions, std::span<const Rgb> radiance,
-                          std::uint32_t groups, double weight) = 0;
-    /// Adds a pass of the extra colour layer `name`: `values[i]` at `positions[i]`, filtered and
-    /// averaged as the image is.
+    virtual void add_pass(const FilmPass& pass) = 0;
+    /// Adds a pass of the extra colour layer `name`: `values[i]` at `positions[i]`, filtered as the
+    /// image is; `weight` > 0 is the pass's share in the mean over passes.
     virtual void add_layer_pass(std::string_view name, std::span<const Vec2> positions,
                                 std::span<const Rgb> values, double weight) = 0;
     /// Replaces the extra float layer `name`: width * height values, row by row.

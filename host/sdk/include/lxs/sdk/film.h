@@ -15,9 +15,12 @@ struct PassSamples {
     /// Radiance of sample i in light group g at [i * groups + g]; finite and not negative.
     std::span<const Rgb> radiance;
     std::uint32_t groups = 1;
-    /// Weight of the pass in the mean over passes, > 0 (photon mappers: photon paths, as they
-    /// count).
-    double weight = 1;
+    double weight = 1;  ///< of the pass in the mean over passes, > 0
+    /// A second part of what the samples saw, laid out as `radiance`, or nothing. It has a mean of
+    /// its own, over the passes that have it, and the image is the sum of both: passes may count in
+    /// full for what their eye paths saw, and for little in what their photons brought.
+    std::span<const Rgb> second_radiance = {};
+    double second_weight = 1;  ///< of the pass in the second mean, > 0
 };
 
 /// Samples whose density over the film says how bright it is: they may lie anywhere, each with a

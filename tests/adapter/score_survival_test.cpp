@@ -1,10 +1,14 @@
 // Protects roulette by score: the probability that makes second moment times cost least, finite,
-// and none where nothing is known.
+// and none where nothing is known; and which photons are split.
 #include "score_survival.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
+
+#include "mock_bsdf.h"
+#include "photon_roulette.h"
+#include "render_mock.h"
 
 namespace {
 
@@ -78,6 +82,51 @@ TEST(ScoreSurvival, ProductOfSecondMomentAndCostIsLeast) {
     EXPECT_NEAR(s, kPower * std::sqrt(kScore * kOtherCost / (kCost * kOtherScore)), 1e-4);
     for (const double other : {0.8 * s, 0.95 * s, 1.05 * s, 1.25 * s})
         EXPECT_GT(moment(other) * cost(other), moment(s) * cost(s)) << other << " beside " << s;
+}
+
+/// Photons that go on from a surface of this kind, by score, where one of power 1 is asked for as
+/// `worth`^(1/2) of them.
+float photons_from(mock::Material::Kind kind, double worth, bool split) {
+    const mock::Scene scene = mock::lamp_box({}, {});
+    const Settings settings;
+    const DiscreteDistribution lights;
+    const ScoreCache cache = cache_of(worth, 1);
+    ScoreSurvival survival(cache);
+    survival.set_reference(1);
+    PhotonInput input{scene, settings, lights};
+    input.survival = &survival;
+    input.score_mix = ScoreMix::Half;
+    mock::Material material;
+    material.kind = kind;
+    material.reflectance = kWhite;
+    material.specular = kWhite * 0.5f;
+    Arena arena;
+    SurfacePoint point;
+    point.position = kFloor;
+    point.geometric_normal = point.shading_normal = kUp;
+    point.bsdf = mock::make_bsdf(material, kUp, kUp, arena);
+    Photon photon;
+    photon.ray.direction = normalize(Vec3{0.3f, 0.1f, -1});
+    photon.power = kWhite;
+    photon.emitted_power = 1;
+    const Survival s = decide_survival(input, point, photon, false, split);
+    EXPECT_EQ(s.photons, std::min(photons_going_on(s, ScoreMix::Half, 1), split ? 4.0f : 1.0f));
+    return s.photons;
+}
+
+/// Parts of a photon go different ways from a diffuse lobe; specular lobes alone offer few, and
+/// parts that take the same one fall on one point.
+TEST(PhotonRoulette, SplitsWhereALobeSpreads) {
+    using Kind = mock::Material::Kind;
+    for (const Kind kind : {Kind::Lambert, Kind::Phong, Kind::LambertAndMirror}) {
+        EXPECT_EQ(photons_from(kind, 1e4, true), kMostPhotons) << int(kind);
+        EXPECT_EQ(photons_from(kind, 1e4, false), 1) << int(kind);
+    }
+    for (const Kind kind : {Kind::Mirror, Kind::Glass, Kind::Null})
+        EXPECT_EQ(photons_from(kind, 1e4, true), 1) << int(kind);
+    // Ended they are alike.
+    for (const Kind kind : {Kind::Lambert, Kind::Mirror, Kind::Glass})
+        EXPECT_NEAR(photons_from(kind, 1e-4, true), 0.1f, 1e-3f) << int(kind);
 }
 
 }  // namespace

@@ -11,6 +11,9 @@
 
 namespace aips {
 
+/// Most photons that one is split into.
+inline constexpr float kMostPhotons = 4;
+
 /// How many photons go on from a vertex, on average: below 1 that is a probability, above 1 the
 /// photon is split.
 struct Survival {
@@ -19,14 +22,13 @@ struct Survival {
     /// photon's power. A negative score: nothing is known of the place, the plain way decides.
     float plain = 1;
     float scored = -1;
+    float most = kMostPhotons;  ///< photons that go on at the most, whatever their score
 };
 
 /// Least probability with which a photon survives: a bound on fireflies. Each photon that goes on
 /// carries 1 / (photons going on) of the power, so that no vertex multiplies it by more than 1 /
 /// this.
 inline constexpr float kMinSurvival = 0.05f;
-/// Most photons that one is split into.
-inline constexpr float kMostPhotons = 4;
 
 /// How far scores decide on survival: what is known of them is noisy, and they alone would end
 /// photons that matter (docs/design-notes.md). With s by power and t by score,
@@ -49,7 +51,7 @@ inline float photons_going_on(const Survival& s, ScoreMix mix, float power) {
     }
     float mixed = std::sqrt(s.plain * s.scored);
     if (mix == ScoreMix::Quarters) mixed = std::sqrt(mixed * s.scored);
-    return limited_photons(mixed * power, kMostPhotons);
+    return limited_photons(mixed * power, s.most);
 }
 
 /// A vertex that a photon went on from; it then left by a direction drawn, or was absorbed. Of

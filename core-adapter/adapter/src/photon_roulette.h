@@ -28,6 +28,9 @@ inline Survival decide_survival(const PhotonInput& in, const SurfacePoint& point
                                      luminance(photon.power))
                        .value_or(-1.0f);
     }
+    // Specular lobes offer few ways: parts that take the same one fall on one point, so that
+    // splitting there costs rays and leaves the noise.
+    if (!(point.bsdf->lobes() & kNonSpecular)) s.most = 1;
     s.photons = photons_going_on(s, in.score_mix, 1);
     if (!split) s.photons = std::min(s.photons, 1.0f);
     return s;

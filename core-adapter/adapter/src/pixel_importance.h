@@ -16,14 +16,15 @@ namespace aips {
 /// eps over the mean luminance: brighter pixels weigh by their relative error, darker ones nearly
 /// alike. With a fiftieth the few photons that the darkest get decide most of the scores, and the
 /// guide follows their noise for long (docs/design-notes.md).
-inline constexpr double kDarkestShare = 1;
+inline constexpr double kDarkestShare = 0.5;
 
 class PixelImportance {
   public:
     PixelImportance(std::uint32_t width, std::uint32_t height);
 
-    /// Adds the radiance of a pass, one entry per eye path and light group.
-    void add_pass(const EyeImage& image, std::span<const Rgb> radiance);
+    /// Adds a pass: what its eye paths saw, and what photons brought them, one entry per eye path
+    /// and light group.
+    void add_pass(const EyeImage& image, std::span<const Rgb> photons);
 
     /// [visible point]: weight of a squared error of luminance there, over the mean of all, so that
     /// scores of all passes have one scale, whatever the scene's units and however dark the image

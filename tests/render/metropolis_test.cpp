@@ -95,8 +95,10 @@ TEST(Metropolis, MemoryIsFlatFromPassToPass) {
             .at("peak memory bytes")
             .get<double>();
     };
-    const double early = peak("20");
-    EXPECT_LE(peak("600"), 1.02 * early);
+    // Peaks of one length of render differ by what threads happen to hold at once, 2 % at times: of
+    // two renders the higher, in which all threads have long had their turn.
+    const double early = std::max(peak("200"), peak("200"));
+    EXPECT_LE(peak("2000"), 1.02 * early);
 }
 
 TEST(Metropolis, BlackSceneEndsWithABlackImageAndOneWarning) {

@@ -51,7 +51,8 @@ void add_pass(FileFilm& film, int pass) {
     std::vector<Rgb> radiance, layer;
     for (std::uint32_t i = 0; i < film.width() * film.height(); ++i) {
         const float x = static_cast<float>(i % film.width()) + 0.1f * static_cast<float>(pass);
-        positions.emplace_back(x, static_cast<float>(i / film.width()) + 0.3f);
+        const std::uint32_t row = i / film.width();
+        positions.emplace_back(x, static_cast<float>(row) + 0.3f);
         radiance.emplace_back(0.1f * x);
         radiance.emplace_back(i == 3 ? std::nanf("") : 0.2f);
         layer.emplace_back(static_cast<float>(i + static_cast<std::uint32_t>(pass)));

@@ -88,9 +88,9 @@ TEST(FilmParts, MemoryDoesNotGrowWithPassesAndIsNotTakenWithoutASecondPart) {
     film->add_pass(parts.both());
     const std::size_t with = film->memory_bytes();
     // Sums of weights and colours of all pixels, and a pixel's for each row.
-    constexpr std::size_t kSums = kWidth * kHeight * 7u * sizeof(double);
+    constexpr std::size_t kSums = std::size_t{kWidth} * kHeight * 7 * sizeof(double);
     EXPECT_GE(with - without, kSums);
-    EXPECT_LE(with - without, kSums + kHeight * 13u * sizeof(double));
+    EXPECT_LE(with - without, kSums + std::size_t{kHeight} * 13 * sizeof(double));
     for (int pass = 0; pass < 20; ++pass)
         film->add_pass(parts.both());
     EXPECT_EQ(film->memory_bytes(), with);

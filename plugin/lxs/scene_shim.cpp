@@ -1,6 +1,9 @@
 // The host's scene, lights and scattering functions in the engine's terms.
 #include "scene_shim.h"
 
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
 #include <new>
 
@@ -88,9 +91,12 @@ class LambertShim final : public Bsdf {
 /// Values in the host's terms, in memory that is kept from pass to pass.
 template <class From, class To>
 void convert(std::span<const From> from, std::vector<To>& converted) {
-    converted.clear();
-    for (const From& value : from)
-        converted.push_back(to(value));
+    converted.resize(from.size());
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, from.size(), 4096),
+                      [&](const auto& range) {
+                          for (std::size_t i = range.begin(); i < range.end(); ++i)
+                              converted[i] = to(from[i]);
+                      });
 }
 
 constexpr std::size_t kShimBytes = std::max(sizeof(BsdfShim), sizeof(LambertShim));

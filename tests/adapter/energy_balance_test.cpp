@@ -87,7 +87,7 @@ class Balance {
         trace_eye_pass(
             {view.scene, view.camera, sampler, direct, settings_, kSize, kSize, kSize * kSize}, 0,
             0, refusals_, image_);
-        positions_ = positions_of(image_.visible_points);
+        positions_of(image_.visible_points, positions_);
         radii_ = SearchRadii(float(initial_radius(settings, image_, 1e-6)));
     }
 

@@ -40,7 +40,8 @@ double score(const std::vector<VisiblePoint>& points, const SearchRadii& radii,
              const Landing& landing, float weight = 1) {
     EyeImage image;
     image.visible_points = points;
-    const std::vector<Vec3> positions = positions_of(points);
+    std::vector<Vec3> positions;
+    positions_of(points, positions);
     const std::vector<float> weights(points.size(), weight);
     LandingScore scores;
     scores.build(image, positions, radii, weights);

@@ -81,7 +81,8 @@ std::vector<std::uint32_t> nodes_by_boxes(const NodeTree& tree) {
 TEST(NodeLayers, ShowTheTreeAtTheVisiblePoints) {
     PaperGuide guide(unit_box(), tiny_tree());
     const EyeImage image = floor_from_above();
-    const std::vector<Vec3> eye = positions_of(image.visible_points);
+    std::vector<Vec3> eye;
+    positions_of(image.visible_points, eye);
     BounceTally bounces(guide, 6);
     guide.begin_pass(eye, image.positions.size());
     bounces.begin_pass();

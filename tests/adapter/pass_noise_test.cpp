@@ -50,8 +50,10 @@ PassNoise measured(double eye_variance, const std::vector<double>& per_pixel) {
             brought.push_back(kWhite * (photons * power * seen));
         }
         const auto paths = static_cast<std::uint64_t>(1000 * per_pixel[pass]);
-        const PassNoise noise = meter.add_pass(image, brought, flux, paths, importance);
-        importance.add_pass(image, brought);
+        const PassNoise noise =
+            meter.add_pass(image, mock::seen_pixels(image, brought, kWidth, kHeight), brought, flux,
+                           paths, importance);
+        importance.add_pass(mock::seen_pixels(image, brought, kWidth, kHeight));
         mean.eye += noise.eye / double(per_pixel.size() - 1);
         mean.photon_path += noise.photon_path / double(per_pixel.size() - 1);
         if (pass == 0) {
@@ -100,8 +102,10 @@ TEST(PassNoise, WhatEyePathsSeeThemselvesIsTheEyes) {
             image.radiance[i] =
                 kWhite * float(1 + std::sqrt(12 * 0.3) * (double(random.next()) - 0.5));
         }
-        const PassNoise noise = meter.add_pass(image, brought, flux, 1000, importance);
-        importance.add_pass(image, brought);
+        const PassNoise noise =
+            meter.add_pass(image, mock::seen_pixels(image, brought, kWidth, kHeight), brought, flux,
+                           1000, importance);
+        importance.add_pass(mock::seen_pixels(image, brought, kWidth, kHeight));
         mean.eye += noise.eye / (kPasses - 1);
         mean.photon_path += noise.photon_path / (kPasses - 1);
     }
@@ -117,16 +121,18 @@ TEST(PassNoise, BlackPassesHaveNone) {
     PhotonFlux flux;
     flux.reset(image.positions.size(), 1);
     for (int pass = 0; pass < 3; ++pass) {
-        const PassNoise noise = meter.add_pass(image, image.radiance, flux, 1000, importance);
+        const PassNoise noise =
+            meter.add_pass(image, mock::seen_pixels(image, image.radiance, kWidth, kHeight),
+                           image.radiance, flux, 1000, importance);
         EXPECT_EQ(noise.eye, 0);
         EXPECT_EQ(noise.photon_path, 0);
-        importance.add_pass(image, image.radiance);
+        importance.add_pass(mock::seen_pixels(image, image.radiance, kWidth, kHeight));
     }
 }
 
 TEST(PassNoise, MemoryIsBounded) {
     const PassNoiseMeter meter(kWidth, kHeight);
-    EXPECT_LE(meter.memory_bytes(), PassNoiseMeter::memory_bound_bytes(kWidth * kHeight));
+    EXPECT_LE(meter.memory_bytes(), PassNoiseMeter::memory_bound_bytes(kWidth * kHeight, 0));
 }
 
 }  // namespace

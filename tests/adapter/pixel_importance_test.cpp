@@ -67,7 +67,7 @@ TEST(PixelImportance, MeanWeightIsOneInAnyUnits) {
             auto radiance = uniform(0);
             for (std::size_t i = 0; i < radiance.size(); ++i)
                 radiance[i] = kWhite * float(unit * double((i * 7919 + std::size_t(pass)) % 31));
-            importance.add_pass(image, radiance);
+            importance.add_pass(mock::seen_pixels(image, radiance, kWidth, kHeight));
             std::vector<float> weights;
             importance.weigh(image, weights);
             EXPECT_NEAR(mean_of(weights), 1, 1e-5) << unit << " pass " << pass;
@@ -83,7 +83,7 @@ TEST(PixelImportance, BorderPixelsWeighAsOthersInAnEvenImage) {
     const EyeImage image = eye_image();
     PixelImportance importance(kWidth, kHeight);
     for (int pass = 0; pass < 3; ++pass) {
-        importance.add_pass(image, uniform(2));
+        importance.add_pass(mock::seen_pixels(image, uniform(2), kWidth, kHeight));
         for (const double w : weights_of(importance, image))
             EXPECT_NEAR(w, weight(2, 2), 1e-5);
     }
@@ -129,7 +129,7 @@ TEST(PixelImportance, WeightsAreOfTheBlurredMean) {
             total += 3 * double(value);
             paths += 1;
         }
-        importance.add_pass(image, photons);
+        importance.add_pass(mock::seen_pixels(image, photons, kWidth, kHeight));
         if (pass != 1 && pass != 4 && pass != 40) continue;
         const int radius = pass == 1 ? 12 : pass == 4 ? 6 : 2;
         const auto weights = weights_of(importance, everywhere);
@@ -147,12 +147,12 @@ TEST(PixelImportance, BlackImagesHaveWeights) {
     const EyeImage image = eye_image();
     PixelImportance importance(kWidth, kHeight);
     weights_of(importance, image);
-    importance.add_pass(image, uniform(0));
+    importance.add_pass(mock::seen_pixels(image, uniform(0), kWidth, kHeight));
     weights_of(importance, image);
     // One pixel is lit: the darkest elsewhere weigh at most 1 / (kDarkestShare mean)^2.
     auto radiance = uniform(0);
     radiance[0] = kWhite;
-    importance.add_pass(image, radiance);
+    importance.add_pass(mock::seen_pixels(image, radiance, kWidth, kHeight));
     const double mean = 0.5 / kPixels;
     const auto weights = weights_of(importance, image);
     EXPECT_NEAR(weights.back() * std::pow(kDarkestShare * mean, 2), 1, 1e-4);
@@ -167,7 +167,7 @@ TEST(PixelImportance, ExtremeLuminancesHaveWeights) {
         EyeImage first = eye_image();
         first.radiance = uniform(value);
         weights_of(importance, first);
-        importance.add_pass(image, uniform(value));
+        importance.add_pass(mock::seen_pixels(image, uniform(value), kWidth, kHeight));
         weights_of(importance, image);
     }
 }
@@ -186,8 +186,8 @@ TEST(PixelImportance, PositionsAtTheFilmsEdge) {
     auto radiance = uniform(1);
     for (std::size_t i = 0; i < radiance.size(); ++i)
         radiance[i] = kWhite * float(1 + i % kWidth);
-    at_edge.add_pass(image, radiance);
-    inside.add_pass(centres, radiance);
+    at_edge.add_pass(mock::seen_pixels(image, radiance, kWidth, kHeight));
+    inside.add_pass(mock::seen_pixels(centres, radiance, kWidth, kHeight));
     EXPECT_EQ(weights_of(at_edge, image), weights_of(inside, centres));
 }
 
@@ -195,7 +195,7 @@ TEST(PixelImportance, MemoryIsBounded) {
     const EyeImage image = eye_image();
     PixelImportance importance(kWidth, kHeight);
     for (int pass = 0; pass < 3; ++pass)
-        importance.add_pass(image, uniform(1));
+        importance.add_pass(mock::seen_pixels(image, uniform(1), kWidth, kHeight));
     EXPECT_LE(importance.memory_bytes(), PixelImportance::memory_bound_bytes(kPixels));
 }
 

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <limits>
+#include <thread>
 #include <vector>
 
 #include "aips/core/random.h"
@@ -64,6 +65,31 @@ TEST(Occupancy, SaysNoFarAwayNearlyAlways) {
         wrong += grid.near_visible_point({10 * u.x, 10 * u.y, 1 + random.next()}) ? 1 : 0;
     }
     EXPECT_LT(wrong, 20000 / 3);
+}
+
+/// Jobs at once, each on a thread of its own.
+void threads_for(std::uint32_t count, const Job& job) {
+    std::vector<std::jthread> threads;
+    for (std::uint32_t i = 0; i < count; ++i)
+        threads.emplace_back([&job, i] { job(i); });
+}
+
+TEST(Occupancy, ThreadsMarkWhatOneDoes) {
+    // Many points share words of the table, where the last of two writers could undo the first's.
+    const auto points = plane_of_points(20000, {0, 0, 0}, 1, 7);
+    OccupancyGrid one, many;
+    one.build(points, 0.003f);
+    many.build(points, 0.003f, threads_for);
+    RandomStream random(8, 0, 0, RandomDomain::Photon);
+    int marked = 0;
+    for (int i = 0; i < 200000; ++i) {
+        const Vec2 u = random.next2();
+        const Vec3 p{u.x, u.y, 0.02f * (random.next() - 0.5f)};
+        ASSERT_EQ(one.near_visible_point(p), many.near_visible_point(p));
+        marked += one.near_visible_point(p) ? 1 : 0;
+    }
+    EXPECT_GT(marked, 10000);
+    EXPECT_LT(marked, 190000);
 }
 
 TEST(Occupancy, EmptyNanAndHugeInputs) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "eye_pass.h"
+#include "pixel_luminance.h"
 
 namespace mock {
 
@@ -21,6 +22,15 @@ inline aips::EyeImage image_of_pixels(std::uint32_t width, std::uint32_t height,
     }
     image.radiance.assign(image.positions.size() * groups, radiance);
     return image;
+}
+
+/// What its eye paths saw when photons brought `photons` to them.
+inline std::vector<aips::PixelLuminance> seen_pixels(const aips::EyeImage& image,
+                                                     std::span<const aips::Rgb> photons,
+                                                     std::uint32_t width, std::uint32_t height) {
+    std::vector<aips::PixelLuminance> seen;
+    aips::pixel_luminances(image, photons, width, height, seen);
+    return seen;
 }
 
 }  // namespace mock

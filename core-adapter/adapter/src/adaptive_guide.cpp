@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "light_choice.h"
+#include "parallel_for.h"
 #include "vector_growth.h"
 
 namespace aips {
@@ -17,11 +18,6 @@ constexpr std::uint32_t kEagerOneOf = 4, kOneOf = 16;
 constexpr std::uint64_t kSeededPaths = 2'000'000;
 /// Scored photon paths that count in full; older ones fade.
 constexpr double kMemoryPaths = 5e5;
-/// Cost of an emission, in rays: a little less than a bounce's.
-constexpr double kEmissionCost = 0.5;
-/// Cost of storing and gathering a landing, in rays: gather and grid take about a third of what
-/// tracing takes where landings are many (docs/design-notes.md).
-constexpr double kLandingCost = 0.3;
 
 ScoreCacheSettings cache_settings() {
     ScoreCacheSettings settings;
@@ -90,85 +86,90 @@ void AdaptiveGuide::learn(const PathLog& log, std::span<const Landing> landings,
                           std::uint32_t paths) {
     paths_ += paths;
     if (!awake()) return;
-    score_landings(log, landings);
-    landing_score_at_ = 0;
-    for (const PathRecord& path : log.paths)
-        learn_path(log, path, landings);
+    worths_.measure(log, landings, score_landings(log, landings));
     // In paths that were scored: one in how many that is changes, and would change the scale.
     const auto scored = double(log.paths.size());
-    if (emission()) emission_.update(scored);
-    if (survival()) {
-        cache_->update(scored);
-        survival_->set_reference(path_means_.cost_over_score());
-        survival_switch_.update(scored, kMemoryPaths);
+    // They know nothing of each other; each learns from the paths in their order.
+    tbb_for(4, [&](std::uint32_t part) {
+        if (part == 0 && survival()) learn_survival(log, scored);
+        if (part == 1 && emission()) learn_emission(log, scored);
+        if (part == 2 && survival()) judge_survival(log, landings, scored);
+        if (part == 3 && bounces()) learn_bounces(log, scored);
+    });
+    for (const Worth& path : worths_.paths()) {
+        path_means_.add(path.score, path.cost);
+        if (path.score > 0) ++visible_paths_;
     }
-    if (bounces()) bounces_->update(scored);
+    if (survival()) survival_->set_reference(path_means_.cost_over_score());
     path_means_.update(scored);
 }
 
-void AdaptiveGuide::score_landings(const PathLog& log, std::span<const Landing> landings) {
+std::span<const double> AdaptiveGuide::score_landings(const PathLog& log,
+                                                      std::span<const Landing> landings) {
     std::vector<std::uint32_t>& numbers = scored_;
     numbers.clear();
     for (const PathRecord& path : log.paths) {
         for (std::uint32_t i = 0; i < path.landings; ++i)
             numbers.push_back(path.first_landing + i);
     }
-    landing_scores_ = scores_.of(landings, numbers);
+    return scores_.of(landings, numbers);
 }
 
-// From the path's end to its start, summing what came after.
-void AdaptiveGuide::learn_path(const PathLog& log, const PathRecord& path,
-                               std::span<const Landing> landings) {
-    if (survival()) judge_survival(log, path, landings);
-    const std::size_t first = landing_score_at_;
-    landing_score_at_ += path.landings;
-    double score = 0;
-    double landed = 0, rays = 0;
-    std::uint32_t last_rays = path.rays;
-    std::uint32_t l = path.landings;
-    const auto take_landings_after = [&](std::uint32_t depth) {
-        for (; l > 0 && landings[path.first_landing + l - 1].depth > depth; --l) {
-            score += landing_scores_[first + l - 1];
-            landed += 1;
+void AdaptiveGuide::learn_emission(const PathLog& log, double scored) {
+    for (std::size_t i = 0; i < log.paths.size(); ++i) {
+        const PathRecord& path = log.paths[i];
+        const Worth& worth = worths_.paths()[i];
+        emission_.add({{path.light, path.start, path.pdf}, worth.score, worth.cost});
+    }
+    emission_.update(scored);
+}
+
+// A path's vertices from its end to its start.
+void AdaptiveGuide::learn_survival(const PathLog& log, double scored) {
+    for (const PathRecord& path : log.paths) {
+        for (std::uint32_t v = path.first_vertex + path.vertices; v-- > path.first_vertex;) {
+            const PathVertex& vertex = log.vertices[v];
+            const Worth& worth = worths_.vertices()[v];
+            const double power = double(vertex.power);
+            if (!(power > 0)) continue;
+            cache_->add(
+                {vertex.position, vertex.normal, worth.score / (power * power), worth.cost});
         }
-    };
-    for (std::uint32_t v = path.vertices; v-- > 0;) {
-        const PathVertex& vertex = log.vertices[path.first_vertex + v];
-        take_landings_after(vertex.depth);
-        rays += last_rays - vertex.rays;
-        last_rays = vertex.rays;
-        const double copies = std::max(1.0, double(vertex.survival.photons));
-        const double power = double(vertex.power);
-        const double cost = rays + kLandingCost * landed;
-        const double branch_score = score;
-        score *= copies;
-        rays *= copies;
-        landed *= copies;
-        if (!(power > 0)) continue;
-        if (survival())
-            cache_->add({vertex.position, vertex.normal, branch_score / (power * power), cost});
-        if (bounces()) bounces_->add(vertex, branch_score, cost);
     }
-    take_landings_after(0);
-    rays += last_rays;
-    const double cost = kEmissionCost + rays + kLandingCost * landed;
-    if (emission()) {
-        emission_.add({{path.light, path.start, path.pdf}, score, cost});
+    cache_->update(scored);
+}
+
+void AdaptiveGuide::learn_bounces(const PathLog& log, double scored) {
+    for (const PathRecord& path : log.paths) {
+        for (std::uint32_t v = path.first_vertex + path.vertices; v-- > path.first_vertex;) {
+            const Worth& worth = worths_.vertices()[v];
+            if (log.vertices[v].power > 0) {
+                bounces_->add(log.vertices[v], worth.score, worth.cost);
+            }
+        }
     }
-    path_means_.add(score, cost);
-    if (score > 0) ++visible_paths_;
+    bounces_->update(scored);
+}
+
+void AdaptiveGuide::judge_survival(const PathLog& log, std::span<const Landing> landings,
+                                   double scored) {
+    for (std::size_t i = 0; i < log.paths.size(); ++i)
+        survival_switch_.add(judged_path(log, i, landings));
+    survival_switch_.update(scored, kMemoryPaths);
 }
 
 // From the path's start to its end.
-void AdaptiveGuide::judge_survival(const PathLog& log, const PathRecord& path,
-                                   std::span<const Landing> landings) {
+SurvivalSwitch::Path AdaptiveGuide::judged_path(const PathLog& log, std::size_t number,
+                                                std::span<const Landing> landings) const {
+    const PathRecord& path = log.paths[number];
+    const std::span scores = worths_.scores(path, number);
     SurvivalSwitch::Path judged;
     std::uint32_t l = 0, rays = 0;
     const auto add_up_to = [&](std::uint32_t depth, std::uint32_t rays_so_far) {
         double score = 0;
         double cost = double(rays_so_far - rays);
         for (; l < path.landings && landings[path.first_landing + l].depth <= depth; ++l) {
-            score += landing_scores_[landing_score_at_ + l];
+            score += scores[l];
             cost += kLandingCost;
         }
         rays = rays_so_far;
@@ -181,7 +182,7 @@ void AdaptiveGuide::judge_survival(const PathLog& log, const PathRecord& path,
         judged.survive(vertex.survival);
     }
     add_up_to(std::numeric_limits<std::uint32_t>::max(), path.rays);
-    survival_switch_.add(judged);
+    return judged;
 }
 
 void AdaptiveGuide::state(StateArchive& archive) {
@@ -201,7 +202,8 @@ void AdaptiveGuide::state(StateArchive& archive) {
 std::size_t AdaptiveGuide::memory_bytes() const {
     return scores_.memory_bytes() + emission_.memory_bytes() +
            (cache_ ? cache_->memory_bytes() : 0) + (bounces_ ? bounces_->memory_bytes() : 0) +
-           seeds_.capacity() * sizeof(EmissionSeed) + scored_.capacity() * sizeof(std::uint32_t);
+           seeds_.capacity() * sizeof(EmissionSeed) + scored_.capacity() * sizeof(std::uint32_t) +
+           worths_.memory_bytes();
 }
 
 std::size_t AdaptiveGuide::memory_bound_bytes(const Scene& scene, const Settings& settings,
@@ -209,7 +211,7 @@ std::size_t AdaptiveGuide::memory_bound_bytes(const Scene& scene, const Settings
     const std::size_t walks = eye_paths / kSeedGroup + 1;
     // In blocks and joined, or joined and sorted.
     const std::size_t seeds = 2 * kVectorGrowth * walks * kMaxSeedsPerWalk * sizeof(EmissionSeed);
-    // The scores themselves are counted with the log.
+    // The scores themselves are counted with the log, and so are paths' worths.
     return IterationScores::memory_bound_bytes(eye_paths, 0) + seeds +
            (settings.guide_survival ? ScoreCache::memory_bound_bytes(cache_settings()) : 0) +
            (settings.guide_bounces ? BounceGuide::memory_bound_bytes(kMemoryPaths) : 0) +

@@ -16,6 +16,7 @@
 #include "part_rest.h"
 #include "path_log.h"
 #include "path_means.h"
+#include "path_worth.h"
 #include "score_survival.h"
 #include "survival_switch.h"
 
@@ -84,10 +85,15 @@ class AdaptiveGuide {
     static constexpr std::uint64_t kSeedTrialWalks = 4096;
 
     std::uint64_t seed(std::uint64_t pass, float time, const EyeImage& image);
-    void score_landings(const PathLog& log, std::span<const Landing> landings);
-    void learn_path(const PathLog& log, const PathRecord& path, std::span<const Landing> landings);
-    void judge_survival(const PathLog& log, const PathRecord& path,
-                        std::span<const Landing> landings);
+    /// Of the logged paths' landings, path after path.
+    std::span<const double> score_landings(const PathLog& log, std::span<const Landing> landings);
+    // From the paths in worths_, of which there are `scored`.
+    void learn_emission(const PathLog& log, double scored);
+    void learn_survival(const PathLog& log, double scored);
+    void learn_bounces(const PathLog& log, double scored);
+    void judge_survival(const PathLog& log, std::span<const Landing> landings, double scored);
+    SurvivalSwitch::Path judged_path(const PathLog& log, std::size_t number,
+                                     std::span<const Landing> landings) const;
 
     const Scene& scene_;
     const Settings& settings_;
@@ -99,12 +105,11 @@ class AdaptiveGuide {
     SurvivalSwitch survival_switch_;
     std::optional<BounceGuide> bounces_;  // if directions are guided
     PathMeans path_means_;
-    double mean_weight_ = 1;                  // of the last pass that was learned from
-    std::vector<EmissionSeed> seeds_;         // of this pass
-    std::vector<std::uint32_t> scored_;       // landings of logged paths, path after path
-    std::span<const double> landing_scores_;  // as scored_, until learn() ends
-    std::size_t landing_score_at_ = 0;        // of the next path
-    std::uint64_t paths_ = 0;                 // shot so far
+    double mean_weight_ = 1;             // of the last pass that was learned from
+    std::vector<EmissionSeed> seeds_;    // of this pass
+    std::vector<std::uint32_t> scored_;  // landings of logged paths, path after path
+    PathWorths worths_;                  // of the last iteration's
+    std::uint64_t paths_ = 0;            // shot so far
     PartRest emission_rest_, survival_rest_, bounces_rest_;
     std::uint64_t walks_ = 0, seeds_found_ = 0;
     std::uint64_t visible_paths_ = 0;  // logged ones that were worth something

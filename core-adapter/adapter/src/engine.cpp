@@ -17,6 +17,7 @@
 #include "photon_schedule.h"
 #include "pixel_estimate.h"
 #include "pixel_importance.h"
+#include "pixel_luminance.h"
 #include "precision_warning.h"
 #include "radius_policy.h"
 #include "same_render.h"
@@ -272,11 +273,13 @@ class Engine::State {
         PassNoise noise;
         if (importance_ && report.photon_paths) {
             const Stopwatch watch(statistics_.plan_seconds);
+            pixel_luminances(image_, photon_radiance_, host_.film.width(), host_.film.height(),
+                             seen_);
             if (noise_) {
-                noise = noise_->add_pass(image_, photon_radiance_, flux_, report.photon_paths,
-                                         *importance_);
+                noise = noise_->add_pass(image_, seen_, photon_radiance_, flux_,
+                                         report.photon_paths, *importance_);
             }
-            importance_->add_pass(image_, photon_radiance_);
+            importance_->add_pass(seen_);
         }
         photons_.end_pass(work, noise);
     }
@@ -315,7 +318,8 @@ class Engine::State {
 
     std::size_t memory_bytes() const {
         return image_.memory_bytes() + flux_.memory_bytes() +
-               photon_radiance_.capacity() * sizeof(Rgb) + photon_pass_.memory_bytes() +
+               photon_radiance_.capacity() * sizeof(Rgb) +
+               seen_.capacity() * sizeof(PixelLuminance) + photon_pass_.memory_bytes() +
                radius_policy_->memory_bytes() + direct_light_.memory_bytes() +
                (guide_ ? guide_->statistics().memory_bytes : 0) +
                (importance_ ? importance_->memory_bytes() : 0) +
@@ -339,6 +343,7 @@ class Engine::State {
     EyeImage image_;
     PhotonFlux flux_;
     std::vector<Rgb> photon_radiance_;  // [eye path * groups + group]; empty if none are needed
+    std::vector<PixelLuminance> seen_;  // in the last pass that something steers by
     std::optional<DebugLayers> layers_;
     EngineStatistics statistics_;
     bool traced_eye_pass_ = false;

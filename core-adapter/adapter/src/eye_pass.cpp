@@ -3,8 +3,12 @@
 
 #include <tbb/parallel_for.h>
 
+#include <algorithm>
+#include <utility>
+
 #include "eye_path.h"
 #include "footprints.h"
+#include "parallel_for.h"
 
 namespace aips {
 namespace {
@@ -56,24 +60,30 @@ void trace_block(const EyePassInput& in, std::uint64_t pass, float time, std::ui
     }
 }
 
+/// Joins what the blocks hold in their order, and empties them. The memory of `joined` is kept:
+/// most of it is overwritten where it lies.
+template <class T>
+void join(std::vector<Block>& blocks, std::vector<T> Block::*part, std::vector<T>& joined) {
+    std::vector<std::size_t> first(blocks.size() + 1, 0);
+    for (std::size_t b = 0; b < blocks.size(); ++b)
+        first[b + 1] = first[b] + (blocks[b].*part).size();
+    joined.resize(first.back());
+    tbb::parallel_for(std::size_t{0}, blocks.size(), [&](std::size_t b) {
+        std::vector<T> block = std::move(blocks[b].*part);
+        std::ranges::move(block, joined.begin() + static_cast<std::ptrdiff_t>(first[b]));
+    });
+}
+
 void join_blocks(std::vector<Block>& blocks, EyeImage& image) {
-    image.visible_points.clear();
-    image.beams.clear();
-    image.footprints.clear();
-    image.light_samples.clear();
+    join(blocks, &Block::visible_points, image.visible_points);
+    join(blocks, &Block::beams, image.beams);
+    join(blocks, &Block::footprints, image.footprints);
+    join(blocks, &Block::light_samples, image.light_samples);
     image.beam_footprint_sum = 0;
     image.rays = 0;
-    for (Block& block : blocks) {
-        image.visible_points.insert(image.visible_points.end(), block.visible_points.begin(),
-                                    block.visible_points.end());
-        image.beams.insert(image.beams.end(), block.beams.begin(), block.beams.end());
-        image.footprints.insert(image.footprints.end(), block.footprints.begin(),
-                                block.footprints.end());
-        image.light_samples.insert(image.light_samples.end(), block.light_samples.begin(),
-                                   block.light_samples.end());
+    for (const Block& block : blocks) {
         image.beam_footprint_sum += block.beam_footprint_sum;
         image.rays += block.rays;
-        block = {};
     }
     image.footprint_sum = bounded_footprint_sum(image.footprints);
 }
@@ -90,12 +100,12 @@ std::size_t EyeImage::memory_bytes() const {
     return bytes;
 }
 
-std::vector<Vec3> positions_of(std::span<const VisiblePoint> points) {
-    std::vector<Vec3> positions;
-    positions.reserve(points.size());
-    for (const VisiblePoint& point : points)
-        positions.push_back(point.position);
-    return positions;
+void positions_of(std::span<const VisiblePoint> points, std::vector<Vec3>& positions) {
+    positions.resize(points.size());
+    in_chunks(points.size(), kItemsPerJob, tbb_for, [&](std::size_t first, std::size_t last) {
+        for (std::size_t i = first; i < last; ++i)
+            positions[i] = points[i].position;
+    });
 }
 
 void trace_eye_pass(const EyePassInput& in, std::uint64_t pass, float time, Refusals& refusals,

@@ -61,8 +61,8 @@ struct EyeImage {
     std::size_t memory_bytes() const;
 };
 
-/// Where visible points are, in their order.
-std::vector<Vec3> positions_of(std::span<const VisiblePoint> points);
+/// Where visible points are, in their order; reuses the memory of `positions`.
+void positions_of(std::span<const VisiblePoint> points, std::vector<Vec3>& positions);
 
 /// Luminance of an eye path, or of a visible point, over its light groups in `values`:
 /// [path * groups + group].

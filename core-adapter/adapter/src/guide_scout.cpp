@@ -26,9 +26,10 @@ constexpr std::uint64_t kSeenEnough = 32, kMostPaths = 16 * kPlainIterationPaths
 
 SeenPaths scout_photons(const Scene& scene, const Settings& settings, float time,
                         const EyeImage& image, float radius) {
-    const std::vector<Vec3> positions = positions_of(image.visible_points);
+    std::vector<Vec3> positions;
+    positions_of(image.visible_points, positions);
     OccupancyGrid occupancy;
-    occupancy.build(positions, radius);
+    occupancy.build(positions, radius, tbb_for);
     // The false hits of hashed occupancy would outnumber what is seen of a wide scene.
     PointGrid reach;
     reach.build(positions, radius, tbb_for);

@@ -65,7 +65,8 @@ std::size_t log_bytes(const Settings& s, std::size_t paths) {
     const std::size_t path = sizeof(PathRecord) + s.max_photon_depth * sizeof(PathVertex);
     // Of the first photon of each path.
     const std::size_t scores = s.max_photon_depth * (sizeof(double) + sizeof(std::uint32_t));
-    return paths * kVectorGrowth * (2 * path + scores);
+    return paths * kVectorGrowth * (2 * path + scores) +
+           PathWorths::memory_bound_bytes(paths, s.max_photon_depth);
 }
 
 /// Beams, which exist twice while blocks are joined, and what photons bring to them.
@@ -103,8 +104,9 @@ std::size_t memory_bound(const Scene& scene, const Needs& needs, std::uint32_t e
             AdaptiveRadius::memory_bound_bytes(pixels, eye_paths) + eye_paths * sizeof(ProbeSums);
     }
     // What the photons per pass and the adaptive guide go by.
-    const std::size_t plan =
-        PixelImportance::memory_bound_bytes(pixels) + PassNoiseMeter::memory_bound_bytes(pixels);
+    const std::size_t plan = PixelImportance::memory_bound_bytes(pixels) +
+                             PassNoiseMeter::memory_bound_bytes(pixels, eye_paths) +
+                             eye_paths * sizeof(PixelLuminance);
     return eye + visible_point_bytes(scene, eye_paths) + plan +
            OccupancyGrid::memory_bound_bytes(eye_paths) + photon_bytes(settings, eye_paths) +
            guide + radii + volume_bytes(scene, settings, eye_paths);

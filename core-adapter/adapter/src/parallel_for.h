@@ -7,6 +7,9 @@
 
 namespace aips {
 
+/// Of cheap items that one job takes: some ten microseconds.
+inline constexpr std::size_t kItemsPerJob = std::size_t(1) << 11;
+
 /// A ParallelFor on TBB's threads.
 inline void tbb_for(std::uint32_t count, const Job& job) {
     tbb::parallel_for(0u, count, job);

@@ -3,7 +3,8 @@
 
 #include <utility>
 
-#include "film_pixel.h"
+#include "parallel_for.h"
+#include "vector_growth.h"
 
 namespace aips {
 
@@ -13,52 +14,70 @@ PassNoiseMeter::PassNoiseMeter(std::uint32_t width, std::uint32_t height)
       pixels_(std::size_t{width} * height),
       last_(std::size_t{width} * height) {}
 
-PassNoise PassNoiseMeter::add_pass(const EyeImage& image, std::span<const Rgb> photons,
-                                   const PhotonFlux& flux, std::uint64_t photon_paths,
-                                   const PixelImportance& importance) {
+PassNoise PassNoiseMeter::add_pass(const EyeImage& image, std::span<const PixelLuminance> seen,
+                                   std::span<const Rgb> photons, const PhotonFlux& flux,
+                                   std::uint64_t photon_paths, const PixelImportance& importance) {
     std::swap(pixels_, last_);
-    sum_pixels(image, photons, flux);
-    double all = 0, of_photons = 0, photon_path = 0, compared = 0;
-    for (std::size_t i = 0; i < pixels_.size(); ++i) {
+    sum_pixels(image, seen, photons, flux);
+    // By chunks that the film alone decides, so that sums round alike for any number of threads.
+    std::vector<Differences> parts(pixels_.size() / kItemsPerJob + 1);
+    in_chunks(pixels_.size(), kItemsPerJob, tbb_for, [&](std::size_t first, std::size_t last) {
+        parts[first / kItemsPerJob] = compare(first, last, photon_paths, importance);
+    });
+    Differences sums;
+    for (const Differences& part : parts) {
+        sums.all += part.all;
+        sums.of_photons += part.of_photons;
+        sums.photon_path += part.photon_path;
+        sums.pixels += part.pixels;
+    }
+    last_paths_ = photon_paths;
+    if (!(sums.pixels > 0)) return {};
+    return {(sums.all - sums.of_photons) / sums.pixels, sums.photon_path / sums.pixels};
+}
+
+PassNoiseMeter::Differences PassNoiseMeter::compare(std::size_t first, std::size_t last,
+                                                    std::uint64_t photon_paths,
+                                                    const PixelImportance& importance) const {
+    Differences sums;
+    for (std::size_t i = first; i < last; ++i) {
         const Pixel &now = pixels_[i], &before = last_[i];
         if (!(now.paths > 0 && before.paths > 0)) continue;
         const double weight = double(importance.weight(i));
         const double paths = now.paths, paths_before = before.paths;
         const double difference = now.sum / paths - before.sum / paths_before;
-        const double first = double(before.variance) / (paths_before * paths_before);
-        const double second = double(now.variance) / (paths * paths);
-        all += weight * difference * difference / 2;
-        of_photons += weight * (first + second) / 2;
-        photon_path += weight * (first * double(last_paths_) + second * double(photon_paths)) / 2;
-        compared += 1;
+        const double of_before = double(before.variance) / (paths_before * paths_before);
+        const double of_now = double(now.variance) / (paths * paths);
+        sums.all += weight * difference * difference / 2;
+        sums.of_photons += weight * (of_before + of_now) / 2;
+        sums.photon_path +=
+            weight * (of_before * double(last_paths_) + of_now * double(photon_paths)) / 2;
+        sums.pixels += 1;
     }
-    last_paths_ = photon_paths;
-    if (!(compared > 0)) return {};
-    return {(all - of_photons) / compared, photon_path / compared};
+    return sums;
 }
 
 // A visible point's sum of squares over the square of its sum is the relative variance of what its
 // photons bring, as if they came independently; stratified ones come more evenly.
-void PassNoiseMeter::sum_pixels(const EyeImage& image, std::span<const Rgb> photons,
-                                const PhotonFlux& flux) {
+void PassNoiseMeter::sum_pixels(const EyeImage& image, std::span<const PixelLuminance> seen,
+                                std::span<const Rgb> photons, const PhotonFlux& flux) {
+    variances_.assign(image.visible_points.size(), 0);
+    in_chunks(variances_.size(), kItemsPerJob, tbb_for, [&](std::size_t first, std::size_t last) {
+        for (std::size_t i = first; i < last; ++i) {
+            const float brought = luminance_over_groups(flux.flux, i, image.groups);
+            if (!(brought > 0)) continue;
+            const std::size_t path = image.visible_points[i].sample;
+            const float share = luminance_over_groups(photons, path, image.groups) / brought;
+            variances_[i] = share * share * flux.squares[i];
+        }
+    });
     pixels_.assign(pixels_.size(), {});
-    const auto luminance_of = [&](std::span<const Rgb> values, std::size_t path) {
-        return luminance_over_groups(values, path, image.groups);
-    };
-    for (std::size_t path = 0; path < image.positions.size(); ++path) {
-        Pixel& pixel = pixels_[film_pixel(image.positions[path], width_, height_)];
-        pixel.sum +=
-            double(luminance_of(image.radiance, path)) + double(luminance_of(photons, path));
-        ++pixel.paths;
+    for (const PixelLuminance& path : seen) {
+        pixels_[path.pixel].sum += path.luminance;
+        ++pixels_[path.pixel].paths;
     }
-    for (std::size_t i = 0; i < image.visible_points.size(); ++i) {
-        const float brought = luminance_of(flux.flux, i);
-        if (!(brought > 0)) continue;
-        const std::size_t path = image.visible_points[i].sample;
-        const float share = luminance_of(photons, path) / brought;
-        Pixel& pixel = pixels_[film_pixel(image.positions[path], width_, height_)];
-        pixel.variance += share * share * flux.squares[i];
-    }
+    for (std::size_t i = 0; i < variances_.size(); ++i)
+        pixels_[seen[image.visible_points[i].sample].pixel].variance += variances_[i];
 }
 
 // Whatever is restored, it gives an estimate of noise at worst that is none.
@@ -72,7 +91,12 @@ void PassNoiseMeter::state(StateArchive& archive) {
 }
 
 std::size_t PassNoiseMeter::memory_bytes() const {
-    return (pixels_.capacity() + last_.capacity()) * sizeof(Pixel);
+    return (pixels_.capacity() + last_.capacity()) * sizeof(Pixel) +
+           variances_.capacity() * sizeof(float);
+}
+
+std::size_t PassNoiseMeter::memory_bound_bytes(std::size_t pixels, std::size_t eye_paths) {
+    return pixels * 2 * sizeof(Pixel) + eye_paths * kVectorGrowth * sizeof(float);
 }
 
 }  // namespace aips

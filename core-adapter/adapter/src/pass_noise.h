@@ -23,16 +23,18 @@ class PassNoiseMeter {
   public:
     PassNoiseMeter(std::uint32_t width, std::uint32_t height);
 
-    /// Noise of this pass and the last together; all zero after the first. `photons`: radiance that
-    /// they bring to each eye path and light group; `importance`: of earlier passes.
-    PassNoise add_pass(const EyeImage& image, std::span<const Rgb> photons, const PhotonFlux& flux,
+    /// Noise of this pass and the last together; all zero after the first. `seen`: what its eye
+    /// paths saw; `photons`: radiance that they bring to each eye path and light group;
+    /// `importance`: of earlier passes.
+    PassNoise add_pass(const EyeImage& image, std::span<const PixelLuminance> seen,
+                       std::span<const Rgb> photons, const PhotonFlux& flux,
                        std::uint64_t photon_paths, const PixelImportance& importance);
 
     /// Saves the last pass's pixels, or restores them into a new meter for the same film.
     void state(StateArchive& archive);
 
     std::size_t memory_bytes() const;
-    static std::size_t memory_bound_bytes(std::size_t pixels) { return pixels * 2 * sizeof(Pixel); }
+    static std::size_t memory_bound_bytes(std::size_t pixels, std::size_t eye_paths);
 
   private:
     /// Of one pass, so that single precision does for `variance`: of n eye paths in the pixel it
@@ -42,10 +44,19 @@ class PassNoiseMeter {
         float variance = 0;  // of the sum, the photons' part
         std::uint32_t paths = 0;
     };
-    void sum_pixels(const EyeImage& image, std::span<const Rgb> photons, const PhotonFlux& flux);
+    struct Differences {
+        double all = 0, of_photons = 0, photon_path = 0;  // weighed
+        double pixels = 0;                                // that were compared
+    };
+    void sum_pixels(const EyeImage& image, std::span<const PixelLuminance> seen,
+                    std::span<const Rgb> photons, const PhotonFlux& flux);
+    /// Sums of what pixels [first, last) differ by, for the present pass's `photon_paths`.
+    Differences compare(std::size_t first, std::size_t last, std::uint64_t photon_paths,
+                        const PixelImportance& importance) const;
 
     std::uint32_t width_, height_;
     std::vector<Pixel> pixels_, last_;  // [pixel] of this pass and the one before
+    std::vector<float> variances_;      // [visible point] of what photons bring: scratch
     std::uint64_t last_paths_ = 0;      // photon paths of the pass before
 };
 

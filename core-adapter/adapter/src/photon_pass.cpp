@@ -27,13 +27,14 @@ void PhotonPass::begin_pass(std::uint64_t pass, const PassPhotons& photons, floa
     const float reach = chained_ ? PhotonChains::reach(radii) : radii.reach();
     const bool reach_lasts = freezes_eye_pass(settings_.mode) && reach_ == reach;
     if (guide_ || adaptive_ || !reach_lasts) {
-        const std::vector<Vec3> positions = positions_of(image.visible_points);
-        if (!reach_lasts) mark_reach(positions, reach);
+        positions_.reserve(image.positions.size());
+        positions_of(image.visible_points, positions_);
+        if (!reach_lasts) mark_reach(positions_, reach);
         const Stopwatch watch(totals_.guide_seconds);
-        if (guide_) guide_->begin_pass(positions, image.positions.size());
-        if (scores_) scores_->begin_pass(image, positions, radii);
+        if (guide_) guide_->begin_pass(positions_, image.positions.size());
+        if (scores_) scores_->begin_pass(image, positions_, radii);
         if (adaptive_)
-            totals_.counts.rays += adaptive_->begin_pass(pass, time, image, positions, radii);
+            totals_.counts.rays += adaptive_->begin_pass(pass, time, image, positions_, radii);
     }
     if (chained_) chains_->begin_pass(photons.paths);
     if (bounces_) bounces_->begin_pass();
@@ -42,7 +43,7 @@ void PhotonPass::begin_pass(std::uint64_t pass, const PassPhotons& photons, floa
 }
 
 void PhotonPass::mark_reach(std::span<const Vec3> visible_points, float radius) {
-    occupancy_.build(visible_points, radius);
+    occupancy_.build(visible_points, radius, tbb_for);
     if (chained_) chains_->mark_reach(visible_points, radius);
     reach_ = radius;
 }
@@ -174,8 +175,8 @@ void PhotonPass::state_of_seconds(StateArchive& archive) {
 }
 
 std::size_t PhotonPass::memory_bytes() const {
-    return tracer_.memory_bytes() + waiting_.memory_bytes() + iteration_.memory_bytes() +
-           grid_.memory_bytes() + occupancy_.memory_bytes() +
+    return positions_.capacity() * sizeof(Vec3) + tracer_.memory_bytes() + waiting_.memory_bytes() +
+           iteration_.memory_bytes() + grid_.memory_bytes() + occupancy_.memory_bytes() +
            (volume_ ? volume_->memory_bytes() : 0) + (chains_ ? chains_->memory_bytes() : 0) +
            (bounces_ ? bounces_->memory_bytes() : 0) + (scores_ ? scores_->memory_bytes() : 0) +
            (adaptive_ ? adaptive_->memory_bytes() + log_.memory_bytes() : 0);

@@ -81,6 +81,7 @@ class PhotonPass {
     const Settings& settings_;
     Guide* guide_;
     DiscreteDistribution light_choice_;
+    std::vector<Vec3> positions_;  // of the visible points, if something asks for them
     OccupancyGrid occupancy_;
     float reach_ = 0;  // radius that the visible points are marked for; 0 before the first pass
     std::optional<PhotonChains> chains_;  // if some pass may use them

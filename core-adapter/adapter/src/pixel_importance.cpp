@@ -4,8 +4,10 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 #include "film_pixel.h"
+#include "parallel_for.h"
 
 namespace aips {
 namespace {
@@ -13,6 +15,8 @@ namespace {
 /// Half width of the box that is blurred over, pixels: in the first passes, when photons are few, a
 /// wide one.
 constexpr int kFirstBlur = 12, kLastBlur = 2;
+/// Rows or columns that one job blurs over.
+constexpr std::size_t kLinesPerJob = 32;
 
 /// Sums of sliding windows along a line of `count` values, `stride` apart, of ratios' parts. What a
 /// bright value leaves behind by rounding, 2^-53 of it, is far below what counts as dark
@@ -42,12 +46,10 @@ PixelImportance::PixelImportance(std::uint32_t width, std::uint32_t height)
     blurred_.assign(pixels, 0.0f);
 }
 
-void PixelImportance::add_pass(const EyeImage& image, std::span<const Rgb> photons) {
-    for (std::size_t i = 0; i < image.positions.size(); ++i) {
-        const std::size_t at = film_pixel(image.positions[i], width_, height_);
-        sum_[at] += double(luminance_over_groups(image.radiance, i, image.groups)) +
-                    double(luminance_over_groups(photons, i, image.groups));
-        count_[at] += 1;
+void PixelImportance::add_pass(std::span<const PixelLuminance> seen) {
+    for (const PixelLuminance& path : seen) {
+        sum_[path.pixel] += path.luminance;
+        count_[path.pixel] += 1;
     }
     ++passes_;
     estimate();
@@ -66,11 +68,14 @@ void PixelImportance::estimate() {
 void PixelImportance::blur() {
     const int radius = std::max(kLastBlur, int(kFirstBlur / std::sqrt(double(passes_))));
     const auto box = [&](const std::vector<double>& from) {
-        for (std::uint32_t y = 0; y < height_; ++y)
-            sum_windows(&from[std::size_t{y} * width_], &column_[std::size_t{y} * width_],
-                        int(width_), 1, radius);
-        for (std::uint32_t x = 0; x < width_; ++x)
-            sum_windows(&column_[x], &window_[x], int(height_), std::ptrdiff_t(width_), radius);
+        in_chunks(height_, kLinesPerJob, tbb_for, [&](std::size_t first, std::size_t last) {
+            for (std::size_t y = first; y < last; ++y)
+                sum_windows(&from[y * width_], &column_[y * width_], int(width_), 1, radius);
+        });
+        in_chunks(width_, kLinesPerJob, tbb_for, [&](std::size_t first, std::size_t last) {
+            for (std::size_t x = first; x < last; ++x)
+                sum_windows(&column_[x], &window_[x], int(height_), std::ptrdiff_t(width_), radius);
+        });
     };
     box(count_);
     std::transform(window_.begin(), window_.end(), blurred_.begin(),
@@ -96,13 +101,14 @@ void PixelImportance::state(StateArchive& archive) {
 double PixelImportance::weigh(const EyeImage& image, std::vector<float>& weights) const {
     weights.assign(image.visible_points.size(), kUnknownWeight);
     if (!(mean_ > 0) || weights.empty()) return 1;
-    double sum = 0;
-    for (std::size_t i = 0; i < weights.size(); ++i) {
-        const Vec2 position = image.positions[image.visible_points[i].sample];
-        weights[i] = weight(film_pixel(position, width_, height_));
-        sum += double(weights[i]);
-    }
-    const double mean = sum / double(weights.size());
+    in_chunks(weights.size(), kItemsPerJob, tbb_for, [&](std::size_t first, std::size_t last) {
+        for (std::size_t i = first; i < last; ++i) {
+            const Vec2 position = image.positions[image.visible_points[i].sample];
+            weights[i] = weight(film_pixel(position, width_, height_));
+        }
+    });
+    const double mean =
+        std::accumulate(weights.begin(), weights.end(), 0.0) / double(weights.size());
     for (float& w : weights)
         w = within_floats(double(w) / mean);
     return mean;

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "eye_pass.h"
+#include "pixel_luminance.h"
 
 namespace aips {
 
@@ -22,9 +23,8 @@ class PixelImportance {
   public:
     PixelImportance(std::uint32_t width, std::uint32_t height);
 
-    /// Adds a pass: what its eye paths saw, and what photons brought them, one entry per eye path
-    /// and light group.
-    void add_pass(const EyeImage& image, std::span<const Rgb> photons);
+    /// Adds a pass: what its eye paths saw.
+    void add_pass(std::span<const PixelLuminance> seen);
 
     /// [visible point]: weight of a squared error of luminance there, over the mean of all, so that
     /// scores of all passes have one scale, whatever the scene's units and however dark the image

@@ -58,10 +58,8 @@ void CellSort::count_partitions(std::span<const Vec3> points, const ParallelFor&
     const std::uint32_t partitions = partition_count();
     bucket_.resize(points.size());
     cursor_.assign(std::size_t(chunk_count(points.size())) * partitions, 0);
-    parallel(chunk_count(points.size()), [&](std::uint32_t chunk) {
-        std::uint32_t* count = &cursor_[std::size_t(chunk) * partitions];
-        const std::size_t first = chunk * kChunkPoints;
-        const std::size_t last = std::min(first + kChunkPoints, points.size());
+    in_chunks(points.size(), kChunkPoints, parallel, [&](std::size_t first, std::size_t last) {
+        std::uint32_t* count = &cursor_[first / kChunkPoints * partitions];
         for (std::size_t i = first; i < last; ++i) {
             const Vec3 p = points[i];
             bucket_[i] = is_finite(p) ? bucket(cells_.cell(p)) : kNoBucket;
@@ -93,10 +91,8 @@ void CellSort::scan_partitions() {
 
 void CellSort::scatter_keys(const ParallelFor& parallel) {
     const std::uint32_t partitions = partition_count();
-    parallel(chunk_count(bucket_.size()), [&](std::uint32_t chunk) {
-        std::uint32_t* next = &cursor_[std::size_t(chunk) * partitions];
-        const std::size_t first = chunk * kChunkPoints;
-        const std::size_t last = std::min(first + kChunkPoints, bucket_.size());
+    in_chunks(bucket_.size(), kChunkPoints, parallel, [&](std::size_t first, std::size_t last) {
+        std::uint32_t* next = &cursor_[first / kChunkPoints * partitions];
         for (std::size_t i = first; i < last; ++i) {
             if (bucket_[i] == kNoBucket) continue;
             keys_[next[bucket_[i] >> partition_shift_]++] = {bucket_[i],

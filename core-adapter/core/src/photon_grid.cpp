@@ -1,21 +1,10 @@
 // Copies of landings in the order of their cells.
 #include "aips/core/photon_grid.h"
 
-#include <algorithm>
-
 namespace aips {
 namespace {
 
 constexpr std::size_t kChunk = std::size_t(1) << 14;
-
-/// Runs work(first, last) over [0, count) in chunks.
-template <class Work>
-void in_chunks(std::size_t count, const ParallelFor& parallel, Work work) {
-    parallel(static_cast<std::uint32_t>((count + kChunk - 1) / kChunk), [&](std::uint32_t chunk) {
-        const std::size_t first = chunk * kChunk;
-        work(first, std::min(first + kChunk, count));
-    });
-}
 
 }  // namespace
 
@@ -24,13 +13,13 @@ void LandingGrid::build(std::span<const Landing> landings, float radius,
     positions_.reserve(rounded_capacity(landings.size()));
     photons_.reserve(rounded_capacity(landings.size()));
     positions_.resize(landings.size());
-    in_chunks(landings.size(), parallel, [&](std::size_t first, std::size_t last) {
+    in_chunks(landings.size(), kChunk, parallel, [&](std::size_t first, std::size_t last) {
         for (std::size_t i = first; i < last; ++i)
             positions_[i] = landings[i].position;
     });
     cells_.build(positions_, radius, parallel);
     photons_.resize(cells_.size());
-    in_chunks(photons_.size(), parallel, [&](std::size_t first, std::size_t last) {
+    in_chunks(photons_.size(), kChunk, parallel, [&](std::size_t first, std::size_t last) {
         for (std::size_t slot = first; slot < last; ++slot) {
             const std::uint32_t i = cells_.order()[slot];
             photons_[slot] = grid_photon(landings[i], i);

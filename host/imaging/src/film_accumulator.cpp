@@ -290,13 +290,17 @@ Rgb FilmAccumulator::resolve(std::size_t pixel, std::uint32_t first_group,
 }
 
 void FilmAccumulator::resolve_group(std::uint32_t group, std::span<Rgb> image) const {
-    for (std::size_t i = 0; i < image.size(); ++i)
-        image[i] = resolve(i, group, group + 1);
+    resolve_groups(group, group + 1, image);
 }
 
 void FilmAccumulator::resolve_total(std::span<Rgb> image) const {
-    for (std::size_t i = 0; i < image.size(); ++i)
-        image[i] = resolve(i, 0, groups_);
+    resolve_groups(0, groups_, image);
+}
+
+void FilmAccumulator::resolve_groups(std::uint32_t first_group, std::uint32_t end_group,
+                                     std::span<Rgb> image) const {
+    tbb::parallel_for(std::size_t{0}, image.size(),
+                      [&](std::size_t i) { image[i] = resolve(i, first_group, end_group); });
 }
 
 std::size_t FilmAccumulator::memory_bytes() const {

@@ -78,6 +78,8 @@ class FilmAccumulator {
     void convert(std::span<double> colors) const;
     double filter_on_film(std::uint32_t x, std::uint32_t y) const;
     Rgb resolve(std::size_t pixel, std::uint32_t first_group, std::uint32_t end_group) const;
+    void resolve_groups(std::uint32_t first_group, std::uint32_t end_group,
+                        std::span<Rgb> image) const;
 
     std::uint32_t width_, height_, groups_;
     PixelFilter filter_;

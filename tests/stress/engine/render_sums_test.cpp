@@ -126,7 +126,7 @@ TEST(StressSums, LuminanceOfAPixel) {
             const float value = pass == 0 ? kTerm : 3 * kTerm;
             radiance.assign(kPaths, {value, value, value});
         }
-        importance.add_pass(image, radiance);
+        importance.add_pass(mock::seen_pixels(image, radiance, 1, 1));
     }
     // 1 / (L^2 + eps^2), L being the mean.
     const double weight = double(importance.weight(0));
@@ -150,7 +150,8 @@ TEST(StressSums, EyePathsOfOnePass) {
     PhotonFlux none;
     PassNoise noise;
     for (const float value : {kTerm, kTerm * 1.01f}) {
-        noise = meter.add_pass(image, std::vector<Rgb>(paths, {value, value, value}), none, 1,
+        const std::vector<Rgb> photons(paths, {value, value, value});
+        noise = meter.add_pass(image, mock::seen_pixels(image, photons, 1, 1), photons, none, 1,
                                importance);
     }
     const double difference = double(luminance({kTerm * 1.01f, kTerm * 1.01f, kTerm * 1.01f})) -

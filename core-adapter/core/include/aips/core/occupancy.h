@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "aips/core/cell_hash.h"
+#include "aips/core/parallel.h"
 
 namespace aips {
 
@@ -16,8 +17,9 @@ namespace aips {
 class OccupancyGrid {
   public:
     /// Marks what lies within `radius` of any of the points; reuses the memory. Points that are
-    /// not finite are left out.
-    void build(std::span<const Vec3> points, float radius);
+    /// not finite are left out. The result is the same for every `parallel`.
+    void build(std::span<const Vec3> points, float radius,
+               const ParallelFor& parallel = serial_for);
 
     /// Never false when a visible point lies within the radius of `p`; false if `p` is not finite.
     bool near_visible_point(Vec3 p) const {

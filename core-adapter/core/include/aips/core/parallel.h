@@ -1,6 +1,8 @@
 // How the core runs independent jobs: it has no threads of its own, its caller may lend some.
 #pragma once
 
+#include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 
@@ -17,6 +19,15 @@ using ParallelFor = std::function<void(std::uint32_t count, const Job& job)>;
 inline void serial_for(std::uint32_t count, const Job& job) {
     for (std::uint32_t i = 0; i < count; ++i)
         job(i);
+}
+
+/// Runs work(first, last) over [0, count) in chunks of `chunk`, fewer than 2^32 of them.
+template <class Work>
+void in_chunks(std::size_t count, std::size_t chunk, const ParallelFor& parallel, Work&& work) {
+    parallel(static_cast<std::uint32_t>((count + chunk - 1) / chunk), [&](std::uint32_t i) {
+        const std::size_t first = i * chunk;
+        work(first, std::min(first + chunk, count));
+    });
 }
 
 }  // namespace aips

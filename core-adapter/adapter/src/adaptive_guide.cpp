@@ -82,10 +82,10 @@ std::uint32_t AdaptiveGuide::log_one_of() const {
     return paths_ < kEagerPaths ? kEagerOneOf : kOneOf;
 }
 
-void AdaptiveGuide::learn(const PathLog& log, std::span<const Landing> landings,
-                          std::uint32_t paths) {
+std::uint64_t AdaptiveGuide::learn(const PathLog& log, std::span<const Landing> landings,
+                                   std::uint32_t paths) {
     paths_ += paths;
-    if (!awake()) return;
+    if (!awake()) return 0;
     worths_.measure(log, landings, score_landings(log, landings));
     // In paths that were scored: one in how many that is changes, and would change the scale.
     const auto scored = double(log.paths.size());
@@ -102,6 +102,7 @@ void AdaptiveGuide::learn(const PathLog& log, std::span<const Landing> landings,
     }
     if (survival()) survival_->set_reference(path_means_.cost_over_score());
     path_means_.update(scored);
+    return log.paths.size() + log.vertices.size() + scored_.size();
 }
 
 std::span<const double> AdaptiveGuide::score_landings(const PathLog& log,

@@ -50,7 +50,8 @@ class AdaptiveGuide {
         return bounces_rest_.awake() && bounces_ ? &*bounces_ : nullptr;
     }
     /// Learns from the logged ones of `paths` photon paths, whose landings are among `landings`.
-    void learn(const PathLog& log, std::span<const Landing> landings, std::uint32_t paths);
+    /// Returns how many paths, vertices and landings it learned from.
+    std::uint64_t learn(const PathLog& log, std::span<const Landing> landings, std::uint32_t paths);
 
     /// Between passes: saves what was learned, or restores it into a new guide; what a pass begins
     /// with is made anew by begin_pass().

@@ -9,10 +9,7 @@
 namespace aips {
 
 PassNoiseMeter::PassNoiseMeter(std::uint32_t width, std::uint32_t height)
-    : width_(width),
-      height_(height),
-      pixels_(std::size_t{width} * height),
-      last_(std::size_t{width} * height) {}
+    : pixels_(std::size_t{width} * height), last_(std::size_t{width} * height) {}
 
 PassNoise PassNoiseMeter::add_pass(const EyeImage& image, std::span<const PixelLuminance> seen,
                                    std::span<const Rgb> photons, const PhotonFlux& flux,

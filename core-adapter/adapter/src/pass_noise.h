@@ -54,7 +54,6 @@ class PassNoiseMeter {
     Differences compare(std::size_t first, std::size_t last, std::uint64_t photon_paths,
                         const PixelImportance& importance) const;
 
-    std::uint32_t width_, height_;
     std::vector<Pixel> pixels_, last_;  // [pixel] of this pass and the one before
     std::vector<float> variances_;      // [visible point] of what photons bring: scratch
     std::uint64_t last_paths_ = 0;      // photon paths of the pass before

@@ -7,7 +7,7 @@ namespace {
 
 constexpr double kEyeRay = 1.1, kEyePath = 1.2;
 constexpr double kRay = 0.8, kBounce = 0.8, kGathered = 0.6;
-constexpr double kGuidedEmission = 0.8, kGuidedBounce = 1.8;
+constexpr double kGuidedEmission = 0.8, kGuidedBounce = 1.8, kLearned = 0.65;
 
 }  // namespace
 
@@ -20,7 +20,8 @@ PassWork pass_work(std::uint64_t eye_paths, std::uint64_t eye_rays, const Photon
                 kBounce * difference(first.bounces, last.bounces) +
                 kGuidedEmission * difference(first.guided_emissions, last.guided_emissions) +
                 kGuidedBounce * difference(first.guided_bounces, last.guided_bounces) +
-                kGathered * difference(before.gathered, after.gathered)};
+                kGathered * difference(before.gathered, after.gathered) +
+                kLearned * difference(before.learned, after.learned)};
 }
 
 }  // namespace aips

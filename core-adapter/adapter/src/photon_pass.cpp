@@ -125,7 +125,7 @@ void PhotonPass::trace(const PhotonInput& input, const PassPhotons& photons, std
 void PhotonPass::learn(std::uint32_t paths) {
     const Stopwatch watch(totals_.guide_seconds);
     if (adaptive_) {
-        adaptive_->learn(log_, waiting_.landings(), paths);
+        totals_.learned += adaptive_->learn(log_, waiting_.landings(), paths);
         log_.clear();
     }
     if (!guide_) return;

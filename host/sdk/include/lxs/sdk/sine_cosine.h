@@ -30,7 +30,7 @@ inline SineCosine<double> sine_cosine_of_octant(double x) {
 
 /// Of 2 pi u, for u in [0, 1]; off by less than 2e-7.
 inline SineCosine<float> sine_cosine_of_turn(float u) {
-    const int quarter = static_cast<int>(4 * u + 0.5f);
+    const int quarter = (static_cast<int>(8 * u) + 1) / 2;  // the nearest
     const auto [s, c] = sine_cosine_of_octant((u - 0.25f * static_cast<float>(quarter)) *
                                               (2 * std::numbers::pi_v<float>));
     const SineCosine<float> swapped =

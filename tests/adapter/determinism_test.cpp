@@ -40,6 +40,30 @@ TEST_P(Determinism, SeedsDiffer) {
     EXPECT_NE(image_with(2, GetParam(), 11), image_with(2, GetParam(), 12));
 }
 
+/// With more eye paths and pixels than one job takes, and photons per pass that follow the noise.
+mock::Rendering rendering_of_many_jobs(unsigned threads, GuideKind guide) {
+    constexpr std::uint32_t kWidth = 80, kHeight = 60;
+    const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
+    const mock::View view = mock::half_mirror_view(kWidth, kHeight);
+    Settings settings = mock::small_settings(13, 0);
+    settings.guide = guide;
+    // One more than it takes to choose.
+    const std::uint32_t passes = guide == GuideKind::None ? 5 : 9;
+    return mock::render(view.scene, view.camera, kWidth, kHeight, settings, passes);
+}
+
+TEST(DeterminismOfChoices, SameBitsForAnyNumberOfThreadsOfManyJobs) {
+    for (const GuideKind guide : {GuideKind::None, GuideKind::Adaptive}) {
+        const auto one = rendering_of_many_jobs(1, guide);
+        EXPECT_NE(one.statistics.photon_paths % one.statistics.passes, 0u) << "no choice was made";
+        for (const unsigned threads : {2u, 7u}) {
+            const auto many = rendering_of_many_jobs(threads, guide);
+            EXPECT_EQ(one.film.image(), many.film.image());
+            EXPECT_EQ(one.statistics.photons_per_pass, many.statistics.photons_per_pass);
+        }
+    }
+}
+
 TEST(DeterminismOfScores, SameBitsForAnyNumberOfThreadsWithTheImagesError) {
     const auto image = [](unsigned threads, CriterionKind criterion) {
         return image_with(threads, GuideKind::Paper, 11, Mode::Progressive, criterion);

@@ -131,8 +131,19 @@ TEST(PassNoise, BlackPassesHaveNone) {
 }
 
 TEST(PassNoise, MemoryIsBounded) {
-    const PassNoiseMeter meter(kWidth, kHeight);
-    EXPECT_LE(meter.memory_bytes(), PassNoiseMeter::memory_bound_bytes(kWidth * kHeight, 0));
+    const EyeImage image = eye_image();
+    const std::size_t paths = image.positions.size();
+    PassNoiseMeter meter(kWidth, kHeight);
+    const PixelImportance importance(kWidth, kHeight);
+    PhotonFlux flux;
+    flux.reset(paths, 1);
+    EXPECT_GT(meter.memory_bytes(), 0u);
+    for (int pass = 0; pass < 3; ++pass) {
+        meter.add_pass(image, mock::seen_pixels(image, image.radiance, kWidth, kHeight),
+                       image.radiance, flux, 1000, importance);
+    }
+    EXPECT_GE(meter.memory_bytes(), paths * sizeof(float));
+    EXPECT_LE(meter.memory_bytes(), PassNoiseMeter::memory_bound_bytes(kWidth * kHeight, paths));
 }
 
 }  // namespace

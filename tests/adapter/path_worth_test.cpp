@@ -11,7 +11,7 @@ namespace {
 
 using namespace aips;
 
-/// Paths with landings of the scores 1, 2, 4, ... in their order.
+/// Paths with landings of the scores 1, 2, 4, ... 128, 1, 2, ... in their order.
 class PathWorth : public ::testing::Test {
   protected:
     /// A path that met surfaces at the depths 1, 2, ... by a ray each and landed on all of them. At
@@ -26,7 +26,7 @@ class PathWorth : public ::testing::Test {
             Landing landing;
             landing.depth = std::uint16_t(depth);
             landings_.push_back(landing);
-            scores_.push_back(std::ldexp(1.0, int(scores_.size())));
+            scores_.push_back(std::ldexp(1.0, int(scores_.size() % 8)));
             if (depth == path.landings) continue;
             PathVertex vertex;
             vertex.depth = vertex.rays = depth;
@@ -83,11 +83,18 @@ TEST_F(PathWorth, OfEachPathByItself) {
     expect_worth(worths_.vertices()[0], 2, 1, 1);
 }
 
-TEST_F(PathWorth, MemoryIsBounded) {
-    constexpr std::size_t kPaths = 500, kDepth = 7;
+// More than one job takes.
+TEST_F(PathWorth, OfManyPathsInLittleMemory) {
+    constexpr std::size_t kPaths = 600, kDepth = 7;
     for (std::size_t i = 0; i < kPaths; ++i)
         add_path(std::vector<float>(kDepth, 1));
     measure();
+    ASSERT_EQ(worths_.paths().size(), kPaths);
+    for (std::size_t i = 0; i < kPaths; ++i) {
+        expect_worth(worths_.paths()[i], 255, kEmissionCost + 8, 8);
+        expect_worth(worths_.vertices()[i * kDepth], 254, 7, 7);
+        expect_worth(worths_.vertices()[i * kDepth + 6], 128, 1, 1);
+    }
     EXPECT_LE(worths_.memory_bytes(), PathWorths::memory_bound_bytes(kPaths, kDepth));
 }
 

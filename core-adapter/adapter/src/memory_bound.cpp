@@ -35,11 +35,11 @@ std::size_t visible_point_bytes(const Scene& scene, std::size_t paths) {
     const std::size_t groups = scene.light_groups();
     // Flux, its photons and squares, and radiance.
     const std::size_t estimate = 2 * groups * sizeof(Rgb) + sizeof(std::uint32_t) + sizeof(float);
-    // While blocks are joined, their visible points exist twice; positions are copied for grids.
-    const std::size_t transient = kVectorGrowth * sizeof(VisiblePoint) + sizeof(Vec3);
+    // While blocks are joined, their visible points exist twice.
+    const std::size_t transient = kVectorGrowth * sizeof(VisiblePoint);
     const std::size_t footprints = 2 * kVectorGrowth * sizeof(float);
-    return paths * (sizeof(VisiblePoint) + scene.facts().max_bsdf_bytes + estimate + transient +
-                    footprints);
+    return paths * (sizeof(VisiblePoint) + sizeof(Vec3) + scene.facts().max_bsdf_bytes + estimate +
+                    transient + footprints);
 }
 
 /// Most landings of an iteration.

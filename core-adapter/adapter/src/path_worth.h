@@ -25,7 +25,7 @@ struct Worth {
 class PathWorths {
   public:
     /// `landings`: the store beside the log; `scores`: of the logged paths' landings, path after
-    /// path.
+    /// path, which stay as they are as long as scores() is asked for.
     void measure(const PathLog& log, std::span<const Landing> landings,
                  std::span<const double> scores);
 

@@ -19,7 +19,7 @@ namespace aips {
 struct PhotonPassTotals {
     PhotonCounts counts;
     std::uint64_t gathered = 0;
-    std::uint64_t learned = 0;  ///< paths, their vertices and landings that a guide learned from
+    std::uint64_t learned = 0;  ///< paths, vertices and landings that guide=adaptive learned from
     double photon_seconds = 0, gather_seconds = 0, guide_seconds = 0;
 };
 

@@ -27,8 +27,9 @@ struct PassPhotons {
 
 /// Work of a pass, counted and not measured: bits do not depend on clocks. Any unit.
 struct PassWork {
-    double eye = 0;      ///< independent of the number of photons
-    double photons = 0;  ///< proportional to it
+    double eye = 0;  ///< independent of the number of photons
+    /// Proportional to it; what a guide learns from, a part of it, becomes less with time.
+    double photons = 0;
 };
 
 class PhotonSchedule {

@@ -143,7 +143,7 @@ TEST(PassNoise, MemoryIsBounded) {
                        image.radiance, flux, 1000, importance);
     }
     EXPECT_GE(meter.memory_bytes(), paths * sizeof(float));
-    EXPECT_LE(meter.memory_bytes(), PassNoiseMeter::memory_bound_bytes(kWidth * kHeight, paths));
+    EXPECT_LE(meter.memory_bytes(), PassNoiseMeter::memory_bound_bytes(paths, paths));
 }
 
 }  // namespace

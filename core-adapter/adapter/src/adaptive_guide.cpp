@@ -125,30 +125,27 @@ void AdaptiveGuide::learn_emission(const PathLog& log, double scored) {
     emission_.update(scored);
 }
 
-// A path's vertices from its end to its start.
-void AdaptiveGuide::learn_survival(const PathLog& log, double scored) {
+template <class Visit>
+void AdaptiveGuide::for_each_vertex(const PathLog& log, const Visit& visit) const {
     for (const PathRecord& path : log.paths) {
         for (std::uint32_t v = path.first_vertex + path.vertices; v-- > path.first_vertex;) {
-            const PathVertex& vertex = log.vertices[v];
-            const Worth& worth = worths_.vertices()[v];
-            const double power = double(vertex.power);
-            if (!(power > 0)) continue;
-            cache_->add(
-                {vertex.position, vertex.normal, worth.score / (power * power), worth.cost});
+            if (log.vertices[v].power > 0) visit(log.vertices[v], worths_.vertices()[v]);
         }
     }
+}
+
+void AdaptiveGuide::learn_survival(const PathLog& log, double scored) {
+    for_each_vertex(log, [&](const PathVertex& vertex, const Worth& worth) {
+        const double power = double(vertex.power);
+        cache_->add({vertex.position, vertex.normal, worth.score / (power * power), worth.cost});
+    });
     cache_->update(scored);
 }
 
 void AdaptiveGuide::learn_bounces(const PathLog& log, double scored) {
-    for (const PathRecord& path : log.paths) {
-        for (std::uint32_t v = path.first_vertex + path.vertices; v-- > path.first_vertex;) {
-            const Worth& worth = worths_.vertices()[v];
-            if (log.vertices[v].power > 0) {
-                bounces_->add(log.vertices[v], worth.score, worth.cost);
-            }
-        }
-    }
+    for_each_vertex(log, [&](const PathVertex& vertex, const Worth& worth) {
+        bounces_->add(vertex, worth.score, worth.cost);
+    });
     bounces_->update(scored);
 }
 

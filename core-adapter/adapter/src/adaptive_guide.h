@@ -88,6 +88,10 @@ class AdaptiveGuide {
     std::uint64_t seed(std::uint64_t pass, float time, const EyeImage& image);
     /// Of the logged paths' landings, path after path.
     std::span<const double> score_landings(const PathLog& log, std::span<const Landing> landings);
+    /// Calls visit(vertex, worth) for each that a photon of some power went on from, path by path,
+    /// in each from its end to its start.
+    template <class Visit>
+    void for_each_vertex(const PathLog& log, const Visit& visit) const;
     // From the paths in worths_, of which there are `scored`.
     void learn_emission(const PathLog& log, double scored);
     void learn_survival(const PathLog& log, double scored);

@@ -5,8 +5,9 @@
 
 #include <cmath>
 #include <limits>
-#include <random>
+#include <utility>
 
+#include "film_samples.h"
 #include "filter_integral.h"
 #include "lxs/imaging/imaging.h"
 #include "scene_options.h"
@@ -56,17 +57,8 @@ Splats even_splats(const Film& film, int fine, const Rgb& radiance) {
 }
 
 Splats random_splats(const Film& film, std::size_t count, unsigned seed) {
-    std::mt19937 generator(seed);
-    std::uniform_real_distribution<float> x(0, static_cast<float>(film.width()));
-    std::uniform_real_distribution<float> y(0, static_cast<float>(film.height()));
-    std::uniform_real_distribution<float> unit(0, 1);
-    Splats splats;
-    for (std::size_t i = 0; i < count; ++i) {
-        splats.positions.emplace_back(x(generator), y(generator));
-        for (std::uint32_t g = 0; g < film.light_groups(); ++g)
-            splats.radiance.emplace_back(unit(generator));
-    }
-    return splats;
+    Samples samples = random_samples(film, count, seed, [](float unit) { return Rgb(unit); });
+    return {std::move(samples.positions), std::move(samples.radiance)};
 }
 
 double sum_of(const std::vector<Rgb>& image) {

@@ -8,6 +8,11 @@ namespace {
 
 using namespace aips;
 
+/// Two of the primary coordinates from `first` on; the scenes are small enough for their rounding.
+Vec2 pair(const PrimaryPoint& u, std::size_t first) {
+    return {clamp_to_unit(float(u[first])), clamp_to_unit(float(u[first + 1]))};
+}
+
 /// A point on an emitting surface and its front normal.
 struct SurfaceSample {
     Vec3 position, normal;
@@ -24,9 +29,9 @@ class DiffuseAreaLight : public Light {
     bool at_infinity() const override { return false; }
     Rgb escaped(Vec3) const override { return {}; }
 
-    bool emit(const std::array<float, 4>& u, Emission& emission) const override {
-        const SurfaceSample s = point({u[0], u[1]});
-        const Vec3 d = Frame(s.normal).to_world(square_to_cosine_hemisphere({u[2], u[3]}));
+    bool emit(const PrimaryPoint& u, Emission& emission) const override {
+        const SurfaceSample s = point(pair(u, 0));
+        const Vec3 d = Frame(s.normal).to_world(square_to_cosine_hemisphere(pair(u, 2)));
         emission.ray = {s.position + s.normal * (1e-5f * std::sqrt(area_)), d, 0, nullptr};
         emission.power = radiance_ * (kPi * area_);
         return true;
@@ -45,7 +50,7 @@ class DiffuseAreaLight : public Light {
         return at ? density(at->geometric_normal, wi, length(at->position - from.position)) : 0;
     }
     bool emission_coordinates(const SurfacePoint& towards, const DirectSample& sample,
-                              std::array<float, 4>& u) const override {
+                              PrimaryPoint& u) const override {
         const Vec2 start = coordinates(towards.position + sample.wi * sample.distance);
         // Aimed from where the rounded coordinates lead, the ray still goes through the point.
         const SurfaceSample s = point(start);
@@ -115,8 +120,8 @@ class PointLight final : public Light {
     float power() const override { return 4 * kPi * luminance(intensity_); }
     bool at_infinity() const override { return false; }
     Rgb escaped(Vec3) const override { return {}; }
-    bool emit(const std::array<float, 4>& u, Emission& emission) const override {
-        emission.ray = {position_, square_to_uniform_sphere({u[2], u[3]}), 0, nullptr};
+    bool emit(const PrimaryPoint& u, Emission& emission) const override {
+        emission.ray = {position_, square_to_uniform_sphere(pair(u, 2)), 0, nullptr};
         emission.power = intensity_ * (4 * kPi);
         return true;
     }
@@ -132,7 +137,7 @@ class PointLight final : public Light {
     }
     float pdf_direct(const SurfacePoint&, Vec3, const SurfacePoint*) const override { return 0; }
     bool emission_coordinates(const SurfacePoint&, const DirectSample& sample,
-                              std::array<float, 4>& u) const override {
+                              PrimaryPoint& u) const override {
         const Vec2 direction = uniform_sphere_to_square(-sample.wi);
         u[2] = direction.x, u[3] = direction.y;
         return true;
@@ -157,9 +162,9 @@ class DistantLight final : public Light {
     float power() const override { return luminance(radiance_) * solid_angle() * disk_area(); }
     bool at_infinity() const override { return true; }
     Rgb escaped(Vec3 direction) const override { return inside(direction) ? radiance_ : Rgb{}; }
-    bool emit(const std::array<float, 4>& u, Emission& emission) const override {
-        const Vec3 d = -towards({u[0], u[1]});
-        const Vec2 disk = square_to_concentric_disk({u[2], u[3]});
+    bool emit(const PrimaryPoint& u, Emission& emission) const override {
+        const Vec3 d = -towards(pair(u, 0));
+        const Vec2 disk = square_to_concentric_disk(pair(u, 2));
         const Vec3 offset = Frame(d).to_world({disk.x * radius_, disk.y * radius_, -radius_});
         emission.ray = {center_ + offset, d, 0, nullptr};
         emission.power = radiance_ * (solid_angle() * disk_area());
@@ -176,7 +181,7 @@ class DistantLight final : public Light {
         return inside(wi) ? 1 / solid_angle() : 0;
     }
     bool emission_coordinates(const SurfacePoint& point, const DirectSample& sample,
-                              std::array<float, 4>& u) const override {
+                              PrimaryPoint& u) const override {
         const Vec3 w = frame_.to_local(sample.wi);
         if (!inside(sample.wi)) return false;
         const Vec2 sphere = uniform_sphere_to_square(w);

@@ -19,6 +19,11 @@ namespace lxs {
 inline constexpr std::array<double, 2> kSceneRed{0.64, 0.33}, kSceneGreen{0.30, 0.60},
     kSceneBlue{0.15, 0.06}, kSceneWhite{0.313334, 0.329235};
 
+/// Luminance, cd m^-2, of a flat spectrum of 1 W m^-2 sr^-1 nm^-1: 683 lm/W times the integral of
+/// the eye's sensitivity. A light's L that is given as a spectrum is radiometric, one that is given
+/// as a colour is photometric.
+inline constexpr float kLuminanceOfFlatSpectrum = 683 * 106.857f;
+
 /// White, cyan, magenta, yellow, red, green, blue.
 inline constexpr std::size_t kColourBases = 7;
 

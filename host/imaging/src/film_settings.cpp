@@ -136,16 +136,12 @@ std::string read_base_name(const ParameterReader& reader) {
 
 std::optional<Imath::M33d> read_color_space(const ParameterReader& reader) {
     ColorSpace space;
-    bool differs = false;
-    std::string_view last;
+    std::string_view last = "colorspace_red";
     const auto read_one = [&](std::string_view name, std::array<double, 2>& value) {
         const auto given = reader.numbers(name);
         if (given.empty()) return;
         if (given.size() != value.size())
             reader.fail(name, fmt::format("{} takes 2 numbers, found {}", name, given.size()));
-        constexpr double kSame = 1e-3;
-        differs = differs || std::abs(given[0] - value[0]) >= kSame ||
-                  std::abs(given[1] - value[1]) >= kSame;
         std::copy(given.begin(), given.end(), value.begin());
         last = name;
     };
@@ -153,7 +149,7 @@ std::optional<Imath::M33d> read_color_space(const ParameterReader& reader) {
     read_one("colorspace_green", space.green);
     read_one("colorspace_blue", space.blue);
     read_one("colorspace_white", space.white);
-    if (!differs) return std::nullopt;
+    if (space == kSceneColors) return std::nullopt;
     try {
         return rgb_matrix(kSceneColors, space);
     } catch (const std::invalid_argument& error) {

@@ -1,13 +1,17 @@
 // Parameters that name a texture in ways of their own.
 #include "textures_by_name.h"
 
+#include "lxs/spectrum/rgb_spectra.h"
+
 namespace lxs {
 namespace {
 
+/// The L whose light has the texture's colour.
 Rgb light_at_origin(const ColorTexture& texture) {
     TexturePoint point;
     point.use = ColourUse::Light;
-    return texture.evaluate(point);
+    const Rgb colour = texture.evaluate(point);
+    return texture.spectrum() ? illuminant_of_colour(colour * kLuminanceOfFlatSpectrum) : colour;
 }
 
 }  // namespace

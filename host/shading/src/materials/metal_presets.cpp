@@ -4,6 +4,8 @@
 // amorphous carbon: Arakawa, Williams & Inagaki 1977, J. Appl. Phys. 48, 3176-3177.
 #include "metal_presets.h"
 
+#include <fmt/format.h>
+
 #include <span>
 #include <string>
 
@@ -84,8 +86,14 @@ FresnelValue read_metal_preset(const ParameterReader& reader, const AssetContext
     if (reader.given("filename") || name_is_file) {
         const std::string_view parameter = reader.given("filename") ? "filename" : "name";
         const SourceLocation& where = reader.where(parameter);
-        const std::string path = assets.resolve(reader.string(parameter, ""), where);
-        return rgb_constants(read_optical_table(path, OpticalFormat::Any, where));
+        try {
+            const std::string path = assets.resolve(reader.string(parameter, ""), where);
+            return rgb_constants(read_optical_table(path, OpticalFormat::Any, where));
+        } catch (const InputError& error) {
+            reader.diagnostics().fallback(error.where(), error.message(),
+                                          fmt::format("\"{}\" is used", kDefaultMetal));
+            return preset_constants(*find_preset(kDefaultMetal));
+        }
     }
     const Preset* preset = find_preset(name);
     if (!preset) warn_of_unknown_preset(reader, "name", "metal", kPresets, kDefaultMetal);

@@ -20,6 +20,7 @@ class SilentDiagnostics : public Diagnostics {
   public:
     void warning(const SourceLocation&, const std::string&) override {}
     void unknown_parameter(const SourceLocation&, const std::string&) override {}
+    void fallback(const SourceLocation&, const std::string&, const std::string&) override {}
 };
 
 std::uint32_t read_resolution(const ParameterReader& reader, std::string_view name,
@@ -65,11 +66,14 @@ FilmFrame read_frame(const ParameterReader& reader) {
     std::array<double, 4> crop{0, 1, 0, 1};
     if (reader.given("cropwindow")) {
         const auto values = reader.numbers("cropwindow");
-        if (values.size() != crop.size()) {
-            reader.fail("cropwindow",
-                        fmt::format("cropwindow takes 4 numbers, found {}", values.size()));
+        if (values.size() == crop.size()) {
+            std::copy(values.begin(), values.end(), crop.begin());
+        } else {
+            reader.diagnostics().fallback(
+                reader.where("cropwindow"),
+                fmt::format("cropwindow takes 4 numbers, found {}", values.size()),
+                "its default is used");
         }
-        std::copy(values.begin(), values.end(), crop.begin());
     }
     const auto columns = pixel_range(ordered(reader, crop[0], crop[1]), frame.x_resolution);
     const auto rows = pixel_range(ordered(reader, crop[2], crop[3]), frame.y_resolution);

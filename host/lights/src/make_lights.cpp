@@ -88,6 +88,34 @@ void make_by_name(const LightStatement& s, Lights& lights) {
     make_sky_lights(s, lights);
 }
 
+bool declares(const LightPlugin& plugin, std::string_view name) {
+    return std::any_of(plugin.parameters.begin(), plugin.parameters.end(),
+                       [&](const ParameterDeclaration& d) { return d.name == name; });
+}
+
+/// Whether the light can do with a value: one that names a missing file is reported.
+bool has_file(const ParameterValue& value, const AssetResolver& resolve, Diagnostics& diagnostics) {
+    const auto* names = std::get_if<std::vector<std::string>>(&value.values);
+    if (!names || names->size() != 1 || names->front().empty()) return true;
+    try {
+        resolve(names->front(), value.where);
+        return true;
+    } catch (const InputError& error) {
+        diagnostics.fallback(error.where(), error.message(), "the light shines without it");
+        return false;
+    }
+}
+
+/// The statement without images and photometric files that are missing.
+LightDescription without_missing_files(LightDescription description, const LightPlugin& plugin,
+                                       const AssetResolver& resolve, Diagnostics& diagnostics) {
+    std::erase_if(description.parameters.values, [&](const ParameterValue& value) {
+        const bool file = value.name == "mapname" || value.name == "iesname";
+        return file && declares(plugin, value.name) && !has_file(value, resolve, diagnostics);
+    });
+    return description;
+}
+
 std::string known_names() {
     std::string names;
     for (const LightPlugin& plugin : light_plugins())
@@ -108,9 +136,11 @@ Lights make_lights(const LightDescription& description, const SceneSphere& spher
             description.parameters.where,
             fmt::format("unknown light source \"{}\"; known: {}", name, known_names()));
     }
-    const ParameterReader reader(description.parameters, plugin->parameters, diagnostics);
+    const LightDescription usable =
+        without_missing_files(description, *plugin, resolve, diagnostics);
+    const ParameterReader reader(usable.parameters, plugin->parameters, diagnostics);
     Lights lights;
-    make_by_name({reader, description, sphere, resolve}, lights);
+    make_by_name({reader, usable, sphere, resolve}, lights);
     return lights;
 }
 

@@ -3,6 +3,8 @@
 // 3176-3177 (amorphous carbon).
 #include "metal_presets.h"
 
+#include <fmt/format.h>
+
 #include <string>
 
 #include "metal_colour.h"
@@ -124,8 +126,14 @@ FresnelValue read_metal_preset(const ParameterReader& reader, const AssetContext
     if (reader.given("filename") || name_is_file) {
         const std::string_view parameter = reader.given("filename") ? "filename" : "name";
         const SourceLocation& where = reader.where(parameter);
-        const std::string path = assets.resolve(reader.string(parameter, ""), where);
-        return constants_of_colour(read_optical_table(path, OpticalFormat::Any, where));
+        try {
+            const std::string path = assets.resolve(reader.string(parameter, ""), where);
+            return constants_of_colour(read_optical_table(path, OpticalFormat::Any, where));
+        } catch (const InputError& error) {
+            reader.diagnostics().fallback(error.where(), error.message(),
+                                          fmt::format("\"{}\" is used", kDefaultMetal));
+            return constants_of_colour(find_preset(kDefaultMetal)->table());
+        }
     }
     const Preset* preset = find_preset(name);
     if (!preset) warn_of_unknown_preset(reader, "name", "metal", kPresets, kDefaultMetal);

@@ -187,8 +187,8 @@ TEST(PaperTables, FollowsNeighboursThatSplit) {
                                              segment(here, {0.2f, 0.5f, 0.9f})});
     tree.insert({0.95f, 0.5f, 0.5f}, 1);
     ASSERT_EQ(tree.node_count(), 3u);
-    // By the middle of each node: the left one at 0.175, the new ones at 0.625 and 0.95.
-    tree.update_errors(GivenErrors({2, 2, 2, 2, 2, 2, 4, 2, 2, 12}), false);
+    // By the middle of each node: the left one at 0.175, the new ones at 0.55 and 0.875.
+    tree.update_errors(GivenErrors({2, 2, 2, 2, 2, 4, 2, 2, 12, 2}), false);
     tables.update(tree, {});
     const float aside = value_towards(tables, tree, here, {0.2f, 0.5f, 0.9f});
     EXPECT_NEAR(value_towards(tables, tree, here, {0.9f, 0.5f, 0.5f}) / aside, (4 + 12) / 2 / 2.0,

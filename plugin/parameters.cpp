@@ -112,6 +112,13 @@ std::vector<ParameterDeclaration> guide_declarations() {
         {"erroralpha", ParameterType::Float, "0.4",
          "Weight of the last pass in a node's error (eq. 8).", 0, 0.99},
         criterion,
+        {"presenterrors", ParameterType::Bool, "true",
+         "With guide paper: a table is made of the errors that neighbouring nodes have by then "
+         "(eq. 5); otherwise of those that they had when each photon landed."},
+        {"firstlandings", ParameterType::Bool, "true",
+         "With guide paper: nodes also hold the photons that come straight from a light where "
+         "shadow rays bring that light to the image (directlightsampling); not with "
+         "errorcriterion image."},
         {"guideemission", ParameterType::Bool, "true",
          "With guide adaptive: guides where photons start."},
         {"eyeseeding", ParameterType::Bool, "true",
@@ -254,6 +261,8 @@ void read_guide(const lxs::ParameterReader& in, Settings& s) {
     s.error_alpha = in.number("erroralpha", s.error_alpha);
     s.error_criterion =
         static_cast<CriterionKind>(chosen(in, "errorcriterion", kCriteria, kCriteria[0]));
+    s.present_errors = in.boolean("presenterrors", s.present_errors);
+    s.first_landings = in.boolean("firstlandings", s.first_landings);
     s.guide_emission = in.boolean("guideemission", s.guide_emission);
     s.eye_seeding = in.boolean("eyeseeding", s.eye_seeding);
     s.guide_bounces = in.boolean("guidebounces", s.guide_bounces);

@@ -72,14 +72,18 @@ void complete_fingerprint(RenderSession& session, const CommandLine& command,
     fingerprint.set_seed(session.seed);
 }
 
-/// Lights name files of their own, which are added to `files`.
+/// Finds the files that lights and the film name, and adds them to `files`.
+auto file_resolver(const SceneContents& contents, ReadFiles& files) {
+    return [directory = contents.directory, &files](const std::string& name,
+                                                    const SourceLocation& where) {
+        return files.assets.emplace_back(resolve_asset(name, directory, where));
+    };
+}
+
 void build_scene(RenderSession& session, SceneContents contents, ReadFiles& files,
                  Diagnostics& diagnostics) {
     const SourceLocation end = contents.end;
-    const std::string directory = contents.directory;
-    const auto resolve = [&](const std::string& name, const SourceLocation& where) {
-        return files.assets.emplace_back(resolve_asset(name, directory, where));
-    };
+    const auto resolve = file_resolver(contents, files);
     session.scene = make_trace_scene(std::move(contents), resolve, diagnostics);
     if (session.scene->lights().empty()) {
         throw InputError(end,
@@ -142,7 +146,7 @@ RenderSession prepare_session(const CommandLine& command, const PluginLibrary& p
     const PhaseTimer timer(session.times, "build");
     const IntegratorChoice choice = choose_integrator(command, contents, plugins, diagnostics, log);
     create_chosen(session, command, choice, diagnostics);
-    session.film = make_film(contents, diagnostics);
+    session.film = make_film(contents, diagnostics, file_resolver(contents, files));
     session.files = choose_output_files(command, *session.film);
     check_writable(session.files);
     std::unique_ptr<SceneCamera> camera = make_camera(contents, *session.film, diagnostics);

@@ -228,7 +228,7 @@ TEST(SurfaceFormula, Scatter) {
 }
 
 /// Mirror-like ones: the weight of their sample is the reflectance.
-TEST(SurfaceFormula, MirrorGlassAndTheirFilms) {
+TEST(SurfaceFormula, MirrorAndGlass) {
     ShadingFixture scene;
     BsdfMemory memory;
     for (int i = 0; i < 10; ++i) {

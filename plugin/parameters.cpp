@@ -1,9 +1,11 @@
 // Declarations of all parameters, and the settings made from them. Names follow LuxRender's sppm
-// where it has one, so that a scene changes only the plugin's name.
+// where it has one, so that a scene changes only the plugin's name. Defaults are those of Settings.
 #include "parameters.h"
 
 #include <algorithm>
 #include <array>
+#include <charconv>
+#include <deque>
 #include <vector>
 
 namespace aips {
@@ -12,19 +14,49 @@ namespace {
 using lxs::ParameterDeclaration;
 using lxs::ParameterType;
 
-/// By number of Mode, GuideKind and CriterionKind.
+/// By number of Mode, GuideKind, CriterionKind, RadiusKind and PhotonSampler.
 constexpr std::array<std::string_view, 3> kModes{"progressive", "photonmap", "ppm"};
 constexpr std::array<std::string_view, 3> kGuides{"none", "paper", "adaptive"};
 constexpr std::array<std::string_view, 2> kCriteria{"paper", "image"};
-/// The first is the default of aips, and of it alone; LuxRender's plugins have the others.
+/// The first is of aips alone; LuxRender's plugins have the others.
 constexpr std::array<std::string_view, 3> kRadii{"automatic", "schedule", "adaptive"};
 constexpr std::array<std::string_view, 2> kPhotonSamplers{"halton", "amc"};
 constexpr double kMaxCount = 4294967295.0;
 
-constexpr ParameterDeclaration integer(std::string_view name, std::string_view value,
-                                       std::string_view doc, double minimum,
-                                       double maximum = kMaxCount) {
-    return {name, ParameterType::Integer, value, doc, minimum, maximum};
+/// What all defaults are.
+constexpr Settings kDefaults;
+
+/// A default as a scene would write it, kept for declarations to show.
+template <class Number>
+std::string_view text_of(Number value) {
+    static std::deque<std::string> texts;
+    std::array<char, 32> text{};
+    const auto end = std::to_chars(text.data(), text.data() + text.size(), value).ptr;
+    return texts.emplace_back(text.data(), end);
+}
+
+ParameterDeclaration integer(std::string_view name, std::uint64_t value, std::string_view doc,
+                             double minimum, double maximum = kMaxCount) {
+    return {name, ParameterType::Integer, text_of(value), doc, minimum, maximum};
+}
+
+ParameterDeclaration number(std::string_view name, double value, std::string_view doc,
+                            double minimum, double maximum) {
+    return {name, ParameterType::Float, text_of(value), doc, minimum, maximum};
+}
+
+constexpr ParameterDeclaration boolean(std::string_view name, bool value, std::string_view doc) {
+    return {name, ParameterType::Bool, value ? "true" : "false", doc};
+}
+
+/// One of `choices`, which are named by number of the enumeration that `value` is of.
+template <class Enumeration>
+constexpr ParameterDeclaration choice(std::string_view name, Enumeration value,
+                                      std::string_view doc,
+                                      std::span<const std::string_view> choices) {
+    ParameterDeclaration d{name, ParameterType::String, choices[std::size_t(value)], doc};
+    d.choices = choices;
+    return d;
 }
 
 constexpr ParameterDeclaration no_effect(std::string_view name, ParameterType type,
@@ -37,95 +69,109 @@ constexpr ParameterDeclaration no_effect(std::string_view name, ParameterType ty
 /// What all plugins take.
 std::vector<ParameterDeclaration> common_declarations() {
     return {
-        integer("maxeyedepth", "16", "Most surfaces that an eye path meets.", 1, 1024),
-        integer("maxphotondepth", "16", "Most surfaces that a photon path meets.", 1, 1024),
-        integer("hitpointperpass", "0",
+        integer("maxeyedepth", kDefaults.max_eye_depth, "Most surfaces that an eye path meets.", 1,
+                1024),
+        integer("maxphotondepth", kDefaults.max_photon_depth,
+                "Most surfaces that a photon path meets.", 1, 1024),
+        integer("hitpointperpass", kDefaults.hit_points_per_pass,
                 "Eye paths traced in each pass; 0: one per pixel (modes photonmap and ppm, whose "
                 "one eye pass is kept: four).",
                 0),
-        {"startradius", ParameterType::Float, "0",
-         "Radius of the first density estimate, the same at all visible points, in their mean "
-         "pixel "
-         "footprints (widths; those beyond eight medians count as eight); 0: automatic (2; 1 where "
-         "chains take a guide's place).",
-         0, 1e6},
-        {"alpha", ParameterType::Float, "0.7",
-         "Share of the variance reduction in the radius schedule (Knaus and Zwicker 2011), in ppm "
-         "the "
-         "share of each pass's photons that a hit point keeps (Hachisuka et al. 2008); 1 keeps the "
-         "radius.",
-         1e-3, 1},
-        {"includeenvironment", ParameterType::Bool, "true",
-         "Lights at infinity are seen by eye rays and mirrored by specular surfaces."},
-        {"directlightsampling", ParameterType::Bool, "true",
-         "Direct light comes from shadow rays; photons then carry the rest."},
-        {"learnlights", ParameterType::Bool, "true",
-         "Shadow rays choose the lights more often that were seen to light a place "
-         "(docs/learned-lights.md)."},
-        {"storeglossy", ParameterType::Bool, "false",
-         "Glossy lobes take photons instead of bouncing the eye path."},
-        {"debuglayers", ParameterType::Bool, "false",
-         "Adds layers to the EXR: the photons' part of the image, photon density, the guide's "
-         "nodes "
-         "(docs/debug-layers.md)."},
-        integer("seed", "0", "Seed of all random numbers; --seed overrides it.", 0,
+        number("startradius", kDefaults.start_radius,
+               "Radius of the first density estimate, the same at all visible points, in their "
+               "mean pixel footprints (widths; those beyond eight medians count as eight); 0: "
+               "automatic (2; 1 where chains take a guide's place).",
+               0, 1e6),
+        number("alpha", kDefaults.alpha,
+               "Share of the variance reduction in the radius schedule (Knaus and Zwicker 2011), "
+               "in ppm the share of each pass's photons that a hit point keeps (Hachisuka et al. "
+               "2008); 1 keeps the radius.",
+               1e-3, 1),
+        boolean("includeenvironment", kDefaults.include_environment,
+                "Lights at infinity are seen by eye rays and mirrored by specular surfaces."),
+        boolean("directlightsampling", kDefaults.direct_light_sampling,
+                "Direct light comes from shadow rays; photons then carry the rest."),
+        boolean("learnlights", kDefaults.learn_lights,
+                "Shadow rays choose the lights more often that were seen to light a place "
+                "(docs/learned-lights.md)."),
+        boolean("storeglossy", kDefaults.store_glossy,
+                "Glossy lobes take photons instead of bouncing the eye path."),
+        boolean("debuglayers", kDefaults.debug_layers,
+                "Adds layers to the EXR: the photons' part of the image, photon density, the "
+                "guide's nodes (docs/debug-layers.md)."),
+        integer("seed", kDefaults.seed, "Seed of all random numbers; --seed overrides it.", 0,
                 9007199254740992.0),
     };
 }
 
-/// LuxRender's plugins have its default, ours decides itself.
+/// What a plugin takes where a scene says nothing: LuxRender's plugins have its values where ours
+/// decides itself.
+Settings defaults_of(PluginKind kind) {
+    Settings settings = kDefaults;
+    if (kind == PluginKind::Aips) return settings;
+    settings.guide = GuideKind::None;
+    settings.photons_per_pass = kUsualPhotonsPerPass;
+    settings.radius = RadiusKind::Schedule;
+    if (kind == PluginKind::Ppm) settings.mode = Mode::Ppm;
+    if (kind == PluginKind::ExPhotonMap) settings.mode = Mode::PhotonMap;
+    return settings;
+}
+
 ParameterDeclaration photons_declaration(PluginKind kind) {
-    return integer("photonperpass", kind == PluginKind::Aips ? "0" : "1000000",
+    return integer("photonperpass", defaults_of(kind).photons_per_pass,
                    "Photon paths shot in each pass; 0: in mode progressive as many as the noise of "
                    "photons and eye paths asks for (docs/photons-per-pass.md), else 1000000.",
                    0);
 }
 
 std::vector<ParameterDeclaration> guide_declarations() {
-    ParameterDeclaration mode{"mode", ParameterType::String, "progressive",
-                              "Stochastic progressive photon mapping; a photon map seen by one "
-                              "frozen eye pass with a fixed radius; or progressive photon mapping "
-                              "with frozen hit points, each with its own radius."};
-    mode.choices = kModes;
-    ParameterDeclaration guide{"guide", ParameterType::String, "adaptive",
-                               "What decides where photons go: nothing; the adaptive tables of "
-                               "Liu and Zheng 2014; or what photons are worth to the image "
-                               "(docs/adaptive-guide.md)."};
-    guide.choices = kGuides;
-    ParameterDeclaration criterion{"errorcriterion", ParameterType::String, "paper",
-                                   "With guide paper: a node's error is noise and bias of its "
-                                   "photons' density (eq. 2 to 4); or, beyond the paper, what they "
-                                   "are worth to the image (docs/paper-guide.md)."};
-    criterion.choices = kCriteria;
     return {
-        mode,
-        guide,
-        {"guideshare", ParameterType::Float, "0.5",
-         "Share of directions drawn from the guide; the rest comes from the BSDF.", 0, 0.99},
-        integer("iterationphotons", "4000", "Photon paths between two updates of the guide.", 1),
-        integer("initialphotons", "1000", "Unguided photon paths at the start of each pass.", 1),
-        integer("nodephotons", "32", "Photons that a node of the guide holds before it splits.", 2,
-                65536),
-        integer("treedepth", "64", "Greatest depth of the guide's kd-tree.", 1, 128),
-        integer("maxnodes", "16384", "Most nodes (leaves) of the guide's kd-tree.", 1, 1048576),
-        integer("cdfresolution", "8", "Cells per side of a node's directional table.", 1, 64),
-        {"erroralpha", ParameterType::Float, "0.4",
-         "Weight of the last pass in a node's error (eq. 8).", 0, 0.99},
-        criterion,
-        {"guideemission", ParameterType::Bool, "true",
-         "With guide adaptive: guides where photons start."},
-        {"eyeseeding", ParameterType::Bool, "true",
-         "With guide adaptive: paths from the eye tell where photons ought to start."},
-        {"guidebounces", ParameterType::Bool, "true",
-         "With guide adaptive: guides where photons go on to from matte surfaces."},
-        {"guidesurvival", ParameterType::Bool, "true",
-         "With guide adaptive: photons go on by what they may still bring, where that pays."},
-        {"guidechains", ParameterType::Bool, "true",
-         "With guide adaptive: adaptive Markov chains (as photonsampler amc) take the guide's "
-         "place where the first look shows that next to no photon path reaches what is seen."},
-        {"guidescout", ParameterType::Bool, "true",
-         "With guide adaptive: a first look decides whether it guides; it is left out where many "
-         "photon paths reach what is seen without it, and where next to none do."},
+        choice("mode", kDefaults.mode,
+               "Stochastic progressive photon mapping; a photon map seen by one frozen eye pass "
+               "with a fixed radius; or progressive photon mapping with frozen hit points, each "
+               "with its own radius.",
+               kModes),
+        choice("guide", kDefaults.guide,
+               "What decides where photons go: nothing; the adaptive tables of Liu and Zheng 2014; "
+               "or what photons are worth to the image (docs/adaptive-guide.md).",
+               kGuides),
+        number("guideshare", kDefaults.guide_share,
+               "Share of directions drawn from the guide; the rest comes from the BSDF.", 0, 0.99),
+        integer("iterationphotons", kDefaults.iteration_photons,
+                "Photon paths between two updates of the guide.", 1),
+        integer("initialphotons", kDefaults.initial_photons,
+                "Unguided photon paths at the start of each pass.", 1),
+        integer("nodephotons", kDefaults.node_photons,
+                "Photons that a node of the guide holds before it splits.", 2, 65536),
+        integer("treedepth", kDefaults.tree_depth, "Greatest depth of the guide's kd-tree.", 1,
+                128),
+        integer("maxnodes", kDefaults.max_nodes, "Most nodes (leaves) of the guide's kd-tree.", 1,
+                1048576),
+        integer("cdfresolution", kDefaults.cdf_resolution,
+                "Cells per side of a node's directional table.", 1, 64),
+        number("erroralpha", kDefaults.error_alpha,
+               "Weight of the last pass in a node's error (eq. 8).", 0, 0.99),
+        choice(
+            "errorcriterion", kDefaults.error_criterion,
+            "With guide paper: a node's error is noise and bias of its photons' density (eq. 2 to "
+            "4); or, beyond the paper, what they are worth to the image (docs/paper-guide.md).",
+            kCriteria),
+        boolean("guideemission", kDefaults.guide_emission,
+                "With guide adaptive: guides where photons start."),
+        boolean("eyeseeding", kDefaults.eye_seeding,
+                "With guide adaptive: paths from the eye tell where photons ought to start."),
+        boolean("guidebounces", kDefaults.guide_bounces,
+                "With guide adaptive: guides where photons go on to from matte surfaces."),
+        boolean(
+            "guidesurvival", kDefaults.guide_survival,
+            "With guide adaptive: photons go on by what they may still bring, where that pays."),
+        boolean(
+            "guidechains", kDefaults.guide_chains,
+            "With guide adaptive: adaptive Markov chains (as photonsampler amc) take the guide's "
+            "place where the first look shows that next to no photon path reaches what is seen."),
+        boolean("guidescout", kDefaults.guide_scout,
+                "With guide adaptive: a first look decides whether it guides; it is left out where "
+                "many photon paths reach what is seen without it, and where next to none do."),
     };
 }
 
@@ -146,19 +192,19 @@ constexpr std::string_view kRadiusOfAips =
 
 /// Of plugins that have mode progressive.
 ParameterDeclaration radius_declaration(PluginKind kind) {
-    ParameterDeclaration d{"radius", ParameterType::String, radii_of(kind).front(),
-                           kind == PluginKind::Aips ? kRadiusOfAips : kRadiusOfSppm};
+    ParameterDeclaration d =
+        choice("radius", defaults_of(kind).radius,
+               kind == PluginKind::Aips ? kRadiusOfAips : kRadiusOfSppm, kRadii);
     d.choices = radii_of(kind);
     return d;
 }
 
 ParameterDeclaration photon_sampler_declaration() {
-    ParameterDeclaration d{"photonsampler", ParameterType::String, "halton",
-                           "Where unguided photon paths come from: halton, a low-discrepancy "
-                           "sequence (scrambled Sobol'); amc, adaptive Markov chains on the paths "
-                           "that reach visible points (Hachisuka and Jensen 2011)."};
-    d.choices = kPhotonSamplers;
-    return d;
+    return choice("photonsampler", kDefaults.photon_sampler,
+                  "Where unguided photon paths come from: halton, a low-discrepancy sequence "
+                  "(scrambled Sobol'); amc, adaptive Markov chains on the paths that reach visible "
+                  "points (Hachisuka and Jensen 2011).",
+                  kPhotonSamplers);
 }
 
 /// LuxRender's other sppm parameters: accepted so that its scenes load as they are.
@@ -212,14 +258,13 @@ std::vector<ParameterDeclaration> declarations_of(PluginKind kind) {
     return all;
 }
 
-void read_common(PluginKind kind, const lxs::ParameterReader& in, Settings& s) {
+void read_common(const lxs::ParameterReader& in, Settings& s) {
     const auto count = [&](std::string_view name, std::uint32_t value) {
         return static_cast<std::uint32_t>(in.integer(name, value));
     };
     s.max_eye_depth = count("maxeyedepth", s.max_eye_depth);
     s.max_photon_depth = count("maxphotondepth", s.max_photon_depth);
-    s.photons_per_pass =
-        count("photonperpass", kind == PluginKind::Aips ? 0 : kUsualPhotonsPerPass);
+    s.photons_per_pass = count("photonperpass", s.photons_per_pass);
     s.hit_points_per_pass = count("hitpointperpass", s.hit_points_per_pass);
     s.start_radius = in.number("startradius", s.start_radius);
     s.alpha = in.number("alpha", s.alpha);
@@ -228,22 +273,24 @@ void read_common(PluginKind kind, const lxs::ParameterReader& in, Settings& s) {
     s.learn_lights = in.boolean("learnlights", s.learn_lights);
     s.store_glossy = in.boolean("storeglossy", s.store_glossy);
     s.debug_layers = in.boolean("debuglayers", s.debug_layers);
-    s.seed = static_cast<std::uint64_t>(in.integer("seed", 0));
+    s.seed = static_cast<std::uint64_t>(in.integer("seed", std::int64_t(s.seed)));
 }
 
-/// The number, among `choices`, of what was chosen.
-std::ptrdiff_t chosen(const lxs::ParameterReader& in, std::string_view name,
-                      std::span<const std::string_view> choices, std::string_view unless_given) {
-    const std::string choice = in.string(name, unless_given);
-    return std::find(choices.begin(), choices.end(), choice) - choices.begin();
+/// What was chosen among `choices`, which are named by number of the enumeration.
+template <class Enumeration>
+Enumeration chosen(const lxs::ParameterReader& in, std::string_view name,
+                   std::span<const std::string_view> choices, Enumeration unless_given) {
+    const std::string choice = in.string(name, choices[std::size_t(unless_given)]);
+    return static_cast<Enumeration>(std::find(choices.begin(), choices.end(), choice) -
+                                    choices.begin());
 }
 
 void read_guide(const lxs::ParameterReader& in, Settings& s) {
     const auto count = [&](std::string_view name, std::uint32_t value) {
         return static_cast<std::uint32_t>(in.integer(name, value));
     };
-    s.mode = static_cast<Mode>(chosen(in, "mode", kModes, kModes[0]));
-    s.guide = static_cast<GuideKind>(chosen(in, "guide", kGuides, "adaptive"));
+    s.mode = chosen(in, "mode", kModes, s.mode);
+    s.guide = chosen(in, "guide", kGuides, s.guide);
     s.guide_share = in.number("guideshare", s.guide_share);
     s.iteration_photons = count("iterationphotons", s.iteration_photons);
     s.initial_photons = count("initialphotons", s.initial_photons);
@@ -252,8 +299,7 @@ void read_guide(const lxs::ParameterReader& in, Settings& s) {
     s.max_nodes = count("maxnodes", s.max_nodes);
     s.cdf_resolution = count("cdfresolution", s.cdf_resolution);
     s.error_alpha = in.number("erroralpha", s.error_alpha);
-    s.error_criterion =
-        static_cast<CriterionKind>(chosen(in, "errorcriterion", kCriteria, kCriteria[0]));
+    s.error_criterion = chosen(in, "errorcriterion", kCriteria, s.error_criterion);
     s.guide_emission = in.boolean("guideemission", s.guide_emission);
     s.eye_seeding = in.boolean("eyeseeding", s.eye_seeding);
     s.guide_bounces = in.boolean("guidebounces", s.guide_bounces);
@@ -262,19 +308,12 @@ void read_guide(const lxs::ParameterReader& in, Settings& s) {
     s.guide_scout = in.boolean("guidescout", s.guide_scout);
 }
 
-void read_radius(PluginKind kind, const lxs::ParameterReader& in, Settings& s) {
-    const std::string radius = in.string("radius", radii_of(kind).front());
-    if (radius == "schedule") return;
-    if (radius == "automatic") {
-        // Who gives a radius, or how it falls, wants that one; the paper's engine has one radius.
-        const bool own = in.given("startradius") || in.given("alpha");
-        const bool adapts = s.mode == Mode::Progressive && s.guide != GuideKind::Paper &&
-                            s.photon_sampler == PhotonSampler::Sequence;
-        if (!own && adapts) s.radius = RadiusKind::Adaptive;
-        return;
-    }
-    s.radius = RadiusKind::Adaptive;
-    if (!adapts_radius(s)) {
+void read_radius(const lxs::ParameterReader& in, Settings& s) {
+    s.radius = chosen(in, "radius", kRadii, s.radius);
+    // Who gives a radius, or how it falls, wants that one, even if it is the default's.
+    const bool own = in.given("startradius") || in.given("alpha");
+    if (s.radius == RadiusKind::Automatic && own) s.radius = RadiusKind::Schedule;
+    if (s.radius == RadiusKind::Adaptive && !adapts_radius(s)) {
         in.diagnostics().warning(in.where("radius"),
                                  "radius \"adaptive\" is ignored: it takes effect with mode "
                                  "\"progressive\"");
@@ -284,7 +323,8 @@ void read_radius(PluginKind kind, const lxs::ParameterReader& in, Settings& s) {
 /// A guide decides itself where photon paths go. A scene of LuxRender's sppm that asks for amc
 /// renders under guides too: a warning, not an error.
 void read_photon_sampler(const lxs::ParameterReader& in, Settings& s) {
-    if (in.string("photonsampler", "halton") != "amc") return;
+    const auto sampler = chosen(in, "photonsampler", kPhotonSamplers, s.photon_sampler);
+    if (sampler != PhotonSampler::AdaptiveChains) return;
     if (s.guide == GuideKind::None) {
         s.photon_sampler = PhotonSampler::AdaptiveChains;
     } else {
@@ -304,19 +344,11 @@ std::span<const ParameterDeclaration> parameter_declarations(PluginKind kind) {
 }
 
 Settings read_settings(PluginKind kind, const lxs::ParameterReader& parameters) {
-    Settings settings;
-    read_common(kind, parameters, settings);
-    settings.guide = GuideKind::None;
+    Settings settings = defaults_of(kind);
+    read_common(parameters, settings);
     if (kind == PluginKind::Aips) read_guide(parameters, settings);
-    if (kind == PluginKind::Ppm) settings.mode = Mode::Ppm;
-    if (kind == PluginKind::ExPhotonMap) {
-        settings.mode = Mode::PhotonMap;
-    } else {
-        read_photon_sampler(parameters, settings);
-    }
-    if (kind == PluginKind::Aips || kind == PluginKind::Sppm) {
-        read_radius(kind, parameters, settings);
-    }
+    if (kind != PluginKind::ExPhotonMap) read_photon_sampler(parameters, settings);
+    if (kind == PluginKind::Aips || kind == PluginKind::Sppm) read_radius(parameters, settings);
     return settings;
 }
 

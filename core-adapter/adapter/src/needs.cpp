@@ -110,6 +110,8 @@ void drop_parts_for_surfaces(Needs& needs, const SceneFacts& facts) {
 Needs analyse(const Scene& scene, const Settings& settings) {
     Needs needs;
     needs.settings = settings;
+    // Decided once, by what is asked for: parts that are left out below change no radius.
+    needs.settings.radius = adapts_radius(settings) ? RadiusKind::Adaptive : RadiusKind::Schedule;
     const SceneFacts facts = scene.facts();
     const auto lights = scene.lights();
     const auto dead = std::size_t(std::count_if(lights.begin(), lights.end(),

@@ -19,6 +19,7 @@ constexpr bool freezes_eye_pass(Mode mode) {
 
 /// How the search radius goes on in mode=progressive.
 enum class RadiusKind : std::uint8_t {
+    Automatic,  ///< Adaptive, unless the settings ask for a schedule of their own: adapts_radius()
     Schedule,  ///< one for all visible points, by the photons shot (Knaus & Zwicker 2011)
     Adaptive   ///< by noise and bias around each pixel (Kaplanyan & Dachsbacher 2013)
 };
@@ -45,7 +46,8 @@ enum class PhotonSampler : std::uint8_t {
 /// asked for.
 inline constexpr std::uint32_t kUsualPhotonsPerPass = 1'000'000;
 
-/// Everything that a user may set. Names of the parameters: plugin/parameters.cpp.
+/// Everything that a user may set, with its default: the plugin's parameters (names and ranges:
+/// plugin/parameters.cpp) take theirs from here.
 struct Settings {
     Mode mode = Mode::Progressive;
     GuideKind guide = GuideKind::Adaptive;
@@ -81,12 +83,20 @@ struct Settings {
     bool guide_scout = true;   ///< guide=adaptive is left out where a first look tells it can't pay
     bool guide_chains = true;  ///< then chains take its place where next to nothing is seen
 
-    RadiusKind radius = RadiusKind::Schedule;  ///< mode=progressive; other modes have their own
+    RadiusKind radius = RadiusKind::Automatic;  ///< mode=progressive; other modes have their own
+
+    bool operator==(const Settings&) const = default;
 };
 
-/// Whether visible points' radii follow noise and bias around them.
+/// Whether visible points' radii follow noise and bias around them. By radius=automatic they do in
+/// mode=progressive, unless start_radius or alpha ask for a schedule of their own: who gives a
+/// radius, or how it falls, wants that one. The paper's engine and Markov chains have one radius.
 constexpr bool adapts_radius(const Settings& settings) {
-    return settings.mode == Mode::Progressive && settings.radius == RadiusKind::Adaptive;
+    if (settings.mode != Mode::Progressive) return false;
+    if (settings.radius != RadiusKind::Automatic) return settings.radius == RadiusKind::Adaptive;
+    const bool own_schedule = settings.start_radius != 0 || settings.alpha != Settings{}.alpha;
+    return !own_schedule && settings.guide != GuideKind::Paper &&
+           settings.photon_sampler == PhotonSampler::Sequence;
 }
 
 /// Checks what no single range can: throws std::invalid_argument with one clear message.

@@ -167,8 +167,8 @@ TEST(PathClasses, LightGroupsAddUp) {
     scene.finish();
     Settings settings = mock::small_settings(33, 40000);
     const auto r = mock::render(scene, camera_down(), kSize, kSize, settings, 20);
-    const double first = mock::mean_luminance(r.film.image(0), kSize, 0, 0, kSize, kSize);
-    const double second = mock::mean_luminance(r.film.image(1), kSize, 0, 0, kSize, kSize);
+    const double first = mock::mean_luminance(r.film.image_of_group(0), kSize, 0, 0, kSize, kSize);
+    const double second = mock::mean_luminance(r.film.image_of_group(1), kSize, 0, 0, kSize, kSize);
     EXPECT_NEAR((first + second) / r.film.mean(), 1, 1e-5);
     EXPECT_NEAR(second / first, 2, 0.05);
 }

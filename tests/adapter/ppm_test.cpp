@@ -101,7 +101,7 @@ TEST(Ppm, LightGroupsAddUp) {
         EXPECT_NEAR(sum[i].g, whole[i].g, 1e-4f * (1 + whole[i].g));
     for (const int g : {0, 1}) {
         double total = 0;
-        for (const Rgb& pixel : apart.film.image(g))
+        for (const Rgb& pixel : apart.film.image_of_group(g))
             total += luminance(pixel);
         EXPECT_GT(total, 0);
     }

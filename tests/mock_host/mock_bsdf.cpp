@@ -4,77 +4,40 @@
 #include <new>
 
 #include "aips/core/sampling.h"
+#include "aips/parts/smooth_bsdfs.h"
 
 namespace mock {
 namespace {
 
 using namespace aips;
 
-/// Common part: normals, and which side two directions lie on.
-class SurfaceBsdf : public Bsdf {
-  protected:
-    SurfaceBsdf(Vec3 ng, Vec3 ns) : ng_(ng), ns_(ns) {}
-    ~SurfaceBsdf() = default;
-
-    bool same_side(Vec3 a, Vec3 b) const { return (dot(a, ng_) > 0) == (dot(b, ng_) > 0); }
-    Vec3 normal_towards(Vec3 w) const { return dot(w, ng_) > 0 ? ns_ : -ns_; }
-    Vec3 reflect(Vec3 wo) const { return ns_ * (2 * dot(wo, ns_)) - wo; }
-
-    Vec3 ng_, ns_;
-};
-
-class Lambert final : public SurfaceBsdf {
+/// A Lambert lobe that may hide what it is, or lie about its densities.
+class Lambert final : public Bsdf {
   public:
     Lambert(Vec3 ng, Vec3 ns, Rgb kd, bool hide, std::optional<float> claimed_pdf = {})
-        : SurfaceBsdf(ng, ns), kd_(kd), hide_(hide), claimed_pdf_(claimed_pdf) {}
+        : lambert_(ng, ns, kd), hide_(hide), claimed_pdf_(claimed_pdf) {}
 
     LobeMask lobes() const override { return kDiffuse; }
-    Rgb evaluate(Vec3 wo, Vec3 wi, Transport, LobeMask mask) const override {
-        return (mask & kDiffuse) && same_side(wo, wi) ? kd_ * kInvPi : Rgb{};
+    Rgb evaluate(Vec3 wo, Vec3 wi, Transport transport, LobeMask mask) const override {
+        return lambert_.evaluate(wo, wi, transport, mask);
     }
     float pdf(Vec3 wo, Vec3 wi, LobeMask mask) const override {
-        if (!(mask & kDiffuse) || !same_side(wo, wi)) return 0;
-        if (claimed_pdf_) return *claimed_pdf_;
-        return std::max(0.0f, dot(wi, normal_towards(wo))) * kInvPi;
+        const float pdf = lambert_.pdf(wo, wi, mask);
+        return pdf > 0 && claimed_pdf_ ? *claimed_pdf_ : pdf;
     }
-    bool sample(Vec3 wo, Vec2 u, float, Transport, LobeMask mask, BsdfSample& s) const override {
-        if (!(mask & kDiffuse)) return false;
-        s.wi = Frame(normal_towards(wo)).to_world(square_to_cosine_hemisphere(u));
-        if (!same_side(wo, s.wi)) return false;
+    bool sample(Vec3 wo, Vec2 u, float u_lobe, Transport transport, LobeMask mask,
+                BsdfSample& s) const override {
+        if (!lambert_.sample(wo, u, u_lobe, transport, mask, s)) return false;
         s.pdf = pdf(wo, s.wi, mask);
-        s.weight = kd_;
-        s.lobe = kDiffuse;
-        s.straight = false;
-        return claimed_pdf_ || s.pdf > 0;
+        return true;
     }
-    Rgb albedo(Vec3, LobeMask mask) const override { return mask & kDiffuse ? kd_ : Rgb{}; }
-    bool lambertian(Rgb& kd) const override {
-        kd = kd_;
-        return !hide_;
-    }
+    Rgb albedo(Vec3 wo, LobeMask mask) const override { return lambert_.albedo(wo, mask); }
+    bool lambertian(Rgb& kd) const override { return lambert_.lambertian(kd) && !hide_; }
 
   private:
-    Rgb kd_;
+    LambertBsdf lambert_;
     bool hide_;
     std::optional<float> claimed_pdf_;
-};
-
-class Mirror final : public SurfaceBsdf {
-  public:
-    Mirror(Vec3 ng, Vec3 ns, Rgb kr) : SurfaceBsdf(ng, ns), kr_(kr) {}
-
-    LobeMask lobes() const override { return kSpecular; }
-    Rgb evaluate(Vec3, Vec3, Transport, LobeMask) const override { return {}; }
-    float pdf(Vec3, Vec3, LobeMask) const override { return 0; }
-    bool sample(Vec3 wo, Vec2, float, Transport, LobeMask mask, BsdfSample& s) const override {
-        if (!(mask & kSpecular)) return false;
-        s = {reflect(wo), kr_, 0, kSpecular, false};
-        return same_side(wo, s.wi);
-    }
-    Rgb albedo(Vec3, LobeMask mask) const override { return mask & kSpecular ? kr_ : Rgb{}; }
-
-  private:
-    Rgb kr_;
 };
 
 /// Passes light straight on.
@@ -90,56 +53,10 @@ class Null final : public Bsdf {
     Rgb albedo(Vec3, LobeMask mask) const override { return mask & kSpecular ? kWhite : Rgb{}; }
 };
 
-/// Smooth dielectric: Fresnel decides between reflection and refraction.
-class Glass final : public SurfaceBsdf {
-  public:
-    Glass(Vec3 ng, Vec3 ns, float index) : SurfaceBsdf(ng, ns), index_(index) {}
-
-    LobeMask lobes() const override { return kSpecular; }
-    Rgb evaluate(Vec3, Vec3, Transport, LobeMask) const override { return {}; }
-    float pdf(Vec3, Vec3, LobeMask) const override { return 0; }
-    bool sample(Vec3 wo, Vec2, float u_lobe, Transport transport, LobeMask mask,
-                BsdfSample& s) const override {
-        if (!(mask & kSpecular)) return false;
-        const Vec3 n = normal_towards(wo);
-        const float eta = eta_from(wo);
-        const float cos_i = dot(wo, n);
-        if (cos_i <= 0) return false;
-        const float cos_t = cos_behind(eta, cos_i);
-        if (u_lobe < fresnel(eta, cos_i, cos_t)) {
-            s = {reflect(wo), kWhite, 0, kSpecular, false};
-            return same_side(wo, s.wi);
-        }
-        // Radiance that comes through the surface is squeezed into another solid angle.
-        const float scale = transport == Transport::Radiance ? eta * eta : 1.0f;
-        s = {n * (eta * cos_i - cos_t) - wo * eta, kWhite * scale, 0, kSpecular, false};
-        return !same_side(wo, s.wi);
-    }
-    float first_specular(Vec3 wo) const override {
-        const float eta = eta_from(wo), cos_i = dot(wo, normal_towards(wo));
-        return fresnel(eta, cos_i, cos_behind(eta, cos_i));
-    }
-    Rgb albedo(Vec3, LobeMask mask) const override { return mask & kSpecular ? kWhite : Rgb{}; }
-
-  private:
-    /// Incident over transmitted.
-    float eta_from(Vec3 wo) const { return dot(wo, ng_) > 0 ? 1 / index_ : index_; }
-    /// Of the refracted direction; 0 where all is reflected, which makes fresnel() 1.
-    static float cos_behind(float eta, float cos_i) {
-        return std::sqrt(std::max(0.0f, 1 - eta * eta * (1 - cos_i * cos_i)));
-    }
-    static float fresnel(float eta, float cos_i, float cos_t) {
-        const float parallel = (cos_i - eta * cos_t) / (cos_i + eta * cos_t);
-        const float perpendicular = (eta * cos_i - cos_t) / (eta * cos_i + cos_t);
-        return 0.5f * (parallel * parallel + perpendicular * perpendicular);
-    }
-    float index_;
-};
-
 /// Modified Phong lobe, normalised so that its albedo is at most `ks`.
-class Phong final : public SurfaceBsdf {
+class Phong final : public OrientedBsdf {
   public:
-    Phong(Vec3 ng, Vec3 ns, Rgb ks, float n) : SurfaceBsdf(ng, ns), ks_(ks), n_(n) {}
+    Phong(Vec3 ng, Vec3 ns, Rgb ks, float n) : OrientedBsdf(ng, ns), ks_(ks), n_(n) {}
 
     LobeMask lobes() const override { return kGlossy; }
     Rgb evaluate(Vec3 wo, Vec3 wi, Transport, LobeMask mask) const override {
@@ -172,10 +89,10 @@ class Phong final : public SurfaceBsdf {
 };
 
 /// Diffuse paint under a perfect mirror film: the lobes that one eye path must choose between.
-class LambertAndMirror final : public SurfaceBsdf {
+class LambertAndMirror final : public OrientedBsdf {
   public:
     LambertAndMirror(Vec3 ng, Vec3 ns, Rgb kd, Rgb kr)
-        : SurfaceBsdf(ng, ns), diffuse_(ng, ns, kd, true), mirror_(ng, ns, kr) {}
+        : OrientedBsdf(ng, ns), diffuse_(ng, ns, kd, true), mirror_(ng, ns, kr) {}
 
     LobeMask lobes() const override { return kDiffuse | kSpecular; }
     Rgb evaluate(Vec3 wo, Vec3 wi, Transport t, LobeMask mask) const override {
@@ -205,7 +122,7 @@ class LambertAndMirror final : public SurfaceBsdf {
         return mask & kSpecular ? 0.5f : 1.0f;
     }
     Lambert diffuse_;
-    Mirror mirror_;
+    MirrorBsdf mirror_;
 };
 
 template <class T, class... Args>
@@ -221,9 +138,9 @@ const aips::Bsdf* make_bsdf(const Material& m, aips::Vec3 ng, aips::Vec3 ns,
         case Material::Kind::Lambert:
             return place<Lambert>(memory, ng, ns, m.reflectance, m.hide_lambert, m.claimed_pdf);
         case Material::Kind::Mirror:
-            return place<Mirror>(memory, ng, ns, m.reflectance);
+            return place<MirrorBsdf>(memory, ng, ns, m.reflectance);
         case Material::Kind::Glass:
-            return place<Glass>(memory, ng, ns, m.index);
+            return place<GlassBsdf>(memory, ng, ns, m.index);
         case Material::Kind::Null:
             return place<Null>(memory);
         case Material::Kind::Phong:

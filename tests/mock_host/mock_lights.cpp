@@ -2,74 +2,12 @@
 #include "mock_lights.h"
 
 #include "aips/core/sampling.h"
+#include "aips/parts/plain_lights.h"
 
 namespace mock {
 namespace {
 
 using namespace aips;
-
-/// A point on an emitting surface and its front normal.
-struct SurfaceSample {
-    Vec3 position, normal;
-};
-
-/// A one-sided diffuse emitter of which uniform points can be drawn.
-class DiffuseAreaLight : public Light {
-  public:
-    DiffuseAreaLight(Rgb radiance, float area, std::uint32_t group)
-        : radiance_(radiance), area_(area), group_(group) {}
-
-    std::uint32_t group() const override { return group_; }
-    float power() const override { return kPi * area_ * luminance(radiance_); }
-    bool at_infinity() const override { return false; }
-    Rgb escaped(Vec3) const override { return {}; }
-
-    bool emit(const std::array<float, 4>& u, Emission& emission) const override {
-        const SurfaceSample s = point({u[0], u[1]});
-        const Vec3 d = Frame(s.normal).to_world(square_to_cosine_hemisphere({u[2], u[3]}));
-        emission.ray = {s.position + s.normal * (1e-5f * std::sqrt(area_)), d, 0, nullptr};
-        emission.power = radiance_ * (kPi * area_);
-        return true;
-    }
-    bool sample_direct(const SurfacePoint& from, Vec2 u, DirectSample& sample) const override {
-        const SurfaceSample s = point(u);
-        const Vec3 to = s.position - from.position;
-        sample.distance = length(to);
-        if (!(sample.distance > 0)) return false;
-        sample.wi = to / sample.distance;
-        sample.pdf = density(s.normal, sample.wi, sample.distance);
-        sample.radiance = radiance_;
-        return sample.pdf > 0;
-    }
-    float pdf_direct(const SurfacePoint& from, Vec3 wi, const SurfacePoint* at) const override {
-        return at ? density(at->geometric_normal, wi, length(at->position - from.position)) : 0;
-    }
-    bool emission_coordinates(const SurfacePoint& towards, const DirectSample& sample,
-                              std::array<float, 4>& u) const override {
-        const Vec2 start = coordinates(towards.position + sample.wi * sample.distance);
-        // Aimed from where the rounded coordinates lead, the ray still goes through the point.
-        const SurfaceSample s = point(start);
-        const Vec3 d = Frame(s.normal).to_local(normalize(towards.position - s.position));
-        if (!(d.z > 0)) return false;
-        const Vec2 direction = cosine_hemisphere_to_square(d);
-        u = {start.x, start.y, direction.x, direction.y};
-        return true;
-    }
-
-  protected:
-    virtual SurfaceSample point(Vec2 u) const = 0;
-    /// Inverse of point() for a position about on the surface; in [0,1)^2.
-    virtual Vec2 coordinates(Vec3 position) const = 0;
-
-  private:
-    float density(Vec3 normal, Vec3 wi, float distance) const {
-        const float cosine = -dot(normal, wi);
-        return cosine > 0 ? distance * distance / (cosine * area_) : 0;
-    }
-    Rgb radiance_;
-    float area_;
-    std::uint32_t group_;
-};
 
 class QuadLight final : public DiffuseAreaLight {
   public:
@@ -106,41 +44,6 @@ class BallLight final : public DiffuseAreaLight {
         return uniform_sphere_to_square(normalize(position - ball_.center));
     }
     Ball ball_;
-};
-
-class PointLight final : public Light {
-  public:
-    PointLight(Vec3 position, Rgb intensity) : position_(position), intensity_(intensity) {}
-    std::uint32_t group() const override { return 0; }
-    float power() const override { return 4 * kPi * luminance(intensity_); }
-    bool at_infinity() const override { return false; }
-    Rgb escaped(Vec3) const override { return {}; }
-    bool emit(const std::array<float, 4>& u, Emission& emission) const override {
-        emission.ray = {position_, square_to_uniform_sphere({u[2], u[3]}), 0, nullptr};
-        emission.power = intensity_ * (4 * kPi);
-        return true;
-    }
-    bool sample_direct(const SurfacePoint& from, Vec2, DirectSample& sample) const override {
-        const Vec3 to = position_ - from.position;
-        sample.distance = length(to);
-        if (!(sample.distance > 0)) return false;
-        sample.wi = to / sample.distance;
-        sample.radiance = intensity_ / (sample.distance * sample.distance);
-        sample.pdf = 1;
-        sample.delta = true;
-        return true;
-    }
-    float pdf_direct(const SurfacePoint&, Vec3, const SurfacePoint*) const override { return 0; }
-    bool emission_coordinates(const SurfacePoint&, const DirectSample& sample,
-                              std::array<float, 4>& u) const override {
-        const Vec2 direction = uniform_sphere_to_square(-sample.wi);
-        u[2] = direction.x, u[3] = direction.y;
-        return true;
-    }
-
-  private:
-    Vec3 position_;
-    Rgb intensity_;
 };
 
 /// Constant radiance from a cone of directions at infinity; photons start on a disk beside the

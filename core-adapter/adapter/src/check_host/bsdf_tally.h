@@ -1,0 +1,40 @@
+// What the samples of one material tell of its Bsdfs.
+#pragma once
+
+#include <array>
+
+#include "direction_proposal.h"
+#include "estimate.h"
+#include "findings.h"
+
+namespace aips {
+
+/// One choice of lobes, asked for at all places of a material.
+struct DensityTally {
+    LobeMask mask = 0;
+    /// The same integrals over all directions and over octants, by samples of the Bsdf and by
+    /// directions of a known density: DensityTally's owner says which.
+    std::array<Estimate, 1 + kOctants> by_samples, by_density;
+};
+
+struct BsdfTally {
+    Tally values, directions, masks, lobes, deltas, pdfs, weights, unreachable, albedos, lambert,
+        choices;
+    std::vector<DensityTally> densities;
+    LobeMask claimed = 0;                 ///< by lobes(), at some place
+    LobeMask drawn = 0;                   ///< by samples
+    std::array<double, 3> albedo_of{};    ///< [lobe bit]: largest
+    std::array<Estimate, 3> weight_of{};  ///< [lobe bit]: weights' luminance, 0 for none
+    std::array<bool, 3> dark_albedo{};    ///< [lobe bit]: black at some place that scatters so
+    double most_energy = 0;               ///< reflected and transmitted at a place, lower bound
+};
+
+/// Asks `bsdf` at one place, where it is met along -wo; `ns` is the shading normal.
+struct BsdfPlace {
+    const Bsdf& bsdf;
+    Vec3 wo, geometric_normal, shading_normal;
+    std::uint32_t samples;
+};
+void ask_bsdf(const BsdfPlace& place, RandomStream& random, BsdfTally& tally);
+
+}  // namespace aips

@@ -1,0 +1,20 @@
+// The order of a host's check: surfaces, materials, lights.
+#include "aips/adapter/check_host.h"
+
+#include "check_lights.h"
+#include "check_materials.h"
+
+namespace aips {
+
+std::vector<HostFinding> check_host(const Scene& scene, const HostCheckSettings& settings) {
+    HostFindings findings;
+    if (scene.light_groups() == 0) {
+        findings.add({"scene", "light groups", "0", "at least 1"});
+    }
+    const MetSurfaces surfaces(scene, settings, findings);
+    check_materials(scene, settings, surfaces, findings);
+    check_lights(scene, settings, surfaces, findings);
+    return findings.take();
+}
+
+}  // namespace aips

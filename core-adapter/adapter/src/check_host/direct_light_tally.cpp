@@ -1,0 +1,183 @@
+// Directions to a light from one place: drawn by the light, and met by rays of a known density.
+#include "direct_light_tally.h"
+
+#include "aips/core/arena.h"
+#include "emission_numbers.h"
+
+namespace aips {
+namespace {
+
+constexpr int kPilots = 16;
+/// Two distances to one light point, or two values of one quantity, as shares of the larger.
+constexpr float kSame = 0.02f;
+
+bool near(float a, float b) {
+    return std::abs(a - b) <= kSame * std::max(std::abs(a), std::abs(b));
+}
+
+class Place {
+  public:
+    Place(const Scene& scene, LightIndex number, const SurfacePoint& point, float time,
+          RandomStream& random, DirectLightTally& tally)
+        : scene_(scene),
+          number_(number),
+          light_(*scene.lights()[number]),
+          point_(point),
+          time_(time),
+          random_(random),
+          tally_(tally) {}
+
+    /// Directions in which the light is seen; empty if it is not.
+    std::vector<Vec3> pilots() {
+        std::vector<Vec3> found;
+        bool reached = false;
+        for (int i = 0; i < kPilots; ++i) {
+            DirectSample s;
+            if (!draw(s)) continue;
+            found.push_back(s.wi);
+            reached = reached ||
+                      (!is_black(s.radiance) && !is_black(scene_.visibility(point_, s, time_)));
+        }
+        return reached ? found : std::vector<Vec3>();
+    }
+
+    void ask(const DirectionProposal& q, std::uint32_t samples) {
+        for (std::uint32_t i = 0; i < samples; ++i)
+            tally_.by_samples.add(sample(q));
+        for (std::uint32_t i = 0; i < samples; ++i)
+            tally_.by_density.add(meet(q));
+    }
+
+  private:
+    bool draw(DirectSample& s) {
+        if (!light_.sample_direct(point_, random_.next2(), s)) return false;
+        return tally_.values.look(
+            is_valid_radiance(s.radiance) && s.pdf > 0 && std::isfinite(s.pdf) && s.distance > 0 &&
+                std::abs(length_squared(s.wi) - 1) < 1e-3f,
+            [&] {
+                return "a direct sample of radiance " + figure(luminance(s.radiance)) + ", pdf " +
+                       figure(s.pdf) + ", distance " + figure(s.distance) +
+                       ", direction of length " + figure(length(s.wi));
+            });
+    }
+
+    bool trace(Vec3 direction, SurfacePoint& met) {
+        arena_.reset();
+        return scene_.intersect(scene_.spawn(point_, direction, time_), met, arena_);
+    }
+
+    /// q / (p + q) for a direction that reaches the light.
+    double sample(const DirectionProposal& q) {
+        DirectSample s;
+        if (!draw(s)) return 0;
+        coordinates(s);
+        if (s.delta) return 0;
+        SurfacePoint met;
+        const bool hit = trace(s.wi, met);
+        const bool at_infinity = light_.at_infinity();
+        look_at_visibility(s, hit, met);
+        if (!at_infinity && !reaches(s, hit, met)) return 0;
+        const Rgb seen = at_infinity ? light_.escaped(s.wi) : met.emitted;
+        const float p = light_.pdf_direct(point_, s.wi, at_infinity ? nullptr : &met);
+        tally_.radiances.look(near(luminance(seen), luminance(s.radiance)), [&] {
+            return "radiance " + figure(luminance(s.radiance)) + " sampled, " +
+                   figure(luminance(seen)) + " seen";
+        });
+        tally_.pdfs.look(near(p, s.pdf), [&] {
+            return "pdf " + figure(s.pdf) + " sampled, pdf_direct() " + figure(p);
+        });
+        const double known = q.pdf(s.wi);
+        return p >= 0 ? known / (p + known) : 0;
+    }
+
+    /// Whether the sampled light point is the first thing in its direction.
+    bool reaches(const DirectSample& s, bool hit, const SurfacePoint& met) {
+        const bool there = hit && near(met.distance, s.distance) && met.light == number_;
+        const bool nearer = hit && met.distance < s.distance * (1 + kSame);
+        if (there || !nearer) {
+            tally_.missed.look(there, [&] {
+                return "a light point at distance " + figure(s.distance) + ", where a ray meets " +
+                       (hit ? "something at " + figure(met.distance) : std::string("nothing"));
+            });
+        }
+        return there;
+    }
+
+    void look_at_visibility(const DirectSample& s, bool hit, const SurfacePoint& met) {
+        if (is_black(met.transmittance)) return;
+        const bool before = hit && met.distance < s.distance * (1 - kSame);
+        const bool free = !hit || (met.light == number_ && near(met.distance, s.distance));
+        if (!before && !free) return;
+        if (before && met.bsdf && (met.bsdf->lobes() & kSpecular)) return;  // may be passed
+        const bool visible = !is_black(scene_.visibility(point_, s, time_));
+        if (before) {
+            tally_.blocked.look(!visible, [&] {
+                return "light from distance " + figure(s.distance) + " through " +
+                       material_subject(scene_, met.material) + " at " + figure(met.distance);
+            });
+        } else {
+            tally_.open.look(visible, [&] { return "no light, and nothing in its way"; });
+        }
+    }
+
+    void coordinates(const DirectSample& s) {
+        EmissionNumbers u{};
+        u.fill(0.5f);
+        if (!light_.emission_coordinates(point_, s, u)) return;
+        const bool within = std::all_of(u.begin(), u.end(), [](auto x) { return x >= 0 && x < 1; });
+        Emission e;
+        const bool emitted = within && light_.emit(u, e);
+        const Vec3 to = point_.position - e.ray.origin;
+        const float off = length(to - e.ray.direction * std::max(0.0f, dot(to, e.ray.direction)));
+        const float slack = 5e-3f * std::max(scene_.bounds().diagonal(), length(to));
+        tally_.coordinates.look(emitted && off <= slack, [&] {
+            return emitted ? "a photon that passes the point at distance " + figure(off)
+                           : std::string("coordinates that emit nothing");
+        });
+    }
+
+    /// p / (p + q) for a direction in which the light is seen.
+    double meet(const DirectionProposal& q) {
+        const Vec3 w = q.sample(random_);
+        const double known = q.pdf(w);
+        SurfacePoint met;
+        const bool at_infinity = light_.at_infinity();
+        if (!at_infinity && !(trace(w, met) && met.light == number_)) return 0;
+        const float p = light_.pdf_direct(point_, w, at_infinity ? nullptr : &met);
+        const Rgb seen = at_infinity ? light_.escaped(w) : met.emitted;
+        const bool sound = tally_.values.look(p >= 0 && std::isfinite(p) && is_valid_radiance(seen),
+                                              [&] { return "pdf_direct() " + figure(p); });
+        if (!sound) return 0;
+        if (luminance(seen) > 0) {
+            tally_.unasked.look(p > 0, [&] {
+                return "radiance " + figure(luminance(seen)) + " where pdf_direct() is 0";
+            });
+        }
+        return p / (p + known);
+    }
+
+    const Scene& scene_;
+    LightIndex number_;
+    const Light& light_;
+    const SurfacePoint& point_;
+    float time_;
+    RandomStream& random_;
+    DirectLightTally& tally_;
+    Arena arena_;
+};
+
+}  // namespace
+
+void ask_direct_light(const Scene& scene, LightIndex light, const Ray& ray, std::uint32_t samples,
+                      RandomStream& random, DirectLightTally& tally) {
+    Arena arena;
+    SurfacePoint point;
+    if (!scene.intersect(ray, point, arena)) return;
+    Place place(scene, light, point, ray.time, random, tally);
+    std::vector<Vec3> pilots = place.pilots();
+    if (pilots.empty()) return;
+    ++tally.places;
+    place.ask(DirectionProposal(std::move(pilots)), samples);
+}
+
+}  // namespace aips

@@ -1,0 +1,21 @@
+// What shadow rays bring from one light against what rays see of it, from surfaces of the scene.
+#pragma once
+
+#include "direction_proposal.h"
+#include "estimate.h"
+#include "findings.h"
+
+namespace aips {
+
+struct DirectLightTally {
+    Tally values, pdfs, radiances, missed, unasked, blocked, open, coordinates;
+    /// Integrals of p q / (p + q) as in ask_bsdf.cpp: by samples, and by directions of density q.
+    Estimate by_samples, by_density;
+    std::uint32_t places = 0;  ///< that the light reaches
+};
+
+/// Asks from the place that `ray` meets, if the light reaches it.
+void ask_direct_light(const Scene& scene, LightIndex light, const Ray& ray, std::uint32_t samples,
+                      RandomStream& random, DirectLightTally& tally);
+
+}  // namespace aips

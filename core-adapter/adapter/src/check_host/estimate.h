@@ -1,0 +1,50 @@
+// A mean of samples with a bound of its error that holds without a large-sample approximation.
+// Source: Maurer & Pontil 2009, "Empirical Bernstein bounds", theorem 4.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+
+namespace aips {
+
+/// Of numbers >= 0.
+class Estimate {
+  public:
+    void add(double x) {
+        ++count_;
+        sum_ += x;
+        sum_of_squares_ += x * x;
+        largest_ = std::max(largest_, x);
+    }
+    std::uint64_t count() const { return count_; }
+    double mean() const { return count_ ? sum_ / double(count_) : 0; }
+    /// Exceeded with probability kErrorProbability by samples within [0, `range`]; where no range
+    /// is known the largest sample has to do.
+    double error(double range = 0) const {
+        if (count_ < 2) return 1e300;
+        const double n = double(count_), m = mean();
+        const double variance = std::max(0.0, (sum_of_squares_ - n * m * m) / (n - 1));
+        const double log_term = std::log(3 / kErrorProbability);
+        return std::sqrt(2 * variance * log_term / n) +
+               3 * std::max(range, largest_) * log_term / n;
+    }
+    static constexpr double kErrorProbability = 1e-9;
+
+  private:
+    std::uint64_t count_ = 0;
+    double sum_ = 0, sum_of_squares_ = 0, largest_ = 0;
+};
+
+/// Bound of the probability with which a sound host exceeds the errors of two estimates in one of
+/// some comparisons.
+inline constexpr double kChanceOfFinding = 1e-8;
+
+/// Whether two estimates of one number contradict each other by more than chance and more than
+/// `tolerance`.
+inline bool differ(const Estimate& a, const Estimate& b, double tolerance, double range = 0) {
+    const double difference = std::abs(a.mean() - b.mean());
+    return difference > tolerance && difference > a.error(range) + b.error(range);
+}
+
+}  // namespace aips

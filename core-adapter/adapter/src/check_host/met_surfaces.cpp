@@ -1,0 +1,199 @@
+// What must hold at every surface, whatever it is made of.
+#include "met_surfaces.h"
+
+#include "aips/core/sampling.h"
+
+namespace aips {
+namespace {
+
+constexpr int kMostBounces = 6;
+constexpr std::size_t kPlacesAnywhere = 256;
+/// Share of surfaces at which rounding may let a sound host down.
+constexpr double kRare = 0.02;
+
+/// Counts what one intersect() takes of an arena.
+class CountedMemory final : public std::pmr::memory_resource {
+  public:
+    explicit CountedMemory(Arena& arena) : arena_(arena) {}
+    std::size_t bytes() const { return bytes_; }
+
+  private:
+    void* do_allocate(std::size_t bytes, std::size_t alignment) override {
+        bytes_ += bytes;
+        return arena_.allocate(bytes, alignment);
+    }
+    void do_deallocate(void*, std::size_t, std::size_t) override {}
+    bool do_is_equal(const std::pmr::memory_resource& other) const noexcept override {
+        return this == &other;
+    }
+    Arena& arena_;
+    std::size_t bytes_ = 0;
+};
+
+bool is_unit(Vec3 v) {
+    return std::abs(length_squared(v) - 1) < 1e-3f;
+}
+
+std::string text(Vec3 v) {
+    return "(" + figure(v.x) + ", " + figure(v.y) + ", " + figure(v.z) + ")";
+}
+
+/// Rounding of coordinates in a scene: some units in the last place of the farthest.
+float coarseness_of(const Bounds& bounds) {
+    if (bounds.empty()) return 0;
+    const Vec3 reach = max(abs(bounds.lower), abs(bounds.upper));
+    return 16 * 0x1p-23f * std::max({reach.x, reach.y, reach.z});
+}
+
+Vec3 somewhere_in(const Bounds& bounds, RandomStream& random) {
+    const Vec3 e = bounds.extent();
+    const Vec2 xy = random.next2();
+    return bounds.lower + Vec3{e.x * xy.x, e.y * xy.y, e.z * random.next()};
+}
+
+}  // namespace
+
+MetSurfaces::MetSurfaces(const Scene& scene, const HostCheckSettings& settings,
+                         HostFindings& findings)
+    : scene_(scene),
+      settings_(settings),
+      random_(check_stream(settings, CheckStream::Rays, 0)),
+      facts_(scene.facts()),
+      coarseness_(coarseness_of(scene.bounds())) {
+    const auto lights = scene.lights();
+    const Bounds bounds = scene.bounds();
+    for (std::uint32_t i = 0; i < settings.rays; ++i) {
+        if (i % 2 == 0 && !lights.empty()) {
+            Emission emission;
+            if (!emit_at_random(*lights[(i / 2) % lights.size()], random_, emission)) continue;
+            if (!is_unit(emission.ray.direction) || !is_finite(emission.ray.origin)) continue;
+            emission.ray.time = settings.time;
+            follow(emission.ray, "light");
+        } else if (!bounds.empty()) {
+            const Vec3 direction = square_to_uniform_sphere(random_.next2());
+            follow({somewhere_in(bounds, random_), direction, settings.time}, "scene");
+        }
+    }
+    report(findings);
+}
+
+void MetSurfaces::follow(Ray ray, const char* origin) {
+    for (int bounce = 0; bounce < kMostBounces; ++bounce) {
+        Arena arena;
+        CountedMemory memory(arena);
+        SurfacePoint point;
+        if (!scene_.intersect(ray, point, memory)) return;
+        if (bounce > 0 || origin[0] == 'l') {
+            // Where the ray began at a surface, that one must not be met at once.
+            Tally& starts = bounce > 0 ? spawned_ : emitted_starts_;
+            starts.look(point.distance > 0.25f * coarseness_, [&] {
+                return material_subject(scene_, point.material) + " met at distance " +
+                       figure(point.distance);
+            });
+        }
+        look_at(ray, point, memory.bytes());
+        BsdfSample sample;
+        if (!point.bsdf || !is_finite(point.position)) return;
+        const Vec2 u = random_.next2();
+        if (!point.bsdf->sample(-ray.direction, u, random_.next(), Transport::Power, kAllLobes,
+                                sample) ||
+            !is_unit(sample.wi)) {
+            return;
+        }
+        ray = continue_ray(scene_, point, sample.wi, sample.component, ray);
+        ray.time = settings_.time;
+    }
+}
+
+void MetSurfaces::look_at(const Ray& ray, const SurfacePoint& point, std::size_t bytes) {
+    const auto subject = [&] { return material_subject(scene_, point.material); };
+    memory_.look(bytes <= facts_.max_bsdf_bytes,
+                 [&] { return std::to_string(bytes) + " bytes for " + subject(); });
+    if (point.bsdf) {
+        const LobeMask unknown = LobeMask(point.bsdf->lobes() & ~facts_.lobes);
+        lobes_.look(unknown == 0,
+                    [&] { return "lobe " + std::to_string(unknown) + " of " + subject(); });
+    }
+    values_.look(is_valid_radiance(point.emitted) && is_valid_radiance(point.transmittance) &&
+                     std::isfinite(point.distance) && is_finite(point.position),
+                 [&] { return "a value that is negative or not finite at " + subject(); });
+    indices_.look((point.light == kNoLight || point.light < scene_.lights().size()) &&
+                      point.material < scene_.material_names().size(),
+                  [&] { return subject() + ", light " + std::to_string(point.light); });
+    look_at_normals(ray, point);
+    const Vec3 along = ray.origin + ray.direction * point.distance;
+    const float slack = 1e-3f * point.distance + 16 * coarseness_;
+    positions_.look(length(along - point.position) <= slack, [&] {
+        return subject() + " at " + text(point.position) + ", the ray at " + text(along);
+    });
+    const Bounds b = scene_.bounds();
+    const float margin = 1e-3f * b.diagonal() + coarseness_;
+    const Vec3 room{margin, margin, margin};
+    bounds_.look(Bounds{b.lower - room, b.upper + room}.contains(point.position),
+                 [&] { return subject() + " at " + text(point.position); });
+    keep(ray, point);
+}
+
+void MetSurfaces::look_at_normals(const Ray& /*ray*/, const SurfacePoint& point) {
+    const auto subject = [&] { return material_subject(scene_, point.material); };
+    const bool unit =
+        normals_.look(is_unit(point.geometric_normal) && is_unit(point.shading_normal), [&] {
+            return "lengths " + figure(length(point.geometric_normal)) + " and " +
+                   figure(length(point.shading_normal)) + " at " + subject();
+        });
+    if (!unit) return;
+    const float cosine = dot(point.geometric_normal, point.shading_normal);
+    hemispheres_.look(cosine > 0, [&] { return "cosine " + figure(cosine) + " at " + subject(); });
+}
+
+void MetSurfaces::keep(const Ray& ray, const SurfacePoint& point) {
+    Places& places = materials_[point.material];
+    if (dot(ray.direction, point.geometric_normal) < 0) {
+        keep(ray, places.front, places.met_front);
+    } else {
+        keep(ray, places.back, places.met_back);
+    }
+    ++met_;
+    if (anywhere_.size() < kPlacesAnywhere) {
+        anywhere_.push_back(ray);
+    } else if (const auto at = std::size_t(random_.next() * float(met_)); at < kPlacesAnywhere) {
+        anywhere_[at] = ray;
+    }
+}
+
+/// Of all rays that meet the material, each is kept with the same probability.
+void MetSurfaces::keep(const Ray& ray, std::vector<Ray>& rays, std::uint64_t& met) {
+    ++met;
+    if (rays.size() < settings_.places) {
+        rays.push_back(ray);
+    } else if (const auto at = std::size_t(random_.next() * float(met)); at < rays.size()) {
+        rays[at] = ray;
+    }
+}
+
+void MetSurfaces::report(HostFindings& findings) {
+    const std::string scene = "scene";
+    findings.add_if_over(memory_, 0, scene, "memory",
+                         "at most max_bsdf_bytes, " + std::to_string(facts_.max_bsdf_bytes));
+    findings.add_if_over(
+        lobes_, 0, scene, "lobes",
+        "no lobe that SceneFacts::lobes, " + std::to_string(facts_.lobes) + ", lacks");
+    findings.add_if_over(values_, 0, scene, "values", "finite values, none negative");
+    findings.add_if_over(indices_, 0, scene, "indices",
+                         "a light of lights() or kNoLight, a name in material_names()");
+    findings.add_if_over(normals_, 0, scene, "normals", "unit normals");
+    findings.add_if_over(hemispheres_, 0, scene, "shading normal",
+                         "one in the geometric normal's hemisphere");
+    findings.add_if_over(positions_, kRare, scene, "position",
+                         "the point at `distance` along the ray");
+    findings.add_if_over(bounds_, kRare, scene, "bounds", "surfaces within bounds()");
+    findings.add_if_over(spawned_, kRare, scene, "spawn",
+                         "rays that do not meet the surface they leave");
+    findings.add_if_over(emitted_starts_, kRare, scene, "start of emission",
+                         "photons that do not meet the surface they leave");
+    if (scene_.media() && !facts_.has_media) {
+        findings.add({scene, "media", "media(), but no SceneFacts::has_media", "both or neither"});
+    }
+}
+
+}  // namespace aips

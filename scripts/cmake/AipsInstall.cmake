@@ -1,5 +1,6 @@
 # What `cmake --install` puts in place: libraries and headers for host adapters (CMake package
-# `aips` and aips.pc), the plugin SDK (lxs::sdk), the plugin modules and lxsrender.
+# `aips` and aips.pc), the plugin SDK (lxs::sdk), the plugin modules and lxsrender; the manual, the
+# licence, and the example of a host that the manual walks through.
 include(CMakePackageConfigHelpers)
 
 set(aips_cmake_dir ${CMAKE_INSTALL_LIBDIR}/cmake/aips)
@@ -15,13 +16,21 @@ function(aips_keep_object_code)
   endforeach()
 endfunction()
 
-aips_keep_object_code(aips_core aips_adapter)
-install(TARGETS aips_core aips_adapter EXPORT aipsTargets)
+aips_keep_object_code(aips_core aips_adapter aips_parts)
+install(TARGETS aips_core aips_adapter aips_parts EXPORT aipsTargets)
 install(EXPORT aipsTargets NAMESPACE aips:: DESTINATION ${aips_cmake_dir})
 install(DIRECTORY
   ${PROJECT_SOURCE_DIR}/core-adapter/core/include/
   ${PROJECT_SOURCE_DIR}/core-adapter/adapter/include/
+  ${PROJECT_SOURCE_DIR}/core-adapter/parts/include/
   DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
+
+# The manual keeps its place beside README.md, which links to it.
+install(FILES ${PROJECT_SOURCE_DIR}/LICENSE ${PROJECT_SOURCE_DIR}/README.md
+  DESTINATION ${CMAKE_INSTALL_DOCDIR})
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/docs DESTINATION ${CMAKE_INSTALL_DOCDIR})
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/tests/install/consumer/
+  DESTINATION ${CMAKE_INSTALL_DOCDIR}/example)
 
 if(AIPS_BUILD_HOST)
   aips_keep_object_code(lxs_sdk)

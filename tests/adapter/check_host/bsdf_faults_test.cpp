@@ -1,6 +1,7 @@
 // Faults of Bsdfs: each is planted in the floor's material and found alone, with its name.
 #include <gtest/gtest.h>
 
+#include "aips/core/sampling.h"
 #include "faulty_scene.h"
 
 namespace {
@@ -50,9 +51,7 @@ class FaultyBsdf final : public Bsdf {
         if (fault_ == Fault::WeightHalf && s.lobe == kDiffuse) s.weight *= 0.5f;
         if (fault_ == Fault::TooBright && s.lobe == kDiffuse) s.weight *= 4.0f;
         if (fault_ == Fault::DensityUniform && s.lobe == kDiffuse) {
-            const float pdf = 0.25f / kPi * share(mask);
-            s.weight *= s.pdf / pdf;
-            s.pdf = pdf;
+            s.pdf = 0.25f / kPi * share(mask);
         }
         if (fault_ == Fault::DeltaWithDensity && s.lobe == kSpecular) s.pdf = 1;
         return true;

@@ -1,6 +1,7 @@
 // Faults of lights: each is planted in one of the scene's lights and found alone, with its name.
 #include <gtest/gtest.h>
 
+#include "aips/core/sampling.h"
 #include "faulty_scene.h"
 #include "scene_with_lights.h"
 
@@ -37,7 +38,7 @@ class FaultyLight final : public mock::LightLike {
     bool emit(const std::array<float, 4>& u, Emission& emission) const override {
         if (!light_.emit(u, emission)) return false;
         if (fault_ == Fault::Emission) emission.power *= 4 * kPi;
-        if (fault_ == Fault::Directions) emission.ray.direction.y *= -1;
+        if (fault_ == Fault::Directions) emission.ray.direction.x *= -1;
         if (fault_ == Fault::NotFinite) emission.power.r = std::numeric_limits<float>::infinity();
         return true;
     }

@@ -44,22 +44,14 @@ TEST(SceneFaults, ShadingNormalsOnTheOtherSide) {
     mock::Spoils spoils;
     spoils.point = [](SurfacePoint& point, auto&) {
         point.geometric_normal = -point.geometric_normal;
-        point.light = kNoLight, point.emitted = {};
-        point.bsdf = nullptr;
     };
-    const mock::Scene scene = room();
-    const auto findings = check_host(mock::FaultyScene(scene, spoils), mock::quick_check());
-    ASSERT_FALSE(findings.empty());
-    EXPECT_EQ(findings[0].check, "shading normal") << mock::lines(findings);
+    expect_scene_fault(spoils, "shading normal");
 }
 
 TEST(SceneFaults, PositionsBesideTheRay) {
     mock::Spoils spoils;
     spoils.point = [](SurfacePoint& point, auto&) { point.distance *= 0.9f; };
-    const mock::Scene scene = room();
-    const auto findings = check_host(mock::FaultyScene(scene, spoils), mock::quick_check());
-    ASSERT_FALSE(findings.empty());
-    EXPECT_EQ(findings[0].check, "position") << mock::lines(findings);
+    expect_scene_fault(spoils, "position");
 }
 
 TEST(SceneFaults, SurfacesBeyondTheBounds) {

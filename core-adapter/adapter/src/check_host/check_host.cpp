@@ -12,6 +12,7 @@ std::vector<HostFinding> check_host(const Scene& scene, const HostCheckSettings&
         findings.add({"scene", "light groups", "0", "at least 1"});
     }
     const MetSurfaces surfaces(scene, settings, findings);
+    if (!surfaces.sound()) return findings.take();
     check_materials(scene, settings, surfaces, findings);
     check_lights(scene, settings, surfaces, findings);
     return findings.take();

@@ -54,11 +54,13 @@ class LightCheck {
             any(direct.values, 0, "values", "finite values, none negative; unit directions")) {
             return;
         }
-        const bool seen = report_direct(direct);
-        report_emission(flux, seen);
-        report_power(flux);
-        any(direct.coordinates, 2 * kRare, "emission_coordinates",
-            "coordinates of a photon through the point");
+        const bool doubtful = report_direct(direct);
+        const bool emission = report_emission(flux, doubtful);
+        report_power(flux, emission);
+        if (!emission) {
+            any(direct.coordinates, 2 * kRare, "emission_coordinates",
+                "coordinates of a photon through the point");
+        }
     }
 
   private:
@@ -69,7 +71,7 @@ class LightCheck {
         return findings_.add_if_over(tally, share, subject_, check, expected);
     }
 
-    /// Whether the light's radiance is in doubt.
+    /// Whether what sample_direct() brings is in doubt.
     bool report_direct(const DirectLightTally& direct) {
         any(direct.blocked, kRare, "visibility", "none through what lets nothing pass");
         any(direct.open, kRare, "visibility", "light, where nothing is in its way");
@@ -77,7 +79,9 @@ class LightCheck {
         const bool radiance =
             any(direct.radiances, kRare, "radiance", "the radiance that rays see there");
         const bool pdf = any(direct.pdfs, kRare, "pdf_direct", "the same density from both");
-        if (!missed && !pdf && differ(direct.by_samples, direct.by_density, 0.01, 1)) {
+        const bool density =
+            !missed && !pdf && differ(direct.by_samples, direct.by_density, 0.01, 1);
+        if (density) {
             add("density of directions",
                 "samples that bring " + figure(direct.by_samples.mean()) +
                     " where pdf_direct() tells " + figure(direct.by_density.mean()),
@@ -86,36 +90,42 @@ class LightCheck {
             any(direct.unasked, kRare, "missing directions",
                 "samples wherever the light is seen from");
         }
-        return radiance;
+        return radiance || (density && !light_.at_infinity());
     }
 
-    void report_emission(const LightFlux& flux, bool radiance_reported) {
+    /// Whether photons are no measure of the light.
+    bool report_emission(const LightFlux& flux, bool doubtful) {
         const Estimate &photons = flux.by_photons[0], &points = flux.by_points[0];
         const double total = std::max(photons.mean(), points.mean());
-        if (differ(photons, points, kFluxTolerance * total)) {
-            emission_differs_ = true;
-            if (radiance_reported) return;
-            const double ratio = points.mean() > 0 ? photons.mean() / points.mean() : 0;
-            add("emission",
-                figure(photons.mean()) + " W by emit(), " + factor(ratio) + " what " +
-                    (light_.at_infinity() ? "escaped()" : "sample_direct()") + " sends",
-                figure(points.mean()) + " W", kChanceOfFinding);
-            return;
-        }
-        for (int i = 1; i <= kOctants; ++i) {
-            const Estimate &out = flux.by_photons[std::size_t(i)],
-                           &in = flux.by_points[std::size_t(i)];
-            if (!differ(out, in, kFluxTolerance * total)) continue;
+        const bool differs = differ(photons, points, kFluxTolerance * total);
+        if (differs && doubtful) return true;
+        const double ratio = points.mean() > 0 ? photons.mean() / points.mean() : 0;
+        if (report_octants(flux, differs ? ratio : 1, kFluxTolerance * total)) return true;
+        if (!differs) return false;
+        add("emission",
+            figure(photons.mean()) + " W by emit(), " + factor(ratio) + " what " +
+                (light_.at_infinity() ? "escaped()" : "sample_direct()") + " sends",
+            figure(points.mean()) + " W", kChanceOfFinding);
+        return true;
+    }
+
+    /// Whether photons go where radiance does not, apart from an overall factor.
+    bool report_octants(const LightFlux& flux, double ratio, double tolerance) {
+        for (std::size_t i = 1; i < flux.by_photons.size(); ++i) {
+            const Estimate &out = flux.by_photons[i], &in = flux.by_points[i];
+            const double difference = std::abs(out.mean() - ratio * in.mean());
+            if (difference < tolerance || difference < out.error() + ratio * in.error()) continue;
             add("directions of emission",
                 figure(out.mean()) + " W by emit() in an octant, " + figure(in.mean()) +
                     " W by radiance",
                 "photons where radiance goes", kChanceOfFinding);
-            return;
+            return true;
         }
+        return false;
     }
 
     /// power() against what photons bring; if those are wrong themselves, one finding is enough.
-    void report_power(const LightFlux& flux) {
+    void report_power(const LightFlux& flux, bool emission_reported) {
         const double power = light_.power(), emitted = flux.emitted.mean();
         const double error = flux.emitted.error();
         if (!(power >= 0) || !std::isfinite(power)) {
@@ -123,7 +133,7 @@ class LightCheck {
         } else if (power == 0 && emitted > error) {
             add("power", "0 of a light whose photons bring " + figure(emitted) + " W",
                 "0 for dead lights only", kChanceOfFinding);
-        } else if (!emission_differs_ && (power > kPowerTolerance * (emitted + error) ||
+        } else if (!emission_reported && (power > kPowerTolerance * (emitted + error) ||
                                           power * kPowerTolerance < emitted - error)) {
             add("power",
                 figure(power) + " W, " + (emitted > 0 ? factor(power / emitted) + " " : "") +
@@ -136,7 +146,6 @@ class LightCheck {
     const Light& light_;
     std::string subject_;
     HostFindings& findings_;
-    bool emission_differs_ = false;
 };
 
 }  // namespace
@@ -154,10 +163,10 @@ void check_lights(const Scene& scene, const HostCheckSettings& settings,
             measure_flux(scene, *scene.lights()[i], 2 * settings.samples * settings.places, random);
         DirectLightTally direct;
         const std::size_t tried = std::min(kPlacesTried, surfaces.anywhere().size());
-        for (std::size_t k = 0; k < tried && direct.places < settings.places; ++k) {
+        for (std::size_t k = 0; k < tried; ++k) {
             const auto at = std::size_t(random.next() * float(surfaces.anywhere().size()));
-            ask_direct_light(scene, number, surfaces.anywhere()[at], settings.samples, random,
-                             direct);
+            ask_direct_light(scene, number, surfaces.anywhere()[at], settings.samples,
+                             settings.places, random, direct);
         }
         LightCheck(scene, number, findings).report(flux, direct);
     }

@@ -22,11 +22,11 @@ class MaterialCheck {
             any(tally_.directions, 0, "directions", "unit directions")) {
             return;
         }
-        any(tally_.masks, 0, "lobe of a sample", "one of the lobes asked for");
+        const bool masks = any(tally_.masks, 0, "lobe of a sample", "one of the lobes asked for");
         const bool delta =
             any(tally_.deltas, 0, "delta", "pdf 0 for specular lobes, and for these alone");
         const bool lobes = report_lobes();
-        if (!delta) report_densities(lobes);
+        if (!delta && !masks) report_densities(lobes);
         report_energy();
         report_albedo();
         any(tally_.lambert, kRare, "lambertian", "Kd / pi on wo's side, 0 on the other");

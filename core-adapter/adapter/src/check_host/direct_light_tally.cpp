@@ -35,6 +35,9 @@ class Place {
             DirectSample s;
             if (!draw(s)) continue;
             found.push_back(s.wi);
+            SurfacePoint met;
+            const bool hit = trace(s.wi, met);
+            look_at_visibility(s, hit, met);
             reached = reached ||
                       (!is_black(s.radiance) && !is_black(scene_.visibility(point_, s, time_)));
         }
@@ -75,7 +78,6 @@ class Place {
         SurfacePoint met;
         const bool hit = trace(s.wi, met);
         const bool at_infinity = light_.at_infinity();
-        look_at_visibility(s, hit, met);
         if (!at_infinity && !reaches(s, hit, met)) return 0;
         const Rgb seen = at_infinity ? light_.escaped(s.wi) : met.emitted;
         const float p = light_.pdf_direct(point_, s.wi, at_infinity ? nullptr : &met);
@@ -169,13 +171,13 @@ class Place {
 }  // namespace
 
 void ask_direct_light(const Scene& scene, LightIndex light, const Ray& ray, std::uint32_t samples,
-                      RandomStream& random, DirectLightTally& tally) {
+                      std::uint32_t places, RandomStream& random, DirectLightTally& tally) {
     Arena arena;
     SurfacePoint point;
     if (!scene.intersect(ray, point, arena)) return;
     Place place(scene, light, point, ray.time, random, tally);
     std::vector<Vec3> pilots = place.pilots();
-    if (pilots.empty()) return;
+    if (pilots.empty() || tally.places >= places) return;
     ++tally.places;
     place.ask(DirectionProposal(std::move(pilots)), samples);
 }

@@ -14,8 +14,9 @@ struct DirectLightTally {
     std::uint32_t places = 0;  ///< that the light reaches
 };
 
-/// Asks from the place that `ray` meets, if the light reaches it.
+/// Asks from the place that `ray` meets: by a few shadow rays for visibility, and if they reach the
+/// light and `places` have not been asked yet, by `samples` for all else.
 void ask_direct_light(const Scene& scene, LightIndex light, const Ray& ray, std::uint32_t samples,
-                      RandomStream& random, DirectLightTally& tally);
+                      std::uint32_t places, RandomStream& random, DirectLightTally& tally);
 
 }  // namespace aips

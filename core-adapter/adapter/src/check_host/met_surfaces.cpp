@@ -35,7 +35,9 @@ bool is_unit(Vec3 v) {
 }
 
 std::string text(Vec3 v) {
-    return "(" + figure(v.x) + ", " + figure(v.y) + ", " + figure(v.z) + ")";
+    std::string text = figure(v.x);
+    text.append(", ").append(figure(v.y)).append(", ").append(figure(v.z));
+    return text;
 }
 
 /// Rounding of coordinates in a scene: some units in the last place of the farthest.
@@ -60,36 +62,49 @@ MetSurfaces::MetSurfaces(const Scene& scene, const HostCheckSettings& settings,
       random_(check_stream(settings, CheckStream::Rays, 0)),
       facts_(scene.facts()),
       coarseness_(coarseness_of(scene.bounds())) {
-    const auto lights = scene.lights();
-    const Bounds bounds = scene.bounds();
-    for (std::uint32_t i = 0; i < settings.rays; ++i) {
-        if (i % 2 == 0 && !lights.empty()) {
-            Emission emission;
-            if (!emit_at_random(*lights[(i / 2) % lights.size()], random_, emission)) continue;
-            if (!is_unit(emission.ray.direction) || !is_finite(emission.ray.origin)) continue;
-            emission.ray.time = settings.time;
-            follow(emission.ray, "light");
-        } else if (!bounds.empty()) {
-            const Vec3 direction = square_to_uniform_sphere(random_.next2());
-            follow({somewhere_in(bounds, random_), direction, settings.time}, "scene");
-        }
-    }
+    shoot();
     report(findings);
 }
 
-void MetSurfaces::follow(Ray ray, const char* origin) {
+/// From the lights in turn, and between them from places within the scene.
+void MetSurfaces::shoot() {
+    const auto lights = scene_.lights();
+    const Bounds bounds = scene_.bounds();
+    for (std::uint32_t i = 0; i < settings_.rays; ++i) {
+        if (i % 2 == 0 && !lights.empty()) {
+            const auto light = LightIndex((i / 2) % lights.size());
+            Emission emission;
+            if (!emit_at_random(*lights[light], random_, emission)) continue;
+            if (!is_unit(emission.ray.direction) || !is_finite(emission.ray.origin)) continue;
+            emission.ray.time = settings_.time;
+            follow(emission.ray, light);
+        } else if (!bounds.empty()) {
+            const Vec3 direction = square_to_uniform_sphere(random_.next2());
+            follow({somewhere_in(bounds, random_), direction, settings_.time}, kNoLight);
+        }
+    }
+}
+
+void MetSurfaces::follow(Ray ray, LightIndex from) {
+    const float close = 1e-4f * scene_.bounds().diagonal();
+    SurfacePoint left;  // the surface that the ray leaves
     for (int bounce = 0; bounce < kMostBounces; ++bounce) {
         Arena arena;
         CountedMemory memory(arena);
         SurfacePoint point;
         if (!scene_.intersect(ray, point, memory)) return;
-        if (bounce > 0 || origin[0] == 'l') {
-            // Where the ray began at a surface, that one must not be met at once.
-            Tally& starts = bounce > 0 ? spawned_ : emitted_starts_;
-            starts.look(point.distance > 0.25f * coarseness_, [&] {
-                return material_subject(scene_, point.material) + " met at distance " +
-                       figure(point.distance);
-            });
+        const auto met = [&] {
+            return material_subject(scene_, point.material) + " met again at distance " +
+                   figure(point.distance);
+        };
+        if (bounce > 0) {
+            const bool same = point.material == left.material &&
+                              length(point.position - left.position) < close &&
+                              dot(point.geometric_normal, left.geometric_normal) > 0.999f;
+            spawned_.look(!same, met);
+        } else if (from != kNoLight && !scene_.lights()[from]->at_infinity()) {
+            const bool same = point.light == from && length(point.position - ray.origin) < close;
+            emitted_starts_.look(!same, met);
         }
         look_at(ray, point, memory.bytes());
         BsdfSample sample;
@@ -101,7 +116,7 @@ void MetSurfaces::follow(Ray ray, const char* origin) {
             return;
         }
         ray = continue_ray(scene_, point, sample.wi, sample.component, ray);
-        ray.time = settings_.time;
+        left = point;
     }
 }
 
@@ -120,7 +135,13 @@ void MetSurfaces::look_at(const Ray& ray, const SurfacePoint& point, std::size_t
     indices_.look((point.light == kNoLight || point.light < scene_.lights().size()) &&
                       point.material < scene_.material_names().size(),
                   [&] { return subject() + ", light " + std::to_string(point.light); });
-    look_at_normals(ray, point);
+    look_at_normals(point);
+    look_at_place(ray, point);
+    keep(ray, point);
+}
+
+void MetSurfaces::look_at_place(const Ray& ray, const SurfacePoint& point) {
+    const auto subject = [&] { return material_subject(scene_, point.material); };
     const Vec3 along = ray.origin + ray.direction * point.distance;
     const float slack = 1e-3f * point.distance + 16 * coarseness_;
     positions_.look(length(along - point.position) <= slack, [&] {
@@ -131,10 +152,9 @@ void MetSurfaces::look_at(const Ray& ray, const SurfacePoint& point, std::size_t
     const Vec3 room{margin, margin, margin};
     bounds_.look(Bounds{b.lower - room, b.upper + room}.contains(point.position),
                  [&] { return subject() + " at " + text(point.position); });
-    keep(ray, point);
 }
 
-void MetSurfaces::look_at_normals(const Ray& /*ray*/, const SurfacePoint& point) {
+void MetSurfaces::look_at_normals(const SurfacePoint& point) {
     const auto subject = [&] { return material_subject(scene_, point.material); };
     const bool unit =
         normals_.look(is_unit(point.geometric_normal) && is_unit(point.shading_normal), [&] {
@@ -178,17 +198,19 @@ void MetSurfaces::report(HostFindings& findings) {
     findings.add_if_over(
         lobes_, 0, scene, "lobes",
         "no lobe that SceneFacts::lobes, " + std::to_string(facts_.lobes) + ", lacks");
-    findings.add_if_over(values_, 0, scene, "values", "finite values, none negative");
-    findings.add_if_over(indices_, 0, scene, "indices",
-                         "a light of lights() or kNoLight, a name in material_names()");
-    findings.add_if_over(normals_, 0, scene, "normals", "unit normals");
-    findings.add_if_over(hemispheres_, 0, scene, "shading normal",
-                         "one in the geometric normal's hemisphere");
-    findings.add_if_over(positions_, kRare, scene, "position",
-                         "the point at `distance` along the ray");
+    for (const bool wrong :
+         {findings.add_if_over(values_, 0, scene, "values", "finite values, none negative"),
+          findings.add_if_over(indices_, 0, scene, "indices",
+                               "a light of lights() or kNoLight, a name in material_names()"),
+          findings.add_if_over(normals_, 0, scene, "normals", "unit normals"),
+          findings.add_if_over(hemispheres_, 0, scene, "shading normal",
+                               "one in the geometric normal's hemisphere"),
+          findings.add_if_over(positions_, kRare, scene, "position",
+                               "the point at `distance` along the ray"),
+          findings.add_if_over(spawned_, kRare, scene, "spawn",
+                               "rays that do not meet the surface they leave")})
+        sound_ = sound_ && !wrong;
     findings.add_if_over(bounds_, kRare, scene, "bounds", "surfaces within bounds()");
-    findings.add_if_over(spawned_, kRare, scene, "spawn",
-                         "rays that do not meet the surface they leave");
     findings.add_if_over(emitted_starts_, kRare, scene, "start of emission",
                          "photons that do not meet the surface they leave");
     if (scene_.media() && !facts_.has_media) {

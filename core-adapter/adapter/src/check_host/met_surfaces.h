@@ -30,13 +30,17 @@ class MetSurfaces {
         std::uint64_t met_front = 0, met_back = 0;
     };
     const std::map<std::uint32_t, Places>& materials() const { return materials_; }
+    /// Whether places and normals are sound: all else rests on them.
+    bool sound() const { return sound_; }
     /// Rays that meet any surface, some hundred of them.
     const std::vector<Ray>& anywhere() const { return anywhere_; }
 
   private:
-    void follow(Ray ray, const char* origin);
+    void shoot();
+    void follow(Ray ray, LightIndex from);
     void look_at(const Ray& ray, const SurfacePoint& point, std::size_t bytes);
-    void look_at_normals(const Ray& ray, const SurfacePoint& point);
+    void look_at_normals(const SurfacePoint& point);
+    void look_at_place(const Ray& ray, const SurfacePoint& point);
     void keep(const Ray& ray, const SurfacePoint& point);
     void keep(const Ray& ray, std::vector<Ray>& rays, std::uint64_t& met);
     void report(HostFindings& findings);
@@ -51,6 +55,7 @@ class MetSurfaces {
     std::uint64_t met_ = 0;
     Tally memory_, lobes_, normals_, hemispheres_, positions_, values_, indices_, spawned_, bounds_;
     Tally emitted_starts_;
+    bool sound_ = true;
 };
 
 }  // namespace aips

@@ -117,7 +117,7 @@ class LightShim final : public Light {
     std::uint32_t group() const override { return light_.group(); }
     float power() const override { return light_.power(); }
     bool at_infinity() const override { return light_.at_infinity(); }
-    bool emit(const std::array<float, 4>& u, Emission& emission) const override {
+    bool emit(const PrimaryPoint& u, Emission& emission) const override {
         lxs::EmissionSample s;
         if (!light_.sample_emission(u, s)) return false;
         emission = {from(s.ray), from(s.power)};
@@ -133,7 +133,7 @@ class LightShim final : public Light {
         return true;
     }
     bool emission_coordinates(const SurfacePoint& towards, const DirectSample& sample,
-                              std::array<float, 4>& u) const override {
+                              PrimaryPoint& u) const override {
         return light_.emission_coordinates(to(towards.position), to(sample), u);
     }
     float pdf_direct(const SurfacePoint& point, Vec3 wi, const SurfacePoint* at) const override {

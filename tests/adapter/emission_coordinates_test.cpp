@@ -16,8 +16,8 @@ float distance_to_ray(Vec3 p, const Ray& ray) {
 
 /// The photon emitted at `u` goes from the sampled light point through `at`.
 void expect_photon(const Light& light, const SurfacePoint& at, const DirectSample& sample,
-                   const std::array<float, 4>& u) {
-    for (const float x : u)
+                   const PrimaryPoint& u) {
+    for (const double x : u)
         ASSERT_TRUE(x >= 0 && x < 1) << x;
     Emission emission;
     ASSERT_TRUE(light.emit(u, emission));
@@ -39,7 +39,7 @@ void check(const Light& light) {
         DirectSample sample;
         if (!light.sample_direct(at, random.next2(), sample)) continue;
         ++lit;
-        std::array<float, 4> u{};
+        PrimaryPoint u{};
         if (!light.emission_coordinates(at, sample, u)) continue;
         ++found;
         ASSERT_NO_FATAL_FAILURE(expect_photon(light, at, sample, u)) << i;
@@ -76,7 +76,7 @@ TEST(MockEmissionCoordinates, Sun) {
 }
 
 TEST(MockEmissionCoordinates, NoneWhereNoLightArrives) {
-    std::array<float, 4> u{};
+    PrimaryPoint u{};
     SurfacePoint at;
     DirectSample sample;
     const auto quad = mock::make_quad_light({{-1, -1, 1}, {0, 2, 0}, {2, 0, 0}}, kWhite, 0);

@@ -99,7 +99,7 @@ void expect_draws_follow_pdf(const EmissionGuide& guide, std::uint64_t seed) {
         const EmissionStart start = draw(guide, random);
         ASSERT_TRUE(start.pdf > 0 && std::isfinite(start.pdf) && start.light < kLights);
         std::size_t cell = start.light;
-        for (const float x : start.point) {
+        for (const double x : start.point) {
             ASSERT_TRUE(x >= 0 && x < 1);
             cell = 2 * cell + (x >= 0.5f ? 1 : 0);
         }
@@ -122,7 +122,7 @@ TEST(EmissionGuide, DrawsFollowThePdf) {
     expect_draws_follow_pdf(guide, 2);
     std::vector<EmissionSeed> seeds(200, {2, {0.3f, 0.3f, 0.6f, 0}, 1});
     for (std::size_t i = 0; i < seeds.size(); ++i)
-        seeds[i].point[3] = 0.001f * float(i);
+        seeds[i].point[3] = 0.001 * double(i);
     guide.add_seeds(seeds);
     guide.update(0);
     ASSERT_TRUE(guide.on());
@@ -201,8 +201,8 @@ TEST(EmissionGuide, SeedsActBeforeAnythingIsLearned) {
         std::vector<EmissionSeed> seeds;
         for (int i = 0; i < 200; ++i) {
             PrimaryPoint u = random_point(random);
-            for (float& x : u)
-                x = 0.5f + 0.25f * x;
+            for (double& x : u)
+                x = 0.5 + 0.25 * x;
             seeds.push_back({1, u, 1});
         }
         guide.add_seeds(seeds);
@@ -215,7 +215,7 @@ TEST(EmissionGuide, SeedsActBeforeAnythingIsLearned) {
         const EmissionStart start = draw(guide, random);
         ++lights[start.light];
         bool near = start.light == 1;
-        for (const float x : start.point)
+        for (const double x : start.point)
             near = near && x >= 0.5f && x < 0.75f;
         seeded += near ? 1 : 0;
     }

@@ -117,6 +117,48 @@ TEST(GuideChains, HaveTheExpectationOfUnguidedPhotons) {
     EXPECT_LT(same.detectable, 0.125) << same.describe();
 }
 
+/// The patch of wide_view and its wall under a sheet that all light has to pass, with lobes of all
+/// kinds and shading normals tilted by 3 degrees.
+mock::View roofed_view() {
+    mock::Scene scene;
+    mock::Surface ground;
+    constexpr float kHalf = 26;
+    ground.shape = mock::Quad{{-kHalf, -kHalf, 0}, {2 * kHalf, 0, 0}, {0, 2 * kHalf, 0}};
+    scene.add(ground);
+    mock::Surface wall;
+    wall.shape = mock::Quad{{0.6f, -1, 0}, {0, 2, 0}, {0, 0, 1}};
+    scene.add(wall);
+    scene.add(mock::tilted_sheet(mock::Quad{{-1, -1, 1.1f}, {2, 0, 0}, {0, 2, 0}}));
+    mock::Surface lamp;
+    lamp.shape = mock::Quad{{-kHalf, -kHalf, 3}, {0, 2 * kHalf, 0}, {2 * kHalf, 0, 0}};
+    lamp.material.reflectance = {0, 0, 0};
+    lamp.emitted = {1, 1, 1};
+    scene.add(lamp);
+    scene.finish();
+    return {std::move(scene), {{0, 0, 1}, {0, 0, -1}, {0.4f, 0, 0}, {0, 0.3f, 0}, kWidth, kHeight}};
+}
+
+/// As above, where bounces draw as many numbers as any do.
+TEST(GuideChains, HaveTheExpectationOfUnguidedPhotonsUnderATiltedSheet) {
+    const auto view = roofed_view();
+    const auto renders = [&view](GuideKind guide, std::uint64_t first_seed) {
+        statistics::BlockMeans means;
+        for (unsigned s = 0; s < 16; ++s) {
+            Settings settings = adaptive(first_seed + s, true);
+            settings.guide = guide;
+            const auto r = render(view, settings, 4);
+            EXPECT_EQ(by_chains(r), guide == GuideKind::Adaptive);
+            means.push_back(statistics::block_means(mock::luminances(r.film), kWidth, kHeight, 8));
+        }
+        return means;
+    };
+    const auto plain = renders(GuideKind::None, 300), chained = renders(GuideKind::Adaptive, 400);
+    const auto same = statistics::compare(plain, chained, 0.01);
+    std::cout << same.describe() << "\n";
+    EXPECT_FALSE(same.differs()) << same.describe();
+    EXPECT_LT(same.detectable, 0.125) << same.describe();
+}
+
 TEST(GuideChains, SameBitsForAnyNumberOfThreads) {
     const auto image_with = [](int threads) {
         const tbb::global_control limit(tbb::global_control::max_allowed_parallelism,

@@ -124,7 +124,7 @@ class DeadLight final : public mock::LightLike {
   public:
     using LightLike::LightLike;
     float power() const override { return 0; }
-    bool emit(const std::array<float, 4>&, Emission&) const override {
+    bool emit(const PrimaryPoint&, Emission&) const override {
         ADD_FAILURE() << "a photon from a dead light";
         return false;
     }
@@ -182,7 +182,7 @@ class OneWayLight final : public mock::LightLike {
   public:
     using LightLike::LightLike;
     bool emission_coordinates(const SurfacePoint&, const DirectSample&,
-                              std::array<float, 4>&) const override {
+                              PrimaryPoint&) const override {
         ++asked;
         return false;
     }

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <vector>
 
+#include "aips/core/primary_point.h"
 #include "chi_square.h"
 
 namespace aips {
@@ -110,6 +111,29 @@ TEST(LowDiscrepancy, EpochsAreScrambledAnew) {
         equal += sobol_owen(i, 0, 1) == sobol_owen(i + (std::uint64_t{1} << 32), 0, 1) ? 1 : 0;
     }
     EXPECT_LT(equal, 5);
+}
+
+/// A guide may go to a cell of 2^-24 alone, or to one yet smaller: along each axis points differ
+/// there, and fill it evenly. Of neighbours in the sequence, which agree in what comes first.
+TEST(SobolRun, PointsAreFinerThanSinglePrecision) {
+    constexpr std::size_t kCells = 16;
+    SobolRun run(7);
+    for (unsigned axis = 0; axis < 4; ++axis) {
+        std::vector<double> observed(kCells * kCells);
+        constexpr std::uint64_t kPoints = 1 << 16;
+        for (std::uint64_t i = 0; i < kPoints; ++i) {
+            run.move_to(i);
+            const double x =
+                primary_point({run.bits(0), run.bits(1), run.bits(2), run.bits(3)})[axis];
+            ASSERT_EQ(float(std::floor(x * 0x1p24) * 0x1p-24), run(axis));
+            ++observed[std::size_t(std::fmod(x * 0x1p36, double(kCells))) * kCells +
+                       std::size_t(std::fmod(x * 0x1p44, double(kCells)))];
+        }
+        const std::vector<double> expected(observed.size(),
+                                           double(kPoints) / double(observed.size()));
+        const auto result = test::chi_square(observed, expected);
+        EXPECT_GT(result.p_value, 1e-4) << axis << ": " << result.describe;
+    }
 }
 
 TEST(SobolRun, IsTheSequenceToTheBitInAnyOrder) {

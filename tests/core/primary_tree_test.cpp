@@ -25,8 +25,8 @@ PrimaryPoint random_point(RandomStream& random) {
 /// 1 in a box that fills 1/625 of the space, and faint elsewhere; its integral is kBoxIntegral.
 double box(const PrimaryPoint& u) {
     bool inside = true;
-    for (const float x : u)
-        inside = inside && x >= 0.6f && x < 0.8f;
+    for (const double x : u)
+        inside = inside && x >= 0.6 && x < 0.8;
     return inside ? 1 : 1e-3;
 }
 constexpr double kBoxVolume = 0.2 * 0.2 * 0.2 * 0.2;
@@ -75,7 +75,7 @@ void learn(PrimaryTree& tree, const Integrand& f, int blocks, int paths, std::ui
 
 TEST(PrimaryTree, UntrainedIsTheIdentity) {
     const PrimaryTree tree;
-    const PrimaryPoint u{0.125f, 0.5f, 0.75f, 0.99f};
+    const PrimaryPoint u{0.125, 0.5, 0.75, 1 - 0x1p-48};
     EXPECT_EQ(tree.sample(u).point, u);
     EXPECT_EQ(tree.sample(u).pdf, 1.0f);
     EXPECT_EQ(tree.mass(), 0.0);
@@ -97,7 +97,7 @@ TEST(PrimaryTree, DrawsFollowThePdf) {
         };
         for (int i = 0; i < kDraws; ++i) {
             const PrimarySample s = tree.sample(random_point(random));
-            for (const float x : s.point)
+            for (const double x : s.point)
                 ASSERT_TRUE(x >= 0 && x < 1);
             ASSERT_FLOAT_EQ(s.pdf, tree.pdf(s.point));
             ++observed[bin(s.point)];
@@ -176,9 +176,9 @@ TEST(PrimaryTree, KeepsStratification) {
     PrimaryTree tree;
     learn(tree, box, 8, 20000, 10);
     // Along one coordinate the warp is monotone within what the others choose.
-    float last = -1;
+    double last = -1;
     for (int i = 0; i < 1000; ++i) {
-        const float x = tree.sample({float(i) / 1000, 0.999f, 0.999f, 0.999f}).point[0];
+        const double x = tree.sample({float(i) / 1000, 0.999f, 0.999f, 0.999f}).point[0];
         ASSERT_GE(x, last);
         last = x;
     }
@@ -190,8 +190,8 @@ TEST(PrimaryTree, SeedsShapeTheDensityBeforeAnythingIsLearned) {
     for (int round = 0; round < 10; ++round) {
         for (int i = 0; i < 500; ++i) {
             PrimaryPoint p = random_point(random);
-            for (float& x : p)
-                x = 0.7f + 0.05f * x;
+            for (double& x : p)
+                x = 0.7 + 0.05 * x;
             tree.add_seed(p, 1);
         }
         tree.update(0);
@@ -211,7 +211,7 @@ std::vector<PrimaryPoint> narrow_seeds(float middle, std::size_t count) {
         PrimaryPoint p = random_point(random);
         if (i % 20 > 0) {
             for (const unsigned axis : {0u, 1u})
-                p[axis] = middle + 0x1p-20f * (p[axis] - 0.5f);
+                p[axis] = middle + 0x1p-20 * (p[axis] - 0.5);
         }
         seeds.push_back(p);
     }
@@ -239,6 +239,48 @@ TEST(PrimaryTree, FocusesOnNarrowSeedsAtOnce) {
         }
         // All of the seeds' share, but for the twentieth that lies apart.
         EXPECT_GT(near, 0.4 * kDraws) << middle;
+    }
+}
+
+/// A view of 14 mm on a ground of 20 km: leaves become as narrow as what is seen, and starts within
+/// them lie everywhere, not on the lattice of a coarser number.
+TEST(PrimaryTree, StartsFillTheNarrowestLeaves) {
+    constexpr double kMiddle = 0.3, kWidth = 0x1p-27;
+    PrimaryTree tree;
+    RandomStream random(17, 0, 0, RandomDomain::Guide);
+    std::vector<PrimaryPoint> seeds;
+    for (int i = 0; i < 100; ++i) {
+        PrimaryPoint p = random_point(random);
+        for (const unsigned axis : {0u, 1u})
+            p[axis] = kMiddle + kWidth * p[axis];
+        seeds.push_back(p);
+    }
+    tree.focus(seeds);
+    for (const PrimaryPoint& p : seeds)
+        tree.add_seed(p, 1);
+    tree.update(0);
+    tree.set_mixture({.plain = 0.2, .seeds = 0.5});
+    constexpr std::size_t kCells = 32;
+    std::vector<double> observed(kCells), expected(kCells);
+    constexpr int kDraws = 40000;
+    for (int i = 0; i < kDraws; ++i) {
+        const PrimaryPoint u = primary_point(
+            {random.next_uint(), random.next_uint(), random.next_uint(), random.next_uint()});
+        const PrimarySample s = tree.sample(u);
+        ASSERT_EQ(s.pdf, tree.pdf(s.point));
+        const double x = (s.point[0] - kMiddle) / kWidth, y = (s.point[1] - kMiddle) / kWidth;
+        if (!(x >= 0 && x < 1 && y >= 0 && y < 1)) continue;
+        // Each draw stands for 1 / pdf of the box, which its cells share alike.
+        observed[std::size_t(x * double(kCells))] += 1 / double(s.pdf);
+        expected[std::size_t(x * double(kCells))] += 1 / (double(s.pdf) * double(s.pdf));
+    }
+    const double volume = kWidth * kWidth / double(kCells);
+    for (std::size_t cell = 0; cell < kCells; ++cell) {
+        const double error = std::sqrt(expected[cell]) / kDraws;
+        ASSERT_GT(error, 0) << "no start in cell " << cell;
+        EXPECT_LT(error, 0.1 * volume) << "few starts come there";
+        // 32 cells: 4.2 standard errors are passed by chance once in a thousand times.
+        EXPECT_NEAR(observed[cell] / kDraws, volume, 4.2 * error) << cell;
     }
 }
 

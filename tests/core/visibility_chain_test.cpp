@@ -4,7 +4,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 
 #include "chi_square.h"
 
@@ -27,7 +29,8 @@ bool in_islands(const Point& p) {
 /// Traces paths whose emission is a point of the square.
 auto square_tracer(bool (*visible)(const Point&)) {
     return [visible](PrimaryPath& path, Point& point, std::uint64_t) {
-        point = {path.emission(0), path.emission(1)};
+        const PrimaryPoint start = path.start();
+        point = {float(start[0]), float(start[1])};
         return visible(point);
     };
 }
@@ -151,7 +154,7 @@ TEST(PrimaryPath, CoordinatesKeepTheirPlace) {
     const RandomStream random(5, 6, 7, RandomDomain::UniformPath);
     std::vector<Coordinate> all, some;
     PrimaryPath first(random, {}, 1, all), second(random, {}, 1, some);
-    first.emission(0);
+    first.start();
     PrimaryPath& bounce = first.bounce(1);
     for (unsigned i = 0; i < kBounceCoordinates; ++i)
         bounce.next();
@@ -162,6 +165,75 @@ TEST(PrimaryPath, CoordinatesKeepTheirPlace) {
     EXPECT_EQ(all.size(), max_coordinates(1) + 1);
 }
 
+/// Whatever a path asks for: more than a bounce's coordinates, a depth again, a lesser depth again.
+TEST(PrimaryPath, HandsOutNoNumberTwice) {
+    std::vector<Coordinate> used;
+    PrimaryPath path(RandomStream(5, 6, 7, RandomDomain::UniformPath), {}, 1, used);
+    path.start();
+    std::vector<float> numbers{path.light_choice()};
+    const auto ask = [&](std::uint32_t depth, unsigned count) {
+        PrimaryPath& bounce = path.bounce(depth);
+        for (unsigned i = 0; i < count; ++i)
+            numbers.push_back(bounce.next());
+    };
+    ask(1, 2);
+    ask(1, kBounceCoordinates);
+    ask(2, kBounceCoordinates + 3);
+    ask(1, 3);
+    ask(2, 2);
+    ask(3, kBounceCoordinates);
+    ask(4, 1);
+    std::sort(numbers.begin(), numbers.end());
+    EXPECT_EQ(std::adjacent_find(numbers.begin(), numbers.end()), numbers.end());
+    EXPECT_EQ(used.size(), max_coordinates(3) + 1) << "the rest is not kept";
+}
+
+/// What is beyond a bounce's coordinates is no part of the state, and so is never mutated: a tiny
+/// mutation leaves all coordinates about where they were, and none of the rest.
+TEST(PrimaryPath, DrawsAnewWhatIsBeyondABounce) {
+    const auto numbers = [](const RandomStream& random, std::span<const Coordinate> from,
+                            std::vector<Coordinate>& used) {
+        PrimaryPath path(random, from, 1e6f, used);
+        std::vector<float> drawn;
+        for (const std::uint32_t depth : {1u, 2u}) {
+            for (unsigned i = 0; i < kBounceCoordinates + 2; ++i)
+                drawn.push_back(path.bounce(depth).next());
+        }
+        return drawn;
+    };
+    std::vector<Coordinate> state, moved;
+    const auto before = numbers(RandomStream(5, 6, 8, RandomDomain::UniformPath), {}, state);
+    const auto after = numbers(RandomStream(5, 6, 9, RandomDomain::MutatedPath), state, moved);
+    for (std::size_t i = 0; i < before.size(); ++i) {
+        const bool kept = i % (kBounceCoordinates + 2) < kBounceCoordinates;
+        EXPECT_EQ(std::abs(after[i] - before[i]) < 1e-6f, kept) << i;
+    }
+}
+
+/// The bits of a coordinate that single precision does not see are uniform and independent of those
+/// that it does.
+TEST(PrimaryPath, StartsAreFinerThanSinglePrecision) {
+    constexpr std::size_t kCells = 16;
+    constexpr int kDraws = 40000;
+    for (unsigned axis = 0; axis < 4; ++axis) {
+        std::vector<double> observed(kCells * kCells);
+        for (std::uint64_t i = 0; i < kDraws; ++i) {
+            std::vector<Coordinate> used;
+            PrimaryPath path(RandomStream(5, axis, i, RandomDomain::UniformPath), {}, 1, used);
+            const double x = path.start()[axis];
+            ASSERT_TRUE(x >= 0 && x < 1);
+            // The last of 24 bits and three more, and four beyond 32.
+            const auto fine = std::size_t(std::fmod(x * 0x1p27, double(kCells)));
+            const auto finest = std::size_t(std::fmod(x * 0x1p36, double(kCells)));
+            ++observed[fine * kCells + finest];
+        }
+        const std::vector<double> expected(observed.size(),
+                                           double(kDraws) / double(observed.size()));
+        const auto result = test::chi_square(observed, expected);
+        EXPECT_GT(result.p_value, kSignificance) << axis << ": " << result.describe;
+    }
+}
+
 /// A mutation moves the coordinates it has and draws the ones it lacks.
 TEST(PrimaryPath, MutatesWhatIsThereAndDrawsTheRest) {
     const std::vector<Coordinate> state{0x80000000u, 0x80000000u};
@@ -170,7 +242,7 @@ TEST(PrimaryPath, MutatesWhatIsThereAndDrawsTheRest) {
     for (std::uint64_t i = 0; i < kDraws; ++i) {
         std::vector<Coordinate> used;
         PrimaryPath path(RandomStream(5, 6, i, RandomDomain::MutatedPath), state, 20, used);
-        path.emission(2);
+        path.start();
         const double near = double(to_unit_float(used[0])) - 0.5;
         const double drawn = double(to_unit_float(used[2])) - 0.5;
         moved += near * near;

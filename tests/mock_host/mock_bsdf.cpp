@@ -1,6 +1,7 @@
 // Materials of the mock host.
 #include "mock_bsdf.h"
 
+#include <algorithm>
 #include <new>
 
 #include "aips/core/sampling.h"
@@ -125,6 +126,64 @@ class LambertAndMirror final : public OrientedBsdf {
     MirrorBsdf mirror_;
 };
 
+/// A sheet with lobes of all kinds: diffuse before and behind it, glossy, and a mirror. Each lobe
+/// that is asked for is drawn as often as the others; densities are those of all of them.
+class Sheet final : public OrientedBsdf {
+  public:
+    Sheet(Vec3 ng, Vec3 ns, const Material& m)
+        : OrientedBsdf(ng, ns),
+          before_(ng, ns, m.reflectance, true),
+          gloss_(ng, ns, m.glossy, m.exponent),
+          mirror_(ng, ns, m.specular),
+          behind_(m.transmittance) {}
+
+    LobeMask lobes() const override { return kAllLobes; }
+    Rgb evaluate(Vec3 wo, Vec3 wi, Transport t, LobeMask mask) const override {
+        if (!same_side(wo, wi)) return mask & kDiffuse ? behind_ * kInvPi : Rgb{};
+        return before_.evaluate(wo, wi, t, mask) + gloss_.evaluate(wo, wi, t, mask);
+    }
+    float pdf(Vec3 wo, Vec3 wi, LobeMask mask) const override {
+        if (same_side(wo, wi))
+            return (before_.pdf(wo, wi, mask) + gloss_.pdf(wo, wi, mask)) / count(mask);
+        if (!(mask & kDiffuse)) return 0;
+        return std::max(0.0f, -dot(wi, normal_towards(wo))) * kInvPi / count(mask);
+    }
+    bool sample(Vec3 wo, Vec2 u, float u_lobe, Transport t, LobeMask mask,
+                BsdfSample& s) const override {
+        auto lobe = static_cast<int>(u_lobe * count(mask));
+        if (!(mask & kDiffuse)) lobe += 2;
+        if (lobe == 2 && !(mask & kGlossy)) ++lobe;
+        if (lobe == 3) {
+            const bool reflected = mirror_.sample(wo, u, 0, t, mask, s);
+            s.weight = s.weight * count(mask);
+            return reflected;
+        }
+        if (lobe == 0 && !before_.sample(wo, u, 0, t, mask, s)) return false;
+        if (lobe == 2 && !gloss_.sample(wo, u, 0, t, mask, s)) return false;
+        if (lobe == 1) s.wi = Frame(-normal_towards(wo)).to_world(square_to_cosine_hemisphere(u));
+        if (same_side(wo, s.wi) != (lobe != 1)) return false;
+        s.pdf = pdf(wo, s.wi, mask);
+        s.weight = evaluate(wo, s.wi, t, mask) * (abs_dot(s.wi, ns_) / s.pdf);
+        s.lobe = lobe == 2 ? kGlossy : kDiffuse;
+        s.straight = false;
+        return s.pdf > 0;
+    }
+    Rgb albedo(Vec3 wo, LobeMask mask) const override {
+        return before_.albedo(wo, mask) + gloss_.albedo(wo, mask) + mirror_.albedo(wo, mask) +
+               (mask & kDiffuse ? behind_ : Rgb{});
+    }
+
+  private:
+    static float count(LobeMask mask) {
+        return float((mask & kDiffuse ? 2 : 0) + (mask & kGlossy ? 1 : 0) +
+                     (mask & kSpecular ? 1 : 0));
+    }
+    Lambert before_;
+    Phong gloss_;
+    MirrorBsdf mirror_;
+    Rgb behind_;
+};
+
 template <class T, class... Args>
 const Bsdf* place(std::pmr::memory_resource& memory, Args... args) {
     return new (memory.allocate(sizeof(T), alignof(T))) T(args...);
@@ -147,12 +206,14 @@ const aips::Bsdf* make_bsdf(const Material& m, aips::Vec3 ng, aips::Vec3 ns,
             return place<Phong>(memory, ng, ns, m.reflectance, m.exponent);
         case Material::Kind::LambertAndMirror:
             return place<LambertAndMirror>(memory, ng, ns, m.reflectance, m.specular);
+        case Material::Kind::Sheet:
+            return place<Sheet>(memory, ng, ns, m);
     }
     return nullptr;
 }
 
 std::size_t max_bsdf_bytes() {
-    return sizeof(LambertAndMirror) + alignof(std::max_align_t);
+    return std::max(sizeof(LambertAndMirror), sizeof(Sheet)) + alignof(std::max_align_t);
 }
 
 }  // namespace mock

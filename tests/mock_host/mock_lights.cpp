@@ -60,9 +60,9 @@ class DistantLight final : public Light {
     float power() const override { return luminance(radiance_) * solid_angle() * disk_area(); }
     bool at_infinity() const override { return true; }
     Rgb escaped(Vec3 direction) const override { return inside(direction) ? radiance_ : Rgb{}; }
-    bool emit(const std::array<float, 4>& u, Emission& emission) const override {
-        const Vec3 d = -towards({u[0], u[1]});
-        const Vec2 disk = square_to_concentric_disk({u[2], u[3]});
+    bool emit(const PrimaryPoint& u, Emission& emission) const override {
+        const Vec3 d = -towards(rounded_pair(u, 0));
+        const Vec2 disk = square_to_concentric_disk(rounded_pair(u, 2));
         const Vec3 offset = Frame(d).to_world({disk.x * radius_, disk.y * radius_, -radius_});
         emission.ray = {center_ + offset, d, 0, nullptr};
         emission.power = radiance_ * (solid_angle() * disk_area());
@@ -79,7 +79,7 @@ class DistantLight final : public Light {
         return inside(wi) ? 1 / solid_angle() : 0;
     }
     bool emission_coordinates(const SurfacePoint& point, const DirectSample& sample,
-                              std::array<float, 4>& u) const override {
+                              PrimaryPoint& u) const override {
         const Vec3 w = frame_.to_local(sample.wi);
         if (!inside(sample.wi)) return false;
         const Vec2 sphere = uniform_sphere_to_square(w);

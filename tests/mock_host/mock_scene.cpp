@@ -84,6 +84,8 @@ aips::LobeMask lobes_of(Material::Kind kind) {
             return aips::kGlossy;
         case Material::Kind::LambertAndMirror:
             return aips::kDiffuse | aips::kSpecular;
+        case Material::Kind::Sheet:
+            return aips::kAllLobes;
         case Material::Kind::Mirror:
         case Material::Kind::Glass:
         case Material::Kind::Null:

@@ -1,6 +1,8 @@
 // Renders mock scenes with the engine.
 #include "render_mock.h"
 
+#include "aips/core/sampling.h"
+
 namespace mock {
 
 using namespace aips;
@@ -88,6 +90,18 @@ Material half_mirror() {
     material.kind = Material::Kind::LambertAndMirror;
     material.specular = {0.3f, 0.3f, 0.3f};
     return material;
+}
+
+Surface tilted_sheet(const Quad& quad) {
+    Surface sheet;
+    sheet.shape = quad;
+    sheet.material.kind = Material::Kind::Sheet;
+    sheet.material.reflectance = {0.3f, 0.3f, 0.3f};
+    sheet.material.transmittance = {0.45f, 0.45f, 0.45f};
+    sheet.material.glossy = sheet.material.specular = {0.1f, 0.1f, 0.1f};
+    const Vec3 n = normalize(cross(quad.edge_u, quad.edge_v));
+    sheet.normal_tilt = Frame(n).s * 0.0524f;
+    return sheet;
 }
 
 View half_mirror_view(std::uint32_t width, std::uint32_t height) {

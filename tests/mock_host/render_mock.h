@@ -45,6 +45,10 @@ Camera camera_along_y(aips::Vec3 eye, float half, std::uint32_t width, std::uint
 /// The default Lambert lobe, and a mirror that reflects 0.3.
 Material half_mirror();
 
+/// A sheet with diffuse lobes before and behind it, a glossy and a mirror lobe; its shading normals
+/// are tilted by 3 degrees.
+Surface tilted_sheet(const Quad& quad);
+
 /// A scene and where it is seen from.
 struct View {
     Scene scene;

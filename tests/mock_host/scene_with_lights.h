@@ -45,7 +45,7 @@ class LightLike : public aips::Light {
     std::uint32_t group() const override { return light_.group(); }
     float power() const override { return light_.power(); }
     bool at_infinity() const override { return light_.at_infinity(); }
-    bool emit(const std::array<float, 4>& u, aips::Emission& emission) const override {
+    bool emit(const aips::PrimaryPoint& u, aips::Emission& emission) const override {
         return light_.emit(u, emission);
     }
     bool sample_direct(const aips::SurfacePoint& from, aips::Vec2 u,

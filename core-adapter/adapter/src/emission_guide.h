@@ -47,7 +47,7 @@ struct EmissionScore {
 /// Bound on fireflies: a photon of light l weighs P0(l) / p(l, x) times what it would without the
 /// guide, P0 being the choice by power. As p(l, x) >= plain_share P0(l), that is at most
 /// 1 / plain_share, whatever was learned. Rounding: of n lights each keeps 1 - n 2^-24 of its
-/// probability (quantized_cdf.h), and a tree 1 - 80 * 2^-23 of its densities (PrimaryTree).
+/// probability (quantized_cdf.h), and a tree 1 - 124 * 2^-23 of its densities (PrimaryTree).
 class EmissionGuide {
   public:
     /// Cost of the way through a light's tree, in rays: measured in cornell-box.

@@ -180,10 +180,10 @@ class SeedWalk {
         EmissionSeed found{light, {}, luminance(value)};
         if (!(found.weight > 0) || !std::isfinite(found.weight)) return;
         // Coordinates that do not matter stay spread out, so that they gather no density.
-        for (float& u : found.point)
-            u = random_.next();
+        for (double& u : found.point)
+            u = double(random_.next());
         if (!in_.scene.lights()[light]->emission_coordinates(towards, sample, found.point)) return;
-        for (const float u : found.point) {
+        for (const double u : found.point) {
             if (!(u >= 0 && u < 1)) return;
         }
         block_.seeds.push_back(found);

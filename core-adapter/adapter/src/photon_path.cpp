@@ -5,7 +5,6 @@
 #include <limits>
 
 #include "aips/adapter/media.h"
-#include "aips/core/primary_path.h"
 #include "eye_pass.h"
 #include "meet_surface.h"
 #include "path_log_entry.h"
@@ -17,12 +16,10 @@ namespace {
 /// Photons of one path that may come from splitting others.
 constexpr std::uint32_t kMostSplits = 16;
 
-/// Four numbers for the light's coordinates, the fifth chooses the light.
 template <class Numbers>
 EmissionStart choose_start(const PhotonInput& in, Numbers& numbers) {
-    const float u_light = in.scene.lights().size() > 1 ? numbers.emission(4) : 0.5f;
-    const PrimaryPoint u{numbers.emission(0), numbers.emission(1), numbers.emission(2),
-                         numbers.emission(3)};
+    const float u_light = in.scene.lights().size() > 1 ? numbers.light_choice() : 0.5f;
+    const PrimaryPoint u = numbers.start();
     if (in.emission) return in.emission->sample(u_light, u);
     const DiscreteSample light = in.light_choice.sample(u_light);
     return {static_cast<LightIndex>(light.index), u, double(light.pdf)};
@@ -73,6 +70,9 @@ class PhotonTrace {
             const Survival survived =
                 decide_survival(in_, point, photon, entry && entry->has_vertices(), split);
             const std::uint32_t photons = draw_photons(survived, random);
+            // Of a chain's path, which no other photon is split from and no medium scatters, a
+            // bounce draws that number and those of one scattering.
+            static_assert(1 + kScatterNumbers == kBounceCoordinates);
             if (photons == 0) return;
             if (entry) entry->add_vertex(point, photon, survived);
             for (std::uint32_t i = 1; i < photons; ++i) {

@@ -13,6 +13,7 @@
 #include "aips/core/low_discrepancy.h"
 #include "aips/core/occupancy.h"
 #include "aips/core/point_grid.h"
+#include "aips/core/primary_path.h"
 #include "aips/core/random.h"
 #include "bounce_tally.h"
 #include "emission_guide.h"
@@ -84,7 +85,13 @@ class SequencePath {
         emission_.move_to(serial + offset_);
         bounces_ = RandomStream(seed_, pass_, index, RandomDomain::Photon);
     }
-    float emission(unsigned dimension) const { return emission_(dimension); }
+    /// Where the light emits.
+    PrimaryPoint start() const {
+        return primary_point(
+            {emission_.bits(0), emission_.bits(1), emission_.bits(2), emission_.bits(3)});
+    }
+    /// Chooses the light; in [0, 1).
+    float light_choice() const { return emission_(kStartCoordinates); }
     RandomStream& bounce(std::uint32_t /*depth*/) { return bounces_; }
 
   private:

@@ -18,6 +18,10 @@ struct ScatteredPhoton {
     float plain_pdf = 0;  ///< the same without a guide
 };
 
+/// Most numbers that scatter_photon draws: whether a specular lobe, which of a mixture's densities,
+/// two for the direction and one for the lobe.
+inline constexpr std::uint32_t kScatterNumbers = 5;
+
 /// Draws a direction from `random` (RandomStream or PrimaryPath); false when the photon is
 /// absorbed. Specular lobes are never guided.
 template <class Numbers>

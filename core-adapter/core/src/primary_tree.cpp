@@ -16,9 +16,12 @@ constexpr std::uint32_t kMaxLeaves = 1u << 24;
 /// Share of its history that a new leaf keeps: how the score lay within the half is a guess.
 constexpr double kInherited = 0.1;
 
-/// The next float below x > 0.
-float previous_float(float x) {
+/// The next numbers below x > 0.
+float previous(float x) {
     return std::bit_cast<float>(std::bit_cast<std::uint32_t>(x) - 1);
+}
+double previous(double x) {
+    return std::bit_cast<double>(std::bit_cast<std::uint64_t>(x) - 1);
 }
 
 void check(const PrimaryTreeSettings& s) {
@@ -76,9 +79,7 @@ PrimaryTree::PrimaryTree(const PrimaryTreeSettings& settings) : settings_(settin
 }
 
 PrimarySample PrimaryTree::sample(const PrimaryPoint& u) const {
-    std::array<double, 4> within;
-    std::copy(u.begin(), u.end(), within.begin());
-    std::array<float, 4> corner{}, side{1, 1, 1, 1};
+    PrimaryPoint within = u, corner{}, side{1, 1, 1, 1};
     double pdf = 1;
     Node node = nodes_[0];
     while (!node.is_leaf()) {
@@ -86,8 +87,8 @@ PrimarySample PrimaryTree::sample(const PrimaryPoint& u) const {
         const auto share = double(node.lower_share);
         double& x = within[axis];
         const bool upper = x >= share;
-        side[axis] *= 0.5f;
-        corner[axis] += upper ? side[axis] : 0.0f;
+        side[axis] *= 0.5;
+        corner[axis] += upper ? side[axis] : 0.0;
         x = (x - (upper ? share : 0)) * double(upper ? node.upper_scale : node.lower_scale);
         pdf *= 2 * (upper ? 1 - share : share);
         node = nodes_[node.target() + (upper ? 1u : 0u)];
@@ -95,8 +96,8 @@ PrimarySample PrimaryTree::sample(const PrimaryPoint& u) const {
     PrimarySample sample;
     for (unsigned axis = 0; axis < 4; ++axis) {
         // Rounding must not move the point out of the leaf, where pdf() finds another density.
-        const float end = previous_float(corner[axis] + side[axis]);
-        const auto x = static_cast<float>(double(corner[axis]) + within[axis] * double(side[axis]));
+        const double end = previous(corner[axis] + side[axis]);
+        const double x = corner[axis] + within[axis] * side[axis];
         sample.point[axis] = std::clamp(x, corner[axis], end);
     }
     sample.pdf = static_cast<float>(pdf);
@@ -104,13 +105,13 @@ PrimarySample PrimaryTree::sample(const PrimaryPoint& u) const {
 }
 
 PrimaryTree::Place PrimaryTree::locate(const PrimaryPoint& point) const {
-    std::array<float, 4> low{}, side{1, 1, 1, 1};
+    PrimaryPoint low{}, side{1, 1, 1, 1};
     Place place;
     Node node = nodes_[0];
     while (!node.is_leaf()) {
         const unsigned axis = node.axis();
         const auto share = double(node.lower_share);
-        side[axis] *= 0.5f;
+        side[axis] *= 0.5;
         const bool upper = point[axis] >= low[axis] + side[axis];
         if (upper) low[axis] += side[axis];
         place.pdf *= 2 * (upper ? 1 - share : share);
@@ -127,7 +128,7 @@ float PrimaryTree::pdf(const PrimaryPoint& point) const {
 std::array<bool, 4> PrimaryTree::lower_halves(const Leaf& leaf, const PrimaryPoint& point) const {
     std::array<bool, 4> lower{};
     for (unsigned axis = 0; axis < 4; ++axis)
-        lower[axis] = point[axis] < leaf.corner[axis] + 0.5f * leaf.side[axis];
+        lower[axis] = point[axis] < leaf.corner[axis] + 0.5 * leaf.side[axis];
     return lower;
 }
 
@@ -236,7 +237,7 @@ void PrimaryTree::split(std::uint32_t node, unsigned axis) {
     leaves_.push_back(whole);
     for (const bool is_upper : {false, true}) {
         Leaf& leaf = leaves_[is_upper ? upper : lower];
-        leaf.side[axis] *= 0.5f;
+        leaf.side[axis] *= 0.5;
         leaf.volume *= 0.5;
         if (is_upper) leaf.corner[axis] += leaf.side[axis];
         leaf.root = whole.root.half(axis, is_upper);
@@ -279,7 +280,7 @@ float rounded_share(double lower) {
     // Shares of 0 and 1 would close what the plain density keeps open.
     constexpr double kLeast = 0x1p-24;
     const auto share = static_cast<float>(std::clamp(lower, kLeast, 1 - kLeast));
-    return double(share) > lower && share > 0.5f ? previous_float(share) : share;
+    return double(share) > lower && share > 0.5f ? previous(share) : share;
 }
 
 }  // namespace
@@ -289,8 +290,10 @@ float rounded_share(double lower) {
 // A leaf's probability is at least plain_share * volume, that of each node therefore too: the
 // density is nowhere below plain_share, but for rounding. A share that rounded_share() or its
 // complement lessens at all is at least 1/2 and loses 2^-23 of itself, or is rounded as floats are
-// (2^-24); a way to a leaf has no more than 4 * 20 nodes (kMinSide), and the density is at least
-// plain_share (1 - 80 * 2^-23), where it is asked for as where it is drawn from.
+// (2^-24). That is so at every node, however unlike its children are: a share that would be less is
+// raised to 2^-24, which takes no more than that from one near 1. A way to a leaf has no more than
+// 4 * 31 nodes (kMostHalvings along each axis), and the density is at least
+// plain_share (1 - 124 * 2^-23), where it is asked for as where it is drawn from.
 void PrimaryTree::set_probabilities() {
     probabilities_.assign(nodes_.size(), 0.0);
     for (std::size_t i = nodes_.size(); i-- > 0;) {

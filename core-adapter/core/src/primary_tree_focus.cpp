@@ -13,10 +13,11 @@ constexpr std::size_t kFewestPoints = 16;
 constexpr std::size_t kApart = 8;
 /// A leaf is halved where its points take less of it than this, along any axis: however they lie
 /// about its middle, where a greedy split gains nothing, each half then has them at one end.
-constexpr float kNarrow = 0.25f;
+constexpr double kNarrow = 0.25;
 
 /// Length that holds the points along the axis, without those apart; reorders `scratch`.
-float extent_of(std::span<const PrimaryPoint> points, unsigned axis, std::vector<float>& scratch) {
+double extent_of(std::span<const PrimaryPoint> points, unsigned axis,
+                 std::vector<double>& scratch) {
     scratch.clear();
     for (const PrimaryPoint& p : points)
         scratch.push_back(p[axis]);
@@ -24,7 +25,7 @@ float extent_of(std::span<const PrimaryPoint> points, unsigned axis, std::vector
     const auto low = scratch.begin() + apart;
     const auto high = scratch.end() - 1 - apart;
     std::nth_element(scratch.begin(), low, scratch.end());
-    const float least = *low;
+    const double least = *low;
     std::nth_element(scratch.begin(), high, scratch.end());
     return *high - least;
 }
@@ -33,11 +34,11 @@ float extent_of(std::span<const PrimaryPoint> points, unsigned axis, std::vector
 
 unsigned PrimaryTree::narrow_axis(const Leaf& leaf, std::span<const PrimaryPoint> points) {
     unsigned narrowest = kLeafAxis;
-    float least = kNarrow;
-    std::vector<float> scratch;
+    double least = kNarrow;
+    std::vector<double> scratch;
     for (unsigned axis = 0; axis < 4; ++axis) {
         if (leaf.side[axis] <= kMinSide) continue;
-        const float share = extent_of(points, axis, scratch) / leaf.side[axis];
+        const double share = extent_of(points, axis, scratch) / leaf.side[axis];
         if (share >= least) continue;
         least = share;
         narrowest = axis;
@@ -61,8 +62,8 @@ void PrimaryTree::focus(std::uint32_t node, PrimaryPoint corner, PrimaryPoint si
     }
     const unsigned axis = nodes_[node].axis();
     const std::uint32_t lower = nodes_[node].target();
-    side[axis] *= 0.5f;
-    const float middle = corner[axis] + side[axis];
+    side[axis] *= 0.5;
+    const double middle = corner[axis] + side[axis];
     const auto upper = std::stable_partition(
         points.begin(), points.end(), [&](const PrimaryPoint& p) { return p[axis] < middle; });
     const auto below = static_cast<std::size_t>(upper - points.begin());

@@ -5,13 +5,17 @@
 
 namespace aips {
 
+Vec2 rounded_pair(const PrimaryPoint& u, std::size_t first) {
+    return {clamp_to_unit(float(u[first])), clamp_to_unit(float(u[first + 1]))};
+}
+
 float DiffuseAreaLight::power() const {
     return kPi * area_ * luminance(radiance_);
 }
 
-bool DiffuseAreaLight::emit(const std::array<float, 4>& u, Emission& emission) const {
-    const SurfaceSample s = point({u[0], u[1]});
-    const Vec3 d = Frame(s.normal).to_world(square_to_cosine_hemisphere({u[2], u[3]}));
+bool DiffuseAreaLight::emit(const PrimaryPoint& u, Emission& emission) const {
+    const SurfaceSample s = point(rounded_pair(u, 0));
+    const Vec3 d = Frame(s.normal).to_world(square_to_cosine_hemisphere(rounded_pair(u, 2)));
     emission.ray = {s.position + s.normal * (1e-5f * std::sqrt(area_)), d, 0, nullptr};
     emission.power = radiance_ * (kPi * area_);
     return true;
@@ -34,7 +38,7 @@ float DiffuseAreaLight::pdf_direct(const SurfacePoint& from, Vec3 wi,
 }
 
 bool DiffuseAreaLight::emission_coordinates(const SurfacePoint& towards, const DirectSample& sample,
-                                            std::array<float, 4>& u) const {
+                                            PrimaryPoint& u) const {
     const Vec2 start = coordinates(towards.position + sample.wi * sample.distance);
     // Aimed from where the rounded coordinates lead, the ray still goes through the point.
     const SurfaceSample s = point(start);
@@ -54,8 +58,8 @@ float PointLight::power() const {
     return 4 * kPi * luminance(intensity_);
 }
 
-bool PointLight::emit(const std::array<float, 4>& u, Emission& emission) const {
-    emission.ray = {position_, square_to_uniform_sphere({u[2], u[3]}), 0, nullptr};
+bool PointLight::emit(const PrimaryPoint& u, Emission& emission) const {
+    emission.ray = {position_, square_to_uniform_sphere(rounded_pair(u, 2)), 0, nullptr};
     emission.power = intensity_ * (4 * kPi);
     return true;
 }
@@ -72,7 +76,7 @@ bool PointLight::sample_direct(const SurfacePoint& from, Vec2, DirectSample& sam
 }
 
 bool PointLight::emission_coordinates(const SurfacePoint&, const DirectSample& sample,
-                                      std::array<float, 4>& u) const {
+                                      PrimaryPoint& u) const {
     const Vec2 direction = uniform_sphere_to_square(-sample.wi);
     u[2] = direction.x, u[3] = direction.y;
     return true;

@@ -1,35 +1,78 @@
-// Base of lights at infinity: photons start on a disk beside the scene's sphere.
+// Base of lights at infinity: photons come through a disk as wide as the scene's sphere.
 #include "environment_light.h"
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "warp.h"
 
 namespace lxs {
 
+using Imath::V2d;
+using Imath::V3d;
+
 EnvironmentLight::EnvironmentLight(LightPlacement placement, std::string_view kind,
                                    const SceneSphere& sphere)
     : placement_(std::move(placement)), kind_(kind), sphere_(sphere) {
     if (!(sphere_.radius > 0) || !std::isfinite(sphere_.radius)) sphere_ = SceneSphere{};
+    if (sphere_.surfaces.isEmpty()) return;
+    const Bounds& box = sphere_.surfaces;
+    float farthest = 0;
+    for (int axis = 0; axis < 3; ++axis)
+        farthest = std::max({farthest, std::abs(box.min[axis]), std::abs(box.max[axis])});
+    margin_ = 0x1p-13 * double(sphere_.radius) + 0x1p-21 * double(farthest);
 }
 
 void EnvironmentLight::set_fluence(const Rgb& fluence) {
     power_ = kPi * sphere_.radius * sphere_.radius * luminance(fluence);
 }
 
-bool EnvironmentLight::sample_emission(const std::array<float, 4>& u,
-                                       EmissionSample& sample) const {
+// A ray's origin is of single precision: at 10 km its coordinates are a millimetre apart, and
+// parallel light from there would fall on lines that far apart, however fine the primary
+// coordinates are. So photons start where their line comes to the box around all surfaces: a view
+// on a wide ground has the origins' coordinates small where its own are. Beyond that by a margin,
+// which keeps the plane error of large askew triangles (some 4e-6 of their size) and the origin's
+// rounding from putting a surface behind the start; and by up to as much again at random, so that
+// where the box is high the origins of one line fall on many lattice points.
+std::optional<double> EnvironmentLight::start_ahead(const V3d& foot, const V3d& wi,
+                                                    double spread) const {
+    double from = -std::numeric_limits<double>::infinity(), to = -from;
+    for (int axis = 0; axis < 3; ++axis) {
+        const double low = double(sphere_.surfaces.min[axis]) - 0.5 * margin_ - foot[axis];
+        const double high = double(sphere_.surfaces.max[axis]) + 0.5 * margin_ - foot[axis];
+        if (wi[axis] == 0) {
+            if (low > 0 || high < 0) return {};
+            continue;
+        }
+        const double a = low / wi[axis], b = high / wi[axis];
+        from = std::max(from, std::min(a, b));
+        to = std::min(to, std::max(a, b));
+    }
+    if (from > to) return {};
+    return to + margin_ * (1 + spread);
+}
+
+bool EnvironmentLight::sample_emission(const PrimaryPoint& u, EmissionSample& sample) const {
     SkyDirection sky;
-    if (!sample_direction(Vec2(u[2], u[3]), sky)) return false;
-    const Vec2 d = square_to_concentric_disk(Vec2(u[0], u[1]));
+    if (!sample_direction(rounded_pair(u, 2), sky)) return false;
+    const V2d d = square_to_concentric_disk(V2d(u[0], u[1]));
     const Frame frame(sky.wi);
+    const double radius = double(sphere_.radius);
+    const V3d wi(sky.wi);
+    const V3d foot = V3d(sphere_.center) + (V3d(frame.s) * d.x + V3d(frame.t) * d.y) * radius;
     // A little beyond the sphere, so that rounding puts no surface behind the origin.
-    constexpr float kBeyond = 1.01f;
-    // A medium begins on the sphere.
-    const float ahead = placement_.medium ? std::sqrt(std::max(0.0f, 1 - d.length2())) : kBeyond;
+    constexpr double kBeyond = 1.01;
+    std::optional<double> ahead = kBeyond * radius;
+    if (placement_.medium) {
+        // A medium begins on the sphere.
+        ahead = std::sqrt(std::max(0.0, 1 - d.length2())) * radius;
+    } else if (!sphere_.surfaces.isEmpty()) {
+        ahead = start_ahead(foot, wi, u[2]);
+    }
+    if (!ahead) return false;
     sample.ray = Ray{};
-    sample.ray.origin =
-        sphere_.center + (frame.s * d.x + frame.t * d.y + sky.wi * ahead) * sphere_.radius;
+    sample.ray.origin = Vec3(foot + wi * *ahead);
     sample.ray.direction = -sky.wi;
     sample.ray.medium = placement_.medium.get();
     sample.power = sky.radiance * (kPi * sphere_.radius * sphere_.radius / sky.pdf);
@@ -48,17 +91,22 @@ bool EnvironmentLight::sample_direct(const Vec3& /*p*/, const Vec3& /*n*/, const
 }
 
 bool EnvironmentLight::emission_coordinates(const Vec3& p, const DirectSample& sample,
-                                            std::array<float, 4>& u) const {
-    Vec2 direction(u[2], u[3]);
+                                            PrimaryPoint& u) const {
+    const Vec2 at = rounded_pair(u, 2);
+    Vec2 direction = at;
     SkyDirection sky;
     if (!direction_coordinates(sample.wi, direction)) return false;
     // The start is found for the direction of the rounded coordinates, so that the ray meets p.
     if (!sample_direction(direction, sky) || is_black(sky.radiance)) return false;
-    const Vec3 offset = Frame(sky.wi).to_local((p - sphere_.center) / sphere_.radius);
-    const Vec2 on_disk(offset.x, offset.y);
+    const Frame frame(sky.wi);
+    const V3d offset = (V3d(p) - V3d(sphere_.center)) / double(sphere_.radius);
+    const V2d on_disk(offset ^ V3d(frame.s), offset ^ V3d(frame.t));
     if (!(on_disk.length2() <= 1)) return false;
-    const Vec2 start = concentric_disk_to_square(on_disk);
-    u = {start.x, start.y, direction.x, direction.y};
+    const V2d start = concentric_disk_to_square(on_disk);
+    u[0] = start.x, u[1] = start.y;
+    // Ones that do not matter keep what single precision would take from them.
+    if (direction.x != at.x) u[2] = double(direction.x);
+    if (direction.y != at.y) u[3] = double(direction.y);
     return true;
 }
 

@@ -1,5 +1,7 @@
-// Base of lights at infinity: photons start on a disk beside the scene's sphere.
+// Base of lights at infinity: photons come through a disk as wide as the scene's sphere.
 #pragma once
+
+#include <optional>
 
 #include "light_placement.h"
 #include "lxs/lights/lights.h"
@@ -21,7 +23,7 @@ class EnvironmentLight : public Light {
     float power() const override { return power_; }
     bool at_infinity() const override { return true; }
 
-    bool sample_emission(const std::array<float, 4>& u, EmissionSample& sample) const override;
+    bool sample_emission(const PrimaryPoint& u, EmissionSample& sample) const override;
     bool sample_direct(const Vec3& p, const Vec3& n, const Vec2& u,
                        DirectSample& sample) const override;
     float pdf_direct(const Vec3& /*p*/, const Vec3& /*n*/, const Vec3& wi, const Vec3& /*light_p*/,
@@ -29,7 +31,7 @@ class EnvironmentLight : public Light {
         return direction_density(wi);
     }
     bool emission_coordinates(const Vec3& p, const DirectSample& sample,
-                              std::array<float, 4>& u) const override;
+                              PrimaryPoint& u) const override;
 
   protected:
     /// `kind` must outlive the light (a literal).
@@ -44,9 +46,15 @@ class EnvironmentLight : public Light {
     void set_fluence(const Rgb& fluence);
 
   private:
+    /// How far from the disc through the sphere's centre, towards the light, a photon starts that
+    /// passes `foot` there; nothing if it misses all surfaces. `spread` in [0, 1) moves the start.
+    std::optional<double> start_ahead(const Imath::V3d& foot, const Imath::V3d& wi,
+                                      double spread) const;
+
     LightPlacement placement_;
     std::string_view kind_;
     SceneSphere sphere_;
+    double margin_ = 0;  ///< between the surfaces' box and where photons start
     float power_ = 0;
 };
 

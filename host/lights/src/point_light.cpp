@@ -14,12 +14,13 @@ float one_minus_cos(float angle) {
 
 }  // namespace
 
-bool PointLight::sample_emission(const std::array<float, 4>& u, EmissionSample& sample) const {
+bool PointLight::sample_emission(const PrimaryPoint& u, EmissionSample& sample) const {
     sample.power = intensity_ * falloff_integral();
     sample.normal = Vec3(0.0f);
     sample.ray = Ray{};
     sample.ray.origin = position_;
-    sample.ray.direction = sample_direction(u[2], u[3]);
+    const Vec2 at = rounded_pair(u, 2);
+    sample.ray.direction = sample_direction(at.x, at.y);
     sample.ray.medium = placement_.medium.get();
     return !is_black(sample.power);
 }
@@ -40,7 +41,7 @@ bool PointLight::sample_direct(const Vec3& p, const Vec3& /*n*/, const Vec2& /*u
 }
 
 bool PointLight::emission_coordinates(const Vec3& p, const DirectSample& /*sample*/,
-                                      std::array<float, 4>& u) const {
+                                      PrimaryPoint& u) const {
     const Vec3 w = (p - position_).normalized();
     if (is_black(intensity_) || !(w.length2() > 0) || !(falloff(w) > 0)) return false;
     const Vec2 d = direction_coordinates(w);

@@ -17,7 +17,7 @@ class PointLight : public Light {
     std::string_view kind() const override { return "point"; }
     std::uint32_t group() const override { return placement_.group; }
     float power() const override { return 4 * kPi * luminance(intensity_); }
-    bool sample_emission(const std::array<float, 4>& u, EmissionSample& sample) const override;
+    bool sample_emission(const PrimaryPoint& u, EmissionSample& sample) const override;
     bool sample_direct(const Vec3& p, const Vec3& n, const Vec2& u,
                        DirectSample& sample) const override;
     float pdf_direct(const Vec3&, const Vec3&, const Vec3&, const Vec3&, const Vec3&,
@@ -25,7 +25,7 @@ class PointLight : public Light {
         return 0;
     }
     bool emission_coordinates(const Vec3& p, const DirectSample& sample,
-                              std::array<float, 4>& u) const override;
+                              PrimaryPoint& u) const override;
 
   protected:
     const Rgb& intensity() const { return intensity_; }

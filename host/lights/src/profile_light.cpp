@@ -3,6 +3,8 @@
 
 #include <cmath>
 
+#include "warp.h"
+
 namespace lxs {
 
 ProfileLight::ProfileLight(LightPlacement placement, std::string_view kind, const Vec3& position,
@@ -14,12 +16,12 @@ ProfileLight::ProfileLight(LightPlacement placement, std::string_view kind, cons
       profile_(std::move(profile)),
       power_(luminance(intensity_ * profile_->integral())) {}
 
-bool ProfileLight::sample_emission(const std::array<float, 4>& u, EmissionSample& sample) const {
+bool ProfileLight::sample_emission(const PrimaryPoint& u, EmissionSample& sample) const {
     sample.normal = Vec3(0.0f);
     sample.ray = Ray{};
     sample.ray.origin = position_;
     sample.ray.medium = placement_.medium.get();
-    const float density = profile_->sample(Vec2(u[2], u[3]), sample.ray.direction);
+    const float density = profile_->sample(rounded_pair(u, 2), sample.ray.direction);
     if (!(density > 0)) return false;
     sample.power = intensity_ * profile_->at(sample.ray.direction) / density;
     return !is_black(sample.power);
@@ -40,7 +42,7 @@ bool ProfileLight::sample_direct(const Vec3& p, const Vec3& /*n*/, const Vec2& /
 }
 
 bool ProfileLight::emission_coordinates(const Vec3& p, const DirectSample& /*sample*/,
-                                        std::array<float, 4>& u) const {
+                                        PrimaryPoint& u) const {
     const Vec3 w = (p - position_).normalized();
     Vec2 d;
     if (!(w.length2() > 0) || is_black(intensity_ * profile_->at(w)) ||

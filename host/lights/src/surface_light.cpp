@@ -69,10 +69,10 @@ bool SurfaceLight::emit(const SurfacePoint& s, const Vec2& u, Vec3& direction, R
     return true;
 }
 
-bool SurfaceLight::sample_emission(const std::array<float, 4>& u, EmissionSample& sample) const {
-    const SurfacePoint s = sample_surface(Vec2(u[0], u[1]));
+bool SurfaceLight::sample_emission(const PrimaryPoint& u, EmissionSample& sample) const {
+    const SurfacePoint s = sample_surface(rounded_pair(u, 0));
     Vec3 direction(0.0f);
-    if (!(s.density > 0) || !emit(s, Vec2(u[2], u[3]), direction, sample.power)) return false;
+    if (!(s.density > 0) || !emit(s, rounded_pair(u, 2), direction, sample.power)) return false;
     sample.normal = s.n;
     sample.ray = Ray{};
     sample.ray.origin = offset_origin(s.p, s.p_error, s.n, direction);
@@ -99,7 +99,7 @@ bool SurfaceLight::sample_direct(const Vec3& p, const Vec3& /*n*/, const Vec2& u
 }
 
 bool SurfaceLight::emission_coordinates(const Vec3& p, const DirectSample& sample,
-                                        std::array<float, 4>& u) const {
+                                        PrimaryPoint& u) const {
     Vec2 position;
     if (!surface_coordinates(sample.segment_end, sample.primitive, position)) return false;
     // Aimed from where the rounded coordinates lead, the ray still goes through p.

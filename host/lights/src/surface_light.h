@@ -33,13 +33,13 @@ class SurfaceLight : public AreaLight {
     float power() const override { return power_; }
     bool has_area() const override { return has_area_; }
 
-    bool sample_emission(const std::array<float, 4>& u, EmissionSample& sample) const override;
+    bool sample_emission(const PrimaryPoint& u, EmissionSample& sample) const override;
     bool sample_direct(const Vec3& p, const Vec3& n, const Vec2& u,
                        DirectSample& sample) const override;
     float pdf_direct(const Vec3& p, const Vec3& n, const Vec3& wi, const Vec3& light_p,
                      const Vec3& light_n, std::uint32_t primitive) const override;
     bool emission_coordinates(const Vec3& p, const DirectSample& sample,
-                              std::array<float, 4>& u) const override;
+                              PrimaryPoint& u) const override;
     Rgb radiance(const Vec3& p, const Vec3& n, const Vec2& uv, const Vec3& wo) const override;
     CurvePointer spectrum() const override { return radiance_.spectrum(); }
     RefusedValues& refused_values() const override { return radiance_.refused_values(); }

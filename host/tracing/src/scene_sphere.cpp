@@ -11,22 +11,23 @@ SceneSphere enclosing_sphere(const Bounds& box) {
     if (box.isEmpty()) return {};
     constexpr float kRoundingMargin = 1.00001f;
     const float radius = (box.max - box.min).length() / 2 * kRoundingMargin;
-    return {box.center(), radius > 0 ? radius : 1.0f};
+    return {box.center(), radius > 0 ? radius : 1.0f, Bounds()};
 }
 
 }  // namespace
 
 SceneSphere unbounded_media_end(const SceneContents& contents, const Bounds& bounds) {
-    const auto camera = contents.options.find("Camera");
-    if (!contents.camera_medium || camera == contents.options.end()) {
-        return enclosing_sphere(bounds);
-    }
     Bounds box = bounds;
-    const Imath::V3d eye = camera->second.transform.inverse().translation();
-    box.extendBy(Vec3(eye));
-    for (const MotionKey& key : camera->second.motion)
-        box.extendBy(Vec3(Imath::V3d(key.matrix.inverse().translation())));
-    return enclosing_sphere(box);
+    const auto camera = contents.options.find("Camera");
+    if (contents.camera_medium && camera != contents.options.end()) {
+        const Imath::V3d eye = camera->second.transform.inverse().translation();
+        box.extendBy(Vec3(eye));
+        for (const MotionKey& key : camera->second.motion)
+            box.extendBy(Vec3(Imath::V3d(key.matrix.inverse().translation())));
+    }
+    SceneSphere sphere = enclosing_sphere(box);
+    sphere.surfaces = bounds;
+    return sphere;
 }
 
 float distance_to_end(const SceneSphere& sphere, const Ray& ray) {

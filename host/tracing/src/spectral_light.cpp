@@ -3,7 +3,7 @@
 
 namespace lxs {
 
-bool SpectralLight::sample_emission(const std::array<float, 4>& u, EmissionSample& sample) const {
+bool SpectralLight::sample_emission(const PrimaryPoint& u, EmissionSample& sample) const {
     if (!light_.sample_emission(u, sample)) return false;
     sample.power = at_wavelengths(sample.power);
     return !is_black(sample.power);

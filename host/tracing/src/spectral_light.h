@@ -22,7 +22,7 @@ class SpectralLight final : public Light {
     std::uint32_t group() const override { return light_.group(); }
     float power() const override { return light_.power(); }
     bool at_infinity() const override { return light_.at_infinity(); }
-    bool sample_emission(const std::array<float, 4>& u, EmissionSample& sample) const override;
+    bool sample_emission(const PrimaryPoint& u, EmissionSample& sample) const override;
     bool sample_direct(const Vec3& p, const Vec3& n, const Vec2& u,
                        DirectSample& sample) const override;
     float pdf_direct(const Vec3& p, const Vec3& n, const Vec3& wi, const Vec3& light_p,
@@ -30,7 +30,7 @@ class SpectralLight final : public Light {
         return light_.pdf_direct(p, n, wi, light_p, light_n, primitive);
     }
     bool emission_coordinates(const Vec3& p, const DirectSample& sample,
-                              std::array<float, 4>& u) const override {
+                              PrimaryPoint& u) const override {
         return light_.emission_coordinates(p, sample, u);
     }
     Rgb escaped(const Vec3& direction) const override {

@@ -35,7 +35,7 @@ class FaultyLight final : public mock::LightLike {
         if (fault_ == Fault::DeadPower) return 0;
         return light_.power() / (fault_ == Fault::Power ? 4 * kPi : 1);
     }
-    bool emit(const std::array<float, 4>& u, Emission& emission) const override {
+    bool emit(const PrimaryPoint& u, Emission& emission) const override {
         if (!light_.emit(u, emission)) return false;
         if (fault_ == Fault::Emission) emission.power *= 4 * kPi;
         if (fault_ == Fault::Directions) emission.ray.direction.x *= -1;
@@ -54,7 +54,7 @@ class FaultyLight final : public mock::LightLike {
         return light_.pdf_direct(from, wi, at) * (half ? 0.5f : 1);
     }
     bool emission_coordinates(const SurfacePoint& towards, const DirectSample& sample,
-                              std::array<float, 4>& u) const override {
+                              PrimaryPoint& u) const override {
         if (!light_.emission_coordinates(towards, sample, u)) return false;
         if (fault_ == Fault::Coordinates) std::swap(u[2], u[3]);
         return true;

@@ -17,8 +17,7 @@ class PowerOnly : public Light {
     std::uint32_t group() const override { return 0; }
     float power() const override { return power_; }
     bool at_infinity() const override { return at_infinity_; }
-    bool sample_emission(const std::array<float, 4>& /*u*/,
-                         EmissionSample& /*sample*/) const override {
+    bool sample_emission(const PrimaryPoint& /*u*/, EmissionSample& /*sample*/) const override {
         return false;
     }
     bool sample_direct(const Vec3& /*p*/, const Vec3& /*n*/, const Vec2& /*u*/,

@@ -76,7 +76,7 @@ class SpoiledLight final : public Light {
     std::uint32_t group() const override { return light_.group(); }
     float power() const override { return light_.power(); }
     bool at_infinity() const override { return light_.at_infinity(); }
-    bool sample_emission(const std::array<float, 4>& u, EmissionSample& sample) const override {
+    bool sample_emission(const PrimaryPoint& u, EmissionSample& sample) const override {
         return light_.sample_emission(u, sample);
     }
     bool sample_direct(const Vec3& p, const Vec3& n, const Vec2& u,

@@ -255,7 +255,7 @@ std::size_t cell_of(const Vec3& w) {
 double stated_density(const Light& light, const Vec3& w) {
     DirectSample at_origin;
     at_origin.wi = -w;
-    std::array<float, 4> u{};
+    PrimaryPoint u{};
     EmissionSample photon;
     if (!light.emission_coordinates(w, at_origin, u) || !light.sample_emission(u, photon)) return 0;
     const auto& area = dynamic_cast<const AreaLight&>(light);

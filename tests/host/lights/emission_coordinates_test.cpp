@@ -10,7 +10,7 @@ namespace lxs::test {
 namespace {
 
 /// Values that no light writes, to see which coordinates it left alone.
-constexpr std::array<float, 4> kUntouched = {0.11f, 0.22f, 0.33f, 0.44f};
+constexpr PrimaryPoint kUntouched = {0.11, 0.22, 0.33, 0.44};
 
 struct Case {
     std::string name;
@@ -82,9 +82,9 @@ double tolerance(const Light& light) {
 
 /// One point that the light lights: false if no coordinates were found.
 bool check(const Light& light, const Vec3& p, const DirectSample& sample) {
-    std::array<float, 4> u = kUntouched;
+    PrimaryPoint u = kUntouched;
     if (!light.emission_coordinates(p, sample, u)) return false;
-    for (const float x : u)
+    for (const double x : u)
         EXPECT_TRUE(x >= 0 && x < 1) << x;
     EmissionSample emission;
     EXPECT_TRUE(light.sample_emission(u, emission));
@@ -141,7 +141,7 @@ TEST(EmissionCoordinates, OnesThatDoNotMatterStay) {
     const auto coordinates = [](const Light& light) {
         const Vec3 p(0.5f, 0.4f, 1);
         DirectSample sample;
-        std::array<float, 4> u = kUntouched;
+        PrimaryPoint u = kUntouched;
         EXPECT_TRUE(light.sample_direct(p, Vec3(0, 0, 1), Vec2(0.5f, 0.5f), sample));
         EXPECT_TRUE(light.emission_coordinates(p, sample, u));
         return u;
@@ -157,7 +157,7 @@ TEST(EmissionCoordinates, OnesThatDoNotMatterStay) {
 /// Nothing may be found for a point that the light does not reach, whatever sample is shown.
 TEST(EmissionCoordinates, NoneWhereNoLightArrives) {
     const auto none = [](const Light& light, const Vec3& p, const DirectSample& sample) {
-        std::array<float, 4> u = kUntouched;
+        PrimaryPoint u = kUntouched;
         return !light.emission_coordinates(p, sample, u);
     };
     DirectSample sample;

@@ -135,7 +135,7 @@ TEST(RevolutionLight, DensityOfAHitIsThatOfTheSample) {
             const Vec3 p = from + d.wi * d.distance;
             const float pdf = light->pdf_direct(from, {}, d.wi, p, emission.normal, 0);
             EXPECT_NEAR(pdf / d.pdf, 1, 1e-3) << e.name;
-            std::array<float, 4> back;
+            PrimaryPoint back{};
             if (!light->emission_coordinates(from, d, back)) continue;  // grazing
             EXPECT_NEAR(back[0], u.x, 2e-4) << e.name;
             EXPECT_NEAR(back[1], u.y, 2e-4) << e.name;

@@ -90,7 +90,7 @@ TEST(StressCounters, OfChains) {
     total.uniform = total.measured = kTwoTo32 - 5;
     chain.run(
         {1, kTwoTo32 + 7, 3, 64}, 10, 2,
-        [](PrimaryPath& path, int&, std::uint64_t) { return path.emission(0) < 0.5f; },
+        [](PrimaryPath& path, int&, std::uint64_t) { return path.start()[0] < 0.5; },
         [](int, std::uint32_t) {}, counts);
     total += counts;
     EXPECT_EQ(total.uniform, kTwoTo32 - 5 + counts.uniform);

@@ -72,7 +72,7 @@ class SpoiledLight final : public LightLike {
     float power() const override {
         return is(Part::LightsOwnPower) ? spoil_.value : LightLike::power();
     }
-    bool emit(const std::array<float, 4>& u, Emission& emission) const override {
+    bool emit(const PrimaryPoint& u, Emission& emission) const override {
         if (!LightLike::emit(u, emission)) return false;
         if (is(Part::LightPower)) emission.power = with_red(emission.power, spoil_.value);
         if (is(Part::LightOrigin)) emission.ray.origin.x = spoil_.value;
@@ -94,7 +94,7 @@ class SpoiledLight final : public LightLike {
         return is(Part::Escaped) ? with_red(seen, spoil_.value) : seen;
     }
     bool emission_coordinates(const SurfacePoint& /*towards*/, const DirectSample& /*sample*/,
-                              std::array<float, 4>& u) const override {
+                              PrimaryPoint& u) const override {
         u[0] = spoil_.value;
         return is(Part::EmissionCoordinates);
     }

@@ -2,7 +2,7 @@
 #include "direct_light_tally.h"
 
 #include "aips/core/arena.h"
-#include "emission_numbers.h"
+#include "emit_at_random.h"
 
 namespace aips {
 namespace {
@@ -123,7 +123,7 @@ class Place {
     }
 
     void coordinates(const DirectSample& s) {
-        EmissionNumbers u{};
+        PrimaryPoint u{};
         u.fill(0.5f);
         if (!light_.emission_coordinates(point_, s, u)) return;
         const bool within = std::all_of(u.begin(), u.end(), [](auto x) { return x >= 0 && x < 1; });

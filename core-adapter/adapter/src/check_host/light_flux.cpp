@@ -1,7 +1,7 @@
 // Test surfaces: the scene's box for lights at infinity, a sphere around the others.
 #include "light_flux.h"
 
-#include "emission_numbers.h"
+#include "emit_at_random.h"
 
 namespace aips {
 namespace {

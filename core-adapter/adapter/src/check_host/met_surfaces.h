@@ -6,7 +6,7 @@
 
 #include "aips/core/arena.h"
 #include "aips/core/random.h"
-#include "emission_numbers.h"
+#include "emit_at_random.h"
 #include "findings.h"
 
 namespace aips {

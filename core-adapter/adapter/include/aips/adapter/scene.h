@@ -1,7 +1,6 @@
 // What the engine asks of a host's scene and lights.
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <limits>
 #include <memory_resource>
@@ -10,6 +9,7 @@
 
 #include "aips/adapter/bsdf.h"
 #include "aips/core/bounds.h"
+#include "aips/core/primary_point.h"
 
 namespace aips {
 
@@ -70,8 +70,10 @@ class Light {
     virtual std::uint32_t group() const = 0;  ///< light group (layer of the film)
     virtual float power() const = 0;          ///< about, in watts; 0 only for a dead light
     virtual bool at_infinity() const = 0;     ///< seen by rays that leave the scene
-    /// Draws a photon from primary coordinates in [0,1)^4; false if nothing leaves there.
-    virtual bool emit(const std::array<float, 4>& u, Emission& emission) const = 0;
+    /// Draws a photon from primary coordinates in [0,1)^4; false if nothing leaves there. They are
+    /// finer than single precision tells apart, and rounding to it may give 1: where a light is far
+    /// wider than what is seen, places have to be worked out in double precision.
+    virtual bool emit(const PrimaryPoint& u, Emission& emission) const = 0;
     /// Draws a direction towards the light from a point.
     virtual bool sample_direct(const SurfacePoint& from, Vec2 u, DirectSample& sample) const = 0;
     /// Density of sample_direct for the direction wi from `from`, which meets the light at `at`
@@ -83,8 +85,7 @@ class Light {
     /// them. False where there are none or the light can't tell; `u` is then undefined. Only
     /// steers sampling: never part of a value.
     virtual bool emission_coordinates(const SurfacePoint& /*towards*/,
-                                      const DirectSample& /*sample*/,
-                                      std::array<float, 4>& /*u*/) const {
+                                      const DirectSample& /*sample*/, PrimaryPoint& /*u*/) const {
         return false;
     }
     /// Radiance seen in a direction that leaves the scene; black for other lights.

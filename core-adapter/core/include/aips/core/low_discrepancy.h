@@ -81,12 +81,15 @@ class SobolRun {
         if (index >> 8 != window_) enter(index >> 8);
         byte_ = index & 255u;
     }
-    /// Its coordinate in `dimension` (< kSobolDimensions, unchecked), in [0, 1); after move_to().
-    float operator()(unsigned dimension) const {
+    /// Its coordinate in `dimension` (< kSobolDimensions, unchecked) as a fraction of 32 bits;
+    /// after move_to().
+    std::uint32_t bits(unsigned dimension) const {
         const Dimension& d = dimensions_[dimension];
-        const std::uint32_t bits = d.upper_bits ^ sobol_tables[dimension][0][byte_];
-        return to_unit_float(reverse_bits(laine_karras_permutation(bits, d.scramble)));
+        const std::uint32_t unscrambled = d.upper_bits ^ sobol_tables[dimension][0][byte_];
+        return reverse_bits(laine_karras_permutation(unscrambled, d.scramble));
     }
+    /// The same in [0, 1): its first 24 bits.
+    float operator()(unsigned dimension) const { return to_unit_float(bits(dimension)); }
 
   private:
     struct Dimension {

@@ -1,19 +1,21 @@
 // The random numbers of one path as coordinates in primary sample space, drawn or mutated.
 #pragma once
 
-#include <cassert>
 #include <span>
 #include <vector>
 
 #include "aips/core/mutation.h"
+#include "aips/core/primary_point.h"
 #include "aips/core/random.h"
 
 namespace aips {
 
-/// Coordinates of the emission: four for the light's, one to choose the light.
-inline constexpr std::uint32_t kEmissionCoordinates = 5;
-/// Coordinates of a bounce: survival, two for the direction, one for the lobe.
-inline constexpr std::uint32_t kBounceCoordinates = 4;
+/// Coordinates of the emission: four of the light's, one to choose the light.
+inline constexpr std::uint32_t kStartCoordinates = 4;
+inline constexpr std::uint32_t kEmissionCoordinates = kStartCoordinates + 1;
+/// Coordinates of a bounce: as many as the longest one draws (scatter_photon.h holds who draws
+/// what).
+inline constexpr std::uint32_t kBounceCoordinates = 6;
 
 /// Most coordinates of a path that meets up to `depth` surfaces.
 constexpr std::size_t max_coordinates(std::uint32_t depth) {
@@ -22,7 +24,13 @@ constexpr std::size_t max_coordinates(std::uint32_t depth) {
 
 /// The numbers of a path that is being traced. Each bounce has coordinates of its own, whether it
 /// uses them or not, so that a coordinate keeps its meaning from one path to the next. They come
-/// into being when they are asked for: number k of the stream makes coordinate k.
+/// into being when they are asked for, in their order.
+///
+/// No number is handed out twice. What is asked for beyond a bounce's coordinates, or by another
+/// photon of the path at a depth that one has been at before, is drawn anew, never kept and never
+/// mutated. In a chain such numbers are further coordinates, as many as one likes, each proposed
+/// anew from the uniform density whatever the state: the proposal stays symmetric on the extended
+/// space, and the chain uniform on the visible part of it.
 class PrimaryPath {
   public:
     /// Mutations of `from` where it has coordinates, with this exponent; drawn anew beyond its end
@@ -31,18 +39,28 @@ class PrimaryPath {
                 std::vector<Coordinate>& used)
         : random_(random), from_(from), exponent_(exponent), used_(used) {}
 
-    /// Number `dimension` (< kEmissionCoordinates) of the emission, in [0, 1).
-    float emission(std::uint32_t dimension) { return to_unit_float(coordinate(dimension)); }
+    /// Where the light emits.
+    PrimaryPoint start() {
+        coordinate(kStartCoordinates - 1);
+        return primary_point({used_[0], used_[1], used_[2], used_[3]});
+    }
+    /// Chooses the light; in [0, 1).
+    float light_choice() { return to_unit_float(coordinate(kStartCoordinates)); }
 
-    /// The numbers of the bounce at surface `depth`, from 1: at most kBounceCoordinates of them.
+    /// The numbers of the bounce at surface `depth`, from 1. Asked again for the depth it is at, it
+    /// goes on where it was.
     PrimaryPath& bounce(std::uint32_t depth) {
-        position_ = max_coordinates(depth - 1);
-        end_ = position_ + kBounceCoordinates;
+        if (depth > deepest_) {
+            deepest_ = depth;
+            position_ = max_coordinates(depth - 1);
+            end_ = position_ + kBounceCoordinates;
+        } else if (depth < deepest_) {
+            position_ = end_;
+        }
         return *this;
     }
     float next() {
-        assert(position_ < end_);
-        return to_unit_float(coordinate(position_++));
+        return position_ < end_ ? to_unit_float(coordinate(position_++)) : random_.next();
     }
     /// Two numbers, x first.
     Vec2 next2() {
@@ -64,6 +82,7 @@ class PrimaryPath {
     std::span<const Coordinate> from_;
     float exponent_;
     std::vector<Coordinate>& used_;
+    std::uint32_t deepest_ = 0;  // bounce that has begun
     std::size_t position_ = 0, end_ = 0;
 };
 

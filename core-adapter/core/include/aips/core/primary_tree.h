@@ -16,12 +16,10 @@
 #include <span>
 #include <vector>
 
+#include "aips/core/primary_point.h"
 #include "aips/core/state_archive.h"
 
 namespace aips {
-
-/// Coordinates from which a light emits a photon, in [0, 1)^4.
-using PrimaryPoint = std::array<float, 4>;
 
 struct PrimaryTreeSettings {
     std::uint32_t max_leaves = 4096;  ///< in [1, 2^24]
@@ -77,7 +75,7 @@ class PrimaryTree {
     void update(double paths);
     /// Sets the density from what was learned so far. With nothing learned (no seeds), the shares
     /// of the learned (seeds') density go to the plain one. Whatever was learned, no density is
-    /// below mixture.plain by more than one part in 100 000: no photon weighs more than 1 / that.
+    /// below mixture.plain by more than two parts in 100 000: no photon weighs more than 1 / that.
     void set_mixture(const PrimaryMixture& mixture);
 
     /// Saves what was learned, or restores it into a new tree with the same settings. To be called
@@ -96,8 +94,11 @@ class PrimaryTree {
 
   private:
     static constexpr std::uint32_t kLeafAxis = 4;
-    /// Sides below this would outrun the 24 bits of a random number.
-    static constexpr float kMinSide = 0x1p-20f;
+    /// No side is halved further. Of the 48 bits of a PrimaryPoint 17 are left within such a leaf,
+    /// even where photons come there by the plain density alone; and a leaf as narrow along all
+    /// axes still has a density that single precision holds (2^124).
+    static constexpr int kMostHalvings = 31;
+    static constexpr double kMinSide = 1.0 / (std::uint64_t{1} << kMostHalvings);
 
     /// Interior: halves its box across an axis; children are `target` and `target` + 1. Leaf:
     /// `target` is its number. Small, as photons walk over nothing else.
@@ -145,8 +146,8 @@ class PrimaryTree {
     };
 
     struct Leaf {
-        std::array<float, 4> corner{};
-        std::array<float, 4> side{1, 1, 1, 1};
+        PrimaryPoint corner{};
+        PrimaryPoint side{1, 1, 1, 1};
         double volume = 1;
         double paths = 0;        ///< all lights' scored photon paths that `root` stands for
         Sums root;               ///< of sqrt(Q): `whole` / paths estimates the integral of |f|

@@ -5,6 +5,10 @@
 
 namespace aips {
 
+/// Two of the primary coordinates from `first` on, in single precision and below 1: fine enough for
+/// scenes that are not vastly wider than what is seen of them.
+Vec2 rounded_pair(const PrimaryPoint& u, std::size_t first);
+
 /// A one-sided diffuse emitter of which uniform points can be drawn.
 class DiffuseAreaLight : public Light {
   public:
@@ -16,11 +20,11 @@ class DiffuseAreaLight : public Light {
     float power() const override;
     bool at_infinity() const override { return false; }
     Rgb escaped(Vec3) const override { return {}; }
-    bool emit(const std::array<float, 4>& u, Emission& emission) const override;
+    bool emit(const PrimaryPoint& u, Emission& emission) const override;
     bool sample_direct(const SurfacePoint& from, Vec2 u, DirectSample& sample) const override;
     float pdf_direct(const SurfacePoint& from, Vec3 wi, const SurfacePoint* at) const override;
     bool emission_coordinates(const SurfacePoint& towards, const DirectSample& sample,
-                              std::array<float, 4>& u) const override;
+                              PrimaryPoint& u) const override;
 
   protected:
     /// A point on the surface and its front normal.
@@ -49,11 +53,11 @@ class PointLight final : public Light {
     float power() const override;
     bool at_infinity() const override { return false; }
     Rgb escaped(Vec3) const override { return {}; }
-    bool emit(const std::array<float, 4>& u, Emission& emission) const override;
+    bool emit(const PrimaryPoint& u, Emission& emission) const override;
     bool sample_direct(const SurfacePoint& from, Vec2 u, DirectSample& sample) const override;
     float pdf_direct(const SurfacePoint&, Vec3, const SurfacePoint*) const override { return 0; }
     bool emission_coordinates(const SurfacePoint& towards, const DirectSample& sample,
-                              std::array<float, 4>& u) const override;
+                              PrimaryPoint& u) const override;
 
   private:
     Vec3 position_;

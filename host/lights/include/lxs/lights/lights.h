@@ -16,6 +16,7 @@ namespace lxs {
 struct SceneSphere {
     Vec3 center{0.0f};
     float radius = 1;
+    Bounds surfaces{};  ///< box around all of them, within the sphere; empty: not known
 };
 
 /// Finds an image file for a light (infinite maps).

@@ -9,6 +9,10 @@
 
 namespace lxs {
 
+/// Coordinates from which a light emits a photon, in [0, 1)^4: finer than single precision tells
+/// apart, and rounding to it may give 1.
+using PrimaryPoint = std::array<double, 4>;
+
 /// A photon leaving a light (Light::sample_emission).
 struct EmissionSample {
     Ray ray;            ///< origin already offset robustly off the emitting surface
@@ -44,9 +48,10 @@ class Light {
     /// True for infinite, sky and sun lights: rays that leave the scene see `escaped`.
     virtual bool at_infinity() const { return false; }
 
-    /// Draws a photon from primary coordinates in [0,1)^4: u[0..1] position, u[2..3] direction.
-    /// False if this coordinate emits nothing.
-    virtual bool sample_emission(const std::array<float, 4>& u, EmissionSample& sample) const = 0;
+    /// Draws a photon from primary coordinates: u[0..1] position, u[2..3] direction. False if these
+    /// emit nothing. Positions on what may be far wider than a view (the disc beside the scene) are
+    /// worked out in double precision.
+    virtual bool sample_emission(const PrimaryPoint& u, EmissionSample& sample) const = 0;
     /// Draws a direction to the light from the surface point p (normal n, for choosing only).
     virtual bool sample_direct(const Vec3& p, const Vec3& n, const Vec2& u,
                                DirectSample& sample) const = 0;
@@ -61,7 +66,7 @@ class Light {
     /// not depend on are left as the caller set them. False where there are none or the light
     /// can't tell; `u` is then undefined. Only steers sampling: never part of a value.
     virtual bool emission_coordinates(const Vec3& /*p*/, const DirectSample& /*sample*/,
-                                      std::array<float, 4>& /*u*/) const {
+                                      PrimaryPoint& /*u*/) const {
         return false;
     }
     /// Radiance seen along a direction that leaves the scene (lights at infinity only).

@@ -1,0 +1,66 @@
+// Protects docs/host-adapter.md: its counts are those of the headers, its code is the example's.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <fstream>
+#include <regex>
+#include <sstream>
+
+namespace {
+
+std::string text_of(const std::string& path) {
+    std::ifstream in(path);
+    std::stringstream text;
+    text << in.rdbuf();
+    EXPECT_FALSE(text.str().empty()) << path;
+    return text.str();
+}
+
+/// Pure virtual functions of a class of the adapter's headers; -1 if there is no such class.
+int pure_functions(const std::string& name) {
+    for (const std::string header : {"bsdf", "camera", "media", "scene"}) {
+        const std::string text = text_of(std::string(ADAPTER_HEADERS) + "/" + header + ".h");
+        const auto begin = text.find("\nclass " + name + " {");
+        if (begin == std::string::npos) continue;
+        const std::string body = text.substr(begin, text.find("\n};", begin) - begin);
+        const std::regex pure("virtual [^;]*= 0;");
+        return int(std::distance(std::sregex_iterator(body.begin(), body.end(), pure), {}));
+    }
+    return -1;
+}
+
+TEST(HostPage, CountsTheFunctionsOfEachClass) {
+    const std::string page = text_of(HOST_PAGE);
+    const std::regex row("\n\\| `(\\w+)` \\| (\\d+) \\|");
+    int total = 0, classes = 0;
+    for (std::sregex_iterator i(page.begin(), page.end(), row), end; i != end; ++i) {
+        const std::string name = (*i)[1];
+        EXPECT_EQ(std::stoi((*i)[2]), pure_functions(name)) << name;
+        if (name == "Media") continue;
+        ++classes;
+        total += pure_functions(name);
+    }
+    EXPECT_EQ(classes, 7);
+    EXPECT_NE(page.find("with " + std::to_string(total) + " pure virtual functions"),
+              std::string::npos)
+        << total;
+}
+
+TEST(HostPage, WalksThroughTheExample) {
+    const std::string page = text_of(HOST_PAGE), example = text_of(HOST_EXAMPLE);
+    const auto begin = page.find("## A host of a hundred lines");
+    ASSERT_NE(begin, std::string::npos);
+    const std::string walk = page.substr(begin, page.find("\n## ", begin + 1) - begin);
+    const std::regex block("```cpp\n([^`]*)```");
+    int blocks = 0;
+    for (std::sregex_iterator i(walk.begin(), walk.end(), block), end; i != end; ++i, ++blocks)
+        EXPECT_NE(example.find((*i)[1]), std::string::npos) << (*i)[1];
+    EXPECT_GE(blocks, 5);
+}
+
+TEST(HostPage, TheExampleIsShort) {
+    const std::string example = text_of(HOST_EXAMPLE);
+    EXPECT_LE(std::count(example.begin(), example.end(), '\n'), 120);
+}
+
+}  // namespace

@@ -156,6 +156,15 @@ std::vector<ParameterDeclaration> guide_declarations() {
             "With guide paper: a node's error is noise and bias of its photons' density (eq. 2 to "
             "4); or, beyond the paper, what they are worth to the image (docs/paper-guide.md).",
             kCriteria),
+        boolean(
+            "presenterrors", kDefaults.present_errors,
+            "With guide paper: a table is made of the errors that neighbouring nodes have by then "
+            "(eq. 5); otherwise of those that they had when each photon landed."),
+        boolean(
+            "firstlandings", kDefaults.first_landings,
+            "With guide paper: nodes also hold the photons that come straight from a light where "
+            "shadow rays bring that light to the image (directlightsampling); not with "
+            "errorcriterion image."),
         boolean("guideemission", kDefaults.guide_emission,
                 "With guide adaptive: guides where photons start."),
         boolean("eyeseeding", kDefaults.eye_seeding,
@@ -300,6 +309,8 @@ void read_guide(const lxs::ParameterReader& in, Settings& s) {
     s.cdf_resolution = count("cdfresolution", s.cdf_resolution);
     s.error_alpha = in.number("erroralpha", s.error_alpha);
     s.error_criterion = chosen(in, "errorcriterion", kCriteria, s.error_criterion);
+    s.present_errors = in.boolean("presenterrors", s.present_errors);
+    s.first_landings = in.boolean("firstlandings", s.first_landings);
     s.guide_emission = in.boolean("guideemission", s.guide_emission);
     s.eye_seeding = in.boolean("eyeseeding", s.eye_seeding);
     s.guide_bounces = in.boolean("guidebounces", s.guide_bounces);

@@ -74,6 +74,28 @@ TEST(DeterminismOfScores, SameBitsForAnyNumberOfThreadsWithTheImagesError) {
     EXPECT_NE(one, image(2, CriterionKind::Paper));
 }
 
+TEST(DeterminismOfSwitches, SameBitsForAnyNumberOfThreadsAndAnImageForEach) {
+    const mock::View view = mock::half_mirror_view(40, 30);
+    const auto image = [&](unsigned threads, bool present_errors, bool first_landings) {
+        const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
+        Settings settings = mock::small_settings(17, 20000);
+        settings.guide = GuideKind::Paper;
+        settings.present_errors = present_errors;
+        settings.first_landings = first_landings;
+        return mock::render(view.scene, view.camera, 40, 30, settings, 2).film.image();
+    };
+    std::vector<std::vector<Rgb>> images;
+    for (const bool present : {true, false}) {
+        for (const bool first : {true, false}) {
+            images.push_back(image(1, present, first));
+            for (const auto& other : std::span(images).first(images.size() - 1))
+                EXPECT_NE(images.back(), other);
+            EXPECT_EQ(images.back(), image(2, present, first));
+            EXPECT_EQ(images.back(), image(7, present, first));
+        }
+    }
+}
+
 INSTANTIATE_TEST_SUITE_P(Guides, Determinism,
                          testing::Values(GuideKind::None, GuideKind::Paper, GuideKind::Adaptive),
                          [](const auto& test) { return mock::name(test.param); });

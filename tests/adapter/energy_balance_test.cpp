@@ -102,6 +102,7 @@ class Balance {
         for (std::uint32_t i = 0; i < kIterations; ++i) {
             PhotonInput input{view_.scene, settings_, lights_};
             if (guide.guides(i)) input.guide = &guide;
+            input.store_owned = guide.learns_from_owned();
             trace(input, i);
             guide.update(store_.landings(), {});
         }
@@ -206,6 +207,12 @@ TEST(EnergyBalance, Unguided) {
 
 TEST(EnergyBalance, PaperGuide) {
     expect_balance([](Balance& b) { return b.paper(); }, [](Settings&) {});
+}
+
+/// What shadow rays own lands too, or a part of the power would be missing.
+TEST(EnergyBalance, PaperGuideBesideShadowRays) {
+    expect_balance([](Balance& b) { return b.paper(); },
+                   [](Settings& s) { s.direct_light_sampling = true; });
 }
 
 TEST(EnergyBalance, AdaptiveGuide) {

@@ -15,21 +15,35 @@ using namespace aips;
 
 constexpr std::uint32_t kWidth = 32, kHeight = 24;
 
-/// Block means of renders with different seeds.
-statistics::BlockMeans renders(GuideKind guide, CriterionKind criterion, unsigned seeds,
-                               std::uint64_t first_seed) {
+/// What guide=paper may be switched to for study.
+struct Switches {
+    CriterionKind criterion = CriterionKind::Paper;
+    bool present_errors = true;
+    bool first_landings = true;
+};
+
+Settings switched(Settings settings, Switches to) {
+    settings.guide = GuideKind::Paper;
+    settings.error_criterion = to.criterion;
+    settings.present_errors = to.present_errors;
+    settings.first_landings = to.first_landings;
+    return settings;
+}
+
+/// Block means of renders with different seeds; unguided if `switches` is null. Without shadow rays
+/// all light comes by photons: more for the guide to spoil.
+statistics::BlockMeans renders(bool shadow_rays, const Switches* switches, std::uint64_t first_seed,
+                               unsigned seeds = 28) {
     const auto [scene, camera] = mock::half_mirror_view(kWidth, kHeight);
     statistics::BlockMeans means;
     for (unsigned s = 0; s < seeds; ++s) {
         // alpha 1 keeps the radius, and a fixed start radius is the same for both: equal bias.
         Settings settings = mock::small_settings(first_seed + s, 8000);
-        settings.guide = guide;
-        settings.error_criterion = criterion;
+        if (switches) settings = switched(settings, *switches);
         settings.start_radius = 3;
         settings.iteration_photons = 1000;
         settings.initial_photons = 500;
-        settings.direct_light_sampling =
-            false;  // all light by photons: more for the guide to spoil
+        settings.direct_light_sampling = shadow_rays;
         const auto r = mock::render(scene, camera, kWidth, kHeight, settings, 6);
         means.push_back(statistics::block_means(mock::luminances(r.film), kWidth, kHeight, 8));
     }
@@ -47,9 +61,57 @@ void expect_same_expectation(const statistics::BlockMeans& plain,
 }
 
 TEST(PaperGuide, SameExpectationAsUnguided) {
-    const auto plain = renders(GuideKind::None, CriterionKind::Paper, 28, 1000);
-    expect_same_expectation(plain, renders(GuideKind::Paper, CriterionKind::Paper, 28, 2000));
-    expect_same_expectation(plain, renders(GuideKind::Paper, CriterionKind::Image, 28, 3000));
+    const auto plain = renders(false, nullptr, 1000);
+    const Switches faithful, landed{.present_errors = false}, image{CriterionKind::Image};
+    expect_same_expectation(plain, renders(false, &faithful, 2000));
+    expect_same_expectation(plain, renders(false, &landed, 4000));
+    expect_same_expectation(plain, renders(false, &image, 3000));
+}
+
+/// Photons that shadow rays own train the guide, and never reach the image.
+TEST(PaperGuide, SameExpectationAsUnguidedBesideShadowRays) {
+    const auto plain = renders(true, nullptr, 5000);
+    std::uint64_t first_seed = 6000;
+    for (const bool present : {true, false}) {
+        for (const bool first : {true, false}) {
+            const Switches switches{CriterionKind::Paper, present, first};
+            expect_same_expectation(plain, renders(true, &switches, first_seed));
+            first_seed += 1000;
+        }
+    }
+}
+
+/// In a black box under a lamp nothing lands but what shadow rays own.
+mock::Rendering black_box(Switches switches) {
+    mock::Material black;
+    black.reflectance = {0, 0, 0};
+    const mock::Scene scene = mock::lamp_box(black, black);
+    const auto camera = mock::camera_along_y({0, -0.9f, 0}, 1, kWidth, kHeight);
+    return mock::render(scene, camera, kWidth, kHeight,
+                        switched(mock::small_settings(3, 8000), switches), 2);
+}
+
+TEST(PaperGuide, LearnsFromPhotonsThatShadowRaysOwn) {
+    const mock::Rendering learned = black_box({});
+    EXPECT_GT(learned.statistics.guide_nodes, 100u);
+    EXPECT_EQ(learned.statistics.landings, 0u) << "none is for the image";
+    EXPECT_EQ(learned.statistics.gathered, 0u);
+    EXPECT_LE(learned.statistics.memory_bytes, learned.statistics.memory_bound_bytes);
+    EXPECT_EQ(black_box({.first_landings = false}).statistics.guide_nodes, 1u);
+    // They are worth nothing to the photons' image.
+    EXPECT_EQ(black_box({CriterionKind::Image}).statistics.guide_nodes, 1u);
+}
+
+/// Without shadow rays there is nothing that they own.
+TEST(PaperGuide, FirstLandingsAreLandingsLikeOthersWithoutShadowRays) {
+    const auto image = [](bool first_landings) {
+        const auto [scene, camera] = mock::half_mirror_view(kWidth, kHeight);
+        Settings settings =
+            switched(mock::small_settings(4, 8000), {.first_landings = first_landings});
+        settings.direct_light_sampling = false;
+        return mock::render(scene, camera, kWidth, kHeight, settings, 2).film.image();
+    };
+    EXPECT_EQ(image(true), image(false));
 }
 
 Bounds unit_box() {
@@ -79,10 +141,12 @@ const GuidedDirections* from_ceiling(const PaperGuide& guide, Arena& arena) {
     return guide.directions({{0.5f, 0.5f, 1}, {0, 0, -1}, {0, 0, -1}, matte, {0, 0, -1}}, arena);
 }
 
-/// Photons of uneven power on the floor [0,1]^2, seen by eye rays in its corner near the origin.
+/// Photons of uneven power on the floor [0,1]^2, seen by eye rays in its quarter at the origin.
 TEST(PaperGuide, ErrorsAndTablesFollowVisibleNoise) {
     PaperGuide guide(unit_box(), guide_settings());
-    std::vector<Vec3> eye(100, Vec3{0.1f, 0.1f, 0});
+    std::vector<Vec3> eye;
+    for (int i = 0; i < 100; ++i)
+        eye.push_back({0.025f + 0.05f * float(i % 10), 0.025f + 0.05f * float(i / 10), 0});
     for (int pass = 0; pass < 3; ++pass) {
         guide.begin_pass(eye, eye.size());
         std::vector<Landing> landings;
@@ -103,12 +167,12 @@ TEST(PaperGuide, ErrorsAndTablesFollowVisibleNoise) {
     EXPECT_GT(seen.weight, unseen.weight);
     EXPECT_GT(seen.error, unseen.error);
 
-    // From the ceiling, the direction to the seen corner is worth more than the opposite one.
+    // From the ceiling, the direction to the seen quarter is worth more than the opposite one.
     Arena arena;
     const GuidedDirections* directions = from_ceiling(guide, arena);
     ASSERT_NE(directions, nullptr);
     EXPECT_GT(directions->pdf(normalize(Vec3{-0.4f, -0.4f, -1})),
-              directions->pdf(normalize(Vec3{0.4f, 0.4f, -1})));
+              2 * directions->pdf(normalize(Vec3{0.4f, 0.4f, -1})));
 }
 
 /// A node's error is what its photons are worth to the image, whatever their power, and the ceiling

@@ -30,6 +30,7 @@ WorldEnd
 class WarningsAreErrors : public lxs::InputDiagnostics {
   public:
     explicit WarningsAreErrors(lxs::ConsoleLog& log) : InputDiagnostics(log, true) {}
+    void error(const lxs::InputError& error) override { throw lxs::InputError(error); }
     void warning(const lxs::SourceLocation& where, const std::string& message) override {
         throw lxs::InputError(where, message);
     }

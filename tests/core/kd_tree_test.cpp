@@ -179,6 +179,39 @@ TEST(NodeTree, UpdatesOnlyChangedNodesWhenAsked) {
     EXPECT_EQ(tree.node(0).error, untouched);
 }
 
+/// A region keeps its name and its points when it splits, and has the mean error of its halves.
+TEST(NodeTree, RegionsOutliveTheirNodes) {
+    NodeTree tree(kUnit, {.max_nodes = 64, .node_photons = 2});
+    RandomStream random(4, 0, 0, RandomDomain::Photon);
+    const auto point = [&] { return Vec3{random.next(), random.next(), random.next()}; };
+    while (tree.node_count() < 8)
+        tree.insert(point(), 1);
+    const Vec3 somewhere{0.3f, 0.6f, 0.4f};
+    const std::uint32_t region = tree.region(somewhere), node = tree.locate(somewhere);
+    const Bounds box = tree.node(node).bounds;
+    while (tree.node(node).bounds.upper == box.upper)
+        tree.insert(box.lower + (box.upper - box.lower) * random.next(), 1);
+    EXPECT_NE(tree.region(somewhere), region);
+
+    std::uint32_t next = 0;
+    struct ErrorByTurn final : ErrorCriterion {
+        explicit ErrorByTurn(std::uint32_t& turn) : turn_(turn) {}
+        double error(const NodeView&) const override { return double(++turn_); }
+        std::uint32_t& turn_;
+    };
+    tree.update_errors(ErrorByTurn(next), false);
+    std::vector<double> errors;
+    tree.region_errors(errors);
+    ASSERT_EQ(errors.size(), tree.region_count());
+    for (int i = 0; i < 100; ++i) {
+        const Vec3 p = point();
+        EXPECT_EQ(errors[tree.region(p)], tree.node(tree.locate(p)).error);
+    }
+    // It has split once: into itself and the newest node.
+    const double halves = tree.node(node).error + tree.node(tree.node_count() - 1).error;
+    EXPECT_EQ(errors[region], halves / 2);
+}
+
 TEST(NodeTree, FlatNodesHaveAVolume) {
     const NodeTree tree(Bounds{{0, 0, 0}, {3, 4, 0}}, {});
     EXPECT_NEAR(tree.volume(0), 3 * 4 * (5 * 1e-3), 1e-6);

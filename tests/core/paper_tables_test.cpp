@@ -1,4 +1,5 @@
-// Protects eq. 5 in the tables: neighbours by last hits, floors, inheritance, bounds.
+// Protects eq. 5 in the tables: neighbours by last hits, their errors of now, floors, inheritance,
+// bounds.
 #include "aips/core/paper_tables.h"
 
 #include <gtest/gtest.h>
@@ -147,8 +148,70 @@ TEST(PaperTables, EnormousErrorsStayFiniteAndPositive) {
     }
 }
 
-TEST(PaperTables, OldNeighboursCountOnceAfterThePass) {
+// Errors change under a table that no new photon names: eq. 5 takes those of now.
+TEST(PaperTables, TakesTheErrorsThatNeighboursHaveNow) {
+    NodeTree tree = slabs({1, 5, 3, 7});
+    PaperTables now({.resolution = 4}), landed({.resolution = 4, .present_errors = false});
+    const std::vector<Landing> landings{segment(slab_center(1), slab_center(0)),
+                                        segment(slab_center(1), slab_center(2))};
+    const auto left_to_right = [&](const PaperTables& tables) {
+        return value_towards(tables, tree, slab_center(1), slab_center(0)) /
+               value_towards(tables, tree, slab_center(1), slab_center(2));
+    };
+    for (PaperTables* tables : {&now, &landed}) {
+        tables->update(tree, landings);
+        EXPECT_NEAR(left_to_right(*tables), 1 / 3.0, 1e-5);
+    }
+    tree.update_errors(GivenErrors({8, 5, 2, 7}), false);
+    for (PaperTables* tables : {&now, &landed})
+        tables->update(tree, {});
+    EXPECT_NEAR(left_to_right(now), 4, 1e-5);
+    EXPECT_NEAR(left_to_right(landed), 1 / 3.0, 1e-5);
+    for (PaperTables* tables : {&now, &landed})
+        tables->update(tree, landings);
+    EXPECT_NEAR(left_to_right(now), 4, 1e-5);
+    EXPECT_NEAR(left_to_right(landed), (1 + 8) / (3.0 + 2), 1e-5) << "the mean of both times";
+}
+
+// A neighbour that has split since is its halves.
+TEST(PaperTables, FollowsNeighboursThatSplit) {
+    NodeTree tree(Bounds{{0, 0.49f, 0.49f}, {1, 0.51f, 0.51f}},
+                  {.max_nodes = 3, .node_photons = 2});
+    for (const float x : {0.1f, 0.6f, 0.9f})
+        tree.insert({x, 0.5f, 0.5f}, 1);
+    ASSERT_EQ(tree.node_count(), 2u);
+    tree.update_errors(GivenErrors({2, 2}), false);
     PaperTables tables({.resolution = 4, .floor_share = 0.01f});
+    const Vec3 here{0.2f, 0.5f, 0.5f};
+    tables.update(tree, std::vector<Landing>{segment(here, {0.9f, 0.5f, 0.5f}),
+                                             segment(here, {0.2f, 0.5f, 0.9f})});
+    tree.insert({0.95f, 0.5f, 0.5f}, 1);
+    ASSERT_EQ(tree.node_count(), 3u);
+    // By the middle of each node: the left one at 0.175, the new ones at 0.55 and 0.875.
+    tree.update_errors(GivenErrors({2, 2, 2, 2, 2, 4, 2, 2, 12, 2}), false);
+    tables.update(tree, {});
+    const float aside = value_towards(tables, tree, here, {0.2f, 0.5f, 0.9f});
+    EXPECT_NEAR(value_towards(tables, tree, here, {0.9f, 0.5f, 0.5f}) / aside, (4 + 12) / 2 / 2.0,
+                1e-4);
+}
+
+TEST(PaperTables, RemembersTheLastFourNeighboursOfACell) {
+    const NodeTree tree = slabs({1, 5, 3, 7});
+    PaperTables tables({.resolution = 4, .floor_share = 0.01f});
+    std::vector<Landing> landings(6, segment(slab_center(0), slab_center(1)));
+    landings.push_back(segment(slab_center(0), {0.125f, 0.5f, 0.9f}));  // error 1, another cell
+    tables.update(tree, landings);
+    landings.assign(3, segment(slab_center(0), slab_center(3)));
+    tables.update(tree, landings);
+    tables.end_pass();
+    tables.update(tree, {});
+    const float up = value_towards(tables, tree, slab_center(0), {0.125f, 0.5f, 0.9f});
+    EXPECT_NEAR(value_towards(tables, tree, slab_center(0), slab_center(3)) / up, (3 * 7 + 5) / 4.0,
+                1e-4);
+}
+
+TEST(PaperTables, OldNeighboursCountOnceAfterThePassWhereErrorsAreThoseOfLandings) {
+    PaperTables tables({.resolution = 4, .floor_share = 0.01f, .present_errors = false});
     const NodeTree first = slabs({1, 1, 1, 1});
     std::vector<Landing> landings(100, segment(slab_center(0), slab_center(1)));
     tables.update(first, landings);
@@ -182,6 +245,7 @@ TEST(PaperTables, MemoryStaysWithinItsBound) {
     const NodeTreeSettings settings{.max_nodes = 200, .node_photons = 8};
     NodeTree tree(kUnit, settings);
     PaperTables tables({.resolution = 8});
+    PaperTables landed({.resolution = 8, .present_errors = false});
     RandomStream random(1, 0, 0, RandomDomain::Photon);
     for (int iteration = 0; iteration < 30; ++iteration) {
         std::vector<Landing> landings;
@@ -191,8 +255,10 @@ TEST(PaperTables, MemoryStaysWithinItsBound) {
             tree.insert(landings.back().position, random.next());
         }
         tree.update_errors(PaperErrorCriterion(), true);
-        tables.update(tree, landings);
-        ASSERT_LE(tables.memory_bytes(), PaperTables::memory_bound_bytes(200, 8));
+        for (PaperTables* either : {&tables, &landed}) {
+            either->update(tree, landings);
+            ASSERT_LE(either->memory_bytes(), PaperTables::memory_bound_bytes(200, 8));
+        }
     }
     EXPECT_EQ(tree.node_count(), 200u);
 }

@@ -68,6 +68,15 @@ void SilentDiagnostics::unknown_parameter(const lxs::SourceLocation& where,
     warning(where, message);
 }
 
+void SilentDiagnostics::fallback(const lxs::SourceLocation& where, const std::string& message,
+                                 const std::string& instead) {
+    warning(where, message + "; " + instead);
+}
+
+void SilentDiagnostics::error(const lxs::InputError& error) {
+    check_message(error.what());
+}
+
 const lxs::Registry& registry() {
     static const lxs::Registry all = [] {
         lxs::Registry made;

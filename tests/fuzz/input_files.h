@@ -14,6 +14,9 @@ class SilentDiagnostics final : public lxs::Diagnostics {
   public:
     void warning(const lxs::SourceLocation& where, const std::string& message) override;
     void unknown_parameter(const lxs::SourceLocation& where, const std::string& message) override;
+    void fallback(const lxs::SourceLocation& where, const std::string& message,
+                  const std::string& instead) override;
+    void error(const lxs::InputError& error) override;
 };
 
 /// All shapes, textures, materials and media; made once.

@@ -126,8 +126,8 @@ class LambertAndMirror final : public OrientedBsdf {
     MirrorBsdf mirror_;
 };
 
-/// A sheet with lobes of all kinds: diffuse before and behind it, glossy, and a mirror. Each lobe
-/// that is asked for is drawn as often as the others; densities are those of all of them.
+/// A sheet that is diffuse before and behind it, with a glossy lobe and a mirror unless they are
+/// black. Each lobe that is asked for is drawn as often as the others; densities are those of all.
 class Sheet final : public OrientedBsdf {
   public:
     Sheet(Vec3 ng, Vec3 ns, const Material& m)
@@ -135,9 +135,11 @@ class Sheet final : public OrientedBsdf {
           before_(ng, ns, m.reflectance, true),
           gloss_(ng, ns, m.glossy, m.exponent),
           mirror_(ng, ns, m.specular),
-          behind_(m.transmittance) {}
+          behind_(m.transmittance),
+          lobes_(LobeMask(kDiffuse | (is_black(m.glossy) ? 0 : kGlossy) |
+                          (is_black(m.specular) ? 0 : kSpecular))) {}
 
-    LobeMask lobes() const override { return kAllLobes; }
+    LobeMask lobes() const override { return lobes_; }
     Rgb evaluate(Vec3 wo, Vec3 wi, Transport t, LobeMask mask) const override {
         if (!same_side(wo, wi)) return mask & kDiffuse ? behind_ * kInvPi : Rgb{};
         return before_.evaluate(wo, wi, t, mask) + gloss_.evaluate(wo, wi, t, mask);
@@ -152,7 +154,7 @@ class Sheet final : public OrientedBsdf {
                 BsdfSample& s) const override {
         auto lobe = static_cast<int>(u_lobe * count(mask));
         if (!(mask & kDiffuse)) lobe += 2;
-        if (lobe == 2 && !(mask & kGlossy)) ++lobe;
+        if (lobe == 2 && !(mask & lobes_ & kGlossy)) ++lobe;
         if (lobe == 3) {
             const bool reflected = mirror_.sample(wo, u, 0, t, mask, s);
             s.weight = s.weight * count(mask);
@@ -174,7 +176,8 @@ class Sheet final : public OrientedBsdf {
     }
 
   private:
-    static float count(LobeMask mask) {
+    float count(LobeMask mask) const {
+        mask &= lobes_;
         return float((mask & kDiffuse ? 2 : 0) + (mask & kGlossy ? 1 : 0) +
                      (mask & kSpecular ? 1 : 0));
     }
@@ -182,6 +185,7 @@ class Sheet final : public OrientedBsdf {
     Phong gloss_;
     MirrorBsdf mirror_;
     Rgb behind_;
+    LobeMask lobes_;
 };
 
 template <class T, class... Args>

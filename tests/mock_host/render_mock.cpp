@@ -1,8 +1,6 @@
 // Renders mock scenes with the engine.
 #include "render_mock.h"
 
-#include "aips/core/sampling.h"
-
 namespace mock {
 
 using namespace aips;
@@ -92,16 +90,40 @@ Material half_mirror() {
     return material;
 }
 
-Surface tilted_sheet(const Quad& quad) {
-    Surface sheet;
-    sheet.shape = quad;
-    sheet.material.kind = Material::Kind::Sheet;
-    sheet.material.reflectance = {0.3f, 0.3f, 0.3f};
-    sheet.material.transmittance = {0.45f, 0.45f, 0.45f};
-    sheet.material.glossy = sheet.material.specular = {0.1f, 0.1f, 0.1f};
-    const Vec3 n = normalize(cross(quad.edge_u, quad.edge_v));
-    sheet.normal_tilt = Frame(n).s * 0.0524f;
-    return sheet;
+Material sheet(bool shiny) {
+    Material material;
+    material.kind = Material::Kind::Sheet;
+    material.reflectance = {0.3f, 0.3f, 0.3f};
+    material.transmittance = {0.45f, 0.45f, 0.45f};
+    if (shiny) material.glossy = material.specular = {0.1f, 0.1f, 0.1f};
+    return material;
+}
+
+View divided_view(std::uint32_t width, std::uint32_t height, const Material& divider,
+                  float outshone) {
+    Scene scene;
+    Surface wall;
+    scene.add_box({-1, -1, -1}, {1, 1, 1}, wall);
+    Surface divided;
+    divided.shape = Quad{{0, -1, -1}, {0, 2, 0}, {0, 0, 2}};
+    divided.material = divider;
+    divided.normal_tilt = {0, 0.0524f, 0};
+    scene.add(divided);
+    Surface lamp;
+    lamp.shape = Quad{{-0.8f, -0.3f, 0.98f}, {0, 0.6f, 0}, {0.6f, 0, 0}};
+    lamp.material.reflectance = {0, 0, 0};
+    lamp.emitted = {10, 10, 10};
+    scene.add(lamp);
+    if (outshone > 0) {
+        Surface black = wall;
+        black.material.reflectance = {0, 0, 0};
+        scene.add_box({2, -1, -1}, {4, 1, 1}, black);
+        lamp.shape = Quad{{2.7f, -0.3f, 0.98f}, {0, 0.6f, 0}, {0.6f, 0, 0}};
+        lamp.emitted = lamp.emitted * outshone;
+        scene.add(lamp);
+    }
+    scene.finish();
+    return {std::move(scene), camera_along_y({0.01f, -0.95f, 0}, 1, width, height)};
 }
 
 View half_mirror_view(std::uint32_t width, std::uint32_t height) {

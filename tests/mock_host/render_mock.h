@@ -45,10 +45,6 @@ Camera camera_along_y(aips::Vec3 eye, float half, std::uint32_t width, std::uint
 /// The default Lambert lobe, and a mirror that reflects 0.3.
 Material half_mirror();
 
-/// A sheet with diffuse lobes before and behind it, a glossy and a mirror lobe; its shading normals
-/// are tilted by 3 degrees.
-Surface tilted_sheet(const Quad& quad);
-
 /// A scene and where it is seen from.
 struct View {
     Scene scene;
@@ -61,6 +57,15 @@ View half_mirror_view(std::uint32_t width, std::uint32_t height);
 /// A patch of 0.8 x 0.6 in the middle of a floor of half width `half` under a lamp as wide: few
 /// photon paths reach it. A wall beside the patch brings light of two bounces.
 View wide_view(float half, std::uint32_t width, std::uint32_t height);
+
+/// A sheet that is diffuse on both sides; if `shiny`, with a glossy and a mirror lobe as well.
+Material sheet(bool shiny);
+
+/// A white box [-1,1]^3 that a sheet of `divider` divides, its shading normals tilted by 3 degrees:
+/// the lamp is on the left, both sides are seen. With `outshone` another lamp has as many times its
+/// power, sealed in a black box beside the room.
+View divided_view(std::uint32_t width, std::uint32_t height, const Material& divider,
+                  float outshone);
 
 /// A white box [-1,1]^3 with a quad lamp under its ceiling and a matte ball on its floor.
 Scene lamp_box(const Material& wall, const Material& ball);

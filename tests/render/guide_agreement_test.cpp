@@ -101,7 +101,7 @@ TEST(GuideAgreement, AdaptiveByWavelengths) {
     check("cornell-box", "adaptive", {{"image", blocks(0, kColumns, 0, kRows, true), 0.08}},
           {{"WorldBegin",
             "WorldBegin\nTexture \"lamp\" \"color\" \"lampspectrum\" \"string name\" [\"LPS\"]"},
-           {"\"color L\" [14 13 11]", "\"texture L\" [\"lamp\"] \"float gain\" [500]"}});
+           {"\"color L\" [14 13 11]", "\"texture L\" [\"lamp\"] \"float gain\" [0.007]"}});
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include <fstream>
 
 #include "block_test.h"
+#include "lxs/spectrum/rgb_spectra.h"
 #include "lxs/spectrum/spectrum.h"
 #include "rendered_image.h"
 
@@ -88,6 +89,8 @@ Rendered render_floor(const Floor& floor, int passes) {
     const auto scene = folder.path() / "floor.lxs", image = folder.path() / "floor.exr";
     std::ofstream(scene) << fmt::format(
         R"(Film "fleximage" "integer xresolution" [8] "integer yresolution" [8]
+  "float colorspace_red" [0.64 0.33] "float colorspace_green" [0.30 0.60]
+  "float colorspace_blue" [0.15 0.06] "float colorspace_white" [0.313334 0.329235]
 LookAt 0 0 3  0 0 0  0 1 0
 Camera "perspective" "float fov" [30]
 SurfaceIntegrator "path"
@@ -164,10 +167,13 @@ TEST(Spectral, AFlatLampLooksAsItDoesInRgb) {
 TEST(Spectral, SmoothSpectraStayInRgb) {
     const Rendered spectrum = render_floor(
         {R"(Texture "lamp" "color" "blackbody" "float temperature" [2856])", kLamp}, 4);
-    const lxs::Rgb rgb = lxs::colour_of_light(lxs::blackbody_spectrum(2856));
+    const lxs::Rgb rgb =
+        lxs::illuminant_of_colour(lxs::colour_of_light(lxs::blackbody_spectrum(2856)));
     const Rendered colour =
         render_floor({"", fmt::format("\"color L\" [{} {} {}]", rgb.x, rgb.y, rgb.z)}, 4);
-    EXPECT_EQ(spectrum.image.rgb, colour.image.rgb);
+    ASSERT_EQ(spectrum.image.rgb.size(), colour.image.rgb.size());
+    for (std::size_t i = 0; i < colour.image.rgb.size(); ++i)
+        ASSERT_NEAR(spectrum.image.rgb[i], colour.image.rgb[i], 1e-4f * colour.image.rgb[i]) << i;
     EXPECT_TRUE(says(spectrum,
                      "wavelengths (nothing disperses; RGB represents spectra to 7.5 %, "
                      "worst blackbody on a green surface)"))

@@ -37,6 +37,7 @@ std::unique_ptr<const ErrorCriterion> make_criterion(const Settings& s) {
 PaperTableSettings table_settings(const Settings& s) {
     PaperTableSettings table;
     table.resolution = static_cast<int>(s.cdf_resolution);
+    table.present_errors = s.present_errors;
     return table;
 }
 
@@ -46,6 +47,7 @@ PaperGuide::PaperGuide(const Bounds& scene, const Settings& s)
     : initial_photons_(s.initial_photons),
       iteration_photons_(s.iteration_photons),
       share_(float(s.guide_share)),
+      first_landings_(s.first_landings),
       criterion_(make_criterion(s)),
       tree_(scene, tree_settings(s)),
       tables_(table_settings(s)) {}

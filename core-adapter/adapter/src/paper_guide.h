@@ -24,6 +24,8 @@ class PaperGuide final : public Guide {
     bool guides(std::uint64_t iteration) const override { return iteration > 0; }
     const GuidedDirections* directions(const GuideVertex& vertex,
                                        std::pmr::memory_resource& memory) const override;
+    /// Not of the image's error: what shadow rays own is worth nothing as photons.
+    bool learns_from_owned() const override { return first_landings_ && !needs_scores(); }
     bool needs_scores() const override { return criterion_->needs_scores(); }
     void update(std::span<const Landing> landings, std::span<const double> scores) override;
     GuideStatistics statistics() const override;
@@ -39,6 +41,7 @@ class PaperGuide final : public Guide {
   private:
     std::uint32_t initial_photons_, iteration_photons_;
     float share_;
+    bool first_landings_;
     std::unique_ptr<const ErrorCriterion> criterion_;  // never null
     NodeTree tree_;
     PaperTables tables_;

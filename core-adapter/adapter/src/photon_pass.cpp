@@ -90,6 +90,7 @@ PhotonInput PhotonPass::input_of(std::uint64_t pass, float time, std::uint64_t i
     if (guide_) {
         // Learns from all landings.
         if (guide_->guides(iteration)) input.guide = guide_;
+        input.store_owned = guide_->learns_from_owned();
         input.bounces = bounces_ ? &*bounces_ : nullptr;
     } else {
         input.occupancy = &occupancy_;
@@ -133,7 +134,8 @@ void PhotonPass::learn(std::uint32_t paths) {
     guide_->update(landings, scores_ ? scores_->of(landings) : std::span<const double>());
     if (bounces_) bounces_->follow_splits();
     for (const Landing& landing : iteration_.landings()) {
-        if (occupancy_.near_visible_point(landing.position)) waiting_.append({&landing, 1});
+        if (!landing.owned_by_shadow_rays && occupancy_.near_visible_point(landing.position))
+            waiting_.append({&landing, 1});
     }
     iteration_.clear();
 }

@@ -108,7 +108,9 @@ class PhotonTrace {
         photon.power *= point.transmittance;
         if (!met || !point.bsdf || is_black(photon.power)) return false;
         const bool owned_by_shadow_rays = photon.straight && in_.settings.direct_light_sampling;
-        if ((point.bsdf->lobes() & receiving_) && !owned_by_shadow_rays) store(point, photon);
+        if ((point.bsdf->lobes() & receiving_) && (!owned_by_shadow_rays || in_.store_owned)) {
+            store(point, photon, owned_by_shadow_rays);
+        }
         return photon.depth < in_.settings.max_photon_depth;
     }
 
@@ -152,7 +154,7 @@ class PhotonTrace {
         return true;
     }
 
-    void store(const SurfacePoint& point, const Photon& photon) {
+    void store(const SurfacePoint& point, const Photon& photon, bool owned_by_shadow_rays) {
         if (in_.occupancy && !in_.occupancy->near_visible_point(point.position)) return;
         if (in_.reach && !in_.reach->any_within_radius(point.position)) return;
         Landing landing;
@@ -164,8 +166,9 @@ class PhotonTrace {
         landing.depth = static_cast<std::uint16_t>(photon.depth);
         landing.light_group = static_cast<std::uint16_t>(photon.group);
         landing.path = index_;
+        landing.owned_by_shadow_rays = owned_by_shadow_rays;
         landings_.push_back(landing);
-        ++counts_.landings;
+        if (!owned_by_shadow_rays) ++counts_.landings;
     }
 
     /// A whole number, survived.photons on average.

@@ -31,7 +31,7 @@ struct PhotonCounts {
     std::uint64_t rays = 0;
     std::uint64_t bounces = 0;         ///< scatterings through non-specular lobes
     std::uint64_t guided_bounces = 0;  ///< of these, directions drawn from the guide
-    std::uint64_t landings = 0;        ///< stored
+    std::uint64_t landings = 0;        ///< stored, but for those that shadow rays own
     std::uint64_t split_off = 0;       ///< photons that came from splitting others
     /// Paths that roulette by score ended where roulette by power would have let them go on.
     std::uint64_t pruned = 0;
@@ -51,6 +51,7 @@ struct PhotonInput {
     std::uint64_t pass = 0;
     float time = 0;
     BounceTally* bounces = nullptr;    ///< counts bounces by node, for debug layers; may be null
+    bool store_owned = false;          ///< landings that shadow rays own too, marked, for a guide
     const PointGrid* reach = nullptr;  ///< with occupancy: the exact test; may be null
     const EmissionGuide* emission = nullptr;  ///< null: lights by power, uniform coordinates
     const ScoreSurvival* survival = nullptr;  ///< what photons may still bring; null: not known
@@ -111,8 +112,8 @@ class SequencePath {
 
 /// Traces a path with the given numbers (SequencePath, or PrimaryPath of a Markov chain), `index`
 /// of its pass, and appends its landings. Landings that shadow rays own (docs/path-classes.md) are
-/// dropped. `log` (may be null) takes the path's record, `collisions` (may be null only if no
-/// medium scatters) what it leaves in media.
+/// dropped, or marked if input.store_owned. `log` (may be null) takes the path's record,
+/// `collisions` (may be null only if no medium scatters) what it leaves in media.
 template <class Numbers>
 void trace_photon_path(const PhotonInput& input, Numbers& numbers, std::uint32_t index,
                        Refusals& refusals, Arena& arena, std::vector<Landing>& landings,

@@ -20,9 +20,10 @@ void state_of_settings(StateArchive& archive, const Settings& s) {
         archive.same(count, "counts in its settings");
     for (const double share : {s.start_radius, s.alpha, s.guide_share, s.error_alpha})
         archive.same(share, "radii or shares in its settings");
-    for (const bool on : {s.include_environment, s.direct_light_sampling, s.store_glossy,
-                          s.debug_layers, s.learn_lights, s.guide_emission, s.eye_seeding,
-                          s.guide_bounces, s.guide_survival, s.guide_chains, s.guide_scout})
+    for (const bool on :
+         {s.include_environment, s.direct_light_sampling, s.store_glossy, s.debug_layers,
+          s.learn_lights, s.guide_emission, s.eye_seeding, s.guide_bounces, s.guide_survival,
+          s.guide_chains, s.guide_scout, s.present_errors, s.first_landings})
         archive.same(std::uint8_t(on), "switches in its settings");
 }
 

@@ -88,7 +88,9 @@ std::string describe(const Settings& s) {
             << " paths, nodephotons = " << s.node_photons << ", treedepth = " << s.tree_depth
             << ", maxnodes = " << s.max_nodes << ", cdfresolution = " << s.cdf_resolution << "x"
             << s.cdf_resolution << ", erroralpha = " << s.error_alpha
-            << ", errorcriterion = " << name(s.error_criterion);
+            << ", errorcriterion = " << name(s.error_criterion)
+            << ", presenterrors = " << (s.present_errors ? "true" : "false")
+            << ", firstlandings = " << (s.first_landings ? "true" : "false");
     }
     if (s.guide == GuideKind::Adaptive) {
         out << ", guideemission = " << (s.guide_emission ? "true" : "false")

@@ -56,18 +56,9 @@ NodeTree::NodeTree(const Bounds& scene, const NodeTreeSettings& settings)
     photons_.resize(slots_);
 }
 
-std::uint32_t NodeTree::locate_branch(Vec3 p) const {
-    std::uint32_t i = 0;
-    while (branches_[i].axis() != kLeaf) {
-        const Branch b = branches_[i];
-        i = b.target() + (p[b.axis()] >= b.plane ? 1u : 0u);
-    }
-    return i;
-}
-
 std::uint32_t NodeTree::insert(Vec3 position, float value) {
     if (!is_finite(position) || !std::isfinite(value) || value < 0) return kNoNode;
-    const std::uint32_t branch = locate_branch(position);
+    const std::uint32_t branch = region(position);
     const std::uint32_t node = branches_[branch].target();
     store(node, {position, value});
     if (full(nodes_[node]) && !nodes_[node].whole) split(branch);
@@ -184,6 +175,16 @@ void NodeTree::update_errors(const ErrorCriterion& criterion, bool only_changed)
         const double error = criterion.error({node, photons(i), volume(i)});
         if (std::isfinite(error) && error >= 0) node.error = error;
         node.changed = false;
+    }
+}
+
+void NodeTree::region_errors(std::vector<double>& errors) const {
+    grow_capacity(errors, branches_.size(), 2 * std::size_t(settings_.max_nodes) - 1);
+    errors.resize(branches_.size());
+    for (std::size_t i = branches_.size(); i-- > 0;) {  // children come after their parents
+        const Branch b = branches_[i];
+        errors[i] = b.axis() == kLeaf ? nodes_[b.target()].error
+                                      : 0.5 * errors[b.target()] + 0.5 * errors[b.target() + 1];
     }
 }
 

@@ -31,69 +31,109 @@ PaperTables::PaperTables(const PaperTableSettings& settings) : settings_(setting
         directions_.push_back(cell_direction(cell, n));
     }
     uniform_.assign(n * n, 1.0f);
+    means_.resize(n * n);
 }
 
 void PaperTables::update(const NodeTree& tree, std::span<const Landing> landings) {
     add_nodes(tree);
+    tree.region_errors(errors_);
     for (const Landing& landing : landings) {
         if (landing.depth < kFirstSegmentDepth || !is_finite(landing.position) ||
             !is_finite(landing.previous) || !is_finite(landing.direction)) {
             continue;
         }
-        const std::uint32_t from = tree.locate(landing.previous);
-        const std::uint32_t to = tree.locate(landing.position);
-        see(from, -landing.direction, tree.node(to).error);
-        if (settings_.both_ends) see(to, landing.direction, tree.node(from).error);
+        see(tree.locate(landing.previous), -landing.direction, tree.region(landing.position));
+        if (settings_.both_ends) {
+            see(tree.locate(landing.position), landing.direction, tree.region(landing.previous));
+        }
     }
-    for (const std::uint32_t node : to_build_)
-        rebuild(node);
-    to_build_.clear();
+    rebuild_all();
+}
+
+void PaperTables::resize(std::size_t nodes, std::size_t most) {
+    grow_capacity(to_build_, nodes, most);
+    grow_capacity(relative_, nodes * cells(), most * cells());
+    to_build_.resize(nodes, 0);
+    relative_.resize(nodes * cells(), 1.0f);
+    if (settings_.present_errors) {
+        grow_capacity(neighbours_, nodes * cells(), most * cells());
+        neighbours_.resize(nodes * cells(), kNone);
+    } else {
+        grow_capacity(seen_, nodes * cells(), most * cells());
+        seen_.resize(nodes * cells());
+    }
 }
 
 void PaperTables::add_nodes(const NodeTree& tree) {
-    const std::size_t old_count = touched_.size();
+    const std::size_t old_count = to_build_.size();
     const std::size_t count = tree.node_count();
-    const std::size_t most = tree.settings().max_nodes;
-    grow_capacity(touched_, count, most);
-    grow_capacity(to_build_, count, most);
-    grow_capacity(seen_, count * cells(), most * cells());
-    grow_capacity(relative_, count * cells(), most * cells());
-    touched_.resize(count, 0);
-    seen_.resize(count * cells());
-    relative_.resize(count * cells(), 1.0f);
+    resize(count, tree.settings().max_nodes);
     for (std::size_t i = std::max<std::size_t>(old_count, 1); i < count; ++i) {
         const std::size_t parent = tree.node(static_cast<std::uint32_t>(i)).parent;
-        std::copy_n(seen_.begin() + std::ptrdiff_t(parent * cells()), cells(),
-                    seen_.begin() + std::ptrdiff_t(i * cells()));
-        std::copy_n(relative_.begin() + std::ptrdiff_t(parent * cells()), cells(),
-                    relative_.begin() + std::ptrdiff_t(i * cells()));
+        const auto copy = [&](auto& of_cells) {
+            if (of_cells.empty()) return;
+            std::copy_n(of_cells.begin() + std::ptrdiff_t(parent * cells()), cells(),
+                        of_cells.begin() + std::ptrdiff_t(i * cells()));
+        };
+        copy(neighbours_);
+        copy(seen_);
+        copy(relative_);
+        to_build_[i] = to_build_[parent];
     }
 }
 
-void PaperTables::see(std::uint32_t from, Vec3 direction, double error) {
-    const std::size_t cell = cell_index(uniform_sphere_to_square(direction), settings_.resolution);
-    Seen& seen = seen_[from * cells() + cell];
-    seen.sum += error;
-    seen.count += 1;
-    if (touched_[from]) return;
-    touched_[from] = 1;
-    to_build_.push_back(from);
+void PaperTables::see(std::uint32_t from, Vec3 direction, std::uint32_t region) {
+    const std::size_t cell =
+        from * cells() + cell_index(uniform_sphere_to_square(direction), settings_.resolution);
+    to_build_[from] = 1;
+    if (settings_.present_errors) {
+        Neighbours& neighbours = neighbours_[cell];
+        std::copy_backward(neighbours.begin(), neighbours.end() - 1, neighbours.end());
+        neighbours.front() = region;
+    } else {
+        seen_[cell].sum += errors_[region];
+        seen_[cell].count += 1;
+    }
+}
+
+/// Errors of all nodes have changed, and so have tables that name them; but what was seen when
+/// photons landed changes with new photons alone.
+void PaperTables::rebuild_all() {
+    for (std::uint32_t node = 0; node < to_build_.size(); ++node) {
+        if (!to_build_[node]) continue;
+        rebuild(node);
+        if (!settings_.present_errors) to_build_[node] = 0;
+    }
+}
+
+/// Of the neighbours in a cell; negative if there is none.
+double PaperTables::mean_error(std::size_t cell) const {
+    if (!settings_.present_errors) {
+        const Seen& seen = seen_[cell];
+        return seen.count > 0 ? seen.sum / seen.count : -1;
+    }
+    const Neighbours& neighbours = neighbours_[cell];
+    double sum = 0;
+    int count = 0;
+    for (; count < int(neighbours.size()) && neighbours[count] != kNoRegion; ++count)
+        sum += errors_[neighbours[count]];
+    return count > 0 ? sum / count : -1;
 }
 
 // Eq. 5: e_w is the mean error of the neighbours in a cell. Departures: the paper interpolates
 // between the vectors to the neighbours, where averages over the table's cells need no choice of
-// weights; and it leaves directions without a neighbour open, where the floor keeps every direction
-// possible (zero would lose light). The mean error of eq. 5 is that over the floored table, so that
-// p(w) has mean 1.
+// weights; a cell remembers its last neighbours, where the paper does not say how long photons of
+// earlier iterations name theirs; and it leaves directions without a neighbour open, where the
+// floor keeps every direction possible (zero would lose light). The mean error of eq. 5 is that
+// over the floored table, so that p(w) has mean 1.
 void PaperTables::rebuild(std::uint32_t node) {
-    const std::span<const Seen> seen(seen_.data() + node * cells(), cells());
     const std::span<float> relative(relative_.data() + node * cells(), cells());
-    touched_[node] = 0;
     double sum = 0;
     double known = 0;
-    for (const Seen& s : seen) {
-        if (s.count == 0) continue;
-        sum += s.sum / s.count;
+    for (std::size_t i = 0; i < cells(); ++i) {
+        means_[i] = mean_error(node * cells() + i);
+        if (means_[i] < 0) continue;
+        sum += means_[i];
         known += 1;
     }
     const double floor = known > 0 ? settings_.floor_share * sum / known : 0.0;
@@ -101,15 +141,14 @@ void PaperTables::rebuild(std::uint32_t node) {
         std::fill(relative.begin(), relative.end(), 1.0f);
         return;
     }
-    const auto floored = [floor](const Seen& s) {
-        return s.count > 0 ? std::max(floor, s.sum / s.count) : floor;
-    };
     double total = 0;
-    for (const Seen& s : seen)
-        total += floored(s);
-    const double mean = total / double(cells());
+    for (double& mean : means_) {
+        mean = std::max(floor, mean);
+        total += mean;
+    }
+    const double mean_of_all = total / double(cells());
     for (std::size_t i = 0; i < cells(); ++i)
-        relative[i] = float(floored(seen[i]) / mean);
+        relative[i] = float(means_[i] / mean_of_all);
 }
 
 void PaperTables::end_pass() {
@@ -120,37 +159,49 @@ void PaperTables::end_pass() {
 
 // The tables themselves are made from what was seen.
 void PaperTables::state(StateArchive& archive, const NodeTree& tree) {
-    const std::size_t nodes =
-        archive.count(touched_.size(), cells() * (sizeof(Seen::sum) + sizeof(Seen::count)));
+    const std::size_t nodes = archive.count(to_build_.size(), cells() * kCellBytes);
     StateArchive::check(nodes <= tree.node_count(), "more tables than nodes");
-    touched_.resize(nodes, 0);
-    seen_.resize(nodes * cells());
-    relative_.resize(nodes * cells(), 1.0f);
+    resize(nodes, tree.settings().max_nodes);
+    state_of_cells(archive, tree.region_count());
+    if (!archive.restoring()) return;
+    tree.region_errors(errors_);
+    std::fill(to_build_.begin(), to_build_.end(), std::uint8_t{1});
+    rebuild_all();
+}
+
+void PaperTables::state_of_cells(StateArchive& archive, std::size_t regions) {
+    for (Neighbours& neighbours : neighbours_) {
+        for (std::uint32_t& region : neighbours) {
+            archive.value(region);
+            StateArchive::check(region == kNoRegion || region < regions,
+                                "a neighbour that is no part of the tree");
+        }
+    }
     for (Seen& seen : seen_) {
         archive.amount(seen.sum);
         archive.amount(seen.count);
         StateArchive::check(seen.count == 0 || seen.count >= 1, "a part of a neighbour");
     }
-    if (!archive.restoring()) return;
-    for (std::uint32_t node = 0; node < nodes; ++node)
-        rebuild(node);
 }
 
 std::span<const float> PaperTables::relative_error(std::uint32_t node) const {
-    if (node >= touched_.size()) return uniform_;
+    if (node >= to_build_.size()) return uniform_;
     return {relative_.data() + node * cells(), cells()};
 }
 
 std::size_t PaperTables::memory_bytes() const {
-    return directions_.capacity() * sizeof(Vec3) + seen_.capacity() * sizeof(Seen) +
-           (relative_.capacity() + uniform_.capacity()) * sizeof(float) + touched_.capacity() +
-           to_build_.capacity() * sizeof(std::uint32_t);
+    return directions_.capacity() * sizeof(Vec3) + neighbours_.capacity() * sizeof(Neighbours) +
+           seen_.capacity() * sizeof(Seen) +
+           (relative_.capacity() + uniform_.capacity()) * sizeof(float) + to_build_.capacity() +
+           (errors_.capacity() + means_.capacity()) * sizeof(double);
 }
 
 std::size_t PaperTables::memory_bound_bytes(std::uint32_t max_nodes, int resolution) {
     const auto cells = static_cast<std::size_t>(resolution) * static_cast<std::size_t>(resolution);
-    const std::size_t node = cells * (sizeof(Seen) + sizeof(float)) + 1 + sizeof(std::uint32_t);
-    return max_nodes * node + 2 * cells * (sizeof(Vec3) + sizeof(float));
+    static_assert(sizeof(Neighbours) == kCellBytes && sizeof(Seen) == kCellBytes);
+    const std::size_t regions = 2;  // at most so many a node
+    const std::size_t node = cells * (kCellBytes + sizeof(float)) + 1 + regions * sizeof(double);
+    return max_nodes * node + 2 * cells * (sizeof(Vec3) + sizeof(float) + sizeof(double));
 }
 
 }  // namespace aips

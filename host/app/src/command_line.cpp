@@ -55,7 +55,9 @@ void add_render_options(CLI::App& app, CommandLine& command) {
         ->check(CLI::Range(1u, 65536u));
     app.add_option("--sampler", command.sampler, "sampler, instead of the scene's choice")
         ->type_name("NAME");
-    app.add_flag("--strict", command.strict, "unknown parameters are errors");
+    app.add_flag("--strict", command.strict,
+                 "what LuxRender would only warn of is an error: unknown names and parameters, "
+                 "missing files");
 }
 
 void add_checkpoint_options(CLI::App& app, CommandLine& command) {

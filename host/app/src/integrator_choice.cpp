@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <optional>
 #include <string_view>
 
 #include "lxs/host/parameter_override.h"
@@ -22,9 +23,20 @@ constexpr std::array<std::string_view, 2> kPhotonRenderers = {"aips", "sppm"};
 constexpr std::array<std::string_view, 4> kPhotonIntegrators = {"aips", "exphotonmap", "ppm",
                                                                 "sppm"};
 
-/// Integrators of LuxRender's that have no plugin of their own.
-constexpr std::array<std::string_view, 4> kRenderedByDefault = {"bidirectional", "directlighting",
-                                                                "distributedpath", "igi"};
+/// Integrators of LuxRender's, of 1.9 and before, that have no plugin of their own.
+constexpr std::array<std::string_view, 7> kRenderedByDefault = {
+    "bidirectional",  "directlighting", "distributedpath", "igi",
+    "importancepath", "mltpath",        "particletracing"};
+
+/// Renderers of LuxRender 1.0 to 1.6, and the nearest that 1.9 and we have.
+struct OlderRenderer {
+    std::string_view name, nearest;
+};
+constexpr std::array<OlderRenderer, 5> kOlderRenderers{{{"hybrid", "sampler"},
+                                                        {"hybridsampler", "sampler"},
+                                                        {"hybridsppm", "sppm"},
+                                                        {"luxcore", "sampler"},
+                                                        {"slg", "sampler"}}};
 
 bool contains(auto&& names, std::string_view name) {
     return std::find(std::begin(names), std::end(names), name) != std::end(names);
@@ -35,11 +47,12 @@ const ParameterSet* statement(const SceneContents& contents, const std::string& 
     return found == contents.options.end() ? nullptr : &found->second.parameters;
 }
 
-/// Statements that change nothing here must at least name something that LuxRender knows.
-void check_name(const SceneContents& contents, const std::string& kind,
-                std::span<const std::string_view> also_known) {
+/// What is wrong with the name in a statement that changes nothing here: nothing if LuxRender knows
+/// it.
+std::optional<InputError> wrong_name(const SceneContents& contents, const std::string& kind,
+                                     std::span<const std::string_view> also_known = {}) {
     const ParameterSet* set = statement(contents, kind);
-    if (set == nullptr) return;
+    if (set == nullptr) return std::nullopt;
     std::vector<std::string> known(also_known.begin(), also_known.end());
     const auto table = known_plugin_names().find(kind);
     if (table != known_plugin_names().end()) {
@@ -47,8 +60,8 @@ void check_name(const SceneContents& contents, const std::string& kind,
     }
     std::sort(known.begin(), known.end());
     known.erase(std::unique(known.begin(), known.end()), known.end());
-    if (!contains(known, set->plugin))
-        throw InputError(set->where, unknown_name_message(kind, set->plugin, known));
+    if (contains(known, set->plugin)) return std::nullopt;
+    return InputError(set->where, unknown_name_message(kind, set->plugin, known));
 }
 
 /// One warning for all parameters of a statement of which only the name is looked at.
@@ -61,20 +74,39 @@ void warn_of_parameters(const SceneContents& contents, const std::string& kind,
 }
 
 void check_statements_by_name(const SceneContents& contents, Diagnostics& diagnostics) {
-    check_name(contents, "Renderer", kPhotonRenderers);
+    if (const auto wrong = wrong_name(contents, "Renderer", kPhotonRenderers))
+        diagnostics.error(*wrong);
     warn_of_parameters(contents, "Renderer", "the integrator decides", diagnostics);
-    check_name(contents, "VolumeIntegrator", {});
+    if (const auto wrong = wrong_name(contents, "VolumeIntegrator")) diagnostics.error(*wrong);
     warn_of_parameters(contents, "VolumeIntegrator", "media are uniform and need no steps",
                        diagnostics);
-    check_name(contents, "Accelerator", {});
+    if (const auto wrong = wrong_name(contents, "Accelerator"))
+        diagnostics.fallback(wrong->where(), wrong->message(), "Embree traces all the same");
     warn_of_parameters(contents, "Accelerator", "Embree builds the tree", diagnostics);
+}
+
+/// The Renderer statement, with the nearest renderer in place of an older one, which is said.
+std::optional<ParameterSet> renderer_of(const SceneContents& contents, Diagnostics& diagnostics) {
+    const ParameterSet* given = statement(contents, "Renderer");
+    if (given == nullptr) return std::nullopt;
+    ParameterSet renderer;
+    renderer.plugin = given->plugin;
+    renderer.where = given->where;
+    for (const OlderRenderer& older : kOlderRenderers) {
+        if (older.name != given->plugin) continue;
+        renderer.plugin = older.nearest;
+        diagnostics.warning(given->where, fmt::format("Renderer \"{}\" is not rendered: \"{}\" is "
+                                                      "used instead",
+                                                      given->plugin, older.nearest));
+    }
+    return renderer;
 }
 
 /// What the scene asks for, whether or not there is such a plugin.
 ParameterSet scene_choice(const SceneContents& contents, Diagnostics& diagnostics) {
-    const ParameterSet* renderer = statement(contents, "Renderer");
+    const std::optional<ParameterSet> renderer = renderer_of(contents, diagnostics);
     const bool photon_renderer =
-        renderer != nullptr && contains(kPhotonRenderers, renderer->plugin);
+        renderer.has_value() && contains(kPhotonRenderers, renderer->plugin);
     if (const ParameterSet* set = statement(contents, "SurfaceIntegrator")) {
         if (photon_renderer && !contains(kPhotonIntegrators, set->plugin)) {
             diagnostics.warning(renderer->where, fmt::format("Renderer \"{}\" has no effect with "
@@ -94,7 +126,7 @@ bool stands_in(ParameterSet& set, Diagnostics& diagnostics) {
     if (!contains(kRenderedByDefault, set.plugin)) return false;
     diagnostics.warning(set.where,
                         fmt::format("SurfaceIntegrator \"{}\" is not rendered: \"{}\" is used "
-                                    "instead",
+                                    "instead; \"aips\" (--integrator aips) shoots photons too",
                                     set.plugin, kDefaultIntegrator));
     set.plugin = kDefaultIntegrator;
     return true;
@@ -133,6 +165,8 @@ IntegratorChoice choose_integrator(const CommandLine& command, const SceneConten
     IntegratorChoice choice;
     choice.parameters = scene_choice(contents, diagnostics);
     const std::string named = choice.parameters.plugin;
+    choice.of_luxrender = contains(known_plugin_names().at("SurfaceIntegrator"), named) ||
+                          contains(kRenderedByDefault, named);
     if (command.integrator) {
         choice.parameters.plugin = *command.integrator;
         choice.parameters.where = command_line_location("--integrator " + *command.integrator);

@@ -46,12 +46,20 @@ std::string skipped_wavelengths(const RenderSession& session) {
         100 * need.worst.difference, need.worst.pair);
 }
 
+/// "12 triangles, 3 quadrics", what there is of them.
+std::string shapes_in(const SceneFacts& facts) {
+    std::vector<std::string> kinds;
+    if (facts.triangles > 0) kinds.push_back(fmt::format("{} triangles", facts.triangles));
+    if (facts.quadrics > 0)
+        kinds.push_back(fmt::format("{} quadrics (spheres, disks, ...)", facts.quadrics));
+    return kinds.empty() ? "no shapes" : fmt::format("{}", fmt::join(kinds, " and "));
+}
+
 void log_scene(const RenderSession& session, ConsoleLog& log) {
     const SceneFacts facts = session.scene->facts();
-    log.info(fmt::format("scene: {} triangles, {} lights, {} materials; image {} x {}",
-                         facts.triangles, session.scene->lights().size(),
-                         session.scene->material_names().size(), session.film->width(),
-                         session.film->height()));
+    log.info(fmt::format("scene: {}, {} lights, {} materials; image {} x {}", shapes_in(facts),
+                         session.scene->lights().size(), session.scene->material_names().size(),
+                         session.film->width(), session.film->height()));
     std::vector<std::string_view> skipped;
     if (!facts.has_image_textures) skipped.emplace_back("image textures (no texture system)");
     if (!facts.has_media) skipped.emplace_back("media");
@@ -185,6 +193,8 @@ ExitCode carry_out(const CommandLine& command, ConsoleLog& log) {
     PluginLibrary plugins;
     try {
         return run(command, plugins, log);
+    } catch (const RefusedInput&) {
+        return ExitCode::BadInput;
     } catch (const InputError& error) {
         log.verbatim(error.what());
         return ExitCode::BadInput;

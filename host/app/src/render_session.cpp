@@ -47,10 +47,26 @@ std::uint64_t choose_seed(const CommandLine& command, const ParameterReader& par
     return parameters.given("seed") ? static_cast<std::uint64_t>(parameters.integer("seed", 0)) : 0;
 }
 
+/// What an integrator says of parameters that are not LuxRender's: nothing to fall back to.
+class FirmDiagnostics final : public Diagnostics {
+  public:
+    explicit FirmDiagnostics(Diagnostics& next) : next_(next) {}
+    void warning(const SourceLocation& where, const std::string& message) override {
+        next_.warning(where, message);
+    }
+    void unknown_parameter(const SourceLocation& where, const std::string& message) override {
+        next_.unknown_parameter(where, message);
+    }
+
+  private:
+    Diagnostics& next_;
+};
+
 void create_chosen(RenderSession& session, const CommandLine& command,
                    const IntegratorChoice& choice, Diagnostics& diagnostics) {
+    FirmDiagnostics firm(diagnostics);
     const ParameterReader reader(choice.parameters, choice.integrator->plugin->parameters,
-                                 diagnostics);
+                                 choice.of_luxrender ? diagnostics : firm);
     session.integrator_name = choice.parameters.plugin;
     session.seed = choose_seed(command, reader);
     session.integrator = create_integrator(*choice.integrator, reader);
@@ -78,7 +94,7 @@ void build_scene(RenderSession& session, SceneContents contents, ReadFiles& file
     const SourceLocation end = contents.end;
     const std::string directory = contents.directory;
     const auto resolve = [&](const std::string& name, const SourceLocation& where) {
-        return files.assets.emplace_back(resolve_asset(name, directory, where));
+        return files.assets.emplace_back(resolve_asset(name, directory, where, diagnostics));
     };
     session.scene = make_trace_scene(std::move(contents), resolve, diagnostics);
     if (session.scene->lights().empty()) {
@@ -118,17 +134,36 @@ void choose_spectral(RenderSession& session, ConsoleLog& log) {
     log.info(fmt::format("rendering by wavelengths, three a pass, as {}", reason));
 }
 
-}  // namespace
-
-void begin_spectral_pass(RenderSession& session, std::uint64_t pass) {
-    const Wavelengths wavelengths =
-        wavelengths_of_pass(session.seed, pass, session.wavelength_density);
-    session.scene->set_wavelengths(wavelengths);
-    session.film->set_wavelengths(wavelengths);
+/// Takes `step`; an error in it is gathered with those of others.
+void gather(Diagnostics& diagnostics, const auto& step) {
+    try {
+        step();
+    } catch (const InputError& error) {
+        diagnostics.error(error);
+    }
 }
 
-RenderSession prepare_session(const CommandLine& command, const PluginLibrary& plugins,
-                              InputDiagnostics& diagnostics, ConsoleLog& log) {
+IntegratorChoice make_from_options(RenderSession& session, const CommandLine& command,
+                                   const SceneContents& contents, const PluginLibrary& plugins,
+                                   InputDiagnostics& diagnostics, ConsoleLog& log) {
+    IntegratorChoice choice;
+    gather(diagnostics, [&] {
+        choice = choose_integrator(command, contents, plugins, diagnostics, log);
+        create_chosen(session, command, choice, diagnostics);
+    });
+    gather(diagnostics, [&] { session.film = make_film(contents, diagnostics); });
+    gather(diagnostics, [&] {
+        if (session.film) session.camera = make_camera(contents, *session.film, diagnostics);
+    });
+    gather(diagnostics, [&] {
+        const bool chains = choice.integrator && choice.integrator->plugin->runs_metropolis;
+        session.sampler = make_sampler(contents, session.seed, diagnostics, chains);
+    });
+    return choice;
+}
+
+RenderSession prepare(const CommandLine& command, const PluginLibrary& plugins,
+                      InputDiagnostics& diagnostics, ConsoleLog& log) {
     RenderSession session;
     SceneContents contents;
     ReadFiles files;
@@ -140,21 +175,40 @@ RenderSession prepare_session(const CommandLine& command, const PluginLibrary& p
         files.sources.clear();
     }
     const PhaseTimer timer(session.times, "build");
-    const IntegratorChoice choice = choose_integrator(command, contents, plugins, diagnostics, log);
-    create_chosen(session, command, choice, diagnostics);
-    session.film = make_film(contents, diagnostics);
+    const IntegratorChoice choice =
+        make_from_options(session, command, contents, plugins, diagnostics, log);
+    diagnostics.refuse_errors();
     session.files = choose_output_files(command, *session.film);
     check_writable(session.files);
-    std::unique_ptr<SceneCamera> camera = make_camera(contents, *session.film, diagnostics);
-    session.sampler = make_sampler(contents, session.seed, diagnostics,
-                                   choice.integrator->plugin->runs_metropolis);
     build_scene(session, std::move(contents), files, diagnostics);
     complete_fingerprint(session, command, choice, files);
     choose_spectral(session, log);
     if (session.spectral) begin_spectral_pass(session, 0);
-    camera->focus(*session.scene);
-    session.camera = std::move(camera);
+    session.camera->focus(*session.scene);
     return session;
+}
+
+}  // namespace
+
+void begin_spectral_pass(RenderSession& session, std::uint64_t pass) {
+    const Wavelengths wavelengths =
+        wavelengths_of_pass(session.seed, pass, session.wavelength_density);
+    session.scene->set_wavelengths(wavelengths);
+    session.film->set_wavelengths(wavelengths);
+}
+
+RenderSession prepare_session(const CommandLine& command, const PluginLibrary& plugins,
+                              InputDiagnostics& diagnostics, ConsoleLog& log) {
+    std::optional<RenderSession> session;
+    try {
+        gather(diagnostics, [&] { session = prepare(command, plugins, diagnostics, log); });
+    } catch (...) {
+        diagnostics.report();
+        throw;
+    }
+    diagnostics.report();
+    diagnostics.refuse_errors();
+    return std::move(*session);
 }
 
 }  // namespace lxs

@@ -32,6 +32,7 @@ Json scene_facts(const RenderSession& session) {
     json["width"] = session.film->width();
     json["height"] = session.film->height();
     json["triangles"] = facts.triangles;
+    json["quadrics"] = facts.quadrics;
     json["lights"] = session.scene->lights().size();
     json["light groups"] = session.scene->light_groups();
     json["materials"] = session.scene->material_names().size();

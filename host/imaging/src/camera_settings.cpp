@@ -88,14 +88,14 @@ Matrix camera_to_world(const OptionStatement& statement, const Matrix& transform
 std::array<double, 4> read_screen(const ParameterReader& reader, const FilmFrame& frame) {
     if (reader.given("screenwindow")) {
         const auto values = reader.numbers("screenwindow");
-        if (values.size() != 4) {
-            reader.fail("screenwindow",
-                        fmt::format("screenwindow takes 4 numbers, found {}", values.size()));
-        }
-        if (values[0] == values[1] || values[2] == values[3]) {
+        const bool four = values.size() == 4;
+        if (four && (values[0] == values[1] || values[2] == values[3]))
             reader.fail("screenwindow", "screenwindow is empty");
-        }
-        return {values[0], values[1], values[2], values[3]};
+        if (four) return {values[0], values[1], values[2], values[3]};
+        reader.diagnostics().fallback(
+            reader.where("screenwindow"),
+            fmt::format("screenwindow takes 4 numbers, found {}", values.size()),
+            "its default is used");
     }
     const double image_aspect = static_cast<double>(frame.x_resolution) / frame.y_resolution;
     const double aspect = reader.number("frameaspectratio", image_aspect);
@@ -127,12 +127,14 @@ void read_shutter(const ParameterReader& reader, CameraSettings& settings) {
 
 void read_lens(const ParameterReader& reader, CameraSettings& settings) {
     settings.lens_radius = reader.number("lensradius", 0);
-    settings.focal_distance = reader.number("focaldistance", settings.focal_distance);
-    if (settings.focal_distance <= 0) {
-        reader.fail("focaldistance", fmt::format("focaldistance is {}, but must be positive",
-                                                 settings.focal_distance));
-    }
     settings.autofocus = settings.lens_radius > 0 && reader.boolean("autofocus", false);
+    const double distance = reader.number("focaldistance", settings.focal_distance);
+    if (distance > 0) {
+        settings.focal_distance = distance;
+    } else if (settings.lens_radius > 0 && !settings.autofocus) {  // else it says nothing
+        reader.fail("focaldistance",
+                    fmt::format("focaldistance is {}, but must be positive", distance));
+    }
 }
 
 void read_perspective(const ParameterReader& reader, CameraSettings& settings) {

@@ -150,6 +150,9 @@ constexpr ParameterDeclaration kAccepted[] = {
          "Of LuxRender 0.x: the EXR always holds raw linear radiance."),
     past("write_untonemapped_exr", Bool, "false",
          "Of LuxRender 0.x: the EXR is always written so."),
+    past("write_tonemapped_tga", Bool, "false", "Of LuxRender 0.x: no TGA file is written."),
+    past("write_tonemapped_igi", Bool, "false", "Of LuxRender 0.x: no IGI file is written."),
+    past("write_untonemapped_igi", Bool, "false", "Of LuxRender 0.x: no IGI file is written."),
 };
 
 constexpr ParameterDeclaration kMultiImage[] = {

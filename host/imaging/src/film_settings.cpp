@@ -20,6 +20,7 @@ class SilentDiagnostics : public Diagnostics {
   public:
     void warning(const SourceLocation&, const std::string&) override {}
     void unknown_parameter(const SourceLocation&, const std::string&) override {}
+    void fallback(const SourceLocation&, const std::string&, const std::string&) override {}
 };
 
 std::uint32_t read_resolution(const ParameterReader& reader, std::string_view name,
@@ -65,11 +66,14 @@ FilmFrame read_frame(const ParameterReader& reader) {
     std::array<double, 4> crop{0, 1, 0, 1};
     if (reader.given("cropwindow")) {
         const auto values = reader.numbers("cropwindow");
-        if (values.size() != crop.size()) {
-            reader.fail("cropwindow",
-                        fmt::format("cropwindow takes 4 numbers, found {}", values.size()));
+        if (values.size() == crop.size()) {
+            std::copy(values.begin(), values.end(), crop.begin());
+        } else {
+            reader.diagnostics().fallback(
+                reader.where("cropwindow"),
+                fmt::format("cropwindow takes 4 numbers, found {}", values.size()),
+                "its default is used");
         }
-        std::copy(values.begin(), values.end(), crop.begin());
     }
     const auto columns = pixel_range(ordered(reader, crop[0], crop[1]), frame.x_resolution);
     const auto rows = pixel_range(ordered(reader, crop[2], crop[3]), frame.y_resolution);
@@ -136,16 +140,12 @@ std::string read_base_name(const ParameterReader& reader) {
 
 std::optional<Imath::M33d> read_color_space(const ParameterReader& reader) {
     ColorSpace space;
-    bool differs = false;
-    std::string_view last;
+    std::string_view last = "colorspace_red";
     const auto read_one = [&](std::string_view name, std::array<double, 2>& value) {
         const auto given = reader.numbers(name);
         if (given.empty()) return;
         if (given.size() != value.size())
             reader.fail(name, fmt::format("{} takes 2 numbers, found {}", name, given.size()));
-        constexpr double kSame = 1e-3;
-        differs = differs || std::abs(given[0] - value[0]) >= kSame ||
-                  std::abs(given[1] - value[1]) >= kSame;
         std::copy(given.begin(), given.end(), value.begin());
         last = name;
     };
@@ -153,7 +153,7 @@ std::optional<Imath::M33d> read_color_space(const ParameterReader& reader) {
     read_one("colorspace_green", space.green);
     read_one("colorspace_blue", space.blue);
     read_one("colorspace_white", space.white);
-    if (!differs) return std::nullopt;
+    if (space == kSceneColors) return std::nullopt;
     try {
         return rgb_matrix(kSceneColors, space);
     } catch (const std::invalid_argument& error) {

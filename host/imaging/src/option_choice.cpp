@@ -30,4 +30,20 @@ OptionChoice choose_option(const SceneContents& contents, const std::string& sta
     return choice;
 }
 
+OptionChoice choose_option(const SceneContents& contents, const std::string& statement,
+                           std::string_view fallback, std::initializer_list<std::string> known,
+                           Diagnostics& diagnostics) {
+    try {
+        return choose_option(contents, statement, fallback, known);
+    } catch (const InputError& error) {
+        diagnostics.fallback(error.where(), error.message(),
+                             fmt::format("\"{}\" is used", fallback));
+        OptionChoice choice;
+        choice.statement = contents.options.at(statement);
+        choice.statement.parameters.plugin = fallback;
+        choice.given = true;
+        return choice;
+    }
+}
+
 }  // namespace lxs

@@ -20,4 +20,10 @@ struct OptionChoice {
 OptionChoice choose_option(const SceneContents& contents, const std::string& statement,
                            std::string_view fallback, std::initializer_list<std::string> known);
 
+/// The same, but a name that is none of the known ones is reported, and `fallback` is used with
+/// those parameters that it has.
+OptionChoice choose_option(const SceneContents& contents, const std::string& statement,
+                           std::string_view fallback, std::initializer_list<std::string> known,
+                           Diagnostics& diagnostics);
+
 }  // namespace lxs

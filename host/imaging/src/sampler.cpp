@@ -201,8 +201,9 @@ std::vector<ParameterDeclaration> all_sampler_parameters(const std::string& plug
 
 std::unique_ptr<Sampler> make_sampler(const SceneContents& contents, std::uint64_t seed,
                                       Diagnostics& diagnostics, bool runs_metropolis) {
-    const OptionChoice choice = choose_option(contents, "Sampler", "random",
-                                              {"erpt", "lowdiscrepancy", "metropolis", "random"});
+    const OptionChoice choice =
+        choose_option(contents, "Sampler", "random",
+                      {"erpt", "lowdiscrepancy", "metropolis", "random"}, diagnostics);
     const ParameterSet& set = choice.statement.parameters;
     std::vector<ParameterDeclaration> declared(std::begin(kParameters), std::end(kParameters));
     const auto declare = [&](std::span<const ParameterDeclaration> more) {

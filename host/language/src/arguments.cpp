@@ -11,11 +11,9 @@ namespace {
 using Strings = std::vector<std::string>;
 using Numbers = std::vector<double>;
 
-constexpr std::array<std::string_view, 10> kTypes = {
-    "float", "integer", "bool", "point", "vector", "normal", "string", "texture", "color", "rgb"};
-
 bool is_type(std::string_view word) {
-    return std::find(kTypes.begin(), kTypes.end(), word) != kTypes.end();
+    const auto types = written_types();
+    return std::find(types.begin(), types.end(), word) != types.end();
 }
 
 std::string_view kind_of(const Argument& argument) {
@@ -58,7 +56,7 @@ bool is_parameter_head(const Argument& argument) {
     return words.size() == 2 && is_type(words[0]);
 }
 
-/// Type and name of a parameter from its string.
+/// Type and name of a parameter from its string; ParameterReader checks the type.
 ParameterValue parameter_head(const Argument& argument) {
     const std::string* text = argument.bracketed ? nullptr : single_string(argument);
     if (!text) {
@@ -67,18 +65,14 @@ ParameterValue parameter_head(const Argument& argument) {
                                                      kind_of(argument)));
     }
     const std::vector<std::string> words = words_of(*text);
-    if (words.size() != 2) {
+    if (words.empty() || words.size() > 2) {
         throw InputError(
             argument.where,
             fmt::format("a parameter begins with \"type name\", found {}", in_quotes(*text)));
     }
-    if (!is_type(words[0])) {
-        const std::vector<std::string> known(kTypes.begin(), kTypes.end());
-        throw InputError(argument.where, unknown_name_message("parameter type", words[0], known));
-    }
     ParameterValue value;
-    value.type = words[0];
-    value.name = words[1];
+    if (words.size() == 2) value.type = words[0];
+    value.name = words.back();
     value.where = argument.where;
     return value;
 }

@@ -9,6 +9,7 @@
 #include <system_error>
 
 #include "lxs/language/read_scene.h"
+#include "lxs/scene/registry.h"
 
 namespace lxs {
 namespace {
@@ -93,8 +94,13 @@ std::string read_text(const std::string& path) {
 }
 
 std::shared_ptr<const SourceFile> open_include(const Name& file, const std::string& main_directory,
-                                               IncludedSum& sum) {
-    const std::string path = resolve_asset(file.text, main_directory, file.where);
+                                               IncludedSum& sum, Diagnostics& diagnostics) {
+    std::string path;
+    try {
+        path = resolve_asset(file.text, main_directory, file.where, diagnostics);
+    } catch (const InputError& error) {
+        throw IgnoredStatement(error.where(), error.message());
+    }
     check_chain(file, path, sum);
     auto source = std::make_shared<SourceFile>();
     source->name = path;
@@ -103,14 +109,14 @@ std::shared_ptr<const SourceFile> open_include(const Name& file, const std::stri
     try {
         source->text = std::make_shared<const std::string>(read_text(path));
     } catch (const std::system_error& error) {
-        throw InputError(file.where, error.what());
+        throw IgnoredStatement(file.where, error.what());
     }
     ++sum.files;
     sum.bytes += source->text->size();
     if (sum.files > kMaxIncludes || sum.bytes > kMaxIncludedBytes) {
-        throw InputError(file.where, "Include reads more than " + std::to_string(kMaxIncludes) +
-                                         " files or 16 GiB, counting each as often as it is "
-                                         "included");
+        throw EndOfReading(file.where, "Include reads more than " + std::to_string(kMaxIncludes) +
+                                           " files or 16 GiB, counting each as often as it is "
+                                           "included");
     }
     return source;
 }

@@ -20,9 +20,10 @@ struct IncludedSum {
     std::map<std::string, std::filesystem::path> identities = {};
 };
 
-/// The file that an Include names, added to `sum`. Throws InputError if it is missing or can't be
-/// read, includes itself, nests too deep, or if the sum grows beyond all scenes.
+/// The file that an Include names, added to `sum`. Throws IgnoredStatement if it is missing or
+/// can't be read; InputError if it includes itself or nests too deep; EndOfReading if the sum grows
+/// beyond all scenes.
 std::shared_ptr<const SourceFile> open_include(const Name& file, const std::string& main_directory,
-                                               IncludedSum& sum);
+                                               IncludedSum& sum, Diagnostics& diagnostics);
 
 }  // namespace lxs

@@ -1,4 +1,5 @@
-// The plugin names of LuxRender 1.9, by statement; textures by their type as well.
+// The plugin names of LuxRender 1.9, and older renderers, by statement; textures by their type as
+// well.
 #include "lxs/language/read_scene.h"
 
 namespace lxs {
@@ -25,7 +26,8 @@ const std::map<std::string, std::vector<std::string>>& known_plugin_names() {
         {"PixelFilter",
          {"blackmanharris", "box", "catmullrom", "gaussian", "mitchell", "sinc", "triangle"}},
         {"PixelSampler", {"grid", "hilbert", "linear", "lowdiscrepancy", "tile", "vegas"}},
-        {"Renderer", {"sampler", "sppm"}},
+        {"Renderer",
+         {"hybrid", "hybridsampler", "hybridsppm", "luxcore", "sampler", "slg", "sppm"}},
         {"Sampler", {"erpt", "lowdiscrepancy", "metropolis", "random"}},
         {"Shape",
          {"barytrianglemesh", "cone", "cylinder", "deferred", "disk", "hairfile", "heightfield",

@@ -18,28 +18,32 @@ std::vector<std::string> names_of(const Map& map) {
 }  // namespace
 
 std::string NamedAssets::resolve(const std::string& name, const SourceLocation& where) const {
-    return files_.emplace_back(resolve_asset(name, directory_, where));
+    return files_.emplace_back(resolve_asset(name, directory_, where, diagnostics_));
+}
+
+template <class Texture>
+std::shared_ptr<const Texture> NamedAssets::find_in(const Textures<Texture>& textures,
+                                                    const char* type, const std::string& name,
+                                                    const SourceLocation& where) const {
+    const auto found = textures.find(name);
+    if (found != textures.end()) return found->second;
+    report_missing(type, name, names_of(textures), where);
+    return nullptr;
 }
 
 std::shared_ptr<const FloatTexture> NamedAssets::float_texture(const std::string& name,
                                                                const SourceLocation& where) const {
-    const auto found = float_textures_.find(name);
-    if (found != float_textures_.end()) return found->second;
-    fail_texture("float", name, names_of(float_textures_), where);
+    return find_in(float_textures_, "float", name, where);
 }
 
 std::shared_ptr<const ColorTexture> NamedAssets::color_texture(const std::string& name,
                                                                const SourceLocation& where) const {
-    const auto found = color_textures_.find(name);
-    if (found != color_textures_.end()) return found->second;
-    fail_texture("color", name, names_of(color_textures_), where);
+    return find_in(color_textures_, "color", name, where);
 }
 
 std::shared_ptr<const FresnelTexture> NamedAssets::fresnel_texture(
     const std::string& name, const SourceLocation& where) const {
-    const auto found = fresnel_textures_.find(name);
-    if (found != fresnel_textures_.end()) return found->second;
-    fail_texture("fresnel", name, names_of(fresnel_textures_), where);
+    return find_in(fresnel_textures_, "fresnel", name, where);
 }
 
 std::shared_ptr<const Material> NamedAssets::material(const std::string& name,
@@ -50,28 +54,29 @@ std::shared_ptr<const Material> NamedAssets::material(const std::string& name,
 const IndexedMaterial& NamedAssets::indexed_material(const Name& name) const {
     const auto found = materials_.find(name.text);
     if (found != materials_.end()) return found->second;
-    throw InputError(name.where,
-                     unknown_name_message("named material", name.text, names_of(materials_)));
+    throw IgnoredStatement(name.where,
+                           unknown_name_message("named material", name.text, names_of(materials_)));
 }
 
 std::shared_ptr<const Medium> NamedAssets::medium(const Name& name) const {
     const auto found = media_.find(name.text);
     if (found != media_.end()) return found->second;
-    throw InputError(name.where, unknown_name_message("named volume", name.text, names_of(media_)));
+    throw IgnoredStatement(name.where,
+                           unknown_name_message("named volume", name.text, names_of(media_)));
 }
 
-void NamedAssets::fail_texture(const std::string& wanted_type, const std::string& name,
-                               const std::vector<std::string>& known,
-                               const SourceLocation& where) const {
+void NamedAssets::report_missing(const std::string& wanted_type, const std::string& name,
+                                 const std::vector<std::string>& known,
+                                 const SourceLocation& where) const {
     std::string found_type;
     if (float_textures_.count(name) > 0) found_type = "float";
     if (color_textures_.count(name) > 0) found_type = "color";
     if (fresnel_textures_.count(name) > 0) found_type = "fresnel";
-    if (found_type.empty()) {
-        throw InputError(where, unknown_name_message(wanted_type + " texture", name, known));
-    }
-    throw InputError(where, "texture " + in_quotes(name) + " is of type " + found_type +
-                                ", expected type " + wanted_type);
+    const std::string message = found_type.empty()
+                                    ? unknown_name_message(wanted_type + " texture", name, known)
+                                    : "texture " + in_quotes(name) + " is of type " + found_type +
+                                          ", expected type " + wanted_type;
+    diagnostics_.fallback(where, message, "the parameter's default is used");
 }
 
 }  // namespace lxs

@@ -21,8 +21,8 @@ struct IndexedMaterial {
 class NamedAssets final : public AssetContext {
   public:
     /// Appends to `files` the path of every asset that it resolves.
-    NamedAssets(std::string directory, std::vector<std::string>& files)
-        : directory_(std::move(directory)), files_(files) {}
+    NamedAssets(std::string directory, std::vector<std::string>& files, Diagnostics& diagnostics)
+        : directory_(std::move(directory)), files_(files), diagnostics_(diagnostics) {}
 
     const std::string& directory() const { return directory_; }
     std::string resolve(const std::string& name, const SourceLocation& where) const override;
@@ -34,18 +34,19 @@ class NamedAssets final : public AssetContext {
         const std::string& name, const SourceLocation& where) const override;
     std::shared_ptr<const Material> material(const std::string& name,
                                              const SourceLocation& where) const override;
-    /// Throw InputError naming near names if there is no such material or volume.
+    /// Throw IgnoredStatement naming near names if there is no such material or volume.
     const IndexedMaterial& indexed_material(const Name& name) const;
     std::shared_ptr<const Medium> medium(const Name& name) const;
 
+    /// A null texture could not be made, which has been reported: an older one of the name stays.
     bool define(const std::string& name, std::shared_ptr<const FloatTexture> texture) {
-        return float_textures_.insert_or_assign(name, std::move(texture)).second;
+        return define_in(float_textures_, name, std::move(texture));
     }
     bool define(const std::string& name, std::shared_ptr<const ColorTexture> texture) {
-        return color_textures_.insert_or_assign(name, std::move(texture)).second;
+        return define_in(color_textures_, name, std::move(texture));
     }
     bool define(const std::string& name, std::shared_ptr<const FresnelTexture> texture) {
-        return fresnel_textures_.insert_or_assign(name, std::move(texture)).second;
+        return define_in(fresnel_textures_, name, std::move(texture));
     }
     bool define(const std::string& name, IndexedMaterial material) {
         return materials_.insert_or_assign(name, std::move(material)).second;
@@ -55,15 +56,29 @@ class NamedAssets final : public AssetContext {
     }
 
   private:
-    [[noreturn]] void fail_texture(const std::string& wanted_type, const std::string& name,
-                                   const std::vector<std::string>& known,
-                                   const SourceLocation& where) const;
+    template <class Texture>
+    using Textures = std::map<std::string, std::shared_ptr<const Texture>>;
+    template <class Texture>
+    static bool define_in(Textures<Texture>& textures, const std::string& name,
+                          std::shared_ptr<const Texture> texture) {
+        const bool is_new = textures.try_emplace(name).second;
+        if (texture) textures[name] = std::move(texture);
+        return is_new;
+    }
+    /// The texture `name`; null, and a message, if there is none.
+    template <class Texture>
+    std::shared_ptr<const Texture> find_in(const Textures<Texture>& textures, const char* type,
+                                           const std::string& name,
+                                           const SourceLocation& where) const;
+    void report_missing(const std::string& wanted_type, const std::string& name,
+                        const std::vector<std::string>& known, const SourceLocation& where) const;
 
     std::string directory_;
     std::vector<std::string>& files_;
-    std::map<std::string, std::shared_ptr<const FloatTexture>> float_textures_;
-    std::map<std::string, std::shared_ptr<const ColorTexture>> color_textures_;
-    std::map<std::string, std::shared_ptr<const FresnelTexture>> fresnel_textures_;
+    Diagnostics& diagnostics_;
+    Textures<FloatTexture> float_textures_;
+    Textures<ColorTexture> color_textures_;
+    Textures<FresnelTexture> fresnel_textures_;
     std::map<std::string, IndexedMaterial> materials_;
     std::map<std::string, std::shared_ptr<const Medium>> media_;
 };

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "lxs/scene/registry.h"
+
 namespace lxs {
 namespace {
 
@@ -44,7 +46,7 @@ void ObjectLibrary::begin(const Name& name) {
 }
 
 void ObjectLibrary::end(const SourceLocation& where) {
-    if (!recording_) throw InputError(where, "ObjectEnd without ObjectBegin");
+    if (!recording_) throw IgnoredStatement(where, "ObjectEnd without ObjectBegin");
     recording_ = false;
     Object& object = objects_.back();
     object.parts = static_cast<double>(object.lights.size()) + (object.primitives.empty() ? 0 : 1);
@@ -71,14 +73,14 @@ void ObjectLibrary::end(const SourceLocation& where) {
 
 std::size_t ObjectLibrary::find(const Name& name) const {
     if (recording_ && objects_.back().name == name.text) {
-        throw InputError(name.where, "object " + in_quotes(name.text) + " holds itself");
+        throw IgnoredStatement(name.where, "object " + in_quotes(name.text) + " holds itself");
     }
     const auto found = by_name_.find(name.text);
     if (found != by_name_.end()) return found->second;
     std::vector<std::string> known;
     for (const auto& entry : by_name_)
         known.push_back(entry.first);
-    throw InputError(name.where, unknown_name_message("object", name.text, known));
+    throw IgnoredStatement(name.where, unknown_name_message("object", name.text, known));
 }
 
 void ObjectLibrary::place(const Name& name, const MovingTransform& transform,
@@ -90,7 +92,7 @@ void ObjectLibrary::place(const Name& name, const MovingTransform& transform,
     }
     const auto placed = static_cast<double>(contents.instances.size() + contents.lights.size());
     if (placed + objects_[object].parts > kMaxParts) {
-        throw InputError(name.where, "more than ten million instances");
+        throw EndOfReading(name.where, "more than ten million instances");
     }
     expand(object, transform, inherited, contents);
 }

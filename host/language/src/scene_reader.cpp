@@ -63,7 +63,7 @@ const std::map<std::string, SceneReader::Rule>& SceneReader::rules() {
 SceneReader::SceneReader(const std::string& directory, const Registry& registry,
                          Diagnostics& diagnostics)
     : diagnostics_(diagnostics),
-      assets_(directory, files_.assets),
+      assets_(directory, files_.assets, diagnostics),
       factory_(registry, assets_, diagnostics_),
       objects_(diagnostics_) {
     contents_.directory = directory;
@@ -85,6 +85,18 @@ SceneContents SceneReader::finish() {
 }
 
 void SceneReader::execute(Statement& statement) {
+    try {
+        interpret(statement);
+    } catch (const EndOfReading&) {
+        throw;
+    } catch (const IgnoredStatement& ignored) {
+        diagnostics_.fallback(ignored.where(), ignored.message(), "it is ignored");
+    } catch (const InputError& error) {
+        diagnostics_.error(error);
+    }
+}
+
+void SceneReader::interpret(Statement& statement) {
     last_statement_ = statement.where;
     if (ended_) {
         diagnostics_.warning(statement.where, "what follows WorldEnd is not read");
@@ -106,14 +118,15 @@ void SceneReader::execute(Statement& statement) {
 
 void SceneReader::check_place(const Statement& statement, const Rule& rule) const {
     if (motion_ && !rule.in_motion) {
-        throw InputError(statement.where,
-                         statement.name + " between MotionBegin and MotionEnd: only transforms");
+        throw IgnoredStatement(
+            statement.where,
+            statement.name + " between MotionBegin and MotionEnd: only transforms");
     }
     if (rule.block == Block::World && !in_world_) {
-        throw InputError(statement.where, statement.name + " stands after WorldBegin only");
+        throw IgnoredStatement(statement.where, statement.name + " stands after WorldBegin only");
     }
     if (rule.block == Block::BeforeWorld && in_world_) {
-        throw InputError(statement.where, statement.name + " stands before WorldBegin only");
+        throw IgnoredStatement(statement.where, statement.name + " stands before WorldBegin only");
     }
 }
 
@@ -127,7 +140,8 @@ void SceneReader::world_begin(Statement& statement) {
 void SceneReader::world_end(Statement& statement) {
     expect_no_arguments(statement);
     if (const SourceLocation* object = objects_.open()) {
-        throw InputError(*object, "ObjectBegin is not closed by ObjectEnd");
+        diagnostics_.error(InputError(*object, "ObjectBegin is not closed by ObjectEnd"));
+        objects_.end(statement.where);
     }
     contents_.end = statement.where;
     contents_.camera_medium = scopes_.graphics.exterior;
@@ -145,7 +159,7 @@ void SceneReader::world_end(Statement& statement) {
 
 void SceneReader::include(Statement& statement) {
     const Name file = take_only_name(statement);
-    read(open_include(file, contents_.directory, included_));
+    read(open_include(file, contents_.directory, included_, diagnostics_));
 }
 
 void SceneReader::search_path(Statement& statement) {

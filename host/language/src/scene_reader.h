@@ -13,7 +13,6 @@
 #include "lxs/scene/registry.h"
 #include "named_assets.h"
 #include "object_library.h"
-#include "once_diagnostics.h"
 #include "plugin_factory.h"
 #include "scope_stack.h"
 #include "statement.h"
@@ -25,7 +24,7 @@ class SceneReader {
     /// `directory`: where file names in the scene are looked up.
     SceneReader(const std::string& directory, const Registry& registry, Diagnostics& diagnostics);
 
-    /// Reads a file and what it includes. Throws InputError.
+    /// Reads a file and what it includes. Throws InputError on bad syntax.
     void read(const std::shared_ptr<const SourceFile>& file);
     /// All files read so far; forgets them.
     ReadFiles take_files() { return std::exchange(files_, {}); }
@@ -42,7 +41,9 @@ class SceneReader {
         bool in_motion = false;  ///< also between MotionBegin and MotionEnd
     };
     static const std::map<std::string, Rule>& rules();
+    /// Reports errors and goes on behind the statement.
     void execute(Statement& statement);
+    void interpret(Statement& statement);
     void check_place(const Statement& statement, const Rule& rule) const;
 
     // scene_reader.cpp: blocks and files
@@ -116,7 +117,7 @@ class SceneReader {
     };
 
     ReadFiles files_;
-    OnceDiagnostics diagnostics_;
+    Diagnostics& diagnostics_;
     NamedAssets assets_;
     PluginFactory factory_;
     ObjectLibrary objects_;

@@ -7,8 +7,8 @@
 namespace lxs {
 
 /// A light other than an area light has one colour: where its "L" or "I" names a texture, the
-/// colour that this has at the origin takes its place, with a warning if it varies. Throws where
-/// there is no such texture.
+/// colour that this has at the origin takes its place, with a warning if it varies; where there
+/// is no such texture, the value goes.
 void evaluate_light_colours(ParameterSet& light, const AssetContext& assets,
                             Diagnostics& diagnostics);
 

@@ -42,9 +42,9 @@ void SceneReader::concatenate(const Matrix& matrix, const SourceLocation& where)
 
 void SceneReader::add_motion_key(const Matrix& matrix, const SourceLocation& where) {
     if (motion_->keys.size() == motion_->times.size()) {
-        throw InputError(where,
-                         fmt::format("MotionBegin lists {} times, but more transforms follow",
-                                     motion_->times.size()));
+        throw IgnoredStatement(where,
+                               fmt::format("MotionBegin lists {} times, but more transforms follow",
+                                           motion_->times.size()));
     }
     check_invertible(matrix, where);
     motion_->keys.push_back({motion_->times[motion_->keys.size()], matrix});
@@ -91,7 +91,8 @@ const Matrix& SceneReader::coordinate_system_of(const Name& name) const {
         std::vector<std::string> known;
         for (const auto& entry : coordinate_systems_)
             known.push_back(entry.first);
-        throw InputError(name.where, unknown_name_message("coordinate system", name.text, known));
+        throw IgnoredStatement(name.where,
+                               unknown_name_message("coordinate system", name.text, known));
     }
     return found->second;
 }
@@ -135,16 +136,17 @@ void SceneReader::motion_begin(Statement& statement) {
 
 void SceneReader::motion_end(Statement& statement) {
     expect_no_arguments(statement);
-    if (!motion_) throw InputError(statement.where, "MotionEnd without MotionBegin");
-    if (motion_->keys.size() != motion_->times.size()) {
-        throw InputError(motion_->where,
-                         fmt::format("MotionBegin lists {} times, but {} transforms follow",
-                                     motion_->times.size(), motion_->keys.size()));
-    }
-    scopes_.transform = motion_->keys.front().matrix;
-    scopes_.motion.clear();
-    if (motion_->keys.size() > 1) scopes_.motion = std::move(motion_->keys);
+    if (!motion_) throw IgnoredStatement(statement.where, "MotionEnd without MotionBegin");
+    MotionBlock block = std::move(*motion_);
     motion_.reset();
+    if (block.keys.size() != block.times.size()) {
+        throw IgnoredStatement(block.where,
+                               fmt::format("MotionBegin lists {} times, but {} transforms follow",
+                                           block.times.size(), block.keys.size()));
+    }
+    scopes_.transform = block.keys.front().matrix;
+    scopes_.motion.clear();
+    if (block.keys.size() > 1) scopes_.motion = std::move(block.keys);
 }
 
 }  // namespace lxs

@@ -53,8 +53,8 @@ void SceneReader::texture(Statement& statement) {
     } else if (type.text == "fresnel") {
         is_new = assets_.define(name.text, factory_.fresnel_texture(set, scopes_.transform));
     } else {
-        throw InputError(type.where, unknown_name_message("texture type", type.text,
-                                                          {"float", "color", "fresnel"}));
+        throw IgnoredStatement(type.where, unknown_name_message("texture type", type.text,
+                                                                {"float", "color", "fresnel"}));
     }
     warn_redefined(is_new, "texture", name);
 }
@@ -103,8 +103,9 @@ const IndexedMaterial& SceneReader::default_material() {
 void SceneReader::make_named_volume(Statement& statement) {
     const Name name = take_name(statement, 0);
     const ParameterSet set = take_parameters(statement, 2, take_name(statement, 1));
-    contents_.media.push_back(factory_.medium(set, scopes_.transform));
-    const bool is_new = assets_.define(name.text, contents_.media.back().medium);
+    std::optional<SceneMedium> made = factory_.medium(set, scopes_.transform);
+    const bool is_new = assets_.define(name.text, made ? made->medium : nullptr);
+    if (made) contents_.media.push_back(std::move(*made));
     warn_redefined(is_new, "volume", name);
 }
 

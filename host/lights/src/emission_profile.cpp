@@ -32,14 +32,12 @@ bool SphereProfile::coordinates(const Vec3& w, Vec2& u) const {
 ScreenProfile::ScreenProfile(const Frame& axes, LatLongMap image, float fov)
     : axes_(axes), image_(std::move(image)) {
     const float aspect = static_cast<float>(image_.width()) / static_cast<float>(image_.height());
-    half_ = Vec2(std::max(aspect, 1.0f), std::max(1 / aspect, 1.0f)) * std::tan(fov / 2);
-    // Solid angle per area at distance 1.
-    const auto solid_angle = [this](const Vec2& st) {
-        const float cosine = local_direction(st).z;
-        return double(cosine) * cosine * cosine;
-    };
-    importance_ = image_.importance(solid_angle);
-    integral_ = image_.integral(solid_angle) * (4 * half_.x * half_.y);
+    const float half_side = std::tan(fov / 2);
+    half_ = Vec2(std::max(aspect, 1.0f), std::max(1 / aspect, 1.0f)) * half_side;
+    area_ = 4 * half_side * half_side / aspect;
+    const auto evenly = [](const Vec2&) { return 1.0; };
+    importance_ = image_.importance(evenly);
+    integral_ = image_.integral(evenly) * (4 * half_.x * half_.y / area_);
 }
 
 Vec3 ScreenProfile::local_direction(const Vec2& st) const {
@@ -55,7 +53,9 @@ bool ScreenProfile::image_place(const Vec3& w, Vec2& st) const {
 
 Rgb ScreenProfile::at(const Vec3& w) const {
     Vec2 st;
-    return image_place(w, st) ? image_.lookup(st) : Rgb(0.0f);
+    if (!image_place(w, st)) return Rgb(0.0f);
+    const float cosine = local_direction(st).z;
+    return image_.lookup(st) / (area_ * cosine * cosine * cosine);
 }
 
 float ScreenProfile::sample(const Vec2& u, Vec3& w) const {

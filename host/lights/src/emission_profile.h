@@ -38,8 +38,10 @@ class SphereProfile final : public EmissionProfile {
     Piecewise2D importance_;
 };
 
-/// An image projected into a pyramid whose shorter side subtends an angle (Pharr & Humphreys 2010,
-/// section 12.2.2).
+/// An image projected into a pyramid whose shorter side subtends an angle, which lights a screen
+/// across its axis as the image is: its intensity is the image over LuxRender's area of the screen
+/// and over the cubed cosine from the axis. That area is the screen's at distance 1 unless the image
+/// is wider than high: then it is that over the square of width over height.
 class ScreenProfile final : public EmissionProfile {
   public:
     /// `axes`: n is the axis, s the direction of the image's rows, t that of its columns, from the
@@ -58,6 +60,7 @@ class ScreenProfile final : public EmissionProfile {
     Frame axes_;
     LatLongMap image_;
     Vec2 half_{1.0f};  ///< half the image's sides at distance 1
+    float area_ = 1;   ///< LuxRender's, see above
     Piecewise2D importance_;
     Rgb integral_{0.0f};
 };

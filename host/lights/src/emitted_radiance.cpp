@@ -3,6 +3,8 @@
 
 #include <cmath>
 
+#include "lxs/spectrum/rgb_spectra.h"
+
 namespace lxs {
 
 Rgb non_negative(const Rgb& c) {
@@ -12,6 +14,8 @@ Rgb non_negative(const Rgb& c) {
 
 EmittedRadiance::EmittedRadiance(std::shared_ptr<const ColorTexture> texture)
     : texture_(std::move(texture)) {
+    if (texture_ && texture_->reads_image()) given_as_ = Given::AsImage;
+    if (texture_ && texture_->spectrum()) given_as_ = Given::AsSpectrum;
     constant_ = !texture_ || texture_->constant().has_value();
     if (constant_) value_ = texture_ ? colour(Vec3(0.0f), Vec3(0.0f), Vec2(0.0f)) : Rgb(1.0f);
 }
@@ -21,7 +25,13 @@ Rgb EmittedRadiance::colour(const Vec3& p, const Vec3& n, const Vec2& uv) const 
     point.use = ColourUse::Light;
     const Rgb value = texture_->evaluate(point);
     if (!is_finite(value) || is_negative(value)) refused_->count();
-    return non_negative(value);
+    return light_of(non_negative(value));
+}
+
+Rgb EmittedRadiance::light_of(const Rgb& value) const {
+    if (given_as_ == Given::AsSpectrum) return value * kLuminanceOfFlatSpectrum;
+    return given_as_ == Given::AsImage ? colour_of_filtered_illuminant(value, Rgb(1.0f))
+                                     : colour_of_illuminant(value);
 }
 
 }  // namespace lxs

@@ -1,6 +1,7 @@
 // Radiance over an emitting surface: a constant or a texture, times a scale.
 #pragma once
 
+#include <cstdint>
 #include <memory>
 
 #include "lxs/scene/refused_values.h"
@@ -24,6 +25,11 @@ class EmittedRadiance {
     }
 
   private:
+    /// LuxRender takes images for filters of white light.
+    enum class Given : std::uint8_t { AsColour, AsImage, AsSpectrum };
+
+    /// The light that a value of the texture stands for.
+    Rgb light_of(const Rgb& value) const;
     Rgb colour(const Vec3& p, const Vec3& n, const Vec2& uv) const;  ///< of the texture
 
     std::shared_ptr<const ColorTexture> texture_;
@@ -31,6 +37,7 @@ class EmittedRadiance {
     Rgb value_{0.0f};
     float scale_ = 1;
     bool constant_ = true;
+    Given given_as_ = Given::AsColour;
 };
 
 /// Negative and non-finite components set to zero.

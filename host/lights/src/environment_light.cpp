@@ -92,8 +92,7 @@ bool EnvironmentLight::sample_direct(const Vec3& /*p*/, const Vec3& /*n*/, const
 
 bool EnvironmentLight::emission_coordinates(const Vec3& p, const DirectSample& sample,
                                             PrimaryPoint& u) const {
-    const Vec2 at = rounded_pair(u, 2);
-    Vec2 direction = at;
+    Vec2 direction = rounded_pair(u, 2);
     SkyDirection sky;
     if (!direction_coordinates(sample.wi, direction)) return false;
     // The start is found for the direction of the rounded coordinates, so that the ray meets p.
@@ -104,9 +103,7 @@ bool EnvironmentLight::emission_coordinates(const Vec3& p, const DirectSample& s
     if (!(on_disk.length2() <= 1)) return false;
     const V2d start = concentric_disk_to_square(on_disk);
     u[0] = start.x, u[1] = start.y;
-    // Ones that do not matter keep what single precision would take from them.
-    if (direction.x != at.x) u[2] = double(direction.x);
-    if (direction.y != at.y) u[3] = double(direction.y);
+    set_rounded_pair(u, 2, direction);
     return true;
 }
 

@@ -10,6 +10,7 @@
 #include <numbers>
 
 #include "emitted_radiance.h"
+#include "lxs/spectrum/rgb_spectra.h"
 
 namespace lxs {
 
@@ -93,6 +94,13 @@ LatLongMap LatLongMap::of(std::size_t width, std::size_t height,
         pixels[y / kSub * width + x / kSub] += value(st) / float(kSub * kSub);
     }
     return LatLongMap(width, height, std::move(pixels));
+}
+
+LatLongMap LatLongMap::filtering(const Rgb& illuminant) const {
+    LatLongMap light = *this;
+    for (Rgb& c : light.pixels_)
+        c = colour_of_filtered_illuminant(c, illuminant);
+    return light;
 }
 
 LatLongMap LatLongMap::upside_down() const {

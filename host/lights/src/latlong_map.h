@@ -25,6 +25,8 @@ class LatLongMap {
     static LatLongMap of(std::size_t width, std::size_t height,
                          const std::function<Rgb(const Vec2& st)>& value);
 
+    /// The light of L `illuminant` that comes through the map, as LuxRender has it.
+    LatLongMap filtering(const Rgb& illuminant) const;
     /// The last row first.
     LatLongMap upside_down() const;
     /// Each row from `row` (above 0) on is as the one before it.

@@ -8,6 +8,7 @@
 #include "emitted_radiance.h"
 #include "light_placement.h"
 #include "lxs/lights/lights.h"
+#include "lxs/spectrum/rgb_spectra.h"
 #include "rotation.h"
 
 namespace lxs {
@@ -26,8 +27,12 @@ struct LightStatement {
         return static_cast<float>(reader.number(name, fallback));
     }
     /// L, by whatever name.
-    Rgb color() const { return cleaned(reader.color("L", Rgb(1.0f)), reader.spelling("L")); }
-    /// L times gain.
+    Rgb given_color() const {
+        return cleaned(reader.color("L", Rgb(1.0f)), reader.spelling("L"));
+    }
+    /// The colour of the light that L stands for.
+    Rgb color() const { return colour_of_illuminant(given_color()); }
+    /// That times gain.
     Rgb emission() const { return cleaned(color() * number("gain", 1), "gain"); }
     /// `value` without what is not finite or negative, of which a warning at parameter `name` says.
     Rgb cleaned(const Rgb& value, std::string_view name) const {

@@ -35,22 +35,24 @@ void make_spot(const LightStatement& s, Lights& lights) {
     const SpotCone cone{static_cast<float>(inner * kRadians), static_cast<float>(outer * kRadians)};
     const Vec3 axis = s.from_to_direction();
     const Rgb color = s.color();
-    const SpotLight unit(s.placement(), Vec3(0.0f), axis, Rgb(1.0f), cone);
+    // LuxRender 1.9 rates the cone's rim as half lit; its falloff passes a fifth.
+    const double rated = 2 - std::cos(cone.inner) - std::cos(cone.outer);
     lights.push_back(std::make_unique<SpotLight>(
         s.placement(), s.world_point(s.reader.vector("from", Vec3(0.0f))), axis,
-        point_intensity(s, color, unit.power() * luminance(color)), cone));
+        point_intensity(s, color, std::numbers::pi * rated * luminance(color)), cone));
 }
 
 void make_distant(const LightStatement& s, Lights& lights) {
-    // LuxRender 1.9 takes a theta of 0 as a cone of 1 - cosine 4.8e-5, and its irradiance is
-    // L / (2 (1 - cosine)): measured, its distant light of L = 2 gives 20840 lx.
-    constexpr double kParallel = 4.8e-5;
+    // The irradiance is L over the cone's solid angle; LuxRender 1.9 takes a theta of 0 as a cone of
+    // 1 - cosine = 2^-16. Measured, its distant light of L = 2 gives 20840 lx.
+    constexpr double kParallel = 0x1p-16;
     constexpr double kLeastAngle = 1e-5;  // radians; below it the disk has no size in float
     const Vec3 wi = -s.from_to_direction();
     const double theta = s.reader.number("theta", 0) * kRadians;
     const bool parallel = theta < kLeastAngle;
     const double one_minus_cos = parallel ? kParallel : 1 - std::cos(theta);
-    const Rgb irradiance = s.emission() / static_cast<float>(2 * one_minus_cos);
+    const Rgb irradiance =
+        s.emission() / static_cast<float>(2 * std::numbers::pi * one_minus_cos);
     if (parallel) {
         lights.push_back(std::make_unique<ParallelLight>(s.placement(), s.sphere, wi, irradiance));
         return;
@@ -68,11 +70,12 @@ void make_infinite(const LightStatement& s, Lights& lights) {
         return;
     }
     const SourceLocation& where = s.reader.where("mapname");
-    LatLongMap map = as_latlong(LatLongMap::read(s.resolve(name, where), s.number("gamma", 1),
-                                                 where, s.reader.diagnostics()),
-                                s.reader.string("mapping", "latlong"));
-    lights.push_back(std::make_unique<MappedEnvironment>(s.placement(), s.sphere, s.rotation(),
-                                                         std::move(map), s.emission()));
+    const LatLongMap map = as_latlong(LatLongMap::read(s.resolve(name, where), s.number("gamma", 1),
+                                                       where, s.reader.diagnostics()),
+                                      s.reader.string("mapping", "latlong"));
+    const Rgb gain = s.cleaned(Rgb(s.number("gain", 1)), "gain");
+    lights.push_back(std::make_unique<MappedEnvironment>(
+        s.placement(), s.sphere, s.rotation(), map.filtering(s.given_color()), gain));
 }
 
 void make_by_name(const LightStatement& s, Lights& lights) {
@@ -83,6 +86,34 @@ void make_by_name(const LightStatement& s, Lights& lights) {
     if (name == "infinite" || name == "infinitesample") return make_infinite(s, lights);
     if (name == "projection") return make_projection(s, lights);
     make_sky_lights(s, lights);
+}
+
+bool declares(const LightPlugin& plugin, std::string_view name) {
+    return std::any_of(plugin.parameters.begin(), plugin.parameters.end(),
+                       [&](const ParameterDeclaration& d) { return d.name == name; });
+}
+
+/// Whether the light can do with a value: one that names a missing file is reported.
+bool has_file(const ParameterValue& value, const AssetResolver& resolve, Diagnostics& diagnostics) {
+    const auto* names = std::get_if<std::vector<std::string>>(&value.values);
+    if (!names || names->size() != 1 || names->front().empty()) return true;
+    try {
+        resolve(names->front(), value.where);
+        return true;
+    } catch (const InputError& error) {
+        diagnostics.fallback(error.where(), error.message(), "the light shines without it");
+        return false;
+    }
+}
+
+/// The statement without images and photometric files that are missing.
+LightDescription without_missing_files(LightDescription description, const LightPlugin& plugin,
+                                       const AssetResolver& resolve, Diagnostics& diagnostics) {
+    std::erase_if(description.parameters.values, [&](const ParameterValue& value) {
+        const bool file = value.name == "mapname" || value.name == "iesname";
+        return file && declares(plugin, value.name) && !has_file(value, resolve, diagnostics);
+    });
+    return description;
 }
 
 std::string known_names() {
@@ -105,9 +136,11 @@ Lights make_lights(const LightDescription& description, const SceneSphere& spher
             description.parameters.where,
             fmt::format("unknown light source \"{}\"; known: {}", name, known_names()));
     }
-    const ParameterReader reader(description.parameters, plugin->parameters, diagnostics);
+    const LightDescription usable =
+        without_missing_files(description, *plugin, resolve, diagnostics);
+    const ParameterReader reader(usable.parameters, plugin->parameters, diagnostics);
     Lights lights;
-    make_by_name({reader, description, sphere, resolve}, lights);
+    make_by_name({reader, usable, sphere, resolve}, lights);
     return lights;
 }
 

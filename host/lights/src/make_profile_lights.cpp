@@ -8,13 +8,13 @@
 #include "point_intensity.h"
 #include "profile_light.h"
 #include "profile_map.h"
+#include "warp.h"
 
 namespace lxs {
 namespace {
 
-void add(const LightStatement& s, std::string_view kind,
+void add(const LightStatement& s, std::string_view kind, const Rgb& unit,
          std::unique_ptr<const EmissionProfile> profile, Lights& lights) {
-    const Rgb unit = s.color();
     const Rgb intensity = point_intensity(s, unit, luminance(unit * profile->integral()));
     lights.push_back(std::make_unique<ProfileLight>(
         s.placement(), kind, s.world_point(s.reader.vector("from", Vec3(0.0f))), intensity,
@@ -24,8 +24,13 @@ void add(const LightStatement& s, std::string_view kind,
 }  // namespace
 
 void make_goniometric(const LightStatement& s, Lights& lights) {
-    add(s, "goniometric",
-        std::make_unique<SphereProfile>(s.rotation(), sphere_map(s.reader, s.resolve)), lights);
+    auto profile =
+        std::make_unique<SphereProfile>(s.rotation(), sphere_map(s.reader, s.resolve));
+    // As LuxRender: the profile tells where light goes, L how much there is.
+    const Rgb sum = profile->integral();
+    const float mean = (sum.x + sum.y + sum.z) / 3;
+    const Rgb unit = mean > 0 ? s.color() * (4 * kPi / mean) : Rgb(0.0f);
+    add(s, "goniometric", unit, std::move(profile), lights);
 }
 
 void make_projection(const LightStatement& s, Lights& lights) {
@@ -40,11 +45,9 @@ void make_projection(const LightStatement& s, Lights& lights) {
     Frame axes(rotation.to_world(axis));
     axes.s = rotation.to_world(rows);
     axes.t = rotation.to_world(axis % rows);
-    constexpr std::size_t kBlank = 64;  // fine enough to follow the solid angle of its pixels
-    LatLongMap image = s.reader.string("mapname", "").empty()
-                           ? LatLongMap::of(kBlank, kBlank, [](const Vec2&) { return Rgb(1.0f); })
-                           : read_map(s.reader, s.resolve);
-    add(s, "projection", std::make_unique<ScreenProfile>(axes, std::move(image), fov), lights);
+    LatLongMap image = s.reader.string("mapname", "").empty() ? LatLongMap(1, 1, {Rgb(1.0f)})
+                                                              : read_map(s.reader, s.resolve);
+    add(s, "projection", s.color(), std::make_unique<ScreenProfile>(axes, std::move(image), fov), lights);
 }
 
 }  // namespace lxs

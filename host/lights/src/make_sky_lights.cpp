@@ -23,22 +23,24 @@ void make_sun(const LightStatement& s, Lights& lights) {
     const Vec3 sun = sun_direction(s);
     const double size = s.reader.number("relsize", 1);
     const double turbidity = s.reader.number("turbidity", 2);
-    const Rgb radiance = sun_radiance(sun.z, turbidity) * s.number("gain", 1);
-    if (is_black(radiance) && sun.z <= 0) {
+    // As LuxRender: the air that the light passes is that of the sun's height in the world, and the
+    // disk grows dimmer as it grows larger.
+    const Vec3 in_world = s.rotation().to_world(sun);
+    const Rgb radiance = sun_radiance(in_world.z, turbidity) *
+                         static_cast<float>(s.number("gain", 1) / (size * size));
+    if (is_black(radiance) && in_world.z < 0) {
         s.reader.diagnostics().warning(s.reader.where("sundir"),
                                        "the sun stands below the horizon and sends no light");
     }
     lights.push_back(std::make_unique<ConeLight>(
-        s.placement(), "sun", s.sphere, s.rotation().to_world(sun),
+        s.placement(), "sun", s.sphere, in_world,
         static_cast<float>(std::min(1.0, size * kSineOfRadius)), radiance));
 }
 
 /// The sky's models take the sun's direction as it is given, of any length: LuxRender 1.9 does not
-/// normalise it there (it does for the sun's disk). Measured with sundir 0.5 -0.6 0.7, of length
-/// 1.049, whose products with unit directions exceed 1 around the sun: light-sky and light-sky2 are
-/// 5 to 17 % brighter than with the unit vector, most on the sun's side and in red, in every block
-/// as the models give for the longer vector; with the unit vector no common factor fits them.
-/// Scenes whose sundir is a unit vector, as exporters write it, are the published models' skies.
+/// normalise it there (it does for the sun's disk, and for its height in the Preetham sky). A vector
+/// longer than 1, as in light-sky, brightens the sun's side. Scenes whose sundir is a unit vector, as
+/// exporters write it, are the published models' skies.
 Vec3 given_sun_direction(const LightStatement& s) {
     sun_direction(s);  // refuses the zero vector
     return s.reader.vector("sundir", Vec3(0, 0, 1));

@@ -15,8 +15,8 @@ constexpr ParameterDeclaration kColor{
     .type = Type::ColorTexture,
     .default_text = "1 1 1",
     .doc =
-        "Emission: cd of point and spot, cd/m^2 of infinite, 1/10417 lx of distant. A texture "
-        "counts with its colour at the origin."};
+        "Emission: cd of point and spot, cd/m^2 of infinite, 1/10430 lx of distant; of a spectrum "
+        "683 times the watts. A texture counts with its colour at the origin."};
 constexpr ParameterDeclaration power(std::string_view default_text) {
     return {
         .name = "power",
@@ -52,9 +52,16 @@ constexpr ParameterDeclaration kTurbidity{
 constexpr ParameterDeclaration kRelativeSize{
     .name = "relsize",
     .default_text = "1",
-    .doc = "Radius of the sun's disk, relative to the real one.",
+    .doc = "Radius of the sun's disk, relative to the real one; its light stays as much.",
     .minimum = 0.001,
     .maximum = 215};
+/// Exporters write it; LuxRender's sun and sky do not read it.
+constexpr ParameterDeclaration kUnreadColor{
+    .name = "L",
+    .type = Type::ColorTexture,
+    .default_text = "1 1 1",
+    .doc = "Sun and sky have the colours of their models.",
+    .no_effect = true};
 constexpr ParameterDeclaration kImportance{.name = "importance",
                                            .default_text = "1",
                                            .doc = "Share of samples spent on the light.",
@@ -69,13 +76,14 @@ constexpr ParameterDeclaration kIes{
     .type = Type::String,
     .default_text = "",
     .doc =
-        "Photometric file (IESNA LM-63, type C) of the emission by direction, relative to its "
-        "largest intensity; vertical angle 0 along +z."};
+        "Photometric file (IESNA LM-63, type C) of the emission by direction, not of how much "
+        "there is; vertical angle 0 along +z."};
 constexpr ParameterDeclaration kProfileMap{
     .name = "mapname",
     .type = Type::String,
     .default_text = "",
-    .doc = "Image of the emission by direction, latitude-longitude, its top row along +z."};
+    .doc = "Image of the emission by direction, not of how much there is, latitude-longitude, its top "
+           "row along +z."};
 constexpr ParameterDeclaration kMapGamma{.name = "gamma",
                                          .default_text = "1",
                                          .doc =
@@ -93,11 +101,11 @@ constexpr ParameterDeclaration coefficient(std::string_view name, std::string_vi
     return {.name = name, .default_text = "1", .doc = doc, .older_name = older_name};
 }
 constexpr std::array kSkyCoefficients = {
-    coefficient("horizonbrightness", "aconst", "Factor on coefficient A of the sky's luminance."),
-    coefficient("horizonsize", "bconst", "Factor on coefficient B of the sky's luminance."),
-    coefficient("sunhalobrightness", "cconst", "Factor on coefficient C of the sky's luminance."),
-    coefficient("sunhalosize", "dconst", "Factor on coefficient D of the sky's luminance."),
-    coefficient("backscattering", "econst", "Factor on coefficient E of the sky's luminance."),
+    coefficient("horizonbrightness", "aconst", "Factor on coefficient A of the sky's brightness and colours."),
+    coefficient("horizonsize", "bconst", "Factor on coefficient B of the sky's brightness and colours."),
+    coefficient("sunhalobrightness", "cconst", "Factor on coefficient C of the sky's brightness and colours."),
+    coefficient("sunhalosize", "dconst", "Factor on coefficient D of the sky's brightness and colours."),
+    coefficient("backscattering", "econst", "Factor on coefficient E of the sky's brightness and colours."),
 };
 
 constexpr std::array<std::string_view, 3> kMappings = {"latlong", "angular", "vcross"};
@@ -130,7 +138,7 @@ Declarations infinite_parameters() {
 
 /// Of the Hosek-Wilkie sky.
 Declarations sky2_parameters() {
-    return {kSunDirection, kTurbidity, kGain, kSamples, kImportance};
+    return {kSunDirection, kTurbidity, kGain, kUnreadColor, kSamples, kImportance};
 }
 
 /// Of the Preetham sky.
@@ -227,7 +235,8 @@ const std::vector<LightPlugin>& light_plugins() {
         {"sky", sky_parameters()},
         {"sky2", sky2_parameters()},
         {"spot", spot_parameters()},
-        {"sun", {kSunDirection, kTurbidity, kRelativeSize, kGain, kSamples, kImportance}},
+        {"sun",
+         {kSunDirection, kTurbidity, kRelativeSize, kGain, kUnreadColor, kSamples, kImportance}},
         {"sunsky", with_sun(sky_parameters())},
         {"sunsky2", with_sun(sky2_parameters())},
     };

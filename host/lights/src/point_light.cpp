@@ -44,8 +44,7 @@ bool PointLight::emission_coordinates(const Vec3& p, const DirectSample& /*sampl
                                       PrimaryPoint& u) const {
     const Vec3 w = (p - position_).normalized();
     if (is_black(intensity_) || !(w.length2() > 0) || !(falloff(w) > 0)) return false;
-    const Vec2 d = direction_coordinates(w);
-    u[2] = d.x, u[3] = d.y;
+    set_rounded_pair(u, 2, direction_coordinates(w));
     return true;
 }
 

@@ -49,7 +49,7 @@ bool ProfileLight::emission_coordinates(const Vec3& p, const DirectSample& /*sam
         !profile_->coordinates(w, d)) {
         return false;
     }
-    u[2] = d.x, u[3] = d.y;
+    set_rounded_pair(u, 2, d);
     return true;
 }
 

@@ -43,7 +43,8 @@ LatLongMap read_map(const ParameterReader& reader, const AssetResolver& resolve)
     const SourceLocation& where = reader.where("mapname");
     return LatLongMap::read(resolve(reader.string("mapname", ""), where),
                             static_cast<float>(reader.number("gamma", 1)), where,
-                            reader.diagnostics());
+                            reader.diagnostics())
+        .filtering(Rgb(1.0f));
 }
 
 LatLongMap sphere_map(const ParameterReader& reader, const AssetResolver& resolve) {

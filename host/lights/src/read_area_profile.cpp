@@ -6,7 +6,7 @@
 namespace lxs {
 
 std::shared_ptr<const FrontProfile> read_area_profile(const ParameterReader& reader,
-                                                      const AssetResolver& resolve) {
+                                                      const AssetResolver& resolve) try {
     if (!names_profile(reader)) return nullptr;
     auto profile = std::make_shared<const FrontProfile>(sphere_map(reader, resolve));
     if (is_black(profile->flux())) {
@@ -16,6 +16,9 @@ std::shared_ptr<const FrontProfile> read_area_profile(const ParameterReader& rea
             "over");
     }
     return profile;
+} catch (const InputError& error) {
+    reader.diagnostics().fallback(error.where(), error.message(), "the light shines without it");
+    return nullptr;
 }
 
 }  // namespace lxs

@@ -33,20 +33,24 @@ constexpr std::array<Row, 3> kZenithY = {{{0.00275, -0.00610, 0.00317, 0.0},
 SkyModel::SkyModel(const Vec3& sun, double turbidity, const std::array<double, 5>& factors)
     : sun_(sun) {
     const double t = turbidity;
-    const double angle = std::acos(std::clamp(double(sun.z), -1.0, 1.0));
+    const double angle = std::acos(std::clamp(double(sun.normalized().z), -1.0, 1.0));
     const double chi = (4.0 / 9.0 - t / 120.0) * (std::numbers::pi - 2 * angle);
     const double zenith =
         1000 * ((4.0453 * t - 4.9710) * std::tan(chi) - 0.2155 * t + 2.4192);  // cd m^-2
     // Appendix A.2, distribution coefficients.
-    luminance_ = make({factors[0] * (0.1787 * t - 1.4630), factors[1] * (-0.3554 * t + 0.4275),
-                       factors[2] * (-0.0227 * t + 5.3251), factors[3] * (0.1206 * t - 2.5771),
-                       factors[4] * (-0.0670 * t + 0.3703)},
+    const auto times = [&factors](std::array<double, 5> c) {
+        for (std::size_t i = 0; i < c.size(); ++i)
+            c[i] *= factors[i];
+        return c;
+    };
+    luminance_ = make(times({0.1787 * t - 1.4630, -0.3554 * t + 0.4275, -0.0227 * t + 5.3251,
+                             0.1206 * t - 2.5771, -0.0670 * t + 0.3703}),
                       std::max(0.0, zenith), angle);
-    x_ = make({-0.0193 * t - 0.2592, -0.0665 * t + 0.0008, -0.0004 * t + 0.2125,
-               -0.0641 * t - 0.8989, -0.0033 * t + 0.0452},
+    x_ = make(times({-0.0193 * t - 0.2592, -0.0665 * t + 0.0008, -0.0004 * t + 0.2125,
+                     -0.0641 * t - 0.8989, -0.0033 * t + 0.0452}),
               zenith_chromaticity(kZenithX, t, angle), angle);
-    y_ = make({-0.0167 * t - 0.2608, -0.0950 * t + 0.0092, -0.0079 * t + 0.2102,
-               -0.0441 * t - 1.6537, -0.0109 * t + 0.0529},
+    y_ = make(times({-0.0167 * t - 0.2608, -0.0950 * t + 0.0092, -0.0079 * t + 0.2102,
+                     -0.0441 * t - 1.6537, -0.0109 * t + 0.0529}),
               zenith_chromaticity(kZenithY, t, angle), angle);
 }
 

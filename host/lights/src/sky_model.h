@@ -14,8 +14,10 @@ class SkyModel {
     /// Below it the published coefficients run into a pole of the zenith luminance.
     static constexpr double kLeastTurbidity = 1.9;
 
-    /// `sun` is the unit direction to the sun; `turbidity` from kLeastTurbidity; `factors` multiply
-    /// the coefficients A to E of the luminance (1: the model as published).
+    /// `sun` is the direction to the sun, of which LuxRender takes the length along into angles
+    /// from the sun (1: the model as published), though not into the sun's height; `turbidity` from
+    /// kLeastTurbidity; `factors` multiply the coefficients A to E of luminance and chromaticities
+    /// (1: the model as published).
     SkyModel(const Vec3& sun, double turbidity, const std::array<double, 5>& factors);
     /// Colour of the unit direction `w`, its luminance in cd m^-2; finite, >= 0. Below the horizon
     /// the horizon's value at the same angle from the sun.

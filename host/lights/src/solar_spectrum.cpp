@@ -34,6 +34,16 @@ constexpr std::array<SolarSample, 38> kSolar = {{
     {186.3, 0.010, 0.061}, {182.6, 0.009, 0.001},
 }};
 
+/// Linear between the rows of kSolar.
+SolarSample solar_sample(double nm) {
+    const double place = (nm - kFirstWavelength) / kStep;
+    const auto below = static_cast<std::size_t>(place);
+    const double share = place - static_cast<double>(below);
+    const SolarSample &a = kSolar.at(below), &b = kSolar.at(below + 1);
+    return {std::lerp(a.radiance, b.radiance, share), std::lerp(a.ozone, b.ozone, share),
+            std::lerp(a.water, b.water, share)};
+}
+
 /// Share of sunlight of `wavelength` nm that `mass` = relative optical mass of air lets through
 /// (Preetham et al. 1999, appendix A.2, equations for tau_r, tau_a, tau_o, tau_wa).
 double transmittance(const SolarSample& s, double wavelength, double mass, double turbidity) {
@@ -51,18 +61,27 @@ double transmittance(const SolarSample& s, double wavelength, double mass, doubl
 }  // namespace
 
 Rgb sun_radiance(double cos_zenith, double turbidity) {
-    if (!(cos_zenith > 0)) return Rgb(0.0f);
-    const double zenith = std::acos(std::min(cos_zenith, 1.0));
+    constexpr double kRounding = 1e-6;  // of a sun turned to the horizon
+    if (!(cos_zenith > -kRounding)) return Rgb(0.0f);
+    const double zenith = std::acos(std::clamp(cos_zenith, 0.0, 1.0));
     const double degrees = zenith * 180 / std::numbers::pi;
-    const double mass = 1 / (cos_zenith + 0.15 * std::pow(93.885 - degrees, -1.253));
+    const double mass = 1 / (std::cos(zenith) + 0.15 * std::pow(93.885 - degrees, -1.253));
     constexpr double kUnit = 100;           // of SolarSample::radiance
     constexpr double kLumensPerWatt = 683;  // maximum luminous efficacy of radiation
+    constexpr double kLastNm = 720;         // LuxRender samples no longer waves
+    // Tabulated at half the data's step, as LuxRender does, and linear in between.
+    const auto node = [&](double nm) {
+        const SolarSample s = solar_sample(nm);
+        return kUnit * s.radiance * transmittance(s, nm, mass, turbidity);
+    };
+    constexpr double kNodes = kStep / 2;
     Imath::V3d xyz(0.0);
-    for (std::size_t i = 0; i < kSolar.size(); ++i) {
-        const double wavelength = kFirstWavelength + kStep * static_cast<double>(i);
-        const double radiance =
-            kUnit * kSolar[i].radiance * transmittance(kSolar[i], wavelength, mass, turbidity);
-        xyz += colour_matching(wavelength) * (kLumensPerWatt * radiance * kStep);
+    for (double left = kFirstWavelength; left < kLastNm; left += kNodes) {
+        const double at_left = node(left), at_right = node(left + kNodes);
+        for (double nm = 0; nm < kNodes; ++nm) {
+            xyz += colour_matching(left + nm) *
+                   (kLumensPerWatt * std::lerp(at_left, at_right, nm / kNodes));
+        }
     }
     return clipped_rgb_of_xyz(xyz);
 }

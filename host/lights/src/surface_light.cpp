@@ -113,7 +113,8 @@ bool SurfaceLight::emission_coordinates(const Vec3& p, const DirectSample& sampl
     } else if (!profile_->coordinates(s.n, direction, d)) {
         return false;
     }
-    u = {position.x, position.y, d.x, d.y};
+    set_rounded_pair(u, 0, position);
+    set_rounded_pair(u, 2, d);
     return true;
 }
 

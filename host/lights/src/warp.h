@@ -86,6 +86,18 @@ inline Vec2 rounded_pair(const PrimaryPoint& u, std::size_t first) {
                 clamp_to_unit(static_cast<float>(u[first + 1])));
 }
 
+/// Writes what was found in single precision into two of a photon's coordinates from `first` on. On
+/// finer bits the photon does not depend: they stay spread out as the caller set them, so that no
+/// cell of a guide becomes narrower than what one photon stands for.
+inline void set_rounded_pair(PrimaryPoint& u, std::size_t first, const Vec2& found) {
+    const Vec2 present = rounded_pair(u, first);
+    for (int i = 0; i < 2; ++i) {
+        double& x = u[first + static_cast<std::size_t>(i)];
+        if (found[i] == present[i]) continue;  // or was not looked for
+        x = clamp_to_unit(double(found[i]) + 0x1p-24 * (x - 0.5));
+    }
+}
+
 /// Middle of cell `i` of a grid of side x side cells over the unit square.
 inline Vec2 grid_center(std::size_t i, std::size_t side) {
     const std::size_t row = i / side, column = i % side;

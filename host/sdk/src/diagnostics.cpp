@@ -90,6 +90,15 @@ std::string format_message(const SourceLocation& where, const std::string& sever
     return printable(text);
 }
 
+void Diagnostics::fallback(const SourceLocation& where, const std::string& message,
+                           const std::string& /*instead*/) {
+    throw InputError(where, message);
+}
+
+void Diagnostics::error(const InputError& error) {
+    throw InputError(error);
+}
+
 std::string in_quotes(std::string_view text) {
     const bool cut = text.size() > kQuotedBytes;
     std::string shown(cut ? text.substr(0, character_start(text, kQuotedBytes)) : text);

@@ -2,6 +2,7 @@
 #include "parameter_check.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "parameter_text.h"
@@ -159,6 +160,23 @@ void Check::check_strings(const Strings& strings) const {
 }
 
 }  // namespace
+
+std::span<const std::string_view> written_types() {
+    static constexpr std::array<std::string_view, 10> kTypes = {
+        "float",  "integer", "bool",    "point", "vector",
+        "normal", "string",  "texture", "color", "rgb"};
+    return kTypes;
+}
+
+void check_written_type(const ParameterValue& value) {
+    if (value.type.empty()) {
+        throw InputError(value.where,
+                         "a parameter begins with \"type name\", found " + in_quotes(value.name));
+    }
+    const Strings known(written_types().begin(), written_types().end());
+    if (std::find(known.begin(), known.end(), value.type) == known.end())
+        throw InputError(value.where, unknown_name_message("parameter type", value.type, known));
+}
 
 bool is_texture_reference(const ParameterValue& value) {
     const auto* strings = std::get_if<Strings>(&value.values);

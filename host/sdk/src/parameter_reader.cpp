@@ -4,6 +4,7 @@
 
 #include "lxs/sdk/parameters.h"
 #include "parameter_check.h"
+#include "parameter_mend.h"
 
 namespace lxs {
 namespace {
@@ -85,6 +86,23 @@ void report_unknown(const ParameterSet& set, const ParameterValue& value,
     diagnostics.unknown_parameter(value.where, message);
 }
 
+/// What is used if `value` does not fit, which is reported; nothing if it does.
+std::optional<MendedParameter> misfit(const ParameterValue& value,
+                                      const ParameterDeclaration& declaration,
+                                      const std::string& plugin, Diagnostics& diagnostics) {
+    ParameterDeclaration spelled = declaration;
+    spelled.name = value.name;
+    try {
+        check_written_type(value);
+        check_parameter(value, spelled, plugin);
+        return std::nullopt;
+    } catch (const InputError& error) {
+        MendedParameter mended = mend_parameter(value, spelled);
+        diagnostics.fallback(error.where(), error.message(), mended.instead);
+        return mended;
+    }
+}
+
 /// One warning for all parameters of the set that are accepted but do nothing.
 void report_no_effect(const ParameterSet& set, const std::vector<const ParameterValue*>& values,
                       Diagnostics& diagnostics) {
@@ -118,8 +136,9 @@ void report_superseded(const ParameterSet& set, const ParameterValue& older,
 ParameterReader::ParameterReader(const ParameterSet& set,
                                  std::span<const ParameterDeclaration> declarations,
                                  Diagnostics& diagnostics)
-    : set_(set), declarations_(declarations), diagnostics_(diagnostics) {
+    : set_(&set), declarations_(declarations), diagnostics_(diagnostics) {
     std::vector<const ParameterValue*> without_effect;
+    std::vector<Mend> mends;
     const std::vector<bool> is_overridden = overridden(set, declarations);
     for (std::size_t i = 0; i < set.values.size(); ++i) {
         const ParameterValue& value = set.values[i];
@@ -131,18 +150,34 @@ ParameterReader::ParameterReader(const ParameterSet& set,
             report_unknown(set, value, declarations, diagnostics);
         } else if (declaration->no_effect) {
             without_effect.push_back(&value);
+        } else if (auto wrong = misfit(value, *declaration, set.plugin, diagnostics)) {
+            mends.push_back({i, std::move(wrong->value)});
         } else {
-            ParameterDeclaration spelled = *declaration;
-            spelled.name = value.name;
-            check_parameter(value, spelled, set.plugin);
             report_superseded(set, value, declarations, diagnostics);
         }
     }
     report_no_effect(set, without_effect, diagnostics);
+    if (!mends.empty()) mend(std::move(mends), is_overridden);
+}
+
+void ParameterReader::mend(std::vector<Mend> mends, const std::vector<bool>& is_overridden) {
+    auto mended = std::make_shared<ParameterSet>();
+    mended->plugin = set_->plugin;
+    mended->where = set_->where;
+    auto next = mends.begin();
+    for (std::size_t i = 0; i < set_->values.size(); ++i) {
+        const bool wrong = next != mends.end() && next->index == i;
+        if (wrong && next->value) mended->values.push_back(std::move(*next->value));
+        // One that was overridden must not come back in place of what was wrong.
+        if (!wrong && !is_overridden[i]) mended->values.push_back(set_->values[i]);
+        if (wrong) ++next;
+    }
+    set_ = mended.get();
+    mended_ = std::move(mended);
 }
 
 double ParameterReader::number(std::string_view name, double fallback) const {
-    const Numbers* numbers = numbers_of(last_value(set_, spelling(name), false), 1);
+    const Numbers* numbers = numbers_of(last_value(*set_, spelling(name), false), 1);
     return numbers ? numbers->front() : fallback;
 }
 
@@ -170,7 +205,7 @@ Rgb ParameterReader::color(std::string_view name, const Rgb& fallback) const {
 
 Vec3 ParameterReader::vector(std::string_view name, const Vec3& fallback) const {
     const Numbers* numbers = numbers_of(find(name), 3);
-    if (!numbers) numbers = numbers_of(last_value(set_, spelling(name), true), 3);
+    if (!numbers) numbers = numbers_of(last_value(*set_, spelling(name), true), 3);
     if (!numbers) return fallback;
     return {static_cast<float>((*numbers)[0]), static_cast<float>((*numbers)[1]),
             static_cast<float>((*numbers)[2])};
@@ -189,7 +224,7 @@ std::optional<std::string> ParameterReader::texture_name(std::string_view name) 
 
 const SourceLocation& ParameterReader::where(std::string_view name) const {
     const ParameterValue* value = find(name);
-    return value ? value->where : set_.where;
+    return value ? value->where : set_->where;
 }
 
 void ParameterReader::fail(std::string_view name, const std::string& message) const {
@@ -197,16 +232,16 @@ void ParameterReader::fail(std::string_view name, const std::string& message) co
 }
 
 std::string_view ParameterReader::spelling(std::string_view name) const {
-    if (last_value(set_, name)) return name;
+    if (last_value(*set_, name)) return name;
     for (const ParameterDeclaration& declaration : declarations_) {
-        if (declaration.name == name && last_value(set_, declaration.older_name))
+        if (declaration.name == name && last_value(*set_, declaration.older_name))
             return declaration.older_name;
     }
     return name;
 }
 
 const ParameterValue* ParameterReader::find(std::string_view name) const {
-    return last_value(set_, spelling(name));
+    return last_value(*set_, spelling(name));
 }
 
 }  // namespace lxs

@@ -56,8 +56,8 @@ void register_materials(Registry& registry) {
     registry.materials["shinymetal"] = shading::shinymetal_plugin();
     registry.materials["glossy"] = shading::glossy_plugin();
     registry.materials["glossytranslucent"] = shading::glossytranslucent_plugin();
-    registry.materials["substrate"] = shading::glossy_plugin();
-    registry.materials["plastic"] = shading::glossy_plugin();
+    registry.materials["substrate"] = shading::glossy_lossy_plugin();
+    registry.materials["plastic"] = shading::glossy_lossy_plugin();
     registry.materials["glossycoating"] = shading::glossycoating_plugin();
     registry.materials["glossy_lossy"] = shading::glossy_lossy_plugin();
     registry.materials["layered"] = shading::layered_plugin();

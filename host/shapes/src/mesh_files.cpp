@@ -42,7 +42,8 @@ TriangleMesh read_mesh(const ParameterReader& reader, const AssetContext& assets
     try {
         mesh = read(whole_file(path));
     } catch (const std::bad_alloc&) {
-        reader.fail(kFile, fmt::format("not enough memory for the mesh in \"{}\"", name));
+        throw EndOfReading(reader.where(kFile),
+                           fmt::format("not enough memory for the mesh in \"{}\"", name));
     } catch (const std::runtime_error& error) {
         reader.fail(kFile, fmt::format("\"{}\" can't be read: {}", name, error.what()));
     }

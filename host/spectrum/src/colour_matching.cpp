@@ -33,9 +33,10 @@ Imath::V3d colour_matching(double nm) {
 }
 
 Imath::V3d rgb_of_xyz(const Imath::V3d& xyz) {
-    return {3.2404542 * xyz.x - 1.5371385 * xyz.y - 0.4985314 * xyz.z,
-            -0.9692660 * xyz.x + 1.8760108 * xyz.y + 0.0415560 * xyz.z,
-            0.0556434 * xyz.x - 0.2040259 * xyz.y + 1.0572252 * xyz.z};
+    // Inverse of the matrix that kSceneRed ... kSceneWhite span (SMPTE RP 177).
+    return {3.2224537 * xyz.x - 1.5285999 * xyz.y - 0.4957621 * xyz.z,
+            -0.9705547 * xyz.x + 1.8785052 * xyz.y + 0.0416113 * xyz.z,
+            0.0558278 * xyz.x - 0.2047020 * xyz.y + 1.0607287 * xyz.z};
 }
 
 Rgb clipped_rgb_of_xyz(const Imath::V3d& xyz) {

@@ -62,11 +62,13 @@ RepresentedSpectrum plain(const Rgb& colour, const char* name) {
 }  // namespace
 
 RepresentedSpectrum represented_lamp(const SpectralCurve& lamp) {
-    const Rgb colour = colour_of_light(function(lamp));
-    const float brightness = luminance(colour);
     const SpectralCurve relative = relative_to_daylight(lamp);
-    return {tabulated(function(relative)),
-            spectrum_of(brightness > 0 ? colour / brightness : Rgb(0.0f)), lamp.name()};
+    const SpectralTable exact = tabulated(function(relative));
+    const Imath::V3d seen = colour_of_product(exact, tabulated([](double) { return 1.0; }));
+    const Rgb colour = Rgb(Imath::V3d(std::max(seen.x, 0.0), std::max(seen.y, 0.0),
+                                      std::max(seen.z, 0.0)));
+    const float brightness = luminance(colour);
+    return {exact, spectrum_of(brightness > 0 ? colour / brightness : Rgb(0.0f)), lamp.name()};
 }
 
 RepresentedSpectrum represented_surface(const SpectralCurve& reflectance) {

@@ -41,6 +41,8 @@ void add_primitive(const Primitive& primitive, SceneSurvey& survey) {
     if (primitive.emission) add_emission(*primitive.emission, survey);
     if (const auto* mesh = std::get_if<TriangleMesh>(&primitive.geometry))
         survey.facts.triangles += mesh->indices.size() / 3;
+    else
+        ++survey.facts.quadrics;
 }
 
 /// Whether the light that media scatter is to be rendered: LuxRender's "emission" (its default) and

@@ -11,7 +11,7 @@ namespace lxs {
 
 /// What tracing itself needs to know beyond SceneFacts.
 struct SceneSurvey {
-    SceneFacts facts;               ///< facts.triangles counts stored triangles, instances once
+    SceneFacts facts;               ///< facts count stored shapes, instances once
     bool has_straight = false;      ///< some surface may pass light undeviated
     std::set<const Medium*> media;  ///< that surfaces, lights or the camera stand in
     SceneSpectra spectra;

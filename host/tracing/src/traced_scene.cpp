@@ -106,8 +106,12 @@ void TracedScene::make_all_lights(const AssetResolver& resolve, Diagnostics& dia
     }
     sphere_ = unbounded_media_end(contents_, bounds_);
     for (const LightDescription& description : contents_.lights) {
-        for (auto& light : make_lights(description, sphere_, resolve, diagnostics))
-            lights_.push_back(std::move(light));
+        try {
+            for (auto& light : make_lights(description, sphere_, resolve, diagnostics))
+                lights_.push_back(std::move(light));
+        } catch (const InputError& error) {
+            diagnostics.fallback(error.where(), error.message(), "the light is left out");
+        }
     }
     for (const auto& light : lights_)
         light_pointers_.push_back(light.get());

@@ -69,6 +69,9 @@ void add_parts(std::vector<ResumableCase>& cases) {
     Settings scored = settings_of(GuideKind::Paper);
     scored.error_criterion = CriterionKind::Image;
     cases.push_back({"scored_paper", scored});
+    Settings landed = settings_of(GuideKind::Paper);
+    landed.present_errors = landed.first_landings = false;
+    cases.push_back({"paper_as_landed", landed});
     // Shadow rays enough for tables of the lights.
     Settings lights = settings_of(GuideKind::None);
     lights.photons_per_pass = 1000;

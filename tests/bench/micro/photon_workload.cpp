@@ -59,7 +59,7 @@ void read(PhotonWorkload& work) {
         work.geometry.push_back(primitive.geometry);
     const std::string directory = contents.directory;
     const auto resolve = [&](const std::string& name, const lxs::SourceLocation& where) {
-        return lxs::resolve_asset(name, directory, where);
+        return lxs::resolve_asset(name, directory, where, diagnostics);
     };
     work.host_scene = lxs::make_trace_scene(std::move(contents), resolve, diagnostics);
     work.scene = std::make_unique<shim::SceneShim>(*work.host_scene);

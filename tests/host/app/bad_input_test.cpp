@@ -12,9 +12,10 @@ using testing::HasSubstr;
 
 class BadInputTest : public testing::Test {
   protected:
-    /// Renders "scene.lxs" of the folder; it must fail as bad input and write nothing.
+    /// Renders "scene.lxs" of the folder with --strict (input_report_test.cpp has what is no error
+    /// without); it must fail as bad input and write nothing.
     std::string error_of_scene() {
-        const RunResult result = run_lxsrender(folder_, {"scene.lxs", "--passes", "1"});
+        const RunResult result = run_lxsrender(folder_, {"scene.lxs", "--passes", "1", "--strict"});
         EXPECT_EQ(result.exit_code, 3) << result.err;
         EXPECT_FALSE(folder_.has("out.exr"));
         return result.err;

@@ -9,7 +9,7 @@ import sys
 
 ROOT = pathlib.Path(__file__).resolve().parents[3]
 CALL = re.compile(r'(?:\bthrow\s+[\w:]+\s*\(|\b(?:\w+_)?fail(?:_\w+)?\s*\(|[.>]warning\s*\(|'
-                  r'\bunknown_parameter\s*\(|\blog_?[.]error\s*\(|->error\s*\()')
+                  r'\bunknown_parameter\s*\(|\bfallback\s*\(|\blog_?[.]error\s*\(|->error\s*\()')
 LEAST = 8  # characters that tell a message; below are prefixes, names and nouns
 
 

@@ -31,8 +31,9 @@ TEST(ColorSpace, ColoursBeyondItAreClipped) {
 
 Rgb pixel_of(std::vector<ParameterValue> values) {
     SceneContents contents = scene_of_size(1, 1);
-    auto& film_values = contents.options["Film"].parameters.values;
-    film_values.insert(film_values.end(), values.begin(), values.end());
+    values.push_back(integer("xresolution", 1));
+    values.push_back(integer("yresolution", 1));
+    contents.options["Film"].parameters.values = std::move(values);
     RecordedDiagnostics diagnostics;
     const auto film = make_film(contents, diagnostics);
     EXPECT_TRUE(diagnostics.warnings.empty());
@@ -43,16 +44,33 @@ Rgb pixel_of(std::vector<ParameterValue> values) {
 }
 
 TEST(ColorSpace, TheFilmFollowsIt) {
-    EXPECT_EQ(pixel_of({numbers("float", "colorspace_red", {0.63, 0.34})}),
+    const auto chromaticity = [](const char* name, const std::array<double, 2>& c) {
+        return numbers("float", name, {c[0], c[1]});
+    };
+    EXPECT_EQ(pixel_of({chromaticity("colorspace_red", kSceneRed),
+                        chromaticity("colorspace_green", kSceneGreen),
+                        chromaticity("colorspace_blue", kSceneBlue),
+                        chromaticity("colorspace_white", kSceneWhite)}),
               Rgb(0.5f, 0.25f, 0.125f))
-        << "LuxRender's default is the scene's own";
+        << "the scene's own";
     const Rgb wide = pixel_of({numbers("float", "colorspace_red", {0.708, 0.292}),
                                numbers("float", "colorspace_green", {0.170, 0.797}),
                                numbers("float", "colorspace_blue", {0.131, 0.046})});
-    const ColorSpace space{kRec2020.red, kRec2020.green, kRec2020.blue, kSceneColors.white};
+    const ColorSpace space{kRec2020.red, kRec2020.green, kRec2020.blue, ColorSpace{}.white};
     const Rgb expected = converted(rgb_matrix(kSceneColors, space), Rgb(0.5f, 0.25f, 0.125f));
     EXPECT_EQ(wide, expected);
     EXPECT_LT(wide.x, 0.5f) << "red is less saturated in a wider space";
+}
+
+// LuxRender's own default, in which its linear image of white light on grey is (0.9898 1.0027
+// 1.0041) times the grey.
+TEST(ColorSpace, IsSmptesUnlessTheSceneSaysOtherwise) {
+    const Rgb expected = converted(rgb_matrix(kSceneColors, ColorSpace{}), Rgb(0.5f, 0.25f, 0.125f));
+    EXPECT_EQ(pixel_of({}), expected);
+    const Rgb white = converted(rgb_matrix(kSceneColors, ColorSpace{}), Rgb(1.0f));
+    EXPECT_NEAR(white.x, 0.9898, 2e-4);
+    EXPECT_NEAR(white.y, 1.0027, 2e-4);
+    EXPECT_NEAR(white.z, 1.0041, 2e-4);
 }
 
 TEST(ColorSpace, NonsenseIsRefused) {

@@ -1,11 +1,13 @@
 // Scenes that consist of option statements only, built in the tests' own words.
 #pragma once
 
+#include <array>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "lxs/scene/contents.h"
+#include "lxs/spectrum/rgb_spectra.h"
 #include "temporary_folder.h"
 
 namespace lxs::test {
@@ -64,11 +66,19 @@ inline OptionStatement& set_option(SceneContents& contents, const std::string& s
     return option;
 }
 
-/// A scene with a film of this size and the box filter of one pixel.
+/// A scene with a film of this size, which keeps the scene's colours, and the box filter of one
+/// pixel.
 inline SceneContents scene_of_size(int width, int height) {
+    const auto chromaticity = [](const char* name, const std::array<double, 2>& c) {
+        return numbers("float", name, {c[0], c[1]});
+    };
     SceneContents contents = empty_scene();
     set_option(contents, "Film", "fleximage",
-               {integer("xresolution", width), integer("yresolution", height)});
+               {integer("xresolution", width), integer("yresolution", height),
+                chromaticity("colorspace_red", kSceneRed),
+                chromaticity("colorspace_green", kSceneGreen),
+                chromaticity("colorspace_blue", kSceneBlue),
+                chromaticity("colorspace_white", kSceneWhite)});
     set_option(contents, "PixelFilter", "box", {});
     return contents;
 }

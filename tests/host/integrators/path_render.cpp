@@ -40,6 +40,10 @@ class Render {
         register_shading(registry);
         const std::string film =
             "Film \"fleximage\" \"integer xresolution\" [8] \"integer yresolution\" [8]\n"
+            // The scene's own colours.
+            "\"float colorspace_red\" [0.64 0.33] \"float colorspace_green\" [0.30 0.60] "
+            "\"float colorspace_blue\" [0.15 0.06] "
+            "\"float colorspace_white\" [0.313334 0.329235]\n"
             "PixelFilter \"box\" \"float xwidth\" [0.5] \"float ywidth\" [0.5]\n";
         SceneContents contents = read_scene_text(film + text, "test", ".", registry, messages_);
         film_ = make_film(contents, messages_);

@@ -207,6 +207,57 @@ TEST(ParameterReader, LastOfTwoCounts) {
               (Strings{"warning: \"alpha\" is given twice: the last one counts"}));
 }
 
+/// What a reader says that goes on where LuxRender does.
+std::vector<std::string> said_of(const ParameterSet& set) {
+    LenientDiagnostics diagnostics;
+    const ParameterReader reader(set, kDeclarations, diagnostics);
+    return diagnostics.messages;
+}
+
+TEST(ParameterReader, MendsWhatLuxRenderGoesOnFrom) {
+    LenientDiagnostics diagnostics;
+    const ParameterSet set = set_of({
+        value("float", "alpha", Numbers{7}),
+        value("integer", "count", Numbers{2.75}),
+        value("bool", "half", Strings{"yes"}),
+        value("string", "mode", Strings{"progresive"}),
+        value("float", "L", Numbers{1, 2, 3}),
+        value("point", "from", Numbers{1, 2}),
+        value("flaot", "along", Numbers{5}),
+    });
+    const ParameterReader reader(set, kDeclarations, diagnostics);
+    EXPECT_EQ(reader.number("alpha", 0), 1) << "the nearest in range";
+    EXPECT_EQ(reader.integer("count", 0), 2) << "cast to an integer";
+    EXPECT_FALSE(reader.boolean("half", true));
+    EXPECT_EQ(reader.string("mode", "photonmap"), "photonmap");
+    EXPECT_EQ(reader.color("L", Rgb(0.5f)), Rgb(0.5f));
+    EXPECT_EQ(reader.vector("from", Vec3(9)), Vec3(9));
+    EXPECT_FALSE(reader.given("along"));
+    EXPECT_EQ(diagnostics.messages.size(), 7u);
+    EXPECT_EQ(diagnostics.messages[0],
+              "warning: thing: \"alpha\" is out of range: 7 is not between 0 and 1; 1 is used");
+    EXPECT_EQ(diagnostics.messages[2],
+              "warning: thing: \"half\" takes \"true\" or \"false\", found \"yes\"; false is used");
+}
+
+TEST(ParameterReader, AnOverriddenValueDoesNotComeBackForAWrongOne) {
+    LenientDiagnostics diagnostics;
+    const ParameterSet set = set_of(
+        {value("float", "alpha", Strings{"unchecked"}), value("color", "alpha", Numbers{1, 2, 3})});
+    const ParameterReader reader(set, kDeclarations, diagnostics);
+    EXPECT_FALSE(reader.given("alpha"));
+    EXPECT_EQ(said_of(set).size(), 2u);
+}
+
+TEST(ParameterReader, CopiesOfAReaderOfMendedValuesStandAlone) {
+    LenientDiagnostics diagnostics;
+    const ParameterSet set = set_of({value("float", "alpha", Numbers{7})});
+    auto reader = std::make_unique<ParameterReader>(set, kDeclarations, diagnostics);
+    const ParameterReader copy = *reader;
+    reader.reset();
+    EXPECT_EQ(copy.number("alpha", 0), 1);
+}
+
 TEST(ParameterReader, SaysOnceWhatHasNoEffect) {
     EXPECT_EQ(
         warnings_of({value("float", "old", Numbers{1}), value("string", "older", Strings{"x"})}),

@@ -30,28 +30,14 @@ TEST(PluginNames, UnknownOnesAreErrorsWithTheNearestFirst) {
                  "test.lxs:2:21: error: unknown volume \"claer\"; did you mean \"clear\"?");
 }
 
-TEST(PluginNames, MaterialStandInIsGreyMatteOrItsKd) {
-    CollectingDiagnostics diagnostics;
-    const SceneContents contents = read_world(
-        "Material \"cloth\" \"float repeat_u\" [3]\nShape \"sphere\"\n"
-        "Material \"velvet\" \"color Kd\" [1 0 0]\nShape \"sphere\"",
-        diagnostics);
-    EXPECT_EQ(fake(contents.primitives.at(0)).kd(), Rgb(0.5f));
-    EXPECT_EQ(fake(contents.primitives.at(1)).kd(), Rgb(1, 0, 0));
-    EXPECT_EQ(
-        diagnostics.messages,
-        (Messages{"test.lxs:2:10: warning: material \"cloth\" is not rendered yet: matte with "
-                  "its Kd, or grey, is used instead",
-                  "test.lxs:4:10: warning: material \"velvet\" is not rendered yet: matte with "
-                  "its Kd, or grey, is used instead"}));
-}
-
 TEST(PluginNames, ShapesAreLeftOut) {
     CollectingDiagnostics diagnostics;
-    const SceneContents contents = read_world("Shape \"torus\"\nShape \"torus\"", diagnostics);
+    const SceneContents contents = read_world("Shape \"torus\"", diagnostics);
     EXPECT_TRUE(contents.primitives.empty());
-    EXPECT_EQ(diagnostics.messages,
-              (Messages{"test.lxs:2:7: warning: shape \"torus\" is not supported: it is skipped"}));
+    EXPECT_EQ(
+        diagnostics.messages,
+        (Messages{
+            "test.lxs:2:7: warning: shape \"torus\" is not supported: the shape is skipped"}));
 }
 
 TEST(PluginNames, ShapesWithoutExtentAreSkipped) {
@@ -73,27 +59,28 @@ TEST(PluginNames, VolumeRegionsAreLeftOut) {
                  "test.lxs:2:8: error: unknown volume region \"clout\"; did you mean \"cloud\"?");
 }
 
-TEST(PluginNames, TexturesAndVolumesStandIn) {
+TEST(PluginNames, AClearVolumeStandsInForAHeterogeneousOne) {
     CollectingDiagnostics diagnostics;
     const SceneContents contents = read_world(
-        "Texture \"b\" \"color\" \"brick\"\nTexture \"m\" \"float\" \"fbm\"\n"
-        "Texture \"n\" \"fresnel\" \"cauchy\"\n"
-        "MakeNamedVolume \"fog\" \"homogeneous\" \"float fresnel\" [1.2] \"color sigma_s\" [1 1 "
-        "1]\n"
-        "Material \"matte\" \"texture Kd\" [\"b\"] Interior \"fog\" Shape \"sphere\"",
+        "MakeNamedVolume \"fog\" \"heterogeneous\" \"float fresnel\" [1.2] \"color sigma_s\" [1 1 "
+        "1]\nInterior \"fog\" Shape \"sphere\"",
         diagnostics);
-    EXPECT_EQ(fake(contents.primitives.at(0)).kd(), Rgb(0.5f));
-    EXPECT_FLOAT_EQ(contents.primitives[0].interior->index(), 1.2f);
-    EXPECT_EQ(
-        diagnostics.messages,
-        (Messages{"test.lxs:2:21: warning: color texture \"brick\" is not rendered yet: a grey "
-                  "of 0.5 is used instead",
-                  "test.lxs:3:21: warning: float texture \"fbm\" is not rendered yet: the "
-                  "constant 1 is used instead",
-                  "test.lxs:4:23: warning: fresnel texture \"cauchy\" is not rendered yet: the "
-                  "index 1.5 is used instead",
-                  "test.lxs:5:23: warning: volume \"homogeneous\" is not rendered yet: a clear "
-                  "one with its index is used instead"}));
+    EXPECT_FLOAT_EQ(contents.primitives.at(0).interior->index(), 1.2f);
+    EXPECT_EQ(diagnostics.messages,
+              (Messages{"test.lxs:2:23: warning: volume \"heterogeneous\" is not rendered yet: a "
+                        "clear one with its index is used instead"}));
+}
+
+TEST(PluginNames, ATextureThatIsNotRenderedIsNotThere) {
+    CollectingDiagnostics diagnostics;
+    const SceneContents contents = read_world(
+        "Texture \"b\" \"color\" \"brick\"\nMaterial \"matte\" \"texture Kd\" [\"b\"] Shape "
+        "\"sphere\"",
+        diagnostics);
+    EXPECT_EQ(fake(contents.primitives.at(0)).kd(), Rgb(0.9f));
+    EXPECT_EQ(diagnostics.messages,
+              (Messages{"test.lxs:2:21: warning: color texture \"brick\" is not rendered yet: "
+                        "parameters that name it keep their defaults"}));
 }
 
 TEST(PluginNames, WrongParameterTypeIsLocated) {

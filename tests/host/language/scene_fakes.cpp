@@ -42,7 +42,8 @@ std::shared_ptr<const Material> fake_matte(const ParameterReader& parameters,
                                            const AssetContext& assets, const Matrix&) {
     Rgb kd = parameters.color("Kd", Rgb(0.9f));
     if (const auto name = parameters.texture_name("Kd")) {
-        kd = assets.color_texture(*name, parameters.where("Kd"))->evaluate({});
+        if (const auto texture = assets.color_texture(*name, parameters.where("Kd")))
+            kd = texture->evaluate({});
     }
     return std::make_shared<FakeMaterial>(parameters.plugin(), kd);
 }
@@ -86,6 +87,10 @@ void CollectingDiagnostics::warning(const SourceLocation& where, const std::stri
 void CollectingDiagnostics::unknown_parameter(const SourceLocation& where,
                                               const std::string& message) {
     warning(where, message);
+}
+
+void LenientDiagnostics::error(const InputError& error) {
+    messages.push_back(first_line(error.what()));
 }
 
 Registry fake_registry() {

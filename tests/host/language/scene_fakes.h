@@ -9,11 +9,21 @@
 namespace lxs::test {
 
 /// Keeps the first line of each warning.
-class CollectingDiagnostics final : public Diagnostics {
+class CollectingDiagnostics : public Diagnostics {
   public:
     void warning(const SourceLocation& where, const std::string& message) override;
     void unknown_parameter(const SourceLocation& where, const std::string& message) override;
     std::vector<std::string> messages;
+};
+
+/// The same, and goes on where LuxRender does, and after errors.
+class LenientDiagnostics final : public CollectingDiagnostics {
+  public:
+    void fallback(const SourceLocation& where, const std::string& message,
+                  const std::string& instead) override {
+        warning(where, message + "; " + instead);
+    }
+    void error(const InputError& error) override;
 };
 
 /// A material that remembers how it was asked for.

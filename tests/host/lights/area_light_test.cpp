@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "light_cases.h"
+#include "lxs/spectrum/rgb_spectra.h"
 
 namespace lxs::test {
 namespace {
@@ -31,7 +32,7 @@ class Ramp final : public ColorTexture {
 
 TEST(AreaLight, PowerIsPiTimesAreaTimesRadiance) {
     const Rgb radiance(9, 8, 7);
-    const double l = luminance(radiance);
+    const double l = luminance(colour_of_illuminant(radiance));
     const auto mesh = make_area_light(
         emissive(parallelogram(Vec3(0.0f), Vec3(2, 0, 0), Vec3(0, 3, 0)), radiance), Matrix());
     EXPECT_NEAR(mesh->power(), kPi * 6 * l, 1e-3);
@@ -67,7 +68,7 @@ TEST(AreaLight, PowerAndEfficacySetTheFlux) {
     primitive.emission->gain = 50;
     EXPECT_NEAR(make_area_light(primitive, Matrix())->power() / 85000, 1, 1e-4);
     primitive.emission->efficacy = 0;
-    const double scaled = 50 * luminance(Rgb(20, 10, 5)) * kPi * 4 * kPi * 0.16;
+    const double scaled = 50 * luminance(colour_of_illuminant(Rgb(20, 10, 5))) * kPi * 4 * kPi * 0.16;
     EXPECT_NEAR(make_area_light(primitive, Matrix())->power() / scaled, 1, 1e-4);
 }
 

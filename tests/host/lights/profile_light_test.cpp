@@ -11,6 +11,7 @@
 #include "environment_layout.h"
 #include "latlong_coordinates.h"
 #include "light_cases.h"
+#include "lxs/spectrum/rgb_spectra.h"
 #include "photometric_file.h"
 #include "temporary_folder.h"
 
@@ -97,19 +98,19 @@ TEST(ProfileLight, PhotometricFileShapesAPointLight) {
     const auto light =
         make_one("point", {text("iesname", downlight()), numbers("color", "L", {40, 40, 40})});
     EXPECT_EQ(light->kind(), "goniometric");
-    // Relative to its largest: L straight along +z, half of it at 60 degrees.
-    EXPECT_NEAR(direct(*light, Vec3(0, 0, 2)).y, 10, 0.02);
+    // As many lumens as L everywhere: about a cosine, of pi for 4 pi; half of it at 60 degrees.
+    EXPECT_NEAR(light->power() / (40 * 4 * kPiD), 1, 1e-3);
+    const float ahead = direct(*light, Vec3(0, 0, 2)).y * 4;
+    EXPECT_NEAR(ahead / 160, 1 / 0.97, 0.03);  // less what straight lines between angles lose
     const Vec3 aside(float(std::sin(kPiD / 3)), 0, 0.5f);
-    EXPECT_NEAR(direct(*light, aside).y, 20, 0.2);
+    EXPECT_NEAR(direct(*light, aside).y / ahead, 0.5, 0.005);
     EXPECT_TRUE(is_black(direct(*light, Vec3(0, 0.1f, -1))));
     const auto flipped =
         make_one("point", {text("iesname", downlight()),
                            ParameterValue{"bool", "flipz", std::vector<bool>{true}, {}, {}},
                            numbers("color", "L", {40, 40, 40})});
     EXPECT_TRUE(is_black(direct(*flipped, Vec3(0, 0.1f, 1))));
-    EXPECT_NEAR(direct(*flipped, Vec3(0, 0, -2)).y, 10, 0.02);
-    // A cosine of 40 cd: the flux is 40 pi, less what straight lines between the angles lose.
-    EXPECT_NEAR(light->power() / (40 * kPiD), 0.97, 0.03);
+    EXPECT_FLOAT_EQ(direct(*flipped, Vec3(0, 0, -2)).y * 4, ahead);
 }
 
 TEST(ProfileLight, PowerAndEfficacySetTheFlux) {
@@ -160,13 +161,19 @@ TEST(ProjectionLight, ThrowsItsImageWithinItsAngle) {
     const auto light =
         make_one("projection", {text("mapname", quadrants()), numbers("float", "fov", {90})});
     // From the origin along +z: rows along +y, columns along -x.
+    // On a screen at distance 1, of area 4: the image over the area, whatever the angle.
     const auto at = [&](float row, float column) {
-        return direct(*light, Vec3(-column, row, 1)) * Vec3(-column, row, 1).length2();
+        const Vec3 p(-column, row, 1);
+        return direct(*light, p) / p.length();
     };
-    EXPECT_NEAR(at(-0.5f, -0.5f).x, 1, 1e-3);
-    EXPECT_NEAR(at(0.5f, -0.5f).x, 2, 1e-3);
-    EXPECT_NEAR(at(-0.5f, 0.5f).y, 5, 1e-3);
-    EXPECT_NEAR(at(-0.5f, -0.5f).y, 3, 1e-3);
+    const auto expect_near = [](const Rgb& found, const Rgb& pixel) {
+        const Rgb expected = colour_of_filtered_illuminant(pixel, Rgb(1.0f)) / 4;
+        EXPECT_NEAR((found - expected).length(), 0, 1e-3) << found;
+    };
+    // The cosine from the axis once for the screen, which arriving light lacks: hence p.length().
+    expect_near(at(-0.5f, -0.5f), Rgb(1, 3, 0.5f));
+    expect_near(at(0.5f, -0.5f), Rgb(2, 3, 0.5f));
+    expect_near(at(-0.5f, 0.5f), Rgb(1, 5, 0.5f));
     EXPECT_TRUE(is_black(at(1.01f, 0)));
     EXPECT_TRUE(is_black(at(0, -1.01f)));
     EXPECT_TRUE(is_black(direct(*light, Vec3(0, 0, -1))));

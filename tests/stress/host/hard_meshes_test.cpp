@@ -146,7 +146,7 @@ TEST(StressMeshes, VerticesAndNormalsThatAreNoNumbers) {
         folder.write("bad.ply", text);
         const Outcome outcome = stress::render_scene(
             stress::room("Shape \"plymesh\" \"string filename\" [\"bad.ply\"]\n"),
-            stress::main_ways().front(), folder, 1);
+            stress::strict_way(), folder, 1);
         EXPECT_EQ(outcome.exit_code, 3) << outcome.messages;
         EXPECT_THAT(outcome.messages, HasSubstr(message));
         EXPECT_EQ(occurrences(outcome.messages, "error:"), 1u) << outcome.messages;

@@ -166,7 +166,7 @@ TEST(StressRefusedLight, AnImageThatItsGammaSpoils) {
         EXPECT_THAT(outcome.origins("texture values"), ElementsAre(R"(material "spoiled")"));
     }
     const Outcome divided = stress::render_scene(stress::room(textured_ball(texture("-1"))),
-                                                 stress::main_ways().front(), folder, 1);
+                                                 stress::strict_way(), folder, 1);
     EXPECT_EQ(divided.exit_code, 3);
     EXPECT_THAT(divided.messages, HasSubstr("scene.lxs:"));
     stress::record("texels of 1e30 to the power of 2.2, and of -1",

@@ -33,6 +33,12 @@ const std::vector<RenderWay>& main_ways() {
     return ways;
 }
 
+RenderWay strict_way() {
+    RenderWay way = main_ways().front();
+    way.arguments += " --strict";
+    return way;
+}
+
 const std::vector<RenderWay>& all_ways() {
     static const std::vector<RenderWay> ways = [] {
         std::vector<RenderWay> all = main_ways();

@@ -18,6 +18,8 @@ struct RenderWay {
 const std::vector<RenderWay>& all_ways();
 /// One each of aips, sppm, path and Metropolis.
 const std::vector<RenderWay>& main_ways();
+/// The first of these with --strict, which refuses what is otherwise left out.
+RenderWay strict_way();
 
 struct Outcome {
     int exit_code = 0;

@@ -8,34 +8,27 @@
 
 namespace lxs::shading {
 
-float CookTorranceLobe::density(const Vec3& h) const {
-    const float cos2 = h.z * h.z, m2 = slope * slope;
-    const float tan2 = (h.x * h.x + h.y * h.y) / cos2;
-    return std::exp(-tan2 / m2) * kInvPi / (m2 * cos2 * cos2);
+Rgb CarPaintBsdf::Lobe::reflected(float cosine) const {
+    return ks * fresnel_schlick(cosine, Rgb(reflectance)).x;
 }
 
-Rgb CookTorranceLobe::value(const HalfVector& half) const {
-    const float d = density(half.h);
-    if (!(d > 0)) return Rgb(0.0f);
-    const float cos_o = half.wo.z, cos_i = half.wi.z, wall = 2 * half.h.z / half.cosine;
-    // G / (cos_o cos_i)
-    const float seen = std::min(1.0f, wall * std::min(cos_o, cos_i)) / (cos_o * cos_i);
-    return ks * (0.25f * d * seen * fresnel_schlick(half.cosine, Rgb(reflectance)).x);
+CarPaintBsdf::CarPaintBsdf(const CarPaint& paint, const Frame& frame, const Vec3& ng)
+    : kd_(paint.kd),
+      optical_depth_(paint.optical_depth),
+      lobes_{lobe(paint.lobes[0], frame, ng), lobe(paint.lobes[1], frame, ng),
+             lobe(paint.lobes[2], frame, ng)},
+      frame_(frame),
+      ng_(ng),
+      black_base_(is_black(paint.kd)) {}
+
+CarPaintBsdf::Lobe CarPaintBsdf::lobe(const PaintLobe& lobe, const Frame& frame, const Vec3& ng) {
+    const float m = lobe.roughness;
+    return {m > 0 ? lobe.ks : Rgb(0.0f), lobe.reflectance,
+            MicrofacetLobe(SchlickDistribution(m, m), frame, ng)};
 }
 
-float CookTorranceLobe::pdf(const HalfVector& half) const {
-    return 0.25f * density(half.h) * std::min(1 / half.wo.z, 2 * half.h.z / half.cosine);
-}
-
-Vec3 CookTorranceLobe::sample(const Vec3& wo, const Vec2& u, float& u_choice) const {
-    const float tan2 = -slope * slope * std::log(1 - u.x);
-    const float cosine = 1 / std::sqrt(1 + tan2), sine = std::sqrt(tan2) * cosine;
-    const float phi = 2 * kPi * u.y;
-    return visible_wall(wo, {sine * std::cos(phi), sine * std::sin(phi), cosine}, u_choice);
-}
-
-Rgb CookTorranceLobe::albedo(float c) const {
-    return ks * fresnel_schlick(c, Rgb(reflectance)).x;
+LobeMask CarPaintBsdf::seen(const Vec3& wo, LobeMask mask) const {
+    return static_cast<LobeMask>(mask & (wo.dot(ng_) > 0 ? lobes() : lobes() & kDiffuse));
 }
 
 CarPaintBsdf::Choice CarPaintBsdf::choose(const Vec3& wo, LobeMask mask) const {
@@ -43,10 +36,10 @@ CarPaintBsdf::Choice CarPaintBsdf::choose(const Vec3& wo, LobeMask mask) const {
     Choice choice{};
     float sum = 0;
     if (mask & kGlossy) {
-        for (int i = 0; i < 3; ++i)
-            choice[i] = max_component(paint_.lobes[i].albedo(cosine));
+        for (std::size_t i = 0; i < 3; ++i)
+            choice[i] = max_component(lobes_[i].reflected(cosine));
     }
-    if (mask & kDiffuse) choice[3] = max_component(paint_.kd);
+    if (mask & kDiffuse) choice[3] = max_component(kd_);
     for (const float p : choice)
         sum += p;
     for (float& p : choice)
@@ -56,8 +49,8 @@ CarPaintBsdf::Choice CarPaintBsdf::choose(const Vec3& wo, LobeMask mask) const {
 
 float CarPaintBsdf::density(const Choice& choice, const HalfVector& half) const {
     float sum = choice[3] * half.wi.z * kInvPi;
-    for (int i = 0; i < 3; ++i) {
-        if (choice[i] > 0) sum += choice[i] * paint_.lobes[i].pdf(half);
+    for (std::size_t i = 0; i < 3; ++i) {
+        if (choice[i] > 0) sum += choice[i] * lobes_[i].facets.pdf(half);
     }
     return sum;
 }
@@ -65,33 +58,36 @@ float CarPaintBsdf::density(const Choice& choice, const HalfVector& half) const 
 Rgb CarPaintBsdf::value(const HalfVector& half, LobeMask mask) const {
     Rgb sum(0.0f);
     if (mask & kGlossy) {
-        for (const CookTorranceLobe& lobe : paint_.lobes)
-            sum += lobe.value(half);
+        for (const Lobe& lobe : lobes_)
+            sum += lobe.reflected(half.cosine) * lobe.facets.value(half);
     }
-    if (!(mask & kDiffuse) || black_base_) return sum;
-    return sum + paint_.kd * kInvPi * absorbed(paint_.optical_depth, 1 / half.wo.z + 1 / half.wi.z);
+    if (!(mask & kDiffuse)) return sum;
+    return sum + kd_ * kInvPi * absorbed(optical_depth_, 1 / half.wo.z + 1 / half.wi.z);
 }
 
 Rgb CarPaintBsdf::evaluate(const Vec3& wo, const Vec3& wi, Transport, LobeMask mask) const {
+    const LobeMask some = seen(wo, mask);
     HalfVector half;
-    if (!(mask & lobes()) || !reflecting_half_vector(frame_, ng_, wo, wi, half)) return Rgb(0.0f);
-    return value(half, mask);
+    if (!some || !reflecting_half_vector(frame_, ng_, wo, wi, half)) return Rgb(0.0f);
+    return value(half, some);
 }
 
 float CarPaintBsdf::pdf(const Vec3& wo, const Vec3& wi, LobeMask mask) const {
+    const LobeMask some = seen(wo, mask);
     HalfVector half;
-    if (!(mask & lobes()) || !reflecting_half_vector(frame_, ng_, wo, wi, half)) return 0;
-    return density(choose(wo, mask), half);
+    if (!some || !reflecting_half_vector(frame_, ng_, wo, wi, half)) return 0;
+    return density(choose(wo, some), half);
 }
 
 bool CarPaintBsdf::sample(const Vec3& wo, const Vec2& u, float u_lobe, Transport, LobeMask mask,
                           BsdfSample& sample) const {
-    if (!(mask & lobes())) return false;
+    const LobeMask some = seen(wo, mask);
+    if (!some) return false;
     Vec3 local;
     const float side = local_above(frame_, ng_, wo, local);
     if (side == 0) return false;
-    const Choice choice = choose(wo, mask);
-    int chosen = 0;
+    const Choice choice = choose(wo, some);
+    std::size_t chosen = 0;
     while (chosen < 3 && u_lobe >= choice[chosen])
         u_lobe -= choice[chosen++];
     if (!(choice[chosen] > 0)) return false;
@@ -100,7 +96,7 @@ bool CarPaintBsdf::sample(const Vec3& wo, const Vec2& u, float u_lobe, Transport
         wi = square_to_cosine_hemisphere(u);
     } else {
         float rest = clamp_to_unit(u_lobe / choice[chosen]);
-        wi = reflect(local, paint_.lobes[chosen].sample(local, u, rest));
+        wi = reflect(local, lobes_[chosen].facets.sample_facet(local, u, rest));
     }
     if (!(wi.z > 0)) return false;
     wi.z *= side;
@@ -109,18 +105,19 @@ bool CarPaintBsdf::sample(const Vec3& wo, const Vec2& u, float u_lobe, Transport
     if (!reflecting_half_vector(frame_, ng_, wo, wi, half)) return false;
     const float pdf = density(choice, half);
     if (!(pdf > 0)) return false;
-    sample = {wi,    value(half, mask) * (half.wi.z / pdf),
+    sample = {wi,    value(half, some) * (half.wi.z / pdf),
               pdf,   chosen == 3 ? kDiffuse : kGlossy,
               false, false};
     return true;
 }
 
 Rgb CarPaintBsdf::albedo(const Vec3& wo, LobeMask mask) const {
+    const LobeMask some = seen(wo, mask);
     Rgb sum(0.0f);
-    if (mask & kDiffuse) sum += paint_.kd;
-    if (mask & kGlossy) {
-        for (const CookTorranceLobe& lobe : paint_.lobes)
-            sum += lobe.albedo(std::abs(wo.dot(frame_.n)));
+    if (some & kDiffuse) sum += kd_;
+    if (some & kGlossy) {
+        for (const Lobe& lobe : lobes_)
+            sum += lobe.reflected(std::abs(wo.dot(frame_.n)));
     }
     return {std::min(sum.x, 1.0f), std::min(sum.y, 1.0f), std::min(sum.z, 1.0f)};
 }

@@ -1,7 +1,8 @@
 // Diffuse base and three specular lobes: LuxRender's "carpaint".
 // Sources: Guenther, Chen, Goesele, Wald & Seidel 2005, "Efficient Acquisition and Realistic
-// Rendering of Car Paint" (several lobes added up); Cook & Torrance 1982, "A Reflectance Model for
-// Computer Graphics" (each lobe).
+// Rendering of Car Paint" (several lobes added up); Schlick 1994, "An Inexpensive BRDF Model for
+// Physically-based Rendering" (each lobe's facets: LuxRender has his in place of Cook &
+// Torrance's).
 #pragma once
 
 #include <array>
@@ -11,35 +12,24 @@
 
 namespace lxs::shading {
 
-/// One Cook-Torrance lobe: f = Ks F D G / (4 cos_o cos_i) with Beckmann's D, normalised, the
-/// V-cavities' G and Schlick's F.
-struct CookTorranceLobe {
+/// One lobe: f = Ks F D G / (4 cos_o cos_i) with Schlick's D, G and F. Without a Ks or a roughness
+/// it is none.
+struct PaintLobe {
     Rgb ks{0.0f};           ///< weight
     float reflectance = 0;  ///< of a facet at normal incidence (R)
-    float slope = 0.1f;     ///< root mean square slope of the facets (M), > 0
-
-    Rgb value(const HalfVector& half) const;
-    /// Density of `sample`.
-    float pdf(const HalfVector& half) const;
-    /// Facet that is visible from the local direction `wo`.
-    Vec3 sample(const Vec3& wo, const Vec2& u, float& u_choice) const;
-    /// Approximate albedo under the cosine `c`.
-    Rgb albedo(float c) const;
-
-  private:
-    float density(const Vec3& h) const;
+    float roughness = 0;    ///< M, as the roughness along both axes of a metal
 };
 
 struct CarPaint {
     Rgb kd{0.0f};
     Rgb optical_depth{0.0f};  ///< Ka * d of the coating above the diffuse base
-    std::array<CookTorranceLobe, 3> lobes;
+    std::array<PaintLobe, 3> lobes;
 };
 
+/// The lobes lie on the front alone, the base on both sides.
 class CarPaintBsdf final : public Bsdf {
   public:
-    CarPaintBsdf(const CarPaint& paint, const Frame& frame, const Vec3& ng)
-        : paint_(paint), frame_(frame), ng_(ng), black_base_(is_black(paint.kd)) {}
+    CarPaintBsdf(const CarPaint& paint, const Frame& frame, const Vec3& ng);
 
     LobeMask lobes() const override { return black_base_ ? kGlossy : kDiffuse | kGlossy; }
     Rgb evaluate(const Vec3& wo, const Vec3& wi, Transport transport, LobeMask mask) const override;
@@ -49,13 +39,25 @@ class CarPaintBsdf final : public Bsdf {
     Rgb albedo(const Vec3& wo, LobeMask mask) const override;
 
   private:
+    /// A lobe's colour, by its facets' Fresnel term, and its facets.
+    struct Lobe {
+        Rgb ks;
+        float reflectance;
+        MicrofacetLobe facets;
+
+        Rgb reflected(float cosine) const;
+    };
+    static Lobe lobe(const PaintLobe& lobe, const Frame& frame, const Vec3& ng);
     /// Probabilities of the three lobes and, last, of the base.
     using Choice = std::array<float, 4>;
     Choice choose(const Vec3& wo, LobeMask mask) const;
+    /// Those of `mask` that are seen from `wo`.
+    LobeMask seen(const Vec3& wo, LobeMask mask) const;
     float density(const Choice& choice, const HalfVector& half) const;
     Rgb value(const HalfVector& half, LobeMask mask) const;
 
-    CarPaint paint_;
+    Rgb kd_, optical_depth_;
+    std::array<Lobe, 3> lobes_;
     Frame frame_;
     Vec3 ng_;
     bool black_base_;

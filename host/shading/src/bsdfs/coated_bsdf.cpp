@@ -13,31 +13,45 @@ namespace {
 
 constexpr float kMinCosine = 1e-6f;
 
+/// Root of what a coating lets in under the cosine `u` of a half angle.
+Rgb half_of_coating(const Coating& coating, float u) {
+    const Rgb through = Rgb(1.0f) - fresnel_schlick(u, coating.reflectance);
+    return {std::sqrt(through.x), std::sqrt(through.y), std::sqrt(through.z)};
+}
+
+/// Both ways' lengths in units of the coating's depth.
+float crossings(float cos_o, float cos_i) {
+    return 1 / std::max(std::abs(cos_o), kMinCosine) + 1 / std::max(std::abs(cos_i), kMinCosine);
+}
+
 }  // namespace
 
 Rgb coating_transmission(const Coating& coating, float c) {
-    const float cosine = std::abs(c);
-    return (Rgb(1.0f) - fresnel_schlick(cosine, coating.reflectance)) *
-           coating.transmittance(cosine);
+    return half_of_coating(coating, std::abs(c)) * absorbed(coating.optical_depth, crossings(c, c));
 }
 
 Rgb CoatedBsdf::crossing(const Vec3& w) const {
-    return coating_transmission(coating_, w.dot(ns_));
+    if (w.dot(ng_) < 0) return Rgb(1.0f);
+    const float cosine = std::abs(w.dot(ns_));
+    return (Rgb(1.0f) - fresnel_schlick(cosine, coating_.reflectance)) *
+           coating_.transmittance(cosine);
 }
 
 Rgb CoatedBsdf::passed(const Vec3& wo, const Vec3& wi) const {
+    const float cos_o = wo.dot(ns_), cos_i = wi.dot(ns_);
     if (!same_side(wo, wi, ng_)) {
-        const Rgb product = crossing(wo) * crossing(wi);
-        return {std::sqrt(product.x), std::sqrt(product.y), std::sqrt(product.z)};
+        // Half angle between wo and the mirror image of wi.
+        const float u = std::sqrt(std::max(0.0f, 0.5f * (1 + wo.dot(wi) - 2 * cos_o * cos_i)));
+        return half_of_coating(coating_, std::min(u, 1.0f)) *
+               absorbed(coating_.optical_depth, crossings(cos_o, cos_i));
     }
+    if (wo.dot(ng_) < 0) return Rgb(1.0f);
     const float half_cosine = std::sqrt(std::max(0.0f, 0.5f * (1 + wo.dot(wi))));
     const Rgb through = Rgb(1.0f) - fresnel_schlick(half_cosine, coating_.reflectance);
     // As in GlossyBsdf: no more than the coating leaves over on the way in and on the way out.
     const Rgb coat_o = coat_.albedo(wo, kGlossy), coat_i = coat_.albedo(wi, kGlossy);
     const Rgb base_o = base_->albedo(wo, kAllLobes), base_i = base_->albedo(wi, kAllLobes);
-    const float crossings = 1 / std::max(std::abs(wo.dot(ns_)), kMinCosine) +
-                            1 / std::max(std::abs(wi.dot(ns_)), kMinCosine);
-    Rgb share = absorbed(coating_.optical_depth, crossings);
+    Rgb share = absorbed(coating_.optical_depth, crossings(cos_o, cos_i));
     for (int c = 0; c < 3; ++c) {
         const float left = 1 - std::max(coat_o[c], coat_i[c]);
         const float base = std::max({base_o[c], base_i[c], kMinCosine});
@@ -49,6 +63,7 @@ Rgb CoatedBsdf::passed(const Vec3& wo, const Vec3& wi) const {
 float CoatedBsdf::p_coat(const Vec3& wo, LobeMask mask) const {
     if (!(mask & kGlossy)) return 0;
     if (!base_takes_part(mask)) return 1;
+    if (wo.dot(ng_) < 0) return 0;
     const float coat = max_component(coat_.albedo(wo, kGlossy));
     const float base = max_component(base_->albedo(wo, mask) * crossing(wo));
     return coat + base > 0 ? std::clamp(coat / (coat + base), 0.1f, 0.9f) : 0.5f;

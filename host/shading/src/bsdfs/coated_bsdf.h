@@ -6,16 +6,17 @@
 
 namespace lxs::shading {
 
-/// Coating's reflection plus what it leaves of the base. Over a Lambertian base this is GlossyBsdf.
-/// Light that goes through the base crosses the coating once: reciprocity asks for the geometric
-/// mean of what it passes in the two directions.
+/// Coating's reflection on the front plus what it leaves of the base there. Over a Lambertian base
+/// this is GlossyBsdf with a bare back. Light that goes through the base is dimmed as LuxRender
+/// dims it: by the root of what the coating lets in at the half angle of one direction and the
+/// other's mirror image, and by its absorption along both.
 class CoatedBsdf final : public Bsdf {
   public:
     /// `base` null: scatters nothing.
     CoatedBsdf(const Bsdf* base, const Coating& coating, const MicrofacetLobe& facets)
         : base_(base),
           coating_(coating),
-          coat_(Rgb(0.0f), coating, facets),
+          coat_(Rgb(0.0f), coating, facets, CoatedBack::Bare),
           ng_(facets.ng()),
           ns_(facets.ns()) {}
 
@@ -31,7 +32,7 @@ class CoatedBsdf final : public Bsdf {
     float p_coat(const Vec3& wo, LobeMask mask) const;
     /// Share of the base's scattering that gets out.
     Rgb passed(const Vec3& wo, const Vec3& wi) const;
-    /// Share of light along `w` that a single crossing leaves.
+    /// Share of light along `w` that a single crossing of the front leaves.
     Rgb crossing(const Vec3& w) const;
 
     const Bsdf* base_;

@@ -35,9 +35,10 @@ GlossyBsdf::Side GlossyBsdf::side(const Vec3& w) const {
     return {cosine, facets, min_of(coat, Rgb(1.0f))};
 }
 
-Rgb GlossyBsdf::base(const Side& o, const Side& i, const Rgb& fresnel) const {
+Rgb GlossyBsdf::base(const Side& o, const Side& i, const Rgb& fresnel, float shape) const {
     const Rgb white(1.0f);
-    const Rgb f = min_of(kd_ * (white - fresnel), min_of(white - o.coat, white - i.coat)) * kInvPi;
+    const Rgb f =
+        min_of(kd_ * (white - fresnel), min_of(white - o.coat, white - i.coat)) * (kInvPi * shape);
     return f * coating_.transmittance(o.cosine) * coating_.transmittance(i.cosine);
 }
 
@@ -50,7 +51,27 @@ Rgb GlossyBsdf::coat_diffuse(const Side& o, const Side& i) const {
 }
 
 Rgb GlossyBsdf::base_albedo(const Side& o) const {
-    return min_of(kd_ * (Rgb(1.0f) - coating_.reflectance), Rgb(1.0f) - o.coat);
+    return min_of(kd_ * (Rgb(1.0f) - coating_.reflectance), Rgb(1.0f) - o.coat) * shape_.mean();
+}
+
+Rgb GlossyBsdf::back_value(const Vec3& wo, const Vec3& wi, LobeMask mask) const {
+    if (!(mask & kDiffuse) || black_base_) return Rgb(0.0f);
+    const Vec3& ns = facets_.ns();
+    const Rgb f = kd_ * (kInvPi * shape_(wo, wi, ns));
+    if (back_ == CoatedBack::Bare) return f;
+    return f * (Rgb(1.0f) - fresnel_schlick(half_cosine(wo, wi), coating_.reflectance)) *
+           coating_.transmittance(std::abs(wo.dot(ns))) *
+           coating_.transmittance(std::abs(wi.dot(ns)));
+}
+
+bool GlossyBsdf::sample_back(const Vec3& wo, const Vec2& u, LobeMask mask,
+                             BsdfSample& sample) const {
+    Vec3 wi;
+    if (!(mask & kDiffuse) || black_base_ || !sample_cosine(wo, facets_.ng(), facets_.ns(), u, wi))
+        return false;
+    const float pdf = std::abs(wi.dot(facets_.ns())) * kInvPi;
+    sample = {wi, back_value(wo, wi, mask) * kPi, pdf, kDiffuse, false, false};
+    return true;
 }
 
 GlossyBsdf::Choice GlossyBsdf::choose(const Side& o, LobeMask mask) const {
@@ -73,11 +94,11 @@ float GlossyBsdf::density(const Choice& choice, const HalfVector* half, float co
     return half && choice.facets > 0 ? diffuse + choice.facets * facets_.pdf(*half) : diffuse;
 }
 
-Rgb GlossyBsdf::value(const Side& o, const Side& i, float cosine, const HalfVector* half,
-                      LobeMask mask) const {
-    const Rgb fresnel = fresnel_schlick(cosine, coating_.reflectance);
+Rgb GlossyBsdf::value(const Vec3& wo, const Vec3& wi, const Side& o, const Side& i,
+                      const HalfVector* half, LobeMask mask) const {
+    const Rgb fresnel = fresnel_schlick(half_cosine(wo, wi), coating_.reflectance);
     Rgb sum(0.0f);
-    if ((mask & kDiffuse) && !black_base_) sum += base(o, i, fresnel);
+    if ((mask & kDiffuse) && !black_base_) sum += base(o, i, fresnel, shape_(wo, wi, facets_.ns()));
     if (mask & kGlossy) {
         if (half) sum += fresnel * facets_.value(*half);
         if (coating_.multibounce) sum += coat_diffuse(o, i);
@@ -87,13 +108,17 @@ Rgb GlossyBsdf::value(const Side& o, const Side& i, float cosine, const HalfVect
 
 Rgb GlossyBsdf::evaluate(const Vec3& wo, const Vec3& wi, Transport, LobeMask mask) const {
     if (!(mask & lobes()) || !same_side(wo, wi, facets_.ng())) return Rgb(0.0f);
+    if (behind(wo)) return back_value(wo, wi, mask);
     HalfVector half;
     const bool seen = facets_.half_vector(wo, wi, half);
-    return value(side(wo), side(wi), half_cosine(wo, wi), seen ? &half : nullptr, mask);
+    return value(wo, wi, side(wo), side(wi), seen ? &half : nullptr, mask);
 }
 
 float GlossyBsdf::pdf(const Vec3& wo, const Vec3& wi, LobeMask mask) const {
     if (!(mask & lobes()) || !same_side(wo, wi, facets_.ng())) return 0;
+    if (behind(wo)) {
+        return (mask & kDiffuse) && !black_base_ ? std::abs(wi.dot(facets_.ns())) * kInvPi : 0.0f;
+    }
     HalfVector half;
     const bool seen = facets_.half_vector(wo, wi, half);
     return density(choose(side(wo), mask), seen ? &half : nullptr, std::abs(wi.dot(facets_.ns())));
@@ -102,6 +127,7 @@ float GlossyBsdf::pdf(const Vec3& wo, const Vec3& wi, LobeMask mask) const {
 bool GlossyBsdf::sample(const Vec3& wo, const Vec2& u, float u_lobe, Transport, LobeMask mask,
                         BsdfSample& sample) const {
     if (!(mask & lobes())) return false;
+    if (behind(wo)) return sample_back(wo, u, mask, sample);
     const Side o = side(wo);
     const Choice choice = choose(o, mask);
     Vec3 wi;
@@ -117,13 +143,14 @@ bool GlossyBsdf::sample(const Vec3& wo, const Vec2& u, float u_lobe, Transport, 
     const Side i = side(wi);
     const float pdf = density(choice, pair, i.cosine);
     if (!(pdf > 0)) return false;
-    const Rgb f = value(o, i, half_cosine(wo, wi), pair, mask);
+    const Rgb f = value(wo, wi, o, i, pair, mask);
     const bool coat = u_lobe < choice.facets + choice.coat_diffuse;
     sample = {wi, f * (i.cosine / pdf), pdf, coat ? kGlossy : kDiffuse, false, false};
     return true;
 }
 
 Rgb GlossyBsdf::albedo(const Vec3& wo, LobeMask mask) const {
+    if (behind(wo)) return mask & kDiffuse ? kd_ * shape_.mean() : Rgb(0.0f);
     const Side o = side(wo);
     Rgb sum(0.0f);
     if (mask & kGlossy) sum += o.coat;

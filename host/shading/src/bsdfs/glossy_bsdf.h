@@ -7,6 +7,7 @@
 #include "lxs/sdk/bsdf.h"
 #include "microfacet_albedo.h"
 #include "microfacet_lobe.h"
+#include "oren_nayar_shape.h"
 
 namespace lxs::shading {
 
@@ -21,13 +22,27 @@ struct Coating {
     Rgb transmittance(float cosine) const;
 };
 
-/// f = S(u) D G / (4 cos_o cos_i) + (1 - S(u)) Kd / pi, u being the half angle's cosine. The
-/// diffuse part is limited to what the coating leaves over on the way in and on the way out, which
-/// changes grazing angles and bright bases only but keeps the albedo at most 1.
+/// What the other side of a surface looks like that is coated on its front.
+enum class CoatedBack : std::uint8_t {
+    Coated,  ///< as the front
+    Bare,    ///< the base alone
+    Dimmed   ///< the base as under the coating, whose own reflection is missing
+};
+
+/// f = S(u) D G / (4 cos_o cos_i) + (1 - S(u)) Kd O / pi, u being the half angle's cosine and O the
+/// base's shape by Oren & Nayar, 1 if it is smooth. The diffuse part is limited to what the coating
+/// leaves over on the way in and on the way out, which changes grazing angles and bright bases only
+/// but keeps the albedo at most 1.
 class GlossyBsdf final : public Bsdf {
   public:
-    GlossyBsdf(const Rgb& kd, const Coating& coating, const MicrofacetLobe& facets)
-        : kd_(kd), coating_(coating), facets_(facets), black_base_(is_black(kd)) {}
+    GlossyBsdf(const Rgb& kd, const Coating& coating, const MicrofacetLobe& facets, CoatedBack back,
+               const OrenNayarShape& shape = OrenNayarShape(0))
+        : kd_(kd),
+          coating_(coating),
+          facets_(facets),
+          shape_(shape),
+          back_(back),
+          black_base_(is_black(kd)) {}
 
     LobeMask lobes() const override { return black_base_ ? kGlossy : kDiffuse | kGlossy; }
     Rgb evaluate(const Vec3& wo, const Vec3& wi, Transport transport, LobeMask mask) const override;
@@ -52,20 +67,29 @@ class GlossyBsdf final : public Bsdf {
         float facets = 0, coat_diffuse = 0, base = 0;
     };
 
+    /// `w` lies on a back that isn't coated.
+    bool behind(const Vec3& w) const {
+        return back_ != CoatedBack::Coated && w.dot(facets_.ng()) < 0;
+    }
+    /// Value on that side.
+    Rgb back_value(const Vec3& wo, const Vec3& wi, LobeMask mask) const;
+    bool sample_back(const Vec3& wo, const Vec2& u, LobeMask mask, BsdfSample& sample) const;
     Side side(const Vec3& w) const;
-    Rgb base(const Side& o, const Side& i, const Rgb& fresnel) const;
+    Rgb base(const Side& o, const Side& i, const Rgb& fresnel, float shape) const;
     Rgb base_albedo(const Side& o) const;
     /// Multiple bounces between facets.
     Rgb coat_diffuse(const Side& o, const Side& i) const;
     Rgb bounce_color() const;
     Choice choose(const Side& o, LobeMask mask) const;
     float density(const Choice& choice, const HalfVector* half, float cos_i) const;
-    Rgb value(const Side& o, const Side& i, float cosine, const HalfVector* half,
+    Rgb value(const Vec3& wo, const Vec3& wi, const Side& o, const Side& i, const HalfVector* half,
               LobeMask mask) const;
 
     Rgb kd_;
     Coating coating_;
     MicrofacetLobe facets_;
+    OrenNayarShape shape_;
+    CoatedBack back_;
     bool black_base_;
 };
 

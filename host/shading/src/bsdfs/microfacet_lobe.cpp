@@ -58,9 +58,9 @@ float MicrofacetLobe::value(const HalfVector& half) const {
 }
 
 float MicrofacetLobe::facet_pdf(const Vec3& wo, const Vec3& h, float cosine) const {
-    // Visible facets of V-cavities: D_s min(1, 2 h.z cos_o / (wo.h)) / cos_o.
+    // Visible facets of V-cavities: D min(1, 2 h.z cos_o / (wo.h)) / cos_o.
     const float masking_over_cosine = std::min(1 / wo.z, 2 * h.z / cosine);
-    return distribution_.sampling_density(h) * masking_over_cosine;
+    return distribution_.density(h) * masking_over_cosine;
 }
 
 float MicrofacetLobe::pdf(const HalfVector& half) const {

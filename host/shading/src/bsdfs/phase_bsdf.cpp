@@ -12,17 +12,21 @@ namespace {
 
 constexpr float kMinCosine = 1e-4f;
 
+/// Schlick's k of a mean cosine g (Blasi, Le Saec & Schlick 1993, with the fit that LuxRender has).
+float schlick_k(float g) {
+    return std::clamp(g * (1.55f - 0.55f * g * g), -0.999f, 0.999f);
+}
+
 /// `c`: cosine of the deflection, 1 straight on.
 float phase(float g, float c) {
-    const float d = std::max(1e-6f, 1 + g * g - 2 * g * c);
-    return 0.25f * kInvPi * (1 - g * g) / (d * std::sqrt(d));
+    const float k = schlick_k(g), d = 1 - k * c;
+    return 0.25f * kInvPi * (1 - k * k) / (d * d);
 }
 
 /// Cosine of the deflection with density phase(g, c).
 float sample_deflection(float g, float u) {
-    if (std::abs(g) < 1e-3f) return 1 - 2 * u;
-    const float s = (1 - g * g) / (1 - g + 2 * g * u);
-    return std::clamp((1 + g * g - s * s) / (2 * g), -1.0f, 1.0f);
+    const float k = schlick_k(g);
+    return std::clamp((2 * u + k - 1) / (2 * k * u - k + 1), -1.0f, 1.0f);
 }
 
 }  // namespace

@@ -1,13 +1,14 @@
 // A surface that scatters like a particle: LuxRender's "scatter".
-// Source: Henyey & Greenstein 1941, "Diffuse Radiation in the Galaxy" (phase function).
+// Source: Blasi, Le Saec & Schlick 1993, "A Rendering Algorithm for Discrete Volume Density
+// Objects" (phase function).
 #pragma once
 
 #include "lxs/sdk/bsdf.h"
 
 namespace lxs::shading {
 
-/// f |cos_i| = Kd p(wo, wi) over the whole sphere, p being Henyey and Greenstein's phase function;
-/// the surface's orientation plays no part except that f is per projected solid angle.
+/// f |cos_i| = Kd p(wo, wi) over the whole sphere, p being Schlick's phase function; the surface's
+/// orientation plays no part except that f is per projected solid angle.
 class PhaseBsdf final : public Bsdf {
   public:
     /// `g` in (-1, 1): mean cosine of the deflection, per channel; 0 scatters evenly.

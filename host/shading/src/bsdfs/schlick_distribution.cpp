@@ -17,30 +17,36 @@ SchlickDistribution::SchlickDistribution(float u_roughness, float v_roughness) {
     const float v = std::clamp(v_roughness, kMinRoughness, 1.0f);
     const float ratio = std::min(u, v) / std::max(u, v);
     roughness_ = u * v;
-    widest_ = std::max(u, v) * std::max(u, v);
     isotropy_ = std::max(ratio * ratio, kMinIsotropy);
     grain_along_y_ = v < u;
 }
 
 float SchlickDistribution::azimuth(const Vec3& h) const {
-    const float x2 = h.x * h.x, y2 = h.y * h.y;
-    if (!(x2 + y2 > 0)) return 1;
-    const float w2 = (grain_along_y_ ? y2 : x2) / (x2 + y2);
-    const float p2 = isotropy_ * isotropy_;
-    return std::sqrt(isotropy_ / (p2 + (1 - p2) * w2));
+    const float x = std::abs(h.x), y = std::abs(h.y);
+    const float t = (grain_along_y_ ? std::atan2(y, x) : std::atan2(x, y)) * (2 * kInvPi);
+    const float p2 = isotropy_ * isotropy_, d = p2 + (1 - p2) * t * t;
+    return p2 / (d * std::sqrt(d));
+}
+
+float SchlickDistribution::projected_area(float c) const {
+    if (isotropy_ >= 1)  // Walter et al. 2007, equation 34
+        return 0.5f * (c + std::sqrt(roughness_ + (1 - roughness_) * c * c));
+    // Of facets that all lean to and from the direction: c plus the integral of what of them is
+    // turned away.
+    const float slope = std::sqrt(roughness_ * std::max(0.0f, 1 - c * c));
+    return c + 0.5f * slope * std::atan2(slope, c);
 }
 
 Vec2 SchlickDistribution::sample_azimuth(float u) const {
     if (isotropy_ >= 1) return {std::cos(2 * kPi * u), std::sin(2 * kPi * u)};
-    // A has no elementary integral, A^2 / (2 pi) has: tan(phi) = tan(psi) / p with psi uniform.
-    // Half of the directions come from it and half are uniform, so that A never exceeds the
-    // density's share (1 + A^2) / 2.
-    const bool uniform = u < 0.5f;
-    const float psi = 2 * kPi * (uniform ? 2 * u : 2 * u - 1);
-    const float along = std::cos(psi) * (uniform ? 1.0f : isotropy_), across = std::sin(psi);
-    const float scale = 1 / std::sqrt(along * along + across * across);
-    return grain_along_y_ ? Vec2(across * scale, along * scale)
-                          : Vec2(along * scale, across * scale);
+    const float quadrant = std::floor(4 * u), rest = 4 * u - quadrant;
+    const float p2 = isotropy_ * isotropy_;
+    const float t =
+        isotropy_ * rest / std::sqrt(1 - rest * rest * (1 - p2));  // A's integral is rest
+    const float angle = 0.5f * kPi * t;
+    const float along = quadrant < 2 ? std::cos(angle) : -std::cos(angle);
+    const float across = std::fmod(quadrant, 2.0f) < 1 ? std::sin(angle) : -std::sin(angle);
+    return grain_along_y_ ? Vec2(along, across) : Vec2(across, along);
 }
 
 Vec3 SchlickDistribution::sample(const Vec2& u) const {

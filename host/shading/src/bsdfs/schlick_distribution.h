@@ -7,37 +7,32 @@
 namespace lxs::shading {
 
 /// Distribution of facet normals h around local +z. D(h) = Z(h) A(h) / pi with
-///   Z = r / (1 - (1 - r) cos^2)^2 and A = sqrt(p / (p^2 + (1 - p^2) w^2)),
-/// where w is the cosine between the grain and h's projection. r = uroughness * vroughness and
-/// p = (smaller / larger roughness)^2.
+///   Z = r / (1 - (1 - r) cos^2)^2 and A = p^2 / (p^2 + (1 - p^2) t^2)^(3/2),
+/// where t in [0, 1] is the angle between h's projection and the direction of the larger roughness,
+/// over a right angle. r = uroughness * vroughness and p = (smaller / larger roughness)^2.
+/// Schlick's own A is sqrt(p / (p^2 + (1 - p^2) w^2)), w a cosine; the one here is the density of
+/// the azimuths that his and LuxRender's way to draw facets gives. LuxRender weighs such facets as
+/// if they had his A, so that what it renders has the A here wherever it finds light by following
+/// reflected rays, which for grained surfaces is almost everywhere (docs/conformance.md). Both are
+/// 1 where p is. This one's mean over the azimuths is 1, so that no light is lost.
 class SchlickDistribution {
   public:
     /// Roughness along local x and y; LuxRender's parameters, limited to [0.006, 1].
     SchlickDistribution(float u_roughness, float v_roughness);
 
     float roughness() const { return roughness_; }
-    /// D(h) for h.z > 0; integrates with h.z to 1 (A's mean is at most 1: a grain loses some).
+    /// D(h) for h.z > 0; integrates with h.z to 1.
     float density(const Vec3& h) const {
         return zenith(h) * kInvPi * (isotropy_ < 1 ? azimuth(h) : 1.0f);
     }
-    /// Density times 1 / h.z with which `sample` draws h; at least D(h).
-    float sampling_density(const Vec3& h) const {
-        if (isotropy_ >= 1) return zenith(h) * kInvPi;
-        const float a = azimuth(h);
-        return zenith(h) * kInvPi * 0.5f * (1 + a * a);
-    }
-    /// Draws h with density sampling_density(h) * h.z per steradian.
+    /// Draws h with density D(h) * h.z per steradian.
     Vec3 sample(const Vec2& u) const;
     /// Schlick's shadowing of one direction over its cosine: G1(c) / c = 1 / (c (1 - r) + r).
     float shadowing_over_cosine(float c) const { return 1 / (c * (1 - roughness_) + roughness_); }
     /// Upper bound of what facets that reflect everything would send back under G1 alone: above 1
-    /// at grazing angles, where Schlick's shadowing is too weak. The facets' projected area,
-    /// (c + sqrt(a^2 + (1 - a^2) c^2)) / 2 (Walter et al. 2007, equation 34), times G1(c) / c; a is
-    /// the larger roughness.
-    float reflected_bound(float c) const {
-        const float area = 0.5f * (c + std::sqrt(widest_ + (1 - widest_) * c * c));
-        return area * shadowing_over_cosine(c);
-    }
+    /// at grazing angles, where Schlick's shadowing is too weak. The facets' projected area times
+    /// G1(c) / c.
+    float reflected_bound(float c) const { return projected_area(c) * shadowing_over_cosine(c); }
 
   private:
     float zenith(const Vec3& h) const {
@@ -45,10 +40,12 @@ class SchlickDistribution {
         return roughness_ / (d * d);
     }
     float azimuth(const Vec3& h) const;
+    /// At most so much area do the facets turn towards a direction of cosine `c`, per area of the
+    /// surface.
+    float projected_area(float c) const;
     Vec2 sample_azimuth(float u) const;
 
     float roughness_;
-    float widest_;        ///< square of the larger roughness
     float isotropy_;      ///< p in (0, 1]; 1 means isotropic
     bool grain_along_y_;  ///< else along x: the direction with the smaller roughness
 };

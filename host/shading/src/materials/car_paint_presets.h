@@ -11,8 +11,8 @@ namespace lxs::shading {
 /// The preset that LuxRender's defaults are, and that stands in for unknown ones.
 inline constexpr std::string_view kDefaultCarPaint = "ford f8";
 
-/// Paint that stands for the preset "name"; null if "name" is absent, empty or "-" (the paint's own
-/// parameters count). Warns of an unknown name, and where the preset is a stand-in.
+/// Paint that the preset "name" is; null if "name" is absent, empty or "-" (the paint's own
+/// parameters count). Warns of an unknown name.
 const CarPaint* read_car_paint_preset(const ParameterReader& reader);
 
 /// Paint of the preset `name`, which must exist; for defaults.

@@ -5,6 +5,7 @@
 #include "bsdfs/place_bsdf.h"
 #include "car_paint_presets.h"
 #include "common_parameters.h"
+#include "lxs/scene/constant_texture.h"
 #include "material_plugins.h"
 #include "prepared_texture.h"
 
@@ -12,83 +13,91 @@ namespace lxs::shading {
 namespace {
 
 constexpr float kLargest = std::numeric_limits<float>::max();
-/// Sharper lobes would overflow and look like a mirror.
-constexpr float kMinSlope = 1e-3f, kMaxSlope = 10;
+
+PreparedFloat constant_number(float value) {
+    return {std::make_shared<ConstantTexture<float>>(value), 0, 1};
+}
 
 /// Textures of one lobe.
 struct LobeParameters {
     PreparedColor ks;
-    PreparedFloat reflectance, slope;
+    PreparedFloat reflectance, roughness;
+
+    explicit LobeParameters(const PaintLobe& lobe)
+        : ks(constant_reflectance(lobe.ks)),
+          reflectance(constant_number(lobe.reflectance)),
+          roughness(constant_number(lobe.roughness)) {}
 
     LobeParameters(const ParameterReader& reader, const AssetContext& assets, int number,
-                   const CookTorranceLobe& fallback)
+                   const PaintLobe& fallback)
         : ks(read_reflectance(reader, assets, fmt::format("Ks{}", number), fallback.ks)),
           reflectance(
               read_limited(reader, assets, fmt::format("R{}", number), fallback.reflectance, 0, 1)),
-          slope(read_limited(reader, assets, fmt::format("M{}", number), fallback.slope, kMinSlope,
-                             kMaxSlope)) {}
+          roughness(
+              read_limited(reader, assets, fmt::format("M{}", number), fallback.roughness, 0, 1)) {}
 
-    CookTorranceLobe at(const TexturePoint& point) const {
-        return {ks.at(point), reflectance.at(point), slope.at(point)};
+    PaintLobe at(const TexturePoint& point) const {
+        return {ks.at(point), reflectance.at(point), roughness.at(point)};
     }
     void add_to(MaterialFacts& facts) const {
         ks.add_to(facts);
-        facts.reads_image |= reflectance.reads_image() || slope.reads_image();
+        facts.reads_image |= reflectance.reads_image() || roughness.reads_image();
     }
+};
+
+/// Textures of base and lobes.
+struct PaintParameters {
+    PreparedColor kd;
+    std::array<LobeParameters, 3> lobes;
+
+    explicit PaintParameters(const CarPaint& paint)
+        : kd(constant_reflectance(paint.kd)),
+          lobes{LobeParameters(paint.lobes[0]), LobeParameters(paint.lobes[1]),
+                LobeParameters(paint.lobes[2])} {}
+    PaintParameters(const ParameterReader& reader, const AssetContext& assets,
+                    const CarPaint& fallback)
+        : kd(read_reflectance(reader, assets, "Kd", fallback.kd)),
+          lobes{LobeParameters(reader, assets, 1, fallback.lobes[0]),
+                LobeParameters(reader, assets, 2, fallback.lobes[1]),
+                LobeParameters(reader, assets, 3, fallback.lobes[2])} {}
 };
 
 class CarPaintMaterial final : public Material {
   public:
-    /// `preset`: null, or the paint whose base and lobes count instead of the parameters.
-    CarPaintMaterial(const ParameterReader& reader, const AssetContext& assets,
-                     const CarPaint* preset);
+    CarPaintMaterial(PaintParameters paint, const ParameterReader& reader,
+                     const AssetContext& assets)
+        : paint_(std::move(paint)),
+          ka_(read_absorption(reader, assets, "Ka")),
+          depth_(read_limited(reader, assets, "d", 0, 0, kLargest)) {}
 
     const Bsdf* scatter(const ShadingPoint& point,
                         std::pmr::memory_resource& memory) const override;
     MaterialFacts facts() const override;
 
   private:
-    const CarPaint* preset_;
-    PreparedColor kd_, ka_;
+    PaintParameters paint_;
+    PreparedColor ka_;
     PreparedFloat depth_;
-    std::array<LobeParameters, 3> lobes_;
 };
-
-CarPaintMaterial::CarPaintMaterial(const ParameterReader& reader, const AssetContext& assets,
-                                   const CarPaint* preset)
-    : preset_(preset),
-      kd_(read_reflectance(reader, assets, "Kd", car_paint_preset(kDefaultCarPaint).kd)),
-      ka_(read_positive_color(reader, assets, "Ka", Rgb(0.0f))),
-      depth_(read_limited(reader, assets, "d", 0, 0, kLargest)),
-      lobes_{LobeParameters(reader, assets, 1, car_paint_preset(kDefaultCarPaint).lobes[0]),
-             LobeParameters(reader, assets, 2, car_paint_preset(kDefaultCarPaint).lobes[1]),
-             LobeParameters(reader, assets, 3, car_paint_preset(kDefaultCarPaint).lobes[2])} {}
 
 const Bsdf* CarPaintMaterial::scatter(const ShadingPoint& point,
                                       std::pmr::memory_resource& memory) const {
     CarPaint paint;
-    if (preset_) {
-        paint = *preset_;
-    } else {
-        paint.kd = kd_.at(point.texture);
-        for (int i = 0; i < 3; ++i)
-            paint.lobes[i] = lobes_[i].at(point.texture);
-    }
+    paint.kd = paint_.kd.at(point.texture);
+    for (std::size_t i = 0; i < 3; ++i)
+        paint.lobes[i] = paint_.lobes[i].at(point.texture);
     paint.optical_depth = limited(ka_.at(point.texture) * depth_.at(point.texture), 0, kLargest);
     return place_bsdf<CarPaintBsdf>(memory, paint, Frame(point.ns, point.dpdu), point.ng);
 }
 
 MaterialFacts CarPaintMaterial::facts() const {
     MaterialFacts facts;
-    facts.lobes = kDiffuse | kGlossy;
-    if (preset_ ? is_black(preset_->kd) : kd_.is(Rgb(0.0f))) facts.lobes = kGlossy;
+    facts.lobes = paint_.kd.is(Rgb(0.0f)) ? kGlossy : kDiffuse | kGlossy;
     facts.reads_image = depth_.reads_image();
     ka_.add_to(facts);
-    if (!preset_) {
-        kd_.add_to(facts);
-        for (const LobeParameters& lobe : lobes_)
-            lobe.add_to(facts);
-    }
+    paint_.kd.add_to(facts);
+    for (const LobeParameters& lobe : paint_.lobes)
+        lobe.add_to(facts);
     facts.max_bsdf_bytes = kBsdfBytes<CarPaintBsdf>;
     return facts;
 }
@@ -109,7 +118,10 @@ std::shared_ptr<const Material> create(const ParameterReader& reader, const Asse
     warn_of_common_parameters(reader);
     const CarPaint* preset = read_car_paint_preset(reader);
     if (preset) warn_of_overridden(reader);
-    return std::make_shared<CarPaintMaterial>(reader, assets, preset);
+    PaintParameters paint =
+        preset ? PaintParameters(*preset)
+               : PaintParameters(reader, assets, car_paint_preset(kDefaultCarPaint));
+    return std::make_shared<CarPaintMaterial>(std::move(paint), reader, assets);
 }
 
 }  // namespace
@@ -125,21 +137,20 @@ MaterialFactory carpaint_plugin() {
              {"Kd", ColorTexture, "",
               "diffuse reflectance of the base, 0 to 1 (default: ford f8's)"},
              {"Ka", ColorTexture, "0 0 0",
-              "absorption of the coating above the base per unit of depth"},
+              "absorption of the coating above the base per unit of depth, 0 to 1"},
              {"d", FloatTexture, "0", "depth of that coating", 0},
              {"Ks1", ColorTexture, "", "weight of lobe 1, 0 to 1"},
              {"R1", FloatTexture, "", "reflectance of lobe 1's facets at normal incidence, 0 to 1",
               0},
-             {"M1", FloatTexture, "", "root mean square slope of lobe 1's facets, 0.001 to 10", 0},
+             {"M1", FloatTexture, "", "roughness of lobe 1, 0.006 to 1; at 0 there is none", 0},
              {"Ks2", ColorTexture, "", "weight of lobe 2, 0 to 1"},
              {"R2", FloatTexture, "", "reflectance of lobe 2's facets at normal incidence, 0 to 1",
               0},
-             {"M2", FloatTexture, "", "root mean square slope of lobe 2's facets, 0.001 to 10", 0},
+             {"M2", FloatTexture, "", "roughness of lobe 2, 0.006 to 1; at 0 there is none", 0},
              {"Ks3", ColorTexture, "", "weight of lobe 3, 0 to 1"},
              {"R3", FloatTexture, "", "reflectance of lobe 3's facets at normal incidence, 0 to 1",
               0},
-             {"M3", FloatTexture, "", "root mean square slope of lobe 3's facets, 0.001 to 10",
-              0}}),
+             {"M3", FloatTexture, "", "roughness of lobe 3, 0.006 to 1; at 0 there is none", 0}}),
         &create};
 }
 

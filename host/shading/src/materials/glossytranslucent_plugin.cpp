@@ -25,7 +25,7 @@ class GlossyTranslucentMaterial final : public Material {
     /// With "onesided" the back is coated as the front is.
     static SurfaceCoating back_coating(const ParameterReader& reader, const AssetContext& assets) {
         if (reader.boolean("onesided", true)) return {reader, assets};
-        return {reader, assets, "backface_"};
+        return {reader, assets, "backface_", Rgb(0.0f), 0};
     }
 
     PreparedColor kd_, kt_;
@@ -35,8 +35,10 @@ class GlossyTranslucentMaterial final : public Material {
 const Bsdf* GlossyTranslucentMaterial::scatter(const ShadingPoint& point,
                                                std::pmr::memory_resource& memory) const {
     const Rgb kd = kd_.at(point.texture);
-    const GlossyBsdf front(kd, front_.coating_at(point.texture), front_.facets_at(point));
-    const GlossyBsdf back(kd, back_.coating_at(point.texture), back_.facets_at(point));
+    const GlossyBsdf front(kd, front_.coating_at(point.texture), front_.facets_at(point),
+                           CoatedBack::Coated);
+    const GlossyBsdf back(kd, back_.coating_at(point.texture), back_.facets_at(point),
+                          CoatedBack::Coated);
     return place_bsdf<GlossyTranslucentBsdf>(memory, front, back, kt_.at(point.texture), point.ng,
                                              point.ns);
 }
@@ -69,16 +71,14 @@ MaterialFactory glossytranslucent_plugin() {
         {"Kt", ColorTexture, "1 1 1", "diffuse transmittance of the base, 0 to 1"},
         {"onesided", Bool, "true",
          "the back is coated like the front; else by the backface parameters"},
-        {"backface_Ks", ColorTexture, "1 1 1",
+        {"backface_Ks", ColorTexture, "0 0 0",
          "reflectance of the back's coating at normal incidence, 0 to 1"},
-        {"backface_Ka", ColorTexture, "0 0 0", "absorption of the back's coating"},
-        {"backface_index", FloatTexture, "0", "index of the back's coating; overrides its Ks", 0},
+        {"backface_Ka", ColorTexture, "0 0 0", "absorption of the back's coating, 0 to 1"},
+        {"backface_index", FloatTexture, "0", "index of the back's coating, as index", 0},
         {"backface_d", FloatTexture, "0", "depth of the back's coating", 0},
         {"backface_multibounce", Bool, "false", "multibounce of the back"},
-        {"backface_uroughness", FloatTexture, "0.1", "roughness of the back along u, 0.006 to 1",
-         0},
-        {"backface_vroughness", FloatTexture, "0.1", "roughness of the back along v, 0.006 to 1",
-         0}};
+        {"backface_uroughness", FloatTexture, "0", "roughness of the back along u, 0.006 to 1", 0},
+        {"backface_vroughness", FloatTexture, "0", "roughness of the back along v, 0.006 to 1", 0}};
     return {with_common_parameters(declarations({own, coating_parameters()})), &create};
 }
 

@@ -23,23 +23,28 @@ void warn_of_limit(const ParameterReader& reader, std::string_view name, float l
 }
 
 PreparedColor read_color(const ParameterReader& reader, const AssetContext& assets,
-                         std::string_view name, const Rgb& fallback, float highest) {
+                         std::string_view name, const Rgb& fallback, ColourOf of) {
+    constexpr float kHighest = 1;
     auto texture = read_color_texture(reader, assets, name, fallback);
     const std::optional<Rgb> value = texture->constant();
-    if (value && limited(*value, 0, highest) != *value) warn_of_limit(reader, name, 0, highest);
-    return {std::move(texture), 0, highest};
+    if (value && limited(*value, 0, kHighest) != *value) warn_of_limit(reader, name, 0, kHighest);
+    return {std::move(texture), 0, kHighest, of};
 }
 
 }  // namespace
 
 PreparedColor read_reflectance(const ParameterReader& reader, const AssetContext& assets,
                                std::string_view name, const Rgb& fallback) {
-    return read_color(reader, assets, name, fallback, 1);
+    return read_color(reader, assets, name, fallback, ColourOf::Surface);
 }
 
-PreparedColor read_positive_color(const ParameterReader& reader, const AssetContext& assets,
-                                  std::string_view name, const Rgb& fallback) {
-    return read_color(reader, assets, name, fallback, kLargest);
+PreparedColor constant_reflectance(const Rgb& value) {
+    return {std::make_shared<ConstantTexture<Rgb>>(value), 0, 1, ColourOf::Surface};
+}
+
+PreparedColor read_absorption(const ParameterReader& reader, const AssetContext& assets,
+                              std::string_view name) {
+    return read_color(reader, assets, name, Rgb(0.0f), ColourOf::Quantity);
 }
 
 PreparedFloat read_limited(const ParameterReader& reader, const AssetContext& assets,

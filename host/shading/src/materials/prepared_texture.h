@@ -7,6 +7,7 @@
 
 #include "lxs/scene/refused_values.h"
 #include "lxs/scene/registry.h"
+#include "lxs/spectrum/reflectance_colour.h"
 
 namespace lxs::shading {
 
@@ -19,14 +20,21 @@ inline Rgb limited(const Rgb& value, float lowest, float highest) {
             limited(value.z, lowest, highest)};
 }
 
+/// What a colour is the colour of.
+enum class ColourOf : std::uint8_t {
+    Surface,  ///< a reflectance or transmittance: turned to what LuxRender's lamps show of it
+    Quantity  ///< absorption and the like: as it is written
+};
+
 template <class T>
 class PreparedTexture {
   public:
-    PreparedTexture(std::shared_ptr<const Texture<T>> texture, float lowest, float highest)
-        : lowest_(lowest), highest_(highest) {
+    PreparedTexture(std::shared_ptr<const Texture<T>> texture, float lowest, float highest,
+                    ColourOf of = ColourOf::Quantity)
+        : lowest_(lowest), highest_(highest), of_(of) {
         if (const std::optional<T> value = texture->constant()) {
-            constant_ = limited(*value, lowest, highest);
             spectrum_ = texture->spectrum();
+            constant_ = spectrum_ ? limited(*value, lowest, highest) : seen(*value);
         } else {
             texture_ = std::move(texture);
         }
@@ -53,31 +61,44 @@ class PreparedTexture {
         if (spectrum_) return limited(spectrum_->at(wavelengths), lowest_, highest_);
         return wavelengths.values_of(texture_ ? evaluated(point) : constant_);
     }
+    /// Within the limits, and as the colour that it is.
+    T seen(const T& value) const {
+        const T kept = limited(value, lowest_, highest_);
+        if constexpr (std::is_same_v<T, Rgb>) {
+            if (of_ == ColourOf::Surface)
+                return limited(colour_of_reflectance(kept), lowest_, highest_);
+        }
+        return kept;
+    }
     /// What is cut off at the limits is meant so; what is no number, or a negative colour, is not.
     T evaluated(const TexturePoint& point) const {
         const T value = texture_->evaluate(point);
         bool usable = is_finite(value);
         if constexpr (std::is_same_v<T, Rgb>) usable &= lowest_ < 0 || !is_negative(value);
         if (!usable && point.refused) point.refused->count();
-        return limited(is_finite(value) ? value : T(0.0f), lowest_, highest_);
+        return seen(is_finite(value) ? value : T(0.0f));
     }
 
     T constant_{};
     CurvePointer spectrum_;  ///< of a constant colour that was given as one; else null
     float lowest_, highest_;
+    ColourOf of_;
     std::shared_ptr<const Texture<T>> texture_;  ///< null for a constant
 };
 
 using PreparedFloat = PreparedTexture<float>;
 using PreparedColor = PreparedTexture<Rgb>;
 
-/// A reflectance or transmittance: limited to [0, 1] per channel, with a warning at the parameter
-/// if a constant lies outside.
+/// A reflectance or transmittance in LuxRender's colour of it: limited to [0, 1] per channel, with
+/// a warning at the parameter if a constant lies outside.
 PreparedColor read_reflectance(const ParameterReader& reader, const AssetContext& assets,
                                std::string_view name, const Rgb& fallback);
-/// A colour without upper limit (absorption).
-PreparedColor read_positive_color(const ParameterReader& reader, const AssetContext& assets,
-                                  std::string_view name, const Rgb& fallback);
+/// The same that is `value` everywhere.
+PreparedColor constant_reflectance(const Rgb& value);
+/// Absorption of a coating per unit of depth, black by default: LuxRender limits it to [0, 1] too,
+/// and leaves the depth free.
+PreparedColor read_absorption(const ParameterReader& reader, const AssetContext& assets,
+                              std::string_view name);
 /// A number limited to [lowest, highest], with a warning at the parameter if a constant that the
 /// scene gives lies outside.
 PreparedFloat read_limited(const ParameterReader& reader, const AssetContext& assets,

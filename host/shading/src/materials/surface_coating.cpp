@@ -12,12 +12,13 @@ constexpr float kLargest = std::numeric_limits<float>::max();
 }  // namespace
 
 SurfaceCoating::SurfaceCoating(const ParameterReader& reader, const AssetContext& assets,
-                               const std::string& prefix, const Rgb& default_ks)
+                               const std::string& prefix, const Rgb& default_ks,
+                               float default_roughness)
     : ks_(read_reflectance(reader, assets, prefix + "Ks", default_ks)),
-      ka_(read_positive_color(reader, assets, prefix + "Ka", Rgb(0.0f))),
+      ka_(read_absorption(reader, assets, prefix + "Ka")),
       index_(read_limited(reader, assets, prefix + "index", 0, 0, kLargest)),
       depth_(read_limited(reader, assets, prefix + "d", 0, 0, kLargest)),
-      surface_(reader, assets, 0.1f, prefix),
+      surface_(reader, assets, default_roughness, prefix),
       multibounce_(reader.boolean(prefix + "multibounce", false)) {}
 
 Coating SurfaceCoating::coating_at(const TexturePoint& point) const {
@@ -25,7 +26,7 @@ Coating SurfaceCoating::coating_at(const TexturePoint& point) const {
     coating.reflectance = ks_.at(point);
     if (const float index = index_.at(point); index > 0) {
         const float root = (index - 1) / (index + 1);
-        coating.reflectance = Rgb(root * root);
+        coating.reflectance *= root * root;
     }
     coating.optical_depth = limited(ka_.at(point) * depth_.at(point), 0, kLargest);
     coating.multibounce = multibounce_;
@@ -42,8 +43,9 @@ std::vector<ParameterDeclaration> coating_parameters() {
     using enum ParameterType;
     return declarations(
         {{{"Ks", ColorTexture, "1 1 1", "reflectance of the coating at normal incidence, 0 to 1"},
-          {"Ka", ColorTexture, "0 0 0", "absorption of the coating per unit of depth"},
-          {"index", FloatTexture, "0", "index of the coating; overrides Ks when above 0", 0},
+          {"Ka", ColorTexture, "0 0 0", "absorption of the coating per unit of depth, 0 to 1"},
+          {"index", FloatTexture, "0",
+           "index of the coating; when above 0 its reflectance is multiplied with Ks", 0},
           {"d", FloatTexture, "0", "depth of the coating", 0},
           {"multibounce", Bool, "false",
            "light shadowed by the coating's facets comes out diffusely"}},

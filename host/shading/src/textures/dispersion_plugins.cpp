@@ -2,8 +2,8 @@
 #include <array>
 #include <cmath>
 
+#include "materials/metal_colour.h"
 #include "materials/metal_presets.h"
-#include "materials/optical_table.h"
 #include "texture_parameters.h"
 #include "texture_plugins.h"
 
@@ -107,7 +107,7 @@ FresnelTextureFactory table_plugin(OpticalFormat format) {
                 const SourceLocation& where = reader.where("filename");
                 const std::string path = assets.resolve(reader.string("filename", ""), where);
                 return std::make_shared<ConstantTexture<FresnelValue>>(
-                    rgb_constants(read_optical_table(path, format, where)));
+                    constants_of_colour(read_optical_table(path, format, where)));
             }};
 }
 

@@ -13,16 +13,20 @@ class FresnelColorTexture final : public FresnelTexture {
     explicit FresnelColorTexture(std::shared_ptr<const ColorTexture> reflectance)
         : reflectance_(std::move(reflectance)) {}
     FresnelValue evaluate(const TexturePoint& point) const override {
-        return fresnel_from_reflectance(reflectance_->evaluate(point));
+        return constants_of(reflectance_->evaluate(point));
     }
     std::optional<FresnelValue> constant() const override {
         const std::optional<Rgb> reflectance = reflectance_->constant();
         if (!reflectance) return std::nullopt;
-        return fresnel_from_reflectance(*reflectance);
+        return constants_of(*reflectance);
     }
     bool reads_image() const override { return reflectance_->reads_image(); }
 
   private:
+    static FresnelValue constants_of(const Rgb& reflectance) {
+        return fresnel_from_reflectance(colour_of_reflectance(reflectance));
+    }
+
     std::shared_ptr<const ColorTexture> reflectance_;
 };
 

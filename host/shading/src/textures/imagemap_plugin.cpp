@@ -131,6 +131,18 @@ class FloatImageTexture final : public FloatTexture {
     int index_;
 };
 
+/// LuxRender takes an image that it can't read for one of a single 1.
+template <class Product>
+std::shared_ptr<const Product> or_ones(const ParameterReader& reader, const auto& create,
+                                       std::shared_ptr<const Product> ones) {
+    try {
+        return create();
+    } catch (const InputError& error) {
+        reader.diagnostics().fallback(error.where(), error.message(), "1 is used everywhere");
+        return ones;
+    }
+}
+
 std::shared_ptr<const FloatTexture> create_float(const ParameterReader& reader,
                                                  const AssetContext& assets, const Matrix& to_world,
                                                  const std::shared_ptr<ImageCache>& cache) {
@@ -175,14 +187,21 @@ void register_imagemaps(Registry& registry) {
     registry.float_textures["imagemap"] = {
         float_parameters,
         [cache](const ParameterReader& reader, const AssetContext& assets, const Matrix& to_world) {
-            return create_float(reader, assets, to_world, cache);
+            return or_ones<FloatTexture>(
+                reader, [&] { return create_float(reader, assets, to_world, cache); },
+                std::make_shared<ConstantTexture<float>>(1.0f));
         }};
     registry.color_textures["imagemap"] = {
         imagemap_parameters(),
         [cache](const ParameterReader& reader, const AssetContext& assets,
                 const Matrix& to_world) -> std::shared_ptr<const ColorTexture> {
-            return std::make_shared<ColorImageTexture>(
-                ImageLookup(reader, assets, to_world, cache));
+            return or_ones<ColorTexture>(
+                reader,
+                [&] {
+                    return std::make_shared<ColorImageTexture>(
+                        ImageLookup(reader, assets, to_world, cache));
+                },
+                std::make_shared<ConstantTexture<Rgb>>(Rgb(1.0f)));
         }};
 }
 

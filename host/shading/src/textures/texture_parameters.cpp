@@ -6,8 +6,9 @@ namespace lxs::shading {
 std::shared_ptr<const FloatTexture> read_float_texture(const ParameterReader& reader,
                                                        const AssetContext& assets,
                                                        std::string_view name, float fallback) {
-    if (const auto texture = reader.texture_name(name))
-        return assets.float_texture(*texture, reader.where(name));
+    if (const auto texture = reader.texture_name(name)) {
+        if (auto found = assets.float_texture(*texture, reader.where(name))) return found;
+    }
     const auto value = static_cast<float>(reader.number(name, fallback));
     return std::make_shared<ConstantTexture<float>>(value);
 }
@@ -15,16 +16,18 @@ std::shared_ptr<const FloatTexture> read_float_texture(const ParameterReader& re
 std::shared_ptr<const ColorTexture> read_color_texture(const ParameterReader& reader,
                                                        const AssetContext& assets,
                                                        std::string_view name, const Rgb& fallback) {
-    if (const auto texture = reader.texture_name(name))
-        return assets.color_texture(*texture, reader.where(name));
+    if (const auto texture = reader.texture_name(name)) {
+        if (auto found = assets.color_texture(*texture, reader.where(name))) return found;
+    }
     return std::make_shared<ConstantTexture<Rgb>>(reader.color(name, fallback));
 }
 
 std::shared_ptr<const FresnelTexture> read_fresnel_texture(const ParameterReader& reader,
                                                            const AssetContext& assets,
                                                            std::string_view name, float fallback) {
-    if (const auto texture = reader.texture_name(name))
-        return assets.fresnel_texture(*texture, reader.where(name));
+    if (const auto texture = reader.texture_name(name)) {
+        if (auto found = assets.fresnel_texture(*texture, reader.where(name))) return found;
+    }
     FresnelValue value;
     value.eta = Rgb(static_cast<float>(reader.number(name, fallback)));
     return std::make_shared<ConstantTexture<FresnelValue>>(value);

@@ -19,7 +19,7 @@ class StressSizes : public testing::Test {
   protected:
     BoundedRun render(const std::string& scene, const std::vector<std::string>& more = {}) {
         folder_.write("scene.lxs", scene);
-        std::vector<std::string> arguments{"scene.lxs", "--passes", "1"};
+        std::vector<std::string> arguments{"scene.lxs", "--passes", "1", "--strict"};
         arguments.insert(arguments.end(), more.begin(), more.end());
         return stress::run_lxsrender(folder_, arguments, {.bounds = kBounds});
     }

@@ -70,6 +70,8 @@ class Guide : public DirectionGuide {
     virtual std::uint32_t iteration_paths(std::uint64_t iteration) const = 0;
     /// Whether that iteration follows the guide; the first of a pass does not.
     virtual bool guides(std::uint64_t iteration) const = 0;
+    /// Whether update() wants landings that shadow rays own too.
+    virtual bool learns_from_owned() const = 0;
     /// Whether update() wants the landings' scores.
     virtual bool needs_scores() const = 0;
     /// Learns from an iteration's landings, in their order; `scores` (LandingScore), one for each,

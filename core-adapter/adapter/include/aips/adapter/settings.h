@@ -75,6 +75,8 @@ struct Settings {
     std::uint32_t cdf_resolution = 8;  ///< cells per side of a directional table
     double error_alpha = 0.4;          ///< weight of the last pass's error (eq. 8)
     CriterionKind error_criterion = CriterionKind::Paper;
+    bool present_errors = true;  ///< guide=paper: eq. 5 takes neighbours' errors of now
+    bool first_landings = true;  ///< guide=paper learns from light that shadow rays own
 
     bool guide_emission = true;  ///< guide=adaptive guides where photons start
     bool eye_seeding = true;    ///< guide=adaptive learns from the eye where photons ought to start

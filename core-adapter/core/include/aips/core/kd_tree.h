@@ -40,14 +40,22 @@ class NodeTree {
     std::uint32_t insert(Vec3 position, float value);
 
     /// The node of a point; outside the box, that of the nearest half-spaces. Never fails.
-    std::uint32_t locate(Vec3 p) const {
+    std::uint32_t locate(Vec3 p) const { return branches_[region(p)].target(); }
+
+    /// A name for the part of space that is the node of a point now: it stays the same part when
+    /// the node splits. Below region_count().
+    std::uint32_t region(Vec3 p) const {
         std::uint32_t i = 0;
         while (branches_[i].axis() != kLeaf) {
             const Branch b = branches_[i];
             i = b.target() + (p[b.axis()] >= b.plane ? 1u : 0u);
         }
-        return branches_[i].target();
+        return i;
     }
+    std::uint32_t region_count() const { return static_cast<std::uint32_t>(branches_.size()); }
+    /// Present errors by region: a node's own; of a region that has split the mean of its halves,
+    /// as a split at the median gives each as many photons.
+    void region_errors(std::vector<double>& errors) const;
 
     /// Eq. 7: w += N_e,i / N_e for eye rays that end at `ends`, of `total_rays` in the pass. Ends
     /// that are not finite are left out.
@@ -93,7 +101,6 @@ class NodeTree {
         float plane = 0;
     };
 
-    std::uint32_t locate_branch(Vec3 p) const;
     bool full(const Node& node) const { return node.stored >= slots_; }
     void split(std::uint32_t branch);
     void divide(std::uint32_t branch, SplitPlane plane);

@@ -18,6 +18,8 @@ struct Landing {
     std::uint32_t path = 0;         ///< number of the photon path in its pass
     std::uint16_t depth = 0;        ///< surfaces met so far, this one included: 1 from the light
     std::uint16_t light_group = 0;  ///< group of the light that emitted the path
+    /// Light that shadow rays bring to the image: a guide may learn from it, nothing gathers it.
+    bool owned_by_shadow_rays = false;
 };
 
 }  // namespace aips

@@ -2,6 +2,7 @@
 // Source: Liu & Zheng 2014, sections 5.2 and 5.3, eq. 5 and 6.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -19,6 +20,9 @@ struct PaperTableSettings {
     /// Least error of a direction, as a share of the mean over directions with a neighbour; in
     /// (0, 1]. Directions without a neighbour get it too.
     float floor_share = 0.1f;
+    /// Whether eq. 5 takes the errors that neighbours have when a table is made, by the last few
+    /// seen in each direction; else those that they had when each photon landed, of all photons.
+    bool present_errors = true;
     /// Departure: a segment tells both of its ends of each other, not only the earlier one.
     bool both_ends = false;
 };
@@ -31,10 +35,11 @@ class PaperTables {
     explicit PaperTables(const PaperTableSettings& settings);
 
     /// After an iteration: makes tables for new nodes (copies of those that they split from), takes
-    /// in the neighbours that the landings name, with the tree's present errors, and rebuilds the
-    /// tables of the nodes concerned.
+    /// in the neighbours that the landings name, and rebuilds the tables of all nodes that know
+    /// neighbours (without present_errors: of those that landings name).
     void update(const NodeTree& tree, std::span<const Landing> landings);
-    /// At the end of a pass: what each direction has learned counts as one neighbour from now on.
+    /// At the end of a pass: without present_errors, what each direction has learned counts as one
+    /// neighbour from now on.
     void end_pass();
 
     /// Saves what was learned, or restores it into new tables with the same settings, for a tree
@@ -53,24 +58,36 @@ class PaperTables {
     static std::size_t memory_bound_bytes(std::uint32_t max_nodes, int resolution);
 
   private:
+    /// NodeTree's regions where the last photons landed that went one way, the newest first.
+    using Neighbours = std::array<std::uint32_t, 4>;
+    static constexpr std::uint32_t kNoRegion = 0xFFFFFFFFu;
+    static constexpr std::size_t kCellBytes = 16;  // of Neighbours, and of Seen
+    static constexpr Neighbours kNone{kNoRegion, kNoRegion, kNoRegion, kNoRegion};
+
     /// Errors seen in one direction.
     struct Seen {
         double sum = 0;
         double count = 0;  // of landings: a float would stop at 2^24
     };
 
+    void resize(std::size_t nodes, std::size_t most);
     void add_nodes(const NodeTree& tree);
-    void see(std::uint32_t from, Vec3 direction, double error);
+    void see(std::uint32_t from, Vec3 direction, std::uint32_t region);
+    void rebuild_all();
     void rebuild(std::uint32_t node);
+    double mean_error(std::size_t cell) const;
+    void state_of_cells(StateArchive& archive, std::size_t regions);
     std::size_t cells() const { return directions_.size(); }
 
     PaperTableSettings settings_;
-    std::vector<Vec3> directions_;         // [cell]
-    std::vector<Seen> seen_;               // [node * cells + cell]
-    std::vector<float> relative_;          // [node * cells + cell]
-    std::vector<float> uniform_;           // [cell]
-    std::vector<std::uint8_t> touched_;    // [node]
-    std::vector<std::uint32_t> to_build_;  // touched nodes
+    std::vector<Vec3> directions_;        // [cell]
+    std::vector<Neighbours> neighbours_;  // [node * cells + cell]; if present_errors
+    std::vector<Seen> seen_;              // [node * cells + cell]; else
+    std::vector<float> relative_;         // [node * cells + cell]
+    std::vector<float> uniform_;          // [cell]
+    std::vector<std::uint8_t> to_build_;  // [node]: it knows neighbours, or new ones
+    std::vector<double> errors_;          // present ones by region, of the last update
+    std::vector<double> means_;           // [cell], scratch of rebuild
 };
 
 /// Eq. 6 before normalisation: products[i] = p(w_i) * bsdf_pdf(w_i) at the cell centres w_i, ready

@@ -13,11 +13,14 @@ namespace lxs {
 struct IntegratorChoice {
     const LoadedIntegrator* integrator = nullptr;
     ParameterSet parameters;
+    /// The scene asks for one that LuxRender has: wrong values are read as LuxRender reads them.
+    bool of_luxrender = false;
 };
 
 /// From --integrator, else SurfaceIntegrator, else a Renderer that implies one, else `path`. With
 /// --integrator the scene's parameters stay as far as the integrator declares them. Also checks the
-/// names in Renderer, VolumeIntegrator and Accelerator. Throws InputError.
+/// names in Renderer, VolumeIntegrator and Accelerator. Throws InputError if there is no such
+/// integrator.
 IntegratorChoice choose_integrator(const CommandLine& command, const SceneContents& contents,
                                    const PluginLibrary& plugins, Diagnostics& diagnostics,
                                    Log& log);

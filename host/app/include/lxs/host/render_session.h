@@ -23,7 +23,7 @@ using PhaseTimes = std::map<std::string, double>;
 /// Owns the host's part of a render. The plugin library must outlive it.
 struct RenderSession {
     std::unique_ptr<FileFilm> film;
-    std::unique_ptr<Camera> camera;
+    std::unique_ptr<SceneCamera> camera;
     std::unique_ptr<Sampler> sampler;
     std::unique_ptr<TraceScene> scene;
     std::unique_ptr<Integrator> integrator;
@@ -36,8 +36,8 @@ struct RenderSession {
     WavelengthDensity wavelength_density;    ///< that these are drawn from
 };
 
-/// Everything that can be wrong with the input or the output's place is found here. Throws
-/// InputError, std::system_error (the scene file can't be read), PluginFailure, OutputFailure.
+/// Everything that can be wrong with the input or the output's place is found here, and reported.
+/// Throws RefusedInput, SceneFailure (a file can't be read), PluginFailure, OutputFailure.
 RenderSession prepare_session(const CommandLine& command, const PluginLibrary& plugins,
                               InputDiagnostics& diagnostics, ConsoleLog& log);
 

@@ -23,9 +23,10 @@ SceneContents read_scene_text(const std::string& text, const std::string& name,
                               Diagnostics& diagnostics);
 
 /// Path of an asset named in a scene: against the main scene's folder, then its basename there,
-/// then the including file's folder. Throws InputError at `where` if none exists.
+/// then the including file's folder; then the same, whatever the letter case, which is reported.
+/// Throws InputError at `where` if none exists.
 std::string resolve_asset(const std::string& name, const std::string& main_directory,
-                          const SourceLocation& where);
+                          const SourceLocation& where, Diagnostics& diagnostics);
 
 /// Every plugin name of LuxRender 1.9 by statement ("Material", "Shape", ...), rendered or not:
 /// a name in here that the host does not render yet is reported as such, any other as unknown.

@@ -22,15 +22,15 @@ class AssetContext {
     /// Path of the asset `name` (against the main scene's folder, then the including file's);
     /// throws InputError at `where` if there is no such file.
     virtual std::string resolve(const std::string& name, const SourceLocation& where) const = 0;
-    /// Named textures; throw InputError at `where` listing near names if unknown or of another
-    /// type.
+    /// Named textures; null where there is none or it is of another type, which has been reported
+    /// at `where`: the parameter that names it then keeps its default.
     virtual std::shared_ptr<const FloatTexture> float_texture(
         const std::string& name, const SourceLocation& where) const = 0;
     virtual std::shared_ptr<const ColorTexture> color_texture(
         const std::string& name, const SourceLocation& where) const = 0;
     virtual std::shared_ptr<const FresnelTexture> fresnel_texture(
         const std::string& name, const SourceLocation& where) const = 0;
-    /// Named materials (mix); throws likewise.
+    /// Named materials (mix); throws InputError at `where` if there is none.
     virtual std::shared_ptr<const Material> material(const std::string& name,
                                                      const SourceLocation& where) const = 0;
 };
@@ -38,15 +38,13 @@ class AssetContext {
 /// Thrown by the factory of a shape without extent: it is skipped with a warning, as in LuxRender,
 /// and the rest of the scene is rendered.
 class EmptyShape : public InputError {
-  public:
-    EmptyShape(const SourceLocation& where, const std::string& message)
-        : InputError(where, message), where_(where), message_(message) {}
-    const SourceLocation& where() const { return where_; }
-    const std::string& message() const { return message_; }
+    using InputError::InputError;
+};
 
-  private:
-    SourceLocation where_;
-    std::string message_;
+/// Thrown where going on could only find more of the same, without bound: no memory, more files or
+/// instances than any scene has. After any other InputError reading goes on.
+class EndOfReading : public InputError {
+    using InputError::InputError;
 };
 
 template <class Product>

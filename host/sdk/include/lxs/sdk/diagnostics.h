@@ -6,6 +6,7 @@
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace lxs {
@@ -33,16 +34,36 @@ std::string format_message(const SourceLocation& where, const std::string& sever
 class InputError : public std::runtime_error {
   public:
     InputError(const SourceLocation& where, const std::string& message)
-        : std::runtime_error(format_message(where, "error", message)) {}
+        : std::runtime_error(format_message(where, "error", message)),
+          place_(std::make_shared<const Place>(where, message)) {}
+    const SourceLocation& where() const { return place_->first; }
+    /// Without the place.
+    const std::string& message() const { return place_->second; }
+
+  private:
+    using Place = std::pair<SourceLocation, std::string>;
+    std::shared_ptr<const Place> place_;  ///< shared: exceptions are copied
 };
 
-/// Where warnings about input go; with --strict, a warning of kind unknown-parameter throws.
+/// A statement that LuxRender leaves out, with a message, and reads on.
+class IgnoredStatement : public InputError {
+    using InputError::InputError;
+};
+
+/// Where what is wrong with the input goes.
 class Diagnostics {
   public:
     virtual ~Diagnostics() = default;
     virtual void warning(const SourceLocation& where, const std::string& message) = 0;
-    /// A parameter that no declaration knows.
+    /// A parameter that no declaration knows; an error with --strict.
     virtual void unknown_parameter(const SourceLocation& where, const std::string& message) = 0;
+    /// What LuxRender says and then goes on from, as `instead` has it: a warning; an error with
+    /// --strict, and for whoever does not override this.
+    virtual void fallback(const SourceLocation& where, const std::string& message,
+                          const std::string& instead);
+    /// An error after which reading goes on, to find more; nothing is rendered. Throws it unless
+    /// overridden.
+    virtual void error(const InputError& error);
 };
 
 /// The nearest of `known` to `name` by edit distance, empty if none is near.

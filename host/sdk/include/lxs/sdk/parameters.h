@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -46,7 +47,7 @@ struct ParameterDeclaration {
 
 /// One parameter as a scene file gives it.
 struct ParameterValue {
-    std::string type;  ///< as written: float, integer, bool, point, vector, normal, string, ...
+    std::string type;  ///< as written: float, integer, ...; "" or no type at all if misspelt
     std::string name;
     std::variant<std::vector<double>, std::vector<std::string>, std::vector<bool>> values;
     SourceLocation where;                     ///< of the "type name" string
@@ -61,10 +62,11 @@ struct ParameterSet {
 };
 
 /// Reads a ParameterSet against declarations. The constructor reports unknown names (with the
-/// nearest known one), and throws InputError for wrong types, wrong counts, values out of range
-/// and unknown choices. A name given twice: the last one counts, with a warning. Older names are
-/// read as the names of today, which count, with a warning, where both are given and differ. Set,
-/// declarations and diagnostics must outlive the reader.
+/// nearest known one), and Diagnostics::fallback()s wrong types, wrong counts and unknown choices,
+/// which leave the default, and values out of range, which become the nearest in it. A name given
+/// twice: the last one counts, with a warning. Older names are read as the names of today, which
+/// count, with a warning, where both are given and differ. Set, declarations and diagnostics must
+/// outlive the reader.
 class ParameterReader {
   public:
     ParameterReader(const ParameterSet& set, std::span<const ParameterDeclaration> declarations,
@@ -87,21 +89,31 @@ class ParameterReader {
     std::string_view spelling(std::string_view name) const;
     /// Where the parameter stands, or the statement if it isn't given.
     const SourceLocation& where(std::string_view name) const;
-    const SourceLocation& where() const { return set_.where; }
-    const std::string& plugin() const { return set_.plugin; }
+    const SourceLocation& where() const { return set_->where; }
+    const std::string& plugin() const { return set_->plugin; }
     /// All that the scene gives, for plugins that hand it on to another one.
-    const ParameterSet& set() const { return set_; }
+    const ParameterSet& set() const { return *set_; }
     Diagnostics& diagnostics() const { return diagnostics_; }
     /// Throws InputError at the parameter `name`.
     [[noreturn]] void fail(std::string_view name, const std::string& message) const;
 
   private:
     const ParameterValue* find(std::string_view name) const;
+    /// Takes a value's place, or leaves it out.
+    struct Mend {
+        std::size_t index;
+        std::optional<ParameterValue> value;
+    };
+    void mend(std::vector<Mend> mends, const std::vector<bool>& is_overridden);
 
-    const ParameterSet& set_;
+    const ParameterSet* set_;
+    std::shared_ptr<const ParameterSet> mended_;  ///< what `set_` is where values were wrong
     std::span<const ParameterDeclaration> declarations_;
     Diagnostics& diagnostics_;
 };
+
+/// Types that scene files write before a parameter's name: float, integer, bool, ...
+std::span<const std::string_view> written_types();
 
 /// Declared parameters as aligned text (for `--describe`) and as a Markdown table (for docs/).
 std::string describe_text(std::span<const ParameterDeclaration> declarations);

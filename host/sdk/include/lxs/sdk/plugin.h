@@ -15,7 +15,7 @@
 namespace lxs {
 
 /// Raised with every change of the SDK's headers that changes their binary layout.
-inline constexpr std::uint32_t kAbiVersion = 8;
+inline constexpr std::uint32_t kAbiVersion = 9;
 
 /// One surface integrator that a module offers.
 struct IntegratorPlugin {

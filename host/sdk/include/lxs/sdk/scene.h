@@ -44,6 +44,7 @@ struct SceneFacts {
     bool disperses = false;  ///< some surface bends each wavelength its own way
     bool has_image_textures = false;
     std::size_t triangles = 0;
+    std::size_t quadrics = 0;        ///< spheres, disks, cones and the like, which are no triangles
     std::size_t max_bsdf_bytes = 0;  ///< most memory that one `intersect` takes from its resource
 };
 

@@ -1,0 +1,157 @@
+// Protects what a user is told of a scene that is not quite LuxRender's, or not ours: where
+// LuxRender goes on so does lxsrender, --strict refuses, all that is wrong is told in one run,
+// kinds with their counts.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "lxsrender_process.h"
+
+namespace lxs::test {
+namespace {
+
+using testing::HasSubstr;
+using testing::Not;
+
+class InputReport : public testing::Test {
+  protected:
+    RunResult render(const std::string& options, const std::string& world,
+                     std::vector<std::string> arguments = {}) {
+        folder_.write("scene.lxs", small_scene(options, world));
+        arguments.insert(arguments.begin(), {"scene.lxs", "--passes", "1"});
+        return run_lxsrender(folder_, arguments);
+    }
+    TemporaryFolder folder_;
+};
+
+std::size_t count(const std::string& text, const std::string& part) {
+    std::size_t found = 0;
+    for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1))
+        ++found;
+    return found;
+}
+
+TEST_F(InputReport, MessagesOfAKindAreOneWithTheirCount) {
+    std::string world;
+    for (int i = 0; i < 40; ++i)
+        world += "Shape \"plymesh\" \"string filename\" [\"part" + std::to_string(i) + ".ply\"]\n";
+    const RunResult run = render("", world);
+    EXPECT_EQ(run.exit_code, 0) << run.err;
+    EXPECT_EQ(count(run.err, "warning: no file"), 1u) << run.err;
+    EXPECT_THAT(
+        run.err,
+        HasSubstr("warning: no file \"part0.ply\"; looked in \".\" and beside the file that "
+                  "names it; the shape is skipped (40 of this kind, also \"part1.ply\", "
+                  "\"part2.ply\", \"part3.ply\", \"part4.ply\", \"part5.ply\", ...)"));
+    EXPECT_LT(run.err.size(), 2000u) << "no flood";
+    const RunResult same = render("", "Shape \"teapot\"\nShape \"teapot\"\n");
+    EXPECT_THAT(same.err, HasSubstr("; the shape is skipped (2 times)"));
+}
+
+TEST_F(InputReport, AllErrorsAreToldInOneRun) {
+    const RunResult run = render(
+        "Camera \"perspectiv\"\nVolumeIntegrator \"hovercraft\"\nRenderer \"hovercraft\"\n"
+        "SurfaceIntegrator \"aips\" \"string guide\" [\"papper\"]",
+        "Shapes \"sphere\"\nRotate 30 0 0 0\nMaterial \"glas\"");
+    EXPECT_EQ(run.exit_code, 3) << run.err;
+    for (const char* message :
+         {"unknown statement \"Shapes\"", "Rotate about an axis of length 0",
+          "unknown Camera \"perspectiv\"", "unknown VolumeIntegrator \"hovercraft\"",
+          "unknown Renderer \"hovercraft\"", "aips: unknown guide \"papper\""})
+        EXPECT_THAT(run.err, HasSubstr(std::string("error: ") + message));
+    EXPECT_THAT(run.err, HasSubstr("warning: unknown material \"glas\""));
+    EXPECT_THAT(run.err, HasSubstr("error: nothing is rendered: 6 errors"));
+    EXPECT_FALSE(folder_.has("out.exr"));
+}
+
+struct Fallback {
+    const char* options;
+    const char* world;
+    const char* message;
+};
+
+constexpr Fallback kFallbacks[] = {
+    {"", "Material \"glas\"", "unknown material \"glas\""},
+    {"", "NamedMaterial \"no\"", "unknown named material \"no\""},
+    {"", "Texture \"t\" \"color\" \"checkerboard\"", "unknown color texture \"checkerboard\""},
+    {"", "Material \"matte\" \"texture Kd\" [\"no\"]", "unknown color texture \"no\""},
+    {"", "Shape \"teapot\"", "unknown shape \"teapot\""},
+    {"", "Shape \"plymesh\" \"string filename\" [\"no.ply\"]", "no file \"no.ply\""},
+    {"", "Shape \"sphere\" \"string radius\" [\"big\"]", "sphere: \"radius\" takes"},
+    {"", "LightSource \"lamp\"", "unknown light source \"lamp\""},
+    {"", "LightSource \"infinite\" \"string mapname\" [\"no.exr\"]", "no file \"no.exr\""},
+    {"", "LightSource \"point\" \"string iesname\" [\"no.ies\"]", "no file \"no.ies\""},
+    {"", "AreaLightSource \"area\" \"string iesname\" [\"no.ies\"]", "no file \"no.ies\""},
+    {"", "Texture \"t\" \"color\" \"imagemap\" \"string filename\" [\"no.png\"]",
+     "no file \"no.png\""},
+    {"", "Material \"metal\" \"string filename\" [\"no.nk\"]", "no file \"no.nk\""},
+    {"", "Include \"no.lxo\"", "no file \"no.lxo\""},
+    {"", "Camera \"perspective\"", "Camera stands before WorldBegin only"},
+    {"Sampler \"sobol\"", "", "unknown Sampler \"sobol\""},
+    {"Accelerator \"octree\"", "", "unknown Accelerator \"octree\""},
+    {"Film \"fleximage\" \"integer xresolution\" [8] \"integer yresolution\" [6] "
+     "\"string filename\" [\"out\"] \"string tonemapkernel\" [\"filmic\"]",
+     "", "unknown tonemapkernel \"filmic\""},
+    {"SurfaceIntegrator \"path\" \"integer maxdepth\" [-1]", "",
+     "path: \"maxdepth\" is out of range"},
+};
+
+TEST_F(InputReport, WhereLuxRenderGoesOnIsAWarningAndStrictAnError) {
+    for (const Fallback& fallback : kFallbacks) {
+        SCOPED_TRACE(std::string(fallback.options) + fallback.world);
+        const RunResult run = render(fallback.options, fallback.world);
+        EXPECT_EQ(run.exit_code, 0) << run.err;
+        EXPECT_THAT(run.err, HasSubstr(std::string("warning: ") + fallback.message));
+        const RunResult strict = render(fallback.options, fallback.world, {"--strict"});
+        EXPECT_EQ(strict.exit_code, 3) << strict.err;
+        EXPECT_THAT(strict.err, HasSubstr(std::string("error: ") + fallback.message));
+    }
+}
+
+TEST_F(InputReport, RenderersOfOtherVersionsAreTheNearest) {
+    for (const std::string name : {"luxcore", "slg", "hybrid", "hybridsampler", "hybridsppm"}) {
+        const RunResult run = render("Renderer \"" + name + "\" \"string config\" [\"a = b\"]", "");
+        EXPECT_EQ(run.exit_code, 0) << run.err;
+        const std::string nearest = name == "hybridsppm" ? "sppm" : "sampler";
+        EXPECT_THAT(run.err, HasSubstr("warning: Renderer \"" + name + "\" is not rendered: \"" +
+                                       nearest + "\" is used instead"));
+        EXPECT_THAT(run.err, HasSubstr(nearest == "sppm" ? "with \"sppm\"" : "with \"path\""));
+    }
+}
+
+TEST_F(InputReport, IntegratorsThatAreNotOursNameAips) {
+    for (const std::string name :
+         {"bidirectional", "directlighting", "distributedpath", "igi", "particletracing"}) {
+        const RunResult run = render("SurfaceIntegrator \"" + name + "\"", "");
+        EXPECT_EQ(run.exit_code, 0) << run.err;
+        EXPECT_THAT(run.err, HasSubstr("SurfaceIntegrator \"" + name +
+                                       "\" is not rendered: \"path\" is used instead; \"aips\" "
+                                       "(--integrator aips) shoots photons too"));
+    }
+}
+
+TEST_F(InputReport, APinholeNeedsNoFocus) {
+    EXPECT_EQ(render("Camera \"perspective\" \"float focaldistance\" [0]", "").exit_code, 0);
+    const std::string lens =
+        "Camera \"perspective\" \"float lensradius\" [0.1] \"float focaldistance\" [0]";
+    EXPECT_EQ(render(lens + " \"bool autofocus\" [\"true\"]", "").exit_code, 0);
+    EXPECT_EQ(render(lens, "").exit_code, 3);
+}
+
+TEST_F(InputReport, OldNamesOfFilesAreNotTakenForOthers) {
+    const RunResult run = render(
+        "Film \"fleximage\" \"integer xresolution\" [8] \"integer yresolution\" [6] "
+        "\"string filename\" [\"out\"] \"bool write_tonemapped_tga\" [\"false\"]",
+        "");
+    EXPECT_EQ(run.exit_code, 0) << run.err;
+    EXPECT_THAT(run.err, HasSubstr("\"write_tonemapped_tga\" has no effect here"));
+    EXPECT_THAT(run.err, Not(HasSubstr("did you mean")));
+}
+
+TEST_F(InputReport, SpheresAreShapesToo) {
+    const RunResult run = render("", "Shape \"sphere\" \"float radius\" [0.1]");
+    EXPECT_THAT(run.err, HasSubstr("scene: 2 quadrics (spheres, disks, ...), 1 lights"));
+    EXPECT_THAT(run.err, Not(HasSubstr("triangles")));
+}
+
+}  // namespace
+}  // namespace lxs::test

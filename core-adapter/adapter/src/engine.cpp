@@ -255,7 +255,10 @@ class Engine::State {
     void add_to_film(std::uint64_t photon_paths, const SearchRadii& radii, double photon_weight) {
         if (photon_paths) {
             estimate_pixels(image_, flux_, radii, photon_paths, refusals_, photon_radiance_);
-            photon_pass_.add_light_in_media(image_, photon_paths, refusals_, photon_radiance_);
+            // Of surfaces alone, as their flux is: what media bring is added to both.
+            if (noise_) photon_variances(image_, photon_radiance_, flux_, photon_variances_);
+            photon_pass_.add_light_in_media(image_, photon_paths, refusals_, photon_radiance_,
+                                            photon_variances_);
         } else if (needs_.photons) {
             photon_radiance_.assign(image_.radiance.size(), Rgb{});
         }
@@ -276,8 +279,8 @@ class Engine::State {
             pixel_luminances(image_, photon_radiance_, host_.film.width(), host_.film.height(),
                              seen_);
             if (noise_) {
-                noise = noise_->add_pass(image_, seen_, photon_radiance_, flux_,
-                                         report.photon_paths, *importance_);
+                noise =
+                    noise_->add_pass(seen_, photon_variances_, report.photon_paths, *importance_);
             }
             importance_->add_pass(seen_);
         }
@@ -319,6 +322,7 @@ class Engine::State {
     std::size_t memory_bytes() const {
         return image_.memory_bytes() + flux_.memory_bytes() +
                photon_radiance_.capacity() * sizeof(Rgb) +
+               photon_variances_.capacity() * sizeof(float) +
                seen_.capacity() * sizeof(PixelLuminance) + photon_pass_.memory_bytes() +
                radius_policy_->memory_bytes() + direct_light_.memory_bytes() +
                (guide_ ? guide_->statistics().memory_bytes : 0) +
@@ -342,8 +346,9 @@ class Engine::State {
     std::unique_ptr<RadiusPolicy> radius_policy_;
     EyeImage image_;
     PhotonFlux flux_;
-    std::vector<Rgb> photon_radiance_;  // [eye path * groups + group]; empty if none are needed
-    std::vector<PixelLuminance> seen_;  // in the last pass that something steers by
+    std::vector<Rgb> photon_radiance_;     // [eye path * groups + group]; empty if none are needed
+    std::vector<float> photon_variances_;  // [eye path]: of the luminance of that; with noise_
+    std::vector<PixelLuminance> seen_;     // in the last pass that something steers by
     std::optional<DebugLayers> layers_;
     EngineStatistics statistics_;
     bool traced_eye_pass_ = false;

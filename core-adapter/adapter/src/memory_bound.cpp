@@ -105,8 +105,8 @@ std::size_t memory_bound(const Scene& scene, const Needs& needs, std::uint32_t e
     }
     // What the photons per pass and the adaptive guide go by.
     const std::size_t plan = PixelImportance::memory_bound_bytes(pixels) +
-                             PassNoiseMeter::memory_bound_bytes(pixels, eye_paths) +
-                             eye_paths * sizeof(PixelLuminance);
+                             PassNoiseMeter::memory_bound_bytes(pixels) +
+                             eye_paths * (sizeof(PixelLuminance) + sizeof(float));
     return eye + visible_point_bytes(scene, eye_paths) + plan +
            OccupancyGrid::memory_bound_bytes(eye_paths) + photon_bytes(settings, eye_paths) +
            guide + radii + volume_bytes(scene, settings, eye_paths);

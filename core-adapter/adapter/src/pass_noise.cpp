@@ -4,18 +4,34 @@
 #include <utility>
 
 #include "parallel_for.h"
-#include "vector_growth.h"
 
 namespace aips {
+
+// A visible point's sum of squares over the square of its sum is the relative variance of what its
+// photons bring, as if they came independently; stratified ones come more evenly.
+void photon_variances(const EyeImage& image, std::span<const Rgb> photons, const PhotonFlux& flux,
+                      std::vector<float>& variances) {
+    variances.assign(image.positions.size(), 0);
+    const auto& points = image.visible_points;
+    in_chunks(points.size(), kItemsPerJob, tbb_for, [&](std::size_t first, std::size_t last) {
+        for (std::size_t i = first; i < last; ++i) {
+            const float brought = luminance_over_groups(flux.flux, i, image.groups);
+            if (!(brought > 0)) continue;
+            const std::size_t path = points[i].sample;
+            const float share = luminance_over_groups(photons, path, image.groups) / brought;
+            variances[path] = share * share * flux.squares[i];
+        }
+    });
+}
 
 PassNoiseMeter::PassNoiseMeter(std::uint32_t width, std::uint32_t height)
     : pixels_(std::size_t{width} * height), last_(std::size_t{width} * height) {}
 
-PassNoise PassNoiseMeter::add_pass(const EyeImage& image, std::span<const PixelLuminance> seen,
-                                   std::span<const Rgb> photons, const PhotonFlux& flux,
-                                   std::uint64_t photon_paths, const PixelImportance& importance) {
+PassNoise PassNoiseMeter::add_pass(std::span<const PixelLuminance> seen,
+                                   std::span<const float> variances, std::uint64_t photon_paths,
+                                   const PixelImportance& importance) {
     std::swap(pixels_, last_);
-    sum_pixels(image, seen, photons, flux);
+    sum_pixels(seen, variances);
     // By chunks that the film alone decides, so that sums round alike for any number of threads.
     std::vector<Differences> parts(pixels_.size() / kItemsPerJob + 1);
     in_chunks(pixels_.size(), kItemsPerJob, tbb_for, [&](std::size_t first, std::size_t last) {
@@ -54,27 +70,15 @@ PassNoiseMeter::Differences PassNoiseMeter::compare(std::size_t first, std::size
     return sums;
 }
 
-// A visible point's sum of squares over the square of its sum is the relative variance of what its
-// photons bring, as if they came independently; stratified ones come more evenly.
-void PassNoiseMeter::sum_pixels(const EyeImage& image, std::span<const PixelLuminance> seen,
-                                std::span<const Rgb> photons, const PhotonFlux& flux) {
-    variances_.assign(image.visible_points.size(), 0);
-    in_chunks(variances_.size(), kItemsPerJob, tbb_for, [&](std::size_t first, std::size_t last) {
-        for (std::size_t i = first; i < last; ++i) {
-            const float brought = luminance_over_groups(flux.flux, i, image.groups);
-            if (!(brought > 0)) continue;
-            const std::size_t path = image.visible_points[i].sample;
-            const float share = luminance_over_groups(photons, path, image.groups) / brought;
-            variances_[i] = share * share * flux.squares[i];
-        }
-    });
+void PassNoiseMeter::sum_pixels(std::span<const PixelLuminance> seen,
+                                std::span<const float> variances) {
     pixels_.assign(pixels_.size(), {});
-    for (const PixelLuminance& path : seen) {
-        pixels_[path.pixel].sum += path.luminance;
-        ++pixels_[path.pixel].paths;
+    for (std::size_t i = 0; i < seen.size(); ++i) {
+        Pixel& pixel = pixels_[seen[i].pixel];
+        pixel.sum += seen[i].luminance;
+        pixel.variance += variances[i];
+        ++pixel.paths;
     }
-    for (std::size_t i = 0; i < variances_.size(); ++i)
-        pixels_[seen[image.visible_points[i].sample].pixel].variance += variances_[i];
 }
 
 // Whatever is restored, it gives an estimate of noise at worst that is none.
@@ -88,12 +92,11 @@ void PassNoiseMeter::state(StateArchive& archive) {
 }
 
 std::size_t PassNoiseMeter::memory_bytes() const {
-    return (pixels_.capacity() + last_.capacity()) * sizeof(Pixel) +
-           variances_.capacity() * sizeof(float);
+    return (pixels_.capacity() + last_.capacity()) * sizeof(Pixel);
 }
 
-std::size_t PassNoiseMeter::memory_bound_bytes(std::size_t pixels, std::size_t eye_paths) {
-    return pixels * 2 * sizeof(Pixel) + eye_paths * kVectorGrowth * sizeof(float);
+std::size_t PassNoiseMeter::memory_bound_bytes(std::size_t pixels) {
+    return pixels * 2 * sizeof(Pixel);
 }
 
 }  // namespace aips

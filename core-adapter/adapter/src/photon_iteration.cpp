@@ -31,10 +31,7 @@ PhotonCounts PhotonTracer::trace(const PhotonInput& input, std::uint64_t paths_b
         block.counts = {};
         const std::uint32_t begin = first + b * kPathsPerBlock;
         const std::uint32_t end = begin + std::min(kPathsPerBlock, first + count - begin);
-        const std::uint64_t seed = input.settings.seed;
-        SequencePath numbers =
-            input.emission ? SequencePath::beginning_at(paths_before_pass + first, seed, input.pass)
-                           : SequencePath(seed, input.pass);
+        SequencePath numbers(input.settings.seed, input.pass, input.sequence_begin);
         for (std::uint32_t i = begin; i < end; ++i) {
             numbers.move_to(paths_before_pass + i, i);
             trace_photon_path(input, numbers, i, refusals, arena, block.landings, block.counts,

@@ -58,7 +58,10 @@ void PhotonPass::shoot(std::uint64_t pass, const PassPhotons& photons, float tim
         const std::uint32_t count = std::min(iteration_paths(iteration), photons.paths - first);
         const std::size_t landings = waiting_.landings().size();
         const std::size_t collisions = volume_ ? volume_->waiting().size() : 0;
-        trace(input_of(pass, time, iteration), photons, first, count, refusals);
+        PhotonInput input = input_of(pass, time, iteration);
+        input.sequence_begin = sequence_begin(photons, first, input.emission != nullptr);
+        if (input.emission) unguided_from_ = photons.before + first + count;
+        trace(input, photons, first, count, refusals);
         learn(count);
         if (adaptive_) {
             // After learning: a guide learns from what photons really carried.
@@ -165,6 +168,7 @@ void PhotonPass::gather_in_media(const EyeImage& image, Refusals& refusals) {
 void PhotonPass::state(StateArchive& archive) {
     totals_.counts.state(archive);
     archive.value(totals_.gathered);
+    archive.value(unguided_from_);
     if (chains_) chains_->state(archive);
     if (adaptive_) adaptive_->state(archive);
     if (volume_) volume_->state(archive);

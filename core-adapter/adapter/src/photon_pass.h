@@ -39,10 +39,11 @@ class PhotonPass {
                const SearchRadii& radii, Refusals& refusals, PhotonFlux& flux);
 
     const PhotonPassTotals& totals() const { return totals_; }
-    /// Adds the light that photons brought into media to what they bring to the eye paths.
+    /// Adds the light that photons brought into media to what they bring to the eye paths, and its
+    /// variance to theirs, unless `variances` is empty.
     void add_light_in_media(const EyeImage& image, std::uint64_t photon_paths, Refusals& refusals,
-                            std::vector<Rgb>& radiance) const {
-        if (volume_) volume_->add_to(image, photon_paths, refusals, radiance);
+                            std::vector<Rgb>& radiance, std::span<float> variances) const {
+        if (volume_) volume_->add_to(image, photon_paths, refusals, radiance, variances);
     }
 
     /// Before the first pass: photons go without the adaptive guide, for good, independent ones or
@@ -69,6 +70,12 @@ class PhotonPass {
     void begin_pass(std::uint64_t pass, const PassPhotons& photons, float time,
                     const EyeImage& image, const SearchRadii& radii);
     PhotonInput input_of(std::uint64_t pass, float time, std::uint64_t iteration);
+    /// Where the sequence begins that the emissions of an iteration belong to.
+    std::uint64_t sequence_begin(const PassPhotons& photons, std::uint32_t first,
+                                 bool guided) const {
+        // A guide follows what the iteration before brought, and it rests or not by that too.
+        return guided ? photons.before + first : std::max(photons.chosen_at, unguided_from_);
+    }
     void mark_reach(std::span<const Vec3> visible_points, float radius);
     std::uint32_t iteration_paths(std::uint64_t iteration) const;
     void trace(const PhotonInput& input, const PassPhotons& photons, std::uint32_t first,
@@ -87,6 +94,7 @@ class PhotonPass {
     float reach_ = 0;  // radius that the visible points are marked for; 0 before the first pass
     std::optional<PhotonChains> chains_;  // if some pass may use them
     bool chained_ = false;                // they all do
+    std::uint64_t unguided_from_ = 0;     // number of the path after the last of guided emission
     std::optional<AdaptiveGuide> adaptive_;
     PhotonTracer tracer_;
     PathLog log_;                            // of one adaptive iteration

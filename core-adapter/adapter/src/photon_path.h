@@ -49,6 +49,8 @@ struct PhotonInput {
     const DirectionGuide* guide = nullptr;     ///< of directions; null: unguided
     const OccupancyGrid* occupancy = nullptr;  ///< landings elsewhere are not stored; null: all are
     std::uint64_t pass = 0;
+    /// Number in the render of the path that the sequence of emissions begins at (SequencePath).
+    std::uint64_t sequence_begin = 0;
     float time = 0;
     BounceTally* bounces = nullptr;    ///< counts bounces by node, for debug layers; may be null
     bool store_owned = false;          ///< landings that shadow rays own too, marked, for a guide
@@ -68,18 +70,15 @@ struct PhotonInput {
 /// sequence, those of the bounces a stream addressed by the photon.
 class SequencePath {
   public:
-    /// Starts paths of one pass, in a sequence over all photons of the render.
-    SequencePath(std::uint64_t seed, std::uint64_t pass) : SequencePath(seed, pass, 0, 0) {}
-
     /// Starts paths of one pass, in a sequence that begins at path number `begin` of the render and
-    /// shares nothing with those that begin elsewhere. A guide learns from photons where the next
-    /// ones go: points that keep away from those before, as a sequence's do, would make the image
-    /// brighter (by 1 % at one path a pass).
-    static SequencePath beginning_at(std::uint64_t begin, std::uint64_t seed, std::uint64_t pass) {
+    /// shares nothing with those that begin elsewhere. One must begin wherever photons have decided
+    /// where, or how many, the next ones go: points that keep away from those that decided, as a
+    /// sequence's do, are not independent of the choice (a guide made the image brighter by 1 % at
+    /// one path a pass; docs/photons-per-pass.md).
+    SequencePath(std::uint64_t seed, std::uint64_t pass, std::uint64_t begin)
         // Each 2^32 points are a net with a scramble of its own: that of the low half of `begin`.
-        const std::uint64_t net = std::uint64_t{static_cast<std::uint32_t>(begin)} << 32;
-        return {seed, pass, net - begin, hash_bits(static_cast<std::uint32_t>(begin >> 32) + 1)};
-    }
+        : SequencePath(seed, pass, (std::uint64_t{static_cast<std::uint32_t>(begin)} << 32) - begin,
+                       begin ? hash_bits(static_cast<std::uint32_t>(begin >> 32) + 1) : 0) {}
 
     /// Goes to path number `serial` of the render, `index` of the pass. Cheapest in order.
     void move_to(std::uint64_t serial, std::uint32_t index) {

@@ -100,6 +100,7 @@ void PhotonSchedule::end_pass(const PassWork& work, const PassNoise& noise) {
         shot_ = 0;
         decide_at_ += std::max<std::uint64_t>(2, pass_ / 4);
         decided_ = true;
+        next_.chosen_at = next_.before;
     }
     plan();
 }
@@ -113,6 +114,9 @@ void PhotonSchedule::state(StateArchive& archive) {
     archive.value(decide_at_);
     archive.value(decided_);
     archive.value(next_.before);
+    archive.value(next_.chosen_at);
+    StateArchive::check(next_.chosen_at <= next_.before && (decided_ || next_.chosen_at == 0),
+                        "a choice of photons that is still to come");
     for (double* sum : {&work_.eye, &work_.photons})
         archive.amount(*sum);
     // Estimates, which may be anything.

@@ -42,6 +42,7 @@ void VolumeGather::begin_pass(std::uint64_t pass, const PassPhotons& photons,
     pass_ = pass;
     waiting_.clear();
     flux_.assign(image.beams.size() * image.groups, Rgb{});
+    squares_.assign(image.beams.size(), 0.0f);
     const double smallest = smallest_radius(scene_);
     if (!(initial_radius_ > 0) && !image.beams.empty()) {
         initial_radius_ =
@@ -70,12 +71,13 @@ void VolumeGather::sort() {
         photons_[slot] = waiting_[cells_.order()[slot]];
 }
 
-std::uint64_t VolumeGather::gather_beam(const VolumeBeam& beam, Refusals& refusals,
-                                        GroupSums& sums) const {
+std::uint64_t VolumeGather::gather_beam(const VolumeBeam& beam, Refusals& refusals, GroupSums& sums,
+                                        float& squares) const {
     const Media& media = *scene_.media();
     const Rgb extinction = media.extinction(beam.medium);
     const float width = 2 * radius_;
     std::uint64_t gathered = 0;
+    double square_sum = 0;
     const auto gather_piece = [&](const Piece& piece) {
         const Vec3 middle = beam.at(0.5f * (piece.from + piece.to));
         cells_.for_each_in_radius(middle, cells_.radius(), [&](std::uint32_t slot) {
@@ -89,6 +91,7 @@ std::uint64_t VolumeGather::gather_beam(const VolumeBeam& beam, Refusals& refusa
                               piece.weight;
             if (!refusals.accept(value, kPassageOrigin)) return;
             sums.add(photon.light_group, value);
+            square_sum += double(luminance(value)) * double(luminance(value));
             ++gathered;
         });
     };
@@ -99,6 +102,7 @@ std::uint64_t VolumeGather::gather_beam(const VolumeBeam& beam, Refusals& refusa
     if (count <= kMostPieces) {
         for (std::uint32_t i = 0; i < std::uint32_t(count); ++i)
             gather_piece(piece_at(i));
+        squares += float(square_sum);
         return gathered;
     }
     const SegmentExponential distances(extinction, media.scattering(beam.medium), beam.length);
@@ -111,6 +115,7 @@ std::uint64_t VolumeGather::gather_beam(const VolumeBeam& beam, Refusals& refusa
         piece.weight = 1 / (kMostPieces * distances.probability(piece.from, piece.to));
         if (piece.to > piece.from) gather_piece(piece);
     }
+    squares += float(square_sum);
     return gathered;
 }
 
@@ -123,7 +128,7 @@ void VolumeGather::gather(const EyeImage& image, Refusals& refusals) {
                           std::uint64_t total = 0;
                           GroupSums sums(image.groups);
                           for (std::size_t i = range.begin(); i < range.end(); ++i) {
-                              total += gather_beam(image.beams[i], refusals, sums);
+                              total += gather_beam(image.beams[i], refusals, sums, squares_[i]);
                               sums.move_to(&flux_[i * image.groups]);
                           }
                           gathered.fetch_add(total, std::memory_order_relaxed);
@@ -135,23 +140,31 @@ void VolumeGather::gather(const EyeImage& image, Refusals& refusals) {
 void VolumeGather::scale_flux(float factor) {
     for (Rgb& sum : flux_)
         sum *= factor;
+    for (float& square : squares_)
+        square *= factor * factor;
 }
 
 void VolumeGather::add_to(const EyeImage& image, std::uint64_t photon_paths, Refusals& refusals,
-                          std::vector<Rgb>& radiance) const {
+                          std::vector<Rgb>& radiance, std::span<float> variances) const {
     if (image.beams.empty()) return;
     const double radius = double(radius_);
     const double scale = 1 / (double(kPi) * radius * radius * double(photon_paths));
     for (std::size_t i = 0; i < image.beams.size(); ++i) {
         const VolumeBeam& beam = image.beams[i];
         const Rgb factor = beam.throughput * scene_.media()->scattering(beam.medium);
+        float added = 0;
         for (std::uint32_t g = 0; g < image.groups; ++g) {
             const Rgb sum = flux_[i * image.groups + g];
             const Rgb density{float(sum.r * scale), float(sum.g * scale), float(sum.b * scale)};
             const Rgb value = factor * density;
             refusals.add(radiance[std::size_t(beam.sample) * image.groups + g], value,
                          kPassageOrigin);
+            added += luminance(value);
         }
+        const float brought = luminance_over_groups(flux_, i, image.groups);
+        if (variances.empty() || !(brought > 0)) continue;
+        const float share = added / brought;
+        variances[beam.sample] += share * share * squares_[i];
     }
 }
 
@@ -162,7 +175,7 @@ void VolumeGather::state(StateArchive& archive) {
 std::size_t VolumeGather::memory_bytes() const {
     return (waiting_.capacity() + photons_.capacity()) * sizeof(VolumePhoton) +
            positions_.capacity() * sizeof(Vec3) + cells_.memory_bytes() +
-           flux_.capacity() * sizeof(Rgb);
+           flux_.capacity() * sizeof(Rgb) + squares_.capacity() * sizeof(float);
 }
 
 std::size_t VolumeGather::memory_bound_bytes(const Scene& scene, std::size_t eye_paths,
@@ -170,7 +183,7 @@ std::size_t VolumeGather::memory_bound_bytes(const Scene& scene, std::size_t eye
     const std::size_t photons = kVolumePhotonCapacity + iteration;
     return kVectorGrowth * (2 * photons + iteration) * sizeof(VolumePhoton) +
            kVectorGrowth * photons * sizeof(Vec3) + CellSort::memory_bound_bytes(photons) +
-           eye_paths * scene.light_groups() * sizeof(Rgb);
+           eye_paths * (scene.light_groups() * sizeof(Rgb) + sizeof(float));
 }
 
 }  // namespace aips

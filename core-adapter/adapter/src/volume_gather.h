@@ -6,6 +6,7 @@
 // radius).
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "aips/core/cell_sort.h"
@@ -43,9 +44,10 @@ class VolumeGather {
     void gather(const EyeImage& image, Refusals& refusals);
     void scale_flux(float factor);
     /// Adds sum(flux) / (pi r^2 N) of each beam to what photons bring to its eye path, N being the
-    /// photon paths of the pass.
+    /// photon paths of the pass, and the variance of its luminance to the path's in `variances`
+    /// (one for each eye path, or empty: not asked for).
     void add_to(const EyeImage& image, std::uint64_t photon_paths, Refusals& refusals,
-                std::vector<Rgb>& radiance) const;
+                std::vector<Rgb>& radiance, std::span<float> variances) const;
 
     /// Between passes: saves the radius that the first pass began with, or restores it; all else is
     /// of one pass.
@@ -60,7 +62,8 @@ class VolumeGather {
 
   private:
     void sort();
-    std::uint64_t gather_beam(const VolumeBeam& beam, Refusals& refusals, GroupSums& sums) const;
+    std::uint64_t gather_beam(const VolumeBeam& beam, Refusals& refusals, GroupSums& sums,
+                              float& squares) const;
 
     const Scene& scene_;
     Settings settings_;
@@ -72,6 +75,7 @@ class VolumeGather {
     std::vector<Vec3> positions_;        // of waiting_, for the sort
     std::vector<VolumePhoton> photons_;  // [slot of cells_]
     std::vector<Rgb> flux_;              // [beam * groups + group]
+    std::vector<float> squares_;         // [beam]: of the luminances that flux_ sums
     std::uint64_t gathered_ = 0;
 };
 

@@ -1,9 +1,9 @@
 // Chooses which lights a path vertex asks for direct light.
 #include "path/light_selector.h"
 
-#include <algorithm>
 #include <cmath>
-#include <vector>
+
+#include "lxs/sdk/quantized_cdf.h"
 
 namespace lxs {
 namespace {
@@ -23,46 +23,29 @@ double choice_weight(const Light& light, LightStrategy strategy) {
     return 1;
 }
 
-/// From sums of weights to probabilities in steps of 2^-24, as random numbers are, one at least for
-/// each light: what is stated is what is drawn, for a light of a billionth of the power too.
-void quantize(std::vector<double>& sums) {
-    constexpr double kSteps = 0x1p24;
-    const auto count = static_cast<double>(sums.size());
-    if (sums.empty()) return;
-    const double total = sums.back();
-    double set_aside = 0;
-    for (double& sum : sums) {
-        set_aside += 1;
-        sum = (set_aside + std::floor(sum / total * (kSteps - count))) / kSteps;
-    }
-}
-
 }  // namespace
 
 LightSelector::LightSelector(std::span<const Light* const> lights, LightStrategy strategy)
     : all_(strategy == LightStrategy::All) {
-    double total = 0;
+    std::vector<double> weights;
     for (const Light* light : lights) {
         if (light->at_infinity()) at_infinity_.push_back(light);
         const double weight = choice_weight(*light, strategy);
         if (!(weight > 0)) continue;
-        total += weight;
+        weights.push_back(weight);
         lights_.push_back({light, 1});
-        cumulative_.push_back(total);
     }
-    quantize(cumulative_);
+    // What is stated is what is drawn, for a light of a billionth of the power too.
+    cumulative_.resize(weights.size() + 1);
+    quantize_cdf(std::span<const double>(weights), std::span(cumulative_));
     for (std::size_t i = 0; i < lights_.size(); ++i) {
-        const double before = i == 0 ? 0 : cumulative_[i - 1];
-        if (!all_) lights_[i].probability = static_cast<float>(cumulative_[i] - before);
+        if (!all_) lights_[i].probability = cumulative_[i + 1] - cumulative_[i];
         probability_.emplace(lights_[i].light, lights_[i].probability);
     }
 }
 
 LightChoice LightSelector::choose(std::size_t i, float u) const {
-    if (all_) return lights_[i];
-    const auto found = std::upper_bound(cumulative_.begin(), cumulative_.end(), double{u});
-    const auto last = cumulative_.end() - 1;
-    return lights_[static_cast<std::size_t>(std::min(found, last) - cumulative_.begin())];
+    return lights_[all_ ? i : find_step(cumulative_, double(u))];
 }
 
 float LightSelector::probability(const Light* light) const {

@@ -33,7 +33,7 @@ class LightSelector {
   private:
     bool all_;
     std::vector<LightChoice> lights_;
-    std::vector<double> cumulative_;  ///< of the probabilities; the last is 1
+    std::vector<float> cumulative_;  ///< of the probabilities, from 0 to 1
     std::unordered_map<const Light*, float> probability_;
     std::vector<const Light*> at_infinity_;
 };

@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "cell_choice.h"
 #include "surface_light.h"
 
 namespace lxs {
@@ -14,10 +15,10 @@ class MeshLight final : public SurfaceLight {
 
   private:
     struct Triangle {
-        Vec3 p, e1, e2;           ///< first vertex and edges to the others
-        Vec3 n;                   ///< unit, emitting side
-        Vec3 error;               ///< bound of the rounding error of any point, per coordinate
-        std::uint32_t primitive;  ///< index in the mesh, which may have triangles of zero area
+        Vec3 p, e1, e2;     ///< first vertex and edges to the others
+        Vec3 n{0.0f};       ///< unit, emitting side; zero for triangles without area
+        Vec3 error;         ///< bound of the rounding error of any point, per coordinate
+        float density = 0;  ///< per unit of area, that of all triangles but for rounding
     };
     struct TriangleUvs {
         Vec2 a, b, c;
@@ -25,12 +26,14 @@ class MeshLight final : public SurfaceLight {
 
     SurfacePoint sample_surface(const Vec2& u) const override;
     bool surface_coordinates(const Vec3& p, std::uint32_t primitive, Vec2& u) const override;
-    float area_density(const Vec3& /*p*/) const override { return density_; }
+    float area_density(const Vec3& /*p*/, std::uint32_t primitive) const override {
+        return primitive < triangles_.size() ? triangles_[primitive].density : 0.0f;
+    }
+    void choose_by(const std::vector<double>& areas, double area);
 
-    std::vector<Triangle> triangles_;  ///< those of non-zero area, in the mesh's order
+    std::vector<Triangle> triangles_;  ///< in the mesh's order
     std::vector<TriangleUvs> uvs_;     ///< parallel to triangles_, or empty
-    std::vector<float> cdf_;           ///< of area, at the upper end of each triangle; last is 1
-    float density_ = 0;
+    CellChoice choice_;                ///< of triangles, row by row
 };
 
 }  // namespace lxs

@@ -131,7 +131,7 @@ bool QuadricLight::surface_coordinates(const Vec3& p, std::uint32_t /*primitive*
     return true;
 }
 
-float QuadricLight::area_density(const Vec3& p) const {
+float QuadricLight::area_density(const Vec3& p, std::uint32_t /*primitive*/) const {
     Vec3 n(0, 0, 1);
     if (std::holds_alternative<Sphere>(shape_)) {
         to_local_.multVecMatrix(p, n);

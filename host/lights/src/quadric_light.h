@@ -23,7 +23,7 @@ class QuadricLight final : public SurfaceLight {
 
     SurfacePoint sample_surface(const Vec2& u) const override;
     bool surface_coordinates(const Vec3& p, std::uint32_t primitive, Vec2& u) const override;
-    float area_density(const Vec3& p) const override;
+    float area_density(const Vec3& p, std::uint32_t primitive) const override;
     LocalPoint local_point(const Vec2& u) const;
     LocalPoint local_point(const Sphere& sphere, const Vec2& u) const;
     LocalPoint local_point(const Disk& disk, const Vec2& u) const;

@@ -92,7 +92,7 @@ bool RevolutionLight::surface_coordinates(const Vec3& p, std::uint32_t /*primiti
     return true;
 }
 
-float RevolutionLight::area_density(const Vec3& p) const {
+float RevolutionLight::area_density(const Vec3& p, std::uint32_t /*primitive*/) const {
     V3d local;
     to_local_.multVecMatrix(V3d(p), local);
     const V2d at = shape_.coordinates(local);

@@ -18,7 +18,7 @@ class RevolutionLight final : public SurfaceLight {
   private:
     SurfacePoint sample_surface(const Vec2& u) const override;
     bool surface_coordinates(const Vec3& p, std::uint32_t primitive, Vec2& u) const override;
-    float area_density(const Vec3& p) const override;
+    float area_density(const Vec3& p, std::uint32_t primitive) const override;
     double world_area() const;
     /// World area per area of the shape's own space where its unit normal is `n`, and n's image
     /// (not unit).

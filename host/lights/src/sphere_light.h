@@ -21,7 +21,9 @@ class SphereLight final : public SurfaceLight {
   private:
     SurfacePoint sample_surface(const Vec2& u) const override;
     bool surface_coordinates(const Vec3& p, std::uint32_t primitive, Vec2& u) const override;
-    float area_density(const Vec3& /*p*/) const override { return density_; }
+    float area_density(const Vec3& /*p*/, std::uint32_t /*primitive*/) const override {
+        return density_;
+    }
     SurfacePoint point_at(const Vec3& n) const;
     /// 1 - cosine of the half angle of the cone around `distance2` = squared distance of the
     /// centre; 0 inside of the sphere.

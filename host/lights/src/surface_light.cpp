@@ -120,10 +120,10 @@ bool SurfaceLight::emission_coordinates(const Vec3& p, const DirectSample& sampl
 
 float SurfaceLight::pdf_direct(const Vec3& p, const Vec3& /*n*/, const Vec3& wi,
                                const Vec3& light_p, const Vec3& light_n,
-                               std::uint32_t /*primitive*/) const {
+                               std::uint32_t primitive) const {
     const float cosine = -(light_n ^ wi);
     if (!(cosine > 0)) return 0;
-    const float pdf = (light_p - p).length2() * area_density(light_p) / cosine;
+    const float pdf = (light_p - p).length2() * area_density(light_p, primitive) / cosine;
     return std::isfinite(pdf) ? pdf : 0;
 }
 

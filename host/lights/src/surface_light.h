@@ -53,8 +53,8 @@ class SurfaceLight : public AreaLight {
     virtual SurfacePoint sample_surface(const Vec2& u) const = 0;
     /// Inverse of sample_surface for a point about on the surface, on `primitive`; in [0, 1)^2.
     virtual bool surface_coordinates(const Vec3& p, std::uint32_t primitive, Vec2& u) const = 0;
-    /// Density per unit of area with which sample_surface draws the point `p`.
-    virtual float area_density(const Vec3& p) const = 0;
+    /// Density per unit of area with which sample_surface draws the point `p` of `primitive`.
+    virtual float area_density(const Vec3& p, std::uint32_t primitive) const = 0;
 
     /// Sets gain, flux and power() for a surface of `area`; all are 0 if that is zero or not
     /// finite.

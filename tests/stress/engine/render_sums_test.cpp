@@ -147,12 +147,11 @@ TEST(StressSums, EyePathsOfOnePass) {
     image.radiance.resize(image.positions.size());
     PassNoiseMeter meter(1, 1);
     const PixelImportance importance(1, 1);  // weighs 1 before its first pass
-    PhotonFlux none;
+    const std::vector<float> none(paths);
     PassNoise noise;
     for (const float value : {kTerm, kTerm * 1.01f}) {
         const std::vector<Rgb> photons(paths, {value, value, value});
-        noise = meter.add_pass(image, mock::seen_pixels(image, photons, 1, 1), photons, none, 1,
-                               importance);
+        noise = meter.add_pass(mock::seen_pixels(image, photons, 1, 1), none, 1, importance);
     }
     const double difference = double(luminance({kTerm * 1.01f, kTerm * 1.01f, kTerm * 1.01f})) -
                               double(luminance({kTerm, kTerm, kTerm}));

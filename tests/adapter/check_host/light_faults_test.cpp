@@ -38,7 +38,8 @@ class FaultyLight final : public mock::LightLike {
     bool emit(const PrimaryPoint& u, Emission& emission) const override {
         if (!light_.emit(u, emission)) return false;
         if (fault_ == Fault::Emission) emission.power *= 4 * kPi;
-        if (fault_ == Fault::Directions) emission.ray.direction.x *= -1;
+        Vec3& d = emission.ray.direction;
+        if (fault_ == Fault::Directions && d.z < -0.3f) d.y = std::abs(d.y);
         if (fault_ == Fault::NotFinite) emission.power.r = std::numeric_limits<float>::infinity();
         return true;
     }

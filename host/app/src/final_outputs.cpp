@@ -47,6 +47,12 @@ RenderFigures render_figures(const RenderSession& session, ConsoleLog& log, bool
     return figures;
 }
 
+void warn_of_empty_image(const ImageVerdict& image, ConsoleLog& log) {
+    if (image.reason.empty()) return;
+    log.warning(
+        fmt::format("the image is all {}; the likely reason: {}", image.name(), image.reason));
+}
+
 }  // namespace
 
 ImageMetadata image_metadata(const CommandLine& command, const RenderSession& session,
@@ -63,12 +69,14 @@ ExitCode write_final_outputs(const CommandLine& command, RenderSession& session,
     bool in_place = write_images_timed(command, session, totals, log);
     if (in_place) log.info(fmt::format("wrote {} and {}", session.files.exr, session.files.png));
     bool failed = false;
-    const RenderFigures figures = render_figures(session, log, failed);
+    RenderFigures figures = render_figures(session, log, failed);
+    figures.image = judge_image(session);
     if (!session.files.statistics.empty()) {
         const std::string text = statistics_json(command, session, totals, figures, interrupted);
         in_place = write_text(session.files.statistics, text, log) && in_place;
     }
     warn_of_refusals(figures.refused, log);
+    warn_of_empty_image(figures.image, log);
     if (interrupted) log.warning(fmt::format("interrupted after {} passes", totals.passes));
     if (!in_place) return ExitCode::OutputFailure;
     if (failed) return ExitCode::PluginFailure;

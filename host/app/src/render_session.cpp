@@ -88,14 +88,18 @@ void complete_fingerprint(RenderSession& session, const CommandLine& command,
     fingerprint.set_seed(session.seed);
 }
 
-/// Lights name files of their own, which are added to `files`.
+/// Finds the files that lights and the film name, and adds them to `files`.
+auto file_resolver(const SceneContents& contents, ReadFiles& files, Diagnostics& diagnostics) {
+    return [directory = contents.directory, &files, &diagnostics](const std::string& name,
+                                                                  const SourceLocation& where) {
+        return files.assets.emplace_back(resolve_asset(name, directory, where, diagnostics));
+    };
+}
+
 void build_scene(RenderSession& session, SceneContents contents, ReadFiles& files,
                  Diagnostics& diagnostics) {
     const SourceLocation end = contents.end;
-    const std::string directory = contents.directory;
-    const auto resolve = [&](const std::string& name, const SourceLocation& where) {
-        return files.assets.emplace_back(resolve_asset(name, directory, where, diagnostics));
-    };
+    const auto resolve = file_resolver(contents, files, diagnostics);
     session.scene = make_trace_scene(std::move(contents), resolve, diagnostics);
     if (session.scene->lights().empty()) {
         throw InputError(end,
@@ -144,14 +148,18 @@ void gather(Diagnostics& diagnostics, const auto& step) {
 }
 
 IntegratorChoice make_from_options(RenderSession& session, const CommandLine& command,
-                                   const SceneContents& contents, const PluginLibrary& plugins,
-                                   InputDiagnostics& diagnostics, ConsoleLog& log) {
+                                   const SceneContents& contents, ReadFiles& files,
+                                   const PluginLibrary& plugins, InputDiagnostics& diagnostics,
+                                   ConsoleLog& log) {
     IntegratorChoice choice;
     gather(diagnostics, [&] {
         choice = choose_integrator(command, contents, plugins, diagnostics, log);
         create_chosen(session, command, choice, diagnostics);
     });
-    gather(diagnostics, [&] { session.film = make_film(contents, diagnostics); });
+    gather(diagnostics, [&] {
+        session.film =
+            make_film(contents, diagnostics, file_resolver(contents, files, diagnostics));
+    });
     gather(diagnostics, [&] {
         if (session.film) session.camera = make_camera(contents, *session.film, diagnostics);
     });
@@ -176,7 +184,7 @@ RenderSession prepare(const CommandLine& command, const PluginLibrary& plugins,
     }
     const PhaseTimer timer(session.times, "build");
     const IntegratorChoice choice =
-        make_from_options(session, command, contents, plugins, diagnostics, log);
+        make_from_options(session, command, contents, files, plugins, diagnostics, log);
     diagnostics.refuse_errors();
     session.files = choose_output_files(command, *session.film);
     check_writable(session.files);

@@ -71,6 +71,13 @@ Json by_origin(const RefusalsByKind& refused) {
     return json;
 }
 
+Json verdict(const ImageVerdict& image) {
+    Json json;
+    json["appearance"] = image.name();
+    if (!image.reason.empty()) json["likely reason"] = image.reason;
+    return json;
+}
+
 }  // namespace
 
 std::string statistics_json(const CommandLine& command, const RenderSession& session,
@@ -81,6 +88,7 @@ std::string statistics_json(const CommandLine& command, const RenderSession& ses
     json["interrupted"] = interrupted;
     json["settings"] = settings(command, session);
     json["scene"] = scene_facts(session);
+    json["image"] = verdict(figures.image);
     json["seconds"] = session.times;
     json["render CPU seconds"] = totals.cpu_seconds;
     json["counts"] = counts(totals);

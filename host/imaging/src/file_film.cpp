@@ -7,6 +7,7 @@
 #include <optional>
 #include <stdexcept>
 
+#include "camera_response_choice.h"
 #include "color_space.h"
 #include "exr_encoder.h"
 #include "film_accumulator.h"
@@ -61,6 +62,10 @@ class FlexImage final : public FileFilm {
     void state(StateArchive& archive) override;
     void set_wavelengths(const Wavelengths& wavelengths) override;
     std::vector<Rgb> image() const override;
+    std::vector<std::uint8_t> tone_mapped() const override {
+        return tone_map(image(), settings_.tone_map);
+    }
+    std::string_view tone_map_kernel() const override { return name(settings_.tone_map.kernel); }
     void write_exr(const std::string& path, const ImageMetadata& metadata) const override;
     void write_png(const std::string& path) const override;
 
@@ -258,7 +263,7 @@ void FlexImage::write_exr(const std::string& path, const ImageMetadata& metadata
 }
 
 void FlexImage::write_png(const std::string& path) const {
-    const std::vector<std::uint8_t> rgb = tone_map(image(), settings_.tone_map);
+    const std::vector<std::uint8_t> rgb = tone_mapped();
     write_file_atomically(path, encode_for(path, [&] {
                               return encode_png(width(), height(), settings_.tone_map.gamma, rgb);
                           }));
@@ -266,8 +271,10 @@ void FlexImage::write_png(const std::string& path) const {
 
 }  // namespace
 
-std::unique_ptr<FileFilm> make_film(const SceneContents& contents, Diagnostics& diagnostics) {
+std::unique_ptr<FileFilm> make_film(const SceneContents& contents, Diagnostics& diagnostics,
+                                    const FileResolver& resolve) {
     FilmSettings settings = read_film_settings(contents, diagnostics);
+    settings.tone_map.response = choose_camera_response(contents, diagnostics, resolve);
     const PixelFilter filter = make_pixel_filter(contents, diagnostics);
     std::vector<std::string> groups = contents.light_groups;
     if (groups.empty()) groups.emplace_back("default");

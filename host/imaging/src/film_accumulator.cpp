@@ -5,10 +5,11 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <numeric>
+
+#include "pixel_debts.h"
 
 namespace lxs {
 namespace {
@@ -40,6 +41,15 @@ Imath::V3d sum_over_groups(const double* sums, std::uint32_t first, std::uint32_
     for (std::size_t g = first; g < end; ++g)
         sum += Imath::V3d(sums[3 * g], sums[3 * g + 1], sums[3 * g + 2]);
     return sum;
+}
+
+/// What is below zero because RGB doesn't hold the colour of a spectrum is nobody's debt: it ends
+/// at zero. Negative lobes, where the filter has some, are told by a luminance below zero.
+void cut_colors_beyond_rgb(std::span<Rgb> image, bool lobes) {
+    for (Rgb& c : image) {
+        if (lobes && luminance(c) < 0) continue;
+        c = Rgb(std::max(c.x, 0.0f), std::max(c.y, 0.0f), std::max(c.z, 0.0f));
+    }
 }
 
 /// What a white of 1 is in the mean over the passes; 1 but for the choice of wavelengths. Never
@@ -205,55 +215,6 @@ void FilmAccumulator::begin_splats() {
     filter_integral_.emplace(filter_);
 }
 
-void FilmAccumulator::state(StateArchive& archive) {
-    check_size(archive);
-    archive.fixed(first_.sums);
-    bool has_second = !second_.sums.empty();
-    archive.value(has_second);
-    if (has_second) {
-        begin_second();
-        archive.fixed(second_.sums);
-    } else if (archive.restoring()) {
-        second_ = {};
-    }
-    bool has_splats = filter_integral_.has_value();
-    archive.value(has_splats);
-    if (has_splats) {
-        begin_splats();
-        archive.fixed(splats_);
-    } else if (archive.restoring()) {
-        std::fill(splats_.begin(), splats_.end(), 0.0);
-    }
-    archive.value(splat_samples_);
-    for (Mean* mean : {&first_, &second_}) {
-        for (double* sum :
-             {&mean->white_sum.x, &mean->white_sum.y, &mean->white_sum.z, &mean->weight_sum})
-            archive.value(*sum);
-    }
-    cells_.state_of_refused(archive);
-    if (archive.restoring()) check_sums();
-}
-
-/// Films of 7 x 5 and of 5 x 7 pixels have equally many sums.
-void FilmAccumulator::check_size(StateArchive& archive) const {
-    std::array<std::uint32_t, 3> size{width_, height_, groups_};
-    archive.fixed(std::span(size));
-    if (size != std::array<std::uint32_t, 3>{width_, height_, groups_})
-        throw StateError("it is of a film of another size");
-}
-
-void FilmAccumulator::check_sums() const {
-    const auto finite = [](double sum) { return std::isfinite(sum); };
-    const auto sound = [&](const Mean& mean) {
-        return std::all_of(mean.sums.begin(), mean.sums.end(), finite) &&
-               finite(mean.white_sum.x) && finite(mean.white_sum.y) && finite(mean.white_sum.z) &&
-               finite(mean.weight_sum);
-    };
-    if (!sound(first_) || !sound(second_) || !std::all_of(splats_.begin(), splats_.end(), finite) ||
-        !finite(splat_samples_) || splat_samples_ < 0)
-        throw StateError("a sum of the film is no finite number");
-}
-
 void FilmAccumulator::clear() {
     for (Mean* mean : {&first_, &second_}) {
         std::fill(mean->sums.begin(), mean->sums.end(), 0.0);
@@ -264,7 +225,8 @@ void FilmAccumulator::clear() {
     splat_samples_ = 0;
 }
 
-/// A pixel's value summed over light groups: the means of samples, and the splats.
+/// A pixel's value summed over light groups: the means of samples, and the splats. Below zero where
+/// negative lobes of the filter, or colours of wavelengths that RGB can't hold, have drawn it.
 Rgb FilmAccumulator::resolve(std::size_t pixel, std::uint32_t first_group,
                              std::uint32_t end_group) const {
     const std::size_t channels = 3 * std::size_t{groups_};
@@ -280,13 +242,12 @@ Rgb FilmAccumulator::resolve(std::size_t pixel, std::uint32_t first_group,
     if (splat_samples_ > 0)
         value += sum_over_groups(&splats_[pixel * channels], first_group, end_group) * pixels /
                  splat_samples_;
-    // The lobes of a filter may be negative, an image may not.
-    Rgb shown;
+    Rgb finite;
     for (int c = 0; c < 3; ++c) {
-        shown[c] = static_cast<float>(
-            std::clamp(value[c], 0.0, static_cast<double>(std::numeric_limits<float>::max())));
+        constexpr double kMost = std::numeric_limits<float>::max();
+        finite[c] = static_cast<float>(std::clamp(value[c], -kMost, kMost));
     }
-    return shown;
+    return finite;
 }
 
 void FilmAccumulator::resolve_group(std::uint32_t group, std::span<Rgb> image) const {
@@ -301,6 +262,11 @@ void FilmAccumulator::resolve_groups(std::uint32_t first_group, std::uint32_t en
                                      std::span<Rgb> image) const {
     tbb::parallel_for(std::size_t{0}, image.size(),
                       [&](std::size_t i) { image[i] = resolve(i, first_group, end_group); });
+    const bool lobes = filter_.has_negative_weights();
+    if (to_rgb_) cut_colors_beyond_rgb(image, lobes);
+    if (!lobes) return;
+    const auto reach = [](float radius) { return static_cast<std::uint32_t>(std::ceil(radius)); };
+    settle_debts({image, width_, height_, reach(filter_.radius_x()), reach(filter_.radius_y())});
 }
 
 std::size_t FilmAccumulator::memory_bytes() const {

@@ -41,7 +41,9 @@ class FilmAccumulator {
     /// Forgets all samples and splats; the count of refused ones stays.
     void clear();
 
-    /// Mean of one light group, or of the sum of all, per pixel; never negative or infinite.
+    /// Mean of one light group, or of the sum of all, per pixel; never negative or infinite. What
+    /// negative lobes of the filter would draw below zero is settled with the pixels around (see
+    /// settle_debts), in each image by itself: sums over neighbourhoods are those of the samples.
     void resolve_group(std::uint32_t group, std::span<Rgb> image) const;
     void resolve_total(std::span<Rgb> image) const;
 

@@ -62,11 +62,17 @@ constexpr ParameterDeclaration kPicture[] = {
     {"linear_exposure", Float, "1", "Exposure time of kernel linear, seconds.", 0, kHuge},
     {"linear_fstop", Float, "2.8", "F-number of kernel linear.", kTiny, kHuge},
     {"linear_gamma", Float, "1", "Gamma that the exposure of kernel linear allows for.", 0, 10},
-    {"reinhard_prescale", Float, "1", "Scale before the curve of kernel reinhard.", 0, kHuge},
+    {"reinhard_prescale", Float, "1",
+     "What luminance is divided by before the curve of kernel reinhard.", kTiny, kHuge},
     {"reinhard_postscale", Float, "1", "Scale after the curve of kernel reinhard.", 0, kHuge},
     {"reinhard_burn", Float, "6", "Scaled luminance that becomes white in kernel reinhard.", kTiny,
      kHuge},
-    {"contrast_ywa", Float, "1", "Adaptation luminance of kernel contrast, cd m^-2.", 0, kHuge},
+    {"contrast_ywa", Float, "1",
+     "Luminance that the eyes before the display are adapted to, for kernel contrast, cd m^-2.", 0,
+     kHuge},
+    {"cameraresponse", String, "",
+     "File of the response curves of a camera or film, as in Grossberg and Nayar's database, "
+     "applied to the PNG after the kernel."},
 };
 
 /// Taken from any scene without a word: the picture is the same with or without them, or
@@ -127,7 +133,6 @@ constexpr ParameterDeclaration kAccepted[] = {
      .default_text = "0.314275 0.329411",
      .doc = "Chromaticity x y of the film's white.",
      .array = true},
-    {"cameraresponse", String, "", "Ignored: no film response curve is applied."},
     {"false_method", String, "linear", "Ignored: there are no false colours."},
     {"false_colorscale", String, "std", "Ignored: there are no false colours."},
     {"false_max", Float, "0", "Ignored: there are no false colours."},
@@ -195,7 +200,6 @@ struct IgnoredText {
 constexpr IgnoredText kIgnoredTexts[] = {
     {"write_exr_channels", "RGB", "the EXR holds RGB"},
     {"write_png_channels", "RGB", "the PNG holds RGB"},
-    {"cameraresponse", "", "no film response curve is applied"},
     {"usersamplingmap_filename", "", "all pixels get as many samples"},
 };
 

@@ -36,7 +36,8 @@ struct FilmSettings {
     std::optional<Imath::M33d> to_film_colors;
 };
 
-/// Reads and checks the Film statement; throws InputError, warns of what has no effect.
+/// Reads and checks the Film statement; throws InputError, warns of what has no effect. The file
+/// that "cameraresponse" names is not read yet.
 FilmSettings read_film_settings(const SceneContents& contents, Diagnostics& diagnostics);
 
 /// The frame alone, for whom warnings of the Film statement are not meant.

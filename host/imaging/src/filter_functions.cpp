@@ -19,6 +19,14 @@ double mitchell_1d(double x, double b, double c) {
     return ((12 - 9 * b - 6 * c) * d * d * d + (-18 + 12 * b + 6 * c) * d * d + (6 - 2 * b)) / 6;
 }
 
+double supersampled_mitchell_1d(double x, double b, double c) {
+    constexpr double kShift = 4.0 / 3;
+    const double middle = (76 - 16 * b + 8 * c) / 81;
+    const double side = (1 - middle) / 2;
+    return side * mitchell_1d(x - kShift, b, c) + middle * mitchell_1d(x, b, c) +
+           side * mitchell_1d(x + kShift, b, c);
+}
+
 double gaussian_1d(double x, double radius, double alpha) {
     return std::max(0.0, std::exp(-alpha * x * x) - std::exp(-alpha * radius * radius));
 }

@@ -7,6 +7,11 @@ namespace lxs {
 /// Mitchell-Netravali cubic; support |x| < 2, integral 1.
 double mitchell_1d(double x, double b, double c);
 
+/// LuxRender's "supersample": three cubics, 4/3 apart, weighted so that the outer two fill the
+/// negative lobes of the one in the middle; support |x| < kSupersampledReach * 2.
+double supersampled_mitchell_1d(double x, double b, double c);
+inline constexpr double kSupersampledReach = 5.0 / 3;
+
 /// exp(-alpha x^2), lowered so that it ends continuously at `radius`, zero beyond.
 double gaussian_1d(double x, double radius, double alpha);
 

@@ -22,7 +22,9 @@ class FilterIntegral {
     double quadrant(double x, double y) const;
 
     double radius_x_, radius_y_;
-    std::vector<double> sums_;  ///< [row * (cells + 1) + column], up to the corner of each cell
+    std::size_t columns_, rows_;
+    std::size_t columns_per_pixel_, rows_per_pixel_;
+    std::vector<double> sums_;  ///< [row * (columns + 1) + column], up to the corner of each cell
 };
 
 }  // namespace lxs

@@ -29,11 +29,9 @@ std::vector<ParameterDeclaration> declarations(const std::string& plugin,
     } else if (plugin == "mitchell") {
         all.push_back({"B", Float, "0.3333", "Blur of the cubic."});
         all.push_back({"C", Float, "0.3333", "Ringing of the cubic."});
-        all.push_back({.name = "supersample",
-                       .type = Bool,
-                       .default_text = "false",
-                       .doc = "LuxRender's three-tap variant.",
-                       .no_effect = true});
+        all.push_back({"supersample", Bool, "false",
+                       "A softer sum of three cubics that reaches 5/3 as far, with negative lobes "
+                       "of 1 % of the filter in place of 14 %."});
     } else if (plugin == "sinc") {
         all.push_back({"tau", Float, "3", "Number of lobes on either side.", 0.1, 100});
     }
@@ -57,12 +55,17 @@ auto radial_cubic(double rx, double ry, double b, double c) {
     return [=](double x, double y) { return mitchell_1d(2 * std::hypot(x / rx, y / ry), b, c); };
 }
 
+PixelFilter mitchell(const ParameterReader& reader, double rx, double ry) {
+    const double b = reader.number("B", 1.0 / 3), c = reader.number("C", 1.0 / 3);
+    if (!reader.boolean("supersample", false)) return {rx, ry, radial_cubic(rx, ry, b, c)};
+    return {kSupersampledReach * rx, kSupersampledReach * ry, [=](double x, double y) {
+                return supersampled_mitchell_1d(2 * std::hypot(x / rx, y / ry), b, c);
+            }};
+}
+
 PixelFilter build(const ParameterReader& reader, double rx, double ry) {
     const std::string& plugin = reader.plugin();
-    if (plugin == "mitchell") {
-        return {rx, ry,
-                radial_cubic(rx, ry, reader.number("B", 1.0 / 3), reader.number("C", 1.0 / 3))};
-    }
+    if (plugin == "mitchell") return mitchell(reader, rx, ry);
     if (plugin == "catmullrom") return {rx, ry, radial_cubic(rx, ry, 0, 0.5)};
     if (plugin == "gaussian") {
         const double alpha = reader.number("alpha", 2);
@@ -88,19 +91,75 @@ PixelFilter build(const ParameterReader& reader, double rx, double ry) {
     return {rx, ry, [](double, double) { return 1.0; }};
 }
 
+/// A whole number, so that one position lies alike in the tables of all pixels; some 64 cells in a
+/// radius.
+float cells_per_pixel(double radius) {
+    constexpr double kCells = 64, kFewest = 4;
+    return static_cast<float>(std::max(kFewest, std::floor(kCells / radius)));
+}
+
+/// Cells of a table of `count` along one axis in which the pixels of a row see a sample that one of
+/// them sees in `cell`.
+std::vector<std::size_t> cells_of_all_pixels(std::size_t cell, std::size_t per_pixel,
+                                             std::size_t count) {
+    const std::size_t within = cell % per_pixel;
+    std::vector<std::size_t> cells;
+    for (std::size_t begin = 0; begin < count; begin += per_pixel) {
+        for (const std::size_t seen : {begin + within, begin + per_pixel - 1 - within}) {
+            if (seen < count) cells.push_back(seen);
+        }
+    }
+    return cells;
+}
+
 }  // namespace
 
 PixelFilter::PixelFilter(double radius_x, double radius_y,
                          const std::function<double(double, double)>& weight)
     : radius_x_(static_cast<float>(radius_x)),
       radius_y_(static_cast<float>(radius_y)),
-      scale_x_(static_cast<float>(kCells / radius_x)),
-      scale_y_(static_cast<float>(kCells / radius_y)) {
-    for (std::size_t iy = 0; iy < kCells; ++iy) {
-        for (std::size_t ix = 0; ix < kCells; ++ix) {
-            const double x = (static_cast<double>(ix) + 0.5) / kCells * radius_x;
-            const double y = (static_cast<double>(iy) + 0.5) / kCells * radius_y;
-            table_[iy * kCells + ix] = static_cast<float>(weight(x, y));
+      scale_x_(cells_per_pixel(radius_x)),
+      scale_y_(cells_per_pixel(radius_y)),
+      columns_(static_cast<std::size_t>(std::ceil(radius_x * scale_x_))),
+      rows_(static_cast<std::size_t>(std::ceil(radius_y * scale_y_))),
+      table_(columns_ * rows_) {
+    // In the middle of what of a cell is within the radius.
+    const auto middle = [](std::size_t cell, double scale, double radius) {
+        const auto first = static_cast<double>(cell);
+        return (first / scale + std::min((first + 1) / scale, radius)) / 2;
+    };
+    for (std::size_t iy = 0; iy < rows_; ++iy) {
+        for (std::size_t ix = 0; ix < columns_; ++ix) {
+            table_[iy * columns_ + ix] = static_cast<float>(
+                weight(middle(ix, scale_x_, radius_x), middle(iy, scale_y_, radius_y)));
+        }
+    }
+    sum_to_one();
+    negative_ = std::any_of(table_.begin(), table_.end(), [](float w) { return w < 0; });
+}
+
+/// Divides by what a sample weighs in all pixels together. Where that is little, as between the
+/// pixels of a cubic narrower than they are, a part of the filter's peak is taken for it, lest
+/// single samples outshine all others.
+void PixelFilter::sum_to_one() {
+    const double least = 0.1 * double{*std::max_element(table_.begin(), table_.end())};
+    if (!(least > 0)) return;
+    const std::size_t per_x = columns_per_pixel(), per_y = rows_per_pixel();
+    std::vector<double> along_x(table_.size());
+    for (std::size_t ix = 0; ix < columns_; ++ix) {
+        for (const std::size_t other : cells_of_all_pixels(ix, per_x, columns_)) {
+            for (std::size_t iy = 0; iy < rows_; ++iy)
+                along_x[iy * columns_ + ix] += table_[iy * columns_ + other];
+        }
+    }
+    for (std::size_t iy = 0; iy < rows_; ++iy) {
+        const std::vector<std::size_t> rows = cells_of_all_pixels(iy, per_y, rows_);
+        for (std::size_t ix = 0; ix < columns_; ++ix) {
+            double sum = 0;
+            for (const std::size_t other : rows)
+                sum += along_x[other * columns_ + ix];
+            table_[iy * columns_ + ix] =
+                static_cast<float>(table_[iy * columns_ + ix] / std::max(sum, least));
         }
     }
 }

@@ -1,22 +1,26 @@
 // The pixel filter: a table of weights over one quadrant around a pixel's centre.
 #pragma once
 
-#include <array>
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <functional>
-#include <span>
+#include <vector>
 
 #include "lxs/scene/contents.h"
 #include "lxs/sdk/parameters.h"
 
 namespace lxs {
 
-/// Weights of a filter that is even in x and y, tabulated once: the sum over samples is divided by
-/// the sum of weights, so that neither the filter's scale nor the table's steps show.
+/// Weights of a filter that is even in x and y, tabulated once. As in LuxRender, those that one
+/// sample has for all pixels around it sum to 1, wherever in a pixel it lies, so that what a film
+/// without end receives is what its samples bring. (The filters themselves keep that but roughly:
+/// a sample counts 0.67 to 1.39 under a radial cubic of radius 1.5.)
 class PixelFilter {
   public:
-    /// `weight(x, y)` is the filter at an offset in pixels; the radii are in pixels, > 0.
+    /// `weight(x, y)` is the filter at an offset in pixels, at any scale; the radii are in pixels,
+    /// > 0.
     PixelFilter(double radius_x, double radius_y,
                 const std::function<double(double, double)>& weight);
 
@@ -27,19 +31,33 @@ class PixelFilter {
     float weight(float dx, float dy) const {
         const float ax = std::abs(dx), ay = std::abs(dy);
         if (!(ax <= radius_x_ && ay <= radius_y_)) return 0;
-        const auto ix = std::min(static_cast<std::size_t>(ax * scale_x_), kCells - 1);
-        const auto iy = std::min(static_cast<std::size_t>(ay * scale_y_), kCells - 1);
-        return table_[iy * kCells + ix];
+        const auto ix = std::min(static_cast<std::size_t>(ax * scale_x_), columns_ - 1);
+        const auto iy = std::min(static_cast<std::size_t>(ay * scale_y_), rows_ - 1);
+        return table_[iy * columns_ + ix];
     }
 
-    static constexpr std::size_t kCells = 64;  ///< per axis: 16 KB, which the L1 cache holds
-    /// Weight anywhere in a cell of the table: column and row count from the centre outwards.
-    float cell(std::size_t column, std::size_t row) const { return table_[row * kCells + column]; }
+    /// Of the table: cells are counted from the centre outwards, the last ones may reach beyond the
+    /// radii.
+    std::size_t columns() const { return columns_; }
+    std::size_t rows() const { return rows_; }
+    /// Whole numbers: cells of neighbouring pixels' tables cover one another.
+    std::size_t columns_per_pixel() const { return static_cast<std::size_t>(scale_x_); }
+    std::size_t rows_per_pixel() const { return static_cast<std::size_t>(scale_y_); }
+    /// Weight anywhere in a cell of the table.
+    float cell(std::size_t column, std::size_t row) const {
+        return table_[row * columns_ + column];
+    }
+
+    bool has_negative_weights() const { return negative_; }
 
   private:
+    void sum_to_one();
+
     float radius_x_, radius_y_;
-    float scale_x_, scale_y_;
-    std::array<float, kCells * kCells> table_;
+    float scale_x_, scale_y_;  ///< cells per pixel
+    std::size_t columns_, rows_;
+    std::vector<float> table_;  ///< some 16 KB, which the L1 cache holds
+    bool negative_ = false;
 };
 
 /// Filter of the scene's PixelFilter statement (default: mitchell, radius 2).

@@ -5,6 +5,7 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace lxs {
@@ -20,26 +21,28 @@ double middle_grey(double gamma) {
 
 /// Statistics of the pixels that are not black, so that empty borders don't brighten the rest.
 struct ImageStatistics {
-    double mean = 0;      ///< arithmetic mean of luminance
-    double log_mean = 0;  ///< geometric mean of luminance
-    double maximum = 0;   ///< of any channel
-    double maximum_luminance = 0;
+    double mean = 0;                 ///< arithmetic mean of luminance
+    double log_mean = 0;             ///< geometric mean of luminance
+    double log_mean_of_visible = 0;  ///< the same, what is below 1e-6 taken for that
+    double maximum = 0;              ///< of luminance
 
     explicit ImageStatistics(std::span<const Rgb> image) {
-        double sum = 0, log_sum = 0;
+        constexpr double kLeastVisible = 1e-6;
+        double sum = 0, log_sum = 0, log_sum_of_visible = 0;
         std::size_t count = 0;
         for (const Rgb& c : image) {
             const double y = luminance(c);
-            maximum = std::max(maximum, static_cast<double>(max_component(c)));
             if (!(y > 0)) continue;
-            maximum_luminance = std::max(maximum_luminance, y);
+            maximum = std::max(maximum, y);
             sum += y;
             log_sum += std::log(y);
+            log_sum_of_visible += std::log(std::max(y, kLeastVisible));
             ++count;
         }
         if (count == 0) return;
         mean = sum / static_cast<double>(count);
         log_mean = std::exp(log_sum / static_cast<double>(count));
+        log_mean_of_visible = std::exp(log_sum_of_visible / static_cast<double>(count));
     }
 };
 
@@ -62,60 +65,68 @@ double linear_scale(const ToneMapSettings& s) {
            middle_grey(s.linear_gamma);
 }
 
-double contrast_scale(double world_adaptation) {
-    // Ward 1994: equal visibility of contrasts on a display of 100 cd m^-2, adapted to its half.
+double contrast_scale(double display_adaptation, double world_adaptation) {
+    // Ward 1994: equal visibility of contrasts on a display of 100 cd m^-2.
     constexpr double kDisplayMaximum = 100;
     const double quotient =
-        (1.219 + std::pow(kDisplayMaximum / 2, 0.4)) / (1.219 + std::pow(world_adaptation, 0.4));
+        (1.219 + std::pow(display_adaptation, 0.4)) / (1.219 + std::pow(world_adaptation, 0.4));
     return std::pow(quotient, 2.5) / kDisplayMaximum;
 }
 
 ToneCurve reinhard_curve(const ToneMapSettings& s, double log_mean) {
-    // Reinhard et al. 2002, equations 1, 2 and 4, with the lower of their key values.
+    // Reinhard et al. 2002, equations 1, 2 and 4, with the lower of their key values. LuxRender
+    // divides by "prescale".
     constexpr double kKey = 0.1;
     const double scale = kKey / log_mean;
-    ToneCurve curve{.scale = scale * s.reinhard_postscale, .key = scale * s.reinhard_prescale};
+    ToneCurve curve{.scale = scale * s.reinhard_postscale, .key = scale / s.reinhard_prescale};
     curve.inverse_white_squared = 1 / (s.reinhard_burn * s.reinhard_burn);
     return curve;
 }
 
 ToneCurve make_curve(std::span<const Rgb> image, const ToneMapSettings& s) {
     const ImageStatistics statistics(image);
-    if (!(statistics.maximum > 0) || !(statistics.mean > 0)) return {};
+    if (!(statistics.mean > 0)) return {};
     switch (s.kernel) {
         case Kernel::AutoLinear:
             return {.scale = 1.25 / statistics.mean * middle_grey(s.gamma)};
         case Kernel::Linear:
             return {.scale = linear_scale(s)};
         case Kernel::Reinhard:
-            return reinhard_curve(s, statistics.log_mean);
+            return reinhard_curve(s, statistics.log_mean_of_visible);
         case Kernel::Contrast:
-            return {.scale = contrast_scale(s.contrast_ywa)};
+            return {.scale = contrast_scale(s.contrast_ywa, statistics.log_mean)};
         case Kernel::MaxWhite:
             return {.scale = 1 / statistics.maximum};
         case Kernel::NonLinear: {
-            // Reinhard's curve on the unscaled luminance, the brightest pixel becoming white.
-            const double white = statistics.maximum_luminance;
+            // Reinhard's curve on the unscaled luminance, its mean becoming white.
+            const double white = statistics.log_mean;
             return {.scale = 1, .key = 1, .inverse_white_squared = 1 / (white * white)};
         }
     }
     return {};
 }
 
-struct Colour {
-    double r, g, b;
-};
+using Colour = std::array<double, 3>;
 
-Colour clamp_to_display(Colour c, double y, Clamp clamp) {
-    const double brightest = std::max({c.r, c.g, c.b});
+double luminance(const Colour& c) {
+    return 0.2126 * c[0] + 0.7152 * c[1] + 0.0722 * c[2];
+}
+
+Colour clamp_to_display(const Colour& c, Clamp clamp) {
+    const double brightest = std::max({c[0], c[1], c[2]});
+    Colour fit = c;
     if (brightest > 1 && clamp == Clamp::Hue) {
-        c = {c.r / brightest, c.g / brightest, c.b / brightest};
+        for (double& channel : fit)
+            channel /= brightest;
     } else if (brightest > 1 && clamp == Clamp::Luminance) {
-        const double grey = std::min(y, 1.0);
+        const double grey = std::min(luminance(c), 1.0);
         const double t = brightest > grey ? (1 - grey) / (brightest - grey) : 0;
-        c = {grey + t * (c.r - grey), grey + t * (c.g - grey), grey + t * (c.b - grey)};
+        for (double& channel : fit)
+            channel = grey + t * (channel - grey);
     }
-    return {std::clamp(c.r, 0.0, 1.0), std::clamp(c.g, 0.0, 1.0), std::clamp(c.b, 0.0, 1.0)};
+    for (double& channel : fit)
+        channel = std::clamp(channel, 0.0, 1.0);
+    return fit;
 }
 
 std::uint8_t encode(double value, double inverse_gamma) {
@@ -123,6 +134,24 @@ std::uint8_t encode(double value, double inverse_gamma) {
 }
 
 }  // namespace
+
+std::string_view name(Kernel kernel) {
+    switch (kernel) {
+        case Kernel::AutoLinear:
+            return "autolinear";
+        case Kernel::Linear:
+            return "linear";
+        case Kernel::Reinhard:
+            return "reinhard";
+        case Kernel::Contrast:
+            return "contrast";
+        case Kernel::MaxWhite:
+            return "maxwhite";
+        case Kernel::NonLinear:
+            return "nonlinear";
+    }
+    return {};
+}
 
 std::vector<std::uint8_t> tone_map(std::span<const Rgb> image, const ToneMapSettings& settings) {
     const ToneCurve curve = make_curve(image, settings);
@@ -133,11 +162,11 @@ std::vector<std::uint8_t> tone_map(std::span<const Rgb> image, const ToneMapSett
             const Rgb& in = image[i];
             const double y = luminance(in);
             const double f = curve.factor(y);
-            const Colour c =
-                clamp_to_display({f * in.x, f * in.y, f * in.z}, f * y, settings.clamp);
-            bytes[3 * i] = encode(c.r, inverse_gamma);
-            bytes[3 * i + 1] = encode(c.g, inverse_gamma);
-            bytes[3 * i + 2] = encode(c.b, inverse_gamma);
+            Colour mapped{f * in.x, f * in.y, f * in.z};
+            if (settings.response) mapped = settings.response->map(mapped);
+            const Colour c = clamp_to_display(mapped, settings.clamp);
+            for (std::size_t channel = 0; channel < c.size(); ++channel)
+                bytes[3 * i + channel] = encode(c[channel], inverse_gamma);
         }
     };
     tbb::parallel_for(tbb::blocked_range<std::size_t>(0, image.size(), 4096), convert);

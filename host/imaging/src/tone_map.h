@@ -3,15 +3,17 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <span>
-#include <string>
+#include <string_view>
 #include <vector>
 
+#include "camera_response.h"
 #include "lxs/sdk/types.h"
 
 namespace lxs {
 
-/// LuxRender's tone mapping parameters, with its defaults.
+/// LuxRender's tone mapping parameters, with its defaults and with what it makes of them.
 struct ToneMapSettings {
     enum class Kernel : std::uint8_t {
         AutoLinear,
@@ -37,8 +39,12 @@ struct ToneMapSettings {
     double linear_gamma = 1;
     double reinhard_prescale = 1, reinhard_postscale = 1;
     double reinhard_burn = 6;  ///< luminance, in units of the mapped key, that becomes white
-    double contrast_ywa = 1;   ///< world adaptation luminance, cd m^-2
+    double contrast_ywa = 1;   ///< luminance that the display's viewer is adapted to, cd m^-2
+    std::shared_ptr<const CameraResponse> response = nullptr;  ///< after the kernel; null: none
 };
+
+/// As the Film statement names it.
+std::string_view name(ToneMapSettings::Kernel kernel);
 
 /// Interleaved RGB bytes of `image`, which must be finite and not negative.
 std::vector<std::uint8_t> tone_map(std::span<const Rgb> image, const ToneMapSettings& settings);

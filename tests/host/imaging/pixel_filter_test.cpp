@@ -3,6 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <functional>
+#include <utility>
+
 #include "filter_functions.h"
 #include "scene_options.h"
 
@@ -71,13 +75,114 @@ TEST(PixelFilter, IsEvenAndEndsAtItsRadius) {
     }
 }
 
+/// LuxRender's rule: the filter, over what it weighs one sample for all pixels together.
+double weight_of_sample(const std::function<double(double, double)>& f, double x, double y) {
+    constexpr int kPixels = 40;
+    double sum = 0;
+    for (int j = -kPixels; j <= kPixels; ++j) {
+        for (int i = -kPixels; i <= kPixels; ++i)
+            sum += f(x + i, y + j);
+    }
+    return f(x, y) / sum;
+}
+
 TEST(PixelFilter, TableFollowsTheFunction) {
     const PixelFilter f = filter("gaussian", {real("alpha", 2)});
+    const auto gaussian = [](double x, double y) {
+        return gaussian_1d(x, 2, 2) * gaussian_1d(y, 2, 2);
+    };
     for (int step = 0; step < 40; ++step) {
         const float x = 0.05f * static_cast<float>(step);
-        const double expected = gaussian_1d(x, 2, 2) * gaussian_1d(0.3, 2, 2);
-        EXPECT_NEAR(f.weight(x, 0.3f), expected, 0.03) << x;
+        EXPECT_NEAR(f.weight(x, 0.3f), weight_of_sample(gaussian, x, 0.3), 0.015) << x;
     }
+}
+
+/// What one sample gives all pixels together is what it has, whatever the filter and wherever the
+/// sample lies in its pixel.
+TEST(PixelFilter, WeightsOfASampleSumToOne) {
+    for (const char* name : kFilters) {
+        for (const double radius : {1.5, 2.0, 4.0}) {
+            if (std::string_view(name) == "sinc" && radius < 4) continue;  // lobes within a pixel
+            const PixelFilter f = filter(name, {real("xwidth", radius), real("ywidth", radius)});
+            for (const float x : {0.013f, 0.22f, 0.49f, 0.71f, 0.987f}) {
+                for (const float y : {0.024f, 0.31f, 0.52f, 0.96f}) {
+                    double sum = 0;
+                    for (int j = -6; j <= 6; ++j) {
+                        for (int i = -6; i <= 6; ++i) {
+                            sum += f.weight(x - 0.5f - static_cast<float>(i),
+                                            y - 0.5f - static_cast<float>(j));
+                        }
+                    }
+                    EXPECT_NEAR(sum, 1, 1e-5) << name << " at " << x << ", " << y;
+                }
+            }
+        }
+    }
+}
+
+/// Between the pixels of a cubic narrower than they are, weights stay of the order of one.
+TEST(PixelFilter, NarrowCubicsDoNotExplode) {
+    for (const double radius : {0.3, 0.6, 0.9, 1.0, 1.1}) {
+        const PixelFilter f = filter("mitchell", {real("xwidth", radius), real("ywidth", radius)});
+        for (float x = 0; x < 1.2f; x += 0.01f) {
+            for (float y = 0; y < 1.2f; y += 0.01f)
+                EXPECT_LT(std::abs(f.weight(x, y)), 10) << radius << ": " << x << ", " << y;
+        }
+    }
+}
+
+/// Share of the filter that is negative, of its positive part.
+double negative_share(const PixelFilter& f) {
+    double positive = 0, negative = 0;
+    for (std::size_t row = 0; row < f.rows(); ++row) {
+        for (std::size_t column = 0; column < f.columns(); ++column)
+            (f.cell(column, row) < 0 ? negative : positive) += f.cell(column, row);
+    }
+    return -negative / positive;
+}
+
+// LuxRender's Evaluate with "supersample": d is the distance in radii, over 0.6 of the widened
+// ones, and three cubics of support 1 stand at -2/3, 0 and 2/3, weighted by a1, a0, a1.
+double luxrenders_supersampled(double d, double b, double c) {
+    const auto cubic = [&](double x) {
+        if (x >= 1) return 0.0;
+        x = std::abs(2 * x);
+        if (x > 1) {
+            return (((-b / 6 - c) * x + (b + 5 * c)) * x + (-2 * b - 8 * c)) * x +
+                   (4.0 / 3 * b + 4 * c);
+        }
+        return ((2 - 1.5 * b - c) * x + (-3 + 2 * b + c)) * x * x + (1 - b / 3);
+    };
+    const double a0 = (76 - 16 * b + 8 * c) / 81, a1 = (1 - a0) / 2;
+    return a1 * cubic(d - 2.0 / 3) + a0 * cubic(d) + a1 * cubic(d + 2.0 / 3);
+}
+
+TEST(PixelFilter, SupersampledMitchellIsLuxRenders) {
+    for (const auto& [b, c] : {std::pair(1.0 / 3, 1.0 / 3), std::pair(0.0, 0.5)}) {
+        for (double x = 0; x < 4; x += 0.05)
+            EXPECT_NEAR(supersampled_mitchell_1d(2 * x, b, c), luxrenders_supersampled(x, b, c),
+                        1e-12);
+    }
+    const PixelFilter f = filter("mitchell", {flag("supersample", true), real("ywidth", 3)});
+    EXPECT_FLOAT_EQ(f.radius_x(), 10.0f / 3);
+    EXPECT_FLOAT_EQ(f.radius_y(), 5);
+    const auto expected = [](double x, double y) {
+        return luxrenders_supersampled(std::hypot(x / 2, y / 3), 1.0 / 3, 1.0 / 3);
+    };
+    for (const double x : {0.0, 0.4, 1.1, 1.9, 2.6, 3.2}) {
+        for (const double y : {0.0, 0.7, 1.8, 3.1, 4.6}) {
+            EXPECT_NEAR(f.weight(static_cast<float>(x), static_cast<float>(y)),
+                        weight_of_sample(expected, x, y), 0.005)
+                << x << ", " << y;
+        }
+    }
+}
+
+TEST(PixelFilter, SupersamplingLeavesAPercentOfNegativeLobes) {
+    EXPECT_NEAR(negative_share(filter("mitchell")), 0.143, 0.005);
+    EXPECT_NEAR(negative_share(filter("mitchell", {flag("supersample", true)})), 0.011, 0.002);
+    EXPECT_TRUE(filter("mitchell").has_negative_weights());
+    EXPECT_FALSE(filter("gaussian").has_negative_weights());
 }
 
 TEST(PixelFilter, DefaultsAreLuxRenders) {
@@ -93,7 +198,12 @@ TEST(PixelFilter, DefaultsAreLuxRenders) {
 
 TEST(PixelFilter, MitchellIsRadial) {
     const PixelFilter f = filter("mitchell");
-    EXPECT_NEAR(f.weight(0.6f, 0.8f), mitchell_1d(1, 1.0 / 3, 1.0 / 3), 0.02);
+    EXPECT_NEAR(
+        f.weight(0.6f, 0.8f),
+        weight_of_sample(
+            [](double x, double y) { return mitchell_1d(std::hypot(x, y), 1.0 / 3, 1.0 / 3); }, 0.6,
+            0.8),
+        0.015);
 }
 
 }  // namespace

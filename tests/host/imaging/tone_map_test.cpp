@@ -95,6 +95,65 @@ TEST(ToneMap, ReinhardBurnsOutWhereAsked) {
     EXPECT_NEAR(tone_map(grey, settings)[0], 127.5 * key * (1 + key / 0.01) / (1 + key), 0.51);
 }
 
+/// Bytes of grey levels under `settings` with gamma 1, and what they should be.
+void expect_greys(ToneMapSettings settings, const std::vector<float>& levels,
+                  const std::vector<double>& expected) {
+    settings.gamma = 1;
+    std::vector<Rgb> image;
+    for (const float level : levels)
+        image.emplace_back(level);
+    const auto bytes = tone_map(image, settings);
+    for (std::size_t i = 0; i < levels.size(); ++i)
+        EXPECT_NEAR(bytes[3 * i], 255 * std::min(expected[i], 1.0), 0.51) << levels[i];
+}
+
+// LuxRender's own formulas. Reinhard: with a = 0.1 / (geometric mean), luminance Y becomes
+// postscale * a Y (1 + p / burn^2) / (1 + p), where p = a Y / prescale.
+TEST(ToneMap, ReinhardDividesByPrescale) {
+    ToneMapSettings settings;
+    settings.kernel = Kernel::Reinhard;
+    settings.reinhard_postscale = 3;
+    const double a = 0.1 / 2;  // geometric mean of 1 and 4
+    for (const double prescale : {0.05, 1.0, 4.0}) {
+        settings.reinhard_prescale = prescale;
+        std::vector<double> expected;
+        for (const double y : {1.0, 4.0}) {
+            const double p = a * y / prescale;
+            expected.push_back(3 * a * y * (1 + p / 36) / (1 + p));
+        }
+        expect_greys(settings, {1, 4}, expected);
+    }
+}
+
+// Ward: ((1.219 + ywa^0.4) / (1.219 + Y^0.4))^2.5 / 100, Y being the geometric mean of the image.
+TEST(ToneMap, ContrastAdaptsToTheImage) {
+    ToneMapSettings settings;
+    settings.kernel = Kernel::Contrast;
+    for (const double ywa : {1.0, 50.0}) {
+        settings.contrast_ywa = ywa;
+        const double scale =
+            std::pow((1.219 + std::pow(ywa, 0.4)) / (1.219 + std::pow(2.0, 0.4)), 2.5) / 100;
+        expect_greys(settings, {1, 4}, {scale, 4 * scale});
+    }
+}
+
+// The brightest is told by luminance: of a bright blue pixel it is 0.0722 of the blue.
+TEST(ToneMap, MaxWhiteGoesByLuminance) {
+    ToneMapSettings settings;
+    settings.kernel = Kernel::MaxWhite;
+    settings.gamma = 1;
+    const auto bytes = tone_map(std::vector<Rgb>{Rgb(1.0f), Rgb(0, 0, 10), Rgb(0.5f)}, settings);
+    EXPECT_EQ(bytes[0], 255);
+    EXPECT_EQ(bytes[6], 128);
+}
+
+// y (1 + y / Y^2) / (1 + y), Y being the geometric mean of the image.
+TEST(ToneMap, NonLinearMakesTheMeanWhite) {
+    ToneMapSettings settings;
+    settings.kernel = Kernel::NonLinear;
+    expect_greys(settings, {1, 4}, {1.25 / 2, 4 * 2.0 / 5});
+}
+
 TEST(ToneMap, ClampMethodsDiffer) {
     ToneMapSettings settings;
     settings.kernel = Kernel::MaxWhite;

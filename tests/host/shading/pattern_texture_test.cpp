@@ -62,7 +62,7 @@ TEST_F(PatternTextureTest, UvMaskShowsTheUnitSquare) {
 // A cell holds a dot of radius 0.35, whole, where the noise in its middle is above 0: in half of
 // the cells but for those where it is 0, about a quarter.
 TEST_F(PatternTextureTest, DotsCoverTheShareOfTheirCells) {
-    const auto dots = scene_.make_float("dots", {number("inside", 1), number("outside", 0)});
+    const auto dots = scene_.make_float("dots", {number("inside", 0), number("outside", 1)});
     int cells_with_dots = 0;
     double covered = 0;
     constexpr int kCells = 40, kSteps = 20;
@@ -79,6 +79,24 @@ TEST_F(PatternTextureTest, DotsCoverTheShareOfTheirCells) {
     }
     EXPECT_NEAR(covered / cells_with_dots, 3.14159265 * 0.35 * 0.35, 0.01);
     EXPECT_NEAR(static_cast<double>(cells_with_dots) / (kCells * kCells), 0.375, 0.05);
+}
+
+// LuxRender shows "outside" in the dots, which cover 0.375 * pi * 0.35^2 of the plane, and "inside"
+// between them; its defaults make black dots on white.
+TEST_F(PatternTextureTest, DotsShowWhatIsNamedOutside) {
+    const auto named = scene_.make_float("dots", {number("inside", 3), number("outside", 5)});
+    const auto plain = scene_.make_float("dots");
+    constexpr int kSteps = 500;
+    int in_dots = 0;
+    for (int i = 0; i < kSteps * kSteps; ++i) {
+        const auto x = 0.08f * static_cast<float>(i % kSteps);
+        const auto y = 0.08f * static_cast<float>(i / kSteps);
+        const float value = named->evaluate(at_uv(x, y));
+        ASSERT_TRUE(value == 3 || value == 5);
+        in_dots += value == 5 ? 1 : 0;
+        ASSERT_EQ(plain->evaluate(at_uv(x, y)), value == 5 ? 0 : 1);
+    }
+    EXPECT_NEAR(in_dots / double(kSteps * kSteps), 0.375 * 3.14159265 * 0.35 * 0.35, 0.02);
 }
 
 TEST_F(PatternTextureTest, HarlequinGivesEachFaceItsColour) {

@@ -50,15 +50,23 @@ ColorTextureFactory uv_plugin() {
 
 using FloatInput = std::shared_ptr<const FloatTexture>;
 
+/// A texture of two: what a parameter gives where it shows, and its default.
+struct MaskPart {
+    std::string_view name, default_text, doc;
+    double default_value;
+};
+
 /// One texture where `is_inside`(mapping, point) holds, another elsewhere.
-FloatTextureFactory mask_plugin(std::string_view inside_name, std::string_view outside_name,
+FloatTextureFactory mask_plugin(const MaskPart& in, const MaskPart& out,
                                 bool (*is_inside)(const Vec2& st)) {
-    return {declarations({{{inside_name, ParameterType::FloatTexture, "1", "value inside"},
-                           {outside_name, ParameterType::FloatTexture, "0", "value outside"}},
+    return {declarations({{{in.name, ParameterType::FloatTexture, in.default_text, in.doc},
+                           {out.name, ParameterType::FloatTexture, out.default_text, out.doc}},
                           uv_mapping_parameters()}),
             [=](const ParameterReader& reader, const AssetContext& assets, const Matrix& to_world) {
-                const FloatInput inside = read_float_texture(reader, assets, inside_name, 1);
-                const FloatInput outside = read_float_texture(reader, assets, outside_name, 0);
+                const FloatInput inside =
+                    read_float_texture(reader, assets, in.name, in.default_value);
+                const FloatInput outside =
+                    read_float_texture(reader, assets, out.name, out.default_value);
                 return formula_texture<float>(
                     [=, mapping = UvMapping(reader, to_world)](const TexturePoint& point) {
                         return (is_inside(mapping(point)) ? inside : outside)->evaluate(point);
@@ -104,8 +112,13 @@ void register_pattern_textures(Registry& registry) {
     registry.color_textures["bilerp"] = bilerp_plugin<Rgb>();
     registry.fresnel_textures["bilerp"] = bilerp_plugin<FresnelValue>();
     registry.color_textures["uv"] = uv_plugin();
-    registry.float_textures["uvmask"] = mask_plugin("innertex", "outertex", &in_unit_square);
-    registry.float_textures["dots"] = mask_plugin("inside", "outside", &in_dot);
+    registry.float_textures["uvmask"] =
+        mask_plugin({"innertex", "1", "value inside", 1}, {"outertex", "0", "value outside", 0},
+                    &in_unit_square);
+    // LuxRender shows them the other way round than they are named.
+    registry.float_textures["dots"] =
+        mask_plugin({"outside", "0", "value in the dots", 0},
+                    {"inside", "1", "value between the dots", 1}, &in_dot);
     registry.color_textures["harlequin"] = {
         {}, [](const ParameterReader&, const AssetContext&, const Matrix&) {
             return formula_texture<Rgb>(&harlequin);

@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include "lxs/host/image_verdict.h"
 #include "lxs/host/progress.h"
 #include "lxs/host/refusal_report.h"
 #include "lxs/host/render_session.h"
@@ -13,6 +14,7 @@ namespace lxs {
 struct RenderFigures {
     Statistics own;  ///< the integrator's
     RefusalsByKind refused;
+    ImageVerdict image;
 };
 
 /// Settings, scene facts, times by phase, counts and speeds, memory, the integrator's own figures.

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <memory>
 #include <span>
@@ -44,6 +45,9 @@ class FileFilm : public Film {
     virtual void set_wavelengths(const Wavelengths& wavelengths) = 0;
     /// The mean image over passes and light groups: width * height, row by row, linear radiance.
     virtual std::vector<Rgb> image() const = 0;
+    /// The same as the PNG shows it: 8 bits of red, green and blue per pixel.
+    virtual std::vector<std::uint8_t> tone_mapped() const = 0;
+    virtual std::string_view tone_map_kernel() const = 0;  ///< as the Film statement names it
     /// Writes linear 32-bit float radiance; each light group (if more than one) and each extra
     /// layer as a named layer. Written beside and renamed; throws std::runtime_error with the path
     /// and the cause, leaving an older file whole.
@@ -52,8 +56,13 @@ class FileFilm : public Film {
     virtual void write_png(const std::string& path) const = 0;
 };
 
-/// Film, with the pixel filter inside, from the "Film" and "PixelFilter" statements.
-std::unique_ptr<FileFilm> make_film(const SceneContents& contents, Diagnostics& diagnostics);
+/// Path of the file that a scene names; throws InputError if there is none.
+using FileResolver = std::function<std::string(const std::string& name, const SourceLocation&)>;
+
+/// Film, with the pixel filter inside, from the "Film" and "PixelFilter" statements. Without a
+/// resolver no file is read.
+std::unique_ptr<FileFilm> make_film(const SceneContents& contents, Diagnostics& diagnostics,
+                                    const FileResolver& resolve = {});
 
 /// What a scene's camera has beyond the interface that integrators see.
 class SceneCamera : public Camera {

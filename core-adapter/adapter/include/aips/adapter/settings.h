@@ -20,8 +20,8 @@ constexpr bool freezes_eye_pass(Mode mode) {
 /// How the search radius goes on in mode=progressive.
 enum class RadiusKind : std::uint8_t {
     Automatic,  ///< Adaptive, unless the settings ask for a schedule of their own: adapts_radius()
-    Schedule,  ///< one for all visible points, by the photons shot (Knaus & Zwicker 2011)
-    Adaptive   ///< by noise and bias around each pixel (Kaplanyan & Dachsbacher 2013)
+    Schedule,   ///< one for all visible points, by the photons shot (Knaus & Zwicker 2011)
+    Adaptive    ///< by noise and bias around each pixel (Kaplanyan & Dachsbacher 2013)
 };
 
 enum class GuideKind : std::uint8_t {

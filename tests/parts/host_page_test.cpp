@@ -51,10 +51,14 @@ TEST(HostPage, WalksThroughTheExample) {
     const auto begin = page.find("## A host of a hundred lines");
     ASSERT_NE(begin, std::string::npos);
     const std::string walk = page.substr(begin, page.find("\n## ", begin + 1) - begin);
-    const std::regex block("```cpp\n([^`]*)```");
+    const std::string opening = "```cpp\n";
     int blocks = 0;
-    for (std::sregex_iterator i(walk.begin(), walk.end(), block), end; i != end; ++i, ++blocks)
-        EXPECT_NE(example.find((*i)[1]), std::string::npos) << (*i)[1];
+    for (auto at = walk.find(opening); at != std::string::npos; at = walk.find(opening, at)) {
+        at += opening.size();
+        const std::string code = walk.substr(at, walk.find("```", at) - at);
+        EXPECT_NE(example.find(code), std::string::npos) << code;
+        ++blocks;
+    }
     EXPECT_GE(blocks, 5);
 }
 

@@ -125,6 +125,7 @@ class Balance {
             guide.begin_pass(i, 0, image_, positions_, radii_);
             PhotonInput input{view_.scene, settings_, lights_};
             input.emission = guide.emission();
+            if (input.emission) input.sequence_begin = std::uint64_t{i} * kPaths;
             input.survival = guide.survival();
             input.score_mix = guide.score_mix();
             input.split_landings = split_landings(settings_);

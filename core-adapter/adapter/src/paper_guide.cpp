@@ -3,6 +3,8 @@
 
 #include <new>
 
+#include "parallel_for.h"
+
 namespace aips {
 namespace {
 
@@ -94,7 +96,7 @@ void PaperGuide::update(std::span<const Landing> landings, std::span<const doubl
         first_points_ = {};
     }
     tree_.update_errors(*criterion_, true);
-    tables_.update(tree_, landings);
+    tables_.update(tree_, landings, tbb_for);
     ++updates_;
 }
 

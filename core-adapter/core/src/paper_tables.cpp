@@ -12,6 +12,9 @@ namespace {
 /// A photon's light is no node: only segments between two surfaces make neighbours.
 constexpr std::uint16_t kFirstSegmentDepth = 2;
 
+/// A table takes about a quarter of a microsecond.
+constexpr std::size_t kNodesPerJob = 256;
+
 Vec3 cell_direction(std::size_t cell, std::size_t n) {
     const auto center = [n](std::size_t i) { return (float(i) + 0.5f) / float(n); };
     return square_to_uniform_sphere({center(cell % n), center(cell / n)});
@@ -31,10 +34,10 @@ PaperTables::PaperTables(const PaperTableSettings& settings) : settings_(setting
         directions_.push_back(cell_direction(cell, n));
     }
     uniform_.assign(n * n, 1.0f);
-    means_.resize(n * n);
 }
 
-void PaperTables::update(const NodeTree& tree, std::span<const Landing> landings) {
+void PaperTables::update(const NodeTree& tree, std::span<const Landing> landings,
+                         const ParallelFor& parallel) {
     add_nodes(tree);
     tree.region_errors(errors_);
     for (const Landing& landing : landings) {
@@ -47,7 +50,7 @@ void PaperTables::update(const NodeTree& tree, std::span<const Landing> landings
             see(tree.locate(landing.position), landing.direction, tree.region(landing.previous));
         }
     }
-    rebuild_all();
+    rebuild_all(parallel);
 }
 
 void PaperTables::resize(std::size_t nodes, std::size_t most) {
@@ -98,12 +101,16 @@ void PaperTables::see(std::uint32_t from, Vec3 direction, std::uint32_t region) 
 
 /// Errors of all nodes have changed, and so have tables that name them; but what was seen when
 /// photons landed changes with new photons alone.
-void PaperTables::rebuild_all() {
-    for (std::uint32_t node = 0; node < to_build_.size(); ++node) {
-        if (!to_build_[node]) continue;
-        rebuild(node);
-        if (!settings_.present_errors) to_build_[node] = 0;
-    }
+void PaperTables::rebuild_all(const ParallelFor& parallel) {
+    const auto rebuild_some = [&](std::size_t first, std::size_t last) {
+        std::vector<double> means(cells());
+        for (std::size_t node = first; node < last; ++node) {
+            if (!to_build_[node]) continue;
+            rebuild(node, means);
+            if (!settings_.present_errors) to_build_[node] = 0;
+        }
+    };
+    in_chunks(to_build_.size(), kNodesPerJob, parallel, rebuild_some);
 }
 
 /// Of the neighbours in a cell; negative if there is none.
@@ -126,14 +133,14 @@ double PaperTables::mean_error(std::size_t cell) const {
 // earlier iterations name theirs; and it leaves directions without a neighbour open, where the
 // floor keeps every direction possible (zero would lose light). The mean error of eq. 5 is that
 // over the floored table, so that p(w) has mean 1.
-void PaperTables::rebuild(std::uint32_t node) {
+void PaperTables::rebuild(std::size_t node, std::span<double> means) {
     const std::span<float> relative(relative_.data() + node * cells(), cells());
     double sum = 0;
     double known = 0;
     for (std::size_t i = 0; i < cells(); ++i) {
-        means_[i] = mean_error(node * cells() + i);
-        if (means_[i] < 0) continue;
-        sum += means_[i];
+        means[i] = mean_error(node * cells() + i);
+        if (means[i] < 0) continue;
+        sum += means[i];
         known += 1;
     }
     const double floor = known > 0 ? settings_.floor_share * sum / known : 0.0;
@@ -142,13 +149,13 @@ void PaperTables::rebuild(std::uint32_t node) {
         return;
     }
     double total = 0;
-    for (double& mean : means_) {
+    for (double& mean : means) {
         mean = std::max(floor, mean);
         total += mean;
     }
     const double mean_of_all = total / double(cells());
     for (std::size_t i = 0; i < cells(); ++i)
-        relative[i] = float(means_[i] / mean_of_all);
+        relative[i] = float(means[i] / mean_of_all);
 }
 
 void PaperTables::end_pass() {
@@ -166,7 +173,7 @@ void PaperTables::state(StateArchive& archive, const NodeTree& tree) {
     if (!archive.restoring()) return;
     tree.region_errors(errors_);
     std::fill(to_build_.begin(), to_build_.end(), std::uint8_t{1});
-    rebuild_all();
+    rebuild_all(serial_for);
 }
 
 void PaperTables::state_of_cells(StateArchive& archive, std::size_t regions) {
@@ -193,7 +200,7 @@ std::size_t PaperTables::memory_bytes() const {
     return directions_.capacity() * sizeof(Vec3) + neighbours_.capacity() * sizeof(Neighbours) +
            seen_.capacity() * sizeof(Seen) +
            (relative_.capacity() + uniform_.capacity()) * sizeof(float) + to_build_.capacity() +
-           (errors_.capacity() + means_.capacity()) * sizeof(double);
+           errors_.capacity() * sizeof(double);
 }
 
 std::size_t PaperTables::memory_bound_bytes(std::uint32_t max_nodes, int resolution) {
@@ -201,7 +208,7 @@ std::size_t PaperTables::memory_bound_bytes(std::uint32_t max_nodes, int resolut
     static_assert(sizeof(Neighbours) == kCellBytes && sizeof(Seen) == kCellBytes);
     const std::size_t regions = 2;  // at most so many a node
     const std::size_t node = cells * (kCellBytes + sizeof(float)) + 1 + regions * sizeof(double);
-    return max_nodes * node + 2 * cells * (sizeof(Vec3) + sizeof(float) + sizeof(double));
+    return max_nodes * node + 2 * cells * (sizeof(Vec3) + sizeof(float));
 }
 
 }  // namespace aips

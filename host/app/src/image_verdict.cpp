@@ -74,25 +74,25 @@ class Survey {
         origin_ += ray.origin;
         meet(scene_, ray, [&](const SurfaceHit& hit) {
             ++met_;
-            if (reached_ == 0) look_for_lights(hit);
+            if (reached_ == 0) look_for_lights(hit, -ray.direction);
         });
     }
 
-    void look_for_lights(const SurfaceHit& hit) {
+    void look_for_lights(const SurfaceHit& hit, const Vec3& wo) {
         const auto& lights = scene_.lights();
         for (std::size_t i = 0; i < std::min(lights.size(), kMostLights); ++i) {
             // Of many lights others are looked for from each point.
             const Light& light = *lights[(i + met_ * kMostLights) % lights.size()];
             for (int k = 0; k < kPointsPerLight; ++k)
-                look_for(light, hit, Vec2(k % 2 == 0 ? 0.25f : 0.75f, k < 2 ? 0.25f : 0.75f));
+                look_for(light, hit, wo, Vec2(k % 2 == 0 ? 0.25f : 0.75f, k < 2 ? 0.25f : 0.75f));
         }
     }
 
-    void look_for(const Light& light, const SurfaceHit& hit, const Vec2& u) {
+    void look_for(const Light& light, const SurfaceHit& hit, const Vec3& wo, const Vec2& u) {
         DirectSample sample;
         if (!light.sample_direct(hit.p, hit.ng, u, sample) || !(sample.pdf > 0)) return;
         ++tried_;
-        if (is_black(sample.radiance)) return;
+        if (is_black(sample.radiance) || !may_scatter(hit, wo, sample.wi)) return;
         Ray ray;
         ray.origin = offset_origin(hit.p, hit.p_error, hit.ng, sample.wi);
         ray.direction = sample.wi;
@@ -104,6 +104,15 @@ class Survey {
             ray.direction = segment.normalized();
         }
         if (max_component(scene_.transmittance(ray)) > 0) ++reached_;
+    }
+
+    /// Whether light from `wi` can leave towards `wo`: on the same side it reaches what is seen,
+    /// even if that is black.
+    static bool may_scatter(const SurfaceHit& hit, const Vec3& wo, const Vec3& wi) {
+        if (wo.dot(hit.ng) * wi.dot(hit.ng) > 0) return true;
+        if (!hit.bsdf) return false;
+        return (hit.bsdf->lobes() & kSpecular) != 0 ||
+               !is_black(hit.bsdf->evaluate(wo, wi, Transport::Radiance, kAllLobes));
     }
 
     std::string nothing_in_view() const {

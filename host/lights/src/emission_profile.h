@@ -40,8 +40,8 @@ class SphereProfile final : public EmissionProfile {
 
 /// An image projected into a pyramid whose shorter side subtends an angle, which lights a screen
 /// across its axis as the image is: its intensity is the image over LuxRender's area of the screen
-/// and over the cubed cosine from the axis. That area is the screen's at distance 1 unless the image
-/// is wider than high: then it is that over the square of width over height.
+/// and over the cubed cosine from the axis. That area is the screen's at distance 1 unless the
+/// image is wider than high: then it is that over the square of width over height.
 class ScreenProfile final : public EmissionProfile {
   public:
     /// `axes`: n is the axis, s the direction of the image's rows, t that of its columns, from the

@@ -31,7 +31,7 @@ Rgb EmittedRadiance::colour(const Vec3& p, const Vec3& n, const Vec2& uv) const 
 Rgb EmittedRadiance::light_of(const Rgb& value) const {
     if (given_as_ == Given::AsSpectrum) return value * kLuminanceOfFlatSpectrum;
     return given_as_ == Given::AsImage ? colour_of_filtered_illuminant(value, Rgb(1.0f))
-                                     : colour_of_illuminant(value);
+                                       : colour_of_illuminant(value);
 }
 
 }  // namespace lxs

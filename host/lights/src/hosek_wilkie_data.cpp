@@ -1,5 +1,5 @@
-// Coefficients of the Hosek-Wilkie sky by wavelength, over black ground: the data of the authors' own
-// release (http://cgg.mff.cuni.cz/projects/SkylightModelling/, ArHosekSkyModelData_Spectral.h),
+// Coefficients of the Hosek-Wilkie sky by wavelength, over black ground: the data of the authors'
+// own release (http://cgg.mff.cuni.cz/projects/SkylightModelling/, ArHosekSkyModelData_Spectral.h),
 // rounded to seven digits and laid out anew, under their licence:
 //
 // Copyright (c) 2012 - 2013, Lukas Hosek and Alexander Wilkie

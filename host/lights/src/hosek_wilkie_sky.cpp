@@ -91,7 +91,7 @@ struct Node {
 };
 
 std::vector<Node> nodes_of(double elevation, double turbidity) {
-    constexpr double kFirstNm = 380, kLastNm = 720, kStepNm = 10;  // LuxRender's range
+    constexpr double kFirstNm = 380, kLastNm = 720, kStepNm = 2;  // LuxRender's range
     constexpr double kLumensPerWatt = 683;
     const Bands bands = bands_of(elevation, turbidity);
     std::vector<Node> nodes;
@@ -137,7 +137,8 @@ HosekWilkieSky::HosekWilkieSky(const Vec3& sun, double turbidity)
             for (const Node& node : nodes) {
                 const double value =
                     radiance_of(node.coefficients, squared(height, kHeights), cos_gamma);
-                if (value > 0 && std::isfinite(value)) xyz += node.matching * value;
+                // Hazy skies of a low sun dip below 0 here and there, as they do in LuxRender.
+                if (std::isfinite(value)) xyz += node.matching * value;
             }
             table_[angle * kHeights + height] = clipped_rgb_of_xyz(xyz);
         }

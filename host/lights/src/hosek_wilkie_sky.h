@@ -28,7 +28,7 @@ class HosekWilkieSky {
     }
 
     // Fine towards the horizon and towards the sun, where the model is steep.
-    static constexpr std::size_t kHeights = 96, kAngles = 192;
+    static constexpr std::size_t kHeights = 64, kAngles = 128;
     Vec3 sun_;
     std::vector<Rgb> table_;
 };

@@ -27,9 +27,7 @@ struct LightStatement {
         return static_cast<float>(reader.number(name, fallback));
     }
     /// L, by whatever name.
-    Rgb given_color() const {
-        return cleaned(reader.color("L", Rgb(1.0f)), reader.spelling("L"));
-    }
+    Rgb given_color() const { return cleaned(reader.color("L", Rgb(1.0f)), reader.spelling("L")); }
     /// The colour of the light that L stands for.
     Rgb color() const { return colour_of_illuminant(given_color()); }
     /// That times gain.

@@ -43,16 +43,15 @@ void make_spot(const LightStatement& s, Lights& lights) {
 }
 
 void make_distant(const LightStatement& s, Lights& lights) {
-    // The irradiance is L over the cone's solid angle; LuxRender 1.9 takes a theta of 0 as a cone of
-    // 1 - cosine = 2^-16. Measured, its distant light of L = 2 gives 20840 lx.
+    // The irradiance is L over the cone's solid angle; LuxRender 1.9 takes a theta of 0 as a cone
+    // of 1 - cosine = 2^-16. Measured, its distant light of L = 2 gives 20840 lx.
     constexpr double kParallel = 0x1p-16;
     constexpr double kLeastAngle = 1e-5;  // radians; below it the disk has no size in float
     const Vec3 wi = -s.from_to_direction();
     const double theta = s.reader.number("theta", 0) * kRadians;
     const bool parallel = theta < kLeastAngle;
     const double one_minus_cos = parallel ? kParallel : 1 - std::cos(theta);
-    const Rgb irradiance =
-        s.emission() / static_cast<float>(2 * std::numbers::pi * one_minus_cos);
+    const Rgb irradiance = s.emission() / static_cast<float>(2 * std::numbers::pi * one_minus_cos);
     if (parallel) {
         lights.push_back(std::make_unique<ParallelLight>(s.placement(), s.sphere, wi, irradiance));
         return;
@@ -74,8 +73,8 @@ void make_infinite(const LightStatement& s, Lights& lights) {
                                                        where, s.reader.diagnostics()),
                                       s.reader.string("mapping", "latlong"));
     const Rgb gain = s.cleaned(Rgb(s.number("gain", 1)), "gain");
-    lights.push_back(std::make_unique<MappedEnvironment>(
-        s.placement(), s.sphere, s.rotation(), map.filtering(s.given_color()), gain));
+    lights.push_back(std::make_unique<MappedEnvironment>(s.placement(), s.sphere, s.rotation(),
+                                                         map.filtering(s.given_color()), gain));
 }
 
 void make_by_name(const LightStatement& s, Lights& lights) {

@@ -24,8 +24,7 @@ void add(const LightStatement& s, std::string_view kind, const Rgb& unit,
 }  // namespace
 
 void make_goniometric(const LightStatement& s, Lights& lights) {
-    auto profile =
-        std::make_unique<SphereProfile>(s.rotation(), sphere_map(s.reader, s.resolve));
+    auto profile = std::make_unique<SphereProfile>(s.rotation(), sphere_map(s.reader, s.resolve));
     // As LuxRender: the profile tells where light goes, L how much there is.
     const Rgb sum = profile->integral();
     const float mean = (sum.x + sum.y + sum.z) / 3;
@@ -47,7 +46,8 @@ void make_projection(const LightStatement& s, Lights& lights) {
     axes.t = rotation.to_world(axis % rows);
     LatLongMap image = s.reader.string("mapname", "").empty() ? LatLongMap(1, 1, {Rgb(1.0f)})
                                                               : read_map(s.reader, s.resolve);
-    add(s, "projection", s.color(), std::make_unique<ScreenProfile>(axes, std::move(image), fov), lights);
+    add(s, "projection", s.color(), std::make_unique<ScreenProfile>(axes, std::move(image), fov),
+        lights);
 }
 
 }  // namespace lxs

@@ -38,9 +38,9 @@ void make_sun(const LightStatement& s, Lights& lights) {
 }
 
 /// The sky's models take the sun's direction as it is given, of any length: LuxRender 1.9 does not
-/// normalise it there (it does for the sun's disk, and for its height in the Preetham sky). A vector
-/// longer than 1, as in light-sky, brightens the sun's side. Scenes whose sundir is a unit vector, as
-/// exporters write it, are the published models' skies.
+/// normalise it there (it does for the sun's disk, and for its height in the Preetham sky). A
+/// vector longer than 1, as in light-sky, brightens the sun's side. Scenes whose sundir is a unit
+/// vector, as exporters write it, are the published models' skies.
 Vec3 given_sun_direction(const LightStatement& s) {
     sun_direction(s);  // refuses the zero vector
     return s.reader.vector("sundir", Vec3(0, 0, 1));

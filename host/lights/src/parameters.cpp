@@ -56,12 +56,11 @@ constexpr ParameterDeclaration kRelativeSize{
     .minimum = 0.001,
     .maximum = 215};
 /// Exporters write it; LuxRender's sun and sky do not read it.
-constexpr ParameterDeclaration kUnreadColor{
-    .name = "L",
-    .type = Type::ColorTexture,
-    .default_text = "1 1 1",
-    .doc = "Sun and sky have the colours of their models.",
-    .no_effect = true};
+constexpr ParameterDeclaration kUnreadColor{.name = "L",
+                                            .type = Type::ColorTexture,
+                                            .default_text = "1 1 1",
+                                            .doc = "Sun and sky have the colours of their models.",
+                                            .no_effect = true};
 constexpr ParameterDeclaration kImportance{.name = "importance",
                                            .default_text = "1",
                                            .doc = "Share of samples spent on the light.",
@@ -82,8 +81,9 @@ constexpr ParameterDeclaration kProfileMap{
     .name = "mapname",
     .type = Type::String,
     .default_text = "",
-    .doc = "Image of the emission by direction, not of how much there is, latitude-longitude, its top "
-           "row along +z."};
+    .doc =
+        "Image of the emission by direction, not of how much there is, latitude-longitude, its top "
+        "row along +z."};
 constexpr ParameterDeclaration kMapGamma{.name = "gamma",
                                          .default_text = "1",
                                          .doc =
@@ -101,11 +101,16 @@ constexpr ParameterDeclaration coefficient(std::string_view name, std::string_vi
     return {.name = name, .default_text = "1", .doc = doc, .older_name = older_name};
 }
 constexpr std::array kSkyCoefficients = {
-    coefficient("horizonbrightness", "aconst", "Factor on coefficient A of the sky's brightness and colours."),
-    coefficient("horizonsize", "bconst", "Factor on coefficient B of the sky's brightness and colours."),
-    coefficient("sunhalobrightness", "cconst", "Factor on coefficient C of the sky's brightness and colours."),
-    coefficient("sunhalosize", "dconst", "Factor on coefficient D of the sky's brightness and colours."),
-    coefficient("backscattering", "econst", "Factor on coefficient E of the sky's brightness and colours."),
+    coefficient("horizonbrightness", "aconst",
+                "Factor on coefficient A of the sky's brightness and colours."),
+    coefficient("horizonsize", "bconst",
+                "Factor on coefficient B of the sky's brightness and colours."),
+    coefficient("sunhalobrightness", "cconst",
+                "Factor on coefficient C of the sky's brightness and colours."),
+    coefficient("sunhalosize", "dconst",
+                "Factor on coefficient D of the sky's brightness and colours."),
+    coefficient("backscattering", "econst",
+                "Factor on coefficient E of the sky's brightness and colours."),
 };
 
 constexpr std::array<std::string_view, 3> kMappings = {"latlong", "angular", "vcross"};

@@ -65,8 +65,8 @@ RepresentedSpectrum represented_lamp(const SpectralCurve& lamp) {
     const SpectralCurve relative = relative_to_daylight(lamp);
     const SpectralTable exact = tabulated(function(relative));
     const Imath::V3d seen = colour_of_product(exact, tabulated([](double) { return 1.0; }));
-    const Rgb colour = Rgb(Imath::V3d(std::max(seen.x, 0.0), std::max(seen.y, 0.0),
-                                      std::max(seen.z, 0.0)));
+    const Rgb colour =
+        Rgb(Imath::V3d(std::max(seen.x, 0.0), std::max(seen.y, 0.0), std::max(seen.z, 0.0)));
     const float brightness = luminance(colour);
     return {exact, spectrum_of(brightness > 0 ? colour / brightness : Rgb(0.0f)), lamp.name()};
 }

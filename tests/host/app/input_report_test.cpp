@@ -90,7 +90,7 @@ constexpr Fallback kFallbacks[] = {
     {"Accelerator \"octree\"", "", "unknown Accelerator \"octree\""},
     {"Film \"fleximage\" \"integer xresolution\" [8] \"integer yresolution\" [6] "
      "\"string filename\" [\"out\"] \"string tonemapkernel\" [\"filmic\"]",
-     "", "unknown tonemapkernel \"filmic\""},
+     "", "fleximage: unknown tonemapkernel \"filmic\""},
     {"SurfaceIntegrator \"path\" \"integer maxdepth\" [-1]", "",
      "path: \"maxdepth\" is out of range"},
 };

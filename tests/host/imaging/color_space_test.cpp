@@ -65,7 +65,8 @@ TEST(ColorSpace, TheFilmFollowsIt) {
 // LuxRender's own default, in which its linear image of white light on grey is (0.9898 1.0027
 // 1.0041) times the grey.
 TEST(ColorSpace, IsSmptesUnlessTheSceneSaysOtherwise) {
-    const Rgb expected = converted(rgb_matrix(kSceneColors, ColorSpace{}), Rgb(0.5f, 0.25f, 0.125f));
+    const Rgb expected =
+        converted(rgb_matrix(kSceneColors, ColorSpace{}), Rgb(0.5f, 0.25f, 0.125f));
     EXPECT_EQ(pixel_of({}), expected);
     const Rgb white = converted(rgb_matrix(kSceneColors, ColorSpace{}), Rgb(1.0f));
     EXPECT_NEAR(white.x, 0.9898, 2e-4);

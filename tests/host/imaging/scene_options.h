@@ -73,12 +73,12 @@ inline SceneContents scene_of_size(int width, int height) {
         return numbers("float", name, {c[0], c[1]});
     };
     SceneContents contents = empty_scene();
-    set_option(contents, "Film", "fleximage",
-               {integer("xresolution", width), integer("yresolution", height),
-                chromaticity("colorspace_red", kSceneRed),
-                chromaticity("colorspace_green", kSceneGreen),
-                chromaticity("colorspace_blue", kSceneBlue),
-                chromaticity("colorspace_white", kSceneWhite)});
+    set_option(
+        contents, "Film", "fleximage",
+        {integer("xresolution", width), integer("yresolution", height),
+         chromaticity("colorspace_red", kSceneRed), chromaticity("colorspace_green", kSceneGreen),
+         chromaticity("colorspace_blue", kSceneBlue),
+         chromaticity("colorspace_white", kSceneWhite)});
     set_option(contents, "PixelFilter", "box", {});
     return contents;
 }

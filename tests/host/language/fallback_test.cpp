@@ -169,7 +169,7 @@ TEST(Fallback, BadSyntaxEndsItsFileOnly) {
     folder.write("a.lxo", "Shape \"sphere\" {");
     LenientDiagnostics diagnostics;
     const SceneContents contents = read_scene(folder / "main.lxs", fake_registry(), diagnostics);
-    EXPECT_EQ(contents.primitives.size(), 1u);
+    EXPECT_EQ(contents.primitives.size(), 2u) << "what comes before it, and after its file";
     EXPECT_THAT(diagnostics.messages,
                 ElementsAre(HasSubstr("a.lxo:1:16: error: expected a statement, found \"{\""),
                             HasSubstr("main.lxs:2:1: error: unknown statement \"Shapes\"")));

@@ -36,7 +36,7 @@ TEST(Statement, SceneMustEnd) {
 
 TEST(Statement, NothingIsReadAfterWorldEnd) {
     CollectingDiagnostics diagnostics;
-    read_text("WorldBegin WorldEnd\nWorldBegin\nNonsense\n", diagnostics);
+    read_text("WorldBegin WorldEnd\nNonsense\n", diagnostics);
     EXPECT_EQ(
         diagnostics.messages,
         (std::vector<std::string>{"test.lxs:2:1: warning: what follows WorldEnd is not read"}));
@@ -84,17 +84,20 @@ TEST(Statement, LastOfTwoOptionsCounts) {
                   "test.lxs:2:1: warning: Sampler is given twice: the last one counts"}));
 }
 
-TEST(Statement, WarnsOnceOfWhatIsNotRendered) {
+/// At each place; lxsrender tells those of a kind once (tests/host/app/input_report_test.cpp).
+TEST(Statement, WarnsOfWhatIsNotRendered) {
     CollectingDiagnostics diagnostics;
     read_world(
-        "PortalShape \"sphere\"\nPortalShape \"sphere\"\nPortalInstance \"a\"\n"
-        "Volume \"cloud\"\nVolumeRegion \"cloud\"\nSearchPath \"x\"",
+        "PortalShape \"sphere\"\nPortalInstance \"a\"\nVolume \"cloud\"\n"
+        "VolumeRegion \"cloud\"\nSearchPath \"x\"",
         diagnostics);
     EXPECT_EQ(diagnostics.messages,
               (std::vector<std::string>{
                   "test.lxs:2:1: warning: portals are not used: they only guide sampling",
-                  "test.lxs:5:8: warning: volume region \"cloud\" is not rendered: it is left out",
-                  "test.lxs:7:1: warning: SearchPath has no effect"}));
+                  "test.lxs:3:1: warning: portals are not used: they only guide sampling",
+                  "test.lxs:4:8: warning: volume region \"cloud\" is not rendered: it is left out",
+                  "test.lxs:5:14: warning: volume region \"cloud\" is not rendered: it is left out",
+                  "test.lxs:6:1: warning: SearchPath has no effect"}));
 }
 
 }  // namespace

@@ -68,7 +68,8 @@ TEST(AreaLight, PowerAndEfficacySetTheFlux) {
     primitive.emission->gain = 50;
     EXPECT_NEAR(make_area_light(primitive, Matrix())->power() / 85000, 1, 1e-4);
     primitive.emission->efficacy = 0;
-    const double scaled = 50 * luminance(colour_of_illuminant(Rgb(20, 10, 5))) * kPi * 4 * kPi * 0.16;
+    const double scaled =
+        50 * luminance(colour_of_illuminant(Rgb(20, 10, 5))) * kPi * 4 * kPi * 0.16;
     EXPECT_NEAR(make_area_light(primitive, Matrix())->power() / scaled, 1, 1e-4);
 }
 

@@ -1,5 +1,5 @@
-// Every light without geometry, and the area light, against LuxRender 1.9's formulas at ten settings
-// each. Sun and skies: sky_formulas_test.cpp.
+// Every light without geometry, and the area light, against LuxRender 1.9's formulas at ten
+// settings each. Sun and skies: sky_formulas_test.cpp.
 #include <gtest/gtest.h>
 
 #include <OpenImageIO/imageio.h>
@@ -70,7 +70,8 @@ TEST(LightFormulas, Spot) {
         const Setting& s = kSettings[i];
         SCOPED_TRACE(i);
         const double cone = 10 + 7 * double(i), delta = 2 + double(i);  // degrees
-        const double total = std::cos(cone * kPi / 180), start = std::cos((cone - delta) * kPi / 180);
+        const double total = std::cos(cone * kPi / 180),
+                     start = std::cos((cone - delta) * kPi / 180);
         std::vector<ParameterValue> values = values_of(s);
         values.push_back(numbers("float", "coneangle", {cone}));
         values.push_back(numbers("float", "conedeltaangle", {delta}));
@@ -119,25 +120,26 @@ std::string image_of(const Rgb& colour, int width, int height) {
     std::string path = folder / (std::to_string(++count) + ".exr");
     const std::vector<Rgb> pixels(std::size_t(width) * height, colour);
     const auto file = OIIO::ImageOutput::create(path);
-    EXPECT_TRUE(file && file->open(path, OIIO::ImageSpec(width, height, 3, OIIO::TypeDesc::FLOAT)) &&
+    EXPECT_TRUE(file &&
+                file->open(path, OIIO::ImageSpec(width, height, 3, OIIO::TypeDesc::FLOAT)) &&
                 file->write_image(OIIO::TypeDesc::FLOAT, pixels.data()) && file->close());
     return path;
 }
 
 // A pixel is a reflectance under the light of L.
 TEST(LightFormulas, InfiniteWithAMap) {
-    const std::array<Rgb, 10> pixels = {Rgb(0.5f),        Rgb(1, 0, 0),    Rgb(0, 1, 0),
-                                        Rgb(0, 0, 1),     Rgb(1, 0.2f, 0.2f), Rgb(0.2f, 1, 0.1f),
-                                        Rgb(0.1f, 0.4f, 2), Rgb(1, 0.9f, 0.2f), Rgb(3, 0.5f, 2),
-                                        Rgb(0.1f, 0.8f, 0.7f)};
+    const std::array<Rgb, 10> pixels = {
+        Rgb(0.5f),          Rgb(1, 0, 0),         Rgb(0, 1, 0),       Rgb(0, 0, 1),
+        Rgb(1, 0.2f, 0.2f), Rgb(0.2f, 1, 0.1f),   Rgb(0.1f, 0.4f, 2), Rgb(1, 0.9f, 0.2f),
+        Rgb(3, 0.5f, 2),    Rgb(0.1f, 0.8f, 0.7f)};
     const std::array<const char*, 3> mappings = {"latlong", "angular", "vcross"};
     for (std::size_t i = 0; i < pixels.size(); ++i) {
         SCOPED_TRACE(i);
         const Rgb l = i % 2 == 0 ? Rgb(1.0f) : kSettings[i].l;
         const auto light = make_one(
-            "infinite", {text("mapname", image_of(pixels[i], 12, 16)),
-                         text("mapping", mappings[i % 3]), numbers("color", "L", {l.x, l.y, l.z}),
-                         numbers("float", "gain", {1 + double(i)})});
+            "infinite",
+            {text("mapname", image_of(pixels[i], 12, 16)), text("mapping", mappings[i % 3]),
+             numbers("color", "L", {l.x, l.y, l.z}), numbers("float", "gain", {1 + double(i)})});
         const Curve under = illuminant(l), through = filter(pixels[i]);
         const Imath::V3d published =
             scene_rgb(film_xyz([&](double nm) { return under(nm) * through(nm); }));
@@ -184,8 +186,7 @@ TEST(LightFormulas, Projection) {
 TEST(LightFormulas, Area) {
     for (const Setting& s : kSettings) {
         SCOPED_TRACE(s.l);
-        Primitive lamp =
-            emissive(parallelogram(Vec3(0.0f), Vec3(2, 0, 0), Vec3(0, 3, 0)), s.l);
+        Primitive lamp = emissive(parallelogram(Vec3(0.0f), Vec3(2, 0, 0), Vec3(0, 3, 0)), s.l);
         lamp.emission->gain = float(s.gain);
         lamp.emission->power = float(s.power);
         lamp.emission->efficacy = float(s.efficacy);

@@ -11,6 +11,7 @@
 #include "aips/core/directional_table.h"
 #include "aips/core/kd_tree.h"
 #include "aips/core/landing.h"
+#include "aips/core/parallel.h"
 #include "aips/core/sampling.h"
 
 namespace aips {
@@ -37,7 +38,8 @@ class PaperTables {
     /// After an iteration: makes tables for new nodes (copies of those that they split from), takes
     /// in the neighbours that the landings name, and rebuilds the tables of all nodes that know
     /// neighbours (without present_errors: of those that landings name).
-    void update(const NodeTree& tree, std::span<const Landing> landings);
+    void update(const NodeTree& tree, std::span<const Landing> landings,
+                const ParallelFor& parallel = serial_for);
     /// At the end of a pass: without present_errors, what each direction has learned counts as one
     /// neighbour from now on.
     void end_pass();
@@ -73,8 +75,8 @@ class PaperTables {
     void resize(std::size_t nodes, std::size_t most);
     void add_nodes(const NodeTree& tree);
     void see(std::uint32_t from, Vec3 direction, std::uint32_t region);
-    void rebuild_all();
-    void rebuild(std::uint32_t node);
+    void rebuild_all(const ParallelFor& parallel);
+    void rebuild(std::size_t node, std::span<double> means);
     double mean_error(std::size_t cell) const;
     void state_of_cells(StateArchive& archive, std::size_t regions);
     std::size_t cells() const { return directions_.size(); }
@@ -87,7 +89,6 @@ class PaperTables {
     std::vector<float> uniform_;          // [cell]
     std::vector<std::uint8_t> to_build_;  // [node]: it knows neighbours, or new ones
     std::vector<double> errors_;          // present ones by region, of the last update
-    std::vector<double> means_;           // [cell], scratch of rebuild
 };
 
 /// Eq. 6 before normalisation: products[i] = p(w_i) * bsdf_pdf(w_i) at the cell centres w_i, ready

@@ -24,7 +24,7 @@ struct CommandLine {
     std::optional<std::uint32_t> width;   ///< pixels, instead of the scene's; height in proportion
     std::optional<std::uint32_t> height;  ///< pixels, instead of the scene's and of that proportion
     std::optional<std::string> sampler;   ///< instead of the scene's
-    bool strict = false;                  ///< unknown parameters are errors
+    bool strict = false;                  ///< what LuxRender only warns of is an error
     std::vector<std::string> plugin_paths;
     std::optional<std::string> statistics;  ///< JSON file
     std::optional<std::string> checkpoint;  ///< file to save the render's state in; none: not saved

@@ -1,5 +1,5 @@
-// Spectra that stand for colours in linear RGB as LuxRender carries them: what it makes of a light's
-// L and of a reflectance, and the colours that come back from there.
+// Spectra that stand for colours in linear RGB as LuxRender carries them: what it makes of a
+// light's L and of a reflectance, and the colours that come back from there.
 //
 // After Smits 1999, "An RGB to spectrum conversion for reflectances": a colour is a sum of at most
 // three of seven base spectra. A saturated colour does not come back as it went in: of a light of

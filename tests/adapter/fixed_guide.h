@@ -21,6 +21,7 @@ class FixedGuide final : public aips::Guide {
     void begin_pass(std::span<const aips::Vec3>, std::uint64_t) override {}
     std::uint32_t iteration_paths(std::uint64_t) const override { return 1; }
     bool guides(std::uint64_t) const override { return false; }
+    bool learns_from_owned() const override { return false; }
     bool needs_scores() const override { return false; }
     void update(std::span<const aips::Landing>, std::span<const double>) override {}
     void state(aips::StateArchive&) override {}

@@ -114,7 +114,7 @@ INSTANTIATE_TEST_SUITE_P(
                     Case{"NotLambertian", Fault::NotLambertian, "lambertian"},
                     Case{"NotFinite", Fault::NotFinite, "values"},
                     Case{"DeltaWithDensity", Fault::DeltaWithDensity, "delta"}),
-    [](const auto& info) { return std::string(info.param.name); });
+    [](const auto& each) { return std::string(each.param.name); });
 
 TEST(BsdfFaults, NoneInTheSoundOne) {
     const auto findings = find(Fault::None);

@@ -126,7 +126,7 @@ INSTANTIATE_TEST_SUITE_P(
                     Case{"Group", Fault::Group, false, "group", "9"},
                     Case{"Coordinates", Fault::Coordinates, false, "emission_coordinates", ""},
                     Case{"NotFinite", Fault::NotFinite, false, "values", ""}),
-    [](const auto& info) { return std::string(info.param.name); });
+    [](const auto& each) { return std::string(each.param.name); });
 
 INSTANTIATE_TEST_SUITE_P(
     Sky, LightFaults,
@@ -138,7 +138,7 @@ INSTANTIATE_TEST_SUITE_P(
                     Case{"Density", Fault::Density, true, "density of directions", ""},
                     Case{"Coordinates", Fault::Coordinates, true, "emission_coordinates", ""},
                     Case{"Escaped", Fault::Escaped, true, "radiance", ""}),
-    [](const auto& info) { return std::string(info.param.name); });
+    [](const auto& each) { return std::string(each.param.name); });
 
 TEST(LightFaults, NoneInSoundOnes) {
     for (const bool sky : {false, true}) {

@@ -18,13 +18,13 @@ using namespace aips;
 
 constexpr std::uint32_t kSize = 32;
 
-using Point = std::array<float, 2>;
+using Point = std::array<double, 2>;
 
 /// Notes the first two coordinates of emissions.
 class NotedLight final : public mock::LightLike {
   public:
     using mock::LightLike::LightLike;
-    bool emit(const std::array<float, 4>& u, Emission& emission) const override {
+    bool emit(const PrimaryPoint& u, Emission& emission) const override {
         const std::size_t i = count_.fetch_add(1);
         if (i < noted_.size()) noted_[i] = {u[0], u[1]};
         return LightLike::emit(u, emission);
@@ -100,11 +100,11 @@ class Slit final : public Light {
     std::uint32_t group() const override { return 0; }
     float power() const override { return 1; }
     bool at_infinity() const override { return false; }
-    bool emit(const std::array<float, 4>& u, Emission& emission) const override {
-        const bool passes = u[0] < 0x1p-15f;
+    bool emit(const PrimaryPoint& u, Emission& emission) const override {
+        const bool passes = u[0] < 0x1p-15;
         emission.ray.origin = {0, 0, 0};
         emission.ray.direction =
-            passes ? normalize(Vec3{u[2] - 0.5f, 1, u[3] - 0.5f}) : Vec3{0, -1, 0};
+            passes ? normalize(Vec3{float(u[2]) - 0.5f, 1, float(u[3]) - 0.5f}) : Vec3{0, -1, 0};
         emission.power = kWhite * (passes ? 0x1p15f : 1.0f);
         return true;
     }

@@ -190,7 +190,7 @@ TEST(TessellatedLamp, EmissionCoordinatesLeadToTheSampledTriangle) {
         const Vec3 p(random(), random(), 0);
         DirectSample s;
         ASSERT_TRUE(lamp().sample_direct(p, Vec3(0, 0, 1), Vec2(random(), random()), s));
-        std::array<float, 4> u{};
+        PrimaryPoint u{};
         ASSERT_TRUE(lamp().emission_coordinates(p, s, u));
         EmissionSample emission;
         ASSERT_TRUE(lamp().sample_emission(u, emission));

@@ -89,7 +89,7 @@ TEST(StressSums, PhotonsAlongABeam) {
         gather.gather(image, refusals);
         EXPECT_EQ(gather.gathered(), photons);
         std::vector<Rgb> radiance(1);
-        gather.add_to(image, 1, refusals, radiance);
+        gather.add_to(image, 1, refusals, radiance, {});
         return double(radiance[0].r);
     };
     constexpr std::size_t kPhotons = 1'000'000;

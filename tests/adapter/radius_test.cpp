@@ -11,6 +11,7 @@ using namespace aips;
 TEST(Radius, ShrinksWithPhotonsShotAndNotWithPasses) {
     const mock::Scene scene = mock::lamp_box({}, {});
     Settings settings = mock::small_settings(91, 1000);
+    settings.radius = RadiusKind::Schedule;
     settings.alpha = 0.7;
     settings.photons_per_pass = 8000;
     const auto coarse = mock::radii(scene, settings, 3);
@@ -27,6 +28,7 @@ TEST(Radius, RejectedPhotonsHaveNoInfluence) {
     mock::Material black;
     black.reflectance = {0, 0, 0};
     Settings settings = mock::small_settings(92, 4000);
+    settings.radius = RadiusKind::Schedule;
     settings.alpha = 0.7;
     EXPECT_EQ(mock::radii(mock::lamp_box({}, {}), settings, 4),
               mock::radii(mock::lamp_box(black, black), settings, 4));

@@ -81,7 +81,7 @@ TEST(CameraErrors, ImpossibleParameters) {
               "scene.lxs:2:5: error: screenwindow takes 4 numbers, found 2");
     EXPECT_EQ(camera("perspective", {real("hither", 2), real("yon", 1)}).error,
               "scene.lxs:2:5: error: yon is 1, but must be beyond hither, 2");
-    EXPECT_EQ(camera("orthographic", {real("focaldistance", 0)}).error,
+    EXPECT_EQ(camera("orthographic", {real("focaldistance", 0), real("lensradius", 0.1)}).error,
               "scene.lxs:2:5: error: focaldistance is 0, but must be positive");
     Matrix flat;
     flat.setScale(Imath::V3d(1, 1, 0));

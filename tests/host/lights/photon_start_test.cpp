@@ -91,7 +91,8 @@ bool meets(const Ray& ray, const SceneSphere& sphere, double grown) {
         from = std::max(from, std::min(a, b));
         to = std::min(to, std::max(a, b));
     }
-    return from <= to && from > 0;
+    // Photons start close to the box, within what it is grown by.
+    return from <= to && from > -4 * grown;
 }
 
 /// The power of the photons shot is that of the light which falls on the box, and all of them begin

@@ -8,6 +8,7 @@
 #include "bsdfs/layered_bsdf.h"
 #include "lxs/sdk/frame.h"
 #include "lxs/sdk/warp.h"
+#include "lxs/spectrum/reflectance_colour.h"
 #include "shading_fixture.h"
 
 namespace lxs {
@@ -70,13 +71,15 @@ TEST(LayeredPaper, AddsUpLikeAPileOfPlates) {
     EXPECT_NEAR(passed / kPlaces * kPi, t1 * t2 / between, 0.004);
 }
 
+/// As written; a white lamp shows another colour of it.
+const Rgb kTint(0.5f, 0.3f, 0.1f);
+
 class LayeredTest : public ::testing::Test {
   protected:
     LayeredTest() {
         scene_.materials["glass"] = scene_.make_material("glass", {number("index", kIndex)});
         scene_.materials["white"] = scene_.make_material("matte", {color("Kd", Rgb(0.8f))});
-        scene_.materials["tinted"] =
-            scene_.make_material("matte", {color("Kd", {0.5f, 0.3f, 0.1f})});
+        scene_.materials["tinted"] = scene_.make_material("matte", {color("Kd", kTint)});
         scene_.materials["mirror"] = scene_.make_material("mirror", {color("Kr", Rgb(0.7f))});
         scene_.materials["metal"] = scene_.make_material("metal", {number("uroughness", 0.3)});
     }
@@ -141,7 +144,7 @@ TEST_F(LayeredTest, MatteUnderGlassIsSaundersonsFormula) {
                           (1 - double{shading::fresnel_dielectric(wi.z, kIndex)});
     Rgb expected;
     for (int c = 0; c < 3; ++c) {
-        const double kd = Rgb(0.5f, 0.3f, 0.1f)[c];
+        const double kd = colour_of_reflectance(kTint)[c];
         expected[c] = static_cast<float>(kd / kPi * passed / (kIndex * kIndex) /
                                          (1 - kd * internal_reflectance()));
     }
@@ -155,7 +158,7 @@ TEST_F(LayeredTest, GapsLetLightThroughInStraightLines) {
     const Vec3 wo = at_angle(20, 0), wi = at_angle(70, 1);
     Rgb expected;
     for (int c = 0; c < 3; ++c) {
-        const float second = Rgb(0.5f, 0.3f, 0.1f)[c];
+        const float second = colour_of_reflectance(kTint)[c];
         const float open = 1 - kOpacity;
         const float r = kOpacity * kFirst + open * open * second / (1 - kOpacity * kFirst * second);
         expected[c] = r * kInvPi;
@@ -187,7 +190,7 @@ TEST_F(LayeredTest, SidesSeeTheLayersInOppositeOrder) {
     const auto stack = layered("white", "tinted");  // opaque: each side shows one
     const Vec3 up = at_angle(10, 0), down(0, 0, -1);
     expect_mean(*stack, up, at_angle(40, 1), Rgb(0.8f) * kInvPi);
-    expect_mean(*stack, down, -at_angle(40, 1), Rgb(0.5f, 0.3f, 0.1f) * kInvPi);
+    expect_mean(*stack, down, -at_angle(40, 1), colour_of_reflectance(kTint) * kInvPi);
     EXPECT_FALSE(stack->facts().transmits);
     EXPECT_FALSE(stack->facts().straight);
 }

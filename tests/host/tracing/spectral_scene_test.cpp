@@ -93,7 +93,9 @@ TEST(SpectralScene, LampsHaveTheirSpectrumAndTheirLuminance) {
             EXPECT_NEAR(factor, common, 0.01 * common) << nm;
         }
     }
-    EXPECT_NEAR(sum / kPasses, luminance(kLampColour), 0.01 * luminance(kLampColour));
+    // A spectrum is in watts per nanometre, of which its colour is one of light.
+    const double expected = double(kLuminanceOfFlatSpectrum) * double(luminance(kLampColour));
+    EXPECT_NEAR(sum / kPasses, expected, 0.01 * expected);
 }
 
 TEST(SpectralScene, MediaHaveTheSpectraOfTheirCoefficients) {

@@ -10,7 +10,8 @@
 namespace lxs {
 namespace {
 
-// From LuxRender 1.9's spectra of colours under its white, seen through the CIE 1931 observer.
+// From LuxRender 1.9's spectra of colours under its white, seen through the CIE 1931 observer in
+// steps of 1 nm. Ours has steps of 5 nm, linear in between.
 TEST(ReflectanceColour, ComesBackFromLuxRendersSpectra) {
     struct Row {
         Rgb written, seen;
@@ -28,7 +29,7 @@ TEST(ReflectanceColour, ComesBackFromLuxRendersSpectra) {
     for (const Row& row : rows) {
         const Rgb seen = colour_of_reflectance(row.written);
         for (int c = 0; c < 3; ++c)
-            EXPECT_NEAR(seen[c], row.seen[c], 5e-4f) << row.written << " channel " << c;
+            EXPECT_NEAR(seen[c], row.seen[c], 1.5e-3f) << row.written << " channel " << c;
     }
 }
 

@@ -18,7 +18,7 @@ SCENES = {
 }
 EXPECTED = {
     'bad.lxs': ['no', '', '-', '', '2'],
-    'dark.lxs': ['yes', '', 'black', '', ''],
+    'dark.lxs': ['yes', '', 'black', '1', ''],
     'good/ball.lxs': ['yes', '2', 'ok', '1', ''],
 }
 

@@ -6,6 +6,7 @@
 
 #include "fakes.h"
 #include "lxs/spectrum/daylight.h"
+#include "lxs/spectrum/rgb_spectra.h"
 
 namespace lxs::test {
 namespace {

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "light_cases.h"
+#include "lxs/sdk/warp.h"
 
 namespace lxs::test {
 namespace {

@@ -92,46 +92,47 @@ TEST(ScatterPhoton, GuideLeavesTheMeanAlone) {
     }
 }
 
-/// The longest bounce: a choice of the density, of the lobe, and of a specular lobe before. Numbers
-/// drawn beyond a bounce's coordinates would be missing in the sequence of those that follow.
-TEST(ScatterPhoton, ABounceDrawsNoMoreThanItsCoordinates) {
-    using Kind = mock::Material::Kind;
+/// Numbers drawn beyond a bounce's coordinates would be missing in the sequence of those that
+/// follow.
+void expect_no_more_than_a_bounce(const mock::Material& material, float tilt,
+                                  const DirectionGuide* guide) {
     const mock::Scene scene = mock::lamp_box({}, {});
     const Settings settings;
     const DiscreteDistribution lights;
-    const TiltedGuide guide(0.5f);
+    const PhotonInput input{scene, settings, lights, guide, nullptr, 0, 0};
     Arena arena;
+    PhotonCounts counts;
     SurfacePoint point;
     point.geometric_normal = {0, 0, 1};
-    PhotonCounts counts;
+    point.shading_normal = normalize(Vec3{tilt, 0, 1});
+    for (std::uint32_t i = 0; i < 100; ++i) {
+        arena.reset();
+        point.bsdf = mock::make_bsdf(material, point.geometric_normal, point.shading_normal, arena);
+        RandomStream random(9, 0, i, RandomDomain::UniformPath);
+        std::vector<Coordinate> used;
+        PrimaryPath path(random, {}, 1, used);
+        path.bounce(1).next();  // roulette
+        ScatteredPhoton s;
+        scatter_photon(input, point, normalize(Vec3{-0.5f, 0.2f, 0.9f}), path, arena, counts, s);
+        path.bounce(2).next();
+        for (std::size_t k = 0; k < max_coordinates(1); ++k)
+            random.next_uint();
+        ASSERT_EQ(used.size(), max_coordinates(1) + 1);
+        ASSERT_EQ(used.back(), random.next_uint()) << int(material.kind) << " tilted by " << tilt;
+    }
+}
+
+/// The longest has a choice of the density, one of the lobe, and before them a specular lobe.
+TEST(ScatterPhoton, ABounceDrawsNoMoreThanItsCoordinates) {
+    using Kind = mock::Material::Kind;
+    const TiltedGuide guide(0.5f);
     for (const Kind kind : {Kind::Lambert, Kind::Glass, Kind::LambertAndMirror, Kind::Sheet}) {
+        mock::Material material;
+        material.kind = kind;
+        material.specular = material.transmittance = material.glossy = {0.2f, 0.2f, 0.2f};
         for (const float tilt : {0.0f, 0.05f}) {
-            for (const DirectionGuide* directions :
-                 {(const DirectionGuide*)nullptr, (const DirectionGuide*)&guide}) {
-                const PhotonInput input{scene, settings, lights, directions, nullptr, 0, 0};
-                mock::Material material;
-                material.kind = kind;
-                material.specular = material.transmittance = material.glossy = {0.2f, 0.2f, 0.2f};
-                point.shading_normal = normalize(Vec3{tilt, 0, 1});
-                for (std::uint32_t i = 0; i < 100; ++i) {
-                    arena.reset();
-                    point.bsdf = mock::make_bsdf(material, point.geometric_normal,
-                                                 point.shading_normal, arena);
-                    const RandomStream random(9, 0, i, RandomDomain::UniformPath);
-                    std::vector<Coordinate> used;
-                    PrimaryPath path(random, {}, 1, used);
-                    path.bounce(1).next();  // roulette
-                    ScatteredPhoton s;
-                    scatter_photon(input, point, normalize(Vec3{-0.5f, 0.2f, 0.9f}), path, arena,
-                                   counts, s);
-                    path.bounce(2).next();
-                    RandomStream same = random;
-                    for (std::size_t k = 0; k < max_coordinates(1); ++k)
-                        same.next_uint();
-                    ASSERT_EQ(used.size(), max_coordinates(1) + 1);
-                    ASSERT_EQ(used.back(), same.next_uint()) << int(kind) << " tilted by " << tilt;
-                }
-            }
+            expect_no_more_than_a_bounce(material, tilt, nullptr);
+            expect_no_more_than_a_bounce(material, tilt, &guide);
         }
     }
 }

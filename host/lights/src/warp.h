@@ -64,21 +64,6 @@ inline float within_interval(float low, float high, float share) {
     return std::clamp(low + share * (high - low), low, std::nextafter(high, low));
 }
 
-/// The sdk's maps in double precision.
-inline double clamp_to_unit(double x) {
-    return x > 0 ? std::min(x, 1 - 0x1p-53) : 0;
-}
-inline Imath::V2d concentric_disk_to_square(const Imath::V2d& d) {
-    const double radius = d.length();
-    if (!(radius > 0)) return {0.5, 0.5};
-    const bool x_major = std::abs(d.x) > std::abs(d.y);
-    const double r = std::copysign(radius, x_major ? d.x : d.y);
-    const double along =
-        std::atan(x_major ? d.y / d.x : d.x / d.y) * (4 / std::numbers::pi_v<double>)*r;
-    const double x = x_major ? r : along, y = x_major ? along : r;
-    return {clamp_to_unit(0.5 * (x + 1)), clamp_to_unit(0.5 * (y + 1))};
-}
-
 /// Two of a photon's primary coordinates from `first` on, in single precision: for what is not far
 /// wider than a view, or not the only number on which a photon's way depends.
 inline Vec2 rounded_pair(const PrimaryPoint& u, std::size_t first) {

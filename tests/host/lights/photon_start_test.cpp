@@ -81,7 +81,7 @@ TEST(PhotonStart, ParallelLightFallsEverywhereOnANarrowView) {
     }
 }
 
-/// Whether the line meets the box grown by a share of the scene.
+/// Whether the ray meets the box grown by a length.
 bool meets(const Ray& ray, const SceneSphere& sphere, double grown) {
     double from = -1e30, to = 1e30;
     for (int axis = 0; axis < 3; ++axis) {
@@ -91,8 +91,7 @@ bool meets(const Ray& ray, const SceneSphere& sphere, double grown) {
         from = std::max(from, std::min(a, b));
         to = std::min(to, std::max(a, b));
     }
-    // Photons start close to the box, within what it is grown by.
-    return from <= to && from > -4 * grown;
+    return from <= to && to > 0;
 }
 
 /// The power of the photons shot is that of the light which falls on the box, and all of them begin

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "lxs/sdk/sine_cosine.h"
@@ -34,27 +35,31 @@ inline Vec3 square_to_cosine_hemisphere(const Vec2& u) {
     return {d.x, d.y, std::sqrt(std::max(0.0f, 1 - d.x * d.x - d.y * d.y))};
 }
 
-/// Clamps to [0, 1), the range of primary coordinates; NaN becomes 0.
-inline float clamp_to_unit(float x) {
-    constexpr float kBelowOne = 0x1.fffffep-1f;
-    return x > 0 ? std::min(x, kBelowOne) : 0.0f;
+/// Clamps to [0, 1), the range of primary coordinates; NaN becomes 0. `Real` is float or double.
+template <class Real>
+Real clamp_to_unit(Real x) {
+    constexpr Real kBelowOne = 1 - std::numeric_limits<Real>::epsilon() / 2;
+    return x > 0 ? std::min(x, kBelowOne) : 0;
 }
 
 /// Inverse of square_to_concentric_disk, in [0, 1)^2; points beyond the disk go to its edge.
-inline Vec2 concentric_disk_to_square(const Vec2& d) {
-    const float radius = d.length();
-    if (!(radius > 0)) return {0.5f, 0.5f};
+template <class Real>
+Imath::Vec2<Real> concentric_disk_to_square(const Imath::Vec2<Real>& d) {
+    constexpr Real kHalf = 0.5;
+    const Real radius = d.length();
+    if (!(radius > 0)) return {kHalf, kHalf};
     const bool x_major = std::abs(d.x) > std::abs(d.y);
-    const float r = std::copysign(radius, x_major ? d.x : d.y);
+    const Real r = std::copysign(radius, x_major ? d.x : d.y);
     // The angle from the major axis, in units of 45 degrees, runs along the square's side.
-    const float along = std::atan(x_major ? d.y / d.x : d.x / d.y) * (4 * kInvPi) * r;
-    const Vec2 square = x_major ? Vec2(r, along) : Vec2(along, r);
-    return {clamp_to_unit(0.5f * (square.x + 1)), clamp_to_unit(0.5f * (square.y + 1))};
+    const Real along =
+        std::atan(x_major ? d.y / d.x : d.x / d.y) * (4 / std::numbers::pi_v<Real>)*r;
+    const Real x = x_major ? r : along, y = x_major ? along : r;
+    return {clamp_to_unit(kHalf * (x + 1)), clamp_to_unit(kHalf * (y + 1))};
 }
 
 /// Inverse of square_to_cosine_hemisphere for a unit direction with z >= 0 (z is ignored).
 inline Vec2 cosine_hemisphere_to_square(const Vec3& w) {
-    return concentric_disk_to_square({w.x, w.y});
+    return concentric_disk_to_square(Vec2(w.x, w.y));
 }
 
 }  // namespace lxs

@@ -31,16 +31,56 @@ Imath::M33d to_xyz(const ColorSpace& space) {
     return primaries;
 }
 
-}  // namespace
+using Chromaticity = std::array<double, 2>;
 
-Imath::M33d rgb_matrix(const ColorSpace& from, const ColorSpace& to) {
-    return to_xyz(from) * to_xyz(to).inverse();
+/// The point nearest to `p` of the line from `a` to `b`.
+Chromaticity nearest_between(const Chromaticity& a, const Chromaticity& b, const Chromaticity& p) {
+    const double dx = b[0] - a[0], dy = b[1] - a[1];
+    const double along = (p[0] - a[0]) * dx + (p[1] - a[1]) * dy;
+    const double t = std::clamp(along / (dx * dx + dy * dy), 0.0, 1.0);
+    return {a[0] + t * dx, a[1] + t * dy};
 }
 
-Rgb converted(const Imath::M33d& m, const Rgb& c) {
-    const Imath::V3d result = Imath::V3d(c) * m;
+double squared_distance(const Chromaticity& a, const Chromaticity& b) {
+    const double dx = a[0] - b[0], dy = a[1] - b[1];
+    return dx * dx + dy * dy;
+}
+
+/// Of chromaticities outside of the triangle of the primaries.
+Chromaticity nearest_on_border(const ColorSpace& space, const Chromaticity& p) {
+    Chromaticity best = nearest_between(space.red, space.green, p);
+    for (const Chromaticity& q :
+         {nearest_between(space.green, space.blue, p), nearest_between(space.blue, space.red, p)}) {
+        if (squared_distance(q, p) < squared_distance(best, p)) best = q;
+    }
+    return best;
+}
+
+Rgb positive(const Imath::V3d& c) {
     const auto clip = [](double v) { return static_cast<float>(std::max(v, 0.0)); };
-    return Rgb(clip(result.x), clip(result.y), clip(result.z));
+    return Rgb(clip(c.x), clip(c.y), clip(c.z));
+}
+
+}  // namespace
+
+ColorConversion::ColorConversion(const ColorSpace& from, const ColorSpace& to)
+    : to_(to), to_xyz_(to_xyz(from)), from_xyz_(to_xyz(to).inverse()) {
+    matrix_ = to_xyz_ * from_xyz_;
+    const Imath::M33d film = to_xyz(to);
+    luminance_weights_ = {film[0][1], film[1][1], film[2][1]};
+}
+
+Rgb ColorConversion::operator()(const Rgb& c) const {
+    const Imath::V3d result = Imath::V3d(c) * matrix_;
+    if (result.x >= 0 && result.y >= 0 && result.z >= 0) return Rgb(Imath::V3f(result));
+    return constrained(Imath::V3d(c) * to_xyz_);
+}
+
+Rgb ColorConversion::constrained(const Imath::V3d& xyz) const {
+    const double sum = xyz.x + xyz.y + xyz.z;
+    if (!(xyz.y > 0) || !(sum > 0)) return Rgb(0.0f);
+    const Chromaticity border = nearest_on_border(to_, {xyz.x / sum, xyz.y / sum});
+    return positive(lxs::xyz(border) * xyz.y * from_xyz_);
 }
 
 }  // namespace lxs

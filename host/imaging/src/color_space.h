@@ -17,12 +17,29 @@ struct ColorSpace {
 /// In which scenes give their colours.
 inline constexpr ColorSpace kSceneColors{kSceneRed, kSceneGreen, kSceneBlue, kSceneWhite};
 
-/// Linear RGB of one space, as a row, times this is that of another: through XYZ, without
-/// adaptation to the other's white. Throws std::invalid_argument if the primaries of one lie on a
-/// line or its white is no colour.
-Imath::M33d rgb_matrix(const ColorSpace& from, const ColorSpace& to);
+/// From linear RGB of one space to that of another: through XYZ, without adaptation to the other's
+/// white.
+class ColorConversion {
+  public:
+    /// Throws std::invalid_argument if the primaries of one lie on a line or its white is no
+    /// colour.
+    ColorConversion(const ColorSpace& from, const ColorSpace& to);
 
-/// `c` times `m`, colours outside of the space clipped to its border.
-Rgb converted(const Imath::M33d& m, const Rgb& c);
+    /// A row times it.
+    const Imath::M33d& matrix() const { return matrix_; }
+    /// How much of luminance R, G and B of the space converted to bring; their sum is 1.
+    const Imath::V3d& luminance_weights() const { return luminance_weights_; }
+    /// `c` in the other space. What that cannot mix keeps its luminance and takes the nearest
+    /// chromaticity between two primaries, as LuxRender's film has it (ColorSystem::Constrain);
+    /// black if its luminance isn't positive.
+    Rgb operator()(const Rgb& c) const;
+
+  private:
+    Rgb constrained(const Imath::V3d& xyz) const;
+
+    ColorSpace to_;
+    Imath::M33d matrix_, to_xyz_, from_xyz_;
+    Imath::V3d luminance_weights_;
+};
 
 }  // namespace lxs

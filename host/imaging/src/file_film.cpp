@@ -80,7 +80,7 @@ class FlexImage final : public FileFilm {
         resolve(values);
         if (settings_.to_film_colors) {
             for (Rgb& c : values)
-                c = converted(*settings_.to_film_colors, c);
+                c = (*settings_.to_film_colors)(c);
         }
         return values;
     }

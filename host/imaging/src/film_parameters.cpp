@@ -54,9 +54,9 @@ constexpr ParameterDeclaration kPicture[] = {
     {"gamma", Float, "2.2", "Gamma of the PNG.", 0.1, 10},
     {.name = "ldr_clamp_method",
      .type = String,
-     .default_text = "lum",
-     .doc = "What becomes of colours beyond the display's range: desaturated (lum), darkened (hue, "
-            "darken) or cut per channel.",
+     .default_text = "cut",
+     .doc = "What becomes of colours beyond the display's range: moved towards the grey of their "
+            "luminance (lum) or of a third (hue), darkened (darken), or cut per channel.",
      .choices = kClampMethods},
     {"linear_sensitivity", Float, "50", "ISO speed of kernel linear.", 0, kHuge},
     {"linear_exposure", Float, "1", "Exposure time of kernel linear, seconds.", 0, kHuge},

@@ -115,10 +115,12 @@ ToneMapSettings::Kernel read_kernel(const ParameterReader& reader) {
 ToneMapSettings read_tone_map(const ParameterReader& reader) {
     ToneMapSettings s;
     s.kernel = read_kernel(reader);
-    const std::string clamp = reader.string("ldr_clamp_method", "lum");
-    s.clamp = clamp == "lum"   ? ToneMapSettings::Clamp::Luminance
-              : clamp == "cut" ? ToneMapSettings::Clamp::Cut
-                               : ToneMapSettings::Clamp::Hue;
+    const std::string clamp = reader.string("ldr_clamp_method", "cut");
+    using Clamp = ToneMapSettings::Clamp;
+    s.clamp = clamp == "lum"      ? Clamp::Luminance
+              : clamp == "hue"    ? Clamp::Hue
+              : clamp == "darken" ? Clamp::Darken
+                                  : Clamp::Cut;
     s.gamma = reader.number("gamma", s.gamma);
     s.linear_sensitivity = reader.number("linear_sensitivity", s.linear_sensitivity);
     s.linear_exposure = reader.number("linear_exposure", s.linear_exposure);
@@ -138,7 +140,7 @@ std::string read_base_name(const ParameterReader& reader) {
     return name;
 }
 
-std::optional<Imath::M33d> read_color_space(const ParameterReader& reader) {
+std::optional<ColorConversion> read_color_space(const ParameterReader& reader) {
     ColorSpace space;
     std::string_view last = "colorspace_red";
     const auto read_one = [&](std::string_view name, std::array<double, 2>& value) {
@@ -155,7 +157,7 @@ std::optional<Imath::M33d> read_color_space(const ParameterReader& reader) {
     read_one("colorspace_white", space.white);
     if (space == kSceneColors) return std::nullopt;
     try {
-        return rgb_matrix(kSceneColors, space);
+        return ColorConversion(kSceneColors, space);
     } catch (const std::invalid_argument& error) {
         reader.fail(last, fmt::format("the film's colour space: {}", error.what()));
     }
@@ -180,6 +182,8 @@ FilmSettings read(const SceneContents& contents, Diagnostics& diagnostics) {
         std::max(0.0, reader.number("writeinterval", settings.write_interval_seconds));
     settings.tone_map = read_tone_map(reader);
     settings.to_film_colors = read_color_space(reader);
+    if (settings.to_film_colors)
+        settings.tone_map.luminance_weights = settings.to_film_colors->luminance_weights();
     warn_of_ignored_film_parameters(reader);
     return settings;
 }

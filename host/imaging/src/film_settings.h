@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 
+#include "color_space.h"
 #include "lxs/scene/contents.h"
 #include "tone_map.h"
 
@@ -33,7 +34,7 @@ struct FilmSettings {
     double write_interval_seconds = 60;
     ToneMapSettings tone_map;
     /// From the scene's colours to the film's, if those differ (colorspace_red ...).
-    std::optional<Imath::M33d> to_film_colors;
+    std::optional<ColorConversion> to_film_colors;
 };
 
 /// Reads and checks the Film statement; throws InputError, warns of what has no effect. The file

@@ -26,12 +26,12 @@ struct ImageStatistics {
     double log_mean_of_visible = 0;  ///< the same, what is below 1e-6 taken for that
     double maximum = 0;              ///< of luminance
 
-    explicit ImageStatistics(std::span<const Rgb> image) {
+    ImageStatistics(std::span<const Rgb> image, const Imath::V3d& weights) {
         constexpr double kLeastVisible = 1e-6;
         double sum = 0, log_sum = 0, log_sum_of_visible = 0;
         std::size_t count = 0;
         for (const Rgb& c : image) {
-            const double y = luminance(c);
+            const double y = weights.dot(Imath::V3d(c));
             if (!(y > 0)) continue;
             maximum = std::max(maximum, y);
             sum += y;
@@ -84,7 +84,7 @@ ToneCurve reinhard_curve(const ToneMapSettings& s, double log_mean) {
 }
 
 ToneCurve make_curve(std::span<const Rgb> image, const ToneMapSettings& s) {
-    const ImageStatistics statistics(image);
+    const ImageStatistics statistics(image, s.luminance_weights);
     if (!(statistics.mean > 0)) return {};
     switch (s.kernel) {
         case Kernel::AutoLinear:
@@ -108,21 +108,24 @@ ToneCurve make_curve(std::span<const Rgb> image, const ToneMapSettings& s) {
 
 using Colour = std::array<double, 3>;
 
-double luminance(const Colour& c) {
-    return 0.2126 * c[0] + 0.7152 * c[1] + 0.0722 * c[2];
+/// `c`, brighter than 1 in some channel, so far towards grey that the brightest is 1.
+Colour towards_grey(const Colour& c, double brightest, double grey) {
+    const double t = brightest > grey ? (1 - grey) / (brightest - grey) : 0;
+    return {grey + t * (c[0] - grey), grey + t * (c[1] - grey), grey + t * (c[2] - grey)};
 }
 
-Colour clamp_to_display(const Colour& c, Clamp clamp) {
+/// As LuxRender's ColorSystem::Limit.
+Colour clamp_to_display(const Colour& c, const ToneMapSettings& s) {
     const double brightest = std::max({c[0], c[1], c[2]});
     Colour fit = c;
-    if (brightest > 1 && clamp == Clamp::Hue) {
+    if (brightest > 1 && s.clamp == Clamp::Darken) {
         for (double& channel : fit)
             channel /= brightest;
-    } else if (brightest > 1 && clamp == Clamp::Luminance) {
-        const double grey = std::min(luminance(c), 1.0);
-        const double t = brightest > grey ? (1 - grey) / (brightest - grey) : 0;
-        for (double& channel : fit)
-            channel = grey + t * (channel - grey);
+    } else if (brightest > 1 && s.clamp == Clamp::Hue) {
+        fit = towards_grey(c, brightest, 1.0 / 3);
+    } else if (brightest > 1 && s.clamp == Clamp::Luminance) {
+        const double y = s.luminance_weights.dot(Imath::V3d(c[0], c[1], c[2]));
+        fit = towards_grey(c, brightest, std::min(y, 1.0));
     }
     for (double& channel : fit)
         channel = std::clamp(channel, 0.0, 1.0);
@@ -160,11 +163,10 @@ std::vector<std::uint8_t> tone_map(std::span<const Rgb> image, const ToneMapSett
     const auto convert = [&](const tbb::blocked_range<std::size_t>& range) {
         for (std::size_t i = range.begin(); i != range.end(); ++i) {
             const Rgb& in = image[i];
-            const double y = luminance(in);
-            const double f = curve.factor(y);
+            const double f = curve.factor(settings.luminance_weights.dot(Imath::V3d(in)));
             Colour mapped{f * in.x, f * in.y, f * in.z};
             if (settings.response) mapped = settings.response->map(mapped);
-            const Colour c = clamp_to_display(mapped, settings.clamp);
+            const Colour c = clamp_to_display(mapped, settings);
             for (std::size_t channel = 0; channel < c.size(); ++channel)
                 bytes[3 * i + channel] = encode(c[channel], inverse_gamma);
         }

@@ -25,13 +25,15 @@ struct ToneMapSettings {
     };
     /// What becomes of colours that are brighter than the display in some channel.
     enum class Clamp : std::uint8_t {
-        Luminance,  ///< desaturated until they fit
-        Hue,        ///< darkened as a whole
+        Luminance,  ///< moved towards the grey of their luminance until they fit
+        Hue,        ///< moved towards a grey of 1/3
+        Darken,     ///< scaled down as a whole
         Cut         ///< each channel on its own
     };
 
     Kernel kernel = Kernel::AutoLinear;
-    Clamp clamp = Clamp::Luminance;
+    Clamp clamp = Clamp::Cut;
+    Imath::V3d luminance_weights{0.2126, 0.7152, 0.0722};  ///< of the image's R, G and B
     double gamma = 2.2;              ///< of the display: a value is encoded as value^(1 / gamma)
     double linear_sensitivity = 50;  ///< ISO speed
     double linear_exposure = 1;      ///< seconds

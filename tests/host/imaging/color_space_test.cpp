@@ -14,7 +14,7 @@ constexpr ColorSpace kRec2020{{0.708, 0.292}, {0.170, 0.797}, {0.131, 0.046}, {0
 
 // ITU-R BT.2087-0, section 2: the matrix from BT.709 to BT.2020.
 TEST(ColorSpace, MatrixOfThePublishedConversion) {
-    const Imath::M33d m = rgb_matrix(kRec709, kRec2020);
+    const Imath::M33d m = ColorConversion(kRec709, kRec2020).matrix();
     const double published[3][3] = {
         {0.6274, 0.3293, 0.0433}, {0.0691, 0.9195, 0.0114}, {0.0164, 0.0880, 0.8956}};
     for (int row = 0; row < 3; ++row)
@@ -22,11 +22,24 @@ TEST(ColorSpace, MatrixOfThePublishedConversion) {
             EXPECT_NEAR(m[column][row], published[row][column], 1e-4);
 }
 
-TEST(ColorSpace, ColoursBeyondItAreClipped) {
-    const Rgb green = converted(rgb_matrix(kRec2020, kRec709), Rgb(0, 1, 0));
-    EXPECT_EQ(green.x, 0);
-    EXPECT_GT(green.y, 1);
-    EXPECT_EQ(green.z, 0);
+// As LuxRender's ColorSystem::Constrain: its image of a wall of (0.5 0 0) is less red than the cut
+// of a channel would leave it.
+TEST(ColorSpace, ColoursBeyondItKeepTheirLuminanceOnItsBorder) {
+    const Rgb green = ColorConversion(kRec2020, kRec709)(Rgb(0, 1, 0));
+    // Rec. 2020's green (0.170, 0.797) lies beyond Rec. 709's (0.30, 0.60), the nearest.
+    EXPECT_NEAR(green.x, 0, 1e-6);
+    EXPECT_NEAR(green.y, 0.6780 / 0.7152, 2e-4);
+    EXPECT_NEAR(green.z, 0, 1e-6);
+
+    const ColorConversion to_film(kSceneColors, ColorSpace{});
+    const Rgb red = to_film(Rgb(0.5f, 0, 0));
+    const Imath::V3d cut = Imath::V3d(0.5, 0, 0) * to_film.matrix();
+    EXPECT_LT(cut.y, 0);
+    EXPECT_LT(red.x, 0.97 * cut.x);
+    EXPECT_NEAR(Imath::V3d(red).dot(to_film.luminance_weights()),
+                cut.dot(to_film.luminance_weights()), 1e-6);
+    EXPECT_GE(std::min({red.x, red.y, red.z}), 0);
+    EXPECT_EQ(to_film(Rgb(-1, 0.1f, 0)), Rgb(0.0f)) << "of no luminance";
 }
 
 Rgb pixel_of(std::vector<ParameterValue> values) {
@@ -57,7 +70,7 @@ TEST(ColorSpace, TheFilmFollowsIt) {
                                numbers("float", "colorspace_green", {0.170, 0.797}),
                                numbers("float", "colorspace_blue", {0.131, 0.046})});
     const ColorSpace space{kRec2020.red, kRec2020.green, kRec2020.blue, ColorSpace{}.white};
-    const Rgb expected = converted(rgb_matrix(kSceneColors, space), Rgb(0.5f, 0.25f, 0.125f));
+    const Rgb expected = ColorConversion(kSceneColors, space)(Rgb(0.5f, 0.25f, 0.125f));
     EXPECT_EQ(wide, expected);
     EXPECT_LT(wide.x, 0.5f) << "red is less saturated in a wider space";
 }
@@ -65,10 +78,10 @@ TEST(ColorSpace, TheFilmFollowsIt) {
 // LuxRender's own default, in which its linear image of white light on grey is (0.9898 1.0027
 // 1.0041) times the grey.
 TEST(ColorSpace, IsSmptesUnlessTheSceneSaysOtherwise) {
-    const Rgb expected =
-        converted(rgb_matrix(kSceneColors, ColorSpace{}), Rgb(0.5f, 0.25f, 0.125f));
+    const ColorConversion to_film(kSceneColors, ColorSpace{});
+    const Rgb expected = to_film(Rgb(0.5f, 0.25f, 0.125f));
     EXPECT_EQ(pixel_of({}), expected);
-    const Rgb white = converted(rgb_matrix(kSceneColors, ColorSpace{}), Rgb(1.0f));
+    const Rgb white = to_film(Rgb(1.0f));
     EXPECT_NEAR(white.x, 0.9898, 2e-4);
     EXPECT_NEAR(white.y, 1.0027, 2e-4);
     EXPECT_NEAR(white.z, 1.0041, 2e-4);

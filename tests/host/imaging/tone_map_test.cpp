@@ -40,7 +40,7 @@ TEST(ToneMap, ExtremesStayInRange) {
     const float largest = std::numeric_limits<float>::max();
     const float smallest = std::numeric_limits<float>::denorm_min();
     for (const Kernel kernel : kKernels) {
-        for (const Clamp clamp : {Clamp::Luminance, Clamp::Hue, Clamp::Cut}) {
+        for (const Clamp clamp : {Clamp::Luminance, Clamp::Hue, Clamp::Darken, Clamp::Cut}) {
             ToneMapSettings settings;
             settings.kernel = kernel;
             settings.clamp = clamp;
@@ -168,13 +168,29 @@ TEST(ToneMap, ClampMethodsDiffer) {
     const std::vector<Rgb> bright{Rgb(2.0f, 0.5f, 0.0f)};
     settings.clamp = Clamp::Cut;
     EXPECT_EQ(tone_map(bright, settings), (std::vector<std::uint8_t>{255, 128, 0}));
-    settings.clamp = Clamp::Hue;
+    settings.clamp = Clamp::Darken;
     EXPECT_EQ(tone_map(bright, settings), (std::vector<std::uint8_t>{255, 64, 0}));
+    settings.clamp = Clamp::Hue;  // 1/3 + 0.4 (c - 1/3)
+    EXPECT_EQ(tone_map(bright, settings), (std::vector<std::uint8_t>{255, 102, 51}));
     settings.clamp = Clamp::Luminance;
     const auto lum = tone_map(bright, settings);
     const double y = 0.2126 * lum[0] + 0.7152 * lum[1] + 0.0722 * lum[2];
     EXPECT_EQ(lum[0], 255);
     EXPECT_NEAR(y / 255, 0.2126 * 2 + 0.7152 * 0.5, 0.005) << "luminance is kept";
+}
+
+TEST(ToneMap, LuminanceIsThatOfTheFilmsColours) {
+    ToneMapSettings settings;
+    settings.kernel = Kernel::MaxWhite;
+    settings.gamma = 1;
+    settings.luminance_weights = {0.5, 0.4, 0.1};
+    const std::vector<Rgb> image{Rgb(0, 0, 2.0f), Rgb(1.0f)};  // luminances 0.2 and 1
+    EXPECT_EQ(tone_map(image, settings), (std::vector<std::uint8_t>{0, 0, 255, 255, 255, 255}));
+    settings.clamp = Clamp::Luminance;
+    const auto bytes = tone_map(image, settings);
+    // 0.2 + t (2 - 0.2) = 1 for t = 4/9.
+    EXPECT_EQ(bytes[0], static_cast<std::uint8_t>(255 * (0.2 - 0.2 * 4 / 9) + 0.5));
+    EXPECT_EQ(bytes[2], 255);
 }
 
 }  // namespace

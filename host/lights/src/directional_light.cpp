@@ -8,7 +8,7 @@ namespace lxs {
 ParallelLight::ParallelLight(LightPlacement placement, const SceneSphere& sphere, const Vec3& wi,
                              const Rgb& irradiance)
     : EnvironmentLight(std::move(placement), "distant", sphere), wi_(wi), irradiance_(irradiance) {
-    set_fluence(irradiance_);
+    set_fluence(irradiance_, wi_);
 }
 
 bool ParallelLight::sample_direction(const Vec2& /*u*/, SkyDirection& direction) const {
@@ -22,7 +22,7 @@ ConeLight::ConeLight(LightPlacement placement, std::string_view kind, const Scen
       frame_(axis),
       extent_(solid_angle(sin_max) / (2 * kPi)),
       radiance_(radiance) {
-    set_fluence(radiance_ * solid_angle(sin_max));
+    set_fluence(radiance_ * solid_angle(sin_max), axis);
 }
 
 float ConeLight::solid_angle(float sin_max) {

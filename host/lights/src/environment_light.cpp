@@ -25,7 +25,19 @@ EnvironmentLight::EnvironmentLight(LightPlacement placement, std::string_view ki
 }
 
 void EnvironmentLight::set_fluence(const Rgb& fluence) {
-    power_ = kPi * sphere_.radius * sphere_.radius * luminance(fluence);
+    power_ = luminance(fluence) * crossed_area(Vec3(0.5f));
+}
+
+void EnvironmentLight::set_fluence(const Rgb& fluence, const Vec3& from) {
+    power_ =
+        luminance(fluence) * crossed_area({std::abs(from.x), std::abs(from.y), std::abs(from.z)});
+}
+
+float EnvironmentLight::crossed_area(const Vec3& facing) const {
+    const float disc = kPi * sphere_.radius * sphere_.radius;
+    if (placement_.medium || sphere_.surfaces.isEmpty()) return disc;
+    const Vec3 size = sphere_.surfaces.size() + Vec3(static_cast<float>(margin_));
+    return std::min(disc, facing.dot({size.y * size.z, size.z * size.x, size.x * size.y}));
 }
 
 // A ray's origin is of single precision: at 10 km its coordinates are a millimetre apart, and

@@ -42,10 +42,16 @@ class EnvironmentLight : public Light {
     /// Inverse of sample_direction, in [0, 1)^2, for a unit direction; false if it isn't drawn.
     /// A coordinate that the direction does not depend on stays.
     virtual bool direction_coordinates(const Vec3& wi, Vec2& u) const = 0;
-    /// Sets power() from the integral of the radiance over all directions.
+    /// Sets power() from the integral of the radiance over all directions, of which none stands
+    /// out.
     void set_fluence(const Rgb& fluence);
+    /// The same for light that comes from about one direction (unit).
+    void set_fluence(const Rgb& fluence, const Vec3& from);
 
   private:
+    /// Area across its direction of the light that meets the box around all surfaces, where the
+    /// box's faces across x, y and z see the light under mean cosines of `facing`.
+    float crossed_area(const Vec3& facing) const;
     /// How far from the disc through the sphere's centre, towards the light, a photon starts that
     /// passes `foot` there; nothing if it misses all surfaces. `spread` in [0, 1) moves the start.
     std::optional<double> start_ahead(const Imath::V3d& foot, const Imath::V3d& wi,

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "lxs/scene/registry.h"
+
 namespace lxs {
 namespace {
 
@@ -29,8 +31,8 @@ void warn_unclosed(ScopeKind kind, const SourceLocation& where, Diagnostics& dia
 
 void ScopeStack::begin(ScopeKind kind, const SourceLocation& where) {
     if (scopes_.size() >= kMostScopes) {
-        throw InputError(where, std::string(statement_stem(kind)) + "Begin nests deeper than " +
-                                    std::to_string(kMostScopes) + " levels");
+        throw EndOfReading(where, std::string(statement_stem(kind)) + "Begin nests deeper than " +
+                                      std::to_string(kMostScopes) + " levels");
     }
     scopes_.push_back({kind, where, transform, motion, graphics});
 }

@@ -30,7 +30,7 @@ class ScopeStack {
     Matrix transform;  ///< where a motion begins
     Motion motion;     ///< of the transform; empty: still
 
-    /// Throws InputError if there are too many open scopes.
+    /// Throws EndOfReading if there are too many open scopes.
     void begin(ScopeKind kind, const SourceLocation& where);
     /// Closes the innermost scope of this kind, and those still open in it, which are warned of.
     /// An end without begin is warned of and ignored, as LuxRender does.

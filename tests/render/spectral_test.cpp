@@ -168,7 +168,8 @@ TEST(Spectral, SmoothSpectraStayInRgb) {
     const Rendered spectrum = render_floor(
         {R"(Texture "lamp" "color" "blackbody" "float temperature" [2856])", kLamp}, 4);
     const lxs::Rgb rgb =
-        lxs::illuminant_of_colour(lxs::colour_of_light(lxs::blackbody_spectrum(2856)));
+        lxs::illuminant_of_colour(lxs::colour_of_light(lxs::blackbody_spectrum(2856))) *
+        lxs::kLuminanceOfFlatSpectrum;
     const Rendered colour =
         render_floor({"", fmt::format("\"color L\" [{} {} {}]", rgb.x, rgb.y, rgb.z)}, 4);
     ASSERT_EQ(spectrum.image.rgb.size(), colour.image.rgb.size());

@@ -55,6 +55,10 @@ class Survey {
                    "the "
                    "surfaces may be black, or the way takes more passes or bounces";
         }
+        if (behind_specular_ > 0) {
+            return "light comes by glass or mirrors alone, where shadow rays end; photons "
+                   "(SurfaceIntegrator \"aips\") find such ways";
+        }
         if (is_enclosed()) {
             return "the camera stands inside a closed object, which none of the lights shines into";
         }
@@ -103,7 +107,13 @@ class Survey {
             ray.t_max = segment.length();
             ray.direction = segment.normalized();
         }
-        if (max_component(scene_.transmittance(ray)) > 0) ++reached_;
+        if (max_component(scene_.transmittance(ray)) > 0) {
+            ++reached_;
+        } else {
+            meet(scene_, ray, [&](const SurfaceHit& obstacle) {
+                if (obstacle.bsdf && (obstacle.bsdf->lobes() & kSpecular)) ++behind_specular_;
+            });
+        }
     }
 
     /// Whether light from `wi` can leave towards `wo`: on the same side it reaches what is seen,
@@ -151,6 +161,7 @@ class Survey {
     Vec3 view_{0.0f}, origin_{0.0f};       ///< means over the rays
     std::size_t met_ = 0;                  ///< rays that meet a surface
     std::size_t tried_ = 0, reached_ = 0;  ///< ways from there to lights, and those that are free
+    std::size_t behind_specular_ = 0;      ///< of the ways, those that end at glass or a mirror
 };
 
 ImageVerdict::Appearance appearance_of(std::span<const std::uint8_t> bytes) {

@@ -43,9 +43,10 @@ Imath::V3d sum_over_groups(const double* sums, std::uint32_t first, std::uint32_
     return sum;
 }
 
-/// What is below zero because RGB doesn't hold the colour of a spectrum is nobody's debt: it ends
-/// at zero. Negative lobes, where the filter has some, are told by a luminance below zero.
-void cut_colors_beyond_rgb(std::span<Rgb> image, bool lobes) {
+/// What is below zero because RGB doesn't hold the colour of a spectrum, or because a film was
+/// restored from a forged file, is nobody's debt: it ends at zero. Negative lobes, where the filter
+/// has some, are told by a luminance below zero.
+void cut_below_zero(std::span<Rgb> image, bool lobes) {
     for (Rgb& c : image) {
         if (lobes && luminance(c) < 0) continue;
         c = Rgb(std::max(c.x, 0.0f), std::max(c.y, 0.0f), std::max(c.z, 0.0f));
@@ -263,7 +264,7 @@ void FilmAccumulator::resolve_groups(std::uint32_t first_group, std::uint32_t en
     tbb::parallel_for(std::size_t{0}, image.size(),
                       [&](std::size_t i) { image[i] = resolve(i, first_group, end_group); });
     const bool lobes = filter_.has_negative_weights();
-    if (to_rgb_) cut_colors_beyond_rgb(image, lobes);
+    if (to_rgb_ || !lobes) cut_below_zero(image, lobes);
     if (!lobes) return;
     const auto reach = [](float radius) { return static_cast<std::uint32_t>(std::ceil(radius)); };
     settle_debts({image, width_, height_, reach(filter_.radius_x()), reach(filter_.radius_y())});

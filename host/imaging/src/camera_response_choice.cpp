@@ -10,17 +10,6 @@
 namespace lxs {
 namespace {
 
-/// What the scene gives for "cameraresponse", if anything.
-const ParameterValue* named_response(const SceneContents& contents) {
-    const auto film = contents.options.find("Film");
-    if (film == contents.options.end()) return nullptr;
-    const ParameterValue* last = nullptr;
-    for (const ParameterValue& value : film->second.parameters.values) {
-        if (value.name == "cameraresponse") last = &value;
-    }
-    return last;
-}
-
 std::optional<std::string> path_of(const std::string& name, const SourceLocation& where,
                                    const FileResolver& resolve) {
     if (!resolve) return std::nullopt;
@@ -44,32 +33,29 @@ std::shared_ptr<const SourceFile> read_file(const std::string& path, const Sourc
 
 }  // namespace
 
-std::shared_ptr<const CameraResponse> choose_camera_response(const SceneContents& contents,
+std::shared_ptr<const CameraResponse> choose_camera_response(const FilmSettings& settings,
                                                              Diagnostics& diagnostics,
                                                              const FileResolver& resolve) {
-    const ParameterValue* value = named_response(contents);
-    if (!value) return nullptr;
-    const std::string name = std::get<std::vector<std::string>>(value->values).front();
+    const std::string& name = settings.response_file;
+    const SourceLocation& where = settings.response_where;
     if (name.empty()) return nullptr;
-    const auto path = path_of(name, value->where, resolve);
-    const auto file = path ? read_file(*path, value->where) : nullptr;
+    const auto path = path_of(name, where, resolve);
+    const auto file = path ? read_file(*path, where) : nullptr;
     if (!file) {
-        diagnostics.warning(
-            value->where,
-            is_builtin_response(name)
-                ? fmt::format("the measured response of film {} is not at hand: no film response "
-                              "is applied; name a file with its curves",
-                              in_quotes(name))
-                : fmt::format("no file {} can be read: no film response is applied",
-                              in_quotes(name)));
+        const bool builtin = is_builtin_response(name);
+        diagnostics.fallback(
+            where,
+            builtin ? fmt::format("the measured response of film {} is not at hand, name a file "
+                                  "with its curves",
+                                  in_quotes(name))
+                    : fmt::format("no file {} can be read", in_quotes(name)),
+            "no film response is applied");
         return nullptr;
     }
     try {
         return std::make_shared<const CameraResponse>(read_camera_response(file));
     } catch (const ResponseFileError& error) {
-        diagnostics.warning(error.where(), fmt::format("{}; this file's film response is not "
-                                                       "applied",
-                                                       error.what()));
+        diagnostics.fallback(error.where(), error.what(), "no film response is applied");
         return nullptr;
     }
 }

@@ -274,7 +274,7 @@ void FlexImage::write_png(const std::string& path) const {
 std::unique_ptr<FileFilm> make_film(const SceneContents& contents, Diagnostics& diagnostics,
                                     const FileResolver& resolve) {
     FilmSettings settings = read_film_settings(contents, diagnostics);
-    settings.tone_map.response = choose_camera_response(contents, diagnostics, resolve);
+    settings.tone_map.response = choose_camera_response(settings, diagnostics, resolve);
     const PixelFilter filter = make_pixel_filter(contents, diagnostics);
     std::vector<std::string> groups = contents.light_groups;
     if (groups.empty()) groups.emplace_back("default");

@@ -181,6 +181,8 @@ FilmSettings read(const SceneContents& contents, Diagnostics& diagnostics) {
     settings.write_interval_seconds =
         std::max(0.0, reader.number("writeinterval", settings.write_interval_seconds));
     settings.tone_map = read_tone_map(reader);
+    settings.response_file = reader.string("cameraresponse", "");
+    settings.response_where = reader.where("cameraresponse");
     settings.to_film_colors = read_color_space(reader);
     if (settings.to_film_colors)
         settings.tone_map.luminance_weights = settings.to_film_colors->luminance_weights();

@@ -33,12 +33,14 @@ struct FilmSettings {
     std::uint64_t halt_passes = 0;
     double write_interval_seconds = 60;
     ToneMapSettings tone_map;
+    /// File of a film's response curves, not read yet; empty for none.
+    std::string response_file;
+    SourceLocation response_where;
     /// From the scene's colours to the film's, if those differ (colorspace_red ...).
     std::optional<ColorConversion> to_film_colors;
 };
 
-/// Reads and checks the Film statement; throws InputError, warns of what has no effect. The file
-/// that "cameraresponse" names is not read yet.
+/// Reads and checks the Film statement; throws InputError, warns of what has no effect.
 FilmSettings read_film_settings(const SceneContents& contents, Diagnostics& diagnostics);
 
 /// The frame alone, for whom warnings of the Film statement are not meant.

@@ -125,9 +125,11 @@ struct Chosen {
     RecordedDiagnostics diagnostics;
     std::vector<std::uint8_t> bytes;
 
-    explicit Chosen(const std::string& response) {
+    explicit Chosen(const std::string& response) : Chosen(text("cameraresponse", response)) {}
+    explicit Chosen(const ParameterValue& response) {
+        diagnostics.lenient = true;
         SceneContents contents = scene_of_size(2, 1);
-        contents.options["Film"].parameters.values.push_back(text("cameraresponse", response));
+        contents.options["Film"].parameters.values.push_back(response);
         const auto film = make_film(contents, diagnostics,
                                     [](const std::string& name, const SourceLocation& where) {
                                         if (!std::filesystem::exists(name))
@@ -151,22 +153,25 @@ TEST(CameraResponse, IsReadFromTheFileThatTheFilmNames) {
     EXPECT_NE(none.bytes[0], none.bytes[1]);
 }
 
-TEST(CameraResponse, WhatCannotBeReadIsAWarning) {
+TEST(CameraResponse, GoesOnWithoutWhatCannotBeRead) {
     const TemporaryFolder folder;
     folder.write("bad.crf", "film\ngraph x\nI = 0 oops\n");
     using Lines = std::vector<std::string>;
     EXPECT_EQ(
         Chosen("Gold_100CD").diagnostics.warnings,
         Lines{"scene.lxs:2:5: warning: the measured response of film \"Gold_100CD\" is not at "
-              "hand: no film response is applied; name a file with its curves"});
+              "hand, name a file with its curves; no film response is applied"});
     EXPECT_EQ(Chosen("nowhere.crf").diagnostics.warnings,
-              Lines{"scene.lxs:2:5: warning: no file \"nowhere.crf\" can be read: no film response "
+              Lines{"scene.lxs:2:5: warning: no file \"nowhere.crf\" can be read; no film response "
                     "is applied"});
+    const Chosen mistyped(real("cameraresponse", 1));
+    ASSERT_EQ(mistyped.diagnostics.warnings.size(), 1u);
+    EXPECT_EQ(mistyped.bytes, Chosen("").bytes);
     const Chosen bad(folder / "bad.crf");
     ASSERT_EQ(bad.diagnostics.warnings.size(), 1u);
     EXPECT_NE(bad.diagnostics.warnings[0].find(
-                  "bad.crf:3:7: warning: expected a number from 0 to 1, found \"oops\"; this "
-                  "file's film response is not applied"),
+                  "bad.crf:3:7: warning: expected a number from 0 to 1, found \"oops\"; no film "
+                  "response is applied"),
               std::string::npos)
         << bad.diagnostics.warnings[0];
 }

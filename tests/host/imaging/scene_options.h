@@ -18,12 +18,18 @@ using files::TemporaryFolder;
 class RecordedDiagnostics : public Diagnostics {
   public:
     std::vector<std::string> warnings, unknown;
+    bool lenient = false;  ///< goes on where LuxRender does
 
     void warning(const SourceLocation& where, const std::string& message) override {
         warnings.push_back(format_message(where, "warning", message));
     }
     void unknown_parameter(const SourceLocation& where, const std::string& message) override {
         unknown.push_back(format_message(where, "warning", message));
+    }
+    void fallback(const SourceLocation& where, const std::string& message,
+                  const std::string& instead) override {
+        if (!lenient) return Diagnostics::fallback(where, message, instead);
+        warning(where, message + "; " + instead);
     }
 };
 

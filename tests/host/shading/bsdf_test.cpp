@@ -68,7 +68,7 @@ std::vector<Case> cases() {
         {"metal2_dielectric", roughness(0.3, 0.3), "metal2"},
         {"metal2_ideal", with(roughness(0.4, 0.4), {number("fresnel", 4e3)}), "metal2"},
         {"metal2_ideal_smooth", with(roughness(0.12, 0.12), {number("fresnel", 4e3)}), "metal2"},
-        {"metal2_ideal_grain", with(roughness(0.1, 0.9), {number("fresnel", 4e3)}), "metal2", true},
+        {"metal2_ideal_grain", with(roughness(0.2, 0.5), {number("fresnel", 4e3)}), "metal2", true},
         {"shinymetal_full", roughness(0.2, 0.2), "shinymetal"},
         {"shinymetal", with(roughness(0.25, 0.25), {color("Kr", Rgb(0.3f)), color("Ks", tinted)}),
          "shinymetal"},

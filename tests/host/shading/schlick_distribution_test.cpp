@@ -96,6 +96,14 @@ TEST(SchlickDistribution, NormalsCoverTheSurfaceOnce) {
     }
 }
 
+TEST(SchlickDistribution, TheNormalItselfHasNoAzimuth) {
+    for (const Vec2& roughness : kGrains) {
+        const SchlickDistribution facets(roughness.x, roughness.y);
+        const double expected = 1 / (3.141592653589793 * roughness.x * roughness.y);
+        EXPECT_NEAR(facets.density(Vec3(0, 0, 1)) / expected, 1, 1e-5) << roughness;
+    }
+}
+
 // However long the grain, and under any direction.
 TEST(SchlickDistribution, GrainedIdealMetalReflectsAtMostWhatArrives) {
     ShadingFixture scene;

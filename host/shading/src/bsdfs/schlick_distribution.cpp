@@ -23,18 +23,22 @@ SchlickDistribution::SchlickDistribution(float u_roughness, float v_roughness) {
 
 float SchlickDistribution::azimuth(const Vec3& h) const {
     const float x = std::abs(h.x), y = std::abs(h.y);
+    if (!(x > 0 || y > 0)) return 1;  // the normal has no azimuth; as in LuxRender
     const float t = (grain_along_y_ ? std::atan2(y, x) : std::atan2(x, y)) * (2 * kInvPi);
     const float p2 = isotropy_ * isotropy_, d = p2 + (1 - p2) * t * t;
     return p2 / (d * std::sqrt(d));
 }
 
 float SchlickDistribution::projected_area(float c) const {
-    if (isotropy_ >= 1)  // Walter et al. 2007, equation 34
-        return 0.5f * (c + std::sqrt(roughness_ + (1 - roughness_) * c * c));
-    // Of facets that all lean to and from the direction: c plus the integral of what of them is
-    // turned away.
+    // A is p^2 at least, so that this share of the facets looks alike to all sides (Walter et al.
+    // 2007, equation 34) ...
+    const float even = 0.5f * (c + std::sqrt(roughness_ + (1 - roughness_) * c * c));
+    if (isotropy_ >= 1) return even;
+    // ... and of the rest all lean to and from the direction at most: c plus the integral of what
+    // of them is turned away.
     const float slope = std::sqrt(roughness_ * std::max(0.0f, 1 - c * c));
-    return c + 0.5f * slope * std::atan2(slope, c);
+    const float aligned = c + 0.5f * slope * std::atan2(slope, c);
+    return std::lerp(aligned, even, isotropy_ * isotropy_);
 }
 
 Vec2 SchlickDistribution::sample_azimuth(float u) const {

@@ -141,10 +141,12 @@ class Sheet final : public OrientedBsdf {
 
     LobeMask lobes() const override { return lobes_; }
     Rgb evaluate(Vec3 wo, Vec3 wi, Transport t, LobeMask mask) const override {
+        mask &= lobes_;
         if (!same_side(wo, wi)) return mask & kDiffuse ? behind_ * kInvPi : Rgb{};
         return before_.evaluate(wo, wi, t, mask) + gloss_.evaluate(wo, wi, t, mask);
     }
     float pdf(Vec3 wo, Vec3 wi, LobeMask mask) const override {
+        mask &= lobes_;
         if (same_side(wo, wi))
             return (before_.pdf(wo, wi, mask) + gloss_.pdf(wo, wi, mask)) / count(mask);
         if (!(mask & kDiffuse)) return 0;
@@ -152,9 +154,10 @@ class Sheet final : public OrientedBsdf {
     }
     bool sample(Vec3 wo, Vec2 u, float u_lobe, Transport t, LobeMask mask,
                 BsdfSample& s) const override {
+        mask &= lobes_;
         auto lobe = static_cast<int>(u_lobe * count(mask));
         if (!(mask & kDiffuse)) lobe += 2;
-        if (lobe == 2 && !(mask & lobes_ & kGlossy)) ++lobe;
+        if (lobe == 2 && !(mask & kGlossy)) ++lobe;
         if (lobe == 3) {
             const bool reflected = mirror_.sample(wo, u, 0, t, mask, s);
             s.weight = s.weight * count(mask);

@@ -1,4 +1,4 @@
-// Camera and log of the mock host; its sampler and film are the ready ones.
+// Camera and log of the mock host; its sampler and film are ready ones.
 #pragma once
 
 #include <cstdint>
@@ -31,7 +31,21 @@ class Camera final : public aips::Camera {
 };
 
 using Sampler = aips::UniformSampler;
-using Film = aips::ImageFilm;
+
+/// The ready film, and what passes weigh.
+class Film final : public aips::ImageFilm {
+  public:
+    using ImageFilm::ImageFilm;
+    void add_pass(const aips::FilmPass& pass) override {
+        ImageFilm::add_pass(pass);
+        photon_weights_.push_back(pass.photon_weight);
+    }
+    /// [pass]: weights of the photons' part.
+    const std::vector<double>& photon_weights() const { return photon_weights_; }
+
+  private:
+    std::vector<double> photon_weights_;
+};
 
 /// Keeps what is logged.
 class Log final : public aips::Log {

@@ -1,5 +1,4 @@
-// The mock host's scene: analytic quads and spheres, lights on them, all in memory. It is also the
-// worked example of docs/host-adapter.md.
+// The mock host's scene: analytic quads and spheres, lights on them, all in memory.
 #pragma once
 
 #include <functional>

@@ -15,7 +15,6 @@
 #include "pass_work.h"
 #include "photon_pass.h"
 #include "photon_schedule.h"
-#include "pixel_estimate.h"
 #include "pixel_importance.h"
 #include "pixel_luminance.h"
 #include "precision_warning.h"
@@ -254,11 +253,8 @@ class Engine::State {
     /// Eye paths count alike in all passes; a pass that shot no photons has black ones.
     void add_to_film(std::uint64_t photon_paths, const SearchRadii& radii, double photon_weight) {
         if (photon_paths) {
-            estimate_pixels(image_, flux_, radii, photon_paths, refusals_, photon_radiance_);
-            // Of surfaces alone, as their flux is: what media bring is added to both.
-            if (noise_) photon_variances(image_, photon_radiance_, flux_, photon_variances_);
-            photon_pass_.add_light_in_media(image_, photon_paths, refusals_, photon_radiance_,
-                                            photon_variances_);
+            photon_pass_.estimate(image_, flux_, radii, photon_paths, refusals_, photon_radiance_,
+                                  noise_ ? &photon_variances_ : nullptr);
         } else if (needs_.photons) {
             photon_radiance_.assign(image_.radiance.size(), Rgb{});
         }

@@ -6,6 +6,7 @@
 // gathers that leaves an error of G 2^-24, and a gather takes a million landings.
 #pragma once
 
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -38,6 +39,15 @@ class GroupSums {
   private:
     std::vector<double> sums_;  // [3 * group + component]
 };
+
+/// Adds to `sum` the variance of `light`, a luminance made of photons that come independently:
+/// theirs sum to `brought`, the squares of theirs to `squares`. Nothing where it is not finite.
+inline void add_variance(float& sum, double light, double brought, float squares) {
+    if (!(brought > 0)) return;
+    const double share = light / brought;
+    const auto raised = float(double(sum) + share * share * double(squares));
+    if (std::isfinite(raised)) sum = raised;
+}
 
 /// A count that stays at the largest number instead of starting again at 0.
 inline std::uint32_t saturated_sum(std::uint32_t a, std::uint64_t b) {

@@ -3,6 +3,7 @@
 
 #include <utility>
 
+#include "group_sums.h"
 #include "parallel_for.h"
 
 namespace aips {
@@ -15,11 +16,10 @@ void photon_variances(const EyeImage& image, std::span<const Rgb> photons, const
     const auto& points = image.visible_points;
     in_chunks(points.size(), kItemsPerJob, tbb_for, [&](std::size_t first, std::size_t last) {
         for (std::size_t i = first; i < last; ++i) {
-            const float brought = luminance_over_groups(flux.flux, i, image.groups);
-            if (!(brought > 0)) continue;
             const std::size_t path = points[i].sample;
-            const float share = luminance_over_groups(photons, path, image.groups) / brought;
-            variances[path] = share * share * flux.squares[i];
+            add_variance(
+                variances[path], double(luminance_over_groups(photons, path, image.groups)),
+                double(luminance_over_groups(flux.flux, i, image.groups)), flux.squares[i]);
         }
     });
 }

@@ -5,6 +5,8 @@
 #include "learning_weight.h"
 #include "light_choice.h"
 #include "parallel_for.h"
+#include "pass_noise.h"
+#include "pixel_estimate.h"
 #include "stopwatch.h"
 
 namespace aips {
@@ -91,7 +93,7 @@ PhotonInput PhotonPass::input_of(std::uint64_t pass, float time, std::uint64_t i
     input.pass = pass;
     input.time = time;
     if (guide_) {
-        // Learns from all landings.
+        // No occupancy: it learns from landings that no visible point is near to.
         if (guide_->guides(iteration)) input.guide = guide_;
         input.store_owned = guide_->learns_from_owned();
         input.bounces = bounces_ ? &*bounces_ : nullptr;
@@ -162,6 +164,18 @@ void PhotonPass::gather_in_media(const EyeImage& image, Refusals& refusals) {
     const std::uint64_t before = volume_->gathered();
     volume_->gather(image, refusals);
     totals_.gathered += volume_->gathered() - before;
+}
+
+void PhotonPass::estimate(const EyeImage& image, const PhotonFlux& flux, const SearchRadii& radii,
+                          std::uint64_t photon_paths, Refusals& refusals,
+                          std::vector<Rgb>& radiance, std::vector<float>* variances) const {
+    estimate_pixels(image, flux, radii, photon_paths, refusals, radiance);
+    // Of surfaces alone, as their flux is: what media bring is added to both.
+    if (variances) photon_variances(image, radiance, flux, *variances);
+    if (volume_) {
+        volume_->add_to(image, photon_paths, refusals, radiance,
+                        variances ? std::span<float>(*variances) : std::span<float>());
+    }
 }
 
 // What is marked around visible points is found anew by begin_pass().

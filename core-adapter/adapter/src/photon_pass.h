@@ -39,12 +39,12 @@ class PhotonPass {
                const SearchRadii& radii, Refusals& refusals, PhotonFlux& flux);
 
     const PhotonPassTotals& totals() const { return totals_; }
-    /// Adds the light that photons brought into media to what they bring to the eye paths, and its
-    /// variance to theirs, unless `variances` is empty.
-    void add_light_in_media(const EyeImage& image, std::uint64_t photon_paths, Refusals& refusals,
-                            std::vector<Rgb>& radiance, std::span<float> variances) const {
-        if (volume_) volume_->add_to(image, photon_paths, refusals, radiance, variances);
-    }
+    /// Fills `radiance` with what the photons of the pass brought to each eye path, by light group,
+    /// on surfaces (`flux`) and in media, and `variances`, unless null, with those of its
+    /// luminance.
+    void estimate(const EyeImage& image, const PhotonFlux& flux, const SearchRadii& radii,
+                  std::uint64_t photon_paths, Refusals& refusals, std::vector<Rgb>& radiance,
+                  std::vector<float>* variances) const;
 
     /// Before the first pass: photons go without the adaptive guide, for good, independent ones or
     /// (may_use_chains) from Markov chains.

@@ -163,7 +163,7 @@ class PhotonTrace {
         landing.power = photon.power;
         landing.previous = photon.previous;
         landing.normal = point.geometric_normal;
-        landing.depth = static_cast<std::uint16_t>(photon.depth);
+        landing.depth = static_cast<std::uint16_t>(std::min(photon.depth, kDeepestLanding));
         landing.light_group = static_cast<std::uint16_t>(photon.group);
         landing.path = index_;
         landing.owned_by_shadow_rays = owned_by_shadow_rays;

@@ -62,10 +62,13 @@ class Refusals {
         count(of_light(light));
         return false;
     }
-    /// Adds `value` to a valid sum if the sum then still is valid; else counts it.
-    void add(Rgb& sum, const Rgb& value, Origin origin) {
+    /// Adds `value` to a valid sum if the sum then still is valid; else counts it, and returns
+    /// false.
+    bool add(Rgb& sum, const Rgb& value, Origin origin) {
         const Rgb raised = sum + value;
-        if (accept(value, origin) && accept(raised, origin)) sum = raised;
+        if (!accept(value, origin) || !accept(raised, origin)) return false;
+        sum = raised;
+        return true;
     }
     void count(Origin origin);
 

@@ -60,6 +60,12 @@ const char* name(CriterionKind criterion) {
     return "";
 }
 
+/// Landings that shadow rays own are all first landings, and only the paper's criterion learns from
+/// them: the other one goes by the image, to which they bring nothing.
+bool uses_first_landings(const Settings& s) {
+    return s.first_landings && s.direct_light_sampling && s.error_criterion == CriterionKind::Paper;
+}
+
 }  // namespace
 
 std::string describe(const Settings& s) {
@@ -90,7 +96,7 @@ std::string describe(const Settings& s) {
             << s.cdf_resolution << ", erroralpha = " << s.error_alpha
             << ", errorcriterion = " << name(s.error_criterion)
             << ", presenterrors = " << (s.present_errors ? "true" : "false")
-            << ", firstlandings = " << (s.first_landings ? "true" : "false");
+            << ", firstlandings = " << (uses_first_landings(s) ? "true" : "false");
     }
     if (s.guide == GuideKind::Adaptive) {
         out << ", guideemission = " << (s.guide_emission ? "true" : "false")

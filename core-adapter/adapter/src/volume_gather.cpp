@@ -106,15 +106,28 @@ std::uint64_t VolumeGather::gather_beam(const VolumeBeam& beam, Refusals& refusa
         return gathered;
     }
     const SegmentExponential distances(extinction, media.scattering(beam.medium), beam.length);
+    const auto gather_drawn = [&](std::uint32_t number, std::uint32_t times) {
+        Piece piece = piece_at(number);
+        piece.weight = float(times) / (kMostPieces * distances.probability(piece.from, piece.to));
+        if (times > 0 && piece.to > piece.from) gather_piece(piece);
+    };
     RandomStream random(settings_.seed, pass_, beam.sample, RandomDomain::VolumePieces);
+    // Strata come in order, so that draws of one piece are neighbours. It is gathered once for all
+    // of them: what a photon brings is then one value, whose square is its noise.
+    std::uint32_t drawn = 0, times = 0;
     for (std::uint32_t i = 0; i < kMostPieces; ++i) {
         // The sum of a stratum and u may round up to the next stratum's begin, at last to 1.
         const float t =
             distances.sample(std::min((float(i) + random.next()) / kMostPieces, kBelowOne));
-        Piece piece = piece_at(std::uint32_t(std::min(double(t / width), count - 1)));
-        piece.weight = 1 / (kMostPieces * distances.probability(piece.from, piece.to));
-        if (piece.to > piece.from) gather_piece(piece);
+        const auto number = std::uint32_t(std::min(double(t / width), count - 1));
+        if (number != drawn) {
+            gather_drawn(drawn, times);
+            drawn = number;
+            times = 0;
+        }
+        ++times;
     }
+    gather_drawn(drawn, times);
     squares += float(square_sum);
     return gathered;
 }
@@ -152,19 +165,17 @@ void VolumeGather::add_to(const EyeImage& image, std::uint64_t photon_paths, Ref
     for (std::size_t i = 0; i < image.beams.size(); ++i) {
         const VolumeBeam& beam = image.beams[i];
         const Rgb factor = beam.throughput * scene_.media()->scattering(beam.medium);
-        float added = 0;
+        double added = 0;
         for (std::uint32_t g = 0; g < image.groups; ++g) {
             const Rgb sum = flux_[i * image.groups + g];
             const Rgb density{float(sum.r * scale), float(sum.g * scale), float(sum.b * scale)};
             const Rgb value = factor * density;
-            refusals.add(radiance[std::size_t(beam.sample) * image.groups + g], value,
-                         kPassageOrigin);
-            added += luminance(value);
+            Rgb& sum_of_path = radiance[std::size_t(beam.sample) * image.groups + g];
+            if (refusals.add(sum_of_path, value, kPassageOrigin)) added += double(luminance(value));
         }
-        const float brought = luminance_over_groups(flux_, i, image.groups);
-        if (variances.empty() || !(brought > 0)) continue;
-        const float share = added / brought;
-        variances[beam.sample] += share * share * squares_[i];
+        if (variances.empty()) continue;
+        const double brought = double(luminance_over_groups(flux_, i, image.groups));
+        add_variance(variances[beam.sample], added, brought, squares_[i]);
     }
 }
 

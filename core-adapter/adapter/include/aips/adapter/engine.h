@@ -43,7 +43,7 @@ struct EngineStatistics {
     std::uint64_t eye_rays = 0;  ///< shadow rays included
     std::uint64_t photon_paths = 0;
     std::uint64_t photon_rays = 0;
-    std::uint64_t landings = 0;   ///< stored
+    std::uint64_t landings = 0;   ///< stored, but for those that shadow rays own
     std::uint64_t split_off = 0;  ///< guide=adaptive: photons that came from splitting others
     std::uint64_t gathered = 0;   ///< photon contributions to visible points
     std::uint64_t bounces = 0;

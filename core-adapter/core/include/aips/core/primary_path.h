@@ -23,14 +23,16 @@ constexpr std::size_t max_coordinates(std::uint32_t depth) {
 }
 
 /// The numbers of a path that is being traced. Each bounce has coordinates of its own, whether it
-/// uses them or not, so that a coordinate keeps its meaning from one path to the next. They come
+/// uses them or not, so that those of a bounce stay its own from one path to the next; within it
+/// they go to whoever asks first, so that one may change its meaning with the surface. They come
 /// into being when they are asked for, in their order.
 ///
-/// No number is handed out twice. What is asked for beyond a bounce's coordinates, or by another
-/// photon of the path at a depth that one has been at before, is drawn anew, never kept and never
-/// mutated. In a chain such numbers are further coordinates, as many as one likes, each proposed
-/// anew from the uniform density whatever the state: the proposal stays symmetric on the extended
-/// space, and the chain uniform on the visible part of it.
+/// No number is handed out twice. What is asked for at the deepest bounce so far, by any photon of
+/// the path, comes from what is left of its coordinates. What is asked for beyond these, or at a
+/// depth less than the deepest, is drawn anew, never kept and never mutated. In a chain such
+/// numbers are further coordinates, as many as one likes, each proposed anew from the uniform
+/// density whatever the state: the proposal stays symmetric on the extended space, and the chain
+/// uniform on the visible part of it.
 class PrimaryPath {
   public:
     /// Mutations of `from` where it has coordinates, with this exponent; drawn anew beyond its end

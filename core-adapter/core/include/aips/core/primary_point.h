@@ -12,7 +12,8 @@ namespace aips {
 using PrimaryPoint = std::array<double, 4>;
 
 /// The point whose coordinates begin with 32 bits each; the 16 bits that follow are a hash of all
-/// of these. Where the 128 bits are uniform and independent, so are the coordinates, of 48 bits;
+/// of these. Where the 128 bits are uniform and independent, each coordinate, and the low bits
+/// given the high ones of fewer than four axes, are as good as uniform; but for one pair in 65536,
 /// points that agree along one axis to 32 bits, as those of a lattice do, do not agree to 48.
 inline PrimaryPoint primary_point(const std::array<std::uint32_t, 4>& bits) {
     // Two rounds of a multiplication and a shift for each half (after "degski64", 2018).

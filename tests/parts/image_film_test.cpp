@@ -34,11 +34,46 @@ TEST(ImageFilm, KeepsLightGroupsApart) {
     EXPECT_EQ(film.image()[0], (Rgb{1, 2, 0}));
 }
 
+TEST(ImageFilm, RefusesPassesOfOtherLightGroups) {
+    ImageFilm film(1, 1, 2);
+    const std::array<Vec2, 1> positions{Vec2{0.5f, 0.5f}};
+    const std::array<Rgb, 3> values{};
+    const auto add = [&](std::uint32_t groups, std::size_t eye, std::size_t photons) {
+        film.add_pass({.positions = positions,
+                       .groups = groups,
+                       .eye = std::span(values).first(eye),
+                       .photons = std::span(values).first(photons)});
+    };
+    EXPECT_THROW(add(1, 1, 1), std::invalid_argument);
+    EXPECT_THROW(add(3, 3, 3), std::invalid_argument);
+    EXPECT_THROW(add(2, 1, 2), std::invalid_argument);
+    EXPECT_THROW(add(2, 2, 1), std::invalid_argument);
+    EXPECT_THROW(film.add_layer_pass("many", positions, values, 1), std::invalid_argument);
+    EXPECT_NO_THROW(add(2, 2, 2));
+    try {
+        add(1, 1, 1);
+    } catch (const std::invalid_argument& error) {
+        EXPECT_STREQ(error.what(), "ImageFilm: 1 light groups in a pass, expected 2");
+    }
+}
+
 TEST(ImageFilm, WantsAValueForEachPixelOfALayer) {
     ImageFilm film(2, 2);
     EXPECT_THROW(film.set_layer("few", std::array<float, 3>{}), std::invalid_argument);
     film.set_layer("all", std::array<float, 4>{1, 2, 3, 4});
     EXPECT_EQ(film.layers().at("all")[2], 3);
+}
+
+/// The engine's eye paths draw by the same seed and index in the image's first row.
+TEST(UniformSampler, DoesNotRepeatTheEnginesNumbers) {
+    for (std::uint64_t index = 0; index < 4; ++index) {
+        const CameraSample sample = UniformSampler(7).camera_sample(3, std::uint32_t(index), 0);
+        for (const auto domain : {RandomDomain::Eye, RandomDomain::Photon, RandomDomain::Time}) {
+            RandomStream engine(7, 3, index, domain);
+            engine.next2();
+            EXPECT_NE(sample.lens, engine.next2());
+        }
+    }
 }
 
 TEST(UniformSampler, StaysInItsPixelAndIsAPureFunction) {

@@ -86,6 +86,61 @@ TEST(TriangleScene, IsASoundHost) {
         ADD_FAILURE() << to_string(finding);
 }
 
+/// Rays from a thousand scene sizes away end on the surface, not below it: else light is lost.
+TEST(TriangleScene, IsLitAlsoWhereSeenFromAfar) {
+    TriangleScene scene;
+    const auto floor = scene.add_material({});
+    scene.add_quad({-1, -1, 0}, {2, 0, 0.3f}, {0, 2, 0.2f}, floor);
+    scene.finish();
+    RandomStream random(5, 0, 0, RandomDomain::Guide);
+    for (int i = 0; i < 2000; ++i) {
+        const Vec3 target{random.next() - 0.5f, random.next() - 0.5f, 0.25f};
+        Vec3 away = square_to_uniform_sphere(random.next2());
+        away.z = std::abs(away.z) + 0.5f;
+        const Vec3 origin = target + normalize(away) * 1000;
+        Arena arena;
+        SurfacePoint met;
+        ASSERT_TRUE(scene.intersect({origin, normalize(target - origin)}, met, arena));
+        DirectSample sample;
+        sample.wi = normalize(Vec3{0, 0, 3} - met.position);
+        sample.distance = length(Vec3{0, 0, 3} - met.position);
+        ASSERT_EQ(scene.visibility(met, sample, 0), kWhite) << i;
+    }
+}
+
+/// The triangles' boxes are flat: rays within them meet what stands across, from either side.
+TEST(TriangleScene, RaysWithinFacesOfBoxesMeetWhatIsThere) {
+    TriangleScene scene;
+    const auto wall = scene.add_material({});
+    scene.add_triangle({{2, -1, 0}, {2, 1, 0}, {2, 0, 1}}, wall);
+    scene.finish();
+    for (const float zero : {0.0f, -0.0f}) {
+        for (const Vec3 origin : {Vec3{0, 0, 0}, Vec3{0, 0, 1}}) {
+            Arena arena;
+            SurfacePoint met;
+            EXPECT_TRUE(scene.intersect({origin, {1, zero, zero}}, met, arena)) << origin.z << zero;
+        }
+        for (const Vec3 origin : {Vec3{0, 0, -0.01f}, Vec3{0, 0, 1.01f}}) {
+            Arena arena;
+            SurfacePoint met;
+            EXPECT_FALSE(scene.intersect({origin, {1, zero, zero}}, met, arena));
+        }
+    }
+}
+
+/// Far from the origin coordinates are coarse; photons still start before their tilted lamp.
+TEST(TriangleScene, IsASoundHostFarFromTheOrigin) {
+    const Vec3 at{1000, 1000, 1000};
+    TriangleScene scene;
+    const auto wall = scene.add_material({.name = "wall"});
+    const auto lamp = scene.add_material({.emitted = {3, 2, 1}, .name = "lamp"});
+    scene.add_room(at - Vec3{1, 1, 1}, at + Vec3{1, 1, 1}, wall);
+    scene.add_quad(at + Vec3{-0.3f, -0.3f, 0.8f}, {0.1f, 0.6f, 0.13f}, {0.6f, -0.1f, 0.07f}, lamp);
+    scene.finish();
+    for (const HostFinding& finding : check_host(scene))
+        ADD_FAILURE() << to_string(finding);
+}
+
 /// Mean luminances of eight renders of each by different seeds: a t-test.
 TEST(TriangleScene, GivesTheImageOfAnotherHost) {
     TriangleScene triangles;

@@ -5,31 +5,41 @@
 #include <stdexcept>
 
 namespace aips {
+namespace {
 
-ImageFilm::ImageFilm(std::uint32_t width, std::uint32_t height, std::uint32_t groups)
-    : width_(width), height_(height), groups_(groups) {
-    for (Mean* mean : {&eye_, &photons_}) {
-        mean->sums.resize(std::size_t(width) * height * groups * 3);
-        mean->weights.resize(std::size_t(width) * height);
-    }
+/// Values must be as many as they ought to be, or pixels would get each other's.
+void require(std::size_t values, std::size_t expected, const char* what) {
+    if (values == expected) return;
+    throw std::invalid_argument(std::string("ImageFilm: ") + std::to_string(values) + ' ' + what +
+                                ", expected " + std::to_string(expected));
 }
 
-void ImageFilm::add_pass(const FilmPass& pass) {
-    add(eye_, pass.positions, pass.eye, 1);
-    if (!pass.photons.empty()) add(photons_, pass.positions, pass.photons, pass.photon_weight);
-    photon_weights_.push_back(pass.photon_weight);
+double mean_luminance(const std::vector<Rgb>& pixels) {
+    double sum = 0;
+    for (const Rgb& pixel : pixels)
+        sum += luminance(pixel);
+    return sum / double(pixels.size());
 }
 
-void ImageFilm::add(Mean& mean, std::span<const Vec2> positions, std::span<const Rgb> radiance,
-                    double weight) const {
+}  // namespace
+
+PixelMean::PixelMean(std::uint32_t width, std::uint32_t height, std::uint32_t groups)
+    : width_(width),
+      height_(height),
+      groups_(groups),
+      sums_(std::size_t(width) * height * groups * 3),
+      weights_(std::size_t(width) * height) {}
+
+void PixelMean::add(std::span<const Vec2> positions, std::span<const Rgb> radiance, double weight) {
+    require(radiance.size(), positions.size() * groups_, "values of samples in a pass");
     for (std::size_t i = 0; i < positions.size(); ++i) {
         const auto x = std::min(width_ - 1, static_cast<std::uint32_t>(positions[i].x));
         const auto y = std::min(height_ - 1, static_cast<std::uint32_t>(positions[i].y));
         const std::size_t pixel = std::size_t(y) * width_ + x;
-        mean.weights[pixel] += weight;
+        weights_[pixel] += weight;
         for (std::uint32_t g = 0; g < groups_; ++g) {
             const Rgb& value = radiance[i * groups_ + g];
-            double* sum = &mean.sums[(pixel * groups_ + g) * 3];
+            double* sum = &sums_[(pixel * groups_ + g) * 3];
             sum[0] += weight * value.r;
             sum[1] += weight * value.g;
             sum[2] += weight * value.b;
@@ -37,58 +47,70 @@ void ImageFilm::add(Mean& mean, std::span<const Vec2> positions, std::span<const
     }
 }
 
-void ImageFilm::add_layer_pass(std::string_view name, std::span<const Vec2> positions,
-                               std::span<const Rgb> values, double weight) {
-    ImageFilm& layer = color_layers_.try_emplace(std::string(name), width_, height_).first->second;
-    layer.add(layer.eye_, positions, values, weight);
-}
-
-void ImageFilm::set_layer(std::string_view name, std::span<const float> values) {
-    if (values.size() != eye_.weights.size()) {
-        throw std::invalid_argument("ImageFilm: a layer has one value for each pixel");
-    }
-    layers_[std::string(name)].assign(values.begin(), values.end());
-}
-
-std::vector<Rgb> ImageFilm::image() const {
-    std::vector<Rgb> pixels(std::size_t(width_) * height_);
-    for (const Mean* mean : {&eye_, &photons_})
-        add_to_image(*mean, 0, groups_, pixels);
-    return pixels;
-}
-
-std::vector<Rgb> ImageFilm::image_of_group(std::uint32_t group) const {
-    std::vector<Rgb> pixels(std::size_t(width_) * height_);
-    for (const Mean* mean : {&eye_, &photons_})
-        add_to_image(*mean, group, group + 1, pixels);
-    return pixels;
-}
-
-std::vector<Rgb> ImageFilm::eye_part() const {
-    std::vector<Rgb> pixels(std::size_t(width_) * height_);
-    add_to_image(eye_, 0, groups_, pixels);
-    return pixels;
-}
-
-/// Light groups [first, last).
-void ImageFilm::add_to_image(const Mean& mean, std::uint32_t first, std::uint32_t last,
-                             std::vector<Rgb>& pixels) const {
+void PixelMean::add_to(std::vector<Rgb>& pixels, std::uint32_t first, std::uint32_t last) const {
     for (std::size_t p = 0; p < pixels.size(); ++p) {
-        const double weight = mean.weights[p];
+        const double weight = weights_[p];
         if (!(weight > 0)) continue;
         for (std::uint32_t g = first; g < last; ++g) {
-            const double* sum = &mean.sums[(p * groups_ + g) * 3];
+            const double* sum = &sums_[(p * groups_ + g) * 3];
             pixels[p] += {float(sum[0] / weight), float(sum[1] / weight), float(sum[2] / weight)};
         }
     }
 }
 
+std::vector<Rgb> PixelMean::image() const {
+    std::vector<Rgb> pixels(weights_.size());
+    add_to(pixels, 0, groups_);
+    return pixels;
+}
+
+double PixelMean::mean() const {
+    return mean_luminance(image());
+}
+
+ImageFilm::ImageFilm(std::uint32_t width, std::uint32_t height, std::uint32_t groups)
+    : width_(width),
+      height_(height),
+      groups_(groups),
+      eye_(width, height, groups),
+      photons_(width, height, groups) {}
+
+void ImageFilm::add_pass(const FilmPass& pass) {
+    require(pass.groups, groups_, "light groups in a pass");
+    eye_.add(pass.positions, pass.eye, 1);
+    if (!pass.photons.empty()) photons_.add(pass.positions, pass.photons, pass.photon_weight);
+}
+
+void ImageFilm::add_layer_pass(std::string_view name, std::span<const Vec2> positions,
+                               std::span<const Rgb> values, double weight) {
+    PixelMean& layer = color_layers_.try_emplace(std::string(name), width_, height_).first->second;
+    layer.add(positions, values, weight);
+}
+
+void ImageFilm::set_layer(std::string_view name, std::span<const float> values) {
+    require(values.size(), std::size_t(width_) * height_, "values of pixels in a layer");
+    layers_[std::string(name)].assign(values.begin(), values.end());
+}
+
+std::vector<Rgb> ImageFilm::image() const {
+    std::vector<Rgb> pixels = eye_.image();
+    photons_.add_to(pixels, 0, groups_);
+    return pixels;
+}
+
+std::vector<Rgb> ImageFilm::image_of_group(std::uint32_t group) const {
+    std::vector<Rgb> pixels(std::size_t(width_) * height_);
+    for (const PixelMean* mean : {&eye_, &photons_})
+        mean->add_to(pixels, group, group + 1);
+    return pixels;
+}
+
+std::vector<Rgb> ImageFilm::eye_part() const {
+    return eye_.image();
+}
+
 double ImageFilm::mean() const {
-    double sum = 0;
-    const std::vector<Rgb> pixels = image();
-    for (const Rgb& pixel : pixels)
-        sum += luminance(pixel);
-    return sum / double(pixels.size());
+    return mean_luminance(image());
 }
 
 }  // namespace aips

@@ -16,7 +16,7 @@ float DiffuseAreaLight::power() const {
 bool DiffuseAreaLight::emit(const PrimaryPoint& u, Emission& emission) const {
     const SurfaceSample s = point(rounded_pair(u, 0));
     const Vec3 d = Frame(s.normal).to_world(square_to_cosine_hemisphere(rounded_pair(u, 2)));
-    emission.ray = {s.position + s.normal * (1e-5f * std::sqrt(area_)), d, 0, nullptr};
+    emission.ray = {s.position + s.normal * lift_, d, 0, nullptr};
     emission.power = radiance_ * (kPi * area_);
     return true;
 }

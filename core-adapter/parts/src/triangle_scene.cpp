@@ -1,6 +1,7 @@
 // Triangles, their lights and what they scatter.
 #include "aips/parts/triangle_scene.h"
 
+#include <algorithm>
 #include <new>
 
 #include "aips/core/sampling.h"
@@ -17,8 +18,8 @@ Vec3 doubled_area(const Triangle& t) {
 
 class TriangleLight final : public DiffuseAreaLight {
   public:
-    TriangleLight(const Triangle& t, Rgb radiance, std::uint32_t group)
-        : DiffuseAreaLight(radiance, 0.5f * length(doubled_area(t)), group),
+    TriangleLight(const Triangle& t, Rgb radiance, std::uint32_t group, float lift)
+        : DiffuseAreaLight(radiance, 0.5f * length(doubled_area(t)), group, lift),
           triangle_(t),
           normal_(normalize(doubled_area(t))) {}
     std::string name() const override { return "triangle"; }
@@ -40,6 +41,13 @@ class TriangleLight final : public DiffuseAreaLight {
     Triangle triangle_;
     Vec3 normal_;
 };
+
+Vec3 along(const Ray& ray, double distance) {
+    const auto coordinate = [&](int axis) {
+        return float(double(ray.origin[axis]) + double(ray.direction[axis]) * distance);
+    };
+    return {coordinate(0), coordinate(1), coordinate(2)};
+}
 
 constexpr std::size_t kBsdfBytes =
     std::max({sizeof(LambertBsdf), sizeof(MirrorBsdf), sizeof(GlassBsdf)});
@@ -126,15 +134,17 @@ void TriangleScene::add_point_light(Vec3 position, Rgb intensity, std::uint32_t 
 }
 
 void TriangleScene::finish() {
+    for (const Triangle& triangle : triangles_) {
+        for (const Vec3 p : {triangle.a, triangle.b, triangle.c})
+            bounds_.extend(p);
+    }
     light_of_.assign(triangles_.size(), kNoLight);
     for (std::size_t i = 0; i < triangles_.size(); ++i) {
-        for (const Vec3 p : {triangles_[i].a, triangles_[i].b, triangles_[i].c})
-            bounds_.extend(p);
         const TriangleMaterial& material = materials_.at(material_of_[i]);
         if (is_black(material.emitted)) continue;
         light_of_[i] = LightIndex(lights_.size());
-        lights_.push_back(
-            std::make_unique<TriangleLight>(triangles_[i], material.emitted, material.light_group));
+        lights_.push_back(std::make_unique<TriangleLight>(triangles_[i], material.emitted,
+                                                          material.light_group, rounding()));
     }
     for (const auto& light : lights_)
         light_pointers_.push_back(light.get());
@@ -152,7 +162,9 @@ bool TriangleScene::intersect(const Ray& ray, SurfacePoint& point,
     TriangleTree::Hit hit;
     if (!tree_->nearest(ray.origin, ray.direction, Bounds::kInf, hit)) return false;
     point.distance = float(hit.distance);
-    point.position = ray.origin + ray.direction * point.distance;
+    // In double precision: a ray from afar must not end below the surface by rounding of its
+    // length.
+    point.position = along(ray, hit.distance);
     point.geometric_normal = normalize(doubled_area(triangles_[hit.triangle]));
     point.shading_normal = shading_normal(hit.triangle, point.position, point.geometric_normal);
     point.material = material_of_[hit.triangle];

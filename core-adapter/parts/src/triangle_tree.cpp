@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <numeric>
 
 namespace aips {
@@ -40,12 +41,15 @@ double meet(const Triangle& t, Vec3 origin, Vec3 direction) {
 bool meets(const Bounds& box, Vec3 origin, Vec3 inverse, double farthest) {
     double t0 = 0, t1 = farthest;
     for (int axis = 0; axis < 3; ++axis) {
+        if (std::isinf(inverse[axis])) {
+            // Along the faces: 0 * infinity would not tell a ray within one from those outside.
+            if (origin[axis] < box.lower[axis] || origin[axis] > box.upper[axis]) return false;
+            continue;
+        }
         const double a = (double(box.lower[axis]) - origin[axis]) * inverse[axis];
         const double b = (double(box.upper[axis]) - origin[axis]) * inverse[axis];
-        // Written so that 0 * infinity, a ray within a face, does not exclude the box.
-        const double in = std::min(a, b), out = std::max(a, b);
-        if (in > t0) t0 = in;
-        if (out < t1) t1 = out;
+        t0 = std::max(t0, std::min(a, b));
+        t1 = std::min(t1, std::max(a, b));
     }
     // Rounding of the inverse must not cut a triangle off.
     return t0 <= t1 * (1 + 1e-6);

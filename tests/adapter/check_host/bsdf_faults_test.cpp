@@ -81,7 +81,9 @@ std::vector<HostFinding> find(Fault fault) {
         void* const place = memory.allocate(sizeof(FaultyBsdf), alignof(FaultyBsdf));
         point.bsdf = new (place) FaultyBsdf(*point.bsdf, fault);
     };
-    spoils.facts = [](SceneFacts& facts) { facts.max_bsdf_bytes += sizeof(FaultyBsdf); };
+    spoils.facts = [](SceneFacts& facts) {
+        facts.max_bsdf_bytes += sizeof(FaultyBsdf) + alignof(FaultyBsdf);
+    };
     return check_host(mock::FaultyScene(scene, spoils), mock::quick_check());
 }
 

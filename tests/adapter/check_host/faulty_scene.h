@@ -70,7 +70,7 @@ inline std::string lines(const std::vector<aips::HostFinding>& findings) {
     return text;
 }
 
-/// A sixteenth of the work, for scenes whose faults are gross.
+/// A quarter of the samples and a fifth of the rays, for scenes whose faults are gross.
 inline aips::HostCheckSettings quick_check() {
     aips::HostCheckSettings settings;
     settings.rays = 4000;

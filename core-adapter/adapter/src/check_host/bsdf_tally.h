@@ -21,20 +21,21 @@ struct BsdfTally {
     Tally values, directions, masks, lobes, deltas, pdfs, weights, unreachable, albedos, lambert,
         choices;
     std::vector<DensityTally> densities;
-    LobeMask claimed = 0;                 ///< by lobes(), at some place
-    LobeMask drawn = 0;                   ///< by samples
-    std::array<double, 3> albedo_of{};    ///< [lobe bit]: largest
-    std::array<Estimate, 3> weight_of{};  ///< [lobe bit]: weights' luminance, 0 for none
-    std::array<bool, 3> dark_albedo{};    ///< [lobe bit]: black at some place that scatters so
-    double most_energy = 0;               ///< reflected and transmitted at a place, lower bound
+    LobeMask claimed = 0;               ///< by lobes(), at some place
+    LobeMask drawn = 0;                 ///< by samples
+    std::array<double, 3> albedo_of{};  ///< [lobe bit]: largest
+    std::array<bool, 3> dark_albedo{};  ///< [lobe bit]: black at some place that scatters so
+    double most_energy = 0;             ///< reflected and transmitted at a place, lower bound
 };
 
-/// Asks `bsdf` at one place, where it is met along -wo; `ns` is the shading normal.
+/// One place of a material, where it is met along -wo.
 struct BsdfPlace {
     const Bsdf& bsdf;
     Vec3 wo, geometric_normal, shading_normal;
     std::uint32_t samples;
 };
+
+/// Asks the place's Bsdf.
 void ask_bsdf(const BsdfPlace& place, RandomStream& random, BsdfTally& tally);
 
 }  // namespace aips

@@ -1,5 +1,6 @@
 // A mean of samples with a bound of its error that holds without a large-sample approximation.
-// Source: Maurer & Pontil 2009, "Empirical Bernstein bounds", theorem 4.
+// Source: Audibert, Munos & Szepesvari 2009, "Exploration-exploitation tradeoff using variance
+// estimates in multi-armed bandits", theorem 1.
 #pragma once
 
 #include <algorithm>
@@ -19,8 +20,8 @@ class Estimate {
     }
     std::uint64_t count() const { return count_; }
     double mean() const { return count_ ? sum_ / double(count_) : 0; }
-    /// Exceeded with probability kErrorProbability by samples within [0, `range`]; where no range
-    /// is known the largest sample has to do.
+    /// Exceeded with probability kErrorProbability at most by samples within [0, `range`]; where no
+    /// range is known the largest sample has to do, and the bound is what samples show.
     double error(double range = 0) const {
         if (count_ < 2) return 1e300;
         const double n = double(count_), m = mean();
@@ -29,15 +30,17 @@ class Estimate {
         return std::sqrt(2 * variance * log_term / n) +
                3 * std::max(range, largest_) * log_term / n;
     }
-    static constexpr double kErrorProbability = 1e-9;
+    /// Two estimates in each of 9 comparisons (all directions and octants) of each of four choices
+    /// of lobes: the most that one subject is asked for.
+    static constexpr double kErrorProbability = 1e-8 / (2 * 9 * 4);
 
   private:
     std::uint64_t count_ = 0;
     double sum_ = 0, sum_of_squares_ = 0, largest_ = 0;
 };
 
-/// Bound of the probability with which a sound host exceeds the errors of two estimates in one of
-/// some comparisons.
+/// Bound of the probability with which a sound host exceeds the errors of two estimates in any of
+/// the comparisons of one light or material.
 inline constexpr double kChanceOfFinding = 1e-8;
 
 /// Whether two estimates of one number contradict each other by more than chance and more than

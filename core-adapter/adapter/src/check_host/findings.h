@@ -29,7 +29,7 @@ struct Tally {
     }
     /// Whether more was wrong than the rounding of a sound host explains.
     bool over(double share) const { return wrong > 0 && double(wrong) > share * double(looked); }
-    /// '"example" in 12 of 40'.
+    /// 'example (12 of 40)'.
     std::string text() const;
 };
 

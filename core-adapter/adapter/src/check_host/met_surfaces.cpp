@@ -10,6 +10,8 @@ constexpr int kMostBounces = 6;
 constexpr std::size_t kPlacesAnywhere = 256;
 /// Share of surfaces at which rounding may let a sound host down.
 constexpr double kRare = 0.02;
+/// How far off a surface is met again by rays that start on its wrong side, in units of coarseness.
+constexpr float kClose = 64;
 
 /// Counts what one intersect() takes of an arena.
 class CountedMemory final : public std::pmr::memory_resource {
@@ -19,7 +21,7 @@ class CountedMemory final : public std::pmr::memory_resource {
 
   private:
     void* do_allocate(std::size_t bytes, std::size_t alignment) override {
-        bytes_ += bytes;
+        bytes_ += bytes + alignment - 1;  // wherever the block begins
         return arena_.allocate(bytes, alignment);
     }
     void do_deallocate(void*, std::size_t, std::size_t) override {}
@@ -86,7 +88,6 @@ void MetSurfaces::shoot() {
 }
 
 void MetSurfaces::follow(Ray ray, LightIndex from) {
-    const float close = 1e-4f * scene_.bounds().diagonal();
     SurfacePoint left;  // the surface that the ray leaves
     for (int bounce = 0; bounce < kMostBounces; ++bounce) {
         Arena arena;
@@ -98,13 +99,9 @@ void MetSurfaces::follow(Ray ray, LightIndex from) {
                    figure(point.distance);
         };
         if (bounce > 0) {
-            const bool same = point.material == left.material &&
-                              length(point.position - left.position) < close &&
-                              dot(point.geometric_normal, left.geometric_normal) > 0.999f;
-            spawned_.look(!same, met);
+            spawned_.look(!same_surface(left, point), met);
         } else if (from != kNoLight && !scene_.lights()[from]->at_infinity()) {
-            const bool same = point.light == from && length(point.position - ray.origin) < close;
-            emitted_starts_.look(!same, met);
+            emitted_starts_.look(!behind_light(ray, point, from), met);
         }
         look_at(ray, point, memory.bytes());
         BsdfSample sample;
@@ -118,6 +115,30 @@ void MetSurfaces::follow(Ray ray, LightIndex from) {
         ray = continue_ray(scene_, point, sample.wi, sample.component, ray);
         left = point;
     }
+}
+
+/// Flat within the distance that is looked at; sheets one above another are different surfaces.
+bool MetSurfaces::same_surface(const SurfacePoint& a, const SurfacePoint& b) const {
+    const Vec3 apart = b.position - a.position;
+    return a.material == b.material && length(apart) < kClose * coarseness_ &&
+           std::abs(dot(apart, a.geometric_normal)) < coarseness_ &&
+           dot(a.geometric_normal, b.geometric_normal) > 0.999f;
+}
+
+/// Whether a photon started behind its lamp and meets its back; the front of a concave lamp is met
+/// rightly. Backs may be no light: a ray the other way tells.
+bool MetSurfaces::behind_light(const Ray& ray, const SurfacePoint& met, LightIndex from) const {
+    const float close = kClose * coarseness_;
+    if (dot(ray.direction, met.geometric_normal) <= 0) return false;
+    if (length(met.position - ray.origin) >= close) return false;
+    if (met.light == from) return true;
+    Ray back = scene_.spawn(met, ray.direction, ray.time);
+    back.origin = back.origin + ray.direction * close;
+    back.direction = -ray.direction;
+    Arena arena;
+    SurfacePoint front;
+    return scene_.intersect(back, front, arena) && front.light == from &&
+           front.distance < 2 * close;
 }
 
 void MetSurfaces::look_at(const Ray& ray, const SurfacePoint& point, std::size_t bytes) {

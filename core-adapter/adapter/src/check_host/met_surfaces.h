@@ -38,6 +38,8 @@ class MetSurfaces {
   private:
     void shoot();
     void follow(Ray ray, LightIndex from);
+    bool same_surface(const SurfacePoint& a, const SurfacePoint& b) const;
+    bool behind_light(const Ray& ray, const SurfacePoint& met, LightIndex from) const;
     void look_at(const Ray& ray, const SurfacePoint& point, std::size_t bytes);
     void look_at_normals(const SurfacePoint& point);
     void look_at_place(const Ray& ray, const SurfacePoint& point);

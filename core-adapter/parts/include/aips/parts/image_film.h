@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <string>
 #include <vector>
@@ -10,14 +11,37 @@
 
 namespace aips {
 
+/// The weighted mean of what fell into each pixel, light groups apart, in double precision.
+class PixelMean {
+  public:
+    PixelMean(std::uint32_t width, std::uint32_t height, std::uint32_t groups = 1);
+    /// Adds radiance[i * groups + group] at positions[i]. Throws std::invalid_argument unless there
+    /// is a value of each group for every position.
+    void add(std::span<const Vec2> positions, std::span<const Rgb> radiance, double weight);
+    /// Adds the means of the light groups [first, last) to `pixels`; nothing where no sample fell.
+    void add_to(std::vector<Rgb>& pixels, std::uint32_t first, std::uint32_t last) const;
+    /// All groups together, row by row from the top.
+    std::vector<Rgb> image() const;
+    /// Mean luminance of image().
+    double mean() const;
+
+  private:
+    std::uint32_t width_, height_, groups_;
+    std::vector<double> sums_;     // [(pixel * groups + group) * 3 + channel]
+    std::vector<double> weights_;  // [pixel]
+};
+
 /// The image is the plain mean over passes of what eye paths saw, plus the weighted mean of what
-/// photons brought; light groups and extra layers apart. Sums are in double precision.
+/// photons brought; light groups and extra layers apart.
 class ImageFilm : public Film {
   public:
     ImageFilm(std::uint32_t width, std::uint32_t height, std::uint32_t groups = 1);
     std::uint32_t width() const override { return width_; }
     std::uint32_t height() const override { return height_; }
+    /// Throws std::invalid_argument unless the pass has the film's light groups and a value of each
+    /// for every sample.
     void add_pass(const FilmPass& pass) override;
+    /// Throws std::invalid_argument unless there is a value for each sample.
     void add_layer_pass(std::string_view name, std::span<const Vec2> positions,
                         std::span<const Rgb> values, double weight) override;
     /// Throws std::invalid_argument unless there is a value for each pixel.
@@ -31,29 +55,17 @@ class ImageFilm : public Film {
     std::vector<Rgb> eye_part() const;
     /// Mean luminance of the image.
     double mean() const;
-    /// [pass]: weights of the photons' part.
-    const std::vector<double>& photon_weights() const { return photon_weights_; }
 
-    /// Extra layers by name: films of colour layers, values of float layers.
-    const std::map<std::string, ImageFilm, std::less<>>& color_layers() const {
+    /// Extra layers by name.
+    const std::map<std::string, PixelMean, std::less<>>& color_layers() const {
         return color_layers_;
     }
     const std::map<std::string, std::vector<float>, std::less<>>& layers() const { return layers_; }
 
   private:
-    struct Mean {
-        std::vector<double> sums;     // [(pixel * groups + group) * 3 + channel]
-        std::vector<double> weights;  // [pixel]
-    };
-    void add(Mean& mean, std::span<const Vec2> positions, std::span<const Rgb> radiance,
-             double weight) const;
-    void add_to_image(const Mean& mean, std::uint32_t first, std::uint32_t last,
-                      std::vector<Rgb>& pixels) const;
-
     std::uint32_t width_, height_, groups_;
-    std::vector<double> photon_weights_;
-    Mean eye_, photons_;
-    std::map<std::string, ImageFilm, std::less<>> color_layers_;
+    PixelMean eye_, photons_;
+    std::map<std::string, PixelMean, std::less<>> color_layers_;
     std::map<std::string, std::vector<float>, std::less<>> layers_;
 };
 

@@ -1,6 +1,8 @@
 // Lights in closed form: surfaces that emit alike in all directions, and points.
 #pragma once
 
+#include <cmath>
+
 #include "aips/adapter/scene.h"
 
 namespace aips {
@@ -12,9 +14,14 @@ Vec2 rounded_pair(const PrimaryPoint& u, std::size_t first);
 /// A one-sided diffuse emitter of which uniform points can be drawn.
 class DiffuseAreaLight : public Light {
   public:
-    /// Radiance of its front, its area in square scene units.
-    DiffuseAreaLight(Rgb radiance, float area, std::uint32_t group)
-        : radiance_(radiance), area_(area), group_(group) {}
+    /// Radiance of its front, its area in square scene units. Photons start before the surface by
+    /// `lift`, which has to cover the rounding of its coordinates; unless it is given, by a 10^-5th
+    /// of the light's size, enough near the origin.
+    DiffuseAreaLight(Rgb radiance, float area, std::uint32_t group, float lift = 0)
+        : radiance_(radiance),
+          area_(area),
+          lift_(lift > 0 ? lift : 1e-5f * std::sqrt(area)),
+          group_(group) {}
 
     std::uint32_t group() const override { return group_; }
     float power() const override;
@@ -39,7 +46,7 @@ class DiffuseAreaLight : public Light {
     float density(Vec3 normal, Vec3 wi, float distance) const;
 
     Rgb radiance_;
-    float area_;
+    float area_, lift_;
     std::uint32_t group_;
 };
 

@@ -12,7 +12,7 @@ class UniformSampler final : public Sampler {
     explicit UniformSampler(std::uint64_t seed) : seed_(seed) {}
     CameraSample camera_sample(std::uint64_t number, std::uint32_t x,
                                std::uint32_t y) const override {
-        RandomStream random(seed_, number, y * 65536u + x, RandomDomain::Eye);
+        RandomStream random(seed_, number, y * 65536u + x, RandomDomain::Film);
         const Vec2 u = random.next2();
         return {{float(x) + u.x, float(y) + u.y}, random.next2()};
     }

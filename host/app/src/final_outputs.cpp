@@ -76,7 +76,7 @@ ExitCode write_final_outputs(const CommandLine& command, RenderSession& session,
         in_place = write_text(session.files.statistics, text, log) && in_place;
     }
     warn_of_refusals(figures.refused, log);
-    warn_of_empty_image(figures.image, log);
+    warn_of_empty_image(*figures.image, log);
     if (interrupted) log.warning(fmt::format("interrupted after {} passes", totals.passes));
     if (!in_place) return ExitCode::OutputFailure;
     if (failed) return ExitCode::PluginFailure;

@@ -5,7 +5,9 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <array>
 #include <cctype>
+#include <string_view>
 
 namespace lxs {
 namespace {
@@ -25,6 +27,18 @@ std::string pattern_of(const std::string& message) {
         if (c == '"') quoted = !quoted;
         if ((quoted && c != '"') || is_digit(c)) continue;
         pattern += c;
+    }
+    return pattern;
+}
+
+/// The pattern without a list of known names, the nearest first, which differs from message to
+/// message of one kind. Nothing follows such a list.
+std::string without_known_names(std::string pattern) {
+    constexpr std::array<std::string_view, 3> kLists = {"; did you mean ",
+                                                        "; known: ", "; none is known"};
+    for (const std::string_view list : kLists) {
+        const std::size_t begin = pattern.find(list);
+        if (begin != std::string::npos) pattern.erase(begin);
     }
     return pattern;
 }
@@ -52,7 +66,8 @@ void InputDiagnostics::fallback(const SourceLocation& where, const std::string& 
                                 const std::string& instead) {
     const bool from_command_line = where.file && !where.file->text;
     if (strict_ || from_command_line) return error(InputError(where, message));
-    warning(where, message + "; " + instead);
+    ++warnings_;
+    add("warning", where, message, "; " + instead);
 }
 
 void InputDiagnostics::error(const InputError& error) {
@@ -61,8 +76,9 @@ void InputDiagnostics::error(const InputError& error) {
 }
 
 void InputDiagnostics::add(const std::string& severity, const SourceLocation& where,
-                           const std::string& message) {
-    const std::string key = severity + pattern_of(message);
+                           const std::string& about, const std::string& instead) {
+    const std::string key = severity + without_known_names(pattern_of(about)) + pattern_of(instead);
+    const std::string message = about + instead;
     const auto known = index_.find(key);
     if (known == index_.end()) {
         if (kinds_of_[severity] == kMostKinds) {

@@ -85,49 +85,53 @@ void check_statements_by_name(const SceneContents& contents, Diagnostics& diagno
     warn_of_parameters(contents, "Accelerator", "Embree builds the tree", diagnostics);
 }
 
-/// The Renderer statement, with the nearest renderer in place of an older one, which is said.
-std::optional<ParameterSet> renderer_of(const SceneContents& contents, Diagnostics& diagnostics) {
+/// What a scene's Renderer statement asks for.
+struct RendererChoice {
+    std::string given, used;  ///< its name, and the nearest in place of an older one
+    SourceLocation where;
+};
+
+/// The Renderer statement; that another stands in for an older one is said.
+std::optional<RendererChoice> renderer_of(const SceneContents& contents, Diagnostics& diagnostics) {
     const ParameterSet* given = statement(contents, "Renderer");
     if (given == nullptr) return std::nullopt;
-    ParameterSet renderer;
-    renderer.plugin = given->plugin;
-    renderer.where = given->where;
+    RendererChoice renderer{given->plugin, given->plugin, given->where};
     for (const OlderRenderer& older : kOlderRenderers) {
         if (older.name != given->plugin) continue;
-        renderer.plugin = older.nearest;
-        diagnostics.warning(given->where, fmt::format("Renderer \"{}\" is not rendered: \"{}\" is "
-                                                      "used instead",
-                                                      given->plugin, older.nearest));
+        renderer.used = older.nearest;
+        diagnostics.fallback(given->where,
+                             fmt::format("Renderer \"{}\" is not rendered", given->plugin),
+                             fmt::format("\"{}\" is used instead", older.nearest));
     }
     return renderer;
 }
 
 /// What the scene asks for, whether or not there is such a plugin.
 ParameterSet scene_choice(const SceneContents& contents, Diagnostics& diagnostics) {
-    const std::optional<ParameterSet> renderer = renderer_of(contents, diagnostics);
-    const bool photon_renderer =
-        renderer.has_value() && contains(kPhotonRenderers, renderer->plugin);
+    const std::optional<RendererChoice> renderer = renderer_of(contents, diagnostics);
+    const bool photon_renderer = renderer.has_value() && contains(kPhotonRenderers, renderer->used);
     if (const ParameterSet* set = statement(contents, "SurfaceIntegrator")) {
         if (photon_renderer && !contains(kPhotonIntegrators, set->plugin)) {
             diagnostics.warning(renderer->where, fmt::format("Renderer \"{}\" has no effect with "
                                                              "SurfaceIntegrator \"{}\"",
-                                                             renderer->plugin, set->plugin));
+                                                             renderer->given, set->plugin));
         }
         return *set;
     }
     ParameterSet set;
-    set.plugin = photon_renderer ? renderer->plugin : kDefaultIntegrator;
+    set.plugin = photon_renderer ? renderer->used : kDefaultIntegrator;
     set.where = photon_renderer ? renderer->where : contents.end;
     return set;
 }
 
-/// Whether `set` names an integrator whose place the default one takes, which a warning then says.
+/// Whether `set` names an integrator whose place the default one takes, which is then said.
 bool stands_in(ParameterSet& set, Diagnostics& diagnostics) {
     if (!contains(kRenderedByDefault, set.plugin)) return false;
-    diagnostics.warning(set.where,
-                        fmt::format("SurfaceIntegrator \"{}\" is not rendered: \"{}\" is used "
-                                    "instead; \"aips\" (--integrator aips) shoots photons too",
-                                    set.plugin, kDefaultIntegrator));
+    diagnostics.fallback(set.where,
+                         fmt::format("SurfaceIntegrator \"{}\" is not rendered", set.plugin),
+                         fmt::format("\"{}\" is used instead; \"aips\" (--integrator aips) shoots "
+                                     "photons too",
+                                     kDefaultIntegrator));
     set.plugin = kDefaultIntegrator;
     return true;
 }

@@ -57,6 +57,11 @@ class FirmDiagnostics final : public Diagnostics {
     void unknown_parameter(const SourceLocation& where, const std::string& message) override {
         next_.unknown_parameter(where, message);
     }
+    void fallback(const SourceLocation& where, const std::string& message,
+                  const std::string& /*instead*/) override {
+        next_.error(InputError(where, message));
+    }
+    void error(const InputError& error) override { next_.error(error); }
 
   private:
     Diagnostics& next_;
@@ -147,6 +152,25 @@ void gather(Diagnostics& diagnostics, const auto& step) {
     }
 }
 
+/// For what another reading of the same statements tells.
+class SilentDiagnostics final : public Diagnostics {
+    void warning(const SourceLocation& /*where*/, const std::string& /*message*/) override {}
+    void unknown_parameter(const SourceLocation& /*where*/,
+                           const std::string& /*message*/) override {}
+};
+
+/// Tells what is wrong with the camera where the film, whose frame it takes, could not be made.
+void check_camera_alone(const SceneContents& contents, Diagnostics& diagnostics) {
+    SceneContents without_film;
+    without_film.options = contents.options;
+    without_film.end = contents.end;
+    for (const char* statement : {"Film", "PixelFilter"})
+        without_film.options.erase(statement);
+    SilentDiagnostics silent;
+    const auto film = make_film(without_film, silent);
+    make_camera(without_film, *film, diagnostics);
+}
+
 IntegratorChoice make_from_options(RenderSession& session, const CommandLine& command,
                                    const SceneContents& contents, ReadFiles& files,
                                    const PluginLibrary& plugins, InputDiagnostics& diagnostics,
@@ -161,7 +185,8 @@ IntegratorChoice make_from_options(RenderSession& session, const CommandLine& co
             make_film(contents, diagnostics, file_resolver(contents, files, diagnostics));
     });
     gather(diagnostics, [&] {
-        if (session.film) session.camera = make_camera(contents, *session.film, diagnostics);
+        if (!session.film) return check_camera_alone(contents, diagnostics);
+        session.camera = make_camera(contents, *session.film, diagnostics);
     });
     gather(diagnostics, [&] {
         const bool chains = choice.integrator && choice.integrator->plugin->runs_metropolis;
@@ -185,10 +210,15 @@ RenderSession prepare(const CommandLine& command, const PluginLibrary& plugins,
     const PhaseTimer timer(session.times, "build");
     const IntegratorChoice choice =
         make_from_options(session, command, contents, files, plugins, diagnostics, log);
+    if (diagnostics.errors() == 0) {  // before the scene takes its time to build
+        session.files = choose_output_files(command, *session.film);
+        check_writable(session.files);
+    }
+    const bool has_world = contents.end.line > 0;
+    gather(diagnostics, [&] {
+        if (has_world) build_scene(session, std::move(contents), files, diagnostics);
+    });
     diagnostics.refuse_errors();
-    session.files = choose_output_files(command, *session.film);
-    check_writable(session.files);
-    build_scene(session, std::move(contents), files, diagnostics);
     complete_fingerprint(session, command, choice, files);
     choose_spectral(session, log);
     if (session.spectral) begin_spectral_pass(session, 0);

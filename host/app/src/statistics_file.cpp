@@ -88,7 +88,7 @@ std::string statistics_json(const CommandLine& command, const RenderSession& ses
     json["interrupted"] = interrupted;
     json["settings"] = settings(command, session);
     json["scene"] = scene_facts(session);
-    json["image"] = verdict(figures.image);
+    if (figures.image) json["image"] = verdict(*figures.image);
     json["seconds"] = session.times;
     json["render CPU seconds"] = totals.cpu_seconds;
     json["counts"] = counts(totals);

@@ -6,12 +6,22 @@
 namespace lxs {
 namespace {
 
+template <class Thing>
+bool is_made(const std::shared_ptr<const Thing>& thing) {
+    return thing != nullptr;
+}
+bool is_made(const IndexedMaterial& named) {
+    return named.material != nullptr;
+}
+
+/// Names that a message may propose.
 template <class Map>
 std::vector<std::string> names_of(const Map& map) {
     std::vector<std::string> names;
     names.reserve(map.size());
-    for (const auto& entry : map)
-        names.push_back(entry.first);
+    for (const auto& [name, thing] : map) {
+        if (is_made(thing)) names.push_back(name);
+    }
     return names;
 }
 

@@ -17,7 +17,8 @@ struct IndexedMaterial {
     std::uint32_t index = 0;
 };
 
-/// Definitions return false when the name was taken; the new meaning counts from then on.
+/// Definitions return false when the name was taken; the new meaning counts from then on. A name
+/// whose texture or volume could not be made is known to have been reported, and is not taken.
 class NamedAssets final : public AssetContext {
   public:
     /// Appends to `files` the path of every asset that it resolves.
@@ -51,8 +52,13 @@ class NamedAssets final : public AssetContext {
     bool define(const std::string& name, IndexedMaterial material) {
         return materials_.insert_or_assign(name, std::move(material)).second;
     }
+    /// A null one could not be made, which has been reported: the name stands for none.
     bool define(const std::string& name, std::shared_ptr<const Medium> medium) {
-        return media_.insert_or_assign(name, std::move(medium)).second;
+        const bool is_made = medium != nullptr;
+        std::shared_ptr<const Medium>& entry = media_[name];
+        const bool was_made = entry != nullptr;
+        entry = std::move(medium);
+        return !is_made || !was_made;
     }
 
   private:
@@ -61,8 +67,10 @@ class NamedAssets final : public AssetContext {
     template <class Texture>
     static bool define_in(Textures<Texture>& textures, const std::string& name,
                           std::shared_ptr<const Texture> texture) {
-        const bool is_new = textures.try_emplace(name).second;
-        if (texture) textures[name] = std::move(texture);
+        std::shared_ptr<const Texture>& entry = textures[name];
+        if (!texture) return true;
+        const bool is_new = entry == nullptr;
+        entry = std::move(texture);
         return is_new;
     }
     /// The texture `name`; null, and a message, if there is none.

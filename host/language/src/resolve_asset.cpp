@@ -21,37 +21,75 @@ bool same_but_for_case(const std::string& a, const std::string& b) {
     });
 }
 
-/// What `folder` holds by the name `part`, or by one that differs from it in upper and lower case;
-/// empty if there is nothing.
-fs::path entry_like(const fs::path& folder, const fs::path& part) {
-    std::error_code error;
-    if (fs::exists(folder / part, error)) return folder / part;
-    std::vector<fs::path> found;
-    fs::directory_iterator entry(folder.empty() ? "." : folder, error);
-    for (; !error && entry != fs::directory_iterator(); entry.increment(error)) {
-        if (same_but_for_case(entry->path().filename().string(), part.string()))
-            found.push_back(folder / entry->path().filename());
-    }
-    return found.empty() ? fs::path() : *std::min_element(found.begin(), found.end());
+bool is_regular(const fs::path& path) {
+    std::error_code ignored;
+    return fs::is_regular_file(path, ignored);
 }
 
-/// The file that `path` means but for upper and lower case; empty if there is none.
-fs::path file_like(const fs::path& path) {
-    fs::path found = path.root_path();
-    for (const fs::path& part : path.relative_path()) {
-        found = entry_like(found, part);
-        if (found.empty()) return {};
+/// What `folder` holds by the name `part`, then by names that differ from it in upper and lower
+/// case, sorted.
+std::vector<fs::path> entries_like(const fs::path& folder, const fs::path& part) {
+    std::vector<fs::path> found;
+    std::error_code error;
+    fs::directory_iterator entry(folder.empty() ? "." : folder, error);
+    for (; !error && entry != fs::directory_iterator(); entry.increment(error)) {
+        const fs::path name = entry->path().filename();
+        if (name != part && same_but_for_case(name.string(), part.string()))
+            found.push_back(folder / name);
     }
-    return is_file(found) ? found : fs::path();
+    std::sort(found.begin(), found.end());
+    if (fs::exists(folder / part, error)) found.insert(found.begin(), folder / part);
+    return found;
+}
+
+/// A file name and where it is looked for, unless it is absolute.
+struct Candidate {
+    fs::path folder, name;
+    fs::path path() const { return folder / name; }
+};
+
+/// Looks for a file whose name is right but for upper and lower case.
+class CaseSearch {
+  public:
+    explicit CaseSearch(const Candidate& wanted)
+        : parts_(wanted.name.relative_path().begin(), wanted.name.relative_path().end()),
+          found_(look_in(wanted.name.is_absolute() ? wanted.name.root_path() : wanted.folder, 0)) {}
+
+    /// The first file found; empty if there is none.
+    const fs::path& found() const { return found_; }
+
+  private:
+    static constexpr int kMostFolders = 1000;  // a path may lead through "..", again and again
+
+    fs::path look_in(const fs::path& folder, std::size_t part) {
+        if (part == parts_.size()) return is_regular(folder) ? folder : fs::path();
+        if (++folders_ > kMostFolders) return {};
+        for (const fs::path& entry : entries_like(folder, parts_[part])) {
+            fs::path file = look_in(entry, part + 1);
+            if (!file.empty()) return file;
+        }
+        return {};
+    }
+
+    std::vector<fs::path> parts_;
+    int folders_ = 0;  ///< looked into
+    fs::path found_;
+};
+
+/// `path` without "." and "..", unless that leads elsewhere, as it may behind a link.
+std::string tidy(const fs::path& path) {
+    const fs::path normal = path.lexically_normal();
+    std::error_code error;
+    return (fs::equivalent(path, normal, error) ? normal : path).string();
 }
 
 /// The file `name` as given, then its last component in the main folder, then as given from the
 /// including file's folder.
-std::vector<fs::path> candidates(const fs::path& name, const fs::path& main_directory,
-                                 const SourceLocation& where) {
-    std::vector<fs::path> paths{main_directory / name, main_directory / name.filename()};
-    if (where.file) paths.push_back(fs::path(where.file->name).parent_path() / name);
-    return paths;
+std::vector<Candidate> candidates(const fs::path& name, const fs::path& main_directory,
+                                  const SourceLocation& where) {
+    std::vector<Candidate> all{{main_directory, name}, {main_directory, name.filename()}};
+    if (where.file) all.push_back({fs::path(where.file->name).parent_path(), name});
+    return all;
 }
 
 }  // namespace
@@ -59,29 +97,29 @@ std::vector<fs::path> candidates(const fs::path& name, const fs::path& main_dire
 std::string resolve_asset(const std::string& name, const std::string& main_directory,
                           const SourceLocation& where, Diagnostics& diagnostics) {
     if (name.empty()) throw InputError(where, "the file name is empty");
-    std::vector<fs::path> paths = candidates(name, main_directory, where);
+    std::vector<Candidate> wanted = candidates(name, main_directory, where);
     if (name.find('\\') != std::string::npos) {  // written on Windows
         std::string forward = name;
         std::replace(forward.begin(), forward.end(), '\\', '/');
-        const std::vector<fs::path> more = candidates(forward, main_directory, where);
-        paths.insert(paths.end(), more.begin(), more.end());
+        const std::vector<Candidate> more = candidates(forward, main_directory, where);
+        wanted.insert(wanted.end(), more.begin(), more.end());
     }
-    for (const fs::path& path : paths) {
+    for (const Candidate& candidate : wanted) {
+        const fs::path path = candidate.path();
         if (!is_file(path)) continue;
-        std::error_code ignored;
-        if (!fs::is_regular_file(path, ignored))  // a device may have no end
+        if (!is_regular(path))  // a device may have no end
             throw InputError(where, in_quotes(name) + " is no regular file");
-        return path.lexically_normal().string();
+        return tidy(path);
     }
-    for (const fs::path& path : paths) {
-        std::error_code ignored;
-        const fs::path like = file_like(path.lexically_normal());
-        if (like.empty() || !fs::is_regular_file(like, ignored)) continue;
-        diagnostics.fallback(where,
-                             "no file " + in_quotes(name) + ", but " + in_quotes(like.string()) +
-                                 ", of other letter case",
-                             "that one is read");
-        return like.string();
+    for (const Candidate& candidate : wanted) {
+        const CaseSearch search(candidate);
+        if (search.found().empty()) continue;
+        const std::string like = tidy(search.found());
+        diagnostics.fallback(
+            where,
+            "no file " + in_quotes(name) + ", but " + in_quotes(like) + ", of other letter case",
+            "that one is read");
+        return like;
     }
     const std::string folder = main_directory.empty() ? "." : main_directory;
     throw InputError(where, "no file " + in_quotes(name) + "; looked in " + in_quotes(folder) +

@@ -5,6 +5,11 @@
 #include "parse_file.h"
 
 namespace lxs {
+namespace {
+
+constexpr std::size_t kMostErrors = 5000;  // a file with more is no scene
+
+}  // namespace
 
 const std::map<std::string, SceneReader::Rule>& SceneReader::rules() {
     using Self = SceneReader;
@@ -76,10 +81,12 @@ void SceneReader::read(const std::shared_ptr<const SourceFile>& file) {
 }
 
 SceneContents SceneReader::finish() {
-    if (!in_world_ && !ended_) {
-        throw InputError(last_statement_, "the scene ends without WorldBegin");
+    if (in_world_) {
+        diagnostics_.error(InputError(last_statement_, "the scene ends without WorldEnd"));
+        close_world(last_statement_);
+    } else if (!ended_) {
+        diagnostics_.error(InputError(last_statement_, "the scene ends without WorldBegin"));
     }
-    if (!ended_) throw InputError(last_statement_, "the scene ends without WorldEnd");
     if (contents_.light_groups.empty()) contents_.light_groups.emplace_back("default");
     return std::move(contents_);
 }
@@ -93,6 +100,9 @@ void SceneReader::execute(Statement& statement) {
         diagnostics_.fallback(ignored.where(), ignored.message(), "it is ignored");
     } catch (const InputError& error) {
         diagnostics_.error(error);
+        if (++errors_ < kMostErrors) return;
+        throw EndOfReading(error.where(), "more than " + std::to_string(kMostErrors - 1) +
+                                              " errors: reading ends here");
     }
 }
 
@@ -139,11 +149,15 @@ void SceneReader::world_begin(Statement& statement) {
 
 void SceneReader::world_end(Statement& statement) {
     expect_no_arguments(statement);
+    close_world(statement.where);
+}
+
+void SceneReader::close_world(const SourceLocation& where) {
     if (const SourceLocation* object = objects_.open()) {
         diagnostics_.error(InputError(*object, "ObjectBegin is not closed by ObjectEnd"));
-        objects_.end(statement.where);
+        objects_.end(where);
     }
-    contents_.end = statement.where;
+    contents_.end = where;
     contents_.camera_medium = scopes_.graphics.exterior;
     scopes_.close_all(diagnostics_);
     Inheritance fallback;

@@ -28,7 +28,7 @@ class SceneReader {
     void read(const std::shared_ptr<const SourceFile>& file);
     /// All files read so far; forgets them.
     ReadFiles take_files() { return std::exchange(files_, {}); }
-    /// The scene, after the main file. Throws InputError if it has no end.
+    /// The scene, after the main file; that it has no world, or no end, is an error.
     SceneContents finish();
 
   private:
@@ -41,7 +41,7 @@ class SceneReader {
         bool in_motion = false;  ///< also between MotionBegin and MotionEnd
     };
     static const std::map<std::string, Rule>& rules();
-    /// Reports errors and goes on behind the statement.
+    /// Reports errors and goes on behind the statement; throws EndOfReading after very many.
     void execute(Statement& statement);
     void interpret(Statement& statement);
     void check_place(const Statement& statement, const Rule& rule) const;
@@ -49,6 +49,7 @@ class SceneReader {
     // scene_reader.cpp: blocks and files
     void world_begin(Statement& statement);
     void world_end(Statement& statement);
+    void close_world(const SourceLocation& where);
     void include(Statement& statement);
     void search_path(Statement& statement);
 
@@ -129,6 +130,7 @@ class SceneReader {
     IncludedSum included_;
     SceneContents contents_;
     SourceLocation last_statement_;
+    std::size_t errors_ = 0;
     bool in_world_ = false;
     bool ended_ = false;
 };

@@ -22,9 +22,10 @@ std::string_view statement_stem(ScopeKind kind) {
     return {};
 }
 
-void warn_unclosed(ScopeKind kind, const SourceLocation& where, Diagnostics& diagnostics) {
+void report_unclosed(ScopeKind kind, const SourceLocation& where, Diagnostics& diagnostics) {
     const std::string stem(statement_stem(kind));
-    diagnostics.warning(where, stem + "Begin is not closed by " + stem + "End");
+    diagnostics.fallback(where, stem + "Begin is not closed by " + stem + "End",
+                         "it ends with what is around it");
 }
 
 }  // namespace
@@ -43,11 +44,11 @@ void ScopeStack::end(ScopeKind kind, const SourceLocation& where, Diagnostics& d
                                     [&](const Scope& scope) { return scope.kind >= kind; });
     if (found == scopes_.rend() || found->kind != kind) {
         const std::string stem(statement_stem(kind));
-        diagnostics.warning(where, stem + "End without " + stem + "Begin is ignored");
+        diagnostics.fallback(where, stem + "End without " + stem + "Begin", "it is ignored");
         return;
     }
     for (auto inner = scopes_.rbegin(); inner != found; ++inner) {
-        warn_unclosed(inner->kind, inner->where, diagnostics);
+        report_unclosed(inner->kind, inner->where, diagnostics);
     }
     const auto depth = static_cast<std::size_t>(scopes_.rend() - found);
     while (scopes_.size() >= depth)
@@ -56,7 +57,7 @@ void ScopeStack::end(ScopeKind kind, const SourceLocation& where, Diagnostics& d
 
 void ScopeStack::close_all(Diagnostics& diagnostics) {
     for (const Scope& scope : scopes_)
-        warn_unclosed(scope.kind, scope.where, diagnostics);
+        report_unclosed(scope.kind, scope.where, diagnostics);
     while (!scopes_.empty())
         pop();
 }

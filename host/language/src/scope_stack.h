@@ -32,10 +32,10 @@ class ScopeStack {
 
     /// Throws EndOfReading if there are too many open scopes.
     void begin(ScopeKind kind, const SourceLocation& where);
-    /// Closes the innermost scope of this kind, and those still open in it, which are warned of.
-    /// An end without begin is warned of and ignored, as LuxRender does.
+    /// Closes the innermost scope of this kind, and those still open in it, which are reported.
+    /// An end without begin is reported and ignored, as LuxRender does.
     void end(ScopeKind kind, const SourceLocation& where, Diagnostics& diagnostics);
-    /// Warns of scopes still open at the end of the world, and forgets them.
+    /// Reports scopes still open at the end of the world, and forgets them.
     void close_all(Diagnostics& diagnostics);
 
   private:

@@ -8,15 +8,19 @@
 namespace lxs {
 namespace {
 
-/// Takes the parameter "string type" out of a set: MakeNamedMaterial's plugin name.
-Name take_type(ParameterSet& set, std::string_view fallback) {
-    Name type{std::string(fallback), set.where};
+/// Takes the parameter "string type" out of a set: MakeNamedMaterial's plugin name. As in LuxRender
+/// it counts only if it is one string, and then the last one does.
+Name take_type(ParameterSet& set, std::string_view default_type, Diagnostics& diagnostics) {
+    Name type{std::string(default_type), set.where};
     for (const ParameterValue& value : set.values) {
         if (value.name != "type") continue;
         const auto* strings = std::get_if<std::vector<std::string>>(&value.values);
         if (!strings || strings->size() != 1 || value.type != "string") {
-            throw InputError(value.where,
-                             "the material's type is written \"string type\" [\"name\"]");
+            if (value.type == "string") type = {std::string(default_type), set.where};
+            diagnostics.fallback(value.where,
+                                 "the material's type is written \"string type\" [\"name\"]",
+                                 type.text + " is used");
+            continue;
         }
         type = {strings->front(), value.value_where.empty() ? value.where : value.value_where[0]};
     }
@@ -79,7 +83,7 @@ void SceneReader::material(Statement& statement) {
 void SceneReader::make_named_material(Statement& statement) {
     const Name name = take_name(statement, 0);
     ParameterSet set = take_parameters(statement, 1, name);
-    const Name type = take_type(set, "matte");
+    const Name type = take_type(set, "matte", diagnostics_);
     set.plugin = type.text;
     set.where = type.where;
     warn_redefined(assets_.define(name.text, add_material(set, name.text)), "material", name);

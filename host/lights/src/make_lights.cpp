@@ -3,7 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <numbers>
+#include <set>
+#include <tuple>
 
 #include "directional_light.h"
 #include "environment_layout.h"
@@ -92,6 +95,49 @@ bool declares(const LightPlugin& plugin, std::string_view name) {
                        [&](const ParameterDeclaration& d) { return d.name == name; });
 }
 
+constexpr const char* kShinesWithout = "the light shines without it";
+
+/// Passes on each message once, although a statement is read again.
+class ToldOnce final : public Diagnostics {
+  public:
+    explicit ToldOnce(Diagnostics& next) : next_(next) {}
+    void warning(const SourceLocation& where, const std::string& message) override {
+        if (is_new(where, message)) next_.warning(where, message);
+    }
+    void unknown_parameter(const SourceLocation& where, const std::string& message) override {
+        if (is_new(where, message)) next_.unknown_parameter(where, message);
+    }
+    void fallback(const SourceLocation& where, const std::string& message,
+                  const std::string& instead) override {
+        if (is_new(where, message)) next_.fallback(where, message, instead);
+    }
+    void error(const InputError& error) override {
+        if (is_new(error.where(), error.message())) next_.error(error);
+    }
+
+  private:
+    bool is_new(const SourceLocation& where, const std::string& message) {
+        return told_.emplace(where.line, where.column, message).second;
+    }
+
+    Diagnostics& next_;
+    std::set<std::tuple<std::uint32_t, std::uint32_t, std::string>> told_;
+};
+
+/// A resolver that asks `resolve` once for each name.
+AssetResolver remembering(const AssetResolver& resolve) {
+    return [&resolve, paths = std::make_shared<std::map<std::string, std::string>>()](
+               const std::string& name, const SourceLocation& where) {
+        const auto known = paths->find(name);
+        if (known != paths->end()) return known->second;
+        return paths->emplace(name, resolve(name, where)).first->second;
+    };
+}
+
+bool is_file_parameter(const ParameterValue& value, const LightPlugin& plugin) {
+    return (value.name == "mapname" || value.name == "iesname") && declares(plugin, value.name);
+}
+
 /// Whether the light can do with a value: one that names a missing file is reported.
 bool has_file(const ParameterValue& value, const AssetResolver& resolve, Diagnostics& diagnostics) {
     const auto* names = std::get_if<std::vector<std::string>>(&value.values);
@@ -100,19 +146,43 @@ bool has_file(const ParameterValue& value, const AssetResolver& resolve, Diagnos
         resolve(names->front(), value.where);
         return true;
     } catch (const InputError& error) {
-        diagnostics.fallback(error.where(), error.message(), "the light shines without it");
+        diagnostics.fallback(error.where(), error.message(), kShinesWithout);
         return false;
     }
 }
 
-/// The statement without images and photometric files that are missing.
-LightDescription without_missing_files(LightDescription description, const LightPlugin& plugin,
-                                       const AssetResolver& resolve, Diagnostics& diagnostics) {
+/// Leaves out images and photometric files that are missing.
+void drop_missing_files(LightDescription& description, const LightPlugin& plugin,
+                        const AssetResolver& resolve, Diagnostics& diagnostics) {
     std::erase_if(description.parameters.values, [&](const ParameterValue& value) {
-        const bool file = value.name == "mapname" || value.name == "iesname";
-        return file && declares(plugin, value.name) && !has_file(value, resolve, diagnostics);
+        return is_file_parameter(value, plugin) && !has_file(value, resolve, diagnostics);
     });
-    return description;
+}
+
+/// Leaves out the image or photometric file that is given at `where`; false if there is none.
+bool drop_file_at(const SourceLocation& where, LightDescription& description,
+                  const LightPlugin& plugin) {
+    return std::erase_if(description.parameters.values, [&](const ParameterValue& value) {
+               return is_file_parameter(value, plugin) && value.where.line == where.line &&
+                      value.where.column == where.column;
+           }) > 0;
+}
+
+/// The lights of a statement, without files that are damaged: LuxRender's shine without them.
+Lights make_without_damaged_files(LightDescription description, const LightPlugin& plugin,
+                                  const SceneSphere& sphere, const AssetResolver& resolve,
+                                  Diagnostics& diagnostics) {
+    for (;;) {
+        try {
+            const ParameterReader reader(description.parameters, plugin.parameters, diagnostics);
+            Lights lights;
+            make_by_name({reader, description, sphere, resolve}, lights);
+            return lights;
+        } catch (const InputError& error) {
+            if (!drop_file_at(error.where(), description, plugin)) throw;
+            diagnostics.fallback(error.where(), error.message(), kShinesWithout);
+        }
+    }
 }
 
 std::string known_names() {
@@ -135,12 +205,11 @@ Lights make_lights(const LightDescription& description, const SceneSphere& spher
             description.parameters.where,
             fmt::format("unknown light source \"{}\"; known: {}", name, known_names()));
     }
-    const LightDescription usable =
-        without_missing_files(description, *plugin, resolve, diagnostics);
-    const ParameterReader reader(usable.parameters, plugin->parameters, diagnostics);
-    Lights lights;
-    make_by_name({reader, usable, sphere, resolve}, lights);
-    return lights;
+    ToldOnce told_once(diagnostics);
+    const AssetResolver remembered = remembering(resolve);
+    LightDescription usable = description;
+    drop_missing_files(usable, *plugin, remembered, told_once);
+    return make_without_damaged_files(std::move(usable), *plugin, sphere, remembered, told_once);
 }
 
 }  // namespace lxs

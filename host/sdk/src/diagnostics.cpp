@@ -2,6 +2,7 @@
 #include "lxs/sdk/diagnostics.h"
 
 #include <algorithm>
+#include <mutex>
 
 namespace lxs {
 namespace {
@@ -88,6 +89,34 @@ std::string format_message(const SourceLocation& where, const std::string& sever
         text += "\nincluded from " + f->included_by->name + ":" + std::to_string(f->include_line);
     }
     return printable(text);
+}
+
+struct InputError::Place {
+    Place(const SourceLocation& at, const std::string& said) : where(at), message(said) {}
+
+    SourceLocation where;
+    std::string message;
+    mutable std::once_flag formatted;
+    mutable std::string text;  ///< once formatted
+};
+
+InputError::InputError(const SourceLocation& where, const std::string& message)
+    : std::runtime_error(message), place_(std::make_shared<const Place>(where, message)) {}
+
+const SourceLocation& InputError::where() const {
+    return place_->where;
+}
+
+const std::string& InputError::message() const {
+    return place_->message;
+}
+
+const char* InputError::what() const noexcept try {
+    std::call_once(place_->formatted,
+                   [&] { place_->text = format_message(place_->where, "error", place_->message); });
+    return place_->text.c_str();
+} catch (const std::exception&) {
+    return std::runtime_error::what();
 }
 
 void Diagnostics::fallback(const SourceLocation& where, const std::string& message,

@@ -8,6 +8,7 @@ namespace lxs {
 namespace {
 
 constexpr std::size_t kLongestName = 64;  // longer ones are no misspelling of a known name
+constexpr std::size_t kMostListed = 40;   // known names that a message tells
 
 std::string lower_case(std::string text) {
     std::transform(text.begin(), text.end(), text.begin(),
@@ -37,6 +38,21 @@ std::size_t edit_distance(const std::string& a, const std::string& b) {
     return row[b.size()];
 }
 
+/// "a, b, c", `first` before the others, if there is one; of many the first few and their number.
+std::string listed(const std::string& first, const std::vector<std::string>& names) {
+    std::string list = first;
+    std::size_t count = first.empty() ? 0 : 1;
+    for (const std::string& name : names) {
+        if (count == kMostListed) break;
+        if (name == first) continue;
+        if (count > 0) list += ", ";
+        list += name;
+        ++count;
+    }
+    if (names.size() <= count) return list;
+    return list + ", ... (" + std::to_string(names.size() - count) + " more)";
+}
+
 }  // namespace
 
 std::string nearest_name(const std::string& name, const std::vector<std::string>& known) {
@@ -63,13 +79,7 @@ std::string unknown_name_message(std::string_view kind, const std::string& name,
     if (!nearest.empty()) message += "; did you mean \"" + nearest + "\"?";
     if (known.empty()) return message + "; none is known";
     message += nearest.empty() ? "; known: " : " Known: ";
-    std::string list = nearest;
-    for (const std::string& candidate : known) {
-        if (candidate == nearest) continue;
-        if (!list.empty()) list += ", ";
-        list += candidate;
-    }
-    return message + list;
+    return message + listed(nearest, known);
 }
 
 }  // namespace lxs

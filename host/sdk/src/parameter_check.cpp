@@ -43,13 +43,6 @@ bool accepts_numbers_of(Type declared, std::string_view written) {
     return false;
 }
 
-/// Numbers that make up one value.
-std::size_t components(Type type) {
-    const bool triple = type == Type::Color || type == Type::ColorTexture || type == Type::Point ||
-                        type == Type::Vector || type == Type::Normal;
-    return triple ? 3 : 1;
-}
-
 std::size_t value_count(const ParameterValue& value) {
     return std::visit([](const auto& list) { return list.size(); }, value.values);
 }
@@ -166,6 +159,12 @@ std::span<const std::string_view> written_types() {
         "float",  "integer", "bool",    "point", "vector",
         "normal", "string",  "texture", "color", "rgb"};
     return kTypes;
+}
+
+std::size_t components(Type type) {
+    const bool triple = type == Type::Color || type == Type::ColorTexture || type == Type::Point ||
+                        type == Type::Vector || type == Type::Normal;
+    return triple ? 3 : 1;
 }
 
 void check_written_type(const ParameterValue& value) {

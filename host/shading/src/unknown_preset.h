@@ -10,18 +10,17 @@
 
 namespace lxs::shading {
 
-/// Warns that the string parameter `parameter` names none of `known`, presets of a `kind` in words,
-/// and that the preset `used` stands in: LuxRender goes on too.
+/// Says that the string parameter `parameter` names none of `known`, presets of a `kind` in words,
+/// and that the preset `used` stands in, as it does in LuxRender.
 template <class Presets>
 void warn_of_unknown_preset(const ParameterReader& reader, std::string_view parameter,
                             std::string_view kind, const Presets& known, std::string_view used) {
     std::vector<std::string> names;
     for (const auto& preset : known)
         names.emplace_back(preset.name);
-    reader.diagnostics().warning(
-        reader.where(parameter),
-        fmt::format("{}; \"{}\" is used instead",
-                    unknown_name_message(kind, reader.string(parameter, ""), names), used));
+    reader.diagnostics().fallback(reader.where(parameter),
+                                  unknown_name_message(kind, reader.string(parameter, ""), names),
+                                  fmt::format("\"{}\" is used instead", used));
 }
 
 }  // namespace lxs::shading

@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "error_rows.h"
 #include "lxsrender_process.h"
 
 namespace lxs::test {
@@ -51,7 +52,7 @@ TEST_F(InputReport, AllErrorsAreToldInOneRun) {
     const RunResult run = render(
         "Camera \"perspectiv\"\nVolumeIntegrator \"hovercraft\"\nRenderer \"hovercraft\"\n"
         "SurfaceIntegrator \"aips\" \"string guide\" [\"papper\"]",
-        "Shapes \"sphere\"\nRotate 30 0 0 0\nMaterial \"glas\"");
+        "Shapes \"sphere\"\nRotate 30 0 0 0\nMaterial \"glas\"\nLightSource \"lamp\"");
     EXPECT_EQ(run.exit_code, 3) << run.err;
     for (const char* message :
          {"unknown statement \"Shapes\"", "Rotate about an axis of length 0",
@@ -59,8 +60,50 @@ TEST_F(InputReport, AllErrorsAreToldInOneRun) {
           "unknown Renderer \"hovercraft\"", "aips: unknown guide \"papper\""})
         EXPECT_THAT(run.err, HasSubstr(std::string("error: ") + message));
     EXPECT_THAT(run.err, HasSubstr("warning: unknown material \"glas\""));
+    EXPECT_THAT(run.err, HasSubstr("warning: unknown light source \"lamp\""));
     EXPECT_THAT(run.err, HasSubstr("error: nothing is rendered: 6 errors"));
     EXPECT_FALSE(folder_.has("out.exr"));
+}
+
+TEST_F(InputReport, ErrorsOfLightsAreToldBesideOthers) {
+    const RunResult run =
+        render("", "Rotate 1 0 0 0\nLightSource \"infinite\" \"string mapname\" [\"no.exr\"]",
+               {"--strict"});
+    EXPECT_THAT(run.err, HasSubstr("error: Rotate about an axis of length 0"));
+    EXPECT_THAT(run.err, HasSubstr("error: no file \"no.exr\""));
+    EXPECT_THAT(run.err, HasSubstr("nothing is rendered: 2 errors"));
+}
+
+TEST_F(InputReport, EachWrongValueOfAnIntegratorOfOursIsTold) {
+    const RunResult run = render(
+        "SurfaceIntegrator \"aips\" \"integer maxeyedepth\" [-1] \"bool eyeseeding\" [\"yes\"]",
+        "");
+    EXPECT_EQ(run.exit_code, 3);
+    EXPECT_THAT(run.err, HasSubstr("error: aips: \"maxeyedepth\" is out of range"));
+    EXPECT_THAT(run.err, HasSubstr("error: aips: \"eyeseeding\" takes \"true\" or \"false\""));
+}
+
+TEST_F(InputReport, AWrongFilmAndAMissingEndHideNothing) {
+    folder_.write("scene.lxs",
+                  "Film \"flexiimage\"\nCamera \"perspectiv\"\nSurfaceIntegrator \"hovercraft\"\n"
+                  "WorldBegin\n");
+    const RunResult run = run_lxsrender(folder_, {"scene.lxs", "--passes", "1"});
+    EXPECT_EQ(run.exit_code, 3) << run.err;
+    for (const char* message : {"unknown Film \"flexiimage\"", "unknown Camera \"perspectiv\"",
+                                "unknown SurfaceIntegrator \"hovercraft\"",
+                                "the scene ends without WorldEnd", "the scene has no light"})
+        EXPECT_THAT(run.err, HasSubstr(std::string("error: ") + message));
+}
+
+/// The list of known names, the nearest first, differs from message to message.
+TEST_F(InputReport, UnknownNamesAreOneKindWhateverIsNear) {
+    std::string world;
+    for (const char* name : {"glas", "mat", "mirorr", "zzzz", "metl"})
+        world += "Material \"" + std::string(name) + "\"\n";
+    const RunResult run = render("", world);
+    EXPECT_EQ(run.exit_code, 0) << run.err;
+    EXPECT_EQ(count(run.err, "warning: unknown material"), 1u) << run.err;
+    EXPECT_THAT(run.err, HasSubstr("(5 of this kind, also \"mat\", \"mirorr\", \"zzzz\", "));
 }
 
 struct Fallback {
@@ -85,7 +128,15 @@ constexpr Fallback kFallbacks[] = {
      "no file \"no.png\""},
     {"", "Material \"metal\" \"string filename\" [\"no.nk\"]", "no file \"no.nk\""},
     {"", "Include \"no.lxo\"", "no file \"no.lxo\""},
+    {"", "AttributeBegin", "AttributeBegin is not closed by AttributeEnd"},
+    {"", "AttributeEnd", "AttributeEnd without AttributeBegin"},
+    {"", "Material \"metal\" \"string name\" [\"mud\"]", "unknown metal \"mud\""},
+    {"", "Material \"carpaint\" \"string name\" [\"pink\"]", "unknown car paint \"pink\""},
+    {"", "Material \"cloth\" \"string presetname\" [\"tweed\"]", "unknown cloth \"tweed\""},
+    {"", "MakeNamedMaterial \"m\" \"string type\" [\"matte\" \"glass\"]",
+     "the material's type is written"},
     {"", "Camera \"perspective\"", "Camera stands before WorldBegin only"},
+    {"Renderer \"luxcore\"", "", "Renderer \"luxcore\" is not rendered"},
     {"Sampler \"sobol\"", "", "unknown Sampler \"sobol\""},
     {"Accelerator \"octree\"", "", "unknown Accelerator \"octree\""},
     {"Film \"fleximage\" \"integer xresolution\" [8] \"integer yresolution\" [6] "
@@ -93,15 +144,19 @@ constexpr Fallback kFallbacks[] = {
      "", "fleximage: unknown tonemapkernel \"filmic\""},
     {"SurfaceIntegrator \"path\" \"integer maxdepth\" [-1]", "",
      "path: \"maxdepth\" is out of range"},
+    {"SurfaceIntegrator \"bidirectional\"", "",
+     "SurfaceIntegrator \"bidirectional\" is not rendered"},
 };
 
+/// Forked: each start of the program itself takes a good part of a second.
 TEST_F(InputReport, WhereLuxRenderGoesOnIsAWarningAndStrictAnError) {
     for (const Fallback& fallback : kFallbacks) {
         SCOPED_TRACE(std::string(fallback.options) + fallback.world);
-        const RunResult run = render(fallback.options, fallback.world);
+        folder_.write("scene.lxs", small_scene(fallback.options, fallback.world));
+        const RunResult run = run_forked(folder_, {"scene.lxs", "--passes", "1"});
         EXPECT_EQ(run.exit_code, 0) << run.err;
         EXPECT_THAT(run.err, HasSubstr(std::string("warning: ") + fallback.message));
-        const RunResult strict = render(fallback.options, fallback.world, {"--strict"});
+        const RunResult strict = run_forked(folder_, {"scene.lxs", "--passes", "1", "--strict"});
         EXPECT_EQ(strict.exit_code, 3) << strict.err;
         EXPECT_THAT(strict.err, HasSubstr(std::string("error: ") + fallback.message));
     }
@@ -112,7 +167,7 @@ TEST_F(InputReport, RenderersOfOtherVersionsAreTheNearest) {
         const RunResult run = render("Renderer \"" + name + "\" \"string config\" [\"a = b\"]", "");
         EXPECT_EQ(run.exit_code, 0) << run.err;
         const std::string nearest = name == "hybridsppm" ? "sppm" : "sampler";
-        EXPECT_THAT(run.err, HasSubstr("warning: Renderer \"" + name + "\" is not rendered: \"" +
+        EXPECT_THAT(run.err, HasSubstr("warning: Renderer \"" + name + "\" is not rendered; \"" +
                                        nearest + "\" is used instead"));
         EXPECT_THAT(run.err, HasSubstr(nearest == "sppm" ? "with \"sppm\"" : "with \"path\""));
     }
@@ -124,7 +179,7 @@ TEST_F(InputReport, IntegratorsThatAreNotOursNameAips) {
         const RunResult run = render("SurfaceIntegrator \"" + name + "\"", "");
         EXPECT_EQ(run.exit_code, 0) << run.err;
         EXPECT_THAT(run.err, HasSubstr("SurfaceIntegrator \"" + name +
-                                       "\" is not rendered: \"path\" is used instead; \"aips\" "
+                                       "\" is not rendered; \"path\" is used instead; \"aips\" "
                                        "(--integrator aips) shoots photons too"));
     }
 }

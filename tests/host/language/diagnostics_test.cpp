@@ -95,6 +95,25 @@ TEST(UnknownNameMessage, ListsTheNearestFirst) {
     EXPECT_EQ(unknown_name_message("object", "a", {}), "unknown object \"a\"; none is known");
 }
 
+TEST(UnknownNameMessage, CutsALongList) {
+    std::vector<std::string> known;
+    for (int i = 0; i < 30; ++i)
+        known.push_back("m" + std::to_string(i));
+    const std::string message = unknown_name_message("material", "zzzz", known);
+    EXPECT_TRUE(message.ends_with("m18, m19, ... (10 more)")) << message;
+    const std::string near = unknown_name_message("material", "m29x", known);
+    EXPECT_TRUE(near.ends_with("m18, ... (10 more)")) << near;
+}
+
+/// Copies of an error are told alike, however often and wherever they are asked.
+TEST(InputError, IsFormattedWithItsPlace) {
+    const InputError error(place("a b\n", 1, 3), "bad");
+    const InputError copy = error;
+    EXPECT_STREQ(copy.what(), "a.lxs:1:3: error: bad\n  a b\n    ^");
+    EXPECT_EQ(copy.what(), error.what());
+    EXPECT_EQ(copy.message(), "bad");
+}
+
 TEST(InQuotes, CutsLongTextAndHidesControlCharacters) {
     EXPECT_EQ(in_quotes("a\nb"), "\"a?b\"");
     EXPECT_EQ(in_quotes(std::string(200, 'x')), '"' + std::string(120, 'x') + "...\"");

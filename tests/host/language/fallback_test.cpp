@@ -192,5 +192,92 @@ TEST(Fallback, AFileOfOtherLetterCaseIsReadAndNamed) {
     EXPECT_THAT(diagnostics.messages[1], HasSubstr("ring.LXO\", of other letter case"));
 }
 
+TEST(Fallback, ATextureThatCantBeMadeDoesNotTakeItsName) {
+    const Reading reading(
+        "Texture \"t\" \"color\" \"no\"\nMaterial \"matte\" \"texture Kd\" [\"s\"]\n"
+        "Texture \"t\" \"color\" \"constant\" \"color value\" [1 0 0]\n"
+        "Material \"matte\" \"texture Kd\" [\"t\"] Shape \"sphere\"");
+    EXPECT_EQ(fake(reading.only()).kd(), Rgb(1, 0, 0));
+    EXPECT_THAT(reading.messages(),
+                ElementsAre(HasSubstr("unknown color texture \"no\""),
+                            HasSubstr("unknown color texture \"s\"; none is known")));
+}
+
+/// LuxRender looks one string up; two are none.
+TEST(Fallback, AMaterialOfTwoTypesIsMatte) {
+    const Reading reading(
+        "MakeNamedMaterial \"m\" \"string type\" [\"mix\" \"glass\"]\n"
+        "NamedMaterial \"m\" Shape \"sphere\"");
+    EXPECT_EQ(fake(reading.only()).plugin(), "matte");
+    EXPECT_THAT(reading.messages(),
+                ElementsAre(HasSubstr("\"string type\" [\"name\"]; matte is used")));
+}
+
+TEST(Fallback, WithoutItsEndAWorldIsToldOfAndReturned) {
+    LenientDiagnostics diagnostics;
+    const SceneContents contents =
+        read_scene_text("Film \"fleximage\"\nWorldBegin\nLightSource \"point\"", "test.lxs", ".",
+                        fake_registry(), diagnostics);
+    EXPECT_EQ(contents.options.count("Film"), 1u);
+    EXPECT_EQ(contents.lights.size(), 1u);
+    EXPECT_THAT(diagnostics.messages,
+                ElementsAre(HasSubstr("error: the scene ends without WorldEnd")));
+}
+
+TEST(Fallback, VeryManyErrorsEndTheReading) {
+    std::string world;
+    for (int i = 0; i < 20000; ++i)
+        world += "Scale 1\n";
+    LenientDiagnostics diagnostics;
+    try {
+        read_scene_text("WorldBegin\n" + world + "WorldEnd", "test.lxs", ".", fake_registry(),
+                        diagnostics);
+        ADD_FAILURE() << "all was read";
+    } catch (const EndOfReading& end) {
+        EXPECT_EQ(end.message(), "more than 4999 errors: reading ends here");
+        EXPECT_EQ(end.where().line, 5001u);
+    }
+    EXPECT_EQ(diagnostics.messages.size(), 5000u);
+}
+
+/// Finds `name` beside the scene of a folder; what is found is relative to the folder.
+std::string found(const files::TemporaryFolder& folder, const std::string& name) {
+    LenientDiagnostics diagnostics;
+    try {
+        const std::string path = resolve_asset(name, folder.path().string(), {}, diagnostics);
+        return path.substr(folder.path().string().size() + 1);
+    } catch (const InputError&) {
+        return "";
+    }
+}
+
+TEST(Fallback, OtherLetterCasesAreTriedUntilAFileIsFound) {
+    namespace fs = std::filesystem;
+    const files::TemporaryFolder folder;
+    for (const char* name : {"TEXTURES", "textures", "Maps", "maps", "WOOD.png", "Bark.PNG"})
+        fs::create_directory(folder / name);
+    folder.write("textures/wood.jpg", "");
+    EXPECT_EQ(found(folder, "Textures/wood.jpg"), "textures/wood.jpg");
+    folder.write("maps/a.png", "");
+    EXPECT_EQ(found(folder, "Maps/A.png"), "maps/a.png") << "the exact folder lacks it";
+    folder.write("wood.png", "");
+    EXPECT_EQ(found(folder, "Wood.png"), "wood.png") << "WOOD.png is a folder";
+    fs::create_symlink("nowhere", folder / "BARK.png");
+    folder.write("bark.png", "");
+    EXPECT_EQ(found(folder, "bark.Png"), "bark.png") << "BARK.png leads nowhere";
+}
+
+TEST(Fallback, TheFolderAboveALinkIsThatOfItsTarget) {
+    namespace fs = std::filesystem;
+    const files::TemporaryFolder folder;
+    fs::create_directories(folder / "far/maps");
+    fs::create_symlink("far/maps", folder / "maps");
+    for (const char* name : {"wood.png", "far/wood.png"})
+        folder.write(name, "");
+    EXPECT_EQ(found(folder, "maps/../Wood.png"), "maps/../wood.png") << "far/wood.png";
+    EXPECT_EQ(found(folder, "maps/../wood.png"), "maps/../wood.png");
+    EXPECT_EQ(found(folder, "far/../WOOD.png"), "wood.png");
+}
+
 }  // namespace
 }  // namespace lxs::test

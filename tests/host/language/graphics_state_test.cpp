@@ -176,17 +176,19 @@ TEST(Orientation, ReverseOrientationAndMirrorsToggle) {
     }
 }
 
-TEST(Scopes, UnmatchedEndsAndBeginsWarn) {
-    CollectingDiagnostics diagnostics;
+TEST(Scopes, UnmatchedEndsAndBeginsAreToldAndGoneOnFrom) {
+    LenientDiagnostics diagnostics;
     const SceneContents contents = read_world(
         "AttributeEnd\nTransformEnd\nAttributeBegin\nTransformBegin Translate 1 0 0\nAttributeEnd\n"
         "Shape \"sphere\"\nAttributeBegin",
         diagnostics);
     EXPECT_EQ(diagnostics.messages,
-              (Messages{"test.lxs:2:1: warning: AttributeEnd without AttributeBegin is ignored",
-                        "test.lxs:3:1: warning: TransformEnd without TransformBegin is ignored",
-                        "test.lxs:5:1: warning: TransformBegin is not closed by TransformEnd",
-                        "test.lxs:8:1: warning: AttributeBegin is not closed by AttributeEnd"}));
+              (Messages{"test.lxs:2:1: warning: AttributeEnd without AttributeBegin; it is ignored",
+                        "test.lxs:3:1: warning: TransformEnd without TransformBegin; it is ignored",
+                        "test.lxs:5:1: warning: TransformBegin is not closed by TransformEnd; it "
+                        "ends with what is around it",
+                        "test.lxs:8:1: warning: AttributeBegin is not closed by AttributeEnd; it "
+                        "ends with what is around it"}));
     EXPECT_EQ(std::get<Quadric>(contents.primitives.at(0).geometry).to_world, Matrix());
 }
 

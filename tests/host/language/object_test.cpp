@@ -33,14 +33,14 @@ TEST(Objects, KeepTheirOwnScopes) {
 }
 
 TEST(Objects, EndsInsideCloseNothingOutside) {
-    CollectingDiagnostics diagnostics;
+    LenientDiagnostics diagnostics;
     const SceneContents contents = read_world(
         "AttributeBegin Translate 1 0 0\nObjectBegin \"o\"\nAttributeEnd\nShape \"sphere\"\n"
         "ObjectEnd\nShape \"sphere\"\nAttributeEnd",
         diagnostics);
     EXPECT_EQ(diagnostics.messages,
               (std::vector<std::string>{
-                  "test.lxs:4:1: warning: AttributeEnd without AttributeBegin is ignored"}));
+                  "test.lxs:4:1: warning: AttributeEnd without AttributeBegin; it is ignored"}));
     EXPECT_EQ(std::get<Quadric>(contents.primitives.at(0).geometry).to_world.translation(),
               Imath::V3d(1, 0, 0));
 }

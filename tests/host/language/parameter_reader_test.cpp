@@ -240,6 +240,23 @@ TEST(ParameterReader, MendsWhatLuxRenderGoesOnFrom) {
               "warning: thing: \"half\" takes \"true\" or \"false\", found \"yes\"; false is used");
 }
 
+/// LuxRender takes as many whole colours and points as the numbers make.
+TEST(ParameterReader, NumbersBehindTheLastWholeTripleAreLeftOut) {
+    LenientDiagnostics diagnostics;
+    const ParameterSet set = set_of({value("color", "L", Numbers{1, 0, 0, 1}),
+                                     value("point", "P", Numbers{0, 1, 2, 3, 4, 5, 6, 7, 8, 9})});
+    const ParameterReader reader(set, kDeclarations, diagnostics);
+    EXPECT_EQ(reader.color("L", Rgb(0.5f)), Rgb(1, 0, 0));
+    EXPECT_EQ(reader.numbers("P").size(), 9u);
+    EXPECT_EQ(diagnostics.messages,
+              (Strings{"warning: thing: \"L\" takes 3 numbers, found 4; the first 3 are used",
+                       "warning: thing: \"P\" takes numbers in groups of 3, found 10; the first 9 "
+                       "are used"}));
+    // Two colours are not one.
+    const ParameterSet two = set_of({value("color", "L", Numbers{1, 0, 0, 0, 1, 0})});
+    EXPECT_EQ(ParameterReader(two, kDeclarations, diagnostics).color("L", Rgb(0.5f)), Rgb(0.5f));
+}
+
 TEST(ParameterReader, AnOverriddenValueDoesNotComeBackForAWrongOne) {
     LenientDiagnostics diagnostics;
     const ParameterSet set = set_of(

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "light_cases.h"
+#include "temporary_folder.h"
 
 namespace lxs::test {
 namespace {
@@ -59,6 +60,49 @@ TEST(MakeLights, DirectionsMustExist) {
         contains(error_of("sky", {}, scaling(1, 0, 1)), "the light's transform is singular"));
     EXPECT_TRUE(contains(error_of("spot", {numbers("float", "coneangle", {0})}),
                          "a spot light needs a cone angle above 0"));
+}
+
+/// Goes on where LuxRender does.
+class LenientDiagnostics final : public RecordedDiagnostics {
+  public:
+    void fallback(const SourceLocation&, const std::string& message,
+                  const std::string& instead) override {
+        warnings.push_back(message + "; " + instead);
+    }
+};
+
+// LuxRender's lights shine without an image or a photometric file that it can't read.
+TEST(MakeLights, ADamagedFileIsToldOnceAndLeftOut) {
+    const files::TemporaryFolder folder;
+    folder.write("damaged.exr", "no image");
+    folder.write("damaged.ies", "no file of IES");
+    for (const std::string plugin : {"infinite", "point", "projection", "goniometric"}) {
+        SCOPED_TRACE(plugin);
+        std::vector<ParameterValue> values{text("mapname", folder / "damaged.exr"),
+                                           numbers("float", "unheardof", {1})};
+        if (plugin == "point") values[0] = text("iesname", folder / "damaged.ies");
+        for (std::uint32_t i = 0; i < values.size(); ++i)
+            values[i].where = {nullptr, 2 + i, 1};
+        LenientDiagnostics diagnostics;
+        EXPECT_EQ(make(plugin, values, diagnostics).size(), 1u);
+        ASSERT_EQ(diagnostics.warnings.size(), 2u);
+        EXPECT_TRUE(contains(diagnostics.warnings[0], "unheardof"));
+        EXPECT_TRUE(contains(diagnostics.warnings[1], "; the light shines without it"));
+    }
+}
+
+TEST(MakeLights, AFileIsLookedForOnce) {
+    LightDescription description;
+    description.parameters = {"infinite", {}, {text("mapname", "no.exr")}};
+    int asked = 0;
+    LenientDiagnostics diagnostics;
+    const auto resolve = [&](const std::string& name, const SourceLocation& where) {
+        ++asked;
+        diagnostics.warning(where, "of other letter case");
+        return name;
+    };
+    EXPECT_EQ(make_lights(description, scene_sphere(), resolve, diagnostics).size(), 1u);
+    EXPECT_EQ(asked, 1);
 }
 
 TEST(MakeLights, GroupAndMediumGoWithTheLight) {

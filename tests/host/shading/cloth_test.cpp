@@ -213,6 +213,8 @@ TEST_F(ClothTest, PresetsSayThatTheirFibresAreStandIns) {
 }
 
 TEST_F(ClothTest, AnUnknownPresetIsRenderedAsDenim) {
+    EXPECT_THROW(scene_.make_material("cloth", {text("presetname", "tweed")}), InputError);
+    scene_.diagnostics.lenient = true;
     EXPECT_NE(scene_.make_material("cloth", {text("presetname", "tweed")}), nullptr);
     const std::vector<std::string> expected{
         "unknown cloth \"tweed\"; known: denim, silk_charmeuse, cotton_twill, wool_gabardine, "

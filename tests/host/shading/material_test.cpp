@@ -156,6 +156,8 @@ TEST_F(MaterialTest, NumbersBeyondTheirLimitsAreWarnedOf) {
 }
 
 TEST_F(MaterialTest, UnknownPresetsAreRenderedByTheDefault) {
+    EXPECT_THROW(scene_.make_material("metal", {text("name", "unobtainium")}), InputError);
+    scene_.diagnostics.lenient = true;
     EXPECT_NE(scene_.make_material("metal", {text("name", "unobtainium")}), nullptr);
     EXPECT_NE(scene_.make_material("carpaint", {text("name", "whit")}), nullptr);
     const std::vector<std::string> expected{

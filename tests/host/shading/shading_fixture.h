@@ -21,6 +21,13 @@ class CollectedDiagnostics final : public Diagnostics {
         unknown.push_back(message);
     }
 
+    void fallback(const SourceLocation& where, const std::string& message,
+                  const std::string& instead) override {
+        if (!lenient) return Diagnostics::fallback(where, message, instead);
+        warning(where, message + "; " + instead);
+    }
+
+    bool lenient = false;  ///< goes on where LuxRender does
     std::vector<std::string> warnings, unknown;
     std::vector<std::uint32_t> lines;  ///< of each warning
 };

@@ -18,9 +18,9 @@ class RefusedInput : public std::runtime_error {
 };
 
 /// Gathers warnings and errors until report(). Messages that differ only in what stands in quotes
-/// and in numbers are of one kind, which is told once: the first in full, with its place, the
-/// number of all, and the names in a few of the others. With `strict`, what LuxRender goes on from
-/// is an error; what the command line gives always is.
+/// in numbers and in lists of known names are of one kind, which is told once: the first in full,
+/// with its place, the number of all, and the names in a few of the others. With `strict`, what
+/// LuxRender goes on from is an error; what the command line gives always is.
 class InputDiagnostics : public Diagnostics {
   public:
     InputDiagnostics(ConsoleLog& log, bool strict) : log_(log), strict_(strict) {}
@@ -47,7 +47,9 @@ class InputDiagnostics : public Diagnostics {
         std::uint64_t count = 0;
         std::vector<std::string> others;  ///< names in other messages, a few, in order
     };
-    void add(const std::string& severity, const SourceLocation& where, const std::string& message);
+    /// `instead`: what follows `about`.
+    void add(const std::string& severity, const SourceLocation& where, const std::string& about,
+             const std::string& instead = "");
     static std::string text(const Kind& kind);
 
     ConsoleLog& log_;

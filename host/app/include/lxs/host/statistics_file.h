@@ -1,6 +1,7 @@
 // The JSON file that a render leaves beside its image.
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "lxs/host/image_verdict.h"
@@ -14,7 +15,7 @@ namespace lxs {
 struct RenderFigures {
     Statistics own;  ///< the integrator's
     RefusalsByKind refused;
-    ImageVerdict image;
+    std::optional<ImageVerdict> image;  ///< none: it was not looked at
 };
 
 /// Settings, scene facts, times by phase, counts and speeds, memory, the integrator's own figures.

@@ -30,18 +30,18 @@ struct SourceLocation {
 std::string format_message(const SourceLocation& where, const std::string& severity,
                            const std::string& message);
 
-/// Bad input. `what()` is the whole formatted text.
+/// Bad input. `what()` is the whole formatted text, made when it is first asked for: finding the
+/// source line takes time, and most errors are told as kinds.
 class InputError : public std::runtime_error {
   public:
-    InputError(const SourceLocation& where, const std::string& message)
-        : std::runtime_error(format_message(where, "error", message)),
-          place_(std::make_shared<const Place>(where, message)) {}
-    const SourceLocation& where() const { return place_->first; }
+    InputError(const SourceLocation& where, const std::string& message);
+    const SourceLocation& where() const;
     /// Without the place.
-    const std::string& message() const { return place_->second; }
+    const std::string& message() const;
+    const char* what() const noexcept override;
 
   private:
-    using Place = std::pair<SourceLocation, std::string>;
+    struct Place;
     std::shared_ptr<const Place> place_;  ///< shared: exceptions are copied
 };
 
@@ -78,7 +78,7 @@ std::string printable(std::string_view text);
 std::string in_quotes(std::string_view text);
 
 /// "unknown <kind> "<name>"; did you mean "<nearest>"? Known: a, b, c": the nearest of `known`
-/// first, the rest in the order given.
+/// first, the rest in the order given; of a long list, its first names and how many more there are.
 std::string unknown_name_message(std::string_view kind, const std::string& name,
                                  const std::vector<std::string>& known);
 

@@ -33,7 +33,7 @@ Settings switched(Settings settings, Switches to) {
 /// Block means of renders with different seeds; unguided if `switches` is null. Without shadow rays
 /// all light comes by photons: more for the guide to spoil.
 statistics::BlockMeans renders(bool shadow_rays, const Switches* switches, std::uint64_t first_seed,
-                               unsigned seeds = 28) {
+                               unsigned seeds = 32) {
     const auto [scene, camera] = mock::half_mirror_view(kWidth, kHeight);
     statistics::BlockMeans means;
     for (unsigned s = 0; s < seeds; ++s) {

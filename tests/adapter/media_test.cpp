@@ -114,7 +114,7 @@ statistics::BlockMeans renders(const Settings& asked_for, std::uint64_t first_se
 }
 
 void expect_same(const Settings& a, const Settings& b) {
-    const auto first = renders(a, 1000), second = renders(b, 2000);
+    const auto first = renders(a, 1000), second = renders(b, 3000);
     const auto same = statistics::compare(first, second, 0.01);
     EXPECT_FALSE(same.differs()) << same.describe();
     EXPECT_LT(same.detectable, 0.04) << same.describe();

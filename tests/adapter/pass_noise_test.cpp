@@ -23,7 +23,7 @@ using namespace aips;
 
 constexpr std::uint32_t kWidth = 64, kHeight = 48;
 constexpr double kLight = 3;
-constexpr double kThickFogRadius = 1.5;
+constexpr double kThickFogRadius = 0.2;
 
 EyeImage eye_image() {
     return mock::image_of_pixels(kWidth, kHeight, {});

@@ -151,7 +151,7 @@ TEST(RandomScenes, SameExpectationWhateverTheGuide) {
     {
         SCOPED_TRACE("adaptive, with directions");
         const Guided guided = expect_same(reference, {bounces, 40000, 14});
-        EXPECT_GT(double(guided.guided_bounces), 0.01 * double(guided.bounces));
+        EXPECT_GT(double(guided.guided_bounces), 0.005 * double(guided.bounces));
     }
     {
         SCOPED_TRACE("photons by the noise");

@@ -101,12 +101,13 @@ auto file_resolver(const SceneContents& contents, ReadFiles& files, Diagnostics&
     };
 }
 
-void build_scene(RenderSession& session, SceneContents contents, ReadFiles& files,
+/// `whole`: all of the world was read. What was not may have been its lights.
+void build_scene(RenderSession& session, SceneContents contents, bool whole, ReadFiles& files,
                  Diagnostics& diagnostics) {
     const SourceLocation end = contents.end;
     const auto resolve = file_resolver(contents, files, diagnostics);
     session.scene = make_trace_scene(std::move(contents), resolve, diagnostics);
-    if (session.scene->lights().empty()) {
+    if (whole && session.scene->lights().empty()) {
         throw InputError(end,
                          "the scene has no light: expected a LightSource, or a Shape after an "
                          "AreaLightSource");
@@ -207,6 +208,7 @@ RenderSession prepare(const CommandLine& command, const PluginLibrary& plugins,
         if (command.checkpoint) session.fingerprint.emplace().set_sources(files);
         files.sources.clear();
     }
+    const bool whole = diagnostics.errors() == 0;
     const PhaseTimer timer(session.times, "build");
     const IntegratorChoice choice =
         make_from_options(session, command, contents, files, plugins, diagnostics, log);
@@ -216,7 +218,7 @@ RenderSession prepare(const CommandLine& command, const PluginLibrary& plugins,
     }
     const bool has_world = contents.end.line > 0;
     gather(diagnostics, [&] {
-        if (has_world) build_scene(session, std::move(contents), files, diagnostics);
+        if (has_world) build_scene(session, std::move(contents), whole, files, diagnostics);
     });
     diagnostics.refuse_errors();
     complete_fingerprint(session, command, choice, files);

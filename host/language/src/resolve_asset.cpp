@@ -52,7 +52,7 @@ struct Candidate {
 class CaseSearch {
   public:
     explicit CaseSearch(const Candidate& wanted)
-        : parts_(wanted.name.relative_path().begin(), wanted.name.relative_path().end()),
+        : parts_(parts_of(wanted.name.relative_path())),
           found_(look_in(wanted.name.is_absolute() ? wanted.name.root_path() : wanted.folder, 0)) {}
 
     /// The first file found; empty if there is none.
@@ -60,6 +60,10 @@ class CaseSearch {
 
   private:
     static constexpr int kMostFolders = 1000;  // a path may lead through "..", again and again
+
+    static std::vector<fs::path> parts_of(const fs::path& path) {
+        return {path.begin(), path.end()};
+    }
 
     fs::path look_in(const fs::path& folder, std::size_t part) {
         if (part == parts_.size()) return is_regular(folder) ? folder : fs::path();

@@ -13,7 +13,8 @@ SCENES = {
     'good/ball.lxs': FILM + 'WorldBegin\nLightSource "point"\nShape "plymesh" "string filename" '
                             '["a.ply"]\nShape "plymesh" "string filename" ["b.ply"]\n' + BALL +
                      'WorldEnd\n',
-    'bad.lxs': FILM + 'WorldBegin\nShapes "sphere"\nRotate 1 0 0 0\nWorldEnd\n',
+    'bad.lxs': FILM + 'WorldBegin\nLightSource "point"\nShapes "sphere"\nRotate 1 0 0 0\n' + BALL +
+               'WorldEnd\n',
     'dark.lxs': FILM + 'WorldBegin\nLightSource "point" "color L" [0 0 0]\n' + BALL + 'WorldEnd\n',
 }
 EXPECTED = {

@@ -153,13 +153,6 @@ void gather(Diagnostics& diagnostics, const auto& step) {
     }
 }
 
-/// For what another reading of the same statements tells.
-class SilentDiagnostics final : public Diagnostics {
-    void warning(const SourceLocation& /*where*/, const std::string& /*message*/) override {}
-    void unknown_parameter(const SourceLocation& /*where*/,
-                           const std::string& /*message*/) override {}
-};
-
 /// Tells what is wrong with the camera where the film, whose frame it takes, could not be made.
 void check_camera_alone(const SceneContents& contents, Diagnostics& diagnostics) {
     SceneContents without_film;
@@ -167,8 +160,7 @@ void check_camera_alone(const SceneContents& contents, Diagnostics& diagnostics)
     without_film.end = contents.end;
     for (const char* statement : {"Film", "PixelFilter"})
         without_film.options.erase(statement);
-    SilentDiagnostics silent;
-    const auto film = make_film(without_film, silent);
+    const auto film = make_film(without_film, diagnostics);
     make_camera(without_film, *film, diagnostics);
 }
 

@@ -17,7 +17,7 @@ class RefusedInput : public std::runtime_error {
     using std::runtime_error::runtime_error;
 };
 
-/// Gathers warnings and errors until report(). Messages that differ only in what stands in quotes
+/// Gathers warnings and errors until report(). Messages that differ only in what stands in quotes,
 /// in numbers and in lists of known names are of one kind, which is told once: the first in full,
 /// with its place, the number of all, and the names in a few of the others. With `strict`, what
 /// LuxRender goes on from is an error; what the command line gives always is.

@@ -1,17 +1,16 @@
 // Protects guide=adaptive: the same expectation as unguided photons, whatever it learns, and less
 // variance where photons are rarely worth something.
 #include <gtest/gtest.h>
-#include <tbb/global_control.h>
 
 #include <cmath>
 #include <functional>
 
 #include "block_test.h"
 #include "render_mock.h"
+#include "run_on_threads.h"
 
+namespace aips::adaptive_guide_test {
 namespace {
-
-using namespace aips;
 
 constexpr std::uint32_t kWidth = 32, kHeight = 24;
 
@@ -156,15 +155,16 @@ TEST(AdaptiveGuide, GuidedBouncesGiveTheSameBitsForAnyNumberOfThreads) {
     settings.direct_light_sampling = false;
     adaptive(settings);
     settings.guide_survival = false;  // needs longer here until tables pay
-    const auto with_threads = [&](std::size_t threads) {
-        const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
-        return mock::render(view.scene, view.camera, kWidth, kHeight, settings, 12);
+    const auto rendering_with = [&](unsigned threads) {
+        return concurrency::run_on(threads, [&] {
+            return mock::render(view.scene, view.camera, kWidth, kHeight, settings, 12);
+        });
     };
-    const auto one = with_threads(1);
+    const auto one = rendering_with(1);
     EXPECT_GT(one.statistics.bounce_tables, 0u);
     EXPECT_GT(one.statistics.guided_bounces, 0u);
-    EXPECT_EQ(one.film.image(), with_threads(2).film.image());
-    EXPECT_EQ(one.film.image(), with_threads(7).film.image());
+    EXPECT_EQ(one.film.image(), rendering_with(2).film.image());
+    EXPECT_EQ(one.film.image(), rendering_with(7).film.image());
 }
 
 /// Directions are alike in a closed box that shines everywhere: nothing is guided there.
@@ -195,3 +195,4 @@ TEST(AdaptiveGuide, StatisticsNameWhatItGains) {
 }
 
 }  // namespace
+}  // namespace aips::adaptive_guide_test

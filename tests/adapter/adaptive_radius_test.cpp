@@ -3,7 +3,6 @@
 #include "adaptive_radius.h"
 
 #include <gtest/gtest.h>
-#include <tbb/global_control.h>
 
 #include <algorithm>
 #include <cmath>
@@ -14,11 +13,11 @@
 #include "curvature_probes.h"
 #include "flat_memory.h"
 #include "render_mock.h"
+#include "run_on_threads.h"
 #include "scheduled_radius.h"
 
+namespace aips::adaptive_radius_test {
 namespace {
-
-using namespace aips;
 
 constexpr std::uint32_t kSize = 24;
 constexpr float kPixel = 0.05f;  // width of a pixel on the plane that it sees
@@ -295,12 +294,12 @@ TEST(AdaptiveRadius, MemoryIsBoundedWhenVisiblePointsComeAndGo) {
 }
 
 std::vector<Rgb> image_with(unsigned threads, GuideKind guide) {
-    const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
     const mock::Scene scene = mock::lamp_box({}, mock::half_mirror());
     Settings settings = settings_with(20000);
     settings.guide = guide;
     const auto camera = mock::camera_along_y({0, -0.9f, 0}, 1, 40, 30);
-    return mock::render(scene, camera, 40, 30, settings, 4).film.image();
+    return concurrency::run_on(
+        threads, [&] { return mock::render(scene, camera, 40, 30, settings, 4).film.image(); });
 }
 
 TEST(AdaptiveRadius, SameBitsForAnyNumberOfThreads) {
@@ -363,3 +362,4 @@ TEST(AdaptiveRadius, ConvergesToTheFineRadius) {
 }
 
 }  // namespace
+}  // namespace aips::adaptive_radius_test

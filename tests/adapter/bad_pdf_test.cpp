@@ -11,9 +11,8 @@
 #include "photon_iteration.h"
 #include "render_mock.h"
 
+namespace aips::bad_pdf_test {
 namespace {
-
-using namespace aips;
 
 constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
@@ -99,3 +98,4 @@ TEST(BadPdf, ImagesAreFinite) {
 }
 
 }  // namespace
+}  // namespace aips::bad_pdf_test

@@ -11,9 +11,8 @@
 #include "render_mock.h"
 #include "scatter_photon.h"
 
+namespace aips::bounce_guide_test {
 namespace {
-
-using namespace aips;
 
 constexpr Bounds kScene{{0, 0, 0}, {1, 1, 1}};
 constexpr Vec3 kPlace{0.5f, 0.5f, 0};
@@ -170,3 +169,4 @@ TEST(BounceGuide, GuidesAndLearnsFromMatteSurfacesOnly) {
 }
 
 }  // namespace
+}  // namespace aips::bounce_guide_test

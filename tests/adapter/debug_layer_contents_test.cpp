@@ -10,9 +10,8 @@
 #include "fixed_guide.h"
 #include "render_mock.h"
 
+namespace aips::debug_layer_contents_test {
 namespace {
-
-using namespace aips;
 
 using Layer = std::vector<float>;
 
@@ -186,3 +185,4 @@ TEST(OneNode, GuidedShareIsThatOfAllBouncesOfTheLastPass) {
 }
 
 }  // namespace
+}  // namespace aips::debug_layer_contents_test

@@ -1,16 +1,15 @@
 // Protects the debug layers: the image is the photon part plus the eye part, densities have their
 // stated unit, and looking at a render neither changes it nor depends on the number of threads.
 #include <gtest/gtest.h>
-#include <tbb/global_control.h>
 
 #include <numbers>
 
 #include "aips/core/sampling.h"
 #include "render_mock.h"
+#include "run_on_threads.h"
 
+namespace aips::debug_layers_test {
 namespace {
-
-using namespace aips;
 
 constexpr std::uint32_t kWidth = 32, kHeight = 24;
 
@@ -109,13 +108,12 @@ TEST_P(DebugLayers, LeaveTheImageAsItIs) {
 }
 
 TEST_P(DebugLayers, SameBitsForAnyNumberOfThreads) {
-    const auto with_threads = [](unsigned threads) {
-        const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
-        return render(settings(true));
+    const auto rendered_with = [](unsigned threads) {
+        return concurrency::run_on(threads, [] { return render(settings(true)); });
     };
-    const auto one = with_threads(1);
+    const auto one = rendered_with(1);
     for (const unsigned threads : {2u, 7u}) {
-        const auto other = with_threads(threads);
+        const auto other = rendered_with(threads);
         EXPECT_EQ(one.film.layers(), other.film.layers()) << threads;
         EXPECT_EQ(one.film.color_layers().at("photons").image(),
                   other.film.color_layers().at("photons").image());
@@ -213,3 +211,4 @@ TEST(PhotonDensity, OfAPointLightBeforeAWall) {
 }
 
 }  // namespace
+}  // namespace aips::debug_layers_test

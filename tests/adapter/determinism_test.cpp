@@ -1,17 +1,15 @@
 // Protects: the same bits for any number of threads, and different images for different seeds.
 #include <gtest/gtest.h>
-#include <tbb/global_control.h>
 
 #include "render_mock.h"
+#include "run_on_threads.h"
 
+namespace aips::determinism_test {
 namespace {
-
-using namespace aips;
 
 std::vector<Rgb> image_with(unsigned threads, GuideKind guide, std::uint64_t seed,
                             Mode mode = Mode::Progressive,
                             CriterionKind criterion = CriterionKind::Paper) {
-    const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
     const mock::Scene scene = mock::lamp_box({}, mock::half_mirror());
     Settings settings = mock::small_settings(seed, 20000);
     settings.guide = guide;
@@ -19,7 +17,8 @@ std::vector<Rgb> image_with(unsigned threads, GuideKind guide, std::uint64_t see
     settings.error_criterion = criterion;
     settings.alpha = 0.7;
     const auto camera = mock::camera_along_y({0, -0.9f, 0}, 1, 40, 30);
-    return mock::render(scene, camera, 40, 30, settings, 3).film.image();
+    return concurrency::run_on(
+        threads, [&] { return mock::render(scene, camera, 40, 30, settings, 3).film.image(); });
 }
 
 class Determinism : public testing::TestWithParam<GuideKind> {};
@@ -43,13 +42,14 @@ TEST_P(Determinism, SeedsDiffer) {
 /// With more eye paths and pixels than one job takes, and photons per pass that follow the noise.
 mock::Rendering rendering_of_many_jobs(unsigned threads, GuideKind guide) {
     constexpr std::uint32_t kWidth = 80, kHeight = 60;
-    const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
     const mock::View view = mock::half_mirror_view(kWidth, kHeight);
     Settings settings = mock::small_settings(13, 0);
     settings.guide = guide;
     // One more than it takes to choose.
     const std::uint32_t passes = guide == GuideKind::None ? 5 : 9;
-    return mock::render(view.scene, view.camera, kWidth, kHeight, settings, passes);
+    return concurrency::run_on(threads, [&] {
+        return mock::render(view.scene, view.camera, kWidth, kHeight, settings, passes);
+    });
 }
 
 TEST(DeterminismOfChoices, SameBitsForAnyNumberOfThreadsOfManyJobs) {
@@ -79,12 +79,13 @@ TEST(DeterminismOfScores, SameBitsForAnyNumberOfThreadsWithTheImagesError) {
 TEST(DeterminismOfSwitches, SameBitsForAnyNumberOfThreadsAndAnImageForEach) {
     const mock::View view = mock::half_mirror_view(40, 30);
     const auto image = [&](unsigned threads, bool present_errors, bool first_landings) {
-        const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
         Settings settings = mock::small_settings(17, 20000);
         settings.guide = GuideKind::Paper;
         settings.present_errors = present_errors;
         settings.first_landings = first_landings;
-        return mock::render(view.scene, view.camera, 40, 30, settings, 2).film.image();
+        return concurrency::run_on(threads, [&] {
+            return mock::render(view.scene, view.camera, 40, 30, settings, 2).film.image();
+        });
     };
     std::vector<std::vector<Rgb>> images;
     for (const bool present : {true, false}) {
@@ -103,3 +104,4 @@ INSTANTIATE_TEST_SUITE_P(Guides, Determinism,
                          [](const auto& test) { return mock::name(test.param); });
 
 }  // namespace
+}  // namespace aips::determinism_test

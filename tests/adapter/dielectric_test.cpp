@@ -5,9 +5,8 @@
 
 #include "render_mock.h"
 
+namespace aips::dielectric_test {
 namespace {
-
-using namespace aips;
 
 /// A furnace (emission 1, albedo 0.5) around a solid glass ball; the camera is inside the ball or
 /// outside of it. Radiance is n^2 * L inside, L outside: 2 for the infinite sum. A core within the
@@ -66,3 +65,4 @@ TEST(Dielectric, LampInsideTheDielectric) {
 }
 
 }  // namespace
+}  // namespace aips::dielectric_test

@@ -5,9 +5,8 @@
 #include "aips/core/random.h"
 #include "mock_lights.h"
 
+namespace aips::emission_coordinates_test {
 namespace {
-
-using namespace aips;
 
 float distance_to_ray(Vec3 p, const Ray& ray) {
     const Vec3 to = p - ray.origin;
@@ -97,3 +96,4 @@ TEST(MockEmissionCoordinates, NoneWhereNoLightArrives) {
 }
 
 }  // namespace
+}  // namespace aips::emission_coordinates_test

@@ -9,9 +9,8 @@
 
 #include "aips/core/random.h"
 
+namespace aips::emission_guide_test {
 namespace {
-
-using namespace aips;
 
 /// Part in the image of a start.
 using Part = std::function<double(LightIndex, const PrimaryPoint&)>;
@@ -302,3 +301,4 @@ TEST(EmissionGuide, MemoryIsBoundedForOneLightAndForMany) {
 }
 
 }  // namespace
+}  // namespace aips::emission_guide_test

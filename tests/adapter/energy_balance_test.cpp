@@ -15,9 +15,8 @@
 #include "radius_policy.h"
 #include "random_scenes.h"
 
+namespace aips::energy_balance_test {
 namespace {
-
-using namespace aips;
 
 constexpr std::uint32_t kSize = 12;
 constexpr std::uint64_t kScenes = 30;
@@ -233,3 +232,4 @@ TEST(EnergyBalance, GuidedBouncesBesideMirrors) {
 }
 
 }  // namespace
+}  // namespace aips::energy_balance_test

@@ -4,9 +4,8 @@
 #include "render_mock.h"
 #include "traced_eye_image.h"
 
+namespace aips::eye_pass_test {
 namespace {
-
-using namespace aips;
 
 using mock::traced_eye_image;
 
@@ -113,3 +112,4 @@ TEST(EyePass, LambertianPointsKeepNoBsdf) {
 }
 
 }  // namespace
+}  // namespace aips::eye_pass_test

@@ -1,18 +1,17 @@
 // Protects eye seeding: seeds lead photons to what the eye sees, weigh what the light is worth
 // there, and do not depend on threads.
 #include <gtest/gtest.h>
-#include <tbb/global_control.h>
 
 #include "aips/core/sampling.h"
 #include "emission_guide.h"
 #include "eye_seeding.h"
 #include "light_choice.h"
 #include "render_mock.h"
+#include "run_on_threads.h"
 #include "traced_eye_image.h"
 
+namespace aips::eye_seeding_test {
 namespace {
-
-using namespace aips;
 
 constexpr std::uint32_t kSize = 64, kEyePaths = kSize * kSize;
 
@@ -196,17 +195,17 @@ TEST(EyeSeeding, BitsDoNotDependOnThreads) {
     const Settings settings = mock::small_settings(5, 1);
     const mock::Camera camera = mock::camera_along_y({0, -0.9f, 0}, 0.5f, 64, 64);
     const EyeImage image = mock::traced_eye_image(scene, camera, kSize, kEyePaths, settings);
-    const auto with_threads = [&](std::size_t threads, std::uint64_t pass) {
-        const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
-        return find(scene, settings, image, pass);
+    const auto found_with = [&](unsigned threads, std::uint64_t pass) {
+        return concurrency::run_on(threads, [&] { return find(scene, settings, image, pass); });
     };
     const auto same = [](const EmissionSeed& a, const EmissionSeed& b) {
         return a.light == b.light && a.point == b.point && a.weight == b.weight;
     };
-    const auto one = with_threads(1, 0), four = with_threads(4, 0), next = with_threads(4, 1);
+    const auto one = found_with(1, 0), four = found_with(4, 0), next = found_with(4, 1);
     ASSERT_GT(one.size(), 100u);
     EXPECT_TRUE(std::equal(one.begin(), one.end(), four.begin(), four.end(), same));
     EXPECT_FALSE(std::equal(one.begin(), one.end(), next.begin(), next.end(), same));
 }
 
 }  // namespace
+}  // namespace aips::eye_seeding_test

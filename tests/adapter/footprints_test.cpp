@@ -8,6 +8,7 @@
 #include <numeric>
 #include <vector>
 
+namespace footprints_test {
 namespace {
 
 using aips::bounded_footprint_sum;
@@ -37,3 +38,4 @@ TEST(Footprints, OfCamerasWithoutAnyForMostPixelsAreNotBounded) {
 }
 
 }  // namespace
+}  // namespace footprints_test

@@ -5,9 +5,8 @@
 
 #include "render_mock.h"
 
+namespace aips::furnace_test {
 namespace {
-
-using namespace aips;
 
 /// Closed form: emission 1, albedo 0.5, up to `depth` scatterings.
 double furnace_radiance(unsigned depth) {
@@ -133,3 +132,4 @@ TEST(Furnace, EnvironmentOnBall) {
 }
 
 }  // namespace
+}  // namespace aips::furnace_test

@@ -6,9 +6,8 @@
 #include "gather.h"
 #include "render_mock.h"
 
+namespace aips::gather_test {
 namespace {
-
-using namespace aips;
 
 Landing landing_at(Vec3 position, Vec3 direction, Vec3 normal) {
     Landing landing;
@@ -141,3 +140,4 @@ TEST(Gather, ThinWallKeepsTheDarkRoomDark) {
 }
 
 }  // namespace
+}  // namespace aips::gather_test

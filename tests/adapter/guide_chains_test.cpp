@@ -2,17 +2,16 @@
 // no photon path is seen, and nowhere else: the same expectation, the same bits for any number of
 // threads.
 #include <gtest/gtest.h>
-#include <tbb/global_control.h>
 
 #include <algorithm>
 #include <cmath>
 
 #include "block_test.h"
 #include "render_mock.h"
+#include "run_on_threads.h"
 
+namespace aips::guide_chains_test {
 namespace {
-
-using namespace aips;
 
 constexpr std::uint32_t kWidth = 16, kHeight = 12;
 constexpr std::uint32_t kPhotons = 400'000;
@@ -163,10 +162,9 @@ TEST(GuideChains, KeepTheBalanceOfBothSidesOfATiltedSheet) {
 }
 
 TEST(GuideChains, SameBitsForAnyNumberOfThreads) {
-    const auto image_with = [](int threads) {
-        const tbb::global_control limit(tbb::global_control::max_allowed_parallelism,
-                                        std::size_t(threads));
-        return render(wide_view(), adaptive(5, true), 2).film.image();
+    const auto image_with = [](unsigned threads) {
+        return concurrency::run_on(
+            threads, [] { return render(wide_view(), adaptive(5, true), 2).film.image(); });
     };
     const auto one = image_with(1);
     EXPECT_EQ(one, image_with(2));
@@ -174,3 +172,4 @@ TEST(GuideChains, SameBitsForAnyNumberOfThreads) {
 }
 
 }  // namespace
+}  // namespace aips::guide_chains_test

@@ -10,9 +10,8 @@
 #include "render_mock.h"
 #include "traced_eye_image.h"
 
+namespace aips::guide_scout_test {
 namespace {
-
-using namespace aips;
 
 constexpr std::uint32_t kWidth = 16, kHeight = 12;
 
@@ -115,3 +114,4 @@ TEST(GuideScout, WhereLittleIsSeenTheGuideStays) {
 }
 
 }  // namespace
+}  // namespace aips::guide_scout_test

@@ -9,9 +9,8 @@
 #include "block_test.h"
 #include "render_mock.h"
 
+namespace aips::guide_test {
 namespace {
-
-using namespace aips;
 
 constexpr std::uint32_t kWidth = 32, kHeight = 24;
 
@@ -214,3 +213,4 @@ TEST(PaperGuide, FirstIterationOfAPassIsPlain) {
 }
 
 }  // namespace
+}  // namespace aips::guide_test

@@ -11,9 +11,8 @@
 #include "aips/core/sampling.h"
 #include "mock_bsdf.h"
 
+namespace aips::landing_score_test {
 namespace {
-
-using namespace aips;
 
 constexpr Vec3 kUp{0, 0, 1};
 
@@ -147,3 +146,4 @@ TEST(LandingScore, ExpectationDoesNotDependOnTheNumberOfVisiblePoints) {
 }
 
 }  // namespace
+}  // namespace aips::landing_score_test

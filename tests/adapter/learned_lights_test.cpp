@@ -2,17 +2,16 @@
 // where most lights are hidden, the same bits for any number of threads, and no tables without
 // need.
 #include <gtest/gtest.h>
-#include <tbb/global_control.h>
 
 #include <algorithm>
 #include <functional>
 
 #include "block_test.h"
 #include "render_mock.h"
+#include "run_on_threads.h"
 
+namespace aips::learned_lights_test {
 namespace {
-
-using namespace aips;
 
 constexpr std::uint32_t kWidth = 32, kHeight = 24;
 
@@ -86,10 +85,11 @@ TEST(LearnedLights, LessVarianceWhereMostLightsAreHidden) {
 
 TEST(LearnedLights, SameBitsForAnyNumberOfThreads) {
     const mock::View view = rooms();
-    const auto image_with = [&](std::size_t threads) {
-        const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
-        const auto r = mock::render(view.scene, view.camera, kWidth, kHeight,
-                                    mock::small_settings(7, 1000), 24);
+    const auto image_with = [&](unsigned threads) {
+        const auto r = concurrency::run_on(threads, [&] {
+            return mock::render(view.scene, view.camera, kWidth, kHeight,
+                                mock::small_settings(7, 1000), 24);
+        });
         EXPECT_LE(r.statistics.memory_bytes, r.statistics.memory_bound_bytes);
         return r.film.image();
     };
@@ -114,3 +114,4 @@ TEST(LearnedLights, AreSkippedWhereThereIsNoChoice) {
 }
 
 }  // namespace
+}  // namespace aips::learned_lights_test

@@ -9,9 +9,8 @@
 
 #include "render_mock.h"
 
+namespace aips::learning_weight_test {
 namespace {
-
-using namespace aips;
 
 TEST(LearningWeight, GrowsToOneAndStays) {
     EXPECT_EQ(learning_weight(0), kFirstWeight);
@@ -65,3 +64,4 @@ TEST(LearningWeight, EyePathsOfAllPassesCountAlike) {
 }
 
 }  // namespace
+}  // namespace aips::learning_weight_test

@@ -2,7 +2,6 @@
 // them owns what (docs/volumes.md), that nothing else changes it, and that the bits are the same
 // for any number of threads.
 #include <gtest/gtest.h>
-#include <tbb/global_control.h>
 
 #include <algorithm>
 #include <cmath>
@@ -10,11 +9,11 @@
 #include "aips/core/sampling.h"
 #include "block_test.h"
 #include "render_mock.h"
+#include "run_on_threads.h"
 #include "volume_beam.h"
 
+namespace aips::media_test {
 namespace {
-
-using namespace aips;
 
 constexpr std::uint32_t kSize = 16;
 /// Scatters each channel otherwise.
@@ -160,8 +159,8 @@ TEST(Media, SameBitsForAnyNumberOfThreads) {
         Settings settings = fog_settings(7);
         settings.guide = kind;
         const auto image_with = [&](unsigned threads) {
-            const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
-            return render_along_y(box.scene, settings, 3).film.image();
+            return concurrency::run_on(
+                threads, [&] { return render_along_y(box.scene, settings, 3).film.image(); });
         };
         const auto one = image_with(1);
         EXPECT_EQ(one, image_with(2));
@@ -221,3 +220,4 @@ TEST(Media, SegmentExponentialDrawsByItsDensity) {
 }
 
 }  // namespace
+}  // namespace aips::media_test

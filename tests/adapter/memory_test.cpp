@@ -7,9 +7,8 @@
 #include "flat_memory.h"
 #include "render_mock.h"
 
+namespace aips::memory_test {
 namespace {
-
-using namespace aips;
 
 class Memory : public testing::TestWithParam<std::tuple<GuideKind, Mode>> {};
 
@@ -60,3 +59,4 @@ TEST(MemoryOfAPass, DoesNotGrowWithItsPhotons) {
 }
 
 }  // namespace
+}  // namespace aips::memory_test

@@ -7,9 +7,8 @@
 #include "render_mock.h"
 #include "scene_with_lights.h"
 
+namespace aips::needs_test {
 namespace {
-
-using namespace aips;
 
 std::ptrdiff_t times_logged(const mock::Log& log, const std::string& text) {
     return std::count_if(log.lines.begin(), log.lines.end(),
@@ -228,3 +227,4 @@ TEST(Needs, UnguidedRunsHaveNoGuide) {
 }
 
 }  // namespace
+}  // namespace aips::needs_test

@@ -10,9 +10,8 @@
 #include "mock_camera.h"
 #include "paper_guide.h"
 
+namespace aips::node_layers_test {
 namespace {
-
-using namespace aips;
 
 constexpr std::uint32_t kSize = 12;
 
@@ -159,3 +158,4 @@ TEST(BounceTally, ChildrenShareTheirParentsCounts) {
 }
 
 }  // namespace
+}  // namespace aips::node_layers_test

@@ -3,9 +3,8 @@
 
 #include <gtest/gtest.h>
 
+namespace aips::part_rest_test {
 namespace {
-
-using namespace aips;
 
 constexpr std::uint64_t kStep = 10'000;
 
@@ -39,3 +38,4 @@ TEST(PartRest, WhatCameToPayStaysAwakeAgain) {
 }
 
 }  // namespace
+}  // namespace aips::part_rest_test

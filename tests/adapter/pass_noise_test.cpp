@@ -17,9 +17,8 @@
 #include "render_mock.h"
 #include "traced_eye_image.h"
 
+namespace aips::pass_noise_test {
 namespace {
-
-using namespace aips;
 
 constexpr std::uint32_t kWidth = 64, kHeight = 48;
 constexpr double kLight = 3;
@@ -246,3 +245,4 @@ TEST(PassNoise, MemoryIsBounded) {
 }
 
 }  // namespace
+}  // namespace aips::pass_noise_test

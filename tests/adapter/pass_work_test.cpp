@@ -7,9 +7,8 @@
 #include <functional>
 #include <vector>
 
+namespace aips::pass_work_test {
 namespace {
-
-using namespace aips;
 
 TEST(PassWork, EyePathsAndTheirRaysAreTheEyes) {
     const PassWork paths = pass_work(100, 0, {}, {});
@@ -43,3 +42,4 @@ TEST(PassWork, AllThatPhotonsAskForIsTheirs) {
 }
 
 }  // namespace
+}  // namespace aips::pass_work_test

@@ -4,9 +4,9 @@
 
 #include "render_mock.h"
 
+namespace aips::path_classes_test {
 namespace {
 
-using namespace aips;
 using Kind = mock::Material::Kind;
 
 constexpr std::uint32_t kSize = 16;
@@ -174,3 +174,4 @@ TEST(PathClasses, LightGroupsAddUp) {
 }
 
 }  // namespace
+}  // namespace aips::path_classes_test

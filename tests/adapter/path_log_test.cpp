@@ -3,7 +3,6 @@
 #include "path_log.h"
 
 #include <gtest/gtest.h>
-#include <tbb/global_control.h>
 
 #include <algorithm>
 #include <cmath>
@@ -12,10 +11,10 @@
 #include "light_choice.h"
 #include "photon_iteration.h"
 #include "render_mock.h"
+#include "run_on_threads.h"
 
+namespace aips::path_log_test {
 namespace {
-
-using namespace aips;
 
 struct Traced {
     LandingStore store;
@@ -185,11 +184,10 @@ TEST(PathLog, LoggingChangesNoLanding) {
 
 TEST(PathLog, DoesNotDependOnThreads) {
     const mock::Scene scene = box();
-    const auto with_threads = [&](std::size_t threads) {
-        const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
-        return trace(scene, 5000, 2);
+    const auto traced_with = [&](unsigned threads) {
+        return concurrency::run_on(threads, [&] { return trace(scene, 5000, 2); });
     };
-    const Traced one = with_threads(1), four = with_threads(4);
+    const Traced one = traced_with(1), four = traced_with(4);
     ASSERT_GT(one.log.paths.size(), 2000u);
     expect_same(one.log.paths, four.log.paths);
     EXPECT_EQ(one.log.vertices.size(), four.log.vertices.size());
@@ -197,3 +195,4 @@ TEST(PathLog, DoesNotDependOnThreads) {
 }
 
 }  // namespace
+}  // namespace aips::path_log_test

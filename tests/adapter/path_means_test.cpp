@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace aips {
+namespace aips::path_means_test {
 namespace {
 
 void shoot(PathMeans& means, int paths, double score, double cost) {
@@ -44,4 +44,4 @@ TEST(PathMeans, PathsBeforeTheGuideLearnedAreForgotten) {
 }
 
 }  // namespace
-}  // namespace aips
+}  // namespace aips::path_means_test

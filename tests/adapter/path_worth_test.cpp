@@ -7,9 +7,8 @@
 #include <cmath>
 #include <vector>
 
+namespace aips::path_worth_test {
 namespace {
-
-using namespace aips;
 
 /// Paths with landings of the scores 1, 2, 4, ... 128, 1, 2, ... in their order.
 class PathWorth : public ::testing::Test {
@@ -99,3 +98,4 @@ TEST_F(PathWorth, OfManyPathsInLittleMemory) {
 }
 
 }  // namespace
+}  // namespace aips::path_worth_test

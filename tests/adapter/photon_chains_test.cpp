@@ -4,15 +4,14 @@
 #include "photon_chains.h"
 
 #include <gtest/gtest.h>
-#include <tbb/global_control.h>
 
 #include "block_test.h"
 #include "flat_memory.h"
 #include "render_mock.h"
+#include "run_on_threads.h"
 
+namespace aips::photon_chains_test {
 namespace {
-
-using namespace aips;
 
 constexpr std::uint32_t kWidth = 32, kHeight = 24;
 
@@ -135,11 +134,11 @@ TEST(PhotonChains, TracesExactlyThePathsAskedFor) {
 
 TEST(PhotonChains, SameBitsForAnyNumberOfThreads) {
     const View view = wide_view(10);
-    const auto image_with = [&](int threads) {
-        const tbb::global_control limit(tbb::global_control::max_allowed_parallelism,
-                                        std::size_t(threads));
+    const auto image_with = [&](unsigned threads) {
         const auto settings = chain_settings(7, 20000, PhotonSampler::AdaptiveChains);
-        return mock::render(view.scene, view.camera, kWidth, kHeight, settings, 3).film.image();
+        return concurrency::run_on(threads, [&] {
+            return mock::render(view.scene, view.camera, kWidth, kHeight, settings, 3).film.image();
+        });
     };
     const auto one = image_with(1);
     EXPECT_EQ(one, image_with(2));
@@ -172,3 +171,4 @@ TEST(PhotonChains, ContradictAGuide) {
 }
 
 }  // namespace
+}  // namespace aips::photon_chains_test

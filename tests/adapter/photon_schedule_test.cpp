@@ -9,9 +9,8 @@
 
 #include "learning_weight.h"
 
+namespace aips::photon_schedule_test {
 namespace {
-
-using namespace aips;
 
 constexpr std::uint32_t kEyePaths = 20000;
 
@@ -173,3 +172,4 @@ TEST(PhotonSchedule, PassesOfChainsAreNeverShort) {
 }
 
 }  // namespace
+}  // namespace aips::photon_schedule_test

@@ -12,9 +12,8 @@
 #include "render_mock.h"
 #include "scene_with_lights.h"
 
+namespace aips::photon_sequence_test {
 namespace {
-
-using namespace aips;
 
 constexpr std::uint32_t kSize = 32;
 
@@ -201,3 +200,4 @@ TEST(PhotonSequence, WhatPhotonsDecideDoesNotMoveTheExpectation) {
 }
 
 }  // namespace
+}  // namespace aips::photon_sequence_test

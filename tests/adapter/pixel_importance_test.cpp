@@ -10,9 +10,8 @@
 #include "aips/core/random.h"
 #include "image_of_pixels.h"
 
+namespace aips::pixel_importance_test {
 namespace {
-
-using namespace aips;
 
 constexpr std::uint32_t kWidth = 40, kHeight = 30;
 constexpr std::size_t kPixels = std::size_t{kWidth} * kHeight;
@@ -200,3 +199,4 @@ TEST(PixelImportance, MemoryIsBounded) {
 }
 
 }  // namespace
+}  // namespace aips::pixel_importance_test

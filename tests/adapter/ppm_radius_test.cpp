@@ -12,9 +12,8 @@
 #include "pixel_estimate.h"
 #include "render_mock.h"
 
+namespace aips::ppm_radius_test {
 namespace {
-
-using namespace aips;
 
 constexpr double kAlpha = 0.7;
 
@@ -133,3 +132,4 @@ TEST(PpmRadius, MemoryIsFlatAndWithinItsBound) {
 }
 
 }  // namespace
+}  // namespace aips::ppm_radius_test

@@ -8,9 +8,8 @@
 #include "block_test.h"
 #include "render_mock.h"
 
+namespace aips::ppm_test {
 namespace {
-
-using namespace aips;
 
 constexpr std::uint32_t kSize = 32;
 
@@ -108,3 +107,4 @@ TEST(Ppm, LightGroupsAddUp) {
 }
 
 }  // namespace
+}  // namespace aips::ppm_test

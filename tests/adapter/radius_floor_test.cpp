@@ -8,9 +8,8 @@
 #include "aips/core/sampling.h"
 #include "mock_scene.h"
 
+namespace aips::radius_floor_test {
 namespace {
-
-using namespace aips;
 
 /// A ground with the origin in its middle.
 mock::Scene ground(float half) {
@@ -62,3 +61,4 @@ TEST(RadiusFloor, CountsThePointsOfTheLatticeAbout) {
 }
 
 }  // namespace
+}  // namespace aips::radius_floor_test

@@ -4,9 +4,8 @@
 
 #include "render_mock.h"
 
+namespace aips::radius_test {
 namespace {
-
-using namespace aips;
 
 TEST(Radius, ShrinksWithPhotonsShotAndNotWithPasses) {
     const mock::Scene scene = mock::lamp_box({}, {});
@@ -62,3 +61,4 @@ TEST(Radius, PhotonMapKeepsIt) {
 }
 
 }  // namespace
+}  // namespace aips::radius_test

@@ -14,9 +14,8 @@
 #include "block_test.h"
 #include "random_scenes.h"
 
+namespace aips::random_scenes_test {
 namespace {
-
-using namespace aips;
 
 constexpr std::uint32_t kSize = 12;
 constexpr std::uint64_t kScenes = 30;
@@ -161,3 +160,4 @@ TEST(RandomScenes, SameExpectationWhateverTheGuide) {
 }
 
 }  // namespace
+}  // namespace aips::random_scenes_test

@@ -4,9 +4,8 @@
 
 #include "render_mock.h"
 
+namespace aips::reach_test {
 namespace {
-
-using namespace aips;
 
 /// 64 points whose radii cover some 2 % of the image: were photons kept where the first pass had
 /// its points, less than half would be gathered. About 1700 are in each pass.
@@ -39,3 +38,4 @@ TEST(Reach, FollowsTheVisiblePointsOfEachPass) {
 }
 
 }  // namespace
+}  // namespace aips::reach_test

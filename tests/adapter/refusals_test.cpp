@@ -6,9 +6,8 @@
 
 #include "render_mock.h"
 
+namespace aips::refusals_test {
 namespace {
-
-using namespace aips;
 
 mock::Rendering render_with_reflectance(float value) {
     mock::Material ball;
@@ -37,3 +36,4 @@ TEST(Refusals, HealthySceneRefusesNothing) {
 }
 
 }  // namespace
+}  // namespace aips::refusals_test

@@ -7,9 +7,8 @@
 #include "render_mock.h"
 #include "scatter_photon.h"
 
+namespace aips::scatter_photon_test {
 namespace {
-
-using namespace aips;
 
 /// A guide with one fixed, lopsided density: cosine-distributed around a tilted axis.
 class TiltedDirections final : public GuidedDirections {
@@ -229,3 +228,4 @@ TEST(ScatterPhoton, TiltedNormalKeepsTheMeanAndBoundsTheWeight) {
 }
 
 }  // namespace
+}  // namespace aips::scatter_photon_test

@@ -10,9 +10,8 @@
 #include "photon_roulette.h"
 #include "render_mock.h"
 
+namespace aips::score_survival_test {
 namespace {
-
-using namespace aips;
 
 constexpr Vec3 kFloor{0.5f, 0.5f, 0}, kUp{0, 0, 1};
 
@@ -130,3 +129,4 @@ TEST(PhotonRoulette, SplitsWhereALobeSpreads) {
 }
 
 }  // namespace
+}  // namespace aips::score_survival_test

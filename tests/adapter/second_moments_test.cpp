@@ -9,9 +9,8 @@
 
 #include "aips/core/random.h"
 
+namespace aips::second_moments_test {
 namespace {
-
-using namespace aips;
 
 constexpr unsigned kCells = 4;
 using Cells = std::array<double, kCells>;
@@ -140,3 +139,4 @@ TEST(SecondMoments, OldSamplesFadeAndAreOutvoted) {
 }
 
 }  // namespace
+}  // namespace aips::second_moments_test

@@ -8,9 +8,8 @@
 
 #include "render_mock.h"
 
+namespace aips::shading_normal_test {
 namespace {
-
-using namespace aips;
 
 constexpr std::uint32_t kSize = 16;
 
@@ -104,3 +103,4 @@ TEST(ShadingNormal, LightPassedOnMatchesRadianceSeen) {
 }
 
 }  // namespace
+}  // namespace aips::shading_normal_test

@@ -9,9 +9,8 @@
 #include "light_choice.h"
 #include "render_mock.h"
 
+namespace aips::skip_log_test {
 namespace {
-
-using namespace aips;
 
 /// A guide for a box, and what it learns of made-up paths.
 struct Learner {
@@ -144,3 +143,4 @@ TEST(SkipLog, TellsWhatIsPruned) {
 }
 
 }  // namespace
+}  // namespace aips::skip_log_test

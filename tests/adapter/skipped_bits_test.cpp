@@ -5,9 +5,8 @@
 #include "eye_pass.h"
 #include "render_mock.h"
 
+namespace aips::skipped_bits_test {
 namespace {
-
-using namespace aips;
 
 constexpr std::uint32_t kWidth = 16, kHeight = 12;
 
@@ -107,3 +106,4 @@ TEST(SkippedVisiblePoints, ChangeNoBits) {
 }
 
 }  // namespace
+}  // namespace aips::skipped_bits_test

@@ -9,9 +9,8 @@
 
 #include "aips/core/random.h"
 
+namespace aips::survival_switch_test {
 namespace {
-
-using namespace aips;
 
 /// What roulette by power and by score make of a photon of power 1 at the vertices of a path.
 constexpr std::array<float, 2> kPlain{0.9f, 0.8f};
@@ -114,3 +113,4 @@ TEST(SurvivalSwitch, FollowsScoresAsFarAsItPays) {
 }
 
 }  // namespace
+}  // namespace aips::survival_switch_test

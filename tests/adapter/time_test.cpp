@@ -7,6 +7,7 @@
 
 #include "render_mock.h"
 
+namespace time_test {
 namespace {
 
 /// The moments at which rays are traced in `passes` passes.
@@ -40,3 +41,4 @@ TEST(Time, OneForAllPassesOntoFrozenVisiblePoints) {
 }
 
 }  // namespace
+}  // namespace time_test

@@ -2,15 +2,14 @@
 #include "measured_render.h"
 
 #include <fmt/format.h>
-#include <tbb/global_control.h>
 
 #include <chrono>
 #include <filesystem>
-#include <optional>
 
 #include "lxs/host/failure.h"
 #include "lxs/host/process_usage.h"
 #include "lxs/host/render_session.h"
+#include "lxs/host/thread_count.h"
 #include "pass_trace.h"
 #include "time_marks.h"
 
@@ -161,13 +160,7 @@ Json own_statistics(const lxs::RenderSession& session) {
     return json;
 }
 
-}  // namespace
-
-Json measured_render(const RenderJob& job, lxs::ConsoleLog& log) {
-    std::optional<tbb::global_control> thread_limit;
-    if (job.settings.threads > 0) {
-        thread_limit.emplace(tbb::global_control::max_allowed_parallelism, job.settings.threads);
-    }
+Json render_and_measure(const RenderJob& job, lxs::ConsoleLog& log) {
     lxs::PluginLibrary plugins;
     plugins.load_folder(lxs::own_plugin_folder());
     lxs::InputDiagnostics diagnostics(log, false);
@@ -186,6 +179,12 @@ Json measured_render(const RenderJob& job, lxs::ConsoleLog& log) {
     json["refused_film_samples"] = session.film->refused_samples();
     json["integrator_statistics"] = own_statistics(session);
     return json;
+}
+
+}  // namespace
+
+Json measured_render(const RenderJob& job, lxs::ConsoleLog& log) {
+    return lxs::on_threads(job.settings.threads, [&] { return render_and_measure(job, log); });
 }
 
 }  // namespace bench

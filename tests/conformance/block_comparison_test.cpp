@@ -9,7 +9,7 @@
 #include "scene_set.h"
 #include "synthetic_image.h"
 
-namespace conformance {
+namespace conformance::block_comparison_test {
 namespace {
 
 TEST(BlockComparison, EqualImagesDoNotDiffer) {
@@ -106,4 +106,4 @@ TEST(BlockComparison, NoiseOfTheMeanIsItsDistanceFromTheTruth) {
 }
 
 }  // namespace
-}  // namespace conformance
+}  // namespace conformance::block_comparison_test

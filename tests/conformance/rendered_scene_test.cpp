@@ -13,6 +13,7 @@
 #include "rendered_image.h"
 #include "temporary_folder.h"
 
+namespace rendered_scene_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -71,3 +72,4 @@ TEST(ConformanceCommand, ABadCommandIsRefused) {
 }
 
 }  // namespace
+}  // namespace rendered_scene_test

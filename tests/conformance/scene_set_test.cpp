@@ -6,7 +6,7 @@
 #include "conformance_table.h"
 #include "temporary_folder.h"
 
-namespace conformance {
+namespace conformance::scene_set_test {
 namespace {
 
 TEST(SceneSet, TakesScenesThatHaveAnImageByName) {
@@ -51,4 +51,4 @@ TEST(ConformanceTable, EitherLimitAloneDecides) {
 }
 
 }  // namespace
-}  // namespace conformance
+}  // namespace conformance::scene_set_test

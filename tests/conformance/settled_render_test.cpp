@@ -8,7 +8,7 @@
 
 #include "synthetic_image.h"
 
-namespace conformance {
+namespace conformance::settled_render_test {
 namespace {
 
 constexpr Spread kLimit{0.02, 0.06};
@@ -71,4 +71,4 @@ TEST(SettledRender, StopsBeforeItsTimeIsPassedAndSaysSo) {
 }
 
 }  // namespace
-}  // namespace conformance
+}  // namespace conformance::settled_render_test

@@ -8,7 +8,7 @@
 #include <memory_resource>
 #include <vector>
 
-namespace aips {
+namespace aips::arena_test {
 namespace {
 
 TEST(Arena, AlignsAndKeepsAllocationsApart) {
@@ -79,4 +79,4 @@ TEST(Arena, ServesStandardContainersAndMoves) {
 }
 
 }  // namespace
-}  // namespace aips
+}  // namespace aips::arena_test

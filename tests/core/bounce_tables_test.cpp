@@ -13,7 +13,7 @@
 #include "aips/core/random.h"
 #include "chi_square.h"
 
-namespace aips {
+namespace aips::bounce_tables_test {
 namespace {
 
 constexpr Bounds kScene{{0, 0, 0}, {1, 1, 1}};
@@ -322,4 +322,4 @@ TEST(BounceTables, MemoryIsBounded) {
 }
 
 }  // namespace
-}  // namespace aips
+}  // namespace aips::bounce_tables_test

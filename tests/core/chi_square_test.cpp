@@ -6,7 +6,7 @@
 #include <cmath>
 #include <vector>
 
-namespace aips::test {
+namespace aips::test::chi_square_test {
 namespace {
 
 TEST(ChiSquare, TailMatchesPublishedQuantiles) {
@@ -37,4 +37,4 @@ TEST(ChiSquare, SidakSharesTheSignificance) {
 }
 
 }  // namespace
-}  // namespace aips::test
+}  // namespace aips::test::chi_square_test

@@ -12,7 +12,7 @@
 #include "aips/core/sampling.h"
 #include "chi_square.h"
 
-namespace aips {
+namespace aips::directional_table_test {
 namespace {
 
 using Weights = std::vector<float>;
@@ -188,4 +188,4 @@ TEST(CellWeights, EmptyWhenAllAreZero) {
 }
 
 }  // namespace
-}  // namespace aips
+}  // namespace aips::directional_table_test

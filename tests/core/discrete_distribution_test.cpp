@@ -10,7 +10,7 @@
 #include "aips/core/random.h"
 #include "chi_square.h"
 
-namespace aips {
+namespace aips::discrete_distribution_test {
 namespace {
 
 using Weights = std::vector<float>;
@@ -82,4 +82,4 @@ TEST(DiscreteDistribution, RefusesMoreThanItCanResolve) {
 }
 
 }  // namespace
-}  // namespace aips
+}  // namespace aips::discrete_distribution_test

@@ -11,7 +11,7 @@
 
 #include "aips/core/random.h"
 
-namespace aips {
+namespace aips::error_criterion_test {
 namespace {
 
 constexpr double kPi64 = std::numbers::pi;
@@ -187,4 +187,4 @@ TEST_F(PaperCriterion, RefusesAlphaOutOfRange) {
 }
 
 }  // namespace
-}  // namespace aips
+}  // namespace aips::error_criterion_test

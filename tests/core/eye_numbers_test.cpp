@@ -11,7 +11,7 @@
 
 #include "chi_square.h"
 
-namespace aips {
+namespace aips::eye_numbers_test {
 namespace {
 
 constexpr std::size_t kNumbers = 7;
@@ -81,4 +81,4 @@ TEST(EyeNumbers, AreUniformAndIndependentOfOthers) {
 }
 
 }  // namespace
-}  // namespace aips
+}  // namespace aips::eye_numbers_test

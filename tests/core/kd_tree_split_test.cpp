@@ -8,7 +8,7 @@
 #include "aips/core/kd_tree.h"
 #include "aips/core/random.h"
 
-namespace aips {
+namespace aips::kd_tree_split_test {
 namespace {
 
 constexpr Bounds kUnit{{0, 0, 0}, {1, 1, 1}};
@@ -156,4 +156,4 @@ TEST(NodeTreeSplit, PhotonsOutsideTheBoxDoNotBreakIt) {
 }
 
 }  // namespace
-}  // namespace aips
+}  // namespace aips::kd_tree_split_test

@@ -10,7 +10,7 @@
 
 #include "aips/core/random.h"
 
-namespace aips {
+namespace aips::kd_tree_test {
 namespace {
 
 constexpr Bounds kUnit{{0, 0, 0}, {1, 1, 1}};
@@ -242,4 +242,4 @@ TEST(NodeTree, RefusesBadSettings) {
 }
 
 }  // namespace
-}  // namespace aips
+}  // namespace aips::kd_tree_test

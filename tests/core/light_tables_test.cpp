@@ -10,7 +10,7 @@
 
 #include "aips/core/random.h"
 
-namespace aips {
+namespace aips::light_tables_test {
 namespace {
 
 constexpr Bounds kScene{{0, 0, 0}, {1, 1, 1}};
@@ -138,4 +138,4 @@ TEST(LightTables, MemoryIsBounded) {
 }
 
 }  // namespace
-}  // namespace aips
+}  // namespace aips::light_tables_test

@@ -10,7 +10,7 @@
 #include "aips/core/primary_point.h"
 #include "chi_square.h"
 
-namespace aips {
+namespace aips::low_discrepancy_test {
 namespace {
 
 constexpr double kSignificance = 1e-4;
@@ -153,4 +153,4 @@ TEST(SobolRun, IsTheSequenceToTheBitInAnyOrder) {
 }
 
 }  // namespace
-}  // namespace aips
+}  // namespace aips::low_discrepancy_test

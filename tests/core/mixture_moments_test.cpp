@@ -8,7 +8,7 @@
 
 #include "aips/core/random.h"
 
-namespace aips {
+namespace aips::mixture_moments_test {
 namespace {
 
 constexpr std::size_t kCells = 4;
@@ -142,4 +142,4 @@ TEST(ShareChoice, FollowsAllPlacesWhereLittleIsKnown) {
 }
 
 }  // namespace
-}  // namespace aips
+}  // namespace aips::mixture_moments_test

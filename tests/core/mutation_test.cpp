@@ -9,7 +9,7 @@
 #include "aips/core/random.h"
 #include "chi_square.h"
 
-namespace aips {
+namespace aips::mutation_test {
 namespace {
 
 constexpr double kSignificance = 1e-4;
@@ -123,4 +123,4 @@ TEST(MutationSize, SettlesAtTheGoal) {
 }
 
 }  // namespace
-}  // namespace aips
+}  // namespace aips::mutation_test

@@ -10,7 +10,7 @@
 #include "aips/core/random.h"
 #include "aips/core/sampling.h"
 
-namespace aips {
+namespace aips::occupancy_test {
 namespace {
 
 constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
@@ -118,4 +118,4 @@ TEST(Occupancy, MemoryIsBounded) {
 }
 
 }  // namespace
-}  // namespace aips
+}  // namespace aips::occupancy_test

@@ -10,7 +10,7 @@
 
 #include "aips/core/random.h"
 
-namespace aips {
+namespace aips::optimal_radius_test {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
@@ -168,4 +168,4 @@ TEST(OptimalRadius, SumsScaleLikeTheirValues) {
 }
 
 }  // namespace
-}  // namespace aips
+}  // namespace aips::optimal_radius_test

@@ -12,7 +12,7 @@
 
 #include "aips/core/random.h"
 
-namespace aips {
+namespace aips::paper_tables_test {
 namespace {
 
 constexpr Bounds kUnit{{0, 0, 0}, {1, 1, 1}};
@@ -270,4 +270,4 @@ TEST(PaperTables, RefusesBadSettings) {
 }
 
 }  // namespace
-}  // namespace aips
+}  // namespace aips::paper_tables_test

@@ -9,7 +9,7 @@
 
 #include "aips/core/random.h"
 
-namespace aips {
+namespace aips::photon_grid_test {
 namespace {
 
 std::vector<Landing> scattered(std::size_t count, Vec3 center, float spread, std::uint64_t seed) {
@@ -202,4 +202,4 @@ TEST(LandingGrid, ReusesItsMemoryWithinTheBound) {
 }
 
 }  // namespace
-}  // namespace aips
+}  // namespace aips::photon_grid_test

@@ -7,7 +7,7 @@
 
 #include "aips/core/random.h"
 
-namespace aips {
+namespace aips::point_grid_test {
 namespace {
 
 Vec3 random_point(RandomStream& random, float scale) {
@@ -58,4 +58,4 @@ TEST(PointGrid, StaysWithinItsMemoryBound) {
 }
 
 }  // namespace
-}  // namespace aips
+}  // namespace aips::point_grid_test

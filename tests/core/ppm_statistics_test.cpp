@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace aips {
+namespace aips::ppm_statistics_test {
 namespace {
 
 TEST(PpmStatistics, FollowsTheEquations) {
@@ -29,4 +29,4 @@ TEST(PpmStatistics, AlphaOneKeepsTheRadius) {
 }
 
 }  // namespace
-}  // namespace aips
+}  // namespace aips::ppm_statistics_test

@@ -11,7 +11,7 @@
 #include "aips/core/random.h"
 #include "chi_square.h"
 
-namespace aips {
+namespace aips::primary_tree_test {
 namespace {
 
 constexpr PrimaryMixture kGuided{.plain = 0.1, .seeds = 0};
@@ -419,4 +419,4 @@ TEST(PrimaryTree, AllPhotonsAtOnePoint) {
 }
 
 }  // namespace
-}  // namespace aips
+}  // namespace aips::primary_tree_test

@@ -9,7 +9,7 @@
 #include "aips/core/random.h"
 #include "chi_square.h"
 
-namespace aips {
+namespace aips::product_sampling_test {
 namespace {
 
 constexpr int kResolution = 8;
@@ -113,4 +113,4 @@ TEST(ProductSampling, OneSampleMixtureIsUnbiased) {
 }
 
 }  // namespace
-}  // namespace aips
+}  // namespace aips::product_sampling_test

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-namespace aips {
+namespace aips::radius_schedule_test {
 namespace {
 
 constexpr double kReference = 100000;
@@ -73,4 +73,4 @@ TEST(RadiusSchedule, BadArgumentsGiveAFinitePositiveRadius) {
 }
 
 }  // namespace
-}  // namespace aips
+}  // namespace aips::radius_schedule_test

@@ -8,7 +8,7 @@
 
 #include "chi_square.h"
 
-namespace aips {
+namespace aips::random_test {
 namespace {
 
 constexpr double kSignificance = 1e-4;
@@ -85,4 +85,4 @@ TEST(Random, LongStreamsDoNotRepeat) {
 }
 
 }  // namespace
-}  // namespace aips
+}  // namespace aips::random_test

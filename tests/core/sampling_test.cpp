@@ -8,7 +8,7 @@
 #include "aips/core/random.h"
 #include "chi_square.h"
 
-namespace aips {
+namespace aips::sampling_test {
 namespace {
 
 constexpr double kSignificance = 1e-4;
@@ -99,4 +99,4 @@ TEST(Sampling, FramesAreOrthonormalAlsoAtThePoles) {
 }
 
 }  // namespace
-}  // namespace aips
+}  // namespace aips::sampling_test

@@ -11,7 +11,7 @@
 
 #include "aips/core/random.h"
 
-namespace aips {
+namespace aips::score_cache_test {
 namespace {
 
 constexpr Bounds kScene{{0, 0, 0}, {1, 1, 1}};
@@ -355,4 +355,4 @@ TEST(ScoreCache, DegenerateScenesDoNotSplit) {
 }
 
 }  // namespace
-}  // namespace aips
+}  // namespace aips::score_cache_test

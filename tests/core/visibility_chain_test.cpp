@@ -10,7 +10,7 @@
 
 #include "chi_square.h"
 
-namespace aips {
+namespace aips::visibility_chain_test {
 namespace {
 
 constexpr double kSignificance = 1e-4;
@@ -254,4 +254,4 @@ TEST(PrimaryPath, MutatesWhatIsThereAndDrawsTheRest) {
 }
 
 }  // namespace
-}  // namespace aips
+}  // namespace aips::visibility_chain_test

@@ -6,6 +6,7 @@
 #include <regex>
 #include <sstream>
 
+namespace host_page_test {
 namespace {
 
 std::string text_of(const std::string& path) {
@@ -68,3 +69,4 @@ TEST(HostPage, TheExampleIsShort) {
 }
 
 }  // namespace
+}  // namespace host_page_test

@@ -7,9 +7,8 @@
 #include "aips/parts/image_film.h"
 #include "aips/parts/uniform_sampler.h"
 
+namespace aips::image_film_test {
 namespace {
-
-using namespace aips;
 
 TEST(ImageFilm, EyePathsCountAlikeAndPhotonsByWeight) {
     ImageFilm film(2, 1);
@@ -90,3 +89,4 @@ TEST(UniformSampler, StaysInItsPixelAndIsAPureFunction) {
 }
 
 }  // namespace
+}  // namespace aips::image_film_test

@@ -8,9 +8,8 @@
 #include "aips/core/sampling.h"
 #include "render_mock.h"
 
+namespace aips::triangle_scene_test {
 namespace {
-
-using namespace aips;
 
 /// mock::lamp_box(), without its ball.
 void build_box(TriangleScene& scene) {
@@ -166,3 +165,4 @@ TEST(TriangleScene, GivesTheImageOfAnotherHost) {
 }
 
 }  // namespace
+}  // namespace aips::triangle_scene_test

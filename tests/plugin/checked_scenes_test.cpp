@@ -11,6 +11,7 @@
 #include "lxs/tracing/trace_scene.h"
 #include "scene_shim.h"
 
+namespace checked_scenes_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -60,3 +61,4 @@ INSTANTIATE_TEST_SUITE_P(Folder, CheckedScenes, testing::ValuesIn(scene_names())
                          });
 
 }  // namespace
+}  // namespace checked_scenes_test

@@ -6,9 +6,9 @@
 
 #include "parameters.h"
 
+namespace aips::defaults_test {
 namespace {
 
-using namespace aips;
 using lxs::ParameterDeclaration;
 using lxs::ParameterType;
 
@@ -112,3 +112,4 @@ TEST(Defaults, ARadiusOfOnesOwnHasItsSchedule) {
 }
 
 }  // namespace
+}  // namespace aips::defaults_test

@@ -10,6 +10,7 @@
 
 #include "seeded_renders.h"
 
+namespace adjoint_scattering_test {
 namespace {
 
 constexpr int kSize = 48, kBlock = 12;
@@ -186,3 +187,4 @@ TEST(AdjointScattering, CameraAndLampInsideGlass) {
 }
 
 }  // namespace
+}  // namespace adjoint_scattering_test

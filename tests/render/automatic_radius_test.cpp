@@ -3,6 +3,7 @@
 
 #include "rendered_image.h"
 
+namespace automatic_radius_test {
 namespace {
 
 class AutomaticRadius : public testing::Test {
@@ -31,3 +32,4 @@ TEST_F(AutomaticRadius, KeepsToAScheduleThatIsAskedFor) {
 }
 
 }  // namespace
+}  // namespace automatic_radius_test

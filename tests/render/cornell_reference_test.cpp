@@ -9,6 +9,7 @@
 
 #include "rendered_image.h"
 
+namespace cornell_reference_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -96,3 +97,4 @@ TEST(CornellReference, SppmSceneWithNamesChanged) {
 }
 
 }  // namespace
+}  // namespace cornell_reference_test

@@ -7,6 +7,7 @@
 
 #include "rendered_image.h"
 
+namespace debug_layers_test {
 namespace {
 
 const std::set<std::string> kUnguided{
@@ -81,3 +82,4 @@ TEST(DebugLayers, PartsSumToTheImageWhateverTheFiltersLobes) {
 }
 
 }  // namespace
+}  // namespace debug_layers_test

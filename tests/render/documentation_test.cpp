@@ -8,6 +8,7 @@
 
 #include "rendered_image.h"
 
+namespace documentation_test {
 namespace {
 
 TEST(Documentation, ParameterPageMatchesTheDeclarations) {
@@ -34,3 +35,4 @@ TEST(Documentation, SceneLanguagePageMatchesTheDeclarations) {
 }
 
 }  // namespace
+}  // namespace documentation_test

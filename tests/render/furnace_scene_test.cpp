@@ -5,6 +5,7 @@
 
 #include "rendered_image.h"
 
+namespace furnace_scene_test {
 namespace {
 
 /// Mean of the middle of the image: the view of the far wall, away from the edges of the box.
@@ -37,3 +38,4 @@ TEST(FurnaceScene, ClosedFormWithEveryGuideAndMode) {
 }
 
 }  // namespace
+}  // namespace furnace_scene_test

@@ -6,6 +6,7 @@
 
 #include "seeded_renders.h"
 
+namespace guide_agreement_test {
 namespace {
 
 constexpr int kWidth = 48, kHeight = 32, kBlock = 8;
@@ -105,3 +106,4 @@ TEST(GuideAgreement, AdaptiveByWavelengths) {
 }
 
 }  // namespace
+}  // namespace guide_agreement_test

@@ -6,6 +6,7 @@
 
 #include "seeded_renders.h"
 
+namespace media_agreement_test {
 namespace {
 
 constexpr int kSize = 32;
@@ -60,3 +61,4 @@ TEST(MediaAgreement, LampInABoxOfFog) {
 }
 
 }  // namespace
+}  // namespace media_agreement_test

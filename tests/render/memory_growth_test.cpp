@@ -6,6 +6,7 @@
 
 #include "rendered_image.h"
 
+namespace memory_growth_test {
 namespace {
 
 /// Peak resident memory in bytes and the integrator's statistics of a run.
@@ -37,3 +38,4 @@ TEST(MemoryGrowth, FlatOnceTheGuideHasLearned) {
 }
 
 }  // namespace
+}  // namespace memory_growth_test

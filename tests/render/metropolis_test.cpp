@@ -9,6 +9,7 @@
 
 #include "seeded_renders.h"
 
+namespace metropolis_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -138,3 +139,4 @@ TEST(Metropolis, IntegratorsWithoutChainsSayThatItHasNoEffect) {
 }
 
 }  // namespace
+}  // namespace metropolis_test

@@ -7,6 +7,7 @@
 
 #include "rendered_image.h"
 
+namespace motion_scene_test {
 namespace {
 
 constexpr int kWidth = 48, kHeight = 8;
@@ -108,3 +109,4 @@ TEST(MotionScene, PhotonsSeeTheSameTimes) {
 }
 
 }  // namespace
+}  // namespace motion_scene_test

@@ -7,6 +7,7 @@
 #include "block_test.h"
 #include "rendered_image.h"
 
+namespace path_agreement_test {
 namespace {
 
 constexpr int kSize = 96;
@@ -35,3 +36,4 @@ TEST(PathAgreement, CornellBoxAndTheBiasOfTheRadius) {
 }
 
 }  // namespace
+}  // namespace path_agreement_test

@@ -6,6 +6,7 @@
 
 #include "seeded_renders.h"
 
+namespace photon_sampler_test {
 namespace {
 
 constexpr int kWidth = 96, kHeight = 64;
@@ -59,3 +60,4 @@ TEST(PhotonSampler, UnderAGuideIsIgnoredWithALocatedWarning) {
 }
 
 }  // namespace
+}  // namespace photon_sampler_test

@@ -6,6 +6,7 @@
 #include "block_test.h"
 #include "rendered_image.h"
 
+namespace ppm_agreement_test {
 namespace {
 
 constexpr int kSize = 96;
@@ -39,3 +40,4 @@ TEST(PpmAgreement, CornellBoxAndTheBiasThatPassesTakeAway) {
 }
 
 }  // namespace
+}  // namespace ppm_agreement_test

@@ -7,6 +7,7 @@
 
 #include "seeded_renders.h"
 
+namespace profile_agreement_test {
 namespace {
 
 constexpr std::size_t kBlock = 8;
@@ -71,3 +72,4 @@ TEST(ProfileAgreement, PanelAndBallInARoom) {
 }
 
 }  // namespace
+}  // namespace profile_agreement_test

@@ -12,6 +12,7 @@
 
 #include "rendered_image.h"
 
+namespace scenes_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -104,3 +105,4 @@ TEST_P(Scenes, PathRendersThem) {
 INSTANTIATE_TEST_SUITE_P(Folder, Scenes, testing::ValuesIn(scene_names()), test_name);
 
 }  // namespace
+}  // namespace scenes_test

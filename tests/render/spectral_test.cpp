@@ -11,6 +11,7 @@
 #include "lxs/spectrum/spectrum.h"
 #include "rendered_image.h"
 
+namespace spectral_test {
 namespace {
 
 constexpr const char* kPhotons =
@@ -191,3 +192,4 @@ TEST(Spectral, SameBitsForAnyNumberOfThreads) {
 }
 
 }  // namespace
+}  // namespace spectral_test

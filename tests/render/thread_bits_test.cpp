@@ -3,6 +3,7 @@
 
 #include "rendered_image.h"
 
+namespace thread_bits_test {
 namespace {
 
 TEST(ThreadBits, Ppm) {
@@ -32,3 +33,4 @@ TEST(ThreadBits, SameExrWithOneTwoAndSevenThreads) {
 }
 
 }  // namespace
+}  // namespace thread_bits_test

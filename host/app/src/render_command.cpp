@@ -3,13 +3,11 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-#include <tbb/global_control.h>
 
 #include <cerrno>
 #include <chrono>
 #include <cstdio>
 #include <new>
-#include <optional>
 #include <system_error>
 
 #include "lxs/host/catalogue.h"
@@ -19,6 +17,7 @@
 #include "lxs/host/render_loop.h"
 #include "lxs/host/render_session.h"
 #include "lxs/host/scene_language_page.h"
+#include "lxs/host/thread_count.h"
 
 namespace lxs {
 namespace {
@@ -116,10 +115,6 @@ void print(const std::string& text) {
 }
 
 ExitCode render(const CommandLine& command, const PluginLibrary& plugins, ConsoleLog& log) {
-    std::optional<tbb::global_control> thread_limit;
-    if (command.threads > 0) {
-        thread_limit.emplace(tbb::global_control::max_allowed_parallelism, command.threads);
-    }
     check_checkpoint_place(command);
     InputDiagnostics diagnostics(log, command.strict);
     RenderSession session = prepare_session(command, plugins, diagnostics, log);
@@ -183,7 +178,7 @@ ExitCode run(const CommandLine& command, PluginLibrary& plugins, ConsoleLog& log
         return ExitCode::Success;
     }
     if (command.describe) return describe(command, plugins, log);
-    return render(command, plugins, log);
+    return on_threads(command.threads, [&] { return render(command, plugins, log); });
 }
 
 }  // namespace

@@ -4,9 +4,8 @@
 #include "aips/core/sampling.h"
 #include "faulty_scene.h"
 
+namespace aips::bsdf_faults_test {
 namespace {
-
-using namespace aips;
 
 enum class Fault {
     None,
@@ -124,3 +123,4 @@ TEST(BsdfFaults, NoneInTheSoundOne) {
 }
 
 }  // namespace
+}  // namespace aips::bsdf_faults_test

@@ -4,9 +4,8 @@
 #include "faulty_scene.h"
 #include "random_scenes.h"
 
+namespace aips::healthy_test {
 namespace {
-
-using namespace aips;
 
 TEST(SoundHosts, RoomsOfAllMaterials) {
     mock::Material glass, phong, null;
@@ -52,3 +51,4 @@ TEST(SoundHosts, SameSeedSameFindings) {
 }
 
 }  // namespace
+}  // namespace aips::healthy_test

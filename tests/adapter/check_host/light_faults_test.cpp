@@ -5,9 +5,8 @@
 #include "faulty_scene.h"
 #include "scene_with_lights.h"
 
+namespace aips::light_faults_test {
 namespace {
-
-using namespace aips;
 
 enum class Fault {
     None,
@@ -157,3 +156,4 @@ TEST(LightFaults, VisibilityThroughWalls) {
 }
 
 }  // namespace
+}  // namespace aips::light_faults_test

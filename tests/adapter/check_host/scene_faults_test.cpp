@@ -3,9 +3,8 @@
 
 #include "faulty_scene.h"
 
+namespace aips::scene_faults_test {
 namespace {
-
-using namespace aips;
 
 mock::Scene room() {
     return mock::lamp_box({}, mock::half_mirror());
@@ -86,3 +85,4 @@ TEST(SceneFaults, LightsThatAreNotThere) {
 }
 
 }  // namespace
+}  // namespace aips::scene_faults_test

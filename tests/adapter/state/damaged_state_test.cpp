@@ -7,9 +7,9 @@
 #include "aips/core/random.h"
 #include "resumable_render.h"
 
+namespace aips::damaged_state_test {
 namespace {
 
-using namespace aips;
 using mock::ResumableCase;
 using mock::ResumableRender;
 
@@ -157,3 +157,4 @@ TEST(StateOfAnotherRender, SaysWhatIsDamaged) {
 }
 
 }  // namespace
+}  // namespace aips::damaged_state_test

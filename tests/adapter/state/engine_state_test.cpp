@@ -4,9 +4,9 @@
 
 #include "resumable_render.h"
 
+namespace aips::engine_state_test {
 namespace {
 
-using namespace aips;
 using mock::ResumableCase;
 using mock::ResumableRender;
 
@@ -96,3 +96,4 @@ INSTANTIATE_TEST_SUITE_P(Renders, EngineState, testing::ValuesIn(mock::resumable
                          [](const auto& test) { return test.param.name; });
 
 }  // namespace
+}  // namespace aips::engine_state_test

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <vector>
 
-namespace bench::test {
+namespace bench::test::budget_curve_test {
 namespace {
 
 TEST(BudgetCurve, PowerLawsAreExact) {
@@ -30,4 +30,4 @@ TEST(BudgetCurve, ErrorsThatAreNotPositiveAreInterpolatedInLogTimeAlone) {
 }
 
 }  // namespace
-}  // namespace bench::test
+}  // namespace bench::test::budget_curve_test

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace bench::test {
+namespace bench::test::claimed_bias_test {
 namespace {
 
 TEST(ClaimedBias, FactorsExtrapolateBothPowersOfTheRadius) {
@@ -50,4 +50,4 @@ TEST(ClaimedBias, TheClaimsOwnNoiseStaysInTheSpread) {
 }
 
 }  // namespace
-}  // namespace bench::test
+}  // namespace bench::test::claimed_bias_test

@@ -7,7 +7,7 @@
 #include "exit_code.h"
 #include "study_file.h"
 
-namespace bench::test {
+namespace bench::test::command_line_test {
 namespace {
 
 using testing::HasSubstr;
@@ -108,4 +108,4 @@ TEST(BenchCommandLine, PageAndHelpListEveryExitCode) {
 }
 
 }  // namespace
-}  // namespace bench::test
+}  // namespace bench::test::command_line_test

@@ -9,7 +9,7 @@
 
 #include "synthetic_image.h"
 
-namespace bench::test {
+namespace bench::test::error_metrics_test {
 namespace {
 
 TEST(ErrorMetrics, ConstantOffsetHasTheClosedForm) {
@@ -95,4 +95,4 @@ TEST(ErrorMetrics, ImagesOfOtherSizesAreRefused) {
 }
 
 }  // namespace
-}  // namespace bench::test
+}  // namespace bench::test::error_metrics_test

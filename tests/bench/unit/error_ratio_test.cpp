@@ -7,7 +7,7 @@
 #include <random>
 #include <vector>
 
-namespace bench::test {
+namespace bench::test::error_ratio_test {
 namespace {
 
 using Errors = std::vector<std::optional<double>>;
@@ -50,4 +50,4 @@ TEST(ErrorRatio, IntervalCoversTheTruthAsOftenAsItSays) {
 }
 
 }  // namespace
-}  // namespace bench::test
+}  // namespace bench::test::error_ratio_test

@@ -7,7 +7,7 @@
 #include "study_file.h"
 #include "synthetic_image.h"
 
-namespace bench::test {
+namespace bench::test::image_file_test {
 namespace {
 
 TEST(ImageFile, LayersComeBackAsWritten) {
@@ -58,4 +58,4 @@ TEST(ImageFile, UnreadableFilesAreNamed) {
 }
 
 }  // namespace
-}  // namespace bench::test
+}  // namespace bench::test::image_file_test

@@ -6,7 +6,7 @@
 #include "pass_trace.h"
 #include "time_marks.h"
 
-namespace bench::test {
+namespace bench::test::measured_pass_test {
 namespace {
 
 TEST(TimeMarks, AreDueOnceOnTheirOwnClock) {
@@ -62,4 +62,4 @@ TEST(PassTrace, StaysSmallAndKeepsFirstAndLast) {
 }
 
 }  // namespace
-}  // namespace bench::test
+}  // namespace bench::test::measured_pass_test

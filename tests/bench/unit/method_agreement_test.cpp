@@ -8,7 +8,7 @@
 #include "reference_checks.h"
 #include "synthetic_image.h"
 
-namespace bench::test {
+namespace bench::test::method_agreement_test {
 namespace {
 
 constexpr int kSize = 32, kSeeds = 8;
@@ -171,4 +171,4 @@ TEST(MethodAgreement, FewerThanThreeSeedsSayNothing) {
 }
 
 }  // namespace
-}  // namespace bench::test
+}  // namespace bench::test::method_agreement_test

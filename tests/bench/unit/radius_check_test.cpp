@@ -4,7 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-namespace bench::test {
+namespace bench::test::radius_check_test {
 namespace {
 
 Json summary(double reference, double first, double second) {
@@ -33,4 +33,4 @@ TEST(RadiusCheck, RunsWithoutRadiusAndScenesWithoutReferencesDoNotCount) {
 }
 
 }  // namespace
-}  // namespace bench::test
+}  // namespace bench::test::radius_check_test

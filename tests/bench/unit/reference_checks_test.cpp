@@ -6,7 +6,7 @@
 
 #include "synthetic_image.h"
 
-namespace bench::test {
+namespace bench::test::reference_checks_test {
 namespace {
 
 /// "images" with `chunks` chunks each, image 2 brighter by `factor`.
@@ -61,4 +61,4 @@ TEST(ReferenceChecks, BiasLeftIsFreeOfTheHalvedImagesNoise) {
 }
 
 }  // namespace
-}  // namespace bench::test
+}  // namespace bench::test::reference_checks_test

@@ -12,7 +12,7 @@
 #include "study_file.h"
 #include "synthetic_image.h"
 
-namespace bench::test {
+namespace bench::test::run_errors_test {
 namespace {
 
 Image constant(double value) {
@@ -123,4 +123,4 @@ TEST_F(RunErrorsTest, ComparisonsAreRatiosToTheBaselineAtEqualTime) {
 }
 
 }  // namespace
-}  // namespace bench::test
+}  // namespace bench::test::run_errors_test

@@ -9,7 +9,7 @@
 #include "scene_table.h"
 #include "study_file.h"
 
-namespace bench::test {
+namespace bench::test::scene_and_method_test {
 namespace {
 
 using testing::HasSubstr;
@@ -78,4 +78,4 @@ TEST(Checksum, IsSha1) {
 }
 
 }  // namespace
-}  // namespace bench::test
+}  // namespace bench::test::scene_and_method_test

@@ -7,7 +7,7 @@
 
 #include "synthetic_image.h"
 
-namespace bench::test {
+namespace bench::test::seed_statistics_test {
 namespace {
 
 TEST(SeedStatistics, KnownBiasAndVarianceComeOutApart) {
@@ -42,4 +42,4 @@ TEST(SeedStatistics, OneSeedIsRefused) {
 }
 
 }  // namespace
-}  // namespace bench::test
+}  // namespace bench::test::seed_statistics_test

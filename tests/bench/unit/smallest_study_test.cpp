@@ -6,7 +6,7 @@
 #include "bench_process.h"
 #include "study_file.h"
 
-namespace bench::test {
+namespace bench::test::smallest_study_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -222,4 +222,4 @@ TEST_F(SmallestStudyTest, AFailedRunDoesNotEndTheStudy) {
 }
 
 }  // namespace
-}  // namespace bench::test
+}  // namespace bench::test::smallest_study_test

@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-namespace bench::test {
+namespace bench::test::study_plan_test {
 namespace {
 
 MethodTable small_table() {
@@ -59,4 +59,4 @@ TEST(StudyPlan, SettingsSurviveTheirFile) {
 }
 
 }  // namespace
-}  // namespace bench::test
+}  // namespace bench::test::study_plan_test

@@ -9,7 +9,7 @@
 
 #include "synthetic_image.h"
 
-namespace bench::test {
+namespace bench::test::weighted_image_test {
 namespace {
 
 WeightedImage constant(double value, double weight) {
@@ -73,4 +73,4 @@ TEST(WeightedImage, StandardErrorIsThatOfTheMean) {
 }
 
 }  // namespace
-}  // namespace bench::test
+}  // namespace bench::test::weighted_image_test

@@ -5,7 +5,7 @@
 
 #include "lxsrender_process.h"
 
-namespace lxs::test {
+namespace lxs::test::bad_input_test {
 namespace {
 
 using testing::HasSubstr;
@@ -167,4 +167,4 @@ TEST_F(BadInputTest, ParameterOutOfRange) {
 }
 
 }  // namespace
-}  // namespace lxs::test
+}  // namespace lxs::test::bad_input_test

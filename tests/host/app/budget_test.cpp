@@ -7,7 +7,7 @@
 #include "lxs/host/progress.h"
 #include "lxsrender_process.h"
 
-namespace lxs::test {
+namespace lxs::test::budget_test {
 namespace {
 
 using testing::HasSubstr;
@@ -64,4 +64,4 @@ TEST(Budget, WithoutAnyBudgetSixteenPassesAndANotice) {
 }
 
 }  // namespace
-}  // namespace lxs::test
+}  // namespace lxs::test::budget_test

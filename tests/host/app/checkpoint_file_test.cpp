@@ -7,7 +7,7 @@
 
 #include "temporary_folder.h"
 
-namespace lxs::test {
+namespace lxs::test::checkpoint_file_test {
 namespace {
 
 using files::TemporaryFolder;
@@ -192,4 +192,4 @@ TEST(StateArchive, WhatDoesNotFitIsRefused) {
 }
 
 }  // namespace
-}  // namespace lxs::test
+}  // namespace lxs::test::checkpoint_file_test

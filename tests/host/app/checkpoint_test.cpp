@@ -11,7 +11,7 @@
 
 #include "lxsrender_process.h"
 
-namespace lxs::test {
+namespace lxs::test::checkpoint_test {
 namespace {
 
 using testing::HasSubstr;
@@ -298,4 +298,4 @@ TEST_F(CheckpointTest, OptionsNeedAFile) {
 }
 
 }  // namespace
-}  // namespace lxs::test
+}  // namespace lxs::test::checkpoint_test

@@ -4,7 +4,7 @@
 
 #include "lxsrender_process.h"
 
-namespace lxs::test {
+namespace lxs::test::command_line_test {
 namespace {
 
 using testing::HasSubstr;
@@ -185,4 +185,4 @@ TEST_F(CommandLineTest, StrictTurnsUnknownParametersIntoErrors) {
 }
 
 }  // namespace
-}  // namespace lxs::test
+}  // namespace lxs::test::command_line_test

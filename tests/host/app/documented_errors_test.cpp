@@ -11,7 +11,7 @@
 #include "error_rows.h"
 #include "lxs/host/exit_code.h"
 
-namespace lxs::test {
+namespace lxs::test::documented_errors_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -132,4 +132,4 @@ TEST(ErrorsPage, EveryRowIsTrue) {
 }
 
 }  // namespace
-}  // namespace lxs::test
+}  // namespace lxs::test::documented_errors_test

@@ -6,7 +6,7 @@
 
 #include "lxsrender_process.h"
 
-namespace lxs::test {
+namespace lxs::test::image_verdict_test {
 namespace {
 
 using testing::HasSubstr;
@@ -101,4 +101,4 @@ TEST_F(ImageVerdictTest, TheExposureIsTooLong) {
 }
 
 }  // namespace
-}  // namespace lxs::test
+}  // namespace lxs::test::image_verdict_test

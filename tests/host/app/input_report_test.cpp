@@ -7,7 +7,7 @@
 #include "error_rows.h"
 #include "lxsrender_process.h"
 
-namespace lxs::test {
+namespace lxs::test::input_report_test {
 namespace {
 
 using testing::HasSubstr;
@@ -210,4 +210,4 @@ TEST_F(InputReport, SpheresAreShapesToo) {
 }
 
 }  // namespace
-}  // namespace lxs::test
+}  // namespace lxs::test::input_report_test

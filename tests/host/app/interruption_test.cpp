@@ -8,7 +8,7 @@
 
 #include "lxsrender_process.h"
 
-namespace lxs::test {
+namespace lxs::test::interruption_test {
 namespace {
 
 using testing::HasSubstr;
@@ -49,4 +49,4 @@ TEST(Interruption, SecondSignalExitsAtOnce) {
 }
 
 }  // namespace
-}  // namespace lxs::test
+}  // namespace lxs::test::interruption_test

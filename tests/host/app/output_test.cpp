@@ -7,7 +7,7 @@
 
 #include "lxsrender_process.h"
 
-namespace lxs::test {
+namespace lxs::test::output_test {
 namespace {
 
 using testing::HasSubstr;
@@ -94,4 +94,4 @@ TEST_F(OutputTest, ExrHeaderHoldsHowItWasMade) {
 }
 
 }  // namespace
-}  // namespace lxs::test
+}  // namespace lxs::test::output_test

@@ -9,7 +9,7 @@
 
 #include "lxs/host/failure.h"
 
-namespace lxs::test {
+namespace lxs::test::plugin_check_test {
 namespace {
 
 using testing::HasSubstr;
@@ -138,4 +138,4 @@ TEST(PluginCheck, DefaultsThatTheParameterItselfWouldRefuse) {
 }
 
 }  // namespace
-}  // namespace lxs::test
+}  // namespace lxs::test::plugin_check_test

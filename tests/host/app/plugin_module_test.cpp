@@ -6,7 +6,7 @@
 #include "lxs/sdk/plugin.h"
 #include "lxsrender_process.h"
 
-namespace lxs::test {
+namespace lxs::test::plugin_module_test {
 namespace {
 
 using testing::HasSubstr;
@@ -115,4 +115,4 @@ TEST_F(PluginModuleTest, IntegratorThatRefusesTheScene) {
 }
 
 }  // namespace
-}  // namespace lxs::test
+}  // namespace lxs::test::plugin_module_test

@@ -7,7 +7,7 @@
 
 #include "lxsrender_process.h"
 
-namespace lxs::test {
+namespace lxs::test::statement_override_test {
 namespace {
 
 using testing::HasSubstr;
@@ -83,4 +83,4 @@ TEST_F(StatementOverrideTest, SamplerIsReplacedAndAnUnknownOneIsAnError) {
 }
 
 }  // namespace
-}  // namespace lxs::test
+}  // namespace lxs::test::statement_override_test

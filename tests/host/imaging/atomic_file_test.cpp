@@ -10,7 +10,7 @@
 
 #include "scene_options.h"
 
-namespace lxs::test {
+namespace lxs::test::atomic_file_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -149,4 +149,4 @@ TEST(AtomicFile, AbandonedTemporariesGoAndThoseInUseStay) {
 }
 
 }  // namespace
-}  // namespace lxs::test
+}  // namespace lxs::test::atomic_file_test

@@ -11,7 +11,7 @@
 #include "film_samples.h"
 #include "tone_map.h"
 
-namespace lxs::test {
+namespace lxs::test::camera_response_test {
 namespace {
 
 std::shared_ptr<const SourceFile> file_of(const std::string& text) {
@@ -177,4 +177,4 @@ TEST(CameraResponse, GoesOnWithoutWhatCannotBeRead) {
 }
 
 }  // namespace
-}  // namespace lxs::test
+}  // namespace lxs::test::camera_response_test

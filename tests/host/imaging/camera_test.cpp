@@ -8,7 +8,7 @@
 #include "lxs/imaging/imaging.h"
 #include "scene_options.h"
 
-namespace lxs::test {
+namespace lxs::test::camera_test {
 namespace {
 
 /// World to camera as LookAt of the scene language makes it: x right, y up, z forward.
@@ -201,4 +201,4 @@ TEST(Camera, GivesTimeShutterAndMedium) {
 }
 
 }  // namespace
-}  // namespace lxs::test
+}  // namespace lxs::test::camera_test

@@ -6,7 +6,7 @@
 #include "lxs/imaging/imaging.h"
 #include "scene_options.h"
 
-namespace lxs::test {
+namespace lxs::test::color_space_test {
 namespace {
 
 constexpr ColorSpace kRec709{{0.64, 0.33}, {0.30, 0.60}, {0.15, 0.06}, {0.3127, 0.3290}};
@@ -96,4 +96,4 @@ TEST(ColorSpace, NonsenseIsRefused) {
 }
 
 }  // namespace
-}  // namespace lxs::test
+}  // namespace lxs::test::color_space_test

@@ -2,8 +2,6 @@
 // same bits for any number of threads.
 #include <OpenImageIO/imagebuf.h>
 #include <gtest/gtest.h>
-#include <tbb/global_control.h>
-#include <tbb/task_arena.h>
 
 #include <cmath>
 #include <cstring>
@@ -12,8 +10,9 @@
 #include <random>
 
 #include "film_samples.h"
+#include "run_on_threads.h"
 
-namespace lxs::test {
+namespace lxs::test::film_accumulation_test {
 namespace {
 
 bool same_bits(const std::vector<Rgb>& a, const std::vector<Rgb>& b) {
@@ -82,11 +81,8 @@ TEST(FilmAccumulation, SameBitsForAnyNumberOfThreads) {
     contents.light_groups = {"default", "sun"};
     set_option(contents, "PixelFilter", "mitchell", {});
     std::vector<std::vector<Rgb>> images;
-    for (const int threads : {1, 2, 7}) {
-        const tbb::global_control control(tbb::global_control::max_allowed_parallelism,
-                                          static_cast<std::size_t>(threads));
-        tbb::task_arena arena(threads);
-        arena.execute([&] {
+    for (const unsigned threads : {1u, 2u, 7u}) {
+        concurrency::run_on(threads, [&] {
             const auto film = make(contents);
             for (unsigned pass = 0; pass < 5; ++pass) {
                 const Samples samples = random_samples(
@@ -263,4 +259,4 @@ TEST(FilmAccumulation, WavelengthsOfPassesBecomeColours) {
 }
 
 }  // namespace
-}  // namespace lxs::test
+}  // namespace lxs::test::film_accumulation_test

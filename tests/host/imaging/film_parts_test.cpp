@@ -1,6 +1,5 @@
 // Protects the two parts of what samples saw: each has a mean over passes of its own.
 #include <gtest/gtest.h>
-#include <tbb/global_control.h>
 
 #include <cmath>
 #include <stdexcept>
@@ -8,8 +7,9 @@
 
 #include "film_accumulator.h"
 #include "film_samples.h"
+#include "run_on_threads.h"
 
-namespace lxs::test {
+namespace lxs::test::film_parts_test {
 namespace {
 
 constexpr std::uint32_t kWidth = 13, kHeight = 9;
@@ -69,12 +69,13 @@ TEST(FilmParts, HaveMeansOfTheirOwn) {
 
 TEST(FilmParts, SameBitsForAnyNumberOfThreads) {
     std::vector<std::vector<Rgb>> images;
-    for (const std::size_t threads : {1u, 2u, 7u}) {
-        const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
-        const auto film = film_of_groups();
-        for (unsigned pass = 0; pass < 3; ++pass)
-            film->add_pass(Parts(pass).both());
-        images.push_back(film->image());
+    for (const unsigned threads : {1u, 2u, 7u}) {
+        concurrency::run_on(threads, [&] {
+            const auto film = film_of_groups();
+            for (unsigned pass = 0; pass < 3; ++pass)
+                film->add_pass(Parts(pass).both());
+            images.push_back(film->image());
+        });
     }
     EXPECT_EQ(images[0], images[1]);
     EXPECT_EQ(images[0], images[2]);
@@ -140,4 +141,4 @@ TEST(FilmParts, MalformedOnesAreTheCallersBug) {
 }
 
 }  // namespace
-}  // namespace lxs::test
+}  // namespace lxs::test::film_parts_test

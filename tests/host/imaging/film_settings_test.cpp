@@ -6,7 +6,7 @@
 
 #include "scene_options.h"
 
-namespace lxs::test {
+namespace lxs::test::film_settings_test {
 namespace {
 
 struct Read {
@@ -134,4 +134,4 @@ TEST(FilmSettings, OlderNamesGiveWayToTodays) {
 }
 
 }  // namespace
-}  // namespace lxs::test
+}  // namespace lxs::test::film_settings_test

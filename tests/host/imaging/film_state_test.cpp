@@ -9,7 +9,7 @@
 #include "lxs/imaging/imaging.h"
 #include "scene_options.h"
 
-namespace lxs::test {
+namespace lxs::test::film_state_test {
 namespace {
 
 /// Keeps what is saved, and restores it.
@@ -156,4 +156,4 @@ TEST(FilmState, EveryMissingEndIsRefused) {
 }
 
 }  // namespace
-}  // namespace lxs::test
+}  // namespace lxs::test::film_state_test

@@ -8,7 +8,7 @@
 #include "lxs/imaging/imaging.h"
 #include "scene_options.h"
 
-namespace lxs::test {
+namespace lxs::test::focus_test {
 namespace {
 
 TEST(Aperture, APolygonIsFilledUniformly) {
@@ -100,4 +100,4 @@ TEST(Autofocus, NothingMetLeavesTheGivenDistance) {
 }
 
 }  // namespace
-}  // namespace lxs::test
+}  // namespace lxs::test::focus_test

@@ -8,7 +8,7 @@
 #include "lxs/imaging/imaging.h"
 #include "scene_options.h"
 
-namespace lxs::test {
+namespace lxs::test::image_files_test {
 namespace {
 
 /// A file as OpenImageIO reads it.
@@ -145,4 +145,4 @@ TEST(PngFile, HoldsTheToneMappedImage) {
 }
 
 }  // namespace
-}  // namespace lxs::test
+}  // namespace lxs::test::image_files_test

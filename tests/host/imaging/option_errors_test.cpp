@@ -4,7 +4,7 @@
 #include "lxs/imaging/imaging.h"
 #include "scene_options.h"
 
-namespace lxs::test {
+namespace lxs::test::option_errors_test {
 namespace {
 
 std::string film_error(std::vector<ParameterValue> values) {
@@ -170,4 +170,4 @@ TEST(SamplerErrors, MetropolisParametersAreChecked) {
 }
 
 }  // namespace
-}  // namespace lxs::test
+}  // namespace lxs::test::option_errors_test

@@ -4,16 +4,15 @@
 
 #include <OpenImageIO/imagebuf.h>
 #include <gtest/gtest.h>
-#include <tbb/global_control.h>
-#include <tbb/task_arena.h>
 
 #include <cmath>
 #include <cstring>
 
 #include "film_samples.h"
 #include "pixel_filter.h"
+#include "run_on_threads.h"
 
-namespace lxs::test {
+namespace lxs::test::pixel_debts_test {
 namespace {
 
 std::vector<float> settled(const std::vector<float>& row, std::uint32_t reach) {
@@ -227,11 +226,8 @@ TEST(FilmDebts, SplatsKeepTheirLightToo) {
 
 TEST(FilmDebts, SameBitsForAnyNumberOfThreads) {
     std::vector<std::vector<Rgb>> images;
-    for (const int threads : {1, 2, 7}) {
-        const tbb::global_control control(tbb::global_control::max_allowed_parallelism,
-                                          static_cast<std::size_t>(threads));
-        tbb::task_arena arena(threads);
-        arena.execute([&] {
+    for (const unsigned threads : {1u, 2u, 7u}) {
+        concurrency::run_on(threads, [&] {
             const auto film = make(scene_with({"catmullrom", {}}, 120));
             const Samples samples = random_samples(*film, 120 * 120 * 4, 5, [](float u) {
                 return u < 0.05f ? Rgb(1 / (u + 1e-3f), u, 1) : Rgb(0.0f);
@@ -247,4 +243,4 @@ TEST(FilmDebts, SameBitsForAnyNumberOfThreads) {
 }
 
 }  // namespace
-}  // namespace lxs::test
+}  // namespace lxs::test::pixel_debts_test

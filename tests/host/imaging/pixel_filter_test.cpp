@@ -10,7 +10,7 @@
 #include "filter_functions.h"
 #include "scene_options.h"
 
-namespace lxs::test {
+namespace lxs::test::pixel_filter_test {
 namespace {
 
 constexpr const char* kFilters[] = {"blackmanharris", "box",  "catmullrom", "gaussian",
@@ -207,4 +207,4 @@ TEST(PixelFilter, MitchellIsRadial) {
 }
 
 }  // namespace
-}  // namespace lxs::test
+}  // namespace lxs::test::pixel_filter_test

@@ -8,7 +8,7 @@
 #include "lxs/imaging/imaging.h"
 #include "scene_options.h"
 
-namespace lxs::test {
+namespace lxs::test::sampler_test {
 namespace {
 
 std::unique_ptr<Sampler> sampler(std::uint64_t seed) {
@@ -131,4 +131,4 @@ TEST(Sampler, FirstPassIsUniformOverPixels) {
 }
 
 }  // namespace
-}  // namespace lxs::test
+}  // namespace lxs::test::sampler_test

@@ -1,7 +1,6 @@
 // Protects the film's splats: sums over density, normalised by the filter's integral over the film,
 // kept apart from the means of samples.
 #include <gtest/gtest.h>
-#include <tbb/global_control.h>
 
 #include <cmath>
 #include <limits>
@@ -10,9 +9,10 @@
 #include "film_samples.h"
 #include "filter_integral.h"
 #include "lxs/imaging/imaging.h"
+#include "run_on_threads.h"
 #include "scene_options.h"
 
-namespace lxs::test {
+namespace lxs::test::splat_test {
 namespace {
 
 /// Splats per pixel and axis that divide the tables of filters with radius 2 and 4.
@@ -180,12 +180,13 @@ TEST(FilmSplats, BadSplatsAreRefusedAndCounted) {
 
 TEST(FilmSplats, SameBitsForAnyNumberOfThreads) {
     std::vector<std::vector<Rgb>> images;
-    for (const std::size_t threads : {1u, 2u, 7u}) {
-        const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
-        const auto film = film_with("mitchell", 64, 48);
-        for (unsigned pass = 0; pass < 4; ++pass)
-            film->add_splats(random_splats(*film, 5000, pass).pass(6000));
-        images.push_back(film->image());
+    for (const unsigned threads : {1u, 2u, 7u}) {
+        concurrency::run_on(threads, [&] {
+            const auto film = film_with("mitchell", 64, 48);
+            for (unsigned pass = 0; pass < 4; ++pass)
+                film->add_splats(random_splats(*film, 5000, pass).pass(6000));
+            images.push_back(film->image());
+        });
     }
     EXPECT_EQ(images[0], images[1]);
     EXPECT_EQ(images[0], images[2]);
@@ -204,4 +205,4 @@ TEST(FilmSplats, MemoryDoesNotGrowWithPassesAndIsNotTakenWithoutSplats) {
 }
 
 }  // namespace
-}  // namespace lxs::test
+}  // namespace lxs::test::splat_test

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-namespace lxs::test {
+namespace lxs::test::tone_map_test {
 namespace {
 
 using Kernel = ToneMapSettings::Kernel;
@@ -194,4 +194,4 @@ TEST(ToneMap, LuminanceIsThatOfTheFilmsColours) {
 }
 
 }  // namespace
-}  // namespace lxs::test
+}  // namespace lxs::test::tone_map_test

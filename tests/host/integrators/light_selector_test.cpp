@@ -6,7 +6,7 @@
 #include <cmath>
 #include <map>
 
-namespace lxs::test {
+namespace lxs::test::light_selector_test {
 namespace {
 
 class PowerOnly : public Light {
@@ -102,4 +102,4 @@ TEST(LightSelector, LargestUGivesTheLastLight) {
 }
 
 }  // namespace
-}  // namespace lxs::test
+}  // namespace lxs::test::light_selector_test

@@ -12,7 +12,7 @@
 #include "block_test.h"
 #include "metropolis_landscape.h"
 
-namespace lxs::test {
+namespace lxs::test::metropolis_chain_test {
 namespace {
 
 constexpr std::uint32_t kSize = kLandscapeSize;
@@ -163,4 +163,4 @@ TEST(MetropolisChain, LargeStepsAloneArePlainMonteCarlo) {
 }
 
 }  // namespace
-}  // namespace lxs::test
+}  // namespace lxs::test::metropolis_chain_test

@@ -9,7 +9,7 @@
 
 #include "path/metropolis_chain.h"
 
-namespace lxs::test {
+namespace lxs::test::metropolis_mutation_test {
 namespace {
 
 double chi_square_p(double statistic, double degrees) {
@@ -92,4 +92,4 @@ TEST(MetropolisCoordinates, EndlessPathsAreServed) {
 }
 
 }  // namespace
-}  // namespace lxs::test
+}  // namespace lxs::test::metropolis_mutation_test

@@ -2,7 +2,6 @@
 // for any number of threads, closed forms, light groups and figures.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
-#include <tbb/global_control.h>
 
 #include <cmath>
 #include <iostream>
@@ -10,8 +9,9 @@
 
 #include "block_test.h"
 #include "path_render.h"
+#include "run_on_threads.h"
 
-namespace lxs::test {
+namespace lxs::test::metropolis_path_test {
 namespace {
 
 const std::string kMetropolis = "Sampler \"metropolis\"\n";
@@ -96,9 +96,9 @@ TEST(MetropolisPath, FurnaceSumsTheBouncesThatMaxdepthAllows) {
 
 TEST(MetropolisPath, SameBitsForAnyNumberOfThreads) {
     std::vector<std::vector<Rgb>> images;
-    for (const std::size_t threads : {1u, 2u, 7u}) {
-        const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
-        images.push_back(render_image(kMetropolis + still_life(), {}, 20));
+    for (const unsigned threads : {1u, 2u, 7u}) {
+        images.push_back(concurrency::run_on(
+            threads, [] { return render_image(kMetropolis + still_life(), {}, 20); }));
     }
     EXPECT_EQ(images[0], images[1]);
     EXPECT_EQ(images[0], images[2]);
@@ -132,4 +132,4 @@ TEST(MetropolisPath, FiguresAreSane) {
 }
 
 }  // namespace
-}  // namespace lxs::test
+}  // namespace lxs::test::metropolis_path_test

@@ -10,7 +10,7 @@
 #include <iostream>
 #include <numeric>
 
-namespace lxs::test {
+namespace lxs::test::metropolis_population_test {
 namespace {
 
 constexpr std::uint32_t kFilm = 32;  ///< pixels along each side
@@ -182,4 +182,4 @@ TEST(Resampling, EachDrawAloneIsInProportion) {
 }
 
 }  // namespace
-}  // namespace lxs::test
+}  // namespace lxs::test::metropolis_population_test

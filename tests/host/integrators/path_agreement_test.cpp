@@ -7,7 +7,7 @@
 
 #include "path_render.h"
 
-namespace lxs::test {
+namespace lxs::test::path_agreement_test {
 namespace {
 
 constexpr double kLargestZ = 4.5;
@@ -143,4 +143,4 @@ TEST(PathAgreement, CausticThroughRealGlassComesFromScatteredRaysAlone) {
 }
 
 }  // namespace
-}  // namespace lxs::test
+}  // namespace lxs::test::path_agreement_test

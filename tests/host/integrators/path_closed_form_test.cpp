@@ -7,7 +7,7 @@
 
 #include "path_render.h"
 
-namespace lxs::test {
+namespace lxs::test::path_closed_form_test {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
@@ -114,4 +114,4 @@ TEST(PathClosedForm, ClearMediumAbsorbsByBeerLambert) {
 }
 
 }  // namespace
-}  // namespace lxs::test
+}  // namespace lxs::test::path_closed_form_test

@@ -7,7 +7,7 @@
 
 #include "path_render.h"
 
-namespace lxs {
+namespace lxs::path_media_test {
 namespace {
 
 using test::camera_above;
@@ -88,4 +88,4 @@ TEST(PathMedia, EndlessFogUnderASky) {
 }
 
 }  // namespace
-}  // namespace lxs
+}  // namespace lxs::path_media_test

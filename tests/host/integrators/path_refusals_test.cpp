@@ -16,7 +16,7 @@
 #include "path/path_integrator.h"
 #include "path_render.h"
 
-namespace lxs::test {
+namespace lxs::test::path_refusals_test {
 namespace {
 
 constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
@@ -239,4 +239,4 @@ TEST(PathRefusals, EverythingThatASceneGives) {
 }
 
 }  // namespace
-}  // namespace lxs::test
+}  // namespace lxs::test::path_refusals_test

@@ -6,7 +6,7 @@
 #include <array>
 #include <cmath>
 
-namespace lxs::test {
+namespace lxs::test::random_stream_test {
 namespace {
 
 TEST(RandomStream, DependsOnSeedPassPixelAndDimension) {
@@ -45,4 +45,4 @@ TEST(RandomStream, IsUniform) {
 }
 
 }  // namespace
-}  // namespace lxs::test
+}  // namespace lxs::test::random_stream_test

@@ -5,7 +5,7 @@
 
 #include "scene_fakes.h"
 
-namespace lxs::test {
+namespace lxs::test::bad_bytes_test {
 namespace {
 
 const std::string kScene = R"(# scene
@@ -78,4 +78,4 @@ TEST(BadBytes, EveryPrefixOfASceneIsRefused) {
 }
 
 }  // namespace
-}  // namespace lxs::test
+}  // namespace lxs::test::bad_bytes_test

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace lxs {
+namespace lxs::diagnostics_test {
 namespace {
 
 SourceLocation place(const std::string& text, std::uint32_t line, std::uint32_t column) {
@@ -120,4 +120,4 @@ TEST(InQuotes, CutsLongTextAndHidesControlCharacters) {
 }
 
 }  // namespace
-}  // namespace lxs
+}  // namespace lxs::diagnostics_test

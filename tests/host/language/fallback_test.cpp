@@ -7,7 +7,7 @@
 #include "scene_fakes.h"
 #include "temporary_folder.h"
 
-namespace lxs::test {
+namespace lxs::test::fallback_test {
 namespace {
 
 using testing::ElementsAre;
@@ -280,4 +280,4 @@ TEST(Fallback, TheFolderAboveALinkIsThatOfItsTarget) {
 }
 
 }  // namespace
-}  // namespace lxs::test
+}  // namespace lxs::test::fallback_test

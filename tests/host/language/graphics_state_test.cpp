@@ -5,7 +5,7 @@
 #include "temporary_folder.h"
 #include "textures_by_name.h"
 
-namespace lxs::test {
+namespace lxs::test::graphics_state_test {
 namespace {
 
 using Messages = std::vector<std::string>;
@@ -202,4 +202,4 @@ TEST(Scopes, NestDeeply) {
 }
 
 }  // namespace
-}  // namespace lxs::test
+}  // namespace lxs::test::graphics_state_test

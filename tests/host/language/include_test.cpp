@@ -9,7 +9,7 @@
 #include "scene_fakes.h"
 #include "temporary_folder.h"
 
-namespace lxs::test {
+namespace lxs::test::include_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -148,4 +148,4 @@ TEST(StandardInput, IsReadForADash) {
 }
 
 }  // namespace
-}  // namespace lxs::test
+}  // namespace lxs::test::include_test

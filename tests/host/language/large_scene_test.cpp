@@ -6,7 +6,7 @@
 
 #include "scene_fakes.h"
 
-namespace lxs::test {
+namespace lxs::test::large_scene_test {
 namespace {
 
 std::string grid_mesh(int side) {
@@ -82,4 +82,4 @@ TEST(LargeScene, ManyStatementsOnOneLine) {
 }
 
 }  // namespace
-}  // namespace lxs::test
+}  // namespace lxs::test::large_scene_test

@@ -3,7 +3,7 @@
 
 #include "scene_fakes.h"
 
-namespace lxs::test {
+namespace lxs::test::object_test {
 namespace {
 
 TEST(Objects, InstancesPlaceTheDefinition) {
@@ -131,4 +131,4 @@ TEST(Objects, DeepNestingIsRefused) {
 }
 
 }  // namespace
-}  // namespace lxs::test
+}  // namespace lxs::test::object_test

@@ -6,7 +6,7 @@
 #include "lxs/sdk/medium.h"
 #include "lxs/sdk/offset_origin.h"
 
-namespace lxs {
+namespace lxs::offset_origin_test {
 namespace {
 
 TEST(OffsetOrigin, GoesToTheSideOfTheDirection) {
@@ -67,4 +67,4 @@ TEST(Medium, IsFiniteOverInfiniteDistances) {
 }
 
 }  // namespace
-}  // namespace lxs
+}  // namespace lxs::offset_origin_test

@@ -5,7 +5,7 @@
 
 #include "lxs/sdk/parameters.h"
 
-namespace lxs {
+namespace lxs::parameter_help_test {
 namespace {
 
 constexpr std::array<std::string_view, 2> kModes = {"fast", "exact"};
@@ -45,4 +45,4 @@ TEST(DescribeMarkdown, IsATable) {
 }
 
 }  // namespace
-}  // namespace lxs
+}  // namespace lxs::parameter_help_test

@@ -5,7 +5,7 @@
 
 #include "scene_fakes.h"
 
-namespace lxs::test {
+namespace lxs::test::parameter_reader_test {
 namespace {
 
 using Type = ParameterType;
@@ -290,4 +290,4 @@ TEST(ParameterReader, NeverHandsOutAValueOfAnotherKind) {
 }
 
 }  // namespace
-}  // namespace lxs::test
+}  // namespace lxs::test::parameter_reader_test

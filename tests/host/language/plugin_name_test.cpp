@@ -3,7 +3,7 @@
 
 #include "scene_fakes.h"
 
-namespace lxs::test {
+namespace lxs::test::plugin_name_test {
 namespace {
 
 using Messages = std::vector<std::string>;
@@ -102,4 +102,4 @@ TEST(PluginNames, UnknownParameterWarnsWithTheNearest) {
 }
 
 }  // namespace
-}  // namespace lxs::test
+}  // namespace lxs::test::plugin_name_test

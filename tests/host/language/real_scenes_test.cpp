@@ -5,7 +5,7 @@
 
 #include "scene_fakes.h"
 
-namespace lxs::test {
+namespace lxs::test::real_scenes_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -59,4 +59,4 @@ TEST(RealScenes, CornellBoxHasItsParts) {
 }
 
 }  // namespace
-}  // namespace lxs::test
+}  // namespace lxs::test::real_scenes_test

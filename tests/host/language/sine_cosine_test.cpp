@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace lxs {
+namespace lxs::sine_cosine_test {
 namespace {
 
 constexpr int kSteps = 1 << 16;
@@ -30,4 +30,4 @@ TEST(SineCosine, OfATurnIsRightInAllQuadrantsAndAtTheirSeams) {
 }
 
 }  // namespace
-}  // namespace lxs
+}  // namespace lxs::sine_cosine_test

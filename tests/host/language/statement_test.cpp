@@ -3,7 +3,7 @@
 
 #include "scene_fakes.h"
 
-namespace lxs::test {
+namespace lxs::test::statement_test {
 namespace {
 
 TEST(Statement, UnknownNameNamesTheNearest) {
@@ -101,4 +101,4 @@ TEST(Statement, WarnsOfWhatIsNotRendered) {
 }
 
 }  // namespace
-}  // namespace lxs::test
+}  // namespace lxs::test::statement_test

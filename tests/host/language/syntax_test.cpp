@@ -3,7 +3,7 @@
 
 #include "scene_fakes.h"
 
-namespace lxs::test {
+namespace lxs::test::syntax_test {
 namespace {
 
 /// Radius of the only sphere of `world`.
@@ -185,4 +185,4 @@ TEST(SyntaxError, ParameterForms) {
 }
 
 }  // namespace
-}  // namespace lxs::test
+}  // namespace lxs::test::syntax_test

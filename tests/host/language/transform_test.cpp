@@ -3,7 +3,7 @@
 
 #include "scene_fakes.h"
 
-namespace lxs::test {
+namespace lxs::test::transform_test {
 namespace {
 
 using Point = Imath::V3d;
@@ -192,4 +192,4 @@ TEST(Motion, ChecksItsForm) {
 }
 
 }  // namespace
-}  // namespace lxs::test
+}  // namespace lxs::test::transform_test

@@ -7,7 +7,7 @@
 #include "light_cases.h"
 #include "lxs/spectrum/rgb_spectra.h"
 
-namespace lxs::test {
+namespace lxs::test::area_light_test {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
@@ -161,4 +161,4 @@ TEST(AreaLight, IsDarkWithoutAnArea) {
 }
 
 }  // namespace
-}  // namespace lxs::test
+}  // namespace lxs::test::area_light_test

@@ -11,7 +11,7 @@
 #include "photometric_file.h"
 #include "temporary_folder.h"
 
-namespace lxs::test {
+namespace lxs::test::area_profile_test {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
@@ -298,4 +298,4 @@ TEST(AreaProfile, DirectionsFollowTheStatedDensity) {
 }
 
 }  // namespace
-}  // namespace lxs::test
+}  // namespace lxs::test::area_profile_test

@@ -9,7 +9,7 @@
 #include "chi_square.h"
 #include "light_cases.h"
 
-namespace lxs::test {
+namespace lxs::test::direct_density_test {
 namespace {
 
 constexpr std::size_t kCosines = 10, kAzimuths = 12;
@@ -128,4 +128,4 @@ TEST(DirectDensity, SampledRadianceIsWhatIsSeen) {
 }
 
 }  // namespace
-}  // namespace lxs::test
+}  // namespace lxs::test::direct_density_test

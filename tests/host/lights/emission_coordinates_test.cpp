@@ -6,7 +6,7 @@
 
 #include "light_cases.h"
 
-namespace lxs::test {
+namespace lxs::test::emission_coordinates_test {
 namespace {
 
 /// Values that no light writes, to see which coordinates it left alone.
@@ -196,4 +196,4 @@ TEST(EmissionCoordinates, NoneWhereNoLightArrives) {
 }
 
 }  // namespace
-}  // namespace lxs::test
+}  // namespace lxs::test::emission_coordinates_test

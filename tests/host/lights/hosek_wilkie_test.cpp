@@ -12,7 +12,7 @@
 #include "hosek_wilkie_data.h"
 #include "hosek_wilkie_sky.h"
 
-namespace lxs::test {
+namespace lxs::test::hosek_wilkie_test {
 namespace {
 
 /// FNV-1a of the numbers, printed by "%.6e".
@@ -99,4 +99,4 @@ TEST(HosekWilkieSky, IsBrightestAtTheSunAndBlue) {
 }
 
 }  // namespace
-}  // namespace lxs::test
+}  // namespace lxs::test::hosek_wilkie_test

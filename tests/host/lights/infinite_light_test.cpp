@@ -9,7 +9,7 @@
 #include "lxs/spectrum/rgb_spectra.h"
 #include "piecewise_2d.h"
 
-namespace lxs::test {
+namespace lxs::test::infinite_light_test {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
@@ -109,4 +109,4 @@ TEST(Piecewise2D, SampleStatesItsDensityAndCoversTheSquare) {
 }
 
 }  // namespace
-}  // namespace lxs::test
+}  // namespace lxs::test::infinite_light_test

@@ -7,7 +7,7 @@
 #include "piecewise_2d.h"
 #include "warp.h"
 
-namespace lxs::test {
+namespace lxs::test::inverse_warp_test {
 namespace {
 
 constexpr float kBelowOne = 0x1.fffffep-1f;
@@ -121,4 +121,4 @@ TEST(InverseWarp, PiecewiseConstantDensity) {
 }
 
 }  // namespace
-}  // namespace lxs::test
+}  // namespace lxs::test::inverse_warp_test

@@ -11,7 +11,7 @@
 #include "light_cases.h"
 #include "temporary_folder.h"
 
-namespace lxs::test {
+namespace lxs::test::light_formulas_test {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
@@ -198,4 +198,4 @@ TEST(LightFormulas, Area) {
 }
 
 }  // namespace
-}  // namespace lxs::test
+}  // namespace lxs::test::light_formulas_test

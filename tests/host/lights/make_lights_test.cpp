@@ -6,7 +6,7 @@
 #include "light_cases.h"
 #include "temporary_folder.h"
 
-namespace lxs::test {
+namespace lxs::test::make_lights_test {
 namespace {
 
 std::string error_of(const std::string& plugin, const std::vector<ParameterValue>& values,
@@ -143,4 +143,4 @@ TEST(AreaLightParameters, PowerIsDeclaredWithLuxRendersDefault) {
 }
 
 }  // namespace
-}  // namespace lxs::test
+}  // namespace lxs::test::make_lights_test

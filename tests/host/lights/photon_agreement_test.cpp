@@ -7,7 +7,7 @@
 
 #include "light_cases.h"
 
-namespace lxs::test {
+namespace lxs::test::photon_agreement_test {
 namespace {
 
 /// Mean and its standard error.
@@ -137,4 +137,4 @@ TEST(PhotonAgreement, InstancedAndMirroredShapes) {
 }
 
 }  // namespace
-}  // namespace lxs::test
+}  // namespace lxs::test::photon_agreement_test

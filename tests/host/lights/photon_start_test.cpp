@@ -8,7 +8,7 @@
 
 #include "light_cases.h"
 
-namespace lxs::test {
+namespace lxs::test::photon_start_test {
 namespace {
 
 using Imath::V3d;
@@ -128,4 +128,4 @@ TEST(PhotonStart, AsMuchLightAsFallsOnTheBoxIsShot) {
 }
 
 }  // namespace
-}  // namespace lxs::test
+}  // namespace lxs::test::photon_start_test

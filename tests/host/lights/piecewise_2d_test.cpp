@@ -6,7 +6,7 @@
 
 #include <cmath>
 
-namespace lxs::test {
+namespace lxs::test::piecewise_2d_test {
 namespace {
 
 TEST(Piecewise2D, DrawsWhatItStatesBesideASun) {
@@ -29,4 +29,4 @@ TEST(Piecewise2D, DrawsWhatItStatesBesideASun) {
 }
 
 }  // namespace
-}  // namespace lxs::test
+}  // namespace lxs::test::piecewise_2d_test

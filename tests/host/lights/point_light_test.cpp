@@ -7,7 +7,7 @@
 #include "light_cases.h"
 #include "lxs/spectrum/rgb_spectra.h"
 
-namespace lxs::test {
+namespace lxs::test::point_light_test {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
@@ -109,4 +109,4 @@ TEST(DistantLight, DiskSpreadsTheIrradiance) {
 }
 
 }  // namespace
-}  // namespace lxs::test
+}  // namespace lxs::test::point_light_test

@@ -15,7 +15,7 @@
 #include "photometric_file.h"
 #include "temporary_folder.h"
 
-namespace lxs::test {
+namespace lxs::test::profile_light_test {
 namespace {
 
 constexpr double kPiD = std::numbers::pi;
@@ -247,4 +247,4 @@ TEST_P(Layout, EveryDirectionIsFoundWhereTheLayoutShowsIt) {
 INSTANTIATE_TEST_SUITE_P(Mappings, Layout, testing::Values("angular", "vcross"));
 
 }  // namespace
-}  // namespace lxs::test
+}  // namespace lxs::test::profile_light_test

@@ -8,7 +8,7 @@
 #include "light_cases.h"
 #include "lxs/scene/surface_of_revolution.h"
 
-namespace lxs::test {
+namespace lxs::test::revolution_light_test {
 namespace {
 
 using Imath::V3d;
@@ -159,4 +159,4 @@ TEST(RevolutionLight, FrontIsOutsideUnlessReversed) {
 }
 
 }  // namespace
-}  // namespace lxs::test
+}  // namespace lxs::test::revolution_light_test

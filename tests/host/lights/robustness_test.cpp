@@ -6,7 +6,7 @@
 #include "light_cases.h"
 #include "lxs/sdk/warp.h"
 
-namespace lxs::test {
+namespace lxs::test::robustness_test {
 namespace {
 
 /// Rounded to single precision it is 1.
@@ -133,4 +133,4 @@ TEST(LightRobustness, PhotonsFromInfinityCrossTheScene) {
 }
 
 }  // namespace
-}  // namespace lxs::test
+}  // namespace lxs::test::robustness_test

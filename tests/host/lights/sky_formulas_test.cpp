@@ -8,7 +8,7 @@
 #include "hosek_wilkie_data.h"
 #include "light_cases.h"
 
-namespace lxs::test {
+namespace lxs::test::sky_formulas_test {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
@@ -233,4 +233,4 @@ TEST(SkyFormulas, ATurnedSunShinesThroughTheAirOfTheWorld) {
 }
 
 }  // namespace
-}  // namespace lxs::test
+}  // namespace lxs::test::sky_formulas_test

@@ -6,7 +6,7 @@
 
 #include "light_cases.h"
 
-namespace lxs::test {
+namespace lxs::test::sun_and_sky_test {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
@@ -180,4 +180,4 @@ TEST(SunAndSky, ShareTheirParametersAndTransform) {
 }
 
 }  // namespace
-}  // namespace lxs::test
+}  // namespace lxs::test::sun_and_sky_test

@@ -10,7 +10,7 @@
 #include "chi_square.h"
 #include "light_cases.h"
 
-namespace lxs::test {
+namespace lxs::test::tessellated_lamp_test {
 namespace {
 
 constexpr float kHeight = 0.05f;      // of the lamp above the floor
@@ -199,4 +199,4 @@ TEST(TessellatedLamp, EmissionCoordinatesLeadToTheSampledTriangle) {
 }
 
 }  // namespace
-}  // namespace lxs::test
+}  // namespace lxs::test::tessellated_lamp_test

@@ -9,7 +9,7 @@
 #include "shading_fixture.h"
 #include "textures/cell_points.h"
 
-namespace lxs {
+namespace lxs::blender_texture_test {
 namespace {
 
 float at(const FloatTexture& texture, const Vec3& p) {
@@ -199,4 +199,4 @@ TEST_F(BlenderTextureTest, MusgraveCountsPartsOfOctaves) {
 }
 
 }  // namespace
-}  // namespace lxs
+}  // namespace lxs::blender_texture_test

@@ -9,7 +9,7 @@
 #include "bsdfs/directions.h"
 #include "shading_fixture.h"
 
-namespace lxs {
+namespace lxs::bsdf_test {
 namespace {
 
 struct Case {
@@ -380,4 +380,4 @@ INSTANTIATE_TEST_SUITE_P(Materials, BsdfTest, ::testing::ValuesIn(cases()),
                          [](const auto& instance) { return std::string(instance.param.name); });
 
 }  // namespace
-}  // namespace lxs
+}  // namespace lxs::bsdf_test

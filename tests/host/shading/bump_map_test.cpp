@@ -11,7 +11,7 @@
 #include "shading_fixture.h"
 #include "temporary_folder.h"
 
-namespace lxs {
+namespace lxs::bump_map_test {
 namespace {
 
 using shading::bumped_normal;
@@ -259,4 +259,4 @@ TEST_F(BumpedMaterialTest, GlassInShadowRaysHasTheTiltedCosine) {
 }
 
 }  // namespace
-}  // namespace lxs
+}  // namespace lxs::bump_map_test

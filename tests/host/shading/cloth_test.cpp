@@ -10,7 +10,7 @@
 #include "lxs/spectrum/reflectance_colour.h"
 #include "shading_fixture.h"
 
-namespace lxs {
+namespace lxs::cloth_test {
 namespace {
 
 constexpr float kPi = 3.14159265f;
@@ -224,4 +224,4 @@ TEST_F(ClothTest, AnUnknownPresetIsRenderedAsDenim) {
 }
 
 }  // namespace
-}  // namespace lxs
+}  // namespace lxs::cloth_test

@@ -2,7 +2,7 @@
 #include "lux_formulas.h"
 #include "lxs/spectrum/reflectance_colour.h"
 
-namespace lxs::lux {
+namespace lxs::lux::coat_formula_test {
 namespace {
 
 struct Coat {
@@ -247,4 +247,4 @@ TEST(CoatFormula, CarPaintByNameAndByParameters) {
 }
 
 }  // namespace
-}  // namespace lxs::lux
+}  // namespace lxs::lux::coat_formula_test

@@ -7,7 +7,7 @@
 #include "lxs/spectrum/reflectance_colour.h"
 #include "shading_fixture.h"
 
-namespace lxs {
+namespace lxs::coating_test {
 namespace {
 
 const std::vector<ParameterValue> kCoat{color("Ks", {0.06f, 0.1f, 0.2f}),
@@ -63,4 +63,4 @@ TEST_F(CoatingTest, ABaseIsNeeded) {
 }
 
 }  // namespace
-}  // namespace lxs
+}  // namespace lxs::coating_test

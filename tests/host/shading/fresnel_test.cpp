@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-namespace lxs::shading {
+namespace lxs::shading::fresnel_test {
 namespace {
 
 TEST(Fresnel, NormalIncidenceOfGlass) {
@@ -53,4 +53,4 @@ TEST(Fresnel, ColouredMetalIsFiniteForAllReflectances) {
 }
 
 }  // namespace
-}  // namespace lxs::shading
+}  // namespace lxs::shading::fresnel_test

@@ -8,7 +8,7 @@
 #include "bsdf_statistics.h"
 #include "shading_fixture.h"
 
-namespace lxs {
+namespace lxs::glass_test {
 namespace {
 
 class GlassTest : public ::testing::Test {
@@ -286,4 +286,4 @@ TEST_F(GlassTest, VolumesDisperseByTheirFresnelTexture) {
 }
 
 }  // namespace
-}  // namespace lxs
+}  // namespace lxs::glass_test

@@ -8,7 +8,7 @@
 #include "shading_fixture.h"
 #include "temporary_folder.h"
 
-namespace lxs {
+namespace lxs::imagemap_test {
 namespace {
 
 class ImagemapTest : public ::testing::Test {
@@ -152,4 +152,4 @@ TEST_F(ImagemapTest, DamagedAndMissingFilesAreErrorsThatNameThem) {
 }
 
 }  // namespace
-}  // namespace lxs
+}  // namespace lxs::imagemap_test

@@ -11,7 +11,7 @@
 #include "lxs/spectrum/reflectance_colour.h"
 #include "shading_fixture.h"
 
-namespace lxs {
+namespace lxs::layered_test {
 namespace {
 
 using shading::LayeredBsdf;
@@ -291,4 +291,4 @@ TEST_F(LayeredTest, WhiteUnderGlassStaysWhite) {
 }
 
 }  // namespace
-}  // namespace lxs
+}  // namespace lxs::layered_test

@@ -6,7 +6,7 @@
 #include "lxs/spectrum/reflectance_colour.h"
 #include "shading_fixture.h"
 
-namespace lxs {
+namespace lxs::material_test {
 namespace {
 
 class MaterialTest : public ::testing::Test {
@@ -189,4 +189,4 @@ TEST_F(MaterialTest, MeasuredMetalsHaveTheirColours) {
 }
 
 }  // namespace
-}  // namespace lxs
+}  // namespace lxs::material_test

@@ -5,7 +5,7 @@
 
 #include "shading_fixture.h"
 
-namespace lxs {
+namespace lxs::media_test {
 namespace {
 
 class MediaTest : public ::testing::Test {
@@ -60,4 +60,4 @@ TEST_F(MediaTest, CoefficientsOutOfRangeAreLimited) {
 }
 
 }  // namespace
-}  // namespace lxs
+}  // namespace lxs::media_test

@@ -9,7 +9,7 @@
 #include "bsdf_statistics.h"
 #include "lxs/sdk/medium.h"
 
-namespace lxs {
+namespace lxs::medium_sampling_test {
 namespace {
 
 constexpr int kDraws = 200'000;
@@ -130,4 +130,4 @@ TEST(MediumSampling, DirectionsFollowTheirDensity) {
 }
 
 }  // namespace
-}  // namespace lxs
+}  // namespace lxs::medium_sampling_test

@@ -10,7 +10,7 @@
 #include "shading_fixture.h"
 #include "textures/perlin_noise.h"
 
-namespace lxs {
+namespace lxs::noise_texture_test {
 namespace {
 
 using shading::perlin_noise;
@@ -162,4 +162,4 @@ TEST_F(NoiseTextureTest, MarbleLiesInLayersAcrossY) {
 }
 
 }  // namespace
-}  // namespace lxs
+}  // namespace lxs::noise_texture_test

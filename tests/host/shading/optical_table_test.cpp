@@ -8,7 +8,7 @@
 #include "shading_fixture.h"
 #include "temporary_folder.h"
 
-namespace lxs {
+namespace lxs::optical_table_test {
 namespace {
 
 using namespace shading;
@@ -102,4 +102,4 @@ TEST_F(OpticalTableTest, MixOfConstants) {
 }
 
 }  // namespace
-}  // namespace lxs
+}  // namespace lxs::optical_table_test

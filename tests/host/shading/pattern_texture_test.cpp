@@ -6,7 +6,7 @@
 
 #include "shading_fixture.h"
 
-namespace lxs {
+namespace lxs::pattern_texture_test {
 namespace {
 
 TexturePoint at_uv(float u, float v) {
@@ -212,4 +212,4 @@ TEST_F(PatternTextureTest, VertexColoursAreTheMeshs) {
 }
 
 }  // namespace
-}  // namespace lxs
+}  // namespace lxs::pattern_texture_test

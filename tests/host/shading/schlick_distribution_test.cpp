@@ -10,7 +10,7 @@
 #include "bsdf_statistics.h"
 #include "shading_fixture.h"
 
-namespace lxs {
+namespace lxs::schlick_distribution_test {
 namespace {
 
 using shading::SchlickDistribution;
@@ -127,4 +127,4 @@ TEST(SchlickDistribution, GrainedIdealMetalReflectsAtMostWhatArrives) {
 }
 
 }  // namespace
-}  // namespace lxs
+}  // namespace lxs::schlick_distribution_test

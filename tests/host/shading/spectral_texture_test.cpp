@@ -9,7 +9,7 @@
 #include "temporary_folder.h"
 #include "textures/lamp_spectra.h"
 
-namespace lxs {
+namespace lxs::spectral_texture_test {
 namespace {
 
 Rgb light_of(const ColorTexture& texture) {
@@ -273,4 +273,4 @@ TEST_F(SpectralTextureTest, ColorDepthAbsorbsToItsColour) {
 }
 
 }  // namespace
-}  // namespace lxs
+}  // namespace lxs::spectral_texture_test

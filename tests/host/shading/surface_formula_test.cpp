@@ -4,7 +4,7 @@
 
 #include "lux_formulas.h"
 
-namespace lxs::lux {
+namespace lxs::lux::surface_formula_test {
 namespace {
 
 Rgb grey(double value) {
@@ -252,4 +252,4 @@ TEST(SurfaceFormula, MirrorAndGlass) {
 }
 
 }  // namespace
-}  // namespace lxs::lux
+}  // namespace lxs::lux::surface_formula_test

@@ -3,7 +3,7 @@
 
 #include "shading_fixture.h"
 
-namespace lxs {
+namespace lxs::texture_list_test {
 namespace {
 
 class TextureListTest : public ::testing::Test {
@@ -86,4 +86,4 @@ TEST_F(TextureListTest, BilinearOpticalConstants) {
 }
 
 }  // namespace
-}  // namespace lxs
+}  // namespace lxs::texture_list_test

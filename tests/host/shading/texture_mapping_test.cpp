@@ -5,7 +5,7 @@
 
 #include "shading_fixture.h"
 
-namespace lxs {
+namespace lxs::texture_mapping_test {
 namespace {
 
 /// Moves by (10, 0, 0) and doubles.
@@ -115,4 +115,4 @@ TEST_F(TextureMappingTest, CoordinatesChooseWhatIsLookedUp) {
 }
 
 }  // namespace
-}  // namespace lxs
+}  // namespace lxs::texture_mapping_test

@@ -3,7 +3,7 @@
 
 #include "shading_fixture.h"
 
-namespace lxs {
+namespace lxs::texture_test {
 namespace {
 
 TexturePoint at_uv(float u, float v) {
@@ -83,4 +83,4 @@ TEST_F(TextureTest, CauchyHasItsIndexAtSodiumLight) {
 }
 
 }  // namespace
-}  // namespace lxs
+}  // namespace lxs::texture_test

@@ -8,7 +8,7 @@
 #include "lxs/spectrum/colour_matching.h"
 #include "shading_fixture.h"
 
-namespace lxs {
+namespace lxs::thin_film_test {
 namespace {
 
 using shading::ThinFilm;
@@ -95,4 +95,4 @@ TEST_F(FilmMaterialTest, ColoursWhatIsReflected) {
 }
 
 }  // namespace
-}  // namespace lxs
+}  // namespace lxs::thin_film_test

@@ -7,7 +7,7 @@
 #include "bsdf_statistics.h"
 #include "shading_fixture.h"
 
-namespace lxs {
+namespace lxs::velvet_test {
 namespace {
 
 class VelvetTest : public ::testing::Test {
@@ -61,4 +61,4 @@ TEST_F(VelvetTest, GrazingViewsAreLimited) {
 }
 
 }  // namespace
-}  // namespace lxs
+}  // namespace lxs::velvet_test

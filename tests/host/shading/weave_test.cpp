@@ -9,7 +9,7 @@
 #include "materials/bent_yarn.h"
 #include "materials/weave.h"
 
-namespace lxs::shading {
+namespace lxs::shading::weave_test {
 namespace {
 
 /// As weavers draw it: a filled square is a warp end on top, the lowest row is the first pick.
@@ -135,4 +135,4 @@ TEST_F(BentYarnTest, FibresLieInTheSurface) {
 }
 
 }  // namespace
-}  // namespace lxs::shading
+}  // namespace lxs::shading::weave_test

@@ -6,7 +6,7 @@
 
 #include "shape_fixture.h"
 
-namespace lxs::test {
+namespace lxs::test::mesh_shape_test {
 namespace {
 
 using testing::ElementsAre;
@@ -209,4 +209,4 @@ TEST(MeshShapeErrors, StandAtTheParameter) {
 }
 
 }  // namespace
-}  // namespace lxs::test
+}  // namespace lxs::test::mesh_shape_test

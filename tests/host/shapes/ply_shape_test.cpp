@@ -9,7 +9,7 @@
 #include "shape_fixture.h"
 #include "temporary_folder.h"
 
-namespace lxs::test {
+namespace lxs::test::ply_shape_test {
 namespace {
 
 using testing::ElementsAre;
@@ -188,4 +188,4 @@ TEST_F(PlyShape, StlTextAndBinary) {
 }
 
 }  // namespace
-}  // namespace lxs::test
+}  // namespace lxs::test::ply_shape_test

@@ -4,7 +4,7 @@
 
 #include "shape_fixture.h"
 
-namespace lxs::test {
+namespace lxs::test::quadric_shapes_test {
 namespace {
 
 using testing::HasSubstr;
@@ -104,4 +104,4 @@ TEST(Quadrics, WithoutExtentAreEmpty) {
 }
 
 }  // namespace
-}  // namespace lxs::test
+}  // namespace lxs::test::quadric_shapes_test

@@ -6,7 +6,7 @@
 
 #include "shape_fixture.h"
 
-namespace lxs::test {
+namespace lxs::test::subdivision_test {
 namespace {
 
 using testing::HasSubstr;
@@ -162,4 +162,4 @@ TEST(Subdivision, RefusesUnknownSchemes) {
 }
 
 }  // namespace
-}  // namespace lxs::test
+}  // namespace lxs::test::subdivision_test

@@ -7,7 +7,7 @@
 
 #include "lxs/spectrum/colour_matching.h"
 
-namespace lxs {
+namespace lxs::reflectance_colour_test {
 namespace {
 
 // From LuxRender 1.9's spectra of colours under its white, seen through the CIE 1931 observer in
@@ -58,4 +58,4 @@ TEST(WhiteLamp, ShowsAWhiteSurfaceWhite) {
 }
 
 }  // namespace
-}  // namespace lxs
+}  // namespace lxs::reflectance_colour_test

@@ -5,7 +5,7 @@
 
 #include "lxs/spectrum/colour_matching.h"
 
-namespace lxs {
+namespace lxs::rgb_spectra_test {
 namespace {
 
 TEST(RgbSpectra, AColourIsWhiteASecondaryAndAPrimary) {
@@ -67,4 +67,4 @@ TEST(RgbSpectra, AnIlluminantIsFoundForAColour) {
 }
 
 }  // namespace
-}  // namespace lxs
+}  // namespace lxs::rgb_spectra_test

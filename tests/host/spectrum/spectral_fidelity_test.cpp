@@ -8,7 +8,7 @@
 
 #include "lxs/spectrum/daylight.h"
 
-namespace lxs {
+namespace lxs::spectral_fidelity_test {
 namespace {
 
 SpectralCurve bell(double centre, double width) {
@@ -77,4 +77,4 @@ TEST(SpectralFidelity, MediaCompareByTheirTransmittance) {
 }
 
 }  // namespace
-}  // namespace lxs
+}  // namespace lxs::spectral_fidelity_test

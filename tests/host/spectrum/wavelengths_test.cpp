@@ -14,7 +14,7 @@
 #include "lxs/spectrum/daylight.h"
 #include "lxs/spectrum/wavelength_density.h"
 
-namespace lxs {
+namespace lxs::wavelengths_test {
 namespace {
 
 /// Sum of white light's response times spectrum over the visible range.
@@ -215,4 +215,4 @@ TEST(WavelengthDensity, EveryPassSeesALampOfOneLine) {
 }
 
 }  // namespace
-}  // namespace lxs
+}  // namespace lxs::wavelengths_test

@@ -5,7 +5,7 @@
 
 #include "fakes.h"
 
-namespace lxs::test {
+namespace lxs::test::area_light_test {
 namespace {
 
 Primitive lamp(const Rgb& radiance, std::uint32_t group = 0) {
@@ -96,4 +96,4 @@ TEST(AreaLights, PhotonsLeaveTheSideThatHitsSeeShining) {
 }
 
 }  // namespace
-}  // namespace lxs::test
+}  // namespace lxs::test::area_light_test

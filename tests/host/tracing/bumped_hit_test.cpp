@@ -6,7 +6,7 @@
 
 #include "fakes.h"
 
-namespace lxs::test {
+namespace lxs::test::bumped_hit_test {
 namespace {
 
 constexpr float kPi = 3.14159265f;
@@ -111,4 +111,4 @@ TEST(BumpedHit, QuadricTangentAlongV) {
 }
 
 }  // namespace
-}  // namespace lxs::test
+}  // namespace lxs::test::bumped_hit_test

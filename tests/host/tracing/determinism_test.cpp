@@ -1,15 +1,14 @@
 // The same hits, ties included, whatever number of threads the process allows; and building a scene
 // leaves that number alone.
 #include <gtest/gtest.h>
-#include <tbb/global_control.h>
-#include <tbb/task_arena.h>
 
 #include <cmath>
 #include <random>
 
 #include "fakes.h"
+#include "run_on_threads.h"
 
-namespace lxs::test {
+namespace lxs::test::determinism_test {
 namespace {
 
 constexpr int kGrid = 40;
@@ -67,12 +66,8 @@ std::unique_ptr<Scene> scene_with_ties() {
 
 TEST(Determinism, SameHitsForAnyNumberOfBuildThreads) {
     std::vector<Met> reference;
-    for (const int threads : {1, 2, 3, 8}) {
-        const tbb::global_control control(tbb::global_control::max_allowed_parallelism,
-                                          static_cast<std::size_t>(threads));
-        tbb::task_arena arena(threads);
-        std::vector<Met> met;
-        arena.execute([&] { met = meet(*scene_with_ties()); });
+    for (const unsigned threads : {1u, 2u, 3u, 8u}) {
+        const auto met = concurrency::run_on(threads, [] { return meet(*scene_with_ties()); });
         EXPECT_GT(met.size(), 19000u);
         if (reference.empty()) reference = met;
         EXPECT_EQ(met, reference) << threads << " threads";
@@ -89,4 +84,4 @@ TEST(Determinism, BuildingLeavesTheProcessItsThreads) {
 }
 
 }  // namespace
-}  // namespace lxs::test
+}  // namespace lxs::test::determinism_test

@@ -8,7 +8,7 @@
 #include "lxs/sdk/offset_origin.h"
 #include "random_directions.h"
 
-namespace lxs::test {
+namespace lxs::test::motion_test {
 namespace {
 
 /// A unit sphere that goes along x from -2 to 2 between the times 1 and 3.
@@ -98,4 +98,4 @@ TEST(Motion, LeavingRaysDoNotMeetTheirStart) {
 }
 
 }  // namespace
-}  // namespace lxs::test
+}  // namespace lxs::test::motion_test

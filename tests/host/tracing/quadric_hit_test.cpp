@@ -5,7 +5,7 @@
 
 #include "fakes.h"
 
-namespace lxs::test {
+namespace lxs::test::quadric_hit_test {
 namespace {
 
 constexpr float kPi = 3.14159265f;
@@ -123,4 +123,4 @@ TEST(DiskHit, RingWithAHole) {
 }
 
 }  // namespace
-}  // namespace lxs::test
+}  // namespace lxs::test::quadric_hit_test

@@ -9,7 +9,7 @@
 #include "lxs/sdk/offset_origin.h"
 #include "random_directions.h"
 
-namespace lxs::test {
+namespace lxs::test::revolution_hit_test {
 namespace {
 
 using Imath::V3d;
@@ -215,4 +215,4 @@ TEST(RevolutionHit, LeavingRaysDoNotMeetTheirStart) {
 }
 
 }  // namespace
-}  // namespace lxs::test
+}  // namespace lxs::test::revolution_hit_test

@@ -8,7 +8,7 @@
 #include "lxs/sdk/offset_origin.h"
 #include "random_directions.h"
 
-namespace lxs::test {
+namespace lxs::test::robustness_test {
 namespace {
 
 /// A unit direction on the side of `n` at a sine of elevation from 1e-6 (grazing) to 1.
@@ -200,4 +200,4 @@ TEST(Watertight, ClosedMeshHasNoCracks) {
 }
 
 }  // namespace
-}  // namespace lxs::test
+}  // namespace lxs::test::robustness_test

@@ -3,7 +3,7 @@
 
 #include "fakes.h"
 
-namespace lxs::test {
+namespace lxs::test::scene_facts_test {
 namespace {
 
 TEST(SceneFacts, MatteOnly) {
@@ -86,4 +86,4 @@ TEST(SceneFacts, FlattenedInstanceIsAnError) {
 }
 
 }  // namespace
-}  // namespace lxs::test
+}  // namespace lxs::test::scene_facts_test

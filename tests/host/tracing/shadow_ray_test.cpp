@@ -9,7 +9,7 @@
 #include "lxs/sdk/rays.h"
 #include "random_directions.h"
 
-namespace lxs::test {
+namespace lxs::test::shadow_ray_test {
 namespace {
 
 constexpr int kPlacements = 10, kRays = 10000;
@@ -158,4 +158,4 @@ TEST_P(ShadowRay, IsBlockedByAScreenCloseToTheLamp) {
 }
 
 }  // namespace
-}  // namespace lxs::test
+}  // namespace lxs::test::shadow_ray_test

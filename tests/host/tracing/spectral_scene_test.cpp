@@ -8,7 +8,7 @@
 #include "lxs/spectrum/daylight.h"
 #include "lxs/spectrum/rgb_spectra.h"
 
-namespace lxs::test {
+namespace lxs::test::spectral_scene_test {
 namespace {
 
 CurvePointer bell(double centre, double width) {
@@ -117,4 +117,4 @@ TEST(SpectralScene, MediaHaveTheSpectraOfTheirCoefficients) {
 }
 
 }  // namespace
-}  // namespace lxs::test
+}  // namespace lxs::test::spectral_scene_test

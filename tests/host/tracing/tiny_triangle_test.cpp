@@ -4,7 +4,7 @@
 
 #include "fakes.h"
 
-namespace lxs::test {
+namespace lxs::test::tiny_triangle_test {
 namespace {
 
 /// A triangle with corners (0, 0), (edge, 0), (0, edge) that tells its weights by its coordinates.
@@ -38,4 +38,4 @@ TEST(TinyTriangle, HitsOnInstancesKeepTheirPlace) {
 }
 
 }  // namespace
-}  // namespace lxs::test
+}  // namespace lxs::test::tiny_triangle_test

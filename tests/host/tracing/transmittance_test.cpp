@@ -5,7 +5,7 @@
 
 #include "fakes.h"
 
-namespace lxs::test {
+namespace lxs::test::transmittance_test {
 namespace {
 
 Primitive pane(float z, std::shared_ptr<const Material> material) {
@@ -128,4 +128,4 @@ TEST(Transmittance, TooManySurfacesBlock) {
 }
 
 }  // namespace
-}  // namespace lxs::test
+}  // namespace lxs::test::transmittance_test

@@ -5,7 +5,7 @@
 
 #include "fakes.h"
 
-namespace lxs::test {
+namespace lxs::test::triangle_hit_test {
 namespace {
 
 void expect_near(const Vec3& a, const Vec3& b, float tolerance = 1e-6f) {
@@ -178,4 +178,4 @@ TEST(TriangleHit, MeshWithoutTrianglesIsLeftOut) {
 }
 
 }  // namespace
-}  // namespace lxs::test
+}  // namespace lxs::test::triangle_hit_test

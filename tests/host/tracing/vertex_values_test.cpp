@@ -3,7 +3,7 @@
 
 #include "fakes.h"
 
-namespace lxs::test {
+namespace lxs::test::vertex_values_test {
 namespace {
 
 /// Lets through what the texture point says: colour times opacity.
@@ -40,4 +40,4 @@ TEST(VertexValues, AreInterpolated) {
 }
 
 }  // namespace
-}  // namespace lxs::test
+}  // namespace lxs::test::vertex_values_test

@@ -11,6 +11,7 @@
 #include "aips/core/visibility_chain.h"
 #include "stress_case.h"
 
+namespace counters_test {
 namespace {
 
 using namespace aips;
@@ -100,3 +101,4 @@ TEST(StressCounters, OfChains) {
 }
 
 }  // namespace
+}  // namespace counters_test

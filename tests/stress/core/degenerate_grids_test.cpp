@@ -8,6 +8,7 @@
 #include "point_clouds.h"
 #include "stress_case.h"
 
+namespace degenerate_grids_test {
 namespace {
 
 using namespace aips;
@@ -107,3 +108,4 @@ TEST(StressGrids, AreTheSameAtEveryScale) {
 }
 
 }  // namespace
+}  // namespace degenerate_grids_test

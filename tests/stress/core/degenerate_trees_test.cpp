@@ -11,6 +11,7 @@
 #include "point_clouds.h"
 #include "stress_case.h"
 
+namespace degenerate_trees_test {
 namespace {
 
 using namespace aips;
@@ -248,3 +249,4 @@ TEST(StressTrees, StopInTheWidestBox) {
 }
 
 }  // namespace
+}  // namespace degenerate_trees_test

@@ -12,6 +12,7 @@
 #include "aips/core/random.h"
 #include "stress_case.h"
 
+namespace firefly_bound_test {
 namespace {
 
 using namespace aips;
@@ -157,3 +158,4 @@ TEST(StressFireflies, TablesLeaveAQuarterToTheBsdf) {
 }
 
 }  // namespace
+}  // namespace firefly_bound_test

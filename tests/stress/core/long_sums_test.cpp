@@ -14,6 +14,7 @@
 #include "polya_square.h"
 #include "stress_case.h"
 
+namespace long_sums_test {
 namespace {
 
 using namespace aips;
@@ -170,3 +171,4 @@ TEST(StressSums, ScoresOfATableOfDirections) {
 }
 
 }  // namespace
+}  // namespace long_sums_test

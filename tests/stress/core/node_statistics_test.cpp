@@ -9,6 +9,7 @@
 #include "aips/core/paper_tables.h"
 #include "stress_case.h"
 
+namespace node_statistics_test {
 namespace {
 
 using namespace aips;
@@ -92,3 +93,4 @@ TEST(StressNodeErrors, OddErrorsMakeUsableTables) {
 }
 
 }  // namespace
+}  // namespace node_statistics_test

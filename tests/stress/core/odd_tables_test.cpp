@@ -14,6 +14,7 @@
 #include "polya_square.h"
 #include "stress_case.h"
 
+namespace odd_tables_test {
 namespace {
 
 using namespace aips;
@@ -142,3 +143,4 @@ TEST(StressTables, DensitiesOfOddSumsHaveMeanOne) {
 }
 
 }  // namespace
+}  // namespace odd_tables_test

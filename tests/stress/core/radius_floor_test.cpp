@@ -8,6 +8,7 @@
 #include "aips/core/radius_schedule.h"
 #include "stress_case.h"
 
+namespace radius_floor_test {
 namespace {
 
 TEST(StressRadius, TenThousandPassesKeepTheFloor) {
@@ -27,3 +28,4 @@ TEST(StressRadius, TenThousandPassesKeepTheFloor) {
 }
 
 }  // namespace
+}  // namespace radius_floor_test

@@ -9,6 +9,7 @@
 #include "aips/core/random.h"
 #include "stress_case.h"
 
+namespace random_numbers_test {
 namespace {
 
 using namespace aips;
@@ -95,3 +96,4 @@ TEST(StressRandom, TheSequenceStaysStratified) {
 }
 
 }  // namespace
+}  // namespace random_numbers_test

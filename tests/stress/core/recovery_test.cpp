@@ -11,6 +11,7 @@
 #include "aips/core/score_cache.h"
 #include "stress_case.h"
 
+namespace recovery_test {
 namespace {
 
 using namespace aips;
@@ -179,3 +180,4 @@ TEST(StressRecovery, OfTheBounceTables) {
 }
 
 }  // namespace
+}  // namespace recovery_test

@@ -16,9 +16,8 @@
 #include "random_scenes.h"
 #include "stress_case.h"
 
+namespace aips::consistency_test {
 namespace {
-
-using namespace aips;
 
 constexpr std::uint32_t kSize = 12;
 constexpr std::uint64_t kScenes = 30;
@@ -121,3 +120,4 @@ TEST(StressConsistency, ThirtyScenesAgreeWithPaths) {
 }
 
 }  // namespace
+}  // namespace aips::consistency_test

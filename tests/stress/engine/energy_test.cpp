@@ -12,9 +12,8 @@
 #include "stress_case.h"
 #include "ways.h"
 
+namespace aips::energy_test {
 namespace {
-
-using namespace aips;
 
 constexpr double kSignificance = 0.01;
 
@@ -243,3 +242,4 @@ TEST(StressEnergy, BlackScenesEnd) {
 }
 
 }  // namespace
+}  // namespace aips::energy_test

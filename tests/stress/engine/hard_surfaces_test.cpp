@@ -11,9 +11,9 @@
 #include "spoiled_scene.h"
 #include "stress_case.h"
 
+namespace aips::hard_surfaces_test {
 namespace {
 
-using namespace aips;
 using Kind = mock::Material::Kind;
 
 constexpr std::uint32_t kWidth = 16, kHeight = 12;
@@ -308,3 +308,4 @@ TEST(StressSurfaces, RadiusIsNoFinerThanABillionthOfTheScene) {
 }
 
 }  // namespace
+}  // namespace aips::hard_surfaces_test

@@ -12,9 +12,8 @@
 #include "render_mock.h"
 #include "stress_case.h"
 
+namespace aips::light_leak_test {
 namespace {
-
-using namespace aips;
 
 constexpr std::uint32_t kWidth = 32, kHeight = 8;
 constexpr float kRadius = 0.25f;  // of the density estimation, scene units
@@ -192,3 +191,4 @@ TEST(StressLightLeak, AtTheFootOfAWallTheDiscBeyondIt) {
 }
 
 }  // namespace
+}  // namespace aips::light_leak_test

@@ -13,6 +13,7 @@
 #include "render_mock.h"
 #include "stress_case.h"
 
+namespace photon_counters_test {
 namespace {
 
 using namespace aips;
@@ -119,3 +120,4 @@ TEST(StressCounters, TheScheduleGoesOnChoosing) {
 }
 
 }  // namespace
+}  // namespace photon_counters_test

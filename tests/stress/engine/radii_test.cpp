@@ -15,6 +15,7 @@
 #include "scheduled_radius.h"
 #include "stress_case.h"
 
+namespace radii_test {
 namespace {
 
 using namespace aips;
@@ -167,3 +168,4 @@ TEST(StressRadius, OfProbesStaysWithinBounds) {
 }
 
 }  // namespace
+}  // namespace radii_test

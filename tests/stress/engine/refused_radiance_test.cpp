@@ -11,9 +11,9 @@
 #include "spoiled_scene.h"
 #include "stress_case.h"
 
+namespace aips::refused_radiance_test {
 namespace {
 
-using namespace aips;
 using mock::Part;
 
 constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
@@ -218,3 +218,4 @@ TEST(StressRefusedRadiance, TheRestOfTheImageStays) {
 }
 
 }  // namespace
+}  // namespace aips::refused_radiance_test

@@ -16,6 +16,7 @@
 #include "stress_case.h"
 #include "volume_gather.h"
 
+namespace render_sums_test {
 namespace {
 
 using namespace aips;
@@ -180,3 +181,4 @@ TEST(StressSums, ProbesOfAPixel) {
 }
 
 }  // namespace
+}  // namespace render_sums_test

@@ -9,9 +9,8 @@
 #include "stress_case.h"
 #include "ways.h"
 
+namespace aips::scale_test {
 namespace {
-
-using namespace aips;
 
 constexpr std::uint32_t kSize = 12;
 constexpr unsigned kPasses = 4;
@@ -84,3 +83,4 @@ TEST(StressEngineScale, LostPrecisionIsSaidOnce) {
 }
 
 }  // namespace
+}  // namespace aips::scale_test

@@ -18,6 +18,7 @@
 #include "scatter_photon.h"
 #include "stress_case.h"
 
+namespace weight_bounds_test {
 namespace {
 
 using namespace aips;
@@ -240,3 +241,4 @@ TEST(StressFireflies, LearningWeightsFavourNoPhotonMuch) {
 }
 
 }  // namespace
+}  // namespace weight_bounds_test

@@ -9,6 +9,7 @@
 #include "film_accumulator.h"
 #include "stress_case.h"
 
+namespace film_sums_test {
 namespace {
 
 using namespace lxs;
@@ -66,3 +67,4 @@ TEST(StressFilm, MeansOfSplats) {
 }
 
 }  // namespace
+}  // namespace film_sums_test

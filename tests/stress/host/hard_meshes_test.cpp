@@ -12,6 +12,7 @@
 #include "stress_case.h"
 #include "stressed_scene.h"
 
+namespace hard_meshes_test {
 namespace {
 
 using stress::Outcome;
@@ -313,3 +314,4 @@ TEST(StressMeshes, MillionsOfTriangles) {
 }
 
 }  // namespace
+}  // namespace hard_meshes_test

@@ -8,7 +8,7 @@
 #include "sabotaged_render.h"
 #include "stress_case.h"
 
-namespace lxs::test {
+namespace lxs::test::memory_limit_test {
 namespace {
 
 using testing::HasSubstr;
@@ -101,4 +101,4 @@ TEST(StressMemory, PassThatFindsNoneKeepsThePassesBefore) {
 }
 
 }  // namespace
-}  // namespace lxs::test
+}  // namespace lxs::test::memory_limit_test

@@ -10,7 +10,7 @@
 #include "sabotaged_render.h"
 #include "stress_case.h"
 
-namespace lxs::test {
+namespace lxs::test::output_fault_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -156,4 +156,4 @@ TEST(StressOutput, StandardOutputThatIsFull) {
 }
 
 }  // namespace
-}  // namespace lxs::test
+}  // namespace lxs::test::output_fault_test

@@ -7,7 +7,7 @@
 #include "sabotaged_render.h"
 #include "stress_case.h"
 
-namespace lxs::test {
+namespace lxs::test::plugin_fault_test {
 namespace {
 
 using testing::HasSubstr;
@@ -89,4 +89,4 @@ TEST(StressPlugin, WhoseFiguresAreNoJson) {
 }
 
 }  // namespace
-}  // namespace lxs::test
+}  // namespace lxs::test::plugin_fault_test

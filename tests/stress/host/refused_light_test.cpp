@@ -11,6 +11,7 @@
 #include "stress_case.h"
 #include "stressed_scene.h"
 
+namespace refused_light_test {
 namespace {
 
 using stress::Outcome;
@@ -223,3 +224,4 @@ TEST(StressRefusedLight, AreaLightBeyondTheNumbers) {
 }
 
 }  // namespace
+}  // namespace refused_light_test

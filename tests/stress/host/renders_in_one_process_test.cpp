@@ -13,7 +13,7 @@
 #include "lxsrender_process.h"
 #include "stress_case.h"
 
-namespace lxs::test {
+namespace lxs::test::renders_in_one_process_test {
 namespace {
 
 /// Everything that holds resources: an image texture, a mesh, an area light, glass, two modules.
@@ -114,4 +114,4 @@ TEST_F(StressRenders, AtTheSameTimeGiveTheBitsOfEachAlone) {
 }
 
 }  // namespace
-}  // namespace lxs::test
+}  // namespace lxs::test::renders_in_one_process_test

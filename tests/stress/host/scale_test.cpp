@@ -14,6 +14,7 @@
 #include "scaled_room.h"
 #include "stress_case.h"
 
+namespace scale_test {
 namespace {
 
 constexpr int kSize = 32;
@@ -161,3 +162,4 @@ TEST_F(StressScale, LostPrecisionIsSaidOnce) {
 }
 
 }  // namespace
+}  // namespace scale_test

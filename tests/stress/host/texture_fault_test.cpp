@@ -11,7 +11,7 @@
 #include "sabotaged_render.h"
 #include "stress_case.h"
 
-namespace lxs::test {
+namespace lxs::test::texture_fault_test {
 namespace {
 
 using testing::HasSubstr;
@@ -100,4 +100,4 @@ TEST_P(StressTexture, GoneBeforeTheFirstPass) {
 }
 
 }  // namespace
-}  // namespace lxs::test
+}  // namespace lxs::test::texture_fault_test

@@ -13,6 +13,7 @@
 #include "rendered_image.h"
 #include "stress_case.h"
 
+namespace vast_scene_test {
 namespace {
 
 constexpr int kSize = 64;
@@ -204,3 +205,4 @@ TEST(StressVastScene, HorizonDoesNotBlurWhatIsNear) {
 }
 
 }  // namespace
+}  // namespace vast_scene_test

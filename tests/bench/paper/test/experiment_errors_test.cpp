@@ -5,7 +5,7 @@
 
 #include "paper_text.h"
 
-namespace bench::test {
+namespace bench::test::experiment_errors_test {
 namespace {
 
 /// A run whose MSE is scale / pass; a pass takes `pass_s` seconds.
@@ -127,4 +127,4 @@ TEST(PaperText, OneTableForAFigure) {
 }
 
 }  // namespace
-}  // namespace bench::test
+}  // namespace bench::test::experiment_errors_test

@@ -11,7 +11,7 @@
 #include "experiment_plan.h"
 #include "study_file.h"
 
-namespace bench::test {
+namespace bench::test::experiment_test {
 namespace {
 
 using testing::Contains;
@@ -199,4 +199,4 @@ TEST_F(PaperPlanTest, RunsByTime) {
 }
 
 }  // namespace
-}  // namespace bench::test
+}  // namespace bench::test::experiment_test

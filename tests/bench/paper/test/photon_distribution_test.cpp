@@ -11,7 +11,7 @@
 #include "study_file.h"
 #include "synthetic_image.h"
 
-namespace bench::test {
+namespace bench::test::photon_distribution_test {
 namespace {
 
 constexpr int kSide = 64;
@@ -101,4 +101,4 @@ TEST_F(PhotonDistributionTest, ARunWithoutTheLayerIsRefused) {
 }
 
 }  // namespace
-}  // namespace bench::test
+}  // namespace bench::test::photon_distribution_test

@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-namespace bench::test {
+namespace bench::test::pixel_map_test {
 namespace {
 
 TEST(PixelMap, BlockMeansLeaveOutWhatFillsNoBlock) {
@@ -54,4 +54,4 @@ TEST(PixelMap, UnevennessAndDistance) {
 }
 
 }  // namespace
-}  // namespace bench::test
+}  // namespace bench::test::pixel_map_test

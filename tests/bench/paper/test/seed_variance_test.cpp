@@ -9,7 +9,7 @@
 #include "study_file.h"
 #include "synthetic_image.h"
 
-namespace bench::test {
+namespace bench::test::seed_variance_test {
 namespace {
 
 class SeedVarianceTest : public testing::Test {
@@ -56,4 +56,4 @@ TEST_F(SeedVarianceTest, OneSeedSaysNothing) {
 }
 
 }  // namespace
-}  // namespace bench::test
+}  // namespace bench::test::seed_variance_test

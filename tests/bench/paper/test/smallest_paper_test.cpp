@@ -6,7 +6,7 @@
 #include "bench_process.h"
 #include "study_file.h"
 
-namespace bench::test {
+namespace bench::test::smallest_paper_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -100,4 +100,4 @@ TEST_F(SmallestPaperTest, UnknownFigureAndScaleAreRefused) {
 }
 
 }  // namespace
-}  // namespace bench::test
+}  // namespace bench::test::smallest_paper_test

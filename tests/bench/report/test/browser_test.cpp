@@ -10,7 +10,7 @@
 #include "synthetic_agreement.h"
 #include "synthetic_study.h"
 
-namespace bench::test {
+namespace bench::test::browser_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -55,4 +55,4 @@ TEST(ReportInBrowser, DrawsCurvesTablesAndPicturesAndFlips) {
 }
 
 }  // namespace
-}  // namespace bench::test
+}  // namespace bench::test::browser_test

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-namespace bench::test {
+namespace bench::test::colour_scale_test {
 namespace {
 
 /// One row.
@@ -76,4 +76,4 @@ TEST(ColourScale, ColoursOfEndsMiddleAndWhatIsNoNumber) {
 }
 
 }  // namespace
-}  // namespace bench::test
+}  // namespace bench::test::colour_scale_test

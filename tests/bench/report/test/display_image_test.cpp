@@ -11,7 +11,7 @@
 #include "crop_choice.h"
 #include "synthetic_image.h"
 
-namespace bench::test {
+namespace bench::test::display_image_test {
 namespace {
 
 std::vector<unsigned char> decode_base64(std::string_view text) {
@@ -103,4 +103,4 @@ TEST(CropChoice, StaysWithinSmallImages) {
 }
 
 }  // namespace
-}  // namespace bench::test
+}  // namespace bench::test::display_image_test

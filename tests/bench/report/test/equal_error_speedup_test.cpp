@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-namespace bench::test {
+namespace bench::test::equal_error_speedup_test {
 namespace {
 
 std::vector<CurvePoint> power_law(double factor) {
@@ -48,4 +48,4 @@ TEST(EqualErrorSpeedup, MeanIsGeometricAndBoundsStayBounds) {
 }
 
 }  // namespace
-}  // namespace bench::test
+}  // namespace bench::test::equal_error_speedup_test

@@ -11,7 +11,7 @@
 #include "synthetic_image.h"
 #include "synthetic_study.h"
 
-namespace bench::test {
+namespace bench::test::photon_strips_test {
 namespace {
 
 class PhotonStripsTest : public testing::Test {
@@ -117,4 +117,4 @@ TEST_F(PhotonStripsTest, NothingWithoutLayers) {
 }
 
 }  // namespace
-}  // namespace bench::test
+}  // namespace bench::test::photon_strips_test

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <vector>
 
-namespace bench::test {
+namespace bench::test::power_law_fit_test {
 namespace {
 
 TEST(PowerLawFit, PowerLawsAreExact) {
@@ -42,4 +42,4 @@ TEST(PowerLawFit, NothingFromOneTime) {
 }
 
 }  // namespace
-}  // namespace bench::test
+}  // namespace bench::test::power_law_fit_test

@@ -9,7 +9,7 @@
 #include "synthetic_agreement.h"
 #include "synthetic_study.h"
 
-namespace bench::test {
+namespace bench::test::report_agreement_test {
 namespace {
 
 class ReportAgreementTest : public testing::Test {
@@ -79,4 +79,4 @@ TEST_F(ReportAgreementTest, DamageIsNamed) {
 }
 
 }  // namespace
-}  // namespace bench::test
+}  // namespace bench::test::report_agreement_test

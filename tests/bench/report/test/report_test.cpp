@@ -10,7 +10,7 @@
 #include "study_file.h"
 #include "synthetic_study.h"
 
-namespace bench::test {
+namespace bench::test::report_test {
 namespace {
 
 using testing::HasSubstr;
@@ -150,4 +150,4 @@ TEST_F(ReportDataTest, WhatIsMissingIsSaidOnce) {
 }
 
 }  // namespace
-}  // namespace bench::test
+}  // namespace bench::test::report_test

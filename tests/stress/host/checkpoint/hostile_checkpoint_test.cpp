@@ -17,7 +17,7 @@
 #include "resumable_scene.h"
 #include "stress_case.h"
 
-namespace stress {
+namespace stress::hostile_checkpoint_test {
 namespace {
 
 using lxs::test::RunResult;
@@ -130,4 +130,4 @@ INSTANTIATE_TEST_SUITE_P(StressCheckpoint, HostileCheckpointTest, testing::Value
                          [](const auto& given) { return given.param.name; });
 
 }  // namespace
-}  // namespace stress
+}  // namespace stress::hostile_checkpoint_test

@@ -15,7 +15,7 @@
 #include "resumable_scene.h"
 #include "stress_case.h"
 
-namespace stress {
+namespace stress::kill_and_resume_test {
 namespace {
 
 using lxs::test::LxsrenderProcess;
@@ -129,4 +129,4 @@ INSTANTIATE_TEST_SUITE_P(StressCheckpoint, KillAndResumeTest,
                          [](const auto& given) { return given.param.name; });
 
 }  // namespace
-}  // namespace stress
+}  // namespace stress::kill_and_resume_test

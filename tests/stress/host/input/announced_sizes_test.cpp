@@ -8,6 +8,7 @@
 #include "bounded_run.h"
 #include "stress_case.h"
 
+namespace announced_sizes_test {
 namespace {
 
 using stress::BoundedRun;
@@ -206,3 +207,4 @@ TEST_F(StressSizes, LevelsOfSubdivision) {
 }
 
 }  // namespace
+}  // namespace announced_sizes_test

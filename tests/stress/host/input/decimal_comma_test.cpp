@@ -8,6 +8,7 @@
 #include "bounded_run.h"
 #include "stress_case.h"
 
+namespace decimal_comma_test {
 namespace {
 
 using stress::BoundedRun;
@@ -101,3 +102,4 @@ TEST(StressInput, DecimalCommaChangesNothing) {
 }
 
 }  // namespace
+}  // namespace decimal_comma_test

@@ -5,6 +5,7 @@
 #include "bounded_run.h"
 #include "stress_case.h"
 
+namespace nesting_test {
 namespace {
 
 using stress::BoundedRun;
@@ -153,3 +154,4 @@ TEST_F(StressIncludes, EachTwice) {
 }
 
 }  // namespace
+}  // namespace nesting_test

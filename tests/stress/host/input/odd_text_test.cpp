@@ -7,6 +7,7 @@
 #include "bounded_run.h"
 #include "stress_case.h"
 
+namespace odd_text_test {
 namespace {
 
 using stress::BoundedRun;
@@ -102,3 +103,4 @@ TEST_F(StressOddText, NamesThatAreNotUtf8) {
 }
 
 }  // namespace
+}  // namespace odd_text_test

@@ -103,7 +103,7 @@ struct FoggyBox {
 statistics::BlockMeans renders(const Settings& asked_for, std::uint64_t first_seed) {
     const FoggyBox box;
     statistics::BlockMeans means;
-    for (unsigned s = 0; s < 16; ++s) {
+    for (unsigned s = 0; s < 10; ++s) {
         Settings settings = asked_for;
         settings.seed = first_seed + s;
         const auto r = render_along_y(box.scene, settings, 6);

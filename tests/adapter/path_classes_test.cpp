@@ -19,7 +19,7 @@ double mean_of(const mock::Scene& scene, const mock::Camera& camera, bool direct
     settings.store_glossy = glossy;
     settings.guide = guide;
     settings.start_radius = radius;
-    return mock::render(scene, camera, kSize, kSize, settings, 40).film.mean();
+    return mock::render(scene, camera, kSize, kSize, settings, 20).film.mean();
 }
 
 /// A floor lit by a quad lamp, `between` lying halfway between them.

@@ -42,7 +42,7 @@ struct Guided {
 Settings scene_settings(std::uint64_t scene) {
     Settings settings = mock::small_settings(0, 2560);
     settings.hit_points_per_pass = 3 * kSize * kSize;
-    settings.start_radius = 2;
+    settings.start_radius = 1;
     settings.max_photon_depth = 8;
     settings.direct_light_sampling = scene % 4 == 3;
     settings.store_glossy = scene % 5 == 4;

@@ -67,18 +67,18 @@ void check(const std::string& integrator, const std::string& arguments) {
 
 TEST(CornellReference, Aips) {
     check("aips",
-          "--passes 24 --seed 1 --set aips.maxphotondepth=24 --set aips.maxeyedepth=24 "
+          "--passes 10 --seed 1 --set aips.maxphotondepth=24 --set aips.maxeyedepth=24 "
           "--set aips.photonperpass=300000");
 }
 
 TEST(CornellReference, AipsUnguided) {
     check("aips",
-          "--passes 24 --seed 2 --set aips.maxphotondepth=24 --set aips.maxeyedepth=24 "
+          "--passes 10 --seed 2 --set aips.maxphotondepth=24 --set aips.maxeyedepth=24 "
           "--set aips.photonperpass=500000 --set aips.guide=none");
 }
 
 TEST(CornellReference, Path) {
-    check("path", "--passes 150 --set path.maxdepth=24 --seed 3");
+    check("path", "--passes 100 --set path.maxdepth=24 --seed 3");
 }
 
 /// The scene made for LuxRender's own sppm renders when only the plugins' names are changed.

@@ -29,7 +29,7 @@ TEST(FurnaceScene, ClosedFormWithEveryGuideAndMode) {
         for (const std::string mode : {"progressive", "photonmap", "ppm"}) {
             const auto image = render::render(
                 scene,
-                "--passes 12 --seed 3 --set aips.photonperpass=100000 --set aips.guide=" + guide +
+                "--passes 4 --seed 3 --set aips.photonperpass=100000 --set aips.guide=" + guide +
                     " --set aips.mode=" + mode,
                 folder);
             EXPECT_NEAR(middle(image), expected, 0.01 * expected) << guide << " " << mode;

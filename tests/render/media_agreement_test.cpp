@@ -44,13 +44,13 @@ TEST(MediaAgreement, LampInABoxOfFog) {
     const render::Folder folder;
     const auto scene = fog_box(folder);
     const auto path =
-        render::seeded_block_means(scene, "--integrator path --set path.maxdepth=16 --passes 200",
+        render::seeded_block_means(scene, "--integrator path --set path.maxdepth=16 --passes 100",
                                    folder, {.first = 1, .count = kSeeds}, kBlock);
     for (const std::string strategy : {"true", "false"}) {
         const auto photons = render::seeded_block_means(
             scene,
             "--integrator aips --set aips.guide=none --set aips.photonperpass=100000 "
-            "--set aips.startradius=0.7 --passes 12 --set aips.directlightsampling=" +
+            "--set aips.startradius=0.7 --passes 6 --set aips.directlightsampling=" +
                 strategy,
             folder, {.first = 100, .count = kSeeds}, kBlock);
         const auto same = statistics::compare(path, photons, 0.01, 0.01);

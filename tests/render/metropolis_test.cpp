@@ -56,10 +56,10 @@ void check(const std::string& name, int passes, double planted) {
 }
 
 TEST(Metropolis, SameImageAsPlainPathsInTheCornellBox) {
-    check("cornell-box", 300, 0.03);
+    check("cornell-box", 200, 0.03);
 }
 TEST(Metropolis, SameImageAsPlainPathsAroundAGlassBall) {
-    check("glass-ball", 300, 0.03);
+    check("glass-ball", 200, 0.03);
 }
 
 TEST(Metropolis, SameBitsForAnyNumberOfThreads) {

@@ -17,13 +17,13 @@ TEST(PathAgreement, CornellBoxAndTheBiasOfTheRadius) {
     const render::Folder folder;
     const auto scene = render::small_scene("cornell-box", folder, kSize, kSize);
     const auto reference =
-        render::render(scene, "--integrator path --set path.maxdepth=12 --passes 500", folder);
+        render::render(scene, "--integrator path --set path.maxdepth=12 --passes 250", folder);
     const auto blocks = reference.block_means(kBlock);
     std::vector<double> sequence;
     for (const std::string radius : {"16", "4", "1"}) {
         const auto image = render::render(
             scene,
-            "--passes 16 --set aips.guide=none --set aips.alpha=1 --set aips.photonperpass=200000 "
+            "--passes 6 --set aips.guide=none --set aips.alpha=1 --set aips.photonperpass=200000 "
             "--set aips.startradius=" +
                 radius,
             folder);

@@ -9,10 +9,6 @@
 namespace lxs {
 namespace {
 
-bool is_digit(char c) {
-    return c >= '0' && c <= '9';
-}
-
 /// Power of ten of the first digit that isn't zero: tells apart overflow and underflow, for which
 /// std::from_chars has one and the same answer.
 std::int64_t decimal_magnitude(std::string_view text) {

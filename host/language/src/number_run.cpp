@@ -6,15 +6,13 @@
 #include <cstdint>
 #include <limits>
 
+#include "number.h"
+
 namespace lxs {
 namespace {
 
 bool is_blank(char c) {
     return c == ' ' || (c >= '\t' && c <= '\r');
-}
-
-bool is_digit(char c) {
-    return c >= '0' && c <= '9';
 }
 
 /// The number at `at`, which ends before a blank or a closing bracket; null if there is none that

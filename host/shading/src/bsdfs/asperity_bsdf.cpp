@@ -6,7 +6,7 @@
 namespace lxs::shading {
 namespace {
 
-constexpr float kMinCosine = 1e-4f;
+constexpr float kSheerCosine = 1e-4f;
 constexpr float kUniform = 0.5f * kInvPi;  ///< density over a hemisphere
 
 }  // namespace
@@ -17,8 +17,8 @@ Rgb AsperityBsdf::evaluate(const Vec3& wo, const Vec3& wi, Transport transport,
     const bool seen_from_wo = transport == Transport::Radiance;
     const Vec3& view = seen_from_wo ? wo : wi;
     const Vec3& light = seen_from_wo ? wi : wo;
-    const float cos_view = std::max(std::abs(view.dot(ns_)), kMinCosine);
-    const float cos_light = std::max(std::abs(light.dot(ns_)), kMinCosine);
+    const float cos_view = std::max(std::abs(view.dot(ns_)), kSheerCosine);
+    const float cos_light = std::max(std::abs(light.dot(ns_)), kSheerCosine);
     const float scattered = thickness_ * phase_(-wo.dot(wi)) * 0.25f * kInvPi / cos_view;
     return kd_ * (std::min(scattered, 1.0f) / cos_light);
 }
@@ -42,7 +42,7 @@ bool AsperityBsdf::sample(const Vec3& wo, const Vec2& u, float /*u_lobe*/, Trans
 
 Rgb AsperityBsdf::albedo(const Vec3& wo, LobeMask mask) const {
     if (!(mask & kDiffuse)) return Rgb(0.0f);
-    const float cosine = std::max(std::abs(wo.dot(ns_)), kMinCosine);
+    const float cosine = std::max(std::abs(wo.dot(ns_)), kSheerCosine);
     // A phase function's mean is 1 over the sphere; half of it leaves on wo's side.
     return kd_ * std::min(1.0f, 0.5f * thickness_ / cosine);
 }

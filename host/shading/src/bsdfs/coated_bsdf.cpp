@@ -11,8 +11,6 @@
 namespace lxs::shading {
 namespace {
 
-constexpr float kMinCosine = 1e-6f;
-
 /// Root of what a coating lets in under the cosine `u` of a half angle.
 Rgb half_of_coating(const Coating& coating, float u) {
     const Rgb through = Rgb(1.0f) - fresnel_schlick(u, coating.reflectance);

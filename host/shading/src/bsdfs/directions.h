@@ -6,6 +6,9 @@
 
 namespace lxs::shading {
 
+/// Least cosine that is divided by: less is a direction that grazes.
+inline constexpr float kMinCosine = 1e-6f;
+
 /// True if `a` and `b` lie strictly on the same side of the plane with normal `n`.
 inline bool same_side(const Vec3& a, const Vec3& b, const Vec3& n) {
     return a.dot(n) * b.dot(n) > 0;

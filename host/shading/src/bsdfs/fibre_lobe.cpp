@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "directions.h"
 #include "lxs/sdk/frame.h"
 #include "lxs/sdk/warp.h"
 
@@ -12,8 +13,6 @@ namespace {
 
 /// How closely what goes through a fibre goes on in its direction: mean cosine of the azimuth.
 constexpr float kForward = 0.6f;
-/// Below it, the azimuth about the fibre means nothing.
-constexpr float kMinCosine = 1e-6f;
 
 template <std::size_t N>
 float polynomial(const float (&coefficients)[N], float x) {

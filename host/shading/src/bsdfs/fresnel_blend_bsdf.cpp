@@ -5,11 +5,10 @@
 #include <cmath>
 
 #include "channels.h"
+#include "directions.h"
 
 namespace lxs::shading {
 namespace {
-
-constexpr float kMinCosine = 1e-6f;
 
 /// 1 - (1 - c / 2)^5.
 float shade(float c) {

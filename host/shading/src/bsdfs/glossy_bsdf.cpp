@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "channels.h"
+#include "directions.h"
 
 namespace lxs::shading {
 namespace {
@@ -16,7 +17,6 @@ float half_cosine(const Vec3& wo, const Vec3& wi) {
 }  // namespace
 
 Rgb Coating::transmittance(float cosine) const {
-    constexpr float kMinCosine = 1e-6f;
     return absorbed(optical_depth, 1 / std::max(cosine, kMinCosine));
 }
 

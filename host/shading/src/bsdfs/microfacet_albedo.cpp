@@ -60,13 +60,13 @@ const MicrofacetAlbedo& MicrofacetAlbedo::table() {
 }
 
 MicrofacetAlbedo::MicrofacetAlbedo() {
-    constexpr float kMinCosine = 1e-3f;
+    constexpr float kMinTableCosine = 1e-3f;
     const Vec3 up(0, 0, 1);
     for (int r = 0; r < kSize; ++r) {
         const float alpha = node_value(r, kSize);
         const MicrofacetLobe lobe(SchlickDistribution(alpha, alpha), Frame(up), up);
         for (int c = 0; c < kSize; ++c)
-            entries_[r][c] = integrate(lobe, std::max(kMinCosine, node_value(c, kSize)));
+            entries_[r][c] = integrate(lobe, std::max(kMinTableCosine, node_value(c, kSize)));
         float sum = 0;
         for (int c = 0; c + 1 < kSize; ++c) {
             const float a = node_value(c, kSize), b = node_value(c + 1, kSize);

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "directions.h"
 #include "lxs/sdk/types.h"
 
 namespace lxs::shading {
@@ -22,12 +23,11 @@ class OrenNayarShape {
     /// For directions on one side of the plane with normal `ns`; one of two on different sides
     /// counts as its mirror image in that plane.
     float operator()(const Vec3& wo, const Vec3& wi, const Vec3& ns) const {
-        // Keeps the shape finite where both directions graze the surface.
-        constexpr float kMinCosine = 1e-6f;
         const float cos_o = wo.dot(ns), cos_i = wi.dot(ns);
         // sin(alpha) tan(beta) cos(phi_i - phi_o) without an angle: the tangential parts' product
         // over the larger cosine.
         const float tangential = std::max(0.0f, wo.dot(wi) - cos_o * cos_i);
+        // Finite where both directions graze the surface, too.
         const float larger = std::max({std::abs(cos_o), std::abs(cos_i), kMinCosine});
         return a_ + b_ * tangential / larger;
     }

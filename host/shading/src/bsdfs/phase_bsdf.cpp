@@ -10,7 +10,7 @@
 namespace lxs::shading {
 namespace {
 
-constexpr float kMinCosine = 1e-4f;
+constexpr float kMinPhaseCosine = 1e-4f;
 
 /// Schlick's k of a mean cosine g (Blasi, Le Saec & Schlick 1993, with the fit that LuxRender has).
 float schlick_k(float g) {
@@ -35,7 +35,7 @@ Rgb PhaseBsdf::evaluate(const Vec3& wo, const Vec3& wi, Transport transport, Lob
     if (!(mask & kDiffuse) || wo.dot(ng_) * wi.dot(ng_) == 0) return Rgb(0.0f);
     // Light comes along wi for radiance and along wo for power; f is over its projected angle.
     const Vec3& light = transport == Transport::Radiance ? wi : wo;
-    const float cosine = std::max(std::abs(light.dot(ns_)), kMinCosine);
+    const float cosine = std::max(std::abs(light.dot(ns_)), kMinPhaseCosine);
     const float c = -wo.dot(wi);
     return kd_ * Rgb(phase(g_.x, c), phase(g_.y, c), phase(g_.z, c)) / cosine;
 }

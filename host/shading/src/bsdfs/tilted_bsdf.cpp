@@ -13,7 +13,6 @@ bool TiltedBsdf::joins(const Vec3& wo, const Vec3& wi) const {
 }
 
 float TiltedBsdf::cosine_ratio(const Vec3& w) const {
-    constexpr float kMinCosine = 1e-6f;
     if (tilted_ == ns_) return 1;
     return std::abs(w.dot(tilted_)) / std::max(std::abs(w.dot(ns_)), kMinCosine);
 }

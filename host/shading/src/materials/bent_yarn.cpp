@@ -9,8 +9,6 @@
 namespace lxs::shading {
 namespace {
 
-constexpr float kRadiansPerDegree = kPi / 180;
-
 FibreLobe lobe_of(const Yarn& yarn) {
     const float deviation = yarn.roughness * kRadiansPerDegree;
     return {deviation * deviation, yarn.through};

@@ -12,8 +12,6 @@
 namespace lxs::shading {
 namespace {
 
-constexpr float kLargest = std::numeric_limits<float>::max();
-
 PreparedFloat constant_number(float value) {
     return {std::make_shared<ConstantTexture<float>>(value), 0, 1};
 }
@@ -68,7 +66,7 @@ class CarPaintMaterial final : public Material {
                      const AssetContext& assets)
         : paint_(std::move(paint)),
           ka_(read_absorption(reader, assets, "Ka")),
-          depth_(read_limited(reader, assets, "d", 0, 0, kLargest)) {}
+          depth_(read_limited(reader, assets, "d", 0, 0, kUnlimited)) {}
 
     const Bsdf* scatter(const ShadingPoint& point,
                         std::pmr::memory_resource& memory) const override;
@@ -86,7 +84,7 @@ const Bsdf* CarPaintMaterial::scatter(const ShadingPoint& point,
     paint.kd = paint_.kd.at(point.texture);
     for (std::size_t i = 0; i < 3; ++i)
         paint.lobes[i] = paint_.lobes[i].at(point.texture);
-    paint.optical_depth = limited(ka_.at(point.texture) * depth_.at(point.texture), 0, kLargest);
+    paint.optical_depth = limited(ka_.at(point.texture) * depth_.at(point.texture), 0, kUnlimited);
     return place_bsdf<CarPaintBsdf>(memory, paint, Frame(point.ns, point.dpdu), point.ng);
 }
 
@@ -113,8 +111,8 @@ void warn_of_overridden(const ParameterReader& reader) {
     }
 }
 
-std::shared_ptr<const Material> create(const ParameterReader& reader, const AssetContext& assets,
-                                       const Matrix&) {
+std::shared_ptr<const Material> create_carpaint(const ParameterReader& reader,
+                                                const AssetContext& assets, const Matrix&) {
     warn_of_common_parameters(reader);
     const CarPaint* preset = read_car_paint_preset(reader);
     if (preset) warn_of_overridden(reader);
@@ -151,7 +149,7 @@ MaterialFactory carpaint_plugin() {
              {"R3", FloatTexture, "", "reflectance of lobe 3's facets at normal incidence, 0 to 1",
               0},
              {"M3", FloatTexture, "", "roughness of lobe 3, 0.006 to 1; at 0 there is none", 0}}),
-        &create};
+        &create_carpaint};
 }
 
 }  // namespace lxs::shading

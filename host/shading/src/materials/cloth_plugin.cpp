@@ -83,8 +83,8 @@ MaterialFacts ClothMaterial::facts() const {
     return facts;
 }
 
-std::shared_ptr<const Material> create(const ParameterReader& reader, const AssetContext& assets,
-                                       const Matrix&) {
+std::shared_ptr<const Material> create_cloth(const ParameterReader& reader,
+                                             const AssetContext& assets, const Matrix&) {
     warn_of_common_parameters(reader);
     return std::make_shared<ClothMaterial>(read_cloth_preset(reader), reader, assets);
 }
@@ -108,7 +108,7 @@ MaterialFactory cloth_plugin() {
              {"weft_Ks", ColorTexture, "0 0 0", "specular reflectance of its fibres, 0 to 1"},
              {"repeat_u", Float, "100", "repeats of the weave per unit of u"},
              {"repeat_v", Float, "100", "repeats of the weave per unit of v"}}),
-        &create};
+        &create_cloth};
 }
 
 }  // namespace lxs::shading

@@ -73,7 +73,8 @@ Rgb DoubleSideMaterial::straight_transmittance(const ShadingPoint& point,
                     : back_->straight_transmittance(turned(point, flip_back_), direction);
 }
 
-MaterialPointer create(const ParameterReader& reader, const AssetContext& assets, const Matrix&) {
+MaterialPointer create_doubleside(const ParameterReader& reader, const AssetContext& assets,
+                                  const Matrix&) {
     warn_of_common_parameters(reader);
     const MaterialPointer front = read_named_material(reader, assets, "frontnamedmaterial");
     const MaterialPointer back = reader.given("backnamedmaterial")
@@ -96,7 +97,7 @@ MaterialFactory doubleside_plugin() {
                   "the front shows its material's front side, else its back side"},
                  {"usefrontforback", Bool, "true",
                   "the back shows its material's front side, else its back side"}}),
-            &create};
+            &create_doubleside};
 }
 
 }  // namespace lxs::shading

@@ -42,8 +42,8 @@ class Glass2Material final : public Material {
     bool architectural_, disperses_;
 };
 
-std::shared_ptr<const Material> create(const ParameterReader& reader,
-                                       const AssetContext& /*assets*/, const Matrix&) {
+std::shared_ptr<const Material> create_glass2(const ParameterReader& reader,
+                                              const AssetContext& /*assets*/, const Matrix&) {
     warn_of_common_parameters(reader);
     return std::make_shared<Glass2Material>(reader.boolean("architectural", false),
                                             reader.boolean("dispersion", false));
@@ -57,7 +57,7 @@ MaterialFactory glass2_plugin() {
                   "let light through undeviated, shadow rays too"},
                  {"dispersion", ParameterType::Bool, "false",
                   "bend each wavelength by its own index, where those of the volumes differ"}}),
-            &create};
+            &create_glass2};
 }
 
 }  // namespace lxs::shading

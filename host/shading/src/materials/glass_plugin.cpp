@@ -58,8 +58,8 @@ class GlassMaterial final : public Material {
     bool architectural_;
 };
 
-std::shared_ptr<const Material> create(const ParameterReader& reader, const AssetContext& assets,
-                                       const Matrix&) {
+std::shared_ptr<const Material> create_glass(const ParameterReader& reader,
+                                             const AssetContext& assets, const Matrix&) {
     warn_of_common_parameters(reader);
     return std::make_shared<GlassMaterial>(
         read_reflectance(reader, assets, "Kr", Rgb(1.0f)),
@@ -82,7 +82,7 @@ MaterialFactory glass_plugin() {
               {"architectural", ParameterType::Bool, "false",
                "let light through undeviated, shadow rays too"}},
              film_parameters()})),
-        &create};
+        &create_glass};
 }
 
 }  // namespace lxs::shading

@@ -9,8 +9,6 @@
 namespace lxs::shading {
 namespace {
 
-constexpr float kRadiansPerDegree = kPi / 180;
-
 /// LuxRender has two classes for this. "separable" ones have a base of their own, which may be
 /// rough and is all there is on the back; the others dim their smooth base on both sides.
 class GlossyMaterial final : public Material {
@@ -45,8 +43,8 @@ class GlossyMaterial final : public Material {
     bool separable_;
 };
 
-std::shared_ptr<const Material> create(const ParameterReader& reader, const AssetContext& assets,
-                                       const Matrix&) {
+std::shared_ptr<const Material> create_glossy(const ParameterReader& reader,
+                                              const AssetContext& assets, const Matrix&) {
     warn_of_common_parameters(reader);
     if (!reader.boolean("separable", true) && reader.given("sigma")) {
         reader.diagnostics().warning(reader.where("sigma"),
@@ -66,7 +64,7 @@ MaterialFactory glossy_plugin() {
         {"separable", Bool, "true",
          "the base has a roughness of its own, and the back shows it uncoated; else it is smooth "
          "and dimmed by the coating on both sides"}};
-    return {with_common_parameters(declarations({own, coating_parameters()})), &create};
+    return {with_common_parameters(declarations({own, coating_parameters()})), &create_glossy};
 }
 
 }  // namespace lxs::shading

@@ -40,7 +40,8 @@ class GlossyCoatingMaterial final : public Material {
     SurfaceCoating coating_;
 };
 
-MaterialPointer create(const ParameterReader& reader, const AssetContext& assets, const Matrix&) {
+MaterialPointer create_glossycoating(const ParameterReader& reader, const AssetContext& assets,
+                                     const Matrix&) {
     warn_of_common_parameters(reader);
     return std::make_shared<GlossyCoatingMaterial>(
         read_named_material(reader, assets, "basematerial"), SurfaceCoating(reader, assets));
@@ -51,7 +52,8 @@ MaterialPointer create(const ParameterReader& reader, const AssetContext& assets
 MaterialFactory glossycoating_plugin() {
     const std::vector<ParameterDeclaration> own{
         {"basematerial", ParameterType::String, "", "name of the material under the coating"}};
-    return {with_common_parameters(declarations({own, coating_parameters()})), &create};
+    return {with_common_parameters(declarations({own, coating_parameters()})),
+            &create_glossycoating};
 }
 
 }  // namespace lxs::shading

@@ -56,8 +56,9 @@ MaterialFacts GlossyTranslucentMaterial::facts() const {
     return facts;
 }
 
-std::shared_ptr<const Material> create(const ParameterReader& reader, const AssetContext& assets,
-                                       const Matrix&) {
+std::shared_ptr<const Material> create_glossytranslucent(const ParameterReader& reader,
+                                                         const AssetContext& assets,
+                                                         const Matrix&) {
     warn_of_common_parameters(reader);
     return std::make_shared<GlossyTranslucentMaterial>(reader, assets);
 }
@@ -79,7 +80,8 @@ MaterialFactory glossytranslucent_plugin() {
         {"backface_multibounce", Bool, "false", "multibounce of the back"},
         {"backface_uroughness", FloatTexture, "0", "roughness of the back along u, 0.006 to 1", 0},
         {"backface_vroughness", FloatTexture, "0", "roughness of the back along v, 0.006 to 1", 0}};
-    return {with_common_parameters(declarations({own, coating_parameters()})), &create};
+    return {with_common_parameters(declarations({own, coating_parameters()})),
+            &create_glossytranslucent};
 }
 
 }  // namespace lxs::shading

@@ -99,8 +99,8 @@ const Bsdf* LayeredMaterial::scatter(const ShadingPoint& point,
     return place_bsdf<LayeredBsdf>(memory, stack, point.texture.p, point.ng, point.ns);
 }
 
-std::shared_ptr<const Material> create(const ParameterReader& reader, const AssetContext& assets,
-                                       const Matrix&) {
+std::shared_ptr<const Material> create_layered(const ParameterReader& reader,
+                                               const AssetContext& assets, const Matrix&) {
     warn_of_common_parameters(reader);
     std::vector<Layer> layers;
     for (int i = 0; i < kMaxLayers; ++i) {
@@ -123,7 +123,7 @@ MaterialFactory layered_plugin() {
         own.push_back({kOpacityNames[i], ParameterType::FloatTexture, "1",
                        "share of light that meets the layer, 0 to 1; the rest passes straight"});
     }
-    return {with_common_parameters(std::move(own)), &create};
+    return {with_common_parameters(std::move(own)), &create_layered};
 }
 
 }  // namespace lxs::shading

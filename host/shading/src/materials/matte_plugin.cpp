@@ -9,8 +9,6 @@
 namespace lxs::shading {
 namespace {
 
-constexpr float kRadiansPerDegree = kPi / 180;
-
 class MatteMaterial final : public Material {
   public:
     MatteMaterial(PreparedColor kd, PreparedFloat sigma)
@@ -41,8 +39,8 @@ class MatteMaterial final : public Material {
     PreparedFloat sigma_;
 };
 
-std::shared_ptr<const Material> create(const ParameterReader& reader, const AssetContext& assets,
-                                       const Matrix&) {
+std::shared_ptr<const Material> create_matte(const ParameterReader& reader,
+                                             const AssetContext& assets, const Matrix&) {
     warn_of_common_parameters(reader);
     return std::make_shared<MatteMaterial>(read_reflectance(reader, assets, "Kd", Rgb(0.9f)),
                                            read_limited(reader, assets, "sigma", 0, 0, 90));
@@ -55,7 +53,7 @@ MaterialFactory matte_plugin() {
                 {{"Kd", ParameterType::ColorTexture, "0.9 0.9 0.9", "diffuse reflectance, 0 to 1"},
                  {"sigma", ParameterType::FloatTexture, "0",
                   "roughness: deviation of the facets' slope in degrees, 0 to 90", 0}}),
-            &create};
+            &create_matte};
 }
 
 }  // namespace lxs::shading

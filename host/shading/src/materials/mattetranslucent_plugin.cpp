@@ -9,8 +9,6 @@
 namespace lxs::shading {
 namespace {
 
-constexpr float kRadiansPerDegree = kPi / 180;
-
 class MatteTranslucentMaterial final : public Material {
   public:
     MatteTranslucentMaterial(const ParameterReader& reader, const AssetContext& assets)
@@ -65,8 +63,8 @@ void warn_of_gain(const ParameterReader& reader, const AssetContext& assets) {
                                  "light than it gets unless \"energyconserving\" is set");
 }
 
-std::shared_ptr<const Material> create(const ParameterReader& reader, const AssetContext& assets,
-                                       const Matrix&) {
+std::shared_ptr<const Material> create_mattetranslucent(const ParameterReader& reader,
+                                                        const AssetContext& assets, const Matrix&) {
     warn_of_common_parameters(reader);
     warn_of_gain(reader, assets);
     return std::make_shared<MatteTranslucentMaterial>(reader, assets);
@@ -83,7 +81,7 @@ MaterialFactory mattetranslucent_plugin() {
                   "roughness: deviation of the facets' slope in degrees, 0 to 90", 0},
                  {"energyconserving", Bool, "false",
                   "let through only Kt's share of what is not reflected: Kt (1 - Kr)"}}),
-            &create};
+            &create_mattetranslucent};
 }
 
 }  // namespace lxs::shading

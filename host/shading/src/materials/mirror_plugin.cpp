@@ -35,8 +35,8 @@ class MirrorMaterial final : public Material {
     SurfaceFilm film_;
 };
 
-std::shared_ptr<const Material> create(const ParameterReader& reader, const AssetContext& assets,
-                                       const Matrix&) {
+std::shared_ptr<const Material> create_mirror(const ParameterReader& reader,
+                                              const AssetContext& assets, const Matrix&) {
     warn_of_common_parameters(reader);
     return std::make_shared<MirrorMaterial>(read_reflectance(reader, assets, "Kr", Rgb(1.0f)),
                                             SurfaceFilm(reader, assets));
@@ -48,7 +48,7 @@ MaterialFactory mirror_plugin() {
     return {with_common_parameters(
                 declarations({{{"Kr", ParameterType::ColorTexture, "1 1 1", "reflectance, 0 to 1"}},
                               film_parameters()})),
-            &create};
+            &create_mirror};
 }
 
 }  // namespace lxs::shading

@@ -58,7 +58,8 @@ Rgb MixMaterial::straight_transmittance(const ShadingPoint& point, const Vec3& d
            second_->straight_transmittance(point, direction) * amount;
 }
 
-MaterialPointer create(const ParameterReader& reader, const AssetContext& assets, const Matrix&) {
+MaterialPointer create_mix(const ParameterReader& reader, const AssetContext& assets,
+                           const Matrix&) {
     warn_of_common_parameters(reader);
     return std::make_shared<MixMaterial>(read_named_material(reader, assets, "namedmaterial1"),
                                          read_named_material(reader, assets, "namedmaterial2"),
@@ -73,7 +74,7 @@ MaterialFactory mix_plugin() {
                  {"namedmaterial2", ParameterType::String, "", "name of the second material"},
                  {"amount", ParameterType::FloatTexture, "0.5",
                   "share of the second material, 0 to 1"}}),
-            &create};
+            &create_mix};
 }
 
 }  // namespace lxs::shading

@@ -12,12 +12,10 @@
 namespace lxs::shading {
 namespace {
 
-constexpr float kLargest = std::numeric_limits<float>::max();
-
 void warn_of_limit(const ParameterReader& reader, std::string_view name, float lowest,
                    float highest) {
-    const std::string range = highest < kLargest ? fmt::format("{} to {}", lowest, highest)
-                                                 : fmt::format("{} and above", lowest);
+    const std::string range = highest < kUnlimited ? fmt::format("{} to {}", lowest, highest)
+                                                   : fmt::format("{} and above", lowest);
     reader.diagnostics().warning(
         reader.where(name), fmt::format("\"{}\" is limited to {}", reader.spelling(name), range));
 }

@@ -1,6 +1,7 @@
 // A texture as a material uses it: limited to what makes sense, its value kept if it is constant.
 #pragma once
 
+#include <limits>
 #include <memory>
 #include <string_view>
 #include <type_traits>
@@ -10,6 +11,9 @@
 #include "lxs/spectrum/reflectance_colour.h"
 
 namespace lxs::shading {
+
+/// Highest value of a parameter that may be as large as it likes.
+inline constexpr float kUnlimited = std::numeric_limits<float>::max();
 
 /// `value` limited to [lowest, highest]; NaN becomes `lowest`.
 inline float limited(float value, float lowest, float highest) {

@@ -75,8 +75,8 @@ MaterialFacts RoughGlassMaterial::facts() const {
     return facts;
 }
 
-std::shared_ptr<const Material> create(const ParameterReader& reader, const AssetContext& assets,
-                                       const Matrix&) {
+std::shared_ptr<const Material> create_roughglass(const ParameterReader& reader,
+                                                  const AssetContext& assets, const Matrix&) {
     warn_of_common_parameters(reader);
     return std::make_shared<RoughGlassMaterial>(reader, assets);
 }
@@ -93,7 +93,8 @@ MaterialFactory roughglass_plugin() {
          "Cauchy's B, square micrometres: the index is index + cauchyb / wavelength^2", 0},
         {"dispersion", Bool, "false",
          "bend each wavelength by its own index; else all by that of 550 nm"}};
-    return {with_common_parameters(declarations({own, roughness_parameters("0.001")})), &create};
+    return {with_common_parameters(declarations({own, roughness_parameters("0.001")})),
+            &create_roughglass};
 }
 
 }  // namespace lxs::shading

@@ -36,8 +36,8 @@ class ScatterMaterial final : public Material {
     PreparedColor kd_, g_;
 };
 
-std::shared_ptr<const Material> create(const ParameterReader& reader, const AssetContext& assets,
-                                       const Matrix&) {
+std::shared_ptr<const Material> create_scatter(const ParameterReader& reader,
+                                               const AssetContext& assets, const Matrix&) {
     warn_of_common_parameters(reader);
     return std::make_shared<ScatterMaterial>(
         read_reflectance(reader, assets, "Kd", Rgb(0.9f)),
@@ -53,7 +53,7 @@ MaterialFactory scatter_plugin() {
                 {{"Kd", ColorTexture, "0.9 0.9 0.9", "share of light that is scattered, 0 to 1"},
                  {"g", ColorTexture, "0 0 0",
                   "mean cosine of the deflection, -0.99 to 0.99: 0 scatters evenly"}}),
-            &create};
+            &create_scatter};
 }
 
 }  // namespace lxs::shading

@@ -40,8 +40,8 @@ class ShinyMetalMaterial final : public Material {
     RoughSurface surface_;
 };
 
-std::shared_ptr<const Material> create(const ParameterReader& reader, const AssetContext& assets,
-                                       const Matrix&) {
+std::shared_ptr<const Material> create_shinymetal(const ParameterReader& reader,
+                                                  const AssetContext& assets, const Matrix&) {
     warn_of_common_parameters(reader);
     return std::make_shared<ShinyMetalMaterial>(read_reflectance(reader, assets, "Ks", Rgb(1.0f)),
                                                 read_reflectance(reader, assets, "Kr", Rgb(1.0f)),
@@ -59,7 +59,7 @@ MaterialFactory shinymetal_plugin() {
          "reflectance of the rough part at normal incidence, 0 to 1"}};
     return {with_common_parameters(declarations(
                 {declarations({own, roughness_parameters("0.1")}), film_parameters()})),
-            &create};
+            &create_shinymetal};
 }
 
 }  // namespace lxs::shading

@@ -5,19 +5,13 @@
 #include "textures/texture_parameters.h"
 
 namespace lxs::shading {
-namespace {
-
-constexpr float kLargest = std::numeric_limits<float>::max();
-
-}  // namespace
-
 SurfaceCoating::SurfaceCoating(const ParameterReader& reader, const AssetContext& assets,
                                const std::string& prefix, const Rgb& default_ks,
                                float default_roughness)
     : ks_(read_reflectance(reader, assets, prefix + "Ks", default_ks)),
       ka_(read_absorption(reader, assets, prefix + "Ka")),
-      index_(read_limited(reader, assets, prefix + "index", 0, 0, kLargest)),
-      depth_(read_limited(reader, assets, prefix + "d", 0, 0, kLargest)),
+      index_(read_limited(reader, assets, prefix + "index", 0, 0, kUnlimited)),
+      depth_(read_limited(reader, assets, prefix + "d", 0, 0, kUnlimited)),
       surface_(reader, assets, default_roughness, prefix),
       multibounce_(reader.boolean(prefix + "multibounce", false)) {}
 
@@ -28,7 +22,7 @@ Coating SurfaceCoating::coating_at(const TexturePoint& point) const {
         const float root = (index - 1) / (index + 1);
         coating.reflectance *= root * root;
     }
-    coating.optical_depth = limited(ka_.at(point) * depth_.at(point), 0, kLargest);
+    coating.optical_depth = limited(ka_.at(point) * depth_.at(point), 0, kUnlimited);
     coating.multibounce = multibounce_;
     return coating;
 }

@@ -8,16 +8,16 @@
 namespace lxs::shading {
 namespace {
 
-constexpr float kLargest = 1e6f;
+constexpr float kLargestCoefficient = 1e6f;
 
 class VelvetMaterial final : public Material {
   public:
     VelvetMaterial(const ParameterReader& reader, const AssetContext& assets)
         : kd_(read_reflectance(reader, assets, "Kd", Rgb(0.3f))),
-          p1_(read_limited(reader, assets, "p1", -2, -kLargest, kLargest)),
-          p2_(read_limited(reader, assets, "p2", 20, -kLargest, kLargest)),
-          p3_(read_limited(reader, assets, "p3", 2, -kLargest, kLargest)),
-          thickness_(read_limited(reader, assets, "thickness", 0.1f, 0, kLargest)) {}
+          p1_(read_limited(reader, assets, "p1", -2, -kLargestCoefficient, kLargestCoefficient)),
+          p2_(read_limited(reader, assets, "p2", 20, -kLargestCoefficient, kLargestCoefficient)),
+          p3_(read_limited(reader, assets, "p3", 2, -kLargestCoefficient, kLargestCoefficient)),
+          thickness_(read_limited(reader, assets, "thickness", 0.1f, 0, kLargestCoefficient)) {}
 
     const Bsdf* scatter(const ShadingPoint& point,
                         std::pmr::memory_resource& memory) const override;
@@ -48,8 +48,8 @@ MaterialFacts VelvetMaterial::facts() const {
     return facts;
 }
 
-std::shared_ptr<const Material> create(const ParameterReader& reader, const AssetContext& assets,
-                                       const Matrix&) {
+std::shared_ptr<const Material> create_velvet(const ParameterReader& reader,
+                                              const AssetContext& assets, const Matrix&) {
     warn_of_common_parameters(reader);
     return std::make_shared<VelvetMaterial>(reader, assets);
 }
@@ -64,7 +64,7 @@ MaterialFactory velvet_plugin() {
                  {"p2", FloatTexture, "20", "weight of the second"},
                  {"p3", FloatTexture, "2", "weight of the third"},
                  {"thickness", FloatTexture, "0.1", "optical thickness of the layer", 0}}),
-            &create};
+            &create_velvet};
 }
 
 }  // namespace lxs::shading

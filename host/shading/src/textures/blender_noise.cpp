@@ -15,7 +15,7 @@ namespace {
 constexpr std::array<std::string_view, 10> kBases{
     "blender_original", "original_perlin", "improved_perlin", "voronoi_f1",      "voronoi_f2",
     "voronoi_f3",       "voronoi_f4",      "voronoi_f2_f1",   "voronoi_crackle", "cell_noise"};
-constexpr std::array<std::string_view, 2> kTypes{"soft_noise", "hard_noise"};
+constexpr std::array<std::string_view, 2> kNoiseTypes{"soft_noise", "hard_noise"};
 
 float voronoi(NoiseBasis basis, const Vec3& p) {
     const auto d = nearest_points(p, DistanceMetric::Actual, 0);
@@ -75,7 +75,7 @@ float BlenderNoise::operator()(const Vec3& p) const {
 std::vector<ParameterDeclaration> noise_parameters(bool octaves) {
     constexpr double kSmallest = 1e-6, kDeepest = 30;
     std::vector<ParameterDeclaration> all{
-        choice("noisetype", "soft_noise", "hard noise has creases", kTypes),
+        choice("noisetype", "soft_noise", "hard noise has creases", kNoiseTypes),
         basis_parameter("noisebasis", "kind of noise; the three Perlin bases look alike"),
         {"noisesize", ParameterType::Float, "0.25", "size of the noise's cells", kSmallest}};
     if (octaves) {

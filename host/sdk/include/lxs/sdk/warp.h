@@ -13,6 +13,7 @@
 namespace lxs {
 
 inline constexpr float kPi = std::numbers::pi_v<float>;
+inline constexpr float kRadiansPerDegree = kPi / 180;
 inline constexpr float kInvPi = std::numbers::inv_pi_v<float>;
 
 /// Area-preserving map of the square onto the unit disk; `Real` is float or double.

@@ -27,7 +27,7 @@ TEST(MemoryGrowth, FlatOnceTheGuideHasLearned) {
     const render::Folder folder;
     const auto scene = render::small_scene("glass-ball", folder, 120, 80);
     const auto early = run(scene, 40, folder);
-    const auto late = run(scene, 160, folder);
+    const auto late = run(scene, 110, folder);
     const auto peak = [](const nlohmann::json& j) {
         return j.at("peak memory bytes").get<double>();
     };

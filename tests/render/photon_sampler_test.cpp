@@ -17,7 +17,7 @@ const std::string kSequence = " --set aips.guide=none --set aips.photonsampler=h
 statistics::BlockMeans renders(const std::filesystem::path& scene, const std::string& sampler,
                                unsigned first_seed, const render::Folder& folder) {
     return render::seeded_block_means(
-        scene, "--passes 6 --set aips.photonperpass=30000 --set aips.startradius=3" + sampler,
+        scene, "--passes 6 --set aips.photonperpass=30000 --set aips.startradius=1.5" + sampler,
         folder, {.first = first_seed, .count = 10}, 16);
 }
 

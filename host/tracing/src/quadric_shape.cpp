@@ -156,13 +156,11 @@ QuadricPoint QuadricShape::sphere_point(V3d p) const {
     QuadricPoint point;
     point.p = p;
     point.normal = normal;
-    // LuxRender's: grain and bumps lie on its spheres by tangents that aren't those of u and v.
+    // Of u and v: LuxRender's image of a bump map on a ball has these (texture-bump,
+    // docs/conformance.md).
+    point.dpdu = V3d(-p.y, p.x, 0) * phi_max_;
     const double rho = std::hypot(p.x, p.y);
-    if (rho > 0) {
-        const double inwards = -p.z / (rho * rho);
-        point.dpdu = V3d(p.x * inwards, p.y * inwards, 1) * (z_max_ - z_min_);
-    }
-    point.dpdv = V3d(-p.y, p.x, 0) * phi_max_;
+    if (rho > 0) point.dpdv = V3d(p.z * p.x / rho, p.z * p.y / rho, -rho) * theta_range_;
     const double v = (polar_angle(p.z, radius_) - theta_min_) / theta_range_;
     point.uv = Vec2(static_cast<float>(std::min(1.0, azimuth(p) / phi_max_)),
                     static_cast<float>(std::clamp(v, 0.0, 1.0)));

@@ -39,6 +39,7 @@ if(AIPS_BUILD_HOST)
   install(DIRECTORY ${PROJECT_SOURCE_DIR}/host/sdk/include/
     DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
   install(TARGETS lxs_path aips LIBRARY DESTINATION ${aips_plugin_dir})
+  install(TARGETS lxs_images_module LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}/aips/images)
   install(TARGETS lxsrender)
 endif()
 

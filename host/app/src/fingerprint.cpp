@@ -6,6 +6,7 @@
 #include <set>
 
 #include "lxs/host/checksum.h"
+#include "lxs/images/image_library.h"
 #include "lxs/sdk/plugin.h"
 
 namespace lxs {
@@ -15,6 +16,8 @@ void Fingerprint::set_program(const std::filesystem::path& integrator_module) {
     sum.add_text(version() + " " + std::to_string(kAbiVersion));
     sum.add_file(boost::dll::program_location().string());
     sum.add_file(integrator_module.string());
+    const std::filesystem::path images = image_library_file();
+    if (!images.empty()) sum.add_file(images.string());
     checksums_[Program] = sum.value();
 }
 

@@ -18,6 +18,7 @@
 #include "lxs/host/render_session.h"
 #include "lxs/host/scene_language_page.h"
 #include "lxs/host/thread_count.h"
+#include "lxs/images/image_library.h"
 
 namespace lxs {
 namespace {
@@ -197,6 +198,9 @@ ExitCode carry_out(const CommandLine& command, ConsoleLog& log) {
         log.error(error.what());
         return ExitCode::BadInput;
     } catch (const PluginFailure& error) {
+        log.error(error.what());
+        return ExitCode::PluginFailure;
+    } catch (const ImageLibraryFailure& error) {
         log.error(error.what());
         return ExitCode::PluginFailure;
     } catch (const OutputFailure& error) {

@@ -9,7 +9,7 @@
 namespace lxs {
 
 /// The bytes of an 8-bit RGB PNG of width * height interleaved pixels, for a display of this gamma.
-/// Throws std::runtime_error with OpenImageIO's reason.
+/// Throws std::runtime_error with libpng's reason.
 std::vector<std::byte> encode_png(std::uint32_t width, std::uint32_t height, double gamma,
                                   std::span<const std::uint8_t> rgb);
 

@@ -1,15 +1,16 @@
 // Radiance image over all directions, latitude-longitude mapping.
 #include "latlong_map.h"
 
-#include <OpenImageIO/imageio.h>
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <stdexcept>
 
 #include "emitted_radiance.h"
+#include "lxs/images/image_library.h"
 #include "lxs/spectrum/rgb_spectra.h"
 
 namespace lxs {
@@ -22,24 +23,18 @@ LatLongMap::LatLongMap(std::size_t width, std::size_t height, std::vector<Rgb> p
 
 LatLongMap LatLongMap::read(const std::string& path, float gamma, const SourceLocation& where,
                             Diagnostics& diagnostics) {
-    const auto file = OIIO::ImageInput::open(path);
-    if (!file) {
-        throw InputError(where,
-                         fmt::format("cannot read image \"{}\": {}", path, OIIO::geterror()));
+    const ImageLibrary& library = image_library();
+    FloatImage file;
+    try {
+        file = library.read(path);
+    } catch (const std::runtime_error& error) {
+        throw InputError(where, fmt::format("cannot read image \"{}\": {}", path, error.what()));
     }
-    const OIIO::ImageSpec& spec = file->spec();
-    const std::size_t channels = static_cast<std::size_t>(spec.nchannels);
-    const std::size_t count = static_cast<std::size_t>(spec.width) * spec.height;
-    std::vector<float> values(count * channels);
-    if (!file->read_image(0, 0, 0, spec.nchannels, OIIO::TypeDesc::FLOAT, values.data())) {
-        throw InputError(where,
-                         fmt::format("cannot read image \"{}\": {}", path, file->geterror()));
-    }
-    std::vector<Rgb> pixels(count);
-    const bool grey = channels < 3;
+    std::vector<Rgb> pixels(file.width * file.height);
+    const bool grey = file.channels < 3;
     std::size_t refused = 0;
-    for (std::size_t i = 0; i < count; ++i) {
-        const float* v = &values[i * channels];
+    for (std::size_t i = 0; i < pixels.size(); ++i) {
+        const float* v = &file.values[i * file.channels];
         const Rgb stored = grey ? Rgb(v[0]) : Rgb(v[0], v[1], v[2]);
         pixels[i] = non_negative(stored);
         if (!(pixels[i] == stored)) ++refused;
@@ -52,8 +47,7 @@ LatLongMap LatLongMap::read(const std::string& path, float gamma, const SourceLo
                                                "negative; 0 is used",
                                                path, refused));
     }
-    return LatLongMap(static_cast<std::size_t>(spec.width), static_cast<std::size_t>(spec.height),
-                      std::move(pixels));
+    return LatLongMap(file.width, file.height, std::move(pixels));
 }
 
 const Rgb& LatLongMap::pixel(std::ptrdiff_t x, std::ptrdiff_t y) const {

@@ -144,5 +144,32 @@ TEST(PngFile, HoldsTheToneMappedImage) {
     EXPECT_EQ(read.at(0, "R"), 0.0f);
 }
 
+TEST(PngFile, NamesTheGammaThatItIsFor) {
+    const TemporaryFolder folder;
+    for (const float gamma : {2.2f, 1.8f}) {
+        SceneContents contents = scene_of_size(7, 5);
+        contents.options["Film"].parameters.values.push_back(real("gamma", gamma));
+        painted_film(contents)->write_png(folder / "out.png");
+        const OIIO::ImageSpec spec = ReadImage(folder / "out.png").spec;
+        if (gamma == 2.2f) {
+            EXPECT_EQ(spec.get_string_attribute("oiio:ColorSpace"), "sRGB");
+        } else {
+            EXPECT_NEAR(spec.get_float_attribute("oiio:Gamma"), gamma, 1e-4f);
+        }
+    }
+}
+
+TEST(PngFile, LargerThanThatFormatAllowsIsReportedWithThePath) {
+    const TemporaryFolder folder;
+    const std::string path = folder / "out.png";
+    try {
+        painted_film(scene_of_size(1000001, 1))->write_png(path);
+        FAIL() << "must throw";
+    } catch (const std::runtime_error& error) {
+        EXPECT_EQ(std::string(error.what()).find("cannot write '" + path + "': "), 0u);
+    }
+    EXPECT_EQ(folder.entries(), 0u);
+}
+
 }  // namespace
 }  // namespace lxs::test::image_files_test

@@ -1,7 +1,8 @@
-// Texture "imagemap": an image file, looked up by OpenImageIO's texture system.
+// Texture "imagemap": an image file.
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <stdexcept>
 
 #include "ignored_parameter.h"
 #include "image_cache.h"
@@ -35,15 +36,16 @@ class ImageLookup {
   private:
     /// The same place in a coordinate that doesn't overflow OpenImageIO's texel numbers.
     float near_image(float x) const {
-        return repeats_ ? x - std::floor(x) : std::clamp(x, -1.0f, 2.0f);
+        return how_.outside == TexelLookup::Outside::Repeat ? x - std::floor(x)
+                                                            : std::clamp(x, -1.0f, 2.0f);
     }
 
     std::shared_ptr<ImageCache> cache_;
     ImageCache::Image image_;
-    OIIO::TextureOpt options_;
+    TexelLookup how_;
     UvMapping mapping_;
     float gain_, gamma_;
-    bool repeats_, white_outside_;
+    bool white_outside_;
 };
 
 ImageLookup::ImageLookup(const ParameterReader& reader, const AssetContext& assets,
@@ -56,15 +58,12 @@ ImageLookup::ImageLookup(const ParameterReader& reader, const AssetContext& asse
     gamma_ = static_cast<float>(reader.number("gamma", 2.2));
     gain_ = static_cast<float>(reader.number("gain", 1));
     const Wrap wrap = read_wrap(reader);
-    repeats_ = wrap == Wrap::Repeat;
     white_outside_ = wrap == Wrap::White;
-    options_.swrap = options_.twrap = repeats_              ? OIIO::TextureOpt::WrapPeriodic
-                                      : wrap == Wrap::Black ? OIIO::TextureOpt::WrapBlack
-                                                            : OIIO::TextureOpt::WrapClamp;
-    options_.mipmode = OIIO::TextureOpt::MipModeNoMIP;
+    how_.outside = wrap == Wrap::Repeat  ? TexelLookup::Outside::Repeat
+                   : wrap == Wrap::Black ? TexelLookup::Outside::Black
+                                         : TexelLookup::Outside::Clamp;
     const std::string filter = reader.string("filtertype", "bilinear");
-    options_.interpmode =
-        filter == "nearest" ? OIIO::TextureOpt::InterpClosest : OIIO::TextureOpt::InterpBilinear;
+    how_.interpolated = filter != "nearest";
     if (filter.starts_with("mipmap")) {
         reader.diagnostics().warning(
             reader.where("filtertype"),
@@ -77,21 +76,23 @@ void ImageLookup::read(const TexturePoint& point, int first, int count, float* v
     const bool inside = st.x >= 0 && st.x <= 1 && st.y >= 0 && st.y <= 1;
     std::fill_n(values, count, 1.0f);
     if ((white_outside_ && !inside) || !std::isfinite(st.x) || !std::isfinite(st.y)) return;
-    OIIO::TextureOpt options = options_;
-    options.firstchannel = first;
-    const bool read = image_.system->texture(image_.handle, nullptr, options, near_image(st.x),
-                                             near_image(st.y), 0, 0, 0, 0, count, values);
-    if (!read) ImageCache::fail_lookup(image_);
+    try {
+        image_.texels->look_up(near_image(st.x), near_image(st.y), first, how_,
+                               std::span(values, static_cast<std::size_t>(count)));
+    } catch (const std::runtime_error& error) {
+        throw InputError(image_.where,
+                         "image \"" + image_.path + "\" can't be read any more: " + error.what());
+    }
     // Texels are interpolated as they are stored, then the gamma is undone: LuxRender's image of a
     // fine pattern is darker by what that makes (5 % in the blue of texture-imagemap's squares).
     if (gamma_ == 1) return;
     for (int c = 0; c < count; ++c)
-        if (first + c != image_.alpha_channel) values[c] = std::pow(values[c], gamma_);
+        if (first + c != image_.texels->alpha_channel()) values[c] = std::pow(values[c], gamma_);
 }
 
 Rgb ImageLookup::color(const TexturePoint& point) const {
     Rgb value(1.0f);
-    const int count = image_.channels >= 3 ? 3 : 1;
+    const int count = image_.texels->channels() >= 3 ? 3 : 1;
     read(point, 0, count, &value.x);
     if (count == 1) value = Rgb(value.x);
     return value * gain_;
@@ -153,12 +154,12 @@ std::shared_ptr<const FloatTexture> create_float(const ParameterReader& reader,
         const Channel channel = name == "mean" ? Channel::Mean : Channel::Luminance;
         return std::make_shared<FloatImageTexture>(std::move(lookup), channel, 0);
     }
-    const ImageCache::Image& image = lookup.image();
+    const CachedImage& image = *lookup.image().texels;
     const int colored = name == "green" ? 1 : name == "blue" ? 2 : 0;
-    int index = image.channels >= 3 ? colored : 0;
+    int index = image.channels() >= 3 ? colored : 0;
     if (name == "alpha") {
-        if (image.alpha_channel < 0) return std::make_shared<ConstantTexture<float>>(1.0f);
-        index = image.alpha_channel;
+        if (image.alpha_channel() < 0) return std::make_shared<ConstantTexture<float>>(1.0f);
+        index = image.alpha_channel();
     }
     return std::make_shared<FloatImageTexture>(std::move(lookup), Channel::Single, index);
 }

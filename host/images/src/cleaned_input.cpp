@@ -7,7 +7,7 @@
 #include <system_error>
 #include <vector>
 
-namespace lxs::shading {
+namespace lxs {
 namespace {
 
 constexpr const char* kPathAttribute = "lxs:path";
@@ -101,4 +101,4 @@ bool CleanedInput::read_through() {
     return true;
 }
 
-}  // namespace lxs::shading
+}  // namespace lxs

@@ -7,7 +7,7 @@
 #include <memory>
 #include <string>
 
-namespace lxs::shading {
+namespace lxs {
 
 /// Sets values that no texture may have (NaN, infinite, negative) to 0. Registered with the image
 /// cache as the reader of virtual files; the open() configuration names the real file. Finest level
@@ -44,4 +44,4 @@ class CleanedInput final : public OIIO::ImageInput {
     std::uint64_t refused_ = 0;
 };
 
-}  // namespace lxs::shading
+}  // namespace lxs

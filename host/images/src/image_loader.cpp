@@ -1,0 +1,54 @@
+// The image library of programs that load it with the first image.
+#include <boost/dll/runtime_symbol_info.hpp>
+#include <boost/dll/shared_library.hpp>
+#include <filesystem>
+#include <system_error>
+
+#include "lxs/images/image_library.h"
+
+namespace lxs {
+namespace {
+
+namespace fs = std::filesystem;
+
+class LoadedLibrary {
+  public:
+    LoadedLibrary() {
+        const fs::path file = image_library_file();
+        if (file.empty()) {
+            throw ImageLibraryFailure("images can't be read: the file " LXS_IMAGES_MODULE
+                                      " is missing from the installation");
+        }
+        try {
+            module_.load(file);
+            library_ = module_.get<const ImageLibrary*()>("lxs_image_library")();
+        } catch (const std::exception& cause) {
+            throw ImageLibraryFailure("images can't be read: '" + file.string() +
+                                      "' can't be loaded: " + cause.what());
+        }
+    }
+    const ImageLibrary& get() const { return *library_; }
+
+  private:
+    boost::dll::shared_library module_;
+    const ImageLibrary* library_ = nullptr;
+};
+
+}  // namespace
+
+fs::path image_library_file() {
+    const fs::path bin = boost::dll::program_location().parent_path();
+    for (const char* folder : {LXS_INSTALLED_IMAGES, LXS_BUILT_IMAGES}) {
+        const fs::path file = bin / folder / LXS_IMAGES_MODULE;
+        std::error_code unknown;
+        if (fs::exists(file, unknown)) return file;
+    }
+    return {};
+}
+
+const ImageLibrary& image_library() {
+    static const LoadedLibrary loaded;
+    return loaded.get();
+}
+
+}  // namespace lxs

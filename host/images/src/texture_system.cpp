@@ -1,0 +1,112 @@
+// OpenImageIO's texture system as a cache of images.
+#include "texture_system.h"
+
+#include <OpenImageIO/imagecache.h>
+#include <fmt/format.h>
+
+#include <stdexcept>
+
+#include "cleaned_input.h"
+
+namespace lxs {
+namespace {
+
+constexpr float kCacheMegabytes = 512;
+constexpr int kTileSize = 64;
+
+/// First line of an OpenImageIO message without its full stop.
+std::string first_line(const std::string& text) {
+    std::string line = text.substr(0, text.find('\n'));
+    while (!line.empty() && (line.back() == '.' || line.back() == ' '))
+        line.pop_back();
+    return line.empty() ? "unknown reason" : line;
+}
+
+[[noreturn]] void fail(const std::string& text) {
+    throw std::runtime_error(first_line(text));
+}
+
+OIIO::TextureOpt::Wrap wrap_of(TexelLookup::Outside outside) {
+    switch (outside) {
+        case TexelLookup::Outside::Repeat:
+            return OIIO::TextureOpt::WrapPeriodic;
+        case TexelLookup::Outside::Black:
+            return OIIO::TextureOpt::WrapBlack;
+        case TexelLookup::Outside::Clamp:
+            break;
+    }
+    return OIIO::TextureOpt::WrapClamp;
+}
+
+class SystemImage final : public CachedImage {
+  public:
+    SystemImage(OIIO::TextureSystem* system, OIIO::TextureSystem::TextureHandle* handle,
+                const CleanedInput& input)
+        : system_(system),
+          handle_(handle),
+          channels_(input.spec().nchannels),
+          alpha_channel_(input.spec().alpha_channel),
+          refused_(input.refused()) {}
+
+    int channels() const override { return channels_; }
+    int alpha_channel() const override { return alpha_channel_; }
+    std::uint64_t refused() const override { return refused_; }
+    void look_up(float s, float t, int first, const TexelLookup& how,
+                 std::span<float> values) const override {
+        OIIO::TextureOpt options;
+        options.swrap = options.twrap = wrap_of(how.outside);
+        options.mipmode = OIIO::TextureOpt::MipModeNoMIP;
+        options.interpmode =
+            how.interpolated ? OIIO::TextureOpt::InterpBilinear : OIIO::TextureOpt::InterpClosest;
+        options.firstchannel = first;
+        const bool read = system_->texture(handle_, nullptr, options, s, t, 0, 0, 0, 0,
+                                           static_cast<int>(values.size()), values.data());
+        if (!read) fail(system_->has_error() ? system_->geterror() : "");
+    }
+
+  private:
+    OIIO::TextureSystem* system_;
+    OIIO::TextureSystem::TextureHandle* handle_;
+    int channels_, alpha_channel_;
+    std::uint64_t refused_;
+};
+
+}  // namespace
+
+TextureSystemImages::TextureSystemImages() : system_(OIIO::TextureSystem::create(true)) {
+    system_->attribute("gray_to_rgb", 1);
+    OIIO::ImageCache* cache = system_->imagecache();
+    cache->attribute("max_memory_MB", kCacheMegabytes);
+    cache->attribute("autotile", kTileSize);
+    cache->attribute("automip", 0);
+    cache->attribute("accept_untiled", 1);
+    cache->attribute("accept_unmipped", 1);
+    cache->attribute("forcefloat", 1);
+}
+
+TextureSystemImages::~TextureSystemImages() {
+    for (const OIIO::ustring& name : names_)
+        system_->invalidate(name, true);
+    OIIO::TextureSystem::destroy(system_);
+}
+
+std::string TextureSystemImages::own_name(const std::string& path) const {
+    return fmt::format("{}?cleaned-{}", path, fmt::ptr(this));
+}
+
+std::unique_ptr<const CachedImage> TextureSystemImages::open(const std::string& path) {
+    CleanedInput input;
+    OIIO::ImageSpec spec;
+    const OIIO::ImageSpec configuration = CleanedInput::configuration(path);
+    if (!input.open(path, spec, configuration) || !input.read_through()) fail(input.geterror());
+    const std::lock_guard lock(mutex_);
+    const OIIO::ustring name(own_name(path));
+    system_->imagecache()->add_file(name, &CleanedInput::create, &configuration);
+    system_->invalidate(name, true);  // another scene may have read an older version of the file
+    names_.push_back(name);
+    auto* handle = system_->get_texture_handle(name);
+    if (!handle || !system_->good(handle)) fail(system_->geterror());
+    return std::make_unique<SystemImage>(system_, handle, input);
+}
+
+}  // namespace lxs

@@ -4,7 +4,7 @@ option(AIPS_IPO "Inter-procedural optimisation" OFF)
 option(AIPS_FUZZ "Build for coverage-guided fuzzing, with the sanitizers (docs/fuzzing.md; needs clang)" OFF)
 option(AIPS_NATIVE "Tune for this machine's processor (-march=native)" OFF)
 option(AIPS_UNITY "Compile files of the host, tests and benchmarks in batches (docs/building.md)" OFF)
-set(CMAKE_UNITY_BUILD_BATCH_SIZE 8)
+set(CMAKE_UNITY_BUILD_BATCH_SIZE 16)
 set(AIPS_SANITIZE "" CACHE STRING "Sanitizers, e.g. address,undefined or thread")
 
 set(CMAKE_CXX_STANDARD 20)

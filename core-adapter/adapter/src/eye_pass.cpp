@@ -13,10 +13,10 @@
 namespace aips {
 namespace {
 
-constexpr std::uint32_t kPathsPerBlock = 1024;
+constexpr std::uint32_t kEyePathsPerBlock = 1024;
 
 /// What one block adds to the pass besides the per-path arrays.
-struct Block {
+struct EyeBlock {
     std::vector<VisiblePoint> visible_points;
     std::vector<VolumeBeam> beams;
     std::vector<float> footprints;
@@ -27,7 +27,7 @@ struct Block {
 
 void trace_block(const EyePassInput& in, std::uint64_t pass, float time, std::uint32_t first,
                  std::uint32_t last, Refusals& refusals, EyeImage& image, Arena& arena,
-                 Block& block) {
+                 EyeBlock& block) {
     const std::uint64_t pixels = std::uint64_t(in.width) * in.height;
     const std::uint64_t before = in.direct_light.passes_before();
     const std::uint32_t stride = eye_paths_per_light_sample(in.paths);
@@ -63,7 +63,7 @@ void trace_block(const EyePassInput& in, std::uint64_t pass, float time, std::ui
 /// Joins what the blocks hold in their order, and empties them. The memory of `joined` is kept:
 /// most of it is overwritten where it lies.
 template <class T>
-void join(std::vector<Block>& blocks, std::vector<T> Block::*part, std::vector<T>& joined) {
+void join(std::vector<EyeBlock>& blocks, std::vector<T> EyeBlock::*part, std::vector<T>& joined) {
     std::vector<std::size_t> first(blocks.size() + 1, 0);
     for (std::size_t b = 0; b < blocks.size(); ++b)
         first[b + 1] = first[b] + (blocks[b].*part).size();
@@ -74,14 +74,14 @@ void join(std::vector<Block>& blocks, std::vector<T> Block::*part, std::vector<T
     });
 }
 
-void join_blocks(std::vector<Block>& blocks, EyeImage& image) {
-    join(blocks, &Block::visible_points, image.visible_points);
-    join(blocks, &Block::beams, image.beams);
-    join(blocks, &Block::footprints, image.footprints);
-    join(blocks, &Block::light_samples, image.light_samples);
+void join_blocks(std::vector<EyeBlock>& blocks, EyeImage& image) {
+    join(blocks, &EyeBlock::visible_points, image.visible_points);
+    join(blocks, &EyeBlock::beams, image.beams);
+    join(blocks, &EyeBlock::footprints, image.footprints);
+    join(blocks, &EyeBlock::light_samples, image.light_samples);
     image.beam_footprint_sum = 0;
     image.rays = 0;
-    for (const Block& block : blocks) {
+    for (const EyeBlock& block : blocks) {
         image.beam_footprint_sum += block.beam_footprint_sum;
         image.rays += block.rays;
     }
@@ -111,17 +111,17 @@ void positions_of(std::span<const VisiblePoint> points, std::vector<Vec3>& posit
 void trace_eye_pass(const EyePassInput& in, std::uint64_t pass, float time, Refusals& refusals,
                     EyeImage& image) {
     const std::uint32_t block_count =
-        in.paths / kPathsPerBlock + (in.paths % kPathsPerBlock ? 1 : 0);
+        in.paths / kEyePathsPerBlock + (in.paths % kEyePathsPerBlock ? 1 : 0);
     image.groups = in.scene.light_groups();
     image.positions.resize(in.paths);
     image.radiance.assign(std::size_t(in.paths) * image.groups, Rgb{});
     image.arenas.resize(block_count);
     if (in.keep_visible_points) image.visible_points.reserve(in.paths);
-    std::vector<Block> blocks(block_count);
+    std::vector<EyeBlock> blocks(block_count);
     tbb::parallel_for(0u, block_count, [&](std::uint32_t b) {
         image.arenas[b].reset();
-        const std::uint32_t first = b * kPathsPerBlock;
-        const std::uint32_t last = first + std::min(kPathsPerBlock, in.paths - first);
+        const std::uint32_t first = b * kEyePathsPerBlock;
+        const std::uint32_t last = first + std::min(kEyePathsPerBlock, in.paths - first);
         trace_block(in, pass, time, first, last, refusals, image, image.arenas[b], blocks[b]);
     });
     join_blocks(blocks, image);

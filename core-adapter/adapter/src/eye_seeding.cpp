@@ -25,7 +25,7 @@ struct SeedInput {
     const EyeImage& image;
 };
 
-struct Block {
+struct SeedBlock {
     std::vector<EmissionSeed> seeds;
     SeedCounts counts;
 };
@@ -58,7 +58,7 @@ bool scatters(const SurfacePoint& point, Vec3 wo, Vec3 wi) {
 /// One walk.
 class SeedWalk {
   public:
-    SeedWalk(const SeedInput& input, RandomStream& random, Arena& arena, Block& block)
+    SeedWalk(const SeedInput& input, RandomStream& random, Arena& arena, SeedBlock& block)
         : in_(input), random_(random), arena_(arena), block_(block) {}
 
     void run(const VisiblePoint& visible) {
@@ -192,7 +192,7 @@ class SeedWalk {
     const SeedInput& in_;
     RandomStream& random_;
     Arena& arena_;
-    Block& block_;
+    SeedBlock& block_;
 
     Ray ray_;
     Rgb throughput_ = kWhite;
@@ -201,7 +201,7 @@ class SeedWalk {
 };
 
 void walk_block(const SeedInput& in, std::uint32_t first_group, std::uint32_t last_group,
-                Block& block) {
+                SeedBlock& block) {
     const auto& points = in.image.visible_points;
     Arena arena;
     for (std::uint32_t group = first_group; group < last_group; ++group) {
@@ -228,12 +228,12 @@ void find_emission_seeds(const Scene& scene, const Settings& settings,
     const SeedInput input{scene, settings, light_choice, live_lights, pass, time, image};
     const auto groups =
         static_cast<std::uint32_t>((image.visible_points.size() + kSeedGroup - 1) / kSeedGroup);
-    std::vector<Block> blocks((groups + kGroupsPerBlock - 1) / kGroupsPerBlock);
+    std::vector<SeedBlock> blocks((groups + kGroupsPerBlock - 1) / kGroupsPerBlock);
     tbb::parallel_for(std::size_t(0), blocks.size(), [&](std::size_t b) {
         const auto first = static_cast<std::uint32_t>(b) * kGroupsPerBlock;
         walk_block(input, first, std::min(groups, first + kGroupsPerBlock), blocks[b]);
     });
-    for (const Block& block : blocks) {
+    for (const SeedBlock& block : blocks) {
         seeds.insert(seeds.end(), block.seeds.begin(), block.seeds.end());
         counts.walks += block.counts.walks;
         counts.rays += block.counts.rays;

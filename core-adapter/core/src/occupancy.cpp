@@ -12,7 +12,7 @@ constexpr std::size_t kBitsPerPoint = 16;
 constexpr std::size_t kBlockBits = 512;
 constexpr std::size_t kMinBits = 2 * kBlockBits;
 constexpr std::size_t kMaxBits = std::size_t(1) << 31;
-constexpr std::size_t kChunkPoints = std::size_t(1) << 11;
+constexpr std::size_t kPointsPerChunk = std::size_t(1) << 11;
 
 std::size_t table_bits(std::size_t points) {
     return std::clamp(std::bit_ceil(std::min(points, kMaxBits) * kBitsPerPoint), kMinBits,
@@ -41,7 +41,7 @@ void OccupancyGrid::build(std::span<const Vec3> points, float radius, const Para
     block_mask_ = bits / kBlockBits - 1;
     bits_.reserve(bits / 64);
     bits_.assign(bits / 64, 0);
-    in_chunks(points.size(), kChunkPoints, parallel, [&](std::size_t first, std::size_t last) {
+    in_chunks(points.size(), kPointsPerChunk, parallel, [&](std::size_t first, std::size_t last) {
         for (const Vec3& point : points.subspan(first, last - first)) {
             if (is_finite(point)) mark_ball(point);
         }

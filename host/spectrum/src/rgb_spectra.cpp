@@ -39,12 +39,12 @@ Imath::V3d colour_of(const Spectrum& spectrum) {
     return sum;
 }
 
-using Colours = std::array<Imath::V3d, kColourBases>;
+using LinearColours = std::array<Imath::V3d, kColourBases>;
 
-/// Colours of the base spectra, relative to that of white.
-const Colours& colours_of_illuminants() {
-    static const Colours colours = [] {
-        Colours c;
+/// LinearColours of the base spectra, relative to that of white.
+const LinearColours& colours_of_illuminants() {
+    static const LinearColours colours = [] {
+        LinearColours c;
         for (std::size_t i = 0; i < kColourBases; ++i)
             c[i] = colour_of([i](double nm) { return illuminant_base(i, nm); });
         for (std::size_t i = kColourBases; i-- > 0;)
@@ -55,9 +55,9 @@ const Colours& colours_of_illuminants() {
 }
 
 /// The same of the products of filters (first index) and lights.
-const std::array<Colours, kColourBases>& colours_of_products() {
-    static const std::array<Colours, kColourBases> colours = [] {
-        std::array<Colours, kColourBases> c;
+const std::array<LinearColours, kColourBases>& colours_of_products() {
+    static const std::array<LinearColours, kColourBases> colours = [] {
+        std::array<LinearColours, kColourBases> c;
         for (std::size_t i = 0; i < kColourBases; ++i) {
             for (std::size_t k = 0; k < kColourBases; ++k) {
                 c[i][k] = colour_of(
@@ -65,7 +65,7 @@ const std::array<Colours, kColourBases>& colours_of_products() {
             }
         }
         const Imath::V3d white = c[0][0];
-        for (Colours& row : c) {
+        for (LinearColours& row : c) {
             for (Imath::V3d& colour : row)
                 colour /= white;
         }

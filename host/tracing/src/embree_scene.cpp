@@ -26,14 +26,12 @@
 
 namespace lxs {
 
-namespace {
-
 /// The first error of a device since it was last asked, with what Embree says of it.
-class DeviceErrors {
+class EmbreeErrors {
   public:
     /// Embree calls it on whatever thread met the error.
     static void note(void* errors, RTCError code, const char* text) {
-        auto& self = *static_cast<DeviceErrors*>(errors);
+        auto& self = *static_cast<EmbreeErrors*>(errors);
         const std::lock_guard lock(self.mutex_);
         if (self.code_ != RTC_ERROR_NONE) return;
         self.code_ = code;
@@ -58,18 +56,16 @@ class DeviceErrors {
     std::string text_;
 };
 
-}  // namespace
-
 struct EmbreeDevice::Handle {
     Handle() : device(rtcNewDevice(nullptr)) {
-        if (!device) DeviceErrors::fail(rtcGetDeviceError(nullptr), "it can't start");
-        rtcSetDeviceErrorFunction(device, &DeviceErrors::note, &errors);
+        if (!device) EmbreeErrors::fail(rtcGetDeviceError(nullptr), "it can't start");
+        rtcSetDeviceErrorFunction(device, &EmbreeErrors::note, &errors);
     }
     Handle(const Handle&) = delete;
     Handle& operator=(const Handle&) = delete;
     ~Handle() { rtcReleaseDevice(device); }
     RTCDevice device;
-    DeviceErrors errors;
+    EmbreeErrors errors;
 };
 
 struct EmbreeScene::Handle {

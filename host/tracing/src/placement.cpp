@@ -4,12 +4,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "kernel_rounding.h"
+
 namespace lxs {
 namespace {
 
 using Imath::V3d;
-
-constexpr double kUnitRoundoff = 0x1p-24;  // single precision, round to nearest
 
 struct Table3 {
     double at[3][3];
@@ -46,7 +46,7 @@ InstanceTransform::InstanceTransform(const Matrix& to_world, double kernel_error
     const Table3 bb = product(b, b);
     for (int i = 0; i < 3; ++i) {
         for (int j = 0; j < 3; ++j) {
-            error_rows_[i][j] = static_cast<float>(kernel_error * kUnitRoundoff *
+            error_rows_[i][j] = static_cast<float>(kernel_error * kKernelRoundoff *
                                                    (7 * b.at[i][j] + 8 * bb.at[i][j]));
         }
     }

@@ -11,7 +11,7 @@ namespace {
 using Imath::V3d;
 
 constexpr double kPi = std::numbers::pi;
-constexpr double kUnitRoundoff = 0x1p-53;
+constexpr double kDoubleRoundoff = 0x1p-53;
 
 double length(const V3d& v) {
     return std::sqrt(v.dot(v));  // V3d::length() isn't inlined
@@ -59,7 +59,7 @@ QuadricShape::QuadricShape(const Quadric& quadric)
     const double size =
         (map_.axis(0).length() + map_.axis(1).length() + map_.axis(2).length()) * reach +
         map_.translation().length();
-    rounding_ = 32 * kUnitRoundoff * size;
+    rounding_ = 32 * kDoubleRoundoff * size;
 }
 
 void QuadricShape::set_up(const Sphere& sphere) {

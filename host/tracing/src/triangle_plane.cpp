@@ -4,12 +4,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "kernel_rounding.h"
+
 namespace lxs {
 namespace {
 
 using Imath::V3d;
-
-constexpr double kUnitRoundoff = 0x1p-24;  // single precision, round to nearest
 
 // The kernel (Embree's watertight test after Davidovic et al. 2012, "3D rasterization: a bridge
 // between rasterization and ray casting") takes corners v_i relative to the origin, the normal N as
@@ -24,7 +24,7 @@ constexpr double kUnitRoundoff = 0x1p-24;  // single precision, round to nearest
 // The bound is the triangle's own. A coplanar neighbour that is larger by orders of magnitude and
 // lies askew may still be met from within its own rounding error (u times its size) of the common
 // edge; covering that would mean offsets by the largest triangle of a mesh everywhere.
-constexpr double kPlaneError = 66 * kUnitRoundoff;
+constexpr double kPlaneError = 66 * kKernelRoundoff;
 
 double plane_error(const V3d& e1, const V3d& e2, double inverse_normal_length) {
     double extents = kPlaneError * inverse_normal_length;

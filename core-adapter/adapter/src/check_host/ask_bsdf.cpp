@@ -11,7 +11,6 @@ namespace aips {
 namespace {
 
 constexpr std::array<LobeMask, 3> kBits{kDiffuse, kGlossy, kSpecular};
-constexpr std::size_t kPilots = 16;
 
 bool near(double a, double b, double share) {
     return std::abs(a - b) <= share * std::max(std::abs(a), std::abs(b)) + 1e-12;
@@ -76,7 +75,7 @@ bool Asking::sound(LobeMask mask, const BsdfSample& s) {
 
 DirectionProposal Asking::proposal(LobeMask mask) {
     std::vector<Vec3> pilots;
-    for (std::size_t i = 0; i < 4 * kPilots && pilots.size() < kPilots; ++i) {
+    for (int i = 0; i < 4 * kPilots && pilots.size() < kPilots; ++i) {
         BsdfSample sample;
         if (draw(mask, Transport::Power, sample) && sample.pdf > 0) pilots.push_back(sample.wi);
     }

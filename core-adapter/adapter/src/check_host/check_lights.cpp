@@ -11,7 +11,7 @@ namespace aips {
 namespace {
 
 /// Share of draws at which rounding may let a sound host down: edges of lights, borders of texels.
-constexpr double kRare = 0.05;
+constexpr double kRareAtLight = 0.05;
 /// Differences in flux below this are left alone: tessellated lamps have a little less surface than
 /// their photons start from, test surfaces some thickness.
 constexpr double kFluxTolerance = 0.03;
@@ -58,7 +58,7 @@ class LightCheck {
         const bool emission = report_emission(flux, doubtful);
         report_power(flux, emission);
         if (!emission) {
-            any(direct.coordinates, 2 * kRare, "emission_coordinates",
+            any(direct.coordinates, 2 * kRareAtLight, "emission_coordinates",
                 "coordinates of a photon through the point");
         }
     }
@@ -73,12 +73,13 @@ class LightCheck {
 
     /// Whether what sample_direct() brings is in doubt.
     bool report_direct(const DirectLightTally& direct) {
-        any(direct.blocked, kRare, "visibility", "none through what lets nothing pass");
-        any(direct.open, kRare, "visibility", "light, where nothing is in its way");
-        const bool missed = any(direct.missed, kRare, "light point", "the light's surface there");
+        any(direct.blocked, kRareAtLight, "visibility", "none through what lets nothing pass");
+        any(direct.open, kRareAtLight, "visibility", "light, where nothing is in its way");
+        const bool missed =
+            any(direct.missed, kRareAtLight, "light point", "the light's surface there");
         const bool radiance =
-            any(direct.radiances, kRare, "radiance", "the radiance that rays see there");
-        const bool pdf = any(direct.pdfs, kRare, "pdf_direct", "the same density from both");
+            any(direct.radiances, kRareAtLight, "radiance", "the radiance that rays see there");
+        const bool pdf = any(direct.pdfs, kRareAtLight, "pdf_direct", "the same density from both");
         const bool density =
             !missed && !pdf && differ(direct.by_samples, direct.by_density, 0.01, 1);
         if (density) {
@@ -87,7 +88,7 @@ class LightCheck {
                     " where pdf_direct() tells " + figure(direct.by_density.mean()),
                 "directions drawn as densely as pdf_direct() says", kChanceOfFinding);
         } else if (!pdf) {
-            any(direct.unasked, kRare, "missing directions",
+            any(direct.unasked, kRareAtLight, "missing directions",
                 "samples wherever the light is seen from");
         }
         return radiance || (density && !light_.at_infinity());

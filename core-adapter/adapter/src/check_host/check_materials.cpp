@@ -6,9 +6,6 @@
 namespace aips {
 namespace {
 
-/// Share of draws at which rounding may let a sound host down: where lobes are narrow or a
-/// direction grazes.
-constexpr double kRare = 0.02;
 constexpr std::array<const char*, 3> kNames{"diffuse", "glossy", "specular"};
 
 class MaterialCheck {

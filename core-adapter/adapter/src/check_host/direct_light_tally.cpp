@@ -7,7 +7,6 @@
 namespace aips {
 namespace {
 
-constexpr int kPilots = 16;
 /// Two distances to one light point, or two values of one quantity, as shares of the larger.
 constexpr float kSame = 0.02f;
 

@@ -9,6 +9,9 @@
 
 namespace aips {
 
+/// As many draws tell where a lobe or a light is.
+inline constexpr int kPilots = 16;
+
 class DirectionProposal {
   public:
     /// Caps around each of these unit directions, from a tenth of the sphere to 10^-6 of it. They

@@ -7,7 +7,7 @@ namespace aips {
 namespace {
 
 const Frame kWorld({1, 0, 0}, {0, 1, 0}, {0, 0, 1});
-constexpr std::size_t kPilots = 32;
+constexpr std::size_t kFluxPilots = 32;
 /// Radius of the sphere around a light's photons' origins in units of theirs: far enough for
 /// irradiance to be bounded by a few times its mean.
 constexpr float kSphere = 2.5f;
@@ -66,7 +66,7 @@ class Measurement {
     LightFlux measure() {
         if (!light_.at_infinity()) find_sphere();
         std::vector<Vec3> pilots;
-        for (std::size_t i = 0; i < kPilots; ++i) {
+        for (std::size_t i = 0; i < kFluxPilots; ++i) {
             Emission e;
             if (!emit_at_random(light_, random_, e) || !sound(e)) continue;
             pilots.push_back(light_.at_infinity() ? -e.ray.direction : sphere_.exit(e.ray));

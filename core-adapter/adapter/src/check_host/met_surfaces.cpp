@@ -8,8 +8,6 @@ namespace {
 
 constexpr int kMostBounces = 6;
 constexpr std::size_t kPlacesAnywhere = 256;
-/// Share of surfaces at which rounding may let a sound host down.
-constexpr double kRare = 0.02;
 /// How far off a surface is met again by rays that start on its wrong side, in units of coarseness.
 constexpr float kClose = 64;
 

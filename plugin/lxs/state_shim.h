@@ -1,7 +1,7 @@
 // The host's checkpoint as an archive of the engine.
 #pragma once
 
-#include "aips/core/state_archive.h"
+#include "aips/core/base/state_archive.h"
 #include "lxs/sdk/state_archive.h"
 
 namespace aips::shim {

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <new>
 
-#include "aips/core/sampling.h"
+#include "aips/core/sampling/sampling.h"
 #include "aips/parts/smooth_bsdfs.h"
 
 namespace mock {

@@ -1,7 +1,7 @@
 // Lights of the mock host: each samples photons and directions with densities that agree.
 #include "mock_lights.h"
 
-#include "aips/core/sampling.h"
+#include "aips/core/sampling/sampling.h"
 #include "aips/parts/plain_lights.h"
 
 namespace mock {

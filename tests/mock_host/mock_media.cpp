@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "aips/core/sampling.h"
+#include "aips/core/sampling/sampling.h"
 #include "mock_scene.h"
 
 namespace mock {

@@ -1,7 +1,7 @@
 // The mock host's scene: brute-force intersection in double precision.
 #include "mock_scene.h"
 
-#include "aips/core/sampling.h"
+#include "aips/core/sampling/sampling.h"
 #include "mock_lights.h"
 
 namespace mock {

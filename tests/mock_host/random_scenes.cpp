@@ -5,9 +5,9 @@
 #include <optional>
 #include <stdexcept>
 
-#include "aips/core/arena.h"
-#include "aips/core/random.h"
-#include "aips/core/sampling.h"
+#include "aips/core/base/arena.h"
+#include "aips/core/sampling/random.h"
+#include "aips/core/sampling/sampling.h"
 
 namespace mock {
 namespace {

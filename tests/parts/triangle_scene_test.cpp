@@ -4,8 +4,8 @@
 #include <gtest/gtest.h>
 
 #include "aips/adapter/check_host.h"
-#include "aips/core/arena.h"
-#include "aips/core/sampling.h"
+#include "aips/core/base/arena.h"
+#include "aips/core/sampling/sampling.h"
 #include "render_mock.h"
 
 namespace aips::triangle_scene_test {

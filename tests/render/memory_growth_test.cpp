@@ -24,8 +24,9 @@ nlohmann::json run(const std::filesystem::path& scene, int passes, const render:
 constexpr int kWidth = 120, kHeight = 80;
 constexpr int kEarly = 40, kLate = 110;
 
-/// By then the guide has split most of its leaves, and buffers hold nearly the largest pass that they
-/// will meet: 1.2 to 1.8 MB more follow. A pass that left one float a pixel behind would add 2.7.
+/// By then the guide has split most of its leaves, and buffers hold nearly the largest pass that
+/// they will meet: 1.2 to 1.8 MB more follow. A pass that left one float a pixel behind would
+/// add 2.7.
 TEST(MemoryGrowth, FlatOnceTheGuideHasLearned) {
     if (AIPS_SANITIZED) GTEST_SKIP() << "a sanitizer keeps what was freed";
     const render::Folder folder;

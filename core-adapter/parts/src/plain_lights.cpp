@@ -1,7 +1,7 @@
 // Photons and shadow rays of surfaces and points, with densities that agree.
 #include "aips/parts/plain_lights.h"
 
-#include "aips/core/sampling.h"
+#include "aips/core/sampling/sampling.h"
 
 namespace aips {
 

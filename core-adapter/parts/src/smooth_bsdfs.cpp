@@ -1,7 +1,7 @@
 // Matte, mirror and glass.
 #include "aips/parts/smooth_bsdfs.h"
 
-#include "aips/core/sampling.h"
+#include "aips/core/sampling/sampling.h"
 
 namespace aips {
 namespace {

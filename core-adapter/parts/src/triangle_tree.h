@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "aips/core/bounds.h"
+#include "aips/core/base/bounds.h"
 #include "aips/parts/triangle_scene.h"
 
 namespace aips {

@@ -1,7 +1,7 @@
 // Faults of Bsdfs: each is planted in the floor's material and found alone, with its name.
 #include <gtest/gtest.h>
 
-#include "aips/core/sampling.h"
+#include "aips/core/sampling/sampling.h"
 #include "faulty_scene.h"
 
 namespace aips::bsdf_faults_test {

@@ -1,7 +1,7 @@
 // Faults of lights: each is planted in one of the scene's lights and found alone, with its name.
 #include <gtest/gtest.h>
 
-#include "aips/core/sampling.h"
+#include "aips/core/sampling/sampling.h"
 #include "faulty_scene.h"
 #include "scene_with_lights.h"
 

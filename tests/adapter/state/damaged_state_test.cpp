@@ -4,7 +4,7 @@
 
 #include <limits>
 
-#include "aips/core/random.h"
+#include "aips/core/sampling/random.h"
 #include "resumable_render.h"
 
 namespace aips::damaged_state_test {

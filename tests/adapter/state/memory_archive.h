@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "aips/core/state_archive.h"
+#include "aips/core/base/state_archive.h"
 
 namespace mock {
 

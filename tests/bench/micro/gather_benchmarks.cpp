@@ -5,10 +5,10 @@
 
 #include <cstring>
 
-#include "gather.h"
+#include "estimate/gather.h"
 #include "memory_floor.h"
-#include "photon_iteration.h"
 #include "photon_workload.h"
+#include "photons/photon_iteration.h"
 
 namespace aips::bench {
 namespace {

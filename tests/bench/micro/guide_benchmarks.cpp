@@ -2,12 +2,12 @@
 // reading the input, and drawing the direction from a Lambert lobe instead.
 #include <benchmark/benchmark.h>
 
-#include "aips/core/arena.h"
-#include "aips/core/directional_table.h"
-#include "aips/core/random.h"
-#include "aips/core/score_cache.h"
+#include "aips/core/base/arena.h"
+#include "aips/core/sampling/random.h"
+#include "aips/core/tables/directional_table.h"
+#include "aips/core/trees/score_cache.h"
+#include "guides/paper/paper_guide.h"
 #include "memory_floor.h"
-#include "paper_guide.h"
 #include "photon_workload.h"
 
 namespace aips::bench {

@@ -5,10 +5,10 @@
 
 #include <algorithm>
 
-#include "light_choice.h"
+#include "eye/light_choice.h"
 #include "lxs/language/read_scene.h"
 #include "lxs/tracing/trace_scene.h"
-#include "photon_iteration.h"
+#include "photons/photon_iteration.h"
 #include "scene_shim.h"
 
 namespace aips::bench {

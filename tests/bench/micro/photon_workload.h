@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "aips/adapter/scene.h"
-#include "aips/core/landing.h"
+#include "aips/core/photon_map/landing.h"
 #include "lxs/scene/geometry.h"
 #include "lxs/sdk/scene.h"
 

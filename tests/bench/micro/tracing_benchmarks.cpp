@@ -3,7 +3,7 @@
 #include <embree3/rtcore.h>
 #include <tbb/task_arena.h>
 
-#include "aips/core/arena.h"
+#include "aips/core/base/arena.h"
 #include "photon_workload.h"
 
 namespace aips::bench {

@@ -4,11 +4,11 @@
 #include <cmath>
 #include <limits>
 
-#include "aips/core/kd_tree.h"
-#include "aips/core/mutation.h"
-#include "aips/core/ppm_statistics.h"
-#include "aips/core/radius_schedule.h"
-#include "aips/core/visibility_chain.h"
+#include "aips/core/chains/mutation.h"
+#include "aips/core/chains/visibility_chain.h"
+#include "aips/core/radii/ppm_statistics.h"
+#include "aips/core/radii/radius_schedule.h"
+#include "aips/core/trees/kd_tree.h"
 #include "stress_case.h"
 
 namespace counters_test {

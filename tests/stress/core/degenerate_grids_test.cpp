@@ -2,9 +2,9 @@
 // denies one, whatever the points' places, the scene's scale and its distance from the origin.
 #include <gtest/gtest.h>
 
-#include "aips/core/occupancy.h"
-#include "aips/core/photon_grid.h"
-#include "aips/core/point_grid.h"
+#include "aips/core/photon_map/occupancy.h"
+#include "aips/core/photon_map/photon_grid.h"
+#include "aips/core/photon_map/point_grid.h"
 #include "point_clouds.h"
 #include "stress_case.h"
 

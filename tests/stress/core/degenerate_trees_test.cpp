@@ -3,11 +3,11 @@
 // what has no place is refused.
 #include <gtest/gtest.h>
 
-#include "aips/core/bounce_tables.h"
-#include "aips/core/kd_tree.h"
-#include "aips/core/paper_tables.h"
-#include "aips/core/primary_tree.h"
-#include "aips/core/score_cache.h"
+#include "aips/core/tables/bounce_tables.h"
+#include "aips/core/tables/paper_tables.h"
+#include "aips/core/trees/kd_tree.h"
+#include "aips/core/trees/primary_tree.h"
+#include "aips/core/trees/score_cache.h"
 #include "point_clouds.h"
 #include "stress_case.h"
 

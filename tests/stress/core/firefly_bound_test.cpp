@@ -6,10 +6,10 @@
 #include <cmath>
 #include <sstream>
 
-#include "aips/core/bounce_tables.h"
-#include "aips/core/discrete_distribution.h"
-#include "aips/core/primary_tree.h"
-#include "aips/core/random.h"
+#include "aips/core/sampling/random.h"
+#include "aips/core/tables/bounce_tables.h"
+#include "aips/core/tables/discrete_distribution.h"
+#include "aips/core/trees/primary_tree.h"
 #include "stress_case.h"
 
 namespace firefly_bound_test {

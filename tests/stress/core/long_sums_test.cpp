@@ -6,13 +6,13 @@
 #include <cmath>
 #include <sstream>
 
-#include "aips/core/bounce_tables.h"
-#include "aips/core/kd_tree.h"
-#include "aips/core/paper_tables.h"
-#include "aips/core/primary_tree.h"
-#include "aips/core/score_cache.h"
-#include "polya_square.h"
+#include "aips/core/tables/bounce_tables.h"
+#include "aips/core/tables/paper_tables.h"
+#include "aips/core/trees/kd_tree.h"
+#include "aips/core/trees/primary_tree.h"
+#include "aips/core/trees/score_cache.h"
 #include "stress_case.h"
+#include "tables/polya_square.h"
 
 namespace long_sums_test {
 namespace {

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <limits>
 
-#include "aips/core/kd_tree.h"
-#include "aips/core/paper_tables.h"
+#include "aips/core/tables/paper_tables.h"
+#include "aips/core/trees/kd_tree.h"
 #include "stress_case.h"
 
 namespace node_statistics_test {

@@ -8,11 +8,11 @@
 #include <limits>
 #include <numeric>
 
-#include "aips/core/directional_table.h"
-#include "aips/core/discrete_distribution.h"
-#include "aips/core/random.h"
-#include "polya_square.h"
+#include "aips/core/sampling/random.h"
+#include "aips/core/tables/directional_table.h"
+#include "aips/core/tables/discrete_distribution.h"
 #include "stress_case.h"
+#include "tables/polya_square.h"
 
 namespace odd_tables_test {
 namespace {

@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "aips/core/bounds.h"
-#include "aips/core/random.h"
+#include "aips/core/base/bounds.h"
+#include "aips/core/sampling/random.h"
 
 namespace stress {
 

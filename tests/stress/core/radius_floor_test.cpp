@@ -5,7 +5,7 @@
 #include <cmath>
 #include <string>
 
-#include "aips/core/radius_schedule.h"
+#include "aips/core/radii/radius_schedule.h"
 #include "stress_case.h"
 
 namespace radius_floor_test {

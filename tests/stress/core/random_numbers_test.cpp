@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <array>
 
-#include "aips/core/low_discrepancy.h"
-#include "aips/core/random.h"
+#include "aips/core/sampling/low_discrepancy.h"
+#include "aips/core/sampling/random.h"
 #include "stress_case.h"
 
 namespace random_numbers_test {

@@ -4,11 +4,11 @@
 
 #include <cmath>
 
-#include "aips/core/bounce_tables.h"
-#include "aips/core/paper_tables.h"
-#include "aips/core/primary_tree.h"
-#include "aips/core/random.h"
-#include "aips/core/score_cache.h"
+#include "aips/core/sampling/random.h"
+#include "aips/core/tables/bounce_tables.h"
+#include "aips/core/tables/paper_tables.h"
+#include "aips/core/trees/primary_tree.h"
+#include "aips/core/trees/score_cache.h"
 #include "stress_case.h"
 
 namespace recovery_test {

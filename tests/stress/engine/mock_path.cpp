@@ -3,8 +3,8 @@
 
 #include <tbb/parallel_for.h>
 
-#include "aips/core/arena.h"
-#include "aips/core/random.h"
+#include "aips/core/base/arena.h"
+#include "aips/core/sampling/random.h"
 
 namespace stress {
 namespace {

@@ -5,11 +5,11 @@
 #include <algorithm>
 #include <set>
 
-#include "learning_weight.h"
-#include "light_choice.h"
-#include "part_rest.h"
-#include "photon_iteration.h"
-#include "photon_schedule.h"
+#include "eye/light_choice.h"
+#include "guides/adaptive/learning_weight.h"
+#include "guides/adaptive/part_rest.h"
+#include "photons/photon_iteration.h"
+#include "plan/photon_schedule.h"
 #include "render_mock.h"
 #include "stress_case.h"
 

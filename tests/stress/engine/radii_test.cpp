@@ -7,12 +7,12 @@
 #include <cmath>
 #include <sstream>
 
-#include "adaptive_radius.h"
 #include "image_of_pixels.h"
-#include "ppm_radius.h"
-#include "radius_floor.h"
+#include "radii/adaptive_radius.h"
+#include "radii/ppm_radius.h"
+#include "radii/radius_floor.h"
+#include "radii/scheduled_radius.h"
 #include "render_mock.h"
-#include "scheduled_radius.h"
 #include "stress_case.h"
 
 namespace radii_test {

@@ -6,15 +6,15 @@
 #include <cmath>
 #include <sstream>
 
-#include "curvature_map.h"
-#include "gather.h"
-#include "group_sums.h"
+#include "estimate/gather.h"
+#include "estimate/group_sums.h"
 #include "image_of_pixels.h"
+#include "media/volume_gather.h"
 #include "mock_scene.h"
-#include "pass_noise.h"
-#include "pixel_importance.h"
+#include "radii/curvature_map.h"
 #include "stress_case.h"
-#include "volume_gather.h"
+#include "worth/pass_noise.h"
+#include "worth/pixel_importance.h"
 
 namespace render_sums_test {
 namespace {

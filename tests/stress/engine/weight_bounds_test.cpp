@@ -8,14 +8,14 @@
 #include <limits>
 #include <sstream>
 
-#include "bounce_guide.h"
-#include "emission_guide.h"
-#include "learning_weight.h"
-#include "light_choice.h"
+#include "eye/light_choice.h"
+#include "guides/adaptive/bounce_guide.h"
+#include "guides/adaptive/emission_guide.h"
+#include "guides/adaptive/learning_weight.h"
 #include "mock_bsdf.h"
-#include "photon_iteration.h"
+#include "photons/photon_iteration.h"
+#include "photons/scatter_photon.h"
 #include "render_mock.h"
-#include "scatter_photon.h"
 #include "stress_case.h"
 
 namespace weight_bounds_test {

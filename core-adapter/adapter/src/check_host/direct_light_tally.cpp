@@ -1,7 +1,7 @@
 // Directions to a light from one place: drawn by the light, and met by rays of a known density.
 #include "direct_light_tally.h"
 
-#include "aips/core/arena.h"
+#include "aips/core/base/arena.h"
 #include "emit_at_random.h"
 
 namespace aips {

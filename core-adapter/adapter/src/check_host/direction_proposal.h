@@ -4,8 +4,8 @@
 
 #include <vector>
 
-#include "aips/core/random.h"
-#include "aips/core/sampling.h"
+#include "aips/core/sampling/random.h"
+#include "aips/core/sampling/sampling.h"
 
 namespace aips {
 

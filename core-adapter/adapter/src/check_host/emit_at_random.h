@@ -2,7 +2,7 @@
 #pragma once
 
 #include "aips/adapter/scene.h"
-#include "aips/core/random.h"
+#include "aips/core/sampling/random.h"
 
 namespace aips {
 

@@ -1,7 +1,7 @@
 // What must hold at every surface, whatever it is made of.
 #include "met_surfaces.h"
 
-#include "aips/core/sampling.h"
+#include "aips/core/sampling/sampling.h"
 
 namespace aips {
 namespace {

@@ -4,8 +4,8 @@
 
 #include <map>
 
-#include "aips/core/arena.h"
-#include "aips/core/random.h"
+#include "aips/core/base/arena.h"
+#include "aips/core/sampling/random.h"
 #include "emit_at_random.h"
 #include "findings.h"
 

@@ -3,8 +3,8 @@
 
 #include <cstdint>
 
-#include "aips/core/rgb.h"
-#include "aips/core/vector.h"
+#include "aips/core/base/rgb.h"
+#include "aips/core/base/vector.h"
 
 namespace aips {
 

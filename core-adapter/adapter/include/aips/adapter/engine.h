@@ -13,7 +13,7 @@
 #include "aips/adapter/camera.h"
 #include "aips/adapter/scene.h"
 #include "aips/adapter/settings.h"
-#include "aips/core/state_archive.h"
+#include "aips/core/base/state_archive.h"
 
 namespace aips {
 

@@ -6,8 +6,8 @@
 #include <span>
 
 #include "aips/adapter/bsdf.h"
-#include "aips/core/landing.h"
-#include "aips/core/state_archive.h"
+#include "aips/core/base/state_archive.h"
+#include "aips/core/photon_map/landing.h"
 
 namespace aips {
 

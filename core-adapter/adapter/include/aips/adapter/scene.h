@@ -8,8 +8,8 @@
 #include <string>
 
 #include "aips/adapter/bsdf.h"
-#include "aips/core/bounds.h"
-#include "aips/core/primary_point.h"
+#include "aips/core/base/bounds.h"
+#include "aips/core/sampling/primary_point.h"
 
 namespace aips {
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "aips/adapter/camera.h"
-#include "aips/core/random.h"
+#include "aips/core/sampling/random.h"
 
 namespace aips {
 

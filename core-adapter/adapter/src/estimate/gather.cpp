@@ -1,0 +1,93 @@
+// Density estimation at the visible points.
+#include "estimate/gather.h"
+
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
+#include <atomic>
+
+#include "estimate/group_sums.h"
+
+namespace aips {
+namespace {
+
+/// Photons of surfaces turned by more than 45 degrees belong to another surface.
+constexpr float kMinNormalAgreement = 0.7071f;
+/// Half thickness of the slab around the tangent plane, in radii: a sphere of radius R bends away
+/// by r^2 / (2 R), so this takes all photons of surfaces with R >= r.
+constexpr float kSlab = 0.5f;
+
+/// Ratio of the cosine that the Bsdf wants (shading normal) to the one that the density of
+/// landings has (geometric normal), for the photon's direction.
+float normal_ratio(const VisiblePoint& point, Vec3 wi) {
+    if (point.shading_normal == point.geometric_normal) return 1;
+    const float geometric = abs_dot(wi, point.geometric_normal);
+    return geometric > 0 ? abs_dot(wi, point.shading_normal) / geometric : 0;
+}
+
+/// f * power of one landing, without the constant f of Lambertian points; black if rejected.
+/// `in_front` tells whether the photon came from the side that the point's geometric normal shows,
+/// as the surface was where it landed: on a thin curved sheet, one that grazes the far side may lie
+/// on the near side of the point's tangent plane.
+Rgb reflected(const VisiblePoint& point, const GridPhoton& landing, bool in_front) {
+    if (!point.bsdf) {
+        const bool same_side = in_front == (dot(point.wo, point.geometric_normal) > 0);
+        return same_side ? landing.power * normal_ratio(point, landing.direction) : Rgb{};
+    }
+    // The Bsdf would take it for light from the other side.
+    if (in_front != (dot(landing.direction, point.geometric_normal) > 0)) return {};
+    // The photon's power already is flux; f alone remains, in the direction of radiance.
+    return landing.power * normal_ratio(point, landing.direction) *
+           point.bsdf->evaluate(point.wo, landing.direction, Transport::Radiance, point.receiving);
+}
+
+/// Whether a landing is on the visible point's own surface: similar normals, whose cosine is
+/// `agreement` up to its sign, and within a slab around the point's tangent plane, which keeps
+/// light from leaking across thin walls.
+bool on_same_surface(const VisiblePoint& point, Vec3 position, float agreement, float radius) {
+    return std::abs(agreement) >= kMinNormalAgreement &&
+           abs_dot(position - point.position, point.geometric_normal) <= kSlab * radius;
+}
+
+}  // namespace
+
+Rgb contribution(const VisiblePoint& point, const GridPhoton& landing, float radius) {
+    const float agreement = dot(landing.normal, point.geometric_normal);
+    if (!on_same_surface(point, landing.position, agreement, radius)) return {};
+    return reflected(point, landing, agreement > 0);
+}
+
+void gather_photons(const EyeImage& image, const LandingGrid& grid, const SearchRadii& radii,
+                    Refusals& refusals, PhotonFlux& result) {
+    const std::uint32_t groups = image.groups;
+    std::atomic<std::uint64_t> gathered{0};
+    tbb::parallel_for(
+        tbb::blocked_range<std::size_t>(0, image.visible_points.size(), 256),
+        [&](const tbb::blocked_range<std::size_t>& range) {
+            std::uint64_t total = 0;
+            GroupSums sums(groups);
+            for (std::size_t i = range.begin(); i < range.end(); ++i) {
+                const VisiblePoint& point = image.visible_points[i];
+                const float radius = radii.of(i);
+                // Left out of the flux, but what it absorbs is no contribution.
+                const Rgb f = point.bsdf ? kWhite : point.kd;
+                std::uint32_t count = 0;
+                double squares = 0;
+                grid.for_each_in_radius(point.position, radius, [&](const GridPhoton& landing) {
+                    const Rgb value = contribution(point, landing, radius);
+                    if (is_black(value * f) || !refusals.accept(value, point.material)) return;
+                    sums.add(landing.light_group, value);
+                    squares += double(luminance(value) * luminance(value));
+                    ++count;
+                });
+                sums.move_to(&result.flux[i * groups]);
+                result.accepted[i] = saturated_sum(result.accepted[i], count);
+                result.squares[i] += float(squares);
+                total += count;
+            }
+            gathered.fetch_add(total, std::memory_order_relaxed);
+        });
+    result.gathered += gathered.load();
+}
+
+}  // namespace aips

@@ -1,0 +1,60 @@
+// Density estimation: photons around each visible point.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "aips/core/photon_map/photon_grid.h"
+#include "aips/core/radii/optimal_radius.h"
+#include "estimate/search_radii.h"
+#include "eye/eye_pass.h"
+#include "refusal/refusals.h"
+
+namespace aips {
+
+/// What photons have brought to the visible points of a pass so far.
+struct PhotonFlux {
+    /// [visible point * groups + group]: sum over photons within the radius of f * power (watts per
+    /// steradian), f being left out for Lambertian points (it is constant there).
+    std::vector<Rgb> flux;
+    /// [visible point]: photons accepted, over all light groups; 2^32 - 1 stands for more. One that
+    /// brings no light, be it refused or absorbed, is not accepted.
+    std::vector<std::uint32_t> accepted;
+    /// [visible point]: sum over these photons of the squared luminance of what flux sums.
+    std::vector<float> squares;
+    std::vector<ProbeSums> probes;  ///< [number in SearchRadii::probes]
+    std::uint64_t gathered = 0;     ///< photons accepted, over all visible points
+
+    void reset(std::size_t visible_points, std::uint32_t groups, std::size_t probe_count = 0) {
+        flux.assign(visible_points * groups, Rgb{});
+        accepted.assign(visible_points, 0);
+        squares.assign(visible_points, 0.0f);
+        probes.assign(probe_count, {});
+        gathered = 0;
+    }
+    void scale(double factor) {
+        for (Rgb& sum : flux)
+            sum = sum * float(factor);
+        for (float& square : squares)
+            square *= float(factor * factor);
+        for (ProbeSums& sums : probes)
+            sums.scale(factor);
+    }
+    std::size_t memory_bytes() const {
+        return flux.capacity() * sizeof(Rgb) + accepted.capacity() * sizeof(std::uint32_t) +
+               squares.capacity() * sizeof(float) + probes.capacity() * sizeof(ProbeSums);
+    }
+};
+
+/// Adds the landings in `grid` within its radius of each visible point. Landings on a surface that
+/// faces elsewhere, or on the other side of the visible point's, are left out. Every point sums
+/// its photons in the grid's order, so the result does not depend on the number of threads.
+void gather_photons(const EyeImage& image, const LandingGrid& grid, const SearchRadii& radii,
+                    Refusals& refusals, PhotonFlux& flux);
+
+/// f * power of one landing (watts per steradian) within `radius` of a visible point, without the
+/// constant f of Lambertian points; black if the point rejects it: on another surface, on its other
+/// side, or absorbed.
+Rgb contribution(const VisiblePoint& point, const GridPhoton& landing, float radius);
+
+}  // namespace aips

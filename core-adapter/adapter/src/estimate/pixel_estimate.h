@@ -1,0 +1,17 @@
+// From gathered flux to the radiance that photons bring to eye paths.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "estimate/gather.h"
+
+namespace aips {
+
+/// Radiance that photons bring to each eye path, by light group: sum(f * power) / (pi r^2 N), r
+/// being the visible point's radius and N the photon paths shot in the pass, at least one.
+void estimate_pixels(const EyeImage& image, const PhotonFlux& flux, const SearchRadii& radii,
+                     std::uint64_t photon_paths, Refusals& refusals,
+                     std::vector<Rgb>& photon_radiance);
+
+}  // namespace aips

@@ -1,0 +1,130 @@
+// The eye pass, in blocks of eye paths that are joined in order.
+#include "eye/eye_pass.h"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "base/parallel_for.h"
+#include "eye/eye_path.h"
+#include "eye/footprints.h"
+
+namespace aips {
+namespace {
+
+constexpr std::uint32_t kEyePathsPerBlock = 1024;
+
+/// What one block adds to the pass besides the per-path arrays.
+struct EyeBlock {
+    std::vector<VisiblePoint> visible_points;
+    std::vector<VolumeBeam> beams;
+    std::vector<float> footprints;
+    std::vector<LightSample> light_samples;
+    double beam_footprint_sum = 0;
+    std::uint64_t rays = 0;
+};
+
+void trace_block(const EyePassInput& in, std::uint64_t pass, float time, std::uint32_t first,
+                 std::uint32_t last, Refusals& refusals, EyeImage& image, Arena& arena,
+                 EyeBlock& block) {
+    const std::uint64_t pixels = std::uint64_t(in.width) * in.height;
+    const std::uint64_t before = in.direct_light.passes_before();
+    const std::uint32_t stride = eye_paths_per_light_sample(in.paths);
+    for (std::uint32_t i = first; i < last; ++i) {
+        // Consecutive eye paths walk over the film again and again, whatever their number per pass.
+        const std::uint64_t serial = pass * in.paths + i;
+        const std::uint64_t pixel = serial % pixels;
+        const CameraSample sample = in.sampler.camera_sample(
+            serial / pixels, std::uint32_t(pixel % in.width), std::uint32_t(pixel / in.width));
+        const EyeNumbers numbers(in.settings.seed, before, pixel,
+                                 (serial - before * in.paths) / pixels);
+        RandomStream random(in.settings.seed, pass, i, RandomDomain::Eye);
+        image.positions[i] = sample.film;
+        const EyePathResult result = trace_eye_path(
+            in, in.camera.generate(sample, time), numbers, random, refusals, arena,
+            std::span(image.radiance).subspan(std::size_t(i) * image.groups, image.groups));
+        block.rays += result.rays;
+        if (result.light_sample.pdf > 0 && (i + pass) % stride == 0)
+            block.light_samples.push_back(result.light_sample);
+        if (result.has_beam) {
+            block.beams.push_back(result.beam);
+            block.beams.back().sample = i;
+            block.beam_footprint_sum += result.beam_footprint;
+        }
+        if (result.has_visible_point) {
+            block.visible_points.push_back(result.visible_point);
+            block.visible_points.back().sample = i;
+            block.footprints.push_back(result.footprint);
+        }
+    }
+}
+
+/// Joins what the blocks hold in their order, and empties them. The memory of `joined` is kept:
+/// most of it is overwritten where it lies.
+template <class T>
+void join(std::vector<EyeBlock>& blocks, std::vector<T> EyeBlock::*part, std::vector<T>& joined) {
+    std::vector<std::size_t> first(blocks.size() + 1, 0);
+    for (std::size_t b = 0; b < blocks.size(); ++b)
+        first[b + 1] = first[b] + (blocks[b].*part).size();
+    joined.resize(first.back());
+    tbb::parallel_for(std::size_t{0}, blocks.size(), [&](std::size_t b) {
+        std::vector<T> block = std::move(blocks[b].*part);
+        std::ranges::move(block, joined.begin() + static_cast<std::ptrdiff_t>(first[b]));
+    });
+}
+
+void join_blocks(std::vector<EyeBlock>& blocks, EyeImage& image) {
+    join(blocks, &EyeBlock::visible_points, image.visible_points);
+    join(blocks, &EyeBlock::beams, image.beams);
+    join(blocks, &EyeBlock::footprints, image.footprints);
+    join(blocks, &EyeBlock::light_samples, image.light_samples);
+    image.beam_footprint_sum = 0;
+    image.rays = 0;
+    for (const EyeBlock& block : blocks) {
+        image.beam_footprint_sum += block.beam_footprint_sum;
+        image.rays += block.rays;
+    }
+    image.footprint_sum = bounded_footprint_sum(image.footprints);
+}
+
+}  // namespace
+
+std::size_t EyeImage::memory_bytes() const {
+    std::size_t bytes =
+        positions.capacity() * sizeof(Vec2) + radiance.capacity() * sizeof(Rgb) +
+        visible_points.capacity() * sizeof(VisiblePoint) + footprints.capacity() * sizeof(float) +
+        light_samples.capacity() * sizeof(LightSample) + beams.capacity() * sizeof(VolumeBeam);
+    for (const Arena& arena : arenas)
+        bytes += arena.bytes_reserved();
+    return bytes;
+}
+
+void positions_of(std::span<const VisiblePoint> points, std::vector<Vec3>& positions) {
+    positions.resize(points.size());
+    in_chunks(points.size(), kItemsPerJob, tbb_for, [&](std::size_t first, std::size_t last) {
+        for (std::size_t i = first; i < last; ++i)
+            positions[i] = points[i].position;
+    });
+}
+
+void trace_eye_pass(const EyePassInput& in, std::uint64_t pass, float time, Refusals& refusals,
+                    EyeImage& image) {
+    const std::uint32_t block_count =
+        in.paths / kEyePathsPerBlock + (in.paths % kEyePathsPerBlock ? 1 : 0);
+    image.groups = in.scene.light_groups();
+    image.positions.resize(in.paths);
+    image.radiance.assign(std::size_t(in.paths) * image.groups, Rgb{});
+    image.arenas.resize(block_count);
+    if (in.keep_visible_points) image.visible_points.reserve(in.paths);
+    std::vector<EyeBlock> blocks(block_count);
+    tbb::parallel_for(0u, block_count, [&](std::uint32_t b) {
+        image.arenas[b].reset();
+        const std::uint32_t first = b * kEyePathsPerBlock;
+        const std::uint32_t last = first + std::min(kEyePathsPerBlock, in.paths - first);
+        trace_block(in, pass, time, first, last, refusals, image, image.arenas[b], blocks[b]);
+    });
+    join_blocks(blocks, image);
+}
+
+}  // namespace aips

@@ -1,0 +1,99 @@
+// The eye pass: camera paths up to the first surface that takes photons.
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <vector>
+
+#include "aips/adapter/camera.h"
+#include "aips/adapter/settings.h"
+#include "aips/core/base/arena.h"
+#include "eye/direct_light.h"
+#include "eye/volume_beam.h"
+#include "refusal/refusals.h"
+
+namespace aips {
+
+/// Of so many of a pass's eye paths one tells what its first shadow ray found, while lights are
+/// learned from: of four, or fewer so that there are about 2^16 at most.
+constexpr std::uint32_t eye_paths_per_light_sample(std::uint32_t paths) {
+    return std::max(4u, paths >> 16);
+}
+
+/// How many of a pass's eye paths are to tell, at most.
+constexpr std::uint32_t light_samples_due(std::uint32_t paths) {
+    return paths / eye_paths_per_light_sample(paths) + 1;
+}
+
+/// Where an eye path first met a surface that takes photons.
+struct VisiblePoint {
+    Vec3 position;
+    Vec3 geometric_normal;
+    Vec3 shading_normal;
+    Vec3 wo;                     ///< towards the eye
+    Rgb throughput;              ///< of the eye path, divided by all its choices' probabilities
+    Rgb kd;                      ///< Lambertian reflectance if `bsdf` is null
+    const Bsdf* bsdf = nullptr;  ///< lives in EyeImage::arenas
+    LobeMask receiving = 0;      ///< lobes that photons are gathered for
+    std::uint32_t sample = 0;    ///< index of the eye path in its pass
+    std::uint32_t material = 0;
+};
+
+/// What one eye pass leaves.
+struct EyeImage {
+    std::uint32_t groups = 1;
+    std::vector<Vec2> positions;  ///< film position of each eye path
+    std::vector<Rgb> radiance;    ///< [path * groups + group]: emission seen and direct light
+    std::vector<VisiblePoint> visible_points;
+    std::vector<VolumeBeam> beams;  ///< parts within media that scatter: at most one an eye path
+    double beam_footprint_sum = 0;  ///< of the pixel footprints' radii at the beams' middles
+    std::vector<Arena> arenas;      ///< one per block of eye paths; hold the visible points' Bsdfs
+    double footprint_sum = 0;       ///< of the pixel footprints' radii, as footprints.h sums them
+    std::vector<float> footprints;  ///< those radii, in no order; one a visible point
+    std::vector<LightSample> light_samples;  ///< of some shadow rays, if they are learned from
+    std::uint64_t rays = 0;
+
+    /// Mean radius of a pixel's footprint at the visible points, far ones bounded (footprints.h),
+    /// scene units; 0 without points.
+    double mean_footprint() const {
+        return visible_points.empty() ? 0 : footprint_sum / double(visible_points.size());
+    }
+    std::size_t memory_bytes() const;
+};
+
+/// Where visible points are, in their order; reuses the memory of `positions`.
+void positions_of(std::span<const VisiblePoint> points, std::vector<Vec3>& positions);
+
+/// Luminance of an eye path, or of a visible point, over its light groups in `values`:
+/// [path * groups + group].
+inline float luminance_over_groups(std::span<const Rgb> values, std::size_t path,
+                                   std::uint32_t groups) {
+    float sum = 0;
+    for (std::size_t g = 0; g < groups; ++g)
+        sum += luminance(values[path * groups + g]);
+    return sum;
+}
+
+/// The parts that an eye pass works with.
+struct EyePassInput {
+    const Scene& scene;
+    const Camera& camera;
+    const Sampler& sampler;
+    const DirectLight& direct_light;
+    const Settings& settings;
+    std::uint32_t width = 0, height = 0;  ///< of the film, pixels
+    std::uint32_t paths = 0;              ///< eye paths in this pass
+    bool keep_visible_points = true;  ///< else they and the beams are left out, and Bsdfs dropped
+};
+
+/// Lobes that take photons under these settings; the others bounce the eye path on.
+inline LobeMask receiving_lobes(const Settings& settings) {
+    return settings.store_glossy ? kNonSpecular : kDiffuse;
+}
+
+/// Traces pass number `pass` at one time; `image` is refilled, its memory reused. The result does
+/// not depend on the number of threads.
+void trace_eye_pass(const EyePassInput& input, std::uint64_t pass, float time, Refusals& refusals,
+                    EyeImage& image);
+
+}  // namespace aips

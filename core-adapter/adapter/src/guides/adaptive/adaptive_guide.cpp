@@ -1,0 +1,219 @@
+// Learning from logged photon paths.
+#include "guides/adaptive/adaptive_guide.h"
+
+#include <algorithm>
+#include <limits>
+
+#include "base/parallel_for.h"
+#include "base/vector_growth.h"
+#include "eye/light_choice.h"
+
+namespace aips {
+namespace {
+
+/// Paths that are logged: many while little is known, few later.
+constexpr std::uint64_t kEagerPaths = 1'000'000;
+constexpr std::uint32_t kEagerOneOf = 4, kOneOf = 16;
+/// Passes that begin before so many paths are seeded from the eye.
+constexpr std::uint64_t kSeededPaths = 2'000'000;
+/// Scored photon paths that count in full; older ones fade.
+constexpr double kMemoryPaths = 5e5;
+
+ScoreCacheSettings cache_settings() {
+    ScoreCacheSettings settings;
+    settings.memory_paths = kMemoryPaths;
+    return settings;
+}
+
+EmissionGuideSettings emission_settings() {
+    EmissionGuideSettings settings;
+    settings.memory_paths = kMemoryPaths;
+    return settings;
+}
+
+}  // namespace
+
+AdaptiveGuide::AdaptiveGuide(const Scene& scene, const Settings& settings,
+                             const DiscreteDistribution& light_choice,
+                             const PixelImportance& importance)
+    : scene_(scene),
+      settings_(settings),
+      light_choice_(light_choice),
+      scores_(importance),
+      emission_(scene.lights().size(), light_choice, emission_settings()) {
+    if (settings.guide_survival) {
+        cache_.emplace(scene.bounds(), cache_settings());
+        survival_.emplace(*cache_);
+    }
+    if (settings.guide_bounces) bounces_.emplace(scene.bounds(), kMemoryPaths);
+}
+
+std::uint64_t AdaptiveGuide::begin_pass(std::uint64_t pass, float time, const EyeImage& image,
+                                        std::span<const Vec3> positions, const SearchRadii& radii) {
+    rest_or_wake();
+    if (!awake()) return 0;
+    mean_weight_ = scores_.begin_pass(image, positions, radii);
+    const bool seeds =
+        emission() && settings_.eye_seeding && paths_ < kSeededPaths && !seeding_given_up();
+    return seeds ? seed(pass, time, image) : 0;
+}
+
+void AdaptiveGuide::rest_or_wake() {
+    // Before any path was worth something there is nothing to judge.
+    const bool judged = visible_paths_ > 0;
+    emission_rest_.update(paths_, !emission_.switched_off());
+    survival_rest_.update(paths_, !judged || !survival_switched_off());
+    bounces_rest_.update(paths_, !judged || (bounces_ && bounces_->tables().tables_in_use() > 0));
+}
+
+std::uint64_t AdaptiveGuide::seed(std::uint64_t pass, float time, const EyeImage& image) {
+    SeedCounts counts;
+    find_emission_seeds(scene_, settings_, light_choice_, pass, time, image, seeds_, counts);
+    walks_ += counts.walks;
+    seeds_found_ += seeds_.size();
+    std::ranges::stable_sort(seeds_, {}, &EmissionSeed::light);
+    emission_.add_seeds(seeds_);
+    emission_.update(0);
+    return counts.rays;
+}
+
+std::uint32_t AdaptiveGuide::log_one_of() const {
+    if (!awake()) return 0;
+    return paths_ < kEagerPaths ? kEagerOneOf : kOneOf;
+}
+
+std::uint64_t AdaptiveGuide::learn(const PathLog& log, std::span<const Landing> landings,
+                                   std::uint32_t paths) {
+    paths_ += paths;
+    if (!awake()) return 0;
+    worths_.measure(log, landings, score_landings(log, landings));
+    // In paths that were scored: one in how many that is changes, and would change the scale.
+    const auto scored = double(log.paths.size());
+    // They know nothing of each other; each learns from the paths in their order.
+    tbb_for(4, [&](std::uint32_t part) {
+        if (part == 0 && survival()) learn_survival(log, scored);
+        if (part == 1 && emission()) learn_emission(log, scored);
+        if (part == 2 && survival()) judge_survival(log, landings, scored);
+        if (part == 3 && bounces()) learn_bounces(log, scored);
+    });
+    for (const Worth& path : worths_.paths()) {
+        path_means_.add(path.score, path.cost);
+        if (path.score > 0) ++visible_paths_;
+    }
+    if (survival()) survival_->set_reference(path_means_.cost_over_score());
+    path_means_.update(scored);
+    return log.paths.size() + log.vertices.size() + scored_.size();
+}
+
+std::span<const double> AdaptiveGuide::score_landings(const PathLog& log,
+                                                      std::span<const Landing> landings) {
+    std::vector<std::uint32_t>& numbers = scored_;
+    numbers.clear();
+    for (const PathRecord& path : log.paths) {
+        for (std::uint32_t i = 0; i < path.landings; ++i)
+            numbers.push_back(path.first_landing + i);
+    }
+    return scores_.of(landings, numbers);
+}
+
+void AdaptiveGuide::learn_emission(const PathLog& log, double scored) {
+    for (std::size_t i = 0; i < log.paths.size(); ++i) {
+        const PathRecord& path = log.paths[i];
+        const Worth& worth = worths_.paths()[i];
+        emission_.add({{path.light, path.start, path.pdf}, worth.score, worth.cost});
+    }
+    emission_.update(scored);
+}
+
+template <class Visit>
+void AdaptiveGuide::for_each_vertex(const PathLog& log, const Visit& visit) const {
+    for (const PathRecord& path : log.paths) {
+        for (std::uint32_t v = path.first_vertex + path.vertices; v-- > path.first_vertex;) {
+            if (log.vertices[v].power > 0) visit(log.vertices[v], worths_.vertices()[v]);
+        }
+    }
+}
+
+void AdaptiveGuide::learn_survival(const PathLog& log, double scored) {
+    for_each_vertex(log, [&](const PathVertex& vertex, const Worth& worth) {
+        const double power = double(vertex.power);
+        cache_->add({vertex.position, vertex.normal, worth.score / (power * power), worth.cost});
+    });
+    cache_->update(scored);
+}
+
+void AdaptiveGuide::learn_bounces(const PathLog& log, double scored) {
+    for_each_vertex(log, [&](const PathVertex& vertex, const Worth& worth) {
+        bounces_->add(vertex, worth.score, worth.cost);
+    });
+    bounces_->update(scored);
+}
+
+void AdaptiveGuide::judge_survival(const PathLog& log, std::span<const Landing> landings,
+                                   double scored) {
+    for (std::size_t i = 0; i < log.paths.size(); ++i)
+        survival_switch_.add(judged_path(log, i, landings));
+    survival_switch_.update(scored, kMemoryPaths);
+}
+
+// From the path's start to its end.
+SurvivalSwitch::Path AdaptiveGuide::judged_path(const PathLog& log, std::size_t number,
+                                                std::span<const Landing> landings) const {
+    const PathRecord& path = log.paths[number];
+    const std::span scores = worths_.scores(path, number);
+    SurvivalSwitch::Path judged;
+    std::uint32_t l = 0, rays = 0;
+    const auto add_up_to = [&](std::uint32_t depth, std::uint32_t rays_so_far) {
+        double score = 0;
+        double cost = double(rays_so_far - rays);
+        for (; l < path.landings && landings[path.first_landing + l].depth <= depth; ++l) {
+            score += scores[l];
+            cost += kLandingCost;
+        }
+        rays = rays_so_far;
+        judged.add(score, cost);
+    };
+    judged.add(0, kEmissionCost);
+    for (std::uint32_t v = 0; v < path.vertices; ++v) {
+        const PathVertex& vertex = log.vertices[path.first_vertex + v];
+        add_up_to(vertex.depth, vertex.rays);
+        judged.survive(vertex.survival);
+    }
+    add_up_to(std::numeric_limits<std::uint32_t>::max(), path.rays);
+    return judged;
+}
+
+void AdaptiveGuide::state(StateArchive& archive) {
+    emission_.state(archive);
+    if (cache_) cache_->state(archive);
+    if (survival_) survival_->state(archive);
+    survival_switch_.state(archive);
+    if (bounces_) bounces_->state(archive);
+    path_means_.state(archive);
+    for (PartRest* rest : {&emission_rest_, &survival_rest_, &bounces_rest_})
+        rest->state(archive);
+    for (std::uint64_t* count : {&paths_, &walks_, &seeds_found_, &visible_paths_})
+        archive.value(*count);
+    archive.amount(mean_weight_);
+}
+
+std::size_t AdaptiveGuide::memory_bytes() const {
+    return scores_.memory_bytes() + emission_.memory_bytes() +
+           (cache_ ? cache_->memory_bytes() : 0) + (bounces_ ? bounces_->memory_bytes() : 0) +
+           seeds_.capacity() * sizeof(EmissionSeed) + scored_.capacity() * sizeof(std::uint32_t) +
+           worths_.memory_bytes();
+}
+
+std::size_t AdaptiveGuide::memory_bound_bytes(const Scene& scene, const Settings& settings,
+                                              std::size_t eye_paths) {
+    const std::size_t walks = eye_paths / kSeedGroup + 1;
+    // In blocks and joined, or joined and sorted.
+    const std::size_t seeds = 2 * kVectorGrowth * walks * kMaxSeedsPerWalk * sizeof(EmissionSeed);
+    // The scores themselves are counted with the log, and so are paths' worths.
+    return IterationScores::memory_bound_bytes(eye_paths, 0) + seeds +
+           (settings.guide_survival ? ScoreCache::memory_bound_bytes(cache_settings()) : 0) +
+           (settings.guide_bounces ? BounceGuide::memory_bound_bytes(kMemoryPaths) : 0) +
+           EmissionGuide::memory_bound_bytes(light_choice(scene), emission_settings());
+}
+
+}  // namespace aips

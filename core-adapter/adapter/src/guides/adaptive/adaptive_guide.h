@@ -1,0 +1,123 @@
+// guide=adaptive: photons are sent where they are worth most to the image, per cost.
+//
+// Beyond the paper of 2014: the score of a landing is its squared relative contribution to the
+// image, every vertex of a path and its start are credited with all that came after, and the
+// start is guided too. docs/adaptive-guide.md.
+#pragma once
+
+#include <optional>
+
+#include "aips/adapter/settings.h"
+#include "aips/core/trees/score_cache.h"
+#include "guides/adaptive/bounce_guide.h"
+#include "guides/adaptive/emission_guide.h"
+#include "guides/adaptive/eye_seeding.h"
+#include "guides/adaptive/part_rest.h"
+#include "guides/adaptive/path_means.h"
+#include "guides/adaptive/score_survival.h"
+#include "guides/adaptive/survival_switch.h"
+#include "worth/iteration_scores.h"
+#include "worth/path_log.h"
+#include "worth/path_worth.h"
+
+namespace aips {
+
+class AdaptiveGuide {
+  public:
+    /// `light_choice` (by power, not empty) and `importance` outlive this.
+    AdaptiveGuide(const Scene& scene, const Settings& settings,
+                  const DiscreteDistribution& light_choice, const PixelImportance& importance);
+    AdaptiveGuide(const AdaptiveGuide&) = delete;
+    AdaptiveGuide& operator=(const AdaptiveGuide&) = delete;
+
+    /// A pass with these visible points (and their positions) begins; `image` and `radii` stay
+    /// until it ends. Returns the rays that seeding traced.
+    std::uint64_t begin_pass(std::uint64_t pass, float time, const EyeImage& image,
+                             std::span<const Vec3> positions, const SearchRadii& radii);
+    /// Of how many paths one is logged, in the next iteration.
+    std::uint32_t log_one_of() const;
+    const EmissionGuide* emission() const {
+        return emission_rest_.awake() && settings_.guide_emission ? &emission_ : nullptr;
+    }
+    /// Null unless it is learned what photons may still bring; then vertices are logged too.
+    const ScoreSurvival* survival() const {
+        return survival_rest_.awake() && survival_ ? &*survival_ : nullptr;
+    }
+    /// How far that decides which photons go on.
+    ScoreMix score_mix() const { return survival() ? survival_switch_.mix() : ScoreMix::None; }
+    /// Null unless directions are guided; then vertices are logged too.
+    const BounceGuide* bounces() const {
+        return bounces_rest_.awake() && bounces_ ? &*bounces_ : nullptr;
+    }
+    /// Learns from the logged ones of `paths` photon paths, whose landings are among `landings`.
+    /// Returns how many paths, vertices and landings it learned from.
+    std::uint64_t learn(const PathLog& log, std::span<const Landing> landings, std::uint32_t paths);
+
+    /// Between passes: saves what was learned, or restores it into a new guide; what a pass begins
+    /// with is made anew by begin_pass().
+    void state(StateArchive& archive);
+
+    const EmissionGuide& emission_guide() const { return emission_; }
+    /// Whether survival by score was tried and does not pay.
+    bool survival_switched_off() const {
+        return survival_ && survival_switch_.mix() == ScoreMix::None;
+    }
+    /// Whether walks from the eye found no way to start a photon, and are no longer done.
+    bool seeding_given_up() const { return walks_ >= kSeedTrialWalks && seeds_found_ == 0; }
+    /// Whether parts of it were tried and none pays: nothing is learned.
+    bool resting() const { return !awake(); }
+    double survival_gain() const { return survival_switch_.gain(); }
+    /// Mean score of a photon path times its mean cost in rays: the relative error of equal-time
+    /// images, about. Of the last paths; 0 before anything was scored.
+    double score_times_cost() const { return mean_weight_ * path_means_.score_times_cost(); }
+    std::size_t node_count() const { return emission_.leaf_count(); }
+    std::size_t memory_bytes() const;
+    static std::size_t memory_bound_bytes(const Scene& scene, const Settings& settings,
+                                          std::size_t eye_paths);
+
+  private:
+    void rest_or_wake();
+    /// Whether anything is learned in this pass: by a part, or for the statistics alone.
+    bool awake() const {
+        const bool measures = !settings_.guide_emission && !survival_ && !bounces_;
+        return measures || emission() || survival() || bounces();
+    }
+    /// Walks from the eye without any success after which no more are done.
+    static constexpr std::uint64_t kSeedTrialWalks = 4096;
+
+    std::uint64_t seed(std::uint64_t pass, float time, const EyeImage& image);
+    /// Of the logged paths' landings, path after path.
+    std::span<const double> score_landings(const PathLog& log, std::span<const Landing> landings);
+    /// Calls visit(vertex, worth) for each that a photon of some power went on from, path by path,
+    /// in each from its end to its start.
+    template <class Visit>
+    void for_each_vertex(const PathLog& log, const Visit& visit) const;
+    // From the paths in worths_, of which there are `scored`.
+    void learn_emission(const PathLog& log, double scored);
+    void learn_survival(const PathLog& log, double scored);
+    void learn_bounces(const PathLog& log, double scored);
+    void judge_survival(const PathLog& log, std::span<const Landing> landings, double scored);
+    SurvivalSwitch::Path judged_path(const PathLog& log, std::size_t number,
+                                     std::span<const Landing> landings) const;
+
+    const Scene& scene_;
+    const Settings& settings_;
+    const DiscreteDistribution& light_choice_;
+    IterationScores scores_;
+    EmissionGuide emission_;
+    std::optional<ScoreCache> cache_;        // if photons go on by score
+    std::optional<ScoreSurvival> survival_;  // reads cache_
+    SurvivalSwitch survival_switch_;
+    std::optional<BounceGuide> bounces_;  // if directions are guided
+    PathMeans path_means_;
+    double mean_weight_ = 1;             // of the last pass that was learned from
+    std::vector<EmissionSeed> seeds_;    // of this pass
+    std::vector<std::uint32_t> scored_;  // landings of logged paths, path after path
+    PathWorths worths_;                  // of the last iteration's
+    std::uint64_t paths_ = 0;            // shot so far
+    PartRest emission_rest_, survival_rest_, bounces_rest_;
+    std::uint64_t walks_ = 0, seeds_found_ = 0;
+    std::uint64_t visible_paths_ = 0;  // logged ones that were worth something
+};
+
+}  // namespace aips

@@ -1,0 +1,110 @@
+// Where photons start: a learned density over lights and their primary coordinates.
+//
+// Per light a PrimaryTree; light choice and coordinates together are one mixture of three
+// densities over (light, [0,1)^4): the plain one (by power, uniform), that of the seeds and the
+// learned one. The choice between lights falls out of the trees' masses.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "aips/adapter/scene.h"
+#include "aips/core/tables/discrete_distribution.h"
+#include "aips/core/trees/primary_tree.h"
+#include "guides/adaptive/emission_seed.h"
+#include "guides/adaptive/second_moments.h"
+
+namespace aips {
+
+struct EmissionGuideSettings {
+    double plain_share = 0.15;  ///< defensive: see EmissionGuide
+    double seed_share = 0.25;   ///< of densities found from the eye, until enough was learned
+    double learned_seed_share = 0.05;    ///< after that
+    std::uint32_t learned_scores = 256;  ///< scored photons that count as enough
+    std::uint32_t max_leaves = 8192;     ///< over all lights that emit, but at least one for each
+    double memory_paths = 4e6;           ///< scored photon paths that count in full
+    /// Scored photon paths before the guide may be switched off: what it would gain when it has
+    /// learned cannot be told while it learns, and it learns faster when it is on.
+    double trial_paths = 1e5;
+};
+
+/// Where one photon starts.
+struct EmissionStart {
+    LightIndex light = 0;
+    PrimaryPoint point{};
+    double pdf = 1;  ///< over lights and coordinates
+};
+
+/// What a photon path was worth.
+struct EmissionScore {
+    EmissionStart start;
+    double score = 0;  ///< square of its part in the image, at the power it carried
+    double cost = 0;   ///< in rays
+};
+
+/// Learns between iterations; const in between, when it may be used from many threads.
+///
+/// Bound on fireflies: a photon of light l weighs P0(l) / p(l, x) times what it would without the
+/// guide, P0 being the choice by power. As p(l, x) >= plain_share P0(l), that is at most
+/// 1 / plain_share, whatever was learned. Rounding: of n lights each keeps 1 - n 2^-24 of its
+/// probability (quantized_cdf.h), and a tree 1 - 124 * 2^-23 of its densities (PrimaryTree).
+class EmissionGuide {
+  public:
+    /// Cost of the way through a light's tree, in rays: measured in cornell-box.
+    static constexpr double kGuideCost = 0.5;
+    /// Moments are noisy, stratified plain starts do better than theirs, and learning has its
+    /// price.
+    static constexpr LeastGain kLeastGain{1.4, 1.25};
+
+    /// `plain_choice` chooses between `lights` by power and is not empty; it outlives this.
+    EmissionGuide(std::size_t lights, const DiscreteDistribution& plain_choice,
+                  const EmissionGuideSettings& settings = {});
+
+    /// Draws a start by u in [0, 1)^4 and u_light; the plain one if the guide is off.
+    EmissionStart sample(float u_light, const PrimaryPoint& u) const;
+
+    void add(const EmissionScore& score);
+    /// Starts found from the eye, those of one light in succession. Of lights that do not emit, or
+    /// do not exist, they are passed over.
+    void add_seeds(std::span<const EmissionSeed> seeds);
+    /// After `paths` further photon paths: forgets, splits, decides whether guiding pays, and sets
+    /// the density of the next iterations.
+    void update(double paths);
+
+    /// Saves what was learned, or restores it into a new guide for the same lights. To be called
+    /// after update(), with nothing added since.
+    void state(StateArchive& archive);
+
+    /// Whether sample() follows what was learned.
+    bool on() const { return on_; }
+    /// Plain second moment times cost over guided, on samples that did not shape the density.
+    double gain() const { return moments_.gain(); }
+    /// Whether it was tried and does not pay.
+    bool switched_off() const { return learned_ && !on_; }
+    /// Share of what the plain density emits that starts where photons are now fewer than `density`
+    /// times the plain one's; 0 while the guide is off.
+    double starved_share(double density) const;
+    std::size_t leaf_count() const;
+    std::size_t memory_bytes() const;
+    static std::size_t memory_bound_bytes(const DiscreteDistribution& plain_choice,
+                                          const EmissionGuideSettings& settings = {});
+
+  private:
+    double plain_pdf(LightIndex light) const { return double(plain_choice_->pdf(light)); }
+    double guided_pdf(const EmissionStart& start) const;
+    void judge();
+    void set_densities();
+    void add_seeds_of_a_light(std::span<const EmissionSeed> seeds);
+
+    const DiscreteDistribution* plain_choice_;
+    EmissionGuideSettings settings_;
+    std::vector<PrimaryTree> trees_;  // [light]
+    std::vector<double> seeds_;       // [light]: weight
+    DiscreteDistribution choice_;     // between lights, all three densities together
+    SecondMoments moments_;
+    std::uint64_t scored_ = 0;
+    bool learned_ = false;  // trees and choice hold anything
+    bool on_ = false;
+};
+
+}  // namespace aips

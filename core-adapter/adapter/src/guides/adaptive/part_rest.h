@@ -1,0 +1,38 @@
+// Rest for a part of a guide that does not pay: it neither guides nor learns for a while.
+//
+// What learning and looking up cost is saved; that things have changed is found when it is tried
+// again, whenever the photon paths have doubled.
+#pragma once
+
+#include <cstdint>
+
+#include "aips/core/base/state_archive.h"
+#include "guides/adaptive/learning_weight.h"
+
+namespace aips {
+
+class PartRest {
+  public:
+    bool awake() const { return awake_; }
+    /// Between passes, after `paths` photon paths in all; `pays`: as it was judged when last awake.
+    void update(std::uint64_t paths, bool pays) {
+        if (paths < turn_at_ || (awake_ && pays)) return;
+        awake_ = !awake_;
+        turn_at_ = awake_ ? paths + kTrial / 2 : 2 * paths;
+    }
+
+    /// Saves or restores it.
+    void state(StateArchive& archive) {
+        archive.value(awake_);
+        archive.value(turn_at_);
+    }
+
+  private:
+    /// Photon paths of the first trial; later ones go on from what was learned.
+    static constexpr auto kTrial = static_cast<std::uint64_t>(kLearningPaths);
+
+    bool awake_ = true;
+    std::uint64_t turn_at_ = kTrial;  // photon paths from which on it may change
+};
+
+}  // namespace aips

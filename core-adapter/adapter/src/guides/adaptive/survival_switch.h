@@ -1,0 +1,104 @@
+// How far scores decide which photons go on: second moment times cost of photon paths, for each way
+// to decide.
+//
+// All ways are estimated from the paths that were traced, whichever decided there. Where s photons
+// went on and another way asks for s', photons carry k = s / s' times the power, and come 1 / k
+// times as often: their squared contributions count k times, the rays after the vertex 1 / k times.
+// Where s is above 1, photons were split, and the one that was logged stands for s of them.
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <cstdint>
+
+#include "guides/adaptive/second_moments.h"
+#include "worth/path_log.h"
+
+namespace aips {
+
+class SurvivalSwitch {
+  public:
+    /// Walks along one path: part by part, with the vertex where it went on between two parts.
+    class Path {
+      public:
+        /// Score and cost, in rays, of what came since the last vertex.
+        void add(double score, double cost) {
+            for (Way& way : ways_) {
+                way.work.score += score * way.power * photons_;
+                way.work.cost += cost / way.power * photons_;
+            }
+        }
+        void survive(const Survival& s);
+
+      private:
+        friend class SurvivalSwitch;
+        struct Way {
+            SecondMoments::Work work;
+            double power = 1;  ///< over that of the photon that was traced
+        };
+        std::array<Way, 3> ways_;  // [ScoreMix]
+        double photons_ = 1;       // that the logged one stands for
+    };
+
+    void add(const Path& path);
+    /// After `paths` further scored photon paths, of which `memory_paths` count in full.
+    void update(double paths, double memory_paths);
+
+    /// Saves or restores what was counted and decided.
+    void state(StateArchive& archive) {
+        half_.state(archive);
+        quarters_.state(archive);
+        archive.value(mix_, ScoreMix::Quarters);
+    }
+
+    ScoreMix mix() const { return mix_; }
+    /// Of the better way by score.
+    double gain() const { return std::max(half_.gain(), quarters_.gain()); }
+
+  private:
+    /// Cost of looking up what a photon may still bring, in rays: measured in cornell-box.
+    static constexpr double kLookUpCost = 0.2;
+    /// Less than a guide of starts has to gain: paths of both ways start at the same points, none
+    /// of whose stratification is lost. What is off while all else learns is found to pay far
+    /// later.
+    static constexpr LeastGain kLeastGain{1.1, 1.0};
+    /// Scored photon paths before it may be switched off.
+    static constexpr double kTrialPaths = 1e5;
+    /// A way has to be so much better than the other to replace it.
+    static constexpr double kChange = 1.1;
+
+    SecondMoments half_, quarters_;  // against roulette by power
+    ScoreMix mix_ = ScoreMix::Half;
+};
+
+inline void SurvivalSwitch::Path::survive(const Survival& s) {
+    for (std::size_t mix = 0; mix < ways_.size(); ++mix) {
+        Way& way = ways_[mix];
+        // Those that do not survive look up scores, too.
+        if (mix > 0) way.work.cost += kLookUpCost * photons_ / (way.power * double(s.photons));
+        way.power *= double(s.photons) /
+                     double(photons_going_on(s, static_cast<ScoreMix>(mix), float(way.power)));
+    }
+    photons_ *= std::max(1.0, double(s.photons));
+}
+
+inline void SurvivalSwitch::add(const Path& path) {
+    for (const Path::Way& way : path.ways_) {
+        if (!std::isfinite(way.work.score) || !std::isfinite(way.work.cost)) return;
+    }
+    half_.add(path.ways_[0].work, path.ways_[1].work);
+    quarters_.add(path.ways_[0].work, path.ways_[2].work);
+}
+
+inline void SurvivalSwitch::update(double paths, double memory_paths) {
+    half_.fade(paths, memory_paths);
+    quarters_.fade(paths, memory_paths);
+    if (half_.paths() < kTrialPaths) return;
+    const bool on = mix_ != ScoreMix::None;
+    const double favour = mix_ == ScoreMix::Quarters ? 1 / kChange : kChange;
+    const bool more = quarters_.gain() > favour * half_.gain();
+    const bool pays = (more ? quarters_ : half_).pays(on, kLeastGain);
+    mix_ = !pays ? ScoreMix::None : more ? ScoreMix::Quarters : ScoreMix::Half;
+}
+
+}  // namespace aips

@@ -1,0 +1,82 @@
+// Light that photons bring into media: their collisions, and the beam radiance estimate of eye
+// paths that cross them.
+//
+// References: Jensen & Christensen 1998 (photons in media), Jarosz, Zwicker & Jensen 2008, "The
+// beam radiance estimate for volumetric photon mapping", Knaus & Zwicker 2011 (its progressive
+// radius).
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "aips/core/photon_map/cell_sort.h"
+#include "estimate/group_sums.h"
+#include "estimate/pass_photons.h"
+#include "eye/eye_pass.h"
+#include "refusal/refusals.h"
+
+namespace aips {
+
+/// A collision of a photon in a medium.
+struct VolumePhoton {
+    Vec3 position;
+    Vec3 direction;  ///< unit, back to where the photon came from
+    Rgb power;       ///< watts * transmittance / density of the collision, before it is scattered
+    const void* medium = nullptr;
+    std::uint32_t light_group = 0;
+};
+
+/// Collisions that wait for a gather; one iteration may exceed it.
+inline constexpr std::uint32_t kVolumePhotonCapacity = 1u << 20;
+
+class VolumeGather {
+  public:
+    VolumeGather(const Scene& scene, const Settings& settings);
+
+    /// A pass whose eye paths left these beams starts.
+    void begin_pass(std::uint64_t pass, const PassPhotons& photons, const EyeImage& image);
+    /// Photons are appended here.
+    std::vector<VolumePhoton>& waiting() { return waiting_; }
+    bool full() const { return waiting_.size() > kVolumePhotonCapacity; }
+    /// Of all that wait from number `first` on.
+    void scale_power(std::size_t first, float factor);
+    /// Adds what waits to the beams' flux. Every beam sums its photons in a fixed order.
+    void gather(const EyeImage& image, Refusals& refusals);
+    void scale_flux(float factor);
+    /// Adds sum(flux) / (pi r^2 N) of each beam to what photons bring to its eye path, N being the
+    /// photon paths of the pass, and the variance of its luminance to the path's in `variances`
+    /// (one for each eye path, or empty: not asked for).
+    void add_to(const EyeImage& image, std::uint64_t photon_paths, Refusals& refusals,
+                std::vector<Rgb>& radiance, std::span<float> variances) const;
+
+    /// Between passes: saves the radius that the first pass began with, or restores it; all else is
+    /// of one pass.
+    void state(StateArchive& archive);
+
+    float radius() const { return radius_; }
+    std::uint64_t gathered() const { return gathered_; }
+    std::size_t memory_bytes() const;
+    /// With up to `iteration` collisions in an iteration.
+    static std::size_t memory_bound_bytes(const Scene& scene, std::size_t eye_paths,
+                                          std::size_t iteration);
+
+  private:
+    void sort();
+    std::uint64_t gather_beam(const VolumeBeam& beam, Refusals& refusals, GroupSums& sums,
+                              float& squares) const;
+
+    const Scene& scene_;
+    Settings settings_;
+    double initial_radius_ = 0;  // from the first beams' pixel footprints
+    float radius_ = 0;
+    std::uint64_t pass_ = 0;
+    std::vector<VolumePhoton> waiting_;
+    CellSort cells_;
+    std::vector<Vec3> positions_;        // of waiting_, for the sort
+    std::vector<VolumePhoton> photons_;  // [slot of cells_]
+    std::vector<Rgb> flux_;              // [beam * groups + group]
+    std::vector<float> squares_;         // [beam]: of the luminances that flux_ sums
+    std::uint64_t gathered_ = 0;
+};
+
+}  // namespace aips

@@ -1,0 +1,20 @@
+// A photon on its way.
+#pragma once
+
+#include "photons/photon_path.h"
+
+namespace aips {
+
+/// A photon between two surfaces.
+struct Photon {
+    Ray ray;
+    Rgb power;
+    Vec3 previous;            ///< where it last left a surface or the light
+    float emitted_power = 0;  ///< largest component; roulette by power compares with it
+    std::uint32_t group = 0;  ///< of its light
+    std::uint32_t depth = 1;  ///< number of the surface that it meets next
+    bool straight = true;     ///< has met nothing but null surfaces and architectural glass
+    EmissionStart start;
+};
+
+}  // namespace aips

@@ -1,0 +1,145 @@
+// Rounds of the chains, learning of the mutation size, normalisation.
+#include "photons/photon_chains.h"
+
+#include <tbb/enumerable_thread_specific.h>
+
+#include "base/parallel_for.h"
+#include "base/vector_growth.h"
+
+namespace aips {
+namespace {
+
+/// Longest round in paths per chain: with all chains as many paths as a plain iteration.
+constexpr std::uint32_t kMaxRound = 256;
+/// Steps per chain over which the mutation size is learned from round to round. Later it changes
+/// between passes only, so that it does not depend on the states of the chains it moves.
+constexpr std::uint64_t kLearningSteps = 1024;
+
+struct Round {
+    std::vector<Landing> landings;
+    PhotonCounts photons;
+    ChainCounts chain;
+};
+
+/// Chain c's share of `paths` paths. Rounds but the last share evenly, so that the shares of the
+/// rounds add up to the share of the pass.
+constexpr std::uint32_t share_of(std::uint32_t c, std::uint32_t paths) {
+    return paths / PhotonChains::kChains + (c < paths % PhotonChains::kChains ? 1 : 0);
+}
+
+/// A state that lasted several steps lands once, with the power of all of them.
+void record(std::span<const Landing> state, std::uint32_t repeats, std::vector<Landing>& landings) {
+    for (Landing landing : state) {
+        landing.power = landing.power * float(repeats);
+        landings.push_back(landing);
+    }
+}
+
+}  // namespace
+
+void PhotonChains::mark_reach(std::span<const Vec3> visible_points, float radius) {
+    reach_.build(visible_points, radius, tbb_for);
+}
+
+void PhotonChains::begin_pass(std::uint32_t paths) {
+    paths_ = paths;
+    pass_ = {};
+    for (std::uint32_t c = 0; c < kChains; ++c)
+        chains_[c].begin_pass((share_of(c, paths) + 1) / 2);
+}
+
+std::uint32_t PhotonChains::round_paths() const {
+    const std::uint64_t traced = (pass_.uniform + pass_.mutated) / kChains;
+    return kChains * std::uint32_t(std::clamp<std::uint64_t>(traced / 4, 2, kMaxRound));
+}
+
+PhotonCounts PhotonChains::trace(const PhotonInput& input, std::uint32_t count, Refusals& refusals,
+                                 LandingStore& store) {
+    std::vector<Round> rounds(kChains);
+    tbb::enumerable_thread_specific<Arena> arenas;
+    PhotonInput exact = input;
+    exact.reach = &reach_;
+    const float exponent = mutation_size_.exponent();
+    tbb::parallel_for(0u, kChains, [&](std::uint32_t c) {
+        Arena& arena = arenas.local();
+        Round& round = rounds[c];
+        chains_[c].run(
+            {input.settings.seed, input.pass, c, kChains}, share_of(c, count), exponent,
+            [&](PrimaryPath& path, std::vector<Landing>& state, std::uint64_t number) {
+                state.clear();
+                trace_photon_path(exact, path, std::uint32_t(number), refusals, arena, state,
+                                  round.photons);
+                return !state.empty();
+            },
+            [&](const std::vector<Landing>& state, std::uint32_t repeats) {
+                record(state, repeats, round.landings);
+            },
+            round.chain);
+    });
+    PhotonCounts photons;
+    ChainCounts counts;
+    for (const Round& round : rounds) {
+        store.append(round.landings);
+        photons += round.photons;
+        counts += round.chain;
+    }
+    pass_ += counts;
+    not_learned_ += counts;
+    if (mutation_size_.steps() < kLearningSteps) learn_mutation_size();
+    spread_states();
+    return photons;
+}
+
+void PhotonChains::learn_mutation_size() {
+    const std::uint64_t steps = not_learned_.mutated / kChains;
+    if (steps == 0) return;
+    mutation_size_.learn(double(not_learned_.accepted) / double(not_learned_.mutated), steps);
+    not_learned_ = {};
+}
+
+/// Chains without a path go on from those that have one, in turn.
+void PhotonChains::spread_states() {
+    std::vector<std::size_t> with_state;
+    for (std::size_t c = 0; c < chains_.size(); ++c) {
+        if (chains_[c].has_state()) with_state.push_back(c);
+    }
+    if (with_state.empty()) return;
+    std::size_t next = 0;
+    for (Chain& chain : chains_) {
+        if (!chain.has_state()) chain.adopt(chains_[with_state[next++ % with_state.size()]]);
+    }
+}
+
+double PhotonChains::end_pass() {
+    totals_ += pass_;
+    learn_mutation_size();
+    if (pass_.recorded == 0) return 0;
+    const double visible_share = double(pass_.visible) / double(pass_.measured);
+    return visible_share * double(paths_) / double(pass_.recorded);
+}
+
+void PhotonChains::state(StateArchive& archive) {
+    mutation_size_.state(archive);
+    not_learned_.state(archive);
+    totals_.state(archive);
+}
+
+std::size_t PhotonChains::memory_bytes() const {
+    std::size_t bytes = reach_.memory_bytes();
+    for (const Chain& chain : chains_) {
+        bytes += sizeof(Chain) + chain.coordinate_bytes() +
+                 (chain.current().capacity() + chain.proposed().capacity()) * sizeof(Landing);
+    }
+    return bytes;
+}
+
+std::size_t PhotonChains::memory_bound_bytes(const Settings& settings, std::uint32_t eye_paths) {
+    const std::size_t state = max_coordinates(settings.max_photon_depth) * sizeof(Coordinate) +
+                              settings.max_photon_depth * sizeof(Landing);
+    // A current and a proposed state; what lasts from the last round is recorded in this one too.
+    const std::size_t carried = 2 * sizeof(Landing) * settings.max_photon_depth;
+    return PointGrid::memory_bound_bytes(eye_paths) +
+           kChains * (sizeof(Chain) + kVectorGrowth * (2 * state + carried));
+}
+
+}  // namespace aips

@@ -1,0 +1,62 @@
+// Photon paths in blocks; blocks are joined in order.
+#include "photons/photon_iteration.h"
+
+#include <tbb/parallel_for.h>
+
+namespace aips {
+namespace {
+
+/// Chosen by a hash: every n-th point of a low-discrepancy sequence is not a fair sample of it.
+bool logged(const PhotonInput& input, std::uint64_t serial) {
+    if (input.log_one_of == 0) return false;
+    const auto key = std::uint32_t(serial) ^ hash_bits(std::uint32_t(serial >> 32) + 1);
+    return hash_bits(key ^ 0xA511E9B3u) % input.log_one_of == 0;
+}
+
+}  // namespace
+
+PhotonCounts PhotonTracer::trace(const PhotonInput& input, std::uint64_t paths_before_pass,
+                                 std::uint32_t first, std::uint32_t count, Refusals& refusals,
+                                 LandingStore& store, PathLog* log,
+                                 std::vector<VolumePhoton>* collisions) {
+    // Nothing is added to `first` and `count` beyond their sum, which may be 2^32 - 1.
+    const std::uint32_t block_count = count / kPathsPerBlock + (count % kPathsPerBlock ? 1 : 0);
+    if (blocks_.size() < block_count) blocks_.resize(block_count);
+    tbb::parallel_for(0u, block_count, [&](std::uint32_t b) {
+        Arena& arena = arenas_.local();
+        Block& block = blocks_[b];
+        block.landings.clear();
+        block.collisions.clear();
+        block.log.clear();
+        block.counts = {};
+        const std::uint32_t begin = first + b * kPathsPerBlock;
+        const std::uint32_t end = begin + std::min(kPathsPerBlock, first + count - begin);
+        SequencePath numbers(input.settings.seed, input.pass, input.sequence_begin);
+        for (std::uint32_t i = begin; i < end; ++i) {
+            numbers.move_to(paths_before_pass + i, i);
+            trace_photon_path(input, numbers, i, refusals, arena, block.landings, block.counts,
+                              logged(input, paths_before_pass + i) ? &block.log : nullptr,
+                              collisions ? &block.collisions : nullptr);
+        }
+    });
+    PhotonCounts counts;
+    for (const Block& block : std::span(blocks_).first(block_count)) {
+        if (log) log->append(block.log, std::uint32_t(store.landings().size()));
+        store.append(block.landings);
+        if (collisions) {
+            collisions->insert(collisions->end(), block.collisions.begin(), block.collisions.end());
+        }
+        counts += block.counts;
+    }
+    return counts;
+}
+
+std::size_t PhotonTracer::memory_bytes() const {
+    std::size_t bytes = blocks_.capacity() * sizeof(Block);
+    for (const Block& block : blocks_)
+        bytes += block.landings.capacity() * sizeof(Landing) + block.log.memory_bytes() +
+                 block.collisions.capacity() * sizeof(VolumePhoton);
+    return bytes;
+}
+
+}  // namespace aips

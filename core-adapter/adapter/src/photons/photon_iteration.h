@@ -1,0 +1,74 @@
+// An iteration: a block of photon paths traced with a frozen guide.
+#pragma once
+
+#include <tbb/enumerable_thread_specific.h>
+
+#include "photons/photon_path.h"
+
+namespace aips {
+
+/// Photon paths of an iteration that no guide=paper cuts shorter: enough for all threads, few
+/// enough for the store's capacity.
+inline constexpr std::uint32_t kPlainIterationPaths = 1u << 14;
+
+/// Paths of a block, which one thread traces.
+inline constexpr std::uint32_t kPathsPerBlock = 256;
+
+/// Landings in a block from which on no photon is split: as many as whole paths may leave at most.
+inline std::size_t split_landings(const Settings& settings) {
+    return std::size_t{kPathsPerBlock} * settings.max_photon_depth;
+}
+
+/// Most landings of blocks with so many paths: with splitting, those up to the limit, those of all
+/// other paths, and those of photons that wait.
+inline std::size_t most_landings(const Settings& settings, std::size_t paths) {
+    const bool splits = settings.guide == GuideKind::Adaptive && settings.guide_survival;
+    return paths * settings.max_photon_depth * (splits ? 3 : 1);
+}
+
+/// The landings of photon paths, in the order of the paths.
+class LandingStore {
+  public:
+    std::span<const Landing> landings() const { return landings_; }
+    void clear() { landings_.clear(); }
+    std::size_t memory_bytes() const { return landings_.capacity() * sizeof(Landing); }
+    void append(std::span<const Landing> landings) {
+        landings_.insert(landings_.end(), landings.begin(), landings.end());
+    }
+    /// Of all landings from number `first` on.
+    void scale_power(std::size_t first, float factor) {
+        for (std::size_t i = first; i < landings_.size(); ++i)
+            landings_[i].power *= factor;
+    }
+
+  private:
+    std::vector<Landing> landings_;
+};
+
+/// Traces photon paths in parallel blocks, whose memory it keeps.
+class PhotonTracer {
+  public:
+    /// Traces `count` paths from number `first` of the pass and appends their landings to `store`,
+    /// the records of those that input.log_one_of selects to `log`, and what is left in media that
+    /// scatter to `collisions` (null if none does).
+    /// The result does not depend on the number of threads.
+    PhotonCounts trace(const PhotonInput& input, std::uint64_t paths_before_pass,
+                       std::uint32_t first, std::uint32_t count, Refusals& refusals,
+                       LandingStore& store, PathLog* log = nullptr,
+                       std::vector<VolumePhoton>* collisions = nullptr);
+
+    std::size_t memory_bytes() const;
+
+  private:
+    struct Block {
+        std::vector<Landing> landings;
+        std::vector<VolumePhoton> collisions;
+        PathLog log;
+        PhotonCounts counts;
+    };
+
+    std::vector<Block> blocks_;
+    tbb::enumerable_thread_specific<Arena> arenas_;
+};
+
+}  // namespace aips

@@ -1,0 +1,276 @@
+// One photon path. Weights are adjoint Bsdf * cosine / (density actually used), at every bounce.
+#include "photons/photon_path.h"
+
+#include <cmath>
+#include <limits>
+
+#include "aips/adapter/media.h"
+#include "eye/eye_pass.h"
+#include "photons/path_log_entry.h"
+#include "photons/photon_roulette.h"
+#include "refusal/meet_surface.h"
+
+namespace aips {
+namespace {
+
+/// Photons of one path that may come from splitting others.
+constexpr std::uint32_t kMostSplits = 16;
+
+template <class Numbers>
+EmissionStart choose_start(const PhotonInput& in, Numbers& numbers) {
+    const float u_light = in.scene.lights().size() > 1 ? numbers.light_choice() : 0.5f;
+    const PrimaryPoint u = numbers.start();
+    if (in.emission) return in.emission->sample(u_light, u);
+    const DiscreteSample light = in.light_choice.sample(u_light);
+    return {static_cast<LightIndex>(light.index), u, double(light.pdf)};
+}
+
+template <class Numbers>
+bool emit(const PhotonInput& in, Numbers& numbers, Refusals& refusals, Photon& photon) {
+    photon.start = choose_start(in, numbers);
+    const Light& light = *in.scene.lights()[photon.start.light];
+    Emission emission;
+    if (!light.emit(photon.start.point, emission)) return false;
+    photon.ray = emission.ray;
+    photon.ray.time = in.time;
+    photon.power = emission.power / float(photon.start.pdf);
+    photon.previous = emission.ray.origin;
+    photon.group = light.group();
+    photon.emitted_power = max_component(photon.power);
+    const Origin origin = refusals.of_light(photon.start.light);
+    return refusals.accept(photon.power, origin) &&
+           refusals.accept_direction(photon.ray.origin, origin) &&
+           refusals.accept_direction(photon.ray.direction, origin) && !is_black(photon.power);
+}
+
+/// The photons of one path: the one that the light emits, and those that it is split into.
+template <class Numbers>
+class PhotonTrace {
+  public:
+    PhotonTrace(const PhotonInput& in, Numbers& numbers, std::uint32_t index, Refusals& refusals,
+                Arena& arena, std::vector<Landing>& landings, std::vector<VolumePhoton>* collisions,
+                PhotonCounts& counts)
+        : in_(in),
+          media_(collisions ? in.scene.media() : nullptr),
+          numbers_(numbers),
+          index_(index),
+          refusals_(refusals),
+          arena_(arena),
+          landings_(landings),
+          collisions_(collisions),
+          counts_(counts),
+          receiving_(receiving_lobes(in.settings)) {}
+
+    /// Follows one photon to its end. `entry` may be null.
+    void follow(Photon photon, const LogEntry* entry) {
+        SurfacePoint point;
+        while (land(photon, point)) {
+            auto& random = numbers_.bounce(photon.depth);
+            const bool split = splits_ < kMostSplits && landings_.size() < in_.split_landings;
+            const Survival survived =
+                decide_survival(in_, point, photon, entry && entry->has_vertices(), split);
+            const std::uint32_t photons = draw_photons(survived, random);
+            // Of a chain's path, which no other photon is split from and no medium scatters, a
+            // bounce draws that number and those of one scattering.
+            static_assert(1 + kScatterNumbers == kBounceCoordinates);
+            if (photons == 0) return;
+            if (entry) entry->add_vertex(point, photon, survived);
+            for (std::uint32_t i = 1; i < photons; ++i) {
+                Photon other = photon;
+                if (leave(other, point, survived.photons, random, nullptr))
+                    waiting_.push_back(other);
+            }
+            splits_ += photons - 1;
+            counts_.split_off += photons - 1;
+            if (!leave(photon, point, survived.photons, random, entry)) return;
+        }
+    }
+
+    /// Follows those that wait.
+    void follow_others() {
+        while (!waiting_.empty()) {
+            const Photon photon = waiting_.back();
+            waiting_.pop_back();
+            follow(photon, nullptr);
+        }
+    }
+
+  private:
+    /// Where the photon meets a surface; false if it ends there, or meets none.
+    bool land(Photon& photon, SurfacePoint& point) {
+        bool met = false;
+        do {
+            arena_.reset();
+            point = {};
+            ++counts_.rays;
+            met = meet_surface(in_.scene, photon.ray, point, arena_, refusals_);
+        } while (media_ && media_->scatters(photon.ray.medium) && fly(photon, point));
+        photon.power *= point.transmittance;
+        if (!met || !point.bsdf || is_black(photon.power)) return false;
+        const bool owned_by_shadow_rays = photon.straight && in_.settings.direct_light_sampling;
+        if ((point.bsdf->lobes() & receiving_) && (!owned_by_shadow_rays || in_.store_owned)) {
+            store(point, photon, owned_by_shadow_rays);
+        }
+        return photon.depth < in_.settings.max_photon_depth;
+    }
+
+    /// Goes on through a medium that scatters; true if it was scattered there and goes elsewhere.
+    /// Else it reaches `point`, or ends: then it has no power left.
+    bool fly(Photon& photon, SurfacePoint& point) {
+        auto& random = numbers_.bounce(photon.depth);
+        const Flight flight =
+            media_->sample_flight(photon.ray.medium, point.distance, photon.power, random.next2());
+        photon.power *= flight.weight;
+        // Of both, one: the flight's weight stands for the transmittance.
+        point.transmittance = kWhite;
+        if (!flight.collides) return false;
+        if (scatter_in_medium(photon, flight.distance, random)) return true;
+        photon.power = {};
+        return false;
+    }
+
+    /// Stores a collision and draws what becomes of the photon; false if it ends.
+    template <class Random>
+    bool scatter_in_medium(Photon& photon, float distance, Random& random) {
+        const void* const medium = photon.ray.medium;
+        const Vec3 position = photon.ray.origin + photon.ray.direction * distance;
+        if (!refusals_.accept(photon.power, kPassageOrigin)) return false;
+        if (!photon.straight || !in_.settings.direct_light_sampling) {
+            collisions_->push_back(
+                {position, -photon.ray.direction, photon.power, medium, photon.group});
+        }
+        if (photon.depth >= in_.settings.max_photon_depth) return false;
+        photon.power *= media_->scattering(medium);
+        const float survival = std::min(1.0f, max_component(photon.power) / photon.emitted_power);
+        if (!(random.next() < survival)) return false;
+        const PhaseSample sample =
+            media_->sample_phase(medium, photon.ray.direction, photon.power, random.next2());
+        photon.power = photon.power * sample.weight / survival;
+        if (!refusals_.accept(photon.power, kPassageOrigin)) return false;
+        photon.straight = false;
+        photon.previous = position;
+        photon.ray = {position, sample.direction, in_.time, medium, photon.ray.component};
+        ++photon.depth;
+        return true;
+    }
+
+    void store(const SurfacePoint& point, const Photon& photon, bool owned_by_shadow_rays) {
+        if (in_.occupancy && !in_.occupancy->near_visible_point(point.position)) return;
+        if (in_.reach && !in_.reach->any_within_radius(point.position)) return;
+        Landing landing;
+        landing.position = point.position;
+        landing.direction = -photon.ray.direction;
+        landing.power = photon.power;
+        landing.previous = photon.previous;
+        landing.normal = point.geometric_normal;
+        landing.depth = static_cast<std::uint16_t>(std::min(photon.depth, kDeepestLanding));
+        landing.light_group = static_cast<std::uint16_t>(photon.group);
+        landing.path = index_;
+        landing.owned_by_shadow_rays = owned_by_shadow_rays;
+        landings_.push_back(landing);
+        if (!owned_by_shadow_rays) ++counts_.landings;
+    }
+
+    /// A whole number, survived.photons on average.
+    template <class Random>
+    std::uint32_t draw_photons(const Survival& survived, Random& random) {
+        if (survived.photons == 1) return 1;
+        const auto whole = static_cast<std::uint32_t>(survived.photons);
+        const float u = random.next();
+        const std::uint32_t photons = whole + (u < survived.photons - float(whole) ? 1 : 0);
+        const bool by_score = in_.score_mix != ScoreMix::None;
+        if (photons == 0 && by_score && u < photons_going_on(survived, ScoreMix::None, 1)) {
+            ++counts_.pruned;
+        }
+        return photons;
+    }
+
+    /// Draws the way that the photon, one of `photons` on average, takes from the surface; false if
+    /// it is absorbed.
+    template <class Random>
+    bool leave(Photon& photon, const SurfacePoint& point, float photons, Random& random,
+               const LogEntry* entry) {
+        const std::uint64_t bounces = counts_.bounces, guided_bounces = counts_.guided_bounces;
+        const Vec3 wo = -photon.ray.direction;
+        ScatteredPhoton scattered;
+        const bool left = scatter_photon(in_, point, wo, random, arena_, counts_, scattered);
+        if (in_.bounces && counts_.bounces > bounces) {
+            in_.bounces->count(point.position, counts_.guided_bounces > guided_bounces);
+        }
+        if (!left) return false;
+        if (entry) entry->set_direction(point, wo, scattered);
+        if (in_.unguided_roulette && scattered.pdf > 0) {
+            photon.emitted_power =
+                std::max(photon.emitted_power * (scattered.plain_pdf / scattered.pdf),
+                         std::numeric_limits<float>::min());
+        }
+        photon.power = photon.power * scattered.weight / photons;
+        if (!refusals_.accept(photon.power, point.material) || is_black(photon.power)) return false;
+        if (!refusals_.accept_direction(scattered.direction, point.material)) return false;
+        photon.straight = photon.straight && scattered.straight;
+        photon.previous = point.position;
+        photon.ray =
+            continue_ray(in_.scene, point, scattered.direction, scattered.component, photon.ray);
+        ++photon.depth;
+        return true;
+    }
+
+    const PhotonInput& in_;
+    const Media* media_;  // null if no medium scatters
+    Numbers& numbers_;
+    std::uint32_t index_;
+    Refusals& refusals_;
+    Arena& arena_;
+    std::vector<Landing>& landings_;
+    std::vector<VolumePhoton>* collisions_;
+    PhotonCounts& counts_;
+    LobeMask receiving_;
+    std::vector<Photon> waiting_;  // split off, at their way's start
+    std::uint32_t splits_ = 0;     // photons split off so far
+};
+
+}  // namespace
+
+PhotonCounts& PhotonCounts::operator+=(const PhotonCounts& o) {
+    paths += o.paths;
+    guided_emissions += o.guided_emissions;
+    rays += o.rays;
+    bounces += o.bounces;
+    guided_bounces += o.guided_bounces;
+    landings += o.landings;
+    split_off += o.split_off;
+    pruned += o.pruned;
+    return *this;
+}
+
+void PhotonCounts::state(StateArchive& archive) {
+    for (std::uint64_t* count : {&paths, &guided_emissions, &rays, &bounces, &guided_bounces,
+                                 &landings, &split_off, &pruned})
+        archive.value(*count);
+}
+
+template <class Numbers>
+void trace_photon_path(const PhotonInput& in, Numbers& numbers, std::uint32_t index,
+                       Refusals& refusals, Arena& arena, std::vector<Landing>& landings,
+                       PhotonCounts& counts, PathLog* log, std::vector<VolumePhoton>* collisions) {
+    ++counts.paths;
+    if (in.emission) ++counts.guided_emissions;
+    Photon photon;
+    const bool left_light = emit(in, numbers, refusals, photon);
+    PhotonTrace<Numbers> trace(in, numbers, index, refusals, arena, landings, collisions, counts);
+    {
+        const LogEntry entry(log, in.log_vertices, photon.start, landings, counts);
+        if (!left_light) return;
+        trace.follow(photon, log ? &entry : nullptr);
+    }
+    trace.follow_others();
+}
+
+template void trace_photon_path(const PhotonInput&, SequencePath&, std::uint32_t, Refusals&, Arena&,
+                                std::vector<Landing>&, PhotonCounts&, PathLog*,
+                                std::vector<VolumePhoton>*);
+template void trace_photon_path(const PhotonInput&, PrimaryPath&, std::uint32_t, Refusals&, Arena&,
+                                std::vector<Landing>&, PhotonCounts&, PathLog*,
+                                std::vector<VolumePhoton>*);
+
+}  // namespace aips

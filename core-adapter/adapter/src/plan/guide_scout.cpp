@@ -1,0 +1,72 @@
+// Photon paths that are followed only to see whether they are seen.
+#include "plan/guide_scout.h"
+
+#include <algorithm>
+#include <limits>
+
+#include "base/parallel_for.h"
+#include "eye/light_choice.h"
+#include "photons/photon_iteration.h"
+
+namespace aips {
+namespace {
+
+/// Number of the pass and of the first path in the render: none that brings light has them.
+constexpr std::uint64_t kNoPass = std::numeric_limits<std::uint64_t>::max();
+constexpr std::uint64_t kFirstPath = std::uint64_t{1} << 62;
+
+/// Share of unguided photon paths that come near what is seen from which on photons go without the
+/// adaptive guide, and share of those that are seen below which chains do better.
+constexpr double kNearWithoutGuide = 1.0 / 3, kSeenForChains = 5e-4;
+/// Paths seen that tell the second from more, and at most so many paths to find them; chains need
+/// to find a visible path now and then.
+constexpr std::uint64_t kSeenEnough = 32, kMostPaths = 16 * kPlainIterationPaths, kSeenAtLeast = 2;
+
+}  // namespace
+
+SeenPaths scout_photons(const Scene& scene, const Settings& settings, float time,
+                        const EyeImage& image, float radius) {
+    std::vector<Vec3> positions;
+    positions_of(image.visible_points, positions);
+    OccupancyGrid occupancy;
+    occupancy.build(positions, radius, tbb_for);
+    // The false hits of hashed occupancy would outnumber what is seen of a wide scene.
+    PointGrid reach;
+    reach.build(positions, radius, tbb_for);
+
+    const DiscreteDistribution choice = light_choice(scene);
+    PhotonInput input{scene, settings, choice};
+    input.occupancy = &occupancy;
+    input.pass = kNoPass;
+    input.time = time;
+    input.log_one_of = 1;
+    Refusals refusals(scene);
+    LandingStore landings;
+    PathLog log;
+    PhotonTracer tracer;
+    SeenPaths counts;
+    do {
+        tracer.trace(input, kFirstPath, std::uint32_t(counts.traced), kPlainIterationPaths,
+                     refusals, landings, &log);
+        counts.traced += kPlainIterationPaths;
+        for (const PathRecord& path : log.paths) {
+            const auto landed =
+                std::span(landings.landings()).subspan(path.first_landing, path.landings);
+            counts.near += !landed.empty();
+            counts.seen += std::ranges::any_of(landed, [&](const Landing& landing) {
+                return reach.any_within_radius(landing.position);
+            });
+        }
+        log.clear();
+        landings.clear();
+    } while (settings.guide_chains && counts.seen < kSeenEnough && counts.traced < kMostPaths);
+    return counts;
+}
+
+PhotonWay photon_way(const Settings& settings, const SeenPaths& seen) {
+    if (seen.near_share() >= kNearWithoutGuide) return PhotonWay::Unguided;
+    const bool chains = settings.guide_chains && seen.seen >= kSeenAtLeast;
+    return chains && seen.seen_share() < kSeenForChains ? PhotonWay::Chains : PhotonWay::Guided;
+}
+
+}  // namespace aips

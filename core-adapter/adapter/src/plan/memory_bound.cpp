@@ -1,0 +1,118 @@
+// Bound of the engine's memory.
+#include "plan/memory_bound.h"
+
+#include "base/vector_growth.h"
+#include "eye/eye_pass.h"
+#include "guides/paper/paper_guide.h"
+#include "photons/photon_pass.h"
+#include "radii/adaptive_radius.h"
+#include "radii/ppm_radius.h"
+#include "radii/scheduled_radius.h"
+#include "worth/pass_noise.h"
+
+namespace aips {
+namespace {
+
+/// What an eye pass leaves but for its visible points. Each block's arena holds a chunk, and a
+/// second one where a Bsdf did not fit.
+std::size_t eye_image_bytes(const Scene& scene, std::size_t paths) {
+    const std::size_t image = sizeof(Vec2) + scene.light_groups() * sizeof(Rgb);
+    const std::size_t arenas = Arena::kChunkBytes / 512;
+    const std::size_t last_block = 2 * Arena::kChunkBytes + scene.facts().max_bsdf_bytes;
+    return paths * (image + arenas) + last_block;
+}
+
+/// What shadow rays tell, in blocks and joined, and what is learned from it.
+std::size_t light_bytes(const Settings& s, const Scene& scene, std::uint32_t eye_paths) {
+    if (!s.learn_lights) return 0;
+    const std::size_t samples = light_samples_due(eye_paths);
+    return 2 * samples * kVectorGrowth * sizeof(LightSample) +
+           DirectLight::memory_bound_bytes(scene, samples);
+}
+
+/// Visible points, their Bsdfs, and what is estimated there.
+std::size_t visible_point_bytes(const Scene& scene, std::size_t paths) {
+    const std::size_t groups = scene.light_groups();
+    // Flux, its photons and squares, and radiance.
+    const std::size_t estimate = 2 * groups * sizeof(Rgb) + sizeof(std::uint32_t) + sizeof(float);
+    // While blocks are joined, their visible points exist twice.
+    const std::size_t transient = kVectorGrowth * sizeof(VisiblePoint);
+    const std::size_t footprints = 2 * kVectorGrowth * sizeof(float);
+    return paths * (sizeof(VisiblePoint) + sizeof(Vec3) + scene.facts().max_bsdf_bytes + estimate +
+                    transient + footprints);
+}
+
+/// Most landings of an iteration.
+std::size_t iteration_landings(const Settings& s) {
+    return most_landings(s, s.guide == GuideKind::Paper
+                                ? std::max(s.iteration_photons, s.initial_photons)
+                                : kPlainIterationPaths);
+}
+
+/// Landings of the store that waits, of one iteration (twice with a guide: blocks, then joined),
+/// and the grid.
+std::size_t photon_bytes(const Settings& s, std::uint32_t eye_paths) {
+    const std::size_t iteration = iteration_landings(s);
+    const std::size_t waiting = kLandingCapacity + iteration;
+    return (waiting + 2 * iteration) * kVectorGrowth * sizeof(Landing) +
+           LandingGrid::memory_bound_bytes(waiting) +
+           (may_use_chains(s) ? PhotonChains::memory_bound_bytes(s, eye_paths) : 0);
+}
+
+/// Records of an iteration's paths, in blocks and joined, and their landings' scores. At most all
+/// paths are logged.
+std::size_t log_bytes(const Settings& s, std::size_t paths) {
+    const std::size_t path = sizeof(PathRecord) + s.max_photon_depth * sizeof(PathVertex);
+    // Of the first photon of each path.
+    const std::size_t scores = s.max_photon_depth * (sizeof(double) + sizeof(std::uint32_t));
+    return paths * kVectorGrowth * (2 * path + scores) +
+           PathWorths::memory_bound_bytes(paths, s.max_photon_depth);
+}
+
+/// Beams, which exist twice while blocks are joined, and what photons bring to them.
+std::size_t volume_bytes(const Scene& scene, const Settings& s, std::size_t eye_paths) {
+    if (!scene.media()) return 0;
+    const std::size_t iteration = iteration_landings(s);
+    return eye_paths * 2 * kVectorGrowth * sizeof(VolumeBeam) +
+           VolumeGather::memory_bound_bytes(scene, eye_paths, iteration);
+}
+
+}  // namespace
+
+std::size_t eye_memory_bound(const Scene& scene, const Settings& settings,
+                             std::uint32_t eye_paths) {
+    return eye_image_bytes(scene, eye_paths) + light_bytes(settings, scene, eye_paths);
+}
+
+std::size_t photon_memory_bound(const Scene& scene, const Needs& needs, std::uint32_t eye_paths,
+                                std::size_t pixels) {
+    if (!needs.photons) return 0;
+    const Settings& settings = needs.settings;
+    std::size_t guide = 0;
+    if (settings.guide == GuideKind::Paper) {
+        guide = PaperGuide::memory_bound_bytes(settings);
+        if (settings.error_criterion == CriterionKind::Image) {
+            guide += IterationScores::memory_bound_bytes(eye_paths, iteration_landings(settings));
+        }
+    }
+    if (settings.guide == GuideKind::Adaptive) {
+        guide = AdaptiveGuide::memory_bound_bytes(scene, settings, eye_paths) +
+                log_bytes(settings, kPlainIterationPaths);
+    }
+    std::size_t radii = ScheduledRadius::memory_bound_bytes(eye_paths);
+    if (settings.mode == Mode::Ppm) radii = PpmRadius::memory_bound_bytes(eye_paths);
+    if (adapts_radius(settings)) {
+        // And the flux's probes.
+        radii =
+            AdaptiveRadius::memory_bound_bytes(pixels, eye_paths) + eye_paths * sizeof(ProbeSums);
+    }
+    // What the photons per pass and the adaptive guide go by.
+    const std::size_t plan = PixelImportance::memory_bound_bytes(pixels) +
+                             PassNoiseMeter::memory_bound_bytes(pixels) +
+                             eye_paths * (sizeof(PixelLuminance) + sizeof(float));
+    return visible_point_bytes(scene, eye_paths) + plan +
+           OccupancyGrid::memory_bound_bytes(eye_paths) + photon_bytes(settings, eye_paths) +
+           guide + radii + volume_bytes(scene, settings, eye_paths);
+}
+
+}  // namespace aips

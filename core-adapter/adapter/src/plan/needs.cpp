@@ -1,0 +1,139 @@
+// Analysis of what a scene needs.
+#include "plan/needs.h"
+
+#include <algorithm>
+
+#include "eye/eye_pass.h"
+#include "eye/light_choice.h"
+
+namespace aips {
+namespace {
+
+void skip(Needs& needs, std::string part, const std::string& reason) {
+    needs.skipped.push_back(std::move(part) + ": " + reason);
+}
+
+/// Why no photon could bring light; empty if one could.
+std::string why_no_photons(const Settings& settings, const Scene& scene, bool any_light) {
+    if (!any_light) return "no light emits";
+    if (!(scene.facts().lobes & receiving_lobes(settings)) && !scene.media()) {
+        return "no surface takes photons";
+    }
+    if (settings.direct_light_sampling && settings.max_photon_depth < 2) {
+        return "shadow rays carry all light at this photon depth";
+    }
+    return {};
+}
+
+void drop_guide(Needs& needs, const std::string& reason) {
+    needs.settings.guide = GuideKind::None;
+    skip(needs, "guide", reason);
+}
+
+/// Nothing that waits for photons is set up.
+void drop_photons(Needs& needs, const std::string& reason) {
+    needs.photons = false;
+    needs.settings.photon_sampler = PhotonSampler::Sequence;
+    needs.settings.radius = RadiusKind::Schedule;
+    skip(needs, "photon pass", reason);
+}
+
+/// Parts of guide=adaptive that nothing would ever ask.
+void drop_adaptive_parts(Needs& needs, const SceneFacts& facts) {
+    Settings& s = needs.settings;
+    const bool bounce = s.max_photon_depth > 1;
+    if (s.guide_survival && !bounce) {
+        s.guide_survival = false;
+        skip(needs, "survival by score", "no photon goes on at this photon depth");
+    }
+    if (s.guide_bounces && !(bounce && (facts.lobes & kDiffuse))) {
+        s.guide_bounces = false;
+        skip(needs, "guided bounces",
+             bounce ? "no surface is diffuse" : "no photon goes on at this photon depth");
+    }
+}
+
+/// A choice among lights is worth learning where there is one and each pass looks anew.
+void drop_learned_lights(Needs& needs, std::size_t living, const SceneFacts& facts) {
+    Settings& s = needs.settings;
+    if (!s.learn_lights) return;
+    std::string reason;
+    if (!s.direct_light_sampling) {
+        reason = "no shadow rays";
+    } else if (living < 2) {
+        reason = "nothing to choose from";
+    } else if (freezes_eye_pass(s.mode)) {
+        reason = "shadow rays belong to one pass";
+    } else if (!(facts.lobes & kNonSpecular)) {
+        reason = "no surface that asks for lights";
+    }
+    if (reason.empty()) return;
+    s.learn_lights = false;
+    skip(needs, "learned choice of lights", reason);
+}
+
+void drop_guides(Needs& needs, const SceneFacts& facts) {
+    const Settings& s = needs.settings;
+    if (s.guide == GuideKind::None) {
+        skip(needs, "guide", "not asked for");
+    } else if (!needs.photons) {
+        drop_guide(needs, "no photons to guide");
+    } else if (s.guide == GuideKind::Adaptive) {
+        drop_adaptive_parts(needs, facts);
+    } else if (s.max_photon_depth < 2) {
+        drop_guide(needs, "no photon goes on at this photon depth");
+    }
+}
+
+/// Parts that know of light on surfaces alone, and would lead photons past media that scatter.
+void drop_parts_for_surfaces(Needs& needs, const SceneFacts& facts) {
+    Settings& s = needs.settings;
+    if (s.photon_sampler == PhotonSampler::AdaptiveChains) {
+        s.photon_sampler = PhotonSampler::Sequence;
+        skip(needs, "photonsampler amc", "its chains do not know which photons are seen in media");
+    }
+    if (s.guide == GuideKind::Adaptive && s.guide_chains) {
+        s.guide_chains = false;
+        skip(needs, "Markov chains", "they do not know which photons are seen in media");
+    }
+    if (s.guide == GuideKind::Adaptive && s.guide_survival) {
+        s.guide_survival = false;
+        skip(needs, "survival by score", "scores do not know what light in media is worth");
+    }
+    if (s.guide != GuideKind::None && !(facts.lobes & receiving_lobes(s))) {
+        drop_guide(needs, "no surface takes photons");
+    }
+}
+
+}  // namespace
+
+Needs analyse(const Scene& scene, const Settings& settings) {
+    Needs needs;
+    needs.settings = settings;
+    // Decided once, by what is asked for: parts that are left out below change no radius.
+    needs.settings.radius = adapts_radius(settings) ? RadiusKind::Adaptive : RadiusKind::Schedule;
+    const SceneFacts facts = scene.facts();
+    const auto lights = scene.lights();
+    const auto dead = std::size_t(std::count_if(lights.begin(), lights.end(),
+                                                [](const Light* light) { return !emits(*light); }));
+    const std::string reason = why_no_photons(settings, scene, dead < lights.size());
+    if (!reason.empty()) drop_photons(needs, reason);
+    if (dead > 0) {
+        skip(needs, std::to_string(dead) + (dead == 1 ? " light" : " lights"),
+             "no power, so neither photons nor shadow rays go there");
+    }
+    if (needs.photons && settings.direct_light_sampling) {
+        skip(needs, "direct photons", "shadow rays carry direct light");
+    }
+    drop_learned_lights(needs, lights.size() - dead, facts);
+    if (scene.media()) drop_parts_for_surfaces(needs, facts);
+    drop_guides(needs, facts);
+    if (!facts.has_media) {
+        skip(needs, "media", "none in the scene");
+    } else if (!scene.media()) {
+        skip(needs, "light scattered by media", "none of them scatters");
+    }
+    return needs;
+}
+
+}  // namespace aips

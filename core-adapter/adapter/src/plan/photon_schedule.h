@@ -1,0 +1,71 @@
+// How many photon paths each pass shoots, and what they weigh in the image.
+//
+// An eye path and the photons that it gathers cost time, and both are noise: with A the variance
+// that eye paths leave and B that of a single photon path, a pass of N photon paths has a variance
+// of A + B / N and costs a + b N. Variance times cost is least at N = sqrt(a B / (b A)).
+//
+// The photons' part of the image is a mean over passes with weights that depend on a pass's number
+// alone, so what N follows does not change its expectation. The first passes, with numbers chosen
+// blindly, count for little.
+#pragma once
+
+#include <cstdint>
+
+#include "aips/adapter/settings.h"
+#include "aips/core/base/state_archive.h"
+#include "estimate/pass_photons.h"
+#include "worth/pass_noise.h"
+
+namespace aips {
+
+/// Work of a pass, counted and not measured: bits do not depend on clocks. Any unit.
+struct PassWork {
+    double eye = 0;  ///< independent of the number of photons
+    /// Proportional to it; what a guide learns from, a part of it, becomes less with time.
+    double photons = 0;
+};
+
+/// Whether the photons per pass follow the noise that passes tell.
+bool follows_noise(const Settings& settings);
+
+class PhotonSchedule {
+  public:
+    /// `shoots`: photons are needed at all; `learns`: the first photon paths count for less
+    /// (learning_weight.h); `chains`: they come from Markov chains in a guide's place, whose
+    /// landings come in clusters and do not tell their noise. Photons then take a fixed share of
+    /// the time.
+    PhotonSchedule(const Settings& settings, std::uint32_t eye_paths, bool shoots, bool learns,
+                   bool chains = false);
+
+    /// The pass that comes next.
+    const PassPhotons& next() const { return next_; }
+    /// Whether numbers follow what passes tell; `noise`, which end_pass() then wants to know, says
+    /// nothing of chains.
+    bool adapts() const { return adapts_; }
+    void end_pass(const PassWork& work, const PassNoise& noise);
+    /// Between passes: saves what is planned and what that rests on, or restores it into a new
+    /// schedule with the same settings.
+    void state(StateArchive& archive);
+
+  private:
+    void plan();
+    /// Photon paths that cost as much as a pass's eye paths; 0 if that is not known.
+    double even_paths() const;
+    /// What photons should cost over what the eye does.
+    double best_ratio() const;
+    std::uint32_t best_paths() const;
+
+    bool adapts_, learns_, chains_;
+    std::uint32_t paths_;
+    double chosen_weight_;  // of passes after the first choice
+    std::uint64_t pass_ = 0;
+    std::uint64_t decide_at_;  // pass before which the number is chosen next
+    bool decided_ = false;
+    PassPhotons next_;
+    // Since the last choice; at first, of the second half of all passes.
+    PassWork work_;
+    PassNoise noise_;
+    std::uint64_t shot_ = 0;
+};
+
+}  // namespace aips

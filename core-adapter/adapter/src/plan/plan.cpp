@@ -1,0 +1,83 @@
+// What runs in a render.
+#include "plan/plan.h"
+
+#include "plan/photon_schedule.h"
+#include "radii/radius_policy.h"
+
+namespace aips {
+namespace {
+
+std::string eye_paths_of(const Plan& plan) {
+    return freezes_eye_pass(plan.settings().mode) ? "eye paths of one pass, kept"
+                                                  : "new eye paths in each pass";
+}
+
+std::string photon_paths_of(const Plan& plan) {
+    if (!plan.needs.photons) return "no photons";
+    if (plan.chains_for_guide() || plan.settings().photon_sampler == PhotonSampler::AdaptiveChains)
+        return "photon paths of Markov chains";
+    switch (plan.guide()) {
+        case GuideKind::None:
+            return "unguided photon paths";
+        case GuideKind::Paper:
+            return "photon paths guided by errors (Liu and Zheng 2014)";
+        case GuideKind::Adaptive:
+            return plan.looks_first() ? "photon paths guided by their worth, after a first look"
+                                      : "photon paths guided by their worth";
+    }
+    return {};
+}
+
+std::string radii_of(const Plan& plan) {
+    if (plan.settings().mode == Mode::Ppm) return "radii by the photons of each visible point";
+    if (plan.settings().mode == Mode::PhotonMap) return "one radius, fixed";
+    return adapts_radius(plan.settings()) ? "radii by noise and bias"
+                                          : "one radius, by the photons shot";
+}
+
+}  // namespace
+
+GuideKind Plan::guide() const {
+    const bool left_out = settings().guide == GuideKind::Adaptive && way != PhotonWay::Guided;
+    return left_out ? GuideKind::None : settings().guide;
+}
+
+bool Plan::looks_first() const {
+    return needs.photons && learns() && settings().guide_scout && !media;
+}
+
+bool Plan::measures_noise() const {
+    // Landings of chains come in clusters, whose noise their squares do not tell.
+    return needs.photons && follows_noise(settings()) && !chains_for_guide();
+}
+
+Settings Plan::radius_settings() const {
+    Settings radii = settings();
+    const bool automatic = !(radii.start_radius > 0);
+    if (automatic && chains_for_guide()) radii.start_radius = kChainAutomaticRadius;
+    return radii;
+}
+
+void Plan::state(StateArchive& archive) {
+    archive.value(way);
+    const bool may_be_left_out = settings().guide == GuideKind::Adaptive && settings().guide_scout;
+    const bool asked_for = may_be_left_out && (!chains_for_guide() || settings().guide_chains);
+    StateArchive::check(way <= PhotonWay::Chains && (way == PhotonWay::Guided || asked_for),
+                        "a guide left out that was not asked for");
+}
+
+Plan make_plan(const Scene& scene, const Settings& settings) {
+    Plan plan;
+    plan.needs = analyse(scene, settings);
+    plan.media = scene.media() != nullptr;
+    return plan;
+}
+
+std::string describe(const Plan& plan) {
+    std::string text = eye_paths_of(plan) + "; " + photon_paths_of(plan);
+    if (!plan.needs.photons) return text;
+    text += plan.measures_noise() ? ", as many a pass as their noise asks for" : "";
+    return text + "; " + radii_of(plan);
+}
+
+}  // namespace aips

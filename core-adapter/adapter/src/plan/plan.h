@@ -1,0 +1,47 @@
+// What runs in a render, as one value: what the scene needs of what the settings ask for, and what
+// a first look at the photons made of it. Whoever builds a part of the engine asks here, and nobody
+// else decides.
+#pragma once
+
+#include <string>
+
+#include "plan/guide_scout.h"
+#include "plan/needs.h"
+
+namespace aips {
+
+struct Plan {
+    Needs needs;
+    /// What takes photons through the scene if the guide is the adaptive one; Guided until
+    /// the first look.
+    PhotonWay way = PhotonWay::Guided;
+    bool media = false;  ///< some medium of the scene scatters
+
+    /// As asked for, without what the scene does not need.
+    const Settings& settings() const { return needs.settings; }
+    /// What guides photons: the settings' guide, unless the first look left it out.
+    GuideKind guide() const;
+    /// Whether photon paths come from Markov chains in the guide's place.
+    bool chains_for_guide() const { return way == PhotonWay::Chains; }
+    /// Whether a guide learns that lessens the weight of the first photon paths.
+    bool learns() const { return guide() == GuideKind::Adaptive; }
+    /// Whether photons are looked at before the first pass shoots any. In media scores know
+    /// surfaces alone, and so would the counts.
+    bool looks_first() const;
+    /// Whether the photons per pass follow the noise that passes tell.
+    bool measures_noise() const;
+    /// Settings of the radius policy.
+    Settings radius_settings() const;
+
+    /// Between passes: saves what was decided since the start, or restores it. Throws StateError
+    /// for a decision that these settings do not allow.
+    void state(StateArchive& archive);
+};
+
+/// Before any ray is traced.
+Plan make_plan(const Scene& scene, const Settings& settings);
+
+/// One line for the log: eye paths, photon paths, guide, photons per pass, radii.
+std::string describe(const Plan& plan);
+
+}  // namespace aips

@@ -1,0 +1,88 @@
+// Messages on what is left out.
+#include "plan/skip_log.h"
+
+#include <cmath>
+#include <iomanip>
+#include <locale>
+#include <sstream>
+
+namespace aips {
+namespace {
+
+/// Photon paths after which it is said what the adaptive guide prunes.
+constexpr std::uint64_t kPruningPaths = 1'000'000;
+
+std::string percent(double share) {
+    return std::to_string(std::lround(100 * share)) + " %";
+}
+
+std::string two_decimals(double value) {
+    std::ostringstream text;
+    text.imbue(std::locale::classic());
+    text << std::fixed << std::setprecision(2) << value;
+    return text.str();
+}
+
+}  // namespace
+
+void log_skipped(const Needs& needs, Log& log) {
+    for (const std::string& skipped : needs.skipped)
+        log.info("skipped " + skipped);
+}
+
+void SkipLog::no_visible_points(bool for_good) {
+    if (said_no_points_) return;
+    said_no_points_ = true;
+    log_->info(for_good ? "skipped photon passes: no eye path met a surface that takes photons"
+                        : "skipped photons of a pass: no eye path met a surface that takes them; "
+                          "so in each pass where none does");
+}
+
+void SkipLog::left_out_guide(PhotonWay way, const SeenPaths& seen) {
+    if (way == PhotonWay::Chains) {
+        log_->info("skipped the guide: Markov chains take its place, as one photon path in " +
+                   std::to_string(std::lround(1 / seen.seen_share())) + " is seen without it");
+        return;
+    }
+    log_->info("skipped the guide: " + percent(seen.near_share()) +
+               " of the photon paths come near what is seen without it");
+}
+
+void SkipLog::say_switch(bool off, bool& was_off, const std::string& part, double gain) {
+    if (off == was_off) return;
+    was_off = off;
+    log_->info(off ? "skipped " + part + " for now: too little is gained, " + two_decimals(gain)
+                   : part + " is back: it gains " + two_decimals(gain));
+}
+
+void SkipLog::after_pass(const AdaptiveGuide* guide, const PhotonCounts& photons) {
+    if (!guide) return;
+    const EmissionGuide& emission = guide->emission_guide();
+    say_switch(emission.switched_off(), emission_off_, "guided emission", emission.gain());
+    say_switch(guide->survival_switched_off(), survival_off_, "survival by score",
+               guide->survival_gain());
+    if (guide->seeding_given_up() && !said_no_seeds_) {
+        said_no_seeds_ = true;
+        log_->info("skipped eye seeding from here on: no walk found where a light emits to it");
+    }
+    if (guide->resting() != resting_) {
+        resting_ = guide->resting();
+        if (resting_)
+            log_->info("skipped the guide's learning, but for trials: no part of it pays");
+    }
+    if (photons.paths >= kPruningPaths && !said_pruned_) {
+        said_pruned_ = true;
+        log_->info("pruned: " + percent(emission.starved_share(kPrunedDensity)) +
+                   " of what lights emit gets under a quarter of its photons, " +
+                   percent(double(photons.pruned) / double(photons.paths)) +
+                   " of the photon paths were ended by their score");
+    }
+}
+
+void SkipLog::state(StateArchive& archive) {
+    for (bool* said : {&said_no_points_, &said_no_seeds_, &said_pruned_, &emission_off_,
+                       &survival_off_, &resting_})
+        archive.value(*said);
+}
+
+}  // namespace aips

@@ -1,0 +1,44 @@
+// Tells the log what is left out, and why: at the start, and when passes show more.
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "aips/adapter/camera.h"
+#include "guides/adaptive/adaptive_guide.h"
+#include "photons/photon_path.h"
+#include "plan/guide_scout.h"
+#include "plan/needs.h"
+
+namespace aips {
+
+/// Starts whose photons the emission guide has thinned to less than this share count as pruned.
+inline constexpr double kPrunedDensity = 0.25;
+
+/// What the analysis of the scene left out.
+void log_skipped(const Needs& needs, Log& log);
+
+/// Says each thing once; parts of a guide, which are switched off and on, at each change.
+class SkipLog {
+  public:
+    /// `log` outlives this.
+    explicit SkipLog(Log& log) : log_(&log) {}
+
+    /// A pass shot no photons, for lack of visible points; `for_good` if all passes see the same.
+    void no_visible_points(bool for_good);
+    /// The adaptive guide is left out for `way`, as so many unguided photon paths are seen.
+    void left_out_guide(PhotonWay way, const SeenPaths& seen);
+    /// A pass has ended. `guide` is null but for guide=adaptive; `photons`: of all passes so far.
+    void after_pass(const AdaptiveGuide* guide, const PhotonCounts& photons);
+    /// Saves or restores what was said.
+    void state(StateArchive& archive);
+
+  private:
+    void say_switch(bool off, bool& was_off, const std::string& part, double gain);
+
+    Log* log_;
+    bool said_no_points_ = false, said_no_seeds_ = false, said_pruned_ = false;
+    bool emission_off_ = false, survival_off_ = false, resting_ = false;
+};
+
+}  // namespace aips

@@ -1,0 +1,35 @@
+// Gather of the probes.
+#include "radii/curvature_probes.h"
+
+#include <tbb/parallel_for.h>
+
+#include <cmath>
+
+#include "aips/core/sampling/sampling.h"
+
+namespace aips {
+namespace {
+
+void gather_probe(const VisiblePoint& point, const LandingGrid& grid, float radius,
+                  ProbeSums& sums) {
+    const Rgb weight = point.throughput * (point.bsdf ? kWhite : point.kd * kInvPi);
+    const float inverse = 1 / (radius * radius);
+    grid.for_each_in_radius(point.position, radius, [&](const GridPhoton& landing) {
+        const Rgb brought = contribution(point, landing, radius);
+        const auto value = double(luminance(weight * brought));
+        if (!(value > 0) || !std::isfinite(value)) return;
+        const float share = length_squared(landing.position - point.position) * inverse;
+        sums.add(value, double(share));
+    });
+}
+
+}  // namespace
+
+void gather_probes(const EyeImage& image, const LandingGrid& grid, const SearchRadii& radii,
+                   std::span<ProbeSums> sums) {
+    tbb::parallel_for(std::size_t{0}, radii.probes.size(), [&](std::size_t i) {
+        gather_probe(image.visible_points[radii.probes[i]], grid, radii.probe_radius, sums[i]);
+    });
+}
+
+}  // namespace aips

@@ -1,0 +1,31 @@
+// Radius of mode=progressive and mode=photonmap.
+#include "radii/scheduled_radius.h"
+
+#include "aips/core/radii/radius_schedule.h"
+
+namespace aips {
+namespace {
+
+/// Photon paths after which the radius schedule has made one step of Knaus & Zwicker (2011): a
+/// constant, so that methods with other numbers of photons per pass keep equal radii at equal work.
+constexpr double kReferencePaths = 1e6;
+
+}  // namespace
+
+float scheduled_radius(const Settings& settings, double initial, double paths_shot,
+                       double smallest) {
+    return knaus_zwicker_radius(initial, paths_shot, kReferencePaths, settings.alpha, smallest);
+}
+
+SearchRadii ScheduledRadius::before_pass(std::uint64_t /*pass*/, const PassPhotons& photons,
+                                         const EyeImage& image) {
+    if (!(initial_ > 0)) initial_ = initial_radius(settings_, image, floor_.least());
+    const float radius =
+        settings_.mode == Mode::PhotonMap
+            ? float(initial_)
+            : scheduled_radius(settings_, initial_, double(photons.before), floor_.least());
+    raise_to_floor(image, floor_, radius, radii_);
+    return radii_.empty() ? SearchRadii(radius) : SearchRadii(std::span<const float>(radii_));
+}
+
+}  // namespace aips

@@ -1,0 +1,26 @@
+// Surfaces met, checked.
+#include "refusal/meet_surface.h"
+
+namespace aips {
+
+bool meet_surface(const Scene& scene, const Ray& ray, SurfacePoint& point,
+                  std::pmr::memory_resource& memory, Refusals& refusals) {
+    const bool met = scene.intersect(ray, point, memory);
+    if (!refusals.accept(point.transmittance, kPassageOrigin)) point.transmittance = {};
+    if (!met) return false;
+    const bool is_place = is_finite(point.position) && is_finite(point.geometric_normal) &&
+                          is_finite(point.shading_normal) && std::isfinite(point.distance);
+    if (!is_place) {
+        refusals.count(point.material);
+        point.bsdf = nullptr;
+        point.light = kNoLight;
+    }
+    if (point.light == kNoLight) {
+        point.emitted = {};
+    } else if (!refusals.accept(point.emitted, refusals.of_light(point.light))) {
+        point.emitted = {};
+    }
+    return true;
+}
+
+}  // namespace aips

@@ -1,0 +1,15 @@
+// Where a ray meets a surface, with what no surface can be kept out.
+#pragma once
+
+#include "aips/adapter/scene.h"
+#include "refusal/refusals.h"
+
+namespace aips {
+
+/// Scene::intersect() for light that counts: a transmittance or an emitted radiance that is not
+/// finite or negative is counted against its origin and becomes black; a point without a place or
+/// normals that are numbers is counted against its material and absorbs everything.
+bool meet_surface(const Scene& scene, const Ray& ray, SurfacePoint& point,
+                  std::pmr::memory_resource& memory, Refusals& refusals);
+
+}  // namespace aips

@@ -1,0 +1,52 @@
+// The engine: a plan, the strategies that it asks for, and the loop over passes.
+#include "aips/adapter/engine.h"
+
+#include "eye/eye_source.h"
+#include "plan/plan.h"
+#include "plan/skip_log.h"
+#include "render/pass_loop.h"
+#include "strategies/light_strategy.h"
+
+namespace aips {
+
+class Engine::State {
+  public:
+    State(const Host& host, const Settings& settings)
+        : plan_(make_plan(host.scene, settings)), loop_(make_loop(host)) {
+        host.log.info("engine: " + describe(settings));
+        host.log.info("plan: " + describe(plan_));
+        host.log.info("engine memory: at most " +
+                      std::to_string((loop_.statistics().memory_bound_bytes >> 20) + 1) + " MiB");
+        log_skipped(plan_.needs, host.log);
+    }
+
+    PassLoop& loop() { return loop_; }
+
+  private:
+    PassLoop make_loop(const Host& host) {
+        const std::uint32_t eye_paths = eye_paths_per_pass(
+            plan_.settings(), std::uint64_t{host.film.width()} * host.film.height());
+        return {host, plan_.settings(), eye_paths, plan_.needs.photons,
+                make_strategies(host, plan_, eye_paths)};
+    }
+
+    Plan plan_;
+    PassLoop loop_;
+};
+
+Engine::Engine(const Host& host, const Settings& settings) {
+    validate(settings);
+    state_ = std::make_unique<State>(host, settings);
+}
+Engine::~Engine() = default;
+PassReport Engine::render_pass(std::uint64_t pass) {
+    return state_->loop().render_pass(pass);
+}
+EngineStatistics Engine::statistics() const {
+    return state_->loop().statistics();
+}
+void Engine::state(StateArchive& archive) {
+    state_->loop().state(archive);
+}
+
+}  // namespace aips

@@ -1,0 +1,120 @@
+// The pass loop.
+#include "render/pass_loop.h"
+
+#include <stdexcept>
+
+#include "base/stopwatch.h"
+#include "plan/memory_bound.h"
+#include "render/precision_warning.h"
+#include "render/same_render.h"
+
+namespace aips {
+
+PassLoop::PassLoop(const Host& host, const Settings& settings, std::uint32_t eye_paths,
+                   bool needs_points, LightStrategies strategies)
+    : host_(host),
+      settings_(settings),
+      eye_paths_(eye_paths),
+      direct_light_(host.scene, settings.learn_lights),
+      refusals_(host.scene),
+      eye_(make_eye_source({host_.scene, host_.camera, host_.sampler, direct_light_, settings_,
+                            host.film.width(), host.film.height(), eye_paths, needs_points})),
+      strategies_(std::move(strategies)) {
+    statistics_.memory_bound_bytes = eye_memory_bound(host.scene, settings, eye_paths);
+    for (const auto& strategy : strategies_)
+        statistics_.memory_bound_bytes += strategy->memory_bound_bytes();
+    refuse_powers();
+}
+
+PassReport PassLoop::render_pass(std::uint64_t number) {
+    PassReport report;
+    report.eye_paths = trace_eye_paths(number);
+    if (number == 0) warn_of_lost_precision(image_, host_.log);
+    const std::uint64_t eye_rays = report.eye_paths ? image_.rays : 0;
+    report.rays = eye_rays;
+    const StrategyPass pass{number,           eye_->time(number), image_,
+                            report.eye_paths, eye_rays,           refusals_};
+    FilmPass film_pass{
+        .positions = image_.positions, .groups = image_.groups, .eye = image_.radiance};
+    for (const auto& strategy : strategies_)
+        add_light(strategy->carry(pass, report), film_pass);
+    host_.film.add_pass(film_pass);
+    for (const auto& strategy : strategies_)
+        strategy->end_pass(pass, film_pass, report);
+    if (report.eye_paths) {
+        direct_light_.learn(image_.light_samples, light_samples_due(report.eye_paths), number + 1);
+    }
+    count(report, eye_rays);
+    return report;
+}
+
+std::uint32_t PassLoop::trace_eye_paths(std::uint64_t pass) {
+    const Stopwatch watch(statistics_.eye_seconds);
+    return eye_->look(pass, refusals_, image_);
+}
+
+void PassLoop::add_light(const CarriedLight& light, FilmPass& film_pass) {
+    if (light.radiance.empty()) return;
+    if (light.mean == PassMean::Weighted) {
+        if (!film_pass.photons.empty())
+            throw std::logic_error("two strategies weigh their passes; the film has one such mean");
+        film_pass.photons = light.radiance;
+        film_pass.photon_weight = light.weight;
+        return;
+    }
+    if (film_pass.eye.data() != eye_radiance_.data()) {
+        eye_radiance_.assign(film_pass.eye.begin(), film_pass.eye.end());
+        film_pass.eye = eye_radiance_;
+    }
+    for (std::size_t i = 0; i < light.radiance.size(); ++i)
+        eye_radiance_[i] += light.radiance[i];
+}
+
+void PassLoop::count(const PassReport& report, std::uint64_t eye_rays) {
+    ++statistics_.passes;
+    statistics_.eye_paths += report.eye_paths;
+    statistics_.eye_rays += eye_rays;
+    statistics_.radius = report.radius;
+}
+
+/// Lights that nothing is ever asked of, as what they say of their power is none.
+void PassLoop::refuse_powers() {
+    const auto lights = host_.scene.lights();
+    for (LightIndex i = 0; i < lights.size(); ++i)
+        refusals_.accept_density(lights[i]->power(), refusals_.of_light(i));
+}
+
+EngineStatistics PassLoop::statistics() const {
+    EngineStatistics s = statistics_;
+    for (const auto& strategy : strategies_)
+        strategy->add_to(s);
+    s.memory_bytes = memory_bytes();
+    s.refused = refusals_.by_origin();
+    return s;
+}
+
+std::size_t PassLoop::memory_bytes() const {
+    std::size_t bytes = image_.memory_bytes() + eye_radiance_.capacity() * sizeof(Rgb) +
+                        direct_light_.memory_bytes();
+    for (const auto& strategy : strategies_)
+        bytes += strategy->memory_bytes();
+    return bytes;
+}
+
+void PassLoop::state(StateArchive& archive) {
+    state_of_identity(archive, host_, settings_, eye_paths_);
+    for (std::uint64_t* count :
+         {&statistics_.passes, &statistics_.eye_paths, &statistics_.eye_rays})
+        archive.value(*count);
+    archive.amount(statistics_.radius);
+    refusals_.state(archive);
+    direct_light_.state(archive);
+    if (archive.restoring()) eye_->restore(statistics_.passes, image_);
+    for (const auto& strategy : strategies_)
+        strategy->state(archive, image_);
+    for (const auto& strategy : strategies_)
+        strategy->state_of_seconds(archive);
+    archive.amount(statistics_.eye_seconds);
+}
+
+}  // namespace aips

@@ -1,0 +1,47 @@
+// The pass loop: eye paths, what each strategy carries to them, film; then all learn from the pass.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "aips/adapter/engine.h"
+#include "eye/direct_light.h"
+#include "eye/eye_source.h"
+#include "refusal/refusals.h"
+#include "strategies/light_strategy.h"
+
+namespace aips {
+
+class PassLoop {
+  public:
+    /// The host's parts and `settings` outlive it. `needs_points`: some strategy carries light to
+    /// visible points.
+    PassLoop(const Host& host, const Settings& settings, std::uint32_t eye_paths, bool needs_points,
+             LightStrategies strategies);
+
+    /// As those of Engine.
+    PassReport render_pass(std::uint64_t pass);
+    EngineStatistics statistics() const;
+    void state(StateArchive& archive);
+
+  private:
+    std::uint32_t trace_eye_paths(std::uint64_t pass);
+    void add_light(const CarriedLight& light, FilmPass& film_pass);
+    void count(const PassReport& report, std::uint64_t eye_rays);
+    void refuse_powers();
+    std::size_t memory_bytes() const;
+
+    Host host_;
+    const Settings& settings_;
+    std::uint32_t eye_paths_;
+    DirectLight direct_light_;
+    Refusals refusals_;
+    std::unique_ptr<EyeSource> eye_;
+    LightStrategies strategies_;
+    EyeImage image_;
+    std::vector<Rgb> eye_radiance_;  // of eye paths and strategies together, if some add to it
+    EngineStatistics statistics_;
+};
+
+}  // namespace aips

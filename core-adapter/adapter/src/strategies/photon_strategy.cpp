@@ -1,0 +1,178 @@
+// Light by photons.
+#include "strategies/photon_strategy.h"
+
+#include "base/stopwatch.h"
+#include "guides/paper/paper_guide.h"
+#include "plan/memory_bound.h"
+#include "plan/pass_work.h"
+#include "strategies/photon_statistics.h"
+
+namespace aips {
+namespace {
+
+std::unique_ptr<Guide> make_guide(const Scene& scene, const Plan& plan) {
+    if (plan.guide() != GuideKind::Paper) return nullptr;
+    return std::make_unique<PaperGuide>(scene.bounds(), plan.settings());
+}
+
+}  // namespace
+
+PhotonStrategy::PhotonStrategy(const Host& host, Plan& plan, std::uint32_t eye_paths)
+    : scene_(host.scene),
+      film_(host.film),
+      plan_(plan),
+      settings_(plan.settings()),
+      eye_paths_(eye_paths),
+      skip_log_(host.log),
+      guide_(make_guide(host.scene, plan)),
+      schedule_(make_schedule()),
+      importance_(make_importance()),
+      photon_pass_(host.scene, settings_, guide_.get(), importance_ ? &*importance_ : nullptr),
+      radius_policy_(make_radii()) {
+    if (plan.measures_noise()) noise_.emplace(film_.width(), film_.height());
+    if (settings_.debug_layers) layers_.emplace(film_, guide_.get());
+}
+
+PhotonSchedule PhotonStrategy::make_schedule() const {
+    return {settings_, eye_paths_, plan_.needs.photons, plan_.learns(), plan_.chains_for_guide()};
+}
+
+std::unique_ptr<RadiusPolicy> PhotonStrategy::make_radii() const {
+    return make_radius_policy(plan_.radius_settings(), scene_, film_.width(), film_.height());
+}
+
+std::optional<PixelImportance> PhotonStrategy::make_importance() const {
+    const bool scores = guide_ && guide_->needs_scores();
+    if (!plan_.learns() && !plan_.measures_noise() && !scores) return {};
+    return PixelImportance(film_.width(), film_.height());
+}
+
+/// Before the first photon path.
+void PhotonStrategy::look_first(const StrategyPass& pass) {
+    if (!plan_.looks_first()) return;
+    const Stopwatch watch(plan_seconds_);
+    const double radius = initial_radius(settings_, pass.image, smallest_radius(scene_));
+    const SeenPaths seen =
+        scout_photons(scene_, settings_, pass.time, pass.image, static_cast<float>(radius));
+    take_way(photon_way(settings_, seen));
+    if (plan_.way != PhotonWay::Guided) skip_log_.left_out_guide(plan_.way, seen);
+}
+
+void PhotonStrategy::take_way(PhotonWay way) {
+    plan_.way = way;
+    if (way == PhotonWay::Guided) return;
+    photon_pass_.leave_out_guide(plan_.chains_for_guide());
+    schedule_ = make_schedule();
+    importance_ = make_importance();
+    radius_policy_ = make_radii();
+    if (!plan_.measures_noise()) noise_.reset();
+}
+
+CarriedLight PhotonStrategy::carry(const StrategyPass& pass, PassReport& report) {
+    const EyeImage& image = pass.image;
+    if (pass.number == 0 && !image.visible_points.empty()) look_first(pass);
+    before_ = photon_pass_.totals();
+    radii_ = {};
+    const PassPhotons photons = schedule_.next();
+    if (!plan_.needs.photons || (image.visible_points.empty() && image.beams.empty())) {
+        flux_.reset(image.visible_points.size(), image.groups);
+        if (plan_.needs.photons) {
+            skip_log_.no_visible_points(freezes_eye_pass(settings_.mode));
+            radiance_.assign(image.radiance.size(), Rgb{});
+        }
+    } else {
+        shoot(pass, photons, report);
+    }
+    return {radiance_, PassMean::Weighted, photons.weight};
+}
+
+void PhotonStrategy::shoot(const StrategyPass& pass, const PassPhotons& photons,
+                           PassReport& report) {
+    const EyeImage& image = pass.image;
+    const bool any_points = !image.visible_points.empty();
+    if (any_points) radii_ = radius_policy_->before_pass(pass.number, photons, image);
+    photon_pass_.shoot(pass.number, photons, pass.time, image, radii_, pass.refusals, flux_);
+    photon_pass_.estimate(image, flux_, radii_, photons.paths, pass.refusals, radiance_,
+                          noise_ ? &variances_ : nullptr);
+    if (any_points) radius_policy_->after_pass(flux_);
+    report.radius = radii_.mean;
+    report.photon_paths += photons.paths;
+    report.rays += photon_pass_.totals().counts.rays - before_.counts.rays;
+}
+
+void PhotonStrategy::end_pass(const StrategyPass& pass, const FilmPass& film_pass,
+                              const PassReport& report) {
+    if (layers_) layers_->add_pass(pass.image, flux_, radii_, film_pass, photon_pass_.bounces());
+    const PassNoise noise = learn_noise(pass.image, report.photon_paths);
+    const PhotonPassTotals& after = photon_pass_.totals();
+    schedule_.end_pass(pass_work(pass.eye_paths, pass.eye_rays, before_, after), noise);
+    skip_log_.after_pass(photon_pass_.adaptive(), after.counts);
+}
+
+/// The pass's image is known.
+PassNoise PhotonStrategy::learn_noise(const EyeImage& image, std::uint64_t photon_paths) {
+    PassNoise noise;
+    if (!importance_ || photon_paths == 0) return noise;
+    const Stopwatch watch(plan_seconds_);
+    pixel_luminances(image, radiance_, film_.width(), film_.height(), seen_);
+    if (noise_) noise = noise_->add_pass(seen_, variances_, photon_paths, *importance_);
+    importance_->add_pass(seen_);
+    return noise;
+}
+
+void PhotonStrategy::state(StateArchive& archive, const EyeImage& image) {
+    skip_log_.state(archive);
+    plan_.state(archive);
+    if (archive.restoring()) take_way(plan_.way);
+    schedule_.state(archive);
+    if (guide_) guide_->state(archive);
+    if (importance_) importance_->state(archive);
+    if (noise_) noise_->state(archive);
+    photon_pass_.state(archive);
+    radius_policy_->state(archive, image);
+    if (layers_) layers_->state(archive);
+}
+
+void PhotonStrategy::state_of_seconds(StateArchive& archive) {
+    photon_pass_.state_of_seconds(archive);
+    archive.amount(plan_seconds_);
+}
+
+void PhotonStrategy::add_to(EngineStatistics& s) const {
+    add_photons(photon_pass_.totals(), s);
+    s.photons_per_pass = schedule_.next().paths;
+    s.plan_seconds += plan_seconds_;
+    if (const PhotonChains* chains = photon_pass_.chains()) add_chains(*chains, s);
+    if (guide_) {
+        s.guide_nodes = guide_->statistics().nodes;
+        s.guide_bytes = guide_->statistics().memory_bytes;
+    }
+    if (const AdaptiveGuide* adaptive = photon_pass_.adaptive()) {
+        add_guide(*adaptive, s);
+        s.pruned_paths = photon_pass_.totals().counts.pruned;
+    }
+}
+
+std::size_t PhotonStrategy::memory_bytes() const {
+    return flux_.memory_bytes() + radiance_.capacity() * sizeof(Rgb) +
+           variances_.capacity() * sizeof(float) + seen_.capacity() * sizeof(PixelLuminance) +
+           photon_pass_.memory_bytes() + radius_policy_->memory_bytes() +
+           (guide_ ? guide_->statistics().memory_bytes : 0) +
+           (importance_ ? importance_->memory_bytes() : 0) + (noise_ ? noise_->memory_bytes() : 0) +
+           (layers_ ? layers_->memory_bytes() : 0);
+}
+
+std::size_t PhotonStrategy::memory_bound_bytes() const {
+    const std::size_t photons = photon_memory_bound(scene_, plan_.needs, eye_paths_, pixels());
+    if (!layers_) return photons;
+    return photons +
+           DebugLayers::memory_bound_bytes(pixels(), eye_paths_, guide_ ? settings_.max_nodes : 0);
+}
+
+LightStrategies make_strategies(const Host& host, Plan& plan, std::uint32_t eye_paths) {
+    LightStrategies strategies;
+    strategies.push_back(std::make_unique<PhotonStrategy>(host, plan, eye_paths));
+    return strategies;
+}
+
+}  // namespace aips

@@ -1,0 +1,67 @@
+// Light by photons: what a plan says of them, put together. Photon paths are shot onto the visible
+// points of a pass and gathered there; noise, importance of pixels, radii and guides learn from it.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "layers/debug_layers.h"
+#include "photons/photon_pass.h"
+#include "plan/photon_schedule.h"
+#include "plan/skip_log.h"
+#include "radii/radius_policy.h"
+#include "strategies/light_strategy.h"
+#include "worth/pass_noise.h"
+#include "worth/pixel_importance.h"
+#include "worth/pixel_luminance.h"
+
+namespace aips {
+
+class PhotonStrategy : public LightStrategy {
+  public:
+    /// The host's parts and `plan` outlive it.
+    PhotonStrategy(const Host& host, Plan& plan, std::uint32_t eye_paths);
+
+    CarriedLight carry(const StrategyPass& pass, PassReport& report) override;
+    void end_pass(const StrategyPass& pass, const FilmPass& film_pass,
+                  const PassReport& report) override;
+    void state(StateArchive& archive, const EyeImage& image) override;
+    void state_of_seconds(StateArchive& archive) override;
+    void add_to(EngineStatistics& statistics) const override;
+    std::size_t memory_bytes() const override;
+    std::size_t memory_bound_bytes() const override;
+
+  private:
+    void look_first(const StrategyPass& pass);
+    void take_way(PhotonWay way);
+    PhotonSchedule make_schedule() const;
+    std::unique_ptr<RadiusPolicy> make_radii() const;
+    std::optional<PixelImportance> make_importance() const;
+    void shoot(const StrategyPass& pass, const PassPhotons& photons, PassReport& report);
+    PassNoise learn_noise(const EyeImage& image, std::uint64_t photon_paths);
+    std::size_t pixels() const { return std::size_t{film_.width()} * film_.height(); }
+
+    const Scene& scene_;
+    Film& film_;
+    Plan& plan_;
+    const Settings& settings_;  // without what the plan skips
+    std::uint32_t eye_paths_;
+    SkipLog skip_log_;
+    std::unique_ptr<Guide> guide_;
+    PhotonSchedule schedule_;
+    std::optional<PixelImportance> importance_;  // if something steers by it
+    std::optional<PassNoiseMeter> noise_;        // if the photons per pass follow it
+    PhotonPass photon_pass_;
+    std::unique_ptr<RadiusPolicy> radius_policy_;
+    SearchRadii radii_;  // of the last pass
+    PhotonFlux flux_;
+    PhotonPassTotals before_;           // the last pass
+    std::vector<Rgb> radiance_;         // [eye path * groups + group]; empty if none is needed
+    std::vector<float> variances_;      // [eye path]: of the luminance of that; with noise_
+    std::vector<PixelLuminance> seen_;  // in the last pass that something steers by
+    std::optional<DebugLayers> layers_;
+    double plan_seconds_ = 0;
+};
+
+}  // namespace aips

@@ -1,0 +1,49 @@
+// Scores of landings, in parallel.
+#include "worth/iteration_scores.h"
+
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
+#include "base/vector_growth.h"
+
+namespace aips {
+
+double IterationScores::begin_pass(const EyeImage& image, std::span<const Vec3> positions,
+                                   const SearchRadii& radii) {
+    const double mean_weight = importance_.weigh(image, weights_);
+    score_.build(image, positions, radii, weights_);
+    return mean_weight;
+}
+
+template <typename LandingOf>
+std::span<const double> IterationScores::score(std::size_t count, const LandingOf& landing) {
+    scores_.resize(count);
+    using Range = tbb::blocked_range<std::size_t>;
+    tbb::parallel_for(Range(0, count, 128), [&](const Range& range) {
+        for (std::size_t i = range.begin(); i < range.end(); ++i)
+            scores_[i] = score_.score(landing(i));
+    });
+    return scores_;
+}
+
+std::span<const double> IterationScores::of(std::span<const Landing> landings) {
+    return score(landings.size(), [&](std::size_t i) -> const Landing& { return landings[i]; });
+}
+
+std::span<const double> IterationScores::of(std::span<const Landing> landings,
+                                            std::span<const std::uint32_t> numbers) {
+    return score(numbers.size(),
+                 [&](std::size_t i) -> const Landing& { return landings[numbers[i]]; });
+}
+
+std::size_t IterationScores::memory_bytes() const {
+    return score_.memory_bytes() + weights_.capacity() * sizeof(float) +
+           scores_.capacity() * sizeof(double);
+}
+
+std::size_t IterationScores::memory_bound_bytes(std::size_t eye_paths, std::size_t landings) {
+    return CellSort::memory_bound_bytes(eye_paths) + eye_paths * sizeof(float) +
+           kVectorGrowth * landings * sizeof(double);
+}
+
+}  // namespace aips

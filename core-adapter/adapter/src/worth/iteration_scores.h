@@ -1,0 +1,38 @@
+// What an iteration's landings were worth to the image, for the guides that learn from it.
+#pragma once
+
+#include "worth/landing_score.h"
+#include "worth/pixel_importance.h"
+
+namespace aips {
+
+class IterationScores {
+  public:
+    /// `importance` outlives this.
+    explicit IterationScores(const PixelImportance& importance) : importance_(importance) {}
+
+    /// A pass with these visible points begins; all but the positions stay until it ends. Returns
+    /// the mean weight, by which those in the scores were divided (PixelImportance::weigh).
+    double begin_pass(const EyeImage& image, std::span<const Vec3> positions,
+                      const SearchRadii& radii);
+    /// One score for each landing, valid until the next call.
+    std::span<const double> of(std::span<const Landing> landings);
+    /// The same of landings with these numbers alone.
+    std::span<const double> of(std::span<const Landing> landings,
+                               std::span<const std::uint32_t> numbers);
+
+    std::size_t memory_bytes() const;
+    /// Upper bound of memory_bytes() with at most so many landings in an iteration.
+    static std::size_t memory_bound_bytes(std::size_t eye_paths, std::size_t landings);
+
+  private:
+    template <typename LandingOf>
+    std::span<const double> score(std::size_t count, const LandingOf& landing);
+
+    const PixelImportance& importance_;
+    LandingScore score_;
+    std::vector<float> weights_;  // [visible point]
+    std::vector<double> scores_;  // of the last call
+};
+
+}  // namespace aips

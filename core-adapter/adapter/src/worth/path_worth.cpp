@@ -1,0 +1,73 @@
+// Sums over what came after a path's vertices.
+#include "worth/path_worth.h"
+
+#include <algorithm>
+
+#include "base/parallel_for.h"
+#include "base/vector_growth.h"
+
+namespace aips {
+namespace {
+
+constexpr std::size_t kPathsPerJob = 256;
+
+}  // namespace
+
+void PathWorths::measure(const PathLog& log, std::span<const Landing> landings,
+                         std::span<const double> scores) {
+    scores_ = scores;
+    first_score_.clear();
+    std::uint32_t first = 0;
+    for (const PathRecord& path : log.paths) {
+        first_score_.push_back(first);
+        first += path.landings;
+    }
+    paths_.resize(log.paths.size());
+    vertices_.resize(log.vertices.size());
+    in_chunks(paths_.size(), kPathsPerJob, tbb_for, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t path = begin; path < end; ++path)
+            measure_path(log, path, landings);
+    });
+}
+
+// From the path's end to its start, summing what came after.
+void PathWorths::measure_path(const PathLog& log, std::size_t number,
+                              std::span<const Landing> landings) {
+    const PathRecord& path = log.paths[number];
+    const std::span landed_scores = scores(path, number);
+    double score = 0;
+    double landed = 0, rays = 0;
+    std::uint32_t last_rays = path.rays;
+    std::uint32_t l = path.landings;
+    const auto take_landings_after = [&](std::uint32_t depth) {
+        for (; l > 0 && landings[path.first_landing + l - 1].depth > depth; --l) {
+            score += landed_scores[l - 1];
+            landed += 1;
+        }
+    };
+    for (std::uint32_t v = path.vertices; v-- > 0;) {
+        const PathVertex& vertex = log.vertices[path.first_vertex + v];
+        take_landings_after(vertex.depth);
+        rays += last_rays - vertex.rays;
+        last_rays = vertex.rays;
+        vertices_[path.first_vertex + v] = {score, rays + kLandingCost * landed};
+        const double copies = std::max(1.0, double(vertex.survival.photons));
+        score *= copies;
+        rays *= copies;
+        landed *= copies;
+    }
+    take_landings_after(0);
+    rays += last_rays;
+    paths_[number] = {score, kEmissionCost + rays + kLandingCost * landed};
+}
+
+std::size_t PathWorths::memory_bytes() const {
+    return first_score_.capacity() * sizeof(std::uint32_t) +
+           (paths_.capacity() + vertices_.capacity()) * sizeof(Worth);
+}
+
+std::size_t PathWorths::memory_bound_bytes(std::size_t paths, std::size_t depth) {
+    return kVectorGrowth * paths * (sizeof(std::uint32_t) + (1 + depth) * sizeof(Worth));
+}
+
+}  // namespace aips

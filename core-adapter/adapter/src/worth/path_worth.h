@@ -1,0 +1,53 @@
+// What photon paths were worth, and cost, from each of their vertices on: the suffix score.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "aips/core/photon_map/landing.h"
+#include "worth/path_log.h"
+
+namespace aips {
+
+/// Cost of an emission, in rays: a little less than a bounce's.
+inline constexpr double kEmissionCost = 0.5;
+/// Cost of storing and gathering a landing, in rays: gather and grid take about a third of what
+/// tracing takes where landings are many (docs/design-notes.md).
+inline constexpr double kLandingCost = 0.3;
+
+struct Worth {
+    double score = 0;  ///< of all landings that came after
+    double cost = 0;   ///< in rays
+};
+
+/// Of one iteration's log.
+class PathWorths {
+  public:
+    /// `landings`: the store beside the log; `scores`: of the logged paths' landings, path after
+    /// path, which stay as they are as long as scores() is asked for.
+    void measure(const PathLog& log, std::span<const Landing> landings,
+                 std::span<const double> scores);
+
+    /// [path]: of the whole path.
+    std::span<const Worth> paths() const { return paths_; }
+    /// [vertex of the log]: of one of the photons that went on from there.
+    std::span<const Worth> vertices() const { return vertices_; }
+    /// [path]: its landings' scores.
+    std::span<const double> scores(const PathRecord& path, std::size_t number) const {
+        return scores_.subspan(first_score_[number], path.landings);
+    }
+
+    std::size_t memory_bytes() const;
+    /// Upper bound of memory_bytes() with so many paths of at most `depth` vertices.
+    static std::size_t memory_bound_bytes(std::size_t paths, std::size_t depth);
+
+  private:
+    void measure_path(const PathLog& log, std::size_t number, std::span<const Landing> landings);
+
+    std::span<const double> scores_;
+    std::vector<std::uint32_t> first_score_;  // [path]
+    std::vector<Worth> paths_, vertices_;
+};
+
+}  // namespace aips

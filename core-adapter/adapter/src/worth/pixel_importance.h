@@ -1,0 +1,61 @@
+// How much an error weighs in each pixel: 1 / (L^2 + eps^2), L being the pixel's luminance so far.
+//
+// A guide that minimises the relative squared error divides by L^2. The running estimate is
+// blurred, as single pixels are noisy for long; it only steers sampling, so that any error in it
+// costs variance and not truth. Sums are in double precision: of n eye paths in a pixel they are
+// off by n 2^-53 at most.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "eye/eye_pass.h"
+#include "worth/pixel_luminance.h"
+
+namespace aips {
+
+/// eps over the mean luminance: brighter pixels weigh by their relative error, darker ones nearly
+/// alike. With a fiftieth the few photons that the darkest get decide most of the scores, and the
+/// guide follows their noise for long (docs/design-notes.md).
+inline constexpr double kDarkestShare = 0.5;
+
+class PixelImportance {
+  public:
+    PixelImportance(std::uint32_t width, std::uint32_t height);
+
+    /// Adds a pass: what its eye paths saw.
+    void add_pass(std::span<const PixelLuminance> seen);
+
+    /// [visible point]: weight of a squared error of luminance there, over the mean of all, so that
+    /// scores of all passes have one scale, whatever the scene's units and however dark the image
+    /// was when they were given. Before the first pass all are kUnknownWeight. Returns the mean, by
+    /// which they were divided.
+    double weigh(const EyeImage& image, std::vector<float>& weights) const;
+
+    /// Weight of a squared error of luminance in the pixel of this number (film_pixel.h); 1 before
+    /// the first pass.
+    float weight(std::size_t pixel) const;
+
+    /// Saves what was added, or restores it into a new estimate for the same film.
+    void state(StateArchive& archive);
+
+    std::size_t memory_bytes() const;
+    static std::size_t memory_bound_bytes(std::size_t pixels);
+
+    /// Weight where nothing is known of the image: below the mean of 1, since those scores are for
+    /// no pixel in particular, and the next ones shall soon outweigh them.
+    static constexpr float kUnknownWeight = 0.1f;
+
+  private:
+    void estimate();
+    void blur();
+
+    std::uint32_t width_, height_;
+    std::vector<double> sum_, count_;      // [pixel]: of luminance, of eye paths
+    std::vector<float> blurred_;           // [pixel]: mean luminance
+    std::vector<double> column_, window_;  // [pixel]: scratch
+    double mean_ = 0;
+    std::uint64_t passes_ = 0;
+};
+
+}  // namespace aips

@@ -1,0 +1,30 @@
+// A landing: one stored arrival of a photon path at a surface.
+#pragma once
+
+#include <cstdint>
+
+#include "aips/core/base/rgb.h"
+#include "aips/core/base/vector.h"
+
+namespace aips {
+
+/// One arrival of a photon path, before it scatters.
+struct Landing {
+    Vec3 position;           ///< where it landed
+    Vec3 direction;          ///< unit, back to where the photon came from
+    Rgb power;               ///< watts, not divided by the number of photon paths
+    Vec3 previous;           ///< where the path last left a surface, or the light
+    Vec3 normal;             ///< unit geometric normal of the surface, of either side
+    std::uint32_t path = 0;  ///< number of the photon path in its pass
+    /// Surfaces met so far, this one included: 1 from the light; kDeepestLanding stands for more.
+    std::uint16_t depth : 15 = 0;
+    /// Light that shadow rays bring to the image: a guide may learn from it, nothing gathers it.
+    std::uint16_t owned_by_shadow_rays : 1 = 0;
+    std::uint16_t light_group = 0;  ///< group of the light that emitted the path
+};
+/// A million of them wait for a gather.
+static_assert(sizeof(Landing) == 68);
+
+inline constexpr std::uint32_t kDeepestLanding = (1u << 15) - 1;
+
+}  // namespace aips

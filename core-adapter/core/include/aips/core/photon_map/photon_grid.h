@@ -1,0 +1,60 @@
+// Range queries over landings.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "aips/core/photon_map/cell_sort.h"
+#include "aips/core/photon_map/landing.h"
+
+namespace aips {
+
+/// What density estimation needs of a landing: compact, and in the order in which queries read.
+struct GridPhoton {
+    Vec3 position;
+    Vec3 direction;  ///< unit, back to where the photon came from
+    Rgb power;       ///< watts, not divided by the number of photon paths
+    Vec3 normal;     ///< unit geometric normal of the surface, of the side the photon came from
+    std::uint32_t light_group = 0;
+    std::uint32_t index = 0;  ///< number of the landing among those that were sorted
+};
+
+/// The landing with number `index`, with its normal turned to the photon's side.
+inline GridPhoton grid_photon(const Landing& l, std::uint32_t index) {
+    const Vec3 normal = dot(l.direction, l.normal) > 0 ? l.normal : -l.normal;
+    return {l.position, l.direction, l.power, normal, l.light_group, index};
+}
+
+/// Landings as a CellSort has them. Buffers are reused; queries are const and may run on many
+/// threads.
+class LandingGrid {
+  public:
+    /// Sorts copies of `landings` (fewer than 2^32) for searches up to `radius`. Landings at
+    /// positions that are not finite are left out. The result is the same for every `parallel`.
+    void build(std::span<const Landing> landings, float radius,
+               const ParallelFor& parallel = serial_for);
+
+    /// Calls `visit(const GridPhoton&)` once for each landing with |position - p| <= radius, in an
+    /// order that is a function of the landings alone. `radius` beyond radius() is cut to it.
+    template <class F>
+    void for_each_in_radius(Vec3 p, float radius, F&& visit) const {
+        cells_.for_each_in_radius(p, radius, [&](std::uint32_t slot) { visit(photons_[slot]); });
+    }
+
+    /// Landings that queries can find.
+    std::size_t size() const { return cells_.size(); }
+    /// Greatest radius of a query.
+    float radius() const { return cells_.radius(); }
+    std::size_t memory_bytes() const;
+    /// Upper bound of memory_bytes() when no build ever has more than `max_landings`.
+    static std::size_t memory_bound_bytes(std::size_t max_landings);
+
+  private:
+    CellSort cells_;
+    std::vector<Vec3> positions_;      // [landing], for the sort
+    std::vector<GridPhoton> photons_;  // [slot]
+};
+
+}  // namespace aips

@@ -1,0 +1,65 @@
+// The numbers that an eye path is drawn with: stratified over the paths of its pixel.
+//
+// At each vertex a path takes the coordinates of one point of an Owen-scrambled Sobol' sequence,
+// whose number counts the paths of the pixel. Each vertex has a scramble of its own and goes
+// through the points in an order of its own, so that vertices are independent of one another
+// ("padding", Burley 2020, section 5). Which light, where on it, and what happens at glass are then
+// stratified over passes, not only within them.
+#pragma once
+
+#include <cstdint>
+
+#include "aips/core/base/vector.h"
+#include "aips/core/sampling/low_discrepancy.h"
+
+namespace aips {
+
+/// Numbers in [0, 1) for one vertex of an eye path, uniform over seeds.
+class VertexNumbers {
+  public:
+    VertexNumbers(std::uint32_t seed, std::uint64_t index) : seed_(seed), index_(index) {}
+
+    Vec2 light() const { return {at(0), at(1)}; }
+    float light_choice() const { return at(2); }
+    float lobe() const { return at(3); }
+    Vec2 direction() const { return {at(4), at(5)}; }
+    float end() const { return at(6); }
+
+  private:
+    float at(unsigned dimension) const { return sobol_owen(index_, dimension, seed_); }
+
+    std::uint32_t seed_;
+    std::uint64_t index_;
+};
+
+/// Numbers of one path.
+class EyeNumbers {
+  public:
+    /// Path number `index` of pixel `pixel`. Sequences of different `sequence` share nothing.
+    EyeNumbers(std::uint64_t seed, std::uint64_t sequence, std::uint64_t pixel, std::uint64_t index)
+        : seed_(mixed(mixed(mixed(0x6579u, seed), sequence), pixel)), index_(index) {}
+
+    /// `depth`: the vertex's number along the path.
+    VertexNumbers vertex(std::uint32_t depth) const {
+        const std::uint32_t seed = hash_bits(seed_ + depth * 0x9E3779B9u);
+        return {hash_bits(seed), shuffled(index_, seed)};
+    }
+
+  private:
+    /// A permutation of each 2^16 indices that maps aligned blocks of 2^k to such blocks, so that
+    /// what is stratified in one order is so in any: the low bits as a nested uniform scramble.
+    static constexpr std::uint64_t shuffled(std::uint64_t index, std::uint32_t seed) {
+        const std::uint32_t reversed = reverse_bits(std::uint32_t(index)) >> 16;
+        const std::uint32_t low = laine_karras_permutation(reversed, seed) << 16;
+        return (index & ~std::uint64_t{0xFFFF}) | reverse_bits(low);
+    }
+
+    static constexpr std::uint32_t mixed(std::uint32_t seed, std::uint64_t with) {
+        return hash_bits(hash_bits(seed ^ std::uint32_t(with)) + std::uint32_t(with >> 32));
+    }
+
+    std::uint32_t seed_;
+    std::uint64_t index_;
+};
+
+}  // namespace aips

@@ -1,0 +1,40 @@
+// Copies of landings in the order of their cells.
+#include "aips/core/photon_map/photon_grid.h"
+
+namespace aips {
+namespace {
+
+constexpr std::size_t kChunk = std::size_t(1) << 14;
+
+}  // namespace
+
+void LandingGrid::build(std::span<const Landing> landings, float radius,
+                        const ParallelFor& parallel) {
+    positions_.reserve(rounded_capacity(landings.size()));
+    photons_.reserve(rounded_capacity(landings.size()));
+    positions_.resize(landings.size());
+    in_chunks(landings.size(), kChunk, parallel, [&](std::size_t first, std::size_t last) {
+        for (std::size_t i = first; i < last; ++i)
+            positions_[i] = landings[i].position;
+    });
+    cells_.build(positions_, radius, parallel);
+    photons_.resize(cells_.size());
+    in_chunks(photons_.size(), kChunk, parallel, [&](std::size_t first, std::size_t last) {
+        for (std::size_t slot = first; slot < last; ++slot) {
+            const std::uint32_t i = cells_.order()[slot];
+            photons_[slot] = grid_photon(landings[i], i);
+        }
+    });
+}
+
+std::size_t LandingGrid::memory_bytes() const {
+    return cells_.memory_bytes() + positions_.capacity() * sizeof(Vec3) +
+           photons_.capacity() * sizeof(GridPhoton);
+}
+
+std::size_t LandingGrid::memory_bound_bytes(std::size_t max_landings) {
+    return CellSort::memory_bound_bytes(max_landings) +
+           rounded_capacity(max_landings) * (sizeof(Vec3) + sizeof(GridPhoton));
+}
+
+}  // namespace aips

@@ -1,0 +1,344 @@
+// Learning what photons are worth, and what they cost, where they scatter.
+#include "aips/core/trees/score_cache.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+#include "trees/usable_bounds.h"
+
+namespace aips {
+namespace {
+
+constexpr std::uint32_t kMaxLeaves = 1u << 24;
+/// Least side of a leaf's box, as a share of the scene's longest.
+constexpr float kMinSideShare = 0x1p-12f;
+/// Standard errors by which the mean root scores of two halves must differ. Roots, because their
+/// tails are lighter, and because the roulette takes the root.
+constexpr double kSignificance = 3;
+
+void check(const ScoreCacheSettings& s) {
+    if (s.max_leaves < 6 || s.max_leaves > kMaxLeaves) {
+        throw std::invalid_argument("ScoreCache: max_leaves must be in [6, 2^24]");
+    }
+    if (s.split_count < 4) throw std::invalid_argument("ScoreCache: split_count must be >= 4");
+    if (!(s.split_gain >= 0)) throw std::invalid_argument("ScoreCache: split_gain is negative");
+    if (!(s.split_mass > 0)) throw std::invalid_argument("ScoreCache: split_mass must be > 0");
+    if (!(s.memory_paths > 0)) throw std::invalid_argument("ScoreCache: memory_paths must be > 0");
+    if (!(s.prior_count > 0) || !std::isfinite(s.prior_count)) {
+        throw std::invalid_argument("ScoreCache: prior_count must be > 0 and finite");
+    }
+}
+
+/// In [0, the greatest float]; false for NaN.
+bool representable(double value) {
+    return value >= 0 && value <= double(std::numeric_limits<float>::max());
+}
+
+/// Plane that halves the box. Between neighbouring floats, where there is none, the upper one: the
+/// lower would leave a leaf as it was, and be split again without end.
+float middle(const Bounds& box, int axis) {
+    const float half = 0.5f * box.lower[axis] + 0.5f * box.upper[axis];
+    return half > box.lower[axis] ? half : box.upper[axis];
+}
+
+}  // namespace
+
+void ScoreCache::Totals::add(const Totals& other) {
+    count += other.count;
+    scored += other.scored;
+    root += other.root;
+    score += other.score;
+    cost += other.cost;
+}
+
+void ScoreCache::Totals::scale(double factor) {
+    count *= factor;
+    scored *= factor;
+    root *= factor;
+    score *= factor;
+    cost *= factor;
+}
+
+ScoreCache::Means ScoreCache::Totals::blend(Means prior, double prior_weight) const {
+    const double weight = count + prior_weight;
+    return {static_cast<float>((score + prior_weight * double(prior.score)) / weight),
+            static_cast<float>((cost + prior_weight * double(prior.cost)) / weight)};
+}
+
+void ScoreCache::HalfSums::add(const std::array<bool, 3>& is_lower, double value) {
+    whole += value;
+    for (unsigned axis = 0; axis < 3; ++axis) {
+        if (is_lower[axis]) lower[axis] += value;
+    }
+}
+
+void ScoreCache::HalfSums::scale(double factor) {
+    whole *= factor;
+    for (double& sum : lower)
+        sum *= factor;
+}
+
+double ScoreCache::HalfSums::half(int axis, bool upper) const {
+    const double below = lower[unsigned(axis)];
+    return upper ? std::max(0.0, whole - below) : below;
+}
+
+void ScoreCache::Probe::scale(double factor) {
+    for (HalfSums* sums : {&count, &scored, &root, &score, &cost})
+        sums->scale(factor);
+}
+
+ScoreCache::Totals ScoreCache::Probe::whole() const {
+    return {count.whole, scored.whole, root.whole, score.whole, cost.whole};
+}
+
+ScoreCache::Totals ScoreCache::Probe::half(int axis, bool upper) const {
+    return {count.half(axis, upper), scored.half(axis, upper), root.half(axis, upper),
+            score.half(axis, upper), cost.half(axis, upper)};
+}
+
+/// Fall of sqrt(S C) by a split, as a share of it: >= 0 by Cauchy and Schwarz, and 0 only if the
+/// halves' scores are as their costs.
+double ScoreCache::Probe::gain(int axis) const {
+    const double whole = std::sqrt(score.whole * cost.whole);
+    if (!(whole > 0)) return 0;
+    double halves = 0;
+    for (const bool upper : {false, true})
+        halves += std::sqrt(score.half(axis, upper) * cost.half(axis, upper));
+    return std::max(0.0, 1 - halves / whole);
+}
+
+/// Whether more vertices have a score in one half than by chance. Scores' sizes, which are uneven,
+/// are slower to tell.
+bool ScoreCache::Probe::shares_differ(int axis) const {
+    const double share = scored.whole / count.whole;
+    double difference = 0, variance = 0;
+    for (const bool upper : {false, true}) {
+        const Totals sums = half(axis, upper);
+        if (sums.count < 2) return false;
+        difference += (upper ? 1 : -1) * sums.scored / sums.count;
+        variance += share * (1 - share) / sums.count;
+    }
+    return difference * difference > kSignificance * kSignificance * variance;
+}
+
+bool ScoreCache::Probe::halves_differ(int axis) const {
+    if (shares_differ(axis)) return true;
+    double difference = 0, variance = 0;
+    for (const bool upper : {false, true}) {
+        const Totals sums = half(axis, upper);
+        if (sums.count < 2) return false;
+        const double mean = sums.root / sums.count;
+        difference += upper ? mean : -mean;
+        variance += std::max(0.0, sums.score / sums.count - mean * mean) / (sums.count - 1);
+    }
+    return difference * difference > kSignificance * kSignificance * variance;
+}
+
+ScoreCache::ScoreCache(const Bounds& scene, const ScoreCacheSettings& settings)
+    : settings_(settings) {
+    check(settings);
+    const Bounds box = usable_bounds(scene);
+    const Vec3 extent = box.extent();
+    min_side_ = kMinSideShare * std::max({extent.x, extent.y, extent.z});
+    const std::size_t branches = 2 * std::size_t(settings.max_leaves) - kTrees;
+    branches_.reserve(branches);
+    means_.reserve(branches);
+    totals_.reserve(branches);
+    leaves_.reserve(settings.max_leaves);
+    for (std::uint32_t tree = 0; tree < kTrees; ++tree) {
+        branches_.push_back({0, tree * 4 + kLeaf});
+        Leaf& leaf = leaves_.emplace_back();
+        leaf.box = box;
+        leaf.parent = tree;
+    }
+    means_.resize(kTrees);
+    totals_.resize(kTrees);
+}
+
+bool ScoreCache::add(const VertexScore& vertex) {
+    if (!is_finite(vertex.position) || !is_finite(vertex.normal)) return false;
+    if (!representable(vertex.score) || !representable(vertex.cost)) return false;
+    const std::uint32_t branch = locate(vertex.position, vertex.normal);
+    Leaf& leaf = leaves_[branches_[branch].target()];
+    const double root = std::sqrt(vertex.score);
+    const double scored = vertex.score > 0 ? 1 : 0;
+    totals_[branch].add({1, scored, root, vertex.score, vertex.cost});
+    std::array<bool, 3> lower{};
+    for (int axis = 0; axis < 3; ++axis)
+        lower[unsigned(axis)] = vertex.position[axis] < middle(leaf.box, axis);
+    leaf.met.extend(vertex.position);
+    leaf.probe.count.add(lower, 1);
+    leaf.probe.scored.add(lower, scored);
+    leaf.probe.root.add(lower, root);
+    leaf.probe.score.add(lower, vertex.score);
+    leaf.probe.cost.add(lower, vertex.cost);
+    return true;
+}
+
+void ScoreCache::update(double paths) {
+    forget(paths);
+    split_leaves();
+    add_totals();
+    set_means();
+}
+
+void ScoreCache::forget(double paths) {
+    paths_ += std::max(0.0, paths);
+    if (paths_ <= settings_.memory_paths) return;
+    const double kept = settings_.memory_paths / paths_;
+    paths_ = settings_.memory_paths;
+    for (Totals& totals : totals_)
+        totals.scale(kept);
+    for (Leaf& leaf : leaves_)
+        leaf.probe.scale(kept);
+}
+
+float ScoreCache::fitted_side(const Leaf& leaf, int axis) const {
+    return std::max(min_side_, leaf.met.upper[axis] - leaf.met.lower[axis]);
+}
+
+/// Moves the box to where the leaf's vertices lie if that is far smaller or larger: a room in a
+/// wide scene, or a surface below those that came first. True if it did; the probe starts anew.
+bool ScoreCache::fit_box(Leaf& leaf) const {
+    bool changed = false;
+    for (int axis = 0; axis < 3; ++axis) {
+        const float side = std::max(min_side_, leaf.box.upper[axis] - leaf.box.lower[axis]);
+        const float fitted = fitted_side(leaf, axis);
+        if (fitted >= 0.5f * side && fitted <= 2 * side) continue;
+        leaf.box.lower[axis] = leaf.met.lower[axis];
+        leaf.box.upper[axis] = leaf.met.lower[axis] + fitted;
+        changed = true;
+    }
+    if (changed) leaf.probe = {};
+    return changed;
+}
+
+bool ScoreCache::divisible(const Leaf& leaf, int axis) const {
+    const float side = leaf.box.upper[axis] - leaf.box.lower[axis];
+    return side > 0 && side >= 2 * min_side_;
+}
+
+double ScoreCache::leaf_mass(std::uint32_t branch) const {
+    return std::sqrt(totals_[branch].score * totals_[branch].cost);
+}
+
+ScoreCache::Split ScoreCache::best_split(std::uint32_t branch, double whole_mass) const {
+    const Leaf& leaf = leaves_[branches_[branch].target()];
+    const double mass = leaf_mass(branch) / whole_mass;
+    Split best{settings_.split_gain, branch};
+    for (int axis = 0; axis < 3; ++axis) {
+        if (!divisible(leaf, axis) || !leaf.probe.halves_differ(axis)) continue;
+        const double gain = leaf.probe.gain(axis) * mass;
+        if (gain > best.gain) best = {gain, branch, axis};
+    }
+    if (best.axis != kLeaf || mass <= settings_.split_mass) return best;
+    const int longest = leaf.box.longest_axis();
+    if (divisible(leaf, longest)) best.axis = longest;
+    return best;
+}
+
+// Greedy, one level at each call and leaf: the probes of new leaves are first to be filled.
+void ScoreCache::split_leaves() {
+    double whole_mass = 0;
+    for (std::uint32_t i = 0; i < branches_.size(); ++i) {
+        if (branches_[i].axis() == kLeaf) whole_mass += leaf_mass(i);
+    }
+    if (!(whole_mass > 0) || leaf_count() >= settings_.max_leaves) return;
+    std::vector<Split> splits;
+    for (std::uint32_t i = 0; i < branches_.size(); ++i) {
+        if (branches_[i].axis() != kLeaf) continue;
+        Leaf& leaf = leaves_[branches_[i].target()];
+        if (leaf.probe.scored.whole < settings_.split_count) continue;
+        if (fit_box(leaf)) continue;
+        const Split best = best_split(i, whole_mass);
+        if (best.axis != kLeaf) splits.push_back(best);
+    }
+    std::stable_sort(splits.begin(), splits.end(),
+                     [](const Split& a, const Split& b) { return a.gain > b.gain; });
+    for (const Split& s : splits) {
+        if (leaf_count() >= settings_.max_leaves) break;
+        split(s);
+    }
+}
+
+// The halves inherit what the probe met in them, which is exact; how older vertices lay is unknown
+// and they are dropped, as is, in the new probes, how the inherited ones lay along other planes.
+void ScoreCache::split(const Split& split) {
+    const std::uint32_t lower = branches_[split.branch].target();
+    const auto upper = static_cast<std::uint32_t>(leaves_.size());
+    const auto child = static_cast<std::uint32_t>(branches_.size());
+    const Leaf whole = leaves_[lower];
+    const float plane = middle(whole.box, split.axis);
+    leaves_.push_back(whole);
+    leaves_.back().parent = lower;
+    for (const bool is_upper : {false, true}) {
+        Leaf& leaf = leaves_[is_upper ? upper : lower];
+        (is_upper ? leaf.box.lower : leaf.box.upper)[split.axis] = plane;
+        leaf.met = {};
+        leaf.probe = {};
+        branches_.push_back({0, (is_upper ? upper : lower) * 4 + kLeaf});
+        means_.push_back({});
+        totals_.push_back(whole.probe.half(split.axis, is_upper));
+    }
+    branches_[split.branch] = {plane, child * 4 + std::uint32_t(split.axis)};
+}
+
+void ScoreCache::add_totals() {
+    for (std::size_t i = branches_.size(); i-- > 0;) {
+        if (branches_[i].axis() == kLeaf) continue;
+        totals_[i] = totals_[branches_[i].target()];
+        totals_[i].add(totals_[branches_[i].target() + 1]);
+    }
+}
+
+/// In vertices: as many of the parent's as have prior_count with a score among them.
+double ScoreCache::prior_weight(const Totals& parent) const {
+    return settings_.prior_count * (parent.scored > 0 ? parent.count / parent.scored : 1);
+}
+
+// From the roots down: the prior of a node is its parent.
+void ScoreCache::set_means() {
+    Totals whole;
+    for (std::uint32_t tree = 0; tree < kTrees; ++tree)
+        whole.add(totals_[tree]);
+    if (!(whole.count > 0)) {
+        std::fill(means_.begin(), means_.end(), Means{});
+        return;
+    }
+    const Means mean = whole.blend({}, 0);
+    for (std::uint32_t tree = 0; tree < kTrees; ++tree)
+        means_[tree] = totals_[tree].blend(mean, prior_weight(whole));
+    for (std::uint32_t i = 0; i < branches_.size(); ++i) {
+        if (branches_[i].axis() == kLeaf) continue;
+        for (const std::uint32_t child : {branches_[i].target(), branches_[i].target() + 1})
+            means_[child] = totals_[child].blend(means_[i], prior_weight(totals_[i]));
+    }
+}
+
+// Children come after their parents.
+void ScoreCache::mark_branches(std::span<const std::uint8_t> leaf_marks,
+                               std::vector<std::uint8_t>& marks) const {
+    marks.resize(branches_.size());
+    for (std::size_t i = branches_.size(); i-- > 0;) {
+        const std::uint32_t target = branches_[i].target();
+        const bool is_leaf = branches_[i].axis() == kLeaf;
+        const bool marked = is_leaf ? leaf_marks[target] > 0 : marks[target] || marks[target + 1];
+        marks[i] = marked ? 1 : 0;
+    }
+}
+
+std::size_t ScoreCache::memory_bytes() const {
+    return branches_.capacity() * (sizeof(Branch) + sizeof(Means) + sizeof(Totals)) +
+           leaves_.capacity() * sizeof(Leaf);
+}
+
+std::size_t ScoreCache::memory_bound_bytes(const ScoreCacheSettings& settings) {
+    return (2 * std::size_t(settings.max_leaves) - kTrees) *
+               (sizeof(Branch) + sizeof(Means) + sizeof(Totals)) +
+           std::size_t(settings.max_leaves) * sizeof(Leaf);
+}
+
+}  // namespace aips

@@ -1,0 +1,41 @@
+// Protects radii from the few pixels that see the horizon: they count, but for no more than eight
+// medians each.
+#include "eye/footprints.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <numeric>
+#include <vector>
+
+namespace footprints_test {
+namespace {
+
+using aips::bounded_footprint_sum;
+
+TEST(Footprints, AreSummedWhereNoneIsFarBeyondTheOthers) {
+    std::vector<float> footprints{4, 1, 2, 7.5f, 3};
+    EXPECT_DOUBLE_EQ(bounded_footprint_sum(footprints), 17.5);
+    EXPECT_EQ(bounded_footprint_sum({}), 0);
+}
+
+TEST(Footprints, OfTheHorizonCountAsEightMedians) {
+    std::vector<float> footprints(99, 1.0f);
+    footprints.push_back(1e9f);
+    EXPECT_DOUBLE_EQ(bounded_footprint_sum(footprints), 99 + 8);
+}
+
+TEST(Footprints, ThatAreNoNumbersCountForNothing) {
+    constexpr float kNaN = std::numeric_limits<float>::quiet_NaN();
+    constexpr float kInfinity = std::numeric_limits<float>::infinity();
+    std::vector<float> footprints{kNaN, 1, kInfinity, 2, kNaN, 3};
+    EXPECT_DOUBLE_EQ(bounded_footprint_sum(footprints), 6);
+}
+
+TEST(Footprints, OfCamerasWithoutAnyForMostPixelsAreNotBounded) {
+    std::vector<float> footprints{0, 0, 0, 5, 0};
+    EXPECT_DOUBLE_EQ(bounded_footprint_sum(footprints), 5);
+}
+
+}  // namespace
+}  // namespace footprints_test

@@ -1,0 +1,90 @@
+// Protects the plan: one value says what runs, for every guide, mode and source of photons; it is
+// printed, and saved with what the first look decided.
+#include "plan/plan.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "render_mock.h"
+#include "state/memory_archive.h"
+
+namespace aips::plan_test {
+namespace {
+
+using testing::HasSubstr;
+
+const mock::Scene& box() {
+    static const mock::Scene scene = mock::lamp_box({}, {});
+    return scene;
+}
+
+Plan plan_of(const Settings& settings) {
+    return make_plan(box(), settings);
+}
+
+TEST(Plan, SaysWhatRuns) {
+    Settings s;
+    EXPECT_EQ(describe(plan_of(s)),
+              "new eye paths in each pass; photon paths guided by their worth, after a first look, "
+              "as many a pass as their noise asks for; radii by noise and bias");
+    s.guide = GuideKind::Paper;
+    EXPECT_EQ(describe(plan_of(s)),
+              "new eye paths in each pass; photon paths guided by errors (Liu and Zheng 2014), as "
+              "many a pass as their noise asks for; one radius, by the photons shot");
+    s.guide = GuideKind::None;
+    s.photon_sampler = PhotonSampler::AdaptiveChains;
+    s.mode = Mode::Ppm;
+    EXPECT_EQ(describe(plan_of(s)),
+              "eye paths of one pass, kept; photon paths of Markov chains; radii by the photons of "
+              "each visible point");
+    s = {};
+    s.max_photon_depth = 1;
+    EXPECT_EQ(describe(plan_of(s)), "new eye paths in each pass; no photons");
+}
+
+TEST(Plan, ChainsInTheGuidesPlaceTakeAllThatItHad) {
+    Plan plan = plan_of({});
+    EXPECT_TRUE(plan.learns());
+    EXPECT_TRUE(plan.measures_noise());
+    plan.way = PhotonWay::Chains;
+    EXPECT_FALSE(plan.learns());
+    EXPECT_FALSE(plan.measures_noise());
+    EXPECT_FALSE(plan.looks_first());
+    EXPECT_EQ(plan.guide(), GuideKind::None);
+    EXPECT_GT(plan.radius_settings().start_radius, 0);
+    EXPECT_THAT(describe(plan), HasSubstr("Markov chains"));
+}
+
+TEST(Plan, LooksFirstOnlyWhereTheLookDecides) {
+    Settings s;
+    EXPECT_TRUE(plan_of(s).looks_first());
+    s.guide_scout = false;
+    EXPECT_FALSE(plan_of(s).looks_first());
+    s = {};
+    s.guide = GuideKind::Paper;
+    EXPECT_FALSE(plan_of(s).looks_first());
+}
+
+Plan restored(PhotonWay saved, const Settings& settings) {
+    Plan plan = plan_of(settings);
+    mock::Saving saving;
+    StateArchive& archive = saving;
+    archive.value(saved);
+    mock::Restoring restoring(saving.saved());
+    plan.state(restoring);
+    return plan;
+}
+
+TEST(Plan, RestoresWhatTheLookDecidedAndNothingThatItCannotHave) {
+    Settings s;
+    EXPECT_EQ(restored(PhotonWay::Chains, s).way, PhotonWay::Chains);
+    s.guide_chains = false;
+    EXPECT_EQ(restored(PhotonWay::Unguided, s).way, PhotonWay::Unguided);
+    EXPECT_THROW(restored(PhotonWay::Chains, s), StateError);
+    s.guide = GuideKind::None;
+    EXPECT_THROW(restored(PhotonWay::Unguided, s), StateError);
+    EXPECT_THROW(restored(PhotonWay(7), {}), StateError);
+}
+
+}  // namespace
+}  // namespace aips::plan_test

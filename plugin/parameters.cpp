@@ -93,12 +93,12 @@ std::vector<ParameterDeclaration> common_declarations() {
                 "Direct light comes from shadow rays; photons then carry the rest."),
         boolean("learnlights", kDefaults.learn_lights,
                 "Shadow rays choose the lights more often that were seen to light a place "
-                "(docs/learned-lights.md)."),
+                "(docs/understand/learned-lights.md)."),
         boolean("storeglossy", kDefaults.store_glossy,
                 "Glossy lobes take photons instead of bouncing the eye path."),
         boolean("debuglayers", kDefaults.debug_layers,
                 "Adds layers to the EXR: the photons' part of the image, photon density, the "
-                "guide's nodes (docs/debug-layers.md)."),
+                "guide's nodes (docs/reference/layers.md)."),
         integer("seed", kDefaults.seed, "Seed of all random numbers; --seed overrides it.", 0,
                 9007199254740992.0),
     };
@@ -120,7 +120,8 @@ Settings defaults_of(PluginKind kind) {
 ParameterDeclaration photons_declaration(PluginKind kind) {
     return integer("photonperpass", defaults_of(kind).photons_per_pass,
                    "Photon paths shot in each pass; 0: in mode progressive as many as the noise of "
-                   "photons and eye paths asks for (docs/photons-per-pass.md), else 1000000.",
+                   "photons and eye paths asks for (docs/understand/photons-per-pass.md), else "
+                   "1000000.",
                    0);
 }
 
@@ -133,7 +134,7 @@ std::vector<ParameterDeclaration> guide_declarations() {
                kModes),
         choice("guide", kDefaults.guide,
                "What decides where photons go: nothing; the adaptive tables of Liu and Zheng 2014; "
-               "or what photons are worth to the image (docs/adaptive-guide.md).",
+               "or what photons are worth to the image (docs/understand/guides.md).",
                kGuides),
         number("guideshare", kDefaults.guide_share,
                "Share of directions drawn from the guide; the rest comes from the BSDF.", 0, 0.99),
@@ -154,7 +155,8 @@ std::vector<ParameterDeclaration> guide_declarations() {
         choice(
             "errorcriterion", kDefaults.error_criterion,
             "With guide paper: a node's error is noise and bias of its photons' density (eq. 2 to "
-            "4); or, beyond the paper, what they are worth to the image (docs/paper-guide.md).",
+            "4); or, beyond the paper, what they are worth to the image "
+            "(docs/understand/paper-guide.md).",
             kCriteria),
         boolean(
             "presenterrors", kDefaults.present_errors,

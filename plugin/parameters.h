@@ -1,5 +1,5 @@
 // The integrator's parameters: declared once; parsing, validation, help and the reference page
-// (docs/parameters.md) are made from here.
+// (docs/reference/parameters.md) are made from here.
 #pragma once
 
 #include <span>

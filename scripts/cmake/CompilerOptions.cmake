@@ -1,9 +1,9 @@
 # Options that every target of the project shares: standard, warnings, sanitizers, IPO, host tuning.
 option(AIPS_WERROR "Treat warnings as errors (CI does)" OFF)
 option(AIPS_IPO "Inter-procedural optimisation" OFF)
-option(AIPS_FUZZ "Build for coverage-guided fuzzing, with the sanitizers (docs/fuzzing.md; needs clang)" OFF)
+option(AIPS_FUZZ "Build for coverage-guided fuzzing, with the sanitizers (docs/build-on/fuzzing.md; needs clang)" OFF)
 option(AIPS_NATIVE "Tune for this machine's processor (-march=native)" OFF)
-option(AIPS_UNITY "Compile files of the host, tests and benchmarks in batches (docs/building.md)" OFF)
+option(AIPS_UNITY "Compile files of the host, tests and benchmarks in batches (docs/build-on/building.md)" OFF)
 set(CMAKE_UNITY_BUILD_BATCH_SIZE 16)
 set(AIPS_SANITIZE "" CACHE STRING "Sanitizers, e.g. address,undefined or thread")
 
@@ -23,7 +23,7 @@ if(AIPS_SANITIZE)
     $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized>)
   add_link_options(-fsanitize=${AIPS_SANITIZE})
   if(AIPS_SANITIZE MATCHES thread)
-    # A parallel_for that the sanitizer understands, before oneTBB's (docs/building.md).
+    # A parallel_for that the sanitizer understands, before oneTBB's (docs/build-on/testing.md).
     include_directories(BEFORE ${CMAKE_CURRENT_SOURCE_DIR}/tests/thread_sanitizer)
   endif()
 endif()

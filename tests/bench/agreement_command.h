@@ -18,8 +18,8 @@ struct AgreementRequest {
     std::filesystem::path scene_table;
 };
 
-/// Writes DIR/agreement.json (docs/benchmark.md) and prints it as Markdown. Success or
-/// MethodsDiffer. Throws StudyError, lxs::OutputFailure.
+/// Writes DIR/agreement.json (docs/reference/benchmark-files.md) and prints it as Markdown.
+/// Success or MethodsDiffer. Throws StudyError, lxs::OutputFailure.
 ExitCode test_agreement(const AgreementRequest& request, lxs::ConsoleLog& log);
 
 }  // namespace bench

@@ -183,7 +183,7 @@ void check_repetition(const std::vector<std::string>& names, const char* option)
 
 std::optional<ExitCode> parse_command_line(int argc, const char* const* argv,
                                            BenchCommandLine& command) {
-    CLI::App app("Measures rendering methods: run time against error (docs/benchmark.md).",
+    CLI::App app("Measures rendering methods: run time against error (docs/measured/method.md).",
                  "aips-bench");
     app.require_subcommand(1);
     app.footer(lxs::exit_code_help(kExitCodes));

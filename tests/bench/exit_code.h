@@ -1,4 +1,4 @@
-// Exit codes of aips-bench: `--help` and docs/benchmark.md say the same.
+// Exit codes of aips-bench: `--help` and docs/reference/benchmark-files.md say the same.
 #pragma once
 
 #include <array>

@@ -6,8 +6,9 @@
 
 namespace bench {
 
-/// Renders and writes the snapshots; returns what was measured (see docs/benchmark.md, without the
-/// errors). Throws as lxs::prepare_session does, lxs::SceneFailure, lxs::OutputFailure.
+/// Renders and writes the snapshots; returns what was measured (see
+/// docs/reference/benchmark-files.md, without the errors). Throws as lxs::prepare_session does,
+/// lxs::SceneFailure, lxs::OutputFailure.
 Json measured_render(const RenderJob& job, lxs::ConsoleLog& log);
 
 }  // namespace bench

@@ -21,11 +21,11 @@ std::vector<double> block_luminances(const Image& image);
 /// Block luminances of a reference's "chunks", as reference.json has them.
 statistics::BlockMeans chunk_blocks(const Json& chunks);
 
-/// "agreement" of docs/benchmark.md from the chunks of images 1 and 2; null with fewer than three
-/// chunks in either.
+/// "agreement" of docs/reference/benchmark-files.md from the chunks of images 1 and 2; null with
+/// fewer than three chunks in either.
 Json agreement(const Json& images);
 
-/// "bias_left" of docs/benchmark.md. `halved` carries its own standard error.
+/// "bias_left" of docs/reference/benchmark-files.md. `halved` carries its own standard error.
 Json bias_left(const ReferencePair& references, const WeightedImage& halved);
 
 /// Root of the mean squared standard error over the mean luminance; null with one chunk.

@@ -1,4 +1,4 @@
-// aips-conformance: our images against LuxRender's own, scene by scene (docs/conformance.md).
+// aips-conformance: our images against LuxRender's own, scene by scene (docs/measured/conformance.md).
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -14,7 +14,7 @@ namespace {
 using namespace conformance;
 namespace fs = std::filesystem;
 
-/// Documented in docs/conformance.md.
+/// Documented in docs/measured/conformance.md.
 enum ExitCode { kWithinLimits = 0, kMisses = 1, kBadCommand = 2, kNoImages = 3 };
 
 struct Command {

@@ -38,7 +38,8 @@ run(${CMAKE_COMMAND} --install ${build_dir} --prefix ${prefix})
 file(RENAME ${prefix} ${work_dir}/moved)
 set(prefix ${work_dir}/moved)
 
-foreach(file LICENSE README.md docs/host-adapter.md docs/images/glass-ball.png example/consumer.cpp)
+foreach(file LICENSE README.md docs/build-on/host-adapter.md docs/images/glass-ball.png
+    example/consumer.cpp example/plugin.cpp)
   if(NOT EXISTS ${prefix}/${docdir}/${file})
     message(FATAL_ERROR "${file} is not installed in ${docdir}")
   endif()

@@ -1,4 +1,5 @@
-// Protects docs/host-adapter.md: its counts are those of the headers, its code is the example's.
+// Protects docs/build-on/host-adapter.md and plugins.md: counts are those of the headers, code is
+// the examples'.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -47,9 +48,11 @@ TEST(HostPage, CountsTheFunctionsOfEachClass) {
         << total;
 }
 
-TEST(HostPage, WalksThroughTheExample) {
-    const std::string page = text_of(HOST_PAGE), example = text_of(HOST_EXAMPLE);
-    const auto begin = page.find("## A host of a hundred lines");
+/// Expects that each block of C++ in the section of a page that begins with `heading` is part of
+/// the example.
+void expect_walk(const std::string& page, const std::string& heading, const std::string& example,
+                 int least_blocks) {
+    const auto begin = page.find(heading);
     ASSERT_NE(begin, std::string::npos);
     const std::string walk = page.substr(begin, page.find("\n## ", begin + 1) - begin);
     const std::string opening = "```cpp\n";
@@ -60,12 +63,25 @@ TEST(HostPage, WalksThroughTheExample) {
         EXPECT_NE(example.find(code), std::string::npos) << code;
         ++blocks;
     }
-    EXPECT_GE(blocks, 5);
+    EXPECT_GE(blocks, least_blocks);
+}
+
+TEST(HostPage, WalksThroughTheExample) {
+    expect_walk(text_of(HOST_PAGE), "## A host of a hundred lines", text_of(HOST_EXAMPLE), 5);
+}
+
+TEST(PluginPage, WalksThroughTheExample) {
+    expect_walk(text_of(PLUGIN_PAGE), "## A plugin of seventy lines", text_of(PLUGIN_EXAMPLE), 5);
 }
 
 TEST(HostPage, TheExampleIsShort) {
     const std::string example = text_of(HOST_EXAMPLE);
     EXPECT_LE(std::count(example.begin(), example.end(), '\n'), 120);
+}
+
+TEST(PluginPage, TheExampleIsShort) {
+    const std::string example = text_of(PLUGIN_EXAMPLE);
+    EXPECT_LE(std::count(example.begin(), example.end(), '\n'), 80);
 }
 
 }  // namespace

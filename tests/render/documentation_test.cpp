@@ -1,6 +1,6 @@
-// Protects docs/parameters.md and docs/scene-language.md: they are what the declarations say.
-// To renew them: scripts/parameter-page > docs/parameters.md,
-// scripts/scene-language-page > docs/scene-language.md
+// Protects parameters.md and scene-language.md of docs/reference: they are what the declarations
+// say. To renew them: scripts/parameter-page > docs/reference/parameters.md,
+// scripts/scene-language-page > docs/reference/scene-language.md
 #include <gtest/gtest.h>
 
 #include <fstream>
@@ -12,26 +12,26 @@ namespace documentation_test {
 namespace {
 
 TEST(Documentation, ParameterPageMatchesTheDeclarations) {
-    std::ifstream in(std::string(DOCS) + "/parameters.md");
+    std::ifstream in(std::string(DOCS) + "/reference/parameters.md");
     std::stringstream page;
     page << in.rdbuf();
-    for (const std::string plugin : {"aips", "sppm", "ppm", "exphotonmap"}) {
+    for (const std::string plugin : {"aips", "sppm", "ppm", "exphotonmap", "path"}) {
         const std::string table =
             render::output_of(std::string(LXSRENDER) + " --describe " + plugin + " --markdown");
         ASSERT_FALSE(table.empty());
         EXPECT_NE(page.str().find(table), std::string::npos)
-            << "docs/parameters.md does not hold the present table of " << plugin;
+            << "docs/reference/parameters.md does not hold the present table of " << plugin;
     }
 }
 
 TEST(Documentation, SceneLanguagePageMatchesTheDeclarations) {
-    std::ifstream in(std::string(DOCS) + "/scene-language.md");
+    std::ifstream in(std::string(DOCS) + "/reference/scene-language.md");
     std::stringstream page;
     page << in.rdbuf();
     const std::string tables = render::output_of(std::string(LXSRENDER) + " --scene-language");
     ASSERT_GT(tables.size(), 10000u);
     EXPECT_NE(page.str().find(tables), std::string::npos)
-        << "docs/scene-language.md does not hold the present tables";
+        << "docs/reference/scene-language.md does not hold the present tables";
 }
 
 }  // namespace

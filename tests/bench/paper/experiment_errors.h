@@ -8,8 +8,9 @@
 
 namespace bench {
 
-/// "scenes" of an experiment in paper.json (docs/benchmark.md): for each of its scenes the time at
-/// which runs are compared and a row for each case. `runs` are all of its runs, failed ones too.
+/// "scenes" of an experiment in paper.json (docs/reference/benchmark-paper.md): for each of its
+/// scenes the time at which runs are compared and a row for each case. `runs` are all of its runs,
+/// failed ones too.
 Json experiment_errors(const Experiment& experiment, const Json& runs, unsigned seeds);
 
 /// The run of a case on a scene with a seed; null if there is none or it failed.

@@ -33,7 +33,7 @@ class SmallestStudyTest : public testing::Test {
     TemporaryFolder folder_;
 };
 
-/// Every key that docs/benchmark.md promises.
+/// Every key that docs/reference/benchmark-files.md promises.
 void expect_documented_run(const Json& run) {
     for (const char* key :
          {"schema", "status", "revision", "binaries_sha1", "settings", "machine", "started",
@@ -92,7 +92,7 @@ TEST_F(SmallestStudyTest, ReferencesStudyResumptionAndTable) {
     EXPECT_THAT(table.text, HasSubstr("| sppm | 0.1 |"));
 }
 
-/// Every key that docs/benchmark.md promises.
+/// Every key that docs/reference/benchmark-files.md promises.
 void expect_documented_test(const Json& test) {
     for (const char* key :
          {"scene", "variant", "method", "against", "seeds", "mean_ratio", "claimed_bias",

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""Protects docs/errors.md: each message that the sources can end with or warn of is in one of its
-tables. Looks at what stands in quotes in throw ...(), fail...(), warning() and error() calls; a row
+"""Protects docs/reference/errors: each message that the sources can end with or warn of is in a table
+of one of its pages. Looks at what stands in quotes in throw ...(), fail...(), warning() and error() calls; a row
 holds a message if it holds the longest text of the message that no value interrupts.
 """
 import pathlib
@@ -51,15 +51,15 @@ def messages():
 
 
 def main():
-    page = (ROOT / 'docs/errors.md').read_text()
-    rows = [line for line in page.split('## All messages')[1].splitlines()
-            if line.startswith('| ')]
+    rows = [line for page in sorted((ROOT / 'docs/reference/errors').glob('*.md'))
+            if page.name != 'index.md'
+            for line in page.read_text().splitlines() if line.startswith('| ')]
     missing, count = [], 0
     for where, message in messages():
         count += 1
         if not any(message in row for row in rows):
             missing.append(f'{where}: {message}')
-    print(f'{count} messages, {len(missing)} without a row in docs/errors.md')
+    print(f'{count} messages, {len(missing)} without a row in docs/reference/errors')
     for line in missing:
         print('  ' + line)
     if count < 200:

@@ -1,10 +1,12 @@
-// The rows of docs/errors.md, and what causes them.
+// The rows of the pages of docs/reference/errors, and what causes them.
 #include "error_rows.h"
 
 #include <OpenImageIO/imageio.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
+#include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <sstream>
@@ -14,6 +16,25 @@
 
 namespace lxs::test {
 namespace {
+
+namespace fs = std::filesystem;
+
+std::string text_of(const fs::path& path) {
+    std::ifstream file(path);
+    return {std::istreambuf_iterator<char>(file), {}};
+}
+
+/// The pages of messages, in the order of their names.
+std::vector<fs::path> pages_of_messages() {
+    std::vector<fs::path> pages;
+    for (const auto& entry : fs::directory_iterator(ERROR_PAGES)) {
+        if (entry.path().extension() == ".md" && entry.path().filename() != "index.md") {
+            pages.push_back(entry.path());
+        }
+    }
+    std::sort(pages.begin(), pages.end());
+    return pages;
+}
 
 std::vector<std::string> cells_of(const std::string& line) {
     std::vector<std::string> cells;
@@ -98,23 +119,23 @@ struct WrittenCause {
 
 }  // namespace
 
-std::string errors_page() {
-    std::ifstream file(ERRORS_PAGE);
-    return {std::istreambuf_iterator<char>(file), {}};
+std::string error_index() {
+    return text_of(fs::path(ERROR_PAGES) / "index.md");
 }
 
 std::vector<ErrorRow> error_rows() {
-    std::istringstream page(errors_page());
     std::vector<ErrorRow> rows;
-    bool within = false;
-    for (std::string line; std::getline(page, line);) {
-        if (line.starts_with("## ")) within = line == "## All messages";
-        if (!within || !line.starts_with("| ") || line.starts_with("| cause") ||
-            line.starts_with("| ---"))
-            continue;
-        const std::vector<std::string> cells = cells_of(line);
-        if (cells.size() != 3) throw std::runtime_error("no row of three cells: " + line);
-        rows.push_back({cells[0], without_quotes(cells[1]), std::stoi(cells[2])});
+    for (const fs::path& path : pages_of_messages()) {
+        std::istringstream page(text_of(path));
+        for (std::string line; std::getline(page, line);) {
+            if (!line.starts_with('|') || line == "| cause | message | code |" ||
+                line == "| --- | --- | --- |")
+                continue;
+            const std::vector<std::string> cells = cells_of(line);
+            if (cells.size() != 3)
+                throw std::runtime_error("no row of three cells in " + path.string() + ": " + line);
+            rows.push_back({cells[0], without_quotes(cells[1]), std::stoi(cells[2])});
+        }
     }
     return rows;
 }

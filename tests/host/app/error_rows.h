@@ -1,4 +1,4 @@
-// The rows of docs/errors.md, and what causes them.
+// The rows of the pages of docs/reference/errors, and what causes them.
 #pragma once
 
 #include <string>
@@ -8,14 +8,16 @@
 
 namespace lxs::test {
 
-/// A row of "All messages".
+/// A row of a table of messages.
 struct ErrorRow {
     std::string cause;    ///< words, or code in backquotes with words between
     std::string message;  ///< "..." stands for any text
     int exit_code = 0;    ///< 0: a warning
 };
 
-std::string errors_page();
+/// index.md, which lists the exit codes and explains the tables.
+std::string error_index();
+/// The rows of all other pages: every line of a table there is one, but for its head.
 std::vector<ErrorRow> error_rows();
 
 /// Does what lxsrender does with these arguments, in a process of its own but without a new

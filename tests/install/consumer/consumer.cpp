@@ -1,5 +1,5 @@
 // A host of the engine in one file. A point light shines into a ring of mirrors; the caustic on the
-// floor is rendered to caustic.ppm. docs/host-adapter.md walks through it.
+// floor is rendered to caustic.ppm. docs/build-on/host-adapter.md walks through it.
 #include <aips/adapter/check_host.h>
 #include <aips/adapter/engine.h>
 #include <aips/parts/image_film.h>

@@ -13,8 +13,9 @@ namespace lxs::shading {
 /// Schlick's own A is sqrt(p / (p^2 + (1 - p^2) w^2)), w a cosine; the one here is the density of
 /// the azimuths that his and LuxRender's way to draw facets gives. LuxRender weighs such facets as
 /// if they had his A, so that what it renders has the A here wherever it finds light by following
-/// reflected rays, which for grained surfaces is almost everywhere (docs/conformance.md). Both are
-/// 1 where p is. This one's mean over the azimuths is 1, so that no light is lost.
+/// reflected rays, which for grained surfaces is almost everywhere
+/// (docs/measured/conformance-causes.md). Both are 1 where p is. This one's mean over the azimuths
+/// is 1, so that no light is lost.
 class SchlickDistribution {
   public:
     /// Roughness along local x and y; LuxRender's parameters, limited to [0.006, 1].

@@ -1,4 +1,4 @@
-// Exit codes of lxsrender: `--help` and docs/errors.md say the same.
+// Exit codes of lxsrender: `--help` and docs/reference/errors/index.md say the same.
 #pragma once
 
 #include <array>

@@ -1,0 +1,207 @@
+"""What is checked of the manual. Each check takes a Manual and yields its faults, each a line that
+begins with the place.
+"""
+import functools
+import pathlib
+import re
+import subprocess
+import sys
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / 'scripts/manual'))
+from manual_pages import Page, notebook_index, pages_below  # noqa: E402
+
+HERE = pathlib.Path(__file__).resolve().parent
+MOST_WORDS, MOST_WORDS_TO_UNDERSTAND = 1500, 1200
+# Made from declarations or entries, as long as these are.
+GENERATED = ('reference/parameters.md', 'reference/scene-language.md', 'reference/gallery.md')
+HASH = re.compile(r'(?<![\w/.-])(?=[0-9a-f]*[a-f])(?=[0-9a-f]*[0-9])[0-9a-f]{7,40}(?![\w/-])')
+DIARY = re.compile(r'\b(?:before|after), at\b|\bearlier versions?\b|\bat revision\b|'
+                   r'\bsuperseded (?:figures|version)|\bprevious versions?\b', re.IGNORECASE)
+LEFTOVER = re.compile(r'@@\w*@@|\bTODO\b|\bFIXME\b|\bXXX\b|(?<![\w.])/(?:work|root|home)/')
+OPTION = re.compile(r'(?<![\w-])(--[a-z][\w-]*|-[a-zA-Z](?![\w-]))')
+COMMAND = re.compile(r'(?:scripts/|lxsrender(?![\w-]))')
+
+
+class Manual:
+    """The pages below `root`/docs, and what they speak of: `root`, and the program lxsrender."""
+
+    def __init__(self, root, lxsrender=None):
+        self.root, self.docs, self.lxsrender = root, root / 'docs', lxsrender
+        self.pages = pages_below(self.docs)
+        others = (root / 'README.md', root / 'scenes/README.md')
+        self.all_pages = {**self.pages, **{path: Page(path) for path in others if path.exists()}}
+
+    def place(self, path, line=None):
+        return f'{path.relative_to(self.root)}{f":{line}" if line else ""}'
+
+    def of_the_present(self):
+        """Pages outside of the notebook."""
+        return {path: page for path, page in self.all_pages.items()
+                if not path.is_relative_to(self.docs / 'notebook')}
+
+    @functools.cache
+    def answer(self, *command):
+        ended = subprocess.run(command, capture_output=True, text=True)
+        return ended.stdout + ended.stderr if ended.returncode == 0 else ''
+
+
+def links(manual):
+    """Every relative link, and the anchor that it names, exists."""
+    for path, page in manual.all_pages.items():
+        for line, link in page.links():
+            target, anchor = page.target_of(link)
+            where = manual.place(path, line)
+            if not target.exists():
+                yield f'{where}: {link}: there is no such file'
+            elif target.is_dir() and target.is_relative_to(manual.docs):
+                yield f'{where}: {link}: a folder, where a page of it is meant'
+            elif anchor and target.suffix == '.md':
+                known = manual.all_pages.get(target) or Page(target)
+                if anchor not in known.anchors:
+                    yield f'{where}: {link}: no heading there has this anchor'
+
+
+def reach(manual):
+    """Every page is reached by links from docs/index.md."""
+    start = manual.docs / 'index.md'
+    if start not in manual.pages:
+        yield 'docs/index.md: there is no such page'
+        return
+    reached, new = {start}, [start]
+    while new:
+        page = manual.pages[new.pop()]
+        targets = {page.target_of(link)[0] for _, link in page.links()}
+        found = (targets & manual.pages.keys()) - reached
+        reached |= found
+        new += found
+    for path in sorted(manual.pages.keys() - reached):
+        yield f'{manual.place(path)}: no link leads here from docs/index.md'
+
+
+def length(manual):
+    """Pages are short: what explains 1200 words, any other outside of the notebook 1500."""
+    for path, page in manual.of_the_present().items():
+        if not path.is_relative_to(manual.docs):
+            continue
+        name = path.relative_to(manual.docs)
+        most = MOST_WORDS_TO_UNDERSTAND if name.parts[0] == 'understand' else MOST_WORDS
+        if page.words > most and str(name) not in GENERATED:
+            yield f'{manual.place(path)}: {page.words} words; at most {most}'
+
+
+def titles(manual):
+    """Every page begins with its title."""
+    for path, page in manual.pages.items():
+        if not page.text.startswith('# '):
+            yield f'{manual.place(path)}: does not begin with a title'
+
+
+def diary(manual):
+    """Outside of the notebook no page speaks of revisions or of how something was before."""
+    for path, page in manual.of_the_present().items():
+        for number, line in enumerate(page.text.splitlines(), 1):
+            for found in (*HASH.finditer(line), *DIARY.finditer(line)):
+                yield f'{manual.place(path, number)}: "{found[0]}" belongs in the notebook'
+
+
+def leftovers(manual):
+    """No page has places to be filled in, or paths of one machine."""
+    for path, page in manual.all_pages.items():
+        for number, line in enumerate(page.text.splitlines(), 1):
+            for found in LEFTOVER.finditer(line):
+                yield f'{manual.place(path, number)}: "{found[0]}" was left there'
+
+
+def options_of(manual, program):
+    """Text that names every option of a script or of lxsrender. Scripts hand options on to ctest,
+    or to a program that lies beside lxsrender."""
+    if program == 'lxsrender':
+        return manual.answer(manual.lxsrender, '--help')
+    text = (manual.root / program).read_text()
+    others = re.findall(r'bin/([\w-]+)" "\$@"|is for (lxsrender)', text)
+    for other in {first or second for first, second in others}:
+        text += manual.answer(manual.lxsrender.with_name(other), '--help')
+    if 'option of ctest' in text:
+        text += manual.answer('ctest', '--help')
+    if 'argparse' in text:
+        text += ' --help -h '
+    return text
+
+
+def faults_of_command(manual, command):
+    program = command.split()[0]
+    if program.startswith('scripts/') and not (manual.root / program).exists():
+        yield f'{program}: there is no such script'
+        return
+    if program != 'lxsrender' and not (manual.root / program).is_file():
+        return
+    known = options_of(manual, program)
+    for option in OPTION.findall(re.sub(r'"[^"]*"|\'[^\']*\'|\s#.*', ' ', command)):
+        if not re.search(rf'(?<![\w-]){option}(?![\w-])', known):
+            yield f'{program} has no option {option}'
+    for plugin, parameter in re.findall(r'--set[ =](\w+)\.(\w+)=', command):
+        described = manual.answer(manual.lxsrender, '--describe', plugin)
+        if plugin != 'plugin' and not re.search(rf'(?m)^\s*{parameter}\b', described):
+            yield f'{plugin} has no parameter {parameter}'
+
+
+def joined(lines):
+    """Lines of a shell, those that end with a backslash with what follows them."""
+    return re.sub(r'\\\n\s*', ' ', '\n'.join(lines)).split('\n')
+
+
+def commands(manual):
+    """Commands name scripts, options and parameters that exist. Looks at blocks of code whose lines
+    begin with scripts/ or lxsrender, and at code within lines that does."""
+    for path, page in manual.of_the_present().items():
+        found = [(first + number, line) for first, _, lines in page.blocks
+                 for number, line in enumerate(joined(lines))]
+        found += [(number, code) for number, line in page.prose
+                  for code in re.findall(r'`([^`]+)`', line)]
+        for number, command in found:
+            if COMMAND.match(command.strip()):
+                for fault in faults_of_command(manual, command.strip()):
+                    yield f'{manual.place(path, number)}: {fault}'
+
+
+def changing(manual):
+    """docs/build-on/changing.md names only files and folders that exist. NAME stands for any; what
+    is below build/ comes with a build."""
+    path = manual.docs / 'build-on/changing.md'
+    if not path.exists():
+        yield 'docs/build-on/changing.md: there is no such page'
+        return
+    for number, line in manual.pages[path].prose:
+        for code in re.findall(r'`([^`\s]+)[^`]*`', line):
+            named = re.split(r'/?[^/]*(?:NAME|\*)', code)[0]
+            is_path = re.fullmatch(r'[\w.-]+(?:/[\w.-]+)*/?', named) and re.search(r'/|.\.', code)
+            if is_path and not named.startswith('build/'):
+                if not (manual.root / named).exists():
+                    yield f'{manual.place(path, number)}: {code}: there is no such file'
+
+
+def named(manual):
+    """Pages that sources, scripts and tests name exist."""
+    for folder in ('core-adapter', 'host', 'plugin', 'scripts', 'tests'):
+        for path in sorted((manual.root / folder).rglob('*')):
+            if path.is_relative_to(HERE) or not path.is_file() or path.stat().st_size > 1 << 20:
+                continue
+            if path.suffix not in ('', '.h', '.cpp', '.py', '.txt', '.cmake', '.json', '.yml'):
+                continue
+            text = path.read_text(errors='replace')
+            for found in re.finditer(r'\bdocs/[\w/-]+\.md\b', text):
+                if not (manual.root / found[0]).exists():
+                    line = text.count('\n', 0, found.start()) + 1
+                    yield f'{manual.place(path, line)}: {found[0]}: there is no such page'
+
+
+def notebook(manual):
+    """The notebook's list is what scripts/notebook-index writes."""
+    index = manual.docs / 'notebook/index.md'
+    if index not in manual.pages or manual.pages[index].text != notebook_index(index.parent):
+        yield 'docs/notebook/index.md: not current: run scripts/notebook-index'
+
+
+CHECKS = {check.__name__: check
+          for check in (links, reach, length, titles, diary, leftovers, commands, changing,
+                        named, notebook)}

@@ -1,4 +1,5 @@
-// aips-conformance: our images against LuxRender's own, scene by scene (docs/measured/conformance.md).
+// aips-conformance: our images against LuxRender's own, scene by scene
+// (docs/measured/conformance.md).
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>

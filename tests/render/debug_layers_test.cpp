@@ -1,4 +1,4 @@
-// Protects `debuglayers`: the EXR of a whole render has the layers of docs/debug-layers.md, its
+// Protects `debuglayers`: the EXR of a whole render has the layers of docs/reference/layers.md, its
 // image stays the same, and the photon part is what photons brought.
 #include <gtest/gtest.h>
 

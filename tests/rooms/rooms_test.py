@@ -4,11 +4,11 @@
 A room is a folder with a README.md that says what it is for, which of its headers other rooms may
 include (Open) and which rooms its own files include (Uses). This test holds the code against that:
 no include that is not named, none named that is not there, no circle, no room of more than 25
-files. docs/build-on/architecture.md shows the same table.
+files. docs/build-on/rooms.md shows the same table.
 
     rooms_test.py            checks the repository
     rooms_test.py --planted  plants one fault of each kind in a copy; all must be found
-    rooms_test.py --write    brings the architecture page's table and picture up to date
+    rooms_test.py --write    brings the page's tables and pictures up to date
 """
 import dataclasses
 import pathlib
@@ -18,7 +18,7 @@ import sys
 import tempfile
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
-PAGE = 'docs/build-on/architecture.md'
+PAGE = 'docs/build-on/rooms.md'
 BEGIN, END = '<!-- rooms: begin -->', '<!-- rooms: end -->'
 MOST_FILES = 25
 INCLUDE = re.compile(r'^#include "([\w/]+\.h)"', re.M)

@@ -1,6 +1,6 @@
 // Protects light in media: the absolute scale of what photons and shadow rays bring there, which of
-// them owns what (docs/volumes.md), that nothing else changes it, and that the bits are the same
-// for any number of threads.
+// them owns what (docs/understand/media.md), that nothing else changes it, and that the bits are
+// the same for any number of threads.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -1,5 +1,6 @@
-// Protects docs/path-classes.md: every class of paths is carried by exactly one strategy, so that
-// an image made with shadow rays and photons equals one made with photons alone.
+// Protects docs/understand/who-carries-which-light.md: every class of paths is carried by exactly
+// one strategy, so that an image made with shadow rays and photons equals one made with photons
+// alone.
 #include <gtest/gtest.h>
 
 #include "render_mock.h"

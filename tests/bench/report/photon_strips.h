@@ -10,8 +10,8 @@ namespace bench {
 /// Pictures are at most this wide.
 inline constexpr int kStripPictureWidth = 160;
 
-/// Snapshots of the first seed and variant (docs/debug-layers.md says what the layers are): that
-/// after the first pass and those taken for budgets of the study's first clock, six at most.
+/// Snapshots of the first seed and variant (docs/reference/layers.md says what the layers are):
+/// that after the first pass and those taken for budgets of the study's first clock, six at most.
 /// `variant`, `seed`, `clock`, `palette` (colours as "#rrggbb"), `columns` (null for the first
 /// pass, or seconds of the budget), `left_out` (layers for which there was no room) and `scenes`:
 /// `scene` and `layers`, those that it has: `layer`, `low`, `high`, `logarithmic` (one scale for

@@ -1,5 +1,5 @@
 // One eye path: bounces through the lobes that do not take photons, ends at one that does. Which
-// strategy owns which class of paths is tabulated in docs/path-classes.md.
+// strategy owns which class of paths is tabulated in docs/understand/who-carries-which-light.md.
 #include "eye/eye_path.h"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// What a render knows besides its image, as extra layers of the film (docs/debug-layers.md).
+// What a render knows besides its image, as extra layers of the film (docs/reference/layers.md).
 #pragma once
 
 #include <cstddef>

@@ -22,8 +22,8 @@ inline constexpr std::uint32_t kNoGuideNode = 0xFFFFFFFFu;
 void find_node_edges(std::span<const std::uint32_t> nodes, std::size_t width,
                      std::span<float> edges);
 
-/// Layers nodeerror, nodeweight, nodeedges and guidedshare of docs/debug-layers.md: the state of
-/// the guide after the last pass, at each pixel's latest visible point.
+/// Layers nodeerror, nodeweight, nodeedges and guidedshare of docs/reference/layers.md: the state
+/// of the guide after the last pass, at each pixel's latest visible point.
 class NodeLayers {
   public:
     /// Both outlive the layers.

@@ -16,7 +16,7 @@ inline bool may_use_chains(const Settings& s) {
 
 /// Chains that walk among the photon paths which reach visible points. Their number is fixed, each
 /// is sequential, and their landings are joined in order: the result does not depend on the number
-/// of threads. See docs/photon-samplers.md for what is exact about them.
+/// of threads. See docs/understand/chains.md for what is exact about them.
 class PhotonChains {
   public:
     static constexpr std::uint32_t kChains = 64;

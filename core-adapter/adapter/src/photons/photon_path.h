@@ -74,7 +74,7 @@ class SequencePath {
     /// shares nothing with those that begin elsewhere. One must begin wherever photons have decided
     /// where, or how many, the next ones go: points that keep away from those that decided, as a
     /// sequence's do, are not independent of the choice (a guide made the image brighter by 1 % at
-    /// one path a pass; docs/photons-per-pass.md).
+    /// one path a pass; docs/understand/photons-per-pass.md).
     SequencePath(std::uint64_t seed, std::uint64_t pass, std::uint64_t begin)
         // Each 2^32 points are a net with a scramble of its own: that of the low half of `begin`.
         : SequencePath(seed, pass, (std::uint64_t{static_cast<std::uint32_t>(begin)} << 32) - begin,
@@ -110,9 +110,10 @@ class SequencePath {
 };
 
 /// Traces a path with the given numbers (SequencePath, or PrimaryPath of a Markov chain), `index`
-/// of its pass, and appends its landings. Landings that shadow rays own (docs/path-classes.md) are
-/// dropped, or marked if input.store_owned. `log` (may be null) takes the path's record,
-/// `collisions` (may be null only if no medium scatters) what it leaves in media.
+/// of its pass, and appends its landings. Landings that shadow rays own
+/// (docs/understand/who-carries-which-light.md) are dropped, or marked if input.store_owned. `log`
+/// (may be null) takes the path's record, `collisions` (may be null only if no medium scatters)
+/// what it leaves in media.
 template <class Numbers>
 void trace_photon_path(const PhotonInput& input, Numbers& numbers, std::uint32_t index,
                        Refusals& refusals, Arena& arena, std::vector<Landing>& landings,

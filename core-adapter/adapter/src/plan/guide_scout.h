@@ -4,7 +4,7 @@
 // gain, and what learning costs, and photons that count for less while it learns, would be lost.
 // Where next to none is seen, a guide that learns from those is blind for long, and what few of its
 // first photons carry stays in the image as fireflies; Markov chains on the visible paths do better
-// (docs/adaptive-guide.md).
+// (docs/understand/first-look.md).
 #pragma once
 
 #include "aips/adapter/settings.h"

@@ -1,6 +1,6 @@
-// Costs fitted to the phases' times in thirteen scenes (docs/photons-per-pass.md): the eye's rays
-// are shaded and their film samples weighed, photons are scattered, stored, gathered and guided.
-// What is learned from them is fitted by itself, in nine scenes.
+// Costs fitted to the phases' times in thirteen scenes (docs/understand/photons-per-pass.md): the
+// eye's rays are shaded and their film samples weighed, photons are scattered, stored, gathered and
+// guided. What is learned from them is fitted by itself, in nine scenes.
 #include "plan/pass_work.h"
 
 namespace aips {

@@ -22,7 +22,7 @@ constexpr double kGreatestRise = 2, kGreatestFall = 4;
 /// What a pass after the first choice counts for, those before, of few photons, for 1. A guide is
 /// given more at first, and what it shoots while it learns counts for less anyway: 2 in large
 /// images, whose passes it begins with as many photons as eye paths, and 1 in small ones
-/// (docs/design-notes.md).
+/// (docs/notebook/2026-11-23-weights-of-first-passes.md).
 constexpr double kChosenWeight = 8, kChosenWeightOfAGuide = 2, kChosenWeightInSmallImages = 1;
 /// Least photon paths of a guide's first passes.
 constexpr auto kLearningPass = std::uint32_t(kLearningPaths / kFirstPassesOfAGuide);
@@ -31,7 +31,7 @@ constexpr auto kLearningPass = std::uint32_t(kLearningPaths / kFirstPassesOfAGui
 /// photons. Beyond the upper bound no more than a tenth could be gained.
 constexpr double kLeastRatio = 1.5, kGreatestRatio = 10;
 /// What photons from chains cost over the eye: of 10, 5 and 3 the best for the image, and as good
-/// as 10 for their own light (docs/photons-per-pass.md).
+/// as 10 for their own light (docs/understand/photons-per-pass.md).
 constexpr double kChainRatio = 5;
 
 /// Before anything is known: as many as eye paths, and at least what a guide has to learn from.

@@ -31,7 +31,8 @@ struct Survival {
 inline constexpr float kMinSurvival = 0.05f;
 
 /// How far scores decide on survival: what is known of them is noisy, and they alone would end
-/// photons that matter (docs/design-notes.md). With s by power and t by score,
+/// photons that matter (docs/notebook/2026-11-22-survival-by-score.md). With s by power and t by
+/// score,
 enum class ScoreMix : std::uint8_t {
     None,     ///< s
     Half,     ///< s^(1/2) t^(1/2)

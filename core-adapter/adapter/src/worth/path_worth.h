@@ -13,7 +13,7 @@ namespace aips {
 /// Cost of an emission, in rays: a little less than a bounce's.
 inline constexpr double kEmissionCost = 0.5;
 /// Cost of storing and gathering a landing, in rays: gather and grid take about a third of what
-/// tracing takes where landings are many (docs/design-notes.md).
+/// tracing takes where landings are many (docs/notebook/2026-11-21-where-the-time-goes.md).
 inline constexpr double kLandingCost = 0.3;
 
 struct Worth {

@@ -16,7 +16,7 @@ namespace aips {
 
 /// eps over the mean luminance: brighter pixels weigh by their relative error, darker ones nearly
 /// alike. With a fiftieth the few photons that the darkest get decide most of the scores, and the
-/// guide follows their noise for long (docs/design-notes.md).
+/// guide follows their noise for long (docs/notebook/2026-11-24-how-dark-a-pixel-may-be.md).
 inline constexpr double kDarkestShare = 0.5;
 
 class PixelImportance {

@@ -1,5 +1,6 @@
-// Tells whether a host keeps the contracts of docs/host-adapter.md: emission, sampling and density
-// of every light and Bsdf agree, surfaces are sound, memory and lobes are what facts() says.
+// Tells whether a host keeps the contracts of docs/build-on/host-conventions.md: emission, sampling
+// and density of every light and Bsdf agree, surfaces are sound, memory and lobes are what facts()
+// says.
 //
 // Where chance is involved, a finding needs two estimates of the same number that lie further apart
 // than bounded samples do with a probability of 1e-8 (empirical Bernstein bounds, Maurer & Pontil

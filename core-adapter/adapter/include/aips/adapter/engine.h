@@ -51,7 +51,7 @@ struct EngineStatistics {
     /// Markov chains: independent photon paths that measure which share reaches visible points
     std::uint64_t measured_paths = 0;
     std::uint64_t visible_paths = 0;  ///< of these, those that did
-    double mutation_size = 0;         ///< of Markov chains: see docs/photon-samplers.md
+    double mutation_size = 0;         ///< of Markov chains: see docs/understand/chains.md
     std::uint64_t guide_nodes = 0;
     std::uint64_t guide_bytes = 0;
     /// guide=adaptive: plain second moment times cost of emission over guided

@@ -27,7 +27,7 @@ enum class RadiusKind : std::uint8_t {
 enum class GuideKind : std::uint8_t {
     None,     ///< plain photon shooting
     Paper,    ///< Liu & Zheng 2014
-    Adaptive  ///< by what photons are worth to the image: docs/adaptive-guide.md
+    Adaptive  ///< by what photons are worth to the image: docs/understand/guides.md
 };
 
 /// What guide=paper takes for a node's error.
@@ -54,9 +54,9 @@ struct Settings {
     PhotonSampler photon_sampler = PhotonSampler::Sequence;  ///< AdaptiveChains: guide none only
     std::uint64_t seed = 0;
 
-    std::uint32_t max_eye_depth = 16;       ///< surfaces that an eye path may meet
-    std::uint32_t max_photon_depth = 16;    ///< surfaces that a photon path may meet
-    std::uint32_t photons_per_pass = 0;     ///< 0: by the noise (docs/photons-per-pass.md)
+    std::uint32_t max_eye_depth = 16;     ///< surfaces that an eye path may meet
+    std::uint32_t max_photon_depth = 16;  ///< surfaces that a photon path may meet
+    std::uint32_t photons_per_pass = 0;   ///< 0: by the noise (docs/understand/photons-per-pass.md)
     std::uint32_t hit_points_per_pass = 0;  ///< eye paths a pass; 0: one a pixel (frozen: four)
     double start_radius = 0;  ///< in mean pixel footprints at the visible points; 0: automatic
     double alpha = 0.7;       ///< how slowly the radius shrinks: 1 keeps it
@@ -64,7 +64,7 @@ struct Settings {
     bool direct_light_sampling = true;  ///< direct light by shadow rays instead of photons
     bool learn_lights = true;           ///< shadow rays go where lights were seen to come from
     bool store_glossy = false;          ///< glossy lobes receive photons instead of bouncing
-    bool debug_layers = false;          ///< extra layers of the film: docs/debug-layers.md
+    bool debug_layers = false;          ///< extra layers of the film: docs/reference/layers.md
 
     double guide_share = 0.5;  ///< share of guided directions in the one-sample mixture
     std::uint32_t iteration_photons = 4000;  ///< photon paths between two updates of the guide

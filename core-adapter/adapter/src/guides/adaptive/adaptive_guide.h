@@ -2,7 +2,7 @@
 //
 // Beyond the paper of 2014: the score of a landing is its squared relative contribution to the
 // image, every vertex of a path and its start are credited with all that came after, and the
-// start is guided too. docs/adaptive-guide.md.
+// start is guided too. docs/understand/guides.md.
 #pragma once
 
 #include <optional>

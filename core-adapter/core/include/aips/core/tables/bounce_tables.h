@@ -10,7 +10,7 @@
 // the direction has in the image, Q being the score of all that came after; the sum of sqrt(Q) / P
 // over those in a cell estimates the integral of |f| over it, which the density follows. That which
 // minimises variance follows the root of the mean of f^2 (Rath et al. 2020), but scores have heavy
-// tails, and that mean is known far later (docs/design-notes.md).
+// tails, and that mean is known far later (docs/notebook/2026-11-21-directions-at-bounces.md).
 #pragma once
 
 #include <array>

@@ -1,12 +1,13 @@
-// Declarations of all parameters, and the settings made from them. Names follow LuxRender's sppm
+// Declarations of all parameters. Names follow LuxRender's sppm
 // where it has one, so that a scene changes only the plugin's name. Defaults are those of Settings.
 #include "parameters.h"
 
-#include <algorithm>
 #include <array>
 #include <charconv>
 #include <deque>
 #include <vector>
+
+#include "parameter_values.h"
 
 namespace aips {
 namespace {
@@ -14,13 +15,6 @@ namespace {
 using lxs::ParameterDeclaration;
 using lxs::ParameterType;
 
-/// By number of Mode, GuideKind, CriterionKind, RadiusKind and PhotonSampler.
-constexpr std::array<std::string_view, 3> kModes{"progressive", "photonmap", "ppm"};
-constexpr std::array<std::string_view, 3> kGuides{"none", "paper", "adaptive"};
-constexpr std::array<std::string_view, 2> kCriteria{"paper", "image"};
-/// The first is of aips alone; LuxRender's plugins have the others.
-constexpr std::array<std::string_view, 3> kRadii{"automatic", "schedule", "adaptive"};
-constexpr std::array<std::string_view, 2> kPhotonSamplers{"halton", "amc"};
 constexpr double kMaxCount = 4294967295.0;
 
 /// What all defaults are.
@@ -80,7 +74,7 @@ std::vector<ParameterDeclaration> common_declarations() {
         number("startradius", kDefaults.start_radius,
                "Radius of the first density estimate, the same at all visible points, in their "
                "mean pixel footprints (widths; those beyond eight medians count as eight); 0: "
-               "automatic (2; 1 where chains take a guide's place).",
+               "automatic (2; 1 where chains take the place of guide adaptive).",
                0, 1e6),
         number("alpha", kDefaults.alpha,
                "Share of the variance reduction in the radius schedule (Knaus and Zwicker 2011), "
@@ -104,19 +98,6 @@ std::vector<ParameterDeclaration> common_declarations() {
     };
 }
 
-/// What a plugin takes where a scene says nothing: LuxRender's plugins have its values where ours
-/// decides itself.
-Settings defaults_of(PluginKind kind) {
-    Settings settings = kDefaults;
-    if (kind == PluginKind::Aips) return settings;
-    settings.guide = GuideKind::None;
-    settings.photons_per_pass = kUsualPhotonsPerPass;
-    settings.radius = RadiusKind::Schedule;
-    if (kind == PluginKind::Ppm) settings.mode = Mode::Ppm;
-    if (kind == PluginKind::ExPhotonMap) settings.mode = Mode::PhotonMap;
-    return settings;
-}
-
 ParameterDeclaration photons_declaration(PluginKind kind) {
     return integer("photonperpass", defaults_of(kind).photons_per_pass,
                    "Photon paths shot in each pass; 0: in mode progressive as many as the noise of "
@@ -136,22 +117,26 @@ std::vector<ParameterDeclaration> guide_declarations() {
                "What decides where photons go: nothing; the adaptive tables of Liu and Zheng 2014; "
                "or what photons are worth to the image (docs/understand/guides.md).",
                kGuides),
-        number("guideshare", kDefaults.guide_share,
-               "Share of directions drawn from the guide; the rest comes from the BSDF.", 0, 0.99),
+        number(
+            "guideshare", kDefaults.guide_share,
+            "With guide paper: share of directions drawn from the guide; the rest comes from the "
+            "BSDF.",
+            0, 0.99),
         integer("iterationphotons", kDefaults.iteration_photons,
-                "Photon paths between two updates of the guide.", 1),
+                "With guide paper: photon paths between two updates of the guide.", 1),
         integer("initialphotons", kDefaults.initial_photons,
-                "Unguided photon paths at the start of each pass.", 1),
+                "With guide paper: unguided photon paths at the start of each pass.", 1),
         integer("nodephotons", kDefaults.node_photons,
-                "Photons that a node of the guide holds before it splits.", 2, 65536),
-        integer("treedepth", kDefaults.tree_depth, "Greatest depth of the guide's kd-tree.", 1,
-                128),
-        integer("maxnodes", kDefaults.max_nodes, "Most nodes (leaves) of the guide's kd-tree.", 1,
-                1048576),
+                "With guide paper: photons that a node of the guide holds before it splits.", 2,
+                65536),
+        integer("treedepth", kDefaults.tree_depth,
+                "With guide paper: greatest depth of the guide's kd-tree.", 1, 128),
+        integer("maxnodes", kDefaults.max_nodes,
+                "With guide paper: most nodes (leaves) of the guide's kd-tree.", 1, 1048576),
         integer("cdfresolution", kDefaults.cdf_resolution,
-                "Cells per side of a node's directional table.", 1, 64),
+                "With guide paper: cells per side of a node's directional table.", 1, 64),
         number("erroralpha", kDefaults.error_alpha,
-               "Weight of the last pass in a node's error (eq. 8).", 0, 0.99),
+               "With guide paper: weight of the last pass in a node's error (eq. 8).", 0, 0.99),
         choice(
             "errorcriterion", kDefaults.error_criterion,
             "With guide paper: a node's error is noise and bias of its photons' density (eq. 2 to "
@@ -227,7 +212,8 @@ std::vector<ParameterDeclaration> foreign_declarations() {
         no_effect("lookupaccel", T::String, "hashgrid", "A hashed grid is always used."),
         no_effect("pixelsampler", T::String, "hilbert", "Pixels are always visited in rows."),
         no_effect("parallelhashgridspare", T::Float, "1", "Size of LuxRender's hash grid."),
-        no_effect("wavelengthstratificationpasses", T::Integer, "8", "Rendering is in RGB."),
+        no_effect("wavelengthstratificationpasses", T::Integer, "8",
+                  "Where wavelengths are needed they are stratified over all passes."),
         no_effect("schedulerblocksize", T::Integer, "0", "Size of LuxRender's work packets."),
         no_effect("startk", T::Integer, "30", "Neighbours of LuxRender's first estimate."),
         no_effect("debug", T::Bool, "false", "LuxRender's own debugging output."),
@@ -269,84 +255,6 @@ std::vector<ParameterDeclaration> declarations_of(PluginKind kind) {
     return all;
 }
 
-void read_common(const lxs::ParameterReader& in, Settings& s) {
-    const auto count = [&](std::string_view name, std::uint32_t value) {
-        return static_cast<std::uint32_t>(in.integer(name, value));
-    };
-    s.max_eye_depth = count("maxeyedepth", s.max_eye_depth);
-    s.max_photon_depth = count("maxphotondepth", s.max_photon_depth);
-    s.photons_per_pass = count("photonperpass", s.photons_per_pass);
-    s.hit_points_per_pass = count("hitpointperpass", s.hit_points_per_pass);
-    s.start_radius = in.number("startradius", s.start_radius);
-    s.alpha = in.number("alpha", s.alpha);
-    s.include_environment = in.boolean("includeenvironment", s.include_environment);
-    s.direct_light_sampling = in.boolean("directlightsampling", s.direct_light_sampling);
-    s.learn_lights = in.boolean("learnlights", s.learn_lights);
-    s.store_glossy = in.boolean("storeglossy", s.store_glossy);
-    s.debug_layers = in.boolean("debuglayers", s.debug_layers);
-    s.seed = static_cast<std::uint64_t>(in.integer("seed", std::int64_t(s.seed)));
-}
-
-/// What was chosen among `choices`, which are named by number of the enumeration.
-template <class Enumeration>
-Enumeration chosen(const lxs::ParameterReader& in, std::string_view name,
-                   std::span<const std::string_view> choices, Enumeration unless_given) {
-    const std::string choice = in.string(name, choices[std::size_t(unless_given)]);
-    return static_cast<Enumeration>(std::find(choices.begin(), choices.end(), choice) -
-                                    choices.begin());
-}
-
-void read_guide(const lxs::ParameterReader& in, Settings& s) {
-    const auto count = [&](std::string_view name, std::uint32_t value) {
-        return static_cast<std::uint32_t>(in.integer(name, value));
-    };
-    s.mode = chosen(in, "mode", kModes, s.mode);
-    s.guide = chosen(in, "guide", kGuides, s.guide);
-    s.guide_share = in.number("guideshare", s.guide_share);
-    s.iteration_photons = count("iterationphotons", s.iteration_photons);
-    s.initial_photons = count("initialphotons", s.initial_photons);
-    s.node_photons = count("nodephotons", s.node_photons);
-    s.tree_depth = count("treedepth", s.tree_depth);
-    s.max_nodes = count("maxnodes", s.max_nodes);
-    s.cdf_resolution = count("cdfresolution", s.cdf_resolution);
-    s.error_alpha = in.number("erroralpha", s.error_alpha);
-    s.error_criterion = chosen(in, "errorcriterion", kCriteria, s.error_criterion);
-    s.present_errors = in.boolean("presenterrors", s.present_errors);
-    s.first_landings = in.boolean("firstlandings", s.first_landings);
-    s.guide_emission = in.boolean("guideemission", s.guide_emission);
-    s.eye_seeding = in.boolean("eyeseeding", s.eye_seeding);
-    s.guide_bounces = in.boolean("guidebounces", s.guide_bounces);
-    s.guide_survival = in.boolean("guidesurvival", s.guide_survival);
-    s.guide_chains = in.boolean("guidechains", s.guide_chains);
-    s.guide_scout = in.boolean("guidescout", s.guide_scout);
-}
-
-void read_radius(const lxs::ParameterReader& in, Settings& s) {
-    s.radius = chosen(in, "radius", kRadii, s.radius);
-    // Who gives a radius, or how it falls, wants that one, even if it is the default's.
-    const bool own = in.given("startradius") || in.given("alpha");
-    if (s.radius == RadiusKind::Automatic && own) s.radius = RadiusKind::Schedule;
-    if (s.radius == RadiusKind::Adaptive && !adapts_radius(s)) {
-        in.diagnostics().warning(in.where("radius"),
-                                 "radius \"adaptive\" is ignored: it takes effect with mode "
-                                 "\"progressive\"");
-    }
-}
-
-/// A guide decides itself where photon paths go. A scene of LuxRender's sppm that asks for amc
-/// renders under guides too: a warning, not an error.
-void read_photon_sampler(const lxs::ParameterReader& in, Settings& s) {
-    const auto sampler = chosen(in, "photonsampler", kPhotonSamplers, s.photon_sampler);
-    if (sampler != PhotonSampler::AdaptiveChains) return;
-    if (s.guide == GuideKind::None) {
-        s.photon_sampler = PhotonSampler::AdaptiveChains;
-    } else {
-        in.diagnostics().warning(in.where("photonsampler"),
-                                 "photonsampler \"amc\" is ignored: the guide decides where photon "
-                                 "paths go; it takes effect with guide \"none\"");
-    }
-}
-
 }  // namespace
 
 std::span<const ParameterDeclaration> parameter_declarations(PluginKind kind) {
@@ -354,15 +262,6 @@ std::span<const ParameterDeclaration> parameter_declarations(PluginKind kind) {
         declarations_of(PluginKind::Aips), declarations_of(PluginKind::Sppm),
         declarations_of(PluginKind::Ppm), declarations_of(PluginKind::ExPhotonMap)};
     return all[static_cast<std::size_t>(kind)];
-}
-
-Settings read_settings(PluginKind kind, const lxs::ParameterReader& parameters) {
-    Settings settings = defaults_of(kind);
-    read_common(parameters, settings);
-    if (kind == PluginKind::Aips) read_guide(parameters, settings);
-    if (kind != PluginKind::ExPhotonMap) read_photon_sampler(parameters, settings);
-    if (kind == PluginKind::Aips || kind == PluginKind::Sppm) read_radius(parameters, settings);
-    return settings;
 }
 
 }  // namespace aips

@@ -39,7 +39,7 @@ file(RENAME ${prefix} ${work_dir}/moved)
 set(prefix ${work_dir}/moved)
 
 foreach(file LICENSE README.md docs/build-on/host-adapter.md docs/images/glass-ball.png
-    example/consumer.cpp example/plugin.cpp)
+    example/consumer.cpp example/plugin.cpp scenes/README.md)
   if(NOT EXISTS ${prefix}/${docdir}/${file})
     message(FATAL_ERROR "${file} is not installed in ${docdir}")
   endif()

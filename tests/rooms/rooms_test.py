@@ -4,7 +4,7 @@
 A room is a folder with a README.md that says what it is for, which of its headers other rooms may
 include (Open) and which rooms its own files include (Uses). This test holds the code against that:
 no include that is not named, none named that is not there, no circle, no room of more than 25
-files. docs/build-on/rooms.md shows the same table.
+files, no file of more than 300 lines. docs/build-on/rooms.md shows the same table.
 
     rooms_test.py            checks the repository
     rooms_test.py --planted  plants one fault of each kind in a copy; all must be found
@@ -21,6 +21,7 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 PAGE = 'docs/build-on/rooms.md'
 BEGIN, END = '<!-- rooms: begin -->', '<!-- rooms: end -->'
 MOST_FILES = 25
+MOST_LINES = 300
 INCLUDE = re.compile(r'^#include "([\w/]+\.h)"', re.M)
 CORE = 'core-adapter/core/include/aips/core'
 
@@ -116,6 +117,10 @@ def faults(root):
         for room in rooms.values():
             if not room.purpose:
                 yield f'{storey.name}/{room.name}: no README.md that says what the room is for'
+            for path in room.files:
+                lines = path.read_text().count('\n')
+                if lines > MOST_LINES:
+                    yield f'{storey.name}/{room.name}/{path.name}: {lines} lines of {MOST_LINES}'
             for folder in {path.parent for path in room.files}:
                 count = sum(path.parent == folder for path in room.files)
                 if count > MOST_FILES:
@@ -178,6 +183,7 @@ def planted():
         'does not use it': replace(paper, 'Uses: ', 'Uses: photons '),
         'in a circle': replace(eye, 'Uses: ', 'Uses: photons '),
         'files, more than': fill,
+        'lines of': append(f'{source}/eye/eye_pass.h', MOST_LINES * '\n'),
         'no README.md': lambda root: (root / media).unlink(),
         'not the present rooms': replace(media, 'Light in media', 'Light in fog'),
     }

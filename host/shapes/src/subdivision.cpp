@@ -6,61 +6,23 @@
 #include <cmath>
 #include <numbers>
 #include <numeric>
-#include <tuple>
+
+#include "triangle_edges.h"
 
 namespace lxs {
 namespace {
 
 using Imath::V3d;
-using Index = std::uint32_t;
-constexpr Index kNone = ~Index{0};
+using Index = TriangleEdges::Index;
 
 /// Weight of each of `n` neighbours in a vertex's new position (Warren 1995).
 double neighbour_weight(std::size_t n) {
     return n == 3 ? 3.0 / 16 : 3.0 / (8 * static_cast<double>(n));
 }
 
-/// The edges of a list of triangles: edge k of triangle t, from its corner k to the next, has
-/// number `of[3 t + k]`.
-struct Edges {
-    struct Edge {
-        Index a, b;                                   ///< corners, a < b
-        std::array<Index, 2> opposite{kNone, kNone};  ///< third corners of its triangles
-        int faces = 0;
-        bool inner() const { return faces == 2; }
-    };
-    std::vector<Edge> list;
-    std::vector<Index> of;
-
-    explicit Edges(const std::vector<Index>& corners);
-};
-
-Edges::Edges(const std::vector<Index>& corners) : of(corners.size()) {
-    struct Side {
-        Index a, b, at;
-    };
-    std::vector<Side> sides;
-    sides.reserve(corners.size());
-    for (Index at = 0; at < corners.size(); ++at) {
-        const Index from = corners[at], to = corners[at % 3 == 2 ? at - 2 : at + 1];
-        sides.push_back({std::min(from, to), std::max(from, to), at});
-    }
-    std::sort(sides.begin(), sides.end(), [](const Side& x, const Side& y) {
-        return std::tie(x.a, x.b, x.at) < std::tie(y.a, y.b, y.at);
-    });
-    for (const Side& side : sides) {
-        if (list.empty() || list.back().a != side.a || list.back().b != side.b)
-            list.push_back({side.a, side.b});
-        Edge& edge = list.back();
-        const Index opposite = corners[side.at - side.at % 3 + (side.at + 2) % 3];
-        if (edge.faces < 2) edge.opposite[static_cast<std::size_t>(edge.faces)] = opposite;
-        ++edge.faces;
-        of[side.at] = static_cast<Index>(list.size() - 1);
-    }
-}
-
 /// Each triangle's four parts, given the number of its first edge's new vertex.
-std::vector<Index> split(const std::vector<Index>& corners, const Edges& edges, Index first_new) {
+std::vector<Index> split(const std::vector<Index>& corners, const TriangleEdges& edges,
+                         Index first_new) {
     std::vector<Index> result;
     result.reserve(4 * corners.size());
     for (std::size_t t = 0; t < corners.size(); t += 3) {
@@ -78,12 +40,12 @@ struct Rings {
     std::vector<Index> count;
     std::vector<bool> on_boundary;
 
-    Rings(const std::vector<V3d>& points, const Edges& edges)
+    Rings(const std::vector<V3d>& points, const TriangleEdges& edges)
         : sum(points.size(), V3d(0.0)), count(points.size()), on_boundary(points.size()) {
-        for (const Edges::Edge& edge : edges.list) {
+        for (const TriangleEdges::Edge& edge : edges.list) {
             if (!edge.inner()) on_boundary[edge.a] = on_boundary[edge.b] = true;
         }
-        for (const Edges::Edge& edge : edges.list) {
+        for (const TriangleEdges::Edge& edge : edges.list) {
             for (const auto& [from, to] : {std::pair(edge.a, edge.b), std::pair(edge.b, edge.a)}) {
                 if (on_boundary[from] && edge.inner()) continue;
                 sum[from] += points[to];
@@ -107,7 +69,7 @@ V3d moved_vertex(const V3d& p, const Rings& rings, std::size_t i, double boundar
     return p * (1 - n * w) + rings.sum[i] * w;
 }
 
-std::vector<V3d> refined(const std::vector<V3d>& points, const Edges& edges,
+std::vector<V3d> refined(const std::vector<V3d>& points, const TriangleEdges& edges,
                          const SubdivisionRules& rules) {
     std::vector<V3d> result = points;
     if (rules.smooth) {
@@ -118,7 +80,7 @@ std::vector<V3d> refined(const std::vector<V3d>& points, const Edges& edges,
         }
     }
     result.reserve(points.size() + edges.list.size());
-    for (const Edges::Edge& edge : edges.list) {
+    for (const TriangleEdges::Edge& edge : edges.list) {
         const V3d ends = points[edge.a] + points[edge.b];
         if (rules.smooth && edge.inner()) {
             const V3d sides = points[edge.opposite[0]] + points[edge.opposite[1]];
@@ -131,7 +93,7 @@ std::vector<V3d> refined(const std::vector<V3d>& points, const Edges& edges,
 }
 
 /// Where points go in the limit of ever more levels.
-std::vector<V3d> limit_positions(const std::vector<V3d>& points, const Edges& edges,
+std::vector<V3d> limit_positions(const std::vector<V3d>& points, const TriangleEdges& edges,
                                  const SubdivisionRules& rules) {
     const Rings rings(points, edges);
     std::vector<V3d> result;
@@ -239,10 +201,10 @@ std::vector<V3d> limit_normals(const std::vector<V3d>& points, const std::vector
 
 /// `values` with the middles of edges behind them.
 template <class T>
-void append_middles(std::vector<T>& values, const Edges& edges) {
+void append_middles(std::vector<T>& values, const TriangleEdges& edges) {
     if (values.empty()) return;
     values.reserve(values.size() + edges.list.size());
-    for (const Edges::Edge& edge : edges.list)
+    for (const TriangleEdges::Edge& edge : edges.list)
         values.push_back((values[edge.a] + values[edge.b]) * 0.5f);
 }
 
@@ -293,7 +255,7 @@ TriangleMesh subdivide(const TriangleMesh& mesh, int levels, const SubdivisionRu
     std::vector<Index> corners;
     result.indices = without_collapsed(mesh.indices, place, corners);
     for (int level = 0; level < levels; ++level) {
-        const Edges edges(corners), seams(result.indices);
+        const TriangleEdges edges(corners), seams(result.indices);
         const auto first_point = static_cast<Index>(points.size());
         points = refined(points, edges, rules);
         place.resize(place.size() + seams.list.size());
@@ -310,7 +272,7 @@ TriangleMesh subdivide(const TriangleMesh& mesh, int levels, const SubdivisionRu
     std::vector<V3d> normals;
     if (rules.smooth) {
         normals = limit_normals(points, corners);
-        points = limit_positions(points, Edges(corners), rules);
+        points = limit_positions(points, TriangleEdges(corners), rules);
         result.normals.resize(place.size());
     }
     result.positions.resize(place.size());

@@ -11,6 +11,7 @@
 #include "aips/core/sampling/random.h"
 #include "estimate/group_sums.h"
 #include "estimate/pixel_estimate.h"
+#include "eye/light_choice.h"
 #include "eye/traced_eye_image.h"
 #include "image_of_pixels.h"
 #include "photons/photon_pass.h"
@@ -138,7 +139,9 @@ PhotonParts photon_parts(const mock::Scene& scene, const Settings& settings, std
     const auto camera = mock::camera_along_y({0, -0.9f, 0}, 0.5f, kSize, kSize);
     const EyeImage image = mock::traced_eye_image(scene, camera, kSize, kSize * kSize, settings);
     const auto radius_policy = make_radius_policy(settings, scene, kSize, kSize);
-    PhotonPass photon_pass(scene, settings, nullptr, nullptr);
+    const DiscreteDistribution lights = light_choice(scene);
+    PhotonPass photon_pass(scene, settings, lights, std::make_unique<PassGuide>(),
+                           make_photon_source(false));
     Refusals refusals(scene);
     PhotonFlux flux;
     std::vector<Rgb> radiance;

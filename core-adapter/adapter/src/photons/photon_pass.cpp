@@ -4,49 +4,41 @@
 #include "base/parallel_for.h"
 #include "base/stopwatch.h"
 #include "estimate/pixel_estimate.h"
-#include "eye/light_choice.h"
-#include "guides/adaptive/learning_weight.h"
 #include "radii/curvature_probes.h"
 #include "worth/pass_noise.h"
 
 namespace aips {
 
-PhotonPass::PhotonPass(const Scene& scene, const Settings& settings, Guide* guide,
-                       const PixelImportance* importance)
-    : scene_(scene), settings_(settings), guide_(guide), light_choice_(light_choice(scene)) {
-    chained_ = settings.photon_sampler == PhotonSampler::AdaptiveChains;
-    if (may_use_chains(settings)) chains_.emplace();
-    if (settings.guide == GuideKind::Adaptive) {
-        adaptive_.emplace(scene, settings, light_choice_, *importance);
-    }
-    if (guide && guide->needs_scores()) scores_.emplace(*importance);
+PhotonPass::PhotonPass(const Scene& scene, const Settings& settings,
+                       const DiscreteDistribution& light_choice, std::unique_ptr<PassGuide> guide,
+                       std::unique_ptr<PhotonSource> source)
+    : scene_(scene),
+      settings_(settings),
+      light_choice_(light_choice),
+      guide_(std::move(guide)),
+      source_(std::move(source)) {
     if (scene.media()) volume_.emplace(scene, settings);
-    if (guide && settings.debug_layers) bounces_.emplace(*guide, settings.max_nodes);
 }
 
 void PhotonPass::begin_pass(std::uint64_t pass, const PassPhotons& photons, float time,
                             const EyeImage& image, const SearchRadii& radii) {
-    const float reach = chained_ ? PhotonChains::reach(radii) : radii.reach();
+    const float reach = source_->reach(radii);
     const bool reach_lasts = freezes_eye_pass(settings_.mode) && reach_ == reach;
-    if (guide_ || adaptive_ || !reach_lasts) {
+    if (guide_->wants_points() || !reach_lasts) {
         positions_.reserve(image.positions.size());
         positions_of(image.visible_points, positions_);
-        if (!reach_lasts) mark_reach(positions_, reach);
+        if (!reach_lasts) mark_reach(reach);
         const Stopwatch watch(totals_.guide_seconds);
-        if (guide_) guide_->begin_pass(positions_, image.positions.size());
-        if (scores_) scores_->begin_pass(image, positions_, radii);
-        if (adaptive_)
-            totals_.counts.rays += adaptive_->begin_pass(pass, time, image, positions_, radii);
+        totals_.counts.rays += guide_->begin_pass({pass, time, image, positions_, radii});
     }
-    if (chained_) chains_->begin_pass(photons.paths);
-    if (bounces_) bounces_->begin_pass();
+    source_->begin_pass(photons);
     waiting_.clear();
     if (volume_) volume_->begin_pass(pass, photons, image);
 }
 
-void PhotonPass::mark_reach(std::span<const Vec3> visible_points, float radius) {
-    occupancy_.build(visible_points, radius, tbb_for);
-    if (chained_) chains_->mark_reach(visible_points, radius);
+void PhotonPass::mark_reach(float radius) {
+    occupancy_.build(positions_, radius, tbb_for);
+    source_->mark_reach(positions_, radius);
     reach_ = radius;
 }
 
@@ -57,34 +49,18 @@ void PhotonPass::shoot(std::uint64_t pass, const PassPhotons& photons, float tim
     begin_pass(pass, photons, time, image, radii);
     std::uint64_t iteration = 0;
     for (std::uint32_t first = 0; first < photons.paths; ++iteration) {
-        const std::uint32_t count = std::min(iteration_paths(iteration), photons.paths - first);
-        const std::size_t landings = waiting_.landings().size();
-        const std::size_t collisions = volume_ ? volume_->waiting().size() : 0;
+        const std::uint32_t most = guide_->iteration_paths(iteration, source_->iteration_paths());
+        const IterationPaths paths{photons, first, std::min(most, photons.paths - first)};
         PhotonInput input = input_of(pass, time, iteration);
-        input.sequence_begin = sequence_begin(photons, first, input.emission != nullptr);
-        if (input.emission) unguided_from_ = photons.before + first + count;
-        trace(input, photons, first, count, refusals);
-        learn(count);
-        if (adaptive_) {
-            // After learning: a guide learns from what photons really carried.
-            const auto weight = float(learning_weight(photons.before + first));
-            if (weight < 1) {
-                waiting_.scale_power(landings, weight);
-                if (volume_) volume_->scale_power(collisions, weight);
-            }
-        }
+        run_iteration(input, paths, refusals);
         if (waiting_.landings().size() > kLandingCapacity) gather(image, radii, refusals, flux);
         if (volume_ && volume_->full()) gather_in_media(image, refusals);
-        first += count;
+        first += paths.count;
     }
     gather_in_media(image, refusals);
     gather(image, radii, refusals, flux);
-    if (chained_) flux.scale(chains_->end_pass());
-    if (photons.counted < photons.paths) {
-        const double factor = double(photons.paths) / photons.counted;
-        flux.scale(factor);
-        if (volume_) volume_->scale_flux(float(factor));
-    }
+    if (const double factor = source_->end_pass(); factor != 1) flux.scale(factor);
+    scale_to_counted(photons, flux);
     totals_.gathered += flux.gathered;
 }
 
@@ -92,57 +68,41 @@ PhotonInput PhotonPass::input_of(std::uint64_t pass, float time, std::uint64_t i
     PhotonInput input{scene_, settings_, light_choice_};
     input.pass = pass;
     input.time = time;
-    if (guide_) {
-        // No occupancy: it learns from landings that no visible point is near to.
-        if (guide_->guides(iteration)) input.guide = guide_;
-        input.store_owned = guide_->learns_from_owned();
-        input.bounces = bounces_ ? &*bounces_ : nullptr;
-    } else {
-        input.occupancy = &occupancy_;
-    }
-    if (adaptive_) {
-        input.emission = adaptive_->emission();
-        input.survival = adaptive_->survival();
-        input.score_mix = adaptive_->score_mix();
-        input.split_landings = split_landings(settings_);
-        input.log_one_of = adaptive_->log_one_of();
-        input.guide = adaptive_->bounces();
-        input.unguided_roulette = input.guide != nullptr;
-        input.log_vertices = input.survival || input.guide;
-    }
+    input.occupancy = &occupancy_;
+    guide_->guide(iteration, input);
     return input;
 }
 
-std::uint32_t PhotonPass::iteration_paths(std::uint64_t iteration) const {
-    if (guide_) return guide_->iteration_paths(iteration);
-    return chained_ ? chains_->round_paths() : kPlainIterationPaths;
+void PhotonPass::run_iteration(PhotonInput& input, const IterationPaths& paths,
+                               Refusals& refusals) {
+    const PassPhotons& photons = paths.photons;
+    const std::size_t landings = waiting_.landings().size();
+    const std::size_t collisions = volume_ ? volume_->waiting().size() : 0;
+    input.sequence_begin = sequence_begin(photons, paths.first, input.emission != nullptr);
+    if (input.emission) unguided_from_ = photons.before + paths.first + paths.count;
+    {
+        const Stopwatch watch(totals_.photon_seconds);
+        const PathTraces traces{guide_->landings(waiting_), guide_->log(),
+                                volume_ ? &volume_->waiting() : nullptr};
+        totals_.counts += source_->trace(input, paths, refusals, traces);
+    }
+    {
+        const Stopwatch watch(totals_.guide_seconds);
+        totals_.learned += guide_->learn(paths.count, occupancy_, waiting_);
+    }
+    // After learning: a guide learns from what photons really carried.
+    const auto weight = static_cast<float>(guide_->weight(photons.before + paths.first));
+    if (weight < 1) {
+        waiting_.scale_power(landings, weight);
+        if (volume_) volume_->scale_power(collisions, weight);
+    }
 }
 
-void PhotonPass::trace(const PhotonInput& input, const PassPhotons& photons, std::uint32_t first,
-                       std::uint32_t count, Refusals& refusals) {
-    const Stopwatch watch(totals_.photon_seconds);
-    LandingStore& store = guide_ ? iteration_ : waiting_;
-    totals_.counts += chained_ ? chains_->trace(input, count, refusals, store)
-                               : tracer_.trace(input, photons.before, first, count, refusals, store,
-                                               adaptive_ ? &log_ : nullptr,
-                                               volume_ ? &volume_->waiting() : nullptr);
-}
-
-void PhotonPass::learn(std::uint32_t paths) {
-    const Stopwatch watch(totals_.guide_seconds);
-    if (adaptive_) {
-        totals_.learned += adaptive_->learn(log_, waiting_.landings(), paths);
-        log_.clear();
-    }
-    if (!guide_) return;
-    const std::span<const Landing> landings = iteration_.landings();
-    guide_->update(landings, scores_ ? scores_->of(landings) : std::span<const double>());
-    if (bounces_) bounces_->follow_splits();
-    for (const Landing& landing : iteration_.landings()) {
-        if (!landing.owned_by_shadow_rays && occupancy_.near_visible_point(landing.position))
-            waiting_.append({&landing, 1});
-    }
-    iteration_.clear();
+void PhotonPass::scale_to_counted(const PassPhotons& photons, PhotonFlux& flux) {
+    if (!(photons.counted < photons.paths)) return;
+    const double factor = double(photons.paths) / photons.counted;
+    flux.scale(factor);
+    if (volume_) volume_->scale_flux(float(factor));
 }
 
 void PhotonPass::gather(const EyeImage& image, const SearchRadii& radii, Refusals& refusals,
@@ -183,8 +143,8 @@ void PhotonPass::state(StateArchive& archive) {
     totals_.counts.state(archive);
     archive.value(totals_.gathered);
     archive.value(unguided_from_);
-    if (chains_) chains_->state(archive);
-    if (adaptive_) adaptive_->state(archive);
+    source_->state(archive);
+    guide_->state(archive);
     if (volume_) volume_->state(archive);
 }
 
@@ -194,12 +154,26 @@ void PhotonPass::state_of_seconds(StateArchive& archive) {
         archive.amount(*seconds);
 }
 
+void PhotonPass::add_to(EngineStatistics& s) const {
+    s.photon_paths += totals_.counts.paths;
+    s.photon_rays += totals_.counts.rays;
+    s.landings += totals_.counts.landings;
+    s.split_off += totals_.counts.split_off;
+    s.bounces += totals_.counts.bounces;
+    s.guided_bounces += totals_.counts.guided_bounces;
+    s.pruned_paths += totals_.counts.pruned;
+    s.gathered += totals_.gathered;
+    s.photon_seconds += totals_.photon_seconds;
+    s.gather_seconds += totals_.gather_seconds;
+    s.guide_seconds += totals_.guide_seconds;
+    source_->add_to(s);
+    guide_->add_to(s);
+}
+
 std::size_t PhotonPass::memory_bytes() const {
-    return positions_.capacity() * sizeof(Vec3) + tracer_.memory_bytes() + waiting_.memory_bytes() +
-           iteration_.memory_bytes() + grid_.memory_bytes() + occupancy_.memory_bytes() +
-           (volume_ ? volume_->memory_bytes() : 0) + (chains_ ? chains_->memory_bytes() : 0) +
-           (bounces_ ? bounces_->memory_bytes() : 0) + (scores_ ? scores_->memory_bytes() : 0) +
-           (adaptive_ ? adaptive_->memory_bytes() + log_.memory_bytes() : 0);
+    return positions_.capacity() * sizeof(Vec3) + waiting_.memory_bytes() + grid_.memory_bytes() +
+           occupancy_.memory_bytes() + (volume_ ? volume_->memory_bytes() : 0) +
+           source_->memory_bytes() + guide_->memory_bytes();
 }
 
 }  // namespace aips

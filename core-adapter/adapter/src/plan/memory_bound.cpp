@@ -3,12 +3,16 @@
 
 #include "base/vector_growth.h"
 #include "eye/eye_pass.h"
+#include "guides/adaptive/adaptive_guide.h"
 #include "guides/paper/paper_guide.h"
+#include "photons/photon_chains.h"
 #include "photons/photon_pass.h"
 #include "radii/adaptive_radius.h"
 #include "radii/ppm_radius.h"
 #include "radii/scheduled_radius.h"
+#include "worth/iteration_scores.h"
 #include "worth/pass_noise.h"
+#include "worth/path_worth.h"
 
 namespace aips {
 namespace {

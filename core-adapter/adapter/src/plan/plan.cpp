@@ -14,8 +14,7 @@ std::string eye_paths_of(const Plan& plan) {
 
 std::string photon_paths_of(const Plan& plan) {
     if (!plan.needs.photons) return "no photons";
-    if (plan.chains_for_guide() || plan.settings().photon_sampler == PhotonSampler::AdaptiveChains)
-        return "photon paths of Markov chains";
+    if (plan.chains()) return "photon paths of Markov chains";
     switch (plan.guide()) {
         case GuideKind::None:
             return "unguided photon paths";

@@ -23,6 +23,10 @@ struct Plan {
     GuideKind guide() const;
     /// Whether photon paths come from Markov chains in the guide's place.
     bool chains_for_guide() const { return way == PhotonWay::Chains; }
+    /// The same, or as asked for.
+    bool chains() const {
+        return chains_for_guide() || settings().photon_sampler == PhotonSampler::AdaptiveChains;
+    }
     /// Whether a guide learns that lessens the weight of the first photon paths.
     bool learns() const { return guide() == GuideKind::Adaptive; }
     /// Whether photons are looked at before the first pass shoots any. In media scores know

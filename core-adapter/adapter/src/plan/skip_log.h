@@ -12,9 +12,6 @@
 
 namespace aips {
 
-/// Starts whose photons the emission guide has thinned to less than this share count as pruned.
-inline constexpr double kPrunedDensity = 0.25;
-
 /// What the analysis of the scene left out.
 void log_skipped(const Needs& needs, Log& log);
 

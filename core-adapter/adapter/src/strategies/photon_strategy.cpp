@@ -2,10 +2,10 @@
 #include "strategies/photon_strategy.h"
 
 #include "base/stopwatch.h"
+#include "eye/light_choice.h"
 #include "guides/paper/paper_guide.h"
 #include "plan/memory_bound.h"
 #include "plan/pass_work.h"
-#include "strategies/photon_statistics.h"
 
 namespace aips {
 namespace {
@@ -24,10 +24,11 @@ PhotonStrategy::PhotonStrategy(const Host& host, Plan& plan, std::uint32_t eye_p
       settings_(plan.settings()),
       eye_paths_(eye_paths),
       skip_log_(host.log),
+      light_choice_(light_choice(host.scene)),
       guide_(make_guide(host.scene, plan)),
       schedule_(make_schedule()),
       importance_(make_importance()),
-      photon_pass_(host.scene, settings_, guide_.get(), importance_ ? &*importance_ : nullptr),
+      photon_pass_(host.scene, settings_, light_choice_, make_pass_guide(), make_source()),
       radius_policy_(make_radii()) {
     if (plan.measures_noise()) noise_.emplace(film_.width(), film_.height());
     if (settings_.debug_layers) layers_.emplace(film_, guide_.get());
@@ -61,11 +62,24 @@ void PhotonStrategy::look_first(const StrategyPass& pass) {
 void PhotonStrategy::take_way(PhotonWay way) {
     plan_.way = way;
     if (way == PhotonWay::Guided) return;
-    photon_pass_.leave_out_guide(plan_.chains_for_guide());
+    photon_pass_.take(make_pass_guide(), make_source());
     schedule_ = make_schedule();
     importance_ = make_importance();
     radius_policy_ = make_radii();
     if (!plan_.measures_noise()) noise_.reset();
+}
+
+std::unique_ptr<PassGuide> PhotonStrategy::make_pass_guide() const {
+    const PixelImportance* importance = importance_ ? &*importance_ : nullptr;
+    if (guide_) return make_paper_pass_guide(*guide_, settings_, importance);
+    if (plan_.learns()) {
+        return make_adaptive_pass_guide(scene_, settings_, light_choice_, *importance);
+    }
+    return std::make_unique<PassGuide>();
+}
+
+std::unique_ptr<PhotonSource> PhotonStrategy::make_source() const {
+    return make_photon_source(plan_.chains());
 }
 
 CarriedLight PhotonStrategy::carry(const StrategyPass& pass, PassReport& report) {
@@ -102,11 +116,12 @@ void PhotonStrategy::shoot(const StrategyPass& pass, const PassPhotons& photons,
 
 void PhotonStrategy::end_pass(const StrategyPass& pass, const FilmPass& film_pass,
                               const PassReport& report) {
-    if (layers_) layers_->add_pass(pass.image, flux_, radii_, film_pass, photon_pass_.bounces());
+    if (layers_)
+        layers_->add_pass(pass.image, flux_, radii_, film_pass, photon_pass_.guide().bounces());
     const PassNoise noise = learn_noise(pass.image, report.photon_paths);
     const PhotonPassTotals& after = photon_pass_.totals();
     schedule_.end_pass(pass_work(pass.eye_paths, pass.eye_rays, before_, after), noise);
-    skip_log_.after_pass(photon_pass_.adaptive(), after.counts);
+    skip_log_.after_pass(photon_pass_.guide().adaptive(), after.counts);
 }
 
 /// The pass's image is known.
@@ -125,7 +140,6 @@ void PhotonStrategy::state(StateArchive& archive, const EyeImage& image) {
     plan_.state(archive);
     if (archive.restoring()) take_way(plan_.way);
     schedule_.state(archive);
-    if (guide_) guide_->state(archive);
     if (importance_) importance_->state(archive);
     if (noise_) noise_->state(archive);
     photon_pass_.state(archive);
@@ -139,25 +153,15 @@ void PhotonStrategy::state_of_seconds(StateArchive& archive) {
 }
 
 void PhotonStrategy::add_to(EngineStatistics& s) const {
-    add_photons(photon_pass_.totals(), s);
+    photon_pass_.add_to(s);
     s.photons_per_pass = schedule_.next().paths;
     s.plan_seconds += plan_seconds_;
-    if (const PhotonChains* chains = photon_pass_.chains()) add_chains(*chains, s);
-    if (guide_) {
-        s.guide_nodes = guide_->statistics().nodes;
-        s.guide_bytes = guide_->statistics().memory_bytes;
-    }
-    if (const AdaptiveGuide* adaptive = photon_pass_.adaptive()) {
-        add_guide(*adaptive, s);
-        s.pruned_paths = photon_pass_.totals().counts.pruned;
-    }
 }
 
 std::size_t PhotonStrategy::memory_bytes() const {
     return flux_.memory_bytes() + radiance_.capacity() * sizeof(Rgb) +
            variances_.capacity() * sizeof(float) + seen_.capacity() * sizeof(PixelLuminance) +
            photon_pass_.memory_bytes() + radius_policy_->memory_bytes() +
-           (guide_ ? guide_->statistics().memory_bytes : 0) +
            (importance_ ? importance_->memory_bytes() : 0) + (noise_ ? noise_->memory_bytes() : 0) +
            (layers_ ? layers_->memory_bytes() : 0);
 }

@@ -38,6 +38,8 @@ class PhotonStrategy : public LightStrategy {
     PhotonSchedule make_schedule() const;
     std::unique_ptr<RadiusPolicy> make_radii() const;
     std::optional<PixelImportance> make_importance() const;
+    std::unique_ptr<PassGuide> make_pass_guide() const;
+    std::unique_ptr<PhotonSource> make_source() const;
     void shoot(const StrategyPass& pass, const PassPhotons& photons, PassReport& report);
     PassNoise learn_noise(const EyeImage& image, std::uint64_t photon_paths);
     std::size_t pixels() const { return std::size_t{film_.width()} * film_.height(); }
@@ -48,7 +50,8 @@ class PhotonStrategy : public LightStrategy {
     const Settings& settings_;  // without what the plan skips
     std::uint32_t eye_paths_;
     SkipLog skip_log_;
-    std::unique_ptr<Guide> guide_;
+    DiscreteDistribution light_choice_;  // by power
+    std::unique_ptr<Guide> guide_;       // guide=paper
     PhotonSchedule schedule_;
     std::optional<PixelImportance> importance_;  // if something steers by it
     std::optional<PassNoiseMeter> noise_;        // if the photons per pass follow it

@@ -11,4 +11,11 @@ inline Bounds usable_bounds(const Bounds& box) {
     return usable ? box : Bounds{{0, 0, 0}, {0, 0, 0}};
 }
 
+/// Plane that halves the box. Between neighbouring floats, where there is none, the upper one: the
+/// lower would leave a leaf as it was, and be split again without end.
+inline float halving_plane(const Bounds& box, int axis) {
+    const float half = 0.5f * box.lower[axis] + 0.5f * box.upper[axis];
+    return half > box.lower[axis] ? half : box.upper[axis];
+}
+
 }  // namespace aips

@@ -42,6 +42,9 @@ struct EmissionScore {
     double cost = 0;   ///< in rays
 };
 
+/// Starts whose photons the guide has thinned to less than this share count as pruned.
+inline constexpr double kPrunedDensity = 0.25;
+
 /// Learns between iterations; const in between, when it may be used from many threads.
 ///
 /// Bound on fireflies: a photon of light l weighs P0(l) / p(l, x) times what it would without the

@@ -2,7 +2,7 @@
 //
 // A photon of power P that goes on with probability s has a second moment q P^2 / s and a cost of
 // c s from there; moment times cost of the whole is least at s = P sqrt((q / c) / (Q / C)), Q and C
-// being second moment and cost of a whole path (Rath et al. 2022, "EARS", without splitting).
+// being second moment and cost of a whole path (Rath et al. 2022, "EARS").
 #pragma once
 
 #include <algorithm>
@@ -24,9 +24,9 @@ class ScoreSurvival {
     /// Saves or restores the reference; the cache is saved by itself.
     void state(StateArchive& archive) { archive.amount(cost_over_score_); }
 
-    /// Probability of going on (above 1: as good as 1), from what is known before a direction is
-    /// drawn: else the choice would undo the guide's. `power`: luminance, watts, to which it is
-    /// proportional. Nothing where nothing is known.
+    /// Photons that ought to go on: a probability, or above 1 how many to split into. From what is
+    /// known before a direction is drawn: else the choice would undo the guide's. `power`:
+    /// luminance, watts, to which it is proportional. Nothing where nothing is known.
     std::optional<float> probability(Vec3 position, Vec3 normal, float power) const {
         if (!(cost_over_score_ > 0)) return std::nullopt;
         const ScoreCache::Expectation expected = cache_->at(position, normal);

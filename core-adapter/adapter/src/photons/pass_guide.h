@@ -1,0 +1,74 @@
+// What a guide has to do with a photon pass: it sees the pass begin, tells iterations where to send
+// their photons, and learns from what they left.
+#pragma once
+
+#include <memory>
+#include <span>
+
+#include "aips/adapter/engine.h"
+#include "estimate/search_radii.h"
+#include "photons/photon_iteration.h"
+#include "worth/pixel_importance.h"
+
+namespace aips {
+
+class AdaptiveGuide;
+
+/// A pass that begins; all of it stays until the pass ends.
+struct GuidedPass {
+    std::uint64_t number = 0;
+    float time = 0;
+    const EyeImage& image;
+    std::span<const Vec3> positions;  ///< of the visible points
+    const SearchRadii& radii;
+};
+
+/// Without a guide: photons go by the lights' power and the materials.
+class PassGuide {
+  public:
+    virtual ~PassGuide() = default;
+    /// Whether begin_pass() wants to know where the visible points of each pass are.
+    virtual bool wants_points() const { return false; }
+    /// Returns the rays that it traced.
+    virtual std::uint64_t begin_pass(const GuidedPass& /*pass*/) { return 0; }
+    /// Says in `input`, which is that of an unguided pass, what the iteration's photons follow.
+    virtual void guide(std::uint64_t /*iteration*/, PhotonInput& /*input*/) {}
+    /// Photon paths of an iteration where none would be cut shorter for the guide.
+    virtual std::uint32_t iteration_paths(std::uint64_t /*iteration*/,
+                                          std::uint32_t unguided) const {
+        return unguided;
+    }
+    /// Where the landings of an iteration go; `waiting` are those to be gathered.
+    virtual LandingStore& landings(LandingStore& waiting) { return waiting; }
+    /// Where the iteration's paths are recorded; null: nowhere.
+    virtual PathLog* log() { return nullptr; }
+    /// Learns from an iteration of `paths` photon paths, before what they carried is weighted.
+    /// Those of its own landings that are near visible points go on to `waiting`. Returns how many
+    /// paths, vertices and landings it learned from, if that costs time of its own.
+    virtual std::uint64_t learn(std::uint32_t /*paths*/, const OccupancyGrid& /*near*/,
+                                LandingStore& /*waiting*/) {
+        return 0;
+    }
+    /// What photon path number `path` of the render counts for in the image, in (0, 1]: fixed in
+    /// advance.
+    virtual double weight(std::uint64_t /*path*/) const { return 1; }
+    /// Between passes: saves what was learned, or restores it into a new guide.
+    virtual void state(StateArchive& /*archive*/) {}
+    virtual void add_to(EngineStatistics& /*statistics*/) const {}
+    virtual std::size_t memory_bytes() const { return 0; }
+    /// Bounces of the last pass by the guide's node, for debug layers; may be null.
+    virtual const BounceTally* bounces() const { return nullptr; }
+    /// For the log, which tells what of it rests; null for others.
+    virtual const AdaptiveGuide* adaptive() const { return nullptr; }
+};
+
+/// `light_choice` (by power) and `importance` outlive it.
+std::unique_ptr<PassGuide> make_adaptive_pass_guide(const Scene& scene, const Settings& settings,
+                                                    const DiscreteDistribution& light_choice,
+                                                    const PixelImportance& importance);
+
+/// `guide` and `importance`, which may be null unless the guide needs scores, outlive it.
+std::unique_ptr<PassGuide> make_paper_pass_guide(Guide& guide, const Settings& settings,
+                                                 const PixelImportance* importance);
+
+}  // namespace aips

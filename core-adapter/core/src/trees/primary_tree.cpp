@@ -12,8 +12,6 @@
 namespace aips {
 namespace {
 
-constexpr std::uint32_t kMaxLeaves = 1u << 24;
-
 /// The next numbers below x > 0.
 float previous(float x) {
     return std::bit_cast<float>(std::bit_cast<std::uint32_t>(x) - 1);
@@ -23,7 +21,7 @@ double previous(double x) {
 }
 
 void check(const PrimaryTreeSettings& s) {
-    if (s.max_leaves < 1 || s.max_leaves > kMaxLeaves) {
+    if (s.max_leaves < 1 || s.max_leaves > kMostLeaves) {
         throw std::invalid_argument("PrimaryTree: max_leaves must be in [1, 2^24]");
     }
     if (s.split_count < 1) throw std::invalid_argument("PrimaryTree: split_count must be positive");

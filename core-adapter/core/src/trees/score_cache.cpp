@@ -6,20 +6,20 @@
 #include <limits>
 #include <stdexcept>
 
+#include "trees/split_order.h"
 #include "trees/usable_bounds.h"
 
 namespace aips {
 namespace {
 
-constexpr std::uint32_t kMaxLeaves = 1u << 24;
 /// Least side of a leaf's box, as a share of the scene's longest.
-constexpr float kMinSideShare = 0x1p-12f;
+constexpr float kLeastSideShare = 0x1p-12f;
 /// Standard errors by which the mean root scores of two halves must differ. Roots, because their
 /// tails are lighter, and because the roulette takes the root.
 constexpr double kSignificance = 3;
 
 void check(const ScoreCacheSettings& s) {
-    if (s.max_leaves < 6 || s.max_leaves > kMaxLeaves) {
+    if (s.max_leaves < 6 || s.max_leaves > kMostLeaves) {
         throw std::invalid_argument("ScoreCache: max_leaves must be in [6, 2^24]");
     }
     if (s.split_count < 4) throw std::invalid_argument("ScoreCache: split_count must be >= 4");
@@ -135,7 +135,7 @@ ScoreCache::ScoreCache(const Bounds& scene, const ScoreCacheSettings& settings)
     check(settings);
     const Bounds box = usable_bounds(scene);
     const Vec3 extent = box.extent();
-    min_side_ = kMinSideShare * std::max({extent.x, extent.y, extent.z});
+    min_side_ = kLeastSideShare * std::max({extent.x, extent.y, extent.z});
     const std::size_t branches = 2 * std::size_t(settings.max_leaves) - kTrees;
     branches_.reserve(branches);
     means_.reserve(branches);

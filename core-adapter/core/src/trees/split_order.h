@@ -10,6 +10,9 @@
 
 namespace aips {
 
+/// Most leaves of a tree whose branches pack their child and their axis in 32 bits.
+inline constexpr std::uint32_t kMostLeaves = 1u << 24;
+
 /// [split]: the branch that it divided, for trees whose split number k appends the branches
 /// roots + 2 k and roots + 2 k + 1. `Branch` has axis(), which is `leaf_axis` for leaves, and
 /// target(), the lower child of others.

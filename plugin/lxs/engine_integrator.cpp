@@ -8,9 +8,7 @@ namespace aips::shim {
 
 void EngineIntegrator::prepare(const lxs::RenderContext& context) {
     if (context.settings.seed != 0) settings_.seed = context.settings.seed;
-    shims_.reset(new Shims{SceneShim(context.scene), CameraShim(context.camera),
-                           SamplerShim(context.sampler), FilmShim(context.film),
-                           LogShim(context.log)});
+    shims_ = std::make_unique<Shims>(context);
     pixels_ = double(context.film.width()) * double(context.film.height());
     engine_ = std::make_unique<Engine>(
         Host{shims_->scene, shims_->camera, shims_->sampler, shims_->film, shims_->log}, settings_);

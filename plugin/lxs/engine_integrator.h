@@ -23,6 +23,13 @@ class EngineIntegrator final : public lxs::Integrator {
   private:
     /// The host's parts in the engine's terms; they live as long as the engine.
     struct Shims {
+        explicit Shims(const lxs::RenderContext& context)
+            : scene(context.scene),
+              camera(context.camera),
+              sampler(context.sampler),
+              film(context.film),
+              log(context.log) {}
+
         SceneShim scene;
         CameraShim camera;
         SamplerShim sampler;

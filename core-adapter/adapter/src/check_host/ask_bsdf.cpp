@@ -86,7 +86,7 @@ void Asking::add(std::array<Estimate, 1 + kOctants>& estimates, Vec3 wi, double 
     estimates[0].add(value);
     const int there = value > 0 ? octant(frame_, wi) : -1;
     for (int i = 0; i < kOctants; ++i)
-        estimates[std::size_t(1 + i)].add(i == there ? value : 0);
+        estimates[1 + static_cast<std::size_t>(i)].add(i == there ? value : 0);
 }
 
 void Asking::compare(const DensityTally& density, Transport transport, const BsdfSample& s,

@@ -21,13 +21,17 @@ constexpr std::size_t kPlacesTried = 64;
 
 /// "0.0796 times (1 / (4 pi))": factors that are easily forgotten have names.
 std::string factor(double ratio) {
-    constexpr double pi = std::numbers::pi;
+    constexpr double kDoublePi = std::numbers::pi;
     struct Named {
         double value;
         const char* name;
     };
-    constexpr std::array<Named, 6> kNamed{
-        {{4 * pi, "4 pi"}, {2 * pi, "2 pi"}, {pi, "pi"}, {pi * pi, "pi^2"}, {2, "2"}, {4, "4"}}};
+    constexpr std::array<Named, 6> kNamed{{{4 * kDoublePi, "4 pi"},
+                                           {2 * kDoublePi, "2 pi"},
+                                           {kDoublePi, "pi"},
+                                           {kDoublePi * kDoublePi, "pi^2"},
+                                           {2, "2"},
+                                           {4, "4"}}};
     for (const auto& [value, name] : kNamed) {
         if (std::abs(ratio / value - 1) < 0.08) return figure(ratio) + " times (" + name + ")";
         if (std::abs(ratio * value - 1) < 0.08) {

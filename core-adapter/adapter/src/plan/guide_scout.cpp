@@ -20,7 +20,8 @@ constexpr std::uint64_t kFirstPath = std::uint64_t{1} << 62;
 constexpr double kNearWithoutGuide = 1.0 / 3, kSeenForChains = 5e-4;
 /// Paths seen that tell the second from more, and at most so many paths to find them; chains need
 /// to find a visible path now and then.
-constexpr std::uint64_t kSeenEnough = 32, kMostPaths = 16 * kPlainIterationPaths, kSeenAtLeast = 2;
+constexpr std::uint64_t kSeenEnough = 32, kMostPaths = std::uint64_t{16} * kPlainIterationPaths,
+                        kSeenAtLeast = 2;
 
 }  // namespace
 

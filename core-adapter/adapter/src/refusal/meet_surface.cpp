@@ -15,11 +15,9 @@ bool meet_surface(const Scene& scene, const Ray& ray, SurfacePoint& point,
         point.bsdf = nullptr;
         point.light = kNoLight;
     }
-    if (point.light == kNoLight) {
-        point.emitted = {};
-    } else if (!refusals.accept(point.emitted, refusals.of_light(point.light))) {
-        point.emitted = {};
-    }
+    const bool lit =
+        point.light != kNoLight && refusals.accept(point.emitted, refusals.of_light(point.light));
+    if (!lit) point.emitted = {};
     return true;
 }
 

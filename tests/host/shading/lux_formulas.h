@@ -49,6 +49,19 @@ struct Half {
     }
 };
 
+inline Rgb grey(double value) {
+    return Rgb(static_cast<float>(value));
+}
+
+/// Fresnel's share at a dielectric of relative index `n`.
+inline double dielectric(double c, double n) {
+    const double s2 = (1 - c * c) / (n * n);
+    if (s2 >= 1) return 1;
+    const double t = std::sqrt(1 - s2);
+    const double p = (t - n * c) / (t + n * c), s = (c - n * t) / (c + n * t);
+    return 0.5 * (p * p + s * s);
+}
+
 inline double schlick_fresnel(double u, double r0) {
     return r0 + (1 - r0) * std::pow(1 - u, 5);
 }

@@ -7,19 +7,6 @@
 namespace lxs::lux::surface_formula_test {
 namespace {
 
-Rgb grey(double value) {
-    return Rgb(static_cast<float>(value));
-}
-
-/// Fresnel's share at a dielectric of relative index `n`.
-double dielectric(double c, double n) {
-    const double s2 = (1 - c * c) / (n * n);
-    if (s2 >= 1) return 1;
-    const double t = std::sqrt(1 - s2);
-    const double p = (t - n * c) / (t + n * c), s = (c - n * t) / (c + n * t);
-    return 0.5 * (p * p + s * s);
-}
-
 /// The same at a metal, exactly.
 double metal(double c, double n, double k) {
     const std::complex<double> e(n, k), t = std::sqrt(e * e - (1 - c * c));

@@ -18,7 +18,7 @@ std::unique_ptr<lxs::Integrator> create(const lxs::ParameterReader& parameters) 
     return std::make_unique<aips::shim::EngineIntegrator>(settings);
 }
 
-const lxs::IntegratorPlugin plugins[] = {
+const lxs::IntegratorPlugin kPlugins[] = {
     {"aips", "Adaptive importance photon shooting (Liu and Zheng 2014).",
      aips::parameter_declarations(aips::PluginKind::Aips), &create<aips::PluginKind::Aips>},
     {"sppm", "Stochastic progressive photon mapping, unguided: the baseline.",
@@ -32,4 +32,4 @@ const lxs::IntegratorPlugin plugins[] = {
 
 }  // namespace
 
-LXS_PLUGIN_MODULE("aips", plugins)
+LXS_PLUGIN_MODULE("aips", kPlugins)

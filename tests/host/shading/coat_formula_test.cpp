@@ -101,13 +101,13 @@ TEST(CoatFormula, GlossyLossy) {
 
 TEST(CoatFormula, GlossyTranslucent) {
     ShadingFixture scene;
-    constexpr double kt = 0.5;
+    constexpr double kThrough = 0.5;
     for (std::size_t i = 0; i < kCoats.size(); ++i) {
         const Coat &front = kCoats[i], &back = kCoats[(i + 3) % kCoats.size()];
         auto values = front.values();
         for (const ParameterValue& value : back.values("backface_"))
             values.push_back(value);
-        values.push_back(color("Kt", Rgb(static_cast<float>(kt))));
+        values.push_back(color("Kt", Rgb(static_cast<float>(kThrough))));
         values.push_back(flag("onesided", false));
         const auto material = scene.make_material("glossytranslucent", values);
         expect_formula(*material, kTolerance, [&](const Vec3& wo, const Vec3& wi) {
@@ -129,7 +129,7 @@ TEST(CoatFormula, GlossyTranslucent) {
                                               (1 - schlick_fresnel(h.u, back.r0())));
                 const double left =
                     std::exp(-front.ka * front.d / h.cos_o - back.ka * back.d / h.cos_i);
-                return past * left * kt * (1 - front.kd) / kPi;
+                return past * left * kThrough * (1 - front.kd) / kPi;
             },
             1, Vec3(1.0f), kBelow);
     }

@@ -6,7 +6,7 @@
 namespace aips {
 namespace {
 
-const Frame world_axes({1, 0, 0}, {0, 1, 0}, {0, 0, 1});
+const Frame kWorldAxes({1, 0, 0}, {0, 1, 0}, {0, 0, 1});
 constexpr std::size_t kFluxPilots = 32;
 /// Radius of the sphere around a light's photons' origins in units of theirs: far enough for
 /// irradiance to be bounded by a few times its mean.
@@ -118,9 +118,9 @@ class Measurement {
         flux_.emitted.add(power);
         int there = -1;
         if (emitted && light_.at_infinity()) {
-            if (box_.crossed_by(e.ray)) there = octant(world_axes, -e.ray.direction);
+            if (box_.crossed_by(e.ray)) there = octant(kWorldAxes, -e.ray.direction);
         } else if (emitted) {
-            there = octant(world_axes, sphere_.exit(e.ray));
+            there = octant(kWorldAxes, sphere_.exit(e.ray));
         }
         add(flux_.by_photons, there, there >= 0 ? power : 0);
     }
@@ -153,7 +153,7 @@ class Measurement {
             value = double(luminance(s.radiance)) * std::max(0.0f, -dot(s.wi, x)) * area /
                     (s.pdf * q.pdf(x));
         }
-        add(flux_.by_points, octant(world_axes, x), value);
+        add(flux_.by_points, octant(kWorldAxes, x), value);
     }
 
     void add_direction(const DirectionProposal& q) {
@@ -163,7 +163,7 @@ class Measurement {
             is_valid_radiance(seen), [&] { return "escaped() " + figure(luminance(seen)); });
         const double value =
             valid ? double(luminance(seen)) * box_.projected_area(w) / q.pdf(w) : 0;
-        add(flux_.by_points, octant(world_axes, w), value);
+        add(flux_.by_points, octant(kWorldAxes, w), value);
     }
 
     bool is_delta() {
@@ -174,7 +174,7 @@ class Measurement {
     void add_delta() {
         DirectSample s;
         if (!direct(point_at(box_.bounds.center(), {0, 0, 1}), s)) return;
-        add(flux_.by_points, octant(world_axes, s.wi),
+        add(flux_.by_points, octant(kWorldAxes, s.wi),
             double(luminance(s.radiance)) * box_.projected_area(s.wi) / s.pdf);
     }
 

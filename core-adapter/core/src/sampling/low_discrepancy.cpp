@@ -69,7 +69,7 @@ constexpr std::array<SobolByteTables, kSobolDimensions> all_tables() {
 
 }  // namespace
 
-constexpr std::array<SobolByteTables, kSobolDimensions> sobol_tables = all_tables();
+constexpr std::array<SobolByteTables, kSobolDimensions> kSobolTables = all_tables();
 
 void SobolRun::enter(std::uint64_t window) {
     window_ = window;

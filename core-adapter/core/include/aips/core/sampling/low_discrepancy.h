@@ -16,7 +16,7 @@ inline constexpr unsigned kSobolDimensions = 8;
 /// The generator matrix of one dimension: [byte of the index][its value] -> XOR of columns, with
 /// the bits of the result reversed (least significant first), as scrambling wants them.
 using SobolByteTables = std::array<std::array<std::uint32_t, 256>, 4>;
-extern const std::array<SobolByteTables, kSobolDimensions> sobol_tables;
+extern const std::array<SobolByteTables, kSobolDimensions> kSobolTables;
 
 /// Mirrors the 32 bits.
 constexpr std::uint32_t reverse_bits(std::uint32_t x) {
@@ -49,7 +49,7 @@ constexpr std::uint32_t laine_karras_permutation(std::uint32_t x, std::uint32_t 
 /// Point `index` of the Sobol' sequence in `dimension` (unchecked), before scrambling: a fraction
 /// of 32 bits, the least significant bit first.
 inline std::uint32_t sobol_reversed_bits(std::uint32_t index, unsigned dimension) {
-    const SobolByteTables& t = sobol_tables[dimension];
+    const SobolByteTables& t = kSobolTables[dimension];
     return t[0][index & 255u] ^ t[1][(index >> 8) & 255u] ^ t[2][(index >> 16) & 255u] ^
            t[3][index >> 24];
 }
@@ -85,7 +85,7 @@ class SobolRun {
     /// after move_to().
     std::uint32_t bits(unsigned dimension) const {
         const Dimension& d = dimensions_[dimension];
-        const std::uint32_t unscrambled = d.upper_bits ^ sobol_tables[dimension][0][byte_];
+        const std::uint32_t unscrambled = d.upper_bits ^ kSobolTables[dimension][0][byte_];
         return reverse_bits(laine_karras_permutation(unscrambled, d.scramble));
     }
     /// The same in [0, 1): its first 24 bits.

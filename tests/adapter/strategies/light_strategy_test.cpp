@@ -28,8 +28,7 @@ class Glow : public LightStrategy {
         report.rays += 1;
         return {radiance_, mean_, 1};
     }
-    void end_pass(const StrategyPass& pass, const FilmPass& film_pass,
-                  const PassReport& /*report*/) override {
+    void end_pass(const StrategyPass& pass, const FilmPass& film_pass) override {
         EXPECT_EQ(film_pass.positions.size(), pass.image.positions.size());
         ++brightness_;
     }

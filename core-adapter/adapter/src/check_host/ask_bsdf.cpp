@@ -34,7 +34,7 @@ class Asking {
     void compare(const DensityTally& density, Transport transport, const BsdfSample& sample,
                  double p);
     DirectionProposal proposal(LobeMask mask);
-    void add(std::array<Estimate, 1 + kOctants>& estimates, Vec3 wi, double value) const;
+    void add(OctantEstimates& estimates, Vec3 wi, double value) const;
     BsdfSample specular(float u_lobe, bool& drawn) const;
 
     const BsdfPlace& place_;
@@ -82,11 +82,8 @@ DirectionProposal Asking::proposal(LobeMask mask) {
     return DirectionProposal(std::move(pilots));
 }
 
-void Asking::add(std::array<Estimate, 1 + kOctants>& estimates, Vec3 wi, double value) const {
-    estimates[0].add(value);
-    const int there = value > 0 ? octant(frame_, wi) : -1;
-    for (int i = 0; i < kOctants; ++i)
-        estimates[1 + static_cast<std::size_t>(i)].add(i == there ? value : 0);
+void Asking::add(OctantEstimates& estimates, Vec3 wi, double value) const {
+    aips::add(estimates, value > 0 ? octant(frame_, wi) : -1, value);
 }
 
 void Asking::compare(const DensityTally& density, Transport transport, const BsdfSample& s,

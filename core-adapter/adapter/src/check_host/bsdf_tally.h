@@ -4,8 +4,8 @@
 #include <array>
 
 #include "direction_proposal.h"
-#include "estimate.h"
 #include "findings.h"
+#include "octant_estimates.h"
 
 namespace aips {
 
@@ -14,7 +14,7 @@ struct DensityTally {
     LobeMask mask = 0;
     /// The same integrals over all directions and over octants, by samples of the Bsdf and by
     /// directions of a known density: DensityTally's owner says which.
-    std::array<Estimate, 1 + kOctants> by_samples, by_density;
+    OctantEstimates by_samples, by_density;
 };
 
 struct BsdfTally {

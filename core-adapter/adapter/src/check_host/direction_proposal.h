@@ -30,11 +30,4 @@ class DirectionProposal {
     std::vector<Vec3> pilots_;
 };
 
-/// Which of eight octants around a frame a direction lies in.
-inline int octant(const Frame& frame, Vec3 direction) {
-    const Vec3 local = frame.to_local(direction);
-    return (local.x > 0 ? 1 : 0) + (local.y > 0 ? 2 : 0) + (local.z > 0 ? 4 : 0);
-}
-inline constexpr int kOctants = 8;
-
 }  // namespace aips

@@ -12,12 +12,6 @@ constexpr std::size_t kFluxPilots = 32;
 /// irradiance to be bounded by a few times its mean.
 constexpr float kSphere = 2.5f;
 
-void add(std::array<Estimate, 1 + kOctants>& estimates, int octant, double value) {
-    estimates[0].add(value);
-    for (int i = 0; i < kOctants; ++i)
-        estimates[1 + static_cast<std::size_t>(i)].add(i == octant ? value : 0);
-}
-
 /// A closed box that photons may cross.
 struct Box {
     Bounds bounds;

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "direction_proposal.h"
-#include "estimate.h"
 #include "findings.h"
+#include "octant_estimates.h"
 
 namespace aips {
 
@@ -11,7 +11,7 @@ namespace aips {
 /// at infinity) or of where they cross it (others).
 struct LightFlux {
     Estimate emitted;  ///< all, whether it crosses the test surface or not
-    std::array<Estimate, 1 + kOctants> by_photons, by_points;
+    OctantEstimates by_photons, by_points;
     Tally values;
 };
 

@@ -17,9 +17,6 @@ struct Needs {
     /// As asked for, but that guides, or parts of them, that can't help are off.
     Settings settings;
     std::vector<std::string> skipped;  ///< one sentence for each part left out, with its reason
-
-    /// Whether directions or starts of photons are guided.
-    bool guide() const { return settings.guide != GuideKind::None; }
 };
 
 /// Before any ray is traced.

@@ -40,7 +40,7 @@ PassReport PassLoop::render_pass(std::uint64_t number) {
         add_light(strategy->carry(pass, report), film_pass);
     host_.film.add_pass(film_pass);
     for (const auto& strategy : strategies_)
-        strategy->end_pass(pass, film_pass, report);
+        strategy->end_pass(pass, film_pass);
     if (report.eye_paths) {
         direct_light_.learn(image_.light_samples, light_samples_due(report.eye_paths), number + 1);
     }

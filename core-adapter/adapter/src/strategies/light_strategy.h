@@ -44,8 +44,7 @@ class LightStrategy {
     /// Carries the light of one pass; adds what it did to `report`.
     virtual CarriedLight carry(const StrategyPass& pass, PassReport& report) = 0;
     /// The film has the pass: learns from it, for later ones.
-    virtual void end_pass(const StrategyPass& pass, const FilmPass& film_pass,
-                          const PassReport& report) = 0;
+    virtual void end_pass(const StrategyPass& pass, const FilmPass& film_pass) = 0;
     /// Between passes: saves what later ones go on from, or restores it into a new strategy;
     /// `image` is that of the last pass, or when restoring the one that is kept.
     virtual void state(StateArchive& archive, const EyeImage& image) = 0;

@@ -87,6 +87,7 @@ CarriedLight PhotonStrategy::carry(const StrategyPass& pass, PassReport& report)
     if (pass.number == 0 && !image.visible_points.empty()) look_first(pass);
     before_ = photon_pass_.totals();
     radii_ = {};
+    shot_ = 0;
     const PassPhotons photons = schedule_.next();
     if (!plan_.needs.photons || (image.visible_points.empty() && image.beams.empty())) {
         flux_.reset(image.visible_points.size(), image.groups);
@@ -110,27 +111,27 @@ void PhotonStrategy::shoot(const StrategyPass& pass, const PassPhotons& photons,
                           noise_ ? &variances_ : nullptr);
     if (any_points) radius_policy_->after_pass(flux_);
     report.radius = radii_.mean;
-    report.photon_paths += photons.paths;
+    shot_ = photons.paths;
+    report.photon_paths += shot_;
     report.rays += photon_pass_.totals().counts.rays - before_.counts.rays;
 }
 
-void PhotonStrategy::end_pass(const StrategyPass& pass, const FilmPass& film_pass,
-                              const PassReport& report) {
+void PhotonStrategy::end_pass(const StrategyPass& pass, const FilmPass& film_pass) {
     if (layers_)
         layers_->add_pass(pass.image, flux_, radii_, film_pass, photon_pass_.guide().bounces());
-    const PassNoise noise = learn_noise(pass.image, report.photon_paths);
+    const PassNoise noise = learn_noise(pass.image);
     const PhotonPassTotals& after = photon_pass_.totals();
     schedule_.end_pass(pass_work(pass.eye_paths, pass.eye_rays, before_, after), noise);
     skip_log_.after_pass(photon_pass_.guide().adaptive(), after.counts);
 }
 
 /// The pass's image is known.
-PassNoise PhotonStrategy::learn_noise(const EyeImage& image, std::uint64_t photon_paths) {
+PassNoise PhotonStrategy::learn_noise(const EyeImage& image) {
     PassNoise noise;
-    if (!importance_ || photon_paths == 0) return noise;
+    if (!importance_ || shot_ == 0) return noise;
     const Stopwatch watch(plan_seconds_);
     pixel_luminances(image, radiance_, film_.width(), film_.height(), seen_);
-    if (noise_) noise = noise_->add_pass(seen_, variances_, photon_paths, *importance_);
+    if (noise_) noise = noise_->add_pass(seen_, variances_, shot_, *importance_);
     importance_->add_pass(seen_);
     return noise;
 }

@@ -24,8 +24,7 @@ class PhotonStrategy : public LightStrategy {
     PhotonStrategy(const Host& host, Plan& plan, std::uint32_t eye_paths);
 
     CarriedLight carry(const StrategyPass& pass, PassReport& report) override;
-    void end_pass(const StrategyPass& pass, const FilmPass& film_pass,
-                  const PassReport& report) override;
+    void end_pass(const StrategyPass& pass, const FilmPass& film_pass) override;
     void state(StateArchive& archive, const EyeImage& image) override;
     void state_of_seconds(StateArchive& archive) override;
     void add_to(EngineStatistics& statistics) const override;
@@ -41,7 +40,7 @@ class PhotonStrategy : public LightStrategy {
     std::unique_ptr<PassGuide> make_pass_guide() const;
     std::unique_ptr<PhotonSource> make_source() const;
     void shoot(const StrategyPass& pass, const PassPhotons& photons, PassReport& report);
-    PassNoise learn_noise(const EyeImage& image, std::uint64_t photon_paths);
+    PassNoise learn_noise(const EyeImage& image);
     std::size_t pixels() const { return std::size_t{film_.width()} * film_.height(); }
 
     const Scene& scene_;
@@ -57,7 +56,8 @@ class PhotonStrategy : public LightStrategy {
     std::optional<PassNoiseMeter> noise_;        // if the photons per pass follow it
     PhotonPass photon_pass_;
     std::unique_ptr<RadiusPolicy> radius_policy_;
-    SearchRadii radii_;  // of the last pass
+    SearchRadii radii_;       // of the last pass
+    std::uint32_t shot_ = 0;  // photon paths in it
     PhotonFlux flux_;
     PhotonPassTotals before_;           // the last pass
     std::vector<Rgb> radiance_;         // [eye path * groups + group]; empty if none is needed

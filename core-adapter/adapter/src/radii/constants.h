@@ -8,9 +8,10 @@ namespace aips {
 
 /// Automatic start radius. Unit: footprints.
 /// Balances: noise against blur.
-/// Chosen by: docs/notebook/2026-11-23-adaptive-radius-bounds.md.
-/// Supported by: hall, ajar-door, glass-ball, sun-window (half of it; the last two gain by that);
-///   hall, glass-ball (docs/notebook/2026-11-23-radius-of-chains.md).
+/// Chosen by: docs/notebook/2026-11-23-radius-of-chains.md.
+/// Supported by: hall, glass-ball (1 in its place); ajar-door, hall, sun-window
+///   (docs/notebook/2026-11-23-adaptive-radius-bounds.md, 1 in its place, which the last one gains
+///   by).
 inline constexpr double kAutomaticRadius = 2;
 
 /// The same where chains take the guide's place: next to none of other photons would be seen, all

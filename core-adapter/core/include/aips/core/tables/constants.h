@@ -30,7 +30,8 @@ inline constexpr std::uint32_t kLightSplitRays = 64;
 
 /// Share of the choices of lights that is made without tables. Unit: share of 1.
 /// Balances: the greatest weight, its inverse, against noise where tables are right.
-/// Chosen by: docs/notebook/2026-11-23-learned-lights.md.
+/// Chosen by: reasoning: no light weighs more than eight times what it does without tables
+///   (docs/understand/learned-lights.md).
 /// Supported by: no measurement (tables were measured in five scenes, this share was not varied).
 inline constexpr double kPlainLights = 0.125;
 

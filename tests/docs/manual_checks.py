@@ -14,7 +14,7 @@ HERE = pathlib.Path(__file__).resolve().parent
 MOST_WORDS, MOST_WORDS_TO_UNDERSTAND = 1500, 1200
 # Made from declarations or entries, as long as these are.
 GENERATED = ('reference/parameters.md', 'reference/scene-language.md', 'reference/gallery.md',
-             'measured/conformance.md', 'build-on/rooms.md')
+             'measured/conformance.md', 'build-on/rooms.md', 'build-on/constants.md')
 HASH = re.compile(r'(?<![\w/.-])(?=[0-9a-f]*[a-f])(?=[0-9a-f]*[0-9])[0-9a-f]{7,40}(?![\w/-])')
 DIARY = re.compile(r'\b(?:before|after), at\b|\bearlier versions?\b|\bat revision\b|'
                    r'\bsuperseded (?:figures|version)|\bprevious versions?\b', re.IGNORECASE)

@@ -52,7 +52,7 @@ TEST(PixelImportance, LowBeforeTheFirstPass) {
     for (std::size_t i = 0; i < image.radiance.size(); ++i)
         image.radiance[i] = kWhite * (i % 4 == 0 ? 3.0f : 1.0f);
     for (const double w : weights_of(PixelImportance(kWidth, kHeight), image))
-        EXPECT_EQ(w, double(PixelImportance::kUnknownWeight));
+        EXPECT_EQ(w, double(kUnknownWeight));
 }
 
 /// A guide adds up what it learns in all passes: scores must not depend on the scene's units, nor

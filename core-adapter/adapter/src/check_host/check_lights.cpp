@@ -4,20 +4,12 @@
 #include <array>
 #include <numbers>
 
+#include "constants.h"
 #include "direct_light_tally.h"
 #include "light_flux.h"
 
 namespace aips {
 namespace {
-
-/// Share of draws at which rounding may let a sound host down: edges of lights, borders of texels.
-constexpr double kRareAtLight = 0.05;
-/// Differences in flux below this are left alone: tessellated lamps have a little less surface than
-/// their photons start from, test surfaces some thickness.
-constexpr double kFluxTolerance = 0.03;
-/// power() is "about": it steers choices only.
-constexpr double kPowerTolerance = 2;
-constexpr std::size_t kPlacesTried = 64;
 
 /// "0.0796 times (1 / (4 pi))": factors that are easily forgotten have names.
 std::string factor(double ratio) {

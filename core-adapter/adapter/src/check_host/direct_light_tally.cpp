@@ -2,13 +2,11 @@
 #include "direct_light_tally.h"
 
 #include "aips/core/base/arena.h"
+#include "constants.h"
 #include "emit_at_random.h"
 
 namespace aips {
 namespace {
-
-/// Two distances to one light point, or two values of one quantity, as shares of the larger.
-constexpr float kSame = 0.02f;
 
 bool near(float a, float b) {
     return std::abs(a - b) <= kSame * std::max(std::abs(a), std::abs(b));

@@ -6,11 +6,9 @@
 
 #include "aips/core/sampling/random.h"
 #include "aips/core/sampling/sampling.h"
+#include "constants.h"
 
 namespace aips {
-
-/// As many draws tell where a lobe or a light is.
-inline constexpr int kPilots = 16;
 
 class DirectionProposal {
   public:
@@ -23,7 +21,6 @@ class DirectionProposal {
     double pdf(Vec3 direction) const;
 
   private:
-    static constexpr int kSizes = 6;
     /// 1 - cosine of the half angle of a cap; its solid angle is 2 pi times as much.
     static double extent(int size);
 

@@ -7,6 +7,8 @@
 #include <cmath>
 #include <cstdint>
 
+#include "constants.h"
+
 namespace aips {
 
 /// Of numbers >= 0.
@@ -32,16 +34,12 @@ class Estimate {
     }
     /// Two estimates in each of 9 comparisons (all directions and octants) of each of four choices
     /// of lobes: the most that one subject is asked for.
-    static constexpr double kErrorProbability = 1e-8 / (2 * 9 * 4);
+    static constexpr double kErrorProbability = kChanceOfFinding / (2 * 9 * 4);
 
   private:
     std::uint64_t count_ = 0;
     double sum_ = 0, sum_of_squares_ = 0, largest_ = 0;
 };
-
-/// Bound of the probability with which a sound host exceeds the errors of two estimates in any of
-/// the comparisons of one light or material.
-inline constexpr double kChanceOfFinding = 1e-8;
 
 /// Whether two estimates of one number contradict each other by more than chance and more than
 /// `tolerance`.

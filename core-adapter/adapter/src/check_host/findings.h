@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "aips/adapter/check_host.h"
+#include "constants.h"
 
 namespace aips {
 
@@ -14,10 +15,6 @@ std::string light_subject(const Scene& scene, LightIndex light);
 std::string material_subject(const Scene& scene, std::uint32_t material);
 /// A number with three digits.
 std::string figure(double value);
-
-/// Share of draws at which rounding may let a sound host down: where lobes are narrow, a direction
-/// grazes, or a surface is met at its edge.
-inline constexpr double kRare = 0.02;
 
 /// How often something was looked at, and how often it was wrong.
 struct Tally {

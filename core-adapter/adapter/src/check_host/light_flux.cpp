@@ -1,16 +1,13 @@
 // Test surfaces: the scene's box for lights at infinity, a sphere around the others.
 #include "light_flux.h"
 
+#include "constants.h"
 #include "emit_at_random.h"
 
 namespace aips {
 namespace {
 
 const Frame kWorldAxes({1, 0, 0}, {0, 1, 0}, {0, 0, 1});
-constexpr std::size_t kFluxPilots = 32;
-/// Radius of the sphere around a light's photons' origins in units of theirs: far enough for
-/// irradiance to be bounded by a few times its mean.
-constexpr float kSphere = 2.5f;
 
 /// A closed box that photons may cross.
 struct Box {
@@ -102,7 +99,7 @@ class Measurement {
         const Vec3 reach = max(abs(origins.lower), abs(origins.upper));
         const float far = std::max({reach.x, reach.y, reach.z, 1e-6f});
         // A point's sphere is wide enough for coordinates to resolve it.
-        sphere_ = {origins.center(), std::max(kSphere * extent, 1e-2f * far)};
+        sphere_ = {origins.center(), std::max(kSphereExtents * extent, 1e-2f * far)};
     }
 
     void add_photon() {

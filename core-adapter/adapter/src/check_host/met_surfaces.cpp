@@ -2,14 +2,10 @@
 #include "met_surfaces.h"
 
 #include "aips/core/sampling/sampling.h"
+#include "constants.h"
 
 namespace aips {
 namespace {
-
-constexpr int kMostBounces = 6;
-constexpr std::size_t kPlacesAnywhere = 256;
-/// How far off a surface is met again by rays that start on its wrong side, in units of coarseness.
-constexpr float kClose = 64;
 
 /// Counts what one intersect() takes of an arena.
 class CountedMemory final : public std::pmr::memory_resource {

@@ -6,16 +6,11 @@
 
 #include <atomic>
 
+#include "estimate/constants.h"
 #include "estimate/group_sums.h"
 
 namespace aips {
 namespace {
-
-/// Photons of surfaces turned by more than 45 degrees belong to another surface.
-constexpr float kMinNormalAgreement = 0.7071f;
-/// Half thickness of the slab around the tangent plane, in radii: a sphere of radius R bends away
-/// by r^2 / (2 R), so this takes all photons of surfaces with R >= r.
-constexpr float kSlab = 0.5f;
 
 /// Ratio of the cosine that the Bsdf wants (shading normal) to the one that the density of
 /// landings has (geometric normal), for the photon's direction.

@@ -5,18 +5,10 @@
 #include <utility>
 
 #include "base/vector_growth.h"
+#include "eye/constants.h"
 #include "eye/light_choice.h"
 
 namespace aips {
-namespace {
-
-/// Samples after which tables are made anew: half of those before, within bounds. Not in each pass,
-/// as eye paths are stratified over the passes in between.
-constexpr std::uint64_t kFewestNew = 2048, kMostNew = 1u << 16;
-/// Samples after which there is nothing more to learn.
-constexpr std::uint64_t kEnoughSamples = 1u << 20;
-
-}  // namespace
 
 DirectLight::DirectLight(const Scene& scene, bool learns)
     : scene_(scene), choice_(light_choice(scene)) {
@@ -83,11 +75,11 @@ void DirectLight::learn(std::span<const LightSample> samples, std::uint64_t due,
 }
 
 bool DirectLight::learns() const {
-    return tables_ && learned_ < kEnoughSamples;
+    return tables_ && learned_ < kEnoughRays;
 }
 
 std::uint64_t DirectLight::due_at_most() const {
-    return learns() ? std::clamp(learned_ / 2, kFewestNew, kMostNew) : 1;
+    return learns() ? std::clamp(learned_ / 2, kFewestNewRays, kMostNewRays) : 1;
 }
 
 void DirectLight::state(StateArchive& archive) {
@@ -118,7 +110,7 @@ std::size_t DirectLight::memory_bytes() const {
 std::size_t DirectLight::memory_bound_bytes(const Scene& scene, std::size_t samples) {
     const std::size_t lights = scene.lights().size();
     return LightTables::memory_bound_bytes(light_table_settings(lights), lights) +
-           (kMostNew + samples) * kVectorGrowth * sizeof(LightSample);
+           (kMostNewRays + samples) * kVectorGrowth * sizeof(LightSample);
 }
 
 }  // namespace aips

@@ -8,6 +8,7 @@
 #include "aips/adapter/camera.h"
 #include "aips/adapter/settings.h"
 #include "aips/core/base/arena.h"
+#include "eye/constants.h"
 #include "eye/direct_light.h"
 #include "eye/volume_beam.h"
 #include "refusal/refusals.h"
@@ -15,9 +16,9 @@
 namespace aips {
 
 /// Of so many of a pass's eye paths one tells what its first shadow ray found, while lights are
-/// learned from: of four, or fewer so that there are about 2^16 at most.
+/// learned from: of kLightSampleOneOf, or fewer so that there are about kMostNewRays at most.
 constexpr std::uint32_t eye_paths_per_light_sample(std::uint32_t paths) {
-    return std::max(4u, paths >> 16);
+    return std::max(kLightSampleOneOf, std::uint32_t(paths / kMostNewRays));
 }
 
 /// How many of a pass's eye paths are to tell, at most.

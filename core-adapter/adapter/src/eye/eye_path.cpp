@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "eye/constants.h"
 #include "eye/volume_light.h"
 #include "refusal/meet_surface.h"
 
@@ -227,9 +228,6 @@ class EyePath {
         ray_ = continue_ray(in_.scene, point, sample.wi, sample.component, ray_);
         return true;
     }
-
-    /// Vertices of a path from which the other way is looked along, at most.
-    static constexpr std::uint32_t kMostBranches = 2;
 
     const EyePassInput& in_;
     const CameraRay& camera_ray_;

@@ -5,12 +5,10 @@
 #include <limits>
 
 #include "aips/core/sampling/random.h"
+#include "eye/constants.h"
 
 namespace aips {
 namespace {
-
-/// Eye paths per pixel of a frozen eye pass unless hitpointperpass says otherwise.
-constexpr std::uint32_t kFrozenPathsPerPixel = 4;
 
 float moment(const EyePassInput& input, std::uint64_t pass) {
     RandomStream random(input.settings.seed, pass, 0, RandomDomain::Time);

@@ -6,12 +6,9 @@
 #include <cstddef>
 #include <limits>
 
+#include "eye/constants.h"
+
 namespace aips {
-namespace {
-
-constexpr float kMostMedians = 8;
-
-}  // namespace
 
 double bounded_footprint_sum(std::span<float> footprints) {
     const auto finite = [](float footprint) { return std::isfinite(footprint); };

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <optional>
 
+#include "eye/constants.h"
+
 namespace aips {
 namespace {
 
@@ -14,9 +16,7 @@ class Equiangular {
   public:
     Equiangular(const VolumeBeam& beam, Vec3 pivot)
         : nearest_(dot(pivot - beam.origin, beam.direction)) {
-        // A point on the segment itself would draw nothing but itself.
-        constexpr float kLeastShare = 1e-4f;
-        height_ = std::max(length(pivot - beam.at(nearest_)), kLeastShare * beam.length);
+        height_ = std::max(length(pivot - beam.at(nearest_)), kLeastPivotShare * beam.length);
         first_ = std::atan(-nearest_ / height_);
         last_ = std::atan((beam.length - nearest_) / height_);
     }
@@ -44,8 +44,6 @@ std::optional<Vec3> pivot_of(const Light& light, const VolumeBeam& beam, Vec2 u)
     const SurfacePoint middle = point_in_medium(beam.at(0.5f * beam.length));
     DirectSample sample;
     if (!light.sample_direct(middle, u, sample) || !std::isfinite(sample.distance)) return {};
-    // From farther away all of the segment is seen alike, and its angles cancel in rounding.
-    constexpr float kFarLengths = 64;
     if (sample.distance > kFarLengths * beam.length) return {};
     return middle.position + sample.wi * sample.distance;
 }

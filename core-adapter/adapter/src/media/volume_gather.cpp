@@ -14,17 +14,12 @@
 #include "aips/core/sampling/sampling.h"
 #include "base/parallel_for.h"
 #include "base/vector_growth.h"
+#include "media/constants.h"
 #include "radii/radius_policy.h"
 #include "radii/scheduled_radius.h"
 
 namespace aips {
 namespace {
-
-/// Pieces of a beam that are searched in one gather at most.
-constexpr std::uint32_t kMostPieces = 16;
-/// Photons in media are sparser than on surfaces, and their light is smoother: automatic radius in
-/// radii of the surfaces' estimate.
-constexpr double kSurfaceRadii = 3;
 
 /// Part of a beam, and what its photons count for.
 struct Piece {
@@ -191,7 +186,7 @@ std::size_t VolumeGather::memory_bytes() const {
 
 std::size_t VolumeGather::memory_bound_bytes(const Scene& scene, std::size_t eye_paths,
                                              std::size_t iteration) {
-    const std::size_t photons = kVolumePhotonCapacity + iteration;
+    const std::size_t photons = kWaitingPhotons + iteration;
     return kVectorGrowth * (2 * photons + iteration) * sizeof(VolumePhoton) +
            kVectorGrowth * photons * sizeof(Vec3) + CellSort::memory_bound_bytes(photons) +
            eye_paths * (scene.light_groups() * sizeof(Rgb) + sizeof(float));

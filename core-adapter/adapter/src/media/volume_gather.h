@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "aips/core/photon_map/cell_sort.h"
+#include "estimate/constants.h"
 #include "estimate/group_sums.h"
 #include "estimate/pass_photons.h"
 #include "eye/eye_pass.h"
@@ -26,9 +27,6 @@ struct VolumePhoton {
     std::uint32_t light_group = 0;
 };
 
-/// Collisions that wait for a gather; one iteration may exceed it.
-inline constexpr std::uint32_t kVolumePhotonCapacity = 1u << 20;
-
 class VolumeGather {
   public:
     VolumeGather(const Scene& scene, const Settings& settings);
@@ -37,7 +35,7 @@ class VolumeGather {
     void begin_pass(std::uint64_t pass, const PassPhotons& photons, const EyeImage& image);
     /// Photons are appended here.
     std::vector<VolumePhoton>& waiting() { return waiting_; }
-    bool full() const { return waiting_.size() > kVolumePhotonCapacity; }
+    bool full() const { return waiting_.size() > kWaitingPhotons; }
     /// Of all that wait from number `first` on.
     void scale_power(std::size_t first, float factor);
     /// Adds what waits to the beams' flux. Every beam sums its photons in a fixed order.

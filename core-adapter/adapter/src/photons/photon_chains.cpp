@@ -10,10 +10,7 @@ namespace aips {
 namespace {
 
 /// Longest round in paths per chain: with all chains as many paths as a plain iteration.
-constexpr std::uint32_t kMaxRound = 256;
-/// Steps per chain over which the mutation size is learned from round to round. Later it changes
-/// between passes only, so that it does not depend on the states of the chains it moves.
-constexpr std::uint64_t kLearningSteps = 1024;
+constexpr std::uint32_t kMaxRound = kPlainIterationPaths / PhotonChains::kChains;
 
 struct Round {
     std::vector<Landing> landings;
@@ -85,7 +82,7 @@ PhotonCounts PhotonChains::trace(const PhotonInput& input, std::uint32_t count, 
     }
     pass_ += counts;
     not_learned_ += counts;
-    if (mutation_size_.steps() < kLearningSteps) learn_mutation_size();
+    if (mutation_size_.steps() < kMutationLearningSteps) learn_mutation_size();
     spread_states();
     return photons;
 }

@@ -4,6 +4,7 @@
 
 #include "aips/core/chains/visibility_chain.h"
 #include "estimate/search_radii.h"
+#include "photons/constants.h"
 #include "photons/photon_iteration.h"
 
 namespace aips {
@@ -19,13 +20,14 @@ inline bool may_use_chains(const Settings& s) {
 /// of threads. See docs/understand/chains.md for what is exact about them.
 class PhotonChains {
   public:
-    static constexpr std::uint32_t kChains = 64;
+    static constexpr std::uint32_t kChains = kChainCount;
 
     PhotonChains() : chains_(kChains) {}
 
-    /// How far from a visible point (scene units) photons count as visible: twice the mean radius.
-    /// Discs that just touch, or do not, are islands to a chain, which stays on one for long.
-    static float reach(const SearchRadii& radii) { return std::max(2 * radii.mean, radii.reach()); }
+    /// How far from a visible point (scene units) photons count as visible.
+    static float reach(const SearchRadii& radii) {
+        return std::max(kChainReach * radii.mean, radii.reach());
+    }
     /// Where paths have to land to be visible, from the next pass until it is told anew.
     void mark_reach(std::span<const Vec3> visible_points, float radius);
 

@@ -3,16 +3,10 @@
 
 #include <tbb/enumerable_thread_specific.h>
 
+#include "photons/constants.h"
 #include "photons/photon_path.h"
 
 namespace aips {
-
-/// Photon paths of an iteration that no guide=paper cuts shorter: enough for all threads, few
-/// enough for the store's capacity.
-inline constexpr std::uint32_t kPlainIterationPaths = 1u << 14;
-
-/// Paths of a block, which one thread traces.
-inline constexpr std::uint32_t kPathsPerBlock = 256;
 
 /// Landings in a block from which on no photon is split: as many as whole paths may leave at most.
 inline std::size_t split_landings(const Settings& settings) {

@@ -3,6 +3,7 @@
 
 #include "base/parallel_for.h"
 #include "base/stopwatch.h"
+#include "estimate/constants.h"
 #include "estimate/pixel_estimate.h"
 #include "radii/curvature_probes.h"
 #include "worth/pass_noise.h"
@@ -53,7 +54,7 @@ void PhotonPass::shoot(std::uint64_t pass, const PassPhotons& photons, float tim
         const IterationPaths paths{photons, first, std::min(most, photons.paths - first)};
         PhotonInput input = input_of(pass, time, iteration);
         run_iteration(input, paths, refusals);
-        if (waiting_.landings().size() > kLandingCapacity) gather(image, radii, refusals, flux);
+        if (waiting_.landings().size() > kWaitingPhotons) gather(image, radii, refusals, flux);
         if (volume_ && volume_->full()) gather_in_media(image, refusals);
         first += paths.count;
     }

@@ -22,9 +22,6 @@ struct PhotonPassTotals {
     double photon_seconds = 0, gather_seconds = 0, guide_seconds = 0;
 };
 
-/// Landings that wait for a gather; one iteration may exceed it.
-inline constexpr std::uint32_t kLandingCapacity = 1u << 20;
-
 /// Shoots the photons of one pass onto the visible points of an eye image.
 class PhotonPass {
   public:

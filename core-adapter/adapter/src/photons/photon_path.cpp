@@ -6,15 +6,13 @@
 
 #include "aips/adapter/media.h"
 #include "eye/eye_pass.h"
+#include "photons/constants.h"
 #include "photons/path_log_entry.h"
 #include "photons/photon_roulette.h"
 #include "refusal/meet_surface.h"
 
 namespace aips {
 namespace {
-
-/// Photons of one path that may come from splitting others.
-constexpr std::uint32_t kMostSplits = 16;
 
 template <class Numbers>
 EmissionStart choose_start(const PhotonInput& in, Numbers& numbers) {

@@ -7,6 +7,7 @@
 #include "base/parallel_for.h"
 #include "eye/light_choice.h"
 #include "photons/photon_iteration.h"
+#include "plan/constants.h"
 
 namespace aips {
 namespace {
@@ -14,14 +15,7 @@ namespace {
 /// Number of the pass and of the first path in the render: none that brings light has them.
 constexpr std::uint64_t kNoPass = std::numeric_limits<std::uint64_t>::max();
 constexpr std::uint64_t kFirstPath = std::uint64_t{1} << 62;
-
-/// Share of unguided photon paths that come near what is seen from which on photons go without the
-/// adaptive guide, and share of those that are seen below which chains do better.
-constexpr double kNearWithoutGuide = 1.0 / 3, kSeenForChains = 5e-4;
-/// Paths seen that tell the second from more, and at most so many paths to find them; chains need
-/// to find a visible path now and then.
-constexpr std::uint64_t kSeenEnough = 32, kMostPaths = std::uint64_t{16} * kPlainIterationPaths,
-                        kSeenAtLeast = 2;
+constexpr std::uint64_t kMostPaths = kMostLooks * kPlainIterationPaths;
 
 }  // namespace
 

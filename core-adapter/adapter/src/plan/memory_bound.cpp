@@ -2,6 +2,7 @@
 #include "plan/memory_bound.h"
 
 #include "base/vector_growth.h"
+#include "estimate/constants.h"
 #include "eye/eye_pass.h"
 #include "guides/adaptive/adaptive_guide.h"
 #include "guides/paper/paper_guide.h"
@@ -57,7 +58,7 @@ std::size_t iteration_landings(const Settings& s) {
 /// and the grid.
 std::size_t photon_bytes(const Settings& s, std::uint32_t eye_paths) {
     const std::size_t iteration = iteration_landings(s);
-    const std::size_t waiting = kLandingCapacity + iteration;
+    const std::size_t waiting = kWaitingPhotons + iteration;
     return (waiting + 2 * iteration) * kVectorGrowth * sizeof(Landing) +
            LandingGrid::memory_bound_bytes(waiting) +
            (may_use_chains(s) ? PhotonChains::memory_bound_bytes(s, eye_paths) : 0);

@@ -6,40 +6,20 @@
 
 #include "guides/adaptive/learning_weight.h"
 #include "photons/photon_iteration.h"
+#include "plan/constants.h"
 
 namespace aips {
 namespace {
 
-/// Bounds of what is chosen.
-constexpr std::uint32_t kFewest = 1u << 12, kMost = 1u << 22;
-/// Chains find their paths anew in each pass: short ones find none where they are rare.
-constexpr std::uint32_t kFewestOfChains = 1u << 16;
-/// Passes before the first choice. Others follow whenever there are a quarter more.
-constexpr std::uint64_t kFirstPasses = 4, kFirstPassesOfAGuide = 8;
-/// Factors by which a choice may change the last one, and that of a guide the first: passes count
-/// alike, whatever they cost.
-constexpr double kGreatestRise = 2, kGreatestFall = 4;
-/// What a pass after the first choice counts for, those before, of few photons, for 1. A guide is
-/// given more at first, and what it shoots while it learns counts for less anyway: 2 in large
-/// images, whose passes it begins with as many photons as eye paths, and 1 in small ones
-/// (docs/notebook/2026-11-23-weights-of-first-passes.md).
-constexpr double kChosenWeight = 8, kChosenWeightOfAGuide = 2, kChosenWeightInSmallImages = 1;
 /// Least photon paths of a guide's first passes.
 constexpr auto kLearningPass = std::uint32_t(kLearningPaths / kFirstPassesOfAGuide);
-/// Bounds of the photons' cost over the eye's. Eye paths are stratified from pass to pass, so that
-/// their noise falls faster than what two passes differ by tells: at least 60 % of the time goes to
-/// photons. Beyond the upper bound no more than a tenth could be gained.
-constexpr double kLeastRatio = 1.5, kGreatestRatio = 10;
-/// What photons from chains cost over the eye: of 10, 5 and 3 the best for the image, and as good
-/// as 10 for their own light (docs/understand/photons-per-pass.md).
-constexpr double kChainRatio = 5;
 
 /// Before anything is known: as many as eye paths, and at least what a guide has to learn from.
 std::uint32_t first_paths(const Settings& settings, std::uint32_t eye_paths, bool adapts,
                           bool learns, bool chains) {
     if (!adapts)
         return settings.photons_per_pass ? settings.photons_per_pass : kUsualPhotonsPerPass;
-    const std::uint32_t fewest = learns ? kLearningPass : chains ? kFewestOfChains : kFewest;
+    const std::uint32_t fewest = learns ? kLearningPass : chains ? kFewestOfChains : kFewestPerPass;
     return std::clamp(eye_paths, fewest, kUsualPhotonsPerPass);
 }
 
@@ -108,8 +88,9 @@ void PhotonSchedule::end_pass(const PassWork& work, const PassNoise& noise) {
 void PhotonSchedule::state(StateArchive& archive) {
     const std::uint32_t present = paths_;
     archive.value(paths_);
-    StateArchive::check(adapts_ ? paths_ >= kFewest && paths_ <= kMost : paths_ == present,
-                        "a number of photons that no pass has");
+    StateArchive::check(
+        adapts_ ? paths_ >= kFewestPerPass && paths_ <= kMostPerPass : paths_ == present,
+        "a number of photons that no pass has");
     archive.value(pass_);
     archive.value(decide_at_);
     archive.value(decided_);
@@ -150,8 +131,8 @@ std::uint32_t PhotonSchedule::best_paths() const {
         const double rise = decided_ ? kGreatestRise : 1;
         paths = std::clamp(paths, paths_ / kGreatestFall, paths_ * rise);
     }
-    const double fewest = chains_ ? kFewestOfChains : kFewest;
-    return static_cast<std::uint32_t>(std::clamp(paths, fewest, double(kMost)));
+    const double fewest = chains_ ? kFewestOfChains : kFewestPerPass;
+    return static_cast<std::uint32_t>(std::clamp(paths, fewest, double(kMostPerPass)));
 }
 
 }  // namespace aips

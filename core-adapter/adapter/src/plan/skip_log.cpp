@@ -6,11 +6,10 @@
 #include <locale>
 #include <sstream>
 
+#include "plan/constants.h"
+
 namespace aips {
 namespace {
-
-/// Photon paths after which it is said what the adaptive guide prunes.
-constexpr std::uint64_t kPruningPaths = 1'000'000;
 
 std::string percent(double share) {
     return std::to_string(std::lround(100 * share)) + " %";

@@ -8,26 +8,13 @@
 #include <limits>
 
 #include "base/vector_growth.h"
+#include "radii/constants.h"
 #include "radii/scheduled_radius.h"
 
 namespace aips {
 namespace {
 
-/// Bounds of a radius in scheduled radii. The schedule lets both bias and noise vanish with the
-/// photons shot, so radii within a constant factor do, whatever probes say. Wider ones brighten the
-/// rims of balls that scatter most at grazing angles (velvet), by 20 % at 2, 120 % at 4.
-constexpr double kLeast = 0.125, kGreatest = 2;
-/// Radius of the first probes in scheduled radii. Wider than what it leads to: the Laplacian from a
-/// disc is so noisy (its error, as bias, is 1.7 times the error of the disc's own estimate) that
-/// radii measured within themselves would shrink on noise alone.
-constexpr double kProbeRadius = 4;
-/// Probes shrink with this power of the photons: for a second derivative of a density in the plane
-/// it is the best one.
-constexpr double kProbePower = -0.1;
-/// Photon paths after which probes have begun to shrink.
-constexpr double kProbePaths = 1e6;
-/// One pixel of each 4 x 4 is probed in a pass.
-constexpr std::uint32_t kProbeStep = 4, kProbeTurns = kProbeStep * kProbeStep;
+constexpr std::uint32_t kProbeTurns = kProbeStep * kProbeStep;
 
 /// The estimate if all contributions were multiplied by `factor`.
 ProbeEstimate scaled(ProbeEstimate estimate, double factor) {
@@ -65,7 +52,7 @@ SearchRadii AdaptiveRadius::before_pass(std::uint64_t pass, const PassPhotons& p
     place_probes(pass);
     SearchRadii radii{std::span<const float>(radii_)};
     radii.probes = probes_;
-    radii.probe_radius = float(unit_ * std::pow(1 + shot / kProbePaths, kProbePower));
+    radii.probe_radius = float(unit_ * std::pow(1 + shot / kReferencePaths, kProbePower));
     probe_radius_ = double(radii.probe_radius);
     return radii;
 }
@@ -78,7 +65,7 @@ float AdaptiveRadius::radius_at(std::uint32_t pixel, double schedule, double pat
     if (!(radius > 0 && radius <= double(std::numeric_limits<float>::max()))) {
         return float(schedule);
     }
-    return float(std::clamp(radius, kLeast * schedule, kGreatest * schedule));
+    return float(std::clamp(radius, kLeastOfSchedule * schedule, kGreatestOfSchedule * schedule));
 }
 
 // 7 has no factor in common with 16: all pixels take turns, neighbours not one after the other.

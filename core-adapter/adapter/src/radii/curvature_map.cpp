@@ -9,8 +9,9 @@
 namespace aips {
 namespace {
 
-/// Half width of the windows of the widest discs' probes, pixels.
-constexpr int kWindow = 2;
+/// Half width of the windows of the widest discs' probes, pixels: each narrower disc has one less,
+/// and the narrowest its own pixel alone.
+constexpr int kWindow = int(kProbeScales) - 1;
 
 }  // namespace
 

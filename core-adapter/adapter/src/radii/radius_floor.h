@@ -9,6 +9,7 @@
 
 #include "aips/adapter/scene.h"
 #include "eye/eye_pass.h"
+#include "radii/constants.h"
 
 namespace aips {
 
@@ -17,7 +18,7 @@ namespace aips {
 class RadiusFloor {
   public:
     explicit RadiusFloor(const Scene& scene)
-        : least_(kShareOfScene * double(scene.bounds().diagonal())) {
+        : least_(kLeastRadiusShare * double(scene.bounds().diagonal())) {
         if (!std::isfinite(least_)) least_ = 0;
     }
 
@@ -33,7 +34,6 @@ class RadiusFloor {
   private:
     /// Two steps between floats, where these are widest.
     static constexpr float kShareOfCoordinate = 2 * 0x1p-23f;
-    static constexpr double kShareOfScene = 1e-9;
 
     double least_;
 };

@@ -9,15 +9,10 @@
 #include "aips/core/base/state_archive.h"
 #include "estimate/gather.h"
 #include "estimate/pass_photons.h"
+#include "radii/constants.h"
 #include "radii/radius_floor.h"
 
 namespace aips {
-
-/// Automatic start radius in pixel footprints.
-inline constexpr double kAutomaticRadius = 2;
-/// The same where chains take the guide's place: next to none of other photons would be seen, all
-/// of theirs are, and bias is most of the error that is left.
-inline constexpr double kChainAutomaticRadius = 1;
 
 class RadiusPolicy {
   public:

@@ -2,15 +2,9 @@
 #include "radii/scheduled_radius.h"
 
 #include "aips/core/radii/radius_schedule.h"
+#include "radii/constants.h"
 
 namespace aips {
-namespace {
-
-/// Photon paths after which the radius schedule has made one step of Knaus & Zwicker (2011): a
-/// constant, so that methods with other numbers of photons per pass keep equal radii at equal work.
-constexpr double kReferencePaths = 1e6;
-
-}  // namespace
 
 float scheduled_radius(const Settings& settings, double initial, double paths_shot,
                        double smallest) {

@@ -5,10 +5,10 @@
 #include <cmath>
 #include <sstream>
 
+#include "render/constants.h"
+
 namespace aips {
 namespace {
-
-constexpr double kMostOfPixel = 0.25;
 
 double mean_step(const std::vector<VisiblePoint>& points) {
     double sum = 0;

@@ -8,11 +8,9 @@
 
 #include "aips/adapter/scene.h"
 #include "aips/core/trees/primary_tree.h"
+#include "worth/constants.h"
 
 namespace aips {
-
-/// Most photons that one is split into.
-inline constexpr float kMostPhotons = 4;
 
 /// How many photons go on from a vertex, on average: below 1 that is a probability, above 1 the
 /// photon is split.
@@ -24,11 +22,6 @@ struct Survival {
     float scored = -1;
     float most = kMostPhotons;  ///< photons that go on at the most, whatever their score
 };
-
-/// Least probability with which a photon survives: a bound on fireflies. Each photon that goes on
-/// carries 1 / (photons going on) of the power, so that no vertex multiplies it by more than 1 /
-/// this.
-inline constexpr float kMinSurvival = 0.05f;
 
 /// How far scores decide on survival: what is known of them is noisy, and they alone would end
 /// photons that matter (docs/notebook/2026-11-22-survival-by-score.md). With s by power and t by

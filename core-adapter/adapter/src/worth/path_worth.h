@@ -6,15 +6,10 @@
 #include <vector>
 
 #include "aips/core/photon_map/landing.h"
+#include "worth/constants.h"
 #include "worth/path_log.h"
 
 namespace aips {
-
-/// Cost of an emission, in rays: a little less than a bounce's.
-inline constexpr double kEmissionCost = 0.5;
-/// Cost of storing and gathering a landing, in rays: gather and grid take about a third of what
-/// tracing takes where landings are many (docs/notebook/2026-11-21-where-the-time-goes.md).
-inline constexpr double kLandingCost = 0.3;
 
 struct Worth {
     double score = 0;  ///< of all landings that came after

@@ -12,9 +12,6 @@
 namespace aips {
 namespace {
 
-/// Half width of the box that is blurred over, pixels: in the first passes, when photons are few, a
-/// wide one.
-constexpr int kFirstBlur = 12, kLastBlur = 2;
 /// Rows or columns that one job blurs over.
 constexpr std::size_t kLinesPerJob = 32;
 

@@ -10,14 +10,10 @@
 #include <vector>
 
 #include "eye/eye_pass.h"
+#include "worth/constants.h"
 #include "worth/pixel_luminance.h"
 
 namespace aips {
-
-/// eps over the mean luminance: brighter pixels weigh by their relative error, darker ones nearly
-/// alike. With a fiftieth the few photons that the darkest get decide most of the scores, and the
-/// guide follows their noise for long (docs/notebook/2026-11-24-how-dark-a-pixel-may-be.md).
-inline constexpr double kDarkestShare = 0.5;
 
 class PixelImportance {
   public:
@@ -41,10 +37,6 @@ class PixelImportance {
 
     std::size_t memory_bytes() const;
     static std::size_t memory_bound_bytes(std::size_t pixels);
-
-    /// Weight where nothing is known of the image: below the mean of 1, since those scores are for
-    /// no pixel in particular, and the next ones shall soon outweigh them.
-    static constexpr float kUnknownWeight = 0.1f;
 
   private:
     void estimate();

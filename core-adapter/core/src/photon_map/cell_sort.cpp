@@ -5,14 +5,14 @@
 
 #include <bit>
 
+#include "photon_map/constants.h"
+
 namespace aips {
 namespace {
 
 constexpr std::uint32_t kNoBucket = 0xFFFFFFFFu;
 /// Keeps bucket numbers in 31 bits.
 constexpr std::size_t kMaxBucketCount = std::size_t(1) << 30;
-/// The points of a partition fit a first-level cache while it is sorted (4096 of a million).
-constexpr std::uint32_t kMaxPartitions = 256;
 constexpr std::size_t kChunkPoints = std::size_t(1) << 14;
 
 /// About one point a bucket.

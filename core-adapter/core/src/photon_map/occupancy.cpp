@@ -4,11 +4,11 @@
 #include <atomic>
 #include <bit>
 
+#include "photon_map/constants.h"
+
 namespace aips {
 namespace {
 
-/// Bits per visible point: neighbouring points share cells, so most of them stay clear.
-constexpr std::size_t kBitsPerPoint = 16;
 constexpr std::size_t kBlockBits = 512;
 constexpr std::size_t kMinBits = 2 * kBlockBits;
 constexpr std::size_t kMaxBits = std::size_t(1) << 31;

@@ -6,12 +6,6 @@
 #include <numbers>
 
 namespace aips {
-namespace {
-
-/// Standard errors from which on a narrow disc is believed.
-constexpr double kSureErrors = 2;
-
-}  // namespace
 
 double optimal_radius(double second_moment, double squared_laplacian, double paths) {
     return std::pow(32 * second_moment / (3 * std::numbers::pi * paths * squared_laplacian),

@@ -10,14 +10,6 @@
 namespace aips {
 namespace {
 
-/// Effective photons that a leaf must have met before it has a density.
-constexpr double kLeastKnown = 8;
-/// Of directions worth nothing one in so many is learned from, and counts as so many: they only
-/// tell what directions cost, and they are most.
-constexpr unsigned kWorthlessOneOf = 8;
-/// Share of a leaf's sum that must be new before its density is made anew.
-constexpr double kFreshShare = 0.125;
-
 void check(const BounceTableSettings& s) {
     if (!(s.prior_count > 0)) throw std::invalid_argument("BounceTables: prior_count must be > 0");
     if (!(s.moment_paths > 0))

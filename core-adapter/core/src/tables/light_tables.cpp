@@ -8,11 +8,7 @@
 namespace aips {
 namespace {
 
-/// Numbers that all tables together hold at most, a sum and a probability for each light and leaf.
-constexpr std::size_t kMostEntries = std::size_t{1} << 18;
-constexpr std::uint32_t kFewestLeaves = 6, kMostLeaves = 1024;
-/// Shadow rays that the halves of a leaf start with at most: what it knew is a prior for them.
-constexpr double kInheritedRays = 16;
+constexpr std::uint32_t kFewestLeaves = 6;
 
 bool usable(const LightSample& s, std::span<const float> plain) {
     return s.light < plain.size() && plain[s.light] > 0 && s.pdf > 0 && s.value >= 0 &&
@@ -23,9 +19,9 @@ bool usable(const LightSample& s, std::span<const float> plain) {
 
 LightTableSettings light_table_settings(std::size_t lights) {
     LightTableSettings settings;
-    const std::size_t leaves = kMostEntries / std::max<std::size_t>(lights, 1);
+    const std::size_t leaves = kMostLightEntries / std::max<std::size_t>(lights, 1);
     settings.places.max_leaves =
-        static_cast<std::uint32_t>(std::clamp<std::size_t>(leaves, kFewestLeaves, kMostLeaves));
+        static_cast<std::uint32_t>(std::clamp<std::size_t>(leaves, kFewestLeaves, kLightLeaves));
     return settings;
 }
 

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "aips/core/trees/constants.h"
 #include "base/bounded_growth.h"
 #include "trees/split_order.h"
 #include "trees/usable_bounds.h"
@@ -12,9 +13,6 @@
 namespace aips {
 namespace {
 
-/// Least side of a node in eq. 2, as a share of the scene's diagonal. Departure: the paper has the
-/// plain volume, which is zero for a node that holds a flat piece of an axis-aligned surface.
-constexpr double kMinSideShare = 1e-3;
 constexpr std::uint32_t kMaxNodes = 1u << 28;
 constexpr std::uint32_t kMaxNodePhotons = 1u << 20;
 

@@ -7,21 +7,13 @@
 namespace aips {
 namespace {
 
-/// Fewer points than this do not say how narrow the region is that they come from.
-constexpr std::size_t kFewestPoints = 16;
-/// One point in so many may lie apart at either end.
-constexpr std::size_t kApart = 8;
-/// A leaf is halved where its points take less of it than this, along any axis: however they lie
-/// about its middle, where a greedy split gains nothing, each half then has them at one end.
-constexpr double kNarrow = 0.25;
-
 /// Length that holds the points along the axis, without those apart; reorders `scratch`.
 double extent_of(std::span<const PrimaryPoint> points, unsigned axis,
                  std::vector<double>& scratch) {
     scratch.clear();
     for (const PrimaryPoint& p : points)
         scratch.push_back(p[axis]);
-    const auto apart = static_cast<std::ptrdiff_t>(points.size() / kApart);
+    const auto apart = static_cast<std::ptrdiff_t>(points.size() / kFocusApart);
     const auto low = scratch.begin() + apart;
     const auto high = scratch.end() - 1 - apart;
     std::nth_element(scratch.begin(), low, scratch.end());
@@ -34,7 +26,7 @@ double extent_of(std::span<const PrimaryPoint> points, unsigned axis,
 
 unsigned PrimaryTree::narrow_axis(const Leaf& leaf, std::span<const PrimaryPoint> points) {
     unsigned narrowest = kLeafAxis;
-    double least = kNarrow;
+    double least = kFocusNarrow;
     std::vector<double> scratch;
     for (unsigned axis = 0; axis < 4; ++axis) {
         if (leaf.side[axis] <= kMinSide) continue;
@@ -52,7 +44,7 @@ void PrimaryTree::focus(std::span<PrimaryPoint> points) {
 
 void PrimaryTree::focus(std::uint32_t node, PrimaryPoint corner, PrimaryPoint side,
                         std::span<PrimaryPoint> points) {
-    if (points.size() < kFewestPoints) return;
+    if (points.size() < kFocusPoints) return;
     if (nodes_[node].is_leaf()) {
         // The other half of the leaves is for what photons tell.
         if (leaf_count() >= settings_.max_leaves / 2) return;

@@ -7,9 +7,6 @@
 namespace aips {
 namespace {
 
-/// Share of its history that a new leaf keeps: how the score lay within the half is a guess.
-constexpr double kInherited = 0.1;
-
 /// How far a sum spreads over its leaf: falls when it lies in one half. For a density proportional
 /// to the sum in each leaf, it is the volume that the density is spread over that falls.
 double spread_of(double sum, double volume) {
@@ -76,11 +73,11 @@ void PrimaryTree::split(std::uint32_t node, unsigned axis) {
         if (is_upper) leaf.corner[axis] += leaf.side[axis];
         leaf.root = whole.root.half(axis, is_upper);
         leaf.seeds = whole.seeds.half(axis, is_upper);
-        leaf.root.scale(kInherited);
-        leaf.score *= 0.5 * kInherited;
-        leaf.drawn *= 0.5 * kInherited;
-        leaf.cost *= 0.5 * kInherited;
-        leaf.paths *= kInherited;
+        leaf.root.scale(kInheritedHistory);
+        leaf.score *= 0.5 * kInheritedHistory;
+        leaf.drawn *= 0.5 * kInheritedHistory;
+        leaf.cost *= 0.5 * kInheritedHistory;
+        leaf.paths *= kInheritedHistory;
         leaf.met = {};
     }
     const auto child = static_cast<std::uint32_t>(nodes_.size());

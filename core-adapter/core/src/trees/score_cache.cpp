@@ -12,12 +12,6 @@
 namespace aips {
 namespace {
 
-/// Least side of a leaf's box, as a share of the scene's longest.
-constexpr float kLeastSideShare = 0x1p-12f;
-/// Standard errors by which the mean root scores of two halves must differ. Roots, because their
-/// tails are lighter, and because the roulette takes the root.
-constexpr double kSignificance = 3;
-
 void check(const ScoreCacheSettings& s) {
     if (s.max_leaves < 6 || s.max_leaves > kMostLeaves) {
         throw std::invalid_argument("ScoreCache: max_leaves must be in [6, 2^24]");

@@ -11,14 +11,6 @@
 namespace aips {
 namespace {
 
-/// Paths that are logged: many while little is known, few later.
-constexpr std::uint64_t kEagerPaths = 1'000'000;
-constexpr std::uint32_t kEagerOneOf = 4, kOneOf = 16;
-/// Passes that begin before so many paths are seeded from the eye.
-constexpr std::uint64_t kSeededPaths = 2'000'000;
-/// Scored photon paths that count in full; older ones fade.
-constexpr double kMemoryPaths = 5e5;
-
 ScoreCacheSettings cache_settings() {
     ScoreCacheSettings settings;
     settings.memory_paths = kMemoryPaths;
@@ -79,7 +71,7 @@ std::uint64_t AdaptiveGuide::seed(std::uint64_t pass, float time, const EyeImage
 
 std::uint32_t AdaptiveGuide::log_one_of() const {
     if (!awake()) return 0;
-    return paths_ < kEagerPaths ? kEagerOneOf : kOneOf;
+    return paths_ < kEagerPaths ? kEagerOneOf : kLateOneOf;
 }
 
 std::uint64_t AdaptiveGuide::learn(const PathLog& log, std::span<const Landing> landings,

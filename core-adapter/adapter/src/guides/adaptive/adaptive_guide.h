@@ -10,6 +10,7 @@
 #include "aips/adapter/settings.h"
 #include "aips/core/trees/score_cache.h"
 #include "guides/adaptive/bounce_guide.h"
+#include "guides/adaptive/constants.h"
 #include "guides/adaptive/emission_guide.h"
 #include "guides/adaptive/eye_seeding.h"
 #include "guides/adaptive/part_rest.h"
@@ -82,9 +83,6 @@ class AdaptiveGuide {
         const bool measures = !settings_.guide_emission && !survival_ && !bounces_;
         return measures || emission() || survival() || bounces();
     }
-    /// Walks from the eye without any success after which no more are done.
-    static constexpr std::uint64_t kSeedTrialWalks = 4096;
-
     std::uint64_t seed(std::uint64_t pass, float time, const EyeImage& image);
     /// Of the logged paths' landings, path after path.
     std::span<const double> score_landings(const PathLog& log, std::span<const Landing> landings);

@@ -58,7 +58,7 @@ void EmissionGuide::add(const EmissionScore& s) {
     if (!(s.start.pdf > 0) || s.start.light >= trees_.size()) return;
     if (!(s.score >= 0 && s.cost > 0) || !std::isfinite(s.score) || !std::isfinite(s.cost)) return;
     if (learned_) {
-        moments_.add(s.score, s.cost, kGuideCost, s.start.pdf, plain_pdf(s.start.light),
+        moments_.add(s.score, s.cost, kEmissionLookUpCost, s.start.pdf, plain_pdf(s.start.light),
                      guided_pdf(s.start));
     }
     if (s.score > 0) ++scored_;

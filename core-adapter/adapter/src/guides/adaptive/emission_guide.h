@@ -11,21 +11,22 @@
 #include "aips/adapter/scene.h"
 #include "aips/core/tables/discrete_distribution.h"
 #include "aips/core/trees/primary_tree.h"
+#include "guides/adaptive/constants.h"
 #include "guides/adaptive/emission_seed.h"
 #include "guides/adaptive/second_moments.h"
 
 namespace aips {
 
 struct EmissionGuideSettings {
-    double plain_share = 0.15;  ///< defensive: see EmissionGuide
-    double seed_share = 0.25;   ///< of densities found from the eye, until enough was learned
-    double learned_seed_share = 0.05;    ///< after that
-    std::uint32_t learned_scores = 256;  ///< scored photons that count as enough
-    std::uint32_t max_leaves = 8192;     ///< over all lights that emit, but at least one for each
-    double memory_paths = 4e6;           ///< scored photon paths that count in full
-    /// Scored photon paths before the guide may be switched off: what it would gain when it has
-    /// learned cannot be told while it learns, and it learns faster when it is on.
-    double trial_paths = 1e5;
+    double plain_share = kPlainStarts;  ///< defensive: see EmissionGuide
+    /// Of densities found from the eye, until enough was learned.
+    double seed_share = kSeedStarts;
+    double learned_seed_share = kLearnedSeedStarts;  ///< after that
+    std::uint32_t learned_scores = kLearnedScores;   ///< scored photons that count as enough
+    /// Over all lights that emit, but at least one for each.
+    std::uint32_t max_leaves = kMostLearnedLeaves;
+    double memory_paths = 4e6;         ///< scored photon paths that count in full
+    double trial_paths = kTrialPaths;  ///< scored ones before the guide may be switched off
 };
 
 /// Where one photon starts.
@@ -53,11 +54,7 @@ inline constexpr double kPrunedDensity = 0.25;
 /// probability (quantized_cdf.h), and a tree 1 - 124 * 2^-23 of its densities (PrimaryTree).
 class EmissionGuide {
   public:
-    /// Cost of the way through a light's tree, in rays: measured in cornell-box.
-    static constexpr double kGuideCost = 0.5;
-    /// Moments are noisy, stratified plain starts do better than theirs, and learning has its
-    /// price.
-    static constexpr LeastGain kLeastGain{1.4, 1.25};
+    static constexpr LeastGain kLeastGain{kEmissionOn, kEmissionStay};
 
     /// `plain_choice` chooses between `lights` by power and is not empty; it outlives this.
     EmissionGuide(std::size_t lights, const DiscreteDistribution& plain_choice,

@@ -8,14 +8,11 @@
 
 #include "aips/core/tables/discrete_distribution.h"
 #include "eye/eye_pass.h"
+#include "guides/adaptive/constants.h"
 #include "guides/adaptive/emission_seed.h"
 
 namespace aips {
 
-/// Visible points of which one is walked from.
-inline constexpr std::uint32_t kSeedGroup = 16;
-/// Specular bounces that a walk follows.
-inline constexpr std::uint32_t kMaxSeedBounces = 4;
 /// Connections to a light per walk: the visible point, each surface met, a light met.
 inline constexpr std::uint32_t kMaxSeedsPerWalk = kMaxSeedBounces + 3;
 

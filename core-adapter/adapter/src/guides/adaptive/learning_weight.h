@@ -14,12 +14,9 @@
 #include <algorithm>
 #include <cstdint>
 
-namespace aips {
+#include "guides/adaptive/constants.h"
 
-/// Photon paths after which photons count in full.
-inline constexpr double kLearningPaths = 5e5;
-/// Weight of the very first, > 0: an image stopped early is made of them.
-inline constexpr double kFirstWeight = 1.0 / 64;
+namespace aips {
 
 /// Weight in (0, 1] of photon paths before which `paths_before` others were shot.
 inline double learning_weight(std::uint64_t paths_before) {

@@ -7,7 +7,7 @@
 #include <cstdint>
 
 #include "aips/core/base/state_archive.h"
-#include "guides/adaptive/learning_weight.h"
+#include "guides/adaptive/constants.h"
 
 namespace aips {
 

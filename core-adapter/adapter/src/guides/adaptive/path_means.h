@@ -9,6 +9,7 @@
 #include <algorithm>
 
 #include "aips/core/base/state_archive.h"
+#include "aips/core/tables/constants.h"
 
 namespace aips {
 
@@ -20,11 +21,11 @@ class PathMeans {
         cost_ += cost;
         count_ += 1;
     }
-    /// After `paths` further scored photon paths: a quarter of all so far, kMostPaths at most,
-    /// count in full from here on.
+    /// After `paths` further scored photon paths: a quarter of all so far, kShortMemoryPaths at
+    /// most, count in full from here on.
     void update(double paths) {
         all_ += paths;
-        const double memory = std::min(kMostPaths, 0.25 * all_);
+        const double memory = std::min(kShortMemoryPaths, 0.25 * all_);
         if (!(memory > 0)) return;
         const double kept = memory / (memory + paths);
         score_ *= kept;
@@ -43,8 +44,6 @@ class PathMeans {
     }
 
   private:
-    static constexpr double kMostPaths = 1e5;
-
     double score_ = 0, cost_ = 0, count_ = 0;
     double all_ = 0;
 };

@@ -14,6 +14,7 @@
 #include <cstdint>
 
 #include "aips/core/base/state_archive.h"
+#include "guides/adaptive/constants.h"
 
 namespace aips {
 
@@ -24,8 +25,7 @@ struct LeastGain {
 
 class SecondMoments {
   public:
-    /// Groups of samples, an odd number.
-    static constexpr std::size_t kGroups = 5;
+    static constexpr std::size_t kGroups = kMomentGroups;
 
     /// One photon path: worth `score` and costing `cost`, drawn with density `drawn` where the
     /// plain one is `plain` and the guided one `guided` (all > 0); `guide_cost`: of guiding it.

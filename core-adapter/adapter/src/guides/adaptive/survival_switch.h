@@ -11,6 +11,7 @@
 #include <cmath>
 #include <cstdint>
 
+#include "guides/adaptive/constants.h"
 #include "guides/adaptive/second_moments.h"
 #include "worth/path_log.h"
 
@@ -56,16 +57,7 @@ class SurvivalSwitch {
     double gain() const { return std::max(half_.gain(), quarters_.gain()); }
 
   private:
-    /// Cost of looking up what a photon may still bring, in rays: measured in cornell-box.
-    static constexpr double kLookUpCost = 0.2;
-    /// Less than a guide of starts has to gain: paths of both ways start at the same points, none
-    /// of whose stratification is lost. What is off while all else learns is found to pay far
-    /// later.
-    static constexpr LeastGain kLeastGain{1.1, 1.0};
-    /// Scored photon paths before it may be switched off.
-    static constexpr double kTrialPaths = 1e5;
-    /// A way has to be so much better than the other to replace it.
-    static constexpr double kChange = 1.1;
+    static constexpr LeastGain kLeastGain{kSurvivalChange, kSurvivalStay};
 
     SecondMoments half_, quarters_;  // against roulette by power
     ScoreMix mix_ = ScoreMix::Half;
@@ -75,7 +67,7 @@ inline void SurvivalSwitch::Path::survive(const Survival& s) {
     for (std::size_t mix = 0; mix < ways_.size(); ++mix) {
         Way& way = ways_[mix];
         // Those that do not survive look up scores, too.
-        if (mix > 0) way.work.cost += kLookUpCost * photons_ / (way.power * double(s.photons));
+        if (mix > 0) way.work.cost += kScoreLookUpCost * photons_ / (way.power * double(s.photons));
         way.power *= double(s.photons) /
                      double(photons_going_on(s, static_cast<ScoreMix>(mix), float(way.power)));
     }
@@ -95,7 +87,7 @@ inline void SurvivalSwitch::update(double paths, double memory_paths) {
     quarters_.fade(paths, memory_paths);
     if (half_.paths() < kTrialPaths) return;
     const bool on = mix_ != ScoreMix::None;
-    const double favour = mix_ == ScoreMix::Quarters ? 1 / kChange : kChange;
+    const double favour = mix_ == ScoreMix::Quarters ? 1 / kSurvivalChange : kSurvivalChange;
     const bool more = quarters_.gain() > favour * half_.gain();
     const bool pays = (more ? quarters_ : half_).pays(on, kLeastGain);
     mix_ = !pays ? ScoreMix::None : more ? ScoreMix::Quarters : ScoreMix::Half;

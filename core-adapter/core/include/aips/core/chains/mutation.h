@@ -8,6 +8,7 @@
 #include <cstdint>
 
 #include "aips/core/base/state_archive.h"
+#include "aips/core/chains/constants.h"
 
 namespace aips {
 
@@ -27,11 +28,8 @@ inline Coordinate mutate(Coordinate x, std::uint32_t bits, float exponent) {
 /// The size of mutations: steered so that a share kGoal of them is accepted.
 class MutationSize {
   public:
-    /// Acceptance that a random walk in many dimensions does best with (Roberts et al. 1997).
-    static constexpr double kGoal = 0.234;
-    /// The floor keeps half of all steps above 2^-33 of the range and the chain from freezing; at
-    /// the cap mutations are close to independent draws.
-    static constexpr double kFloor = 1.0 / 32, kCap = 8;
+    static constexpr double kGoal = kMutationAcceptance;
+    static constexpr double kFloor = kLeastMutation, kCap = kGreatestMutation;
 
     double size() const { return size_; }
     /// Exponent of `mutate`: 1 / size + 1.

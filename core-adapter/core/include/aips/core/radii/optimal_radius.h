@@ -15,6 +15,8 @@
 #include <array>
 #include <cstddef>
 
+#include "aips/core/radii/constants.h"
+
 namespace aips {
 
 /// Radius of the pass after which `paths` photon paths have been shot, if the image is the mean
@@ -27,9 +29,6 @@ namespace aips {
 /// all n N paths would be 3^(1/6) times as large.) `second_moment` is q, `squared_laplacian` of the
 /// density in the same unit of contribution, per scene unit to the fourth; both > 0.
 double optimal_radius(double second_moment, double squared_laplacian, double paths);
-
-/// A probe measures curvature in discs of this many radii, each half of the one before.
-inline constexpr std::size_t kProbeScales = 3;
 
 /// Sums over the landings within the radius of a probe: a disc in which a density and its curvature
 /// are measured.

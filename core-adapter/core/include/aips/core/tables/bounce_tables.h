@@ -19,6 +19,7 @@
 #include <vector>
 
 #include "aips/core/sampling/sampling.h"
+#include "aips/core/tables/constants.h"
 #include "aips/core/tables/directional_table.h"
 #include "aips/core/tables/mixture_moments.h"
 #include "aips/core/trees/score_cache.h"
@@ -27,12 +28,14 @@ namespace aips {
 
 struct BounceTableSettings {
     /// A table has to be filled before it pays to halve its place.
-    ScoreCacheSettings places{.max_leaves = 2048, .split_count = 192, .split_mass = 1.0 / 2048};
+    ScoreCacheSettings places{.max_leaves = kTableLeaves,
+                              .split_count = kTableSplitScores,
+                              .split_mass = kTableSplitMass};
     /// Effective photons that equal shares of a square's quarters weigh, at each level, > 0.
-    double prior_count = 8;
+    double prior_count = kTablePrior;
     /// Scored paths that count in full for the choice of shares: fewer than for the tables, which
     /// become better all the time.
-    double moment_paths = 1e5;
+    double moment_paths = kShortMemoryPaths;
     ShareSettings shares{};
 };
 
@@ -67,7 +70,7 @@ inline Vec3 cosine_square_direction(const Frame& frame, Vec2 point) {
 /// be called from many threads in between. Deterministic: a function of the sequence of calls.
 class BounceTables {
   public:
-    static constexpr int kResolution = 8;
+    static constexpr int kResolution = kTableResolution;
 
     /// Throws std::invalid_argument when a setting is out of range.
     explicit BounceTables(const Bounds& scene, const BounceTableSettings& settings = {});

@@ -11,18 +11,19 @@
 #include <span>
 #include <vector>
 
+#include "aips/core/tables/constants.h"
 #include "aips/core/tables/discrete_distribution.h"
 #include "aips/core/trees/score_cache.h"
 
 namespace aips {
 
 struct LightTableSettings {
-    ScoreCacheSettings places{.max_leaves = 1024,
-                              .split_count = 64,
-                              .split_mass = 1.0 / 256,
+    ScoreCacheSettings places{.max_leaves = kLightLeaves,
+                              .split_count = kLightSplitRays,
                               .memory_paths = 1e15};  // nothing that is learned grows old
-    double plain_share = 0.125;                       ///< of choices made without tables, in (0, 1]
-    double prior_count = 4;  ///< shadow rays that the mean over all leaves weighs in each, > 0
+    double plain_share = kPlainLights;                ///< of choices made without tables, in (0, 1]
+    /// Shadow rays that the mean over all leaves weighs in each, > 0.
+    double prior_count = kLightPrior;
 };
 
 /// Settings for a number of lights: their tables take 4 MiB at most, up to 40,000 lights.

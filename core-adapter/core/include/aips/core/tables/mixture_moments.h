@@ -11,12 +11,9 @@
 #include <cstddef>
 
 #include "aips/core/base/state_archive.h"
+#include "aips/core/tables/constants.h"
 
 namespace aips {
-
-/// Shares that are compared; the first is no table at all. What the greatest leaves to the density
-/// without a table bounds weights: 1 / (1 - 3/4) of theirs.
-inline constexpr std::array<double, 4> kTableShares{0, 0.25, 0.5, 0.75};
 
 /// Densities of one direction, all in the same measure.
 struct DirectionDensities {
@@ -59,10 +56,11 @@ class MixtureMoments {
 struct ShareSettings {
     /// Least gain, second moment times cost without a table over that with one, at which a table
     /// comes into use; in use it stays as long as it gains anything.
-    double gain = 1.15;
+    double gain = kTableGain;
     /// Effective samples that the prior weighs: what all places together say.
-    double prior_count = 16;
-    double table_cost = 0.3;  ///< of drawing from a table and asking for its density, in rays
+    double prior_count = kTableSharePrior;
+    /// Of drawing from a table and asking for its density, in rays.
+    double table_cost = kTableLookUpCost;
 };
 
 /// Number of the share in kTableShares with the least second moment times cost at a place whose

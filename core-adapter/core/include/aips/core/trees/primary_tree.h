@@ -18,21 +18,22 @@
 
 #include "aips/core/base/state_archive.h"
 #include "aips/core/sampling/primary_point.h"
+#include "aips/core/trees/constants.h"
 
 namespace aips {
 
 struct PrimaryTreeSettings {
     std::uint32_t max_leaves = 4096;  ///< in [1, 2^24]
     /// Photons with a score (or seeds) that a leaf must have met before it is split, >= 1.
-    std::uint32_t split_count = 32;
+    std::uint32_t split_count = kStartSplitScores;
     /// Least fall of the tree's mass by a split, as a share of the whole.
-    double split_gain = 1e-4;
+    double split_gain = kLeastSplitGain;
     /// Scored photon paths that count in full; older ones are forgotten in proportion.
     double memory_paths = 4e6;
     /// Power of |f| / sqrt(cost) that the density follows, in (0, 1].
-    double sharpness = 0.75;
+    double sharpness = kStartPower;
     /// Effective scored photons that every node's prior, its parent's mean, weighs, >= 0.
-    double prior_count = 1;
+    double prior_count = kStartPrior;
 };
 
 /// A point drawn from a PrimaryTree, and its density over [0, 1)^4.

@@ -18,24 +18,25 @@
 
 #include "aips/core/base/bounds.h"
 #include "aips/core/base/state_archive.h"
+#include "aips/core/trees/constants.h"
 
 namespace aips {
 
 struct ScoreCacheSettings {
-    std::uint32_t max_leaves = 8192;  ///< of the whole cache, in [6, 2^24]
+    std::uint32_t max_leaves = kMostLearnedLeaves;  ///< of the whole cache, in [6, 2^24]
     /// Vertices with a score above zero that a leaf must have met since it came to be before it is
     /// split, >= 4. Those without tell where others are not, however uneven scores may be.
-    std::uint32_t split_count = 16;
+    std::uint32_t split_count = kPlaceSplitScores;
     /// Least fall of the cache's mass, the sum of sqrt(S C), by a split, as a share of it.
-    double split_gain = 1e-4;
+    double split_gain = kLeastSplitGain;
     /// A leaf with more than this share of the cache's mass is halved even if its halves look
     /// alike: a field that is symmetric about the plane shows its shape only in the quarters.
-    double split_mass = 1.0 / 256;
+    double split_mass = kSplitMass;
     /// Photon paths whose vertices count in full; older ones fade as exp(-paths / memory_paths).
     double memory_paths = 4e6;
     /// Vertices with a score that every node's prior weighs, > 0: the number below which what a
     /// leaf met is not trusted.
-    double prior_count = 4;
+    double prior_count = kPlacePrior;
 };
 
 /// What became of a photon that continued from a scattering vertex. One that roulette ended there

@@ -1,0 +1,69 @@
+// Tuned constants of eye paths: each with its unit, what it balances, which experiment chose it,
+// and what supports it. docs/build-on/constants.md is made from these comments.
+#pragma once
+
+#include <cstdint>
+
+namespace aips {
+
+/// Footprints beyond so many medians count as so many. Unit: medians of the footprints.
+/// Balances: a few pixels that see the horizon against scenes whose pixels do differ.
+/// Chosen by: docs/notebook/2026-11-24-stress-scale-and-energy.md.
+/// Supported by: one scene only: a glass ball on a ground of 474 km.
+inline constexpr float kMostMedians = 8;
+
+/// Smooth surfaces of a path from which lamps are looked for along the other way. Unit: surfaces.
+/// Balances: noise of lamps seen in glass against rays for all other pixels.
+/// Chosen by: docs/notebook/2026-11-23-lamps-behind-glass.md.
+/// Supported by: glass-ball, room, chess, pool (1 and 4 in its place).
+inline constexpr std::uint32_t kMostBranches = 2;
+
+/// Least distance of a light from a beam whose points are drawn by the angle at which the light
+/// sees them. Unit: share of the beam's length.
+/// Balances: light that stands on the beam against a density that draws nothing but one point.
+/// Chosen by: reasoning: a point on the segment itself would draw nothing but itself.
+/// Supported by: no measurement.
+inline constexpr float kLeastPivotShare = 1e-4f;
+
+/// Distance of a light from which on all of a beam is seen alike, and angles cancel in rounding.
+/// Unit: lengths of the beam.
+/// Balances: drawing by angle where it helps against rounding.
+/// Chosen by: reasoning: from there on angles tell nothing that lengths do not.
+/// Supported by: no measurement.
+inline constexpr float kFarLengths = 64;
+
+/// Of so many eye paths one tells what its first shadow ray found, while lights are learned from.
+/// Unit: eye paths.
+/// Balances: time of learning against how soon lights are known.
+/// Chosen by: reasoning: none on record.
+/// Supported by: no measurement.
+inline constexpr std::uint32_t kLightSampleOneOf = 4;
+
+/// Least number of new samples from which tables of lights are made anew; otherwise half of those
+/// before. Unit: eye paths that were to tell.
+/// Balances: lights known early against sequences of eye paths that begin anew.
+/// Chosen by: reasoning: not in each pass, as eye paths are stratified over the passes in between.
+/// Supported by: no measurement.
+inline constexpr std::uint64_t kFewestNewRays = 2048;
+
+/// Greatest number of new samples after which tables of lights are made anew, and of those that a
+/// pass brings. Unit: eye paths that were to tell.
+/// Balances: memory and the time of learning against lights known early.
+/// Chosen by: reasoning: none on record.
+/// Supported by: no measurement.
+inline constexpr std::uint64_t kMostNewRays = 1u << 16;
+
+/// Samples after which there is nothing more to learn of lights. Unit: eye paths that were to tell.
+/// Balances: better tables against sequences of eye paths that begin anew.
+/// Chosen by: reasoning: none on record.
+/// Supported by: no measurement.
+inline constexpr std::uint64_t kEnoughRays = 1u << 20;
+
+/// Eye paths of a pixel in a frozen eye pass unless hitpointperpass says otherwise. Unit: eye
+/// paths.
+/// Balances: noise of pixels against memory and time of each gather.
+/// Chosen by: reasoning: none on record.
+/// Supported by: no measurement.
+inline constexpr std::uint32_t kFrozenPathsPerPixel = 4;
+
+}  // namespace aips

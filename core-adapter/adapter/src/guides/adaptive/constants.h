@@ -1,0 +1,156 @@
+// Tuned constants of guide=adaptive: each with its unit, what it balances, which experiment chose
+// it, and what supports it. docs/build-on/constants.md is made from these comments.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+namespace aips {
+
+/// Visible points of which one is walked from. Unit: visible points.
+/// Balances: time of walks against starts that are found.
+/// Chosen by: docs/notebook/2026-11-23-seeds-of-rare-starts.md.
+/// Supported by: pool, hall, glass-ball, chess, prism, sun-window (4 in its place).
+inline constexpr std::uint32_t kSeedGroup = 16;
+
+/// Specular bounces that a walk follows. Unit: bounces.
+/// Balances: time of walks against lights behind several panes.
+/// Chosen by: reasoning: none on record.
+/// Supported by: no measurement.
+inline constexpr std::uint32_t kMaxSeedBounces = 4;
+
+/// Walks without any seed after which no more are done. Unit: walks.
+/// Balances: time of walks against lights that are rarely met.
+/// Chosen by: reasoning: none on record.
+/// Supported by: no measurement.
+inline constexpr std::uint64_t kSeedTrialWalks = 4096;
+
+/// Passes that begin before so many paths are seeded from the eye. Unit: photon paths.
+/// Balances: time of walks against what photons have not met yet.
+/// Chosen by: reasoning: from then on photons tell more than walks do.
+/// Supported by: no measurement.
+inline constexpr std::uint64_t kSeededPaths = 2'000'000;
+
+/// Share of the photons that start by the plain density. Unit: share of 1.
+/// Balances: the greatest weight of a start, its inverse, against photons that nobody sees.
+/// Chosen by: docs/notebook/2026-11-23-one-scale-for-scores.md.
+/// Supported by: one scene only: sun-window (0.25 in its place).
+inline constexpr double kPlainStarts = 0.15;
+
+/// Share of the photons that start by the density of seeds, until enough was learned. Unit: share
+/// of 1.
+/// Balances: finding the picture against following seeds that name it roughly.
+/// Chosen by: reasoning: none on record.
+/// Supported by: no measurement.
+inline constexpr double kSeedStarts = 0.25;
+
+/// Share of the photons that start by the density of seeds after that. Unit: share of 1.
+/// Balances: light that photons have missed against photons that follow rough seeds.
+/// Chosen by: reasoning: none on record.
+/// Supported by: no measurement.
+inline constexpr double kLearnedSeedStarts = 0.05;
+
+/// Photons worth something that count as enough learned. Unit: scored photons.
+/// Balances: seeds against what photons tell.
+/// Chosen by: reasoning: none on record.
+/// Supported by: no measurement.
+inline constexpr std::uint32_t kLearnedScores = 256;
+
+/// Photon paths after which photons count in full, and of the first trial of a part. Unit: photon
+/// paths.
+/// Balances: fireflies of a guide that knows little against the photons that count for less.
+/// Chosen by: reasoning: none on record.
+/// Supported by: no measurement.
+inline constexpr double kLearningPaths = 5e5;
+
+/// Weight of the very first photons, > 0: an image stopped early is made of them. Unit: share of
+/// the full weight.
+/// Balances: fireflies against noise of an image stopped early.
+/// Chosen by: reasoning: it must not be zero.
+/// Supported by: no measurement.
+inline constexpr double kFirstWeight = 1.0 / 64;
+
+/// Scored photon paths that count in full in what is learned; older ones fade. Unit: scored photon
+/// paths.
+/// Balances: noise against what was true of a guide that knew less.
+/// Chosen by: docs/notebook/2026-11-23-one-scale-for-scores.md.
+/// Supported by: sun-window, hall (half and twice as many).
+inline constexpr double kMemoryPaths = 5e5;
+
+/// Photon paths until which many are scored. Unit: photon paths.
+/// Balances: time of learning against how soon much is known.
+/// Chosen by: docs/notebook/2026-11-23-one-scale-for-scores.md.
+/// Supported by: sun-window, hall (two and a half million).
+inline constexpr std::uint64_t kEagerPaths = 1'000'000;
+
+/// Of so many paths one is scored until then. Unit: photon paths.
+/// Balances: time of learning against how soon much is known.
+/// Chosen by: docs/notebook/2026-11-21-directions-at-bounces.md.
+/// Supported by: ajar-door, hall, chess (all in place of one in four).
+inline constexpr std::uint32_t kEagerOneOf = 4;
+
+/// Of so many paths one is scored afterwards. Unit: photon paths.
+/// Balances: time of learning against following what changes.
+/// Chosen by: reasoning: none on record.
+/// Supported by: no measurement.
+inline constexpr std::uint32_t kLateOneOf = 16;
+
+/// Scored paths before guided starts or survival by score may be switched off: what a part would
+/// gain when it has learned cannot be told while it learns, and it learns faster when it is on.
+/// Unit: scored photon paths.
+/// Balances: time lost with a part that does not pay against verdicts by chance.
+/// Chosen by: docs/notebook/2026-11-23-when-to-switch-emission.md.
+/// Supported by: prism, furnace, chess (twice as many, and never).
+inline constexpr double kTrialPaths = 1e5;
+
+/// Groups that paths are dealt out to, an odd number; the median of what they say is taken. Unit:
+/// groups.
+/// Balances: verdicts that one path decides against noise of each group.
+/// Chosen by: docs/notebook/2026-11-22-median-of-five-groups.md.
+/// Supported by: one scene only: a corridor with fog.
+inline constexpr std::size_t kMomentGroups = 5;
+
+/// Gain from which on guided starts are switched on: moments are noisy, and learning has its price.
+/// Unit: ratio.
+/// Balances: gains that are missed against a part that flickers.
+/// Chosen by: reasoning: two thresholds keep a part from flickering (docs/understand/learning.md).
+/// Supported by: no measurement.
+inline constexpr double kEmissionOn = 1.4;
+
+/// Gain below which guided starts are switched off: stratified plain starts do better than their
+/// moments tell. Unit: ratio.
+/// Balances: gains that are missed against stratification that is lost.
+/// Chosen by: reasoning: above what stratified starts bring, 1.05 to 1.23
+///   (docs/notebook/2026-11-24-sequences-of-emissions.md).
+/// Supported by: cornell-box, glass-ball, chess (what stratification brings; the threshold was not
+///   varied).
+inline constexpr double kEmissionStay = 1.25;
+
+/// Cost of the way through a light's tree. Unit: rays.
+/// Balances: guided starts against the rays that their time would buy.
+/// Chosen by: docs/notebook/2026-11-24-where-the-guides-time-goes.md.
+/// Supported by: one scene only: cornell-box.
+inline constexpr double kEmissionLookUpCost = 0.5;
+
+/// Gain over the way in use, by power or by score, from which on another way of deciding on
+/// survival replaces it. Unit: ratio.
+/// Balances: gains that are missed against a part that flickers.
+/// Chosen by: docs/notebook/2026-11-22-survival-by-score.md.
+/// Supported by: one scene only: sun-window (1.4 in its place).
+inline constexpr double kSurvivalChange = 1.1;
+
+/// Gain below which survival by score is switched off. Less than guided starts have to gain: paths
+/// of both ways start at the same points, none of whose stratification is lost. What is off while
+/// all else learns is found to pay far later. Unit: ratio.
+/// Balances: time lost with a part that does not pay against gains that are missed.
+/// Chosen by: docs/notebook/2026-11-22-survival-by-score.md.
+/// Supported by: one scene only: sun-window (1.25 in its place).
+inline constexpr double kSurvivalStay = 1.0;
+
+/// Cost of looking up what a photon may still bring. Unit: rays.
+/// Balances: survival by score against the rays that its time would buy.
+/// Chosen by: docs/notebook/2026-11-24-where-the-guides-time-goes.md.
+/// Supported by: one scene only: cornell-box.
+inline constexpr double kScoreLookUpCost = 0.2;
+
+}  // namespace aips

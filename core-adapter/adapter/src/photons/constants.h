@@ -1,0 +1,51 @@
+// Tuned constants of photon paths: each with its unit, what it balances, which experiment chose it,
+// and what supports it. docs/build-on/constants.md is made from these comments.
+#pragma once
+
+#include <cstdint>
+
+namespace aips {
+
+/// Photon paths of an iteration that no guide=paper cuts shorter. Unit: photon paths.
+/// Balances: work for all threads and little time between iterations against a guide that lags
+///   behind.
+/// Chosen by: docs/notebook/2026-11-24-sequences-of-emissions.md.
+/// Supported by: cornell-box, glass-ball, chess (longer ones).
+inline constexpr std::uint32_t kPlainIterationPaths = 1u << 14;
+
+/// Paths of a block, which one thread traces, and over which the photons that come from splitting
+/// are bounded. Unit: photon paths.
+/// Balances: threads that wait for the last block against time spent between blocks.
+/// Chosen by: reasoning: none on record.
+/// Supported by: no measurement.
+inline constexpr std::uint32_t kPathsPerBlock = 256;
+
+/// Photons of one path that may come from splitting others. Unit: photons.
+/// Balances: noise behind narrow openings against memory and paths that never end.
+/// Chosen by: reasoning: none on record.
+/// Supported by: no measurement.
+inline constexpr std::uint32_t kMostSplits = 16;
+
+/// Chains that walk side by side in a pass. Unit: chains.
+/// Balances: work for all threads, with bits that do not depend on them, against the length of each
+///   chain.
+/// Chosen by: reasoning: a fixed number, so that bits do not depend on the number of threads.
+/// Supported by: no measurement.
+inline constexpr std::uint32_t kChainCount = 64;
+
+/// How far from a visible point photons count as visible to a chain. Discs that just touch, or do
+/// not, are islands to a chain, which stays on one for long. Unit: mean radii.
+/// Balances: islands against paths that nothing gathers.
+/// Chosen by: docs/notebook/2026-11-23-reach-of-chains.md.
+/// Supported by: one scene only: summerhouse (1 to 4 in its place).
+inline constexpr float kChainReach = 2;
+
+/// Steps of a chain over which the size of mutations is learned from round to round. Later it
+/// changes between passes only, so that it does not depend on the states of the chains it moves.
+/// Unit: steps.
+/// Balances: a size that fits early against paths that depend on their size a little.
+/// Chosen by: reasoning: none on record.
+/// Supported by: no measurement.
+inline constexpr std::uint64_t kMutationLearningSteps = 1024;
+
+}  // namespace aips

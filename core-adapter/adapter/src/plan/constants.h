@@ -1,0 +1,186 @@
+// Tuned constants of what is planned: each with its unit, what it balances, which experiment chose
+// it, and what supports it. docs/build-on/constants.md is made from these comments.
+#pragma once
+
+#include <cstdint>
+
+namespace aips {
+
+/// Photon paths after which the log says what the adaptive guide prunes. Unit: photon paths.
+/// Balances: a figure that is certain against one that comes early.
+/// Chosen by: reasoning: none on record.
+/// Supported by: no measurement.
+inline constexpr std::uint64_t kPruningPaths = 1'000'000;
+
+/// Share of unguided photon paths that come near what is seen from which on photons go without the
+/// adaptive guide. Unit: share of 1.
+/// Balances: the cost of learning in lit rooms against what a guide gains elsewhere.
+/// Chosen by: docs/notebook/2026-11-23-first-look.md.
+/// Supported by: magic-lamp, room, cornell-box, ajar-door, summerhouse, eight more.
+inline constexpr double kNearWithoutGuide = 1.0 / 3;
+
+/// Share of unguided photon paths that are seen below which chains do better than the guide. Unit:
+/// share of 1.
+/// Balances: fireflies of a guide with nothing to learn from against the unstratified paths of
+///   chains.
+/// Chosen by: docs/notebook/2026-11-23-guide-or-chains.md.
+/// Supported by: summerhouse with grounds of five sizes, hall, sun-window.
+inline constexpr double kSeenForChains = 5e-4;
+
+/// Paths seen that tell that share from more. Unit: photon paths.
+/// Balances: time of the first look against verdicts by chance.
+/// Chosen by: reasoning: the eight that one in 2000 leaves of one iteration are too few.
+/// Supported by: no measurement.
+inline constexpr std::uint64_t kSeenEnough = 32;
+
+/// Paths seen below which chains are not tried: they need to find a visible path now and then.
+/// Unit: photon paths.
+/// Balances: passes of chains that find nothing against scenes that a guide cannot do.
+/// Chosen by: reasoning: chains have to find a visible path by chance in each pass.
+/// Supported by: no measurement.
+inline constexpr std::uint64_t kSeenAtLeast = 2;
+
+/// Iterations of the first look at most. Unit: iterations.
+/// Balances: time of the first look against scenes of which next to nothing is seen.
+/// Chosen by: reasoning: the look then takes a few tenths of a second.
+/// Supported by: no measurement.
+inline constexpr std::uint64_t kMostLooks = 16;
+
+/// Fewest photon paths of a pass that is chosen. Unit: photon paths.
+/// Balances: passes of the eye against iterations that keep no thread busy.
+/// Chosen by: reasoning: none on record.
+/// Supported by: no measurement.
+inline constexpr std::uint32_t kFewestPerPass = 1u << 12;
+
+/// Most photon paths of a pass that is chosen. Unit: photon paths.
+/// Balances: photons where they are rare against passes that last for seconds.
+/// Chosen by: reasoning: none on record.
+/// Supported by: no measurement.
+inline constexpr std::uint32_t kMostPerPass = 1u << 22;
+
+/// The same of chains, which find their paths anew in each pass: short ones find none where they
+/// are rare. Unit: photon paths.
+/// Balances: passes of the eye against chains that find nothing.
+/// Chosen by: docs/notebook/2026-11-23-photons-of-chains.md.
+/// Supported by: no measurement (that chains want long passes was seen in summerhouse, the number
+///   was not varied).
+inline constexpr std::uint32_t kFewestOfChains = 1u << 16;
+
+/// Passes before the first choice of the photons per pass; others follow whenever there are a
+/// quarter more. Unit: passes.
+/// Balances: a choice by chance against passes of a number that nothing has chosen.
+/// Chosen by: reasoning: none on record.
+/// Supported by: no measurement.
+inline constexpr std::uint64_t kFirstPasses = 4;
+
+/// The same where a guide learns. Unit: passes.
+/// Balances: a choice by what a guide is not yet against passes of a number that nothing has
+///   chosen.
+/// Chosen by: docs/notebook/2026-11-23-weights-of-first-passes.md.
+/// Supported by: furnace, chess, prism (4 and 6 in its place).
+inline constexpr std::uint64_t kFirstPassesOfAGuide = 8;
+
+/// Factor by which a choice may raise the last one, but never the first of a guide: passes count
+/// alike, whatever they cost. Unit: ratio.
+/// Balances: the best number soon against passes of unequal noise that count alike.
+/// Chosen by: reasoning: passes count alike, so that their numbers may change slowly only.
+/// Supported by: no measurement.
+inline constexpr double kGreatestRise = 2;
+
+/// Factor by which a choice may lower the last one, and that of a guide the first. Unit: ratio.
+/// Balances: the best number soon against passes of unequal noise that count alike.
+/// Chosen by: reasoning: passes count alike, so that their numbers may change slowly only.
+/// Supported by: no measurement.
+inline constexpr double kGreatestFall = 4;
+
+/// What a pass after the first choice counts for, those before, of few photons, for 1. Unit: ratio.
+/// Balances: noise of the first passes against the photons that they bring.
+/// Chosen by: docs/notebook/2026-11-23-weights-of-first-passes.md.
+/// Supported by: glass-ball, hall, summerhouse (2 and 64 in its place).
+inline constexpr double kChosenWeight = 8;
+
+/// The same of a guide in large images, whose passes it begins with as many photons as eye paths:
+/// it is given more at first, and what it shoots while it learns counts for less anyway. Unit:
+/// ratio.
+/// Balances: noise of the first passes against the photons that they bring.
+/// Chosen by: docs/notebook/2026-11-23-weights-of-first-passes.md.
+/// Supported by: hall, glass-ball (1 and 8 in its place).
+inline constexpr double kChosenWeightOfAGuide = 2;
+
+/// The same of a guide in small images. Unit: ratio.
+/// Balances: noise of the first passes against the photons that they bring.
+/// Chosen by: docs/notebook/2026-11-23-weights-of-first-passes.md.
+/// Supported by: hall, sun-window, glass-ball, prism, ajar-door (2 in its place).
+inline constexpr double kChosenWeightInSmallImages = 1;
+
+/// Least cost of photons over the eye's. Eye paths are stratified from pass to pass, so that their
+/// noise falls faster than what two passes differ by tells: at least 60 % of the time goes to
+/// photons. Unit: ratio.
+/// Balances: the eye's noise against that of photons.
+/// Chosen by: docs/notebook/2026-11-23-costs-of-a-pass.md.
+/// Supported by: glass-ball, chess (without it).
+inline constexpr double kLeastRatio = 1.5;
+
+/// Greatest cost of photons over the eye's: beyond it no more than a tenth could be gained. Unit:
+/// ratio.
+/// Balances: the eye's noise against that of photons.
+/// Chosen by: reasoning: what is left to gain beyond it.
+/// Supported by: no measurement.
+inline constexpr double kGreatestRatio = 10;
+
+/// What photons from chains cost over the eye: of 10, 5 and 3 the best for the image, and as good
+/// as 10 for their own light. Unit: ratio.
+/// Balances: the eye's noise against that of photons.
+/// Chosen by: docs/notebook/2026-11-23-photons-of-chains.md.
+/// Supported by: one scene only: summerhouse (10 and 3 in its place).
+inline constexpr double kChainRatio = 5;
+
+/// Work of an eye ray. Unit: about 0.3 us.
+/// Balances: the choice of the photons per pass: time of the eye against that of photons.
+/// Chosen by: docs/notebook/2026-11-23-costs-of-a-pass.md.
+/// Supported by: 13 scenes.
+inline constexpr double kEyeRayWork = 1.1;
+
+/// Work of an eye path: shading, film, search. Unit: about 0.3 us.
+/// Balances: as that of an eye ray.
+/// Chosen by: docs/notebook/2026-11-23-costs-of-a-pass.md.
+/// Supported by: 13 scenes.
+inline constexpr double kEyePathWork = 1.2;
+
+/// Work of a photon's ray. Unit: about 0.3 us.
+/// Balances: as that of an eye ray.
+/// Chosen by: docs/notebook/2026-11-23-costs-of-a-pass.md.
+/// Supported by: 13 scenes.
+inline constexpr double kRayWork = 0.8;
+
+/// Work of a photon's bounce. Unit: about 0.3 us.
+/// Balances: as that of an eye ray.
+/// Chosen by: docs/notebook/2026-11-23-costs-of-a-pass.md.
+/// Supported by: 13 scenes.
+inline constexpr double kBounceWork = 0.8;
+
+/// Work of a photon gathered. Unit: about 0.3 us.
+/// Balances: as that of an eye ray.
+/// Chosen by: docs/notebook/2026-11-23-costs-of-a-pass.md.
+/// Supported by: 13 scenes.
+inline constexpr double kGatheredWork = 0.6;
+
+/// Work of a guided emission. Unit: about 0.3 us.
+/// Balances: as that of an eye ray.
+/// Chosen by: docs/notebook/2026-11-23-costs-of-a-pass.md.
+/// Supported by: 13 scenes.
+inline constexpr double kGuidedEmissionWork = 0.8;
+
+/// Work of a bounce whose direction a guide drew. Unit: about 0.3 us.
+/// Balances: as that of an eye ray.
+/// Chosen by: docs/notebook/2026-11-23-costs-of-a-pass.md.
+/// Supported by: 13 scenes.
+inline constexpr double kGuidedBounceWork = 1.8;
+
+/// Work of a path, vertex or landing that guide=adaptive learns from. Unit: about 0.3 us.
+/// Balances: as that of an eye ray.
+/// Chosen by: docs/notebook/2026-11-23-costs-of-a-pass.md.
+/// Supported by: nine scenes (0.58 to 0.97 in eight).
+inline constexpr double kLearnedWork = 0.65;
+
+}  // namespace aips

@@ -1,0 +1,138 @@
+// Tuned constants of tables of lights and directions: each with its unit, what it balances, which
+// experiment chose it, and what supports it. docs/build-on/constants.md is made from these
+// comments.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+namespace aips {
+
+/// Numbers that all tables of lights together hold at most, a sum and a probability for each light
+/// and leaf. Unit: entries.
+/// Balances: memory against places in scenes of many lights.
+/// Chosen by: reasoning: 4 MiB.
+/// Supported by: no measurement.
+inline constexpr std::size_t kMostLightEntries = std::size_t{1} << 18;
+
+/// Most leaves with a table of lights. Unit: leaves.
+/// Balances: places that see other lights against shadow rays to learn from.
+/// Chosen by: reasoning: none on record.
+/// Supported by: no measurement.
+inline constexpr std::uint32_t kLightLeaves = 1024;
+
+/// Shadow rays with light that a leaf must have met before it is split. Unit: shadow rays.
+/// Balances: places that see other lights against halves that differ by chance.
+/// Chosen by: reasoning: none on record.
+/// Supported by: no measurement.
+inline constexpr std::uint32_t kLightSplitRays = 64;
+
+/// Share of the choices of lights that is made without tables. Unit: share of 1.
+/// Balances: the greatest weight, its inverse, against noise where tables are right.
+/// Chosen by: reasoning: no light weighs more than eight times what it does without tables
+///   (docs/understand/learned-lights.md).
+/// Supported by: no measurement (tables were measured in five scenes, this share was not varied).
+inline constexpr double kPlainLights = 0.125;
+
+/// What the mean over all leaves weighs in each. Unit: shadow rays.
+/// Balances: what a place has seen against chance.
+/// Chosen by: reasoning: none on record.
+/// Supported by: no measurement.
+inline constexpr double kLightPrior = 4;
+
+/// What the halves of a leaf start with at most: what it knew is a prior for them. Unit: shadow
+/// rays.
+/// Balances: what the leaf knew against what its halves see.
+/// Chosen by: reasoning: none on record.
+/// Supported by: no measurement.
+inline constexpr double kInheritedRays = 16;
+
+/// Most leaves with a table of directions. Unit: leaves.
+/// Balances: parallax within a leaf against memory and photons to fill a table.
+/// Chosen by: reasoning: none on record.
+/// Supported by: no measurement.
+inline constexpr std::uint32_t kTableLeaves = 2048;
+
+/// Vertices with a score that a leaf with a table must have met before it is split: a table has to
+/// be filled before it pays to halve its place. Unit: scored vertices.
+/// Balances: parallax within a leaf against tables made of few photons.
+/// Chosen by: docs/notebook/2026-11-21-directions-at-bounces.md, as 64 effective photons, which 192
+///   scored ones stand for.
+/// Supported by: one scene only: chess (16 and 8 effective photons in place of 64).
+inline constexpr std::uint32_t kTableSplitScores = 192;
+
+/// Share of the mass from which on a leaf with a table is halved even if its halves look alike.
+/// Unit: share of the whole mass.
+/// Balances: parallax where much is at stake against leaves.
+/// Chosen by: reasoning: none on record.
+/// Supported by: no measurement.
+inline constexpr double kTableSplitMass = 1.0 / 2048;
+
+/// What equal shares of a square's quarters weigh, at each level. Unit: effective photons.
+/// Balances: fine structure against what single photons make of it.
+/// Chosen by: docs/notebook/2026-11-21-directions-at-bounces.md.
+/// Supported by: ajar-door, hall (4 and 12 are alike).
+inline constexpr double kTablePrior = 8;
+
+/// Scored paths that count in full where things change faster than places do: the choice of tables'
+/// shares, and what a whole path is worth. Unit: scored photon paths.
+/// Balances: noise against what was true of a guide that knew less.
+/// Chosen by: docs/notebook/2026-11-22-survival-by-score.md.
+/// Supported by: no measurement (present paths against all were measured in four scenes, the number
+///   was not varied).
+inline constexpr double kShortMemoryPaths = 1e5;
+
+/// Least gain, second moment times cost without a table over that with one, at which a table comes
+/// into use; in use it stays as long as it gains anything. Unit: ratio.
+/// Balances: tables in use against the noise of the verdict.
+/// Chosen by: reasoning: it has to pay for the noise of the verdict (docs/understand/learning.md).
+/// Supported by: no measurement.
+inline constexpr double kTableGain = 1.15;
+
+/// What all places together weigh in the choice of the share of a table. Unit: effective samples.
+/// Balances: places that differ against chance.
+/// Chosen by: docs/notebook/2026-11-21-directions-at-bounces.md.
+/// Supported by: one scene only: ajar-door (2 against 32).
+inline constexpr double kTableSharePrior = 16;
+
+/// Cost of drawing from a table and asking for its density. Unit: rays.
+/// Balances: tables against the rays that their time would buy.
+/// Chosen by: docs/notebook/2026-11-24-where-the-guides-time-goes.md.
+/// Supported by: no measurement (the page names the price beside times of whole phases).
+inline constexpr double kTableLookUpCost = 0.3;
+
+/// Shares of a table that are compared; the first is no table at all. What the greatest leaves to
+/// the density without a table bounds weights: 1 / (1 - 3/4) of theirs. Unit: share of 1.
+/// Balances: what tables gain against the greatest weight, 4.
+/// Chosen by: docs/notebook/2026-11-22-guided-bounces.md.
+/// Supported by: glass-ball, chess, ajar-door, hall.
+inline constexpr std::array<double, 4> kTableShares{0, 0.25, 0.5, 0.75};
+
+/// Cells along a side of the square of directions. Unit: cells.
+/// Balances: narrow lights against photons to fill a table.
+/// Chosen by: reasoning: none on record.
+/// Supported by: no measurement.
+inline constexpr int kTableResolution = 8;
+
+/// Photons that a leaf must have met before it has a density of directions. Unit: effective
+/// photons.
+/// Balances: gain from the first photons on against tables made of chance.
+/// Chosen by: reasoning: none on record.
+/// Supported by: no measurement.
+inline constexpr double kLeastKnown = 8;
+
+/// Of directions worth nothing one in so many is learned from, and counts as so many: they only
+/// tell what directions cost, and they are most. Unit: directions.
+/// Balances: time of learning against noise of the cost.
+/// Chosen by: docs/notebook/2026-11-21-directions-at-bounces.md.
+/// Supported by: ajar-door, hall, chess, glass-ball.
+inline constexpr unsigned kWorthlessOneOf = 8;
+
+/// Share of a leaf's sum that must be new before its density is made anew. Unit: share of 1.
+/// Balances: time of making tables against tables that lag behind.
+/// Chosen by: reasoning: none on record.
+/// Supported by: no measurement.
+inline constexpr double kFreshShare = 0.125;
+
+}  // namespace aips

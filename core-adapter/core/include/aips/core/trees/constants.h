@@ -1,0 +1,115 @@
+// Tuned constants of trees: each with its unit, what it balances, which experiment chose it, and
+// what supports it. docs/build-on/constants.md is made from these comments.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+namespace aips {
+
+/// Least side of a paper's node in eq. 2. The plain volume is zero for a node that holds a flat
+/// piece of an axis-aligned surface. Unit: share of the scene's diagonal.
+/// Balances: nodes of flat surfaces that have an error at all against the size of thin ones.
+/// Chosen by: reasoning: why there is a floor is in docs/understand/paper-departures.md, why this
+///   one is not on record.
+/// Supported by: no measurement.
+inline constexpr double kMinSideShare = 1e-3;
+
+/// Most leaves over which one thing is learned: the worth of places, or of starts over all lights.
+/// Unit: leaves.
+/// Balances: detail against memory, look-ups and photons to learn from.
+/// Chosen by: reasoning: none on record.
+/// Supported by: no measurement.
+inline constexpr std::uint32_t kMostLearnedLeaves = 8192;
+
+/// Least fall of a tree's mass by a split. Unit: share of the whole mass.
+/// Balances: detail against leaves spent where halves are alike.
+/// Chosen by: reasoning: none on record.
+/// Supported by: no measurement.
+inline constexpr double kLeastSplitGain = 1e-4;
+
+/// Photons with a score, or seeds, that a leaf of a light's tree must have met before it is split.
+/// Unit: scored photons.
+/// Balances: detail against halves that differ by chance.
+/// Chosen by: docs/notebook/2026-11-21-emission-density-and-survival.md.
+/// Supported by: sun-window, hall (8 in its place).
+inline constexpr std::uint32_t kStartSplitScores = 32;
+
+/// Power of |f| / sqrt(cost) that the density of starts follows. Unit: exponent.
+/// Balances: the best density if |f| were known against weights where it is wrong.
+/// Chosen by: docs/notebook/2026-11-21-emission-density-and-survival.md.
+/// Supported by: sun-window, summerhouse, chess, glass-ball, ajar-door, hall; sun-window again
+///   (docs/notebook/2026-11-23-one-scale-for-scores.md).
+inline constexpr double kStartPower = 0.75;
+
+/// What the parent's mean weighs in each node of a light's tree. Unit: effective scored photons.
+/// Balances: places that had bad luck against photons sent where nothing is.
+/// Chosen by: docs/notebook/2026-11-21-emission-density-and-survival.md.
+/// Supported by: one scene only: sun-window (1 against 4; elsewhere varied with the power alone).
+inline constexpr double kStartPrior = 1;
+
+/// Share of its history that a new leaf of a light's tree keeps: how the score lay within the half
+/// is a guess. Unit: share of 1.
+/// Balances: a guess against knowing nothing.
+/// Chosen by: reasoning: how the score lay within the half is a guess.
+/// Supported by: no measurement.
+inline constexpr double kInheritedHistory = 0.1;
+
+/// Fewer seeds than this do not say how narrow the region is that they come from. Unit: seeds.
+/// Balances: starts found in a few passes against halving on chance.
+/// Chosen by: docs/notebook/2026-11-23-seeds-of-rare-starts.md.
+/// Supported by: open-ground, sun-window (8 in its place).
+inline constexpr std::size_t kFocusPoints = 16;
+
+/// One seed in so many may lie apart at either end, so that three quarters count. Unit: seeds.
+/// Balances: leaves that a stray seed keeps wide against starts that are cut off.
+/// Chosen by: docs/notebook/2026-11-23-seeds-of-rare-starts.md.
+/// Supported by: no measurement (the rule was measured, this share was not varied).
+inline constexpr std::size_t kFocusApart = 8;
+
+/// A leaf is halved at once where its seeds take less of it than this, along any axis: however they
+/// lie about its middle, where a greedy split gains nothing, each half then has them at one end.
+/// Unit: share of the leaf's side.
+/// Balances: starts found in a few passes against leaves spent on wide groups.
+/// Chosen by: docs/notebook/2026-11-23-seeds-of-rare-starts.md.
+/// Supported by: open-ground (a tenth in its place), hall, prism (half).
+inline constexpr double kFocusNarrow = 0.25;
+
+/// Vertices with a score that a leaf of places must have met since it came to be before it is
+/// split. Those without tell where others are not, however uneven scores may be. Unit: scored
+/// vertices.
+/// Balances: detail against halves that differ by chance.
+/// Chosen by: docs/notebook/2026-11-22-survival-by-score.md.
+/// Supported by: no measurement (that vertices are counted was measured, the number was not
+///   varied).
+inline constexpr std::uint32_t kPlaceSplitScores = 16;
+
+/// A leaf of places with more than this share of the mass is halved even if its halves look alike:
+/// a field that is symmetric about the plane shows its shape only in the quarters. Unit: share of
+/// the whole mass.
+/// Balances: detail where much is at stake against leaves spent where all is even.
+/// Chosen by: reasoning: none on record.
+/// Supported by: no measurement.
+inline constexpr double kSplitMass = 1.0 / 256;
+
+/// What the parent's mean weighs in each node of places: below it what a leaf met is not trusted.
+/// Unit: scored vertices.
+/// Balances: detail against what few vertices say.
+/// Chosen by: reasoning: none on record.
+/// Supported by: no measurement.
+inline constexpr double kPlacePrior = 4;
+
+/// Least side of a leaf of places. Unit: share of the scene's longest side.
+/// Balances: detail against leaves spent on one bright spot.
+/// Chosen by: reasoning: none on record.
+/// Supported by: no measurement.
+inline constexpr float kLeastSideShare = 0x1p-12f;
+
+/// Standard errors by which the mean root scores of two halves must differ. Roots, because their
+/// tails are lighter, and because the roulette takes the root. Unit: standard errors.
+/// Balances: detail against halves that differ by chance.
+/// Chosen by: reasoning: none on record.
+/// Supported by: no measurement.
+inline constexpr double kSignificance = 3;
+
+}  // namespace aips

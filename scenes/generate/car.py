@@ -49,14 +49,14 @@ def along(curve, x):
 
 
 class Merged(Mesh):
-    """A mesh in which points at one place are one vertex, and faces without extent are left out."""
+    """Points within half a millimetre are one vertex, and faces without extent are left out."""
 
     def __init__(self):
         super().__init__()
         self.known = {}
 
     def at(self, point):
-        key = tuple(round(c * 1e5) for c in point)
+        key = tuple(round(c * 2000) for c in point)
         if key not in self.known:
             self.known[key] = self.vertex(point)
         return self.known[key]

@@ -7,11 +7,11 @@ import sys
 import bathroom
 import car
 import chess
-import curtain
 import hall
 import jewellery
 import lantern
 import pool
+import sheets
 import summerhouse
 import tableware
 import water
@@ -24,7 +24,7 @@ def all_files(seed):
     files = {}
     for made in (chess.files(), tableware.files(), lantern.files(), summerhouse.files(),
                  water.files(seed), pool.files(), hall.files(seed), jewellery.files(),
-                 bathroom.files(), curtain.files(), car.files()):
+                 bathroom.files(), sheets.files(), car.files()):
         files.update(made)
     return files
 

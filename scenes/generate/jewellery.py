@@ -82,7 +82,7 @@ def step_cut():
 
 
 def claws():
-    """Six claws that hold a brilliant of radius 3.25, its girdle's upper edge at z = 0."""
+    """Six claws that hold a brilliant of radius 3, its girdle's upper edge at z = 0."""
     mesh = Mesh()
     for k in range(6):
         angle = math.pi * (k + 0.5) / 3

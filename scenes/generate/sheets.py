@@ -1,4 +1,4 @@
-"""Thin things that let light through: a curtain, and the leaves of a plant. Sheets, without thickness."""
+"""Sheets without thickness, which let light through: a curtain, the leaves of a plant."""
 
 import math
 

@@ -4,10 +4,14 @@ import argparse
 import pathlib
 import sys
 
+import bathroom
+import car
 import chess
 import hall
+import jewellery
 import lantern
 import pool
+import sheets
 import summerhouse
 import tableware
 import water
@@ -19,7 +23,8 @@ def all_files(seed):
     """File name -> text of everything generated."""
     files = {}
     for made in (chess.files(), tableware.files(), lantern.files(), summerhouse.files(),
-                 water.files(seed), pool.files(), hall.files(seed)):
+                 water.files(seed), pool.files(), hall.files(seed), jewellery.files(),
+                 bathroom.files(), sheets.files(), car.files()):
         files.update(made)
     return files
 

@@ -21,7 +21,9 @@ def load_generator():
 
 generator = load_generator()
 
-SOLIDS = ("goblet.ply", "vase.ply", "ring.ply") + tuple(
+SOLIDS = ("goblet.ply", "vase.ply", "ring.ply", "gem-brilliant.ply", "gem-step-cut.ply",
+          "ring-claws.ply", "basin.ply", "lamp-cover.ply", "tap-spout.ply", "car-tyre.ply",
+          "car-rim.ply", "car-lens.ply", "car-bumper.ply", "car-steering-wheel.ply") + tuple(
     f"chess-{piece}.ply" for piece in ("pawn", "rook", "knight", "bishop", "queen", "king"))
 
 

@@ -113,6 +113,10 @@ std::vector<ParameterDeclaration> guide_declarations() {
                "with a fixed radius; or progressive photon mapping with frozen hit points, each "
                "with its own radius.",
                kModes),
+        boolean("continueeyepaths", kDefaults.continue_eye_paths,
+                "In mode progressive: eye paths go on from surfaces that take photons, where that "
+                "brings more for its time than photons do; not with guide paper "
+                "(docs/understand/who-carries-which-light.md)."),
         choice("guide", kDefaults.guide,
                "What decides where photons go: nothing; the adaptive tables of Liu and Zheng 2014; "
                "or what photons are worth to the image (docs/understand/guides.md).",

@@ -55,6 +55,10 @@ lxs::Statistics EngineIntegrator::statistics() const {
         out.emplace_back("visible_paths", s.visible_paths);
         out.emplace_back("mutation_size", s.mutation_size);
     }
+    if (s.continued_paths > 0) {
+        out.emplace_back("continued_paths", s.continued_paths);
+        out.emplace_back("eye_share", s.eye_share);
+    }
     if (s.score_times_cost > 0) {
         out.emplace_back("emission_gain", s.emission_gain);
         out.emplace_back("survival_gain", s.survival_gain);

@@ -226,5 +226,21 @@ TEST(Needs, UnguidedRunsHaveNoGuide) {
     EXPECT_TRUE(logged(r.log, "skipped guide: not asked for"));
 }
 
+TEST(Needs, EyePathsGoOnWhereTheyShareLightWithPhotons) {
+    const auto off = [](const std::string& reason, auto&& change) {
+        Settings settings = mock::small_settings(67, 5000);
+        change(settings);
+        const auto r = render_box(settings);
+        EXPECT_EQ(r.statistics.continued_paths, 0u);
+        return logged(r.log, "skipped continued eye paths: " + reason);
+    };
+    EXPECT_GT(render_box(mock::small_settings(67, 5000)).statistics.continued_paths, 0u);
+    EXPECT_FALSE(off("", [](Settings& s) { s.continue_eye_paths = false; })) << "as asked for";
+    EXPECT_TRUE(off("no light to share", [](Settings& s) { s.max_photon_depth = 1; }));
+    EXPECT_TRUE(off("no shadow rays", [](Settings& s) { s.direct_light_sampling = false; }));
+    EXPECT_TRUE(off("eye paths belong", [](Settings& s) { s.mode = Mode::PhotonMap; }));
+    EXPECT_TRUE(off("the paper's photons", [](Settings& s) { s.guide = GuideKind::Paper; }));
+}
+
 }  // namespace
 }  // namespace aips::needs_test

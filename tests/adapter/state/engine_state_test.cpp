@@ -22,17 +22,18 @@ void expect_same_film(const mock::Film& film, const mock::Film& other) {
 /// All but times and how much memory vectors hold.
 void expect_same_statistics(const EngineStatistics& a, const EngineStatistics& b) {
     const auto counts = [](const EngineStatistics& s) {
-        return std::vector<std::uint64_t>{s.passes,           s.eye_paths,         s.eye_rays,
-                                          s.photon_paths,     s.photon_rays,       s.landings,
-                                          s.split_off,        s.gathered,          s.bounces,
-                                          s.guided_bounces,   s.measured_paths,    s.visible_paths,
-                                          s.guide_nodes,      s.bounce_tables,     s.pruned_paths,
-                                          s.photons_per_pass, s.memory_bound_bytes};
+        return std::vector<std::uint64_t>{
+            s.passes,           s.eye_paths,          s.eye_rays,
+            s.photon_paths,     s.photon_rays,        s.landings,
+            s.split_off,        s.gathered,           s.bounces,
+            s.guided_bounces,   s.measured_paths,     s.visible_paths,
+            s.guide_nodes,      s.bounce_tables,      s.pruned_paths,
+            s.photons_per_pass, s.memory_bound_bytes, s.continued_paths};
     };
     const auto values = [](const EngineStatistics& s) {
-        return std::vector<double>{s.mutation_size, s.emission_gain,    s.survival_gain,
-                                   s.bounce_gain,   s.score_times_cost, s.pruned_emission,
-                                   double(s.radius)};
+        return std::vector<double>{s.mutation_size,  s.emission_gain,    s.survival_gain,
+                                   s.bounce_gain,    s.score_times_cost, s.pruned_emission,
+                                   double(s.radius), s.eye_share};
     };
     EXPECT_EQ(counts(a), counts(b));
     EXPECT_EQ(values(a), values(b));

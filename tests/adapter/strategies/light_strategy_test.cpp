@@ -59,6 +59,8 @@ struct Render {
     static Settings settings() {
         Settings s = mock::small_settings(5, 2000);
         s.guide = GuideKind::Adaptive;
+        // Without photons no eye path goes on, and its numbers never begin anew.
+        s.continue_eye_paths = false;
         return s;
     }
     Host host() { return {view.scene, view.camera, sampler, film, log}; }

@@ -49,7 +49,8 @@ bool on_same_surface(const VisiblePoint& point, Vec3 position, float agreement, 
 Rgb contribution(const VisiblePoint& point, const GridPhoton& landing, float radius) {
     const float agreement = dot(landing.normal, point.geometric_normal);
     if (!on_same_surface(point, landing.position, agreement, radius)) return {};
-    return reflected(point, landing, agreement > 0);
+    const Rgb value = reflected(point, landing, agreement > 0);
+    return landing.shareable && point.eye_share > 0 ? value * (1 - point.eye_share) : value;
 }
 
 void gather_photons(const EyeImage& image, const LandingGrid& grid, const SearchRadii& radii,
@@ -67,17 +68,26 @@ void gather_photons(const EyeImage& image, const LandingGrid& grid, const Search
                 // Left out of the flux, but what it absorbs is no contribution.
                 const Rgb f = point.bsdf ? kWhite : point.kd;
                 std::uint32_t count = 0;
-                double squares = 0;
+                double squares = 0, shareable = 0, shareable_squares = 0;
                 grid.for_each_in_radius(point.position, radius, [&](const GridPhoton& landing) {
                     const Rgb value = contribution(point, landing, radius);
                     if (is_black(value * f) || !refusals.accept(value, point.material)) return;
                     sums.add(landing.light_group, value);
-                    squares += double(luminance(value) * luminance(value));
+                    const auto square = double(luminance(value) * luminance(value));
+                    squares += square;
+                    if (landing.shareable) {
+                        shareable += double(luminance(value));
+                        shareable_squares += square;
+                    }
                     ++count;
                 });
                 sums.move_to(&result.flux[i * groups]);
                 result.accepted[i] = saturated_sum(result.accepted[i], count);
                 result.squares[i] += float(squares);
+                if (!result.shareable.empty()) {
+                    result.shareable[i].sum += float(shareable);
+                    result.shareable[i].squares += float(shareable_squares);
+                }
                 total += count;
             }
             gathered.fetch_add(total, std::memory_order_relaxed);

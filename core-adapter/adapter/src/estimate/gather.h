@@ -12,6 +12,13 @@
 
 namespace aips {
 
+/// The part of a visible point's flux that eye paths could carry as well: luminances of it as it
+/// is counted, without the share that they do carry.
+struct ShareableFlux {
+    float sum = 0;
+    float squares = 0;  ///< of single photons'
+};
+
 /// What photons have brought to the visible points of a pass so far.
 struct PhotonFlux {
     /// [visible point * groups + group]: sum over photons within the radius of f * power (watts per
@@ -22,13 +29,17 @@ struct PhotonFlux {
     std::vector<std::uint32_t> accepted;
     /// [visible point]: sum over these photons of the squared luminance of what flux sums.
     std::vector<float> squares;
-    std::vector<ProbeSums> probes;  ///< [number in SearchRadii::probes]
-    std::uint64_t gathered = 0;     ///< photons accepted, over all visible points
+    std::vector<ShareableFlux> shareable;  ///< [visible point]; empty if nobody asks for it
+    std::vector<ProbeSums> probes;         ///< [number in SearchRadii::probes]
+    std::uint64_t gathered = 0;            ///< photons accepted, over all visible points
+
+    bool wants_shareable = false;  ///< whether gathers fill `shareable`
 
     void reset(std::size_t visible_points, std::uint32_t groups, std::size_t probe_count = 0) {
         flux.assign(visible_points * groups, Rgb{});
         accepted.assign(visible_points, 0);
         squares.assign(visible_points, 0.0f);
+        shareable.assign(wants_shareable ? visible_points : 0, {});
         probes.assign(probe_count, {});
         gathered = 0;
     }
@@ -37,12 +48,15 @@ struct PhotonFlux {
             sum = sum * float(factor);
         for (float& square : squares)
             square *= float(factor * factor);
+        for (ShareableFlux& part : shareable)
+            part = {float(part.sum * factor), float(part.squares * factor * factor)};
         for (ProbeSums& sums : probes)
             sums.scale(factor);
     }
     std::size_t memory_bytes() const {
         return flux.capacity() * sizeof(Rgb) + accepted.capacity() * sizeof(std::uint32_t) +
-               squares.capacity() * sizeof(float) + probes.capacity() * sizeof(ProbeSums);
+               squares.capacity() * sizeof(float) + shareable.capacity() * sizeof(ShareableFlux) +
+               probes.capacity() * sizeof(ProbeSums);
     }
 };
 
@@ -53,8 +67,8 @@ void gather_photons(const EyeImage& image, const LandingGrid& grid, const Search
                     Refusals& refusals, PhotonFlux& flux);
 
 /// f * power of one landing (watts per steradian) within `radius` of a visible point, without the
-/// constant f of Lambertian points; black if the point rejects it: on another surface, on its other
-/// side, or absorbed.
+/// constant f of Lambertian points, and without the eye's share of light that both may carry; black
+/// if the point rejects it: on another surface, on its other side, or absorbed.
 Rgb contribution(const VisiblePoint& point, const GridPhoton& landing, float radius);
 
 }  // namespace aips

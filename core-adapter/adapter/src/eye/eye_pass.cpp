@@ -25,11 +25,24 @@ struct EyeBlock {
     std::uint64_t rays = 0;
 };
 
+EyePathOutput output_of(const EyePassInput& in, std::uint64_t pass, std::uint32_t path,
+                        EyeImage& image) {
+    const std::size_t first = std::size_t(path) * image.groups;
+    EyePathOutput output;
+    output.radiance = std::span(image.radiance).subspan(first, image.groups);
+    if (in.shares) {
+        output.continued = std::span(image.continued).subspan(first, image.groups);
+        output.explores = in.shares->explores(pass, path);
+    }
+    return output;
+}
+
 void trace_block(const EyePassInput& in, std::uint64_t pass, float time, std::uint32_t first,
                  std::uint32_t last, Refusals& refusals, EyeImage& image, Arena& arena,
                  EyeBlock& block) {
     const std::uint64_t pixels = std::uint64_t(in.width) * in.height;
-    const std::uint64_t before = in.direct_light.passes_before();
+    const std::uint64_t before =
+        std::max(in.direct_light.passes_before(), in.shares ? in.shares->passes_before : 0);
     const std::uint32_t stride = eye_paths_per_light_sample(in.paths);
     for (std::uint32_t i = first; i < last; ++i) {
         // Consecutive eye paths walk over the film again and again, whatever their number per pass.
@@ -41,9 +54,9 @@ void trace_block(const EyePassInput& in, std::uint64_t pass, float time, std::ui
                                  (serial - before * in.paths) / pixels);
         RandomStream random(in.settings.seed, pass, i, RandomDomain::Eye);
         image.positions[i] = sample.film;
-        const EyePathResult result = trace_eye_path(
-            in, in.camera.generate(sample, time), numbers, random, refusals, arena,
-            std::span(image.radiance).subspan(std::size_t(i) * image.groups, image.groups));
+        const EyePathResult result =
+            trace_eye_path(in, in.camera.generate(sample, time), numbers, random, refusals, arena,
+                           output_of(in, pass, i, image));
         block.rays += result.rays;
         if (result.light_sample.pdf > 0 && (i + pass) % stride == 0)
             block.light_samples.push_back(result.light_sample);
@@ -92,7 +105,8 @@ void join_blocks(std::vector<EyeBlock>& blocks, EyeImage& image) {
 
 std::size_t EyeImage::memory_bytes() const {
     std::size_t bytes =
-        positions.capacity() * sizeof(Vec2) + radiance.capacity() * sizeof(Rgb) +
+        positions.capacity() * sizeof(Vec2) +
+        (radiance.capacity() + continued.capacity()) * sizeof(Rgb) +
         visible_points.capacity() * sizeof(VisiblePoint) + footprints.capacity() * sizeof(float) +
         light_samples.capacity() * sizeof(LightSample) + beams.capacity() * sizeof(VolumeBeam);
     for (const Arena& arena : arenas)
@@ -115,6 +129,7 @@ void trace_eye_pass(const EyePassInput& in, std::uint64_t pass, float time, Refu
     image.groups = in.scene.light_groups();
     image.positions.resize(in.paths);
     image.radiance.assign(std::size_t(in.paths) * image.groups, Rgb{});
+    image.continued.assign(in.shares ? image.radiance.size() : 0, Rgb{});
     image.arenas.resize(block_count);
     if (in.keep_visible_points) image.visible_points.reserve(in.paths);
     std::vector<EyeBlock> blocks(block_count);

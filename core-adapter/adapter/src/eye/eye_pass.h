@@ -10,6 +10,7 @@
 #include "aips/core/base/arena.h"
 #include "eye/constants.h"
 #include "eye/direct_light.h"
+#include "eye/eye_shares.h"
 #include "eye/volume_beam.h"
 #include "refusal/refusals.h"
 
@@ -38,6 +39,10 @@ struct VisiblePoint {
     LobeMask receiving = 0;      ///< lobes that photons are gathered for
     std::uint32_t sample = 0;    ///< index of the eye path in its pass
     std::uint32_t material = 0;
+    /// Share of the light that both may carry which the eye path brings by going on, in [0, 1).
+    float eye_share = 0;
+    float eye_rays = 0;      ///< traced for that, or to learn what it would bring
+    bool continued = false;  ///< whether it went on
 };
 
 /// What one eye pass leaves.
@@ -45,6 +50,9 @@ struct EyeImage {
     std::uint32_t groups = 1;
     std::vector<Vec2> positions;  ///< film position of each eye path
     std::vector<Rgb> radiance;    ///< [path * groups + group]: emission seen and direct light
+    /// Laid out alike: what eye paths that went on from their visible points brought, without any
+    /// share; empty if none may.
+    std::vector<Rgb> continued;
     std::vector<VisiblePoint> visible_points;
     std::vector<VolumeBeam> beams;  ///< parts within media that scatter: at most one an eye path
     double beam_footprint_sum = 0;  ///< of the pixel footprints' radii at the beams' middles
@@ -84,7 +92,8 @@ struct EyePassInput {
     const Settings& settings;
     std::uint32_t width = 0, height = 0;  ///< of the film, pixels
     std::uint32_t paths = 0;              ///< eye paths in this pass
-    bool keep_visible_points = true;  ///< else they and the beams are left out, and Bsdfs dropped
+    bool keep_visible_points = true;    ///< else they and the beams are left out, and Bsdfs dropped
+    const EyeShares* shares = nullptr;  ///< null: no eye path goes on from its visible point
 };
 
 /// Lobes that take photons under these settings; the others bounce the eye path on.

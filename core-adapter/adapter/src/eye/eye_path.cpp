@@ -4,9 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "eye/constants.h"
+#include "eye/continued_path.h"
+#include "eye/surface_side.h"
 #include "eye/volume_light.h"
 #include "refusal/meet_surface.h"
 
@@ -17,16 +18,19 @@ namespace {
 class EyePath {
   public:
     EyePath(const EyePassInput& input, const CameraRay& camera_ray, const EyeNumbers& numbers,
-            RandomStream& random, Refusals& refusals, Arena& arena, std::span<Rgb> radiance)
+            RandomStream& random, Refusals& refusals, Arena& arena, const EyePathOutput& output)
         : in_(input),
           camera_ray_(camera_ray),
           numbers_(numbers),
           random_(random),
           refusals_(refusals),
           arena_(arena),
-          radiance_(radiance),
-          media_(input.scene.media()),
-          ray_(camera_ray.ray) {}
+          radiance_(output.radiance),
+          continued_(output.continued),
+          explores_(output.explores),
+          media_(input.scene.media()) {
+        tip_.ray = camera_ray.ray;
+    }
 
     EyePathResult trace() {
         follow(1);
@@ -41,9 +45,9 @@ class EyePath {
             const auto mark = arena_.mark();
             SurfacePoint point;
             ++result_.rays;
-            const bool met = meet_surface(in_.scene, ray_, point, arena_, refusals_);
-            if (media_ && media_->scatters(ray_.medium)) cross_medium(point.distance);
-            throughput_ *= point.transmittance;
+            const bool met = meet_surface(in_.scene, tip_.ray, point, arena_, refusals_);
+            if (media_ && media_->scatters(tip_.ray.medium)) cross_medium(point.distance);
+            tip_.throughput *= point.transmittance;
             if (!met) {
                 add_escaped();
                 break;
@@ -63,11 +67,12 @@ class EyePath {
     /// Light that the medium scatters into the ray on the way to the next surface: from lights by a
     /// shadow ray, all other by photons.
     void cross_medium(float length) {
-        VolumeBeam beam{ray_.origin, ray_.direction, length, ray_.medium, throughput_};
+        VolumeBeam beam{tip_.ray.origin, tip_.ray.direction, length, tip_.ray.medium,
+                        tip_.throughput};
         if (!(length > 0)) return;
         if (in_.settings.direct_light_sampling) {
-            result_.rays += estimate_scattered_light(in_.scene, in_.direct_light, beam, ray_.time,
-                                                     random_, refusals_, radiance_);
+            result_.rays += estimate_scattered_light(in_.scene, in_.direct_light, beam,
+                                                     tip_.ray.time, random_, refusals_, radiance_);
         }
         if (in_.keep_visible_points) keep(beam);
     }
@@ -86,16 +91,6 @@ class EyePath {
             camera_ray_.width + camera_ray_.spread * (travelled_ + 0.5f * beam.length);
     }
 
-    /// Share of the light met by the current ray that shadow rays from the last vertex leave to it.
-    float emission_weight(LightIndex light, const SurfacePoint* at) const {
-        if (last_was_specular_) return 1;
-        const float pdf_light = in_.direct_light.pdf(light, last_vertex_, ray_.direction, at);
-        // No density: what it weighs is refused, and counted against the light.
-        if (!(pdf_light >= 0)) return std::numeric_limits<float>::quiet_NaN();
-        if (bounce_pdf_ == 0) return 0;
-        return bounce_pdf_ / (bounce_pdf_ + pdf_light);
-    }
-
     void add(const Rgb& value, LightIndex light) {
         refusals_.add(radiance_[in_.scene.lights()[light]->group()], value,
                       refusals_.of_light(light));
@@ -103,25 +98,23 @@ class EyePath {
 
     void add_emitted(const SurfacePoint& point) {
         if (point.light == kNoLight || is_black(point.emitted)) return;
-        const float weight = lamp_share_ * emission_weight(point.light, &point);
-        add(throughput_ * point.emitted * weight, point.light);
+        const float weight = lamp_share_ * emission_weight(in_, tip_, point.light, &point);
+        add(tip_.throughput * point.emitted * weight, point.light);
     }
 
     void add_escaped() {
-        if (last_was_specular_ && !in_.settings.include_environment) return;
-        const auto lights = in_.scene.lights();
-        for (const LightIndex i : in_.direct_light.at_infinity()) {
-            const Rgb seen = lights[i]->escaped(ray_.direction);
-            if (is_black(seen) || !refusals_.accept(seen, refusals_.of_light(i))) continue;
-            add(throughput_ * seen * (lamp_share_ * emission_weight(i, nullptr)), i);
-        }
+        if (tip_.last_was_specular && !in_.settings.include_environment) return;
+        for_each_escaped(in_, tip_, refusals_, [&](LightIndex light, const Rgb& seen) {
+            const float weight = lamp_share_ * emission_weight(in_, tip_, light, nullptr);
+            add(tip_.throughput * seen * weight, light);
+        });
     }
 
     /// Direct light, then either a visible point or a bounce. False when the path ends.
     bool scatter(const SurfacePoint& point, std::uint32_t depth) {
         const bool last = depth == in_.settings.max_eye_depth;
         const VertexNumbers numbers = numbers_.vertex(depth);
-        const Vec3 wo = -ray_.direction;
+        const Vec3 wo = -tip_.ray.direction;
         const LobeMask lobes = point.bsdf->lobes();
         if (lobes == kSpecular) {
             if (last) return false;
@@ -129,7 +122,7 @@ class EyePath {
             const float u_lobe = numbers.lobe();
             if (branches_ < kMostBranches && !media_)
                 look_the_other_way(point, wo, u, u_lobe, depth);
-            return bounce(point, wo, kSpecular, 1, u, u_lobe);
+            return bounce(in_, point, wo, {kSpecular, 1, u, u_lobe}, refusals_, tip_);
         }
         if (lamps_only_) return false;
         lamp_share_ = 1;
@@ -137,20 +130,32 @@ class EyePath {
         const LobeMask receiving = lobes & receiving_lobes(in_.settings);
         const LobeMask bouncing = lobes & ~receiving;
         const float store_pdf = store_probability(point, wo, receiving, last ? 0 : bouncing);
+        const float eye_share =
+            receiving && in_.shares ? in_.shares->at(point.position, normal_towards(wo, point)) : 0;
+        // Where a path surely goes on, its first ray and shadow rays share the lights too.
+        const bool meets_lights = eye_share > 0 && bouncing == 0;
 
         if (in_.settings.direct_light_sampling && (lobes & kNonSpecular)) {
-            const LobeMask shared = bouncing & kNonSpecular;
-            const DirectLightQuery query{point,     wo,     ray_.time, throughput_,
-                                         receiving, shared, bouncing,  last ? 0 : 1 - store_pdf};
+            DirectLightQuery query{point, wo, tip_.ray.time, tip_.throughput};
+            query.owned = meets_lights ? 0 : receiving;
+            query.bounce = meets_lights ? receiving : bouncing;
+            query.shared = query.bounce & kNonSpecular;
+            query.continue_pdf = meets_lights ? 1 : last ? 0 : 1 - store_pdf;
             estimate_direct_light(query, numbers);
         }
         if (receiving && (store_pdf == 1 || numbers.end() < store_pdf)) {
-            if (in_.keep_visible_points) store(point, wo, receiving, store_pdf);
+            if (!in_.keep_visible_points) return false;
+            store(point, wo, receiving, store_pdf);
+            if (result_.has_visible_point && in_.shares && (eye_share > 0 || explores_)) {
+                result_.visible_point.eye_share = eye_share;
+                go_on_from({point, wo, receiving, depth, meets_lights, tip_});
+            }
             return false;
         }
         if (last || !bouncing) return false;
-        throughput_ *= 1 / (1 - store_pdf);
-        return bounce(point, wo, bouncing, 1 - store_pdf, numbers.direction(), numbers.lobe());
+        tip_.throughput *= 1 / (1 - store_pdf);
+        const BounceDraw draw{bouncing, 1 - store_pdf, numbers.direction(), numbers.lobe()};
+        return bounce(in_, point, wo, draw, refusals_, tip_);
     }
 
     /// Of the two ways that a smooth surface offers the path takes one. Lamps seen by smooth
@@ -171,7 +176,8 @@ class EyePath {
         other.branches_ = kMostBranches;
         other.lamp_share_ *= takes_first ? 1 - first : first;
         lamp_share_ *= takes_first ? first : 1 - first;
-        if (other.bounce(point, wo, kSpecular, 1, u, other_u)) other.follow(depth + 1);
+        if (bounce(in_, point, wo, {kSpecular, 1, u, other_u}, refusals_, other.tip_))
+            other.follow(depth + 1);
         result_.rays += other.result_.rays;
     }
 
@@ -194,13 +200,24 @@ class EyePath {
         return std::clamp(store / (store + bounce), 0.1f, 0.9f);
     }
 
+    /// The path goes on from its visible point.
+    void go_on_from(ContinuedStart start) {
+        VisiblePoint& v = result_.visible_point;
+        start.tip.throughput = v.throughput;
+        const std::uint32_t rays =
+            trace_continued_path(in_, start, numbers_, refusals_, arena_, radiance_, continued_);
+        v.continued = true;
+        v.eye_rays = float(rays);
+        result_.rays += rays;
+    }
+
     void store(const SurfacePoint& point, Vec3 wo, LobeMask receiving, float store_pdf) {
         VisiblePoint& v = result_.visible_point;
         v.position = point.position;
         v.geometric_normal = point.geometric_normal;
         v.shading_normal = point.shading_normal;
         v.wo = wo;
-        v.throughput = throughput_ * (1 / store_pdf);
+        v.throughput = tip_.throughput * (1 / store_pdf);
         v.receiving = receiving;
         v.material = point.material;
         v.bsdf = point.bsdf->lambertian(v.kd) ? nullptr : point.bsdf;
@@ -209,46 +226,23 @@ class EyePath {
                                     refusals_.accept(v.kd, point.material);
     }
 
-    bool bounce(const SurfacePoint& point, Vec3 wo, LobeMask mask, float choice_pdf, Vec2 u,
-                float u_lobe) {
-        BsdfSample sample;
-        if (!point.bsdf->sample(wo, u, u_lobe, Transport::Radiance, mask, sample)) return false;
-        throughput_ *= sample.weight;
-        if (!refusals_.accept(throughput_, point.material) || is_black(throughput_)) return false;
-        if (!refusals_.accept_density(sample.pdf, point.material) ||
-            !refusals_.accept_direction(sample.wi, point.material)) {
-            return false;
-        }
-        if (!sample.straight) {
-            last_was_specular_ = sample.lobe == kSpecular || !in_.settings.direct_light_sampling;
-            bounce_pdf_ = choice_pdf * sample.pdf;
-            last_vertex_ = point;
-            last_vertex_.bsdf = nullptr;
-        }
-        ray_ = continue_ray(in_.scene, point, sample.wi, sample.component, ray_);
-        return true;
-    }
-
     const EyePassInput& in_;
     const CameraRay& camera_ray_;
     const EyeNumbers& numbers_;  // at surfaces
     RandomStream& random_;       // in media
     Refusals& refusals_;
     Arena& arena_;
-    std::span<Rgb> radiance_;
+    std::span<Rgb> radiance_, continued_;
+    bool explores_;
     const Media* media_;  // null if no medium scatters
 
-    Ray ray_;
-    Rgb throughput_ = kWhite;
+    PathTip tip_;
     float travelled_ = 0;
-    bool last_was_specular_ = true;  // the camera counts as specular: no shadow rays from it
-    float bounce_pdf_ = 0;           // of the last scattering that was not straight
-    SurfacePoint last_vertex_;       // where that was
-    bool lamps_only_ = false;        // another way: nothing else is collected
-    float lamp_share_ = 1;           // of lamps met, as other ways from smooth surfaces tell too
-    std::uint32_t branches_ = 0;     // vertices from which that was so
-    float beam_weights_ = 0;         // of all beams of the path
-    float beam_weight_ = 0;          // of the one that is kept
+    bool lamps_only_ = false;     // another way: nothing else is collected
+    float lamp_share_ = 1;        // of lamps met, as other ways from smooth surfaces tell too
+    std::uint32_t branches_ = 0;  // vertices from which that was so
+    float beam_weights_ = 0;      // of all beams of the path
+    float beam_weight_ = 0;       // of the one that is kept
     EyePathResult result_;
 };
 
@@ -256,8 +250,8 @@ class EyePath {
 
 EyePathResult trace_eye_path(const EyePassInput& input, const CameraRay& camera_ray,
                              const EyeNumbers& numbers, RandomStream& random, Refusals& refusals,
-                             Arena& arena, std::span<Rgb> radiance) {
-    return EyePath(input, camera_ray, numbers, random, refusals, arena, radiance).trace();
+                             Arena& arena, const EyePathOutput& output) {
+    return EyePath(input, camera_ray, numbers, random, refusals, arena, output).trace();
 }
 
 }  // namespace aips

@@ -20,11 +20,18 @@ struct EyePathResult {
     std::uint32_t rays = 0;
 };
 
-/// Follows a camera ray, drawn at surfaces from `numbers`, in media from `random`; adds emission
-/// and direct light to `radiance` (one entry a light group). A Bsdf that the visible point needs
+/// Where an eye path's light goes.
+struct EyePathOutput {
+    std::span<Rgb> radiance;   ///< [light group]: emission and direct light
+    std::span<Rgb> continued;  ///< [light group]: EyeImage::continued; empty without shares
+    bool explores = false;     ///< goes on from its visible point even where it has no share
+};
+
+/// Follows a camera ray, drawn at surfaces from `numbers`, in media from `random`; adds what it
+/// finds to `output`. A Bsdf that the visible point needs
 /// stays in `arena`, everything else is taken back.
 EyePathResult trace_eye_path(const EyePassInput& input, const CameraRay& camera_ray,
                              const EyeNumbers& numbers, RandomStream& random, Refusals& refusals,
-                             Arena& arena, std::span<Rgb> radiance);
+                             Arena& arena, const EyePathOutput& output);
 
 }  // namespace aips

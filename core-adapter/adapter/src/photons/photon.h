@@ -14,6 +14,8 @@ struct Photon {
     std::uint32_t group = 0;  ///< of its light
     std::uint32_t depth = 1;  ///< number of the surface that it meets next
     bool straight = true;     ///< has met nothing but null surfaces and architectural glass
+    /// The first surface that did more than let it pass straight sent it on diffusely or glossily.
+    bool shareable = false;
     EmissionStart start;
 };
 

@@ -165,6 +165,7 @@ class PhotonTrace {
         landing.light_group = static_cast<std::uint16_t>(photon.group);
         landing.path = index_;
         landing.owned_by_shadow_rays = owned_by_shadow_rays;
+        landing.shareable = photon.shareable;
         landings_.push_back(landing);
         if (!owned_by_shadow_rays) ++counts_.landings;
     }
@@ -205,6 +206,7 @@ class PhotonTrace {
         photon.power = photon.power * scattered.weight / photons;
         if (!refusals_.accept(photon.power, point.material) || is_black(photon.power)) return false;
         if (!refusals_.accept_direction(scattered.direction, point.material)) return false;
+        if (photon.straight && !scattered.straight) photon.shareable = scattered.lobe != kSpecular;
         photon.straight = photon.straight && scattered.straight;
         photon.previous = point.position;
         photon.ray =

@@ -106,10 +106,6 @@ bool scatter_by_mixture(const Mixture& mixture, const SurfacePoint& point, Vec3 
 
 }  // namespace
 
-Vec3 normal_towards(Vec3 wo, const SurfacePoint& point) {
-    return dot(wo, point.geometric_normal) > 0 ? point.geometric_normal : -point.geometric_normal;
-}
-
 float adjoint_shading_factor(const SurfacePoint& point, Vec3 wo, Vec3 wi) {
     if (point.geometric_normal == point.shading_normal) return 1;
     const float out = abs_dot(wi, point.geometric_normal) * abs_dot(wo, point.shading_normal);

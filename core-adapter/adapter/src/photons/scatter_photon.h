@@ -1,6 +1,7 @@
 // One bounce of a photon: the one-sample mixture of Bsdf and guide.
 #pragma once
 
+#include "eye/surface_side.h"
 #include "photons/photon_path.h"
 
 namespace aips {
@@ -27,9 +28,6 @@ inline constexpr std::uint32_t kScatterNumbers = 5;
 template <class Numbers>
 bool scatter_photon(const PhotonInput& input, const SurfacePoint& point, Vec3 wo, Numbers& random,
                     Arena& arena, PhotonCounts& counts, ScatteredPhoton& result);
-
-/// The geometric normal on the side of a direction that leaves the surface.
-Vec3 normal_towards(Vec3 wo, const SurfacePoint& point);
 
 /// Veach's factor for photons at shading normals (1997, section 5.3.2): with it, photon power
 /// counts flux through the geometric surface while the Bsdf takes cosines to the shading normal.

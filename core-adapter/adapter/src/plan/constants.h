@@ -183,4 +183,95 @@ inline constexpr double kGuidedBounceWork = 1.8;
 /// Supported by: nine scenes (0.58 to 0.97 in eight).
 inline constexpr double kLearnedWork = 0.65;
 
+/// Greatest share of the eye in light that both carry: what photons bring of it still tells what
+/// they would. Unit: share of 1. Balances: a share that is best against knowing when it no longer
+/// is. Chosen by: reasoning: photons then carry a thousandth of that light's variance. Supported
+/// by: no measurement.
+inline constexpr double kMostEyeShare = 0.96875;
+
+/// Least variance of continued paths over their second moment: few samples, or a noisy mean of X Y,
+/// may say less. Unit: share of 1. Balances: places lit evenly against decisions by chance. Chosen
+/// by: reasoning: a path that scatters anywhere has more. Supported by: no measurement.
+inline constexpr double kLeastEyeVariance = 0.05;
+
+/// Where continued paths brought less than this share of what photons did, they missed what is
+/// rare, and what is missing tells their variance. Unit: share of 1. Balances: light that paths
+/// seldom meet against the bias of radii. Chosen by: reasoning: radii are off by less. Supported
+/// by: no measurement.
+inline constexpr double kSeldomMet = 0.75;
+
+/// Standard errors by which it must be less. Unit: standard errors.
+/// Balances: as that of the share.
+/// Chosen by: reasoning: photons that come in clusters spread more than they tell.
+/// Supported by: no measurement.
+inline constexpr double kCertainlyMissing = 3;
+
+/// Continued paths from which a leaf is judged. Unit: eye paths.
+/// Balances: decisions soon against decisions by chance.
+/// Chosen by: reasoning: half of the prior.
+/// Supported by: no measurement.
+inline constexpr double kJudgedPaths = 32;
+
+/// What is certain to be left of the measured variance by eye paths up to their visible points.
+/// Unit: share of 1. Balances: photons without end against photons that are needed. Chosen by:
+/// reasoning: estimates of the rest may exceed the whole. Supported by: no measurement.
+inline constexpr double kLeastEyeNoise = 0.02;
+
+/// What is left of the eye's variance between two passes when many are joined, as eye paths are
+/// stratified from pass to pass. Unit: share of 1.
+/// Balances: photons for light that they alone carry against eye paths.
+/// Chosen by: docs/notebook/2026-11-25-who-carries-what.md.
+/// Supported by: summerhouse, cornell-box, hall (1 in its place).
+inline constexpr double kStratifiedEye = 0.35;
+
+/// The same of what continued paths leave: the first of their directions is stratified.
+/// Unit: share of 1.
+/// Balances: eye paths against photons for light that both carry.
+/// Chosen by: docs/notebook/2026-11-25-who-carries-what.md.
+/// Supported by: summerhouse (1 in its place); no difference in five others.
+inline constexpr double kStratifiedPaths = 0.5;
+
+/// Passes from which on more photons of chains are planned where eye paths share their light.
+/// Unit: passes.
+/// Balances: soon at the best number against what few passes of chains tell by chance.
+/// Chosen by: docs/notebook/2026-11-25-who-carries-what.md.
+/// Supported by: summerhouse, car, daylight (none in its place).
+inline constexpr std::uint64_t kChainsJudgedFrom = 16;
+
+/// Steps of a root of two by which fewer photon paths a pass are tried. Unit: steps.
+/// Balances: photons that nobody needs against jumps by chance.
+/// Chosen by: reasoning: the bound of a planned fall.
+/// Supported by: no measurement.
+inline constexpr int kStepsOfFewerPhotons = 10;
+
+/// The same for more. Unit: steps.
+/// Balances: as that of fewer.
+/// Chosen by: reasoning: the bound of a planned rise.
+/// Supported by: no measurement.
+inline constexpr int kStepsOfMorePhotons = 4;
+
+/// Photons of chains that come together, at most, in what is foretold of light that they alone
+/// carry. Unit: photons. Balances: the noise of chains against an estimate that has no bound.
+/// Chosen by: reasoning: none on record.
+/// Supported by: no measurement.
+inline constexpr double kMostClusteredPhotons = 64;
+
+/// Change of what eye paths carry of the light that both can that the log tells of. Unit: share
+/// of 1. Balances: a log that is true against one that nobody reads. Chosen by: reasoning: ten
+/// steps from nothing to all. Supported by: no measurement.
+inline constexpr double kSaidChange = 0.1;
+
+/// Factors by which the photons of a pass may rise and fall where they are chosen together with who
+/// carries light. Unit: ratio.
+/// Balances: soon at the best number against what few passes tell by chance.
+/// Chosen by: reasoning: that choice rests on more than the noise of a pass.
+/// Supported by: no measurement.
+inline constexpr double kGreatestPlannedRise = 4;
+
+/// The other of them. Unit: ratio.
+/// Balances: as that of the rise.
+/// Chosen by: reasoning: as that of the rise.
+/// Supported by: no measurement.
+inline constexpr double kGreatestPlannedFall = 32;
+
 }  // namespace aips

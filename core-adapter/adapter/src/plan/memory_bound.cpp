@@ -21,7 +21,8 @@ namespace {
 /// What an eye pass leaves but for its visible points. Each block's arena holds a chunk, and a
 /// second one where a Bsdf did not fit.
 std::size_t eye_image_bytes(const Scene& scene, std::size_t paths) {
-    const std::size_t image = sizeof(Vec2) + scene.light_groups() * sizeof(Rgb);
+    // Radiance, and what continued paths brought.
+    const std::size_t image = sizeof(Vec2) + 2 * scene.light_groups() * sizeof(Rgb);
     const std::size_t arenas = Arena::kChunkBytes / 512;
     const std::size_t last_block = 2 * Arena::kChunkBytes + scene.facts().max_bsdf_bytes;
     return paths * (image + arenas) + last_block;
@@ -40,11 +41,12 @@ std::size_t visible_point_bytes(const Scene& scene, std::size_t paths) {
     const std::size_t groups = scene.light_groups();
     // Flux, its photons and squares, and radiance.
     const std::size_t estimate = 2 * groups * sizeof(Rgb) + sizeof(std::uint32_t) + sizeof(float);
+    const std::size_t shareable = sizeof(ShareableFlux);
     // While blocks are joined, their visible points exist twice.
     const std::size_t transient = kVectorGrowth * sizeof(VisiblePoint);
     const std::size_t footprints = 2 * kVectorGrowth * sizeof(float);
     return paths * (sizeof(VisiblePoint) + sizeof(Vec3) + scene.facts().max_bsdf_bytes + estimate +
-                    transient + footprints);
+                    shareable + transient + footprints);
 }
 
 /// Most landings of an iteration.
@@ -117,7 +119,8 @@ std::size_t photon_memory_bound(const Scene& scene, const Needs& needs, std::uin
                              eye_paths * (sizeof(PixelLuminance) + sizeof(float));
     return visible_point_bytes(scene, eye_paths) + plan +
            OccupancyGrid::memory_bound_bytes(eye_paths) + photon_bytes(settings, eye_paths) +
-           guide + radii + volume_bytes(scene, settings, eye_paths);
+           guide + radii + ShareTable::memory_bound_bytes(ShareTableSettings()) +
+           volume_bytes(scene, settings, eye_paths);
 }
 
 }  // namespace aips

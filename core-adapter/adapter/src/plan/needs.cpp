@@ -72,6 +72,27 @@ void drop_learned_lights(Needs& needs, std::size_t living, const SceneFacts& fac
     skip(needs, "learned choice of lights", reason);
 }
 
+/// Eye paths share light with photons where both find the same, and each pass looks anew.
+void drop_continued_paths(Needs& needs, const Scene& scene) {
+    Settings& s = needs.settings;
+    if (!s.continue_eye_paths) return;
+    std::string reason;
+    if (!needs.photons) {
+        reason = "no light to share with photons";
+    } else if (!s.direct_light_sampling) {
+        reason = "no shadow rays";
+    } else if (freezes_eye_pass(s.mode)) {
+        reason = "eye paths belong to one pass";
+    } else if (s.guide == GuideKind::Paper) {
+        reason = "the paper's photons carry all indirect light";
+    } else if (scene.media()) {
+        reason = "photons carry what media scatter";
+    }
+    if (reason.empty()) return;
+    s.continue_eye_paths = false;
+    skip(needs, "continued eye paths", reason);
+}
+
 void drop_guides(Needs& needs, const SceneFacts& facts) {
     const Settings& s = needs.settings;
     if (s.guide == GuideKind::None) {
@@ -126,6 +147,7 @@ Needs analyse(const Scene& scene, const Settings& settings) {
         skip(needs, "direct photons", "shadow rays carry direct light");
     }
     drop_learned_lights(needs, lights.size() - dead, facts);
+    drop_continued_paths(needs, scene);
     if (scene.media()) drop_parts_for_surfaces(needs, facts);
     drop_guides(needs, facts);
     if (!facts.has_media) {

@@ -7,6 +7,10 @@
 
 namespace aips {
 
+double eye_ray_work(double rays) {
+    return kEyeRayWork * rays;
+}
+
 PassWork pass_work(std::uint64_t eye_paths, std::uint64_t eye_rays, const PhotonPassTotals& before,
                    const PhotonPassTotals& after) {
     const auto difference = [](std::uint64_t from, std::uint64_t to) { return double(to - from); };

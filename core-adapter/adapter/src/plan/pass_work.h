@@ -13,4 +13,7 @@ namespace aips {
 PassWork pass_work(std::uint64_t eye_paths, std::uint64_t eye_rays, const PhotonPassTotals& before,
                    const PhotonPassTotals& after);
 
+/// Work of so many rays of eye paths, in the same unit.
+double eye_ray_work(double rays);
+
 }  // namespace aips

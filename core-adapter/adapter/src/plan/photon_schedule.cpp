@@ -73,7 +73,7 @@ void PhotonSchedule::end_pass(const PassWork& work, const PassNoise& noise) {
         noise_.photon_path += noise.photon_path;
         shot_ += paths_;
     }
-    if (adapts_ && pass_ == decide_at_) {
+    if (adapts_ && !planned_ && pass_ == decide_at_) {
         paths_ = best_paths();
         work_ = {};
         noise_ = {};
@@ -85,6 +85,24 @@ void PhotonSchedule::end_pass(const PassWork& work, const PassNoise& noise) {
     plan();
 }
 
+void PhotonSchedule::take(double paths) {
+    planned_ = true;
+    next_.chosen_at = next_.before;
+    const PhotonLimits bounds = limits();
+    paths_ = static_cast<std::uint32_t>(std::clamp(paths, bounds.fewest, bounds.most));
+    decided_ = decided_ || pass_ >= decide_at_;
+    plan();
+}
+
+PhotonLimits PhotonSchedule::limits() const {
+    const double present = paths_;
+    // A guide is still learning; chains, which do not, only make passes short as early as this.
+    if (!adapts_ || (pass_ < decide_at_ && !chains_)) return {present, present};
+    const double rise = chains_ && pass_ < kChainsJudgedFrom ? 1 : kGreatestPlannedRise;
+    return {std::max(double(kFewestPerPass), present / kGreatestPlannedFall),
+            std::min(double(kMostPerPass), present * rise)};
+}
+
 void PhotonSchedule::state(StateArchive& archive) {
     const std::uint32_t present = paths_;
     archive.value(paths_);
@@ -94,10 +112,12 @@ void PhotonSchedule::state(StateArchive& archive) {
     archive.value(pass_);
     archive.value(decide_at_);
     archive.value(decided_);
+    archive.value(planned_);
     archive.value(next_.before);
     archive.value(next_.chosen_at);
-    StateArchive::check(next_.chosen_at <= next_.before && (decided_ || next_.chosen_at == 0),
-                        "a choice of photons that is still to come");
+    StateArchive::check(
+        next_.chosen_at <= next_.before && (decided_ || planned_ || next_.chosen_at == 0),
+        "a choice of photons that is still to come");
     for (double* sum : {&work_.eye, &work_.photons})
         archive.amount(*sum);
     // Estimates, which may be anything.

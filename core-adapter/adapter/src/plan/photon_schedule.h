@@ -25,6 +25,11 @@ struct PassWork {
     double photons = 0;
 };
 
+/// Bounds of the photon paths of a pass.
+struct PhotonLimits {
+    double fewest = 0, most = 0;
+};
+
 /// Whether the photons per pass follow the noise that passes tell.
 bool follows_noise(const Settings& settings);
 
@@ -43,6 +48,11 @@ class PhotonSchedule {
     /// nothing of chains.
     bool adapts() const { return adapts_; }
     void end_pass(const PassWork& work, const PassNoise& noise);
+    /// Instead of what end_pass() decides, from the first call on: after it, so many photon paths
+    /// in the passes that come, and numbers that are stratified over passes begin anew.
+    void take(double paths);
+    /// What the next choice may be; where nothing adapts, what is.
+    PhotonLimits limits() const;
     /// Between passes: saves what is planned and what that rests on, or restores it into a new
     /// schedule with the same settings.
     void state(StateArchive& archive);
@@ -61,6 +71,7 @@ class PhotonSchedule {
     std::uint64_t pass_ = 0;
     std::uint64_t decide_at_;  // pass before which the number is chosen next
     bool decided_ = false;
+    bool planned_ = false;  // elsewhere
     PassPhotons next_;
     // Since the last choice; at first, of the second half of all passes.
     PassWork work_;

@@ -54,6 +54,13 @@ void SkipLog::say_switch(bool off, bool& was_off, const std::string& part, doubl
                    : part + " is back: it gains " + two_decimals(gain));
 }
 
+void SkipLog::shared(const SharePlan& plan) {
+    const double part = plan.going_on * plan.eye_share;
+    if (std::abs(part - said_eye_part_) < kSaidChange) return;
+    said_eye_part_ = part;
+    log_->info(describe(plan));
+}
+
 void SkipLog::after_pass(const AdaptiveGuide* guide, const PhotonCounts& photons) {
     if (!guide) return;
     const EmissionGuide& emission = guide->emission_guide();
@@ -82,6 +89,9 @@ void SkipLog::state(StateArchive& archive) {
     for (bool* said : {&said_no_points_, &said_no_seeds_, &said_pruned_, &emission_off_,
                        &survival_off_, &resting_})
         archive.value(*said);
+    archive.value(said_eye_part_);
+    StateArchive::check(said_eye_part_ >= 0 && said_eye_part_ <= 1,
+                        "a share of light that is none");
 }
 
 }  // namespace aips

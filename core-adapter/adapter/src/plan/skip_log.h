@@ -9,6 +9,7 @@
 #include "photons/photon_path.h"
 #include "plan/guide_scout.h"
 #include "plan/needs.h"
+#include "plan/share_plan.h"
 
 namespace aips {
 
@@ -25,6 +26,9 @@ class SkipLog {
     void no_visible_points(bool for_good);
     /// The adaptive guide is left out for `way`, as so many unguided photon paths are seen.
     void left_out_guide(PhotonWay way, const SeenPaths& seen);
+    /// It was decided who carries the light that eye paths and photons both can; said where it has
+    /// changed.
+    void shared(const SharePlan& plan);
     /// A pass has ended. `guide` is null but for guide=adaptive; `photons`: of all passes so far.
     void after_pass(const AdaptiveGuide* guide, const PhotonCounts& photons);
     /// Saves or restores what was said.
@@ -35,6 +39,7 @@ class SkipLog {
 
     Log* log_;
     bool said_no_points_ = false, said_no_seeds_ = false, said_pruned_ = false;
+    double said_eye_part_ = 0;  // of the light that both can carry
     bool emission_off_ = false, survival_off_ = false, resting_ = false;
 };
 

@@ -9,6 +9,16 @@
 #include "render/same_render.h"
 
 namespace aips {
+namespace {
+
+const EyeShares* eye_shares(const LightStrategies& strategies) {
+    for (const auto& strategy : strategies) {
+        if (const EyeShares* shares = strategy->eye_shares()) return shares;
+    }
+    return nullptr;
+}
+
+}  // namespace
 
 PassLoop::PassLoop(const Host& host, const Settings& settings, std::uint32_t eye_paths,
                    bool needs_points, LightStrategies strategies)
@@ -18,7 +28,8 @@ PassLoop::PassLoop(const Host& host, const Settings& settings, std::uint32_t eye
       direct_light_(host.scene, settings.learn_lights),
       refusals_(host.scene),
       eye_(make_eye_source({host_.scene, host_.camera, host_.sampler, direct_light_, settings_,
-                            host.film.width(), host.film.height(), eye_paths, needs_points})),
+                            host.film.width(), host.film.height(), eye_paths, needs_points,
+                            eye_shares(strategies)})),
       strategies_(std::move(strategies)) {
     statistics_.memory_bound_bytes = eye_memory_bound(host.scene, settings, eye_paths);
     for (const auto& strategy : strategies_)

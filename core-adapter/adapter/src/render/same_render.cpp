@@ -5,7 +5,7 @@ namespace aips {
 namespace {
 
 /// To be raised whenever the content of states changes.
-constexpr std::uint32_t kStateVersion = 10;
+constexpr std::uint32_t kStateVersion = 11;
 
 void state_of_settings(StateArchive& archive, const Settings& s) {
     archive.same(s.mode, "mode");
@@ -22,8 +22,8 @@ void state_of_settings(StateArchive& archive, const Settings& s) {
         archive.same(share, "radii or shares in its settings");
     for (const bool on :
          {s.include_environment, s.direct_light_sampling, s.store_glossy, s.debug_layers,
-          s.learn_lights, s.guide_emission, s.eye_seeding, s.guide_bounces, s.guide_survival,
-          s.guide_chains, s.guide_scout, s.present_errors, s.first_landings})
+          s.learn_lights, s.continue_eye_paths, s.guide_emission, s.eye_seeding, s.guide_bounces,
+          s.guide_survival, s.guide_chains, s.guide_scout, s.present_errors, s.first_landings})
         archive.same(std::uint8_t(on), "switches in its settings");
 }
 
@@ -32,6 +32,8 @@ void state_of_settings(StateArchive& archive, const Settings& s) {
 void state_of_identity(StateArchive& archive, const Host& host, const Settings& settings,
                        std::uint32_t eye_paths) {
     archive.same(kStateVersion, "version of the engine");
+    // Before the settings, of which some are off in media.
+    archive.same(std::uint8_t(host.scene.media() != nullptr), "media");
     state_of_settings(archive, settings);
     archive.same(host.film.width(), "image size");
     archive.same(host.film.height(), "image size");
@@ -39,7 +41,6 @@ void state_of_identity(StateArchive& archive, const Host& host, const Settings& 
     archive.same(host.scene.light_groups(), "light groups");
     archive.same(std::uint64_t{host.scene.lights().size()}, "lights");
     archive.same(std::uint64_t{host.scene.material_names().size()}, "materials");
-    archive.same(std::uint8_t(host.scene.media() != nullptr), "media");
 }
 
 }  // namespace aips

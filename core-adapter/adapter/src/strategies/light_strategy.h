@@ -41,6 +41,9 @@ struct CarriedLight {
 class LightStrategy {
   public:
     virtual ~LightStrategy() = default;
+    /// From which visible points eye paths go on, for light that the strategy shares with them;
+    /// null: from none. At most one strategy has such. Stays as long as the strategy does.
+    virtual const EyeShares* eye_shares() const { return nullptr; }
     /// Carries the light of one pass; adds what it did to `report`.
     virtual CarriedLight carry(const StrategyPass& pass, PassReport& report) = 0;
     /// The film has the pass: learns from it, for later ones.

@@ -6,6 +6,7 @@
 #include "guides/paper/paper_guide.h"
 #include "plan/memory_bound.h"
 #include "plan/pass_work.h"
+#include "strategies/constants.h"
 
 namespace aips {
 namespace {
@@ -30,7 +31,10 @@ PhotonStrategy::PhotonStrategy(const Host& host, Plan& plan, std::uint32_t eye_p
       importance_(make_importance()),
       photon_pass_(host.scene, settings_, light_choice_, make_pass_guide(), make_source()),
       radius_policy_(make_radii()) {
-    if (plan.measures_noise()) noise_.emplace(film_.width(), film_.height());
+    if (settings_.continue_eye_paths)
+        shared_.emplace(scene_, film_.width(), film_.height(), eye_paths);
+    flux_.wants_shareable = shared_.has_value();
+    if (wants_noise()) noise_.emplace(film_.width(), film_.height());
     if (settings_.debug_layers) layers_.emplace(film_, guide_.get());
 }
 
@@ -44,7 +48,7 @@ std::unique_ptr<RadiusPolicy> PhotonStrategy::make_radii() const {
 
 std::optional<PixelImportance> PhotonStrategy::make_importance() const {
     const bool scores = guide_ && guide_->needs_scores();
-    if (!plan_.learns() && !plan_.measures_noise() && !scores) return {};
+    if (!plan_.learns() && !wants_noise() && !scores) return {};
     return PixelImportance(film_.width(), film_.height());
 }
 
@@ -66,7 +70,7 @@ void PhotonStrategy::take_way(PhotonWay way) {
     schedule_ = make_schedule();
     importance_ = make_importance();
     radius_policy_ = make_radii();
-    if (!plan_.measures_noise()) noise_.reset();
+    if (!wants_noise()) noise_.reset();
 }
 
 std::unique_ptr<PassGuide> PhotonStrategy::make_pass_guide() const {
@@ -110,6 +114,7 @@ void PhotonStrategy::shoot(const StrategyPass& pass, const PassPhotons& photons,
     photon_pass_.estimate(image, flux_, radii_, photons.paths, pass.refusals, radiance_,
                           noise_ ? &variances_ : nullptr);
     if (any_points) radius_policy_->after_pass(flux_);
+    if (shared_) shared_->join(pass.number, image, flux_, photons.paths, *importance_, radiance_);
     report.radius = radii_.mean;
     shot_ = photons.paths;
     report.photon_paths += shot_;
@@ -121,8 +126,20 @@ void PhotonStrategy::end_pass(const StrategyPass& pass, const FilmPass& film_pas
         layers_->add_pass(pass.image, flux_, radii_, film_pass, photon_pass_.guide().bounces());
     const PassNoise noise = learn_noise(pass.image);
     const PhotonPassTotals& after = photon_pass_.totals();
-    schedule_.end_pass(pass_work(pass.eye_paths, pass.eye_rays, before_, after), noise);
+    const PassWork work = pass_work(pass.eye_paths, pass.eye_rays, before_, after);
+    schedule_.end_pass(work, noise);
+    if (shared_) share(pass, work, noise);
     skip_log_.after_pass(photon_pass_.guide().adaptive(), after.counts);
+}
+
+void PhotonStrategy::share(const StrategyPass& pass, const PassWork& work, const PassNoise& noise) {
+    const double squared_error = adapts_radius(settings_) ? kErrorOverVariance : 1;
+    const bool independent = !plan_.chains();
+    const SharedPass ended{pass.number, work, noise, shot_, independent, squared_error};
+    if (const auto decided = shared_->end_pass(ended, schedule_.limits())) {
+        schedule_.take(decided->photon_paths);
+        skip_log_.shared(*decided);
+    }
 }
 
 /// The pass's image is known.
@@ -143,6 +160,7 @@ void PhotonStrategy::state(StateArchive& archive, const EyeImage& image) {
     schedule_.state(archive);
     if (importance_) importance_->state(archive);
     if (noise_) noise_->state(archive);
+    if (shared_) shared_->state(archive);
     photon_pass_.state(archive);
     radius_policy_->state(archive, image);
     if (layers_) layers_->state(archive);
@@ -155,6 +173,7 @@ void PhotonStrategy::state_of_seconds(StateArchive& archive) {
 
 void PhotonStrategy::add_to(EngineStatistics& s) const {
     photon_pass_.add_to(s);
+    if (shared_) shared_->add_to(s);
     s.photons_per_pass = schedule_.next().paths;
     s.plan_seconds += plan_seconds_;
 }
@@ -164,7 +183,7 @@ std::size_t PhotonStrategy::memory_bytes() const {
            variances_.capacity() * sizeof(float) + seen_.capacity() * sizeof(PixelLuminance) +
            photon_pass_.memory_bytes() + radius_policy_->memory_bytes() +
            (importance_ ? importance_->memory_bytes() : 0) + (noise_ ? noise_->memory_bytes() : 0) +
-           (layers_ ? layers_->memory_bytes() : 0);
+           (shared_ ? shared_->memory_bytes() : 0) + (layers_ ? layers_->memory_bytes() : 0);
 }
 
 std::size_t PhotonStrategy::memory_bound_bytes() const {

@@ -12,6 +12,7 @@
 #include "plan/skip_log.h"
 #include "radii/radius_policy.h"
 #include "strategies/light_strategy.h"
+#include "strategies/shared_light.h"
 #include "worth/pass_noise.h"
 #include "worth/pixel_importance.h"
 #include "worth/pixel_luminance.h"
@@ -23,6 +24,7 @@ class PhotonStrategy : public LightStrategy {
     /// The host's parts and `plan` outlive it.
     PhotonStrategy(const Host& host, Plan& plan, std::uint32_t eye_paths);
 
+    const EyeShares* eye_shares() const override { return shared_ ? &shared_->shares() : nullptr; }
     CarriedLight carry(const StrategyPass& pass, PassReport& report) override;
     void end_pass(const StrategyPass& pass, const FilmPass& film_pass) override;
     void state(StateArchive& archive, const EyeImage& image) override;
@@ -40,7 +42,9 @@ class PhotonStrategy : public LightStrategy {
     std::unique_ptr<PassGuide> make_pass_guide() const;
     std::unique_ptr<PhotonSource> make_source() const;
     void shoot(const StrategyPass& pass, const PassPhotons& photons, PassReport& report);
+    void share(const StrategyPass& pass, const PassWork& work, const PassNoise& noise);
     PassNoise learn_noise(const EyeImage& image);
+    bool wants_noise() const { return plan_.measures_noise() || settings_.continue_eye_paths; }
     std::size_t pixels() const { return std::size_t{film_.width()} * film_.height(); }
 
     const Scene& scene_;
@@ -54,6 +58,7 @@ class PhotonStrategy : public LightStrategy {
     PhotonSchedule schedule_;
     std::optional<PixelImportance> importance_;  // if something steers by it
     std::optional<PassNoiseMeter> noise_;        // if the photons per pass follow it
+    std::optional<SharedLight> shared_;          // if eye paths go on from visible points
     PhotonPass photon_pass_;
     std::unique_ptr<RadiusPolicy> radius_policy_;
     SearchRadii radii_;       // of the last pass

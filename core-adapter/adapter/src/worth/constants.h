@@ -60,4 +60,16 @@ inline constexpr int kFirstBlur = 12;
 /// Supported by: no measurement.
 inline constexpr int kLastBlur = 2;
 
+/// What a pixel counts for at most in the trimmed noise of a pass. Unit: relative variance.
+/// Balances: photons for all pixels against eye paths for those few that meet lamps in glass.
+/// Chosen by: docs/notebook/2026-11-25-who-carries-what.md.
+/// Supported by: glass-ball, chess, room.
+inline constexpr double kMostOfAPixel = 4;
+
+/// eps over the mean luminance where it is decided who carries light. Unit: share of 1.
+/// Balances: dark pixels' relative errors against bright ones' squared ones.
+/// Chosen by: docs/notebook/2026-11-25-who-carries-what.md.
+/// Supported by: chess, room, hall, glass-ball (0.5 in its place).
+inline constexpr double kDarkestShareOfSharing = 0.1;
+
 }  // namespace aips

@@ -40,13 +40,15 @@ PassNoise PassNoiseMeter::add_pass(std::span<const PixelLuminance> seen,
     Differences sums;
     for (const Differences& part : parts) {
         sums.all += part.all;
+        sums.trimmed += part.trimmed;
         sums.of_photons += part.of_photons;
         sums.photon_path += part.photon_path;
         sums.pixels += part.pixels;
     }
     last_paths_ = photon_paths;
     if (!(sums.pixels > 0)) return {};
-    return {(sums.all - sums.of_photons) / sums.pixels, sums.photon_path / sums.pixels};
+    return {(sums.all - sums.of_photons) / sums.pixels, sums.photon_path / sums.pixels,
+            sums.trimmed / sums.pixels};
 }
 
 PassNoiseMeter::Differences PassNoiseMeter::compare(std::size_t first, std::size_t last,
@@ -61,7 +63,10 @@ PassNoiseMeter::Differences PassNoiseMeter::compare(std::size_t first, std::size
         const double difference = now.sum / paths - before.sum / paths_before;
         const double of_before = double(before.variance) / (paths_before * paths_before);
         const double of_now = double(now.variance) / (paths * paths);
-        sums.all += weight * difference * difference / 2;
+        const double squared = difference * difference / 2;
+        const auto shared_weight = double(importance.weight_of_sharing(i));
+        sums.all += weight * squared;
+        sums.trimmed += shared_weight * trimmed(squared, shared_weight);
         sums.of_photons += weight * (of_before + of_now) / 2;
         sums.photon_path +=
             weight * (of_before * double(last_paths_) + of_now * double(photon_paths)) / 2;

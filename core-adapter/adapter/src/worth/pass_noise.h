@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "estimate/gather.h"
+#include "worth/constants.h"
 #include "worth/pixel_importance.h"
 
 namespace aips {
@@ -15,7 +16,16 @@ namespace aips {
 struct PassNoise {
     double eye = 0;          ///< what other eye paths would change
     double photon_path = 0;  ///< of a single photon path
+    /// All that two passes differ by, no pixel counting for more than kMostOfAPixel: few pixels,
+    /// with lamps in glass or metal, have most of the variance otherwise.
+    double trimmed = 0;
 };
+
+/// A pixel's variance, or what two passes differ by squared, no more than kMostOfAPixel by its
+/// weight.
+inline double trimmed(double squared, double weight) {
+    return weight * squared > kMostOfAPixel ? kMostOfAPixel / weight : squared;
+}
 
 /// Fills `variances`, one for each eye path, with those of the luminance that photons bring to its
 /// visible point: `photons`, for each eye path and light group, without light in media, made of
@@ -50,8 +60,8 @@ class PassNoiseMeter {
         std::uint32_t paths = 0;
     };
     struct Differences {
-        double all = 0, of_photons = 0, photon_path = 0;  // weighed
-        double pixels = 0;                                // that were compared
+        double all = 0, trimmed = 0, of_photons = 0, photon_path = 0;  // weighed
+        double pixels = 0;                                             // that were compared
     };
     void sum_pixels(std::span<const PixelLuminance> seen, std::span<const float> variances);
     /// Sums of what pixels [first, last) differ by, for the present pass's `photon_paths`.

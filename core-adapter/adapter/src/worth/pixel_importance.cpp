@@ -111,9 +111,9 @@ double PixelImportance::weigh(const EyeImage& image, std::vector<float>& weights
     return mean;
 }
 
-float PixelImportance::weight(std::size_t pixel) const {
+float PixelImportance::weight(std::size_t pixel, double darkest_share) const {
     if (!(mean_ > 0)) return 1;
-    const double least = kDarkestShare * mean_;
+    const double least = darkest_share * mean_;
     const auto value = double(blurred_[pixel]);
     return within_floats(1 / (value * value + least * least));
 }

@@ -28,9 +28,14 @@ class PixelImportance {
     /// which they were divided.
     double weigh(const EyeImage& image, std::vector<float>& weights) const;
 
-    /// Weight of a squared error of luminance in the pixel of this number (film_pixel.h); 1 before
-    /// the first pass.
-    float weight(std::size_t pixel) const;
+    /// Weight of a squared error of luminance in the pixel of this number (film_pixel.h), eps being
+    /// this share of the mean luminance; 1 before the first pass.
+    float weight(std::size_t pixel, double darkest_share = kDarkestShare) const;
+
+    /// The same where it is decided who carries light: dark pixels weigh more.
+    float weight_of_sharing(std::size_t pixel) const {
+        return weight(pixel, kDarkestShareOfSharing);
+    }
 
     /// Saves what was added, or restores it into a new estimate for the same film.
     void state(StateArchive& archive);

@@ -63,8 +63,10 @@ struct Settings {
     bool include_environment = true;    ///< lights at infinity are seen by eye rays
     bool direct_light_sampling = true;  ///< direct light by shadow rays instead of photons
     bool learn_lights = true;           ///< shadow rays go where lights were seen to come from
-    bool store_glossy = false;          ///< glossy lobes receive photons instead of bouncing
-    bool debug_layers = false;          ///< extra layers of the film: docs/reference/layers.md
+    /// Eye paths go on from their visible points where they carry light better than photons do.
+    bool continue_eye_paths = true;
+    bool store_glossy = false;  ///< glossy lobes receive photons instead of bouncing
+    bool debug_layers = false;  ///< extra layers of the film: docs/reference/layers.md
 
     double guide_share = 0.5;  ///< share of guided directions in the one-sample mixture
     std::uint32_t iteration_photons = 4000;  ///< photon paths between two updates of the guide

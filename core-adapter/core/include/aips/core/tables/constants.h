@@ -135,4 +135,29 @@ inline constexpr unsigned kWorthlessOneOf = 8;
 /// Supported by: no measurement.
 inline constexpr double kFreshShare = 0.125;
 
+/// Visible points with light that a leaf of shared light must have met before it is split. Unit:
+/// visible points.
+/// Balances: places that share light differently against moments of few samples.
+/// Chosen by: reasoning: the variance of a variance takes some hundred samples.
+/// Supported by: no measurement.
+inline constexpr std::uint32_t kShareSplitPoints = 256;
+
+/// Most leaves that share light each in its own way. Unit: leaves.
+/// Balances: detail against memory and samples to learn from.
+/// Chosen by: reasoning: as many as have a table of lights.
+/// Supported by: no measurement.
+inline constexpr std::uint32_t kShareLeaves = kLightLeaves;
+
+/// What the mean over all leaves weighs in each. Unit: visible points.
+/// Balances: places that had bad luck against places unlike all others.
+/// Chosen by: reasoning: a quarter of what a leaf has before it is split.
+/// Supported by: no measurement.
+inline constexpr double kSharePrior = 64;
+
+/// What the halves of a leaf keep of what it knew at most. Unit: visible points.
+/// Balances: a guess for the half against what it meets itself.
+/// Chosen by: reasoning: as many as a leaf has met before it is split.
+/// Supported by: no measurement.
+inline constexpr double kInheritedPoints = 256;
+
 }  // namespace aips

@@ -1,0 +1,110 @@
+// Path tracing from a visible point on.
+#include "eye/continued_path.h"
+
+#include <algorithm>
+
+#include "eye/constants.h"
+#include "refusal/meet_surface.h"
+
+namespace aips {
+namespace {
+
+class ContinuedPath {
+  public:
+    ContinuedPath(const EyePassInput& input, const ContinuedStart& start, const EyeNumbers& numbers,
+                  Refusals& refusals, Arena& arena, std::span<Rgb> direct, std::span<Rgb> continued)
+        : in_(input),
+          start_(start),
+          numbers_(numbers),
+          refusals_(refusals),
+          arena_(arena),
+          direct_(direct),
+          continued_(continued),
+          tip_(start.tip) {}
+
+    std::uint32_t trace() {
+        const VertexNumbers first = numbers_.vertex(start_.depth);
+        const float before = max_component(tip_.throughput);
+        if (!go_on(start_.point, start_.wo, start_.receiving, first)) return 0;
+        // A photon that lands at the visible point after n surfaces met the n - 1 others here.
+        for (std::uint32_t n = 1; n < in_.settings.max_photon_depth; ++n) {
+            const auto mark = arena_.mark();
+            const VertexNumbers numbers = numbers_.vertex(start_.depth + n);
+            const bool last = n + 1 == in_.settings.max_photon_depth;
+            const bool goes_on = meet(numbers, last) && survives(n, before, numbers.end());
+            arena_.rewind(mark);
+            if (!goes_on) break;
+        }
+        return rays_;
+    }
+
+  private:
+    /// The next surface: its light, what lights send there, and the way on; false at the path's
+    /// end.
+    bool meet(const VertexNumbers& numbers, bool last) {
+        SurfacePoint point;
+        ++rays_;
+        const bool met = meet_surface(in_.scene, tip_.ray, point, arena_, refusals_);
+        tip_.throughput *= point.transmittance;
+        if (!met) {
+            for_each_escaped(in_, tip_, refusals_, [&](LightIndex light, const Rgb& seen) {
+                add_light(light, seen, nullptr);
+            });
+            return false;
+        }
+        if (point.light != kNoLight && !is_black(point.emitted))
+            add_light(point.light, point.emitted, &point);
+        if (!point.bsdf) return false;
+        const Vec3 wo = -tip_.ray.direction;
+        const LobeMask lobes = point.bsdf->lobes();
+        if (const LobeMask shared = lobes & kNonSpecular) {
+            const DirectLightQuery query{point, wo,     tip_.ray.time, tip_.throughput,
+                                         0,     shared, lobes,         last ? 0.0f : 1.0f};
+            rays_ += in_.direct_light.estimate(query, numbers, refusals_, continued_).rays;
+        }
+        return !last && go_on(point, wo, lobes, numbers);
+    }
+
+    bool go_on(const SurfacePoint& point, Vec3 wo, LobeMask lobes, const VertexNumbers& numbers) {
+        return bounce(in_, point, wo, {lobes, 1, numbers.direction(), numbers.lobe()}, refusals_,
+                      tip_);
+    }
+
+    /// Light that the path's ray meets, coming straight from the visible point, or from a surface
+    /// beyond that scattered it.
+    void add_light(LightIndex light, const Rgb& seen, const SurfacePoint* at) {
+        const bool straight = tip_.scatterings == start_.tip.scatterings + 1;
+        if (straight ? !start_.meets_lights : tip_.last_was_specular) return;
+        const std::span<Rgb> sums = straight ? direct_ : continued_;
+        refusals_.add(sums[in_.scene.lights()[light]->group()],
+                      tip_.throughput * seen * emission_weight(in_, tip_, light, at),
+                      refusals_.of_light(light));
+    }
+
+    bool survives(std::uint32_t n, float before, float u) {
+        if (n < kContinuedRouletteFrom) return true;
+        const float probability = std::min(1.0f, max_component(tip_.throughput) / before);
+        if (!(u < probability)) return false;
+        tip_.throughput *= 1 / probability;
+        return true;
+    }
+
+    const EyePassInput& in_;
+    const ContinuedStart& start_;
+    const EyeNumbers& numbers_;
+    Refusals& refusals_;
+    Arena& arena_;
+    std::span<Rgb> direct_, continued_;
+    PathTip tip_;
+    std::uint32_t rays_ = 0;
+};
+
+}  // namespace
+
+std::uint32_t trace_continued_path(const EyePassInput& input, const ContinuedStart& start,
+                                   const EyeNumbers& numbers, Refusals& refusals, Arena& arena,
+                                   std::span<Rgb> direct, std::span<Rgb> continued) {
+    return ContinuedPath(input, start, numbers, refusals, arena, direct, continued).trace();
+}
+
+}  // namespace aips

@@ -1,0 +1,29 @@
+// An eye path that goes on from its visible point, for light that photons could bring there too.
+#pragma once
+
+#include "aips/core/sampling/eye_numbers.h"
+#include "eye/path_tip.h"
+
+namespace aips {
+
+/// From where and how.
+struct ContinuedStart {
+    const SurfacePoint& point;  ///< the visible point's surface
+    Vec3 wo;
+    LobeMask receiving = 0;   ///< lobes that take photons there
+    std::uint32_t depth = 0;  ///< its number along the eye path
+    /// Whether lights that the first ray meets are seen, by the share that shadow rays leave them.
+    bool meets_lights = false;
+    PathTip tip;  ///< at the visible point, its throughput divided by all choices' probabilities
+};
+
+/// Follows the path and adds to `continued` (one entry a light group) what photons could bring as
+/// well: light that reached the first surface it was turned away by straight from a lamp, and left
+/// it diffusely or glossily. Light that smooth surfaces focus on that surface is the photons'
+/// alone. The path goes as deep as photons do. Lights that its first ray meets are added to
+/// `direct`. Returns the rays traced.
+std::uint32_t trace_continued_path(const EyePassInput& input, const ContinuedStart& start,
+                                   const EyeNumbers& numbers, Refusals& refusals, Arena& arena,
+                                   std::span<Rgb> direct, std::span<Rgb> continued);
+
+}  // namespace aips

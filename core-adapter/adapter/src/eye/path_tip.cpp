@@ -1,0 +1,40 @@
+// How eye paths bounce, and what they count of lights that they meet.
+#include "eye/path_tip.h"
+
+#include <limits>
+
+namespace aips {
+
+bool bounce(const EyePassInput& in, const SurfacePoint& point, Vec3 wo, const BounceDraw& draw,
+            Refusals& refusals, PathTip& tip) {
+    BsdfSample sample;
+    if (!point.bsdf->sample(wo, draw.u, draw.u_lobe, Transport::Radiance, draw.mask, sample))
+        return false;
+    tip.throughput *= sample.weight;
+    if (!refusals.accept(tip.throughput, point.material) || is_black(tip.throughput)) return false;
+    if (!refusals.accept_density(sample.pdf, point.material) ||
+        !refusals.accept_direction(sample.wi, point.material)) {
+        return false;
+    }
+    if (!sample.straight) {
+        tip.last_was_specular = sample.lobe == kSpecular || !in.settings.direct_light_sampling;
+        tip.bounce_pdf = draw.choice_pdf * sample.pdf;
+        tip.last_vertex = point;
+        tip.last_vertex.bsdf = nullptr;
+        ++tip.scatterings;
+    }
+    tip.ray = continue_ray(in.scene, point, sample.wi, sample.component, tip.ray);
+    return true;
+}
+
+float emission_weight(const EyePassInput& in, const PathTip& tip, LightIndex light,
+                      const SurfacePoint* at) {
+    if (tip.last_was_specular) return 1;
+    const float pdf_light = in.direct_light.pdf(light, tip.last_vertex, tip.ray.direction, at);
+    // No density: what it weighs is refused, and counted against the light.
+    if (!(pdf_light >= 0)) return std::numeric_limits<float>::quiet_NaN();
+    if (tip.bounce_pdf == 0) return 0;
+    return tip.bounce_pdf / (tip.bounce_pdf + pdf_light);
+}
+
+}  // namespace aips

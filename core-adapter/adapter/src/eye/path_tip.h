@@ -1,0 +1,47 @@
+// The tip of an eye path: what its next surface has to know of the last.
+#pragma once
+
+#include "eye/eye_pass.h"
+
+namespace aips {
+
+struct PathTip {
+    Ray ray;
+    Rgb throughput = kWhite;
+    bool last_was_specular = true;  ///< the camera counts as specular: no shadow rays from it
+    float bounce_pdf = 0;           ///< of the last scattering that was not straight
+    SurfacePoint last_vertex;       ///< where that was
+    std::uint32_t scatterings = 0;  ///< that were not straight
+};
+
+/// A direction to be drawn from the lobes in `mask`, which are chosen with probability
+/// `choice_pdf`.
+struct BounceDraw {
+    LobeMask mask = 0;
+    float choice_pdf = 1;
+    Vec2 u;
+    float u_lobe = 0;
+};
+
+/// Sends the path on from `point`, where it arrived from `wo`; false if it ends there.
+bool bounce(const EyePassInput& input, const SurfacePoint& point, Vec3 wo, const BounceDraw& draw,
+            Refusals& refusals, PathTip& tip);
+
+/// Share of the light met by the path's ray, at `at` or at infinity, that shadow rays from the last
+/// vertex leave to it. NaN where the light has no density.
+float emission_weight(const EyePassInput& input, const PathTip& tip, LightIndex light,
+                      const SurfacePoint* at);
+
+/// Calls `add(light, radiance)` for each light at infinity that the path's ray sees.
+template <class Add>
+void for_each_escaped(const EyePassInput& input, const PathTip& tip, Refusals& refusals,
+                      const Add& add) {
+    const auto lights = input.scene.lights();
+    for (const LightIndex i : input.direct_light.at_infinity()) {
+        const Rgb seen = lights[i]->escaped(tip.ray.direction);
+        if (is_black(seen) || !refusals.accept(seen, refusals.of_light(i))) continue;
+        add(i, seen);
+    }
+}
+
+}  // namespace aips

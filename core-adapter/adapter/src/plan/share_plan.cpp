@@ -1,0 +1,188 @@
+// The search for the shares and the photon paths of least error times cost.
+#include "plan/share_plan.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "plan/constants.h"
+
+namespace aips {
+namespace {
+
+/// A leaf's contribution to E and C.
+struct LeafTerms {
+    double photons = 0;  // V: relative variance times photon paths, times all its weight
+    double eye = 0;      // W
+    double cost = 0;     // of its continued paths in a pass
+    std::size_t leaf = 0;
+};
+
+double mean(double sum, double count) {
+    return count > 0 ? sum / count : 0;
+}
+
+/// How much of what one of both brought the other missed, with certainty: light that it seldom
+/// meets, so that its own squares do not tell how seldom. A luminance times the root of a weight.
+double missing(double found, double met, const ShareMoments& m) {
+    const double chance = kCertainlyMissing * std::sqrt(m.xx + m.yy);
+    return mean(std::max(0.0, kSeldomMet * found - met - chance), m.continued);
+}
+
+double eye_variance(const ShareMoments& m) {
+    if (m.continued < kJudgedPaths) return std::numeric_limits<double>::infinity();
+    const double second = mean(m.yy, m.continued);
+    const double variance = second - std::max(0.0, mean(m.xy, m.continued));
+    const double missed = missing(m.x, m.y, m);
+    return std::max({variance, kLeastEyeVariance * second, m.continued * missed * missed});
+}
+
+double joined(double photons, double eye) {
+    if (!(photons > 0)) return 0;
+    return std::isfinite(eye) ? photons * eye / (photons + eye) : photons;
+}
+
+class Search {
+  public:
+    explicit Search(const ShareFacts& facts) : facts_(facts) {
+        double population = 0, spread = 0, squares = 0;
+        for (const ShareMoments& leaf : facts.leaves) {
+            population += leaf.population;
+            spread += leaf.population * mean(leaf.spread, leaf.continued);
+            squares += leaf.population * mean(leaf.squares, leaf.points);
+        }
+        if (!facts.independent && squares > 0)
+            clusters_ = std::clamp(spread / squares, 1.0, kMostClusteredPhotons);
+        for (std::size_t i = 0; i < facts.leaves.size(); ++i) {
+            if (population > 0) add_leaf(i, facts.leaves[i].population / population);
+        }
+        eye_ =
+            kStratifiedEye * std::max(facts.variance - present_, kLeastEyeNoise * facts.variance);
+    }
+
+    SharePlan best(const PhotonLimits& limits) {
+        SharePlan best = with(std::clamp(facts_.photon_paths, limits.fewest, limits.most));
+        double least = std::numeric_limits<double>::infinity();
+        for (int step = -kStepsOfFewerPhotons; step <= kStepsOfMorePhotons; ++step) {
+            const double paths =
+                std::clamp(facts_.photon_paths * std::exp2(0.5 * step), limits.fewest, limits.most);
+            const SharePlan plan = with(paths);
+            // Fewer photons only where eye paths carry their light.
+            const double fewest = kLeastRatio * (1 - eye_part(plan)) * facts_.eye_cost;
+            if (step < 0 && paths * facts_.photon_path_cost < fewest) continue;
+            if (plan.error * plan.cost < least) {
+                least = plan.error * plan.cost;
+                best = plan;
+            }
+        }
+        return best;
+    }
+
+  private:
+    /// Variance of a single photon path's worth of light that both carry. What is seldom found at
+    /// all is found together by a whole pass.
+    double photon_variance(const ShareMoments& m) const {
+        const double missed = missing(m.y, m.x, m);
+        return std::max(clusters_ * mean(m.squares, m.points),
+                        facts_.photon_paths * facts_.passes * missed * missed);
+    }
+
+    /// What eye paths carry of all light of photons, by its squares.
+    double eye_part(const SharePlan& plan) const {
+        double eye = 0, all = own_;
+        for (const LeafTerms& t : terms_) {
+            all += t.photons;
+            const auto a = double(plan.shares[t.leaf]);
+            eye += t.photons * (1 - sq(1 - a));
+        }
+        return all > 0 ? eye / all : 0;
+    }
+
+    void add_leaf(std::size_t i, double population) {
+        const ShareMoments& m = facts_.leaves[i];
+        const double points = population * facts_.points;
+        const double weight = points * facts_.point_weight;
+        const double eye = eye_variance(m);
+        const double photons = photon_variance(m);
+        const double own = clusters_ * mean(m.others, m.points);
+        const double share = double(facts_.shares[i]);
+        const double n = facts_.photon_paths;
+        if (n > 0) present_ += weight * (sq(1 - share) * photons + own) / n;
+        if (share > 0 && std::isfinite(eye)) present_ += weight * sq(share) * eye;
+        own_ += weight * own * facts_.squared_error;
+        terms_.push_back({weight * photons * facts_.squared_error, weight * kStratifiedPaths * eye,
+                          points * facts_.ray_cost * mean(m.rays, m.continued), i});
+    }
+
+    /// The best leaves for so many photon paths: those first whose paths save most for their cost.
+    SharePlan with(double paths) {
+        struct Gain {
+            double error = 0, cost = 0;
+            const LeafTerms* terms = nullptr;
+        };
+        std::vector<Gain> gains;
+        SharePlan plan;
+        plan.photon_paths = paths;
+        plan.shares.assign(facts_.leaves.size(), 0);
+        plan.error = eye_ + own_ / paths;
+        plan.cost = facts_.eye_cost + facts_.photon_path_cost * paths;
+        for (const LeafTerms& t : terms_) {
+            const double alone = t.photons / paths;
+            plan.error += alone;
+            const double gain = alone - joined(alone, t.eye);
+            if (gain > 0 && t.cost > 0 && std::isfinite(gain)) gains.push_back({gain, t.cost, &t});
+        }
+        std::sort(gains.begin(), gains.end(), [](const Gain& a, const Gain& b) {
+            const double left = a.error * b.cost, right = b.error * a.cost;
+            return left != right ? left > right : a.terms->leaf < b.terms->leaf;
+        });
+        for (const Gain& g : gains) {
+            if ((plan.error - g.error) * (plan.cost + g.cost) >= plan.error * plan.cost) break;
+            plan.error -= g.error;
+            plan.cost += g.cost;
+            const double photons = g.terms->photons / paths;
+            plan.shares[g.terms->leaf] =
+                float(std::min(kMostEyeShare, photons / (photons + g.terms->eye)));
+        }
+        return plan;
+    }
+
+    static double sq(double x) { return x * x; }
+
+    const ShareFacts& facts_;
+    std::vector<LeafTerms> terms_;
+    double clusters_ = 1;  // photons that come together as one
+    double own_ = 0;       // K
+    double eye_ = 0;       // A
+    double present_ = 0;   // variance of photons and continued paths as they were
+};
+
+}  // namespace
+
+SharePlan plan_shares(const ShareFacts& facts, const PhotonLimits& limits) {
+    SharePlan plan = Search(facts).best(limits);
+    double all = 0, sum = 0;
+    for (std::size_t i = 0; i < facts.leaves.size(); ++i) {
+        const double population = facts.leaves[i].population;
+        all += population;
+        if (plan.shares[i] > 0) plan.going_on += population;
+        sum += population * double(plan.shares[i]);
+    }
+    plan.eye_share = mean(sum, plan.going_on);
+    plan.going_on = mean(plan.going_on, all);
+    return plan;
+}
+
+std::string describe(const SharePlan& plan) {
+    const auto percent = [](double share) { return std::to_string(std::lround(100 * share)); };
+    const std::string photons =
+        std::to_string(std::llround(plan.photon_paths)) + " photon paths a pass";
+    if (!(plan.going_on > 0)) {
+        return "photons carry all indirect light to surfaces that take them; " + photons;
+    }
+    return "eye paths go on from " + percent(plan.going_on) +
+           " % of the surfaces seen that take photons, and carry " + percent(plan.eye_share) +
+           " % of the light there that both can; " + photons;
+}
+
+}  // namespace aips

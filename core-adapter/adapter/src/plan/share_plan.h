@@ -1,0 +1,53 @@
+// Who carries the light that both eye paths and photons can, and how many photons are then shot:
+// one decision, from counted costs and measured moments.
+//
+// With N photon paths a pass leaves, as a mean over pixels of relative variances,
+//     E = A + K / N + sum over leaves of e,   e = V / N, or 1 / (N / V + 1 / W)
+// where A is what eye paths leave up to their visible points, K the light that photons alone carry,
+// V and W what photons and continued eye paths leave of the rest. It costs
+//     C = eye + photons N + what the continued paths of the leaves cost.
+// The leaves whose eye paths go on, and N, are chosen so that E C is least: of an image that is a
+// mean over passes that is the error at a given time.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "aips/core/tables/share_table.h"
+#include "plan/photon_schedule.h"
+
+namespace aips {
+
+/// What passes told since the last decision.
+struct ShareFacts {
+    std::span<const ShareMoments> leaves;  ///< ShareTable::moments()
+    std::span<const float> shares;         ///< [leaf]: of the eye, in those passes
+    double passes = 1;                     ///< so many
+    double points = 0;                     ///< visible points in one of them
+    double point_weight = 0;  ///< of one visible point's variance in the mean over pixels
+    double variance = 0;      ///< mean over pixels of the relative variance in a pass, all in all
+    double photon_paths = 0;  ///< in a pass
+    double eye_cost = 0;      ///< of a pass, without continued paths
+    double photon_path_cost = 0;  ///< of one
+    double ray_cost = 0;          ///< of a continued path's ray
+    bool independent = true;      ///< squares of single photons tell their variance
+    double squared_error = 1;     ///< of photons, their bias included, over their variance
+};
+
+struct SharePlan {
+    std::vector<float> shares;  ///< [leaf]: of the eye, in [0, 1)
+    double photon_paths = 0;
+    double error = 0, cost = 0;  ///< E and C
+    double going_on = 0;         ///< share of the visible points whose eye paths go on
+    double eye_share = 0;        ///< mean over those of the eye's share
+};
+
+/// One sentence for the log: who carries what.
+std::string describe(const SharePlan& plan);
+
+/// Deterministic. Without use for the eye all shares are 0.
+SharePlan plan_shares(const ShareFacts& facts, const PhotonLimits& limits);
+
+}  // namespace aips

@@ -1,0 +1,35 @@
+// Tuned constants of strategies: each with its unit, what it balances, which experiment chose it,
+// and what supports it. docs/build-on/constants.md is made from these comments.
+#pragma once
+
+#include <cstdint>
+
+namespace aips {
+
+/// Passes of which every visible point tells how light is shared there. Unit: passes.
+/// Balances: time of learning against decisions by chance.
+/// Chosen by: reasoning: until the decision before pass 8.
+/// Supported by: no measurement.
+inline constexpr std::uint64_t kAllPointsUntil = 8;
+
+/// Of so many visible points one tells it later. Unit: visible points.
+/// Balances: time of learning against decisions by chance.
+/// Chosen by: reasoning: a multiple of it divides what explores.
+/// Supported by: no measurement.
+inline constexpr std::uint64_t kSharePointsOneOf = 16;
+
+/// What earlier passes told of shared light counts for this at each decision. Unit: share of 1.
+/// Balances: guides that have learned since against few samples.
+/// Chosen by: reasoning: passes double from one decision to the next.
+/// Supported by: no measurement.
+inline constexpr double kShareMemory = 0.5;
+
+/// Squared error of photons over their variance where radii follow noise and bias. Unit: ratio.
+/// Balances: eye paths, which have no bias, against photons.
+/// Chosen by: reasoning: where the sum of noise in r^-2 and squared bias in r^4 is least, the
+/// second is half of
+///   the first.
+/// Supported by: no measurement.
+inline constexpr double kErrorOverVariance = 1.5;
+
+}  // namespace aips

@@ -1,0 +1,161 @@
+// Joining continued eye paths and photons, and learning from both.
+#include "strategies/shared_light.h"
+
+#include <algorithm>
+#include <bit>
+
+#include "base/parallel_for.h"
+#include "eye/film_pixel.h"
+#include "strategies/constants.h"
+
+namespace aips {
+namespace {
+
+/// Before which passes it is decided anew: whenever there are twice as many. Numbers that are
+/// stratified over passes start anew there, so that more often would cost what it brings.
+bool decides_before(std::uint64_t pass) {
+    return pass > 1 && std::has_single_bit(pass);
+}
+
+bool learned_from(std::uint64_t pass, std::uint32_t path) {
+    return pass < kAllPointsUntil || (pass + path) % kSharePointsOneOf == 0;
+}
+
+/// What point number `i` tells of a pass with `paths` photon paths.
+ShareSample sample_of(const EyeImage& image, const PhotonFlux& flux, std::size_t i, double weight,
+                      double paths, std::span<const Rgb> radiance) {
+    const VisiblePoint& point = image.visible_points[i];
+    ShareSample sample;
+    sample.position = point.position;
+    sample.normal = dot(point.wo, point.geometric_normal) > 0 ? point.geometric_normal
+                                                              : -point.geometric_normal;
+    sample.weight = weight;
+    sample.continued = point.continued;
+    sample.photon_paths = paths;
+    sample.rays = double(point.eye_rays);
+    sample.eye = double(luminance_over_groups(image.continued, point.sample, image.groups));
+    const auto brought = double(luminance_over_groups(flux.flux, i, image.groups));
+    if (!(brought > 0)) return sample;
+    const double scale =
+        double(luminance_over_groups(radiance, point.sample, image.groups)) / brought;
+    const double rest = 1 - double(point.eye_share);
+    const ShareableFlux& part = flux.shareable[i];
+    sample.photons = scale * double(part.sum) / rest;
+    sample.squares = paths * scale * scale * double(part.squares) / (rest * rest);
+    // Trimmed as the noise of a pass is: single pixels are not to decide on the photons of all.
+    const double others =
+        scale * scale * std::max(0.0, double(flux.squares[i]) - double(part.squares));
+    sample.others = paths * trimmed(others, weight);
+    return sample;
+}
+
+}  // namespace
+
+void SharedLight::join(std::uint64_t pass, const EyeImage& image, const PhotonFlux& flux,
+                       std::uint64_t photon_paths, const PixelImportance& importance,
+                       std::span<Rgb> radiance) {
+    points_ = double(image.visible_points.size());
+    rays_ = 0;
+    for (const VisiblePoint& point : image.visible_points) {
+        rays_ += double(point.eye_rays);
+        continued_ += point.continued;
+    }
+    // Before the first pass all pixels weigh alike, in no unit.
+    if (pass > 0) learn(pass, image, flux, photon_paths, importance, radiance);
+    in_chunks(image.visible_points.size(), kItemsPerJob, tbb_for,
+              [&](std::size_t first, std::size_t last) {
+                  for (std::size_t i = first; i < last; ++i) {
+                      const VisiblePoint& point = image.visible_points[i];
+                      if (!(point.eye_share > 0)) continue;
+                      const std::size_t at = std::size_t(point.sample) * image.groups;
+                      for (std::size_t g = at; g < at + image.groups; ++g)
+                          radiance[g] += image.continued[g] * point.eye_share;
+                  }
+              });
+}
+
+void SharedLight::learn(std::uint64_t pass, const EyeImage& image, const PhotonFlux& flux,
+                        std::uint64_t photon_paths, const PixelImportance& importance,
+                        std::span<const Rgb> radiance) {
+    std::size_t learned = 0;
+    for (std::size_t i = 0; i < image.visible_points.size(); ++i) {
+        const VisiblePoint& point = image.visible_points[i];
+        if (!learned_from(pass, point.sample)) continue;
+        const std::uint32_t pixel = film_pixel(image.positions[point.sample], width_, height_);
+        const auto weight = double(importance.weight_of_sharing(pixel));
+        const ShareSample sample =
+            sample_of(image, flux, i, weight, double(photon_paths), radiance);
+        shares_.table.add(sample);
+        ++learned;
+    }
+    shares_.table.update(learned);
+}
+
+std::optional<SharePlan> SharedLight::end_pass(const SharedPass& pass, const PhotonLimits& limits) {
+    const double continued = eye_ray_work(rays_);
+    sums_.passes += 1;
+    sums_.points += points_;
+    sums_.eye_cost += std::max(0.0, pass.work.eye - continued);
+    sums_.photon_cost += pass.work.photons;
+    sums_.photon_paths += double(pass.photon_paths);
+    const double variance = pass.noise.trimmed;
+    if (variance > 0) {
+        sums_.variance += variance;
+        sums_.noisy_passes += 1;
+    }
+    if (!decides_before(pass.number + 1) || !(sums_.noisy_passes > 0)) return {};
+    return decide(pass, limits);
+}
+
+SharePlan SharedLight::decide(const SharedPass& pass, const PhotonLimits& limits) {
+    const std::vector<ShareMoments> moments = shares_.table.moments();
+    std::vector<float> present(moments.size());
+    for (std::uint32_t leaf = 0; leaf < moments.size(); ++leaf)
+        present[leaf] = shares_.table.share(leaf);
+    const double pixels = double(width_) * height_;
+    const double per_pixel = std::max(1.0, double(eye_paths_) / pixels);
+    const double seen = std::min(pixels, double(eye_paths_));
+    ShareFacts facts{moments, present};
+    facts.passes = sums_.passes;
+    facts.points = sums_.points / sums_.passes;
+    facts.point_weight = 1 / (seen * per_pixel * per_pixel);
+    facts.variance = sums_.variance / sums_.noisy_passes;
+    facts.photon_paths = sums_.photon_paths / sums_.passes;
+    facts.eye_cost = sums_.eye_cost / sums_.passes;
+    facts.photon_path_cost = sums_.photon_cost / std::max(1.0, sums_.photon_paths);
+    facts.ray_cost = eye_ray_work(1);
+    facts.independent = pass.independent;
+    facts.squared_error = pass.squared_error;
+    SharePlan plan = plan_shares(facts, limits);
+    shares_.table.set_shares(plan.shares);
+    set_any();
+    shares_.table.forget(kShareMemory);
+    eye_part_ = plan.going_on * plan.eye_share;
+    shares_.passes_before = pass.number + 1;
+    sums_ = {};
+    return plan;
+}
+
+void SharedLight::set_any() {
+    shares_.any = false;
+    for (std::uint32_t leaf = 0; leaf < shares_.table.leaf_count(); ++leaf)
+        shares_.any = shares_.any || shares_.table.share(leaf) > 0;
+}
+
+void SharedLight::add_to(EngineStatistics& s) const {
+    s.continued_paths += continued_;
+    s.eye_share = eye_part_;
+}
+
+void SharedLight::state(StateArchive& archive) {
+    shares_.table.state(archive);
+    set_any();
+    archive.value(shares_.passes_before);
+    archive.value(continued_);
+    archive.amount(eye_part_);
+    for (double* sum : {&sums_.passes, &sums_.points, &sums_.eye_cost, &sums_.photon_cost,
+                        &sums_.photon_paths, &sums_.variance, &sums_.noisy_passes})
+        archive.amount(*sum);
+}
+
+}  // namespace aips

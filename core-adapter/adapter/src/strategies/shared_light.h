@@ -1,0 +1,77 @@
+// Light that eye paths carry together with photons: what continued eye paths brought is joined to
+// what photons did, and both tell how the next passes share it.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "estimate/gather.h"
+#include "eye/eye_shares.h"
+#include "plan/pass_work.h"
+#include "plan/share_plan.h"
+#include "worth/pass_noise.h"
+#include "worth/pixel_importance.h"
+
+namespace aips {
+
+/// A pass that has ended.
+struct SharedPass {
+    std::uint64_t number = 0;
+    PassWork work;  ///< the eye's with that of continued paths
+    PassNoise noise;
+    std::uint64_t photon_paths = 0;
+    bool independent = true;   ///< squares of single photons tell their variance
+    double squared_error = 1;  ///< of photons, their bias included, over their variance
+};
+
+class SharedLight {
+  public:
+    /// For a film of so many pixels and passes of so many eye paths.
+    SharedLight(const Scene& scene, std::uint32_t width, std::uint32_t height,
+                std::uint32_t eye_paths)
+        : shares_(scene.bounds()), width_(width), height_(height), eye_paths_(eye_paths) {}
+
+    const EyeShares& shares() const { return shares_; }
+
+    /// Of a pass: `radiance` is what its photons brought to each eye path, made of `flux`, without
+    /// the eye's share; that is added. Learns from both where something is known of the image.
+    void join(std::uint64_t pass, const EyeImage& image, const PhotonFlux& flux,
+              std::uint64_t photon_paths, const PixelImportance& importance,
+              std::span<Rgb> radiance);
+
+    /// A pass has ended. Before passes that are fixed it is decided anew who carries what; the plan
+    /// then tells how many photon paths, within `limits`, go with it.
+    std::optional<SharePlan> end_pass(const SharedPass& pass, const PhotonLimits& limits);
+
+    void add_to(EngineStatistics& statistics) const;
+
+    /// Saves what later passes go on from, or restores it.
+    void state(StateArchive& archive);
+    std::size_t memory_bytes() const { return shares_.table.memory_bytes(); }
+    static std::size_t memory_bound_bytes() {
+        return ShareTable::memory_bound_bytes(ShareTableSettings());
+    }
+
+  private:
+    void learn(std::uint64_t pass, const EyeImage& image, const PhotonFlux& flux,
+               std::uint64_t photon_paths, const PixelImportance& importance,
+               std::span<const Rgb> radiance);
+    void set_any();
+    SharePlan decide(const SharedPass& pass, const PhotonLimits& limits);
+
+    /// Sums since the last decision.
+    struct Sums {
+        double passes = 0, points = 0;
+        double eye_cost = 0, photon_cost = 0, photon_paths = 0;
+        double variance = 0, noisy_passes = 0;
+    };
+
+    EyeShares shares_;
+    std::uint32_t width_, height_, eye_paths_;
+    double points_ = 0, rays_ = 0;  // visible points, and rays that went on from them, of a pass
+    std::uint64_t continued_ = 0;   // eye paths that went on, of all passes
+    double eye_part_ = 0;           // of what is shared, by the last decision
+    Sums sums_;
+};
+
+}  // namespace aips

@@ -1,0 +1,161 @@
+// Learning how eye paths and photons share light.
+#include "aips/core/tables/share_table.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+namespace aips {
+namespace {
+
+bool usable(const ShareSample& s) {
+    const auto amount = [](double x) { return x >= 0 && std::isfinite(x); };
+    return amount(s.weight) && amount(s.photons) && amount(s.squares) && amount(s.others) &&
+           amount(s.eye) && amount(s.rays) && amount(s.photon_paths) &&
+           std::isfinite(s.weight * s.photons * s.photons * s.photon_paths) &&
+           std::isfinite(s.weight * s.squares) && std::isfinite(s.weight * s.others) &&
+           std::isfinite(s.weight * s.eye * s.eye);
+}
+
+ShareMoments moments_of(const ShareSample& s) {
+    ShareMoments m;
+    m.population = m.points = 1;
+    m.squares = s.weight * s.squares;
+    m.others = s.weight * s.others;
+    if (!s.continued) return m;
+    const double root = std::sqrt(s.weight);
+    m.continued = 1;
+    m.xx = s.weight * s.photons * s.photons;
+    m.xy = s.weight * s.photons * s.eye;
+    m.spread = s.weight * s.photons * (s.photons - s.eye) * s.photon_paths;
+    m.yy = s.weight * s.eye * s.eye;
+    m.x = root * s.photons;
+    m.y = root * s.eye;
+    m.rays = s.rays;
+    return m;
+}
+
+}  // namespace
+
+void ShareMoments::add(const ShareMoments& o) {
+    population += o.population;
+    points += o.points;
+    squares += o.squares;
+    others += o.others;
+    continued += o.continued;
+    xx += o.xx;
+    xy += o.xy;
+    yy += o.yy;
+    spread += o.spread;
+    x += o.x;
+    y += o.y;
+    rays += o.rays;
+}
+
+void ShareMoments::scale(double factor) {
+    for (double* sum : {&population, &points, &squares, &others, &continued, &xx, &xy, &yy, &spread,
+                        &x, &y, &rays})
+        *sum *= factor;
+}
+
+void ShareMoments::state(StateArchive& archive) {
+    for (double* sum :
+         {&population, &points, &squares, &others, &continued, &xx, &xy, &yy, &x, &y, &rays})
+        archive.amount(*sum);
+    archive.value(spread);
+    StateArchive::check(std::isfinite(spread), "a sum that is no number");
+}
+
+ShareTable::ShareTable(const Bounds& scene, const ShareTableSettings& settings)
+    : settings_(settings), places_(scene, settings.places) {
+    if (!(settings.prior_count > 0))
+        throw std::invalid_argument("ShareTable: prior_count must be > 0");
+    leaves_.reserve(settings.places.max_leaves);
+    shares_.reserve(settings.places.max_leaves);
+    add_leaves();
+}
+
+bool ShareTable::add(const ShareSample& s) {
+    if (!usable(s)) return false;
+    // Where errors may come from, whichever way light is carried there.
+    const double score = s.weight * (s.photons * s.photons + s.eye * s.eye);
+    if (!places_.add({s.position, s.normal, score, 1})) return false;
+    const ShareMoments moments = moments_of(s);
+    leaves_[places_.leaf_at(s.position, s.normal)].add(moments);
+    everywhere_.add(moments);
+    return true;
+}
+
+void ShareTable::update(std::size_t samples) {
+    places_.update(double(samples));
+    add_leaves();
+}
+
+// Both halves of a leaf start with what it knew, weighing less than what they will meet.
+void ShareTable::add_leaves() {
+    for (auto i = std::uint32_t(leaves_.size()); i < places_.leaf_count(); ++i) {
+        const std::uint32_t parent = places_.parent_of(i);
+        if (parent == i) {
+            leaves_.emplace_back();
+            shares_.push_back(0);
+            continue;
+        }
+        ShareMoments& from = leaves_[parent];
+        const double half = from.population / 2;
+        from.scale(std::min(0.5, kInheritedPoints / std::max(from.points, 1.0)));
+        from.population = half;
+        leaves_.push_back(from);
+        shares_.push_back(shares_[parent]);
+    }
+}
+
+std::vector<ShareMoments> ShareTable::moments() const {
+    std::vector<ShareMoments> result(leaves_);
+    if (!(everywhere_.points > 0)) return result;
+    ShareMoments prior = everywhere_;
+    prior.population = 0;
+    prior.scale(std::min(1.0, settings_.prior_count / everywhere_.points));
+    for (ShareMoments& leaf : result)
+        leaf.add(prior);
+    return result;
+}
+
+void ShareTable::forget(double factor) {
+    everywhere_.scale(factor);
+    for (ShareMoments& leaf : leaves_)
+        leaf.scale(factor);
+}
+
+void ShareTable::set_shares(std::span<const float> shares) {
+    if (shares.size() != shares_.size())
+        throw std::invalid_argument("ShareTable: not a share for each leaf");
+    shares_.assign(shares.begin(), shares.end());
+}
+
+void ShareTable::state(StateArchive& archive) {
+    places_.state(archive);
+    if (archive.restoring()) {
+        leaves_.assign(places_.leaf_count(), {});
+        shares_.assign(places_.leaf_count(), 0);
+    }
+    everywhere_.state(archive);
+    for (ShareMoments& leaf : leaves_)
+        leaf.state(archive);
+    for (float& share : shares_) {
+        archive.value(share);
+        StateArchive::check(share >= 0 && share < 1, "a share of light that is none");
+    }
+}
+
+std::size_t ShareTable::memory_bytes() const {
+    return places_.memory_bytes() + leaves_.capacity() * sizeof(ShareMoments) +
+           shares_.capacity() * sizeof(float);
+}
+
+std::size_t ShareTable::memory_bound_bytes(const ShareTableSettings& settings) {
+    // moments() makes a copy for as long as shares are chosen.
+    return ScoreCache::memory_bound_bytes(settings.places) +
+           settings.places.max_leaves * (2 * sizeof(ShareMoments) + 2 * sizeof(float));
+}
+
+}  // namespace aips

@@ -1,0 +1,127 @@
+// Protects the choice of who carries light: shares by the inverse of variances, photons as few or
+// many as make error times cost least, nothing for the eye where it does not find what photons do.
+#include "plan/share_plan.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "plan/constants.h"
+
+namespace aips::share_plan_test {
+namespace {
+
+constexpr double kPaths = 10000, kPoints = 1000;
+
+/// A leaf of light of radiance 1. Per photon path its photons' variance, per continued path the
+/// eye's; `others`: of light that photons alone carry.
+ShareMoments leaf(double photons, double eye, double others = 0, double rays = 4) {
+    ShareMoments m;
+    m.population = m.points = m.continued = 1000;
+    m.squares = 1000 * photons;
+    m.others = 1000 * others;
+    m.x = m.y = m.xy = 1000;
+    m.xx = 1000 * (1 + photons / kPaths);
+    m.yy = 1000 * (1 + eye);
+    m.spread = 1000 * photons;
+    m.rays = 1000 * rays;
+    return m;
+}
+
+ShareFacts facts_of(std::span<const ShareMoments> leaves, std::span<const float> shares,
+                    double eye_noise) {
+    ShareFacts facts{leaves, shares};
+    facts.points = kPoints;
+    facts.point_weight = 1 / kPoints;
+    facts.photon_paths = kPaths;
+    facts.eye_cost = 3000;
+    facts.photon_path_cost = 1;
+    facts.ray_cost = 1;
+    facts.variance = eye_noise;
+    for (std::size_t i = 0; i < leaves.size(); ++i) {
+        const double a = double(shares[i]), n = double(leaves.size());
+        const ShareMoments& m = leaves[i];
+        facts.variance += (1 - a) * (1 - a) * m.squares / m.points / kPaths / n;
+        facts.variance += m.others / m.points / kPaths / n;
+    }
+    return facts;
+}
+
+/// Of the eye where photons and continued paths leave such variances.
+double best_share(double photons, double eye) {
+    return photons / (photons + kStratifiedPaths * eye);
+}
+
+constexpr PhotonLimits kFixed{kPaths, kPaths}, kFree{kPaths / 32, 4 * kPaths};
+
+TEST(SharePlan, SharesGoByTheInverseOfTheVariances) {
+    const std::vector<ShareMoments> leaves{leaf(3 * kPaths, 1), leaf(kPaths / 100, 1)};
+    const std::vector<float> shares(2);
+    const SharePlan plan = plan_shares(facts_of(leaves, shares, 0.1), kFixed);
+    EXPECT_NEAR(plan.shares[0], best_share(3, 1), 1e-6);
+    EXPECT_EQ(plan.shares[1], 0) << "one per cent of variance does not pay its rays";
+    EXPECT_EQ(plan.photon_paths, kPaths);
+    EXPECT_NEAR(plan.going_on, 0.5, 1e-9);
+    EXPECT_NEAR(plan.eye_share, best_share(3, 1), 1e-6);
+}
+
+TEST(SharePlan, BiasOfPhotonsIsAnErrorToo) {
+    const std::vector<ShareMoments> leaves{leaf(kPaths, 1)};
+    const std::vector<float> shares(1);
+    ShareFacts facts = facts_of(leaves, shares, 0.01);
+    EXPECT_NEAR(plan_shares(facts, kFixed).shares[0], best_share(1, 1), 1e-6);
+    facts.squared_error = 1.5;
+    EXPECT_NEAR(plan_shares(facts, kFixed).shares[0], best_share(1.5, 1), 1e-6);
+}
+
+TEST(SharePlan, PhotonsBecomeFewWhereEyePathsCarryTheLight) {
+    const std::vector<ShareMoments> leaves{leaf(100 * kPaths, 1)};
+    const std::vector<float> shares(1);
+    const SharePlan plan = plan_shares(facts_of(leaves, shares, 0.1), kFree);
+    EXPECT_GT(plan.shares[0], 0.95f);
+    EXPECT_NEAR(plan.photon_paths, kFree.fewest, 1);
+}
+
+/// Of light that smooth surfaces focus eye paths find nothing.
+TEST(SharePlan, PhotonsStayForLightThatIsTheirsAlone) {
+    const std::vector<ShareMoments> leaves{leaf(kPaths / 100, 5, 10 * kPaths)};
+    const std::vector<float> shares(1);
+    const SharePlan plan = plan_shares(facts_of(leaves, shares, 0.1), kFree);
+    EXPECT_EQ(plan.shares[0], 0);
+    EXPECT_GT(plan.photon_paths, kPaths);
+}
+
+TEST(SharePlan, LightThatPathsMissIsNotTheirs) {
+    std::vector<ShareMoments> leaves{leaf(kPaths, 1)};
+    const std::vector<float> shares(1);
+    leaves[0].y = leaves[0].xy = leaves[0].yy = 0;  // not one has met it
+    EXPECT_LT(plan_shares(facts_of(leaves, shares, 0.1), kFixed).shares[0], 0.01f);
+    leaves[0] = leaf(kPaths, 1);
+    leaves[0].continued = 10;  // or too few have tried
+    EXPECT_EQ(plan_shares(facts_of(leaves, shares, 0.1), kFixed).shares[0], 0);
+}
+
+/// Photons of chains come in clusters, which squares of single ones do not tell.
+TEST(SharePlan, ClusteredPhotonsAreTakenAsNoisyAsTheyAre) {
+    std::vector<ShareMoments> leaves{leaf(kPaths, 1)};
+    const std::vector<float> shares(1);
+    leaves[0].squares /= 50;
+    ShareFacts facts = facts_of(leaves, shares, 0.1);
+    EXPECT_LT(plan_shares(facts, kFixed).shares[0], 0.02f);
+    facts.independent = false;
+    EXPECT_NEAR(plan_shares(facts, kFixed).shares[0], best_share(1, 1), 1e-6);
+}
+
+TEST(SharePlan, NothingKnownIsNothingShared) {
+    const std::vector<ShareMoments> leaves(6);
+    const std::vector<float> shares(6);
+    ShareFacts facts{leaves, shares};
+    facts.photon_paths = kPaths;
+    const SharePlan plan = plan_shares(facts, kFixed);
+    for (const float share : plan.shares)
+        EXPECT_EQ(share, 0);
+    EXPECT_EQ(plan.photon_paths, kPaths);
+}
+
+}  // namespace
+}  // namespace aips::share_plan_test

@@ -91,7 +91,7 @@ TEST(StressRadius, OfPpmFollowsItsFormula) {
         const SearchRadii radii = policy.before_pass(std::uint64_t(pass), {}, image);
         ASSERT_NO_FATAL_FAILURE(expect_usable(radii));
         PhotonFlux flux;
-        flux.reset(kSize * kSize, 1);
+        flux.reset(std::size_t{kSize} * kSize, 1);
         for (std::size_t i = 0; i < 4; ++i) {
             if (pass == 0) squares[i] = double(radii.of(i)) * double(radii.of(i));
             error =
@@ -122,8 +122,8 @@ TEST(StressRadius, OfPpmKeepsItsFloor) {
     for (int pass = 0; pass < kPasses; ++pass) {
         ASSERT_NO_FATAL_FAILURE(expect_usable(policy.before_pass(std::uint64_t(pass), {}, image)));
         PhotonFlux flux;
-        flux.reset(kSize * kSize, 1);
-        flux.accepted.assign(kSize * kSize, std::uint32_t(photons));
+        flux.reset(std::size_t{kSize} * kSize, 1);
+        flux.accepted.assign(std::size_t{kSize} * kSize, std::uint32_t(photons));
         // As fast as can be: each pass brings far more than all before.
         photons = std::min(photons * 100, 4e9);
         policy.after_pass(flux);
@@ -158,7 +158,7 @@ TEST(StressRadius, OfProbesStaysWithinBounds) {
             sums.curvature.fill(kind % 2 ? -odd[kind % 7] : odd[kind % 7]);
             sums.uncertainty.fill(odd[kind % 7]);
             PhotonFlux flux;
-            flux.reset(kSize * kSize, 1);
+            flux.reset(std::size_t{kSize} * kSize, 1);
             flux.probes.assign(radii.probes.size(), sums);
             policy.after_pass(flux);
         }

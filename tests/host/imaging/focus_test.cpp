@@ -31,7 +31,7 @@ TEST(Aperture, APolygonIsFilledUniformly) {
         squares += p.length2();
     }
     for (const int count : counts)
-        EXPECT_NEAR(count, kSide * kSide / kBlades, kSide);
+        EXPECT_NEAR(count, kSide * kSide / double(kBlades), kSide);
     // Mean over a triangle with corners 0, a, b of |p|^2: (|a|^2 + |b|^2 + a b) / 6.
     const double expected = (2 + std::cos(2 * std::numbers::pi / kBlades)) / 6;
     EXPECT_NEAR(squares / (kSide * kSide), expected, 0.002);

@@ -16,7 +16,7 @@ std::string place_text(const Json& place) {
 }
 
 std::string verdict_text(const Json& row) {
-    const std::string verdict = row.at("verdict");
+    std::string verdict = row.at("verdict");
     if (row.at("misses").is_null()) return verdict;
     return fmt::format("{}: misses {}", verdict, row.at("misses").get<std::string>());
 }

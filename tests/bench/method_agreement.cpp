@@ -83,7 +83,8 @@ BlockMeans all_means(const SeedBlocks& runs) {
 }
 
 std::vector<double> block_weights(const std::vector<BlockMeans>& samples) {
-    if (samples.empty()) return std::vector<double>(kBlocksPerSide * kBlocksPerSide, 1.0);
+    constexpr std::size_t kBlocks = std::size_t{kBlocksPerSide} * kBlocksPerSide;
+    if (samples.empty()) return std::vector<double>(kBlocks, 1.0);
     std::vector<double> weights;
     for (std::size_t k = 0; k < samples.front().front().size(); ++k) {
         double mean = 0, variance = 0, mean_of_image = 0;

@@ -93,7 +93,7 @@ TEST(BlockComparison, NoiseOfTheMeanIsItsDistanceFromTheTruth) {
     Spread estimated, real;
     constexpr int kTimes = 40;
     for (int i = 0; i < kTimes; ++i) {
-        const auto seed = std::uint64_t(2 * i);
+        const auto seed = 2 * std::uint64_t(i);
         const render::Image a = noisy(truth, 1, 0.1, 100 + seed),
                             b = noisy(truth, 1, 0.1, 101 + seed);
         const Spread noise = noise_of_mean(a, b), distance = compare(mean(a, b), truth).luminance;

@@ -16,7 +16,7 @@ using namespace conformance;
 namespace fs = std::filesystem;
 
 /// Documented in docs/measured/conformance.md.
-enum ExitCode { kWithinLimits = 0, kMisses = 1, kBadCommand = 2, kNoImages = 3 };
+enum ExitCode { WithinLimits = 0, Misses = 1, BadCommand = 2, NoImages = 3 };
 
 struct Command {
     std::string folder;
@@ -62,7 +62,7 @@ void write_markdown(const std::string& file, const std::vector<Row>& rows) {
 ExitCode run(Command& command) {
     if (command.folder.empty() && !fs::exists(CONFORMANCE_FOLDER)) {
         fmt::print("skipped: no LuxRender images in {}\n", CONFORMANCE_FOLDER);
-        return kWithinLimits;
+        return WithinLimits;
     }
     const fs::path folder = command.folder.empty() ? CONFORMANCE_FOLDER : command.folder;
     if (!fs::is_directory(folder)) throw std::runtime_error("no folder " + folder.string());
@@ -83,8 +83,8 @@ ExitCode run(Command& command) {
     fmt::print("{}", table_notes(rows));
     if (!command.markdown.empty()) write_markdown(command.markdown, rows);
     const auto any = [&rows](auto&& is) { return std::any_of(rows.begin(), rows.end(), is); };
-    if (any([](const Row& r) { return !r.failure.empty(); })) return kNoImages;
-    return any([](const Row& r) { return !r.passes_limits(); }) ? kMisses : kWithinLimits;
+    if (any([](const Row& r) { return !r.failure.empty(); })) return NoImages;
+    return any([](const Row& r) { return !r.passes_limits(); }) ? Misses : WithinLimits;
 }
 
 }  // namespace
@@ -92,14 +92,14 @@ ExitCode run(Command& command) {
 int main(int argc, char** argv) {
     CLI::App app("Compares lxsrender's images with LuxRender's own, scene by scene");
     Command command;
-    declare(app, command);
     try {
+        declare(app, command);
         app.parse(argc, argv);
         return run(command);
     } catch (const CLI::ParseError& error) {
-        return app.exit(error) == 0 ? kWithinLimits : kBadCommand;
+        return app.exit(error) == 0 ? WithinLimits : BadCommand;
     } catch (const std::exception& error) {
         fmt::print(stderr, "{}\n", error.what());
-        return kBadCommand;
+        return BadCommand;
     }
 }

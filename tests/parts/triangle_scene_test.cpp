@@ -148,8 +148,8 @@ TEST(TriangleScene, GivesTheImageOfAnotherHost) {
     double sum = 0, squares = 0;
     constexpr int kSeeds = 8;
     for (int seed = 0; seed < kSeeds; ++seed) {
-        const auto mean = [&](const Scene& scene, int offset) {
-            const auto settings = mock::small_settings(std::uint64_t(2 * seed + offset), 20000);
+        const auto mean = [&](const Scene& scene, std::uint64_t offset) {
+            const auto settings = mock::small_settings(2 * std::uint64_t(seed) + offset, 20000);
             const mock::Camera camera =
                 mock::camera_along_y({0, -0.9f, 0}, 0.5f, 16, 16);  // the lamp is out of view
             return mock::render(scene, camera, 16, 16, settings, 4).film.mean();

@@ -25,13 +25,11 @@ TEST(FurnaceScene, ClosedFormWithEveryGuideAndMode) {
     const render::Folder folder;
     const auto scene = render::small_scene("furnace", folder, 80, 60);
     const double expected = 2 * (1 - std::pow(0.5, 17));
-    for (const std::string guide : {"none", "paper", "adaptive"}) {
-        for (const std::string mode : {"progressive", "photonmap", "ppm"}) {
+    const std::string options = "--passes 4 --seed 3 --set aips.photonperpass=100000";
+    for (const char* guide : {"none", "paper", "adaptive"}) {
+        for (const char* mode : {"progressive", "photonmap", "ppm"}) {
             const auto image = render::render(
-                scene,
-                "--passes 4 --seed 3 --set aips.photonperpass=100000 --set aips.guide=" + guide +
-                    " --set aips.mode=" + mode,
-                folder);
+                scene, options + " --set aips.guide=" + guide + " --set aips.mode=" + mode, folder);
             EXPECT_NEAR(middle(image), expected, 0.01 * expected) << guide << " " << mode;
         }
     }

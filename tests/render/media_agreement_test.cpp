@@ -9,7 +9,6 @@
 namespace media_agreement_test {
 namespace {
 
-constexpr int kSize = 32;
 constexpr std::size_t kBlock = 8;
 constexpr unsigned kSeeds = 6;
 

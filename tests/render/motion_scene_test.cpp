@@ -10,7 +10,7 @@
 namespace motion_scene_test {
 namespace {
 
-constexpr int kWidth = 48, kHeight = 8;
+constexpr int kWidth = 48;
 
 /// An orthographic view of x from -3 to 3, from above onto a black sphere of radius 1 before a
 /// white sky; `camera` and `sphere` are what moves or places each.

@@ -39,7 +39,7 @@ class LoadedLibrary {
 fs::path image_library_file() {
     const fs::path bin = boost::dll::program_location().parent_path();
     for (const char* folder : {LXS_INSTALLED_IMAGES, LXS_BUILT_IMAGES}) {
-        const fs::path file = bin / folder / LXS_IMAGES_MODULE;
+        fs::path file = bin / folder / LXS_IMAGES_MODULE;
         std::error_code unknown;
         if (fs::exists(file, unknown)) return file;
     }

@@ -15,6 +15,7 @@ std::optional<Product> PluginFactory::make(
     const auto found = registered.find(set.plugin);
     if (found == registered.end()) {
         std::vector<std::string> rendered;
+        rendered.reserve(registered.size());
         for (const auto& entry : registered)
             rendered.push_back(entry.first);
         report_missing(kind, set, rendered);

@@ -118,7 +118,7 @@ std::string resolve_asset(const std::string& name, const std::string& main_direc
     for (const Candidate& candidate : wanted) {
         const CaseSearch search(candidate);
         if (search.found().empty()) continue;
-        const std::string like = tidy(search.found());
+        std::string like = tidy(search.found());
         diagnostics.fallback(
             where,
             "no file " + in_quotes(name) + ", but " + in_quotes(like) + ", of other letter case",

@@ -131,8 +131,9 @@ Piecewise2D LatLongMap::importance(const std::function<double(const Vec2& st)>& 
     }
     std::vector<float> weights(w * h);
     for (std::size_t i = 0; i < w * h; ++i) {
-        const Vec2 center((static_cast<float>(i % w) + 0.5f) / static_cast<float>(w),
-                          (static_cast<float>(i / w) + 0.5f) / static_cast<float>(h));
+        const std::size_t x = i % w, y = i / w;
+        const Vec2 center((static_cast<float>(x) + 0.5f) / static_cast<float>(w),
+                          (static_cast<float>(y) + 0.5f) / static_cast<float>(h));
         weights[i] = static_cast<float>(sums[i] / counts[i] * weight(center));
     }
     return Piecewise2D(w, h, weights);
@@ -141,8 +142,9 @@ Piecewise2D LatLongMap::importance(const std::function<double(const Vec2& st)>& 
 Rgb LatLongMap::integral(const std::function<double(const Vec2& st)>& weight) const {
     Imath::V3d sum(0.0);
     for (std::size_t i = 0; i < pixels_.size(); ++i) {
-        const Vec2 center((static_cast<float>(i % width_) + 0.5f) / static_cast<float>(width_),
-                          (static_cast<float>(i / width_) + 0.5f) / static_cast<float>(height_));
+        const std::size_t x = i % width_, y = i / width_;
+        const Vec2 center((static_cast<float>(x) + 0.5f) / static_cast<float>(width_),
+                          (static_cast<float>(y) + 0.5f) / static_cast<float>(height_));
         sum += Imath::V3d(pixels_[i]) * weight(center);
     }
     return Rgb(sum / static_cast<double>(pixels_.size()));

@@ -108,6 +108,7 @@ void report_no_effect(const ParameterSet& set, const std::vector<const Parameter
                       Diagnostics& diagnostics) {
     if (values.empty()) return;
     std::vector<std::string_view> names;
+    names.reserve(values.size());
     for (const ParameterValue* value : values)
         names.push_back(value->name);
     diagnostics.warning(values.front()->where,

@@ -16,6 +16,7 @@ template <class Presets>
 void warn_of_unknown_preset(const ParameterReader& reader, std::string_view parameter,
                             std::string_view kind, const Presets& known, std::string_view used) {
     std::vector<std::string> names;
+    names.reserve(known.size());
     for (const auto& preset : known)
         names.emplace_back(preset.name);
     reader.diagnostics().fallback(reader.where(parameter),

@@ -10,9 +10,9 @@ namespace lxs {
 /// A point of a quadric in the space of its enclosing object.
 struct QuadricPoint {
     Imath::V3d p;
-    Imath::V3d normal;  ///< unit; the side that dpdu x dpdv points to
-    Imath::V3d dpdu;    ///< zero at a pole
-    Imath::V3d dpdv;
+    Imath::V3d normal;     ///< unit; the side that dpdu x dpdv points to
+    Imath::V3d dpdu;       ///< zero at a pole
+    Imath::V3d dpdv{0.0};  ///< zero at a pole, a disk's centre and the vertex of a paraboloid
     Vec2 uv;
 };
 

@@ -281,6 +281,7 @@ void TracedScene::state(StateArchive& archive) {
     for (const auto& light : area_lights_)
         counters.push_back(&light->refused_values());
     std::vector<std::uint64_t> totals;
+    totals.reserve(counters.size());
     for (const RefusedValues* counter : counters)
         totals.push_back(counter->total());
     archive.fixed(totals);

@@ -107,6 +107,7 @@ TEST(Gather, CountsTheAcceptedPhotonsOfEachPoint) {
 TEST(Gather, RadiusPerPoint) {
     const Vec3 up{0, 0, 1};
     std::vector<Landing> landings;
+    landings.reserve(20);
     for (int i = 0; i < 20; ++i)
         landings.push_back(landing_at({0.01f * float(i) + 0.005f, 0, 0}, up, up));
     const std::vector<float> own{0.1f};

@@ -92,10 +92,11 @@ class KnownNodes : public testing::Test {
         for (const bool is_second : {false, true}) {
             std::vector<KnownPath> paths;
             for (std::uint32_t i = 0; i < 12; ++i) {
-                const float x = float(i % 4), y = float(i / 4);
+                const std::uint32_t x = i % 4, y = i / 4;
                 if (i == 0 || (i == 4 && is_second)) continue;
-                const Vec3 point = i == 11 && !is_second ? Vec3{0, 0, 0} : Vec3{x, y, 0};
-                paths.push_back({{x + 0.5f, y + 0.25f}, true, point});
+                const Vec3 point =
+                    i == 11 && !is_second ? Vec3{0, 0, 0} : Vec3{float(x), float(y), 0};
+                paths.push_back({{float(x) + 0.5f, float(y) + 0.25f}, true, point});
             }
             paths.push_back({{0.5f, 0.5f}, false, {}});
             const EyeImage image = eye_image(paths);
@@ -181,7 +182,7 @@ TEST(OneNode, GuidedShareIsThatOfAllBouncesOfTheLastPass) {
     const double guided = double(r.statistics.guided_bounces - before.guided_bounces);
     const auto share = float(guided / double(r.statistics.bounces - before.bounces));
     EXPECT_GT(share, 0.3);
-    EXPECT_EQ(r.film.layers().at("guidedshare"), Layer(kSize * kSize, share));
+    EXPECT_EQ(r.film.layers().at("guidedshare"), Layer(std::size_t{kSize} * kSize, share));
 }
 
 }  // namespace

@@ -100,7 +100,8 @@ TEST_P(DebugLayers, WithoutPhotonsTheirLayersAreBlack) {
     const auto r = render(no_photons);
     EXPECT_EQ(r.film.color_layers().at("photons").mean(), 0);
     EXPECT_EQ(r.film.layers().size(), 1u) << "a guide that is not needed has no nodes";
-    EXPECT_EQ(r.film.layers().at("photondensity"), std::vector<float>(kWidth * kHeight, 0.0f));
+    EXPECT_EQ(r.film.layers().at("photondensity"),
+              std::vector<float>(std::size_t{kWidth} * kHeight, 0.0f));
 }
 
 TEST_P(DebugLayers, LeaveTheImageAsItIs) {
@@ -202,8 +203,9 @@ TEST(PhotonDensity, OfAPointLightBeforeAWall) {
     const std::vector<float>& layer = r.film.layers().at("photondensity");
     double measured = 0, expected = 0;
     for (std::size_t i = 0; i < layer.size(); ++i) {
-        const double x = 2 * kHalf * (2 * (double(i % kSize) + 0.5) / kSize - 1);
-        const double z = 2 * kHalf * (2 * (double(i / kSize) + 0.5) / kSize - 1);
+        const std::size_t column = i % kSize, row = i / kSize;
+        const double x = 2 * kHalf * (2 * (double(column) + 0.5) / kSize - 1);
+        const double z = 2 * kHalf * (2 * (double(row) + 0.5) / kSize - 1);
         const double d = std::sqrt(x * x + z * z + kHeightOfLight * kHeightOfLight);
         const double density = 100000 * kHeightOfLight / (4 * std::numbers::pi * std::pow(d, 3));
         EXPECT_NEAR(layer[i], density, 0.1 * density) << "pixel " << i;

@@ -49,7 +49,8 @@ std::vector<Landing> landings_on_floor(std::uint64_t seed) {
 EyeImage floor_from_above() {
     EyeImage image;
     for (std::uint32_t i = 0; i < kSize * kSize; ++i) {
-        const float x = float(i % kSize) + 0.5f, y = float(i / kSize) + 0.5f;
+        const std::uint32_t column = i % kSize, row = i / kSize;
+        const float x = float(column) + 0.5f, y = float(row) + 0.5f;
         image.positions.push_back({x, y});
         if (i == 0) continue;
         VisiblePoint point;
@@ -62,10 +63,11 @@ EyeImage floor_from_above() {
 
 /// The node whose box holds `p`, found without the tree's own descent; kNoGuideNode for pixel 0.
 std::vector<std::uint32_t> nodes_by_boxes(const NodeTree& tree) {
-    std::vector<std::uint32_t> nodes(kSize * kSize, kNoGuideNode);
+    std::vector<std::uint32_t> nodes(std::size_t{kSize} * kSize, kNoGuideNode);
     for (std::uint32_t i = 1; i < nodes.size(); ++i) {
-        const float x = (float(i % kSize) + 0.5f) / float(kSize);
-        const float y = (float(i / kSize) + 0.5f) / float(kSize);
+        const std::uint32_t column = i % kSize, row = i / kSize;
+        const float x = (float(column) + 0.5f) / float(kSize);
+        const float y = (float(row) + 0.5f) / float(kSize);
         for (std::uint32_t n = 0; n < tree.node_count(); ++n) {
             const Bounds& box = tree.node(n).bounds;
             if (x >= box.lower.x && x < box.upper.x && y >= box.lower.y && y < box.upper.y &&
@@ -92,7 +94,7 @@ TEST(NodeLayers, ShowTheTreeAtTheVisiblePoints) {
 
     mock::Film film(kSize, kSize);
     NodeLayers layers(film, guide);
-    std::vector<std::uint32_t> pixels(kSize * kSize);
+    std::vector<std::uint32_t> pixels(std::size_t{kSize} * kSize);
     for (std::uint32_t i = 0; i < pixels.size(); ++i)
         pixels[i] = i;
     layers.show(image, pixels, bounces);

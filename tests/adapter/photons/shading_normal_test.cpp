@@ -66,16 +66,16 @@ TEST(ShadingNormal, LightPassedOnMatchesRadianceSeen) {
     constexpr std::uint32_t kWide = 200;
     Settings settings = mock::small_settings(42, 1000);
     settings.max_photon_depth = 1;  // direct light only: shadow rays
-    double seen = 0, weight = 0;
+    double seen = 0;
     const float half = 8;
     const mock::Camera down{{0, 0, 0.4999f}, {0, 0, -1}, {half, 0, 0}, {0, half, 0}, kWide, kWide};
     const auto image = mock::render(scene, down, kWide, kWide, settings, 4).film.image();
     for (std::uint32_t i = 0; i < kWide * kWide; ++i) {
-        const double x = half * (2 * (double(i % kWide) + 0.5) / kWide - 1);
-        const double y = half * (2 * (double(i / kWide) + 0.5) / kWide - 1);
+        const std::uint32_t column = i % kWide, row = i / kWide;
+        const double x = half * (2 * (double(column) + 0.5) / kWide - 1);
+        const double y = half * (2 * (double(row) + 0.5) / kWide - 1);
         const double w = 1 / ((1 + x * x + y * y) * (1 + x * x + y * y));  // cosine * solid angle
         seen += w * luminance(image[i]);
-        weight += w;
     }
     // The image plane covers all but a sliver of the hemisphere, where nothing is lit.
     const double irradiance = seen * (2 * half / kWide) * (2 * half / kWide);

@@ -58,7 +58,7 @@ TEST(SeenShare, IsLookedForLongerWhereItIsSmall) {
     EXPECT_EQ(first.traced, 16384u);
     EXPECT_LT(first.seen, 32u);
     EXPECT_GT(longer.traced, first.traced);
-    EXPECT_TRUE(longer.seen >= 32 || longer.traced == 16 * 16384u);
+    EXPECT_TRUE(longer.seen >= 32 || longer.traced == 16 * first.traced);
     EXPECT_GE(longer.seen, first.seen);
 }
 

@@ -34,9 +34,10 @@ Settings settings_with(std::uint32_t photons) {
 EyeImage plane_image() {
     EyeImage image;
     for (std::uint32_t i = 0; i < kSize * kSize; ++i) {
-        const Vec2 film{float(i % kSize) + 0.5f, float(i / kSize) + 0.5f};
+        const std::uint32_t x = i % kSize, y = i / kSize;
+        const Vec2 film{float(x) + 0.5f, float(y) + 0.5f};
         VisiblePoint point;
-        point.position = {(film.x - kSize / 2) * kPixel, (film.y - kSize / 2) * kPixel, 0};
+        point.position = {(film.x - 0.5f * kSize) * kPixel, (film.y - 0.5f * kSize) * kPixel, 0};
         point.geometric_normal = point.shading_normal = point.wo = {0, 0, 1};
         point.kd = point.throughput = kWhite;
         point.sample = i;
@@ -66,7 +67,7 @@ ProbeSums probe_of(double excess, int photons, double value) {
 /// The same in all probes.
 PhotonFlux flux_with(const SearchRadii& radii, const ProbeSums& sums) {
     PhotonFlux flux;
-    flux.reset(kSize * kSize, 1, radii.probes.size());
+    flux.reset(std::size_t{kSize} * kSize, 1, radii.probes.size());
     std::fill(flux.probes.begin(), flux.probes.end(), sums);
     return flux;
 }
@@ -231,7 +232,8 @@ TEST(AdaptiveRadius, MemoryIsFlatAndWithinItsBound) {
         if (pass == 16) bytes = adaptive.memory_bytes();
     }
     EXPECT_EQ(adaptive.memory_bytes(), bytes);
-    EXPECT_LE(bytes, AdaptiveRadius::memory_bound_bytes(kSize * kSize, kSize * kSize));
+    constexpr std::size_t kPixels = std::size_t{kSize} * kSize;
+    EXPECT_LE(bytes, AdaptiveRadius::memory_bound_bytes(kPixels, kPixels));
 }
 
 TEST(AdaptiveRadius, EngineStaysBelowItsBoundAndFlat) {

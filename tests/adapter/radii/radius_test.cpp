@@ -39,7 +39,7 @@ TEST(Radius, FollowsPixelFootprints) {
     Settings settings = mock::small_settings(93, 1000);
     settings.start_radius = 3;
     const mock::Sampler sampler(1);
-    float radius[2];
+    float radius[2]{};
     for (const int i : {0, 1}) {
         const std::uint32_t size = i ? 64 : 32;
         const auto camera = mock::camera_along_y({0, -0.9f, 0}, 1, size, size);

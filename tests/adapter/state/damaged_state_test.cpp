@@ -78,14 +78,14 @@ TEST_P(DamagedState, CutShortIsRefused) {
 /// One number of eight bytes, or of four, replaced: what breaks sizes, indices and sums.
 TEST_P(DamagedState, WrongNumbersDoNoHarm) {
     const Saved saved = saved_after(GetParam(), 2);
-    const double kBad[] = {std::numeric_limits<double>::quiet_NaN(),
-                           std::numeric_limits<double>::infinity(),
-                           -1,
-                           0,
-                           5e-324,
-                           1e300,
-                           std::bit_cast<double>(~std::uint64_t{0} >> 1),
-                           std::bit_cast<double>(std::uint64_t{0x0000000300000005})};
+    const double wrong[] = {std::numeric_limits<double>::quiet_NaN(),
+                            std::numeric_limits<double>::infinity(),
+                            -1,
+                            0,
+                            5e-324,
+                            1e300,
+                            std::bit_cast<double>(~std::uint64_t{0} >> 1),
+                            std::bit_cast<double>(std::uint64_t{0x0000000300000005})};
     RandomStream random(7, 0, 0, RandomDomain::Photon);
     for (unsigned trial = 0; trial < kTrials; ++trial) {
         mock::Bytes state = saved.state;
@@ -94,9 +94,9 @@ TEST_P(DamagedState, WrongNumbersDoNoHarm) {
             trial % 2 ? state.size() : std::min<std::size_t>(600, state.size());
         const std::size_t at = std::size_t(random.next() * float(range - 8));
         const std::size_t size = random.next() < 0.5f ? 8 : 4;
-        const auto bad = float(kBad[trial % std::size(kBad)]);
+        const auto bad = float(wrong[trial % std::size(wrong)]);
         std::memcpy(&state[at],
-                    size == 8 ? static_cast<const void*>(&kBad[trial % std::size(kBad)]) : &bad,
+                    size == 8 ? static_cast<const void*>(&wrong[trial % std::size(wrong)]) : &bad,
                     size);
         SCOPED_TRACE(testing::Message() << size << " bytes at " << at);
         refused(GetParam(), state, saved.film);

@@ -22,8 +22,6 @@
 namespace bench {
 namespace {
 
-namespace fs = std::filesystem;
-
 /// What all steps of the command need.
 struct Context {
     const PaperRequest& request;

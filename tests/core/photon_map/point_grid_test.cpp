@@ -19,6 +19,7 @@ TEST(PointGrid, AgreesWithBruteForce) {
     for (const float radius : {0.01f, 0.1f, 0.5f}) {
         RandomStream random(1, 0, std::uint64_t(1000 * radius), RandomDomain::Photon);
         std::vector<Vec3> points;
+        points.reserve(300);
         for (int i = 0; i < 300; ++i)
             points.push_back(random_point(random, 2));
         PointGrid grid;

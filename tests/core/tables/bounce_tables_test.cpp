@@ -99,7 +99,7 @@ TEST(BounceTables, DirectionsFollowTheirDensity) {
         const BounceTable in_use = tables.at({0.5f, 0.5f, 0.5f}, normal);
         ASSERT_TRUE(in_use.table);
         const Frame frame = Frame::world_aligned(normal);
-        std::vector<double> observed(kBins * kBins), expected(kBins * kBins);
+        std::vector<double> observed(std::size_t{kBins} * kBins), expected(observed.size());
         RandomStream random(3, 0, 0, RandomDomain::Guide);
         for (int i = 0; i < kDraws; ++i) {
             const Vec3 w =
@@ -108,8 +108,8 @@ TEST(BounceTables, DirectionsFollowTheirDensity) {
         }
         double sum = 0;
         for (int i = 0; i < kBins * kSub * kBins * kSub; ++i) {
-            const Vec2 u{(float(i % (kBins * kSub)) + 0.5f) / (kBins * kSub),
-                         (float(i / (kBins * kSub)) + 0.5f) / (kBins * kSub)};
+            const int x = i % (kBins * kSub), y = i / (kBins * kSub);
+            const Vec2 u{(float(x) + 0.5f) / (kBins * kSub), (float(y) + 0.5f) / (kBins * kSub)};
             const Vec3 w = square_to_uniform_sphere(u);
             const float cosine = dot(w, normal);
             if (cosine <= 0) continue;
@@ -197,7 +197,8 @@ TEST(BounceTables, HalvesInheritTheTable) {
     EXPECT_GT(a.share, 0);
     EXPECT_EQ(a.share, b.share);
     for (int i = 0; i < 64; ++i) {
-        const Vec2 p{(float(i % 8) + 0.5f) / 8, (float(i / 8) + 0.5f) / 8};
+        const int x = i % 8, y = i / 8;
+        const Vec2 p{(float(x) + 0.5f) / 8, (float(y) + 0.5f) / 8};
         EXPECT_NEAR(a.table->pdf(p), b.table->pdf(p), 1e-5f);
     }
 }

@@ -46,7 +46,7 @@ void expect_draws_follow_pdf(const Table& table, int n, int tests) {
     for (int y = 0; y < parts; ++y) {
         for (int x = 0; x < parts; ++x) {
             const Vec2 center{(float(x) + 0.5f) / float(parts), (float(y) + 0.5f) / float(parts)};
-            expected[std::size_t(y * parts + x)] =
+            expected[std::size_t(y) * std::size_t(parts) + std::size_t(x)] =
                 double(table.pdf(center)) * kDraws / (double(parts) * parts);
         }
     }

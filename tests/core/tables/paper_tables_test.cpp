@@ -191,7 +191,7 @@ TEST(PaperTables, FollowsNeighboursThatSplit) {
     tree.update_errors(GivenErrors({2, 2, 2, 2, 2, 4, 2, 2, 12, 2}), false);
     tables.update(tree, {});
     const float aside = value_towards(tables, tree, here, {0.2f, 0.5f, 0.9f});
-    EXPECT_NEAR(value_towards(tables, tree, here, {0.9f, 0.5f, 0.5f}) / aside, (4 + 12) / 2 / 2.0,
+    EXPECT_NEAR(value_towards(tables, tree, here, {0.9f, 0.5f, 0.5f}) / aside, (4 + 12) / 2.0 / 2.0,
                 1e-4);
 }
 

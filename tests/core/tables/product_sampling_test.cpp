@@ -21,7 +21,7 @@ float lambert_pdf(Vec3 w) {
 
 /// A table with strong contrasts and the products with Lambert's density.
 std::vector<float> make_products(const PaperTables& tables) {
-    std::vector<float> relative(kResolution * kResolution);
+    std::vector<float> relative(std::size_t{kResolution} * kResolution);
     for (std::size_t i = 0; i < relative.size(); ++i)
         relative[i] = i % 7 == 0 ? 5.0f : 0.1f;
     std::vector<float> products(relative.size());
@@ -63,7 +63,7 @@ TEST(ProductSampling, DirectionsFollowTheirSolidAnglePdf) {
     const PaperTables tables({.resolution = kResolution});
     const std::vector<float> products = make_products(tables);
     const CellWeights weights(products, kResolution);
-    std::vector<double> observed(kBins * kBins), expected(kBins * kBins);
+    std::vector<double> observed(std::size_t{kBins} * kBins), expected(observed.size());
     RandomStream random(21, 0, 0, RandomDomain::Guide);
     for (int i = 0; i < kDraws; ++i) {
         const DirectionSample s = sample_direction(weights, random.next2());

@@ -41,10 +41,11 @@ TEST(Triweight, IntegratesToOneWithItsSecondMomentAndAFlatLaplacian) {
 }
 
 TEST(Triweight, LaplacianIsThatOfTheKernel) {
-    constexpr double h = 1e-4;
+    constexpr double kStep = 1e-4;
     for (double s = 0.05; s < 0.95; s += 0.05) {
-        const double second = (triweight(s + h) - 2 * triweight(s) + triweight(s - h)) / (h * h);
-        const double first = (triweight(s + h) - triweight(s - h)) / (2 * h);
+        const double second =
+            (triweight(s + kStep) - 2 * triweight(s) + triweight(s - kStep)) / (kStep * kStep);
+        const double first = (triweight(s + kStep) - triweight(s - kStep)) / (2 * kStep);
         EXPECT_NEAR(triweight_laplacian(s), second + first / s, 1e-4);
     }
 }
@@ -148,8 +149,8 @@ TEST_F(PaperCriterion, ExtremePowersStayFinite) {
         extreme.weight = 1e10;
         std::vector<NodePhoton> many;
         for (int i = 0; i < 32; ++i) {
-            const float there = float(i % 6);
-            many.push_back({{there, float(i / 6), 0}, i % 2 ? power : 0.0f});
+            const int x = i % 6, y = i / 6;
+            many.push_back({{float(x), float(y), 0}, i % 2 ? power : 0.0f});
             extreme.values.add(double(many.back().value));
         }
         const double error = PaperErrorCriterion().error({extreme, many, 1e100});

@@ -85,8 +85,8 @@ TEST(ScoreCache, ExpectationsAreTheMeansOfThePieces) {
         double score = 0, cost = 0;
         constexpr int kSide = 200;
         for (int i = 0; i < kSide * kSide; ++i) {
-            const Vec3 p{x + 0.5f * (float(i % kSide) + 0.5f) / kSide,
-                         (float(i / kSide) + 0.5f) / kSide, 0};
+            const int column = i % kSide, row = i / kSide;
+            const Vec3 p{x + 0.5f * (float(column) + 0.5f) / kSide, (float(row) + 0.5f) / kSide, 0};
             const auto expected = cache.at(p, kUp);
             score += double(expected.score) / (kSide * kSide);
             cost += double(expected.cost) / (kSide * kSide);
@@ -141,7 +141,8 @@ TEST(ScoreCache, RareScoresMakeNoLeafWorthlessByChance) {
         cache.update(10000);
         constexpr int kSide = 50;
         for (int i = 0; i < kSide * kSide; ++i) {
-            const Vec3 p{float(i % kSide) / kSide, float(i / kSide) / kSide, 0};
+            const int x = i % kSide, y = i / kSide;
+            const Vec3 p{float(x) / kSide, float(y) / kSide, 0};
             ASSERT_GT(cache.at(p, kUp).score, 0.2f) << "block " << b;
             ASSERT_LT(cache.at(p, kUp).score, 5.0f) << "block " << b;
         }

@@ -30,9 +30,9 @@ TEST_F(CommandLineTest, HelpNamesOptionsAndExitCodes) {
 // The scene may stand behind an option that may be repeated.
 TEST_F(CommandLineTest, RepeatableOptionsTakeOneValueEach) {
     folder_.write("scene.lxs", small_scene());
-    const RunResult result =
-        run({"--set", "path.maxdepth=2", "--plugin-path", TEST_MODULES "/troublesome", "scene.lxs",
-             "--passes", "1", "--set", "path.rrcontinueprob=0.5", "--integrator", "path"});
+    const RunResult result = run(
+        {"--set", "path.maxdepth=2", "--plugin-path", std::string(TEST_MODULES) + "/troublesome",
+         "scene.lxs", "--passes", "1", "--set", "path.rrcontinueprob=0.5", "--integrator", "path"});
     EXPECT_EQ(result.exit_code, 0) << result.err;
     EXPECT_THAT(result.err, HasSubstr("path: maxdepth 2 bounces"));
     EXPECT_THAT(result.err, HasSubstr("rrcontinueprob 0.5"));

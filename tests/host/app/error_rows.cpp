@@ -107,6 +107,7 @@ struct WrittenCause {
 /// What main() of lxsrender does.
 [[noreturn]] void act_as_lxsrender(const std::vector<std::string>& arguments) {
     std::vector<const char*> pointers;
+    pointers.reserve(arguments.size());
     for (const std::string& argument : arguments)
         pointers.push_back(argument.c_str());
     CommandLine command;
@@ -187,7 +188,7 @@ RunResult render_with_vanishing_texture(const TemporaryFolder& folder) {
                                      "  \"point P\" [-2 -2 -2  2 -2 -2  2 -2 2  -2 -2 2]\n"
                                      "  \"float uv\" [0 0  1 0  1 1  0 1]"));
     return run_lxsrender(folder, {"scene.lxs", "--passes", "40", "--integrator", "saboteur",
-                                  "--plugin-path", TEST_MODULES "/saboteur", "--set",
+                                  "--plugin-path", std::string(TEST_MODULES) + "/saboteur", "--set",
                                   "saboteur.deed=truncate", "--set", "saboteur.victim=t.tif"});
 }
 

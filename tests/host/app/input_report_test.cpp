@@ -168,8 +168,8 @@ TEST_F(InputReport, RenderersOfOtherVersionsAreTheNearest) {
         const RunResult run = render("Renderer \"" + name + "\" \"string config\" [\"a = b\"]", "");
         EXPECT_EQ(run.exit_code, 0) << run.err;
         const std::string nearest = name == "hybridsppm" ? "sppm" : "sampler";
-        EXPECT_THAT(run.err, HasSubstr("warning: Renderer \"" + name + "\" is not rendered; \"" +
-                                       nearest + "\" is used instead"));
+        const std::string warning = "warning: Renderer \"" + name + "\" is not rendered; \"";
+        EXPECT_THAT(run.err, HasSubstr(warning + nearest + "\" is used instead"));
         EXPECT_THAT(run.err, HasSubstr(nearest == "sppm" ? "with \"sppm\"" : "with \"path\""));
     }
 }

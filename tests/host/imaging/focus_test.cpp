@@ -19,7 +19,8 @@ TEST(Aperture, APolygonIsFilledUniformly) {
     double squares = 0;
     const double apothem = std::cos(std::numbers::pi / kBlades);
     for (int i = 0; i < kSide * kSide; ++i) {
-        const Vec2 u((float(i % kSide) + 0.5f) / kSide, (float(i / kSide) + 0.5f) / kSide);
+        const int column = i % kSide, row = i / kSide;
+        const Vec2 u((float(column) + 0.5f) / kSide, (float(row) + 0.5f) / kSide);
         const Imath::V2d p = aperture_point(u, kBlades);
         double angle = std::atan2(p.y, p.x) / (2 * std::numbers::pi) * kBlades;
         if (angle < 0) angle += kBlades;
@@ -30,7 +31,7 @@ TEST(Aperture, APolygonIsFilledUniformly) {
         squares += p.length2();
     }
     for (const int count : counts)
-        EXPECT_NEAR(count, kSide * kSide / kBlades, kSide);
+        EXPECT_NEAR(count, kSide * kSide / double(kBlades), kSide);
     // Mean over a triangle with corners 0, a, b of |p|^2: (|a|^2 + |b|^2 + a b) / 6.
     const double expected = (2 + std::cos(2 * std::numbers::pi / kBlades)) / 6;
     EXPECT_NEAR(squares / (kSide * kSide), expected, 0.002);

@@ -17,6 +17,7 @@ namespace {
 
 std::vector<float> settled(const std::vector<float>& row, std::uint32_t reach) {
     std::vector<Rgb> pixels;
+    pixels.reserve(row.size());
     for (const float value : row)
         pixels.emplace_back(value, 2.0f, -value);
     settle_debts({pixels, static_cast<std::uint32_t>(row.size()), 1, reach, reach});
@@ -153,7 +154,7 @@ TEST(FilmDebts, NoFrameIsBlackBeyondTheFiltersOwn) {
         };
         int black = 0;
         for (std::size_t x = 0; x < 41; ++x) {  // a row through the lamp
-            const double own = filtered(x, 17), shown = image[17 * 41 + x].x;
+            const double own = filtered(x, 17), shown = image[std::size_t{17} * 41 + x].x;
             black += shown == 0 ? 1 : 0;
             EXPECT_EQ(shown > 0, own > 0) << filter.plugin << " at " << x;
             if (x < 3) {
@@ -229,7 +230,7 @@ TEST(FilmDebts, SameBitsForAnyNumberOfThreads) {
     for (const unsigned threads : {1u, 2u, 7u}) {
         concurrency::run_on(threads, [&] {
             const auto film = make(scene_with({"catmullrom", {}}, 120));
-            const Samples samples = random_samples(*film, 120 * 120 * 4, 5, [](float u) {
+            const Samples samples = random_samples(*film, 57600, 5, [](float u) {
                 return u < 0.05f ? Rgb(1 / (u + 1e-3f), u, 1) : Rgb(0.0f);
             });
             film->add_pass(samples.pass());

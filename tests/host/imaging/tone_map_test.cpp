@@ -100,6 +100,7 @@ void expect_greys(ToneMapSettings settings, const std::vector<float>& levels,
                   const std::vector<double>& expected) {
     settings.gamma = 1;
     std::vector<Rgb> image;
+    image.reserve(levels.size());
     for (const float level : levels)
         image.emplace_back(level);
     const auto bytes = tone_map(image, settings);
@@ -189,7 +190,7 @@ TEST(ToneMap, LuminanceIsThatOfTheFilmsColours) {
     settings.clamp = Clamp::Luminance;
     const auto bytes = tone_map(image, settings);
     // 0.2 + t (2 - 0.2) = 1 for t = 4/9.
-    EXPECT_EQ(bytes[0], static_cast<std::uint8_t>(255 * (0.2 - 0.2 * 4 / 9) + 0.5));
+    EXPECT_EQ(bytes[0], std::lround(255 * (0.2 - 0.2 * 4 / 9)));
     EXPECT_EQ(bytes[2], 255);
 }
 

@@ -16,6 +16,7 @@ namespace lxs::test::metropolis_chain_test {
 namespace {
 
 constexpr std::uint32_t kSize = kLandscapeSize;
+constexpr std::size_t kPixels = std::size_t{kSize} * kSize;
 
 /// Student tests of every pixel and the mean against the closed form over independent chains,
 /// at a family-wise significance of 1e-3 (Sidak).
@@ -30,8 +31,8 @@ bool agrees(const ChainRun& run, const std::string& name) {
         images.back().push_back(sum);
     }
     double smallest = 1, detectable = 0;
-    for (std::size_t k = 0; k <= kSize * kSize; ++k) {
-        const double expected = k == kSize * kSize
+    for (std::size_t k = 0; k <= kPixels; ++k) {
+        const double expected = k == kPixels
                                     ? landscape_mean()
                                     : landscape_height(static_cast<std::uint32_t>(k % kSize),
                                                        static_cast<std::uint32_t>(k / kSize));
@@ -47,7 +48,7 @@ bool agrees(const ChainRun& run, const std::string& name) {
             EXPECT_EQ(mean, 0) << "light in a black pixel";
             continue;
         }
-        if (k == kSize * kSize) detectable = 5 * error / expected;
+        if (k == kPixels) detectable = 5 * error / expected;
         smallest =
             std::min(smallest, statistics::student_p((mean - expected) / error, kChains - 1));
     }

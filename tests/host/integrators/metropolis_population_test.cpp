@@ -25,7 +25,7 @@ class RareLight final : public MetropolisTarget {
     void evaluate(PrimarySample& sample, Contribution& contribution) override {
         contribution.position = sample.next_2d() * static_cast<float>(kFilm);
         const float u = sample.next();
-        double value = contribution.position.x < kFilm / 2 ? 1 : 0.01;
+        double value = contribution.position.x < 0.5f * kFilm ? 1 : 0.01;
         if (pixel_of(contribution.position) == kRarePixel && u < kRareWidth)
             value = kRareBrightness;
         contribution.radiance.assign(1, Rgb(static_cast<float>(value)));
@@ -74,7 +74,7 @@ Parts render(const MetropolisSettings& settings, std::uint64_t seed, int passes)
         for (std::size_t i = 0; i < splats.positions.size(); ++i) {
             const Vec2 at = splats.positions[i];
             const std::size_t part =
-                RareLight::pixel_of(at) == kRarePixel ? 0 : (at.x < kFilm / 2 ? 1 : 2);
+                RareLight::pixel_of(at) == kRarePixel ? 0 : (at.x < 0.5f * kFilm ? 1 : 2);
             parts[part] += splats.radiance[i].x / double(splats.mutations) / passes;
         }
     }

@@ -31,14 +31,14 @@ WorldEnd
 
 /// Replaces, removes, doubles or moves bytes, a few times.
 std::string damaged(std::mt19937& random) {
-    static const std::string kBytes = "[]\"#\\ \n0-.e+\x01\x7f\xc3" + std::string(1, '\0');
+    static const std::string bytes = "[]\"#\\ \n0-.e+\x01\x7f\xc3" + std::string(1, '\0');
     std::string text = kScene;
     const auto below = [&](std::size_t n) { return static_cast<std::size_t>(random() % n); };
     for (std::size_t i = 0; i <= below(4); ++i) {
         const std::size_t at = below(text.size());
         switch (below(4)) {
             case 0:
-                text[at] = kBytes[below(kBytes.size())];
+                text[at] = bytes[below(bytes.size())];
                 break;
             case 1:
                 text.erase(at, 1 + below(12));
@@ -47,7 +47,7 @@ std::string damaged(std::mt19937& random) {
                 text.insert(at, text.substr(below(text.size()), 1 + below(40)));
                 break;
             default:
-                text.insert(at, 1, kBytes[below(kBytes.size())]);
+                text.insert(at, 1, bytes[below(bytes.size())]);
         }
     }
     return text;

@@ -97,6 +97,7 @@ TEST(UnknownNameMessage, ListsTheNearestFirst) {
 
 TEST(UnknownNameMessage, CutsALongList) {
     std::vector<std::string> known;
+    known.reserve(50);
     for (int i = 0; i < 50; ++i)
         known.push_back("m" + std::to_string(i));
     const std::string message = unknown_name_message("material", "zzzz", known);
@@ -108,6 +109,7 @@ TEST(UnknownNameMessage, CutsALongList) {
 /// Copies of an error are told alike, however often and wherever they are asked.
 TEST(InputError, IsFormattedWithItsPlace) {
     const InputError error(place("a b\n", 1, 3), "bad");
+    // NOLINTNEXTLINE(performance-unnecessary-copy-initialization): it is the copy that is tested
     const InputError copy = error;
     EXPECT_STREQ(copy.what(), "a.lxs:1:3: error: bad\n  a b\n    ^");
     EXPECT_EQ(copy.what(), error.what());

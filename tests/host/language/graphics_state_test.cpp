@@ -142,7 +142,7 @@ TEST(Lights, KeepTransformGroupAndMedium) {
 // LuxRender reads their L as a texture, and exporters write blackbody ones.
 TEST(Lights, TakeTheColourOfATexture) {
     const std::string texture = "Texture \"t\" \"color\" \"constant\" \"color value\" [1 0.5 0]\n";
-    for (const std::string light : {"point", "spot", "distant", "infinite"}) {
+    for (const char* light : {"point", "spot", "distant", "infinite"}) {
         const SceneContents contents =
             read_world(texture + "LightSource \"" + light + "\" \"texture L\" [\"t\"]");
         const ParameterValue& value = contents.lights.at(0).parameters.values.at(0);

@@ -115,7 +115,8 @@ TEST(Objects, ExponentialNestingIsRefused) {
     std::string world = "ObjectBegin \"0\" Shape \"sphere\" ObjectEnd\n";
     for (int level = 1; level <= 60; ++level) {
         const std::string inner = "ObjectInstance \"" + std::to_string(level - 1) + "\" ";
-        world += "ObjectBegin \"" + std::to_string(level) + "\" " + inner + inner + "ObjectEnd\n";
+        world += "ObjectBegin \"" + std::to_string(level) + "\" " + inner;
+        world += inner + "ObjectEnd\n";
     }
     EXPECT_EQ(error_of_world(world + "ObjectInstance \"60\""),
               "test.lxs:63:16: error: more than ten million instances");

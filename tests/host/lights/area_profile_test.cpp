@@ -269,9 +269,10 @@ std::vector<double> stated_shares(const Light& light) {
     std::vector<double> shares(kCosines * kAzimuths + 1, 0.0);
     Random random(7);
     for (std::size_t cell = 0; cell < kCosines * kAzimuths; ++cell) {
+        const std::size_t column = cell % kAzimuths, row = cell / kAzimuths;
         for (int i = 0; i < kSub; ++i) {
-            const double z = (double(cell / kAzimuths) + (i + random()) / kSub) / kCosines;
-            const double phi = (double(cell % kAzimuths) + random()) / kAzimuths * 2 * kPi;
+            const double z = (double(row) + (i + random()) / kSub) / kCosines;
+            const double phi = (double(column) + random()) / kAzimuths * 2 * kPi;
             const double sine = std::sqrt(1 - z * z);
             const Vec3 w(Imath::V3d(sine * std::cos(phi), sine * std::sin(phi), z));
             shares[cell] += stated_density(light, w) * 2 * kPi / (kCosines * kAzimuths * kSub);

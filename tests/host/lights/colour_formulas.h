@@ -38,18 +38,17 @@ inline Imath::V3d film_xyz(const Curve& spectrum) {
 /// Smits' nine cases over a set of base spectra.
 template <class Base>
 Curve smits(const Base& base, double r, double g, double b) {
-    enum { kWhite, kCyan, kMagenta, kYellow, kRed, kGreen, kBlue };
+    enum { White, Cyan, Magenta, Yellow, Red, Green, Blue };
     const auto sum = [&base](double least, std::size_t second, double middle, std::size_t third,
                              double most) {
         return [=](double nm) {
-            return least * base(kWhite, nm) + (middle - least) * base(second, nm) +
+            return least * base(White, nm) + (middle - least) * base(second, nm) +
                    (most - middle) * base(third, nm);
         };
     };
-    if (r <= g && r <= b) return g <= b ? sum(r, kCyan, g, kBlue, b) : sum(r, kCyan, b, kGreen, g);
-    if (g <= r && g <= b)
-        return r <= b ? sum(g, kMagenta, r, kBlue, b) : sum(g, kMagenta, b, kRed, r);
-    return r <= g ? sum(b, kYellow, r, kGreen, g) : sum(b, kYellow, g, kRed, r);
+    if (r <= g && r <= b) return g <= b ? sum(r, Cyan, g, Blue, b) : sum(r, Cyan, b, Green, g);
+    if (g <= r && g <= b) return r <= b ? sum(g, Magenta, r, Blue, b) : sum(g, Magenta, b, Red, r);
+    return r <= g ? sum(b, Yellow, r, Green, g) : sum(b, Yellow, g, Red, r);
 }
 
 /// The light of an L; negative values of the spectrum are 0.

@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <stdexcept>
+#include <utility>
 
 #include "lxs/scene/constant_texture.h"
 #include "temporary_folder.h"
@@ -208,7 +209,7 @@ Primitive profiled(Primitive primitive, const std::vector<ParameterValue>& value
 }
 
 Quadric placed(decltype(Quadric::shape) shape, const Matrix& to_world) {
-    return {shape, to_world};
+    return {std::move(shape), to_world};
 }
 
 std::vector<ExtendedLight> extended_lights() {

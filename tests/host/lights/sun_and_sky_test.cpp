@@ -13,8 +13,8 @@ constexpr double kPi = std::numbers::pi;
 
 // Irradiances, lx in the scene's colours, that LuxRender 1.9's images imply for a floor under sun
 // (0.5, -0.6, 0.7) at turbidity 2.2.
-const Rgb luxrender_sun(68190, 56580, 47320);
-const Rgb luxrender_sky(20480, 28410, 50110);
+const Rgb kLuxrenderSun(68190, 56580, 47320);
+const Rgb kLuxrenderSky(20480, 28410, 50110);
 
 ParameterValue sundir(double x, double y, double z) {
     return numbers("vector", "sundir", {x, y, z});
@@ -37,9 +37,9 @@ TEST(Sun, IrradianceOfLuxRendersSun) {
     const auto light =
         make_one("sun", {sundir(0.5, -0.6, 0.7), numbers("float", "turbidity", {2.2})});
     const Rgb e = irradiance(*light, Vec3(0, 0, 1));
-    EXPECT_NEAR(e.x / luxrender_sun.x, 1, 0.02);
-    EXPECT_NEAR(e.y / luxrender_sun.y, 1, 0.02);
-    EXPECT_NEAR(e.z / luxrender_sun.z, 1, 0.02);
+    EXPECT_NEAR(e.x / kLuxrenderSun.x, 1, 0.02);
+    EXPECT_NEAR(e.y / kLuxrenderSun.y, 1, 0.02);
+    EXPECT_NEAR(e.z / kLuxrenderSun.z, 1, 0.02);
 }
 
 TEST(Sun, SizeOfItsDisk) {
@@ -82,9 +82,9 @@ TEST(Sky, IrradianceOfLuxRendersSky) {
     const auto light =
         make_one("sky", {sundir(0.5, -0.6, 0.7), numbers("float", "turbidity", {2.2})});
     const Rgb e = irradiance(*light, Vec3(0, 0, 1));
-    EXPECT_NEAR(e.x / luxrender_sky.x, 1, 0.04);
-    EXPECT_NEAR(e.y / luxrender_sky.y, 1, 0.04);
-    EXPECT_NEAR(e.z / luxrender_sky.z, 1, 0.04);
+    EXPECT_NEAR(e.x / kLuxrenderSky.x, 1, 0.04);
+    EXPECT_NEAR(e.y / kLuxrenderSky.y, 1, 0.04);
+    EXPECT_NEAR(e.z / kLuxrenderSky.z, 1, 0.04);
     EXPECT_GT(e.z, e.x) << "the sky is blue";
 }
 

@@ -86,7 +86,8 @@ double closed_form_flux(const Block& block) {
     constexpr int kPoints = 40;
     double sum = 0;
     for (int i = 0; i < kPoints * kPoints; ++i) {
-        const double s = (i / kPoints + 0.5) / kPoints, t = (i % kPoints + 0.5) / kPoints;
+        const int row = i / kPoints, column = i % kPoints;
+        const double s = (row + 0.5) / kPoints, t = (column + 0.5) / kPoints;
         sum += irradiance(std::lerp(block.x0, block.x1, s), std::lerp(block.y0, block.y1, t));
     }
     return sum * block.area() / (kPoints * kPoints);

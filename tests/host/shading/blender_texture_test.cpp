@@ -79,8 +79,8 @@ TEST_F(BlenderTextureTest, NearestPointsAreAsFarAsTheirDensitySays) {
 TEST_F(BlenderTextureTest, CellsAreUniformNumbers) {
     double mean = 0, variance = 0;
     for (int i = 0; i < 8000; ++i) {
-        const Vec3 corner(static_cast<float>(i % 20 - 10), static_cast<float>(i / 20 % 20 - 10),
-                          static_cast<float>(i / 400 - 10));
+        const int x = i % 20 - 10, y = i / 20 % 20 - 10, z = i / 400 - 10;
+        const Vec3 corner(static_cast<float>(x), static_cast<float>(y), static_cast<float>(z));
         const double value = shading::cell_value(corner + Vec3(0.1f));
         EXPECT_EQ(value, shading::cell_value(corner + Vec3(0.9f)));
         mean += value / 8000;

@@ -159,7 +159,7 @@ TEST_F(GlassTest, DispersionBendsEachComponentByItsOwnIndex) {
             continue;
         }
         ASSERT_GE(sample.component, 0);
-        const auto c = static_cast<std::size_t>(sample.component);
+        const auto c = static_cast<std::uint8_t>(sample.component);
         ++met[c];
         const double micrometres = wavelengths.nm[c] / 1000;
         EXPECT_NEAR(sample.wi.x, -0.8 / (1.5 + 0.02 / (micrometres * micrometres)), 1e-5);
@@ -186,7 +186,7 @@ TEST_F(GlassTest, DispersionKeepsTheMeanOfEachComponent) {
                         EXPECT_EQ(mean.mean[c], 0);
                         continue;
                     }
-                    const double um = wavelengths.nm[static_cast<std::size_t>(c)] / 1000;
+                    const double um = wavelengths.nm[static_cast<std::uint8_t>(c)] / 1000;
                     const auto plain =
                         scene_.make_material("glass", {number("index", 1.4 + 0.03 / (um * um))});
                     const Bsdf& one = *memory_.scatter(*plain, shading_point());
@@ -254,7 +254,7 @@ TEST_F(GlassTest, NearlySmoothRoughGlassBendsByTheIndexOfTheComponent) {
     UniformSource u(5);
     for (std::int8_t c = 0; c < 3; ++c) {
         const Bsdf& bsdf = *memory_.scatter(*glass, point_at(wavelengths, c));
-        const double um = wavelengths.nm[static_cast<std::size_t>(c)] / 1000;
+        const double um = wavelengths.nm[static_cast<std::uint8_t>(c)] / 1000;
         double sum = 0;
         int count = 0;
         for (int i = 0; i < 20000; ++i) {

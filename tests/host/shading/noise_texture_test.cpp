@@ -52,8 +52,8 @@ TEST(PerlinNoise, GradientsPointToTheMiddlesOfACubesEdges) {
     constexpr float kStep = 1.0f / 1024;
     std::array<int, 3> zeros{};
     for (int i = 0; i < 256; ++i) {
-        const Vec3 p(static_cast<float>(i % 8), static_cast<float>(i / 8 % 8),
-                     static_cast<float>(i / 64));
+        const int x = i % 8, y = i / 8 % 8, z = i / 64;
+        const Vec3 p(static_cast<float>(x), static_cast<float>(y), static_cast<float>(z));
         Vec3 gradient;
         for (int axis = 0; axis < 3; ++axis) {
             Vec3 step(0.0f);

@@ -16,7 +16,7 @@ using namespace shading;
 class OpticalTableTest : public ::testing::Test {
   protected:
     std::string write(const std::string& text) {
-        const std::string path = folder_ / "metal.nk";
+        std::string path = folder_ / "metal.nk";
         std::ofstream(path) << text;
         return path;
     }

@@ -70,8 +70,9 @@ TEST_F(PatternTextureTest, DotsCoverTheShareOfTheirCells) {
         int inside = 0;
         for (int i = 0; i < kSteps * kSteps; ++i) {
             const auto step = [](int k) { return (static_cast<float>(k) + 0.5f) / kSteps - 0.5f; };
-            const float x = static_cast<float>(cell % kCells) + step(i % kSteps);
-            const float y = static_cast<float>(cell / kCells) + step(i / kSteps);
+            const int column = cell % kCells, row = cell / kCells;
+            const float x = static_cast<float>(column) + step(i % kSteps);
+            const float y = static_cast<float>(row) + step(i / kSteps);
             inside += dots->evaluate(at_uv(x, y)) == 1 ? 1 : 0;
         }
         covered += static_cast<double>(inside) / (kSteps * kSteps);
@@ -89,8 +90,8 @@ TEST_F(PatternTextureTest, DotsShowWhatIsNamedOutside) {
     constexpr int kSteps = 500;
     int in_dots = 0;
     for (int i = 0; i < kSteps * kSteps; ++i) {
-        const auto x = 0.08f * static_cast<float>(i % kSteps);
-        const auto y = 0.08f * static_cast<float>(i / kSteps);
+        const int column = i % kSteps, row = i / kSteps;
+        const float x = 0.08f * static_cast<float>(column), y = 0.08f * static_cast<float>(row);
         const float value = named->evaluate(at_uv(x, y));
         ASSERT_TRUE(value == 3 || value == 5);
         in_dots += value == 5 ? 1 : 0;
@@ -161,8 +162,8 @@ TEST_F(PatternTextureTest, HerringboneLaysBricksBothWays) {
     int along_x = 0, along_y = 0;
     for (int i = 0; i < 16; ++i) {
         // Steps from the middle of a cell to the next, half a joint off: on the border or within.
-        const Vec3 middle(static_cast<float>(i % 4) + 0.495f, static_cast<float>(i / 4) + 0.495f,
-                          0);
+        const int x = i % 4, y = i / 4;
+        const Vec3 middle(static_cast<float>(x) + 0.495f, static_cast<float>(y) + 0.495f, 0);
         along_x += crosses(middle, {1, 0, 0}) ? 0 : 1;
         along_y += crosses(middle, {0, 1, 0}) ? 0 : 1;
     }

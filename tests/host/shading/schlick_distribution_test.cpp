@@ -62,10 +62,10 @@ TEST(SchlickDistribution, AllQuadrantsAreDrawnAlike) {
     constexpr int kSamples = 40000;
     for (int i = 0; i < kSamples; ++i) {
         const Vec3 h = facets.sample(u.pair());
-        ++found[static_cast<std::size_t>((h.x > 0 ? 1 : 0) + (h.y > 0 ? 2 : 0))];
+        ++found[(h.x > 0 ? 1u : 0u) + (h.y > 0 ? 2u : 0u)];
     }
     for (const int n : found)
-        EXPECT_NEAR(n, kSamples / 4, 5 * std::sqrt(kSamples * 3 / 16.0));
+        EXPECT_NEAR(n, kSamples / 4.0, 5 * std::sqrt(kSamples * 3 / 16.0));
 }
 
 TEST(SchlickDistribution, NormalsCoverTheSurfaceOnce) {

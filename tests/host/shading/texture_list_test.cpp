@@ -8,7 +8,7 @@ namespace {
 
 class TextureListTest : public ::testing::Test {
   protected:
-    float band(double amount, std::vector<double> offsets) {
+    float band(double amount, const std::vector<double>& offsets) {
         return *scene_
                     .make_float("band", {number("amount", amount), numbers("offsets", offsets),
                                          number("tex1", 1), number("tex2", 3), number("tex3", 4)})

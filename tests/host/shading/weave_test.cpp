@@ -42,8 +42,9 @@ TEST(Weave, PartsAreAsLongAsTheirFloats) {
     const Weave satin{5, 4, 2};
     int warps = 0;
     for (int i = 0; i < 25; ++i) {
-        const float x = (static_cast<float>(i % 5) + 0.5f) / 5;
-        const float y = (static_cast<float>(i / 5) + 0.5f) / 5;
+        const int column = i % 5, row = i / 5;
+        const float x = (static_cast<float>(column) + 0.5f) / 5;
+        const float y = (static_cast<float>(row) + 0.5f) / 5;
         const WovenPlace place = locate_in_weave(satin, x, y);
         EXPECT_FLOAT_EQ(place.length, place.warp ? 4.0f : 1.0f);
         warps += place.warp;

@@ -12,12 +12,12 @@ namespace {
 using testing::ElementsAre;
 using testing::HasSubstr;
 
-const ParameterValue square = numbers("point", "P", {0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0});
-const ParameterValue two_triangles = numbers("integer", "triindices", {0, 1, 2, 0, 2, 3});
+const ParameterValue kSquare = numbers("point", "P", {0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0});
+const ParameterValue kTwoTriangles = numbers("integer", "triindices", {0, 1, 2, 0, 2, 3});
 
 TEST(MeshShape, AllNamesMakeTheSameMesh) {
     for (const char* name : {"mesh", "trianglemesh", "barytrianglemesh", "waldtrianglemesh"}) {
-        const TriangleMesh mesh = make_mesh(name, {square, two_triangles});
+        const TriangleMesh mesh = make_mesh(name, {kSquare, kTwoTriangles});
         EXPECT_THAT(mesh.indices, ElementsAre(0, 1, 2, 0, 2, 3)) << name;
         EXPECT_EQ(mesh.positions.size(), 4u);
         EXPECT_TRUE(mesh.normals.empty());
@@ -27,7 +27,7 @@ TEST(MeshShape, AllNamesMakeTheSameMesh) {
 
 TEST(MeshShape, OlderNamesOfLists) {
     const TriangleMesh mesh =
-        make_mesh("trianglemesh", {square, numbers("integer", "indices", {0, 1, 2}),
+        make_mesh("trianglemesh", {kSquare, numbers("integer", "indices", {0, 1, 2}),
                                    numbers("float", "st", {0, 0, 1, 0, 1, 1, 0, 1})});
     EXPECT_THAT(mesh.indices, ElementsAre(0, 1, 2));
     EXPECT_EQ(mesh.uvs.at(2), Vec2(1, 1));
@@ -36,7 +36,7 @@ TEST(MeshShape, OlderNamesOfLists) {
 TEST(MeshShape, TodaysNamesCountBesideOlderOnes) {
     RecordedDiagnostics diagnostics;
     const auto mesh = std::get<TriangleMesh>(make_shape(
-        "mesh", {square, numbers("integer", "indices", {0, 1, 2}), two_triangles}, diagnostics));
+        "mesh", {kSquare, numbers("integer", "indices", {0, 1, 2}), kTwoTriangles}, diagnostics));
     EXPECT_EQ(mesh.indices.size(), 6u);
     EXPECT_THAT(diagnostics.warnings,
                 ElementsAre("mesh: \"triindices\" is used in place of \"indices\""));
@@ -56,7 +56,7 @@ TEST(MeshShape, WithoutExtentIsEmpty) {
 
 TEST(MeshShape, QuadrilateralsBecomeTwoTriangles) {
     const TriangleMesh mesh =
-        make_mesh("mesh", {square, numbers("integer", "quadindices", {0, 1, 2, 3})});
+        make_mesh("mesh", {kSquare, numbers("integer", "quadindices", {0, 1, 2, 3})});
     EXPECT_THAT(mesh.indices, ElementsAre(0, 1, 2, 0, 2, 3));
 }
 
@@ -78,7 +78,7 @@ TEST(MeshShape, IsTransformed) {
 TEST(MeshShape, MirroringKeepsNormalsOnTheirSide) {
     const TriangleMesh mesh = make_mesh(
         "mesh",
-        {square, two_triangles, numbers("normal", "N", {0, 0, 1, 0, 0, 1, 0, 0, 1, 0, 0, 1})},
+        {kSquare, kTwoTriangles, numbers("normal", "N", {0, 0, 1, 0, 0, 1, 0, 0, 1, 0, 0, 1})},
         Matrix().setScale(Imath::V3d(-1, 1, 1)));
     EXPECT_EQ(mesh.normals[0], Vec3(0, 0, 1));
 }
@@ -86,7 +86,7 @@ TEST(MeshShape, MirroringKeepsNormalsOnTheirSide) {
 TEST(MeshShape, ZeroNormalsBecomeGeometric) {
     const TriangleMesh mesh = make_mesh(
         "mesh",
-        {square, two_triangles, numbers("normal", "N", {0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0})});
+        {kSquare, kTwoTriangles, numbers("normal", "N", {0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0})});
     EXPECT_EQ(mesh.normals[0], Vec3(0, 0, 1));
     EXPECT_EQ(mesh.normals[1], Vec3(0, 1, 0));
     EXPECT_EQ(mesh.normals[2], Vec3(0, 0, 1));
@@ -104,20 +104,20 @@ TEST(MeshShape, DegenerateTrianglesAreDroppedAndCounted) {
 }
 
 TEST(MeshShape, SmallTrianglesAreNotDegenerate) {
-    const TriangleMesh mesh = make_mesh("mesh", {square, two_triangles},
+    const TriangleMesh mesh = make_mesh("mesh", {kSquare, kTwoTriangles},
                                         Matrix().setScale(Imath::V3d(1e-12, 1e-12, 1e-12)));
     EXPECT_EQ(mesh.indices.size(), 6u);
 }
 
 TEST(MeshShape, VertexColoursAndOpacities) {
     const std::vector<ParameterValue> values = {
-        square, two_triangles, numbers("color", "C", {1, 0, 0, 0, 1, 0, 0, 0, 1, 0.5, 0.5, 0.5}),
+        kSquare, kTwoTriangles, numbers("color", "C", {1, 0, 0, 0, 1, 0, 0, 0, 1, 0.5, 0.5, 0.5}),
         numbers("float", "alpha", {1, 0.5, 0.25, 0}), numbers("float", "gamma", {2})};
     const TriangleMesh mesh = make_mesh("mesh", values);
     EXPECT_EQ(mesh.colors.at(2), Rgb(0, 0, 1));
     EXPECT_EQ(mesh.colors.at(3), Rgb(0.25f));
     EXPECT_EQ(mesh.alphas.at(1), 0.5f);
-    EXPECT_THAT(error_of("mesh", {square, two_triangles, numbers("color", "C", {1, 0, 0})}),
+    EXPECT_THAT(error_of("mesh", {kSquare, kTwoTriangles, numbers("color", "C", {1, 0, 0})}),
                 HasSubstr("\"C\" has 3 values, expected 12"));
 }
 
@@ -138,40 +138,40 @@ TEST(HeightField, CoversTheUnitSquare) {
 
 TEST(MeshShape, AcceptsLuxRendersParametersAndCatchesMisspelling) {
     RecordedDiagnostics diagnostics;
-    make_shape("mesh", {square, two_triangles, text("name", "floor")}, diagnostics);
+    make_shape("mesh", {kSquare, kTwoTriangles, text("name", "floor")}, diagnostics);
     EXPECT_TRUE(diagnostics.warnings.empty());
-    make_shape("mesh", {square, two_triangles, flag("generatetangent", false)}, diagnostics);
+    make_shape("mesh", {kSquare, kTwoTriangles, flag("generatetangent", false)}, diagnostics);
     EXPECT_EQ(diagnostics.warnings.size(), 1u);
     EXPECT_THAT(diagnostics.warnings[0], HasSubstr("generatetangents"));
 }
 
 TEST(MeshShapeErrors, MissingPositions) {
-    EXPECT_THAT(error_of("mesh", {two_triangles}),
+    EXPECT_THAT(error_of("mesh", {kTwoTriangles}),
                 HasSubstr("a mesh needs vertex positions: \"point P\" [...]"));
 }
 
 TEST(MeshShapeErrors, MissingTriangles) {
-    EXPECT_THAT(error_of("mesh", {square}),
+    EXPECT_THAT(error_of("mesh", {kSquare}),
                 HasSubstr("a mesh needs triangles: \"integer triindices\" [...]"));
 }
 
 TEST(MeshShapeErrors, IndexOutOfRange) {
     EXPECT_THAT(
-        error_of("mesh", {square, numbers("integer", "triindices", {0, 1, 2, 0, 9, 3})}),
+        error_of("mesh", {kSquare, numbers("integer", "triindices", {0, 1, 2, 0, 9, 3})}),
         HasSubstr("\"triindices\" names vertex 9 at position 4 (triangle 1), but \"P\" has 4 "
                   "vertices, numbered from 0"));
-    EXPECT_THAT(error_of("mesh", {square, numbers("integer", "triindices", {0, -1, 2})}),
+    EXPECT_THAT(error_of("mesh", {kSquare, numbers("integer", "triindices", {0, -1, 2})}),
                 HasSubstr("names vertex -1 at position 1 (triangle 0)"));
-    EXPECT_THAT(error_of("mesh", {square, numbers("integer", "quadindices", {0, 1, 2, 4})}),
+    EXPECT_THAT(error_of("mesh", {kSquare, numbers("integer", "quadindices", {0, 1, 2, 4})}),
                 HasSubstr("\"quadindices\" names vertex 4 at position 3 (quadrilateral 0)"));
 }
 
 TEST(MeshShapeErrors, CountsThatDoNotFit) {
-    EXPECT_THAT(error_of("mesh", {square, numbers("integer", "triindices", {0, 1, 2, 0})}),
+    EXPECT_THAT(error_of("mesh", {kSquare, numbers("integer", "triindices", {0, 1, 2, 0})}),
                 HasSubstr("\"triindices\" has 4 values, which is not a multiple of 3"));
-    EXPECT_THAT(error_of("mesh", {square, two_triangles, numbers("normal", "N", {0, 0, 1})}),
+    EXPECT_THAT(error_of("mesh", {kSquare, kTwoTriangles, numbers("normal", "N", {0, 0, 1})}),
                 HasSubstr("\"N\" has 1 normals, but \"P\" has 4 vertices"));
-    EXPECT_THAT(error_of("mesh", {square, two_triangles, numbers("float", "uv", {0, 0, 1})}),
+    EXPECT_THAT(error_of("mesh", {kSquare, kTwoTriangles, numbers("float", "uv", {0, 0, 1})}),
                 HasSubstr("\"uv\" has 3 values, but \"P\" has 4 vertices: expected 8"));
 }
 
@@ -184,10 +184,10 @@ TEST(MeshShapeErrors, NumbersThatAreNone) {
                 HasSubstr("vertex 1 of \"P\" is not finite: (1, inf, 0)"));
     EXPECT_THAT(error_of("mesh", {numbers("point", "P", {0, 0, 0, 1, 2e18, 0, 0, 1, 0}), one}),
                 HasSubstr("vertex 1 of \"P\" is beyond 1e+18"));
-    EXPECT_THAT(error_of("mesh", {square, two_triangles,
+    EXPECT_THAT(error_of("mesh", {kSquare, kTwoTriangles,
                                   numbers("float", "uv", {0, 0, 0, infinity, 0, 0, 0, 0})}),
                 HasSubstr("pair 1 of \"uv\" is not finite: (0, inf)"));
-    EXPECT_THAT(error_of("mesh", {square, two_triangles,
+    EXPECT_THAT(error_of("mesh", {kSquare, kTwoTriangles,
                                   numbers("normal", "N", {0, 0, 1, 0, 0, 1, 0, 0, 1, 0, 0, 1e99})}),
                 HasSubstr("normal 3 of \"N\" is not finite"));
     // The parameter reader refuses NaN before the mesh sees it.
@@ -198,14 +198,14 @@ TEST(MeshShapeErrors, NumbersThatAreNone) {
 
 TEST(MeshShapeErrors, TransformOutOfRange) {
     EXPECT_THAT(
-        error_of("mesh", {square, two_triangles}, Matrix().setScale(Imath::V3d(1e30, 1, 1))),
+        error_of("mesh", {kSquare, kTwoTriangles}, Matrix().setScale(Imath::V3d(1e30, 1, 1))),
         HasSubstr("the current transform moves vertex 1 out of range"));
 }
 
 TEST(MeshShapeErrors, StandAtTheParameter) {
-    EXPECT_THAT(error_of("mesh", {square, numbers("integer", "triindices", {0, 1, 7})}),
+    EXPECT_THAT(error_of("mesh", {kSquare, numbers("integer", "triindices", {0, 1, 7})}),
                 testing::StartsWith("scene.lxs:3:1: error: \"triindices\" names vertex 7"));
-    EXPECT_THAT(error_of("mesh", {square}), testing::StartsWith("scene.lxs:1:1: error: "));
+    EXPECT_THAT(error_of("mesh", {kSquare}), testing::StartsWith("scene.lxs:1:1: error: "));
 }
 
 }  // namespace

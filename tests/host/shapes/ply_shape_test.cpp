@@ -32,11 +32,11 @@ class PlyShape : public testing::Test {
     files::TemporaryFolder folder_;
 };
 
-const std::string normals_and_coordinates =
+const std::string kNormalsAndCoordinates =
     "property float nx\nproperty float ny\nproperty float nz\nproperty float s\nproperty float t\n";
 
 TEST_F(PlyShape, BinaryAsLuxBlendWritesIt) {
-    std::string content = header("binary_little_endian", 4, normals_and_coordinates, 1);
+    std::string content = header("binary_little_endian", 4, kNormalsAndCoordinates, 1);
     const float vertices[4][8] = {{0, 0, 0, 0, 0, 1, 0.25f, 0.5f},
                                   {1, 0, 0, 0, 0, 1, 1, 0},
                                   {1, 1, 0, 0, 0.6f, 0.8f, 1, 0.75f},
@@ -53,12 +53,12 @@ TEST_F(PlyShape, BinaryAsLuxBlendWritesIt) {
     EXPECT_EQ(mesh.uvs.at(2), Vec2(1, 0.75f));
 }
 
-const std::string roof =  // two faces with a common ridge, no normals
+const std::string kRoof =  // two faces with a common ridge, no normals
     "-1 0 0\n0 0 1\n0 1 1\n-1 1 0\n1 0 0\n1 1 0\n4 0 1 2 3\n4 1 4 5 2\n";
 
 TEST_F(PlyShape, WithoutNormalsItIsSmooth) {
     const TriangleMesh mesh =
-        make_mesh("plymesh", {text("filename", write(header("ascii", 6, "", 2) + roof))});
+        make_mesh("plymesh", {text("filename", write(header("ascii", 6, "", 2) + kRoof))});
     ASSERT_EQ(mesh.normals.size(), 6u);
     EXPECT_NEAR(std::abs(mesh.normals[1].z), 1, 0.06f) << "the ridge averages both faces";
     EXPECT_NEAR(std::abs(mesh.normals[0].z), std::sqrt(0.5f), 1e-6f);

@@ -15,18 +15,18 @@ Primitive lamp(const Rgb& radiance, std::uint32_t group = 0) {
     return result;
 }
 
-const Ray from_above = ray(Vec3(0.3f, 0.2f, 3), Vec3(0, 0, -1));
-const Ray from_below = ray(Vec3(0.3f, 0.2f, -3), Vec3(0, 0, 1));
+const Ray kFromAbove = ray(Vec3(0.3f, 0.2f, 3), Vec3(0, 0, -1));
+const Ray kFromBelow = ray(Vec3(0.3f, 0.2f, -3), Vec3(0, 0, 1));
 
 TEST(AreaLights, OnlyTheFrontShines) {
     const auto scene = trace({lamp(Rgb(3))});
     ASSERT_EQ(scene->lights().size(), 1u);
     SurfaceHit result;
-    ASSERT_TRUE(hit(*scene, from_above, result));
+    ASSERT_TRUE(hit(*scene, kFromAbove, result));
     EXPECT_EQ(result.light, scene->lights()[0]);
     EXPECT_EQ(result.emitted, Rgb(3));
     EXPECT_NE(result.bsdf, nullptr);
-    ASSERT_TRUE(hit(*scene, from_below, result));
+    ASSERT_TRUE(hit(*scene, kFromBelow, result));
     EXPECT_EQ(result.light, scene->lights()[0]);
     EXPECT_EQ(result.emitted, Rgb(0.0f));
 }
@@ -36,9 +36,9 @@ TEST(AreaLights, ReverseOrientationTurnsTheShiningSide) {
     reversed.reverse_orientation = true;
     const auto scene = trace({reversed});
     SurfaceHit result;
-    ASSERT_TRUE(hit(*scene, from_above, result));
+    ASSERT_TRUE(hit(*scene, kFromAbove, result));
     EXPECT_EQ(result.emitted, Rgb(0.0f));
-    ASSERT_TRUE(hit(*scene, from_below, result));
+    ASSERT_TRUE(hit(*scene, kFromBelow, result));
     EXPECT_EQ(result.emitted, Rgb(1.0f));
 }
 

@@ -110,5 +110,17 @@ TEST(BumpedHit, QuadricTangentAlongV) {
         {-3, 0, 0});
 }
 
+TEST(BumpedHit, NoTangentAlongVWhereItHasNoDirection) {
+    const auto woven = std::make_shared<Woven>(true);
+    const Quadric bowl{Paraboloid{0.8f, 0, 1, 360}, Matrix()};
+    for (const Quadric& quadric : {sphere(2, Matrix()), disk(3, Matrix()), bowl}) {
+        const std::unique_ptr<Scene> scene = trace({primitive(quadric, woven)});
+        woven->dpdv = Vec3(1.0f);
+        SurfaceHit result;
+        ASSERT_TRUE(hit(*scene, ray({0, 0, -5}, {0, 0, 1}), result));
+        EXPECT_EQ(woven->dpdv, Vec3(0.0f));
+    }
+}
+
 }  // namespace
 }  // namespace lxs::test::bumped_hit_test

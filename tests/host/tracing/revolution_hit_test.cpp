@@ -172,8 +172,9 @@ TEST(RevolutionHit, BoxHoldsTheSurface) {
         const auto scene = trace({primitive(Quadric{solid.quadric.shape, m})});
         const auto shape = SurfaceOfRevolution::of(solid.quadric).value();
         for (int i = 0; i < 400; ++i) {
+            const int column = i % 20, row = i / 20;
             V3d p;
-            m.multVecMatrix(shape.at(0.314 * (i % 20), (i / 20) / 19.0).p, p);
+            m.multVecMatrix(shape.at(0.314 * column, row / 19.0).p, p);
             EXPECT_TRUE(scene->bounds().intersects(Vec3(p))) << solid.name;
         }
     }

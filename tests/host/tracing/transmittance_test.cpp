@@ -13,12 +13,12 @@ Primitive pane(float z, std::shared_ptr<const Material> material) {
                      std::move(material));
 }
 
-const Ray upwards = ray(Vec3(0.3f, 0.2f, 0), Vec3(0, 0, 1));
+const Ray kUpwards = ray(Vec3(0.3f, 0.2f, 0), Vec3(0, 0, 1));
 
 TEST(Transmittance, OpaqueBlocksUpToTheSegmentsEnd) {
     const auto scene = trace({pane(1, matte())});
-    EXPECT_EQ(scene->transmittance(upwards), Rgb(0.0f));
-    Ray segment = upwards;
+    EXPECT_EQ(scene->transmittance(kUpwards), Rgb(0.0f));
+    Ray segment = kUpwards;
     segment.t_max = 0.9999f;
     EXPECT_EQ(scene->transmittance(segment), Rgb(1.0f));
 }
@@ -26,7 +26,7 @@ TEST(Transmittance, OpaqueBlocksUpToTheSegmentsEnd) {
 TEST(Transmittance, MediumAbsorbsOverTheSegment) {
     const auto scene = trace({pane(9, matte())});
     const Medium medium(Rgb(1, 0, 2), 1);
-    Ray segment = upwards;
+    Ray segment = kUpwards;
     segment.medium = &medium;
     segment.t_max = 0.5f;
     const Rgb share = scene->transmittance(segment);
@@ -59,12 +59,12 @@ TEST(Transmittance, EndlessRayEndsWithTheScene) {
 TEST(Transmittance, StraightSurfacesMultiply) {
     const auto scene = trace(
         {pane(1, straight(Rgb(0.5f, 1, 0.25f))), pane(2, straight(Rgb(0.5f))), pane(3, matte())});
-    Ray segment = upwards;
+    Ray segment = kUpwards;
     segment.t_max = 2.5f;
     EXPECT_EQ(scene->transmittance(segment), Rgb(0.25f, 0.5f, 0.125f));
     segment.t_max = 1.5f;
     EXPECT_EQ(scene->transmittance(segment), Rgb(0.5f, 1, 0.25f));
-    EXPECT_EQ(scene->transmittance(upwards), Rgb(0.0f));
+    EXPECT_EQ(scene->transmittance(kUpwards), Rgb(0.0f));
 }
 
 TEST(Transmittance, EachSurfaceCountsOnceAtAnyScale) {
@@ -109,10 +109,10 @@ TEST(Transmittance, StraightSurfacesInInstances) {
                                        {Matrix(), translation(0, 0, 1), translation(0, 9, 0)});
     contents.primitives = {pane(5, matte())};
     const auto scene = trace(std::move(contents));
-    Ray segment = upwards;
+    Ray segment = kUpwards;
     segment.t_max = 4;
     EXPECT_EQ(scene->transmittance(segment), Rgb(0.25f));
-    EXPECT_EQ(scene->transmittance(upwards), Rgb(0.0f));
+    EXPECT_EQ(scene->transmittance(kUpwards), Rgb(0.0f));
 }
 
 TEST(Transmittance, TooManySurfacesBlock) {
@@ -121,10 +121,10 @@ TEST(Transmittance, TooManySurfacesBlock) {
     for (int i = 1; i <= 300; ++i)
         panes.push_back(pane(static_cast<float>(i), straight(Rgb(1.0f))));
     const auto scene = trace(std::move(panes));
-    Ray segment = upwards;
+    Ray segment = kUpwards;
     segment.t_max = 200.5f;
     EXPECT_EQ(scene->transmittance(segment), Rgb(1.0f));
-    EXPECT_EQ(scene->transmittance(upwards), Rgb(0.0f));
+    EXPECT_EQ(scene->transmittance(kUpwards), Rgb(0.0f));
 }
 
 }  // namespace

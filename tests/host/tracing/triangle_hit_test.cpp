@@ -12,16 +12,16 @@ void expect_near(const Vec3& a, const Vec3& b, float tolerance = 1e-6f) {
     EXPECT_LT((a - b).length(), tolerance) << a << " and " << b;
 }
 
-const Vec3 down(0, 0, -1);
+const Vec3 kDown(0, 0, -1);
 
 TEST(TriangleHit, NormalFollowsVertexOrderNotTheRay) {
     const auto scene = trace({primitive(parallelogram(Vec3(0), Vec3(1, 0, 0), Vec3(0, 1, 0)))});
     SurfaceHit result;
-    ASSERT_TRUE(hit(*scene, ray(Vec3(0.25f, 0.5f, 1), down), result));
+    ASSERT_TRUE(hit(*scene, ray(Vec3(0.25f, 0.5f, 1), kDown), result));
     expect_near(result.ng, Vec3(0, 0, 1));
     expect_near(result.p, Vec3(0.25f, 0.5f, 0));
     EXPECT_FLOAT_EQ(result.distance, 1);
-    ASSERT_TRUE(hit(*scene, ray(Vec3(0.25f, 0.5f, -1), -down), result));
+    ASSERT_TRUE(hit(*scene, ray(Vec3(0.25f, 0.5f, -1), -kDown), result));
     expect_near(result.ng, Vec3(0, 0, 1));
 }
 
@@ -32,7 +32,7 @@ TEST(TriangleHit, ReverseOrientationTurnsBothNormals) {
     reversed.reverse_orientation = true;
     const auto scene = trace({reversed});
     SurfaceHit result;
-    ASSERT_TRUE(hit(*scene, ray(Vec3(0.25f, 0.5f, 1), down), result));
+    ASSERT_TRUE(hit(*scene, ray(Vec3(0.25f, 0.5f, 1), kDown), result));
     expect_near(result.ng, Vec3(0, 0, -1));
     expect_near(result.ns, Vec3(-0.6f, 0, -0.8f));
 }
@@ -43,7 +43,7 @@ TEST(TriangleHit, InterpolatesNormalsAndCoordinates) {
     mesh.uvs = {Vec2(0, 0), Vec2(2, 0), Vec2(0, 4)};
     const auto scene = trace({primitive(mesh)});
     SurfaceHit result;
-    ASSERT_TRUE(hit(*scene, ray(Vec3(0.25f, 0.5f, 1), down), result));
+    ASSERT_TRUE(hit(*scene, ray(Vec3(0.25f, 0.5f, 1), kDown), result));
     expect_near(result.ns, Vec3(0.25f, 0.5f, 0.25f).normalized());
     EXPECT_NEAR(result.uv.x, 0.5f, 1e-6f);
     EXPECT_NEAR(result.uv.y, 2, 1e-6f);
@@ -55,14 +55,14 @@ TEST(TriangleHit, ShadingNormalFallsBackToTheGeometricOne) {
     mesh.normals.assign(3, Vec3(0.0f));
     const auto scene = trace({primitive(mesh)});
     SurfaceHit result;
-    ASSERT_TRUE(hit(*scene, ray(Vec3(0.25f, 0.5f, 1), down), result));
+    ASSERT_TRUE(hit(*scene, ray(Vec3(0.25f, 0.5f, 1), kDown), result));
     expect_near(result.ns, result.ng);
 }
 
 TEST(TriangleHit, WithoutCoordinatesThereIsNoTangent) {
     const auto scene = trace({primitive(triangle(Vec3(0), Vec3(1, 0, 0), Vec3(0, 1, 0)))});
     SurfaceHit result;
-    ASSERT_TRUE(hit(*scene, ray(Vec3(0.25f, 0.5f, 1), down), result));
+    ASSERT_TRUE(hit(*scene, ray(Vec3(0.25f, 0.5f, 1), kDown), result));
     EXPECT_EQ(result.dpdu, Vec3(0.0f));
     EXPECT_EQ(result.uv, Vec2(0.5f, 0.5f));
 }
@@ -72,7 +72,7 @@ TEST(TriangleHit, CollapsedCoordinatesGiveNoTangentAndNoNaN) {
     mesh.uvs.assign(3, Vec2(0.3f, 0.3f));
     const auto scene = trace({primitive(mesh)});
     SurfaceHit result;
-    ASSERT_TRUE(hit(*scene, ray(Vec3(0.25f, 0.5f, 1), down), result));
+    ASSERT_TRUE(hit(*scene, ray(Vec3(0.25f, 0.5f, 1), kDown), result));
     EXPECT_EQ(result.dpdu, Vec3(0.0f));
 }
 
@@ -85,14 +85,14 @@ TEST(TriangleHit, TellsTriangleMaterialAndMedia) {
     const Medium *interior = second.interior.get(), *exterior = second.exterior.get();
     const auto scene = trace({first, second});
     SurfaceHit result;
-    ASSERT_TRUE(hit(*scene, ray(Vec3(5.2f, 0.8f, 1), down), result));
+    ASSERT_TRUE(hit(*scene, ray(Vec3(5.2f, 0.8f, 1), kDown), result));
     EXPECT_EQ(result.primitive, 1u);
     EXPECT_EQ(result.material, 3u);
     EXPECT_EQ(result.interior, interior);
     EXPECT_EQ(result.exterior, exterior);
     EXPECT_NE(result.bsdf, nullptr);
     EXPECT_EQ(result.light, nullptr);
-    ASSERT_TRUE(hit(*scene, ray(Vec3(0.8f, 0.2f, 1), down), result));
+    ASSERT_TRUE(hit(*scene, ray(Vec3(0.8f, 0.2f, 1), kDown), result));
     EXPECT_EQ(result.primitive, 0u);
     EXPECT_EQ(result.interior, nullptr);
 }
@@ -140,7 +140,7 @@ TEST(TriangleHit, PositionIsWithinItsErrorBoundOfThePlane) {
 
 TEST(TriangleHit, RespectsTheEndOfTheSegment) {
     const auto scene = trace({primitive(parallelogram(Vec3(0), Vec3(1, 0, 0), Vec3(0, 1, 0)))});
-    Ray segment = ray(Vec3(0.25f, 0.5f, 1), down);
+    Ray segment = ray(Vec3(0.25f, 0.5f, 1), kDown);
     SurfaceHit result;
     segment.t_max = 0.999f;
     EXPECT_FALSE(hit(*scene, segment, result));
@@ -151,7 +151,7 @@ TEST(TriangleHit, RespectsTheEndOfTheSegment) {
 TEST(TriangleHit, MediumOfTheRayAttenuates) {
     const auto scene = trace({primitive(parallelogram(Vec3(0), Vec3(1, 0, 0), Vec3(0, 1, 0)))});
     const Medium medium(Rgb(1, 0.5f, 0), 1);
-    Ray r = ray(Vec3(0.25f, 0.5f, 2), down);
+    Ray r = ray(Vec3(0.25f, 0.5f, 2), kDown);
     r.medium = &medium;
     SurfaceHit result;
     ASSERT_TRUE(hit(*scene, r, result));
@@ -163,8 +163,8 @@ TEST(TriangleHit, MediumOfTheRayAttenuates) {
 TEST(TriangleHit, EmptySceneIsMissed) {
     const auto scene = trace(std::vector<Primitive>{});
     SurfaceHit result;
-    EXPECT_FALSE(hit(*scene, ray(Vec3(0), down), result));
-    EXPECT_EQ(scene->transmittance(ray(Vec3(0), down)), Rgb(1.0f));
+    EXPECT_FALSE(hit(*scene, ray(Vec3(0), kDown), result));
+    EXPECT_EQ(scene->transmittance(ray(Vec3(0), kDown)), Rgb(1.0f));
     EXPECT_TRUE(scene->bounds().isEmpty());
 }
 
@@ -174,7 +174,7 @@ TEST(TriangleHit, MeshWithoutTrianglesIsLeftOut) {
     const auto scene =
         trace({primitive(empty), primitive(parallelogram(Vec3(0), Vec3(1, 0, 0), Vec3(0, 1, 0)))});
     SurfaceHit result;
-    EXPECT_TRUE(hit(*scene, ray(Vec3(0.25f, 0.5f, 1), down), result));
+    EXPECT_TRUE(hit(*scene, ray(Vec3(0.25f, 0.5f, 1), kDown), result));
 }
 
 }  // namespace

@@ -93,7 +93,7 @@ TEST(StressRecovery, OfThePrimaryTree) {
     EXPECT_LT(extinct, 0.2f);
     int updates = 0;
     for (; tree.pdf(place) < 1 && updates < 5000; ++updates)
-        shoot(tree, true, std::uint64_t(before + updates));
+        shoot(tree, true, std::uint64_t(before) + std::uint64_t(updates));
     EXPECT_LE(updates, 100);
     record("all scores in one corner for " + std::to_string(before) +
                " updates of 1024 paths, then in another",
@@ -171,7 +171,7 @@ TEST(StressRecovery, OfTheBounceTables) {
     EXPECT_LT(extinct, 0.5);
     int updates = 0;
     for (; density_of(tables, then) < 1 && updates < 5000; ++updates)
-        scatter(tables, then, std::uint64_t(before + updates));
+        scatter(tables, then, std::uint64_t(before) + std::uint64_t(updates));
     EXPECT_LE(updates, 200);
     record("all scores about one direction for " + std::to_string(before) +
                " updates of 1024 vertices, then about another",

@@ -91,9 +91,9 @@ TEST(StressConsistency, ThirtyScenesAgreeWithPaths) {
     std::ostringstream figure;
     statistics::BlockMeans unguided;
     for (const GuideKind guide : {GuideKind::None, GuideKind::Paper, GuideKind::Adaptive}) {
-        const auto means = relative(
-            all_scenes(photons(guide, kStartRadius), seeds, kFirstSeed + 100000 * unsigned(guide)),
-            paths);
+        const auto means = relative(all_scenes(photons(guide, kStartRadius), seeds,
+                                               kFirstSeed + 100000 * std::uint64_t(guide)),
+                                    paths);
         const auto c = statistics::compare(reference, means, kSignificance, kAllowed);
         EXPECT_FALSE(c.differs()) << mock::name(guide) << ", scene " << c.smallest_at << ": "
                                   << c.describe();

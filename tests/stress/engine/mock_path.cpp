@@ -94,7 +94,8 @@ std::vector<double> path_traced(const Scene& scene, const mock::Camera& camera, 
         for (std::uint32_t s = 0; s < samples; ++s) {
             RandomStream random(seed, s, pixel, RandomDomain::Eye);
             const Vec2 u = random.next2();
-            const Vec2 film{float(pixel % width) + u.x, float(pixel / width) + u.y};
+            const std::size_t x = pixel % width, y = pixel / width;
+            const Vec2 film{float(x) + u.x, float(y) + u.y};
             const Ray ray = camera.generate({film, {}}, 0).ray;
             image[pixel] += double(luminance(Path(scene, random, arena).radiance(ray))) / samples;
         }

@@ -23,6 +23,7 @@ using namespace stress;
 
 constexpr int kPasses = 10000;
 constexpr std::uint32_t kSize = 4;
+constexpr std::size_t kPixels = std::size_t{kSize} * kSize;
 constexpr double kFootprint = 0.05;
 
 EyeImage eye_image(double footprint = kFootprint) {
@@ -41,7 +42,7 @@ double floor_radius() {
 }
 
 void expect_usable(const SearchRadii& radii) {
-    for (std::size_t i = 0; i < kSize * kSize; ++i) {
+    for (std::size_t i = 0; i < kPixels; ++i) {
         ASSERT_TRUE(std::isnormal(radii.of(i)));
         ASSERT_GE(double(radii.of(i)), floor_radius() * (1 - 1e-6));
         ASSERT_LE(radii.of(i), radii.largest);
@@ -91,7 +92,7 @@ TEST(StressRadius, OfPpmFollowsItsFormula) {
         const SearchRadii radii = policy.before_pass(std::uint64_t(pass), {}, image);
         ASSERT_NO_FATAL_FAILURE(expect_usable(radii));
         PhotonFlux flux;
-        flux.reset(kSize * kSize, 1);
+        flux.reset(kPixels, 1);
         for (std::size_t i = 0; i < 4; ++i) {
             if (pass == 0) squares[i] = double(radii.of(i)) * double(radii.of(i));
             error =
@@ -122,8 +123,8 @@ TEST(StressRadius, OfPpmKeepsItsFloor) {
     for (int pass = 0; pass < kPasses; ++pass) {
         ASSERT_NO_FATAL_FAILURE(expect_usable(policy.before_pass(std::uint64_t(pass), {}, image)));
         PhotonFlux flux;
-        flux.reset(kSize * kSize, 1);
-        flux.accepted.assign(kSize * kSize, std::uint32_t(photons));
+        flux.reset(kPixels, 1);
+        flux.accepted.assign(kPixels, std::uint32_t(photons));
         // As fast as can be: each pass brings far more than all before.
         photons = std::min(photons * 100, 4e9);
         policy.after_pass(flux);
@@ -149,7 +150,7 @@ TEST(StressRadius, OfProbesStaysWithinBounds) {
             ASSERT_NO_FATAL_FAILURE(expect_usable(radii));
             const double schedule = double(
                 scheduled_radius(settings, 4 * kFootprint, double(photons.before), floor_radius()));
-            for (std::size_t i = 0; i < kSize * kSize; ++i) {
+            for (std::size_t i = 0; i < kPixels; ++i) {
                 ASSERT_GE(double(radii.of(i)), 0.125 * schedule * (1 - 1e-6));
                 ASSERT_LE(double(radii.of(i)), 2 * schedule * (1 + 1e-6));
             }
@@ -158,7 +159,7 @@ TEST(StressRadius, OfProbesStaysWithinBounds) {
             sums.curvature.fill(kind % 2 ? -odd[kind % 7] : odd[kind % 7]);
             sums.uncertainty.fill(odd[kind % 7]);
             PhotonFlux flux;
-            flux.reset(kSize * kSize, 1);
+            flux.reset(kPixels, 1);
             flux.probes.assign(radii.probes.size(), sums);
             policy.after_pass(flux);
         }

@@ -214,9 +214,9 @@ TEST(StressMeshes, GlassInsideOutNestedAndOverlapping) {
         const std::string name = way.name.starts_with("aips") ? "aips"
                                  : way.name == "sppm"         ? "sppm"
                                                               : "path";
-        way.arguments += name == "path" ? " --set path.maxdepth=200"
-                                        : " --set " + name + ".maxeyedepth=200 --set " + name +
-                                              ".maxphotondepth=200";
+        const std::string set = " --set " + name;
+        way.arguments += set + (name == "path" ? ".maxdepth=200" : ".maxeyedepth=200");
+        if (name != "path") way.arguments += set + ".maxphotondepth=200";
         for (const auto& [what, world] : worlds) {
             SCOPED_TRACE(way.name + ": " + what);
             const Outcome outcome = stress::render_scene(under_sky(world), way, folder, 12);

@@ -96,6 +96,7 @@ TEST_F(StressRenders, AtTheSameTimeGiveTheBitsOfEachAlone) {
     for (int round = 0; round < rounds; ++round) {
         std::string images[4];
         std::vector<std::thread> threads;
+        threads.reserve(4);
         for (int i = 0; i < 4; ++i) {
             threads.emplace_back([&, i] {
                 images[i] =

@@ -16,13 +16,10 @@ struct SabotagedRender {
     RunResult run(const std::string& deed, const std::string& victim = "",
                   const std::vector<std::string>& options = {},
                   const std::function<void()>& restrict = {}) {
-        std::vector<std::string> arguments{"scene.lxs",
-                                           "--integrator",
-                                           "saboteur",
-                                           "--plugin-path",
-                                           TEST_MODULES "/saboteur",
-                                           "--set",
-                                           "saboteur.deed=" + deed};
+        const std::string modules = TEST_MODULES "/saboteur";
+        std::vector<std::string> arguments{
+            "scene.lxs", "--integrator",         "saboteur", "--plugin-path", modules,
+            "--set",     "saboteur.deed=" + deed};
         if (!victim.empty()) {
             arguments.insert(arguments.end(), {"--set", "saboteur.victim=" + victim});
         }

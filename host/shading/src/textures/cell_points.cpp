@@ -65,8 +65,8 @@ std::array<float, 4> nearest_points(const Vec3& p, DistanceMetric metric, float 
     nearest.fill(std::numeric_limits<float>::max());
     const Vec3 home = floor_of(p), within = p - home;
     for (int i = 0; i < 27; ++i) {
-        const Vec3 step(static_cast<float>(i % 3 - 1), static_cast<float>(i / 3 % 3 - 1),
-                        static_cast<float>(i / 9 - 1));
+        const int x = i % 3 - 1, y = i / 3 % 3 - 1, z = i / 9 - 1;
+        const Vec3 step(static_cast<float>(x), static_cast<float>(y), static_cast<float>(z));
         const std::uint32_t bits = cell_bits(home + step);
         const Vec3 point(number(bits), number(hashed(bits + 1)), number(hashed(bits + 2)));
         const float found = distance(step + point - within, metric, exponent);

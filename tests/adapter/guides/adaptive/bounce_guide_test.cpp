@@ -55,8 +55,9 @@ TEST(BounceGuide, DensityIntegratesToOneAndFollowsWhatWasLearned) {
     constexpr int kSide = 1000;
     double sum = 0, rich = 0;
     for (int i = 0; i < kSide * kSide; ++i) {
-        const Vec3 w = square_to_uniform_sphere(
-            {(float(i % kSide) + 0.5f) / kSide, (float(i / kSide) + 0.5f) / kSide});
+        const int x = i % kSide, y = i / kSide;
+        const Vec3 w =
+            square_to_uniform_sphere({(float(x) + 0.5f) / kSide, (float(y) + 0.5f) / kSide});
         const double mass = double(directions->pdf(w)) * 4 * double(kPi) / (kSide * kSide);
         sum += mass;
         if (dot(w, kRich) > 0.9f) rich += mass;
@@ -83,7 +84,7 @@ TEST(BounceGuide, LeavesTheMeanOfAScatteringAlone) {
         mock::Material material;
         material.kind = kind;
         material.specular = {0.3f, 0.3f, 0.3f};
-        double means[2], errors[2];
+        double means[2]{}, errors[2]{};
         for (const bool guided : {false, true}) {
             const PhotonInput input{scene, settings, lights, guided ? &guide : nullptr};
             Arena arena;

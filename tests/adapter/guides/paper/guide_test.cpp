@@ -144,8 +144,10 @@ const GuidedDirections* from_ceiling(const PaperGuide& guide, Arena& arena) {
 TEST(PaperGuide, ErrorsAndTablesFollowVisibleNoise) {
     PaperGuide guide(unit_box(), guide_settings());
     std::vector<Vec3> eye;
-    for (int i = 0; i < 100; ++i)
-        eye.push_back({0.025f + 0.05f * float(i % 10), 0.025f + 0.05f * float(i / 10), 0});
+    for (int y = 0; y < 10; ++y) {
+        for (int x = 0; x < 10; ++x)
+            eye.push_back({0.025f + 0.05f * float(x), 0.025f + 0.05f * float(y), 0});
+    }
     for (int pass = 0; pass < 3; ++pass) {
         guide.begin_pass(eye, eye.size());
         std::vector<Landing> landings;

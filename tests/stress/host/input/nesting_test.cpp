@@ -60,8 +60,10 @@ TEST(StressInput, ObjectsInThemselvesAndDeepOnes) {
     std::string world = "ObjectBegin \"0\" Shape \"sphere\" ObjectEnd\n";
     for (int i = 1; i < 40; ++i) {
         const std::string inner = "ObjectInstance \"" + std::to_string(i - 1) + "\" ";
-        world += "ObjectBegin \"" + std::to_string(i) + "\" " + inner + inner + inner + inner +
-                 "ObjectEnd\n";
+        world += "ObjectBegin \"" + std::to_string(i) + "\" ";
+        for (int copy = 0; copy < 4; ++copy)
+            world += inner;
+        world += "ObjectEnd\n";
     }
     const files::TemporaryFolder folder;
     folder.write("scene.lxs", stress::small_scene("", world + "ObjectInstance \"39\""));

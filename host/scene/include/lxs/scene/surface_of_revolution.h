@@ -12,9 +12,9 @@ namespace lxs {
 /// A point at (phi, v): azimuth in radians and position along the profile in [0, 1].
 struct RevolutionPoint {
     Imath::V3d p;
-    Imath::V3d normal;  ///< unit, the side that dp/dphi x dp/dv points to
-    Imath::V3d dpdv;    ///< zero at the vertex of a paraboloid, where it is not finite
-    double area = 0;    ///< |dp/dphi x dp/dv|: area per radian and unit of v
+    Imath::V3d normal;     ///< unit, the side that dp/dphi x dp/dv points to
+    Imath::V3d dpdv{0.0};  ///< zero at the vertex of a paraboloid, where it is not finite
+    double area = 0;       ///< |dp/dphi x dp/dv|: area per radian and unit of v
 };
 
 /// A surface of revolution about the z axis in its own space, in double precision.

@@ -16,7 +16,7 @@ using namespace conformance;
 namespace fs = std::filesystem;
 
 /// Documented in docs/measured/conformance.md.
-enum ExitCode { WithinLimits = 0, Misses = 1, BadCommand = 2, NoImages = 3 };
+enum ExitCode { Passes = 0, Misses = 1, BadCommand = 2, NoImages = 3 };
 
 struct Command {
     std::string folder;
@@ -62,7 +62,7 @@ void write_markdown(const std::string& file, const std::vector<Row>& rows) {
 ExitCode run(Command& command) {
     if (command.folder.empty() && !fs::exists(CONFORMANCE_FOLDER)) {
         fmt::print("skipped: no LuxRender images in {}\n", CONFORMANCE_FOLDER);
-        return WithinLimits;
+        return Passes;
     }
     const fs::path folder = command.folder.empty() ? CONFORMANCE_FOLDER : command.folder;
     if (!fs::is_directory(folder)) throw std::runtime_error("no folder " + folder.string());
@@ -84,7 +84,7 @@ ExitCode run(Command& command) {
     if (!command.markdown.empty()) write_markdown(command.markdown, rows);
     const auto any = [&rows](auto&& is) { return std::any_of(rows.begin(), rows.end(), is); };
     if (any([](const Row& r) { return !r.failure.empty(); })) return NoImages;
-    return any([](const Row& r) { return !r.passes_limits(); }) ? Misses : WithinLimits;
+    return any([](const Row& r) { return !r.passes_limits(); }) ? Misses : Passes;
 }
 
 }  // namespace
@@ -97,7 +97,7 @@ int main(int argc, char** argv) {
         app.parse(argc, argv);
         return run(command);
     } catch (const CLI::ParseError& error) {
-        return app.exit(error) == 0 ? WithinLimits : BadCommand;
+        return app.exit(error) == 0 ? Passes : BadCommand;
     } catch (const std::exception& error) {
         fmt::print(stderr, "{}\n", error.what());
         return BadCommand;

@@ -55,14 +55,14 @@ std::vector<std::string> overrides(const MethodTable& table, const Method& metho
                                    const std::vector<std::string>& more) {
     const std::string prefix = method.integrator + '.';
     std::vector<std::string> all;
+    const bool varied = method.has_variants && variant != kAny;
+    // The last one counts: a method that has a number of its own keeps it.
+    if (varied) all.push_back(fmt::format("{}photonperpass={}", prefix, table.photons_per_pass));
     for (const std::string& text : method.set)
         all.push_back(prefix + text);
-    if (method.has_variants && variant != kAny) {
-        all.push_back(fmt::format("{}photonperpass={}", prefix, table.photons_per_pass));
-        if (variant == kFixed) {
-            all.push_back(prefix + "alpha=1");
-            all.push_back(fmt::format("{}startradius={}", prefix, table.fixed_startradius));
-        }
+    if (varied && variant == kFixed) {
+        all.push_back(prefix + "alpha=1");
+        all.push_back(fmt::format("{}startradius={}", prefix, table.fixed_startradius));
     }
     for (const std::string& text : more) {
         if (text.starts_with(prefix)) all.push_back(text);

@@ -15,7 +15,7 @@ constexpr double kLarge = 16;
 /// How far beyond an edge a hit may be, in weights: more than any rounding of the kernel's.
 constexpr double kBeyondEdge = 1e-5;
 
-bool is_large(const TriangleEdges& triangle, const V3d& origin, const V3d& direction,
+bool is_large(const CornerAndEdges& triangle, const V3d& origin, const V3d& direction,
               double distance) {
     const double size2 = std::max(triangle.e1.length2(), triangle.e2.length2());
     const double ray2 = origin.length2() + distance * distance * direction.length2();
@@ -24,7 +24,7 @@ bool is_large(const TriangleEdges& triangle, const V3d& origin, const V3d& direc
 
 }  // namespace
 
-void refine_weights(const TriangleEdges& triangle, const V3d& origin, const V3d& direction,
+void refine_weights(const CornerAndEdges& triangle, const V3d& origin, const V3d& direction,
                     RawHit& raw) {
     const bool none = raw.u == 0 && raw.v == 0;
     if (!none && !is_large(triangle, origin, direction, static_cast<double>(raw.distance))) return;

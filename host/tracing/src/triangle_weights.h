@@ -7,7 +7,7 @@
 namespace lxs {
 
 /// A triangle's first corner and the edges that start there.
-struct TriangleEdges {
+struct CornerAndEdges {
     Imath::V3d corner, e1, e2;
 };
 
@@ -18,7 +18,7 @@ struct TriangleEdges {
 /// is below 1e-18. (A ray that really meets the corner is found there again.) Very large: the
 /// weights' rounding displaces the hit by some 2^-24 of the triangle's size, which on a ground of
 /// 500 km is 3 cm; the ray itself is known to 2^-24 of its length and its origin's coordinates.
-void refine_weights(const TriangleEdges& triangle, const Imath::V3d& origin,
+void refine_weights(const CornerAndEdges& triangle, const Imath::V3d& origin,
                     const Imath::V3d& direction, RawHit& raw);
 
 }  // namespace lxs

@@ -44,10 +44,10 @@ TEST(StudyPlan, InterleavesMethodsSeedBySeed) {
 TEST(StudyPlan, VariantsDifferByRadiusAloneAndOverridesReachTheirIntegrator) {
     const auto runs = plan_runs(small_study(), small_table());
     EXPECT_TRUE(runs[0].set.empty());
-    EXPECT_EQ(runs[2].set, (std::vector<std::string>{"aips.guide=paper", "aips.photonperpass=1000",
+    EXPECT_EQ(runs[2].set, (std::vector<std::string>{"aips.photonperpass=1000", "aips.guide=paper",
                                                      "aips.alpha=1", "aips.startradius=2",
                                                      "aips.guideshare=0.3"}));
-    EXPECT_EQ(runs[4].set, (std::vector<std::string>{"aips.guide=paper", "aips.photonperpass=1000",
+    EXPECT_EQ(runs[4].set, (std::vector<std::string>{"aips.photonperpass=1000", "aips.guide=paper",
                                                      "aips.guideshare=0.3"}));
     EXPECT_EQ(startradius(runs[2].set), 2);
     EXPECT_FALSE(startradius(runs[4].set));

@@ -95,9 +95,13 @@ TEST(SharePlan, LightThatPathsMissIsNotTheirs) {
     std::vector<ShareMoments> leaves{leaf(kPaths, 1)};
     const std::vector<float> shares(1);
     leaves[0].y = leaves[0].xy = leaves[0].yy = 0;  // not one has met it
+    EXPECT_EQ(plan_shares(facts_of(leaves, shares, 0.1), kFixed).shares[0], 0);
+    leaves[0] = leaf(kPaths, 1);
+    leaves[0].y = leaves[0].xy = 100;  // or a tenth of it
+    leaves[0].yy = 200;
     EXPECT_LT(plan_shares(facts_of(leaves, shares, 0.1), kFixed).shares[0], 0.01f);
     leaves[0] = leaf(kPaths, 1);
-    leaves[0].continued = 10;  // or too few have tried
+    leaves[0].yy = 1e6;  // or all of it by one path
     EXPECT_EQ(plan_shares(facts_of(leaves, shares, 0.1), kFixed).shares[0], 0);
 }
 

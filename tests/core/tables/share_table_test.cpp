@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <limits>
 #include <vector>
 
@@ -62,7 +63,7 @@ TEST(ShareTable, PlacesKnowTheirOwnVariances) {
     for (const int right : {0, 1}) {
         for (float y = 0.05f; y < 1; y += 0.1f) {
             const float share = table.at({right ? 0.8f : 0.2f, y, 0}, kUp);
-            const auto leaf = std::size_t(share * float(numbers.size()) + 0.5f);
+            const auto leaf = std::size_t(std::lround(share * float(numbers.size())));
             const ShareMoments& m = moments[leaf];
             eye[right] += (m.yy - m.xy) / m.continued / 10;
             photons[right] += m.spread / m.continued / 100 / 10;

@@ -206,11 +206,11 @@ inline constexpr double kSeldomMet = 0.75;
 /// Supported by: no measurement.
 inline constexpr double kCertainlyMissing = 3;
 
-/// Continued paths from which a leaf is judged. Unit: eye paths.
-/// Balances: decisions soon against decisions by chance.
-/// Chosen by: reasoning: half of the prior.
-/// Supported by: no measurement.
-inline constexpr double kJudgedPaths = 32;
+/// Continued paths that found light, in effect, from which a leaf is judged. Unit: eye paths.
+/// Balances: decisions soon against places whose light paths have not met at all.
+/// Chosen by: docs/notebook/2026-11-25-who-carries-what.md.
+/// Supported by: open-ground, sun-window, summerhouse.
+inline constexpr double kFoundByPaths = 8;
 
 /// What is certain to be left of the measured variance by eye paths up to their visible points.
 /// Unit: share of 1. Balances: photons without end against photons that are needed. Chosen by:
@@ -266,7 +266,7 @@ inline constexpr double kSaidChange = 0.1;
 /// Balances: soon at the best number against what few passes tell by chance.
 /// Chosen by: reasoning: that choice rests on more than the noise of a pass.
 /// Supported by: no measurement.
-inline constexpr double kGreatestPlannedRise = 4;
+inline constexpr double kGreatestPlannedRise = 2;
 
 /// The other of them. Unit: ratio.
 /// Balances: as that of the rise.

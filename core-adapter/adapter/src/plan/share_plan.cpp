@@ -30,7 +30,9 @@ double missing(double found, double met, const ShareMoments& m) {
 }
 
 double eye_variance(const ShareMoments& m) {
-    if (m.continued < kJudgedPaths) return std::numeric_limits<double>::infinity();
+    // Effective paths that found light: where there are none, their variance is not known at all.
+    const double found = m.yy > 0 ? m.y * m.y / m.yy : 0;
+    if (found < kFoundByPaths) return std::numeric_limits<double>::infinity();
     const double second = mean(m.yy, m.continued);
     const double variance = second - std::max(0.0, mean(m.xy, m.continued));
     const double missed = missing(m.x, m.y, m);
@@ -70,6 +72,8 @@ class Search {
             // Fewer photons only where eye paths carry their light.
             const double fewest = kLeastRatio * (1 - eye_part(plan)) * facts_.eye_cost;
             if (step < 0 && paths * facts_.photon_path_cost < fewest) continue;
+            if (step > 0 && paths * facts_.photon_path_cost > kGreatestRatio * facts_.eye_cost)
+                continue;
             if (plan.error * plan.cost < least) {
                 least = plan.error * plan.cost;
                 best = plan;

@@ -173,7 +173,7 @@ TEST_F(PaperPlanTest, RunsByPasses) {
     EXPECT_THAT(runs[0].passes, ElementsAre(1, 2, 4, 8, 16, 32, 40));
     EXPECT_TRUE(runs[0].budgets_s.empty());
     EXPECT_THAT(runs[0].set,
-                ElementsAre("aips.guide=paper", "aips.photonperpass=100000",
+                ElementsAre("aips.photonperpass=100000", "aips.guide=paper",
                             "aips.debuglayers=true", "aips.erroralpha=0", "aips.treedepth=64",
                             "aips.nodephotons=32", "aips.cdfresolution=8"));
     EXPECT_EQ(to_json(run_settings_from(to_json(runs[0]))), to_json(runs[0]));

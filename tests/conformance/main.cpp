@@ -89,17 +89,17 @@ ExitCode run(Command& command) {
 
 }  // namespace
 
-int main(int argc, char** argv) {
+int main(int argc, char** argv) try {
     CLI::App app("Compares lxsrender's images with LuxRender's own, scene by scene");
     Command command;
+    declare(app, command);
     try {
-        declare(app, command);
         app.parse(argc, argv);
-        return run(command);
     } catch (const CLI::ParseError& error) {
         return app.exit(error) == 0 ? Passes : BadCommand;
-    } catch (const std::exception& error) {
-        fmt::print(stderr, "{}\n", error.what());
-        return BadCommand;
     }
+    return run(command);
+} catch (const std::exception& error) {
+    std::fprintf(stderr, "%s\n", error.what());
+    return BadCommand;
 }

@@ -9,4 +9,5 @@
 /// Returns 0 for input that was read as well as for input that was refused with an InputError
 /// (or the host's failures of its kind) that says something. Whatever else is thrown ends the
 /// process: that is a finding, as is each complaint of a sanitizer.
+// NOLINTNEXTLINE(readability-identifier-naming): libFuzzer's name
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size);

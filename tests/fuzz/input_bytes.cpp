@@ -72,7 +72,7 @@ double InputBytes::number() {
 std::string InputBytes::text(std::size_t most) {
     const std::size_t wanted = below(most + 1);  // before what is left is looked at
     const std::size_t length = std::min(wanted, at_.size());
-    const std::string value(at_.substr(0, length));
+    std::string value(at_.substr(0, length));
     at_.remove_prefix(length);
     return value;
 }

@@ -18,7 +18,7 @@ constexpr std::array<std::string_view, 6> kNames = {"a.lxs", "b.lxs", "m.ply",
 std::string take_files(std::string_view text, std::vector<std::string>& written) {
     constexpr std::string_view kMark = "\n#file ";
     std::size_t at = text.find(kMark);
-    const std::string main(text.substr(0, at));
+    std::string main(text.substr(0, at));
     while (at != std::string_view::npos) {
         const std::size_t name = at + kMark.size();
         const std::size_t line_end = std::min(text.find('\n', name), text.size());

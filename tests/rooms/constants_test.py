@@ -21,11 +21,10 @@ says why they are no such constants. docs/build-on/constants.md shows the same i
 import dataclasses
 import pathlib
 import re
-import shutil
-import sys
-import tempfile
 
-from rooms_test import ROOT, STOREYS
+import planted_faults
+from planted_faults import ROOT
+from rooms_test import STOREYS
 
 PAGE = 'docs/build-on/constants.md'
 FACTS = 'tests/rooms/facts.txt'
@@ -208,29 +207,6 @@ def planted():
     }
 
 
-def check_planted():
-    missed = []
-    for word, deed in planted().items():
-        with tempfile.TemporaryDirectory() as folder:
-            copy = pathlib.Path(folder)
-            shutil.copytree(ROOT / 'core-adapter', copy / 'core-adapter')
-            shutil.copytree(ROOT / 'docs', copy / 'docs', ignore=shutil.ignore_patterns('images'))
-            (copy / FACTS).parent.mkdir(parents=True)
-            shutil.copy(ROOT / FACTS, copy / FACTS)
-            deed(copy)
-            if not any(word in fault for fault in faults(copy)):
-                missed.append(word)
-    return [f'a planted fault was not found: "{word}"' for word in missed]
-
-
-def main():
-    if sys.argv[1:] == ['--write']:
-        (ROOT / PAGE).write_text(page_text(ROOT))
-        return
-    found = check_planted() if sys.argv[1:] == ['--planted'] else list(faults(ROOT))
-    print('\n'.join(found) or 'every tuned constant says where it comes from')
-    sys.exit(1 if found else 0)
-
-
 if __name__ == '__main__':
-    main()
+    planted_faults.run(planted, faults, ['docs', FACTS], PAGE, page_text,
+                       'every tuned constant says where it comes from')

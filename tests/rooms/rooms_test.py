@@ -13,11 +13,10 @@ files, no file of more than 300 lines. docs/build-on/rooms.md shows the same tab
 import dataclasses
 import pathlib
 import re
-import shutil
-import sys
-import tempfile
 
-ROOT = pathlib.Path(__file__).resolve().parents[2]
+import planted_faults
+from planted_faults import ROOT
+
 PAGE = 'docs/build-on/rooms.md'
 BEGIN, END = '<!-- rooms: begin -->', '<!-- rooms: end -->'
 MOST_FILES = 25
@@ -189,28 +188,6 @@ def planted():
     }
 
 
-def check_planted():
-    missed = []
-    for word, deed in planted().items():
-        with tempfile.TemporaryDirectory() as folder:
-            copy = pathlib.Path(folder)
-            shutil.copytree(ROOT / 'core-adapter', copy / 'core-adapter')
-            (copy / PAGE).parent.mkdir(parents=True)
-            shutil.copy(ROOT / PAGE, copy / PAGE)
-            deed(copy)
-            if not any(word in fault for fault in faults(copy)):
-                missed.append(word)
-    return [f'a planted fault was not found: "{word}"' for word in missed]
-
-
-def main():
-    if sys.argv[1:] == ['--write']:
-        (ROOT / PAGE).write_text(page_text(ROOT))
-        return
-    found = check_planted() if sys.argv[1:] == ['--planted'] else list(faults(ROOT))
-    print('\n'.join(found) or 'every include is as the rooms say')
-    sys.exit(1 if found else 0)
-
-
 if __name__ == '__main__':
-    main()
+    planted_faults.run(planted, faults, [PAGE], PAGE, page_text,
+                       'every include is as the rooms say')

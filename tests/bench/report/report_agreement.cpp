@@ -22,6 +22,7 @@ Json test_facts(const Json& test) {
 
 Json facts_of(const Json& found, const Json& summary) {
     const std::string created = found.at("created"), last_run = summary.at("created");
+    const std::string smaller_radius = found.at("smaller_radius");
     Json tests = Json::array();
     for (const Json& test : found.at("tests"))
         tests.push_back(test_facts(test));
@@ -29,7 +30,7 @@ Json facts_of(const Json& found, const Json& summary) {
             {"is_older", created < last_run},  // ISO 8601, UTC
             {"significance", found.at("significance")},
             {"decisive", found.at("decisive")},
-            {"claims_bias", found.at("smaller_radius") != ""},
+            {"claims_bias", !smaller_radius.empty()},
             {"tests", std::move(tests)}};
 }
 

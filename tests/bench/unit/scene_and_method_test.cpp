@@ -13,7 +13,6 @@ namespace bench::test::scene_and_method_test {
 namespace {
 
 using testing::HasSubstr;
-using testing::Property;
 using testing::ThrowsMessage;
 
 const std::string kTables = BENCH_TABLES;

@@ -14,6 +14,7 @@ TEST(SeedStatistics, KnownBiasAndVarianceComeOutApart) {
     constexpr double kBias = 0.2, kDeviation = 0.5;
     std::mt19937 random(3);
     std::vector<Image> images;
+    images.reserve(4);
     for (int seed = 0; seed < 4; ++seed)
         images.push_back(noisy_image(128, 128, 3 + kBias, kDeviation, random));
     const Image first = noisy_image(128, 128, 3, 0.1, random);
@@ -29,6 +30,7 @@ TEST(SeedStatistics, KnownBiasAndVarianceComeOutApart) {
 TEST(SeedStatistics, UnbiasedSeedsShowNoBias) {
     std::mt19937 random(4);
     std::vector<Image> images;
+    images.reserve(2);
     for (int seed = 0; seed < 2; ++seed)
         images.push_back(noisy_image(128, 128, 3, 0.5, random));
     const Image truth = synthetic_image(128, 128, [](int, int) { return 3; });

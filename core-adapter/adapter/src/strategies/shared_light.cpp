@@ -6,6 +6,7 @@
 
 #include "base/parallel_for.h"
 #include "eye/film_pixel.h"
+#include "eye/surface_side.h"
 #include "strategies/constants.h"
 
 namespace aips {
@@ -27,8 +28,7 @@ ShareSample sample_of(const EyeImage& image, const PhotonFlux& flux, std::size_t
     const VisiblePoint& point = image.visible_points[i];
     ShareSample sample;
     sample.position = point.position;
-    sample.normal = dot(point.wo, point.geometric_normal) > 0 ? point.geometric_normal
-                                                              : -point.geometric_normal;
+    sample.normal = normal_towards(point.wo, point);
     sample.weight = weight;
     sample.continued = point.continued;
     sample.photon_paths = paths;
@@ -109,13 +109,10 @@ std::optional<SharePlan> SharedLight::end_pass(const SharedPass& pass, const Pho
 
 SharePlan SharedLight::decide(const SharedPass& pass, const PhotonLimits& limits) {
     const std::vector<ShareMoments> moments = shares_.table.moments();
-    std::vector<float> present(moments.size());
-    for (std::uint32_t leaf = 0; leaf < moments.size(); ++leaf)
-        present[leaf] = shares_.table.share(leaf);
     const double pixels = double(width_) * height_;
     const double per_pixel = std::max(1.0, double(eye_paths_) / pixels);
     const double seen = std::min(pixels, double(eye_paths_));
-    ShareFacts facts{moments, present};
+    ShareFacts facts{moments, shares_.table.shares()};
     facts.passes = sums_.passes;
     facts.points = sums_.points / sums_.passes;
     facts.point_weight = 1 / (seen * per_pixel * per_pixel);
@@ -137,9 +134,8 @@ SharePlan SharedLight::decide(const SharedPass& pass, const PhotonLimits& limits
 }
 
 void SharedLight::set_any() {
-    shares_.any = false;
-    for (std::uint32_t leaf = 0; leaf < shares_.table.leaf_count(); ++leaf)
-        shares_.any = shares_.any || shares_.table.share(leaf) > 0;
+    shares_.any =
+        std::ranges::any_of(shares_.table.shares(), [](float share) { return share > 0; });
 }
 
 void SharedLight::add_to(EngineStatistics& s) const {

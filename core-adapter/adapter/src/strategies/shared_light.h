@@ -48,9 +48,6 @@ class SharedLight {
     /// Saves what later passes go on from, or restores it.
     void state(StateArchive& archive);
     std::size_t memory_bytes() const { return shares_.table.memory_bytes(); }
-    static std::size_t memory_bound_bytes() {
-        return ShareTable::memory_bound_bytes(ShareTableSettings());
-    }
 
   private:
     void learn(std::uint64_t pass, const EyeImage& image, const PhotonFlux& flux,

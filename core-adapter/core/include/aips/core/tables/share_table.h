@@ -68,7 +68,8 @@ class ShareTable {
         return shares_[places_.leaf_at(position, normal)];
     }
 
-    float share(std::uint32_t leaf) const { return shares_[leaf]; }
+    /// [leaf]: the eye's; valid until they change.
+    std::span<const float> shares() const { return shares_; }
 
     /// Learns from a visible point; false, learning nothing, if a number is not usable.
     bool add(const ShareSample& sample);

@@ -117,6 +117,10 @@ std::vector<ParameterDeclaration> guide_declarations() {
                 "In mode progressive: eye paths go on from surfaces that take photons, where that "
                 "brings more for its time than photons do; not with guide paper "
                 "(docs/understand/who-carries-which-light.md)."),
+        boolean(
+            "guidelamps", kDefaults.guide_lamps,
+            "In mode progressive: paths are drawn for lamps behind glass and in mirrors, beside "
+            "eye paths; not with guide paper (docs/understand/lamp-paths.md)."),
         choice("guide", kDefaults.guide,
                "What decides where photons go: nothing; the adaptive tables of Liu and Zheng 2014; "
                "or what photons are worth to the image (docs/understand/guides.md).",

@@ -39,6 +39,7 @@ void read_guide(const lxs::ParameterReader& in, Settings& s) {
     };
     s.mode = chosen(in, "mode", kModes, s.mode);
     s.continue_eye_paths = in.boolean("continueeyepaths", s.continue_eye_paths);
+    s.guide_lamps = in.boolean("guidelamps", s.guide_lamps);
     s.guide = chosen(in, "guide", kGuides, s.guide);
     s.guide_share = in.number("guideshare", s.guide_share);
     s.iteration_photons = count("iterationphotons", s.iteration_photons);
@@ -92,6 +93,7 @@ Settings defaults_of(PluginKind kind) {
     if (kind == PluginKind::Aips) return settings;
     settings.guide = GuideKind::None;
     settings.continue_eye_paths = false;
+    settings.guide_lamps = false;
     settings.photons_per_pass = kUsualPhotonsPerPass;
     settings.radius = RadiusKind::Schedule;
     if (kind == PluginKind::Ppm) settings.mode = Mode::Ppm;

@@ -55,6 +55,12 @@ lxs::Statistics EngineIntegrator::statistics() const {
         out.emplace_back("visible_paths", s.visible_paths);
         out.emplace_back("mutation_size", s.mutation_size);
     }
+    if (s.lamp_searches > 0) {
+        out.emplace_back("lamp_paths", s.lamp_paths);
+        out.emplace_back("lamp_searches", s.lamp_searches);
+        out.emplace_back("lamp_rays", s.lamp_rays);
+        out.emplace_back("lamp_images", s.lamp_images);
+    }
     if (s.continued_paths > 0) {
         out.emplace_back("continued_paths", s.continued_paths);
         out.emplace_back("eye_share", s.eye_share);

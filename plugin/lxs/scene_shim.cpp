@@ -231,6 +231,13 @@ void FilmShim::add_pass(const FilmPass& pass) {
                     .groups = pass.groups,
                     .second_radiance = photons_,
                     .second_weight = pass.photon_weight});
+    if (!pass.splats) return;
+    convert(pass.splats->positions, positions_);
+    convert(pass.splats->radiance, radiance_);
+    film_.add_splats({.positions = positions_,
+                      .radiance = radiance_,
+                      .groups = pass.groups,
+                      .samples = double(width()) * height()});
 }
 
 void FilmShim::add_layer_pass(std::string_view name, std::span<const Vec2> positions,

@@ -65,6 +65,7 @@ class FilmShim final : public Film {
     std::uint32_t width() const override { return film_.width(); }
     std::uint32_t height() const override { return film_.height(); }
     void add_pass(const FilmPass& pass) override;
+    bool takes_splats() const override { return true; }
     void add_layer_pass(std::string_view name, std::span<const Vec2> positions,
                         std::span<const Rgb> values, double weight) override;
     void set_layer(std::string_view name, std::span<const float> values) override {

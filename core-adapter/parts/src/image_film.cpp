@@ -30,12 +30,16 @@ PixelMean::PixelMean(std::uint32_t width, std::uint32_t height, std::uint32_t gr
       sums_(std::size_t(width) * height * groups * 3),
       weights_(std::size_t(width) * height) {}
 
+std::size_t PixelMean::pixel_of(Vec2 position) const {
+    const auto x = std::min(width_ - 1, static_cast<std::uint32_t>(position.x));
+    const auto y = std::min(height_ - 1, static_cast<std::uint32_t>(position.y));
+    return std::size_t(y) * width_ + x;
+}
+
 void PixelMean::add(std::span<const Vec2> positions, std::span<const Rgb> radiance, double weight) {
     require(radiance.size(), positions.size() * groups_, "values of samples in a pass");
     for (std::size_t i = 0; i < positions.size(); ++i) {
-        const auto x = std::min(width_ - 1, static_cast<std::uint32_t>(positions[i].x));
-        const auto y = std::min(height_ - 1, static_cast<std::uint32_t>(positions[i].y));
-        const std::size_t pixel = std::size_t(y) * width_ + x;
+        const std::size_t pixel = pixel_of(positions[i]);
         weights_[pixel] += weight;
         for (std::uint32_t g = 0; g < groups_; ++g) {
             const Rgb& value = radiance[i * groups_ + g];
@@ -79,6 +83,32 @@ void ImageFilm::add_pass(const FilmPass& pass) {
     require(pass.groups, groups_, "light groups in a pass");
     eye_.add(pass.positions, pass.eye, 1);
     if (!pass.photons.empty()) photons_.add(pass.positions, pass.photons, pass.photon_weight);
+    if (pass.splats) add_splats(*pass.splats);
+}
+
+void ImageFilm::add_splats(const FilmSplats& splats) {
+    require(splats.radiance.size(), splats.positions.size() * groups_, "values of splats");
+    splats_.resize(std::size_t(width_) * height_ * groups_ * 3);
+    ++splat_passes_;
+    for (std::size_t i = 0; i < splats.radiance.size(); ++i) {
+        const std::size_t pixel = eye_.pixel_of(splats.positions[i / groups_]);
+        double* sum = &splats_[(pixel * groups_ + i % groups_) * 3];
+        sum[0] += splats.radiance[i].r;
+        sum[1] += splats.radiance[i].g;
+        sum[2] += splats.radiance[i].b;
+    }
+}
+
+void ImageFilm::add_splats_to(std::vector<Rgb>& pixels, std::uint32_t first,
+                              std::uint32_t last) const {
+    if (splats_.empty()) return;
+    const auto passes = double(splat_passes_);
+    for (std::size_t p = 0; p < pixels.size(); ++p) {
+        for (std::uint32_t g = first; g < last; ++g) {
+            const double* sum = &splats_[(p * groups_ + g) * 3];
+            pixels[p] += {float(sum[0] / passes), float(sum[1] / passes), float(sum[2] / passes)};
+        }
+    }
 }
 
 void ImageFilm::add_layer_pass(std::string_view name, std::span<const Vec2> positions,
@@ -93,7 +123,7 @@ void ImageFilm::set_layer(std::string_view name, std::span<const float> values) 
 }
 
 std::vector<Rgb> ImageFilm::image() const {
-    std::vector<Rgb> pixels = eye_.image();
+    std::vector<Rgb> pixels = eye_part();
     photons_.add_to(pixels, 0, groups_);
     return pixels;
 }
@@ -102,11 +132,14 @@ std::vector<Rgb> ImageFilm::image_of_group(std::uint32_t group) const {
     std::vector<Rgb> pixels(std::size_t(width_) * height_);
     for (const PixelMean* mean : {&eye_, &photons_})
         mean->add_to(pixels, group, group + 1);
+    add_splats_to(pixels, group, group + 1);
     return pixels;
 }
 
 std::vector<Rgb> ImageFilm::eye_part() const {
-    return eye_.image();
+    std::vector<Rgb> pixels = eye_.image();
+    add_splats_to(pixels, 0, groups_);
+    return pixels;
 }
 
 double ImageFilm::mean() const {

@@ -168,6 +168,7 @@ void FilmAccumulator::gather_splats(const PassSamples& pass, std::uint32_t y,
         const double on_film = filter_on_film(x, y);
         if (!(on_film > 0)) continue;  // as a mean with a sum of weights that isn't positive
         gather_pixel(pass, x, y, pixel);
+        if (to_rgb_) convert(pixel.subspan(1));
         double* sums = &splats_[(std::size_t{y} * width_ + x) * channels];
         for (std::size_t c = 0; c < channels; ++c) {
             sums[c] += pixel[c + 1] / on_film;
@@ -242,7 +243,7 @@ Rgb FilmAccumulator::resolve(std::size_t pixel, std::uint32_t first_group,
     }
     if (splat_samples_ > 0)
         value += sum_over_groups(&splats_[pixel * channels], first_group, end_group) * pixels /
-                 splat_samples_;
+                 (splat_samples_ * white_of(first_.white_sum, first_.weight_sum));
     Rgb finite;
     for (int c = 0; c < 3; ++c) {
         constexpr double kMost = std::numeric_limits<float>::max();

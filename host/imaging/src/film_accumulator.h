@@ -27,7 +27,8 @@ class FilmAccumulator {
     /// From now on samples hold values at wavelengths: a row vector of them times `to_rgb` is
     /// linear RGB. Each part is divided by its mean over passes of `white`, what a white of 1 has
     /// become, which the few wavelengths of few passes would tint; it tends to 1 with the passes.
-    /// Right to the last digit where all pixels get the same passes. Not for splats.
+    /// Right to the last digit where all pixels get the same passes. Splats are taken to come with
+    /// each pass, and divided as its first part is.
     void set_conversion(const Imath::M33d& to_rgb, const Imath::V3d& white) {
         to_rgb_ = to_rgb;
         white_of_pass_ = white;

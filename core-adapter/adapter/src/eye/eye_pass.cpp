@@ -21,20 +21,37 @@ struct EyeBlock {
     std::vector<VolumeBeam> beams;
     std::vector<float> footprints;
     std::vector<LightSample> light_samples;
+    std::vector<LampRest> lamp_rests;
+    std::vector<Rgb> lamps;  // [light group]: of one eye path
     double beam_footprint_sum = 0;
     std::uint64_t rays = 0;
 };
 
 EyePathOutput output_of(const EyePassInput& in, std::uint64_t pass, std::uint32_t path,
-                        EyeImage& image) {
+                        EyeImage& image, EyeBlock& block) {
     const std::size_t first = std::size_t(path) * image.groups;
     EyePathOutput output;
     output.radiance = std::span(image.radiance).subspan(first, image.groups);
+    if (in.lamps) {
+        block.lamps.assign(image.groups, Rgb{});
+        output.lamps = block.lamps;
+    }
     if (in.shares) {
         output.continued = std::span(image.continued).subspan(first, image.groups);
         output.explores = in.shares->explores(pass, path);
     }
     return output;
+}
+
+/// Adds what the path met of lamps behind smooth surfaces, by its share beside lamp paths.
+void add_lamps(const LampImages& known, const EyeNumbers& numbers, std::uint32_t path,
+               const EyePathOutput& output, Refusals& refusals, EyeImage& image, EyeBlock& block) {
+    const float luminance = luminance_over_groups(output.lamps, 0, image.groups);
+    if (!(luminance > 0)) return;
+    const auto share = float(known.eye_share(image.positions[path], numbers.choices()));
+    for (std::size_t g = 0; g < image.groups; ++g)
+        refusals.add(output.radiance[g], output.lamps[g] * share, kPassageOrigin);
+    if (share < 1) block.lamp_rests.push_back({path, (1 - share) * luminance});
 }
 
 void trace_block(const EyePassInput& in, std::uint64_t pass, float time, std::uint32_t first,
@@ -54,9 +71,10 @@ void trace_block(const EyePassInput& in, std::uint64_t pass, float time, std::ui
                                  (serial - before * in.paths) / pixels);
         RandomStream random(in.settings.seed, pass, i, RandomDomain::Eye);
         image.positions[i] = sample.film;
-        const EyePathResult result =
-            trace_eye_path(in, in.camera.generate(sample, time), numbers, random, refusals, arena,
-                           output_of(in, pass, i, image));
+        const EyePathOutput output = output_of(in, pass, i, image, block);
+        const EyePathResult result = trace_eye_path(in, in.camera.generate(sample, time), numbers,
+                                                    random, refusals, arena, output);
+        if (in.lamps) add_lamps(*in.lamps, numbers, i, output, refusals, image, block);
         block.rays += result.rays;
         if (result.light_sample.pdf > 0 && (i + pass) % stride == 0)
             block.light_samples.push_back(result.light_sample);
@@ -92,6 +110,7 @@ void join_blocks(std::vector<EyeBlock>& blocks, EyeImage& image) {
     join(blocks, &EyeBlock::beams, image.beams);
     join(blocks, &EyeBlock::footprints, image.footprints);
     join(blocks, &EyeBlock::light_samples, image.light_samples);
+    join(blocks, &EyeBlock::lamp_rests, image.lamp_rests);
     image.beam_footprint_sum = 0;
     image.rays = 0;
     for (const EyeBlock& block : blocks) {
@@ -108,7 +127,8 @@ std::size_t EyeImage::memory_bytes() const {
         positions.capacity() * sizeof(Vec2) +
         (radiance.capacity() + continued.capacity()) * sizeof(Rgb) +
         visible_points.capacity() * sizeof(VisiblePoint) + footprints.capacity() * sizeof(float) +
-        light_samples.capacity() * sizeof(LightSample) + beams.capacity() * sizeof(VolumeBeam);
+        light_samples.capacity() * sizeof(LightSample) + beams.capacity() * sizeof(VolumeBeam) +
+        lamp_rests.capacity() * sizeof(LampRest);
     for (const Arena& arena : arenas)
         bytes += arena.bytes_reserved();
     return bytes;

@@ -12,6 +12,7 @@
 #include "eye/direct_light.h"
 #include "eye/eye_shares.h"
 #include "eye/volume_beam.h"
+#include "lamps/lamp_images.h"
 #include "refusal/refusals.h"
 
 namespace aips {
@@ -45,6 +46,12 @@ struct VisiblePoint {
     bool continued = false;  ///< whether it went on
 };
 
+/// Luminance of lamps behind smooth surfaces that an eye path met and left to lamp paths.
+struct LampRest {
+    std::uint32_t sample = 0;  ///< index of the eye path in its pass
+    float luminance = 0;       ///< over all light groups
+};
+
 /// What one eye pass leaves.
 struct EyeImage {
     std::uint32_t groups = 1;
@@ -60,6 +67,7 @@ struct EyeImage {
     double footprint_sum = 0;       ///< of the pixel footprints' radii, as footprints.h sums them
     std::vector<float> footprints;  ///< those radii, in no order; one a visible point
     std::vector<LightSample> light_samples;  ///< of some shadow rays, if they are learned from
+    std::vector<LampRest> lamp_rests;        ///< one an eye path at most
     std::uint64_t rays = 0;
 
     /// Mean radius of a pixel's footprint at the visible points, far ones bounded (footprints.h),
@@ -94,6 +102,7 @@ struct EyePassInput {
     std::uint32_t paths = 0;              ///< eye paths in this pass
     bool keep_visible_points = true;    ///< else they and the beams are left out, and Bsdfs dropped
     const EyeShares* shares = nullptr;  ///< null: no eye path goes on from its visible point
+    const LampImages* lamps = nullptr;  ///< null: eye paths alone meet lamps
 };
 
 /// Lobes that take photons under these settings; the others bounce the eye path on.

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 #include "eye/constants.h"
 #include "eye/continued_path.h"
@@ -26,6 +27,7 @@ class EyePath {
           refusals_(refusals),
           arena_(arena),
           radiance_(output.radiance),
+          lamps_(output.lamps.empty() ? output.radiance : output.lamps),
           continued_(output.continued),
           explores_(output.explores),
           media_(input.scene.media()) {
@@ -38,6 +40,13 @@ class EyePath {
         return result_;
     }
 
+    /// Meets lamps through smooth surfaces alone; returns the rays traced.
+    std::uint32_t look_for_lamps() {
+        lamps_only_ = true;
+        follow(1);
+        return result_.rays;
+    }
+
   private:
     /// From vertex number `depth` on.
     void follow(std::uint32_t depth) {
@@ -46,7 +55,8 @@ class EyePath {
             SurfacePoint point;
             ++result_.rays;
             const bool met = meet_surface(in_.scene, tip_.ray, point, arena_, refusals_);
-            if (media_ && media_->scatters(tip_.ray.medium)) cross_medium(point.distance);
+            if (media_ && !lamps_only_ && media_->scatters(tip_.ray.medium))
+                cross_medium(point.distance);
             tip_.throughput *= point.transmittance;
             if (!met) {
                 add_escaped();
@@ -91,9 +101,11 @@ class EyePath {
             camera_ray_.width + camera_ray_.spread * (travelled_ + 0.5f * beam.length);
     }
 
+    /// Of lamps that were met.
     void add(const Rgb& value, LightIndex light) {
-        refusals_.add(radiance_[in_.scene.lights()[light]->group()], value,
-                      refusals_.of_light(light));
+        if (lamps_only_ && !behind_smooth_) return;
+        const std::span<Rgb> sums = behind_smooth_ ? lamps_ : radiance_;
+        refusals_.add(sums[in_.scene.lights()[light]->group()], value, refusals_.of_light(light));
     }
 
     void add_emitted(const SurfacePoint& point) {
@@ -118,15 +130,15 @@ class EyePath {
         const LobeMask lobes = point.bsdf->lobes();
         if (lobes == kSpecular) {
             if (last) return false;
+            behind_smooth_ = true;
             const Vec2 u = numbers.direction();
-            const float u_lobe = numbers.lobe();
-            if (branches_ < kMostBranches && !media_)
-                look_the_other_way(point, wo, u, u_lobe, depth);
+            const float u_lobe = choose_way(point, wo, numbers, depth);
             return bounce(in_, point, wo, {kSpecular, 1, u, u_lobe}, refusals_, tip_);
         }
         if (lamps_only_) return false;
         lamp_share_ = 1;
         branches_ = kMostBranches;
+        lamps_ = radiance_;
         const LobeMask receiving = lobes & receiving_lobes(in_.settings);
         const LobeMask bouncing = lobes & ~receiving;
         const float store_pdf = store_probability(point, wo, receiving, last ? 0 : bouncing);
@@ -158,14 +170,35 @@ class EyePath {
         return bounce(in_, point, wo, draw, refusals_, tip_);
     }
 
+    /// The number that decides between the ways that a smooth surface offers.
+    float choose_way(const SurfacePoint& point, Vec3 wo, const VertexNumbers& numbers,
+                     std::uint32_t depth) {
+        const float u_lobe = numbers.lobe();
+        const float first = point.bsdf->first_specular(wo);
+        if (!(first > 0 && first < 1)) return u_lobe;
+        if (branches_ < kMostBranches && !media_) {
+            look_the_other_way(point, wo, {first, u_lobe, numbers.direction()}, depth);
+        } else if (in_.lamps && choices_ < std::tuple_size_v<SmoothChoices>) {
+            return numbers_.choice(choices_++);
+        }
+        return u_lobe;
+    }
+
+    /// A choice between two ways: the first one where u_lobe < first.
+    struct TwoWays {
+        float first, u_lobe;
+        Vec2 u;
+    };
+
     /// Of the two ways that a smooth surface offers the path takes one. Lamps seen by smooth
     /// surfaces alone are looked for by the other way too, and count each way by its share: by
     /// chance alone one path in 25 would meet the lamp that a glass reflects, with all its light.
-    void look_the_other_way(const SurfacePoint& point, Vec3 wo, Vec2 u, float u_lobe,
+    /// Beside lamp paths both ways go on to look both ways: what is met is to depend on no number
+    /// but film position and choices.
+    void look_the_other_way(const SurfacePoint& point, Vec3 wo, const TwoWays& ways,
                             std::uint32_t depth) {
-        const float first = point.bsdf->first_specular(wo);
-        if (!(first > 0 && first < 1)) return;
         ++branches_;
+        const auto [first, u_lobe, u] = ways;
         const bool takes_first = u_lobe < first;
         const float within = takes_first ? u_lobe / first : (u_lobe - first) / (1 - first);
         const float other_u = takes_first ? std::min(first + within * (1 - first), 0x1.fffffep-1f)
@@ -173,7 +206,7 @@ class EyePath {
         EyePath other(*this);
         other.lamps_only_ = true;
         other.result_ = {};
-        other.branches_ = kMostBranches;
+        if (!in_.lamps) other.branches_ = kMostBranches;
         other.lamp_share_ *= takes_first ? 1 - first : first;
         lamp_share_ *= takes_first ? first : 1 - first;
         if (bounce(in_, point, wo, {kSpecular, 1, u, other_u}, refusals_, other.tip_))
@@ -232,15 +265,17 @@ class EyePath {
     RandomStream& random_;       // in media
     Refusals& refusals_;
     Arena& arena_;
-    std::span<Rgb> radiance_, continued_;
+    std::span<Rgb> radiance_, lamps_, continued_;
     bool explores_;
     const Media* media_;  // null if no medium scatters
 
     PathTip tip_;
     float travelled_ = 0;
-    bool lamps_only_ = false;     // another way: nothing else is collected
+    bool lamps_only_ = false;     // nothing else is collected
+    bool behind_smooth_ = false;  // some surface was smooth
     float lamp_share_ = 1;        // of lamps met, as other ways from smooth surfaces tell too
     std::uint32_t branches_ = 0;  // vertices from which that was so
+    std::size_t choices_ = 0;     // used at smooth surfaces beyond these
     float beam_weights_ = 0;      // of all beams of the path
     float beam_weight_ = 0;       // of the one that is kept
     EyePathResult result_;
@@ -252,6 +287,14 @@ EyePathResult trace_eye_path(const EyePassInput& input, const CameraRay& camera_
                              const EyeNumbers& numbers, RandomStream& random, Refusals& refusals,
                              Arena& arena, const EyePathOutput& output) {
     return EyePath(input, camera_ray, numbers, random, refusals, arena, output).trace();
+}
+
+std::uint32_t trace_lamp_path(const EyePassInput& input, const CameraRay& camera_ray,
+                              const EyeNumbers& numbers, RandomStream& random, Refusals& refusals,
+                              Arena& arena, std::span<Rgb> lamps) {
+    EyePathOutput output;
+    output.lamps = lamps;
+    return EyePath(input, camera_ray, numbers, random, refusals, arena, output).look_for_lamps();
 }
 
 }  // namespace aips

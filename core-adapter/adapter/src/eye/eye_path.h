@@ -23,6 +23,7 @@ struct EyePathResult {
 /// Where an eye path's light goes.
 struct EyePathOutput {
     std::span<Rgb> radiance;   ///< [light group]: emission and direct light
+    std::span<Rgb> lamps;      ///< [light group]: lamps behind smooth surfaces; empty: in radiance
     std::span<Rgb> continued;  ///< [light group]: EyeImage::continued; empty without shares
     bool explores = false;     ///< goes on from its visible point even where it has no share
 };
@@ -33,5 +34,11 @@ struct EyePathOutput {
 EyePathResult trace_eye_path(const EyePassInput& input, const CameraRay& camera_ray,
                              const EyeNumbers& numbers, RandomStream& random, Refusals& refusals,
                              Arena& arena, const EyePathOutput& output);
+
+/// Follows a camera ray through smooth surfaces alone and adds the lamps that they show to `lamps`,
+/// one entry a light group. Returns the rays traced.
+std::uint32_t trace_lamp_path(const EyePassInput& input, const CameraRay& camera_ray,
+                              const EyeNumbers& numbers, RandomStream& random, Refusals& refusals,
+                              Arena& arena, std::span<Rgb> lamps);
 
 }  // namespace aips

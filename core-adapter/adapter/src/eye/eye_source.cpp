@@ -24,6 +24,7 @@ class RenewedEyePaths : public EyeSource {
         trace_eye_pass(input_, pass, time(pass), refusals, image);
         return input_.paths;
     }
+    const EyePassInput& input() const override { return input_; }
     float time(std::uint64_t pass) const override { return moment(input_, pass); }
     void restore(std::uint64_t /*passes*/, EyeImage& /*image*/) override {}
 
@@ -42,6 +43,7 @@ class FrozenEyePaths : public EyeSource {
         trace(refusals, image);
         return input_.paths;
     }
+    const EyePassInput& input() const override { return input_; }
     float time(std::uint64_t /*pass*/) const override { return moment(input_, 0); }
     void restore(std::uint64_t passes, EyeImage& image) override {
         if (passes == 0) return;

@@ -15,6 +15,8 @@ class EyeSource {
     /// Makes `image` that of pass number `pass`; passes come in order. Returns the eye paths traced
     /// for it: 0 if they are those of an earlier pass.
     virtual std::uint32_t look(std::uint64_t pass, Refusals& refusals, EyeImage& image) = 0;
+    /// What its eye paths are traced with.
+    virtual const EyePassInput& input() const = 0;
     /// One moment of the shutter interval, for all rays of the pass.
     virtual float time(std::uint64_t pass) const = 0;
     /// After restoring `passes` passes: brings back what later ones go on with. Bsdfs are the

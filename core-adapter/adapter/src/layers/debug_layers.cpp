@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "aips/core/sampling/sampling.h"
-#include "eye/film_pixel.h"
+#include "base/film_pixel.h"
 
 namespace aips {
 DebugLayers::DebugLayers(Film& film, const Guide* guide) : film_(film) {

@@ -93,6 +93,23 @@ void drop_continued_paths(Needs& needs, const Scene& scene) {
     skip(needs, "continued eye paths", reason);
 }
 
+/// Lamp paths meet lamps behind smooth surfaces, in each pass anew.
+void drop_lamp_paths(Needs& needs, const SceneFacts& facts) {
+    Settings& s = needs.settings;
+    if (!s.guide_lamps) return;
+    std::string reason;
+    if (!(facts.lobes & kSpecular)) {
+        reason = "no surface is smooth";
+    } else if (freezes_eye_pass(s.mode)) {
+        reason = "eye paths belong to one pass";
+    } else if (s.guide == GuideKind::Paper) {
+        reason = "the paper's eye paths meet lamps by themselves";
+    }
+    if (reason.empty()) return;
+    s.guide_lamps = false;
+    skip(needs, "lamp paths", reason);
+}
+
 void drop_guides(Needs& needs, const SceneFacts& facts) {
     const Settings& s = needs.settings;
     if (s.guide == GuideKind::None) {
@@ -148,6 +165,7 @@ Needs analyse(const Scene& scene, const Settings& settings) {
     }
     drop_learned_lights(needs, lights.size() - dead, facts);
     drop_continued_paths(needs, scene);
+    drop_lamp_paths(needs, facts);
     if (scene.media()) drop_parts_for_surfaces(needs, facts);
     drop_guides(needs, facts);
     if (!facts.has_media) {

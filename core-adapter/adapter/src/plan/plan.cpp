@@ -50,6 +50,11 @@ bool Plan::measures_noise() const {
     return needs.photons && follows_noise(settings()) && !chains_for_guide();
 }
 
+bool Plan::shares_lamps(const Film& film, std::uint32_t eye_paths) const {
+    return settings().guide_lamps && film.takes_splats() &&
+           eye_paths % (std::uint64_t{film.width()} * film.height()) == 0;
+}
+
 Settings Plan::radius_settings() const {
     Settings radii = settings();
     const bool automatic = !(radii.start_radius > 0);

@@ -5,6 +5,7 @@
 
 #include <string>
 
+#include "aips/adapter/camera.h"
 #include "plan/guide_scout.h"
 #include "plan/needs.h"
 
@@ -34,6 +35,9 @@ struct Plan {
     bool looks_first() const;
     /// Whether the photons per pass follow the noise that passes tell.
     bool measures_noise() const;
+    /// Whether lamp paths are drawn beside eye paths, of which each pass has a whole number a
+    /// pixel.
+    bool shares_lamps(const Film& film, std::uint32_t eye_paths) const;
     /// Settings of the radius policy.
     Settings radius_settings() const;
 

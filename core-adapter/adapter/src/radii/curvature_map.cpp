@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cstdlib>
 
-#include "eye/film_pixel.h"
+#include "base/film_pixel.h"
 
 namespace aips {
 namespace {

@@ -11,9 +11,12 @@
 namespace aips {
 namespace {
 
-const EyeShares* eye_shares(const LightStrategies& strategies) {
+/// What the one strategy that has some shares with eye paths, or null.
+template <class Shared>
+const Shared* shared_by(const LightStrategies& strategies,
+                        const Shared* (LightStrategy::*part)() const) {
     for (const auto& strategy : strategies) {
-        if (const EyeShares* shares = strategy->eye_shares()) return shares;
+        if (const Shared* shared = (*strategy.*part)()) return shared;
     }
     return nullptr;
 }
@@ -29,7 +32,8 @@ PassLoop::PassLoop(const Host& host, const Settings& settings, std::uint32_t eye
       refusals_(host.scene),
       eye_(make_eye_source({host_.scene, host_.camera, host_.sampler, direct_light_, settings_,
                             host.film.width(), host.film.height(), eye_paths, needs_points,
-                            eye_shares(strategies)})),
+                            shared_by(strategies, &LightStrategy::eye_shares),
+                            shared_by(strategies, &LightStrategy::lamp_images)})),
       strategies_(std::move(strategies)) {
     statistics_.memory_bound_bytes = eye_memory_bound(host.scene, settings, eye_paths);
     for (const auto& strategy : strategies_)
@@ -61,10 +65,13 @@ PassReport PassLoop::render_pass(std::uint64_t number) {
 
 std::uint32_t PassLoop::trace_eye_paths(std::uint64_t pass) {
     const Stopwatch watch(statistics_.eye_seconds);
+    for (const auto& strategy : strategies_)
+        strategy->begin_pass({pass, eye_->time(pass), eye_->input(), refusals_});
     return eye_->look(pass, refusals_, image_);
 }
 
 void PassLoop::add_light(const CarriedLight& light, FilmPass& film_pass) {
+    if (light.splats) film_pass.splats = light.splats;
     if (light.radiance.empty()) return;
     if (light.mean == PassMean::Weighted) {
         if (!film_pass.photons.empty())

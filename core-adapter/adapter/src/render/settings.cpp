@@ -90,6 +90,7 @@ std::string describe(const Settings& s) {
     if (s.debug_layers) out << ", debuglayers = true";
     if (!s.learn_lights) out << ", learnlights = false";
     if (!s.continue_eye_paths) out << ", continueeyepaths = false";
+    if (!s.guide_lamps) out << ", guidelamps = false";
     if (s.guide == GuideKind::Paper) {
         out << ", guideshare = " << s.guide_share << ", iterationphotons = " << s.iteration_photons
             << " paths, nodephotons = " << s.node_photons << ", treedepth = " << s.tree_depth

@@ -32,4 +32,16 @@ inline constexpr double kShareMemory = 0.5;
 /// Supported by: no measurement.
 inline constexpr double kErrorOverVariance = 1.5;
 
+/// Searches for images of lamps before the first pass. Unit: pixels.
+/// Balances: time before the first pass against images that are yet unknown.
+/// Chosen by: reasoning: about as many rays as a pass.
+/// Supported by: no measurement.
+inline constexpr double kFirstSearches = 2;
+
+/// Searches before each later pass. Unit: pixels.
+/// Balances: rays that find nothing against images that are yet unknown.
+/// Chosen by: reasoning: some per cent of a pass's rays.
+/// Supported by: no measurement.
+inline constexpr double kLaterSearches = 0.05;
+
 }  // namespace aips

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -12,6 +13,14 @@
 #include "plan/plan.h"
 
 namespace aips {
+
+/// A pass that is about to be traced.
+struct ComingPass {
+    std::uint64_t number = 0;
+    float time = 0;
+    const EyePassInput& eye;  ///< what its eye paths will be traced with
+    Refusals& refusals;
+};
 
 /// A pass whose eye paths are traced.
 struct StrategyPass {
@@ -36,6 +45,8 @@ struct CarriedLight {
     std::span<const Rgb> radiance = {};
     PassMean mean = PassMean::Alike;
     double weight = 1;  ///< of the pass in the mean, > 0; 1 for Alike
+    /// Held likewise; in all passes or in none, by one strategy at most. All passes count alike.
+    std::optional<FilmSplats> splats = {};
 };
 
 class LightStrategy {
@@ -44,6 +55,10 @@ class LightStrategy {
     /// From which visible points eye paths go on, for light that the strategy shares with them;
     /// null: from none. At most one strategy has such. Stays as long as the strategy does.
     virtual const EyeShares* eye_shares() const { return nullptr; }
+    /// Images of lamps that the strategy draws paths through; null: none. As above.
+    virtual const LampImages* lamp_images() const { return nullptr; }
+    /// Before the eye paths of each pass are traced.
+    virtual void begin_pass(const ComingPass& /*pass*/) {}
     /// Carries the light of one pass; adds what it did to `report`.
     virtual CarriedLight carry(const StrategyPass& pass, PassReport& report) = 0;
     /// The film has the pass: learns from it, for later ones.

@@ -7,6 +7,7 @@
 #include "plan/memory_bound.h"
 #include "plan/pass_work.h"
 #include "strategies/constants.h"
+#include "strategies/lamp_strategy.h"
 
 namespace aips {
 namespace {
@@ -196,6 +197,8 @@ std::size_t PhotonStrategy::memory_bound_bytes() const {
 LightStrategies make_strategies(const Host& host, Plan& plan, std::uint32_t eye_paths) {
     LightStrategies strategies;
     strategies.push_back(std::make_unique<PhotonStrategy>(host, plan, eye_paths));
+    if (plan.shares_lamps(host.film, eye_paths))
+        strategies.push_back(std::make_unique<LampStrategy>(host, eye_paths));
     return strategies;
 }
 

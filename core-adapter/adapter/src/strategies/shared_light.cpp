@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <bit>
 
+#include "base/film_pixel.h"
 #include "base/parallel_for.h"
-#include "eye/film_pixel.h"
 #include "eye/surface_side.h"
 #include "strategies/constants.h"
 

@@ -6,8 +6,8 @@
 #include <limits>
 #include <numeric>
 
+#include "base/film_pixel.h"
 #include "base/parallel_for.h"
-#include "eye/film_pixel.h"
 
 namespace aips {
 namespace {

@@ -1,8 +1,8 @@
 // Luminances of eye paths.
 #include "worth/pixel_luminance.h"
 
+#include "base/film_pixel.h"
 #include "base/parallel_for.h"
-#include "eye/film_pixel.h"
 
 namespace aips {
 
@@ -16,6 +16,8 @@ void pixel_luminances(const EyeImage& image, std::span<const Rgb> photons, std::
                           film_pixel(image.positions[path], width, height)};
         }
     });
+    for (const LampRest& rest : image.lamp_rests)
+        seen[rest.sample].luminance += double(rest.luminance);
 }
 
 }  // namespace aips

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string_view>
 
@@ -33,14 +34,23 @@ class Camera {
 class Sampler {
   public:
     virtual ~Sampler() = default;
-    /// Sample number `number` of pixel (x, y), a pure function of its arguments.
+    /// Sample number `number` of pixel (x, y), a pure function of its arguments. Over numbers the
+    /// film position is uniform in the pixel's square.
     virtual CameraSample camera_sample(std::uint64_t number, std::uint32_t x,
                                        std::uint32_t y) const = 0;
 };
 
-/// What a pass brings to the film, in two parts: the image is the sum of a mean over passes of
-/// each. Eye paths of all passes count alike, photons by weights that are fixed before the pass:
-/// less while a guide learns.
+/// Light with film positions of its own, whose density is divided out already.
+struct FilmSplats {
+    std::span<const Vec2> positions;  ///< pixels
+    /// Radiance of splat i in light group g at [i * groups + g], over the splats' density per
+    /// pixel's area: as many as there are pixels, of radiance L and spread evenly, are an image L.
+    std::span<const Rgb> radiance;
+};
+
+/// What a pass brings to the film, in up to three parts: the image is the sum of a mean over passes
+/// of each. Eye paths and splats of all passes count alike, photons by weights that are fixed
+/// before the pass: less while a guide learns.
 struct FilmPass {
     std::span<const Vec2> positions;  ///< of the samples, pixels
     std::uint32_t groups = 1;         ///< light groups
@@ -49,6 +59,8 @@ struct FilmPass {
     /// What photons bring it, laid out as `eye`; empty in all passes of a scene that needs none.
     std::span<const Rgb> photons = {};
     double photon_weight = 1;  ///< of the pass in the mean of `photons`, > 0
+    /// In all passes or in none, and only if the film takes them; a pass may bring no splat.
+    std::optional<FilmSplats> splats = {};
 };
 
 class Film {
@@ -57,6 +69,9 @@ class Film {
     virtual std::uint32_t width() const = 0;
     virtual std::uint32_t height() const = 0;
     virtual void add_pass(const FilmPass& pass) = 0;
+    /// Whether passes may bring splats. Without them lamps behind glass and in mirrors are met by
+    /// eye paths alone.
+    virtual bool takes_splats() const { return false; }
     /// Adds a pass of the extra colour layer `name`: `values[i]` at `positions[i]`, filtered as the
     /// image is; `weight` > 0 is the pass's share in the mean over passes.
     virtual void add_layer_pass(std::string_view name, std::span<const Vec2> positions,

@@ -46,6 +46,10 @@ struct EngineStatistics {
     /// Share of the light that eye paths and photons both can carry to visible points which eye
     /// paths now do
     double eye_share = 0;
+    std::uint64_t lamp_paths = 0;     ///< drawn through images of lamps
+    std::uint64_t lamp_searches = 0;  ///< for such images
+    std::uint64_t lamp_rays = 0;      ///< of both
+    std::uint64_t lamp_images = 0;    ///< known now
     std::uint64_t photon_paths = 0;
     std::uint64_t photon_rays = 0;
     std::uint64_t landings = 0;   ///< stored, but for those that shadow rays own

@@ -65,6 +65,8 @@ struct Settings {
     bool learn_lights = true;           ///< shadow rays go where lights were seen to come from
     /// Eye paths go on from their visible points where they carry light better than photons do.
     bool continue_eye_paths = true;
+    /// Paths are drawn for lamps that smooth surfaces show, beside eye paths.
+    bool guide_lamps = true;
     bool store_glossy = false;  ///< glossy lobes receive photons instead of bouncing
     bool debug_layers = false;  ///< extra layers of the film: docs/reference/layers.md
 

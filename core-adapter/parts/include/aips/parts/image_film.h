@@ -18,6 +18,8 @@ class PixelMean {
     /// Adds radiance[i * groups + group] at positions[i]. Throws std::invalid_argument unless there
     /// is a value of each group for every position.
     void add(std::span<const Vec2> positions, std::span<const Rgb> radiance, double weight);
+    /// Number of the pixel that a position is in.
+    std::size_t pixel_of(Vec2 position) const;
     /// Adds the means of the light groups [first, last) to `pixels`; nothing where no sample fell.
     void add_to(std::vector<Rgb>& pixels, std::uint32_t first, std::uint32_t last) const;
     /// All groups together, row by row from the top.
@@ -41,6 +43,7 @@ class ImageFilm : public Film {
     /// Throws std::invalid_argument unless the pass has the film's light groups and a value of each
     /// for every sample.
     void add_pass(const FilmPass& pass) override;
+    bool takes_splats() const override { return true; }
     /// Throws std::invalid_argument unless there is a value for each sample.
     void add_layer_pass(std::string_view name, std::span<const Vec2> positions,
                         std::span<const Rgb> values, double weight) override;
@@ -51,7 +54,7 @@ class ImageFilm : public Film {
     /// fell.
     std::vector<Rgb> image() const;
     std::vector<Rgb> image_of_group(std::uint32_t group) const;
-    /// Its part that eye paths saw without photons.
+    /// Its part that eye paths saw without photons, splats among it.
     std::vector<Rgb> eye_part() const;
     /// Mean luminance of the image.
     double mean() const;
@@ -64,7 +67,12 @@ class ImageFilm : public Film {
 
   private:
     std::uint32_t width_, height_, groups_;
+    void add_splats(const FilmSplats& splats);
+    void add_splats_to(std::vector<Rgb>& pixels, std::uint32_t first, std::uint32_t last) const;
+
     PixelMean eye_, photons_;
+    std::vector<double> splats_;  // [(pixel * groups + group) * 3 + channel]; empty without any
+    std::uint64_t splat_passes_ = 0;
     std::map<std::string, PixelMean, std::less<>> color_layers_;
     std::map<std::string, std::vector<float>, std::less<>> layers_;
 };

@@ -7,7 +7,10 @@
 // stratified over passes, not only within them.
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
+#include <optional>
 
 #include "aips/core/base/vector.h"
 #include "aips/core/sampling/low_discrepancy.h"
@@ -32,6 +35,10 @@ class VertexNumbers {
     std::uint64_t index_;
 };
 
+/// Choices at the smooth surfaces that a path meets before any other, in [0, 1): the numbers that
+/// tell, beside its film position, which lamps such a path meets.
+using SmoothChoices = std::array<float, 4>;
+
 /// Numbers of one path.
 class EyeNumbers {
   public:
@@ -43,6 +50,25 @@ class EyeNumbers {
     VertexNumbers vertex(std::uint32_t depth) const {
         const std::uint32_t seed = hash_bits(seed_ + depth * 0x9E3779B9u);
         return {hash_bits(seed), shuffled(index_, seed)};
+    }
+
+    /// Choice number `i`, uniform over seeds as all others.
+    float choice(std::size_t i) const {
+        // Beyond all vertices that a path may have.
+        return drawn_ ? (*drawn_)[i] : vertex((1u << 31) + std::uint32_t(i)).lobe();
+    }
+    /// All of them.
+    SmoothChoices choices() const {
+        SmoothChoices all;
+        for (std::size_t i = 0; i < all.size(); ++i)
+            all[i] = choice(i);
+        return all;
+    }
+    /// The same path with choices that were drawn elsewhere.
+    EyeNumbers with(const SmoothChoices& drawn) const {
+        EyeNumbers numbers(*this);
+        numbers.drawn_ = drawn;
+        return numbers;
     }
 
   private:
@@ -60,6 +86,7 @@ class EyeNumbers {
 
     std::uint32_t seed_;
     std::uint64_t index_;
+    std::optional<SmoothChoices> drawn_;
 };
 
 }  // namespace aips

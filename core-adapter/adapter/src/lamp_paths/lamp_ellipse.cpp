@@ -1,0 +1,48 @@
+// Ellipses of lamps.
+#include "lamp_paths/lamp_ellipse.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "aips/core/sampling/low_discrepancy.h"
+#include "aips/core/sampling/random.h"
+#include "lamp_paths/constants.h"
+
+namespace aips {
+
+bool sample_lamp(const Scene& scene, LightIndex light, const SurfacePoint& from, Vec2 u,
+                 DirectSample& sample) {
+    return scene.lights()[light]->sample_direct(from, u, sample) && !sample.delta &&
+           sample.pdf > 0 && std::isfinite(sample.pdf) && is_finite(sample.wi);
+}
+
+LampImage lamp_ellipse(const EyePassInput& in, LightIndex light, const ChainVertex& end,
+                       const Derivative& derivative, Plane at) {
+    const Frame frame(end.direction);
+    Plane sum, squares;
+    double products = 0, points = 0;
+    for (unsigned i = 0; i < kLampPoints; ++i) {
+        DirectSample sample;
+        const Vec2 u{(float(i) + 0.5f) / kLampPoints, to_unit_float(reverse_bits(i))};
+        if (!sample_lamp(in.scene, light, end.point, u, sample)) continue;
+        const Plane p = derivative.step_for(difference(frame, sample.wi, end.direction));
+        sum = {sum.x + p.x, sum.y + p.y};
+        squares = {squares.x + p.x * p.x, squares.y + p.y * p.y};
+        products += p.x * p.y;
+        points += 1;
+    }
+    LampImage image;
+    if (points == 0) return image;
+    const Plane mean{sum.x / points, sum.y / points};
+    const double least = least_difference(in) * least_difference(in);
+    const double xx = squares.x / points - mean.x * mean.x + least;
+    const double yy = squares.y / points - mean.y * mean.y + least;
+    const double xy = products / points - mean.x * mean.y;
+    // The root of the covariance that is a lower triangle (Cholesky).
+    const double a = std::sqrt(xx), b = xy / a, c = std::sqrt(std::max(yy - b * b, least));
+    image.centre = {float(at.x + mean.x), float(at.y + mean.y)};
+    image.axes = {float(kImageSize * a), 0, float(kImageSize * b), float(kImageSize * c)};
+    return image;
+}
+
+}  // namespace aips

@@ -1,0 +1,59 @@
+// A chain of smooth surfaces before the eye, with its choices, and where it looks from its end.
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "eye/eye_pass.h"
+
+namespace aips {
+
+/// Which surfaces a chain has, and which ways it takes there: film positions close by are on the
+/// same chain.
+struct SmoothChain {
+    static constexpr unsigned kMost = 16;
+    struct Link {
+        std::uint32_t material = 0;
+        float first = 0;          ///< probability of the first of two ways; 0: there is one
+        bool takes_first = true;  ///< of the two
+    };
+    std::array<Link, kMost> links{};
+    unsigned length = 0;
+};
+
+/// A surface of a chain, and the direction in which it is left.
+struct ChainVertex {
+    SurfacePoint point;  ///< its Bsdf is null
+    Vec3 direction;
+};
+
+/// [surface] of a chain.
+using ChainVertices = std::array<ChainVertex, SmoothChain::kMost>;
+
+/// Follows chains of smooth surfaces through the middle of the lens; counts rays.
+class ChainTracer {
+  public:
+    ChainTracer(const EyePassInput& input, float time, Refusals& refusals, Arena& arena)
+        : in_(input), time_(time), refusals_(refusals), arena_(arena) {}
+
+    /// The chain at a film position (pixels), ways taken at random, as long as there are smooth
+    /// surfaces.
+    SmoothChain explore(Vec2 film, RandomStream& random, ChainVertices& vertices);
+    /// Follows the first `length` links of `chain` from another position; how many of them are
+    /// there.
+    unsigned follow(const SmoothChain& chain, unsigned length, Vec2 film, ChainVertices& vertices);
+
+    std::uint32_t rays() const { return rays_; }
+
+  private:
+    template <class Way>
+    unsigned trace(Vec2 film, unsigned most, ChainVertices& vertices, const Way& way);
+
+    const EyePassInput& in_;
+    float time_;
+    Refusals& refusals_;
+    Arena& arena_;
+    std::uint32_t rays_ = 0;
+};
+
+}  // namespace aips

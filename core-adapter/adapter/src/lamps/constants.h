@@ -1,0 +1,74 @@
+// Tuned constants of lamps' images: each with its unit, what it balances, which experiment chose
+// it, and what supports it. docs/build-on/constants.md is made from these comments.
+#pragma once
+
+#include <cstddef>
+
+namespace aips {
+
+/// Most lamp paths of a pass. Unit: eye paths.
+/// Balances: noise of lamps behind glass and in mirrors against that of all else.
+/// Chosen by: reasoning: they are to be 10 to 20 per cent of the eye paths.
+/// Supported by: no measurement.
+inline constexpr double kLampPathShare = 0.15;
+
+/// Most lamp paths of a pass through one image. Unit: paths.
+/// Balances: noise of a few images against time.
+/// Chosen by: reasoning: their error is down to a third in one pass.
+/// Supported by: no measurement.
+inline constexpr double kPathsPerImage = 8;
+
+/// Largest image that has paths of its own: drawn by themselves they are not stratified over
+/// pixels. With a lamp that takes the share c of a pixel eye paths have the variance c (1 - c), and
+/// with r of these for each of them (c (1 - c) + r c) / (1 + r)^2, which falls from r = 0 on if
+/// c < 1/2. Unit: pixels.
+/// Balances: noise of small images against that of large ones.
+/// Chosen by: reasoning: up to there more paths always lessen the variance.
+/// Supported by: no measurement.
+inline constexpr double kLargestImage = 0.5;
+
+/// Farthest that an image may reach from its middle along x or y. Unit: pixels.
+/// Balances: long images against lists of pixels.
+/// Chosen by: reasoning: on curved surfaces longer ones are no ellipses.
+/// Supported by: no measurement.
+inline constexpr float kFarthestReach = 4;
+
+/// An image is known if its middle lies in one that is about as large, so much of it. Unit: share
+/// of the known one's size.
+/// Balances: gaps along long images against images that lie upon each other.
+/// Chosen by: reasoning: neighbours still overlap.
+/// Supported by: no measurement.
+inline constexpr float kKnownWithin = 0.5f;
+
+/// Images are alike up to this ratio. Unit: ratio of areas.
+/// Balances: as that of known images.
+/// Chosen by: reasoning: of different ones both have to be sampled.
+/// Supported by: no measurement.
+inline constexpr double kAlikeArea = 4;
+
+/// The darkest that a pixel is taken for where paths are sent by relative error. Unit: mean
+/// luminances of the image.
+/// Balances: relative error against absolute error.
+/// Chosen by: reasoning: that of photons' scores.
+/// Supported by: no measurement.
+inline constexpr double kDarkestLampPixel = 0.5;
+
+/// Least part of its pixel's light that an image is taken for. Unit: share of 1.
+/// Balances: images that matter against fireflies of those that hardly do.
+/// Chosen by: reasoning: none on record.
+/// Supported by: no measurement.
+inline constexpr double kLeastImagePart = 0.05;
+
+/// Most images. Unit: images.
+/// Balances: lamps seen often against memory.
+/// Chosen by: reasoning: some three Mbytes.
+/// Supported by: no measurement.
+inline constexpr std::size_t kMostImages = 1u << 15;
+
+/// Most entries of images in the lists of pixels. Unit: entries.
+/// Balances: as that of images.
+/// Chosen by: reasoning: eight for each image.
+/// Supported by: no measurement.
+inline constexpr std::size_t kMostEntries = 8 * kMostImages;
+
+}  // namespace aips

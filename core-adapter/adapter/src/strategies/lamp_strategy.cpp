@@ -1,0 +1,81 @@
+// Searches for images of lamps, and paths through those that are known, in each pass.
+#include "strategies/lamp_strategy.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/vector_growth.h"
+#include "strategies/constants.h"
+
+namespace aips {
+
+LampStrategy::LampStrategy(const Host& host, std::uint32_t eye_paths)
+    : pixels_(std::size_t{host.film.width()} * host.film.height()),
+      groups_(host.scene.light_groups()),
+      eye_paths_(eye_paths),
+      images_(host.film.width(), host.film.height(), eye_paths / double(pixels_)) {}
+
+void LampStrategy::begin_pass(const ComingPass& pass) {
+    pass_rays_ = search(pass);
+    images_.begin_pass(samples_ > 0 ? luminance_ / samples_ : 0);
+    trace_lamp_paths(pass.eye, pass.number, pass.time, pass.refusals, splats_);
+    pass_rays_ += splats_.rays;
+    paths_ += splats_.paths;
+    rays_ += pass_rays_;
+}
+
+/// Many times before the first pass, and on and on, as lamps that are seen in few places may take
+/// long to be found. Returns the rays that it took.
+std::uint64_t LampStrategy::search(const ComingPass& pass) {
+    const double share = pass.number == 0 ? kFirstSearches : kLaterSearches;
+    const auto count = std::uint32_t(std::ceil(share * double(pixels_)));
+    const LampFindings found = search_lamps(pass.eye, pass.number, count, pass.time, pass.refusals);
+    searches_ += count;
+    images_.add(found.images);
+    return found.rays;
+}
+
+CarriedLight LampStrategy::carry(const StrategyPass& /*pass*/, PassReport& report) {
+    report.rays += pass_rays_;
+    CarriedLight light;
+    light.splats = FilmSplats{splats_.positions, splats_.radiance};
+    return light;
+}
+
+void LampStrategy::end_pass(const StrategyPass& /*pass*/, const FilmPass& film_pass) {
+    for (const std::span<const Rgb> part : {film_pass.eye, film_pass.photons}) {
+        for (const Rgb& radiance : part)
+            luminance_ += double(luminance(radiance));
+    }
+    samples_ += double(film_pass.positions.size());
+}
+
+void LampStrategy::state(StateArchive& archive, const EyeImage& /*image*/) {
+    images_.state(archive);
+    archive.amount(luminance_);
+    archive.amount(samples_);
+    for (std::uint64_t* count : {&paths_, &searches_, &rays_})
+        archive.value(*count);
+}
+
+void LampStrategy::add_to(EngineStatistics& statistics) const {
+    statistics.lamp_paths += paths_;
+    statistics.lamp_searches += searches_;
+    statistics.lamp_rays += rays_;
+    statistics.lamp_images += images_.size();
+}
+
+std::size_t LampStrategy::memory_bytes() const {
+    return images_.memory_bytes() + splats_.memory_bytes();
+}
+
+// Splats exist twice while blocks are joined; so do findings, which are kept in no pass.
+std::size_t LampStrategy::memory_bound_bytes() const {
+    const std::size_t splat = sizeof(Vec2) + groups_ * sizeof(Rgb);
+    const auto searches = std::size_t(std::max(kFirstSearches, kLaterSearches) * double(pixels_));
+    return LampImages::memory_bound_bytes(pixels_) +
+           2 * kVectorGrowth *
+               (LampImages::most_paths(eye_paths_) * splat + searches * sizeof(LampImage));
+}
+
+}  // namespace aips

@@ -1,0 +1,37 @@
+// Lamps seen through glass and in mirrors: lamp paths beside eye paths, weighed against them.
+#pragma once
+
+#include "lamp_paths/lamp_pass.h"
+#include "strategies/light_strategy.h"
+
+namespace aips {
+
+class LampStrategy : public LightStrategy {
+  public:
+    /// `host`'s parts outlive it; `eye_paths` of a pass, a multiple of the film's pixels.
+    LampStrategy(const Host& host, std::uint32_t eye_paths);
+
+    const LampImages* lamp_images() const override { return &images_; }
+    void begin_pass(const ComingPass& pass) override;
+    CarriedLight carry(const StrategyPass& pass, PassReport& report) override;
+    void end_pass(const StrategyPass& pass, const FilmPass& film_pass) override;
+    void state(StateArchive& archive, const EyeImage& image) override;
+    /// Its time is that of eye paths.
+    void state_of_seconds(StateArchive& /*archive*/) override {}
+    void add_to(EngineStatistics& statistics) const override;
+    std::size_t memory_bytes() const override;
+    std::size_t memory_bound_bytes() const override;
+
+  private:
+    std::uint64_t search(const ComingPass& pass);
+
+    std::size_t pixels_, groups_;
+    std::uint32_t eye_paths_;
+    LampImages images_;
+    LampSplats splats_;
+    double luminance_ = 0, samples_ = 0;  // of the image: sum, and of what
+    std::uint64_t paths_ = 0, searches_ = 0, rays_ = 0;
+    std::uint64_t pass_rays_ = 0;
+};
+
+}  // namespace aips

@@ -81,7 +81,7 @@ TEST(LampImage, DensityIsOneOverItsSizeWithinAndIntegratesToOne) {
 
 TEST(LampImages, EyePathsAndLampPathsTogetherSeeAllOnce) {
     const LampImages known = known_images(some_images());
-    ASSERT_EQ(known.size(), 3u);
+    ASSERT_EQ(known.all().size(), 3u);
     ASSERT_GT(known.paths(), 0u);
     RandomStream random(2, 0, 0, RandomDomain::Guide);
     Estimate left, lamp;
@@ -116,13 +116,13 @@ TEST(LampImages, TakesEachImageOnceAndNoneThatAPixelCannotHold) {
     outside.centre.x = -0.01f;
     flat.axes[3] = 0;
     known.add(std::vector{image, image, shifted});
-    EXPECT_EQ(known.size(), 1u) << "the same again";
+    EXPECT_EQ(known.all().size(), 1u) << "the same again";
     known.add(std::vector{larger});
-    EXPECT_EQ(known.size(), 2u) << "another at the same place";
+    EXPECT_EQ(known.all().size(), 2u) << "another at the same place";
     known.add(std::vector{far, outside, flat, image_at({1, 1}, {1, 0, 0, 1})});
-    EXPECT_EQ(known.size(), 2u);
+    EXPECT_EQ(known.all().size(), 2u);
     known.add(std::vector{image_at({std::nanf(""), 1}, {0.1f, 0, 0, 0.1f})});
-    EXPECT_EQ(known.size(), 2u);
+    EXPECT_EQ(known.all().size(), 2u);
 }
 
 TEST(LampImages, WithoutAnyNoPathIsDrawnAndEyePathsCountInFull) {
@@ -143,8 +143,8 @@ TEST(LampImages, MemoryStaysBelowItsBoundHoweverManyAreFound) {
     }
     known.add(images);
     known.begin_pass(1);
-    EXPECT_GT(known.size(), kMostImages / 2);
-    EXPECT_LE(known.size(), kMostImages);
+    EXPECT_GT(known.all().size(), kMostImages / 2);
+    EXPECT_LE(known.all().size(), kMostImages);
     EXPECT_LE(known.memory_bytes(), LampImages::memory_bound_bytes(kSize * kSize));
 }
 

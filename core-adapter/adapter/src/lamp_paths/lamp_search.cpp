@@ -48,8 +48,7 @@ class Search {
           tracer_(input, search.time, refusals, arena) {}
 
     void run(std::vector<LampImage>& images) {
-        const Vec2 u = random_.next2();
-        start_ = {double(u.x) * in_.width, double(u.y) * in_.height};
+        start_ = begin();
         chain_ = tracer_.explore(film(start_), random_, here_);
         for (const Target& target : targets()) {
             at_ = start_;
@@ -63,6 +62,18 @@ class Search {
     std::uint64_t rays() const { return tracer_.rays() + rays_; }
 
   private:
+    /// Anywhere on the film, or around an image that is known: others are near it.
+    Plane begin() {
+        const std::span<const LampImage> known = in_.lamps->all();
+        const Vec2 u = random_.next2();
+        if (known.empty() || random_.next() >= kNearKnown)
+            return {double(u.x) * in_.width, double(u.y) * in_.height};
+        const auto i =
+            std::min(std::size_t(random_.next() * float(known.size())), known.size() - 1);
+        const Vec2 step = square_to_concentric_disk(u), at = known[i].centre;
+        return {double(at.x + kNearReach * step.x), double(at.y + kNearReach * step.y)};
+    }
+
     static Vec2 film(Plane at) { return {float(at.x), float(at.y)}; }
 
     bool aim(const Target& target, const ChainVertex& end, Look& look) const {

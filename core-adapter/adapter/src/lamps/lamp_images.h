@@ -46,7 +46,8 @@ class LampImages {
     /// lamp paths counts the same for each eye path that a pixel has.
     double eye_share(Vec2 film, const SmoothChoices& choices) const;
 
-    std::size_t size() const { return images_.size(); }
+    /// Those that are known.
+    std::span<const LampImage> all() const { return images_; }
     /// Between passes: saves all, or restores it.
     void state(StateArchive& archive);
     std::size_t memory_bytes() const;

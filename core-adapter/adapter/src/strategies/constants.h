@@ -34,14 +34,20 @@ inline constexpr double kErrorOverVariance = 1.5;
 
 /// Searches for images of lamps before the first pass. Unit: pixels.
 /// Balances: time before the first pass against images that are yet unknown.
-/// Chosen by: reasoning: about as many rays as a pass.
+/// Chosen by: docs/notebook/2026-11-25-images-of-lamps.md.
+/// Supported by: one scene only: chess.
+inline constexpr double kFirstSearches = 1;
+
+/// Rounds of these: searches go on around what was found before. Unit: rounds.
+/// Balances: images close to others against searches anywhere.
+/// Chosen by: reasoning: none on record.
 /// Supported by: no measurement.
-inline constexpr double kFirstSearches = 2;
+inline constexpr unsigned kFirstRounds = 4;
 
 /// Searches before each later pass. Unit: pixels.
 /// Balances: rays that find nothing against images that are yet unknown.
-/// Chosen by: reasoning: some per cent of a pass's rays.
-/// Supported by: no measurement.
+/// Chosen by: docs/notebook/2026-11-25-images-of-lamps.md.
+/// Supported by: one scene only: chess.
 inline constexpr double kLaterSearches = 0.05;
 
 }  // namespace aips

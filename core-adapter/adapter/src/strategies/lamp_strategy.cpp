@@ -27,12 +27,18 @@ void LampStrategy::begin_pass(const ComingPass& pass) {
 /// Many times before the first pass, and on and on, as lamps that are seen in few places may take
 /// long to be found. Returns the rays that it took.
 std::uint64_t LampStrategy::search(const ComingPass& pass) {
-    const double share = pass.number == 0 ? kFirstSearches : kLaterSearches;
+    const unsigned rounds = pass.number == 0 ? kFirstRounds : 1;
+    const double share = pass.number == 0 ? kFirstSearches / kFirstRounds : kLaterSearches;
     const auto count = std::uint32_t(std::ceil(share * double(pixels_)));
-    const LampFindings found = search_lamps(pass.eye, pass.number, count, pass.time, pass.refusals);
-    searches_ += count;
-    images_.add(found.images);
-    return found.rays;
+    std::uint64_t rays = 0;
+    for (unsigned round = 0; round < rounds; ++round) {
+        const std::uint64_t number = pass.number == 0 ? round : kFirstRounds - 1 + pass.number;
+        const LampFindings found = search_lamps(pass.eye, number, count, pass.time, pass.refusals);
+        searches_ += count;
+        rays += found.rays;
+        images_.add(found.images);
+    }
+    return rays;
 }
 
 CarriedLight LampStrategy::carry(const StrategyPass& /*pass*/, PassReport& report) {
@@ -62,7 +68,7 @@ void LampStrategy::add_to(EngineStatistics& statistics) const {
     statistics.lamp_paths += paths_;
     statistics.lamp_searches += searches_;
     statistics.lamp_rays += rays_;
-    statistics.lamp_images += images_.size();
+    statistics.lamp_images += images_.all().size();
 }
 
 std::size_t LampStrategy::memory_bytes() const {

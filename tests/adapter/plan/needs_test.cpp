@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <atomic>
 
+#include "lamp_room.h"
 #include "render_mock.h"
 #include "scene_with_lights.h"
 
@@ -240,6 +241,26 @@ TEST(Needs, EyePathsGoOnWhereTheyShareLightWithPhotons) {
     EXPECT_TRUE(off("no shadow rays", [](Settings& s) { s.direct_light_sampling = false; }));
     EXPECT_TRUE(off("eye paths belong", [](Settings& s) { s.mode = Mode::PhotonMap; }));
     EXPECT_TRUE(off("the paper's photons", [](Settings& s) { s.guide = GuideKind::Paper; }));
+}
+
+TEST(Needs, LampPathsAreDrawnWhereSmoothSurfacesShowLamps) {
+    const mock::View room = mock::lamp_room(16);
+    const auto off = [&](const mock::View& view, const std::string& reason, auto&& change) {
+        Settings settings = mock::small_settings(68, 1000);
+        change(settings);
+        const auto r = mock::render(view.scene, view.camera, 16, 16, settings, 2);
+        EXPECT_EQ(r.statistics.lamp_searches, 0u);
+        return logged(r.log, "skipped lamp paths: " + reason);
+    };
+    const auto on =
+        mock::render(room.scene, room.camera, 16, 16, mock::small_settings(68, 1000), 2);
+    EXPECT_GT(on.statistics.lamp_paths, 0u);
+    EXPECT_FALSE(off(room, "", [](Settings& s) { s.guide_lamps = false; })) << "as asked for";
+    EXPECT_TRUE(off(room, "eye paths belong", [](Settings& s) { s.mode = Mode::PhotonMap; }));
+    EXPECT_TRUE(off(room, "the paper's", [](Settings& s) { s.guide = GuideKind::Paper; }));
+    EXPECT_TRUE(off(room, "passes do not have", [](Settings& s) { s.hit_points_per_pass = 300; }));
+    mock::View matte{mock::lamp_box({}, {}), mock::camera_along_y({0, -0.9f, 0}, 1, 16, 16)};
+    EXPECT_TRUE(off(matte, "no surface is smooth", [](Settings&) {}));
 }
 
 }  // namespace

@@ -8,7 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "block_test.h"
-#include "lamp_paths/lamp_room.h"
+#include "lamp_room.h"
 #include "random_scenes.h"
 #include "run_on_threads.h"
 

@@ -28,7 +28,9 @@ void expect_same_statistics(const EngineStatistics& a, const EngineStatistics& b
             s.split_off,        s.gathered,           s.bounces,
             s.guided_bounces,   s.measured_paths,     s.visible_paths,
             s.guide_nodes,      s.bounce_tables,      s.pruned_paths,
-            s.photons_per_pass, s.memory_bound_bytes, s.continued_paths};
+            s.photons_per_pass, s.memory_bound_bytes, s.continued_paths,
+            s.lamp_paths,       s.lamp_searches,      s.lamp_rays,
+            s.lamp_images};
     };
     const auto values = [](const EngineStatistics& s) {
         return std::vector<double>{s.mutation_size,  s.emission_gain,    s.survival_gain,
@@ -90,6 +92,15 @@ TEST(ResumableCases, LeaveTheGuideOutWhereTheySaySo) {
         render.render_to(2);
         EXPECT_EQ(render.statistics().guide_bytes, 0u) << what.name;
         EXPECT_EQ(render.statistics().visible_paths > 0, what.name == "chains_for_guide");
+    }
+}
+
+TEST(ResumableCases, DrawLampPathsWhereTheySaySo) {
+    for (const ResumableCase& what : mock::resumable_cases()) {
+        if (!what.lamps) continue;
+        ResumableRender render(what);
+        render.render_to(2);
+        EXPECT_GT(render.statistics().lamp_paths, 0u) << what.name;
     }
 }
 

@@ -1,6 +1,8 @@
 // Renders that go on in a new engine.
 #include "resumable_render.h"
 
+#include "lamp_room.h"
+
 namespace mock {
 
 using namespace aips;
@@ -18,6 +20,7 @@ View lit_view(const ResumableCase& what) {
 }
 
 View view_of(const ResumableCase& what) {
+    if (what.lamps) return lamp_room(what.width);
     return what.wide ? wide_view(40, what.width, what.height) : lit_view(what);
 }
 
@@ -76,6 +79,12 @@ void add_parts(std::vector<ResumableCase>& cases) {
     Settings lights = settings_of(GuideKind::None);
     lights.photons_per_pass = 1000;
     cases.push_back({"lights", lights, false, 8, 64, 48});
+    // Images of a lamp in mirror and glass.
+    ResumableCase lamps{"lamp_paths", settings_of(GuideKind::None)};
+    lamps.settings.photons_per_pass = 1000;
+    lamps.height = lamps.width;
+    lamps.lamps = true;
+    cases.push_back(lamps);
     // Next to nothing is seen.
     Settings chains = settings_of(GuideKind::Adaptive);
     chains.guide_scout = true;

@@ -16,7 +16,8 @@ struct ResumableCase {
     bool fog = false;
     unsigned passes = 5;
     std::uint32_t width = 20, height = 15;
-    bool wide = false;  ///< a patch of a wide ground, which few photon paths reach
+    bool wide = false;   ///< a patch of a wide ground, which few photon paths reach
+    bool lamps = false;  ///< a room in which images of a lamp are seen
 };
 
 /// For messages of tests.

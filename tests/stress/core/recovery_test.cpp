@@ -134,7 +134,7 @@ void scatter(BounceTables& tables, Vec3 rich, std::uint64_t block) {
         s.position = {0.5f, 0.5f, 0.5f};
         s.normal = kUp;
         const BounceTable in_use = tables.at(s.position, s.normal);
-        const bool guided = random.next() < in_use.share;
+        const bool guided = random.next() < in_use.share && in_use.table;
         const Vec2 u = random.next2();
         s.direction = cosine_square_direction(frame, guided ? in_use.table->sample(u).point : u);
         s.plain = double(std::max(1e-6f, s.direction.z) * kInvPi);

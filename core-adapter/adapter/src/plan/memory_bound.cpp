@@ -22,7 +22,7 @@ namespace {
 /// second one where a Bsdf did not fit.
 std::size_t eye_image_bytes(const Scene& scene, std::size_t paths) {
     // Radiance, and what continued paths brought; what is left to lamp paths, twice while joined.
-    const std::size_t image = sizeof(Vec2) + 2 * scene.light_groups() * sizeof(Rgb) +
+    const std::size_t image = sizeof(Vec2) + 2 * std::size_t{scene.light_groups()} * sizeof(Rgb) +
                               2 * kVectorGrowth * sizeof(LampRest);
     const std::size_t arenas = Arena::kChunkBytes / 512;
     const std::size_t last_block = 2 * Arena::kChunkBytes + scene.facts().max_bsdf_bytes;

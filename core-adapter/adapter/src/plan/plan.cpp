@@ -50,9 +50,12 @@ bool Plan::measures_noise() const {
     return needs.photons && follows_noise(settings()) && !chains_for_guide();
 }
 
-bool Plan::shares_lamps(const Film& film, std::uint32_t eye_paths) const {
-    return settings().guide_lamps && film.takes_splats() &&
-           eye_paths % (std::uint64_t{film.width()} * film.height()) == 0;
+std::string Plan::why_no_lamp_paths(const Film& film, std::uint32_t eye_paths) const {
+    if (!film.takes_splats()) return "the film takes no splats";
+    // A pass that sees some pixels alone would weigh lamps by the paths of that pass.
+    if (eye_paths % (std::uint64_t{film.width()} * film.height()) != 0)
+        return "passes do not have the same number of eye paths in each pixel";
+    return {};
 }
 
 Settings Plan::radius_settings() const {

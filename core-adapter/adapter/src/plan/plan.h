@@ -35,9 +35,8 @@ struct Plan {
     bool looks_first() const;
     /// Whether the photons per pass follow the noise that passes tell.
     bool measures_noise() const;
-    /// Whether lamp paths are drawn beside eye paths, of which each pass has a whole number a
-    /// pixel.
-    bool shares_lamps(const Film& film, std::uint32_t eye_paths) const;
+    /// Why lamp paths are not drawn onto this film although the settings ask for them, or nothing.
+    std::string why_no_lamp_paths(const Film& film, std::uint32_t eye_paths) const;
     /// Settings of the radius policy.
     Settings radius_settings() const;
 

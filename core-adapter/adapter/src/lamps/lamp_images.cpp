@@ -67,33 +67,37 @@ void LampImages::file(std::uint32_t image) {
     });
 }
 
-void LampImages::add(std::span<const LampImage> found) {
+std::size_t LampImages::add(std::span<const LampImage> found) {
+    const std::size_t before = images_.size();
     for (const LampImage& image : found) {
-        if (images_.size() >= kMostImages || entries_.size() >= kMostEntries) return;
+        if (images_.size() >= kMostImages || entries_.size() >= kMostEntries) break;
         if (!suits(image) || known(image)) continue;
         images_.push_back(image);
         file(std::uint32_t(images_.size() - 1));
     }
+    return images_.size() - before;
 }
 
 void LampImages::begin_pass(double mean_luminance) {
-    const double eye_paths = per_pixel_ * double(pixel_count());
-    paths_ = std::uint32_t(
-        std::min(kLampPathShare * eye_paths, kPathsPerImage * double(images_.size())));
-    if (paths_ > 0) set_choice(mean_luminance);
+    const double parts = set_choice(mean_luminance);
+    const double most = kLampPathShare * per_pixel_ * double(pixel_count());
+    const double per = getenv("PP") ? atof(getenv("PP")) : kPathsPerImage;
+    paths_ = std::uint32_t(std::min(most, std::ceil(per * parts)));
 }
 
-/// By the part of the pixel's light that the image is: what matters is the relative error.
-void LampImages::set_choice(double mean_luminance) {
-    std::vector<float> weights(images_.size(), 1.0f);
+/// By the part of its pixel's light that an image is: what matters is the relative error. Returns
+/// the sum of parts.
+double LampImages::set_choice(double mean_luminance) {
+    std::vector<float> parts(images_.size(), 1.0f);
     if (mean_luminance > 0) {
         for (std::size_t i = 0; i < images_.size(); ++i) {
             const double light = double(images_[i].luminance) * images_[i].area();
             const double part = light / (light + kDarkestLampPixel * mean_luminance);
-            weights[i] = float(std::max(part, kLeastImagePart));
+            parts[i] = float(std::max(part, kLeastImagePart));
         }
     }
-    choice_.build(weights);
+    choice_.build(parts);
+    return choice_.total();
 }
 
 LampDraw LampImages::draw(std::uint64_t seed, std::uint64_t pass, std::uint32_t i) const {

@@ -32,8 +32,8 @@ class LampImages {
 
     /// Whether an image of this shape and place is one that paths of its own pay for.
     bool suits(const LampImage& image) const;
-    /// Adds images that are not known yet, as far as there is room.
-    void add(std::span<const LampImage> found);
+    /// Adds images that are not known yet, as far as there is room; returns how many.
+    std::size_t add(std::span<const LampImage> found);
     /// Before each pass: how many paths are drawn, and through which images. The image's mean
     /// luminance: 0 if it is not known.
     void begin_pass(double mean_luminance);
@@ -58,7 +58,7 @@ class LampImages {
   private:
     bool known(const LampImage& image) const;
     void file(std::uint32_t image);
-    void set_choice(double mean_luminance);
+    double set_choice(double mean_luminance);
     template <class Use>
     void for_each_pixel(const LampImage& image, const Use& use) const;
     std::size_t pixel_count() const { return std::size_t{width_} * height_; }

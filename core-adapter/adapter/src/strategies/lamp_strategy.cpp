@@ -16,7 +16,8 @@ LampStrategy::LampStrategy(const Host& host, std::uint32_t eye_paths)
       images_(host.film.width(), host.film.height(), eye_paths / double(pixels_)) {}
 
 void LampStrategy::begin_pass(const ComingPass& pass) {
-    pass_rays_ = search(pass);
+    pass_rays_ = 0;
+    search(pass);
     images_.begin_pass(samples_ > 0 ? luminance_ / samples_ : 0);
     trace_lamp_paths(pass.eye, pass.number, pass.time, pass.refusals, splats_);
     pass_rays_ += splats_.rays;
@@ -25,20 +26,34 @@ void LampStrategy::begin_pass(const ComingPass& pass) {
 }
 
 /// Many times before the first pass, and on and on, as lamps that are seen in few places may take
-/// long to be found. Returns the rays that it took.
-std::uint64_t LampStrategy::search(const ComingPass& pass) {
-    const unsigned rounds = pass.number == 0 ? kFirstRounds : 1;
-    const double share = pass.number == 0 ? kFirstSearches / kFirstRounds : kLaterSearches;
-    const auto count = std::uint32_t(std::ceil(share * double(pixels_)));
-    std::uint64_t rays = 0;
-    for (unsigned round = 0; round < rounds; ++round) {
-        const std::uint64_t number = pass.number == 0 ? round : kFirstRounds - 1 + pass.number;
-        const LampFindings found = search_lamps(pass.eye, number, count, pass.time, pass.refusals);
-        searches_ += count;
-        rays += found.rays;
-        images_.add(found.images);
+/// long to be found.
+void LampStrategy::search(const ComingPass& pass) {
+    if (pass.number > 0) {
+        search(pass, kFirstRounds - 1 + pass.number, later_searches());
+        return;
     }
-    return rays;
+    const auto count = std::uint32_t(std::ceil(kFirstSearches / kFirstRounds * double(pixels_)));
+    for (unsigned round = 0; round < kFirstRounds; ++round)
+        search(pass, round, count);
+}
+
+void LampStrategy::search(const ComingPass& pass, std::uint64_t round, std::uint32_t count) {
+    const LampFindings found = search_lamps(pass.eye, round, count, pass.time, pass.refusals);
+    searches_ += count;
+    pass_rays_ += found.rays;
+    for (double* sum : {&lately_.count, &lately_.rays, &lately_.images})
+        *sum *= kSearchMemory;
+    lately_.count += count;
+    lately_.rays += double(found.rays);
+    lately_.images += double(images_.add(found.images));
+}
+
+/// So many that they take a share of the rays, less where images become hard to find.
+std::uint32_t LampStrategy::later_searches() const {
+    const double easy = lately_.images * kEasyImage / std::max(1.0, lately_.rays);
+    const double share = kMostSearching * std::clamp(easy, kLeastSearching, 1.0);
+    const double rays_of_one = std::max(1.0, lately_.rays / std::max(1.0, lately_.count));
+    return std::uint32_t(std::ceil(share * eye_rays_ / rays_of_one));
 }
 
 CarriedLight LampStrategy::carry(const StrategyPass& /*pass*/, PassReport& report) {
@@ -48,7 +63,8 @@ CarriedLight LampStrategy::carry(const StrategyPass& /*pass*/, PassReport& repor
     return light;
 }
 
-void LampStrategy::end_pass(const StrategyPass& /*pass*/, const FilmPass& film_pass) {
+void LampStrategy::end_pass(const StrategyPass& pass, const FilmPass& film_pass) {
+    eye_rays_ = double(pass.eye_rays);
     for (const std::span<const Rgb> part : {film_pass.eye, film_pass.photons}) {
         for (const Rgb& radiance : part)
             luminance_ += double(luminance(radiance));
@@ -58,8 +74,9 @@ void LampStrategy::end_pass(const StrategyPass& /*pass*/, const FilmPass& film_p
 
 void LampStrategy::state(StateArchive& archive, const EyeImage& /*image*/) {
     images_.state(archive);
-    archive.amount(luminance_);
-    archive.amount(samples_);
+    for (double* sum :
+         {&luminance_, &samples_, &eye_rays_, &lately_.count, &lately_.rays, &lately_.images})
+        archive.amount(*sum);
     for (std::uint64_t* count : {&paths_, &searches_, &rays_})
         archive.value(*count);
 }

@@ -23,7 +23,9 @@ class LampStrategy : public LightStrategy {
     std::size_t memory_bound_bytes() const override;
 
   private:
-    std::uint64_t search(const ComingPass& pass);
+    void search(const ComingPass& pass);
+    void search(const ComingPass& pass, std::uint64_t round, std::uint32_t count);
+    std::uint32_t later_searches() const;
 
     std::size_t pixels_, groups_;
     std::uint32_t eye_paths_;
@@ -32,6 +34,10 @@ class LampStrategy : public LightStrategy {
     double luminance_ = 0, samples_ = 0;  // of the image: sum, and of what
     std::uint64_t paths_ = 0, searches_ = 0, rays_ = 0;
     std::uint64_t pass_rays_ = 0;
+    double eye_rays_ = 0;  // of the last pass
+    struct Searches {
+        double count = 0, rays = 0, images = 0;
+    } lately_;  // older ones count less
 };
 
 }  // namespace aips

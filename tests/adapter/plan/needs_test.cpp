@@ -258,6 +258,7 @@ TEST(Needs, LampPathsAreDrawnWhereSmoothSurfacesShowLamps) {
     EXPECT_FALSE(off(room, "", [](Settings& s) { s.guide_lamps = false; })) << "as asked for";
     EXPECT_TRUE(off(room, "eye paths belong", [](Settings& s) { s.mode = Mode::PhotonMap; }));
     EXPECT_TRUE(off(room, "the paper's", [](Settings& s) { s.guide = GuideKind::Paper; }));
+    EXPECT_TRUE(off(room, "eye paths end", [](Settings& s) { s.max_eye_depth = 1; }));
     EXPECT_TRUE(off(room, "passes do not have", [](Settings& s) { s.hit_points_per_pass = 300; }));
     mock::View matte{mock::lamp_box({}, {}), mock::camera_along_y({0, -0.9f, 0}, 1, 16, 16)};
     EXPECT_TRUE(off(matte, "no surface is smooth", [](Settings&) {}));

@@ -17,8 +17,7 @@ bool sample_lamp(const Scene& scene, LightIndex light, const SurfacePoint& from,
 }
 
 LampImage lamp_ellipse(const EyePassInput& in, LightIndex light, const ChainVertex& end,
-                       const Derivative& derivative, Plane at) {
-    const Frame frame(end.direction);
+                       const Derivative& derivative, const Frame& frame, Plane at) {
     Plane sum, squares;
     double products = 0, points = 0;
     for (unsigned i = 0; i < kLampPoints; ++i) {

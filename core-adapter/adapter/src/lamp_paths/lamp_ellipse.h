@@ -45,8 +45,9 @@ inline double least_difference(const EyePassInput& input) {
 }
 
 /// The image of a lamp whose point the end of a chain looks at from film position `at`; choices and
-/// luminance are left open. Points of the lamp are mapped to the film by the derivative there.
+/// luminance are left open. Points of the lamp are mapped to the film by the derivative there,
+/// which is that in `frame`.
 LampImage lamp_ellipse(const EyePassInput& input, LightIndex light, const ChainVertex& end,
-                       const Derivative& derivative, Plane at);
+                       const Derivative& derivative, const Frame& frame, Plane at);
 
 }  // namespace aips

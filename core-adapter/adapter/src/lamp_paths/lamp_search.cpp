@@ -53,7 +53,8 @@ class Search {
         for (const Target& target : targets()) {
             at_ = start_;
             if (!look(target, at_, now_) || !approach(target)) continue;
-            LampImage image = lamp_ellipse(in_, target.light, now_.end, derivative_, at_);
+            LampImage image =
+                lamp_ellipse(in_, target.light, now_.end, derivative_, Frame(now_.to_lamp), at_);
             set_choices(target, image);
             if (in_.lamps->suits(image) && seen(image)) images.push_back(image);
         }

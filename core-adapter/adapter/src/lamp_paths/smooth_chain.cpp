@@ -50,13 +50,15 @@ SmoothChain ChainTracer::explore(Vec2 film, RandomStream& random, ChainVertices&
     return chain;
 }
 
-unsigned ChainTracer::follow(const SmoothChain& chain, unsigned length, Vec2 film,
+unsigned ChainTracer::follow(SmoothChain& chain, unsigned length, Vec2 film,
                              ChainVertices& vertices) {
     return trace(film, length, vertices,
                  [&](unsigned i, std::uint32_t material, float first, bool& takes_first) {
-                     const SmoothChain::Link& link = chain.links[i];
+                     SmoothChain::Link& link = chain.links[i];
                      takes_first = link.takes_first;
-                     return link.material == material && (link.first > 0) == (first > 0);
+                     if (link.material != material || (link.first > 0) != (first > 0)) return false;
+                     link.first = first;
+                     return true;
                  });
 }
 

@@ -39,9 +39,9 @@ class ChainTracer {
     /// The chain at a film position (pixels), ways taken at random, as long as there are smooth
     /// surfaces.
     SmoothChain explore(Vec2 film, RandomStream& random, ChainVertices& vertices);
-    /// Follows the first `length` links of `chain` from another position; how many of them are
-    /// there.
-    unsigned follow(const SmoothChain& chain, unsigned length, Vec2 film, ChainVertices& vertices);
+    /// Follows the first `length` links of `chain` from another position, and notes the
+    /// probabilities of ways there; how many of them are there.
+    unsigned follow(SmoothChain& chain, unsigned length, Vec2 film, ChainVertices& vertices);
 
     std::uint32_t rays() const { return rays_; }
 

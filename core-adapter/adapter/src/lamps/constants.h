@@ -15,7 +15,7 @@ inline constexpr double kLampPathShare = 0.15;
 /// Lamp paths of a pass through an image that is all of its pixel's light; others have their part
 /// of that. Unit: paths. Balances: noise of images against that of all else. Chosen by:
 /// docs/notebook/2026-11-25-images-of-lamps.md. Supported by: one scene only: chess.
-inline constexpr double kPathsPerImage = 4;
+inline constexpr double kPathsPerImage = 8;
 
 /// Largest image that has paths of its own: drawn by themselves they are not stratified over
 /// pixels. With a lamp that takes the share c of a pixel eye paths have the variance c (1 - c), and

@@ -81,8 +81,7 @@ std::size_t LampImages::add(std::span<const LampImage> found) {
 void LampImages::begin_pass(double mean_luminance) {
     const double parts = set_choice(mean_luminance);
     const double most = kLampPathShare * per_pixel_ * double(pixel_count());
-    const double per = getenv("PP") ? atof(getenv("PP")) : kPathsPerImage;
-    paths_ = std::uint32_t(std::min(most, std::ceil(per * parts)));
+    paths_ = std::uint32_t(std::min(most, std::ceil(kPathsPerImage * parts)));
 }
 
 /// By the part of its pixel's light that an image is: what matters is the relative error. Returns

@@ -94,12 +94,16 @@ void drop_continued_paths(Needs& needs, const Scene& scene) {
 }
 
 /// Lamp paths meet lamps behind smooth surfaces, in each pass anew.
-void drop_lamp_paths(Needs& needs, const SceneFacts& facts) {
+void drop_lamp_paths(Needs& needs, const SceneFacts& facts, bool any_light) {
     Settings& s = needs.settings;
     if (!s.guide_lamps) return;
     std::string reason;
-    if (!(facts.lobes & kSpecular)) {
+    if (!any_light) {
+        reason = "no light emits";
+    } else if (!(facts.lobes & kSpecular)) {
         reason = "no surface is smooth";
+    } else if (s.max_eye_depth < 2) {
+        reason = "eye paths end at the first surface";
     } else if (freezes_eye_pass(s.mode)) {
         reason = "eye paths belong to one pass";
     } else if (s.guide == GuideKind::Paper) {
@@ -165,7 +169,7 @@ Needs analyse(const Scene& scene, const Settings& settings) {
     }
     drop_learned_lights(needs, lights.size() - dead, facts);
     drop_continued_paths(needs, scene);
-    drop_lamp_paths(needs, facts);
+    drop_lamp_paths(needs, facts, dead < lights.size());
     if (scene.media()) drop_parts_for_surfaces(needs, facts);
     drop_guides(needs, facts);
     if (!facts.has_media) {

@@ -8,8 +8,9 @@ namespace aips {
 namespace {
 
 std::string eye_paths_of(const Plan& plan) {
-    return freezes_eye_pass(plan.settings().mode) ? "eye paths of one pass, kept"
-                                                  : "new eye paths in each pass";
+    if (freezes_eye_pass(plan.settings().mode)) return "eye paths of one pass, kept";
+    return plan.settings().guide_lamps ? "new eye paths and lamp paths in each pass"
+                                       : "new eye paths in each pass";
 }
 
 std::string photon_paths_of(const Plan& plan) {

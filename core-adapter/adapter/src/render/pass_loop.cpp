@@ -43,9 +43,10 @@ PassLoop::PassLoop(const Host& host, const Settings& settings, std::uint32_t eye
 
 PassReport PassLoop::render_pass(std::uint64_t number) {
     PassReport report;
+    std::uint64_t eye_rays = begin_pass(number);
     report.eye_paths = trace_eye_paths(number);
     if (number == 0) warn_of_lost_precision(image_, host_.log);
-    const std::uint64_t eye_rays = report.eye_paths ? image_.rays : 0;
+    if (report.eye_paths) eye_rays += image_.rays;
     report.rays = eye_rays;
     const StrategyPass pass{number,           eye_->time(number), image_,
                             report.eye_paths, eye_rays,           refusals_};
@@ -63,10 +64,16 @@ PassReport PassLoop::render_pass(std::uint64_t number) {
     return report;
 }
 
+std::uint64_t PassLoop::begin_pass(std::uint64_t pass) {
+    const Stopwatch watch(statistics_.eye_seconds);
+    std::uint64_t rays = 0;
+    for (const auto& strategy : strategies_)
+        rays += strategy->begin_pass({pass, eye_->time(pass), eye_->input(), refusals_});
+    return rays;
+}
+
 std::uint32_t PassLoop::trace_eye_paths(std::uint64_t pass) {
     const Stopwatch watch(statistics_.eye_seconds);
-    for (const auto& strategy : strategies_)
-        strategy->begin_pass({pass, eye_->time(pass), eye_->input(), refusals_});
     return eye_->look(pass, refusals_, image_);
 }
 

@@ -26,6 +26,7 @@ class PassLoop {
     void state(StateArchive& archive);
 
   private:
+    std::uint64_t begin_pass(std::uint64_t pass);
     std::uint32_t trace_eye_paths(std::uint64_t pass);
     void add_light(const CarriedLight& light, FilmPass& film_pass);
     void count(const PassReport& report, std::uint64_t eye_rays);

@@ -70,4 +70,16 @@ inline constexpr double kEasyImage = 4000;
 /// Supported by: no measurement.
 inline constexpr double kSearchMemory = 0.9;
 
+/// Brightest that a sample counts in the image's usual luminance. Unit: mean luminances.
+/// Balances: fireflies against highlights.
+/// Chosen by: reasoning: none on record.
+/// Supported by: no measurement.
+inline constexpr double kBrightSample = 4;
+
+/// Rounds in which bright samples are cut to that. Unit: rounds.
+/// Balances: one firefly that is most of the mean against time.
+/// Chosen by: reasoning: none on record.
+/// Supported by: no measurement.
+inline constexpr int kCutRounds = 5;
+
 }  // namespace aips

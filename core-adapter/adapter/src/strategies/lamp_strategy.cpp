@@ -2,27 +2,51 @@
 #include "strategies/lamp_strategy.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
+#include <limits>
+#include <string>
 
 #include "base/vector_growth.h"
 #include "strategies/constants.h"
 
 namespace aips {
+namespace {
+
+/// Mean luminance of a pass, single bright samples left out.
+double usual_luminance(const FilmPass& pass) {
+    double mean = 0;
+    for (int round = 0; round < kCutRounds; ++round) {
+        const double most =
+            round == 0 ? std::numeric_limits<double>::infinity() : kBrightSample * mean;
+        double sum = 0;
+        for (std::size_t i = 0; i < pass.eye.size(); ++i) {
+            const auto photons = pass.photons.empty() ? 0.0 : double(luminance(pass.photons[i]));
+            sum += std::min(double(luminance(pass.eye[i])) + photons, most);
+        }
+        mean = sum * pass.groups / double(std::max<std::size_t>(pass.eye.size(), 1));
+    }
+    return mean;
+}
+
+}  // namespace
 
 LampStrategy::LampStrategy(const Host& host, std::uint32_t eye_paths)
-    : pixels_(std::size_t{host.film.width()} * host.film.height()),
+    : log_(host.log),
+      pixels_(std::size_t{host.film.width()} * host.film.height()),
       groups_(host.scene.light_groups()),
       eye_paths_(eye_paths),
       images_(host.film.width(), host.film.height(), eye_paths / double(pixels_)) {}
 
-void LampStrategy::begin_pass(const ComingPass& pass) {
+std::uint64_t LampStrategy::begin_pass(const ComingPass& pass) {
     pass_rays_ = 0;
     search(pass);
-    images_.begin_pass(samples_ > 0 ? luminance_ / samples_ : 0);
+    images_.begin_pass(mean_luminance_);
     trace_lamp_paths(pass.eye, pass.number, pass.time, pass.refusals, splats_);
     pass_rays_ += splats_.rays;
     paths_ += splats_.paths;
     rays_ += pass_rays_;
+    return pass_rays_;
 }
 
 /// Many times before the first pass, and on and on, as lamps that are seen in few places may take
@@ -35,6 +59,9 @@ void LampStrategy::search(const ComingPass& pass) {
     const auto count = std::uint32_t(std::ceil(kFirstSearches / kFirstRounds * double(pixels_)));
     for (unsigned round = 0; round < kFirstRounds; ++round)
         search(pass, round, count);
+    const std::size_t found = images_.all().size();
+    log_.info("lamps seen in glass and mirrors: " + std::to_string(found) +
+              (found == 1 ? " small image" : " small images") + " found before the first pass");
 }
 
 void LampStrategy::search(const ComingPass& pass, std::uint64_t round, std::uint32_t count) {
@@ -56,26 +83,23 @@ std::uint32_t LampStrategy::later_searches() const {
     return std::uint32_t(std::ceil(share * eye_rays_ / rays_of_one));
 }
 
-CarriedLight LampStrategy::carry(const StrategyPass& /*pass*/, PassReport& report) {
-    report.rays += pass_rays_;
+CarriedLight LampStrategy::carry(const StrategyPass& /*pass*/, PassReport& /*report*/) {
     CarriedLight light;
     light.splats = FilmSplats{splats_.positions, splats_.radiance};
     return light;
 }
 
 void LampStrategy::end_pass(const StrategyPass& pass, const FilmPass& film_pass) {
-    eye_rays_ = double(pass.eye_rays);
-    for (const std::span<const Rgb> part : {film_pass.eye, film_pass.photons}) {
-        for (const Rgb& radiance : part)
-            luminance_ += double(luminance(radiance));
-    }
-    samples_ += double(film_pass.positions.size());
+    eye_rays_ = double(pass.eye_rays - pass_rays_);
+    // Seldom, and of all pixels: what is drawn must not follow single eye paths, which are
+    // stratified over passes.
+    if (std::has_single_bit(pass.number + 1)) mean_luminance_ = usual_luminance(film_pass);
 }
 
 void LampStrategy::state(StateArchive& archive, const EyeImage& /*image*/) {
     images_.state(archive);
     for (double* sum :
-         {&luminance_, &samples_, &eye_rays_, &lately_.count, &lately_.rays, &lately_.images})
+         {&mean_luminance_, &eye_rays_, &lately_.count, &lately_.rays, &lately_.images})
         archive.amount(*sum);
     for (std::uint64_t* count : {&paths_, &searches_, &rays_})
         archive.value(*count);
@@ -95,7 +119,7 @@ std::size_t LampStrategy::memory_bytes() const {
 // Splats exist twice while blocks are joined; so do findings, which are kept in no pass.
 std::size_t LampStrategy::memory_bound_bytes() const {
     const std::size_t splat = sizeof(Vec2) + groups_ * sizeof(Rgb);
-    const auto searches = std::size_t(std::max(kFirstSearches, kLaterSearches) * double(pixels_));
+    const auto searches = std::size_t(kFirstSearches * double(pixels_));
     return LampImages::memory_bound_bytes(pixels_) +
            2 * kVectorGrowth *
                (LampImages::most_paths(eye_paths_) * splat + searches * sizeof(LampImage));

@@ -12,7 +12,7 @@ class LampStrategy : public LightStrategy {
     LampStrategy(const Host& host, std::uint32_t eye_paths);
 
     const LampImages* lamp_images() const override { return &images_; }
-    void begin_pass(const ComingPass& pass) override;
+    std::uint64_t begin_pass(const ComingPass& pass) override;
     CarriedLight carry(const StrategyPass& pass, PassReport& report) override;
     void end_pass(const StrategyPass& pass, const FilmPass& film_pass) override;
     void state(StateArchive& archive, const EyeImage& image) override;
@@ -27,14 +27,15 @@ class LampStrategy : public LightStrategy {
     void search(const ComingPass& pass, std::uint64_t round, std::uint32_t count);
     std::uint32_t later_searches() const;
 
+    Log& log_;
     std::size_t pixels_, groups_;
     std::uint32_t eye_paths_;
     LampImages images_;
     LampSplats splats_;
-    double luminance_ = 0, samples_ = 0;  // of the image: sum, and of what
+    double mean_luminance_ = 0;  // of the image; 0: not known
     std::uint64_t paths_ = 0, searches_ = 0, rays_ = 0;
     std::uint64_t pass_rays_ = 0;
-    double eye_rays_ = 0;  // of the last pass
+    double eye_rays_ = 0;  // of the last pass, without those
     struct Searches {
         double count = 0, rays = 0, images = 0;
     } lately_;  // older ones count less

@@ -28,7 +28,7 @@ struct StrategyPass {
     float time = 0;
     const EyeImage& image;
     std::uint32_t eye_paths = 0;  ///< traced for this pass; 0 where earlier ones are kept
-    std::uint64_t eye_rays = 0;   ///< of these
+    std::uint64_t eye_rays = 0;   ///< of these, and those that strategies took before them
     Refusals& refusals;
 };
 
@@ -57,8 +57,8 @@ class LightStrategy {
     virtual const EyeShares* eye_shares() const { return nullptr; }
     /// Images of lamps that the strategy draws paths through; null: none. As above.
     virtual const LampImages* lamp_images() const { return nullptr; }
-    /// Before the eye paths of each pass are traced.
-    virtual void begin_pass(const ComingPass& /*pass*/) {}
+    /// Before the eye paths of each pass are traced; returns the rays that it took beside theirs.
+    virtual std::uint64_t begin_pass(const ComingPass& /*pass*/) { return 0; }
     /// Carries the light of one pass; adds what it did to `report`.
     virtual CarriedLight carry(const StrategyPass& pass, PassReport& report) = 0;
     /// The film has the pass: learns from it, for later ones.

@@ -150,6 +150,7 @@ PassNoise PhotonStrategy::learn_noise(const EyeImage& image) {
     const Stopwatch watch(plan_seconds_);
     pixel_luminances(image, radiance_, film_.width(), film_.height(), seen_);
     if (noise_) noise = noise_->add_pass(seen_, variances_, shot_, *importance_);
+    add_lamp_rests(image, seen_);
     importance_->add_pass(seen_);
     return noise;
 }

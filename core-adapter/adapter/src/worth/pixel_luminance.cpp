@@ -16,6 +16,9 @@ void pixel_luminances(const EyeImage& image, std::span<const Rgb> photons, std::
                           film_pixel(image.positions[path], width, height)};
         }
     });
+}
+
+void add_lamp_rests(const EyeImage& image, std::span<PixelLuminance> seen) {
     for (const LampRest& rest : image.lamp_rests)
         seen[rest.sample].luminance += double(rest.luminance);
 }

@@ -15,9 +15,11 @@ struct PixelLuminance {
 };
 
 /// Fills `seen` with an entry for each eye path of `image`, to which photons brought `photons`, one
-/// entry for each eye path and light group; what it left to lamp paths is counted in. Reuses the
-/// memory.
+/// entry for each eye path and light group; reuses the memory.
 void pixel_luminances(const EyeImage& image, std::span<const Rgb> photons, std::uint32_t width,
                       std::uint32_t height, std::vector<PixelLuminance>& seen);
+
+/// Adds what eye paths left to lamp paths: it belongs to how bright pixels are, not to their noise.
+void add_lamp_rests(const EyeImage& image, std::span<PixelLuminance> seen);
 
 }  // namespace aips

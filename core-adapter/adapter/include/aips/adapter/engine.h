@@ -40,7 +40,7 @@ struct PassReport {
 struct EngineStatistics {
     std::uint64_t passes = 0;
     std::uint64_t eye_paths = 0;
-    std::uint64_t eye_rays = 0;  ///< shadow rays included
+    std::uint64_t eye_rays = 0;  ///< shadow rays and lamp_rays included
     /// Eye paths that went on from their visible points, for the image or to learn what that brings
     std::uint64_t continued_paths = 0;
     /// Share of the light that eye paths and photons both can carry to visible points which eye

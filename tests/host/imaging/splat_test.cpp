@@ -204,5 +204,22 @@ TEST(FilmSplats, MemoryDoesNotGrowWithPassesAndIsNotTakenWithoutSplats) {
     EXPECT_EQ(film->memory_bytes(), with);
 }
 
+/// Splats that come with each pass are tinted by its wavelengths as its samples are.
+TEST(FilmSplats, WavelengthsOfPassesBecomeColours) {
+    const auto film = film_with("box", 3, 2);
+    const Rgb grey(0.5f);
+    for (std::uint64_t pass = 0; pass < 3; ++pass) {
+        const Wavelengths wavelengths = wavelengths_of_pass(5, pass);
+        film->set_wavelengths(wavelengths);
+        const Splats splats = even_splats(*film, 1, wavelengths.values_of(grey));
+        film->add_pass({splats.positions, splats.radiance, 1, 1});
+        film->add_splats(splats.pass(6));
+        for (const Rgb& pixel : film->image()) {
+            for (int c = 0; c < 3; ++c)
+                EXPECT_NEAR(pixel[c], 1, 1e-6) << pass;
+        }
+    }
+}
+
 }  // namespace
 }  // namespace lxs::test::splat_test

@@ -25,13 +25,14 @@ struct Region {
 };
 
 /// Few passes, many seeds. The radius is wide, and the same for both: a caustic is blurred then,
-/// and calm, which leaves the means of both guides equal as before.
+/// and calm, which leaves the means of both guides equal as before. Lamp paths, which guide=paper
+/// does not have, would find the lamp in the ball that no eye path of these seeds meets.
 statistics::BlockMeans renders(const std::filesystem::path& scene, const std::string& guide,
                                const render::Folder& folder) {
     return render::seeded_block_means(
         scene,
         "--passes 2 --set aips.photonperpass=60000 --set aips.startradius=4 "
-        "--set aips.guidescout=false --set aips.guide=" +
+        "--set aips.guidescout=false --set aips.guidelamps=false --set aips.guide=" +
             guide,
         folder, {.first = kFirstSeed, .count = kSeeds}, kBlock);
 }

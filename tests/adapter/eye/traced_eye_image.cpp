@@ -4,13 +4,14 @@
 namespace mock {
 
 aips::EyeImage traced_eye_image(const Scene& scene, const Camera& camera, std::uint32_t size,
-                                std::uint32_t paths, const aips::Settings& settings) {
+                                std::uint32_t paths, const aips::Settings& settings,
+                                const aips::EyeShares* shares) {
     const Sampler sampler(settings.seed);
     const aips::DirectLight direct(scene, false);
     aips::Refusals refusals(scene);
     aips::EyeImage image;
-    trace_eye_pass({scene, camera, sampler, direct, settings, size, size, paths}, 0, 0, refusals,
-                   image);
+    trace_eye_pass({scene, camera, sampler, direct, settings, size, size, paths, true, shares}, 0,
+                   0, refusals, image);
     return image;
 }
 

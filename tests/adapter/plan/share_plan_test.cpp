@@ -116,6 +116,23 @@ TEST(SharePlan, ClusteredPhotonsAreTakenAsNoisyAsTheyAre) {
     EXPECT_NEAR(plan_shares(facts, kFixed).shares[0], best_share(1, 1), 1e-6);
 }
 
+/// Near a large light shadow rays alone are noisier than the light that photons bring.
+TEST(SharePlan, PathsGoOnForTheSakeOfDirectLight) {
+    std::vector<ShareMoments> leaves{leaf(kPaths / 1e5, 1), leaf(kPaths / 1e5, 1)};
+    const std::vector<float> shares(2);
+    EXPECT_EQ(plan_shares(facts_of(leaves, shares, 20), kFixed).going_on, 0);
+    leaves[1].direct_saved = leaves[1].continued * 30;
+    const SharePlan plan = plan_shares(facts_of(leaves, shares, 20), kFixed);
+    EXPECT_EQ(plan.shares[0], 0);
+    EXPECT_FLOAT_EQ(plan.shares[1], float(kLeastEyeShare));
+    // The choice is the same once they do, and the noise is gone.
+    const std::vector<float> chosen{0, plan.shares[1]};
+    EXPECT_EQ(plan_shares(facts_of(leaves, chosen, 5), kFixed).shares, plan.shares);
+    // What is said to be gained is no more than there is.
+    leaves[1].direct_saved = leaves[1].continued * 1e9;
+    EXPECT_GT(plan_shares(facts_of(leaves, shares, 20), kFixed).error, 0);
+}
+
 TEST(SharePlan, NothingKnownIsNothingShared) {
     const std::vector<ShareMoments> leaves(6);
     const std::vector<float> shares(6);

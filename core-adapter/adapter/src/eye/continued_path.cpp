@@ -22,10 +22,10 @@ class ContinuedPath {
           continued_(continued),
           tip_(start.tip) {}
 
-    std::uint32_t trace() {
+    ContinuedResult trace() {
         const VertexNumbers first = numbers_.vertex(start_.depth);
         const float before = max_component(tip_.throughput);
-        if (!go_on(start_.point, start_.wo, start_.receiving, first)) return 0;
+        if (!go_on(start_.point, start_.wo, start_.receiving, first)) return result_;
         // A photon that lands at the visible point after n surfaces met the n - 1 others here.
         for (std::uint32_t n = 1; n < in_.settings.max_photon_depth; ++n) {
             const auto mark = arena_.mark();
@@ -35,7 +35,7 @@ class ContinuedPath {
             arena_.rewind(mark);
             if (!goes_on) break;
         }
-        return rays_;
+        return result_;
     }
 
   private:
@@ -43,7 +43,7 @@ class ContinuedPath {
     /// end.
     bool meet(const VertexNumbers& numbers, bool last) {
         SurfacePoint point;
-        ++rays_;
+        ++result_.rays;
         const bool met = meet_surface(in_.scene, tip_.ray, point, arena_, refusals_);
         tip_.throughput *= point.transmittance;
         if (!met) {
@@ -60,7 +60,7 @@ class ContinuedPath {
         if (const LobeMask shared = lobes & kNonSpecular) {
             const DirectLightQuery query{point, wo,     tip_.ray.time, tip_.throughput,
                                          0,     shared, lobes,         last ? 0.0f : 1.0f};
-            rays_ += in_.direct_light.estimate(query, numbers, refusals_, continued_).rays;
+            result_.rays += in_.direct_light.estimate(query, numbers, refusals_, continued_).rays;
         }
         return !last && go_on(point, wo, lobes, numbers);
     }
@@ -76,9 +76,9 @@ class ContinuedPath {
         const bool straight = tip_.scatterings == start_.tip.scatterings + 1;
         if (straight ? !start_.meets_lights : tip_.last_was_specular) return;
         const std::span<Rgb> sums = straight ? direct_ : continued_;
-        refusals_.add(sums[in_.scene.lights()[light]->group()],
-                      tip_.throughput * seen * emission_weight(in_, tip_, light, at),
-                      refusals_.of_light(light));
+        const Rgb value = tip_.throughput * seen * emission_weight(in_, tip_, light, at);
+        refusals_.add(sums[in_.scene.lights()[light]->group()], value, refusals_.of_light(light));
+        if (straight) result_.straight += luminance(value);
     }
 
     bool survives(std::uint32_t n, float before, float u) {
@@ -96,14 +96,14 @@ class ContinuedPath {
     Arena& arena_;
     std::span<Rgb> direct_, continued_;
     PathTip tip_;
-    std::uint32_t rays_ = 0;
+    ContinuedResult result_;
 };
 
 }  // namespace
 
-std::uint32_t trace_continued_path(const EyePassInput& input, const ContinuedStart& start,
-                                   const EyeNumbers& numbers, Refusals& refusals, Arena& arena,
-                                   std::span<Rgb> direct, std::span<Rgb> continued) {
+ContinuedResult trace_continued_path(const EyePassInput& input, const ContinuedStart& start,
+                                     const EyeNumbers& numbers, Refusals& refusals, Arena& arena,
+                                     std::span<Rgb> direct, std::span<Rgb> continued) {
     return ContinuedPath(input, start, numbers, refusals, arena, direct, continued).trace();
 }
 

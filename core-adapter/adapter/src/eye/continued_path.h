@@ -17,12 +17,18 @@ struct ContinuedStart {
     PathTip tip;  ///< at the visible point, its throughput divided by all choices' probabilities
 };
 
+/// What a path did.
+struct ContinuedResult {
+    std::uint32_t rays = 0;  ///< traced
+    float straight = 0;      ///< luminance of lights that its first ray met
+};
+
 /// Follows the path and adds to `continued` (one entry a light group) what photons could bring as
 /// well: light that reached the first surface it was turned away by straight from a lamp, and left
 /// it diffusely or glossily. Light that smooth surfaces focus on that surface is the photons'
 /// alone. The path goes as deep as photons do. Lights that its first ray meets are added to
-/// `direct`. Returns the rays traced.
-std::uint32_t trace_continued_path(const EyePassInput& input, const ContinuedStart& start,
+/// `direct`.
+ContinuedResult trace_continued_path(const EyePassInput& input, const ContinuedStart& start,
                                    const EyeNumbers& numbers, Refusals& refusals, Arena& arena,
                                    std::span<Rgb> direct, std::span<Rgb> continued);
 

@@ -33,14 +33,16 @@ DirectLightResult DirectLight::estimate(const DirectLightQuery& query, const Ver
 
     const Bsdf& bsdf = *query.point.bsdf;
     const float pdf_light = sample.pdf * chosen.pdf;
-    Rgb f;
+    Rgb f, alone;
     if (query.owned) f += bsdf.evaluate(query.wo, sample.wi, Transport::Radiance, query.owned);
+    alone = f;
     if (query.shared) {
         const Rgb shared = bsdf.evaluate(query.wo, sample.wi, Transport::Radiance, query.shared);
         const float pdf_bounce =
             sample.delta ? 0 : query.continue_pdf * bsdf.pdf(query.wo, sample.wi, query.bounce);
         if (!refusals.accept_density(pdf_bounce, query.point.material)) return result;
         f += shared * (pdf_light / (pdf_light + pdf_bounce));
+        alone += shared;
     }
     if (is_black(f) || is_black(sample.radiance)) return result;
     if (!refusals.accept(f, query.point.material)) return result;
@@ -50,6 +52,9 @@ DirectLightResult DirectLight::estimate(const DirectLightQuery& query, const Ver
     const Rgb passed = scene_.visibility(query.point, sample, query.time);
     result.rays = 1;
     refusals.add(radiance[light.group()], unoccluded * passed, kPassageOrigin);
+    result.brought = luminance(unoccluded * passed);
+    result.alone =
+        luminance(query.throughput * alone * sample.radiance * passed * (cosine / pdf_light));
     result.sample.value = luminance(f * sample.radiance * passed * (cosine / sample.pdf));
     return result;
 }

@@ -28,6 +28,8 @@ struct DirectLightQuery {
 /// What an estimate did.
 struct DirectLightResult {
     unsigned rays = 0;   ///< shadow rays traced
+    float alone = 0;     ///< luminance that they would bring if bounces shared nothing
+    float brought = 0;   ///< luminance that was added
     LightSample sample;  ///< what was learned; its pdf is 0 if that is nothing
 };
 

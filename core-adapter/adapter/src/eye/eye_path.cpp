@@ -145,22 +145,24 @@ class EyePath {
         const float eye_share =
             receiving && in_.shares ? in_.shares->at(point.position, normal_towards(wo, point)) : 0;
         // Where a path surely goes on, its first ray and shadow rays share the lights too.
-        const bool meets_lights = eye_share > 0 && bouncing == 0;
+        const bool goes_on = receiving && in_.shares && (eye_share > 0 || explores_);
+        const bool meets_lights = goes_on && bouncing == 0 && in_.keep_visible_points;
 
+        DirectLightResult direct;
         if (in_.settings.direct_light_sampling && (lobes & kNonSpecular)) {
             DirectLightQuery query{point, wo, tip_.ray.time, tip_.throughput};
             query.owned = meets_lights ? 0 : receiving;
             query.bounce = meets_lights ? receiving : bouncing;
             query.shared = query.bounce & kNonSpecular;
             query.continue_pdf = meets_lights ? 1 : last ? 0 : 1 - store_pdf;
-            estimate_direct_light(query, numbers);
+            direct = estimate_direct_light(query, numbers);
         }
         if (receiving && (store_pdf == 1 || numbers.end() < store_pdf)) {
             if (!in_.keep_visible_points) return false;
             store(point, wo, receiving, store_pdf);
-            if (result_.has_visible_point && in_.shares && (eye_share > 0 || explores_)) {
+            if (result_.has_visible_point && goes_on) {
                 result_.visible_point.eye_share = eye_share;
-                go_on_from({point, wo, receiving, depth, meets_lights, tip_});
+                go_on_from({point, wo, receiving, depth, meets_lights, tip_}, direct);
             }
             return false;
         }
@@ -214,12 +216,14 @@ class EyePath {
         result_.rays += other.result_.rays;
     }
 
-    void estimate_direct_light(const DirectLightQuery& query, const VertexNumbers& numbers) {
+    DirectLightResult estimate_direct_light(const DirectLightQuery& query,
+                                            const VertexNumbers& numbers) {
         const DirectLightResult direct =
             in_.direct_light.estimate(query, numbers, refusals_, radiance_);
         result_.rays += direct.rays;
         if (in_.direct_light.learns() && result_.light_sample.pdf == 0)
             result_.light_sample = direct.sample;
+        return direct;
     }
 
     /// Probability of ending here rather than bouncing on: by albedo, kept away from 0 and 1.
@@ -234,14 +238,17 @@ class EyePath {
     }
 
     /// The path goes on from its visible point.
-    void go_on_from(ContinuedStart start) {
+    void go_on_from(ContinuedStart start, const DirectLightResult& direct) {
         VisiblePoint& v = result_.visible_point;
         start.tip.throughput = v.throughput;
-        const std::uint32_t rays =
+        const ContinuedResult went =
             trace_continued_path(in_, start, numbers_, refusals_, arena_, radiance_, continued_);
         v.continued = true;
-        v.eye_rays = float(rays);
-        result_.rays += rays;
+        v.eye_rays = float(went.rays);
+        result_.rays += went.rays;
+        if (!start.meets_lights) return;
+        v.direct_alone = direct.alone;
+        v.direct_shared = direct.brought + went.straight;
     }
 
     void store(const SurfacePoint& point, Vec3 wo, LobeMask receiving, float store_pdf) {

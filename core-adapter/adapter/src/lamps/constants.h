@@ -17,6 +17,18 @@ inline constexpr double kLampPathShare = 0.15;
 /// docs/notebook/2026-11-25-images-of-lamps.md. Supported by: one scene only: chess.
 inline constexpr double kPathsPerImage = 8;
 
+/// Lamp paths of a pass that are drawn where images are few. Unit: eye paths.
+/// Balances: as that of an image.
+/// Chosen by: docs/notebook/2026-11-26-few-images-of-lamps.md.
+/// Supported by: glass-ball, sun-window.
+inline constexpr double kSpareLampPaths = 0.03;
+
+/// Then as those of one image, at most. Unit: paths.
+/// Balances: as that of an image.
+/// Chosen by: reasoning: beyond it other light is the noise.
+/// Supported by: no measurement.
+inline constexpr double kMostPathsPerImage = 256;
+
 /// Largest image that has paths of its own: drawn by themselves they are not stratified over
 /// pixels. With a lamp that takes the share c of a pixel eye paths have the variance c (1 - c), and
 /// with r of these for each of them (c (1 - c) + r c) / (1 + r)^2, which falls from r = 0 on if

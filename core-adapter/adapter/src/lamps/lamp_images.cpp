@@ -80,8 +80,10 @@ std::size_t LampImages::add(std::span<const LampImage> found) {
 
 void LampImages::begin_pass(double mean_luminance) {
     const double parts = set_choice(mean_luminance);
-    const double most = kLampPathShare * per_pixel_ * double(pixel_count());
-    paths_ = std::uint32_t(std::min(most, std::ceil(kPathsPerImage * parts)));
+    const double eye_paths = per_pixel_ * double(pixel_count());
+    const double spare = std::min(kMostPathsPerImage * parts, kSpareLampPaths * eye_paths);
+    const double wanted = std::ceil(std::max(kPathsPerImage * parts, spare));
+    paths_ = std::uint32_t(std::min(wanted, kLampPathShare * eye_paths));
 }
 
 /// By the part of its pixel's light that an image is: what matters is the relative error. Returns

@@ -189,6 +189,12 @@ inline constexpr double kLearnedWork = 0.65;
 /// by: no measurement.
 inline constexpr double kMostEyeShare = 0.96875;
 
+/// Least share of the eye where paths go on for the sake of direct light. Unit: share of 1.
+/// Balances: direct light that first rays share against noise of rare light that they meet later.
+/// Chosen by: reasoning: squares of that light count a millionth.
+/// Supported by: no measurement.
+inline constexpr double kLeastEyeShare = 0x1p-10;
+
 /// Least variance of continued paths over their second moment: few samples, or a noisy mean of X Y,
 /// may say less. Unit: share of 1. Balances: places lit evenly against decisions by chance. Chosen
 /// by: reasoning: a path that scatters anywhere has more. Supported by: no measurement.

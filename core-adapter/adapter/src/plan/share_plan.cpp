@@ -15,6 +15,7 @@ struct LeafTerms {
     double photons = 0;  // V: relative variance times photon paths, times all its weight
     double eye = 0;      // W
     double cost = 0;     // of its continued paths in a pass
+    double direct = 0;   // variance of direct light that goes where they go on
     std::size_t leaf = 0;
 };
 
@@ -58,8 +59,10 @@ class Search {
         for (std::size_t i = 0; i < facts.leaves.size(); ++i) {
             if (population > 0) add_leaf(i, facts.leaves[i].population / population);
         }
-        eye_ =
-            kStratifiedEye * std::max(facts.variance - present_, kLeastEyeNoise * facts.variance);
+        const double eye =
+            std::max(facts.variance - present_, kLeastEyeNoise * facts.variance) + saved_;
+        eye_ = kStratifiedEye * eye;
+        bound_savings(eye - kLeastEyeNoise * facts.variance);
     }
 
     SharePlan best(const PhotonLimits& limits) {
@@ -102,6 +105,16 @@ class Search {
         return all > 0 ? eye / all : 0;
     }
 
+    /// Estimates of what direct light would gain may exceed what is there.
+    void bound_savings(double most) {
+        double all = 0;
+        for (const LeafTerms& t : terms_)
+            all += t.direct;
+        const double factor = all > most ? std::max(0.0, most) / all : 1;
+        for (LeafTerms& t : terms_)
+            t.direct *= kStratifiedEye * factor;
+    }
+
     void add_leaf(std::size_t i, double population) {
         const ShareMoments& m = facts_.leaves[i];
         const double points = population * facts_.points;
@@ -113,9 +126,11 @@ class Search {
         const double n = facts_.photon_paths;
         if (n > 0) present_ += weight * (sq(1 - share) * photons + own) / n;
         if (share > 0 && std::isfinite(eye)) present_ += weight * sq(share) * eye;
+        const double direct = weight * std::max(0.0, mean(m.direct_saved, m.continued));
+        if (share > 0) saved_ += direct;
         own_ += weight * own * facts_.squared_error;
         terms_.push_back({weight * photons * facts_.squared_error, weight * kStratifiedPaths * eye,
-                          points * facts_.ray_cost * mean(m.rays, m.continued), i});
+                          points * facts_.ray_cost * mean(m.rays, m.continued), direct, i});
     }
 
     /// The best leaves for so many photon paths: those first whose paths save most for their cost.
@@ -133,7 +148,7 @@ class Search {
         for (const LeafTerms& t : terms_) {
             const double alone = t.photons / paths;
             plan.error += alone;
-            const double gain = alone - joined(alone, t.eye);
+            const double gain = alone - joined(alone, t.eye) + t.direct;
             if (gain > 0 && t.cost > 0 && std::isfinite(gain)) gains.push_back({gain, t.cost, &t});
         }
         std::sort(gains.begin(), gains.end(), [](const Gain& a, const Gain& b) {
@@ -144,11 +159,15 @@ class Search {
             if ((plan.error - g.error) * (plan.cost + g.cost) >= plan.error * plan.cost) break;
             plan.error -= g.error;
             plan.cost += g.cost;
-            const double photons = g.terms->photons / paths;
-            plan.shares[g.terms->leaf] =
-                float(std::min(kMostEyeShare, photons / (photons + g.terms->eye)));
+            plan.shares[g.terms->leaf] = float(share(g.terms->photons / paths, g.terms->eye));
         }
         return plan;
+    }
+
+    /// Of the eye, where it goes on, for direct light's sake at least.
+    static double share(double photons, double eye) {
+        const double part = photons > 0 ? photons / (photons + eye) : 0;
+        return std::clamp(part, kLeastEyeShare, kMostEyeShare);
     }
 
     static double sq(double x) { return x * x; }
@@ -159,6 +178,7 @@ class Search {
     double own_ = 0;       // K
     double eye_ = 0;       // A
     double present_ = 0;   // variance of photons and continued paths as they were
+    double saved_ = 0;     // variance that direct light did not have, as some went on
 };
 
 }  // namespace

@@ -4,7 +4,8 @@
 // With N photon paths a pass leaves, as a mean over pixels of relative variances,
 //     E = A + K / N + sum over leaves of e,   e = V / N, or 1 / (N / V + 1 / W)
 // where A is what eye paths leave up to their visible points, K the light that photons alone carry,
-// V and W what photons and continued eye paths leave of the rest. It costs
+// V and W what photons and continued eye paths leave of the rest. A is less by what direct light
+// gains where first rays share it with shadow rays. It costs
 //     C = eye + photons N + what the continued paths of the leaves cost.
 // The leaves whose eye paths go on, and N, are chosen so that E C is least: of an image that is a
 // mean over passes that is the error at a given time.

@@ -14,7 +14,7 @@ bool usable(const ShareSample& s) {
            amount(s.eye) && amount(s.rays) && amount(s.photon_paths) &&
            std::isfinite(s.weight * s.photons * s.photons * s.photon_paths) &&
            std::isfinite(s.weight * s.squares) && std::isfinite(s.weight * s.others) &&
-           std::isfinite(s.weight * s.eye * s.eye);
+           std::isfinite(s.weight * s.eye * s.eye) && std::isfinite(s.weight * s.direct_saved);
 }
 
 ShareMoments moments_of(const ShareSample& s) {
@@ -32,6 +32,7 @@ ShareMoments moments_of(const ShareSample& s) {
     m.x = root * s.photons;
     m.y = root * s.eye;
     m.rays = s.rays;
+    m.direct_saved = s.weight * s.direct_saved;
     return m;
 }
 
@@ -50,11 +51,12 @@ void ShareMoments::add(const ShareMoments& o) {
     x += o.x;
     y += o.y;
     rays += o.rays;
+    direct_saved += o.direct_saved;
 }
 
 void ShareMoments::scale(double factor) {
     for (double* sum : {&population, &points, &squares, &others, &continued, &xx, &xy, &yy, &spread,
-                        &x, &y, &rays})
+                        &x, &y, &rays, &direct_saved})
         *sum *= factor;
 }
 
@@ -62,8 +64,10 @@ void ShareMoments::state(StateArchive& archive) {
     for (double* sum :
          {&population, &points, &squares, &others, &continued, &xx, &xy, &yy, &x, &y, &rays})
         archive.amount(*sum);
-    archive.value(spread);
-    StateArchive::check(std::isfinite(spread), "a sum that is no number");
+    for (double* sum : {&spread, &direct_saved}) {
+        archive.value(*sum);
+        StateArchive::check(std::isfinite(*sum), "a sum that is no number");
+    }
 }
 
 ShareTable::ShareTable(const Bounds& scene, const ShareTableSettings& settings)

@@ -38,6 +38,9 @@ struct ShareSample {
     bool continued = false;   ///< whether an eye path went on: the rest is known only then
     double eye = 0;           ///< Y
     double rays = 0;          ///< traced for it
+    /// By how much less the square of direct light is where its first ray shares it with shadow
+    /// rays, whose expectation is the same: of either sign.
+    double direct_saved = 0;
 };
 
 /// Sums over the samples of a leaf.
@@ -50,6 +53,7 @@ struct ShareMoments {
     double spread = 0;               ///< weighed sum of X (X - Y) times photon paths
     double x = 0, y = 0;             ///< sums over those, each times the root of its weight
     double rays = 0;
+    double direct_saved = 0;  ///< weighed sum
 
     void add(const ShareMoments& other);
     void scale(double factor);

@@ -13,6 +13,11 @@ namespace lxs {
 void PathIntegrator::prepare(const RenderContext& context) {
     context_.emplace(context);
     refusals_.emplace(context.scene);
+    // A chain's target must stay what it is while the chain walks.
+    if (context.sampler.metropolis() && settings_.lights == LightStrategy::Learned) {
+        settings_.lights = LightStrategy::Power;
+        context.log.info("path: lights are chosen by power, as Markov chains learn no lights");
+    }
     for (const Light* light : context.scene.lights())
         refusals_->accept_of_light(valid_density(light->power()), *light);
     tracer_.emplace(context.scene, settings_, *refusals_);
@@ -25,6 +30,7 @@ void PathIntegrator::prepare(const RenderContext& context) {
     const std::size_t pixels = std::size_t{context.film.width()} * context.film.height();
     positions_.resize(pixels);
     radiance_.resize(pixels * context.film.light_groups());
+    told_.resize(context.film.height());
 }
 
 PassReport PathIntegrator::render_pass(std::uint64_t pass) {
@@ -51,10 +57,23 @@ PathCounts PathIntegrator::render_pixels(std::uint64_t pass) {
                              .radiance = radiance_,
                              .groups = context_->film.light_groups(),
                              .weight = 1});
+    learn_lights(pass);
     PathCounts sum;
     for (const PathCounts& row : counts)
         sum += row;
     return sum;
+}
+
+/// Row by row, whichever thread rendered which.
+void PathIntegrator::learn_lights(std::uint64_t pass) {
+    if (!tracer_->lights().learns()) return;
+    std::vector<aips::LightSample> samples;
+    for (std::vector<aips::LightSample>& row : told_) {
+        samples.insert(samples.end(), row.begin(), row.end());
+        row.clear();
+    }
+    const auto paths = static_cast<std::uint32_t>(positions_.size());
+    tracer_->lights().learn(samples, aips::light_samples_due(paths, kToldRays), pass + 1);
 }
 
 PathCounts PathIntegrator::render_row(std::uint64_t pass, std::uint32_t y,
@@ -64,6 +83,9 @@ PathCounts PathIntegrator::render_row(std::uint64_t pass, std::uint32_t y,
     const std::uint32_t groups = context.film.light_groups();
     const float open = context.camera.shutter_open();
     const float shutter = context.camera.shutter_close() - open;
+    const bool learns = tracer_->lights().learns();
+    const std::uint32_t stride =
+        aips::paths_per_light_sample(static_cast<std::uint32_t>(positions_.size()), kToldRays);
     PathCounts counts;
     counts.paths = width;
     for (std::uint32_t x = 0; x < width; ++x) {
@@ -72,6 +94,7 @@ PathCounts PathIntegrator::render_row(std::uint64_t pass, std::uint32_t y,
         const CameraSample sample = context.sampler.camera_sample(pass, x, y);
         const CameraRay camera = context.camera.generate(sample, open + shutter * random.next());
         PathResult result{.radiance = std::span(radiance_).subspan(pixel * groups, groups)};
+        if (learns && (pixel + pass) % stride == 0) result.told = &told_[y];
         tracer_->trace(camera.ray, random, memory, result);
         positions_[pixel] = sample.film;
         counts.rays += result.rays;
@@ -83,6 +106,7 @@ PathCounts PathIntegrator::render_row(std::uint64_t pass, std::uint32_t y,
 void PathIntegrator::state(StateArchive& archive) {
     total_.state(archive);
     refusals_->state(archive);
+    tracer_->lights().state(archive);
     if (metropolis_) metropolis_->state(archive);
 }
 

@@ -27,13 +27,15 @@ class PathIntegrator : public Integrator {
     PathCounts render_pixels(std::uint64_t pass);
     PathCounts render_row(std::uint64_t pass, std::uint32_t y,
                           std::pmr::monotonic_buffer_resource& memory);
+    void learn_lights(std::uint64_t pass);
 
     PathSettings settings_;
     std::optional<RenderContext> context_;
     std::optional<PathRefusals> refusals_;
     std::optional<PathTracer> tracer_;
-    std::vector<Vec2> positions_;  ///< of this pass, row by row
-    std::vector<Rgb> radiance_;    ///< [pixel * light groups + group]
+    std::vector<Vec2> positions_;                       ///< of this pass, row by row
+    std::vector<Rgb> radiance_;                         ///< [pixel * light groups + group]
+    std::vector<std::vector<aips::LightSample>> told_;  ///< by the rows of this pass
     PathCounts total_;
     std::optional<MetropolisRenderer> metropolis_;  ///< if the scene's sampler asks for it
 };

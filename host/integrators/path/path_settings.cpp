@@ -16,9 +16,11 @@ struct Named {
     Value value;
 };
 
-// LuxRender's names; its `auto`, `importance` and their kin all come down to a choice by power.
+// LuxRender's names, and `learned`. Its `importance` and its kin come down to a choice by power;
+// `auto` leaves the choice to the renderer.
 constexpr auto kLightStrategies = std::to_array<Named<LightStrategy>>({
-    {"auto", LightStrategy::Power},
+    {"learned", LightStrategy::Learned},
+    {"auto", LightStrategy::Learned},
     {"one", LightStrategy::Uniform},
     {"all", LightStrategy::All},
     {"importance", LightStrategy::Power},
@@ -94,9 +96,10 @@ constexpr std::array kDeclarations = {
     ParameterDeclaration{.name = "lightstrategy",
                          .type = ParameterType::String,
                          .default_text = "auto",
-                         .doc = "Lights asked at a bounce: all (also allpowerimp), one at random, "
-                                "one by power (auto, importance, powerimp, autopowerimp), one by "
-                                "the logarithm of its power (logpowerimp).",
+                         .doc = "Lights asked at a bounce: one by what earlier passes found "
+                                "there (learned, auto), all (also allpowerimp), one at random, one "
+                                "by power (importance, powerimp, autopowerimp), one by the "
+                                "logarithm of its power (logpowerimp).",
                          .choices = kLightStrategyNames},
     ParameterDeclaration{.name = "shadowraycount",
                          .type = ParameterType::Integer,

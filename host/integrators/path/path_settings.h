@@ -21,6 +21,7 @@ enum class LightStrategy : std::uint8_t {
     All,      ///< every light
     Uniform,  ///< one, all equally likely
     Power,    ///< one, in proportion to its power
+    Learned,  ///< one, by what shadow rays found at such places in earlier passes
     LogPower  ///< one, in proportion to log(1 + power)
 };
 
@@ -30,7 +31,7 @@ struct PathSettings {
     float continue_probability = 0.65f;  ///< of RouletteStrategy::Probability
     bool include_environment = true;     ///< the camera sees lights at infinity directly
     bool direct_light_sampling = true;
-    LightStrategy lights = LightStrategy::Power;
+    LightStrategy lights = LightStrategy::Learned;
 
     static std::span<const ParameterDeclaration> declarations();
     static PathSettings read(const ParameterReader& parameters);

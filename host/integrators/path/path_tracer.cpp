@@ -35,7 +35,7 @@ void PathCounts::state(StateArchive& archive) {
 PathTracer::PathTracer(const Scene& scene, const PathSettings& settings, PathRefusals& refusals)
     : scene_(scene),
       settings_(settings),
-      lights_(scene.lights(), settings.lights),
+      lights_(scene.lights(), settings.lights, scene.bounds()),
       refusals_(refusals),
       media_scatter_(scene.facts().has_scattering_media) {}
 
@@ -102,7 +102,7 @@ float PathTracer::light_weight(const State& state, const Light& light, const Vec
                                        light_n, primitive);
     // No density: what it weighs is refused, and counted against the light.
     if (!(pdf >= 0)) return std::numeric_limits<float>::quiet_NaN();
-    return power_heuristic(state.left.pdf, pdf * lights_.probability(&light));
+    return power_heuristic(state.left.pdf, pdf * lights_.probability(&light, state.left.lights));
 }
 
 void PathTracer::add_emitted(State& state, const SurfaceHit& hit) const {
@@ -125,12 +125,23 @@ void PathTracer::add_escaped(State& state) const {
 
 void PathTracer::add_direct(State& state, const SurfaceHit& hit) const {
     if (!settings_.direct_light_sampling || (hit.bsdf->lobes() & kScattering) == 0) return;
+    state.lights = lights_.at(hit.p, seen_side(state.ray, hit));
     for (std::size_t i = 0; i < lights_.choices(); ++i) {
         const float u = state.random.next();
-        const LightChoice choice = lights_.choose(i, u);
+        const LightChoice choice = lights_.choose(i, u, state.lights);
         const Rgb light = direct_light(state, hit, choice, state.random.next_2d());
         add(state, state.throughput * light, *choice.light);
+        if (state.result.told) tell(state, hit, choice, luminance(light) * choice.probability);
     }
+}
+
+/// What the light chosen sent here, so that it is known where paths meet such places again.
+void PathTracer::tell(State& state, const SurfaceHit& hit, const LightChoice& choice,
+                      float value) const {
+    if (state.told_rays++ >= kToldRays) return;
+    const Vec3 n = seen_side(state.ray, hit);
+    state.result.told->push_back(
+        {{hit.p.x, hit.p.y, hit.p.z}, {n.x, n.y, n.z}, choice.index, choice.probability, value});
 }
 
 Rgb PathTracer::direct_light(State& state, const SurfaceHit& hit, const LightChoice& choice,
@@ -176,7 +187,7 @@ bool PathTracer::scatter(State& state, const SurfaceHit& hit) const {
     if (sample.straight) return ++state.straight < kMaxStraight;
 
     ++state.bounces;
-    state.left = {hit.p, hit.ns, (sample.lobe & kSpecular) != 0 ? 0.0f : sample.pdf};
+    state.left = {hit.p, hit.ns, (sample.lobe & kSpecular) != 0 ? 0.0f : sample.pdf, state.lights};
     return survives_roulette(state);
 }
 

@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <memory_resource>
 #include <span>
+#include <vector>
 
 #include "lxs/sdk/scene.h"
 #include "lxs/sdk/state_archive.h"
@@ -23,7 +24,14 @@ struct PathResult {
     std::span<Rgb> radiance;  ///< one entry a light group, added to
     std::uint64_t rays = 0;
     std::uint64_t bounces = 0;
+    /// Takes what the first shadow rays from surfaces found, at most kToldRays; null: nothing does.
+    std::vector<aips::LightSample>* told = nullptr;
 };
+
+/// Shadow rays of a path that tell of lights, if it is one that tells: fewer leave out places that
+/// are seen by way of others, more tell of one place after the other from fewer paths. 1, 4 and 16
+/// were compared (docs/notebook/2026-11-26-lights-of-path.md).
+inline constexpr std::uint32_t kToldRays = 4;
 
 /// Paths traced and what they took.
 struct PathCounts {
@@ -47,6 +55,10 @@ class PathTracer {
     void trace(const Ray& camera_ray, PrimarySample& random,
                std::pmr::monotonic_buffer_resource& memory, PathResult& result) const;
 
+    /// The choice of lights, which learns between passes.
+    LightSelector& lights() { return lights_; }
+    const LightSelector& lights() const { return lights_; }
+
   private:
     struct Vertex;
     struct State;
@@ -57,6 +69,7 @@ class PathTracer {
     void add_emitted(State& state, const SurfaceHit& hit) const;
     void add_escaped(State& state) const;
     void add_direct(State& state, const SurfaceHit& hit) const;
+    void tell(State& state, const SurfaceHit& hit, const LightChoice& choice, float value) const;
     bool fly(State& state, float segment) const;
     bool scatter_in_medium(State& state) const;
     void add_direct_in_medium(State& state) const;

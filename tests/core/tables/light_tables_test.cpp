@@ -51,6 +51,23 @@ TEST(LightTables, StartWithThePlainChoice) {
     }
 }
 
+/// A bright place tells others which lights there are, not how much is to be seen of them.
+TEST(LightTables, DimPlacesLearnAsSoonAsBrightOnes) {
+    LightTables tables = equal_lights(2);
+    const Vec3 down{0, 0, -1};
+    for (int i = 0; i < 4000; ++i) {
+        const std::uint32_t light = i % 2;
+        EXPECT_TRUE(tables.add({{0.5f, 0.5f, 0.5f}, kUp, light, 0.5f, light == 0 ? 1e3f : 0.0f}));
+        if (i < 400) {
+            EXPECT_TRUE(
+                tables.add({{0.5f, 0.5f, 0.5f}, down, light, 0.5f, light == 1 ? 1e-3f : 0.0f}));
+        }
+    }
+    tables.update(4400);
+    EXPECT_GT(tables.at({0.5f, 0.5f, 0.5f}, kUp).pdf(0), 0.8);
+    EXPECT_GT(tables.at({0.5f, 0.5f, 0.5f}, down).pdf(1), 0.8);
+}
+
 TEST(LightTables, AskTheLightsThatLightAPlace) {
     constexpr std::uint32_t kLights = 20;
     LightTables tables = equal_lights(kLights);

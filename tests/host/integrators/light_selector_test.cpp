@@ -96,6 +96,48 @@ TEST(LightSelector, NoLiveLightMeansNoChoice) {
     EXPECT_EQ(LightSelector(dead, LightStrategy::All).choices(), 0u);
 }
 
+/// Where shadow rays found one of three lights alone, it is asked most; other places, and lights
+/// without power, are asked as before.
+TEST(LightSelector, PlacesAskWhatTheyLearned) {
+    LightSelector selector(kLights, LightStrategy::Learned, {Vec3(-1.0f), Vec3(1.0f)});
+    const Vec3 up(0, 0, 1), here(0.5f, 0.5f, 0);
+    ASSERT_TRUE(selector.learns());
+    EXPECT_FLOAT_EQ(selector.probability(&kStrong, selector.at(here, up)), 0.6f);
+    std::vector<aips::LightSample> samples;
+    for (int i = 0; i < 4096; ++i) {
+        const LightChoice choice = selector.choose(0, (static_cast<float>(i) + 0.5f) / 4096);
+        samples.push_back({{here.x, here.y, here.z},
+                           {up.x, up.y, up.z},
+                           choice.index,
+                           choice.probability,
+                           choice.light == &kWeak ? 1.0f : 0.0f});
+    }
+    selector.learn(samples, samples.size(), 1);
+    const LightTable table = selector.at(here, up);
+    EXPECT_GT(selector.probability(&kWeak, table), 0.85f);
+    EXPECT_EQ(selector.probability(&kDead, table), 0);
+    double sum = 0;
+    for (const Light* light : kLights)
+        sum += double{selector.probability(light, table)};
+    EXPECT_EQ(sum, 1);
+    int weak = 0;
+    for (int i = 0; i < 4096; ++i) {
+        const LightChoice choice = selector.choose(0, (static_cast<float>(i) + 0.5f) / 4096, table);
+        EXPECT_EQ(choice.probability, selector.probability(choice.light, table));
+        weak += choice.light == &kWeak ? 1 : 0;
+    }
+    EXPECT_NEAR(weak, double{selector.probability(&kWeak, table)} * 4096, 2);
+    EXPECT_FLOAT_EQ(selector.probability(&kWeak), 0.1f);
+}
+
+TEST(LightSelector, LearnsNothingWhereThereIsNoChoice) {
+    const Light* const one[] = {&kDead, &kSky};
+    const LightSelector selector(one, LightStrategy::Learned);
+    EXPECT_FALSE(selector.learns());
+    EXPECT_EQ(selector.at(Vec3(0.0f), Vec3(0, 0, 1)), nullptr);
+    EXPECT_FALSE(LightSelector(kLights, LightStrategy::Power).learns());
+}
+
 TEST(LightSelector, LargestUGivesTheLastLight) {
     const LightSelector selector(kLights, LightStrategy::Power);
     EXPECT_EQ(selector.choose(0, std::nextafter(1.0f, 0.0f)).light, &kSky);

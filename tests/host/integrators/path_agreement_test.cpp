@@ -127,8 +127,8 @@ TEST(PathAgreement, AnyChoiceOfLightsGivesTheSameMean) {
         floor_of(kGlossy) + "WorldEnd\n";
     PathSettings all;
     all.lights = LightStrategy::All;
-    for (const LightStrategy strategy :
-         {LightStrategy::Power, LightStrategy::Uniform, LightStrategy::LogPower}) {
+    for (const LightStrategy strategy : {LightStrategy::Power, LightStrategy::Uniform,
+                                         LightStrategy::LogPower, LightStrategy::Learned}) {
         PathSettings one;
         one.lights = strategy;
         expect_agreement(scene, all, one);

@@ -32,33 +32,6 @@ inline constexpr float kLeastPivotShare = 1e-4f;
 /// Supported by: no measurement.
 inline constexpr float kFarLengths = 64;
 
-/// Of so many eye paths one tells what its first shadow ray found, while lights are learned from.
-/// Unit: eye paths.
-/// Balances: time of learning against how soon lights are known.
-/// Chosen by: reasoning: none on record.
-/// Supported by: no measurement.
-inline constexpr std::uint32_t kLightSampleOneOf = 4;
-
-/// Least number of new samples from which tables of lights are made anew; otherwise half of those
-/// before. Unit: eye paths that were to tell.
-/// Balances: lights known early against sequences of eye paths that begin anew.
-/// Chosen by: reasoning: not in each pass, as eye paths are stratified over the passes in between.
-/// Supported by: no measurement.
-inline constexpr std::uint64_t kFewestNewRays = 2048;
-
-/// Greatest number of new samples after which tables of lights are made anew, and of those that a
-/// pass brings. Unit: eye paths that were to tell.
-/// Balances: memory and the time of learning against lights known early.
-/// Chosen by: reasoning: none on record.
-/// Supported by: no measurement.
-inline constexpr std::uint64_t kMostNewRays = 1u << 16;
-
-/// Samples after which there is nothing more to learn of lights. Unit: eye paths that were to tell.
-/// Balances: better tables against sequences of eye paths that begin anew.
-/// Chosen by: reasoning: none on record.
-/// Supported by: no measurement.
-inline constexpr std::uint64_t kEnoughRays = 1u << 20;
-
 /// Eye paths of a pixel in a frozen eye pass unless hitpointperpass says otherwise. Unit: eye
 /// paths.
 /// Balances: noise of pixels against memory and time of each gather.

@@ -1,19 +1,14 @@
 // Next-event estimation (Veach 1997, chapter 9: one-sample light choice, balance heuristic).
 #include "eye/direct_light.h"
 
-#include <algorithm>
-#include <utility>
-
 #include "base/vector_growth.h"
-#include "eye/constants.h"
 #include "eye/light_choice.h"
 
 namespace aips {
 
 DirectLight::DirectLight(const Scene& scene, bool learns)
     : scene_(scene), choice_(light_choice(scene)) {
-    if (learns && !choice_.empty())
-        tables_.emplace(scene.bounds(), choice_, light_table_settings(choice_.size()));
+    if (learns && !choice_.empty()) learned_.emplace(scene.bounds(), choice_);
     for (LightIndex i = 0; i < scene.lights().size(); ++i) {
         if (scene.lights()[i]->at_infinity()) at_infinity_.push_back(i);
     }
@@ -64,57 +59,8 @@ float DirectLight::pdf(LightIndex light, const SurfacePoint& from, Vec3 wi,
     return choice_at(from).pdf(light) * scene_.lights()[light]->pdf_direct(from, wi, at);
 }
 
-void DirectLight::learn(std::span<const LightSample> samples, std::uint64_t due,
-                        std::uint64_t passes) {
-    if (!learns()) return;
-    waiting_.insert(waiting_.end(), samples.begin(), samples.end());
-    due_ += due;
-    if (due_ < due_at_most()) return;
-    for (const LightSample& sample : waiting_)
-        tables_->add(sample);
-    tables_->update(waiting_.size());
-    learned_ += std::exchange(due_, 0);
-    passes_before_ = passes;
-    waiting_.clear();
-    if (!learns()) waiting_.shrink_to_fit();
-}
-
-bool DirectLight::learns() const {
-    return tables_ && learned_ < kEnoughRays;
-}
-
-std::uint64_t DirectLight::due_at_most() const {
-    return learns() ? std::clamp(learned_ / 2, kFewestNewRays, kMostNewRays) : 1;
-}
-
-void DirectLight::state(StateArchive& archive) {
-    if (!tables_) return;
-    tables_->state(archive);
-    archive.value(learned_);
-    archive.value(passes_before_);
-    archive.value(due_);
-    StateArchive::check(due_ < due_at_most(), "shadow rays that would have been learned from");
-    const std::size_t waiting = archive.count(waiting_.size(), 9 * sizeof(float));
-    StateArchive::check(waiting <= due_, "more shadow rays than were to tell");
-    waiting_.resize(waiting);
-    for (LightSample& s : waiting_) {
-        for (Vec3* v : {&s.position, &s.normal}) {
-            for (float* x : {&v->x, &v->y, &v->z})
-                archive.value(*x);
-        }
-        archive.value(s.light);
-        archive.value(s.pdf);
-        archive.value(s.value);
-    }
-}
-
-std::size_t DirectLight::memory_bytes() const {
-    return (tables_ ? tables_->memory_bytes() : 0) + waiting_.capacity() * sizeof(LightSample);
-}
-
 std::size_t DirectLight::memory_bound_bytes(const Scene& scene, std::size_t samples) {
-    const std::size_t lights = scene.lights().size();
-    return LightTables::memory_bound_bytes(light_table_settings(lights), lights) +
+    return LearnedLights::memory_bound_bytes(scene.lights().size()) +
            (kMostNewRays + samples) * kVectorGrowth * sizeof(LightSample);
 }
 

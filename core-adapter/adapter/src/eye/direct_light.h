@@ -8,7 +8,7 @@
 #include "aips/adapter/scene.h"
 #include "aips/core/sampling/eye_numbers.h"
 #include "aips/core/tables/discrete_distribution.h"
-#include "aips/core/tables/light_tables.h"
+#include "aips/core/tables/learned_lights.h"
 #include "refusal/refusals.h"
 
 namespace aips {
@@ -51,19 +51,19 @@ class DirectLight {
     const DiscreteDistribution& choice() const { return choice_; }
 
     /// Whether there is more to learn.
-    bool learns() const;
-    /// After `passes` passes: what shadow rays told, in an order that does not depend on threads.
-    /// `due`: eye paths that were to tell, found by their numbers; at least as many as did. Choices
-    /// are made anew after a number of those: the number that did depends on the numbers they drew.
-    void learn(std::span<const LightSample> samples, std::uint64_t due, std::uint64_t passes);
-    /// Passes before the present choices were made. Numbers that are stratified over passes start
-    /// anew there: points that keep away from those that were learned from are not independent of
-    /// the choices.
-    std::uint64_t passes_before() const { return passes_before_; }
+    bool learns() const { return learned_ && learned_->learns(); }
+    /// As LearnedLights::learn(); without need to learn nothing is done.
+    void learn(std::span<const LightSample> samples, std::uint64_t due, std::uint64_t passes) {
+        if (learned_) learned_->learn(samples, due, passes);
+    }
+    /// Passes before the present choices were made (LearnedLights::passes_before()).
+    std::uint64_t passes_before() const { return learned_ ? learned_->passes_before() : 0; }
     /// Saves or restores what was learned.
-    void state(StateArchive& archive);
+    void state(StateArchive& archive) {
+        if (learned_) learned_->state(archive);
+    }
     /// Memory held for learning.
-    std::size_t memory_bytes() const;
+    std::size_t memory_bytes() const { return learned_ ? learned_->memory_bytes() : 0; }
     /// Upper bound of memory_bytes() if it learns, from at most `samples` shadow rays a pass.
     static std::size_t memory_bound_bytes(const Scene& scene, std::size_t samples);
 
@@ -72,18 +72,12 @@ class DirectLight {
 
   private:
     const DiscreteDistribution& choice_at(const SurfacePoint& point) const {
-        return tables_ ? tables_->at(point.position, point.geometric_normal) : choice_;
+        return learned_ ? learned_->at(point.position, point.geometric_normal) : choice_;
     }
-
-    std::uint64_t due_at_most() const;
 
     const Scene& scene_;
     DiscreteDistribution choice_;
-    std::optional<LightTables> tables_;
-    std::vector<LightSample> waiting_;  ///< not learned yet: tables are made anew now and then
-    std::uint64_t due_ = 0;             ///< since choices were made, and all before that
-    std::uint64_t learned_ = 0;
-    std::uint64_t passes_before_ = 0;
+    std::optional<LearnedLights> learned_;
     std::vector<LightIndex> at_infinity_;
 };
 

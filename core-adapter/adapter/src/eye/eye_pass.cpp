@@ -60,7 +60,7 @@ void trace_block(const EyePassInput& in, std::uint64_t pass, float time, std::ui
     const std::uint64_t pixels = std::uint64_t(in.width) * in.height;
     const std::uint64_t before =
         std::max(in.direct_light.passes_before(), in.shares ? in.shares->passes_before : 0);
-    const std::uint32_t stride = eye_paths_per_light_sample(in.paths);
+    const std::uint32_t stride = paths_per_light_sample(in.paths);
     for (std::uint32_t i = first; i < last; ++i) {
         // Consecutive eye paths walk over the film again and again, whatever their number per pass.
         const std::uint64_t serial = pass * in.paths + i;

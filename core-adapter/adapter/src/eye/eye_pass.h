@@ -1,14 +1,12 @@
 // The eye pass: camera paths up to the first surface that takes photons.
 #pragma once
 
-#include <algorithm>
 #include <cstdint>
 #include <vector>
 
 #include "aips/adapter/camera.h"
 #include "aips/adapter/settings.h"
 #include "aips/core/base/arena.h"
-#include "eye/constants.h"
 #include "eye/direct_light.h"
 #include "eye/eye_shares.h"
 #include "eye/volume_beam.h"
@@ -16,17 +14,6 @@
 #include "refusal/refusals.h"
 
 namespace aips {
-
-/// Of so many of a pass's eye paths one tells what its first shadow ray found, while lights are
-/// learned from: of kLightSampleOneOf, or fewer so that there are about kMostNewRays at most.
-constexpr std::uint32_t eye_paths_per_light_sample(std::uint32_t paths) {
-    return std::max(kLightSampleOneOf, std::uint32_t(paths / kMostNewRays));
-}
-
-/// How many of a pass's eye paths are to tell, at most.
-constexpr std::uint32_t light_samples_due(std::uint32_t paths) {
-    return paths / eye_paths_per_light_sample(paths) + 1;
-}
 
 /// Where an eye path first met a surface that takes photons.
 struct VisiblePoint {

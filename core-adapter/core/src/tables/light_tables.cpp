@@ -3,12 +3,17 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <stdexcept>
 
 namespace aips {
 namespace {
 
 constexpr std::uint32_t kFewestLeaves = 6;
+
+double sum(const std::vector<double>& values) {
+    return std::accumulate(values.begin(), values.end(), 0.0);
+}
 
 bool usable(const LightSample& s, std::span<const float> plain) {
     return s.light < plain.size() && plain[s.light] > 0 && s.pdf > 0 && s.value >= 0 &&
@@ -77,17 +82,21 @@ void LightTables::add_leaves() {
     choices_.resize(leaves_.size());
 }
 
+// Of the mean over all places it is the shares of the lights that a place takes for its own: what
+// they bring where lamps are near is no measure for a place where all is dim.
 void LightTables::make_choices() {
     const std::size_t lights = plain_.size();
-    const double prior = settings_.prior_count;
-    const double of_all = everywhere_.rays > 0 ? prior / everywhere_.rays : 0;
+    const double everywhere = sum(everywhere_.squares);
     std::vector<double> roots(lights);
     std::vector<float> weights(lights);
     for (std::size_t leaf = 0; leaf < leaves_.size(); ++leaf) {
+        const Sums& met = leaves_[leaf];
+        const double here = sum(met.squares);
+        const double of_all = here > 0 ? settings_.prior_count * (here / met.rays) / everywhere : 1;
         double total = 0;
         for (std::size_t i = 0; i < lights; ++i) {
             // Their common divisor, all rays and the prior's, is left out.
-            const double square = leaves_[leaf].squares[i] + of_all * everywhere_.squares[i];
+            const double square = met.squares[i] + of_all * everywhere_.squares[i];
             roots[i] = plain_[i] > 0 ? std::sqrt(square) : 0;
             total += roots[i];
         }

@@ -35,7 +35,7 @@ inline constexpr std::uint32_t kLightSplitRays = 64;
 /// Supported by: no measurement (tables were measured in five scenes, this share was not varied).
 inline constexpr double kPlainLights = 0.125;
 
-/// What the mean over all leaves weighs in each. Unit: shadow rays.
+/// What the lights' shares over all leaves weigh in each. Unit: shadow rays.
 /// Balances: what a place has seen against chance.
 /// Chosen by: reasoning: none on record.
 /// Supported by: no measurement.
@@ -47,6 +47,30 @@ inline constexpr double kLightPrior = 4;
 /// Chosen by: reasoning: none on record.
 /// Supported by: no measurement.
 inline constexpr double kInheritedRays = 16;
+
+/// Of so many shadow rays one tells what it found, while lights are learned from. Unit: shadow
+/// rays. Balances: time of learning against how soon lights are known. Chosen by: reasoning: none
+/// on record. Supported by: no measurement.
+inline constexpr std::uint32_t kLightSampleOneOf = 4;
+
+/// Least number of new samples from which tables of lights are made anew; otherwise half of those
+/// before. Unit: shadow rays that were to tell.
+/// Balances: lights known early against sequences of eye paths that begin anew.
+/// Chosen by: reasoning: not in each pass, as eye paths are stratified over the passes in between.
+/// Supported by: no measurement.
+inline constexpr std::uint64_t kFewestNewRays = 2048;
+
+/// Greatest number of new samples after which tables of lights are made anew, and of those that a
+/// pass brings. Unit: shadow rays that were to tell.
+/// Balances: memory and the time of learning against lights known early.
+/// Chosen by: reasoning: none on record.
+/// Supported by: no measurement.
+inline constexpr std::uint64_t kMostNewRays = 1u << 16;
+
+/// Samples after which there is nothing more to learn of lights. Unit: shadow rays that were to
+/// tell. Balances: better tables against sequences of eye paths that begin anew. Chosen by:
+/// reasoning: none on record. Supported by: no measurement.
+inline constexpr std::uint64_t kEnoughRays = 1u << 20;
 
 /// Most leaves with a table of directions. Unit: leaves.
 /// Balances: parallax within a leaf against memory and photons to fill a table.

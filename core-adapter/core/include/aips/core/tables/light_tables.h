@@ -22,7 +22,7 @@ struct LightTableSettings {
                               .split_count = kLightSplitRays,
                               .memory_paths = 1e15};  // nothing that is learned grows old
     double plain_share = kPlainLights;                ///< of choices made without tables, in (0, 1]
-    /// Shadow rays that the mean over all leaves weighs in each, > 0.
+    /// Shadow rays that the lights' shares over all leaves weigh in each, > 0.
     double prior_count = kLightPrior;
 };
 

@@ -29,7 +29,7 @@ struct ContinuedResult {
 /// alone. The path goes as deep as photons do. Lights that its first ray meets are added to
 /// `direct`.
 ContinuedResult trace_continued_path(const EyePassInput& input, const ContinuedStart& start,
-                                   const EyeNumbers& numbers, Refusals& refusals, Arena& arena,
-                                   std::span<Rgb> direct, std::span<Rgb> continued);
+                                     const EyeNumbers& numbers, Refusals& refusals, Arena& arena,
+                                     std::span<Rgb> direct, std::span<Rgb> continued);
 
 }  // namespace aips

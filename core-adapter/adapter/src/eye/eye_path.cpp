@@ -8,6 +8,7 @@
 
 #include "eye/constants.h"
 #include "eye/continued_path.h"
+#include "eye/store_probability.h"
 #include "eye/surface_side.h"
 #include "eye/volume_light.h"
 #include "refusal/meet_surface.h"
@@ -141,7 +142,7 @@ class EyePath {
         lamps_ = radiance_;
         const LobeMask receiving = lobes & receiving_lobes(in_.settings);
         const LobeMask bouncing = lobes & ~receiving;
-        const float store_pdf = store_probability(point, wo, receiving, last ? 0 : bouncing);
+        const float store_pdf = store_probability(*point.bsdf, wo, receiving, last ? 0 : bouncing);
         const float eye_share =
             receiving && in_.shares ? in_.shares->at(point.position, normal_towards(wo, point)) : 0;
         // Where a path surely goes on, its first ray and shadow rays share the lights too.
@@ -224,17 +225,6 @@ class EyePath {
         if (in_.direct_light.learns() && result_.light_sample.pdf == 0)
             result_.light_sample = direct.sample;
         return direct;
-    }
-
-    /// Probability of ending here rather than bouncing on: by albedo, kept away from 0 and 1.
-    static float store_probability(const SurfacePoint& point, Vec3 wo, LobeMask receiving,
-                                   LobeMask bouncing) {
-        if (!receiving) return 0;
-        if (!bouncing) return 1;
-        const float store = luminance(point.bsdf->albedo(wo, receiving));
-        const float bounce = luminance(point.bsdf->albedo(wo, bouncing));
-        if (!(store + bounce > 0) || !std::isfinite(store + bounce)) return 0.5f;
-        return std::clamp(store / (store + bounce), 0.1f, 0.9f);
     }
 
     /// The path goes on from its visible point.

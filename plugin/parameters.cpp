@@ -173,6 +173,9 @@ std::vector<ParameterDeclaration> guide_declarations() {
             "guidechains", kDefaults.guide_chains,
             "With guide adaptive: adaptive Markov chains (as photonsampler amc) take the guide's "
             "place where the first look shows that next to no photon path reaches what is seen."),
+        boolean("guidechainstarts", kDefaults.guide_chain_starts,
+                "With guidechains: the chains' independent paths start where visible ones were "
+                "found before."),
         boolean("guidescout", kDefaults.guide_scout,
                 "With guide adaptive: a first look decides whether it guides; it is left out where "
                 "many photon paths reach what is seen without it, and where next to none do."),

@@ -91,6 +91,8 @@ void add_parts(std::vector<ResumableCase>& cases) {
     chains.photons_per_pass = 200'000;
     chains.direct_light_sampling = false;
     cases.push_back({"chains_for_guide", chains, false, 4, 20, 15, true});
+    chains.guide_chain_starts = false;
+    cases.push_back({"unguided_chains_for_guide", chains, false, 4, 20, 15, true});
 }
 
 }  // namespace

@@ -33,6 +33,19 @@ inline constexpr std::uint32_t kMostSplits = 16;
 /// Supported by: no measurement.
 inline constexpr std::uint32_t kChainCount = 64;
 
+/// Steps of a chain from one start to the next, at least, where chains start at paths that were
+/// drawn before. Unit: steps.
+/// Balances: many starts against the paths around each.
+/// Chosen by: reasoning: at an acceptance of a quarter, four paths of a start are recorded.
+/// Supported by: no measurement.
+inline constexpr std::uint64_t kShortestSegment = 16;
+
+/// Visible paths of a pass that chains may start from; more are thinned. Unit: paths.
+/// Balances: starts that are left out against memory.
+/// Chosen by: reasoning: 2 MiB, and more paths than a pass of two million has segments for.
+/// Supported by: no measurement.
+inline constexpr std::size_t kMostPooledPaths = std::size_t{1} << 17;
+
 /// How far from a visible point photons count as visible to a chain. Discs that just touch, or do
 /// not, are islands to a chain, which stays on one for long. Unit: mean radii.
 /// Balances: islands against paths that nothing gathers.

@@ -7,6 +7,7 @@
 #include "aips/adapter/engine.h"
 #include "estimate/pass_photons.h"
 #include "estimate/search_radii.h"
+#include "photons/pass_guide.h"
 #include "photons/photon_iteration.h"
 
 namespace aips {
@@ -31,7 +32,8 @@ class PhotonSource {
     virtual float reach(const SearchRadii& radii) const = 0;
     /// Where paths have to land to be of use, from the next pass until it is told anew.
     virtual void mark_reach(std::span<const Vec3> visible_points, float radius) = 0;
-    virtual void begin_pass(const PassPhotons& photons) = 0;
+    /// Returns the rays that it traced.
+    virtual std::uint64_t begin_pass(const PassPhotons& photons, const GuidedPass& pass) = 0;
     /// Photon paths of the next iteration, if no guide asks for others.
     virtual std::uint32_t iteration_paths() const = 0;
     /// Traces exactly so many paths. The result does not depend on the number of threads.
@@ -46,6 +48,10 @@ class PhotonSource {
     virtual std::size_t memory_bytes() const = 0;
 };
 
+/// Independent paths, or those of chains that search for visible ones by chance.
 std::unique_ptr<PhotonSource> make_photon_source(bool chains);
+/// Chains that start where visible paths were found before. `light_choice` (by power) outlives it.
+std::unique_ptr<PhotonSource> make_guided_chains(const Scene& scene, const Settings& settings,
+                                                 const DiscreteDistribution& light_choice);
 
 }  // namespace aips

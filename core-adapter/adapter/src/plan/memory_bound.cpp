@@ -6,6 +6,7 @@
 #include "eye/eye_pass.h"
 #include "guides/adaptive/adaptive_guide.h"
 #include "guides/paper/paper_guide.h"
+#include "photons/guided_chains.h"
 #include "photons/photon_chains.h"
 #include "photons/photon_pass.h"
 #include "radii/adaptive_radius.h"
@@ -57,14 +58,19 @@ std::size_t iteration_landings(const Settings& s) {
                                 : kPlainIterationPaths);
 }
 
+/// Of one kind at most.
+std::size_t chain_bytes(const Scene& scene, const Settings& s, std::uint32_t eye_paths) {
+    if (may_guide_chains(s)) return GuidedChains::memory_bound_bytes(scene, s, eye_paths);
+    return may_use_chains(s) ? PhotonChains::memory_bound_bytes(s, eye_paths) : 0;
+}
+
 /// Landings of the store that waits, of one iteration (twice with a guide: blocks, then joined),
 /// and the grid.
-std::size_t photon_bytes(const Settings& s, std::uint32_t eye_paths) {
+std::size_t photon_bytes(const Scene& scene, const Settings& s, std::uint32_t eye_paths) {
     const std::size_t iteration = iteration_landings(s);
     const std::size_t waiting = kWaitingPhotons + iteration;
     return (waiting + 2 * iteration) * kVectorGrowth * sizeof(Landing) +
-           LandingGrid::memory_bound_bytes(waiting) +
-           (may_use_chains(s) ? PhotonChains::memory_bound_bytes(s, eye_paths) : 0);
+           LandingGrid::memory_bound_bytes(waiting) + chain_bytes(scene, s, eye_paths);
 }
 
 /// Records of an iteration's paths, in blocks and joined, and their landings' scores. At most all
@@ -119,7 +125,7 @@ std::size_t photon_memory_bound(const Scene& scene, const Needs& needs, std::uin
                              PassNoiseMeter::memory_bound_bytes(pixels) +
                              eye_paths * (sizeof(PixelLuminance) + sizeof(float));
     return visible_point_bytes(scene, eye_paths) + plan +
-           OccupancyGrid::memory_bound_bytes(eye_paths) + photon_bytes(settings, eye_paths) +
+           OccupancyGrid::memory_bound_bytes(eye_paths) + photon_bytes(scene, settings, eye_paths) +
            guide + radii + ShareTable::memory_bound_bytes(ShareTableSettings()) +
            volume_bytes(scene, settings, eye_paths);
 }

@@ -24,7 +24,9 @@ struct Plan {
     GuideKind guide() const;
     /// Whether photon paths come from Markov chains in the guide's place.
     bool chains_for_guide() const { return way == PhotonWay::Chains; }
-    /// The same, or as asked for.
+    /// Whether these start where visible paths were found before.
+    bool guides_chains() const { return chains_for_guide() && settings().guide_chain_starts; }
+    /// From chains in the guide's place, or as asked for.
     bool chains() const {
         return chains_for_guide() || settings().photon_sampler == PhotonSampler::AdaptiveChains;
     }

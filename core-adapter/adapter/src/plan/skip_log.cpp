@@ -37,10 +37,11 @@ void SkipLog::no_visible_points(bool for_good) {
                           "so in each pass where none does");
 }
 
-void SkipLog::left_out_guide(PhotonWay way, const SeenPaths& seen) {
+void SkipLog::left_out_guide(PhotonWay way, const SeenPaths& seen, bool its_trees) {
     if (way == PhotonWay::Chains) {
         log_->info("skipped the guide: Markov chains take its place, as one photon path in " +
-                   std::to_string(std::lround(1 / seen.seen_share())) + " is seen without it");
+                   std::to_string(std::lround(1 / seen.seen_share())) + " is seen without it" +
+                   (its_trees ? "; its trees tell where they start" : ""));
         return;
     }
     log_->info("skipped the guide: " + percent(seen.near_share()) +

@@ -25,7 +25,8 @@ class SkipLog {
     /// A pass shot no photons, for lack of visible points; `for_good` if all passes see the same.
     void no_visible_points(bool for_good);
     /// The adaptive guide is left out for `way`, as so many unguided photon paths are seen.
-    void left_out_guide(PhotonWay way, const SeenPaths& seen);
+    /// `its_trees`: they tell chains where to start.
+    void left_out_guide(PhotonWay way, const SeenPaths& seen, bool its_trees = false);
     /// It was decided who carries the light that eye paths and photons both can; said where it has
     /// changed.
     void shared(const SharePlan& plan);

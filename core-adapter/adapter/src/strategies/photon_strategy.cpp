@@ -61,7 +61,8 @@ void PhotonStrategy::look_first(const StrategyPass& pass) {
     const SeenPaths seen =
         scout_photons(scene_, settings_, pass.time, pass.image, static_cast<float>(radius));
     take_way(photon_way(settings_, seen));
-    if (plan_.way != PhotonWay::Guided) skip_log_.left_out_guide(plan_.way, seen);
+    if (plan_.way == PhotonWay::Guided) return;
+    skip_log_.left_out_guide(plan_.way, seen, plan_.guides_chains());
 }
 
 void PhotonStrategy::take_way(PhotonWay way) {
@@ -84,6 +85,7 @@ std::unique_ptr<PassGuide> PhotonStrategy::make_pass_guide() const {
 }
 
 std::unique_ptr<PhotonSource> PhotonStrategy::make_source() const {
+    if (plan_.guides_chains()) return make_guided_chains(scene_, settings_, light_choice_);
     return make_photon_source(plan_.chains());
 }
 

@@ -59,8 +59,9 @@ struct EngineStatistics {
     std::uint64_t guided_bounces = 0;
     /// Markov chains: independent photon paths that measure which share reaches visible points
     std::uint64_t measured_paths = 0;
-    std::uint64_t visible_paths = 0;  ///< of these, those that did
-    double mutation_size = 0;         ///< of Markov chains: see docs/understand/chains.md
+    /// Of these, those that did; where they weigh differently, as many of equal weight tell as much
+    std::uint64_t visible_paths = 0;
+    double mutation_size = 0;  ///< of Markov chains: see docs/understand/chains.md
     std::uint64_t guide_nodes = 0;
     std::uint64_t guide_bytes = 0;
     /// guide=adaptive: plain second moment times cost of emission over guided

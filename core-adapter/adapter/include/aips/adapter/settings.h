@@ -88,6 +88,7 @@ struct Settings {
     bool guide_survival = true;  ///< guide=adaptive decides which photons go on
     bool guide_scout = true;   ///< guide=adaptive is left out where a first look tells it can't pay
     bool guide_chains = true;  ///< then chains take its place where next to nothing is seen
+    bool guide_chain_starts = true;  ///< and start where visible paths were found before
 
     RadiusKind radius = RadiusKind::Automatic;  ///< mode=progressive; other modes have their own
 

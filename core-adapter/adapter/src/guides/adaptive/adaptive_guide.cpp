@@ -45,9 +45,8 @@ std::uint64_t AdaptiveGuide::begin_pass(std::uint64_t pass, float time, const Ey
     rest_or_wake();
     if (!awake()) return 0;
     mean_weight_ = scores_.begin_pass(image, positions, radii);
-    const bool seeds =
-        emission() && settings_.eye_seeding && paths_ < kSeededPaths && !seeding_given_up();
-    return seeds ? seed(pass, time, image) : 0;
+    if (!emission()) return 0;
+    return seeds_.search(scene_, settings_, light_choice_, pass, time, image, paths_, emission_);
 }
 
 void AdaptiveGuide::rest_or_wake() {
@@ -56,17 +55,6 @@ void AdaptiveGuide::rest_or_wake() {
     emission_rest_.update(paths_, !emission_.switched_off());
     survival_rest_.update(paths_, !judged || !survival_switched_off());
     bounces_rest_.update(paths_, !judged || (bounces_ && bounces_->tables().tables_in_use() > 0));
-}
-
-std::uint64_t AdaptiveGuide::seed(std::uint64_t pass, float time, const EyeImage& image) {
-    SeedCounts counts;
-    find_emission_seeds(scene_, settings_, light_choice_, pass, time, image, seeds_, counts);
-    walks_ += counts.walks;
-    seeds_found_ += seeds_.size();
-    std::ranges::stable_sort(seeds_, {}, &EmissionSeed::light);
-    emission_.add_seeds(seeds_);
-    emission_.update(0);
-    return counts.rays;
 }
 
 std::uint32_t AdaptiveGuide::log_one_of() const {
@@ -184,25 +172,24 @@ void AdaptiveGuide::state(StateArchive& archive) {
     path_means_.state(archive);
     for (PartRest* rest : {&emission_rest_, &survival_rest_, &bounces_rest_})
         rest->state(archive);
-    for (std::uint64_t* count : {&paths_, &walks_, &seeds_found_, &visible_paths_})
-        archive.value(*count);
+    seeds_.state(archive);
+    archive.value(paths_);
+    archive.value(visible_paths_);
     archive.amount(mean_weight_);
 }
 
 std::size_t AdaptiveGuide::memory_bytes() const {
     return scores_.memory_bytes() + emission_.memory_bytes() +
            (cache_ ? cache_->memory_bytes() : 0) + (bounces_ ? bounces_->memory_bytes() : 0) +
-           seeds_.capacity() * sizeof(EmissionSeed) + scored_.capacity() * sizeof(std::uint32_t) +
+           seeds_.memory_bytes() + scored_.capacity() * sizeof(std::uint32_t) +
            worths_.memory_bytes();
 }
 
 std::size_t AdaptiveGuide::memory_bound_bytes(const Scene& scene, const Settings& settings,
                                               std::size_t eye_paths) {
-    const std::size_t walks = eye_paths / kSeedGroup + 1;
-    // In blocks and joined, or joined and sorted.
-    const std::size_t seeds = 2 * kVectorGrowth * walks * kMaxSeedsPerWalk * sizeof(EmissionSeed);
     // The scores themselves are counted with the log, and so are paths' worths.
-    return IterationScores::memory_bound_bytes(eye_paths, 0) + seeds +
+    return IterationScores::memory_bound_bytes(eye_paths, 0) +
+           SeedSearch::memory_bound_bytes(eye_paths) +
            (settings.guide_survival ? ScoreCache::memory_bound_bytes(cache_settings()) : 0) +
            (settings.guide_bounces ? BounceGuide::memory_bound_bytes(kMemoryPaths) : 0) +
            EmissionGuide::memory_bound_bytes(light_choice(scene), emission_settings());

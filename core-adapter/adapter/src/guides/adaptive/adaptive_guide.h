@@ -12,10 +12,10 @@
 #include "guides/adaptive/bounce_guide.h"
 #include "guides/adaptive/constants.h"
 #include "guides/adaptive/emission_guide.h"
-#include "guides/adaptive/eye_seeding.h"
 #include "guides/adaptive/part_rest.h"
 #include "guides/adaptive/path_means.h"
 #include "guides/adaptive/score_survival.h"
+#include "guides/adaptive/seed_search.h"
 #include "guides/adaptive/survival_switch.h"
 #include "worth/iteration_scores.h"
 #include "worth/path_log.h"
@@ -64,7 +64,7 @@ class AdaptiveGuide {
         return survival_ && survival_switch_.mix() == ScoreMix::None;
     }
     /// Whether walks from the eye found no way to start a photon, and are no longer done.
-    bool seeding_given_up() const { return walks_ >= kSeedTrialWalks && seeds_found_ == 0; }
+    bool seeding_given_up() const { return seeds_.given_up(); }
     /// Whether parts of it were tried and none pays: nothing is learned.
     bool resting() const { return !awake(); }
     double survival_gain() const { return survival_switch_.gain(); }
@@ -83,7 +83,6 @@ class AdaptiveGuide {
         const bool measures = !settings_.guide_emission && !survival_ && !bounces_;
         return measures || emission() || survival() || bounces();
     }
-    std::uint64_t seed(std::uint64_t pass, float time, const EyeImage& image);
     /// Of the logged paths' landings, path after path.
     std::span<const double> score_landings(const PathLog& log, std::span<const Landing> landings);
     /// Calls visit(vertex, worth) for each that a photon of some power went on from, path by path,
@@ -108,13 +107,12 @@ class AdaptiveGuide {
     SurvivalSwitch survival_switch_;
     std::optional<BounceGuide> bounces_;  // if directions are guided
     PathMeans path_means_;
-    double mean_weight_ = 1;             // of the last pass that was learned from
-    std::vector<EmissionSeed> seeds_;    // of this pass
+    double mean_weight_ = 1;  // of the last pass that was learned from
+    SeedSearch seeds_;
     std::vector<std::uint32_t> scored_;  // landings of logged paths, path after path
     PathWorths worths_;                  // of the last iteration's
     std::uint64_t paths_ = 0;            // shot so far
     PartRest emission_rest_, survival_rest_, bounces_rest_;
-    std::uint64_t walks_ = 0, seeds_found_ = 0;
     std::uint64_t visible_paths_ = 0;  // logged ones that were worth something
 };
 

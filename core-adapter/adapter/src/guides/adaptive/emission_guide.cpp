@@ -65,6 +65,12 @@ void EmissionGuide::add(const EmissionScore& s) {
     trees_[s.start.light].add(s.start.point, s.score, s.cost);
 }
 
+void EmissionGuide::add_part(const EmissionStart& start, double part, double cost) {
+    if (!(part > 0) || !std::isfinite(part) || start.light >= trees_.size()) return;
+    ++scored_;
+    trees_[start.light].add(start.point, part * part, cost);
+}
+
 void EmissionGuide::add_seeds(std::span<const EmissionSeed> seeds) {
     while (!seeds.empty()) {
         const LightIndex light = seeds.front().light;

@@ -64,6 +64,9 @@ class EmissionGuide {
     EmissionStart sample(float u_light, const PrimaryPoint& u) const;
 
     void add(const EmissionScore& score);
+    /// A photon that was not drawn by the guide, and stands for `part` >= 0 of the integral of
+    /// abs(f) times the paths of the next update(). It tells nothing of whether guiding pays.
+    void add_part(const EmissionStart& start, double part, double cost);
     /// Starts found from the eye, those of one light in succession. Of lights that do not emit, or
     /// do not exist, they are passed over.
     void add_seeds(std::span<const EmissionSeed> seeds);

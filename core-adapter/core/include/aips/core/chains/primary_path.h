@@ -36,7 +36,8 @@ constexpr std::size_t max_coordinates(std::uint32_t depth) {
 class PrimaryPath {
   public:
     /// Mutations of `from` where it has coordinates, with this exponent; drawn anew beyond its end
-    /// (all of them when it is empty). What is used is kept in `used`, which must come in empty.
+    /// (all of them when it is empty). What is used is kept in `used`; the coordinates that it
+    /// comes with, the first ones, are given.
     PrimaryPath(const RandomStream& random, std::span<const Coordinate> from, float exponent,
                 std::vector<Coordinate>& used)
         : random_(random), from_(from), exponent_(exponent), used_(used) {}

@@ -13,17 +13,18 @@ namespace aips {
 /// What a stream of numbers is for; streams of different domains are independent. The numbers of
 /// the domains are part of every render's bits.
 enum class RandomDomain : std::uint8_t {
-    Photon = 0,        ///< bounces of a photon path; index: the path
-    Eye = 1,           ///< eye paths in media; index: the path
-    Film = 2,          ///< film and lens positions of the ready sampler; index: the pixel
-    Guide = 3,         ///< choices of a guide's training
-    Time = 4,          ///< the moment of a pass; index 0
-    Lamp = 5,          ///< lamp paths: lens; index: the path
-    LampSearch = 6,    ///< searches for lamps; index: the search
-    UniformPath = 7,   ///< independent paths of Markov chains; index: step * chains + chain
-    MutatedPath = 8,   ///< mutations of Markov chains; index: step * chains + chain
-    EyeSeeding = 9,    ///< walks from visible points to lights; index: the group of visible points
-    VolumePieces = 10  ///< parts of eye paths in media; index: the eye path
+    Photon = 0,         ///< bounces of a photon path; index: the path
+    Eye = 1,            ///< eye paths in media; index: the path
+    Film = 2,           ///< film and lens positions of the ready sampler; index: the pixel
+    Guide = 3,          ///< choices of a guide's training
+    Time = 4,           ///< the moment of a pass; index 0
+    Lamp = 5,           ///< lamp paths: lens; index: the path
+    LampSearch = 6,     ///< searches for lamps; index: the search
+    UniformPath = 7,    ///< independent paths of Markov chains; index: step * chains + chain
+    MutatedPath = 8,    ///< mutations of Markov chains; index: step * chains + chain
+    EyeSeeding = 9,     ///< walks from visible points to lights; index: the group of visible points
+    VolumePieces = 10,  ///< parts of eye paths in media; index: the eye path
+    ChainStart = 11     ///< which visible paths chains start from; index: the choice in the pass
 };
 
 /// The top 24 bits as a number in [0, 1); never 1, all 2^24 values equally likely.

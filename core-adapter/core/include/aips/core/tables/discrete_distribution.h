@@ -32,9 +32,10 @@ class DiscreteDistribution {
     /// Sum of the weights.
     double total() const { return total_; }
     /// Probability of alternative `index` (< size()); 0 when empty().
-    float pdf(std::size_t index) const {
-        return cdf_[index] - (index == 0 ? 0.0f : cdf_[index - 1]);
-    }
+    float pdf(std::size_t index) const { return cdf_[index] - before(index); }
+    /// Probability of all alternatives before `index` (< size()): the numbers from it on, as many
+    /// as pdf(index) says, draw that one.
+    float before(std::size_t index) const { return index == 0 ? 0.0f : cdf_[index - 1]; }
     /// Draws by u in [0, 1); must not be empty(). O(log size()).
     DiscreteSample sample(float u) const;
 

@@ -70,7 +70,9 @@ class DirectLight {
 
   private:
     const DiscreteDistribution& choice_at(const SurfacePoint& point) const {
-        return tables_ ? tables_->at(point.position, point.geometric_normal) : choice_;
+        // A single light is chosen everywhere, whatever is learned.
+        const bool varies = tables_ && choice_.size() > 1;
+        return varies ? tables_->at(point.position, point.geometric_normal) : choice_;
     }
 
     std::uint64_t due_at_most() const;

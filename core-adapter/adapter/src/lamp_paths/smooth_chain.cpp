@@ -21,7 +21,7 @@ unsigned ChainTracer::trace(Vec2 film, unsigned most, ChainVertices& vertices, c
         arena_.rewind(mark);
         SurfacePoint point;
         ++rays_;
-        if (!meet_surface(in_.scene, tip.ray, point, arena_, refusals_)) break;
+        if (!meet_surface(in_.scene, tip.ray, point, arena_, refusals_, Sought::Smooth)) break;
         if (!point.bsdf || point.bsdf->lobes() != kSpecular) break;
         const Vec3 wo = -tip.ray.direction;
         const float first = point.bsdf->first_specular(wo);

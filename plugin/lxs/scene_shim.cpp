@@ -164,16 +164,23 @@ SceneShim::~SceneShim() = default;
 bool SceneShim::intersect(const Ray& ray, SurfacePoint& point,
                           std::pmr::memory_resource& memory) const {
     lxs::SurfaceHit hit;
-    if (!scene_.intersect(to(ray), hit, memory)) {
-        point.distance = hit.distance;
-        point.transmittance = from(hit.transmittance);
-        return false;
-    }
+    return take(scene_.intersect(to(ray), hit, memory), hit, point, memory);
+}
+
+bool SceneShim::intersect_smooth(const Ray& ray, SurfacePoint& point,
+                                 std::pmr::memory_resource& memory) const {
+    lxs::SurfaceHit hit;
+    return take(scene_.intersect_smooth(to(ray), hit, memory), hit, point, memory);
+}
+
+bool SceneShim::take(bool met, const lxs::SurfaceHit& hit, SurfacePoint& point,
+                     std::pmr::memory_resource& memory) const {
+    point.distance = hit.distance;
+    point.transmittance = from(hit.transmittance);
+    if (!met) return false;
     point.position = from(hit.p);
     point.geometric_normal = from(hit.ng);
     point.shading_normal = from(hit.ns);
-    point.distance = hit.distance;
-    point.transmittance = from(hit.transmittance);
     point.emitted = from(hit.emitted);
     point.light = hit.light ? index_of_.at(hit.light) : kNoLight;
     point.material = hit.material;

@@ -19,6 +19,8 @@ class SceneShim final : public Scene {
 
     bool intersect(const Ray& ray, SurfacePoint& point,
                    std::pmr::memory_resource& memory) const override;
+    bool intersect_smooth(const Ray& ray, SurfacePoint& point,
+                          std::pmr::memory_resource& memory) const override;
     Ray spawn(const SurfacePoint& point, Vec3 direction, float time) const override;
     Rgb visibility(const SurfacePoint& point, const DirectSample& light, float time) const override;
     std::span<const Light* const> lights() const override { return light_pointers_; }
@@ -31,6 +33,10 @@ class SceneShim final : public Scene {
     const Media* media() const override { return media_.get(); }
 
   private:
+    /// `met`: what the host said. Returns it.
+    bool take(bool met, const lxs::SurfaceHit& hit, SurfacePoint& point,
+              std::pmr::memory_resource& memory) const;
+
     const lxs::Scene& scene_;
     std::unique_ptr<Media> media_;  // null if no medium scatters
     std::vector<std::unique_ptr<Light>> lights_;

@@ -183,7 +183,9 @@ IntegratorChoice make_from_options(RenderSession& session, const CommandLine& co
     });
     gather(diagnostics, [&] {
         const bool chains = choice.integrator && choice.integrator->plugin->runs_metropolis;
-        session.sampler = make_sampler(contents, session.seed, diagnostics, chains);
+        const bool draws_lens = !session.camera || session.camera->has_lens();
+        session.sampler = make_sampler(contents, session.seed, diagnostics, chains,
+                                       draws_lens ? LensUse::Drawn : LensUse::None);
     });
     return choice;
 }

@@ -51,6 +51,7 @@ class LensCamera : public SceneCamera {
     float shutter_open() const override { return settings_.shutter_open; }
     float shutter_close() const override { return settings_.shutter_close; }
     double focal_distance() const override { return settings_.focal_distance; }
+    bool has_lens() const override { return settings_.lens_radius != 0; }
 
     void focus(const Scene& scene) override {
         if (!settings_.autofocus) return;
@@ -76,10 +77,9 @@ class LensCamera : public SceneCamera {
         return x_axis_ * x + y_axis_ * y + z_axis_ * z;
     }
 
-    /// The ray from `origin` along `step`, the way in the world per unit of camera-space depth,
-    /// between the clipping depths.
-    CameraRay clipped_ray(const Vec3d& origin, const Vec3d& step, float time) const {
-        const double length = step.length();
+    /// The ray from `origin` along `step`, the way in the world per unit of camera-space depth, and
+    /// as long as `length`, between the clipping depths.
+    CameraRay clipped_ray(const Vec3d& origin, const Vec3d& step, double length, float time) const {
         CameraRay result;
         result.ray.origin = Vec3(origin + step * settings_.hither);
         result.ray.direction = Vec3(step / length);
@@ -122,10 +122,11 @@ class PerspectiveCamera final : public LensCamera {
         // Where this ray meets the plane of focus, seen from the lens point, per unit of depth.
         const Vec3d step = to_world(p.x * tangent_ - lens.x / settings().focal_distance,
                                     p.y * tangent_ - lens.y / settings().focal_distance, 1);
-        CameraRay result = clipped_ray(position() + to_world(lens.x, lens.y, 0), step, time);
+        const double length = step.length();
+        CameraRay result =
+            clipped_ray(position() + to_world(lens.x, lens.y, 0), step, length, time);
         // The pixel's parallelogram at depth 1, seen along the ray, divided by the distance squared
         // is its solid angle; the footprint's radius is half a side of the square of that area.
-        const double length = step.length();
         const double solid_angle = pixel_volume_ / (length * length * length);
         result.spread = static_cast<float>(0.5 * std::sqrt(solid_angle));
         result.width = static_cast<float>(result.spread * settings().hither * length);
@@ -150,9 +151,10 @@ class OrthographicCamera final : public LensCamera {
         const Point2 lens = lens_point(sample);
         const Vec3d step =
             to_world(-lens.x / settings().focal_distance, -lens.y / settings().focal_distance, 1);
+        const double length = step.length();
         CameraRay result =
-            clipped_ray(position() + to_world(p.x + lens.x, p.y + lens.y, 0), step, time);
-        result.width = static_cast<float>(0.5 * std::sqrt(pixel_volume_ / step.length()));
+            clipped_ray(position() + to_world(p.x + lens.x, p.y + lens.y, 0), step, length, time);
+        result.width = static_cast<float>(0.5 * std::sqrt(pixel_volume_ / length));
         return result;
     }
 
@@ -176,12 +178,13 @@ class EnvironmentCamera final : public LensCamera {
         const double sine = std::sin(polar);
         const Vec3d step =
             to_world(sine * std::sin(longitude), std::cos(polar), sine * std::cos(longitude));
-        CameraRay result = clipped_ray(position(), step, time);
+        const double length = step.length();
+        CameraRay result = clipped_ray(position(), step, length, time);
         // At the poles a pixel is no narrower than the sine half a pixel away makes it.
         const double solid_angle =
             longitude_step_ * latitude_step_ * std::max(std::abs(sine), latitude_step_ / 2);
         result.spread = static_cast<float>(0.5 * std::sqrt(solid_angle));
-        result.width = static_cast<float>(result.spread * settings().hither * step.length());
+        result.width = static_cast<float>(result.spread * settings().hither * length);
         return result;
     }
 
@@ -215,6 +218,7 @@ class MovingCamera final : public SceneCamera {
     float shutter_open() const override { return camera_->shutter_open(); }
     float shutter_close() const override { return camera_->shutter_close(); }
     double focal_distance() const override { return camera_->focal_distance(); }
+    bool has_lens() const override { return camera_->has_lens(); }
 
     /// Where the camera stands when the shutter opens.
     void focus(const Scene& scene) override {

@@ -3,7 +3,7 @@
 // Kollig & Keller 2002 (the second Sobol' dimension); Steele et al. 2014 (64-bit mixing).
 #include <algorithm>
 #include <array>
-#include <cmath>
+#include <bit>
 #include <iterator>
 #include <optional>
 #include <span>
@@ -44,21 +44,22 @@ std::uint32_t laine_karras(std::uint32_t x, std::uint32_t seed) {
     return x;
 }
 
-/// Owen scrambling: each bit is flipped by a hash of the higher ones.
-std::uint32_t nested_scramble(std::uint32_t x, std::uint32_t seed) {
-    return reverse_bits(laine_karras(reverse_bits(x), seed));
+/// Owen scrambling: each bit is flipped by a hash of the higher ones. Of a number with its bits
+/// reversed, as laine_karras() takes it.
+std::uint32_t nested_scramble_reversed(std::uint32_t reversed, std::uint32_t seed) {
+    return reverse_bits(laine_karras(reversed, seed));
 }
 
-/// Point `index` of the (0,2)-sequence: van der Corput's and the second Sobol' dimension. The
-/// matrix of that is Pascal's triangle modulo 2, which by Lucas' theorem is a product of one factor
-/// per bit of the bits' numbers: five steps in place of 32.
-std::array<std::uint32_t, 2> zero_two_sequence(std::uint32_t index) {
+/// Point `index` of the (0,2)-sequence, bits reversed: van der Corput's and the second Sobol'
+/// dimension. The matrix of that is Pascal's triangle modulo 2, which by Lucas' theorem is a
+/// product of one factor per bit of the bits' numbers: five steps in place of 32.
+std::array<std::uint32_t, 2> reversed_zero_two_sequence(std::uint32_t index) {
     std::uint32_t second = index ^ (index >> 16);
     second ^= (second & 0xff00ff00u) >> 8;
     second ^= (second & 0xf0f0f0f0u) >> 4;
     second ^= (second & 0xccccccccu) >> 2;
     second ^= (second & 0xaaaaaaaau) >> 1;
-    return {reverse_bits(index), reverse_bits(second)};
+    return {index, second};
 }
 
 float to_unit(std::uint32_t x) {
@@ -69,15 +70,18 @@ float to_unit(std::uint32_t x) {
 /// points of several keys can be put together as if they were of higher dimension.
 Vec2 scrambled_point(std::uint32_t index, std::uint64_t key) {
     const std::uint64_t first = mix(key), second = mix(first);
-    const auto point = zero_two_sequence(nested_scramble(index, static_cast<std::uint32_t>(first)));
-    return {to_unit(nested_scramble(point[0], static_cast<std::uint32_t>(second))),
-            to_unit(nested_scramble(point[1], static_cast<std::uint32_t>(second >> 32)))};
+    const std::uint32_t shuffled =
+        nested_scramble_reversed(reverse_bits(index), static_cast<std::uint32_t>(first));
+    const auto point = reversed_zero_two_sequence(shuffled);
+    return {to_unit(nested_scramble_reversed(point[0], static_cast<std::uint32_t>(second))),
+            to_unit(nested_scramble_reversed(point[1], static_cast<std::uint32_t>(second >> 32)))};
 }
 
 class OwenSampler final : public Sampler {
   public:
-    OwenSampler(std::uint64_t seed, const std::optional<MetropolisSettings>& metropolis)
-        : seed_(mix(seed)), metropolis_(metropolis) {}
+    OwenSampler(std::uint64_t seed, LensUse lens,
+                const std::optional<MetropolisSettings>& metropolis)
+        : seed_(mix(seed)), lens_(lens), metropolis_(metropolis) {}
 
     const MetropolisSettings* metropolis() const override {
         return metropolis_ ? &*metropolis_ : nullptr;
@@ -91,7 +95,7 @@ class OwenSampler final : public Sampler {
         const Vec2 within = scrambled_point(index, mix(pixel));
         CameraSample sample;
         sample.film = Vec2(inside(x, within.x), inside(y, within.y));
-        sample.lens = scrambled_point(index, mix(~pixel));
+        sample.lens = lens_ == LensUse::None ? kLensCentre : scrambled_point(index, mix(~pixel));
         return sample;
     }
 
@@ -99,10 +103,15 @@ class OwenSampler final : public Sampler {
     /// Keeps rounding from lifting the sum into the next pixel.
     static float inside(std::uint32_t pixel, float offset) {
         const auto low = static_cast<float>(pixel);
-        return std::min(low + offset, std::nextafter(low + 1, 0.0f));
+        // The float below: bits of positive ones are in their order.
+        const float last = std::bit_cast<float>(std::bit_cast<std::uint32_t>(low + 1) - 1);
+        return std::min(low + offset, last);
     }
 
+    static constexpr Vec2 kLensCentre{0.5f, 0.5f};
+
     std::uint64_t seed_;
+    LensUse lens_;
     std::optional<MetropolisSettings> metropolis_;
 };
 
@@ -200,7 +209,8 @@ std::vector<ParameterDeclaration> all_sampler_parameters(const std::string& plug
 }
 
 std::unique_ptr<Sampler> make_sampler(const SceneContents& contents, std::uint64_t seed,
-                                      Diagnostics& diagnostics, bool runs_metropolis) {
+                                      Diagnostics& diagnostics, bool runs_metropolis,
+                                      LensUse lens) {
     const OptionChoice choice =
         choose_option(contents, "Sampler", "random",
                       {"erpt", "lowdiscrepancy", "metropolis", "random"}, diagnostics);
@@ -212,7 +222,7 @@ std::unique_ptr<Sampler> make_sampler(const SceneContents& contents, std::uint64
     if (set.plugin == "metropolis" && runs_metropolis) {
         declare(kMetropolis);
         const ParameterReader reader(set, declared, diagnostics);
-        return std::make_unique<OwenSampler>(seed, read_metropolis(reader));
+        return std::make_unique<OwenSampler>(seed, lens, read_metropolis(reader));
     }
     declare(kNoiseAware);
     const bool has_chains = set.plugin == "metropolis" || set.plugin == "erpt";
@@ -224,7 +234,7 @@ std::unique_ptr<Sampler> make_sampler(const SceneContents& contents, std::uint64
     }
     const ParameterReader reader(set, declared, diagnostics);
     if (!has_chains) warn_of_ignored(reader);
-    return std::make_unique<OwenSampler>(seed, std::nullopt);
+    return std::make_unique<OwenSampler>(seed, lens, std::nullopt);
 }
 
 }  // namespace lxs

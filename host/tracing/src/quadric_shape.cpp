@@ -136,26 +136,30 @@ bool QuadricShape::intersect(const Vec3& origin, const Vec3& direction, float t_
     return false;
 }
 
-QuadricPoint QuadricShape::point(const V3d& origin, const V3d& direction, float t) const {
+QuadricPoint QuadricShape::point(const V3d& origin, const V3d& direction, float t,
+                                 Parts parts) const {
     const V3d p = map_.inverse_point(origin + direction * static_cast<double>(t));
     QuadricPoint point = revolution_  ? revolution_point(p)
-                         : is_sphere_ ? sphere_point(p)
-                                      : disk_point(p);
+                         : is_sphere_ ? sphere_point(p, parts)
+                                      : disk_point(p, parts);
     point.p = map_.point(point.p);
-    point.dpdu = map_.vector(point.dpdu);
-    point.dpdv = map_.vector(point.dpdv);
+    if (parts == Parts::All) {
+        point.dpdu = map_.vector(point.dpdu);
+        point.dpdv = map_.vector(point.dpdv);
+    }
     point.normal = map_.normal(point.normal);
     point.normal *= (mirrored_ ? -1 : 1) / length(point.normal);
     return point;
 }
 
-QuadricPoint QuadricShape::sphere_point(V3d p) const {
+QuadricPoint QuadricShape::sphere_point(V3d p, Parts parts) const {
     const double distance = length(p);
     const V3d normal = distance > 0 ? p * (1 / distance) : V3d(0, 0, 1);
     p = normal * radius_;
     QuadricPoint point;
     point.p = p;
     point.normal = normal;
+    if (parts == Parts::Place) return point;
     // Of u and v: LuxRender's image of a bump map on a ball has these (texture-bump,
     // docs/measured/conformance-causes.md).
     point.dpdu = V3d(-p.y, p.x, 0) * phi_max_;
@@ -167,11 +171,12 @@ QuadricPoint QuadricShape::sphere_point(V3d p) const {
     return point;
 }
 
-QuadricPoint QuadricShape::disk_point(V3d p) const {
+QuadricPoint QuadricShape::disk_point(V3d p, Parts parts) const {
     p.z = z_min_;
     QuadricPoint point;
     point.p = p;
     point.normal = V3d(0, 0, 1);
+    if (parts == Parts::Place) return point;
     point.dpdu = V3d(-p.y, p.x, 0) * phi_max_;
     const double r = std::hypot(p.x, p.y);
     if (r > 0) point.dpdv = V3d(p.x, p.y, 0) * (-ring_ / r);

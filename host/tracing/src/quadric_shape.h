@@ -28,8 +28,11 @@ class QuadricShape {
     /// cancellation-free root of Haines et al. 2019 (Ray Tracing Gems, chapter 7).
     bool intersect(const Vec3& origin, const Vec3& direction, float t_min, float t_max,
                    float& t) const;
+    /// What of a point is asked for: position and normal, or tangents and coordinates too.
+    enum class Parts : std::uint8_t { Place, All };
     /// The point of the surface nearest to origin + t * direction, for a `t` from `intersect`.
-    QuadricPoint point(const Imath::V3d& origin, const Imath::V3d& direction, float t) const;
+    QuadricPoint point(const Imath::V3d& origin, const Imath::V3d& direction, float t,
+                       Parts parts = Parts::All) const;
     /// Box in the space of the enclosing object, rounded outwards.
     Bounds bounds() const;
     /// Bound of the rounding of double precision in `point` and `intersect`, as a length.
@@ -38,8 +41,8 @@ class QuadricShape {
   private:
     RayRoots roots(const Imath::V3d& origin, const Imath::V3d& direction) const;
     bool keeps(const Imath::V3d& p) const;
-    QuadricPoint sphere_point(Imath::V3d p) const;
-    QuadricPoint disk_point(Imath::V3d p) const;
+    QuadricPoint sphere_point(Imath::V3d p, Parts parts) const;
+    QuadricPoint disk_point(Imath::V3d p, Parts parts) const;
     QuadricPoint revolution_point(const Imath::V3d& p) const;
     void set_up(const Sphere& sphere);
     void set_up(const Disk& disk);

@@ -14,8 +14,10 @@ Surface describe(const Primitive& primitive) {
     surface.reversed = primitive.reverse_orientation;
     const MaterialFacts facts = primitive.material ? primitive.material->facts() : MaterialFacts{};
     surface.straight = facts.straight;
+    surface.may_be_smooth = (facts.lobes & kSpecular) != 0;
     surface.bends = facts.bends;
     surface.reads_dpdv = facts.bends || facts.reads_dpdv;
+    surface.reads_uv = surface.reads_dpdv || facts.reads_uv || primitive.emission;
     return surface;
 }
 

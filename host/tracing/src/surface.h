@@ -34,6 +34,8 @@ struct Surface {
     bool straight = false;                        ///< may pass light undeviated
     bool bends = false;                           ///< the material has a bump map
     bool reads_dpdv = false;                      ///< the material needs the tangent along v
+    bool may_be_smooth = false;                   ///< the material may have a specular lobe
+    bool reads_uv = true;  ///< material or emission need texture coordinates or a tangent
 };
 
 /// The surfaces of the world or of one object: geometry ids are indices into it.

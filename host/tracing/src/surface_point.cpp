@@ -66,7 +66,7 @@ void locate_on_triangle(const Surface& surface, const InstanceTransform* instanc
     }
     hit.uv = Vec2(0.5f, 0.5f);  // as LuxRender where a mesh has no coordinates
     hit.dpdu = Vec3(0.0f);
-    if (surface.uvs) {
+    if (surface.uvs && surface.reads_uv) {
         const Vec2 &uv0 = surface.uvs[i0], &uv1 = surface.uvs[i1], &uv2 = surface.uvs[i2];
         hit.uv = uv0 * (1 - u - v) + uv1 * u + uv2 * v;
         hit.dpdu = tangent(uv0, uv1, uv2, e1, e2);
@@ -80,7 +80,7 @@ void locate_on_triangle(const Surface& surface, const InstanceTransform* instanc
         set_position(map.point(p), static_cast<double>(plane.error) * height_ratio, hit);
         hit.p_error += instance->tracing_error(hit.p);
         if (surface.normals) shading = Vec3(map.normal(V3d(shading)));
-        hit.dpdu = Vec3(map.vector(V3d(hit.dpdu)));
+        if (surface.uvs) hit.dpdu = Vec3(map.vector(V3d(hit.dpdu)));
     } else {
         hit.ng = plane.normal;
         set_position(p, static_cast<double>(plane.error), hit);
@@ -96,7 +96,8 @@ void locate_on_triangle(const Surface& surface, const InstanceTransform* instanc
 void locate_on_quadric(const Surface& surface, const InstanceTransform* instance, const Ray& ray,
                        const RawHit& raw, SurfaceHit& hit) {
     const auto [origin, direction] = ray_in_shape(instance, ray);
-    QuadricPoint point = surface.quadric->point(origin, direction, raw.distance);
+    const auto parts = surface.reads_uv ? QuadricShape::Parts::All : QuadricShape::Parts::Place;
+    QuadricPoint point = surface.quadric->point(origin, direction, raw.distance, parts);
     double error = surface.quadric->rounding();
     if (instance) {
         point.p = instance->map().point(point.p);

@@ -179,20 +179,36 @@ const Surface& TracedScene::locate_hit(const Ray& ray, RawHit raw, SurfaceHit& h
     return surface;
 }
 
-bool TracedScene::intersect(const Ray& ray, SurfaceHit& hit,
-                            std::pmr::memory_resource& memory) const {
-    RawHit raw;
+bool TracedScene::find(const Ray& ray, RawHit& raw, SurfaceHit& hit) const {
     if (!world_scene_.intersect(ray, kSmallestDistance, SurfaceClass::Any, raw)) {
         if (!ray.medium) return false;
         hit.distance = std::min(ray.t_max, distance_to_end(sphere_, ray));
         hit.transmittance = ray.medium->transmittance(hit.distance);
         return false;
     }
+    hit.distance = raw.distance;
+    hit.transmittance = ray.medium ? ray.medium->transmittance(raw.distance) : Rgb(1.0f);
+    return true;
+}
+
+bool TracedScene::intersect_smooth(const Ray& ray, SurfaceHit& hit,
+                                   std::pmr::memory_resource& memory) const {
+    RawHit raw;
+    if (!find(ray, raw, hit)) return false;
+    const Surface& surface = placement_of(raw).surfaces[raw.geometry];
+    if (surface.may_be_smooth || surface.emissive_index != Surface::kNotEmissive)
+        return complete(ray, raw, hit, memory);
+    hit.bsdf = nullptr;
+    hit.light = nullptr;
+    return true;
+}
+
+bool TracedScene::complete(const Ray& ray, const RawHit& raw, SurfaceHit& hit,
+                           std::pmr::memory_resource& memory) const {
     ShadingPoint point;
     const Surface& surface = locate_hit(ray, raw, hit, point);
     hit.primitive = raw.primitive;
     hit.material = surface.material_index;
-    hit.transmittance = ray.medium ? ray.medium->transmittance(raw.distance) : Rgb(1.0f);
     hit.light = nullptr;
     hit.emitted = Rgb(0.0f);
     if (surface.emissive_index != Surface::kNotEmissive) {

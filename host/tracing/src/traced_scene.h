@@ -31,7 +31,12 @@ class TracedScene : public TraceScene {
     TracedScene(SceneContents contents, const AssetResolver& resolve, Diagnostics& diagnostics);
 
     bool intersect(const Ray& ray, SurfaceHit& hit,
-                   std::pmr::memory_resource& memory) const override;
+                   std::pmr::memory_resource& memory) const override {
+        RawHit raw;
+        return find(ray, raw, hit) && complete(ray, raw, hit, memory);
+    }
+    bool intersect_smooth(const Ray& ray, SurfaceHit& hit,
+                          std::pmr::memory_resource& memory) const override;
     Rgb transmittance(const Ray& ray) const override;
     std::span<const Light* const> lights() const override { return light_pointers_; }
     std::span<const std::string> light_groups() const override { return contents_.light_groups; }
@@ -68,6 +73,11 @@ class TracedScene : public TraceScene {
     void make_all_lights(const AssetResolver& resolve, Diagnostics& diagnostics);
     void make_spectral_lights();
     const Placement& placement_of(const RawHit& raw) const;
+    /// What `intersect` tells whatever surface is met: distance and transmittance.
+    bool find(const Ray& ray, RawHit& raw, SurfaceHit& hit) const;
+    /// All the rest. Returns true.
+    bool complete(const Ray& ray, const RawHit& raw, SurfaceHit& hit,
+                  std::pmr::memory_resource& memory) const;
     /// The surface that was met; writes position, normals and media of `hit`, and what materials
     /// read of it.
     const Surface& locate_hit(const Ray& ray, RawHit raw, SurfaceHit& hit,

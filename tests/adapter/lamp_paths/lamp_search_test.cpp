@@ -9,6 +9,7 @@
 
 #include "aips/core/sampling/sampling.h"
 #include "eye/eye_path.h"
+#include "lamp_paths/smooth_chain.h"
 #include "lamp_room.h"
 
 namespace aips::lamp_search_test {
@@ -82,6 +83,34 @@ TEST(LampSearch, ImagesAreAsLargeAsTheyAreSeen) {
     EXPECT_GT(within, 0.95 * met) << "images hold the lamp";
     const double seen_area = 4 * half * half * met / kPaths;
     EXPECT_GT(seen_area, 0.3 * largest->area()) << "and not much else";
+}
+
+TEST(ChainTracer, RecallsAsItFollows) {
+    Room room;
+    ChainTracer tracer(room.input, 0, room.refusals, room.arena);
+    RandomStream random(7, 0, 0, RandomDomain::Guide);
+    int chains = 0;
+    for (int i = 0; i < 2000 && chains < 50; ++i) {
+        const Vec2 at{kSize * random.next(), kSize * random.next()};
+        ChainVertices vertices, again;
+        SmoothChain chain = tracer.explore(at, random, vertices);
+        if (chain.length == 0) continue;
+        ++chains;
+        SmoothChain recalled = chain;
+        for (SmoothChain::Link& link : recalled.links)
+            link.first *= 0.5f;
+        const auto before = tracer.rays();
+        ASSERT_EQ(tracer.follow(chain, chain.length, at, again), chain.length);
+        const auto followed = tracer.rays() - before;
+        tracer.recall(recalled, chain.length, vertices);
+        EXPECT_EQ(tracer.rays() - before, 2 * followed);
+        for (unsigned k = 0; k < chain.length; ++k) {
+            EXPECT_EQ(recalled.links[k].first, chain.links[k].first);
+            EXPECT_EQ(again[k].point.position, vertices[k].point.position);
+            EXPECT_EQ(again[k].direction, vertices[k].direction);
+        }
+    }
+    EXPECT_EQ(chains, 50);
 }
 
 }  // namespace

@@ -29,7 +29,7 @@ struct CameraScene {
         set_option(contents, "Camera", plugin, std::move(values)).transform =
             look_at({1, -4, 2}, {1, 0, 2}, {0, 0, 1});
     }
-    std::unique_ptr<Camera> camera() {
+    std::unique_ptr<SceneCamera> camera() {
         const auto film = make_film(contents, diagnostics);
         return make_camera(contents, *film, diagnostics);
     }
@@ -104,6 +104,16 @@ TEST(PerspectiveCamera, LensRaysMeetInThePlaneOfFocus) {
     }
     EXPECT_LE(widest, 0.3f);
     EXPECT_GT(widest, 0.25f);
+}
+
+TEST(PerspectiveCamera, HasALensIfItHasAWidth) {
+    EXPECT_TRUE(CameraScene("perspective", {real("lensradius", 0.3)}).camera()->has_lens());
+    CameraScene without("perspective", {});
+    const auto camera = without.camera();
+    EXPECT_FALSE(camera->has_lens());
+    const Ray a = ray_at(*camera, 30, 80, Vec2(0.1f)).ray, b = ray_at(*camera, 30, 80).ray;
+    EXPECT_EQ(a.origin, b.origin);
+    EXPECT_EQ(a.direction, b.direction);
 }
 
 TEST(PerspectiveCamera, LensIsCoveredUniformly) {

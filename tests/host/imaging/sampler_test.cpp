@@ -11,9 +11,9 @@
 namespace lxs::test::sampler_test {
 namespace {
 
-std::unique_ptr<Sampler> sampler(std::uint64_t seed) {
+std::unique_ptr<Sampler> sampler(std::uint64_t seed, LensUse lens = LensUse::Drawn) {
     RecordedDiagnostics diagnostics;
-    return make_sampler(empty_scene(), seed, diagnostics);
+    return make_sampler(empty_scene(), seed, diagnostics, false, lens);
 }
 
 TEST(Sampler, StaysInItsPixelAndTheUnitSquare) {
@@ -66,6 +66,16 @@ TEST(Sampler, IsAFunctionOfSeedPassAndPixel) {
     EXPECT_EQ(b->camera_sample(9, 2, 3).lens, late.lens);
     EXPECT_NE(other->camera_sample(9, 2, 3).film, late.film);
     EXPECT_NE(a->camera_sample(9 + (std::uint64_t{1} << 32), 2, 3).film, late.film);
+}
+
+/// What is not drawn for a camera without a lens changes nothing else.
+TEST(Sampler, WithoutALensFilmPositionsAreTheSame) {
+    const auto drawn = sampler(5), none = sampler(5, LensUse::None);
+    for (std::uint64_t pass = 0; pass < 20; ++pass) {
+        const CameraSample sample = none->camera_sample(pass, 2, 3);
+        EXPECT_EQ(sample.film, drawn->camera_sample(pass, 2, 3).film);
+        EXPECT_EQ(sample.lens, Vec2(0.5f));
+    }
 }
 
 /// Correlation coefficient of two equally long lists.

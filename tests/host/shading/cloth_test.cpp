@@ -194,6 +194,16 @@ TEST_F(ClothTest, MixturesHandOnWhatItNeeds) {
                     .reads_dpdv);
 }
 
+TEST_F(ClothTest, PlainMaterialsNeedNoCoordinatesUnderNothingThatDoes) {
+    scene_.materials["matte"] = scene_.make_material("matte");
+    EXPECT_FALSE(scene_.materials["matte"]->facts().reads_uv);
+    EXPECT_FALSE(scene_.make_material("glass")->facts().reads_uv);
+    EXPECT_FALSE(scene_.make_material("mirror")->facts().reads_uv);
+    EXPECT_TRUE(cloth("denim", Rgb(0.5f), Rgb(0.1f))->facts().reads_uv);
+    EXPECT_TRUE(
+        scene_.make_material("glossycoating", {text("basematerial", "matte")})->facts().reads_uv);
+}
+
 TEST_F(ClothTest, WithoutColoursIsBlack) {
     const auto material = scene_.make_material("cloth");
     EXPECT_EQ(memory_.scatter(*material, at(Vec2(0.3f, 0.3f))), nullptr);

@@ -72,7 +72,9 @@ class DirectLight {
 
   private:
     const DiscreteDistribution& choice_at(const SurfacePoint& point) const {
-        return learned_ ? learned_->at(point.position, point.geometric_normal) : choice_;
+        // A single light is chosen everywhere, whatever is learned.
+        const bool varies = learned_ && choice_.size() > 1;
+        return varies ? learned_->at(point.position, point.geometric_normal) : choice_;
     }
 
     const Scene& scene_;

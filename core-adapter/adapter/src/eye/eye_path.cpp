@@ -55,7 +55,8 @@ class EyePath {
             const auto mark = arena_.mark();
             SurfacePoint point;
             ++result_.rays;
-            const bool met = meet_surface(in_.scene, tip_.ray, point, arena_, refusals_);
+            const bool met = meet_surface(in_.scene, tip_.ray, point, arena_, refusals_,
+                                          lamps_only_ ? Sought::Smooth : Sought::All);
             if (media_ && !lamps_only_ && media_->scatters(tip_.ray.medium))
                 cross_medium(point.distance);
             tip_.throughput *= point.transmittance;
@@ -289,8 +290,7 @@ EyePathResult trace_eye_path(const EyePassInput& input, const CameraRay& camera_
 std::uint32_t trace_lamp_path(const EyePassInput& input, const CameraRay& camera_ray,
                               const EyeNumbers& numbers, RandomStream& random, Refusals& refusals,
                               Arena& arena, std::span<Rgb> lamps) {
-    EyePathOutput output;
-    output.lamps = lamps;
+    const EyePathOutput output{.radiance = {}, .lamps = lamps, .continued = {}};
     return EyePath(input, camera_ray, numbers, random, refusals, arena, output).look_for_lamps();
 }
 

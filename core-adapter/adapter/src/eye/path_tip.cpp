@@ -19,8 +19,10 @@ bool bounce(const EyePassInput& in, const SurfacePoint& point, Vec3 wo, const Bo
     if (!sample.straight) {
         tip.last_was_specular = sample.lobe == kSpecular || !in.settings.direct_light_sampling;
         tip.bounce_pdf = draw.choice_pdf * sample.pdf;
-        tip.last_vertex = point;
-        tip.last_vertex.bsdf = nullptr;
+        if (!tip.last_was_specular) {
+            tip.last_vertex = point;
+            tip.last_vertex.bsdf = nullptr;
+        }
         ++tip.scatterings;
     }
     tip.ray = continue_ray(in.scene, point, sample.wi, sample.component, tip.ray);

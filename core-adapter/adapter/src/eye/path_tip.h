@@ -10,7 +10,7 @@ struct PathTip {
     Rgb throughput = kWhite;
     bool last_was_specular = true;  ///< the camera counts as specular: no shadow rays from it
     float bounce_pdf = 0;           ///< of the last scattering that was not straight
-    SurfacePoint last_vertex;       ///< where that was
+    SurfacePoint last_vertex;       ///< where that was; kept only if it was not specular
     std::uint32_t scatterings = 0;  ///< that were not straight
 };
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <utility>
 
 #include "aips/core/sampling/sampling.h"
@@ -25,6 +26,12 @@ struct Target {
     LightIndex light = 0;
     Vec2 u;           ///< names the lamp's point
     double area = 0;  ///< about, of its image, pixels
+};
+
+/// Chains from other places than a search's start; made only where that shows a smooth surface.
+struct OtherChains {
+    ChainVertices right, below;  ///< where the first differences are taken
+    ChainVertices last;          ///< of the last look
 };
 
 /// Where a chain's end looks, and where the lamp's point is.
@@ -52,7 +59,7 @@ class Search {
         chain_ = tracer_.explore(film(start_), random_, here_);
         for (const Target& target : targets()) {
             at_ = start_;
-            if (!look(target, at_, now_) || !approach(target)) continue;
+            if (!recall(target, here_, now_) || !approach(target)) continue;
             LampImage image =
                 lamp_ellipse(in_, target.light, now_.end, derivative_, Frame(now_.to_lamp), at_);
             set_choices(target, image);
@@ -85,25 +92,31 @@ class Search {
     }
 
     bool look(const Target& target, Plane at, Look& look) {
-        return tracer_.follow(chain_, target.length, film(at), there_) == target.length &&
-               aim(target, there_[target.length - 1], look);
+        return tracer_.follow(chain_, target.length, film(at), others_->last) == target.length &&
+               aim(target, others_->last[target.length - 1], look);
+    }
+
+    /// look() from the start, or from where derivatives are taken there: the chain is known.
+    bool recall(const Target& target, const ChainVertices& vertices, Look& look) {
+        tracer_.recall(chain_, target.length, vertices);
+        return aim(target, vertices[target.length - 1], look);
     }
 
     /// What the chain may look at from somewhere near, largest images first.
     std::vector<Target> targets() {
         std::vector<Target> targets;
         if (chain_.length == 0 || in_.direct_light.choice().empty()) return targets;
-        ChainVertices right, below;
+        others_.emplace();
         const double h = kFirstDifference;
         unsigned most =
-            tracer_.follow(chain_, chain_.length, film({start_.x + h, start_.y}), right);
-        most = tracer_.follow(chain_, most, film({start_.x, start_.y + h}), below);
+            tracer_.follow(chain_, chain_.length, film({start_.x + h, start_.y}), others_->right);
+        most = tracer_.follow(chain_, most, film({start_.x, start_.y + h}), others_->below);
         for (unsigned i = 0; i < most; ++i) {
             for (const LightIndex light : some_lights()) {
                 Target target{i + 1, light, random_.next2(), 0};
                 Look now, x, y;
-                if (!aim(target, here_[i], now) || !aim(target, right[i], x) ||
-                    !aim(target, below[i], y)) {
+                if (!aim(target, here_[i], now) || !aim(target, others_->right[i], x) ||
+                    !aim(target, others_->below[i], y)) {
                     continue;
                 }
                 if (promises(now, derivative(now, x, y, h), target)) targets.push_back(target);
@@ -147,10 +160,11 @@ class Search {
         double h = kFirstDifference;
         for (int step = 0; step < kMostSearchSteps; ++step) {
             Look right, below;
-            if (!look(target, {at_.x + h, at_.y}, right) ||
-                !look(target, {at_.x, at_.y + h}, below)) {
-                return false;
-            }
+            const bool there = step == 0 ? recall(target, others_->right, right) &&
+                                               recall(target, others_->below, below)
+                                         : look(target, {at_.x + h, at_.y}, right) &&
+                                               look(target, {at_.x, at_.y + h}, below);
+            if (!there) return false;
             derivative_ = derivative(now_, right, below, h);
             if (now_.miss() < kLampReached * now_.lamp_radius) return true;
             const Plane miss = now_.miss_in(Frame(now_.to_lamp));
@@ -223,7 +237,8 @@ class Search {
     RandomStream random_;
     ChainTracer tracer_;
     SmoothChain chain_;
-    ChainVertices here_, there_;  // of the start, and of the last look
+    ChainVertices here_;  // of the start
+    std::optional<OtherChains> others_;
     Plane start_, at_;
     Look now_;
     Derivative derivative_;

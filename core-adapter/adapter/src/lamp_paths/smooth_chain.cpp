@@ -21,7 +21,7 @@ unsigned ChainTracer::trace(Vec2 film, unsigned most, ChainVertices& vertices, c
         arena_.rewind(mark);
         SurfacePoint point;
         ++rays_;
-        if (!meet_surface(in_.scene, tip.ray, point, arena_, refusals_)) break;
+        if (!meet_surface(in_.scene, tip.ray, point, arena_, refusals_, Sought::Smooth)) break;
         if (!point.bsdf || point.bsdf->lobes() != kSpecular) break;
         const Vec3 wo = -tip.ray.direction;
         const float first = point.bsdf->first_specular(wo);
@@ -31,7 +31,7 @@ unsigned ChainTracer::trace(Vec2 film, unsigned most, ChainVertices& vertices, c
         const float u_lobe = !choice ? 0.5f : takes_first ? 0.5f * first : 0.5f * (1 + first);
         if (!bounce(in_, point, wo, {kSpecular, 1, {0.5f, 0.5f}, u_lobe}, refusals_, tip)) break;
         point.bsdf = nullptr;
-        vertices[length++] = {point, tip.ray.direction};
+        vertices[length++] = {point, tip.ray.direction, choice ? first : 0};
     }
     arena_.rewind(mark);
     return length;
@@ -60,6 +60,12 @@ unsigned ChainTracer::follow(SmoothChain& chain, unsigned length, Vec2 film,
                      link.first = first;
                      return true;
                  });
+}
+
+void ChainTracer::recall(SmoothChain& chain, unsigned length, const ChainVertices& vertices) {
+    for (unsigned i = 0; i < length; ++i)
+        chain.links[i].first = vertices[i].first;
+    rays_ += length;
 }
 
 }  // namespace aips

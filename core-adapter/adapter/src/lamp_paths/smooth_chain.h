@@ -25,6 +25,7 @@ struct SmoothChain {
 struct ChainVertex {
     SurfacePoint point;  ///< its Bsdf is null
     Vec3 direction;
+    float first = 0;  ///< as SmoothChain::Link has it
 };
 
 /// [surface] of a chain.
@@ -42,6 +43,10 @@ class ChainTracer {
     /// Follows the first `length` links of `chain` from another position, and notes the
     /// probabilities of ways there; how many of them are there.
     unsigned follow(SmoothChain& chain, unsigned length, Vec2 film, ChainVertices& vertices);
+    /// What follow() would note again at a position of which the first `length` vertices are kept.
+    /// Their rays count as if they were traced: how much work is planned depends on the number of
+    /// rays, and is to be the same whether something was kept or not.
+    void recall(SmoothChain& chain, unsigned length, const ChainVertices& vertices);
 
     std::uint32_t rays() const { return rays_; }
 

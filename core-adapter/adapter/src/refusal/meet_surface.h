@@ -6,10 +6,14 @@
 
 namespace aips {
 
+/// Which surfaces matter: all, or lamps and smooth ones (Scene::intersect_smooth()).
+enum class Sought : std::uint8_t { All, Smooth };
+
 /// Scene::intersect() for light that counts: a transmittance or an emitted radiance that is not
 /// finite or negative is counted against its origin and becomes black; a point without a place or
 /// normals that are numbers is counted against its material and absorbs everything.
 bool meet_surface(const Scene& scene, const Ray& ray, SurfacePoint& point,
-                  std::pmr::memory_resource& memory, Refusals& refusals);
+                  std::pmr::memory_resource& memory, Refusals& refusals,
+                  Sought sought = Sought::All);
 
 }  // namespace aips

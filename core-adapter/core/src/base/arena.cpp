@@ -2,6 +2,7 @@
 #include "aips/core/base/arena.h"
 
 #include <algorithm>
+#include <cstdint>
 
 namespace aips {
 
@@ -14,11 +15,11 @@ std::size_t Arena::bytes_reserved() const {
 
 void* Arena::bump(std::size_t bytes, std::size_t alignment) {
     const Chunk& chunk = chunks_[at_.chunk];
-    void* start = chunk.memory.get() + at_.offset;
-    std::size_t space = chunk.size - at_.offset;
-    if (!std::align(alignment, bytes, start, space)) return nullptr;
-    at_.offset = chunk.size - space + bytes;
-    return start;
+    const auto base = reinterpret_cast<std::uintptr_t>(chunk.memory.get());
+    const std::size_t start = ((base + at_.offset + alignment - 1) & ~(alignment - 1)) - base;
+    if (start > chunk.size || bytes > chunk.size - start) return nullptr;
+    at_.offset = start + bytes;
+    return chunk.memory.get() + start;
 }
 
 void* Arena::do_allocate(std::size_t bytes, std::size_t alignment) {

@@ -74,9 +74,10 @@ constexpr std::array<SobolByteTables, kSobolDimensions> kSobolTables = all_table
 void SobolRun::enter(std::uint64_t window) {
     window_ = window;
     const std::uint64_t first = window << 8;
+    const std::uint32_t epoch_seed = sobol_epoch_seed(first, seed_);
     for (unsigned d = 0; d < kSobolDimensions; ++d) {
         dimensions_[d] = {sobol_reversed_bits(static_cast<std::uint32_t>(first), d),
-                          sobol_scramble(first, d, seed_)};
+                          sobol_scramble(epoch_seed, d)};
     }
 }
 

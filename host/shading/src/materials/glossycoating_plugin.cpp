@@ -25,6 +25,7 @@ class GlossyCoatingMaterial final : public Material {
     MaterialFacts facts() const override {
         MaterialFacts facts = base_->facts();
         facts.lobes |= kGlossy;
+        facts.reads_uv = true;
         coating_.add_to(facts);
         facts.max_bsdf_bytes += kBsdfBytes<CoatedBsdf>;
         return facts;

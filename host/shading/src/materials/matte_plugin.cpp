@@ -27,6 +27,7 @@ class MatteMaterial final : public Material {
         if (kd_.is(Rgb(0.0f))) return facts;
         facts.lobes = kDiffuse;
         facts.reads_image = sigma_.reads_image();
+        facts.reads_uv = kd_.varies() || sigma_.varies();
         kd_.add_to(facts);
         facts.max_bsdf_bytes = sigma_.is(0)
                                    ? kBsdfBytes<LambertBsdf>

@@ -25,6 +25,7 @@ class MirrorMaterial final : public Material {
         MaterialFacts facts;
         facts.lobes = kSpecular;
         facts.reads_image = film_.reads_image();
+        facts.reads_uv = kr_.varies() || film_.varies();
         kr_.add_to(facts);
         facts.max_bsdf_bytes = kBsdfBytes<MirrorBsdf>;
         return facts;

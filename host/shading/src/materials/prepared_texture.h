@@ -53,6 +53,8 @@ class PreparedTexture {
     /// True if the value is `value` everywhere.
     bool is(const T& value) const { return !texture_ && constant_ == value; }
     bool reads_image() const { return texture_ && texture_->reads_image(); }
+    /// True if the value depends on the place, so that it may read texture coordinates.
+    bool varies() const { return texture_ != nullptr; }
     /// Adds what is true of a material by this texture.
     void add_to(MaterialFacts& facts) const {
         facts.reads_image |= reads_image();

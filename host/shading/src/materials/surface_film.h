@@ -17,6 +17,7 @@ class SurfaceFilm {
         return {thickness_.at(point), index_.at(point), point.wavelengths};
     }
     bool reads_image() const { return thickness_.reads_image() || index_.reads_image(); }
+    bool varies() const { return thickness_.varies() || index_.varies(); }
 
   private:
     PreparedFloat thickness_, index_;

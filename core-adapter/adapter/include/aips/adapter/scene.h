@@ -109,6 +109,12 @@ class Scene {
     /// none, `distance` says how far the ray's medium goes, and `transmittance` what passes it.
     virtual bool intersect(const Ray& ray, SurfacePoint& point,
                            std::pmr::memory_resource& memory) const = 0;
+    /// The same for a path that looks for lamps through smooth surfaces: where it meets what is no
+    /// lamp and has no specular lobe, it may leave all but `distance` and `transmittance` as it is.
+    virtual bool intersect_smooth(const Ray& ray, SurfacePoint& point,
+                                  std::pmr::memory_resource& memory) const {
+        return intersect(ray, point, memory);
+    }
     /// The ray that leaves `point` along `direction`, free of self-intersection.
     virtual Ray spawn(const SurfacePoint& point, Vec3 direction, float time) const = 0;
     /// Share of light that reaches `point` from the sampled light point; passes straight through

@@ -72,11 +72,17 @@ class SceneCamera : public Camera {
     /// Autofocus, if the statement asks for it: to the depth where the ray through the middle of
     /// the whole image meets the scene, if it does. To be called before rendering.
     virtual void focus(const Scene& scene) = 0;
+    /// Whether rays depend on where on the lens they start.
+    virtual bool has_lens() const = 0;
 };
 
 /// Camera from the "Camera" statement; needs the film's full resolution and crop window.
 std::unique_ptr<SceneCamera> make_camera(const SceneContents& contents, const Film& film,
                                          Diagnostics& diagnostics);
+
+/// What camera samples say of the lens: a place that is drawn, or its middle, for a camera that has
+/// none.
+enum class LensUse : std::uint8_t { Drawn, None };
 
 /// Parameters that are a sampler's own ("metropolis": of its chains); empty for all others.
 std::span<const ParameterDeclaration> sampler_parameters(std::string_view sampler);
@@ -90,6 +96,7 @@ std::vector<ParameterDeclaration> option_parameters(const std::string& statement
 /// With `runs_metropolis` it passes on the settings of Sampler "metropolis", else it warns that
 /// there are no Markov chains.
 std::unique_ptr<Sampler> make_sampler(const SceneContents& contents, std::uint64_t seed,
-                                      Diagnostics& diagnostics, bool runs_metropolis = false);
+                                      Diagnostics& diagnostics, bool runs_metropolis = false,
+                                      LensUse lens = LensUse::Drawn);
 
 }  // namespace lxs

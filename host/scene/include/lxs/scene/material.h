@@ -15,7 +15,7 @@ struct ShadingPoint {
     TexturePoint texture;
     Vec3 ng{0.0f};    ///< geometric normal, unit
     Vec3 ns{0.0f};    ///< shading normal, unit, in the hemisphere of ng
-    Vec3 dpdu{0.0f};  ///< tangent along u; zero when unknown
+    Vec3 dpdu{0.0f};  ///< tangent along u; zero when unknown. As uv, only where they are needed
     /// Tangent along v; only known where MaterialFacts::bends or reads_dpdv, else zero.
     Vec3 dpdv{0.0f};
     bool bent = false;  ///< ns is already what Material::bend made of it
@@ -30,9 +30,11 @@ struct MaterialFacts {
     bool transmits = false;
     bool straight = false;  ///< may pass light undeviated (null, architectural glass, mixes)
     bool reads_image = false;
-    bool disperses = false;          ///< bends each wavelength its own way
-    bool bends = false;              ///< has a bump or normal map, itself or in a part of it
-    bool reads_dpdv = false;         ///< needs the tangent along v even if it doesn't bend
+    bool disperses = false;   ///< bends each wavelength its own way
+    bool bends = false;       ///< has a bump or normal map, itself or in a part of it
+    bool reads_dpdv = false;  ///< needs the tangent along v even if it doesn't bend
+    bool reads_uv =
+        true;  ///< needs texture coordinates, or the tangent along u, if it doesn't bend
     std::size_t max_bsdf_bytes = 0;  ///< most memory that one scatter() takes
     /// Colours of it that are given as spectra: reflectances, transmittances, absorptions.
     std::vector<CurvePointer> spectra = {};

@@ -10,7 +10,7 @@ namespace lxs {
 /// Where on the film, the lens and in time one camera ray is to start.
 struct CameraSample {
     Vec2 film{0.0f};  ///< in pixels of the rendered window, [0, width) x [0, height), y down
-    Vec2 lens{0.0f};  ///< [0,1)^2
+    Vec2 lens{0.0f};  ///< [0,1)^2; its middle for cameras without a lens
 };
 
 /// A camera ray and its footprint.

@@ -19,8 +19,8 @@ struct SurfaceHit {
     Vec3 p_error{0.0f};            ///< bound of p's rounding error per coordinate, tracing included
     Vec3 ng{0.0f};                 ///< geometric normal, unit, the surface's own (front) side
     Vec3 ns{0.0f};                 ///< shading normal, unit, in the hemisphere of ng
-    Vec2 uv{0.0f};                 ///< texture coordinates
-    Vec3 dpdu{0.0f};               ///< tangent along u; zero when unknown
+    Vec2 uv{0.0f};                 ///< texture coordinates, where the surface's looks need them
+    Vec3 dpdu{0.0f};               ///< tangent along u, likewise; zero when unknown
     float distance = 0;            ///< along the ray
     Rgb transmittance{1.0f};       ///< of the ray's medium over `distance`
     const Bsdf* bsdf = nullptr;    ///< null: scatters nothing
@@ -58,6 +58,12 @@ class Scene {
     /// `transmittance` what of light passes it.
     virtual bool intersect(const Ray& ray, SurfaceHit& hit,
                            std::pmr::memory_resource& memory) const = 0;
+    /// The same for a path that looks for lamps through smooth surfaces: where it meets what is no
+    /// lamp and has no specular lobe, all but `distance` and `transmittance` may be left out.
+    virtual bool intersect_smooth(const Ray& ray, SurfaceHit& hit,
+                                  std::pmr::memory_resource& memory) const {
+        return intersect(ray, hit, memory);
+    }
     /// Share of light that arrives over the segment from `ray.origin` to `ray.t_max`, which the
     /// caller has shortened to stop before the light: 0 when blocked. Null materials and
     /// architectural glass let it pass undeviated; media absorb.

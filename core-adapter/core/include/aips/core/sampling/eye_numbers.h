@@ -20,7 +20,8 @@ namespace aips {
 /// Numbers in [0, 1) for one vertex of an eye path, uniform over seeds.
 class VertexNumbers {
   public:
-    VertexNumbers(std::uint32_t seed, std::uint64_t index) : seed_(seed), index_(index) {}
+    VertexNumbers(std::uint32_t seed, std::uint64_t index)
+        : epoch_seed_(sobol_epoch_seed(index, seed)), index_(std::uint32_t(index)) {}
 
     Vec2 light() const { return {at(0), at(1)}; }
     float light_choice() const { return at(2); }
@@ -29,10 +30,11 @@ class VertexNumbers {
     float end() const { return at(6); }
 
   private:
-    float at(unsigned dimension) const { return sobol_owen(index_, dimension, seed_); }
+    float at(unsigned dimension) const {
+        return sobol_owen_in_epoch(index_, dimension, epoch_seed_);
+    }
 
-    std::uint32_t seed_;
-    std::uint64_t index_;
+    std::uint32_t epoch_seed_, index_;
 };
 
 /// Choices at the smooth surfaces that a path meets before any other, in [0, 1): the numbers that

@@ -54,10 +54,22 @@ inline std::uint32_t sobol_reversed_bits(std::uint32_t index, unsigned dimension
            t[3][index >> 24];
 }
 
-/// The seed of laine_karras_permutation() for a dimension of point `index`, see sobol_owen().
-inline std::uint32_t sobol_scramble(std::uint64_t index, unsigned dimension, std::uint32_t seed) {
-    const std::uint32_t epoch_seed = hash_bits(seed ^ hash_bits(std::uint32_t(index >> 32)));
+/// What the scrambles of all dimensions of point `index` have in common, see sobol_owen().
+inline std::uint32_t sobol_epoch_seed(std::uint64_t index, std::uint32_t seed) {
+    return hash_bits(seed ^ hash_bits(std::uint32_t(index >> 32)));
+}
+
+/// The seed of laine_karras_permutation() for a dimension.
+inline std::uint32_t sobol_scramble(std::uint32_t epoch_seed, unsigned dimension) {
     return hash_bits(epoch_seed + dimension * 0x9E3779B9u);
+}
+
+/// sobol_owen() of a point whose epoch seed is known.
+inline float sobol_owen_in_epoch(std::uint32_t index, unsigned dimension,
+                                 std::uint32_t epoch_seed) {
+    const std::uint32_t bits = sobol_reversed_bits(index, dimension);
+    const std::uint32_t scramble = sobol_scramble(epoch_seed, dimension);
+    return to_unit_float(reverse_bits(laine_karras_permutation(bits, scramble)));
 }
 
 /// Point `index` in `dimension` (< kSobolDimensions, unchecked), in [0, 1): a multiple of 2^-24.
@@ -65,9 +77,7 @@ inline std::uint32_t sobol_scramble(std::uint64_t index, unsigned dimension, std
 /// points; each further 2^32 is the same net under a scramble of its own. Every aligned block of
 /// 2^k points is stratified as an Owen-scrambled net is, and each point is uniform over seeds.
 inline float sobol_owen(std::uint64_t index, unsigned dimension, std::uint32_t seed) {
-    const std::uint32_t bits = sobol_reversed_bits(std::uint32_t(index), dimension);
-    const std::uint32_t scramble = sobol_scramble(index, dimension, seed);
-    return to_unit_float(reverse_bits(laine_karras_permutation(bits, scramble)));
+    return sobol_owen_in_epoch(std::uint32_t(index), dimension, sobol_epoch_seed(index, seed));
 }
 
 /// sobol_owen() for indices that mostly follow one another: what 256 neighbours have in common is

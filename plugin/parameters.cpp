@@ -106,7 +106,8 @@ ParameterDeclaration photons_declaration(PluginKind kind) {
                    0);
 }
 
-std::vector<ParameterDeclaration> guide_declarations() {
+/// Who carries light, and what decides where photons go.
+std::vector<ParameterDeclaration> way_declarations() {
     return {
         choice("mode", kDefaults.mode,
                "Stochastic progressive photon mapping; a photon map seen by one frozen eye pass "
@@ -125,6 +126,11 @@ std::vector<ParameterDeclaration> guide_declarations() {
                "What decides where photons go: nothing; the adaptive tables of Liu and Zheng 2014; "
                "or what photons are worth to the image (docs/understand/guides.md).",
                kGuides),
+    };
+}
+
+std::vector<ParameterDeclaration> paper_guide_declarations() {
+    return {
         number(
             "guideshare", kDefaults.guide_share,
             "With guide paper: share of directions drawn from the guide; the rest comes from the "
@@ -160,6 +166,11 @@ std::vector<ParameterDeclaration> guide_declarations() {
             "With guide paper: nodes also hold the photons that come straight from a light where "
             "shadow rays bring that light to the image (directlightsampling); not with "
             "errorcriterion image."),
+    };
+}
+
+std::vector<ParameterDeclaration> adaptive_guide_declarations() {
+    return {
         boolean("guideemission", kDefaults.guide_emission,
                 "With guide adaptive: guides where photons start."),
         boolean("eyeseeding", kDefaults.eye_seeding,
@@ -254,7 +265,11 @@ std::vector<ParameterDeclaration> foreign_map_declarations() {
 
 std::vector<ParameterDeclaration> declarations_of(PluginKind kind) {
     std::vector<ParameterDeclaration> all;
-    if (kind == PluginKind::Aips) append(all, guide_declarations());
+    if (kind == PluginKind::Aips) {
+        append(all, way_declarations());
+        append(all, paper_guide_declarations());
+        append(all, adaptive_guide_declarations());
+    }
     append(all, common_declarations());
     all.push_back(photons_declaration(kind));
     if (kind == PluginKind::Aips || kind == PluginKind::Sppm) {

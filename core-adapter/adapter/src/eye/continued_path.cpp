@@ -25,7 +25,8 @@ class ContinuedPath {
     ContinuedResult trace() {
         const VertexNumbers first = numbers_.vertex(start_.depth);
         const float before = max_component(tip_.throughput);
-        if (!go_on(start_.point, start_.wo, start_.receiving, first)) return result_;
+        const BounceDraw draw{start_.receiving, start_.choice_pdf, first.direction(), first.lobe()};
+        if (!bounce(in_, start_.point, start_.wo, draw, refusals_, tip_)) return result_;
         // A photon that lands at the visible point after n surfaces met the n - 1 others here.
         for (std::uint32_t n = 1; n < in_.settings.max_photon_depth; ++n) {
             const auto mark = arena_.mark();
@@ -58,8 +59,10 @@ class ContinuedPath {
         const Vec3 wo = -tip_.ray.direction;
         const LobeMask lobes = point.bsdf->lobes();
         if (const LobeMask shared = lobes & kNonSpecular) {
-            const DirectLightQuery query{point, wo,     tip_.ray.time, tip_.throughput,
-                                         0,     shared, lobes,         last ? 0.0f : 1.0f};
+            DirectLightQuery query{point, wo, tip_.ray.time, tip_.throughput};
+            query.shared = shared;
+            query.bounce = lobes;
+            query.continue_pdf = last ? 0.0f : 1.0f;
             result_.rays += in_.direct_light.estimate(query, numbers, refusals_, continued_).rays;
         }
         return !last && go_on(point, wo, lobes, numbers);
@@ -74,7 +77,7 @@ class ContinuedPath {
     /// beyond that scattered it.
     void add_light(LightIndex light, const Rgb& seen, const SurfacePoint* at) {
         const bool straight = tip_.scatterings == start_.tip.scatterings + 1;
-        if (straight ? !start_.meets_lights : tip_.last_was_specular) return;
+        if (!straight && tip_.last_was_specular) return;
         const std::span<Rgb> sums = straight ? direct_ : continued_;
         const Rgb value = tip_.throughput * seen * emission_weight(in_, tip_, light, at);
         refusals_.add(sums[in_.scene.lights()[light]->group()], value, refusals_.of_light(light));

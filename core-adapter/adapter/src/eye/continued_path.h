@@ -12,8 +12,7 @@ struct ContinuedStart {
     Vec3 wo;
     LobeMask receiving = 0;   ///< lobes that take photons there
     std::uint32_t depth = 0;  ///< its number along the eye path
-    /// Whether lights that the first ray meets are seen, by the share that shadow rays leave them.
-    bool meets_lights = false;
+    float choice_pdf = 1;     ///< probability that the path ended there, and did not bounce on
     PathTip tip;  ///< at the visible point, its throughput divided by all choices' probabilities
 };
 

@@ -29,16 +29,25 @@ DirectLightResult DirectLight::estimate(const DirectLightQuery& query, const Ver
     const Bsdf& bsdf = *query.point.bsdf;
     const float pdf_light = sample.pdf * chosen.pdf;
     Rgb f, alone;
-    if (query.owned) f += bsdf.evaluate(query.wo, sample.wi, Transport::Radiance, query.owned);
-    alone = f;
+    bool refused = false;
+    // What `lobes` send to the eye, by the share beside rays that `mask` draws with probability
+    // `probability`.
+    const auto shared = [&](const Rgb& value, LobeMask mask, float probability) {
+        if (sample.delta || !(probability > 0)) return value;
+        const float pdf_bounce = probability * bsdf.pdf(query.wo, sample.wi, mask);
+        refused |= !refusals.accept_density(pdf_bounce, query.point.material);
+        return value * (pdf_light / (pdf_light + pdf_bounce));
+    };
     if (query.shared) {
-        const Rgb shared = bsdf.evaluate(query.wo, sample.wi, Transport::Radiance, query.shared);
-        const float pdf_bounce =
-            sample.delta ? 0 : query.continue_pdf * bsdf.pdf(query.wo, sample.wi, query.bounce);
-        if (!refusals.accept_density(pdf_bounce, query.point.material)) return result;
-        f += shared * (pdf_light / (pdf_light + pdf_bounce));
-        alone += shared;
+        f = alone = shared(bsdf.evaluate(query.wo, sample.wi, Transport::Radiance, query.shared),
+                           query.bounce, query.continue_pdf);
     }
+    if (query.owned) {
+        const Rgb owned = bsdf.evaluate(query.wo, sample.wi, Transport::Radiance, query.owned);
+        alone += owned;
+        f += shared(owned, query.owned, query.owned_pdf);
+    }
+    if (refused) return result;
     if (is_black(f) || is_black(sample.radiance)) return result;
     if (!refusals.accept(f, query.point.material)) return result;
     const float cosine = abs_dot(sample.wi, query.point.shading_normal);

@@ -18,8 +18,11 @@ struct DirectLightQuery {
     const SurfacePoint& point;
     Vec3 wo;
     float time = 0;
-    Rgb throughput;          ///< of the eye path up to here
-    LobeMask owned = 0;      ///< lobes whose direct light belongs to shadow rays alone
+    Rgb throughput;  ///< of the eye path up to here
+    /// Lobes whose direct light belongs to shadow rays alone, or also to the path's next ray, which
+    /// is drawn from them with probability `owned_pdf` (balance heuristic).
+    LobeMask owned = 0;
+    float owned_pdf = 0;
     LobeMask shared = 0;     ///< lobes whose bounce can also meet the light (balance heuristic)
     LobeMask bounce = 0;     ///< the mask that the bounce samples: `shared` and specular lobes
     float continue_pdf = 0;  ///< probability that the eye path bounces
@@ -28,7 +31,7 @@ struct DirectLightQuery {
 /// What an estimate did.
 struct DirectLightResult {
     unsigned rays = 0;   ///< shadow rays traced
-    float alone = 0;     ///< luminance that they would bring if bounces shared nothing
+    float alone = 0;     ///< luminance that they would bring if nothing were shared of `owned`
     float brought = 0;   ///< luminance that was added
     LightSample sample;  ///< what was learned; its pdf is 0 if that is nothing
 };

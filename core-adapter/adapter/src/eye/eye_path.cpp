@@ -146,17 +146,16 @@ class EyePath {
         const float store_pdf = store_probability(*point.bsdf, wo, receiving, last ? 0 : bouncing);
         const float eye_share =
             receiving && in_.shares ? in_.shares->at(point.position, normal_towards(wo, point)) : 0;
-        // Where a path surely goes on, its first ray and shadow rays share the lights too.
-        const bool goes_on = receiving && in_.shares && (eye_share > 0 || explores_);
-        const bool meets_lights = goes_on && bouncing == 0 && in_.keep_visible_points;
-
+        const bool goes_on =
+            receiving && in_.shares && in_.keep_visible_points && (eye_share > 0 || explores_);
         DirectLightResult direct;
         if (in_.settings.direct_light_sampling && (lobes & kNonSpecular)) {
             DirectLightQuery query{point, wo, tip_.ray.time, tip_.throughput};
-            query.owned = meets_lights ? 0 : receiving;
-            query.bounce = meets_lights ? receiving : bouncing;
-            query.shared = query.bounce & kNonSpecular;
-            query.continue_pdf = meets_lights ? 1 : last ? 0 : 1 - store_pdf;
+            query.owned = receiving;
+            query.owned_pdf = goes_on ? store_pdf : 0;
+            query.bounce = bouncing;
+            query.shared = bouncing & kNonSpecular;
+            query.continue_pdf = last ? 0 : 1 - store_pdf;
             direct = estimate_direct_light(query, numbers);
         }
         if (receiving && (store_pdf == 1 || numbers.end() < store_pdf)) {
@@ -164,7 +163,7 @@ class EyePath {
             store(point, wo, receiving, store_pdf);
             if (result_.has_visible_point && goes_on) {
                 result_.visible_point.eye_share = eye_share;
-                go_on_from({point, wo, receiving, depth, meets_lights, tip_}, direct);
+                go_on_from({point, wo, receiving, depth, store_pdf, tip_}, direct);
             }
             return false;
         }
@@ -237,7 +236,6 @@ class EyePath {
         v.continued = true;
         v.eye_rays = float(went.rays);
         result_.rays += went.rays;
-        if (!start.meets_lights) return;
         v.direct_alone = direct.alone;
         v.direct_shared = direct.brought + went.straight;
     }

@@ -21,11 +21,6 @@ double choice(const PhotonInput& input, std::uint64_t number) {
     return double(RandomStream(seed, pass, number, RandomDomain::ChainStart).next());
 }
 
-/// Job c's share of `paths` paths.
-constexpr std::uint32_t share_of(std::uint32_t c, std::uint32_t paths) {
-    return paths / kJobs + (c < paths % kJobs ? 1 : 0);
-}
-
 }  // namespace
 
 /// Traces paths of a job.
@@ -139,7 +134,7 @@ PhotonCounts GuidedChains::draw(const PhotonInput& input, std::uint32_t count, R
     tbb::enumerable_thread_specific<Arena> arenas;
     tbb::parallel_for(0u, kJobs, [&](std::uint32_t job) {
         Tracer tracer{input, starts_, refusals, arenas.local(), jobs[job].photons};
-        draw(tracer, job, share_of(job, count), jobs[job]);
+        draw(tracer, job, chain_share(job, count), jobs[job]);
     });
     const bool measuring = left_to_measure() > 0;
     PhotonCounts photons;
@@ -190,7 +185,7 @@ PhotonCounts GuidedChains::walk(const PhotonInput& input, std::uint32_t count, R
     tbb::enumerable_thread_specific<Arena> arenas;
     tbb::parallel_for(0u, kJobs, [&](std::uint32_t c) {
         Tracer tracer{input, starts_, refusals, arenas.local(), walks[c].photons};
-        walk(tracer, c, share_of(c, count), walks[c]);
+        walk(tracer, c, chain_share(c, count), walks[c]);
     });
     const double share = visible_share() / double(paths_ - measured_);
     PhotonCounts photons;

@@ -18,12 +18,6 @@ struct Round {
     ChainCounts chain;
 };
 
-/// Chain c's share of `paths` paths. Rounds but the last share evenly, so that the shares of the
-/// rounds add up to the share of the pass.
-constexpr std::uint32_t share_of(std::uint32_t c, std::uint32_t paths) {
-    return paths / PhotonChains::kChains + (c < paths % PhotonChains::kChains ? 1 : 0);
-}
-
 /// A state that lasted several steps lands once, with the power of all of them.
 void record(std::span<const Landing> state, std::uint32_t repeats, std::vector<Landing>& landings) {
     for (Landing landing : state) {
@@ -42,7 +36,7 @@ void PhotonChains::begin_pass(std::uint32_t paths) {
     paths_ = paths;
     pass_ = {};
     for (std::uint32_t c = 0; c < kChains; ++c)
-        chains_[c].begin_pass((share_of(c, paths) + 1) / 2);
+        chains_[c].begin_pass((chain_share(c, paths) + 1) / 2);
 }
 
 std::uint32_t PhotonChains::round_paths() const {
@@ -61,7 +55,7 @@ PhotonCounts PhotonChains::trace(const PhotonInput& input, std::uint32_t count, 
         Arena& arena = arenas.local();
         Round& round = rounds[c];
         chains_[c].run(
-            {input.settings.seed, input.pass, c, kChains}, share_of(c, count), exponent,
+            {input.settings.seed, input.pass, c, kChains}, chain_share(c, count), exponent,
             [&](PrimaryPath& path, std::vector<Landing>& state, std::uint64_t number) {
                 state.clear();
                 trace_photon_path(exact, path, std::uint32_t(number), refusals, arena, state,

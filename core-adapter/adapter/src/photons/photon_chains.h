@@ -15,6 +15,12 @@ inline bool may_use_chains(const Settings& s) {
            (s.guide == GuideKind::Adaptive && s.guide_scout && s.guide_chains);
 }
 
+/// Share of chain `c` of `paths` paths. Rounds but the last share evenly, so that the shares of the
+/// rounds add up to the share of the pass.
+constexpr std::uint32_t chain_share(std::uint32_t c, std::uint32_t paths) {
+    return paths / kChainCount + (c < paths % kChainCount ? 1 : 0);
+}
+
 /// Chains that walk among the photon paths which reach visible points. Their number is fixed, each
 /// is sequential, and their landings are joined in order: the result does not depend on the number
 /// of threads. See docs/understand/chains.md for what is exact about them.

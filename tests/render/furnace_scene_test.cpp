@@ -25,7 +25,9 @@ TEST(FurnaceScene, ClosedFormWithEveryGuideAndMode) {
     const render::Folder folder;
     const auto scene = render::small_scene("furnace", folder, 80, 60);
     const double expected = 2 * (1 - std::pow(0.5, 17));
-    const std::string options = "--passes 4 --seed 3 --set aips.photonperpass=100000";
+    // Over seeds the mean has a standard deviation of a third of what is let pass, of 4 passes two
+    // thirds.
+    const std::string options = "--passes 16 --seed 3 --set aips.photonperpass=100000";
     for (const char* guide : {"none", "paper", "adaptive"}) {
         for (const char* mode : {"progressive", "photonmap", "ppm"}) {
             const auto image = render::render(

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "render_mock.h"
 #include "traced_eye_image.h"
 
 namespace aips::shared_direct_light_test {
@@ -45,7 +46,7 @@ EyeImage shining_box(const Vec3& eye) {
 
 TEST(SharedDirectLight, SameExpectation) {
     const Differences found(shining_box({0, -0.5f, 0}));
-    ASSERT_NEAR(found.points, kPaths / 4, kPaths / 400);
+    ASSERT_NEAR(found.points, 0.25 * kPaths, 0.0025 * kPaths);
     EXPECT_NEAR(found.sum, 0, kMostStandardErrors * found.standard_error());
     EXPECT_GT(0.02 * found.alone, kMostStandardErrors * found.standard_error())
         << "a planted error of 2 % would go unnoticed";

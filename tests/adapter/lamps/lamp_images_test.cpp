@@ -145,7 +145,7 @@ TEST(LampImages, MemoryStaysBelowItsBoundHoweverManyAreFound) {
     known.begin_pass(1);
     EXPECT_GT(known.all().size(), kMostImages / 2);
     EXPECT_LE(known.all().size(), kMostImages);
-    EXPECT_LE(known.memory_bytes(), LampImages::memory_bound_bytes(kSize * kSize));
+    EXPECT_LE(known.memory_bytes(), LampImages::memory_bound_bytes(std::size_t{kSize} * kSize));
 }
 
 TEST(LampImages, ComeBackFromASavedState) {

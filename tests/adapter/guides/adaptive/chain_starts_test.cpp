@@ -74,7 +74,7 @@ TEST(ChainStarts, WeightsMakePlainStartsOfThem) {
         SCOPED_TRACE(passes);
         ChainStarts starts(lamps.scene, lamps.settings, lamps.choice);
         learn(starts, passes);
-        constexpr std::size_t kCells = 3 * 16 * 2;
+        constexpr std::size_t kCells = std::size_t{3} * 16 * 2;
         constexpr std::uint64_t kDraws = 400'000;
         std::vector<double> sums(kCells), squares(kCells);
         std::vector<Coordinate> coordinates;
@@ -88,7 +88,10 @@ TEST(ChainStarts, WeightsMakePlainStartsOfThem) {
             const float u = to_unit_float(coordinates[kStartCoordinates]);
             const std::size_t half = lamps.choice.sample(u).u < 0.5f ? 0 : 1;
             const std::size_t cell =
-                (start.light * 16 + (coordinates[0] >> 30) * 4 + (coordinates[3] >> 30)) * 2 + half;
+                (start.light * std::size_t{16} + (coordinates[0] >> 30) * std::size_t{4} +
+                 (coordinates[3] >> 30)) *
+                    2 +
+                half;
             sums[cell] += weight;
             squares[cell] += weight * weight;
         }

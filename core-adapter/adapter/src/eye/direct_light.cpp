@@ -30,8 +30,7 @@ DirectLightResult DirectLight::estimate(const DirectLightQuery& query, const Ver
     const float pdf_light = sample.pdf * chosen.pdf;
     Rgb f, alone;
     bool refused = false;
-    // What `lobes` send to the eye, by the share beside rays that `mask` draws with probability
-    // `probability`.
+    // The shadow ray's share of `value` beside a ray that `mask` draws with this probability.
     const auto shared = [&](const Rgb& value, LobeMask mask, float probability) {
         if (sample.delta || !(probability > 0)) return value;
         const float pdf_bounce = probability * bsdf.pdf(query.wo, sample.wi, mask);

@@ -146,6 +146,7 @@ class EyePath {
         const float store_pdf = store_probability(*point.bsdf, wo, receiving, last ? 0 : bouncing);
         const float eye_share =
             receiving && in_.shares ? in_.shares->at(point.position, normal_towards(wo, point)) : 0;
+        // The first ray of a path that goes on shares the lights with shadow rays.
         const bool goes_on =
             receiving && in_.shares && in_.keep_visible_points && (eye_share > 0 || explores_);
         DirectLightResult direct;

@@ -217,10 +217,7 @@ void GuidedChains::walk(Tracer& tracer, std::uint32_t chain, std::uint32_t count
         },
         [&](std::span<const Coordinate> coordinates, const Visible& state, std::uint32_t repeats) {
             walked.states.push_back({starts_.at(coordinates), state.cost, repeats});
-            for (Landing landing : state.landings) {
-                landing.power = landing.power * float(repeats);
-                walked.landings.push_back(landing);
-            }
+            record_state(state.landings, repeats, walked.landings);
         },
         walked.chain);
 }

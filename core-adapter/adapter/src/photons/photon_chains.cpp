@@ -18,15 +18,15 @@ struct Round {
     ChainCounts chain;
 };
 
-/// A state that lasted several steps lands once, with the power of all of them.
-void record(std::span<const Landing> state, std::uint32_t repeats, std::vector<Landing>& landings) {
+}  // namespace
+
+void record_state(std::span<const Landing> state, std::uint32_t repeats,
+                  std::vector<Landing>& landings) {
     for (Landing landing : state) {
         landing.power = landing.power * float(repeats);
         landings.push_back(landing);
     }
 }
-
-}  // namespace
 
 void PhotonChains::mark_reach(std::span<const Vec3> visible_points, float radius) {
     reach_.build(visible_points, radius, tbb_for);
@@ -63,7 +63,7 @@ PhotonCounts PhotonChains::trace(const PhotonInput& input, std::uint32_t count, 
                 return !state.empty();
             },
             [&](const std::vector<Landing>& state, std::uint32_t repeats) {
-                record(state, repeats, round.landings);
+                record_state(state, repeats, round.landings);
             },
             round.chain);
     });

@@ -21,6 +21,10 @@ constexpr std::uint32_t chain_share(std::uint32_t c, std::uint32_t paths) {
     return paths / kChainCount + (c < paths % kChainCount ? 1 : 0);
 }
 
+/// A chain's state that lasted several steps lands once, with the power of all of them.
+void record_state(std::span<const Landing> state, std::uint32_t repeats,
+                  std::vector<Landing>& landings);
+
 /// Chains that walk among the photon paths which reach visible points. Their number is fixed, each
 /// is sequential, and their landings are joined in order: the result does not depend on the number
 /// of threads. See docs/understand/chains.md for what is exact about them.

@@ -124,6 +124,7 @@ ExitCode render(const CommandLine& command, const PluginLibrary& plugins, Consol
     log.info(fmt::format("rendering {} with \"{}\", seed {}", budget.text(),
                          session.integrator_name, session.seed));
 
+    session.film->estimate_errors(command.error_estimate);
     auto found = find_checkpoint(command, session, log);
 
     const auto start = Clock::now();
@@ -132,12 +133,14 @@ ExitCode render(const CommandLine& command, const PluginLibrary& plugins, Consol
     const RenderTotals begun =
         found ? restore(std::move(*found), command, session, log) : RenderTotals{};
     CheckpointSchedule checkpoints(command, session, log, begun);
-    Progress progress(log, budget);
+    ErrorWatch error(*session.film, budget.error);
+    Progress progress(log, budget, error);
     RenderLoop loop{
         .integrator = *session.integrator,
         .budget = budget,
         .interruption = interruption,
         .progress = progress,
+        .error = error,
         .end_pass = [&](const RenderTotals& done) { checkpoints.pass_done(done); },
         .snapshot_interval = session.film->write_interval_seconds(),
         .write_snapshot =

@@ -16,7 +16,8 @@ void RenderLoop::run(RenderTotals& totals) {
     const double cpu_start = cpu_seconds() - totals.cpu_seconds;
     double last_snapshot = totals.seconds;
     // At least one pass, however small the budget: without one there is no image.
-    while (!interruption.requested() &&
+    error.begin(totals);
+    while (!interruption.requested() && !error.reached() &&
            (totals.passes == 0 || !budget.used_up(totals.passes, totals.seconds))) {
         if (snapshot_interval > 0 && totals.seconds - last_snapshot >= snapshot_interval) {
             write_snapshot(totals);
@@ -30,6 +31,7 @@ void RenderLoop::run(RenderTotals& totals) {
         totals.samples_per_pixel += report.samples_per_pixel;
         totals.seconds = seconds_gone();
         totals.cpu_seconds = cpu_seconds() - cpu_start;
+        error.pass_done(totals);
         progress.show(totals);
         if (end_pass) end_pass(totals);
     }

@@ -1,6 +1,7 @@
 // Sums of filtered samples per pixel and light group, over all passes.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -13,6 +14,14 @@
 #include "sample_cells.h"
 
 namespace lxs {
+
+/// The two means over passes whose sum a pixel is, all light groups together, splats within the
+/// first; not cut at zero. A weight is the sum of filter times pass weight that a mean rests on,
+/// 0 for none; passes, where there are splats alone.
+struct PixelMeans {
+    std::array<Imath::V3d, 2> value{Imath::V3d(0.0), Imath::V3d(0.0)};
+    std::array<double, 2> weight{};
+};
 
 /// Estimates each pixel as sum(f w L) / sum(f w) over all samples: f the filter, w the weight of
 /// the sample's pass; likewise of what passes bring as their second part, and both are added.
@@ -47,6 +56,8 @@ class FilmAccumulator {
     /// settle_debts), in each image by itself: sums over neighbourhoods are those of the samples.
     void resolve_group(std::uint32_t group, std::span<Rgb> image) const;
     void resolve_total(std::span<Rgb> image) const;
+    PixelMeans means(std::size_t pixel) const;
+    bool has_second() const { return !second_.sums.empty(); }
 
     /// Saves or restores all sums and counts; of the same image size, groups and filter.
     void state(StateArchive& archive);

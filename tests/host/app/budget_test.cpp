@@ -57,6 +57,11 @@ TEST(Budget, SceneBudgetCountsUnlessTheCommandLineHasOne) {
                 HasSubstr("rendering 0.2 s"));
 }
 
+TEST(Progress, LineHoldsTheErrorBeforeTheMemory) {
+    EXPECT_THAT(progress_text({.passes = 3, .seconds = 75}, {}, 123'000'000, "error 8.3 %"),
+                HasSubstr("elapsed 1:15  error 8.3 %  memory 123 MB"));
+}
+
 TEST(Budget, WithoutAnyBudgetSixteenPassesAndANotice) {
     const std::string log = log_of("", {});
     EXPECT_THAT(log, HasSubstr("says when to stop: rendering 16 passes"));

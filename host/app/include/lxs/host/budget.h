@@ -18,6 +18,7 @@ inline constexpr std::uint64_t kDefaultPasses = 16;
 struct Budget {
     std::optional<std::uint64_t> passes;
     std::optional<double> seconds;
+    std::optional<double> error = {};  ///< estimated, square root of relMSE; ErrorWatch knows it
 
     bool used_up(std::uint64_t passes_done, double seconds_gone) const;
     /// Seconds left at the speed so far; nothing before the first pass.
@@ -25,8 +26,8 @@ struct Budget {
     std::string text() const;
 };
 
-/// The command line's budget, else the film's haltspp and halttime, else kDefaultPasses (and says
-/// so).
+/// The command line's budget, else the film's haltspp, halttime and haltthreshold, else
+/// kDefaultPasses (and says so).
 Budget choose_budget(const CommandLine& command, const FileFilm& film, Log& log);
 
 }  // namespace lxs

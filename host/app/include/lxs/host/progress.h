@@ -6,6 +6,7 @@
 
 #include "lxs/host/budget.h"
 #include "lxs/host/console_log.h"
+#include "lxs/host/error_watch.h"
 #include "lxs/sdk/state_archive.h"
 
 namespace lxs {
@@ -22,13 +23,18 @@ struct RenderTotals {
     void state(StateArchive& archive);
 };
 
-/// One line: pass, photons/s, rays/s, elapsed, remaining, resident memory.
+/// "1:02:03" or "2:03".
+std::string clock_text(double seconds);
+
+/// One line: pass, photons/s, rays/s, elapsed, remaining, what there is to say of the error,
+/// resident memory.
 std::string progress_text(const RenderTotals& totals, const Budget& budget,
-                          std::uint64_t resident_bytes);
+                          std::uint64_t resident_bytes, const std::string& error = {});
 
 class Progress {
   public:
-    Progress(ConsoleLog& log, const Budget& budget) : log_(log), budget_(budget) {}
+    Progress(ConsoleLog& log, const Budget& budget, ErrorWatch& error)
+        : log_(log), budget_(budget), error_(error) {}
     void show(const RenderTotals& totals);
     /// Takes the live line away and logs the last state.
     void finish(const RenderTotals& totals);
@@ -36,6 +42,7 @@ class Progress {
   private:
     ConsoleLog& log_;
     const Budget& budget_;
+    ErrorWatch& error_;
     double next_line_seconds_ = 0;
 };
 

@@ -1,12 +1,8 @@
 // What a program says of a command line that it does not understand.
 #pragma once
 
+#include <CLI/CLI.hpp>
 #include <string>
-
-namespace CLI {
-class App;
-class Error;
-}  // namespace CLI
 
 namespace lxs {
 

@@ -33,8 +33,7 @@ TEST(DebugLayers, AreNamedAsDocumented) {
     EXPECT_EQ(channels("aips", "--set aips.debuglayers=true --set aips.guide=none"), kUnguided);
     EXPECT_EQ(channels("sppm", "--set sppm.debuglayers=true"), kUnguided);
     EXPECT_EQ(channels("exphotonmap", "--set exphotonmap.debuglayers=true"), kUnguided);
-    EXPECT_EQ(channels("aips", ""),
-              (std::set<std::string>{"R", "G", "B", "error.R", "error.G", "error.B"}));
+    EXPECT_EQ(channels("aips", ""), (std::set<std::string>{"R", "G", "B"}));
 }
 
 struct Parts {

@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <vector>
 
+#include "lxs/host/counted.h"
+
 namespace lxs {
 
 bool Budget::used_up(std::uint64_t passes_done, double seconds_gone) const {
@@ -27,16 +29,30 @@ std::optional<double> Budget::remaining(std::uint64_t passes_done, double second
 
 std::string Budget::text() const {
     std::vector<std::string> ends;
-    if (passes) ends.push_back(fmt::format("{} passes", *passes));
+    if (passes) ends.push_back(counted(*passes, "pass", "passes"));
     if (seconds) ends.push_back(fmt::format("{} s", *seconds));
     if (error) ends.push_back(fmt::format("until the error is {:.3g} %", 100 * *error));
     return fmt::format("{}", fmt::join(ends, " or "));
 }
 
+std::string Budget::why_over(std::uint64_t passes_done, double seconds_gone) const {
+    if (passes && passes_done >= *passes) {
+        return fmt::format("{} {} asks for", passes_done > *passes ? "more than" : "as many as",
+                           passes_from);
+    }
+    if (seconds && seconds_gone >= *seconds)
+        return fmt::format("the {} s that {} gives are over", *seconds, seconds_from);
+    return {};
+}
+
 Budget choose_budget(const CommandLine& command, const FileFilm& film, Log& log) {
-    Budget budget{command.passes, command.seconds, command.target_error};
+    Budget budget{
+        .passes = command.passes, .seconds = command.seconds, .error = command.target_error};
     const auto given = [&budget] { return budget.passes || budget.seconds || budget.error; };
     if (given()) return budget;
+    budget.passes_from = "the scene's haltspp";
+    budget.seconds_from = "the scene's halttime";
+    budget.error_from = "the scene's haltthreshold";
     if (film.halt_passes() > 0) budget.passes = film.halt_passes();
     if (film.halt_time_seconds() > 0) budget.seconds = film.halt_time_seconds();
     if (film.halt_error() > 0) {
@@ -52,6 +68,7 @@ Budget choose_budget(const CommandLine& command, const FileFilm& film, Log& log)
         "--time, --target-error) says when to stop: rendering {} passes",
         kDefaultPasses));
     budget.passes = kDefaultPasses;
+    budget.passes_from = "the default";
     return budget;
 }
 

@@ -43,9 +43,12 @@ void ErrorWatch::estimate(const RenderTotals& totals) {
     next_seconds_ = totals.seconds + std::max(kSecondsBetweenEstimates, took / kDearest);
 }
 
-std::string ErrorWatch::text(const RenderTotals& totals, bool now) {
-    const bool stale = !latest_ || latest_->passes != totals.passes;
-    if (stale && (now || totals.seconds >= next_seconds_)) estimate(totals);
+bool ErrorWatch::stale(const RenderTotals& totals) const {
+    return !latest_ || latest_->passes != totals.passes;
+}
+
+std::string ErrorWatch::text(const RenderTotals& totals) {
+    if (stale(totals) && totals.seconds >= next_seconds_) estimate(totals);
     if (!latest_) return {};
     const double error = latest_->relative();
     std::string text = fmt::format("error {:.3g} %", 100 * error);
@@ -57,6 +60,12 @@ std::string ErrorWatch::text(const RenderTotals& totals, bool now) {
     const double passes = times * static_cast<double>(latest_->passes);
     const double left = totals.seconds * (passes / static_cast<double>(totals.passes) - 1);
     return text + "in " + clock_text(std::max(0.0, left));
+}
+
+std::string ErrorWatch::ending_text(const RenderTotals& totals) {
+    if (stale(totals)) estimate(totals);
+    if (!latest_) return {};
+    return fmt::format("the estimated error is {:.3g} %", 100 * latest_->relative());
 }
 
 }  // namespace lxs

@@ -22,4 +22,12 @@ std::string check_positive(const std::string& text) {
                : "expected a number above 0, found \"" + text + "\"";
 }
 
+std::string check_not_negative(const std::string& text) {
+    double value = 0;
+    const bool read = CLI::detail::lexical_cast(text, value);
+    return read && value >= 0 && std::isfinite(value)
+               ? ""
+               : "expected a number of at least 0, found \"" + text + "\"";
+}
+
 }  // namespace lxs

@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "lxs/host/counted.h"
 #include "lxs/host/process_usage.h"
 
 namespace lxs {
@@ -37,24 +38,45 @@ void RenderTotals::state(StateArchive& archive) {
 }
 
 std::string progress_text(const RenderTotals& totals, const Budget& budget,
-                          std::uint64_t resident_bytes, const std::string& error) {
+                          const std::string& error) {
     std::string text = fmt::format("pass {}", totals.passes);
-    if (budget.passes) text += fmt::format("/{}", *budget.passes);
-    if (totals.photon_paths > 0) {
-        text += fmt::format("  {} photons/s", rate_text(totals.photon_paths, totals.seconds));
-    }
-    text += fmt::format("  {} rays/s  elapsed {}", rate_text(totals.rays, totals.seconds),
-                        clock_text(totals.seconds));
-    if (const auto left = budget.remaining(totals.passes, totals.seconds)) {
-        text += fmt::format("  remaining {}", clock_text(*left));
-    }
-    if (!error.empty()) text += "  " + error;
-    return text + fmt::format("  memory {} MB", resident_bytes / 1'000'000);
+    if (budget.passes) text += fmt::format(" of {}", *budget.passes);
+    text += fmt::format(", {} gone", clock_text(totals.seconds));
+    if (const auto left = budget.remaining(totals.passes, totals.seconds))
+        text += fmt::format(", about {} left", clock_text(*left));
+    if (!error.empty()) text += ", " + error;
+    return text;
+}
+
+std::string speed_text(const RenderTotals& totals, std::uint64_t resident_bytes) {
+    std::string text;
+    if (totals.photon_paths > 0)
+        text = fmt::format("{} photons/s, ", rate_text(totals.photon_paths, totals.seconds));
+    return text + fmt::format("{} rays/s, memory {} MB", rate_text(totals.rays, totals.seconds),
+                              resident_bytes / 1'000'000);
+}
+
+std::string ending_text(const RenderTotals& totals, const Budget& budget, bool interrupted) {
+    std::string why = interrupted ? "stopped by Ctrl-C or a signal"
+                                  : budget.why_over(totals.passes, totals.seconds);
+    // The loop ends for nothing else.
+    if (why.empty() && budget.error)
+        why = fmt::format("the error of {:.3g} % that {} asks for is reached", 100 * *budget.error,
+                          budget.error_from);
+    return fmt::format("rendered {} in {}: {}", counted(totals.passes, "pass", "passes"),
+                       clock_text(totals.seconds), why);
+}
+
+void Progress::begin(const RenderTotals& totals) {
+    if (totals.passes == 0) log_.show_live("the first pass is being rendered");
 }
 
 void Progress::show(const RenderTotals& totals) {
+    // finish() has the word
+    if (error_.reached() || budget_.used_up(totals.passes, totals.seconds)) return;
     if (!log_.live() && totals.seconds < next_line_seconds_) return;
-    const std::string text = progress_text(totals, budget_, resident_bytes(), error_.text(totals));
+    std::string text = progress_text(totals, budget_, error_.text(totals));
+    if (verbose_) text += ", " + speed_text(totals, resident_bytes());
     if (log_.live()) {
         log_.show_live(text);
     } else {
@@ -63,9 +85,13 @@ void Progress::show(const RenderTotals& totals) {
     }
 }
 
-void Progress::finish(const RenderTotals& totals) {
+void Progress::finish(const RenderTotals& totals, bool interrupted) {
     log_.clear_live();
-    log_.info("rendered " + progress_text(totals, {}, resident_bytes(), error_.text(totals, true)));
+    if (totals.passes == 0) return;
+    std::string text = ending_text(totals, budget_, interrupted);
+    if (const std::string error = error_.ending_text(totals); !error.empty()) text += "; " + error;
+    log_.info(text);
+    log_.debug(speed_text(totals, resident_bytes()));
 }
 
 }  // namespace lxs

@@ -176,6 +176,7 @@ IntegratorChoice make_from_options(RenderSession& session, const CommandLine& co
     gather(diagnostics, [&] {
         session.film =
             make_film(contents, diagnostics, file_resolver(contents, files, diagnostics));
+        session.film->set_exposure(command.exposure_stops);
     });
     gather(diagnostics, [&] {
         if (!session.film) return check_camera_alone(contents, diagnostics);

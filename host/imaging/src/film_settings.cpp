@@ -181,6 +181,8 @@ FilmSettings read(const SceneContents& contents, Diagnostics& diagnostics) {
     settings.halt_error = std::max(0.0, reader.number("haltthreshold", -1));
     settings.write_interval_seconds =
         std::max(0.0, reader.number("writeinterval", settings.write_interval_seconds));
+    settings.display_interval_seconds =
+        std::max(0.0, reader.number("displayinterval", settings.display_interval_seconds));
     settings.tone_map = read_tone_map(reader);
     settings.response_file = reader.string("cameraresponse", "");
     settings.response_where = reader.where("cameraresponse");

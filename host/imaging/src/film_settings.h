@@ -33,6 +33,7 @@ struct FilmSettings {
     std::uint64_t halt_passes = 0;
     double halt_error = 0;
     double write_interval_seconds = 60;
+    double display_interval_seconds = 12;
     ToneMapSettings tone_map;
     /// File of a film's response curves, not read yet; empty for none.
     std::string response_file;

@@ -41,6 +41,7 @@ class FlexImage final : public FileFilm {
     double halt_time_seconds() const override { return settings_.halt_time_seconds; }
     std::uint64_t halt_passes() const override { return settings_.halt_passes; }
     double write_interval_seconds() const override { return settings_.write_interval_seconds; }
+    double display_interval_seconds() const override { return settings_.display_interval_seconds; }
     double halt_error() const override { return settings_.halt_error; }
     void estimate_errors(bool wanted) override;
     void end_pass() override;
@@ -51,6 +52,7 @@ class FlexImage final : public FileFilm {
 
     void state(StateArchive& archive) override;
     void set_wavelengths(const Wavelengths& wavelengths) override;
+    void set_exposure(double stops) override { settings_.tone_map.exposure_stops = stops; }
     std::vector<Rgb> image() const override;
     std::vector<std::uint8_t> tone_mapped() const override {
         return tone_map(image(), settings_.tone_map);

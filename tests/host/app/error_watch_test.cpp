@@ -52,7 +52,9 @@ TEST_F(ErrorWatchTest, EndsAtTheErrorThatTheCommandLineNames) {
     const RunResult result = run({"--target-error", "0.05"});
     ASSERT_EQ(result.exit_code, 0) << result.err;
     EXPECT_THAT(result.err, HasSubstr("rendering until the error is 5 %"));
-    EXPECT_THAT(result.err, HasSubstr(", 5 % is reached"));
+    EXPECT_THAT(result.err,
+                HasSubstr("the error of 5 % that --target-error asks for is reached; the "
+                          "estimated error is "));
     const auto json = statistics();
     EXPECT_LE(json["estimated error"]["relative"], 0.05);
     EXPECT_EQ(json["settings"]["target error"], 0.05);

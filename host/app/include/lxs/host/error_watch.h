@@ -27,12 +27,15 @@ class ErrorWatch {
     bool reached() const { return reached_; }
 
     /// "error 8.3 %, 5 % in 3:20", as of now or not long ago; empty if there is no estimate. Takes
-    /// at most a hundredth of the render's time, unless `now`.
-    std::string text(const RenderTotals& totals, bool now = false);
+    /// at most a hundredth of the render's time.
+    std::string text(const RenderTotals& totals);
+    /// "the estimated error is 8.3 %", as of now; empty if there is no estimate.
+    std::string ending_text(const RenderTotals& totals);
 
   private:
     void compare(const RenderTotals& totals);
     void estimate(const RenderTotals& totals);
+    bool stale(const RenderTotals& totals) const;
 
     FileFilm& film_;
     std::optional<double> target_;

@@ -25,24 +25,31 @@ struct RenderTotals {
 
 /// "1:02:03" or "2:03".
 std::string clock_text(double seconds);
-
-/// One line: pass, photons/s, rays/s, elapsed, remaining, what there is to say of the error,
-/// resident memory.
+/// One line: passes, time gone, time left where it is known, and what there is to say of the error.
 std::string progress_text(const RenderTotals& totals, const Budget& budget,
-                          std::uint64_t resident_bytes, const std::string& error = {});
+                          const std::string& error = {});
+/// Photons and rays a second, memory.
+std::string speed_text(const RenderTotals& totals, std::uint64_t resident_bytes);
+/// One line at the end: passes, time, and why no more.
+std::string ending_text(const RenderTotals& totals, const Budget& budget, bool interrupted);
 
 class Progress {
   public:
-    Progress(ConsoleLog& log, const Budget& budget, ErrorWatch& error)
-        : log_(log), budget_(budget), error_(error) {}
+    /// `verbose`: with speed and memory.
+    Progress(ConsoleLog& log, const Budget& budget, ErrorWatch& error, bool verbose)
+        : log_(log), budget_(budget), error_(error), verbose_(verbose) {}
+    /// Before the first pass, which may take long.
+    void begin(const RenderTotals& totals);
+    /// After a pass; silent after the last one.
     void show(const RenderTotals& totals);
-    /// Takes the live line away and logs the last state.
-    void finish(const RenderTotals& totals);
+    /// Takes the live line away and logs how the render ended.
+    void finish(const RenderTotals& totals, bool interrupted);
 
   private:
     ConsoleLog& log_;
     const Budget& budget_;
     ErrorWatch& error_;
+    bool verbose_;
     double next_line_seconds_ = 0;
 };
 

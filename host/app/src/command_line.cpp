@@ -1,10 +1,7 @@
 // The command line of lxsrender.
 #include "lxs/host/command_line.h"
 
-#include <fmt/format.h>
-
 #include <CLI/CLI.hpp>
-#include <cmath>
 
 #include "lxs/host/command_line_mistake.h"
 #include "lxs/host/option_checks.h"
@@ -19,12 +16,7 @@ std::string check_image_name(const std::string& name) {
 }
 
 std::string check_stops(const std::string& text) {
-    constexpr double kMostStops = 64;  // beyond it any image is black or white
-    double stops = 0;
-    const bool read = CLI::detail::lexical_cast(text, stops);
-    return read && std::abs(stops) <= kMostStops
-               ? ""
-               : fmt::format("expected a number from -{0} to {0}, found \"{1}\"", kMostStops, text);
+    return check_within(text, 64);  // beyond it any image is black or white
 }
 
 void add_output_options(CLI::App& app, CommandLine& command) {

@@ -10,6 +10,7 @@
 #include "lxs/host/counted.h"
 #include "lxs/host/failure.h"
 #include "lxs/host/rescue.h"
+#include "lxs/host/seconds_since.h"
 #include "lxs/host/statistics_file.h"
 #include "lxs/imaging/atomic_file.h"
 
@@ -18,11 +19,10 @@ namespace {
 
 bool write_images_timed(const CommandLine& command, RenderSession& session,
                         const RenderTotals& totals, ConsoleLog& log) {
-    using Clock = std::chrono::steady_clock;
-    const auto start = Clock::now();
+    const auto start = std::chrono::steady_clock::now();
     const bool in_place =
         write_images(session.files, *session.film, image_metadata(command, session, totals), log);
-    session.times["write"] += std::chrono::duration<double>(Clock::now() - start).count();
+    session.times["write"] += seconds_since(start);
     return in_place;
 }
 

@@ -4,10 +4,10 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include <algorithm>
-#include <cctype>
+#include <boost/algorithm/string/predicate.hpp>
 #include <cerrno>
 #include <filesystem>
+#include <locale>
 #include <system_error>
 
 #include "lxs/host/failure.h"
@@ -38,10 +38,7 @@ void check_folder_of(const std::string& path) {
 }  // namespace
 
 bool has_suffix(const std::string& name, const std::string& suffix) {
-    std::string extension = fs::path(name).extension().string();
-    std::transform(extension.begin(), extension.end(), extension.begin(),
-                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    return extension == suffix;
+    return boost::iequals(fs::path(name).extension().string(), suffix, std::locale::classic());
 }
 
 OutputFiles choose_output_files(const CommandLine& command, const FileFilm& film) {

@@ -18,18 +18,13 @@
 #include "lxs/host/render_loop.h"
 #include "lxs/host/render_session.h"
 #include "lxs/host/scene_language_page.h"
+#include "lxs/host/seconds_since.h"
 #include "lxs/host/snapshots.h"
 #include "lxs/host/thread_count.h"
 #include "lxs/images/image_library.h"
 
 namespace lxs {
 namespace {
-
-using Clock = std::chrono::steady_clock;
-
-double seconds_since(Clock::time_point start) {
-    return std::chrono::duration<double>(Clock::now() - start).count();
-}
 
 void load_plugins(const CommandLine& command, PluginLibrary& plugins) {
     for (const std::string& folder : command.plugin_paths)
@@ -125,7 +120,7 @@ ExitCode render(const CommandLine& command, const PluginLibrary& plugins, Consol
     session.film->estimate_errors(command.error_estimate);
     auto found = find_checkpoint(command, session, log);
 
-    const auto start = Clock::now();
+    const auto start = std::chrono::steady_clock::now();
     const Interruption interruption;
     prepare_integrator(session, command, log);
     const RenderTotals begun =

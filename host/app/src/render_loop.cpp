@@ -4,6 +4,7 @@
 #include <chrono>
 
 #include "lxs/host/process_usage.h"
+#include "lxs/host/seconds_since.h"
 
 namespace lxs {
 
@@ -17,8 +18,7 @@ void RenderLoop::render_pass(RenderTotals& totals) const {
     totals.rays += report.rays;
     totals.samples_per_pixel += report.samples_per_pixel;
     error.pass_done(totals);
-    totals.seconds +=
-        std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    totals.seconds += seconds_since(start);
     totals.cpu_seconds += cpu_seconds() - cpu_start;
 }
 

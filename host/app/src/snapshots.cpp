@@ -8,6 +8,7 @@
 #include <new>
 
 #include "lxs/host/final_outputs.h"
+#include "lxs/host/seconds_since.h"
 
 namespace lxs {
 namespace {
@@ -37,7 +38,7 @@ double write_timed(ConsoleLog& log, const Write& write) {
         log.warning(
             fmt::format("{}; rendering goes on, and writing is tried again later", error.what()));
     }
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    return seconds_since(start);
 }
 
 }  // namespace

@@ -11,7 +11,6 @@ namespace lxs::test::command_line_test {
 namespace {
 
 using testing::HasSubstr;
-using testing::Not;
 
 class CommandLineTest : public testing::Test {
   protected:

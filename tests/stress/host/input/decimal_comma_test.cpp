@@ -51,7 +51,7 @@ std::string lasting_messages(const std::string& text) {
     std::istringstream lines(text);
     for (std::string line; std::getline(lines, line);) {
         const bool varies =
-            std::regex_search(line, std::regex("[0-9] (s|MB|MiB)|per second|/s|[0-9]:[0-9]"));
+            std::regex_search(line, std::regex("^(pass|rendered) |[0-9] (s|MB|MiB)|per second|/s"));
         lasting += varies ? "" : line + '\n';
     }
     return lasting;

@@ -8,6 +8,7 @@ namespace aips::shim {
 
 void EngineIntegrator::prepare(const lxs::RenderContext& context) {
     if (context.settings.seed != 0) settings_.seed = context.settings.seed;
+    settings_.account = context.settings.account;
     shims_ = std::make_unique<Shims>(context);
     pixels_ = double(context.film.width()) * double(context.film.height());
     engine_ = std::make_unique<Engine>(
@@ -84,6 +85,28 @@ lxs::RefusalList EngineIntegrator::refusals() const {
     for (const auto& [origin, count] : engine_->statistics().refused)
         list.push_back({origin, count});
     return list;
+}
+
+lxs::RenderAccount EngineIntegrator::account() const {
+    lxs::RenderAccount account;
+    if (!engine_) return account;
+    const EngineStatistics s = engine_->statistics();
+    for (const LightTally& t : s.account.lights)
+        account.lights.push_back({t.paths, t.counted, t.seen, t.photons});
+    for (const MaterialTally& t : s.account.materials) {
+        account.materials.push_back(
+            {t.hits, t.stored, t.unseen, t.direct, t.smooth, t.black, t.cut, t.cut_smooth});
+    }
+    account.eye_paths = s.account.eye_paths;
+    account.cut_eye_paths = s.account.cut_eye_paths;
+    account.radius = double(s.radius);
+    account.skipped = s.account.skipped;
+    account.seconds = {{"eye paths", s.eye_seconds},
+                       {"photon paths", s.photon_seconds},
+                       {"gathering photons", s.gather_seconds},
+                       {"guiding photons", s.guide_seconds},
+                       {"planning", s.plan_seconds}};
+    return account;
 }
 
 }  // namespace aips::shim

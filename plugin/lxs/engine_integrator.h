@@ -18,6 +18,7 @@ class EngineIntegrator final : public lxs::Integrator {
     bool passes_stand_alone() const override { return settings_.mode == Mode::Progressive; }
     lxs::Statistics statistics() const override;
     lxs::RefusalList refusals() const override;
+    lxs::RenderAccount account() const override;
     void state(lxs::StateArchive& archive) override;
 
   private:

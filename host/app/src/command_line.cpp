@@ -38,6 +38,13 @@ void add_output_options(CLI::App& app, CommandLine& command) {
         ->check(CLI::Validator(check_not_negative, ""));
     app.add_option("--stats", command.statistics, "JSON file to write with settings, times, counts")
         ->type_name("FILE.json");
+    auto* explain = app.add_flag("--explain", command.explain,
+                                 "say at the end what became of the light of each lamp and of the "
+                                 "photons that met each material, what was left out, where time "
+                                 "went");
+    app.add_flag("!--no-advice", command.advice,
+                 "look for nothing that is wrong with the render, and keep no account of it")
+        ->excludes(explain);
 }
 
 void add_render_options(CLI::App& app, CommandLine& command) {

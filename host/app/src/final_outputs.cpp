@@ -7,7 +7,9 @@
 #include <filesystem>
 #include <span>
 
+#include "lxs/host/advice.h"
 #include "lxs/host/counted.h"
+#include "lxs/host/explanation.h"
 #include "lxs/host/failure.h"
 #include "lxs/host/rescue.h"
 #include "lxs/host/seconds_since.h"
@@ -34,12 +36,14 @@ bool write_text(const std::string& path, const std::string& text, ConsoleLog& lo
 }
 
 /// What the integrator says of the render; nothing, and `failed`, if it can't.
-RenderFigures render_figures(const RenderSession& session, ConsoleLog& log, bool& failed) {
+RenderFigures render_figures(const CommandLine& command, const RenderSession& session,
+                             ConsoleLog& log, bool& failed) {
     RenderFigures figures;
     RefusalList contributions;
     try {
         contributions = session.integrator->refusals();
         if (!session.files.statistics.empty()) figures.own = session.integrator->statistics();
+        if (command.advice) figures.account = session.integrator->account();
     } catch (const PluginFailure& failure) {
         failed = true;
         log.error(failure.what());
@@ -66,6 +70,20 @@ void add_error(const FileFilm& film, ImageMetadata& metadata) {
     metadata["RMSEInterval"] = fmt::format("{:.3g} to {:.3g}", error->rmse_low, error->rmse_high);
 }
 
+void look_for_advice(RenderSession& session, RenderFigures& figures) {
+    const auto start = std::chrono::steady_clock::now();
+    figures.advice = advise(session, *figures.account, *figures.image);
+    session.times["advice"] = seconds_since(start);
+}
+
+void explain(const CommandLine& command, const RenderSession& session, const RenderFigures& figures,
+             ConsoleLog& log) {
+    if (const std::string line = account_line(*figures.account); !line.empty()) log.info(line);
+    for (const Advice& advice : figures.advice)
+        log.info("advice: " + advice.text);
+    if (command.explain) log.verbatim(explanation(session, *figures.account));
+}
+
 }  // namespace
 
 ImageMetadata image_metadata(const CommandLine& command, const RenderSession& session,
@@ -84,14 +102,16 @@ ExitCode write_final_outputs(const CommandLine& command, RenderSession& session,
     bool in_place = write_images_timed(command, session, totals, log);
     if (in_place) log.info("wrote " + names_of_images(session.files));
     bool failed = false;
-    RenderFigures figures = render_figures(session, log, failed);
+    RenderFigures figures = render_figures(command, session, log, failed);
     figures.image = judge_image(session);
+    if (figures.account) look_for_advice(session, figures);
     if (!session.files.statistics.empty()) {
         const std::string text = statistics_json(command, session, totals, figures, interrupted);
         in_place = write_text(session.files.statistics, text, log) && in_place;
     }
     warn_of_refusals(figures.refused, log);
     warn_of_empty_image(*figures.image, log);
+    if (figures.account) explain(command, session, figures, log);
     if (interrupted) log.warning("interrupted after " + counted(totals.passes, "pass", "passes"));
     if (!in_place) return ExitCode::OutputFailure;
     if (failed) return ExitCode::PluginFailure;
@@ -105,7 +125,7 @@ void save_finished_passes(const CommandLine& command, RenderSession& session,
     RenderFigures figures;
     try {
         bool failed = false;
-        figures = render_figures(session, log, failed);
+        figures = render_figures(command, session, log, failed);
         if (!session.files.statistics.empty()) {
             statistics = statistics_json(command, session, totals, figures, true);
         }

@@ -31,6 +31,9 @@ class GuardedIntegrator final : public Integrator {
     RefusalList refusals() const override {
         return call_module(file_, at("refusals"), [&] { return integrator_->refusals(); });
     }
+    RenderAccount account() const override {
+        return call_module(file_, at("account"), [&] { return integrator_->account(); });
+    }
     void state(StateArchive& archive) override {
         call_as_agreed("state", [&] { integrator_->state(archive); });
     }

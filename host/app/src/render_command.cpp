@@ -78,7 +78,7 @@ void prepare_integrator(RenderSession& session, const CommandLine& command, Cons
                                 *session.sampler,
                                 *session.film,
                                 log,
-                                {command.threads, session.seed}};
+                                {command.threads, session.seed, command.advice}};
     try {
         session.integrator->prepare(context);
     } catch (const InputError&) {

@@ -1,8 +1,10 @@
 // The JSON file that a render leaves beside its image.
 #include "lxs/host/statistics_file.h"
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "lxs/host/explanation.h"
 #include "lxs/host/process_usage.h"
 
 namespace lxs {
@@ -90,6 +92,54 @@ Json verdict(const ImageVerdict& image) {
     return json;
 }
 
+Json of_light(const RenderSession& session, const RenderAccount& account, std::size_t light) {
+    Json json;
+    json["name"] = light_name(session, light);
+    if (light >= account.lights.size()) return json;
+    const LightAccount& told = account.lights[light];
+    json["photon paths"] = told.photon_paths;
+    json["counted photon paths"] = told.counted_paths;
+    json["luminance seen"] = told.seen;
+    json["luminance by photons"] = told.photons;
+    return json;
+}
+
+Json of_material(const MaterialAccount& material) {
+    Json json;
+    json["hits"] = material.hits;
+    json["taken"] = material.taken;
+    json["not in view"] = material.unseen;
+    json["left to shadow rays"] = material.direct;
+    json["only pass"] = material.passing;
+    json["black"] = material.black;
+    json["ended by depth"] = material.cut;
+    return json;
+}
+
+Json account_of(const RenderSession& session, const RenderAccount& account) {
+    Json json;
+    Json& lights = json["lights"] = Json::array();
+    for (std::size_t i = 0; i < session.scene->lights().size(); ++i)
+        lights.push_back(of_light(session, account, i));
+    Json& materials = json["materials"] = Json::object();
+    const auto names = session.scene->material_names();
+    for (std::size_t i = 0; i < std::min(names.size(), account.materials.size()); ++i)
+        materials[names[i]] = of_material(account.materials[i]);
+    json["eye paths"] = account.eye_paths;
+    json["eye paths ended by depth"] = account.cut_eye_paths;
+    json["left out"] = account.skipped;
+    for (const auto& [stage, seconds] : account.seconds)
+        json["seconds"][stage] = seconds;
+    return json;
+}
+
+Json advice_of(const std::vector<Advice>& advice) {
+    Json json = Json::array();
+    for (const Advice& one : advice)
+        json.push_back({{"rule", one.rule}, {"text", one.text}});
+    return json;
+}
+
 }  // namespace
 
 std::string statistics_json(const CommandLine& command, const RenderSession& session,
@@ -109,6 +159,10 @@ std::string statistics_json(const CommandLine& command, const RenderSession& ses
     json["film memory bytes"] = session.film->memory_bytes();
     json["refused film samples"] = session.film->refused_samples();
     json["refused"] = by_origin(figures.refused);
+    if (figures.account) {
+        json["account"] = account_of(session, *figures.account);
+        json["advice"] = advice_of(figures.advice);
+    }
     Json& own = json[session.integrator_name] = Json::object();
     for (const auto& [name, value] : figures.own) {
         std::visit([&, &key = name](const auto& figure) { own[key] = figure; }, value);

@@ -99,16 +99,21 @@ void TracedScene::place_moving(const Instance& instance, std::uint32_t id, const
 }
 
 void TracedScene::make_all_lights(const AssetResolver& resolve, Diagnostics& diagnostics) {
-    append_area_lights(contents_.primitives, Matrix(), lights_, area_lights_, diagnostics);
-    for (const Instance& instance : contents_.instances) {
-        append_area_lights(contents_.objects[instance.object].primitives, instance.to_world,
-                           lights_, area_lights_, diagnostics);
-    }
+    const auto append_area = [&](const std::vector<Primitive>& primitives, const Matrix& placed) {
+        append_area_lights(primitives, placed, lights_, area_lights_, diagnostics);
+        for (const Primitive& primitive : primitives) {
+            if (primitive.emission) light_places_.push_back(primitive.emission->where);
+        }
+    };
+    append_area(contents_.primitives, Matrix());
+    for (const Instance& instance : contents_.instances)
+        append_area(contents_.objects[instance.object].primitives, instance.to_world);
     sphere_ = unbounded_media_end(contents_, bounds_);
     for (const LightDescription& description : contents_.lights) {
         try {
             for (auto& light : make_lights(description, sphere_, resolve, diagnostics))
                 lights_.push_back(std::move(light));
+            light_places_.resize(lights_.size(), description.parameters.where);
         } catch (const InputError& error) {
             diagnostics.fallback(error.where(), error.message(), "the light is left out");
         }

@@ -47,6 +47,7 @@ class TracedScene : public TraceScene {
     const SpectralNeed& spectral_need() const override { return spectral_need_; }
     WavelengthDensity wavelength_density() const override;
     RefusalList refused_values() const override;
+    std::span<const SourceLocation> light_places() const override { return light_places_; }
     void state(StateArchive& archive) override;
     Bounds bounds() const override { return bounds_; }
     SceneFacts facts() const override { return survey_.facts; }
@@ -99,6 +100,7 @@ class TracedScene : public TraceScene {
     std::vector<std::unique_ptr<Light>> lights_;
     std::vector<std::unique_ptr<SpectralLight>> spectral_lights_;  ///< by light, if asked for
     std::vector<const Light*> light_pointers_;                     ///< what lights() shows
+    std::vector<SourceLocation> light_places_;                     ///< by light
     std::vector<const AreaLight*> area_lights_;
     Bounds bounds_;
     std::optional<Wavelengths> wavelengths_;  ///< none: R, G and B

@@ -19,6 +19,24 @@ void expect_same_film(const mock::Film& film, const mock::Film& other) {
         EXPECT_EQ(layer.image(), other.color_layers().at(name).image()) << name;
 }
 
+void expect_same_account(const RenderAccount& a, const RenderAccount& b) {
+    const auto of_lights = [](const RenderAccount& account) {
+        std::vector<double> all{double(account.cut_eye_paths)};
+        for (const LightTally& t : account.lights)
+            all.insert(all.end(), {double(t.paths), double(t.counted), t.seen, t.photons});
+        return all;
+    };
+    const auto of_materials = [](const RenderAccount& account) {
+        std::vector<std::uint64_t> all;
+        for (const MaterialTally& t : account.materials)
+            all.insert(all.end(), {t.hits, t.stored, t.unseen, t.direct, t.smooth, t.black, t.cut,
+                                   t.cut_smooth});
+        return all;
+    };
+    EXPECT_EQ(of_lights(a), of_lights(b));
+    EXPECT_EQ(of_materials(a), of_materials(b));
+}
+
 /// All but times and how much memory vectors hold.
 void expect_same_statistics(const EngineStatistics& a, const EngineStatistics& b) {
     const auto counts = [](const EngineStatistics& s) {
@@ -37,6 +55,7 @@ void expect_same_statistics(const EngineStatistics& a, const EngineStatistics& b
                                    s.bounce_gain,    s.score_times_cost, s.pruned_emission,
                                    double(s.radius), s.eye_share};
     };
+    expect_same_account(a.account, b.account);
     EXPECT_EQ(counts(a), counts(b));
     EXPECT_EQ(values(a), values(b));
     EXPECT_EQ(a.refused, b.refused);

@@ -34,6 +34,7 @@ Settings settings_of(GuideKind guide, Mode mode = Mode::Progressive) {
     settings.alpha = 0.7;
     settings.guide = guide;
     settings.mode = mode;
+    settings.account = true;
     return settings;
 }
 

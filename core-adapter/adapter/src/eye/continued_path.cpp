@@ -12,14 +12,13 @@ namespace {
 class ContinuedPath {
   public:
     ContinuedPath(const EyePassInput& input, const ContinuedStart& start, const EyeNumbers& numbers,
-                  Refusals& refusals, Arena& arena, std::span<Rgb> direct, std::span<Rgb> continued)
+                  Refusals& refusals, Arena& arena, const ContinuedOutput& output)
         : in_(input),
           start_(start),
           numbers_(numbers),
           refusals_(refusals),
           arena_(arena),
-          direct_(direct),
-          continued_(continued),
+          output_(output),
           tip_(start.tip) {}
 
     ContinuedResult trace() {
@@ -63,7 +62,10 @@ class ContinuedPath {
             query.shared = shared;
             query.bounce = lobes;
             query.continue_pdf = last ? 0.0f : 1.0f;
-            result_.rays += in_.direct_light.estimate(query, numbers, refusals_, continued_).rays;
+            const DirectLightResult direct =
+                in_.direct_light.estimate(query, numbers, refusals_, output_.continued);
+            result_.rays += direct.rays;
+            tell(output_.light, direct.sample.light, output_.share * direct.brought);
         }
         return !last && go_on(point, wo, lobes, numbers);
     }
@@ -78,9 +80,11 @@ class ContinuedPath {
     void add_light(LightIndex light, const Rgb& seen, const SurfacePoint* at) {
         const bool straight = tip_.scatterings == start_.tip.scatterings + 1;
         if (!straight && tip_.last_was_specular) return;
-        const std::span<Rgb> sums = straight ? direct_ : continued_;
+        const std::span<Rgb> sums = straight ? output_.direct : output_.continued;
         const Rgb value = tip_.throughput * seen * emission_weight(in_, tip_, light, at);
-        refusals_.add(sums[in_.scene.lights()[light]->group()], value, refusals_.of_light(light));
+        const bool added = refusals_.add(sums[in_.scene.lights()[light]->group()], value,
+                                         refusals_.of_light(light));
+        if (added) tell(output_.light, light, (straight ? 1 : output_.share) * luminance(value));
         if (straight) result_.straight += luminance(value);
     }
 
@@ -97,7 +101,7 @@ class ContinuedPath {
     const EyeNumbers& numbers_;
     Refusals& refusals_;
     Arena& arena_;
-    std::span<Rgb> direct_, continued_;
+    const ContinuedOutput& output_;
     PathTip tip_;
     ContinuedResult result_;
 };
@@ -106,8 +110,8 @@ class ContinuedPath {
 
 ContinuedResult trace_continued_path(const EyePassInput& input, const ContinuedStart& start,
                                      const EyeNumbers& numbers, Refusals& refusals, Arena& arena,
-                                     std::span<Rgb> direct, std::span<Rgb> continued) {
-    return ContinuedPath(input, start, numbers, refusals, arena, direct, continued).trace();
+                                     const ContinuedOutput& output) {
+    return ContinuedPath(input, start, numbers, refusals, arena, output).trace();
 }
 
 }  // namespace aips

@@ -22,6 +22,13 @@ struct ContinuedResult {
     float straight = 0;      ///< luminance of lights that its first ray met
 };
 
+/// Where its light goes.
+struct ContinuedOutput {
+    std::span<Rgb> direct, continued;  ///< [light group]
+    LightSums* light = nullptr;        ///< takes luminances by light; null: not asked for
+    float share = 0;                   ///< of `continued` that counts in these
+};
+
 /// Follows the path and adds to `continued` (one entry a light group) what photons could bring as
 /// well: light that reached the first surface it was turned away by straight from a lamp, and left
 /// it diffusely or glossily. Light that smooth surfaces focus on that surface is the photons'
@@ -29,6 +36,6 @@ struct ContinuedResult {
 /// `direct`.
 ContinuedResult trace_continued_path(const EyePassInput& input, const ContinuedStart& start,
                                      const EyeNumbers& numbers, Refusals& refusals, Arena& arena,
-                                     std::span<Rgb> direct, std::span<Rgb> continued);
+                                     const ContinuedOutput& output);
 
 }  // namespace aips

@@ -6,7 +6,9 @@
 #include <algorithm>
 #include <utility>
 
+#include "aips/core/sampling/low_discrepancy.h"
 #include "base/parallel_for.h"
+#include "eye/constants.h"
 #include "eye/eye_path.h"
 #include "eye/footprints.h"
 
@@ -25,7 +27,18 @@ struct EyeBlock {
     std::vector<Rgb> lamps;  // [light group]: of one eye path
     double beam_footprint_sum = 0;
     std::uint64_t rays = 0;
+    LightSums light;
+    LightSums lamp_light;  // behind smooth surfaces: of one eye path
+    std::uint64_t telling_paths = 0, cut_paths = 0;
 };
+
+/// Whether an eye path's visible point tells lights apart. Chosen by a hash: no pattern of pixels
+/// is favoured.
+bool tells_lights(const Settings& settings, std::uint64_t serial) {
+    if (!settings.account) return false;
+    const auto key = std::uint32_t(serial) ^ hash_bits(std::uint32_t(serial >> 32) + 1);
+    return hash_bits(key ^ 0x5BD1E995u) % kTellingOneOf == 0;
+}
 
 EyePathOutput output_of(const EyePassInput& in, std::uint64_t pass, std::uint32_t path,
                         EyeImage& image, EyeBlock& block) {
@@ -51,6 +64,7 @@ void add_lamps(const LampImages& known, const EyeNumbers& numbers, std::uint32_t
     const auto share = float(known.eye_share(image.positions[path], numbers.choices()));
     for (std::size_t g = 0; g < image.groups; ++g)
         refusals.add(output.radiance[g], output.lamps[g] * share, kPassageOrigin);
+    if (output.lamp_light) block.light.add(*output.lamp_light, double(share));
     if (share < 1) block.lamp_rests.push_back({path, (1 - share) * luminance});
 }
 
@@ -71,11 +85,19 @@ void trace_block(const EyePassInput& in, std::uint64_t pass, float time, std::ui
                                  (serial - before * in.paths) / pixels);
         RandomStream random(in.settings.seed, pass, i, RandomDomain::Eye);
         image.positions[i] = sample.film;
-        const EyePathOutput output = output_of(in, pass, i, image, block);
+        EyePathOutput output = output_of(in, pass, i, image, block);
+        const bool tells = tells_lights(in.settings, serial);
+        if (in.settings.account) {
+            output.light = &block.light;
+            block.lamp_light.clear();
+            output.lamp_light = in.lamps ? &block.lamp_light : &block.light;
+        }
+        block.telling_paths += tells;
         const EyePathResult result = trace_eye_path(in, in.camera.generate(sample, time), numbers,
                                                     random, refusals, arena, output);
         if (in.lamps) add_lamps(*in.lamps, numbers, i, output, refusals, image, block);
         block.rays += result.rays;
+        block.cut_paths += result.cut;
         if (result.light_sample.pdf > 0 && (i + pass) % stride == 0)
             block.light_samples.push_back(result.light_sample);
         if (result.has_beam) {
@@ -86,6 +108,7 @@ void trace_block(const EyePassInput& in, std::uint64_t pass, float time, std::ui
         if (result.has_visible_point) {
             block.visible_points.push_back(result.visible_point);
             block.visible_points.back().sample = i;
+            block.visible_points.back().tells_lights = tells;
             block.footprints.push_back(result.footprint);
         }
     }
@@ -112,10 +135,14 @@ void join_blocks(std::vector<EyeBlock>& blocks, EyeImage& image) {
     join(blocks, &EyeBlock::light_samples, image.light_samples);
     join(blocks, &EyeBlock::lamp_rests, image.lamp_rests);
     image.beam_footprint_sum = 0;
-    image.rays = 0;
+    image.rays = image.telling_paths = image.cut_paths = 0;
+    image.light.clear();
     for (const EyeBlock& block : blocks) {
         image.beam_footprint_sum += block.beam_footprint_sum;
         image.rays += block.rays;
+        image.light.add(block.light);
+        image.telling_paths += block.telling_paths;
+        image.cut_paths += block.cut_paths;
     }
     image.footprint_sum = bounded_footprint_sum(image.footprints);
 }

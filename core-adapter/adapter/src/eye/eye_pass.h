@@ -7,6 +7,7 @@
 #include "aips/adapter/camera.h"
 #include "aips/adapter/settings.h"
 #include "aips/core/base/arena.h"
+#include "base/light_sums.h"
 #include "eye/direct_light.h"
 #include "eye/eye_shares.h"
 #include "eye/volume_beam.h"
@@ -29,8 +30,9 @@ struct VisiblePoint {
     std::uint32_t material = 0;
     /// Share of the light that both may carry which the eye path brings by going on, in [0, 1).
     float eye_share = 0;
-    float eye_rays = 0;      ///< traced for that, or to learn what it would bring
-    bool continued = false;  ///< whether it went on
+    float eye_rays = 0;         ///< traced for that, or to learn what it would bring
+    bool continued = false;     ///< whether it went on
+    bool tells_lights = false;  ///< it is told which light's photons bring it what
     /// Where it went on and its first ray could meet lights: luminance of direct light as shadow
     /// rays alone would have brought it, and as both did.
     float direct_alone = 0, direct_shared = 0;
@@ -59,6 +61,9 @@ struct EyeImage {
     std::vector<LightSample> light_samples;  ///< of some shadow rays, if they are learned from
     std::vector<LampRest> lamp_rests;        ///< one an eye path at most
     std::uint64_t rays = 0;
+    LightSums light;  ///< luminance that eye paths brought by themselves, if it is to be told
+    std::uint64_t telling_paths = 0;  ///< whose visible points tell, those without one included
+    std::uint64_t cut_paths = 0;      ///< ended at a smooth surface by the depth limit
 
     /// Mean radius of a pixel's footprint at the visible points, far ones bounded (footprints.h),
     /// scene units; 0 without points.

@@ -27,11 +27,9 @@ class EyePath {
           random_(random),
           refusals_(refusals),
           arena_(arena),
+          output_(output),
           radiance_(output.radiance),
-          lamps_(output.lamps.empty() ? output.radiance : output.lamps),
-          continued_(output.continued),
-          explores_(output.explores),
-          media_(input.scene.media()) {
+          lamps_(output.lamps.empty() ? output.radiance : output.lamps) {
         tip_.ray = camera_ray.ray;
     }
 
@@ -57,8 +55,7 @@ class EyePath {
             ++result_.rays;
             const bool met = meet_surface(in_.scene, tip_.ray, point, arena_, refusals_,
                                           lamps_only_ ? Sought::Smooth : Sought::All);
-            if (media_ && !lamps_only_ && media_->scatters(tip_.ray.medium))
-                cross_medium(point.distance);
+            if (!lamps_only_) cross_medium(point.distance);
             tip_.throughput *= point.transmittance;
             if (!met) {
                 add_escaped();
@@ -79,12 +76,13 @@ class EyePath {
     /// Light that the medium scatters into the ray on the way to the next surface: from lights by a
     /// shadow ray, all other by photons.
     void cross_medium(float length) {
+        if (!media_ || !media_->scatters(tip_.ray.medium) || !(length > 0)) return;
         VolumeBeam beam{tip_.ray.origin, tip_.ray.direction, length, tip_.ray.medium,
                         tip_.throughput};
-        if (!(length > 0)) return;
         if (in_.settings.direct_light_sampling) {
-            result_.rays += estimate_scattered_light(in_.scene, in_.direct_light, beam,
-                                                     tip_.ray.time, random_, refusals_, radiance_);
+            result_.rays +=
+                estimate_scattered_light(in_.scene, in_.direct_light, beam, tip_.ray.time, random_,
+                                         refusals_, {radiance_, output_.light});
         }
         if (in_.keep_visible_points) keep(beam);
     }
@@ -107,7 +105,9 @@ class EyePath {
     void add(const Rgb& value, LightIndex light) {
         if (lamps_only_ && !behind_smooth_) return;
         const std::span<Rgb> sums = behind_smooth_ ? lamps_ : radiance_;
-        refusals_.add(sums[in_.scene.lights()[light]->group()], value, refusals_.of_light(light));
+        if (refusals_.add(sums[in_.scene.lights()[light]->group()], value,
+                          refusals_.of_light(light)))
+            tell(behind_smooth_ ? lamp_light_ : output_.light, light, luminance(value));
     }
 
     void add_emitted(const SurfacePoint& point) {
@@ -131,6 +131,7 @@ class EyePath {
         const Vec3 wo = -tip_.ray.direction;
         const LobeMask lobes = point.bsdf->lobes();
         if (lobes == kSpecular) {
+            result_.cut = last;
             if (last) return false;
             behind_smooth_ = true;
             const Vec2 u = numbers.direction();
@@ -141,14 +142,15 @@ class EyePath {
         lamp_share_ = 1;
         branches_ = kMostBranches;
         lamps_ = radiance_;
+        lamp_light_ = output_.light;
         const LobeMask receiving = lobes & receiving_lobes(in_.settings);
         const LobeMask bouncing = lobes & ~receiving;
         const float store_pdf = store_probability(*point.bsdf, wo, receiving, last ? 0 : bouncing);
         const float eye_share =
             receiving && in_.shares ? in_.shares->at(point.position, normal_towards(wo, point)) : 0;
         // The first ray of a path that goes on shares the lights with shadow rays.
-        const bool goes_on =
-            receiving && in_.shares && in_.keep_visible_points && (eye_share > 0 || explores_);
+        const bool goes_on = receiving && in_.shares && in_.keep_visible_points &&
+                             (eye_share > 0 || output_.explores);
         DirectLightResult direct;
         if (in_.settings.direct_light_sampling && (lobes & kNonSpecular)) {
             DirectLightQuery query{point, wo, tip_.ray.time, tip_.throughput};
@@ -223,6 +225,7 @@ class EyePath {
         const DirectLightResult direct =
             in_.direct_light.estimate(query, numbers, refusals_, radiance_);
         result_.rays += direct.rays;
+        tell(output_.light, direct.sample.light, direct.brought);
         if (in_.direct_light.learns() && result_.light_sample.pdf == 0)
             result_.light_sample = direct.sample;
         return direct;
@@ -233,7 +236,8 @@ class EyePath {
         VisiblePoint& v = result_.visible_point;
         start.tip.throughput = v.throughput;
         const ContinuedResult went =
-            trace_continued_path(in_, start, numbers_, refusals_, arena_, radiance_, continued_);
+            trace_continued_path(in_, start, numbers_, refusals_, arena_,
+                                 {radiance_, output_.continued, output_.light, v.eye_share});
         v.continued = true;
         v.eye_rays = float(went.rays);
         result_.rays += went.rays;
@@ -262,9 +266,10 @@ class EyePath {
     RandomStream& random_;       // in media
     Refusals& refusals_;
     Arena& arena_;
-    std::span<Rgb> radiance_, lamps_, continued_;
-    bool explores_;
-    const Media* media_;  // null if no medium scatters
+    const EyePathOutput& output_;
+    std::span<Rgb> radiance_, lamps_;
+    LightSums* lamp_light_ = output_.lamp_light;  // null: not asked for
+    const Media* media_ = in_.scene.media();      // null if no medium scatters
 
     PathTip tip_;
     float travelled_ = 0;
@@ -273,8 +278,7 @@ class EyePath {
     float lamp_share_ = 1;        // of lamps met, as other ways from smooth surfaces tell too
     std::uint32_t branches_ = 0;  // vertices from which that was so
     std::size_t choices_ = 0;     // used at smooth surfaces beyond these
-    float beam_weights_ = 0;      // of all beams of the path
-    float beam_weight_ = 0;       // of the one that is kept
+    float beam_weights_ = 0, beam_weight_ = 0;  // of all beams; of the one that is kept
     EyePathResult result_;
 };
 
@@ -288,9 +292,9 @@ EyePathResult trace_eye_path(const EyePassInput& input, const CameraRay& camera_
 
 std::uint32_t trace_lamp_path(const EyePassInput& input, const CameraRay& camera_ray,
                               const EyeNumbers& numbers, RandomStream& random, Refusals& refusals,
-                              Arena& arena, std::span<Rgb> lamps) {
-    const EyePathOutput output{.radiance = {}, .lamps = lamps, .continued = {}};
-    return EyePath(input, camera_ray, numbers, random, refusals, arena, output).look_for_lamps();
+                              Arena& arena, std::span<Rgb> lamps, LightSums* light) {
+    return EyePath(input, camera_ray, numbers, random, refusals, arena, {{}, lamps, {}, light})
+        .look_for_lamps();
 }
 
 }  // namespace aips

@@ -18,6 +18,7 @@ struct EyePathResult {
     float beam_footprint = 0;  ///< radius of the pixel's footprint at its middle
     LightSample light_sample;  ///< of the first shadow ray, if choices are learned; else pdf is 0
     std::uint32_t rays = 0;
+    bool cut = false;  ///< ended at a smooth surface by the depth limit
 };
 
 /// Where an eye path's light goes.
@@ -25,7 +26,9 @@ struct EyePathOutput {
     std::span<Rgb> radiance;   ///< [light group]: emission and direct light
     std::span<Rgb> lamps;      ///< [light group]: lamps behind smooth surfaces; empty: in radiance
     std::span<Rgb> continued;  ///< [light group]: EyeImage::continued; empty without shares
-    bool explores = false;     ///< goes on from its visible point even where it has no share
+    LightSums* lamp_light = nullptr;  ///< the same of `lamps`, or of all
+    LightSums* light = nullptr;  ///< takes luminances by light, without shares; null: not asked for
+    bool explores = false;       ///< goes on from its visible point even where it has no share
 };
 
 /// Follows a camera ray, drawn at surfaces from `numbers`, in media from `random`; adds what it
@@ -36,9 +39,10 @@ EyePathResult trace_eye_path(const EyePassInput& input, const CameraRay& camera_
                              Arena& arena, const EyePathOutput& output);
 
 /// Follows a camera ray through smooth surfaces alone and adds the lamps that they show to `lamps`,
-/// one entry a light group. Returns the rays traced.
+/// one entry a light group, and their luminances to `light` unless null. Returns the rays
+/// traced.
 std::uint32_t trace_lamp_path(const EyePassInput& input, const CameraRay& camera_ray,
                               const EyeNumbers& numbers, RandomStream& random, Refusals& refusals,
-                              Arena& arena, std::span<Rgb> lamps);
+                              Arena& arena, std::span<Rgb> lamps, LightSums* light = nullptr);
 
 }  // namespace aips

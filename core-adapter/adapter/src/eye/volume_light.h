@@ -4,17 +4,24 @@
 #include <span>
 
 #include "aips/core/sampling/random.h"
+#include "base/light_sums.h"
 #include "eye/direct_light.h"
 #include "eye/volume_beam.h"
 
 namespace aips {
 
-/// Adds next-event estimation at one point of the segment to `radiance` (one entry a light group).
+/// Where light that media scatter goes.
+struct ScatteredLightOutput {
+    std::span<Rgb> radiance;     ///< [light group]
+    LightSums* light = nullptr;  ///< takes luminances by light; null: not asked for
+};
+
+/// Adds next-event estimation at one point of the segment to `output`.
 /// The point is drawn by transmittance or by the angle it is seen at from the light (Kulla and
 /// Fajardo 2012, "Importance sampling techniques for path tracing in participating media", section
 /// 3), weighed by the balance heuristic. Returns shadow rays traced.
 unsigned estimate_scattered_light(const Scene& scene, const DirectLight& lights,
                                   const VolumeBeam& beam, float time, RandomStream& random,
-                                  Refusals& refusals, std::span<Rgb> radiance);
+                                  Refusals& refusals, const ScatteredLightOutput& output);
 
 }  // namespace aips

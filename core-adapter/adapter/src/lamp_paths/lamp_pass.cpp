@@ -49,8 +49,9 @@ void trace(const EyePassInput& in, std::uint64_t pass, float time, std::uint32_t
     const std::size_t groups = in.scene.light_groups(), first = splats.radiance.size();
     splats.radiance.resize(first + groups);
     const std::span<Rgb> lamps = std::span(splats.radiance).subspan(first);
-    splats.rays +=
-        trace_lamp_path(in, ray, numbers.with(draw.choices), random, refusals, arena, lamps);
+    LightSums light;
+    splats.rays += trace_lamp_path(in, ray, numbers.with(draw.choices), random, refusals, arena,
+                                   lamps, in.settings.account ? &light : nullptr);
     if (!(luminance_over_groups(lamps, 0, std::uint32_t(groups)) > 0)) {
         splats.radiance.resize(first);
         return;
@@ -58,6 +59,7 @@ void trace(const EyePassInput& in, std::uint64_t pass, float time, std::uint32_t
     const double eye_paths_per_pixel = in.paths / (double(in.width) * in.height);
     for (Rgb& radiance : lamps)
         radiance *= float(share / eye_paths_per_pixel);
+    splats.light.add(light, share / eye_paths_per_pixel);
     splats.positions.push_back(draw.film);
 }
 
@@ -73,6 +75,7 @@ void trace_lamp_paths(const EyePassInput& in, std::uint64_t pass, float time, Re
     splats.positions.clear();
     splats.radiance.clear();
     splats.rays = 0;
+    splats.light.clear();
     splats.paths = in.lamps->paths();
     const auto blocks = in_blocks<LampSplats>(
         in.lamps->paths(), [&](LampSplats& block, std::uint32_t i, Arena& arena) {
@@ -82,6 +85,7 @@ void trace_lamp_paths(const EyePassInput& in, std::uint64_t pass, float time, Re
         append(splats.positions, block.positions);
         append(splats.radiance, block.radiance);
         splats.rays += block.rays;
+        splats.light.add(block.light);
     }
 }
 

@@ -4,6 +4,7 @@
 #include "base/parallel_for.h"
 #include "base/stopwatch.h"
 #include "estimate/constants.h"
+#include "estimate/photon_energy.h"
 #include "estimate/pixel_estimate.h"
 #include "radii/curvature_probes.h"
 #include "worth/pass_noise.h"
@@ -48,6 +49,7 @@ void PhotonPass::shoot(std::uint64_t pass, const PassPhotons& photons, float tim
                        PhotonFlux& flux) {
     flux.reset(image.visible_points.size(), image.groups, radii.probes.size());
     begin_pass(pass, photons, time, image, radii);
+    pass_light_.clear();
     std::uint64_t iteration = 0;
     for (std::uint32_t first = 0; first < photons.paths; ++iteration) {
         const std::uint32_t most = guide_->iteration_paths(iteration, source_->iteration_paths());
@@ -60,9 +62,18 @@ void PhotonPass::shoot(std::uint64_t pass, const PassPhotons& photons, float tim
     }
     gather_in_media(image, refusals);
     gather(image, radii, refusals, flux);
-    if (const double factor = source_->end_pass(); factor != 1) flux.scale(factor);
-    scale_to_counted(photons, flux);
+    const double factor = source_->end_pass();
+    if (factor != 1) flux.scale(factor);
+    const double counted = scale_to_counted(photons, flux);
+    if (settings_.account) account(photons, image, factor * counted);
     totals_.gathered += flux.gathered;
+}
+
+void PhotonPass::account(const PassPhotons& photons, const EyeImage& image, double factor) {
+    if (image.telling_paths == 0) return;
+    const double paths = double(photons.paths) * double(image.telling_paths);
+    totals_.light.add(pass_light_, photons.weight * factor / paths);
+    totals_.weights += photons.weight;
 }
 
 PhotonInput PhotonPass::input_of(std::uint64_t pass, float time, std::uint64_t iteration) {
@@ -99,11 +110,12 @@ void PhotonPass::run_iteration(PhotonInput& input, const IterationPaths& paths,
     }
 }
 
-void PhotonPass::scale_to_counted(const PassPhotons& photons, PhotonFlux& flux) {
-    if (!(photons.counted < photons.paths)) return;
+double PhotonPass::scale_to_counted(const PassPhotons& photons, PhotonFlux& flux) {
+    if (!(photons.counted < photons.paths)) return 1;
     const double factor = double(photons.paths) / photons.counted;
     flux.scale(factor);
     if (volume_) volume_->scale_flux(float(factor));
+    return factor;
 }
 
 void PhotonPass::gather(const EyeImage& image, const SearchRadii& radii, Refusals& refusals,
@@ -111,6 +123,7 @@ void PhotonPass::gather(const EyeImage& image, const SearchRadii& radii, Refusal
     const Stopwatch watch(totals_.gather_seconds);
     grid_.build(waiting_.landings(), radii.largest, tbb_for);
     gather_photons(image, grid_, radii, refusals, flux);
+    if (settings_.account) add_photon_energy(image, grid_, waiting_.landings(), radii, pass_light_);
     if (!radii.probes.empty()) {
         // A grid of their own: one for radii so much wider would slow the gather.
         grid_.build(waiting_.landings(), radii.probe_radius, tbb_for);
@@ -143,6 +156,8 @@ void PhotonPass::estimate(const EyeImage& image, const PhotonFlux& flux, const S
 void PhotonPass::state(StateArchive& archive) {
     totals_.counts.state(archive);
     archive.value(totals_.gathered);
+    totals_.light.state(archive);
+    archive.amount(totals_.weights);
     archive.value(unguided_from_);
     source_->state(archive);
     guide_->state(archive);
@@ -169,6 +184,10 @@ void PhotonPass::add_to(EngineStatistics& s) const {
     s.guide_seconds += totals_.guide_seconds;
     source_->add_to(s);
     guide_->add_to(s);
+    totals_.counts.tally.add_to(s.account);
+    const auto& light = totals_.light.sums();
+    for (std::size_t i = 0; i < light.size(); ++i)
+        tally_at(s.account.lights, i).photons += light[i] / totals_.weights;
 }
 
 std::size_t PhotonPass::memory_bytes() const {

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "aips/adapter/engine.h"
+#include "base/light_sums.h"
 #include "estimate/gather.h"
 #include "estimate/pass_photons.h"
 #include "media/volume_gather.h"
@@ -18,6 +19,8 @@ namespace aips {
 struct PhotonPassTotals {
     PhotonCounts counts;
     std::uint64_t gathered = 0;
+    LightSums light;            ///< luminance that photons brought, by light: summed over passes
+    double weights = 0;         ///< of these passes
     std::uint64_t learned = 0;  ///< paths, vertices and landings that guide=adaptive learned from
     double photon_seconds = 0, gather_seconds = 0, guide_seconds = 0;
 };
@@ -74,8 +77,11 @@ class PhotonPass {
     void gather_in_media(const EyeImage& image, Refusals& refusals);
     void gather(const EyeImage& image, const SearchRadii& radii, Refusals& refusals,
                 PhotonFlux& flux);
+    /// What the photons of the pass brought to the image by light; `factor`: of their flux.
+    void account(const PassPhotons& photons, const EyeImage& image, double factor);
     /// What it shot stands for as many paths as it counts.
-    void scale_to_counted(const PassPhotons& photons, PhotonFlux& flux);
+    /// Returns by what it scales the flux.
+    double scale_to_counted(const PassPhotons& photons, PhotonFlux& flux);
 
     const Scene& scene_;
     const Settings& settings_;
@@ -88,6 +94,7 @@ class PhotonPass {
     std::uint64_t unguided_from_ = 0;  // number of the path after the last of guided emission
     LandingStore waiting_;             // near visible points, not gathered yet
     LandingGrid grid_;
+    LightSums pass_light_;                // of this pass: luminance by light, times photon paths
     std::optional<VolumeGather> volume_;  // if some medium scatters
     PhotonPassTotals totals_;
 };

@@ -104,12 +104,22 @@ class PhotonTrace {
             met = meet_surface(in_.scene, photon.ray, point, arena_, refusals_);
         } while (media_ && media_->scatters(photon.ray.medium) && fly(photon, point));
         photon.power *= point.transmittance;
-        if (!met || !point.bsdf || is_black(photon.power)) return false;
+        if (!met) return false;
+        const bool lives = point.bsdf && !is_black(photon.power);
+        const PhotonFate fate = lives ? take(point, photon) : PhotonFate::Black;
+        const bool cut = lives && photon.depth >= in_.settings.max_photon_depth;
+        if (in_.settings.account) counts_.tally.hit(point.material, fate, cut);
+        return lives && !cut;
+    }
+
+    /// Leaves a landing where the surface takes one.
+    PhotonFate take(const SurfacePoint& point, const Photon& photon) {
+        if (!(point.bsdf->lobes() & receiving_)) return PhotonFate::Smooth;
         const bool owned_by_shadow_rays = photon.straight && in_.settings.direct_light_sampling;
-        if ((point.bsdf->lobes() & receiving_) && (!owned_by_shadow_rays || in_.store_owned)) {
-            store(point, photon, owned_by_shadow_rays);
-        }
-        return photon.depth < in_.settings.max_photon_depth;
+        if (owned_by_shadow_rays && !in_.store_owned) return PhotonFate::Direct;
+        const bool stored = store(point, photon, owned_by_shadow_rays);
+        if (owned_by_shadow_rays) return PhotonFate::Direct;
+        return stored ? PhotonFate::Stored : PhotonFate::Unseen;
     }
 
     /// Goes on through a medium that scatters; true if it was scattered there and goes elsewhere.
@@ -152,9 +162,10 @@ class PhotonTrace {
         return true;
     }
 
-    void store(const SurfacePoint& point, const Photon& photon, bool owned_by_shadow_rays) {
-        if (in_.occupancy && !in_.occupancy->near_visible_point(point.position)) return;
-        if (in_.reach && !in_.reach->any_within_radius(point.position)) return;
+    /// False if nothing is seen near.
+    bool store(const SurfacePoint& point, const Photon& photon, bool owned_by_shadow_rays) {
+        if (in_.occupancy && !in_.occupancy->near_visible_point(point.position)) return false;
+        if (in_.reach && !in_.reach->any_within_radius(point.position)) return false;
         Landing landing;
         landing.position = point.position;
         landing.direction = -photon.ray.direction;
@@ -163,11 +174,13 @@ class PhotonTrace {
         landing.normal = point.geometric_normal;
         landing.depth = static_cast<std::uint16_t>(std::min(photon.depth, kDeepestLanding));
         landing.light_group = static_cast<std::uint16_t>(photon.group);
+        landing.light = photon.start.light;
         landing.path = index_;
         landing.owned_by_shadow_rays = owned_by_shadow_rays;
         landing.shareable = photon.shareable;
         landings_.push_back(landing);
         if (!owned_by_shadow_rays) ++counts_.landings;
+        return true;
     }
 
     /// A whole number, survived.photons on average.
@@ -240,6 +253,7 @@ PhotonCounts& PhotonCounts::operator+=(const PhotonCounts& o) {
     landings += o.landings;
     split_off += o.split_off;
     pruned += o.pruned;
+    tally += o.tally;
     return *this;
 }
 
@@ -247,12 +261,15 @@ void PhotonCounts::state(StateArchive& archive) {
     for (std::uint64_t* count : {&paths, &guided_emissions, &rays, &bounces, &guided_bounces,
                                  &landings, &split_off, &pruned})
         archive.value(*count);
+    tally.state(archive);
 }
 
 template <class Numbers>
 void trace_photon_path(const PhotonInput& in, Numbers& numbers, std::uint32_t index,
                        Refusals& refusals, Arena& arena, std::vector<Landing>& landings,
                        PhotonCounts& counts, PathLog* log, std::vector<VolumePhoton>* collisions) {
+    const std::uint64_t landings_before = counts.landings;
+    const std::size_t collisions_before = collisions ? collisions->size() : 0;
     ++counts.paths;
     if (in.emission) ++counts.guided_emissions;
     Photon photon;
@@ -260,10 +277,13 @@ void trace_photon_path(const PhotonInput& in, Numbers& numbers, std::uint32_t in
     PhotonTrace<Numbers> trace(in, numbers, index, refusals, arena, landings, collisions, counts);
     {
         const LogEntry entry(log, in.log_vertices, photon.start, landings, counts);
-        if (!left_light) return;
-        trace.follow(photon, log ? &entry : nullptr);
+        if (left_light) trace.follow(photon, log ? &entry : nullptr);
     }
     trace.follow_others();
+    if (!in.settings.account) return;
+    const bool counted =
+        counts.landings > landings_before || (collisions && collisions->size() > collisions_before);
+    counts.tally.path(photon.start.light, counted);
 }
 
 template void trace_photon_path(const PhotonInput&, SequencePath&, std::uint32_t, Refusals&, Arena&,

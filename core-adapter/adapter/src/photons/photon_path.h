@@ -19,6 +19,7 @@
 #include "guides/adaptive/score_survival.h"
 #include "media/volume_gather.h"
 #include "photons/bounce_tally.h"
+#include "photons/photon_tally.h"
 #include "refusal/refusals.h"
 #include "worth/path_log.h"
 
@@ -35,6 +36,7 @@ struct PhotonCounts {
     std::uint64_t split_off = 0;       ///< photons that came from splitting others
     /// Paths that roulette by score ended where roulette by power would have let them go on.
     std::uint64_t pruned = 0;
+    PhotonTally tally;  ///< empty unless the settings ask for an account
 
     PhotonCounts& operator+=(const PhotonCounts& other);
     /// Saves or restores the counts.

@@ -29,37 +29,45 @@ void log_skipped(const Needs& needs, Log& log) {
         log.info("skipped " + skipped);
 }
 
+void SkipLog::say(std::string text) {
+    log_->info(text);
+    constexpr std::string_view kSkipped = "skipped ";
+    constexpr std::size_t kMostSaid = 64;  // parts may go off and on for as long as a render lasts
+    if (text.starts_with(kSkipped) && said_.size() < kMostSaid)
+        said_.push_back(text.substr(kSkipped.size()));
+}
+
 void SkipLog::no_visible_points(bool for_good) {
     if (said_no_points_) return;
     said_no_points_ = true;
-    log_->info(for_good ? "skipped photon passes: no eye path met a surface that takes photons"
-                        : "skipped photons of a pass: no eye path met a surface that takes them; "
-                          "so in each pass where none does");
+    say(for_good ? "skipped photon passes: no eye path met a surface that takes photons"
+                 : "skipped photons of a pass: no eye path met a surface that takes them; "
+                   "so in each pass where none does");
 }
 
 void SkipLog::left_out_guide(PhotonWay way, const SeenPaths& seen, bool its_trees) {
     if (way == PhotonWay::Chains) {
-        log_->info("skipped the guide: Markov chains take its place, as one photon path in " +
-                   std::to_string(std::lround(1 / seen.seen_share())) + " is seen without it" +
-                   (its_trees ? "; its trees tell where they start" : ""));
+        say("skipped the guide: Markov chains take its place, as one photon path in " +
+            std::to_string(std::lround(1 / seen.seen_share())) + " is seen without it" +
+            (its_trees ? "; its trees tell where they start" : ""));
         return;
     }
-    log_->info("skipped the guide: " + percent(seen.near_share()) +
-               " of the photon paths come near what is seen without it");
+    say("skipped the guide: " + percent(seen.near_share()) +
+        " of the photon paths come near what is seen without it");
 }
 
 void SkipLog::say_switch(bool off, bool& was_off, const std::string& part, double gain) {
     if (off == was_off) return;
     was_off = off;
-    log_->info(off ? "skipped " + part + " for now: too little is gained, " + two_decimals(gain)
-                   : part + " is back: it gains " + two_decimals(gain));
+    say(off ? "skipped " + part + " for now: too little is gained, " + two_decimals(gain)
+            : part + " is back: it gains " + two_decimals(gain));
 }
 
 void SkipLog::shared(const SharePlan& plan) {
     const double part = plan.going_on * plan.eye_share;
     if (std::abs(part - said_eye_part_) < kSaidChange) return;
     said_eye_part_ = part;
-    log_->info(describe(plan));
+    say(describe(plan));
 }
 
 void SkipLog::after_pass(const AdaptiveGuide* guide, const PhotonCounts& photons) {
@@ -70,19 +78,18 @@ void SkipLog::after_pass(const AdaptiveGuide* guide, const PhotonCounts& photons
                guide->survival_gain());
     if (guide->seeding_given_up() && !said_no_seeds_) {
         said_no_seeds_ = true;
-        log_->info("skipped eye seeding from here on: no walk found where a light emits to it");
+        say("skipped eye seeding from here on: no walk found where a light emits to it");
     }
     if (guide->resting() != resting_) {
         resting_ = guide->resting();
-        if (resting_)
-            log_->info("skipped the guide's learning, but for trials: no part of it pays");
+        if (resting_) say("skipped the guide's learning, but for trials: no part of it pays");
     }
     if (photons.paths >= kPruningPaths && !said_pruned_) {
         said_pruned_ = true;
-        log_->info("pruned: " + percent(emission.starved_share(kPrunedDensity)) +
-                   " of what lights emit gets under a quarter of its photons, " +
-                   percent(double(photons.pruned) / double(photons.paths)) +
-                   " of the photon paths were ended by their score");
+        say("pruned: " + percent(emission.starved_share(kPrunedDensity)) +
+            " of what lights emit gets under a quarter of its photons, " +
+            percent(double(photons.pruned) / double(photons.paths)) +
+            " of the photon paths were ended by their score");
     }
 }
 

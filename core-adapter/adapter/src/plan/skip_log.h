@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <string>
+#include <vector>
 
 #include "aips/adapter/camera.h"
 #include "guides/adaptive/adaptive_guide.h"
@@ -32,13 +33,18 @@ class SkipLog {
     void shared(const SharePlan& plan);
     /// A pass has ended. `guide` is null but for guide=adaptive; `photons`: of all passes so far.
     void after_pass(const AdaptiveGuide* guide, const PhotonCounts& photons);
-    /// Saves or restores what was said.
+    /// What was left out since the start, as it was said.
+    const std::vector<std::string>& said() const { return said_; }
+    /// Saves or restores what was said, but for the texts.
     void state(StateArchive& archive);
 
   private:
     void say_switch(bool off, bool& was_off, const std::string& part, double gain);
 
+    void say(std::string text);
+
     Log* log_;
+    std::vector<std::string> said_;
     bool said_no_points_ = false, said_no_seeds_ = false, said_pruned_ = false;
     double said_eye_part_ = 0;  // of the light that both can carry
     bool emission_off_ = false, survival_off_ = false, resting_ = false;

@@ -21,6 +21,12 @@ class Engine::State {
     }
 
     PassLoop& loop() { return loop_; }
+    EngineStatistics statistics() const {
+        EngineStatistics s = loop_.statistics();
+        s.account.skipped.insert(s.account.skipped.begin(), plan_.needs.skipped.begin(),
+                                 plan_.needs.skipped.end());
+        return s;
+    }
 
   private:
     PassLoop make_loop(const Host& host) {
@@ -43,7 +49,7 @@ PassReport Engine::render_pass(std::uint64_t pass) {
     return state_->loop().render_pass(pass);
 }
 EngineStatistics Engine::statistics() const {
-    return state_->loop().statistics();
+    return state_->statistics();
 }
 void Engine::state(StateArchive& archive) {
     state_->loop().state(archive);

@@ -46,7 +46,10 @@ PassReport PassLoop::render_pass(std::uint64_t number) {
     std::uint64_t eye_rays = begin_pass(number);
     report.eye_paths = trace_eye_paths(number);
     if (number == 0) warn_of_lost_precision(image_, host_.log);
-    if (report.eye_paths) eye_rays += image_.rays;
+    if (report.eye_paths) {
+        eye_rays += image_.rays;
+        account();
+    }
     report.rays = eye_rays;
     const StrategyPass pass{number,           eye_->time(number), image_,
                             report.eye_paths, eye_rays,           refusals_};
@@ -95,6 +98,12 @@ void PassLoop::add_light(const CarriedLight& light, FilmPass& film_pass) {
         eye_radiance_[i] += light.radiance[i];
 }
 
+/// Of eye paths that were traced for this pass.
+void PassLoop::account() {
+    seen_light_.add(image_.light);
+    statistics_.account.cut_eye_paths += image_.cut_paths;
+}
+
 void PassLoop::count(const PassReport& report, std::uint64_t eye_rays) {
     ++statistics_.passes;
     statistics_.eye_paths += report.eye_paths;
@@ -113,6 +122,10 @@ EngineStatistics PassLoop::statistics() const {
     EngineStatistics s = statistics_;
     for (const auto& strategy : strategies_)
         strategy->add_to(s);
+    s.account.eye_paths = s.eye_paths;
+    const auto& seen = seen_light_.sums();
+    for (std::size_t i = 0; i < seen.size(); ++i)
+        tally_at(s.account.lights, i).seen += seen[i] / double(s.eye_paths);
     s.memory_bytes = memory_bytes();
     s.refused = refusals_.by_origin();
     return s;
@@ -132,6 +145,8 @@ void PassLoop::state(StateArchive& archive) {
          {&statistics_.passes, &statistics_.eye_paths, &statistics_.eye_rays})
         archive.value(*count);
     archive.amount(statistics_.radius);
+    seen_light_.state(archive);
+    archive.value(statistics_.account.cut_eye_paths);
     refusals_.state(archive);
     direct_light_.state(archive);
     if (archive.restoring()) eye_->restore(statistics_.passes, image_);

@@ -29,6 +29,7 @@ class PassLoop {
     std::uint64_t begin_pass(std::uint64_t pass);
     std::uint32_t trace_eye_paths(std::uint64_t pass);
     void add_light(const CarriedLight& light, FilmPass& film_pass);
+    void account();
     void count(const PassReport& report, std::uint64_t eye_rays);
     void refuse_powers();
     std::size_t memory_bytes() const;
@@ -43,6 +44,7 @@ class PassLoop {
     EyeImage image_;
     std::vector<Rgb> eye_radiance_;  // of eye paths and strategies together, if some add to it
     EngineStatistics statistics_;
+    LightSums seen_light_;  // that eye paths brought, summed by light
 };
 
 }  // namespace aips

@@ -44,6 +44,8 @@ std::uint64_t LampStrategy::begin_pass(const ComingPass& pass) {
     images_.begin_pass(mean_luminance_);
     trace_lamp_paths(pass.eye, pass.number, pass.time, pass.refusals, splats_);
     pass_rays_ += splats_.rays;
+    light_.add(splats_.light, 1 / double(pixels_));
+    ++passes_;
     paths_ += splats_.paths;
     rays_ += pass_rays_;
     return pass_rays_;
@@ -101,8 +103,9 @@ void LampStrategy::state(StateArchive& archive, const EyeImage& /*image*/) {
     for (double* sum :
          {&mean_luminance_, &eye_rays_, &lately_.count, &lately_.rays, &lately_.images})
         archive.amount(*sum);
-    for (std::uint64_t* count : {&paths_, &searches_, &rays_})
+    for (std::uint64_t* count : {&passes_, &paths_, &searches_, &rays_})
         archive.value(*count);
+    light_.state(archive);
 }
 
 void LampStrategy::add_to(EngineStatistics& statistics) const {
@@ -110,6 +113,8 @@ void LampStrategy::add_to(EngineStatistics& statistics) const {
     statistics.lamp_searches += searches_;
     statistics.lamp_rays += rays_;
     statistics.lamp_images += images_.all().size();
+    for (std::size_t i = 0; i < light_.sums().size(); ++i)
+        tally_at(statistics.account.lights, i).seen += light_.sums()[i] / double(passes_);
 }
 
 std::size_t LampStrategy::memory_bytes() const {

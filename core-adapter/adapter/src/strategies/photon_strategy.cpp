@@ -180,6 +180,8 @@ void PhotonStrategy::add_to(EngineStatistics& s) const {
     if (shared_) shared_->add_to(s);
     s.photons_per_pass = schedule_.next().paths;
     s.plan_seconds += plan_seconds_;
+    s.account.skipped.insert(s.account.skipped.end(), skip_log_.said().begin(),
+                             skip_log_.said().end());
 }
 
 std::size_t PhotonStrategy::memory_bytes() const {

@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "aips/adapter/account.h"
 #include "aips/adapter/camera.h"
 #include "aips/adapter/scene.h"
 #include "aips/adapter/settings.h"
@@ -86,6 +87,7 @@ struct EngineStatistics {
     /// Contributions refused because they were not finite or negative, by origin: 'material "red"',
     /// 'light 3 (area)', or what dims light on its way.
     std::vector<std::pair<std::string, std::uint64_t>> refused;
+    RenderAccount account;  ///< counts only if the settings ask for it
 };
 
 /// Renders one pass after another. The image is a pure function of (scene, settings, passes):

@@ -90,6 +90,8 @@ struct Settings {
     bool guide_chains = true;  ///< then chains take its place where next to nothing is seen
     bool guide_chain_starts = true;  ///< and start where visible paths were found before
 
+    bool account = false;  ///< tells what each light and material did: EngineStatistics::account
+
     RadiusKind radius = RadiusKind::Automatic;  ///< mode=progressive; other modes have their own
 
     bool operator==(const Settings&) const = default;

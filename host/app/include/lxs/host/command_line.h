@@ -31,6 +31,8 @@ struct CommandLine {
     std::vector<std::string> plugin_paths;
     std::optional<double> write_every;      ///< seconds from image to image; 0: the last alone
     std::optional<std::string> statistics;  ///< JSON file
+    bool advice = true;                     ///< what looks wrong with the render is said at its end
+    bool explain = false;                   ///< so is what became of light and photons
     std::optional<std::string> checkpoint;  ///< file to save the render's state in; none: not saved
     double checkpoint_interval = 300;       ///< least seconds between two of them; 0: every pass
     bool resume = false;                    ///< from `checkpoint`, if there is that file

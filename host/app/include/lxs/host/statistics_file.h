@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 
+#include "lxs/host/advice.h"
 #include "lxs/host/image_verdict.h"
 #include "lxs/host/progress.h"
 #include "lxs/host/refusal_report.h"
@@ -15,7 +16,9 @@ namespace lxs {
 struct RenderFigures {
     Statistics own;  ///< the integrator's
     RefusalsByKind refused;
-    std::optional<ImageVerdict> image;  ///< none: it was not looked at
+    std::optional<ImageVerdict> image;     ///< none: it was not looked at
+    std::optional<RenderAccount> account;  ///< none: not asked for
+    std::vector<Advice> advice;
 };
 
 /// Settings, scene facts, times by phase, counts and speeds, memory, the integrator's own figures.

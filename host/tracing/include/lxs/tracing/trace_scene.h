@@ -33,6 +33,8 @@ class TraceScene : public Scene {
     /// Values of textures so far that were not finite, or negative colours, and were replaced: by
     /// the material or the light whose texture it is.
     virtual RefusalList refused_values() const = 0;
+    /// Where each light stands in the scene's text, by its index in lights().
+    virtual std::span<const SourceLocation> light_places() const = 0;
     /// Saves or restores their counts, which are all that passes leave in a scene. Throws
     /// StateError if what is restored is of another scene.
     virtual void state(StateArchive& archive) = 0;

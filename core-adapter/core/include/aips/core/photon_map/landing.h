@@ -24,9 +24,10 @@ struct Landing {
     /// Light that shadow rays bring to the image: a guide may learn from it, nothing gathers it.
     std::uint16_t owned_by_shadow_rays : 1 = 0;
     std::uint16_t light_group = 0;  ///< group of the light that emitted the path
+    std::uint32_t light = 0;        ///< number of that light, for accounts alone
 };
 /// A million of them wait for a gather.
-static_assert(sizeof(Landing) == 68);
+static_assert(sizeof(Landing) == 72);
 
 inline constexpr std::uint32_t kDeepestLanding = (1u << 14) - 1;
 

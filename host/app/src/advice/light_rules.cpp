@@ -1,0 +1,170 @@
+// Advice on light that the integrator misses, and on radii that are too wide.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "advice/advice_rules.h"
+#include "lxs/host/explanation.h"
+#include "lxs/sdk/frame.h"
+#include "lxs/sdk/rays.h"
+#include "lxs/sdk/warp.h"
+
+namespace lxs {
+namespace {
+
+constexpr std::size_t kMostAskedLights = 8;
+constexpr int kSent = 256;               ///< rays from each
+constexpr std::size_t kMostPlaces = 48;  ///< on smooth surfaces in view that each is asked from
+constexpr int kMostBends = 8;            ///< on each ray
+constexpr double kBentShare = 0.01;      ///< of a light's own light, from which on it is missed
+constexpr int kLeastWays = 3;            ///< from places in view that count, few being chance
+constexpr double kLeastChance = 0.005;   ///< of a ray to meet the light, below which dots show
+constexpr double kLeastSupport = 0.5;
+constexpr int kSupports = 8;
+
+/// Of the light of one lamp that lands where the eye sees it.
+struct LandedLight {
+    double all = 0, bent = 0;  ///< in the lamp's own units; through glass or by mirrors
+    int from_view = 0;         ///< ways by smooth surfaces that are in view
+    int ways = 0;              ///< those, and ways that the lamp's own rays took
+    double chances = 0;        ///< over these, of a ray from where they land to meet the lamp
+
+    bool is_found_by_chance() const {
+        return (bent > kBentShare * all || from_view >= kLeastWays) && ways > 0 &&
+               chances <= kLeastChance * ways;
+    }
+};
+
+/// Chance that a ray in any direction meets the light from a place: 0 for a point.
+double chance_to_meet(const Light& light, const SurfaceHit& from) {
+    DirectSample sample;
+    if (!light.sample_direct(from.p, from.ng, Vec2(0.5f), sample) || !(sample.pdf > 0)) return 0;
+    return sample.delta ? 0 : 1 / (2 * static_cast<double>(kPi) * static_cast<double>(sample.pdf));
+}
+
+/// A ray of light on its way.
+struct LightRay {
+    std::optional<MetSurface> met;
+    double power = 1;
+    bool bent = false;  ///< by glass or a mirror
+};
+
+/// Follows light through smooth surfaces to where the eye sees it land; false if it does nowhere.
+bool land(SceneProbe& probe, ProbeNumbers& numbers, LightRay& light) {
+    for (int i = 0; i < kMostBends && light.met && light.met->hit.bsdf; ++i) {
+        const MetSurface& met = *light.met;
+        if (met.hit.bsdf->lobes() != kSpecular) return probe.sees_eye(met);
+        BsdfSample sample;
+        const Vec2 u = numbers.next2();
+        if (!met.hit.bsdf->sample(-met.ray.direction, u, numbers.next(), Transport::Power,
+                                  kSpecular, sample))
+            return false;
+        light.bent |= !sample.straight;
+        light.power *= static_cast<double>(luminance(sample.weight));
+        light.met = probe.meet(continue_ray(met.hit, sample, met.ray));
+    }
+    return false;
+}
+
+/// Where the rays of a light go.
+void send_rays(SceneProbe& probe, const Light& light, ProbeNumbers& numbers, LandedLight& landed) {
+    for (int k = 0; k < kSent; ++k) {
+        const PrimaryPoint u{numbers.next(), numbers.next(), numbers.next(), numbers.next()};
+        EmissionSample emission;
+        if (!light.sample_emission(u, emission)) continue;
+        emission.ray.time = probe.time();
+        LightRay ray{probe.meet(emission.ray), static_cast<double>(luminance(emission.power))};
+        if (!land(probe, numbers, ray)) continue;
+        landed.all += ray.power;
+        if (!ray.bent) continue;
+        landed.bent += ray.power;
+        ++landed.ways;
+        landed.chances += chance_to_meet(light, ray.met->hit);
+    }
+}
+
+/// Where light goes on from the smooth surfaces in view: its own rays seldom meet small ones.
+void send_by_what_is_seen(SceneProbe& probe, const Light& light, ProbeNumbers& numbers,
+                          LandedLight& landed) {
+    const auto& smooth = probe.smooth();
+    for (std::size_t i = 0; i < smooth.size(); i += smooth.size() / kMostPlaces + 1) {
+        DirectSample sample;
+        const SurfaceHit& hit = smooth[i].hit;
+        if (!light.sample_direct(hit.p, hit.ng, numbers.next2(), sample) || !(sample.pdf > 0) ||
+            is_black(sample.radiance) ||
+            is_black(probe.scene().transmittance(shadow_ray(hit, sample, probe.time()))))
+            continue;
+        LightRay ray{smooth[i]};
+        ray.met->ray.direction = -sample.wi;
+        if (!land(probe, numbers, ray) || !ray.bent) continue;
+        ++landed.from_view;
+        ++landed.ways;
+        landed.chances += chance_to_meet(light, ray.met->hit);
+    }
+}
+
+/// Share of the disc of `radius` around what is seen there that is of the same surface.
+double support(SceneProbe& probe, const MetSurface& seen, float radius) {
+    const Vec3 up = from_behind(seen.ray, seen.hit) ? -seen.hit.ng : seen.hit.ng;
+    const Frame frame(up);
+    const float height = 0.5f * radius;
+    int supported = 0;
+    for (int i = 0; i < kSupports; ++i) {
+        const float angle = 2 * kPi * (static_cast<float>(i) + 0.5f) / kSupports;
+        const float distance = i % 2 == 0 ? 0.5f * radius : 0.9f * radius;
+        Ray ray;
+        ray.origin = seen.hit.p + frame.to_world(Vec3(distance * std::cos(angle),
+                                                      distance * std::sin(angle), height));
+        ray.direction = -up;
+        ray.t_max = 2 * height;
+        ray.time = probe.time();
+        const auto met = probe.meet(ray);
+        supported += met && std::abs(met->hit.ng.dot(up)) > std::sqrt(0.5f);
+    }
+    return double(supported) / kSupports;
+}
+
+}  // namespace
+
+AdviceText path_misses_caustics(const AdviceFacts& facts) {
+    const SceneFacts scene = facts.session.scene->facts();
+    if (facts.session.integrator_name != "path" || !scene.has_specular) return {};
+    const auto lights = facts.probe.scene().lights();
+    for (std::size_t i = 0; i < std::min(lights.size(), kMostAskedLights); ++i) {
+        if (!(lights[i]->power() > 0)) continue;
+        LandedLight landed;
+        ProbeNumbers numbers(2);
+        send_rays(facts.probe, *lights[i], numbers, landed);
+        send_by_what_is_seen(facts.probe, *lights[i], numbers, landed);
+        if (!landed.is_found_by_chance()) continue;
+        return fmt::format(
+            "light of {} comes through glass or by mirrors onto what is seen, where \"path\" {}. "
+            "Use SurfaceIntegrator \"aips\" (--integrator aips).",
+            light_name(facts.session, i),
+            landed.chances == 0 ? "misses it altogether"
+                                : "finds it by chance alone, as bright dots");
+    }
+    return {};
+}
+
+AdviceText radius_is_wider_than_objects(const AdviceFacts& facts) {
+    const auto radius = static_cast<float>(facts.account.radius);
+    if (!(radius > 0)) return {};
+    int points = 0, wide = 0;
+    constexpr std::size_t kEvery = 4;
+    const auto& seen = facts.probe.seen();
+    for (std::size_t i = 0; i < seen.size(); i += kEvery) {
+        if (!seen[i].hit.bsdf || !(seen[i].hit.bsdf->lobes() & kDiffuse)) continue;
+        ++points;
+        wide += support(facts.probe, seen[i], radius) < kLeastSupport;
+    }
+    if (points == 0 || 2 * wide < points) return {};
+    return fmt::format(
+        "photons are gathered within {:.2g} units, which is wider than most of what is seen: light "
+        "is blurred and leaks. Give a smaller startradius, or none.",
+        double(radius));
+}
+
+}  // namespace lxs

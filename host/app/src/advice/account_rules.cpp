@@ -9,7 +9,7 @@
 namespace lxs {
 namespace {
 
-constexpr double kCutShare = 0.01;  ///< of paths; fewer that are cut are not seen to be missing
+constexpr double kCutShare = 0.02;  ///< of paths; fewer that are cut are not seen to be missing
 constexpr double kMostPhotons = 0.9;
 constexpr double kLeastImage = 0.02;
 constexpr std::uint64_t kPathsThatTell = 10'000;

@@ -28,7 +28,7 @@ PhotonCounts PhotonTracer::trace(const PhotonInput& input, std::uint64_t paths_b
         block.landings.clear();
         block.collisions.clear();
         block.log.clear();
-        block.counts = {};
+        block.counts.clear();
         const std::uint32_t begin = first + b * kPathsPerBlock;
         const std::uint32_t end = begin + std::min(kPathsPerBlock, first + count - begin);
         SequencePath numbers(input.settings.seed, input.pass, input.sequence_begin);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 #include "aips/adapter/guide.h"
@@ -38,6 +39,12 @@ struct PhotonCounts {
     std::uint64_t pruned = 0;
     PhotonTally tally;  ///< empty unless the settings ask for an account
 
+    void clear() {
+        PhotonTally kept = std::move(tally);
+        kept.clear();
+        *this = {};
+        tally = std::move(kept);
+    }
     PhotonCounts& operator+=(const PhotonCounts& other);
     /// Saves or restores the counts.
     void state(StateArchive& archive);

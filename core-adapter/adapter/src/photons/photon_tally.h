@@ -26,6 +26,11 @@ class PhotonTally {
     void path(LightIndex light, bool counted);
     /// `cut`: it might have gone on, but for the depth limit.
     void hit(std::uint32_t material, PhotonFate fate, bool cut);
+    /// Forgets all counts, keeps their memory.
+    void clear() {
+        lights_.clear();
+        materials_.clear();
+    }
     PhotonTally& operator+=(const PhotonTally& other);
     /// Saves or restores the counts.
     void state(StateArchive& archive);

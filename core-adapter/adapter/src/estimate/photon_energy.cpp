@@ -13,9 +13,9 @@ namespace aips {
 
 void add_photon_energy(const EyeImage& image, const LandingGrid& grid,
                        std::span<const Landing> landings, const SearchRadii& radii,
-                       LightSums& sums) {
+                       LuminanceByLight& sums) {
     constexpr std::size_t kChunks = 64;  // a fixed number: their sums are joined in order
-    std::array<LightSums, kChunks> chunks;
+    std::array<LuminanceByLight, kChunks> chunks;
     const std::size_t points = image.visible_points.size();
     tbb::parallel_for(std::size_t{0}, kChunks, [&](std::size_t c) {
         for (std::size_t i = points * c / kChunks; i < points * (c + 1) / kChunks; ++i) {
@@ -34,7 +34,7 @@ void add_photon_energy(const EyeImage& image, const LandingGrid& grid,
             });
         }
     });
-    for (const LightSums& chunk : chunks)
+    for (const LuminanceByLight& chunk : chunks)
         sums.add(chunk);
 }
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "aips/core/photon_map/photon_grid.h"
-#include "base/light_sums.h"
+#include "base/luminance_by_light.h"
 #include "estimate/search_radii.h"
 #include "eye/eye_pass.h"
 
@@ -12,6 +12,6 @@ namespace aips {
 /// lights apart. `grid` has sorted `landings`. The result does not depend on the number of threads.
 void add_photon_energy(const EyeImage& image, const LandingGrid& grid,
                        std::span<const Landing> landings, const SearchRadii& radii,
-                       LightSums& sums);
+                       LuminanceByLight& sums);
 
 }  // namespace aips

@@ -24,9 +24,9 @@ struct ContinuedResult {
 
 /// Where its light goes.
 struct ContinuedOutput {
-    std::span<Rgb> direct, continued;  ///< [light group]
-    LightSums* light = nullptr;        ///< takes luminances by light; null: not asked for
-    float share = 0;                   ///< of `continued` that counts in these
+    std::span<Rgb> direct, continued;   ///< [light group]
+    LuminanceByLight* light = nullptr;  ///< takes luminances by light; null: not asked for
+    float share = 0;                    ///< of `continued` that counts in these
 };
 
 /// Follows the path and adds to `continued` (one entry a light group) what photons could bring as

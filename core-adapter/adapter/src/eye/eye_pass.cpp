@@ -27,8 +27,8 @@ struct EyeBlock {
     std::vector<Rgb> lamps;  // [light group]: of one eye path
     double beam_footprint_sum = 0;
     std::uint64_t rays = 0;
-    LightSums light;
-    LightSums lamp_light;  // behind smooth surfaces: of one eye path
+    LuminanceByLight light;
+    LuminanceByLight lamp_light;  // behind smooth surfaces: of one eye path
     std::uint64_t telling_paths = 0, cut_paths = 0;
 };
 

@@ -7,7 +7,7 @@
 #include "aips/adapter/camera.h"
 #include "aips/adapter/settings.h"
 #include "aips/core/base/arena.h"
-#include "base/light_sums.h"
+#include "base/luminance_by_light.h"
 #include "eye/direct_light.h"
 #include "eye/eye_shares.h"
 #include "eye/volume_beam.h"
@@ -61,7 +61,8 @@ struct EyeImage {
     std::vector<LightSample> light_samples;  ///< of some shadow rays, if they are learned from
     std::vector<LampRest> lamp_rests;        ///< one an eye path at most
     std::uint64_t rays = 0;
-    LightSums light;  ///< luminance that eye paths brought by themselves, if it is to be told
+    LuminanceByLight
+        light;  ///< luminance that eye paths brought by themselves, if it is to be told
     std::uint64_t telling_paths = 0;  ///< whose visible points tell, those without one included
     std::uint64_t cut_paths = 0;      ///< ended at a smooth surface by the depth limit
 

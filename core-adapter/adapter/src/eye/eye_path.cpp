@@ -268,8 +268,8 @@ class EyePath {
     Arena& arena_;
     const EyePathOutput& output_;
     std::span<Rgb> radiance_, lamps_;
-    LightSums* lamp_light_ = output_.lamp_light;  // null: not asked for
-    const Media* media_ = in_.scene.media();      // null if no medium scatters
+    LuminanceByLight* lamp_light_ = output_.lamp_light;  // null: not asked for
+    const Media* media_ = in_.scene.media();             // null if no medium scatters
 
     PathTip tip_;
     float travelled_ = 0;
@@ -292,7 +292,7 @@ EyePathResult trace_eye_path(const EyePassInput& input, const CameraRay& camera_
 
 std::uint32_t trace_lamp_path(const EyePassInput& input, const CameraRay& camera_ray,
                               const EyeNumbers& numbers, RandomStream& random, Refusals& refusals,
-                              Arena& arena, std::span<Rgb> lamps, LightSums* light) {
+                              Arena& arena, std::span<Rgb> lamps, LuminanceByLight* light) {
     return EyePath(input, camera_ray, numbers, random, refusals, arena, {{}, lamps, {}, light})
         .look_for_lamps();
 }

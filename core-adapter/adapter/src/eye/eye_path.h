@@ -26,9 +26,10 @@ struct EyePathOutput {
     std::span<Rgb> radiance;   ///< [light group]: emission and direct light
     std::span<Rgb> lamps;      ///< [light group]: lamps behind smooth surfaces; empty: in radiance
     std::span<Rgb> continued;  ///< [light group]: EyeImage::continued; empty without shares
-    LightSums* lamp_light = nullptr;  ///< the same of `lamps`, or of all
-    LightSums* light = nullptr;  ///< takes luminances by light, without shares; null: not asked for
-    bool explores = false;       ///< goes on from its visible point even where it has no share
+    LuminanceByLight* lamp_light = nullptr;  ///< the same of `lamps`, or of all
+    LuminanceByLight* light =
+        nullptr;            ///< takes luminances by light, without shares; null: not asked for
+    bool explores = false;  ///< goes on from its visible point even where it has no share
 };
 
 /// Follows a camera ray, drawn at surfaces from `numbers`, in media from `random`; adds what it
@@ -43,6 +44,7 @@ EyePathResult trace_eye_path(const EyePassInput& input, const CameraRay& camera_
 /// traced.
 std::uint32_t trace_lamp_path(const EyePassInput& input, const CameraRay& camera_ray,
                               const EyeNumbers& numbers, RandomStream& random, Refusals& refusals,
-                              Arena& arena, std::span<Rgb> lamps, LightSums* light = nullptr);
+                              Arena& arena, std::span<Rgb> lamps,
+                              LuminanceByLight* light = nullptr);
 
 }  // namespace aips

@@ -4,7 +4,7 @@
 #include <span>
 
 #include "aips/core/sampling/random.h"
-#include "base/light_sums.h"
+#include "base/luminance_by_light.h"
 #include "eye/direct_light.h"
 #include "eye/volume_beam.h"
 
@@ -12,8 +12,8 @@ namespace aips {
 
 /// Where light that media scatter goes.
 struct ScatteredLightOutput {
-    std::span<Rgb> radiance;     ///< [light group]
-    LightSums* light = nullptr;  ///< takes luminances by light; null: not asked for
+    std::span<Rgb> radiance;            ///< [light group]
+    LuminanceByLight* light = nullptr;  ///< takes luminances by light; null: not asked for
 };
 
 /// Adds next-event estimation at one point of the segment to `output`.

@@ -49,7 +49,7 @@ void trace(const EyePassInput& in, std::uint64_t pass, float time, std::uint32_t
     const std::size_t groups = in.scene.light_groups(), first = splats.radiance.size();
     splats.radiance.resize(first + groups);
     const std::span<Rgb> lamps = std::span(splats.radiance).subspan(first);
-    LightSums light;
+    LuminanceByLight light;
     splats.rays += trace_lamp_path(in, ray, numbers.with(draw.choices), random, refusals, arena,
                                    lamps, in.settings.account ? &light : nullptr);
     if (!(luminance_over_groups(lamps, 0, std::uint32_t(groups)) > 0)) {

@@ -13,7 +13,7 @@ struct LampSplats {
     std::vector<Vec2> positions;  ///< pixels
     std::vector<Rgb> radiance;    ///< [splat * groups + group], as FilmSplats has it
     std::uint64_t paths = 0, rays = 0;
-    LightSums light;  ///< luminances of these by light, if the settings ask for an account
+    LuminanceByLight light;  ///< luminances of these by light, if the settings ask for an account
 
     std::size_t memory_bytes() const {
         return positions.capacity() * sizeof(Vec2) + radiance.capacity() * sizeof(Rgb);

@@ -6,7 +6,7 @@
 #include <optional>
 
 #include "aips/adapter/engine.h"
-#include "base/light_sums.h"
+#include "base/luminance_by_light.h"
 #include "estimate/gather.h"
 #include "estimate/pass_photons.h"
 #include "media/volume_gather.h"
@@ -19,7 +19,7 @@ namespace aips {
 struct PhotonPassTotals {
     PhotonCounts counts;
     std::uint64_t gathered = 0;
-    LightSums light;            ///< luminance that photons brought, by light: summed over passes
+    LuminanceByLight light;     ///< luminance that photons brought, by light: summed over passes
     double weights = 0;         ///< of these passes
     std::uint64_t learned = 0;  ///< paths, vertices and landings that guide=adaptive learned from
     double photon_seconds = 0, gather_seconds = 0, guide_seconds = 0;
@@ -94,7 +94,7 @@ class PhotonPass {
     std::uint64_t unguided_from_ = 0;  // number of the path after the last of guided emission
     LandingStore waiting_;             // near visible points, not gathered yet
     LandingGrid grid_;
-    LightSums pass_light_;                // of this pass: luminance by light, times photon paths
+    LuminanceByLight pass_light_;         // of this pass: luminance by light, times photon paths
     std::optional<VolumeGather> volume_;  // if some medium scatters
     PhotonPassTotals totals_;
 };

@@ -2,7 +2,7 @@
 #include "photons/photon_tally.h"
 
 #include "base/growing_tally.h"
-#include "base/light_sums.h"
+#include "base/luminance_by_light.h"
 
 namespace aips {
 namespace {

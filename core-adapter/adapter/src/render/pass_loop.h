@@ -44,7 +44,7 @@ class PassLoop {
     EyeImage image_;
     std::vector<Rgb> eye_radiance_;  // of eye paths and strategies together, if some add to it
     EngineStatistics statistics_;
-    LightSums seen_light_;  // that eye paths brought, summed by light
+    LuminanceByLight seen_light_;  // that eye paths brought, summed by light
 };
 
 }  // namespace aips

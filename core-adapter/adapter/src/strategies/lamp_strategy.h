@@ -33,7 +33,7 @@ class LampStrategy : public LightStrategy {
     LampImages images_;
     LampSplats splats_;
     double mean_luminance_ = 0;  // of the image; 0: not known
-    LightSums light_;            // mean luminance of lamp paths by light, summed over passes
+    LuminanceByLight light_;     // mean luminance of lamp paths by light, summed over passes
     std::uint64_t passes_ = 0;   // so many
     std::uint64_t paths_ = 0, searches_ = 0, rays_ = 0;
     std::uint64_t pass_rays_ = 0;

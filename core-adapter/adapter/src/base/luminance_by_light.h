@@ -17,12 +17,12 @@ inline std::uint32_t told_light(LightIndex light) {
     return std::min(light, kMostToldLights - 1);
 }
 
-class LightSums {
+class LuminanceByLight {
   public:
     void add(LightIndex light, double luminance) {
         tally_at(sums_, told_light(light)) += luminance;
     }
-    void add(const LightSums& other, double factor = 1) {
+    void add(const LuminanceByLight& other, double factor = 1) {
         if (sums_.size() < other.sums_.size()) sums_.resize(other.sums_.size());
         for (std::size_t i = 0; i < other.sums_.size(); ++i)
             sums_[i] += factor * other.sums_[i];
@@ -44,7 +44,7 @@ class LightSums {
 };
 
 /// Adds a luminance to `sums`, unless they are null.
-inline void tell(LightSums* sums, LightIndex light, float luminance) {
+inline void tell(LuminanceByLight* sums, LightIndex light, float luminance) {
     if (sums && luminance > 0) sums->add(light, double(luminance));
 }
 

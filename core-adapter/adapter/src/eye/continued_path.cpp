@@ -81,7 +81,9 @@ class ContinuedPath {
         const std::span<Rgb> sums = straight ? direct_ : continued_;
         const Rgb value = tip_.throughput * seen * emission_weight(in_, tip_, light, at);
         refusals_.add(sums[in_.scene.lights()[light]->group()], value, refusals_.of_light(light));
-        if (straight) result_.straight += luminance(value);
+        if (!straight) return;
+        result_.straight += luminance(value);
+        if (light == start_.asked) result_.of_asked += luminance(value);
     }
 
     bool survives(std::uint32_t n, float before, float u) {

@@ -14,12 +14,14 @@ struct ContinuedStart {
     std::uint32_t depth = 0;  ///< its number along the eye path
     float choice_pdf = 1;     ///< probability that the path ended there, and did not bounce on
     PathTip tip;  ///< at the visible point, its throughput divided by all choices' probabilities
+    LightIndex asked = kNoLight;  ///< by the shadow ray from there
 };
 
 /// What a path did.
 struct ContinuedResult {
     std::uint32_t rays = 0;  ///< traced
     float straight = 0;      ///< luminance of lights that its first ray met
+    float of_asked = 0;      ///< of ContinuedStart::asked among them
 };
 
 /// Follows the path and adds to `continued` (one entry a light group) what photons could bring as

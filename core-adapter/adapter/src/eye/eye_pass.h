@@ -9,6 +9,7 @@
 #include "aips/core/base/arena.h"
 #include "eye/direct_light.h"
 #include "eye/eye_shares.h"
+#include "eye/shared_direct.h"
 #include "eye/volume_beam.h"
 #include "lamps/lamp_images.h"
 #include "refusal/refusals.h"
@@ -31,9 +32,7 @@ struct VisiblePoint {
     float eye_share = 0;
     float eye_rays = 0;      ///< traced for that, or to learn what it would bring
     bool continued = false;  ///< whether it went on
-    /// Where it went on and its first ray could meet lights: luminance of direct light as shadow
-    /// rays alone would have brought it, and as both did.
-    float direct_alone = 0, direct_shared = 0;
+    SharedDirect direct;     ///< where it did
 };
 
 /// Luminance of lamps behind smooth surfaces that an eye path met and left to lamp paths.

@@ -232,13 +232,15 @@ class EyePath {
     void go_on_from(ContinuedStart start, const DirectLightResult& direct) {
         VisiblePoint& v = result_.visible_point;
         start.tip.throughput = v.throughput;
+        const bool asks = direct.sample.pdf > 0;
+        if (asks) start.asked = direct.sample.light;
         const ContinuedResult went =
             trace_continued_path(in_, start, numbers_, refusals_, arena_, radiance_, continued_);
         v.continued = true;
         v.eye_rays = float(went.rays);
         result_.rays += went.rays;
-        v.direct_alone = direct.alone;
-        v.direct_shared = direct.brought + went.straight;
+        v.direct = {direct.alone, direct.brought, went.straight,
+                    asks ? went.of_asked / direct.sample.pdf : 0, start.choice_pdf};
     }
 
     void store(const SurfacePoint& point, Vec3 wo, LobeMask receiving, float store_pdf) {

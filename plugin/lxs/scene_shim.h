@@ -84,10 +84,11 @@ class FilmShim final : public Film {
     std::vector<lxs::Rgb> radiance_, photons_;
 };
 
+/// The engine speaks of its inner workings: for who asks for more than usual.
 class LogShim final : public Log {
   public:
     explicit LogShim(lxs::Log& log) : log_(log) {}
-    void info(std::string_view message) override { log_.info(message); }
+    void info(std::string_view message) override { log_.debug(message); }
     void warning(std::string_view message) override { log_.warning(message); }
 
   private:

@@ -6,6 +6,7 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 
+#include "lxs/host/command_line_mistake.h"
 #include "lxs/host/option_checks.h"
 
 namespace bench {
@@ -187,6 +188,7 @@ std::optional<ExitCode> parse_command_line(int argc, const char* const* argv,
                  "aips-bench");
     app.require_subcommand(1);
     app.footer(lxs::exit_code_help(kExitCodes));
+    app.failure_message(&lxs::mistake_message);
     add_run(app, command);
     add_reference(app, command);
     add_agreement(app, command);

@@ -150,7 +150,9 @@ ExitCode carry_out(const BenchCommandLine& command, lxs::PluginLibrary& plugins,
 int main(int argc, char** argv) {
     BenchCommandLine command;
     if (const auto done = parse_command_line(argc, argv, command)) return static_cast<int>(*done);
-    lxs::ConsoleLog log(lxs::Verbosity::Normal);
+    // A single render's log goes to a file of the study: it is to hold the engine's own words.
+    const bool to_file = command.command == Command::RenderOne;
+    lxs::ConsoleLog log(to_file ? lxs::Verbosity::Verbose : lxs::Verbosity::Normal);
     // Outlives the handlers below: an exception that a module threw may need the module's code.
     lxs::PluginLibrary plugins;
     ExitCode code = ExitCode::InternalError;

@@ -9,6 +9,7 @@
 #include "lxs/host/failure.h"
 #include "lxs/host/process_usage.h"
 #include "lxs/host/render_session.h"
+#include "lxs/host/seconds_since.h"
 #include "lxs/host/thread_count.h"
 #include "pass_trace.h"
 #include "time_marks.h"
@@ -17,10 +18,6 @@ namespace bench {
 namespace {
 
 using Clock = std::chrono::steady_clock;
-
-double seconds_since(Clock::time_point start) {
-    return std::chrono::duration<double>(Clock::now() - start).count();
-}
 
 lxs::CommandLine command_line(const RenderJob& job) {
     const RunSettings& settings = job.settings;
@@ -93,7 +90,7 @@ class MeasuredPasses {
         const auto wall = Clock::now();
         const double cpu = lxs::cpu_seconds();
         const lxs::PassReport report = session_.integrator->render_pass(totals_.passes);
-        totals_.wall_s += seconds_since(wall);
+        totals_.wall_s += lxs::seconds_since(wall);
         totals_.cpu_s += lxs::cpu_seconds() - cpu;
         ++totals_.passes;
         totals_.photon_paths += report.photon_paths;
@@ -120,7 +117,7 @@ class MeasuredPasses {
         snapshot["exr"] = files.exr;
         snapshot["png"] = job_.png ? Json(files.png) : Json();
         snapshots_.push_back(std::move(snapshot));
-        snapshots_s_ += seconds_since(start);
+        snapshots_s_ += lxs::seconds_since(start);
     }
 
     const RenderJob& job_;
@@ -149,7 +146,7 @@ double prepare(const RenderJob& job, lxs::RenderSession& session, lxs::Log& log)
     } catch (const std::runtime_error& error) {
         throw lxs::SceneFailure(error.what());
     }
-    return seconds_since(start);
+    return lxs::seconds_since(start);
 }
 
 Json own_statistics(const lxs::RenderSession& session) {

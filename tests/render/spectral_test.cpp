@@ -108,8 +108,9 @@ WorldEnd
 )",
         floor.more, floor.material, floor.light);
     Rendered result;
-    result.log = render::output_of(fmt::format("{} '{}' -o '{}' --passes {} --seed 3 2>&1",
-                                               LXSRENDER, scene.string(), image.string(), passes));
+    result.log =
+        render::output_of(fmt::format("{} '{}' -o '{}' --passes {} --seed 3 --verbose 2>&1",
+                                      LXSRENDER, scene.string(), image.string(), passes));
     result.image = render::read_image(image);
     return result;
 }

@@ -5,6 +5,8 @@
 
 #include <algorithm>
 
+#include "lxs/host/counted.h"
+
 namespace lxs {
 
 bool Budget::used_up(std::uint64_t passes_done, double seconds_gone) const {
@@ -24,14 +26,26 @@ std::optional<double> Budget::remaining(std::uint64_t passes_done, double second
 }
 
 std::string Budget::text() const {
-    if (passes && seconds) return fmt::format("{} passes or {} s", *passes, *seconds);
-    if (passes) return fmt::format("{} passes", *passes);
-    return fmt::format("{} s", seconds.value_or(0));
+    if (!passes) return fmt::format("{} s", seconds.value_or(0));
+    const std::string text = counted(*passes, "pass", "passes");
+    return seconds ? fmt::format("{} or {} s", text, *seconds) : text;
+}
+
+std::string Budget::why_over(std::uint64_t passes_done, double seconds_gone) const {
+    if (passes && passes_done >= *passes) {
+        return fmt::format("{} {} asks for", passes_done > *passes ? "more than" : "as many as",
+                           passes_from);
+    }
+    if (seconds && seconds_gone >= *seconds)
+        return fmt::format("the {} s that {} gives are over", *seconds, seconds_from);
+    return {};
 }
 
 Budget choose_budget(const CommandLine& command, const FileFilm& film, Log& log) {
-    Budget budget{command.passes, command.seconds};
+    Budget budget{.passes = command.passes, .seconds = command.seconds};
     if (budget.passes || budget.seconds) return budget;
+    budget.passes_from = "the scene's haltspp";
+    budget.seconds_from = "the scene's halttime";
     if (film.halt_passes() > 0) budget.passes = film.halt_passes();
     if (film.halt_time_seconds() > 0) budget.seconds = film.halt_time_seconds();
     if (budget.passes || budget.seconds) return budget;
@@ -40,6 +54,7 @@ Budget choose_budget(const CommandLine& command, const FileFilm& film, Log& log)
         "to stop: rendering {} passes",
         kDefaultPasses));
     budget.passes = kDefaultPasses;
+    budget.passes_from = "the default";
     return budget;
 }
 

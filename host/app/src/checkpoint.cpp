@@ -9,6 +9,7 @@
 
 #include "lxs/host/checkpoint_file.h"
 #include "lxs/host/failure.h"
+#include "lxs/host/seconds_since.h"
 
 namespace lxs {
 namespace {
@@ -171,8 +172,7 @@ void CheckpointSchedule::write(const RenderTotals& totals) {
     }
     // After a failure too: the next attempt waits for its turn.
     saved_seconds_ = totals.seconds;
-    session_.times["checkpoint"] +=
-        std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    session_.times["checkpoint"] += seconds_since(start);
 }
 
 }  // namespace lxs

@@ -2,23 +2,40 @@
 #include "lxs/host/command_line.h"
 
 #include <CLI/CLI.hpp>
-#include <filesystem>
 
+#include "lxs/host/command_line_mistake.h"
 #include "lxs/host/option_checks.h"
+#include "lxs/host/output_files.h"
 
 namespace lxs {
 namespace {
 
-std::string check_exr_name(const std::string& name) {
-    return std::filesystem::path(name).extension() == ".exr" ? ""
-                                                             : "the name must end in .exr: " + name;
+std::string check_image_name(const std::string& name) {
+    const bool known = has_suffix(name, ".exr") || has_suffix(name, ".png");
+    return known ? "" : "the name must end in .exr or .png: " + name;
+}
+
+std::string check_stops(const std::string& text) {
+    return check_within(text, 64);  // beyond it any image is black or white
 }
 
 void add_output_options(CLI::App& app, CommandLine& command) {
     app.add_option("-o,--output", command.output,
-                   "EXR file to write, the PNG beside it (default: the film's file name in the "
-                   "current folder)")
-        ->check(CLI::Validator(check_exr_name, "FILE.exr"));
+                   "image to write: of FILE.exr the EXR and a PNG beside it, of FILE.png the PNG "
+                   "alone (default: an EXR and a PNG with the film's file name, in the current "
+                   "folder)")
+        ->check(CLI::Validator(check_image_name, "FILE"));
+    app.add_option("--exposure", command.exposure_stops,
+                   "stops by which the PNG is brighter (2 to this power), or darker below 0; the "
+                   "EXR stays as it is")
+        ->type_name("STOPS")
+        ->check(CLI::Validator(check_stops, ""));
+    app.add_option("--write-every", command.write_every,
+                   "seconds after which the image so far is written anew, first after the first "
+                   "pass; 0: at the end alone (default: the film's writeinterval, for the PNG its "
+                   "displayinterval; less often where writing would take 2 % of the time)")
+        ->type_name("SECONDS")
+        ->check(CLI::Validator(check_not_negative, ""));
     app.add_option("--stats", command.statistics, "JSON file to write with settings, times, counts")
         ->type_name("FILE.json");
 }
@@ -68,8 +85,7 @@ void add_checkpoint_options(CLI::App& app, CommandLine& command) {
     app.add_option("--checkpoint-interval", command.checkpoint_interval,
                    "least seconds from one checkpoint to the next, 0: after every pass "
                    "(default: 300)")
-        ->type_name("SECONDS")
-        ->check(CLI::NonNegativeNumber)
+        ->check(CLI::Validator(check_not_negative, ""))
         ->needs(checkpoint);
     app.add_flag("--resume", command.resume,
                  "go on from the checkpoint, if there is one: the image is the same as without a "
@@ -105,6 +121,7 @@ std::optional<ExitCode> parse_command_line(int argc, const char* const* argv,
                                            CommandLine& command) {
     CLI::App app("Renders a LuxRender scene file (.lxs) to OpenEXR and PNG.", "lxsrender");
     app.set_version_flag("--version", version());
+    app.failure_message(&mistake_message);
     app.footer(exit_code_help(kExitCodes));
     app.add_option("scene", command.scene, "scene file, - for standard input")
         ->type_name("SCENE.lxs");

@@ -7,8 +7,10 @@
 #include <filesystem>
 #include <span>
 
+#include "lxs/host/counted.h"
 #include "lxs/host/failure.h"
 #include "lxs/host/rescue.h"
+#include "lxs/host/seconds_since.h"
 #include "lxs/host/statistics_file.h"
 #include "lxs/imaging/atomic_file.h"
 
@@ -17,11 +19,10 @@ namespace {
 
 bool write_images_timed(const CommandLine& command, RenderSession& session,
                         const RenderTotals& totals, ConsoleLog& log) {
-    using Clock = std::chrono::steady_clock;
-    const auto start = Clock::now();
+    const auto start = std::chrono::steady_clock::now();
     const bool in_place =
         write_images(session.files, *session.film, image_metadata(command, session, totals), log);
-    session.times["write"] += std::chrono::duration<double>(Clock::now() - start).count();
+    session.times["write"] += seconds_since(start);
     return in_place;
 }
 
@@ -67,7 +68,7 @@ ImageMetadata image_metadata(const CommandLine& command, const RenderSession& se
 ExitCode write_final_outputs(const CommandLine& command, RenderSession& session,
                              const RenderTotals& totals, bool interrupted, ConsoleLog& log) {
     bool in_place = write_images_timed(command, session, totals, log);
-    if (in_place) log.info(fmt::format("wrote {} and {}", session.files.exr, session.files.png));
+    if (in_place) log.info("wrote " + names_of_images(session.files));
     bool failed = false;
     RenderFigures figures = render_figures(session, log, failed);
     figures.image = judge_image(session);
@@ -77,7 +78,7 @@ ExitCode write_final_outputs(const CommandLine& command, RenderSession& session,
     }
     warn_of_refusals(figures.refused, log);
     warn_of_empty_image(*figures.image, log);
-    if (interrupted) log.warning(fmt::format("interrupted after {} passes", totals.passes));
+    if (interrupted) log.warning("interrupted after " + counted(totals.passes, "pass", "passes"));
     if (!in_place) return ExitCode::OutputFailure;
     if (failed) return ExitCode::PluginFailure;
     return interrupted ? ExitCode::Interrupted : ExitCode::Success;
@@ -103,8 +104,8 @@ void save_finished_passes(const CommandLine& command, RenderSession& session,
     if (!statistics.empty()) write_text(session.files.statistics, statistics, log);
     warn_of_refusals(figures.refused, log);
     if (in_place) {
-        log.warning(fmt::format("the render ends early: {} finished passes are in {} and {}",
-                                totals.passes, session.files.exr, session.files.png));
+        log.warning(fmt::format("the render ends early: {} finished passes are in {}",
+                                totals.passes, names_of_images(session.files)));
     }
 } catch (const std::exception& error) {
     log.error(fmt::format("the finished passes could not be saved: {}", error.what()));

@@ -4,9 +4,10 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <boost/algorithm/string/predicate.hpp>
 #include <cerrno>
 #include <filesystem>
-#include <new>
+#include <locale>
 #include <system_error>
 
 #include "lxs/host/failure.h"
@@ -36,10 +37,19 @@ void check_folder_of(const std::string& path) {
 
 }  // namespace
 
+bool has_suffix(const std::string& name, const std::string& suffix) {
+    return boost::iequals(fs::path(name).extension().string(), suffix, std::locale::classic());
+}
+
 OutputFiles choose_output_files(const CommandLine& command, const FileFilm& film) {
     OutputFiles files;
-    files.exr = command.output ? *command.output : film.base_name() + ".exr";
-    files.png = fs::path(files.exr).replace_extension(".png").string();
+    const std::string name = command.output ? *command.output : film.base_name() + ".exr";
+    if (has_suffix(name, ".png")) {
+        files.png = name;
+    } else {
+        files.exr = name;
+        files.png = fs::path(name).replace_extension(".png").string();
+    }
     files.statistics = command.statistics.value_or("");
     return files;
 }
@@ -50,30 +60,21 @@ void check_writable(const std::string& path) {
 }
 
 void check_writable(const OutputFiles& files) {
-    check_writable(files.exr);
-    check_writable(files.png);
-    if (!files.statistics.empty()) check_writable(files.statistics);
+    for (const std::string& path : {files.exr, files.png, files.statistics}) {
+        if (!path.empty()) check_writable(path);
+    }
 }
 
-void write_snapshot(const OutputFiles& files, const FileFilm& film, const ImageMetadata& metadata,
-                    ConsoleLog& log) {
-    try {
-        film.write_exr(files.exr, metadata);
-        film.write_png(files.png);
-    } catch (const std::bad_alloc&) {
-        log.warning("no memory to write the image so far; rendering goes on");
-    } catch (const std::exception& error) {
-        log.warning(
-            fmt::format("{}; rendering goes on, and writing is tried again later", error.what()));
-    }
+std::string names_of_images(const OutputFiles& files) {
+    return files.exr.empty() ? files.png : fmt::format("{} and {}", files.exr, files.png);
 }
 
 bool write_images(const OutputFiles& files, const FileFilm& film, const ImageMetadata& metadata,
                   ConsoleLog& log) {
     const auto write_exr = [&](const std::string& path) { film.write_exr(path, metadata); };
     const auto write_png = [&](const std::string& path) { film.write_png(path); };
-    const bool exr = write_or_rescue(files.exr, write_exr, log);
-    const bool png = write_or_rescue(files.png, write_png, log);
+    const bool exr = files.exr.empty() || write_or_rescue(files.exr, write_exr, log);
+    const bool png = files.png.empty() || write_or_rescue(files.png, write_png, log);
     return exr && png;
 }
 

@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "lxs/host/counted.h"
 #include "lxs/host/process_usage.h"
 
 namespace lxs {
@@ -36,24 +37,39 @@ void RenderTotals::state(StateArchive& archive) {
         throw StateError("the time that it took is no possible one");
 }
 
-std::string progress_text(const RenderTotals& totals, const Budget& budget,
-                          std::uint64_t resident_bytes) {
+std::string progress_text(const RenderTotals& totals, const Budget& budget) {
     std::string text = fmt::format("pass {}", totals.passes);
-    if (budget.passes) text += fmt::format("/{}", *budget.passes);
-    if (totals.photon_paths > 0) {
-        text += fmt::format("  {} photons/s", rate_text(totals.photon_paths, totals.seconds));
-    }
-    text += fmt::format("  {} rays/s  elapsed {}", rate_text(totals.rays, totals.seconds),
-                        clock_text(totals.seconds));
-    if (const auto left = budget.remaining(totals.passes, totals.seconds)) {
-        text += fmt::format("  remaining {}", clock_text(*left));
-    }
-    return text + fmt::format("  memory {} MB", resident_bytes / 1'000'000);
+    if (budget.passes) text += fmt::format(" of {}", *budget.passes);
+    text += fmt::format(", {} gone", clock_text(totals.seconds));
+    if (const auto left = budget.remaining(totals.passes, totals.seconds))
+        text += fmt::format(", about {} left", clock_text(*left));
+    return text;
+}
+
+std::string speed_text(const RenderTotals& totals, std::uint64_t resident_bytes) {
+    std::string text;
+    if (totals.photon_paths > 0)
+        text = fmt::format("{} photons/s, ", rate_text(totals.photon_paths, totals.seconds));
+    return text + fmt::format("{} rays/s, memory {} MB", rate_text(totals.rays, totals.seconds),
+                              resident_bytes / 1'000'000);
+}
+
+std::string ending_text(const RenderTotals& totals, const Budget& budget, bool interrupted) {
+    const std::string why = interrupted ? "stopped by Ctrl-C or a signal"
+                                        : budget.why_over(totals.passes, totals.seconds);
+    return fmt::format("rendered {} in {}: {}", counted(totals.passes, "pass", "passes"),
+                       clock_text(totals.seconds), why);
+}
+
+void Progress::begin(const RenderTotals& totals) {
+    if (totals.passes == 0) log_.show_live("the first pass is being rendered");
 }
 
 void Progress::show(const RenderTotals& totals) {
+    if (budget_.used_up(totals.passes, totals.seconds)) return;  // finish() has the word
     if (!log_.live() && totals.seconds < next_line_seconds_) return;
-    const std::string text = progress_text(totals, budget_, resident_bytes());
+    std::string text = progress_text(totals, budget_);
+    if (verbose_) text += ", " + speed_text(totals, resident_bytes());
     if (log_.live()) {
         log_.show_live(text);
     } else {
@@ -62,9 +78,11 @@ void Progress::show(const RenderTotals& totals) {
     }
 }
 
-void Progress::finish(const RenderTotals& totals) {
+void Progress::finish(const RenderTotals& totals, bool interrupted) {
     log_.clear_live();
-    log_.info("rendered " + progress_text(totals, {}, resident_bytes()));
+    if (totals.passes == 0) return;
+    log_.info(ending_text(totals, budget_, interrupted));
+    log_.debug(speed_text(totals, resident_bytes()));
 }
 
 }  // namespace lxs

@@ -12,22 +12,19 @@
 
 #include "lxs/host/catalogue.h"
 #include "lxs/host/checkpoint.h"
+#include "lxs/host/counted.h"
 #include "lxs/host/failure.h"
 #include "lxs/host/final_outputs.h"
 #include "lxs/host/render_loop.h"
 #include "lxs/host/render_session.h"
 #include "lxs/host/scene_language_page.h"
+#include "lxs/host/seconds_since.h"
+#include "lxs/host/snapshots.h"
 #include "lxs/host/thread_count.h"
 #include "lxs/images/image_library.h"
 
 namespace lxs {
 namespace {
-
-using Clock = std::chrono::steady_clock;
-
-double seconds_since(Clock::time_point start) {
-    return std::chrono::duration<double>(Clock::now() - start).count();
-}
 
 void load_plugins(const CommandLine& command, PluginLibrary& plugins) {
     for (const std::string& folder : command.plugin_paths)
@@ -46,19 +43,21 @@ std::string skipped_wavelengths(const RenderSession& session) {
         100 * need.worst.difference, need.worst.pair);
 }
 
-/// "12 triangles, 3 quadrics", what there is of them.
+/// "12 triangles and 3 round shapes", what there is of them.
 std::string shapes_in(const SceneFacts& facts) {
     std::vector<std::string> kinds;
-    if (facts.triangles > 0) kinds.push_back(fmt::format("{} triangles", facts.triangles));
+    if (facts.triangles > 0) kinds.push_back(counted(facts.triangles, "triangle", "triangles"));
     if (facts.quadrics > 0)
-        kinds.push_back(fmt::format("{} quadrics (spheres, disks, ...)", facts.quadrics));
+        kinds.push_back(counted(facts.quadrics, "round shape", "round shapes") +
+                        " (spheres, disks, ...)");
     return kinds.empty() ? "no shapes" : fmt::format("{}", fmt::join(kinds, " and "));
 }
 
 void log_scene(const RenderSession& session, ConsoleLog& log) {
     const SceneFacts facts = session.scene->facts();
-    log.info(fmt::format("scene: {}, {} lights, {} materials; image {} x {}", shapes_in(facts),
-                         session.scene->lights().size(), session.scene->material_names().size(),
+    log.info(fmt::format("scene: {}, {}, {}; the image has {} x {} pixels", shapes_in(facts),
+                         counted(session.scene->lights().size(), "light", "lights"),
+                         counted(session.scene->material_names().size(), "material", "materials"),
                          session.film->width(), session.film->height()));
     std::vector<std::string_view> skipped;
     if (!facts.has_image_textures) skipped.emplace_back("image textures (no texture system)");
@@ -67,17 +66,10 @@ void log_scene(const RenderSession& session, ConsoleLog& log) {
     const std::string wavelengths = skipped_wavelengths(session);
     if (!wavelengths.empty()) skipped.emplace_back(wavelengths);
     if (!skipped.empty()) {
-        log.info(fmt::format("skipped, as the scene has none: {}", fmt::join(skipped, ", ")));
+        log.debug(fmt::format("skipped, as the scene has none: {}", fmt::join(skipped, ", ")));
     }
     log.debug(
         fmt::format("film before its first pass: {} MB", session.film->memory_bytes() / 1'000'000));
-}
-
-void write_snapshot(const CommandLine& command, RenderSession& session, const RenderTotals& totals,
-                    ConsoleLog& log) {
-    const auto start = Clock::now();
-    write_snapshot(session.files, *session.film, image_metadata(command, session, totals), log);
-    session.times["write"] += seconds_since(start);
 }
 
 void prepare_integrator(RenderSession& session, const CommandLine& command, ConsoleLog& log) {
@@ -121,27 +113,27 @@ ExitCode render(const CommandLine& command, const PluginLibrary& plugins, Consol
     RenderSession session = prepare_session(command, plugins, diagnostics, log);
     log_scene(session, log);
     const Budget budget = choose_budget(command, *session.film, log);
-    log.info(fmt::format("rendering {} with \"{}\", seed {}", budget.text(),
-                         session.integrator_name, session.seed));
+    log.info(fmt::format("rendering {} with \"{}\"; Ctrl-C ends it early and keeps the picture",
+                         budget.text(), session.integrator_name));
+    log.debug(fmt::format("seed {}", session.seed));
 
     auto found = find_checkpoint(command, session, log);
 
-    const auto start = Clock::now();
+    const auto start = std::chrono::steady_clock::now();
     const Interruption interruption;
     prepare_integrator(session, command, log);
     const RenderTotals begun =
         found ? restore(std::move(*found), command, session, log) : RenderTotals{};
     CheckpointSchedule checkpoints(command, session, log, begun);
-    Progress progress(log, budget);
+    Snapshots snapshots(command, session, budget, log);
+    Progress progress(log, budget, command.verbosity == Verbosity::Verbose);
     RenderLoop loop{
         .integrator = *session.integrator,
         .budget = budget,
         .interruption = interruption,
         .progress = progress,
         .end_pass = [&](const RenderTotals& done) { checkpoints.pass_done(done); },
-        .snapshot_interval = session.film->write_interval_seconds(),
-        .write_snapshot =
-            [&](const RenderTotals& done) { write_snapshot(command, session, done, log); }};
+        .between_passes = [&](const RenderTotals& done) { snapshots.between_passes(done); }};
     if (session.spectral) {
         loop.begin_pass = [&](std::uint64_t pass) { begin_spectral_pass(session, pass); };
     }
@@ -161,7 +153,11 @@ ExitCode render(const CommandLine& command, const PluginLibrary& plugins, Consol
 ExitCode describe(const CommandLine& command, const PluginLibrary& plugins, ConsoleLog& log) {
     const std::string text = describe_plugin(*command.describe, plugins, command.markdown);
     if (text.empty()) {
-        log.error(unknown_name_message("plugin", *command.describe, plugins.names()));
+        const std::string nearest = nearest_name(*command.describe, describable_names(plugins));
+        log.error(nearest.empty()
+                      ? unknown_name_message("plugin", *command.describe, plugins.names())
+                      : fmt::format("unknown plugin {}; did you mean \"{}\"?",
+                                    in_quotes(*command.describe), nearest));
         return ExitCode::Usage;
     }
     print(text);

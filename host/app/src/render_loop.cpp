@@ -4,36 +4,36 @@
 #include <chrono>
 
 #include "lxs/host/process_usage.h"
+#include "lxs/host/seconds_since.h"
 
 namespace lxs {
 
+void RenderLoop::render_pass(RenderTotals& totals) const {
+    const auto start = std::chrono::steady_clock::now();
+    const double cpu_start = cpu_seconds();
+    if (begin_pass) begin_pass(totals.passes);
+    const PassReport report = integrator.render_pass(totals.passes);
+    ++totals.passes;
+    totals.photon_paths += report.photon_paths;
+    totals.rays += report.rays;
+    totals.samples_per_pixel += report.samples_per_pixel;
+    totals.seconds += seconds_since(start);
+    totals.cpu_seconds += cpu_seconds() - cpu_start;
+}
+
 void RenderLoop::run(RenderTotals& totals) {
-    using Clock = std::chrono::steady_clock;
-    const auto start = Clock::now();
-    const auto seconds_gone = [&, before = totals.seconds] {
-        return before + std::chrono::duration<double>(Clock::now() - start).count();
-    };
-    const double cpu_start = cpu_seconds() - totals.cpu_seconds;
-    double last_snapshot = totals.seconds;
+    progress.begin(totals);
+    bool between = false;
     // At least one pass, however small the budget: without one there is no image.
     while (!interruption.requested() &&
            (totals.passes == 0 || !budget.used_up(totals.passes, totals.seconds))) {
-        if (snapshot_interval > 0 && totals.seconds - last_snapshot >= snapshot_interval) {
-            write_snapshot(totals);
-            last_snapshot = seconds_gone();
-        }
-        if (begin_pass) begin_pass(totals.passes);
-        const PassReport report = integrator.render_pass(totals.passes);
-        ++totals.passes;
-        totals.photon_paths += report.photon_paths;
-        totals.rays += report.rays;
-        totals.samples_per_pixel += report.samples_per_pixel;
-        totals.seconds = seconds_gone();
-        totals.cpu_seconds = cpu_seconds() - cpu_start;
+        if (between && between_passes) between_passes(totals);
+        between = true;
+        render_pass(totals);
         progress.show(totals);
         if (end_pass) end_pass(totals);
     }
-    progress.finish(totals);
+    progress.finish(totals, interruption.requested());
 }
 
 }  // namespace lxs

@@ -7,6 +7,7 @@
 #include <system_error>
 
 #include "lxs/host/failure.h"
+#include "lxs/host/seconds_since.h"
 #include "lxs/host/statement_override.h"
 #include "lxs/language/read_scene.h"
 
@@ -18,10 +19,7 @@ class PhaseTimer {
   public:
     PhaseTimer(PhaseTimes& times, const char* phase)
         : seconds_(times[phase]), start_(std::chrono::steady_clock::now()) {}
-    ~PhaseTimer() {
-        seconds_ +=
-            std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
-    }
+    ~PhaseTimer() { seconds_ += seconds_since(start_); }
     PhaseTimer(const PhaseTimer&) = delete;
     PhaseTimer& operator=(const PhaseTimer&) = delete;
 
@@ -176,6 +174,7 @@ IntegratorChoice make_from_options(RenderSession& session, const CommandLine& co
     gather(diagnostics, [&] {
         session.film =
             make_film(contents, diagnostics, file_resolver(contents, files, diagnostics));
+        session.film->set_exposure(command.exposure_stops);
     });
     gather(diagnostics, [&] {
         if (!session.film) return check_camera_alone(contents, diagnostics);

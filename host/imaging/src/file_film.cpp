@@ -55,12 +55,14 @@ class FlexImage final : public FileFilm {
     double halt_time_seconds() const override { return settings_.halt_time_seconds; }
     std::uint64_t halt_passes() const override { return settings_.halt_passes; }
     double write_interval_seconds() const override { return settings_.write_interval_seconds; }
+    double display_interval_seconds() const override { return settings_.display_interval_seconds; }
     std::uint64_t refused_samples() const override;
     RefusalList refusals() const override;
     std::size_t memory_bytes() const override;
 
     void state(StateArchive& archive) override;
     void set_wavelengths(const Wavelengths& wavelengths) override;
+    void set_exposure(double stops) override { settings_.tone_map.exposure_stops = stops; }
     std::vector<Rgb> image() const override;
     std::vector<std::uint8_t> tone_mapped() const override {
         return tone_map(image(), settings_.tone_map);

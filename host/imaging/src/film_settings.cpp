@@ -180,6 +180,8 @@ FilmSettings read(const SceneContents& contents, Diagnostics& diagnostics) {
         static_cast<std::uint64_t>(std::max<std::int64_t>(0, reader.integer("haltspp", 0)));
     settings.write_interval_seconds =
         std::max(0.0, reader.number("writeinterval", settings.write_interval_seconds));
+    settings.display_interval_seconds =
+        std::max(0.0, reader.number("displayinterval", settings.display_interval_seconds));
     settings.tone_map = read_tone_map(reader);
     settings.response_file = reader.string("cameraresponse", "");
     settings.response_where = reader.where("cameraresponse");

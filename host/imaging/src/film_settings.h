@@ -32,6 +32,7 @@ struct FilmSettings {
     double halt_time_seconds = 0;
     std::uint64_t halt_passes = 0;
     double write_interval_seconds = 60;
+    double display_interval_seconds = 12;
     ToneMapSettings tone_map;
     /// File of a film's response curves, not read yet; empty for none.
     std::string response_file;

@@ -2,7 +2,6 @@
 #include "option_choice.h"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 
@@ -21,11 +20,8 @@ OptionChoice choose_option(const SceneContents& contents, const std::string& sta
     choice.given = true;
     const std::string& plugin = choice.statement.parameters.plugin;
     if (std::find(known.begin(), known.end(), plugin) == known.end()) {
-        std::string message = fmt::format("unknown {} {}; known: {}", statement, in_quotes(plugin),
-                                          fmt::join(known, ", "));
-        const std::string near = nearest_name(plugin, std::vector<std::string>(known));
-        if (!near.empty()) message += fmt::format("; did you mean \"{}\"?", near);
-        throw InputError(choice.statement.parameters.where, message);
+        throw InputError(choice.statement.parameters.where,
+                         unknown_name_message(statement, plugin, std::vector<std::string>(known)));
     }
     return choice;
 }

@@ -158,12 +158,14 @@ std::string_view name(Kernel kernel) {
 
 std::vector<std::uint8_t> tone_map(std::span<const Rgb> image, const ToneMapSettings& settings) {
     const ToneCurve curve = make_curve(image, settings);
+    const double exposure = std::exp2(settings.exposure_stops);
     const double inverse_gamma = 1 / settings.gamma;
     std::vector<std::uint8_t> bytes(3 * image.size());
     const auto convert = [&](const tbb::blocked_range<std::size_t>& range) {
         for (std::size_t i = range.begin(); i != range.end(); ++i) {
             const Rgb& in = image[i];
-            const double f = curve.factor(settings.luminance_weights.dot(Imath::V3d(in)));
+            const double f =
+                exposure * curve.factor(settings.luminance_weights.dot(Imath::V3d(in)));
             Colour mapped{f * in.x, f * in.y, f * in.z};
             if (settings.response) mapped = settings.response->map(mapped);
             const Colour c = clamp_to_display(mapped, settings);

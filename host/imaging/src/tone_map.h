@@ -40,8 +40,9 @@ struct ToneMapSettings {
     double linear_fstop = 2.8;
     double linear_gamma = 1;
     double reinhard_prescale = 1, reinhard_postscale = 1;
-    double reinhard_burn = 6;  ///< luminance, in units of the mapped key, that becomes white
-    double contrast_ywa = 1;   ///< luminance that the display's viewer is adapted to, cd m^-2
+    double reinhard_burn = 6;   ///< luminance, in units of the mapped key, that becomes white
+    double contrast_ywa = 1;    ///< luminance that the display's viewer is adapted to, cd m^-2
+    double exposure_stops = 0;  ///< what the kernel gives is multiplied by 2 to this power
     std::shared_ptr<const CameraResponse> response = nullptr;  ///< after the kernel; null: none
 };
 

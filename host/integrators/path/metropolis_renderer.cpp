@@ -53,8 +53,8 @@ PathCounts MetropolisRenderer::render_pass() {
 /// False, and a warning the first time, if there is no light to start from.
 bool MetropolisRenderer::start(PathCounts& counts) {
     if (population_.guess_from(plain_brightness(counts))) {
-        context_.log.info(fmt::format("path: mean brightness {} from {} plain samples",
-                                      population_.mean_brightness(), population_.plain_samples()));
+        context_.log.debug(fmt::format("path: mean brightness {} from {} plain samples",
+                                       population_.mean_brightness(), population_.plain_samples()));
         population_.start_from(plain_brightness(counts));
         return true;
     }

@@ -16,15 +16,15 @@ void PathIntegrator::prepare(const RenderContext& context) {
     // A chain's target must stay what it is while the chain walks.
     if (context.sampler.metropolis() && settings_.lights == LightStrategy::Learned) {
         settings_.lights = LightStrategy::Power;
-        context.log.info("path: lights are chosen by power, as Markov chains learn no lights");
+        context.log.debug("path: lights are chosen by power, as Markov chains learn no lights");
     }
     for (const Light* light : context.scene.lights())
         refusals_->accept_of_light(valid_density(light->power()), *light);
     tracer_.emplace(context.scene, settings_, *refusals_);
-    context.log.info("path: " + settings_.text());
+    context.log.debug("path: " + settings_.text());
     if (const MetropolisSettings* metropolis = context.sampler.metropolis()) {
         metropolis_.emplace(context, *tracer_, *metropolis);
-        context.log.info("path: " + metropolis_->text());
+        context.log.debug("path: " + metropolis_->text());
         return;
     }
     const std::size_t pixels = std::size_t{context.film.width()} * context.film.height();

@@ -1,6 +1,4 @@
 // Makes lights without geometry from their scene statements; sun and sky: make_sky_lights.
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -185,10 +183,10 @@ Lights make_without_damaged_files(LightDescription description, const LightPlugi
     }
 }
 
-std::string known_names() {
-    std::string names;
+std::vector<std::string> known_names() {
+    std::vector<std::string> names;
     for (const LightPlugin& plugin : light_plugins())
-        names += (names.empty() ? "" : ", ") + plugin.name;
+        names.push_back(plugin.name);
     return names;
 }
 
@@ -201,9 +199,8 @@ Lights make_lights(const LightDescription& description, const SceneSphere& spher
     const auto plugin = std::find_if(plugins.begin(), plugins.end(),
                                      [&](const LightPlugin& p) { return p.name == name; });
     if (plugin == plugins.end()) {
-        throw InputError(
-            description.parameters.where,
-            fmt::format("unknown light source \"{}\"; known: {}", name, known_names()));
+        throw InputError(description.parameters.where,
+                         unknown_name_message("light source", name, known_names()));
     }
     ToldOnce told_once(diagnostics);
     const AssetResolver remembered = remembering(resolve);

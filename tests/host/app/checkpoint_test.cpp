@@ -1,92 +1,16 @@
 // Protects --checkpoint and --resume as a user meets them: a resumed render has the image of one
-// without a break, and a checkpoint of another render, or a damaged one, is refused before anything
-// is rendered and stays as it is.
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
+// without a break, and what goes wrong with a checkpoint costs no image.
 #include <signal.h>
 
 #include <cstdlib>
-#include <filesystem>
 #include <nlohmann/json.hpp>
 
-#include "lxsrender_process.h"
+#include "checkpoint_fixture.h"
 
 namespace lxs::test::checkpoint_test {
 namespace {
 
 using testing::HasSubstr;
-using testing::Not;
-
-constexpr int kRefused = 6;
-constexpr const char* kTroublesome = TEST_MODULES "/troublesome";
-
-using Options = std::vector<std::string>;
-
-Options operator+(Options a, const Options& b) {
-    a.insert(a.end(), b.begin(), b.end());
-    return a;
-}
-
-const Options kCheckpoint = {"--checkpoint", "check", "--checkpoint-interval", "0"};
-const Options kResume = kCheckpoint + Options{"--resume"};
-
-/// Light groups, a texture and a mesh from files, and something that disperses if asked for.
-std::string scene_text(bool disperses) {
-    const std::string glass = disperses ? "MakeNamedMaterial \"glass\" \"string type\" [\"glass\"] "
-                                          "\"float cauchyb\" [0.02]\nNamedMaterial \"glass\"\n"
-                                        : "";
-    return small_scene("",
-                       "LightGroup \"mesh\"\nLightSource \"infinite\" \"color L\" [.2 .3 .4] "
-                       "\"string mapname\" [\"sky.ppm\"]\n" +
-                           glass +
-                           "Shape \"plymesh\" \"string filename\" [\"mesh.ply\"]\n"
-                           "Include \"more.lxs\"\n");
-}
-
-constexpr const char* kMesh =
-    "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\n"
-    "property float z\nelement face 1\nproperty list uchar int vertex_indices\nend_header\n"
-    "-2 1 -1\n2 1 -1\n0 1 2\n3 0 1 2\n";
-
-/// An image of one texel.
-std::string sky(int blue) {
-    return "P3\n1 1\n255\n50 60 " + std::to_string(blue) + "\n";
-}
-
-class CheckpointTest : public testing::Test {
-  protected:
-    CheckpointTest() { write_scene(false); }
-
-    void write_scene(bool disperses) const {
-        folder_.write("scene.lxs", scene_text(disperses));
-        folder_.write("more.lxs", "Shape \"sphere\" \"float radius\" [0.5]\n");
-        folder_.write("mesh.ply", kMesh);
-        folder_.write("sky.ppm", sky(70));
-    }
-    RunResult run(const Options& options) const {
-        return run_lxsrender(folder_, Options{"scene.lxs", "--stats", "stats.json"} + options);
-    }
-    /// Renders four of seven passes, as a render that is killed would have left them.
-    void leave_checkpoint(const Options& options = {}) const {
-        const RunResult result = run(kCheckpoint + Options{"--passes", "4"} + options);
-        ASSERT_EQ(result.exit_code, 0) << result.err;
-        for (const char* name : {"out.exr", "out.png", "stats.json"})
-            std::filesystem::remove(folder_ / name);
-    }
-    /// The render is refused with these words, nothing is rendered, the checkpoint stays.
-    void expect_refusal(const Options& options, const std::string& message) const {
-        const std::string before = folder_.read("check");
-        const RunResult result = run(options + Options{"--passes", "7"});
-        EXPECT_EQ(result.exit_code, kRefused) << result.err;
-        EXPECT_THAT(result.err, HasSubstr("error: "));
-        EXPECT_THAT(result.err, HasSubstr(message));
-        EXPECT_THAT(result.err, Not(HasSubstr("rendered pass")));
-        EXPECT_FALSE(folder_.has("out.exr"));
-        EXPECT_EQ(folder_.read("check"), before);
-    }
-
-    TemporaryFolder folder_;
-};
 
 /// Name of the case, whether the scene disperses, options.
 using Render = std::tuple<const char*, bool, Options>;
@@ -170,96 +94,6 @@ TEST_F(CheckpointTest, InterruptionLeavesACheckpointOfAllPassesSoFar) {
     EXPECT_EQ(folder_.read("again.exr"), folder_.read("out.exr"));
 }
 
-TEST_F(CheckpointTest, AFileThatIsThereIsNeverReplacedUnasked) {
-    leave_checkpoint();
-    expect_refusal(kCheckpoint, "'check' is there already");
-    folder_.write("check", "a letter to my aunt");
-    expect_refusal(kCheckpoint, "'check' is there already");
-    expect_refusal(kResume, "cannot resume from 'check': it is no checkpoint");
-}
-
-TEST_F(CheckpointTest, DamagedOnesAreRefused) {
-    leave_checkpoint();
-    const std::string whole = folder_.read("check");
-    for (int i = 0; i < 5; ++i) {
-        const std::size_t at = whole.size() * static_cast<std::size_t>(i) / 5;
-        folder_.write("check", whole.substr(0, at));
-        expect_refusal(kResume, "cannot resume from 'check': ");
-        std::string damaged = whole;
-        damaged[at] = static_cast<char>(damaged[at] ^ 0x40);
-        folder_.write("check", damaged);
-        expect_refusal(kResume, "cannot resume from 'check': ");
-    }
-    std::string foreign = whole;
-    ++foreign[8];
-    folder_.write("check", foreign);
-    expect_refusal(kResume, "but this lxsrender reads version");
-}
-
-TEST_F(CheckpointTest, OtherRendersAreRefused) {
-    leave_checkpoint();
-    const struct {
-        Options options;
-        std::string message;
-    } cases[] = {{{"--seed", "5"}, "the seed"},
-                 {{"--set", "path.maxdepth=3"}, "the integrator, a setting or the size"},
-                 {{"--width", "9"}, "the integrator, a setting or the size"},
-                 {{"--sampler", "metropolis"}, "the integrator, a setting or the size"},
-                 {{"--integrator", "sppm"}, "the build of lxsrender or of the integrator's"}};
-    for (const auto& [options, message] : cases)
-        expect_refusal(kResume + options, "it is of another render, which differs in: " + message);
-}
-
-TEST_F(CheckpointTest, ChangedFilesAreFound) {
-    leave_checkpoint();
-    const struct {
-        const char* file;
-        std::string text, message;
-    } cases[] = {
-        {"scene.lxs", scene_text(false) + "# a word\n", "the text of the scene"},
-        {"more.lxs", "Shape \"sphere\" \"float radius\" [0.6]\n", "the text of the scene"},
-        {"sky.ppm", sky(80), "a mesh, texture or other file"},
-        {"mesh.ply", std::string(kMesh).replace(std::string(kMesh).find("0 1 2\n3"), 5, "0 1 3"),
-         "a mesh, texture or other file"}};
-    for (const auto& [file, text, message] : cases) {
-        const std::string before = folder_.read(file);
-        folder_.write(file, text);
-        expect_refusal(kResume, "it is of another render, which differs in: " + message);
-        folder_.write(file, before);
-    }
-    EXPECT_EQ(run(kResume + Options{"--passes", "7"}).exit_code, 0);
-}
-
-TEST_F(CheckpointTest, ThreadsBudgetsAndOutputNamesMayChange) {
-    leave_checkpoint();
-    const RunResult result = run({"--checkpoint", "check", "--resume", "--threads", "1", "--time",
-                                  "0.001", "-o", "elsewhere.exr", "--strict"});
-    EXPECT_EQ(result.exit_code, 0) << result.err;
-}
-
-TEST_F(CheckpointTest, PlacesThatCantBeWrittenAreFoundBeforeRendering) {
-    folder_.write("file", "");
-    for (const char* place : {"nowhere/check", "file/check", "/proc/check", "."}) {
-        const RunResult result = run({"--checkpoint", place, "--passes", "2"});
-        EXPECT_EQ(result.exit_code, 5) << place << '\n' << result.err;
-        EXPECT_THAT(result.err, HasSubstr("error: cannot write '" + std::string(place) + "': "));
-        EXPECT_FALSE(folder_.has("out.exr"));
-    }
-    for (const char* output : {"out.exr", "out.png", "stats.json", "./out.exr"}) {
-        const RunResult result = run({"--checkpoint", output, "--passes", "2"});
-        EXPECT_EQ(result.exit_code, kRefused) << output << '\n' << result.err;
-        EXPECT_THAT(result.err, HasSubstr("can't be checkpoint and output"));
-    }
-}
-
-TEST_F(CheckpointTest, AnIntegratorWithoutStateIsRefusedBeforeRendering) {
-    const RunResult result = run({"--checkpoint", "check", "--integrator", "sleeper",
-                                  "--plugin-path", kTroublesome, "--passes", "1"});
-    EXPECT_EQ(result.exit_code, kRefused) << result.err;
-    EXPECT_THAT(result.err, HasSubstr("\"sleeper\" can't be saved to 'check': this integrator "
-                                      "can't be checkpointed"));
-}
-
 /// Runs lxsrender where no file can grow beyond `kilobytes`; gives what it says.
 std::string run_with_file_limit(const TemporaryFolder& folder, int kilobytes,
                                 const std::string& options) {
@@ -295,12 +129,6 @@ TEST_F(CheckpointTest, WhatAKilledProcessLeftBehindIsRemoved) {
     EXPECT_FALSE(folder_.has(".check.4194305.tmp"));
     EXPECT_FALSE(folder_.has(".out.exr.4194305.tmp"));
     EXPECT_TRUE(folder_.has(".out.exr.notes.tmp"));
-}
-
-TEST_F(CheckpointTest, OptionsNeedAFile) {
-    EXPECT_EQ(run({"--resume"}).exit_code, 2);
-    EXPECT_EQ(run({"--checkpoint-interval", "3"}).exit_code, 2);
-    EXPECT_EQ(run({"--checkpoint", "check", "--checkpoint-interval", "-1"}).exit_code, 2);
 }
 
 }  // namespace

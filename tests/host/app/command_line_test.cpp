@@ -2,13 +2,15 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <regex>
+#include <sstream>
+
 #include "lxsrender_process.h"
 
 namespace lxs::test::command_line_test {
 namespace {
 
 using testing::HasSubstr;
-using testing::Not;
 
 class CommandLineTest : public testing::Test {
   protected:
@@ -30,9 +32,10 @@ TEST_F(CommandLineTest, HelpNamesOptionsAndExitCodes) {
 // The scene may stand behind an option that may be repeated.
 TEST_F(CommandLineTest, RepeatableOptionsTakeOneValueEach) {
     folder_.write("scene.lxs", small_scene());
-    const RunResult result = run(
-        {"--set", "path.maxdepth=2", "--plugin-path", std::string(TEST_MODULES) + "/troublesome",
-         "scene.lxs", "--passes", "1", "--set", "path.rrcontinueprob=0.5", "--integrator", "path"});
+    const RunResult result =
+        run({"--set", "path.maxdepth=2", "--plugin-path",
+             std::string(TEST_MODULES) + "/troublesome", "scene.lxs", "--passes", "1", "--set",
+             "path.rrcontinueprob=0.5", "--integrator", "path", "--verbose"});
     EXPECT_EQ(result.exit_code, 0) << result.err;
     EXPECT_THAT(result.err, HasSubstr("path: maxdepth 2 bounces"));
     EXPECT_THAT(result.err, HasSubstr("rrcontinueprob 0.5"));
@@ -50,17 +53,25 @@ TEST_F(CommandLineTest, MistakesExitWithTwoAndSayWhatIsWrong) {
         std::string message;
     } cases[] = {
         {{}, "SCENE.lxs is required"},
-        {{"a.lxs", "--bogus"}, "--bogus"},
+        {{"a.lxs", "--bogus"}, "unknown option \"--bogus\"\nRun"},
+        {{"a.lxs", "--pases", "4"}, "unknown option \"--pases\"; did you mean --passes?"},
+        {{"--itnegrator=path", "a.lxs"}, "\"--itnegrator\"; did you mean --integrator?"},
+        {{"a.lxs", "b.lxs"}, "The following argument was not expected: b.lxs"},
         {{"a.lxs", "--passes", "0"}, "--passes"},
         {{"a.lxs", "--passes", "many"}, "--passes"},
         {{"a.lxs", "--time", "-1"}, "expected a number above 0, found \"-1\""},
         {{"a.lxs", "--passes", "1", "--time", "1"}, "excludes"},
         {{"a.lxs", "--threads", "0"}, "--threads"},
         {{"a.lxs", "--set", "maxdepth=3"}, "expected plugin.parameter=value, found"},
-        {{"a.lxs", "-o", "a.png"}, "the name must end in .exr: a.png"},
+        {{"a.lxs", "-o", "a.jpg"}, "the name must end in .exr or .png: a.jpg"},
+        {{"a.lxs", "-o", "a"}, "the name must end in .exr or .png: a"},
+        {{"a.lxs", "--exposure", "nan"}, "--exposure"},
+        {{"a.lxs", "--exposure", "65"}, "--exposure"},
         {{"a.lxs", "--quiet", "--verbose"}, "excludes"},
         {{"--markdown"}, "--describe"},
         {{"--describe", "pth"}, "unknown plugin \"pth\"; did you mean \"path\"?"},
+        {{"--describe", "carpiant"}, "unknown plugin \"carpiant\"; did you mean \"carpaint\"?"},
+        {{"--describe", "no-such"}, "unknown plugin \"no-such\"; known: aips, "},
     };
     for (const auto& [arguments, message] : cases) {
         const RunResult result = run(arguments);
@@ -87,6 +98,8 @@ TEST_F(CommandLineTest, DescribeListsParametersOfIntegratorsAndOfTheHostsOwnPlug
     const RunResult matte = run({"--describe", "matte"});
     EXPECT_THAT(matte.out, HasSubstr("Material \"matte\""));
     EXPECT_THAT(matte.out, HasSubstr("sigma"));
+    EXPECT_THAT(run({"--describe", "fleximage"}).out, HasSubstr("Film \"fleximage\""));
+    EXPECT_THAT(run({"--describe", "perspective"}).out, HasSubstr("screenwindow"));
 }
 
 TEST_F(CommandLineTest, SceneComesFromStandardInputForADash) {
@@ -99,7 +112,7 @@ TEST_F(CommandLineTest, SceneComesFromStandardInputForADash) {
 TEST_F(CommandLineTest, SetOverridesTheScenesParameter) {
     folder_.write("a.lxs", small_scene("SurfaceIntegrator \"path\" \"integer maxdepth\" [9]"));
     const RunResult result = run({"a.lxs", "--passes", "1", "--set", "path.maxdepth=3", "--set",
-                                  "path.directlightsampling=false"});
+                                  "path.directlightsampling=false", "--verbose"});
     EXPECT_EQ(result.exit_code, 0) << result.err;
     EXPECT_THAT(result.err, HasSubstr("maxdepth 3 bounces"));
     EXPECT_THAT(result.err, HasSubstr("directlightsampling false"));
@@ -136,7 +149,7 @@ TEST_F(CommandLineTest, IntegratorOverridesTheSceneAndKeepsWhatItDeclares) {
     folder_.write("a.lxs", small_scene("Renderer \"sppm\"\n"
                                        "SurfaceIntegrator \"sppm\" \"float alpha\" [0.5]\n"
                                        "  \"bool includeenvironment\" [\"false\"]"));
-    const RunResult result = run({"a.lxs", "--passes", "1", "--integrator", "path"});
+    const RunResult result = run({"a.lxs", "--passes", "1", "--integrator", "path", "--verbose"});
     EXPECT_EQ(result.exit_code, 0) << result.err;
     EXPECT_THAT(result.err, HasSubstr("parameters unknown to \"path\" are left out: alpha"));
     EXPECT_THAT(result.err, HasSubstr("includeenvironment false"));
@@ -166,9 +179,44 @@ TEST_F(CommandLineTest, QuietSaysNothingAboutAHealthyRender) {
     EXPECT_EQ(result.out, "");
 }
 
-TEST_F(CommandLineTest, LogSaysWhatTheSceneDoesNotNeed) {
+/// What `text` says, without times.
+std::vector<std::string> lines_without_times(const std::string& text) {
+    std::vector<std::string> lines;
+    std::istringstream stream(std::regex_replace(text, std::regex("\\d+:\\d\\d"), "T"));
+    for (std::string line; std::getline(stream, line);)
+        lines.push_back(line);
+    return lines;
+}
+
+// Whoever does not know the engine understands each line.
+TEST_F(CommandLineTest, PlainRenderSaysOnlyWhatEverybodyUnderstands) {
     folder_.write("a.lxs", small_scene());
-    const RunResult result = run({"a.lxs", "--passes", "1"});
+    for (const std::string integrator : {"path", "aips"}) {
+        const RunResult result = run({"a.lxs", "--passes", "2", "--integrator", integrator});
+        EXPECT_THAT(lines_without_times(result.err),
+                    testing::ElementsAre(
+                        "scene: 1 round shape (spheres, disks, ...), 1 light, 1 material; the "
+                        "image has 8 x 6 pixels",
+                        "rendering 2 passes with \"" + integrator +
+                            "\"; Ctrl-C ends it early and keeps the picture",
+                        "pass 1 of 2, T gone, about T left",
+                        "rendered 2 passes in T: as many as --passes asks for",
+                        "wrote out.exr and out.png"));
+    }
+}
+
+TEST_F(CommandLineTest, VerboseAddsWhatTheEngineDoes) {
+    folder_.write("a.lxs", small_scene());
+    const RunResult result =
+        run({"a.lxs", "--passes", "1", "--integrator", "aips", "--seed", "5", "--verbose"});
+    for (const char* text : {"engine: mode = ", "plan: ", "engine memory: at most ", "skipped ",
+                             "seed 5\n", " rays/s, memory "})
+        EXPECT_THAT(result.err, HasSubstr(text));
+}
+
+TEST_F(CommandLineTest, VerboseSaysWhatTheSceneDoesNotNeed) {
+    folder_.write("a.lxs", small_scene());
+    const RunResult result = run({"a.lxs", "--passes", "1", "--verbose"});
     EXPECT_THAT(result.err, HasSubstr("skipped, as the scene has none: image textures (no texture "
                                       "system), media, motion"));
 }

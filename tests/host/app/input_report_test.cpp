@@ -205,7 +205,7 @@ TEST_F(InputReport, OldNamesOfFilesAreNotTakenForOthers) {
 
 TEST_F(InputReport, SpheresAreShapesToo) {
     const RunResult run = render("", "Shape \"sphere\" \"float radius\" [0.1]");
-    EXPECT_THAT(run.err, HasSubstr("scene: 2 quadrics (spheres, disks, ...), 1 lights"));
+    EXPECT_THAT(run.err, HasSubstr("scene: 2 round shapes (spheres, disks, ...), 1 light"));
     EXPECT_THAT(run.err, Not(HasSubstr("triangles")));
 }
 

@@ -32,6 +32,26 @@ TEST_F(OutputTest, NamesComeFromTheFilmOrFromTheCommandLine) {
     EXPECT_TRUE(folder_.has("other.png"));
 }
 
+TEST_F(OutputTest, ANameOfAPngMeansThePngAlone) {
+    EXPECT_EQ(run({"-o", "other.exr"}).exit_code, 0);
+    const RunResult result = run({"-o", "alone.PNG"});
+    EXPECT_EQ(result.exit_code, 0) << result.err;
+    EXPECT_THAT(result.err, HasSubstr("wrote alone.PNG\n"));
+    EXPECT_EQ(folder_.read("alone.PNG"), folder_.read("other.png"));
+    EXPECT_EQ(folder_.entries(), 4u);  // scene, EXR, two PNGs
+}
+
+TEST_F(OutputTest, ExposureIsThePngsAlone) {
+    for (const char* stops : {"0", "1", "-60"}) {
+        const std::string name = std::string("by") + stops;
+        ASSERT_EQ(run({"-o", name + ".exr", "--exposure", stops}).exit_code, 0);
+        EXPECT_EQ(folder_.read(name + ".exr"), folder_.read("by0.exr"));
+    }
+    EXPECT_NE(folder_.read("by1.png"), folder_.read("by0.png"));
+    EXPECT_THAT(run({"--exposure", "-60"}).err,
+                HasSubstr("the image is all black; the likely reason: the exposure: luminances"));
+}
+
 TEST_F(OutputTest, NoTemporaryFilesStayBehind) {
     EXPECT_EQ(run({"--stats", "stats.json"}).exit_code, 0);
     EXPECT_EQ(folder_.entries(), 4u);  // scene, EXR, PNG, statistics

@@ -44,7 +44,7 @@ TEST_F(StatementOverrideTest, HeightOfItsOwn) {
 
 TEST_F(StatementOverrideTest, SamplerTakesParametersLikeAnIntegrator) {
     const RunResult set = run({"--integrator", "path", "--sampler", "metropolis", "--set",
-                               "metropolis.maxconsecrejects=7", "--strict"});
+                               "metropolis.maxconsecrejects=7", "--strict", "--verbose"});
     EXPECT_EQ(set.exit_code, 0) << set.err;
     EXPECT_THAT(set.err, HasSubstr("maxconsecrejects 7"));
     const RunResult unknown = run({"--integrator", "path", "--sampler", "metropolis", "--set",

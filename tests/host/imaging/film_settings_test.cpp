@@ -28,6 +28,8 @@ TEST(FilmSettings, DefaultsAreLuxRenders) {
     EXPECT_EQ(s.base_name, "luxout");
     EXPECT_EQ(s.halt_time_seconds, 0);
     EXPECT_EQ(s.halt_passes, 0u);
+    EXPECT_EQ(s.write_interval_seconds, 60);
+    EXPECT_EQ(s.display_interval_seconds, 12);
     EXPECT_EQ(s.tone_map.gamma, 2.2);
     EXPECT_EQ(s.tone_map.kernel, ToneMapSettings::Kernel::AutoLinear);
     EXPECT_TRUE(diagnostics.warnings.empty());
@@ -35,10 +37,12 @@ TEST(FilmSettings, DefaultsAreLuxRenders) {
 
 TEST(FilmSettings, ReadsHaltsAndNames) {
     const Read read({integer("halttime", 840), integer("haltspp", 12), integer("writeinterval", 5),
-                     text("filename", "cornell.Scene.00001")});
+                     integer("displayinterval", 3), text("filename", "cornell.Scene.00001")});
     EXPECT_EQ(read.settings.halt_time_seconds, 840);
     EXPECT_EQ(read.settings.halt_passes, 12u);
     EXPECT_EQ(read.settings.write_interval_seconds, 5);
+    EXPECT_EQ(read.settings.display_interval_seconds, 3);
+    EXPECT_EQ(Read({integer("displayinterval", -1)}).settings.display_interval_seconds, 0);
     EXPECT_EQ(read.settings.base_name, "cornell.Scene.00001");
     EXPECT_EQ(Read({text("filename", "a/out.png")}).settings.base_name, "a/out");
     EXPECT_EQ(Read({integer("haltspp", -1)}).settings.halt_passes, 0u);

@@ -55,8 +55,8 @@ TEST(OptionErrors, UnknownPluginsListTheKnownOnes) {
     SceneContents contents = empty_scene();
     set_option(contents, "Film", "flexiimage", {});
     EXPECT_EQ(input_error([&] { make_film(contents, diagnostics); }),
-              "scene.lxs:1:6: error: unknown Film \"flexiimage\"; known: fleximage, multiimage; "
-              "did you mean \"fleximage\"?");
+              "scene.lxs:1:6: error: unknown Film \"flexiimage\"; did you mean \"fleximage\"? "
+              "Known: fleximage, multiimage");
     contents = empty_scene();
     set_option(contents, "PixelFilter", "zzz", {});
     EXPECT_EQ(input_error([&] { make_film(contents, diagnostics); }),

@@ -35,6 +35,26 @@ TEST(ToneMap, BrighterIsNeverDarker) {
     }
 }
 
+// The kernels that look at the image as a whole would take a brighter image back to where it was.
+TEST(ToneMap, AStopDoublesWhatEveryKernelGives) {
+    for (const Kernel kernel : kKernels) {
+        ToneMapSettings settings;
+        settings.kernel = kernel;
+        settings.gamma = 1;
+        settings.exposure_stops = -4;  // no channel is cut off
+        const auto dark = tone_map(grey_ramp(), settings);
+        settings.exposure_stops = -3;
+        const auto bright = tone_map(grey_ramp(), settings);
+        int compared = 0;
+        for (std::size_t i = 0; i < dark.size(); ++i) {
+            if (bright[i] == 255) continue;
+            EXPECT_NEAR(bright[i], 2 * dark[i], 1) << "kernel " << static_cast<int>(kernel);
+            compared += dark[i] > 4 ? 1 : 0;
+        }
+        EXPECT_GT(compared, 0) << "kernel " << static_cast<int>(kernel);
+    }
+}
+
 TEST(ToneMap, ExtremesStayInRange) {
     // A wrong conversion of an infinity or NaN to a byte would be caught by the sanitizers.
     const float largest = std::numeric_limits<float>::max();

@@ -37,6 +37,7 @@ TEST(MakeLights, UnknownNameListsTheKnownOnes) {
                          "unknown light source \"lamp\"; known: distant, goniometric, infinite, "
                          "infinitesample, point, projection, sky, sky2, spot, sun, sunsky, "
                          "sunsky2"));
+    EXPECT_TRUE(contains(error_of("piont", {}), "did you mean \"point\"? Known: point, distant"));
 }
 
 TEST(MakeLights, GoniometricAndProjectionStandWithoutAnImage) {

@@ -50,7 +50,8 @@ std::string lasting_messages(const std::string& text) {
     std::string lasting;
     std::istringstream lines(text);
     for (std::string line; std::getline(lines, line);) {
-        const bool varies = std::regex_search(line, std::regex("[0-9] (s|MB|MiB)|per second|/s"));
+        const bool varies =
+            std::regex_search(line, std::regex("^(pass|rendered) |[0-9] (s|MB|MiB)|per second|/s"));
         lasting += varies ? "" : line + '\n';
     }
     return lasting;

@@ -18,11 +18,15 @@ inline constexpr std::uint64_t kDefaultPasses = 16;
 struct Budget {
     std::optional<std::uint64_t> passes;
     std::optional<double> seconds;
+    std::string passes_from = "--passes", seconds_from = "--time";  ///< who asked for them
 
     bool used_up(std::uint64_t passes_done, double seconds_gone) const;
     /// Seconds left at the speed so far; nothing before the first pass.
     std::optional<double> remaining(std::uint64_t passes_done, double seconds_gone) const;
+    /// "16 passes or 60 s".
     std::string text() const;
+    /// Which of them is used up; empty if none is.
+    std::string why_over(std::uint64_t passes_done, double seconds_gone) const;
 };
 
 /// The command line's budget, else the film's haltspp and halttime, else kDefaultPasses (and says

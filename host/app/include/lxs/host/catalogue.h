@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "lxs/host/plugin_library.h"
 
@@ -10,8 +11,11 @@ namespace lxs {
 /// Integrators with their sentence and module, one a line.
 std::string list_plugins(const PluginLibrary& plugins);
 
-/// Declared parameters of everything that is called `name`: integrators, materials, shapes, ...
-/// Empty if nothing is.
+/// Declared parameters of everything that is called `name`: integrators, materials, shapes,
+/// cameras, films, ... Empty if nothing is.
 std::string describe_plugin(const std::string& name, const PluginLibrary& plugins, bool markdown);
+
+/// All names that describe_plugin() knows, in their order.
+std::vector<std::string> describable_names(const PluginLibrary& plugins);
 
 }  // namespace lxs

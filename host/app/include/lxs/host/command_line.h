@@ -14,7 +14,8 @@ enum class Verbosity : std::uint8_t { Quiet, Normal, Verbose };
 
 struct CommandLine {
     std::string scene;                    ///< file, "-" for standard input
-    std::optional<std::string> output;    ///< EXR file; the PNG stands beside it
+    std::optional<std::string> output;    ///< EXR file, the PNG beside it; or PNG file alone
+    double exposure_stops = 0;            ///< the PNG is brighter by 2 to this power
     unsigned threads = 0;                 ///< 0: all processors
     std::optional<std::uint64_t> passes;  ///< budget; at most one of passes and seconds is given
     std::optional<double> seconds;
@@ -26,6 +27,7 @@ struct CommandLine {
     std::optional<std::string> sampler;   ///< instead of the scene's
     bool strict = false;                  ///< what LuxRender only warns of is an error
     std::vector<std::string> plugin_paths;
+    std::optional<double> write_every;      ///< seconds from image to image; 0: the last alone
     std::optional<std::string> statistics;  ///< JSON file
     std::optional<std::string> checkpoint;  ///< file to save the render's state in; none: not saved
     double checkpoint_interval = 300;       ///< least seconds between two of them; 0: every pass

@@ -12,4 +12,10 @@ std::string check_override(const std::string& text);
 /// A finite number above 0.
 std::string check_positive(const std::string& text);
 
+/// A finite number, 0 or above.
+std::string check_not_negative(const std::string& text);
+
+/// A number from -most to most.
+std::string check_within(const std::string& text, double most);
+
 }  // namespace lxs

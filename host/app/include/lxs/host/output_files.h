@@ -9,13 +9,18 @@
 
 namespace lxs {
 
+/// Empty: none is written.
 struct OutputFiles {
     std::string exr;
     std::string png;
-    std::string statistics;  ///< empty: none
+    std::string statistics;
 };
 
-/// `-o`, else the film's file name, in the current folder.
+/// Whether a file's name ends in `suffix` (".png"), in letters of either case.
+bool has_suffix(const std::string& name, const std::string& suffix);
+
+/// `-o`, else the film's file name, in the current folder. NAME.png means the PNG alone, any other
+/// name the EXR and a PNG beside it.
 OutputFiles choose_output_files(const CommandLine& command, const FileFilm& film);
 
 /// Throws OutputFailure unless a file can be written there, found out by writing one beside it;
@@ -24,10 +29,8 @@ void check_writable(const std::string& path);
 /// Throws OutputFailure unless all files can be written, found out by writing a file beside them.
 void check_writable(const OutputFiles& files);
 
-/// Writes EXR and PNG while the render goes on. What can't be written is a warning, and the file of
-/// an earlier time stays: the next snapshot, or the end, tries again.
-void write_snapshot(const OutputFiles& files, const FileFilm& film, const ImageMetadata& metadata,
-                    ConsoleLog& log);
+/// "a.exr and a.png", those that are written.
+std::string names_of_images(const OutputFiles& files);
 
 /// Writes EXR and PNG, each to another place if it can't be written where it should be (rescue.h).
 /// True if both are where they should be.

@@ -22,20 +22,29 @@ struct RenderTotals {
     void state(StateArchive& archive);
 };
 
-/// One line: pass, photons/s, rays/s, elapsed, remaining, resident memory.
-std::string progress_text(const RenderTotals& totals, const Budget& budget,
-                          std::uint64_t resident_bytes);
+/// One line: passes, time gone, time left where it is known.
+std::string progress_text(const RenderTotals& totals, const Budget& budget);
+/// Photons and rays a second, memory.
+std::string speed_text(const RenderTotals& totals, std::uint64_t resident_bytes);
+/// One line at the end: passes, time, and why no more.
+std::string ending_text(const RenderTotals& totals, const Budget& budget, bool interrupted);
 
 class Progress {
   public:
-    Progress(ConsoleLog& log, const Budget& budget) : log_(log), budget_(budget) {}
+    /// `verbose`: with speed and memory.
+    Progress(ConsoleLog& log, const Budget& budget, bool verbose)
+        : log_(log), budget_(budget), verbose_(verbose) {}
+    /// Before the first pass, which may take long.
+    void begin(const RenderTotals& totals);
+    /// After a pass; silent after the last one.
     void show(const RenderTotals& totals);
-    /// Takes the live line away and logs the last state.
-    void finish(const RenderTotals& totals);
+    /// Takes the live line away and logs how the render ended.
+    void finish(const RenderTotals& totals, bool interrupted);
 
   private:
     ConsoleLog& log_;
     const Budget& budget_;
+    bool verbose_;
     double next_line_seconds_ = 0;
 };
 

@@ -17,12 +17,16 @@ struct RenderLoop {
     Progress& progress;
     std::function<void(std::uint64_t pass)> begin_pass = {};  ///< called before each; may be empty
     std::function<void(const RenderTotals&)> end_pass = {};   ///< called after each; may be empty
-    double snapshot_interval = 0;  ///< seconds between snapshots; 0: none
-    std::function<void(const RenderTotals&)> write_snapshot;  ///< does not throw
+    /// Called after each but the last; may be empty.
+    std::function<void(const RenderTotals&)> between_passes = {};
 
     /// Renders on from `totals`: none, or those of a render that is resumed. They are of all passes
-    /// done, also where a pass ends with an exception.
+    /// done, also where a pass ends with an exception. Clocks run in the passes alone: what is
+    /// written after them costs a render by time no pass.
     void run(RenderTotals& totals);
+
+  private:
+    void render_pass(RenderTotals& totals) const;
 };
 
 }  // namespace lxs

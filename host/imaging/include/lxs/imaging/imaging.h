@@ -29,10 +29,11 @@ class FileFilm : public Film {
   public:
     /// File name of the Film statement without suffix ("filename"), default "luxout".
     virtual std::string base_name() const = 0;
-    virtual double halt_time_seconds() const = 0;       ///< "halttime", 0: none
-    virtual std::uint64_t halt_passes() const = 0;      ///< "haltspp", 0: none
-    virtual double write_interval_seconds() const = 0;  ///< "writeinterval"
-    virtual std::uint64_t refused_samples() const = 0;  ///< over all layers
+    virtual double halt_time_seconds() const = 0;         ///< "halttime", 0: none
+    virtual std::uint64_t halt_passes() const = 0;        ///< "haltspp", 0: none
+    virtual double write_interval_seconds() const = 0;    ///< "writeinterval", 0: none
+    virtual double display_interval_seconds() const = 0;  ///< "displayinterval", 0: none
+    virtual std::uint64_t refused_samples() const = 0;    ///< over all layers
     /// The same by light group and layer.
     virtual RefusalList refusals() const = 0;
     virtual std::size_t memory_bytes() const = 0;
@@ -43,6 +44,8 @@ class FileFilm : public Film {
 
     /// From now on passes hold values at these wavelengths; images stay linear RGB.
     virtual void set_wavelengths(const Wavelengths& wavelengths) = 0;
+    /// From now on the PNG is brighter by this many stops (factors of 2), whatever the kernel.
+    virtual void set_exposure(double stops) = 0;
     /// The mean image over passes and light groups: width * height, row by row, linear radiance.
     virtual std::vector<Rgb> image() const = 0;
     /// The same as the PNG shows it: 8 bits of red, green and blue per pixel.

@@ -8,17 +8,10 @@
 
 #include "estimate/constants.h"
 #include "estimate/group_sums.h"
+#include "eye/normal_ratio.h"
 
 namespace aips {
 namespace {
-
-/// Ratio of the cosine that the Bsdf wants (shading normal) to the one that the density of
-/// landings has (geometric normal), for the photon's direction.
-float normal_ratio(const VisiblePoint& point, Vec3 wi) {
-    if (point.shading_normal == point.geometric_normal) return 1;
-    const float geometric = abs_dot(wi, point.geometric_normal);
-    return geometric > 0 ? abs_dot(wi, point.shading_normal) / geometric : 0;
-}
 
 /// f * power of one landing, without the constant f of Lambertian points; black if rejected.
 /// `in_front` tells whether the photon came from the side that the point's geometric normal shows,

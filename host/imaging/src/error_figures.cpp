@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace lxs {
 namespace {
@@ -131,6 +132,28 @@ struct Sums {
     }
 };
 
+/// Of the relative errors but for the `worst` greatest; in the pixels' order, whatever order
+/// nth_element leaves.
+Sums without_worst(const std::vector<PixelError>& errors, std::size_t worst) {
+    std::vector<float> relative(errors.size());
+    std::transform(errors.begin(), errors.end(), relative.begin(),
+                   [](const PixelError& error) { return error.relative; });
+    const std::size_t kept = errors.size() - worst;
+    const auto end = relative.begin() + static_cast<std::ptrdiff_t>(kept);
+    std::nth_element(relative.begin(), end, relative.end());
+    const float limit = worst > 0 ? *end : std::numeric_limits<float>::infinity();
+    Sums rest;
+    std::size_t below = 0;
+    for (const PixelError& error : errors) {
+        if (!(error.relative < limit)) continue;
+        rest.add(error.relative);
+        ++below;
+    }
+    for (std::size_t equal = below; equal < kept; ++equal)
+        rest.add(limit);
+    return rest;
+}
+
 }  // namespace
 
 double ErrorEstimate::relative() const {
@@ -145,30 +168,18 @@ ErrorEstimate estimate_error(const UncertainImage& image) {
     mean /= pixels;
     // An image that is all black has no error that would be relative to anything.
     const double epsilon = mean > 0 ? kBlack * kBlack * mean * mean : 1;
-    std::vector<PixelError> errors = pixel_errors(image, epsilon);
+    const std::vector<PixelError> errors = pixel_errors(image, epsilon);
     Sums squared;
     double whole = 0;
     for (const PixelError& error : errors) {
         whole += error.relative;
         squared.add(error.squared);
     }
-    const auto worst = std::max<std::ptrdiff_t>(1, static_cast<std::ptrdiff_t>(kWorst * pixels));
-    std::vector<float> relative(errors.size());
-    std::transform(errors.begin(), errors.end(), relative.begin(),
-                   [](const PixelError& error) { return error.relative; });
-    const auto end = relative.end() - worst;
-    std::nth_element(relative.begin(), end, relative.end());
-    // In the pixels' order, whatever order nth_element has left.
-    const float limit = *end;
-    Sums rest;
-    auto equal = end - relative.begin();
-    for (const PixelError& error : errors) {
-        if (!(error.relative < limit)) continue;
-        rest.add(error.relative);
-        --equal;
-    }
-    for (; equal > 0; --equal)
-        rest.add(limit);
+    // A film of a single pixel keeps it.
+    const std::size_t worst =
+        std::min(std::max<std::size_t>(1, static_cast<std::size_t>(kWorst * pixels)),
+                 image.value.size() - 1);
+    const Sums rest = without_worst(errors, worst);
     const double rest_factor = rest.factor(image.degrees_of_freedom);
     const double rmse_factor = std::sqrt(squared.factor(image.degrees_of_freedom));
     ErrorEstimate estimate;

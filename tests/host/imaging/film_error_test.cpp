@@ -260,6 +260,14 @@ TEST(FilmError, ARestoredFilmHasTheSameFigures) {
     EXPECT_EQ(second->error()->passes, 20u);
 }
 
+TEST(FilmError, AFilmOfOnePixelIsAsWrongAsThatPixel) {
+    const auto film = small_film(true, 1, 1);
+    for (unsigned pass = 0; pass < 4; ++pass)
+        add_pass(*film, pass);
+    EXPECT_GT(film->error()->relmse, 0);
+    EXPECT_EQ(film->error()->relmse, film->error()->relmse_whole);
+}
+
 TEST(FilmError, StateOfAnotherKindOfFilmIsRefused) {
     for (const bool watched : {false, true}) {
         const auto film = small_film(watched);

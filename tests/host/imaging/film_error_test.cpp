@@ -25,9 +25,11 @@ PixelFilter box() {
 
 std::vector<Vec2> centres() {
     std::vector<Vec2> positions;
-    for (std::uint32_t i = 0; i < kPixels; ++i)
-        positions.emplace_back(static_cast<float>(i % kSide) + 0.5f,
-                               static_cast<float>(i / kSide) + 0.5f);
+    for (std::uint32_t row = 0; row < kSide; ++row) {
+        for (std::uint32_t column = 0; column < kSide; ++column)
+            positions.emplace_back(static_cast<float>(column) + 0.5f,
+                                   static_cast<float>(row) + 0.5f);
+    }
     return positions;
 }
 

@@ -98,16 +98,12 @@ std::vector<PixelError> pixel_errors(const UncertainImage& image, double epsilon
     for_rows(image.height, [&](std::uint32_t y) {
         for (std::size_t i = std::size_t{y} * image.width; i < std::size_t{y + 1} * image.width;
              ++i) {
-            const double y_mean = luminance(image.value[i]);
-            const double bias = image.bias.empty() || !(y_mean > 0) ? 0 : image.bias[i] / y_mean;
             double relative = 0, squared = 0;
             for (int c = 0; c < 3; ++c) {
                 const double variance = image.variance[i][c];
-                const double own = bias * image.value[i][c];
-                const double error = variance + own * own;
                 const double truth = believed(image.value[i][c], variance, around[i][c]);
-                relative += error / (truth * truth + epsilon) / 3;
-                squared += error / 3;
+                relative += variance / (truth * truth + epsilon) / 3;
+                squared += variance / 3;
             }
             errors[i] = {static_cast<float>(relative), static_cast<float>(squared)};
         }

@@ -2,8 +2,10 @@
 #include "lxs/host/budget.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
+#include <vector>
 
 #include "lxs/host/counted.h"
 
@@ -26,9 +28,11 @@ std::optional<double> Budget::remaining(std::uint64_t passes_done, double second
 }
 
 std::string Budget::text() const {
-    if (!passes) return fmt::format("{} s", seconds.value_or(0));
-    const std::string text = counted(*passes, "pass", "passes");
-    return seconds ? fmt::format("{} or {} s", text, *seconds) : text;
+    std::vector<std::string> ends;
+    if (passes) ends.push_back(counted(*passes, "pass", "passes"));
+    if (seconds) ends.push_back(fmt::format("{} s", *seconds));
+    if (error) ends.push_back(fmt::format("until the error is {:.3g} %", 100 * *error));
+    return fmt::format("{}", fmt::join(ends, " or "));
 }
 
 std::string Budget::why_over(std::uint64_t passes_done, double seconds_gone) const {
@@ -42,16 +46,26 @@ std::string Budget::why_over(std::uint64_t passes_done, double seconds_gone) con
 }
 
 Budget choose_budget(const CommandLine& command, const FileFilm& film, Log& log) {
-    Budget budget{.passes = command.passes, .seconds = command.seconds};
-    if (budget.passes || budget.seconds) return budget;
+    Budget budget{
+        .passes = command.passes, .seconds = command.seconds, .error = command.target_error};
+    const auto given = [&budget] { return budget.passes || budget.seconds || budget.error; };
+    if (given()) return budget;
     budget.passes_from = "the scene's haltspp";
     budget.seconds_from = "the scene's halttime";
+    budget.error_from = "the scene's haltthreshold";
     if (film.halt_passes() > 0) budget.passes = film.halt_passes();
     if (film.halt_time_seconds() > 0) budget.seconds = film.halt_time_seconds();
-    if (budget.passes || budget.seconds) return budget;
+    if (film.halt_error() > 0) {
+        if (command.error_estimate) {
+            budget.error = film.halt_error();
+        } else {
+            log.warning("haltthreshold has no effect with --no-error-estimate");
+        }
+    }
+    if (given()) return budget;
     log.info(fmt::format(
-        "neither the scene (haltspp, halttime) nor the command line (--passes, --time) says when "
-        "to stop: rendering {} passes",
+        "neither the scene (haltspp, halttime, haltthreshold) nor the command line (--passes, "
+        "--time, --target-error) says when to stop: rendering {} passes",
         kDefaultPasses));
     budget.passes = kDefaultPasses;
     budget.passes_from = "the default";

@@ -45,12 +45,21 @@ void add_render_options(CLI::App& app, CommandLine& command) {
         ->check(CLI::Range(1u, 1024u));
     auto* passes = app.add_option("--passes", command.passes,
                                   "passes to render (path: samples per pixel); overrides the "
-                                  "scene's haltspp and halttime")
+                                  "scene's haltspp, halttime and haltthreshold")
                        ->check(CLI::Validator(check_positive, "COUNT"));
     app.add_option("--time", command.seconds,
-                   "seconds to render, checked between passes; overrides haltspp and halttime")
+                   "seconds to render, checked between passes; overrides haltspp, halttime and "
+                   "haltthreshold")
         ->check(CLI::Validator(check_positive, "SECONDS"))
         ->excludes(passes);
+    auto* target = app.add_option("--target-error", command.target_error,
+                                  "estimated error to end at, the square root of relMSE: 0.05 is "
+                                  "5 % of a pixel; beside --passes or --time, whichever is first; "
+                                  "overrides haltspp, halttime and haltthreshold")
+                       ->check(CLI::Validator(check_positive, "ERROR"));
+    app.add_flag("!--no-error-estimate", command.error_estimate,
+                 "estimate no errors: none in progress, statistics and image file")
+        ->excludes(target);
     app.add_option("--seed", command.seed, "seed of all random numbers (default: 0)");
     app.add_option("--integrator", command.integrator,
                    "surface integrator, instead of the scene's choice")

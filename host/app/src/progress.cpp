@@ -13,6 +13,13 @@ namespace {
 
 constexpr double kSecondsBetweenLogLines = 10;
 
+std::string rate_text(std::uint64_t count, double seconds) {
+    const double rate = seconds > 0 ? static_cast<double>(count) / seconds : 0;
+    return rate < 1e6 ? fmt::format("{:.1f} k", rate * 1e-3) : fmt::format("{:.2f} M", rate * 1e-6);
+}
+
+}  // namespace
+
 std::string clock_text(double seconds) {
     const auto whole = static_cast<std::uint64_t>(std::lround(seconds));
     const std::uint64_t hours = whole / 3600;
@@ -20,13 +27,6 @@ std::string clock_text(double seconds) {
     if (hours > 0) return fmt::format("{}:{:02}:{:02}", hours, minutes, whole % 60);
     return fmt::format("{}:{:02}", minutes, whole % 60);
 }
-
-std::string rate_text(std::uint64_t count, double seconds) {
-    const double rate = seconds > 0 ? static_cast<double>(count) / seconds : 0;
-    return rate < 1e6 ? fmt::format("{:.1f} k", rate * 1e-3) : fmt::format("{:.2f} M", rate * 1e-6);
-}
-
-}  // namespace
 
 void RenderTotals::state(StateArchive& archive) {
     for (std::uint64_t* count : {&passes, &photon_paths, &rays})
@@ -37,12 +37,14 @@ void RenderTotals::state(StateArchive& archive) {
         throw StateError("the time that it took is no possible one");
 }
 
-std::string progress_text(const RenderTotals& totals, const Budget& budget) {
+std::string progress_text(const RenderTotals& totals, const Budget& budget,
+                          const std::string& error) {
     std::string text = fmt::format("pass {}", totals.passes);
     if (budget.passes) text += fmt::format(" of {}", *budget.passes);
     text += fmt::format(", {} gone", clock_text(totals.seconds));
     if (const auto left = budget.remaining(totals.passes, totals.seconds))
         text += fmt::format(", about {} left", clock_text(*left));
+    if (!error.empty()) text += ", " + error;
     return text;
 }
 
@@ -55,8 +57,12 @@ std::string speed_text(const RenderTotals& totals, std::uint64_t resident_bytes)
 }
 
 std::string ending_text(const RenderTotals& totals, const Budget& budget, bool interrupted) {
-    const std::string why = interrupted ? "stopped by Ctrl-C or a signal"
-                                        : budget.why_over(totals.passes, totals.seconds);
+    std::string why = interrupted ? "stopped by Ctrl-C or a signal"
+                                  : budget.why_over(totals.passes, totals.seconds);
+    // The loop ends for nothing else.
+    if (why.empty() && budget.error)
+        why = fmt::format("the error of {:.3g} % that {} asks for is reached", 100 * *budget.error,
+                          budget.error_from);
     return fmt::format("rendered {} in {}: {}", counted(totals.passes, "pass", "passes"),
                        clock_text(totals.seconds), why);
 }
@@ -66,9 +72,10 @@ void Progress::begin(const RenderTotals& totals) {
 }
 
 void Progress::show(const RenderTotals& totals) {
-    if (budget_.used_up(totals.passes, totals.seconds)) return;  // finish() has the word
+    // finish() has the word
+    if (error_.reached() || budget_.used_up(totals.passes, totals.seconds)) return;
     if (!log_.live() && totals.seconds < next_line_seconds_) return;
-    std::string text = progress_text(totals, budget_);
+    std::string text = progress_text(totals, budget_, error_.text(totals));
     if (verbose_) text += ", " + speed_text(totals, resident_bytes());
     if (log_.live()) {
         log_.show_live(text);
@@ -81,7 +88,9 @@ void Progress::show(const RenderTotals& totals) {
 void Progress::finish(const RenderTotals& totals, bool interrupted) {
     log_.clear_live();
     if (totals.passes == 0) return;
-    log_.info(ending_text(totals, budget_, interrupted));
+    std::string text = ending_text(totals, budget_, interrupted);
+    if (const std::string error = error_.ending_text(totals); !error.empty()) text += "; " + error;
+    log_.info(text);
     log_.debug(speed_text(totals, resident_bytes()));
 }
 

@@ -117,6 +117,7 @@ ExitCode render(const CommandLine& command, const PluginLibrary& plugins, Consol
                          budget.text(), session.integrator_name));
     log.debug(fmt::format("seed {}", session.seed));
 
+    session.film->estimate_errors(command.error_estimate);
     auto found = find_checkpoint(command, session, log);
 
     const auto start = std::chrono::steady_clock::now();
@@ -126,12 +127,14 @@ ExitCode render(const CommandLine& command, const PluginLibrary& plugins, Consol
         found ? restore(std::move(*found), command, session, log) : RenderTotals{};
     CheckpointSchedule checkpoints(command, session, log, begun);
     Snapshots snapshots(command, session, budget, log);
-    Progress progress(log, budget, command.verbosity == Verbosity::Verbose);
+    ErrorWatch error(*session.film, budget.error);
+    Progress progress(log, budget, error, command.verbosity == Verbosity::Verbose);
     RenderLoop loop{
         .integrator = *session.integrator,
         .budget = budget,
         .interruption = interruption,
         .progress = progress,
+        .error = error,
         .end_pass = [&](const RenderTotals& done) { checkpoints.pass_done(done); },
         .between_passes = [&](const RenderTotals& done) { snapshots.between_passes(done); }};
     if (session.spectral) {

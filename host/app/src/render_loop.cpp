@@ -17,6 +17,7 @@ void RenderLoop::render_pass(RenderTotals& totals) const {
     totals.photon_paths += report.photon_paths;
     totals.rays += report.rays;
     totals.samples_per_pixel += report.samples_per_pixel;
+    error.pass_done(totals);
     totals.seconds += seconds_since(start);
     totals.cpu_seconds += cpu_seconds() - cpu_start;
 }
@@ -24,8 +25,9 @@ void RenderLoop::render_pass(RenderTotals& totals) const {
 void RenderLoop::run(RenderTotals& totals) {
     progress.begin(totals);
     bool between = false;
+    error.begin(totals);
     // At least one pass, however small the budget: without one there is no image.
-    while (!interruption.requested() &&
+    while (!interruption.requested() && !error.reached() &&
            (totals.passes == 0 || !budget.used_up(totals.passes, totals.seconds))) {
         if (between && between_passes) between_passes(totals);
         between = true;

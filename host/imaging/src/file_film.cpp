@@ -8,12 +8,10 @@
 #include <stdexcept>
 
 #include "camera_response_choice.h"
-#include "color_space.h"
 #include "exr_encoder.h"
-#include "film_accumulator.h"
 #include "film_settings.h"
+#include "flex_image.h"
 #include "lxs/imaging/atomic_file.h"
-#include "lxs/imaging/imaging.h"
 #include "png_encoder.h"
 
 namespace lxs {
@@ -31,73 +29,6 @@ std::vector<std::byte> encode_for(const std::string& path, const Encode& encode)
     }
 }
 
-class FlexImage final : public FileFilm {
-  public:
-    FlexImage(FilmSettings settings, std::vector<std::string> group_names,
-              const PixelFilter& filter)
-        : settings_(std::move(settings)),
-          group_names_(std::move(group_names)),
-          filter_(filter),
-          accumulator_(width(), height(), light_groups(), filter) {}
-
-    std::uint32_t width() const override { return settings_.frame.width; }
-    std::uint32_t height() const override { return settings_.frame.height; }
-    std::uint32_t light_groups() const override {
-        return static_cast<std::uint32_t>(group_names_.size());
-    }
-    void add_pass(const PassSamples& samples) override { accumulator_.add(samples); }
-    void add_splats(const PassSplats& splats) override { accumulator_.add_splats(splats); }
-    void add_layer_pass(std::string_view name, const PassSamples& samples) override;
-    void clear() override;
-    void set_layer(std::string_view name, std::span<const float> values) override;
-
-    std::string base_name() const override { return settings_.base_name; }
-    double halt_time_seconds() const override { return settings_.halt_time_seconds; }
-    std::uint64_t halt_passes() const override { return settings_.halt_passes; }
-    double write_interval_seconds() const override { return settings_.write_interval_seconds; }
-    double display_interval_seconds() const override { return settings_.display_interval_seconds; }
-    std::uint64_t refused_samples() const override;
-    RefusalList refusals() const override;
-    std::size_t memory_bytes() const override;
-
-    void state(StateArchive& archive) override;
-    void set_wavelengths(const Wavelengths& wavelengths) override;
-    void set_exposure(double stops) override { settings_.tone_map.exposure_stops = stops; }
-    std::vector<Rgb> image() const override;
-    std::vector<std::uint8_t> tone_mapped() const override {
-        return tone_map(image(), settings_.tone_map);
-    }
-    std::string_view tone_map_kernel() const override { return name(settings_.tone_map.kernel); }
-    void write_exr(const std::string& path, const ImageMetadata& metadata) const override;
-    void write_png(const std::string& path) const override;
-
-  private:
-    FilmAccumulator& color_layer(std::string_view name);
-    void color_layers_state(StateArchive& archive);
-    void float_layers_state(StateArchive& archive);
-    /// The sums of an accumulator as the film's colours.
-    template <class Resolve>
-    std::vector<Rgb> film_colors(const Resolve& resolve) const {
-        std::vector<Rgb> values(pixels());
-        resolve(values);
-        if (settings_.to_film_colors) {
-            for (Rgb& c : values)
-                c = (*settings_.to_film_colors)(c);
-        }
-        return values;
-    }
-    std::size_t pixels() const { return std::size_t{width()} * height(); }
-
-    FilmSettings settings_;
-    std::vector<std::string> group_names_;
-    PixelFilter filter_;
-    FilmAccumulator accumulator_;
-    std::map<std::string, FilmAccumulator, std::less<>> color_layers_;
-    std::map<std::string, std::vector<float>, std::less<>> layers_;
-    std::map<std::string, std::uint64_t> refused_layer_values_;  ///< by float layer
-    std::optional<Wavelengths> wavelengths_;                     ///< none: passes are RGB
-};
-
 /// An image that no file could hold would be found out when all has been rendered.
 void check_layer_name(std::string_view name) {
     constexpr std::size_t kLongest = 200;  // bytes; OpenEXR's names of channels have 255
@@ -110,6 +41,8 @@ void check_layer_name(std::string_view name) {
                     "bytes, found {}",
                     kLongest, in_quotes(name)));
 }
+
+}  // namespace
 
 void FlexImage::add_layer_pass(std::string_view name, const PassSamples& samples) {
     check_layer_name(name);
@@ -137,8 +70,40 @@ void FlexImage::set_wavelengths(const Wavelengths& wavelengths) {
         layer.set_conversion(wavelengths.to_rgb, wavelengths.white);
 }
 
+void FlexImage::add_pass(const PassSamples& samples) {
+    accumulator_.add(samples);
+    if (error_) error_->add(samples);
+}
+
+void FlexImage::add_splats(const PassSplats& splats) {
+    accumulator_.add_splats(splats);
+    if (error_) error_->add(splats);
+}
+
+void FlexImage::estimate_errors(bool wanted) {
+    error_.reset();
+    if (wanted) error_.emplace(width(), height());
+}
+
+void FlexImage::end_pass() {
+    if (error_) error_->end_pass(accumulator_);
+}
+
+std::optional<ErrorEstimate> FlexImage::error() const {
+    if (!error_) return std::nullopt;
+    return error_->estimate(accumulator_);
+}
+
+/// Whether a layer of the scene's or of the integrator's has this name.
+bool FlexImage::names_layer(std::string_view name) const {
+    const auto& groups = group_names_;
+    return (groups.size() > 1 && std::find(groups.begin(), groups.end(), name) != groups.end()) ||
+           color_layers_.contains(name) || layers_.contains(name);
+}
+
 void FlexImage::clear() {
     accumulator_.clear();
+    if (error_) error_->clear();
     for (auto& [name, layer] : color_layers_) {
         layer.clear();
     }
@@ -182,60 +147,12 @@ std::uint64_t FlexImage::refused_samples() const {
     return sum;
 }
 
-void FlexImage::state(StateArchive& archive) {
-    accumulator_.state(archive);
-    color_layers_state(archive);
-    float_layers_state(archive);
-}
-
-void FlexImage::color_layers_state(StateArchive& archive) {
-    // A layer holds four sums a pixel: no layer is made that the archive hasn't the bytes for.
-    const std::size_t layer_bytes = pixels() * 4 * sizeof(double);
-    const std::size_t count = archive.count(color_layers_.size(), layer_bytes);
-    if (!archive.restoring()) {
-        for (auto& [name, layer] : color_layers_) {
-            std::string saved = name;
-            archive.text(saved);
-            layer.state(archive);
-        }
-        return;
-    }
-    color_layers_.clear();
-    for (std::size_t i = 0; i < count; ++i) {
-        std::string name;
-        archive.text(name);
-        if (archive.remaining() < layer_bytes) throw StateError("a layer of the film is cut off");
-        color_layer(name).state(archive);
-    }
-}
-
-void FlexImage::float_layers_state(StateArchive& archive) {
-    const std::size_t layer_bytes = pixels() * sizeof(float);
-    const std::size_t count = archive.count(layers_.size(), layer_bytes);
-    if (!archive.restoring()) {
-        for (auto& [name, values] : layers_) {
-            std::string saved = name;
-            archive.text(saved);
-            archive.values(values);
-        }
-        return;
-    }
-    layers_.clear();
-    for (std::size_t i = 0; i < count; ++i) {
-        std::string name;
-        std::vector<float> values;
-        archive.text(name);
-        archive.values(values);
-        if (values.size() != pixels()) throw StateError("a layer of the film has another size");
-        set_layer(name, values);
-    }
-}
-
 std::size_t FlexImage::memory_bytes() const {
     std::size_t bytes = accumulator_.memory_bytes() + layers_.size() * pixels() * sizeof(float);
     for (const auto& [name, layer] : color_layers_) {
         bytes += layer.memory_bytes();
     }
+    if (error_) bytes += error_->memory_bytes();
     return bytes;
 }
 
@@ -255,6 +172,12 @@ void FlexImage::write_exr(const std::string& path, const ImageMetadata& metadata
                               resolved.resolve_total(values);
                           })});
     }
+    constexpr std::string_view kError = "error";
+    if (error_ && error_->known() && !names_layer(kError)) {
+        colors.push_back({std::string(kError), film_colors([this](std::span<Rgb> values) {
+                              error_->standard_errors(accumulator_, values);
+                          })});
+    }
     std::vector<FloatLayer> floats;
     for (const auto& [name, values] : layers_) {
         floats.push_back({name, values});
@@ -270,8 +193,6 @@ void FlexImage::write_png(const std::string& path) const {
                               return encode_png(width(), height(), settings_.tone_map.gamma, rgb);
                           }));
 }
-
-}  // namespace
 
 std::unique_ptr<FileFilm> make_film(const SceneContents& contents, Diagnostics& diagnostics,
                                     const FileResolver& resolve) {

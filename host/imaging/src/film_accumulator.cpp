@@ -6,10 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numeric>
-
-#include "pixel_debts.h"
 
 namespace lxs {
 namespace {
@@ -33,33 +30,6 @@ void add_other_groups(std::span<const Rgb> radiance, double f, std::span<double>
         sums[3 * g + 1] += f * radiance[g].y;
         sums[3 * g + 2] += f * radiance[g].z;
     }
-}
-
-/// Sums R, G, B of light groups [first, end).
-Imath::V3d sum_over_groups(const double* sums, std::uint32_t first, std::uint32_t end) {
-    Imath::V3d sum(0.0);
-    for (std::size_t g = first; g < end; ++g)
-        sum += Imath::V3d(sums[3 * g], sums[3 * g + 1], sums[3 * g + 2]);
-    return sum;
-}
-
-/// What is below zero because RGB doesn't hold the colour of a spectrum, or because a film was
-/// restored from a forged file, is nobody's debt: it ends at zero. Negative lobes, where the filter
-/// has some, are told by a luminance below zero.
-void cut_below_zero(std::span<Rgb> image, bool lobes) {
-    for (Rgb& c : image) {
-        if (lobes && luminance(c) < 0) continue;
-        c = Rgb(std::max(c.x, 0.0f), std::max(c.y, 0.0f), std::max(c.z, 0.0f));
-    }
-}
-
-/// What a white of 1 is in the mean over the passes; 1 but for the choice of wavelengths. Never
-/// so little that a pixel is blown up where a pass saw one end of the spectrum alone.
-Imath::V3d white_of(const Imath::V3d& white_sum, double weight_sum) {
-    constexpr double kLeast = 0.25;
-    if (!(weight_sum > 0)) return Imath::V3d(1.0);
-    const Imath::V3d mean = white_sum / weight_sum;
-    return {std::max(mean.x, kLeast), std::max(mean.y, kLeast), std::max(mean.z, kLeast)};
 }
 
 }  // namespace
@@ -225,50 +195,6 @@ void FilmAccumulator::clear() {
     }
     std::fill(splats_.begin(), splats_.end(), 0.0);
     splat_samples_ = 0;
-}
-
-/// A pixel's value summed over light groups: the means of samples, and the splats. Below zero where
-/// negative lobes of the filter, or colours of wavelengths that RGB can't hold, have drawn it.
-Rgb FilmAccumulator::resolve(std::size_t pixel, std::uint32_t first_group,
-                             std::uint32_t end_group) const {
-    const std::size_t channels = 3 * std::size_t{groups_};
-    const double pixels = static_cast<double>(width_) * height_;
-    Imath::V3d value(0.0);
-    for (const Mean* mean : {&first_, &second_}) {
-        if (mean->sums.empty()) continue;
-        const double* const sums = &mean->sums[pixel * (1 + channels)];
-        if (*sums > 0)
-            value += sum_over_groups(sums + 1, first_group, end_group) /
-                     (*sums * white_of(mean->white_sum, mean->weight_sum));
-    }
-    if (splat_samples_ > 0)
-        value += sum_over_groups(&splats_[pixel * channels], first_group, end_group) * pixels /
-                 (splat_samples_ * white_of(first_.white_sum, first_.weight_sum));
-    Rgb finite;
-    for (int c = 0; c < 3; ++c) {
-        constexpr double kMost = std::numeric_limits<float>::max();
-        finite[c] = static_cast<float>(std::clamp(value[c], -kMost, kMost));
-    }
-    return finite;
-}
-
-void FilmAccumulator::resolve_group(std::uint32_t group, std::span<Rgb> image) const {
-    resolve_groups(group, group + 1, image);
-}
-
-void FilmAccumulator::resolve_total(std::span<Rgb> image) const {
-    resolve_groups(0, groups_, image);
-}
-
-void FilmAccumulator::resolve_groups(std::uint32_t first_group, std::uint32_t end_group,
-                                     std::span<Rgb> image) const {
-    tbb::parallel_for(std::size_t{0}, image.size(),
-                      [&](std::size_t i) { image[i] = resolve(i, first_group, end_group); });
-    const bool lobes = filter_.has_negative_weights();
-    if (to_rgb_ || !lobes) cut_below_zero(image, lobes);
-    if (!lobes) return;
-    const auto reach = [](float radius) { return static_cast<std::uint32_t>(std::ceil(radius)); };
-    settle_debts({image, width_, height_, reach(filter_.radius_x()), reach(filter_.radius_y())});
 }
 
 std::size_t FilmAccumulator::memory_bytes() const {

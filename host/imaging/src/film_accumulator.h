@@ -1,6 +1,7 @@
 // Sums of filtered samples per pixel and light group, over all passes.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -13,6 +14,19 @@
 #include "sample_cells.h"
 
 namespace lxs {
+
+/// The two means over passes whose sum a pixel is, all light groups together, splats within the
+/// first; not cut at zero. A weight is the sum of filter times pass weight that a mean rests on,
+/// 0 for none; passes, where there are splats alone.
+struct PixelMeans {
+    std::array<Imath::V3d, 2> value{Imath::V3d(0.0), Imath::V3d(0.0)};
+    std::array<double, 2> weight{};
+};
+
+/// Those from `first` to before `end`.
+struct LightGroups {
+    std::uint32_t first, end;
+};
 
 /// Estimates each pixel as sum(f w L) / sum(f w) over all samples: f the filter, w the weight of
 /// the sample's pass; likewise of what passes bring as their second part, and both are added.
@@ -47,6 +61,8 @@ class FilmAccumulator {
     /// settle_debts), in each image by itself: sums over neighbourhoods are those of the samples.
     void resolve_group(std::uint32_t group, std::span<Rgb> image) const;
     void resolve_total(std::span<Rgb> image) const;
+    PixelMeans means(std::size_t pixel) const;
+    bool has_second() const { return !second_.sums.empty(); }
 
     /// Saves or restores all sums and counts; of the same image size, groups and filter.
     void state(StateArchive& archive);
@@ -80,9 +96,10 @@ class FilmAccumulator {
                    std::span<double> colors) const;
     void convert(std::span<double> colors) const;
     double filter_on_film(std::uint32_t x, std::uint32_t y) const;
-    Rgb resolve(std::size_t pixel, std::uint32_t first_group, std::uint32_t end_group) const;
-    void resolve_groups(std::uint32_t first_group, std::uint32_t end_group,
-                        std::span<Rgb> image) const;
+    Imath::V3d mean_value(const Mean& mean, std::size_t pixel, LightGroups groups) const;
+    Imath::V3d splat_value(std::size_t pixel, LightGroups groups) const;
+    Rgb resolve(std::size_t pixel, LightGroups groups) const;
+    void resolve_groups(LightGroups groups, std::span<Rgb> image) const;
 
     std::uint32_t width_, height_, groups_;
     PixelFilter filter_;

@@ -48,6 +48,9 @@ constexpr ParameterDeclaration kPicture[] = {
      "Seconds between two writes of the PNG alone, in place of a window; 0: with the EXR."},
     {"halttime", Integer, "-1", "Seconds after which the render ends; not positive: never."},
     {"haltspp", Integer, "-1", "Passes after which the render ends; not positive: never."},
+    {"haltthreshold", Float, "-1",
+     "Estimated error at which the render ends, the square root of relMSE; not positive: never. "
+     "LuxRender: the share of pixels that still change visibly."},
     {.name = "tonemapkernel",
      .type = String,
      .default_text = "autolinear",
@@ -106,8 +109,8 @@ constexpr ParameterDeclaration kAccepted[] = {
     {"write_flm_direct", Bool, "false", "Ignored: no FLM file is written."},
     {"flmwriteinterval", Integer, "60", "Ignored: no FLM file is written."},
     {"tilecount", Integer, "0", "Ignored: the film isn't tiled."},
-    {"convergencestep", Float, "32", "Ignored: convergence isn't tested."},
-    {"haltthreshold", Float, "-1", "Ignored: convergence isn't tested."},
+    {"convergencestep", Float, "32",
+     "Ignored: the error is compared whenever the passes have grown by an eighth."},
     {"disable_noisemap_update", Bool, "false", "Ignored: there is no noise map."},
     {"usersamplingmap_filename", String, "", "Ignored: all pixels get as many samples."},
     {"premultiplyalpha", Bool, "false", "Ignored: there is no alpha channel."},
@@ -228,9 +231,6 @@ void warn_of_ignored_film_parameters(const ParameterReader& reader) {
     }
     if (reader.integer("outlierrejection_k", 0) > 0) {
         warn_of_no_effect(reader, "outlierrejection_k", "no sample is rejected as an outlier");
-    }
-    if (reader.number("haltthreshold", -1) > 0) {
-        warn_of_no_effect(reader, "haltthreshold", "convergence isn't tested");
     }
 }
 

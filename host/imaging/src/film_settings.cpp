@@ -178,6 +178,7 @@ FilmSettings read(const SceneContents& contents, Diagnostics& diagnostics) {
     settings.halt_time_seconds = std::max(0.0, reader.number("halttime", 0));
     settings.halt_passes =
         static_cast<std::uint64_t>(std::max<std::int64_t>(0, reader.integer("haltspp", 0)));
+    settings.halt_error = std::max(0.0, reader.number("haltthreshold", -1));
     settings.write_interval_seconds =
         std::max(0.0, reader.number("writeinterval", settings.write_interval_seconds));
     settings.display_interval_seconds =

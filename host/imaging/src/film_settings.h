@@ -31,6 +31,7 @@ struct FilmSettings {
     std::string base_name = "luxout";
     double halt_time_seconds = 0;
     std::uint64_t halt_passes = 0;
+    double halt_error = 0;
     double write_interval_seconds = 60;
     double display_interval_seconds = 12;
     ToneMapSettings tone_map;

@@ -83,6 +83,16 @@ TEST(Budget, SceneBudgetCountsUnlessTheCommandLineHasOne) {
                 HasSubstr("rendering 0.2 s"));
 }
 
+TEST(Progress, LineAndEndHoldTheError) {
+    const RenderTotals totals{.passes = 3, .seconds = 75};
+    EXPECT_EQ(progress_text(totals, {}, "error 8.3 %"), "pass 3, 1:15 gone, error 8.3 %");
+    const Budget budget{.passes = {}, .seconds = {}, .error = 0.05};
+    EXPECT_EQ(budget.text(), "until the error is 5 %");
+    EXPECT_EQ(
+        ending_text(totals, budget, false),
+        "rendered 3 passes in 1:15: the error of 5 % that --target-error asks for is reached");
+}
+
 TEST(Budget, WithoutAnyBudgetSixteenPassesAndANotice) {
     const std::string log = log_of("", {});
     EXPECT_THAT(log, HasSubstr("says when to stop: rendering 16 passes"));

@@ -28,7 +28,7 @@ TEST_P(InterruptionTest, FirstSignalWritesTheImage) {
     EXPECT_TRUE(folder.has("out.exr"));
     EXPECT_TRUE(folder.has("out.png"));
     EXPECT_THAT(folder.read("stats.json"), HasSubstr("\"interrupted\": true"));
-    EXPECT_THAT(result.err, HasSubstr(": stopped by Ctrl-C or a signal\n"));
+    EXPECT_THAT(result.err, HasSubstr(": stopped by Ctrl-C or a signal"));
     EXPECT_THAT(result.err, HasSubstr("interrupted after "));
 }
 

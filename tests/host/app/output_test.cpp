@@ -111,6 +111,11 @@ TEST_F(OutputTest, ExrHeaderHoldsHowItWasMade) {
     for (const char* key : {"integrator", "passes", "seed", "scene", "software"}) {
         EXPECT_THAT(exr, HasSubstr(key));
     }
+    EXPECT_THAT(exr, Not(HasSubstr("relMSE")));  // two passes don't tell
+    ASSERT_EQ(run_lxsrender(folder_, {"scene.lxs", "--passes", "3"}).exit_code, 0);
+    for (const char* key : {"relMSE", "relMSEInterval", "relMSEWhole", "RMSE", "RMSEInterval"}) {
+        EXPECT_THAT(folder_.read("out.exr"), HasSubstr(key));
+    }
 }
 
 }  // namespace

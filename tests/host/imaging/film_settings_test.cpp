@@ -46,6 +46,8 @@ TEST(FilmSettings, ReadsHaltsAndNames) {
     EXPECT_EQ(read.settings.base_name, "cornell.Scene.00001");
     EXPECT_EQ(Read({text("filename", "a/out.png")}).settings.base_name, "a/out");
     EXPECT_EQ(Read({integer("haltspp", -1)}).settings.halt_passes, 0u);
+    EXPECT_NEAR(Read({real("haltthreshold", 0.05)}).settings.halt_error, 0.05, 1e-7);
+    EXPECT_EQ(Read({real("haltthreshold", -1)}).settings.halt_error, 0);
 }
 
 TEST(FilmSettings, CropWindowSelectsPixels) {

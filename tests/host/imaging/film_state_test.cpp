@@ -7,34 +7,11 @@
 #include <limits>
 
 #include "lxs/imaging/imaging.h"
+#include "memory_archive.h"
 #include "scene_options.h"
 
 namespace lxs::test::film_state_test {
 namespace {
-
-/// Keeps what is saved, and restores it.
-class MemoryArchive final : public StateArchive {
-  public:
-    bool restoring() const override { return restoring_; }
-    void bytes(std::span<std::byte> data) override {
-        if (!restoring_) {
-            bytes_.insert(bytes_.end(), data.begin(), data.end());
-            return;
-        }
-        if (data.size() > remaining()) throw StateError("ends too soon");
-        std::memcpy(data.data(), bytes_.data() + used_, data.size());
-        used_ += data.size();
-    }
-    std::size_t remaining() const override { return restoring_ ? bytes_.size() - used_ : 0; }
-
-    void restore() { restoring_ = true, used_ = 0; }
-    std::vector<std::byte>& content() { return bytes_; }
-
-  private:
-    std::vector<std::byte> bytes_;
-    std::size_t used_ = 0;
-    bool restoring_ = false;
-};
 
 std::unique_ptr<FileFilm> film(int width = 7, int height = 5) {
     RecordedDiagnostics diagnostics;

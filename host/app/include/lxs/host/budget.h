@@ -18,7 +18,10 @@ inline constexpr std::uint64_t kDefaultPasses = 16;
 struct Budget {
     std::optional<std::uint64_t> passes;
     std::optional<double> seconds;
-    std::string passes_from = "--passes", seconds_from = "--time";  ///< who asked for them
+    /// Estimated, square root of relMSE; ErrorWatch knows when it is reached.
+    std::optional<double> error = {};
+    /// Who asked for them.
+    std::string passes_from = "--passes", seconds_from = "--time", error_from = "--target-error";
 
     bool used_up(std::uint64_t passes_done, double seconds_gone) const;
     /// Seconds left at the speed so far; nothing before the first pass.
@@ -29,8 +32,8 @@ struct Budget {
     std::string why_over(std::uint64_t passes_done, double seconds_gone) const;
 };
 
-/// The command line's budget, else the film's haltspp and halttime, else kDefaultPasses (and says
-/// so).
+/// The command line's budget, else the film's haltspp, halttime and haltthreshold, else
+/// kDefaultPasses (and says so).
 Budget choose_budget(const CommandLine& command, const FileFilm& film, Log& log);
 
 }  // namespace lxs

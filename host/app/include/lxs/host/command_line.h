@@ -19,6 +19,8 @@ struct CommandLine {
     unsigned threads = 0;                 ///< 0: all processors
     std::optional<std::uint64_t> passes;  ///< budget; at most one of passes and seconds is given
     std::optional<double> seconds;
+    std::optional<double> target_error;  ///< budget: square root of relMSE
+    bool error_estimate = true;          ///< the film estimates its error
     std::optional<std::uint64_t> seed;
     std::vector<std::string> overrides;     ///< plugin.parameter=value, of integrator or sampler
     std::optional<std::string> integrator;  ///< instead of the scene's

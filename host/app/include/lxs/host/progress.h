@@ -6,6 +6,7 @@
 
 #include "lxs/host/budget.h"
 #include "lxs/host/console_log.h"
+#include "lxs/host/error_watch.h"
 #include "lxs/sdk/state_archive.h"
 
 namespace lxs {
@@ -22,8 +23,11 @@ struct RenderTotals {
     void state(StateArchive& archive);
 };
 
-/// One line: passes, time gone, time left where it is known.
-std::string progress_text(const RenderTotals& totals, const Budget& budget);
+/// "1:02:03" or "2:03".
+std::string clock_text(double seconds);
+/// One line: passes, time gone, time left where it is known, and what there is to say of the error.
+std::string progress_text(const RenderTotals& totals, const Budget& budget,
+                          const std::string& error = {});
 /// Photons and rays a second, memory.
 std::string speed_text(const RenderTotals& totals, std::uint64_t resident_bytes);
 /// One line at the end: passes, time, and why no more.
@@ -32,8 +36,8 @@ std::string ending_text(const RenderTotals& totals, const Budget& budget, bool i
 class Progress {
   public:
     /// `verbose`: with speed and memory.
-    Progress(ConsoleLog& log, const Budget& budget, bool verbose)
-        : log_(log), budget_(budget), verbose_(verbose) {}
+    Progress(ConsoleLog& log, const Budget& budget, ErrorWatch& error, bool verbose)
+        : log_(log), budget_(budget), error_(error), verbose_(verbose) {}
     /// Before the first pass, which may take long.
     void begin(const RenderTotals& totals);
     /// After a pass; silent after the last one.
@@ -44,6 +48,7 @@ class Progress {
   private:
     ConsoleLog& log_;
     const Budget& budget_;
+    ErrorWatch& error_;
     bool verbose_;
     double next_line_seconds_ = 0;
 };

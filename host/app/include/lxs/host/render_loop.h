@@ -4,6 +4,7 @@
 #include <functional>
 
 #include "lxs/host/budget.h"
+#include "lxs/host/error_watch.h"
 #include "lxs/host/interruption.h"
 #include "lxs/host/progress.h"
 #include "lxs/sdk/integrator.h"
@@ -15,6 +16,7 @@ struct RenderLoop {
     const Budget& budget;
     const Interruption& interruption;
     Progress& progress;
+    ErrorWatch& error;
     std::function<void(std::uint64_t pass)> begin_pass = {};  ///< called before each; may be empty
     std::function<void(const RenderTotals&)> end_pass = {};   ///< called after each; may be empty
     /// Called after each but the last; may be empty.

@@ -5,11 +5,13 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "lxs/imaging/error_estimate.h"
 #include "lxs/scene/contents.h"
 #include "lxs/sdk/camera.h"
 #include "lxs/sdk/film.h"
@@ -33,7 +35,18 @@ class FileFilm : public Film {
     virtual std::uint64_t halt_passes() const = 0;        ///< "haltspp", 0: none
     virtual double write_interval_seconds() const = 0;    ///< "writeinterval", 0: none
     virtual double display_interval_seconds() const = 0;  ///< "displayinterval", 0: none
-    virtual std::uint64_t refused_samples() const = 0;    ///< over all layers
+    virtual double halt_error() const = 0;                ///< "haltthreshold", 0: none
+
+    /// Whether the film estimates its own error: what passes bring from now on is watched for it,
+    /// to be asked for before the first pass or state(). The image keeps its bits. It takes 24
+    /// bytes a pixel, 60 with photons.
+    virtual void estimate_errors(bool wanted) = 0;
+    /// Whoever runs passes says when one has ended, if errors are to be estimated.
+    virtual void end_pass() = 0;
+    /// The error of the image so far; nothing before the third pass, or if it isn't estimated.
+    /// Takes some 0.1 us a pixel.
+    virtual std::optional<ErrorEstimate> error() const = 0;
+    virtual std::uint64_t refused_samples() const = 0;  ///< over all layers
     /// The same by light group and layer.
     virtual RefusalList refusals() const = 0;
     virtual std::size_t memory_bytes() const = 0;

@@ -1,0 +1,93 @@
+// The film that writes image files (LuxRender's "fleximage").
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "color_space.h"
+#include "film_accumulator.h"
+#include "film_error.h"
+#include "film_settings.h"
+#include "lxs/imaging/imaging.h"
+#include "pixel_filter.h"
+#include "tone_map.h"
+
+namespace lxs {
+
+class FlexImage final : public FileFilm {
+  public:
+    FlexImage(FilmSettings settings, std::vector<std::string> group_names,
+              const PixelFilter& filter)
+        : settings_(std::move(settings)),
+          group_names_(std::move(group_names)),
+          filter_(filter),
+          accumulator_(width(), height(), light_groups(), filter) {}
+
+    std::uint32_t width() const override { return settings_.frame.width; }
+    std::uint32_t height() const override { return settings_.frame.height; }
+    std::uint32_t light_groups() const override {
+        return static_cast<std::uint32_t>(group_names_.size());
+    }
+    void add_pass(const PassSamples& samples) override;
+    void add_splats(const PassSplats& splats) override;
+    void add_layer_pass(std::string_view name, const PassSamples& samples) override;
+    void clear() override;
+    void set_layer(std::string_view name, std::span<const float> values) override;
+
+    std::string base_name() const override { return settings_.base_name; }
+    double halt_time_seconds() const override { return settings_.halt_time_seconds; }
+    std::uint64_t halt_passes() const override { return settings_.halt_passes; }
+    double write_interval_seconds() const override { return settings_.write_interval_seconds; }
+    double display_interval_seconds() const override { return settings_.display_interval_seconds; }
+    double halt_error() const override { return settings_.halt_error; }
+    void estimate_errors(bool wanted) override;
+    void end_pass() override;
+    std::optional<ErrorEstimate> error() const override;
+    std::uint64_t refused_samples() const override;
+    RefusalList refusals() const override;
+    std::size_t memory_bytes() const override;
+
+    void state(StateArchive& archive) override;
+    void set_wavelengths(const Wavelengths& wavelengths) override;
+    void set_exposure(double stops) override { settings_.tone_map.exposure_stops = stops; }
+    std::vector<Rgb> image() const override;
+    std::vector<std::uint8_t> tone_mapped() const override {
+        return tone_map(image(), settings_.tone_map);
+    }
+    std::string_view tone_map_kernel() const override { return name(settings_.tone_map.kernel); }
+    void write_exr(const std::string& path, const ImageMetadata& metadata) const override;
+    void write_png(const std::string& path) const override;
+
+  private:
+    FilmAccumulator& color_layer(std::string_view name);
+    bool names_layer(std::string_view name) const;
+    void color_layers_state(StateArchive& archive);
+    void float_layers_state(StateArchive& archive);
+    /// The sums of an accumulator as the film's colours.
+    template <class Resolve>
+    std::vector<Rgb> film_colors(const Resolve& resolve) const {
+        std::vector<Rgb> values(pixels());
+        resolve(values);
+        if (settings_.to_film_colors) {
+            for (Rgb& c : values)
+                c = (*settings_.to_film_colors)(c);
+        }
+        return values;
+    }
+    std::size_t pixels() const { return std::size_t{width()} * height(); }
+
+    FilmSettings settings_;
+    std::vector<std::string> group_names_;
+    PixelFilter filter_;
+    FilmAccumulator accumulator_;
+    std::map<std::string, FilmAccumulator, std::less<>> color_layers_;
+    std::map<std::string, std::vector<float>, std::less<>> layers_;
+    std::map<std::string, std::uint64_t> refused_layer_values_;  ///< by float layer
+    std::optional<Wavelengths> wavelengths_;                     ///< none: passes are RGB
+    std::optional<FilmError> error_;                             ///< none: not estimated
+};
+
+}  // namespace lxs

@@ -7,7 +7,6 @@
 #include <array>
 #include <charconv>
 #include <cmath>
-#include <stdexcept>
 #include <utility>
 
 #include "lxs/imaging/error_figures.h"
@@ -180,7 +179,6 @@ std::vector<std::uint64_t> Merger::seeds() const {
 }
 
 ExrImage Merger::merged() const {
-    if (images_ == 0) throw std::logic_error("Merger: nothing to merge");
     ExrImage image{frame_, {}, common_};
     for (const auto& [channel, sums] : sums_) {
         std::vector<float>& values = image.channels[channel];

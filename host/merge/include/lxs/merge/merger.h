@@ -29,7 +29,7 @@ class Merger {
     /// `name` stands for the image in messages. Throws MergeRefusal, and then holds what it held.
     void add(const ExrImage& image, const std::string& name);
 
-    /// Throws std::logic_error before the first add().
+    /// After at least one add().
     ExrImage merged() const;
     /// Of merged(), if all its images know theirs.
     std::optional<ErrorEstimate> error() const;

@@ -4,6 +4,7 @@
 #include <CLI/CLI.hpp>
 
 #include "lxs/host/command_line_mistake.h"
+#include "lxs/host/display_server.h"
 #include "lxs/host/option_checks.h"
 #include "lxs/host/output_files.h"
 
@@ -17,6 +18,15 @@ std::string check_image_name(const std::string& name) {
 
 std::string check_stops(const std::string& text) {
     return check_within(text, 64);  // beyond it any image is black or white
+}
+
+std::string check_viewer(const std::string& text) {
+    try {
+        (void)ViewerAddress::parse(text);
+    } catch (const std::invalid_argument& mistake) {
+        return mistake.what();
+    }
+    return "";
 }
 
 void add_output_options(CLI::App& app, CommandLine& command) {
@@ -36,6 +46,11 @@ void add_output_options(CLI::App& app, CommandLine& command) {
                    "displayinterval; less often where writing would take 2 % of the time)")
         ->type_name("SECONDS")
         ->check(CLI::Validator(check_not_negative, ""));
+    app.add_option("--display-server", command.display_server,
+                   "viewer tev to show the image so far in, about every second and at the end; its "
+                   "port is 14158 unless given")
+        ->type_name("HOST[:PORT]")
+        ->check(CLI::Validator(check_viewer, ""));
     app.add_option("--stats", command.statistics, "JSON file to write with settings, times, counts")
         ->type_name("FILE.json");
 }

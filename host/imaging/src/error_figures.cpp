@@ -1,5 +1,5 @@
 // One figure for a whole image: its estimated error.
-#include "error_figures.h"
+#include "lxs/imaging/error_figures.h"
 
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
@@ -179,6 +179,7 @@ ErrorEstimate estimate_error(const UncertainImage& image) {
     const double rest_factor = rest.factor(image.degrees_of_freedom);
     const double rmse_factor = std::sqrt(squared.factor(image.degrees_of_freedom));
     ErrorEstimate estimate;
+    estimate.degrees_of_freedom = image.degrees_of_freedom;
     estimate.relmse = rest.sum / (pixels - static_cast<double>(worst));
     estimate.relmse_low = estimate.relmse / rest_factor;
     estimate.relmse_high = estimate.relmse * rest_factor;

@@ -94,4 +94,11 @@ std::vector<std::byte> encode_exr(const FilmFrame& frame, std::span<const ColorL
     return channels.encode();
 }
 
+std::vector<std::byte> encode_exr(const ExrImage& image) {
+    Channels channels(image.frame, image.metadata);
+    for (const auto& [name, values] : image.channels)
+        channels.add(name, values.data(), 1);
+    return channels.encode();
+}
+
 }  // namespace lxs

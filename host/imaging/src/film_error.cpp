@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "error_figures.h"
+#include "lxs/imaging/error_figures.h"
 #include "finite_float.h"
 #include "for_pixels.h"
 

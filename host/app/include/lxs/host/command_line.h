@@ -29,8 +29,9 @@ struct CommandLine {
     std::optional<std::string> sampler;   ///< instead of the scene's
     bool strict = false;                  ///< what LuxRender only warns of is an error
     std::vector<std::string> plugin_paths;
-    std::optional<double> write_every;      ///< seconds from image to image; 0: the last alone
-    std::optional<std::string> statistics;  ///< JSON file
+    std::optional<double> write_every;          ///< seconds from image to image; 0: the last alone
+    std::optional<std::string> display_server;  ///< of tev, HOST or HOST:PORT
+    std::optional<std::string> statistics;      ///< JSON file
     std::optional<std::string> checkpoint;  ///< file to save the render's state in; none: not saved
     double checkpoint_interval = 300;       ///< least seconds between two of them; 0: every pass
     bool resume = false;                    ///< from `checkpoint`, if there is that file

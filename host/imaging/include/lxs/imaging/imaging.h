@@ -3,7 +3,6 @@
 
 #include <cstdint>
 #include <functional>
-#include <map>
 #include <memory>
 #include <optional>
 #include <span>
@@ -12,6 +11,7 @@
 #include <vector>
 
 #include "lxs/imaging/error_estimate.h"
+#include "lxs/imaging/exr_image.h"
 #include "lxs/scene/contents.h"
 #include "lxs/sdk/camera.h"
 #include "lxs/sdk/film.h"
@@ -22,9 +22,6 @@
 #include "lxs/spectrum/wavelengths.h"
 
 namespace lxs {
-
-/// Key and value texts that go into the header of an EXR file.
-using ImageMetadata = std::map<std::string, std::string>;
 
 /// What the film keeps beyond the interface that integrators see.
 class FileFilm : public Film {

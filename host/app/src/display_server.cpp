@@ -3,9 +3,13 @@
 
 #include <fmt/format.h>
 
+#include <boost/asio/connect.hpp>
+#include <boost/asio/io_context.hpp>
 #include <boost/asio/ip/tcp.hpp>
+#include <boost/asio/write.hpp>
 #include <charconv>
 #include <chrono>
+#include <optional>
 #include <stdexcept>
 #include <utility>
 
@@ -14,6 +18,8 @@
 
 namespace lxs {
 namespace {
+
+using boost::asio::ip::tcp;
 
 /// A viewer that hangs must not hold up a render for longer.
 constexpr std::chrono::seconds kPatience{2};
@@ -49,22 +55,35 @@ std::string ViewerAddress::text() const {
 class DisplayServer::Connection {
   public:
     explicit Connection(const ViewerAddress& address) {
-        stream_.expires_after(kPatience);
-        stream_.connect(address.host, address.port);
-        check();
+        tcp::resolver resolver(context_);
+        const auto places = resolver.resolve(address.host, address.port);
+        boost::asio::async_connect(socket_, places,
+                                   [this](const auto& error, const auto&) { done_ = error; });
+        wait();
     }
     void send(const std::string& packet) {
-        stream_.expires_after(kPatience);
-        stream_.write(packet.data(), static_cast<std::streamsize>(packet.size()));
-        stream_.flush();
-        check();
+        boost::asio::async_write(socket_, boost::asio::buffer(packet),
+                                 [this](const auto& error, std::size_t) { done_ = error; });
+        wait();
     }
 
   private:
-    void check() {
-        if (!stream_) throw std::runtime_error(stream_.error().message());
+    /// For what was begun last.
+    void wait() {
+        done_.reset();
+        context_.restart();
+        context_.run_for(kPatience);
+        if (!done_) {
+            socket_.close();
+            context_.run();  // what was begun ends with an error
+            throw std::runtime_error("it does not answer");
+        }
+        if (*done_) throw std::runtime_error(done_->message());
     }
-    boost::asio::ip::tcp::iostream stream_;
+
+    boost::asio::io_context context_;
+    tcp::socket socket_{context_};
+    std::optional<boost::system::error_code> done_;
 };
 
 DisplayServer::DisplayServer(ViewerAddress address, std::string name)

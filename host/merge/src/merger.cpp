@@ -7,6 +7,7 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "lxs/imaging/error_figures.h"
@@ -25,8 +26,19 @@ constexpr std::array<std::pair<const char*, const char*>, 4> kAlike = {{
     {header::kSettings, "a setting, or the size of the image"},
 }};
 
-bool is_error(const std::string& channel) {
-    return channel.starts_with("error.");
+/// How a channel of several renders becomes one.
+enum class Rule : std::uint8_t { Mean, Error, Least };
+
+Rule rule_of(const std::string& channel) {
+    if (channel.starts_with("error.")) return Rule::Error;
+    return channel == "depth.Z" ? Rule::Least : Rule::Mean;
+}
+
+constexpr double kFarthest = std::numeric_limits<double>::infinity();
+
+float joined(Rule rule, double sum, double weight) {
+    if (rule == Rule::Least) return static_cast<float>(sum);
+    return static_cast<float>((rule == Rule::Error ? std::sqrt(sum) : sum) / weight);
 }
 
 template <class Number>
@@ -65,6 +77,7 @@ std::vector<std::uint64_t> seeds_in(const std::string& text) {
 }
 
 void check_values(const ExrImage& image, const std::string& name) {
+    // The ids of a cryptomatte are no numbers, but none has the bits of a NaN or an infinity.
     for (const auto& [channel, values] : image.channels) {
         if (std::ranges::all_of(values, [](float value) { return std::isfinite(value); })) continue;
         throw MergeRefusal(
@@ -140,6 +153,26 @@ void Merger::check(const ExrImage& image, const Told& told, const std::string& n
     check_values(image, name);
 }
 
+void Merger::add_channel(const std::string& channel, const std::vector<float>& values,
+                         double weight) {
+    std::vector<double>& sums = sums_[channel];
+    if (sums.empty()) sums.assign(values.size(), rule_of(channel) == Rule::Least ? kFarthest : 0);
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        const double value{values[i]};
+        switch (rule_of(channel)) {
+            case Rule::Mean:
+                sums[i] += weight * value;
+                break;
+            case Rule::Error:
+                sums[i] += weight * weight * value * value;
+                break;
+            case Rule::Least:
+                sums[i] = std::min(sums[i], value);
+                break;
+        }
+    }
+}
+
 void Merger::add(const ExrImage& image, const std::string& name) {
     const Told told(image, name);
     check(image, told, name);
@@ -148,16 +181,10 @@ void Merger::add(const ExrImage& image, const std::string& name) {
         frame_ = image.frame;
         common_ = image.metadata;
     }
-    const double weight = told.samples;
-    for (const auto& [channel, values] : image.channels) {
-        std::vector<double>& sums = sums_[channel];
-        sums.resize(values.size());
-        const bool squares = is_error(channel);
-        for (std::size_t i = 0; i < values.size(); ++i) {
-            const double term = weight * double{values[i]};
-            sums[i] += squares ? term * term : term;
-        }
-    }
+    for (const auto& [channel, values] : image.channels)
+        add_channel(channel, values, told.samples);
+    for (const std::string& matte : MatteSums::names_in(image.metadata))
+        mattes_[matte].add(image, matte, told.samples);
     for (const std::uint64_t seed : told.seeds)
         seeds_.emplace(seed, name);
     // Only what all say alike is true of them together.
@@ -165,7 +192,7 @@ void Merger::add(const ExrImage& image, const std::string& name) {
         const auto said = image.metadata.find(entry.first);
         return said == image.metadata.end() || said->second != entry.second;
     });
-    weight_ += weight;
+    weight_ += told.samples;
     freedom_ += told.freedom;
     passes_ += told.passes;
     ++images_;
@@ -183,10 +210,11 @@ ExrImage Merger::merged() const {
     for (const auto& [channel, sums] : sums_) {
         std::vector<float>& values = image.channels[channel];
         values.reserve(sums.size());
-        const bool squares = is_error(channel);
         for (const double sum : sums)
-            values.push_back(static_cast<float>((squares ? std::sqrt(sum) : sum) / weight_));
+            values.push_back(joined(rule_of(channel), sum, weight_));
     }
+    for (const auto& [name, matte] : mattes_)
+        matte.write(image, name, weight_);
     image.metadata[header::kPasses] = fmt::to_string(passes_);
     image.metadata[header::kSamples] = fmt::to_string(weight_);
     image.metadata[header::kSeed] = fmt::format("{}", fmt::join(seeds(), " "));

@@ -5,6 +5,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <boost/asio/ip/tcp.hpp>
 #include <chrono>
 #include <thread>
 
@@ -55,6 +56,20 @@ TEST(DisplayServer, AViewerThatCloses) {
     server.show(3, 2, pixels);
     server = DisplayServer(ViewerAddress::parse("127.0.0.1"), "hangs up");
     EXPECT_EQ(viewer.images().at("late").created, 2);
+}
+
+/// More than the system takes in for one that reads nothing.
+TEST(DisplayServer, AViewerThatHangsIsGivenUp) {
+    boost::asio::io_context context;
+    const boost::asio::ip::tcp::acceptor nobody_reads(context,
+                                                      {boost::asio::ip::address_v4::loopback(), 0});
+    const std::string port = std::to_string(nobody_reads.local_endpoint().port());
+    DisplayServer server(ViewerAddress::parse("127.0.0.1:" + port), "hangs");
+    const std::vector<Rgb> pixels(std::size_t{4000} * 1000, Rgb(0.5f));
+    const auto start = std::chrono::steady_clock::now();
+    EXPECT_THAT([&] { server.show(4000, 1000, pixels); },
+                testing::ThrowsMessage<std::runtime_error>(HasSubstr("it does not answer")));
+    EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(30));
 }
 
 TEST(DisplayServer, NoViewerIsAWarning) {

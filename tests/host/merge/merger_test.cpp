@@ -5,6 +5,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <array>
+#include <bit>
 #include <cmath>
 #include <functional>
 #include <limits>
@@ -85,6 +87,44 @@ TEST(Merger, KnowsNoErrorWhereAnImageTellsNone) {
     std::erase_if(image.channels, [](const auto& c) { return c.first.starts_with("error."); });
     merger.add(image, "a.exr");
     EXPECT_FALSE(merger.error());
+}
+
+TEST(Merger, KeepsTheLeastDepth) {
+    ExrImage a = rendered(1, 10, 1, 0.1f), b = rendered(2, 10, 1, 0.1f);
+    a.channels["depth.Z"] = {1e10f, 2, 3, 4, 5, 6};
+    b.channels["depth.Z"] = {7, 1e10f, 2.5f, 8, 9, 1e10f};
+    EXPECT_EQ(merged({a, b}).channels.at("depth.Z"), (std::vector<float>{7, 2, 2.5f, 4, 5, 6}));
+}
+
+/// One pixel's ids and coverages in the ranks of two layers.
+void set_matte(ExrImage& image, std::array<std::pair<std::uint32_t, float>, 4> ranks) {
+    image.metadata["cryptomatte/1234567/name"] = "objects";
+    const char* const channels[4][2] = {{"objects00.R", "objects00.G"},
+                                        {"objects00.B", "objects00.A"},
+                                        {"objects01.R", "objects01.G"},
+                                        {"objects01.B", "objects01.A"}};
+    for (std::size_t rank = 0; rank < ranks.size(); ++rank) {
+        image.channels[channels[rank][0]].assign(6, std::bit_cast<float>(ranks[rank].first));
+        image.channels[channels[rank][1]].assign(6, ranks[rank].second);
+    }
+}
+
+TEST(Merger, JoinsCryptomattesById) {
+    ExrImage a = rendered(1, 10, 1, 0.1f), b = rendered(2, 30, 1, 0.1f);
+    set_matte(a, {{{0x11111111, 0.6f}, {0x22222222, 0.4f}}});
+    set_matte(b, {{{0x22222222, 0.8f}, {0x33333333, 0.1f}, {0x11111111, 0.04f}}});
+    const ExrImage image = merged({a, b});
+    const auto id = [&](const char* channel) {
+        return std::bit_cast<std::uint32_t>(image.channels.at(channel)[3]);
+    };
+    EXPECT_EQ(id("objects00.R"), 0x22222222u);
+    EXPECT_FLOAT_EQ(image.channels.at("objects00.G")[3], 0.7f);
+    EXPECT_EQ(id("objects00.B"), 0x11111111u);
+    EXPECT_FLOAT_EQ(image.channels.at("objects00.A")[3], 0.18f);
+    EXPECT_EQ(id("objects01.R"), 0x33333333u);
+    EXPECT_FLOAT_EQ(image.channels.at("objects01.G")[3], 0.075f);
+    EXPECT_EQ(id("objects01.B"), 0u);
+    EXPECT_EQ(image.metadata.at("cryptomatte/1234567/name"), "objects");
 }
 
 struct Misfit {

@@ -10,6 +10,7 @@
 
 #include "lxs/imaging/error_estimate.h"
 #include "lxs/imaging/exr_image.h"
+#include "lxs/merge/matte_sums.h"
 
 namespace lxs {
 
@@ -23,7 +24,8 @@ class MergeRefusal : public std::runtime_error {
 /// same expectation.
 ///
 /// The layer `error` (standard deviations) is that of the mean: its squares add by the squares of
-/// the weights. All other channels are means; so is `bias`, which independent renders share.
+/// the weights. Of `depth` the least is kept, and cryptomattes are joined id by id. All other
+/// channels are means.
 class Merger {
   public:
     /// `name` stands for the image in messages. Throws MergeRefusal, and then holds what it held.
@@ -42,14 +44,18 @@ class Merger {
   private:
     struct Told;  // by an image's header
     void check(const ExrImage& image, const Told& told, const std::string& name) const;
+    void add_channel(const std::string& channel, const std::vector<float>& values, double weight);
     void check_seeds(const Told& told, const std::string& name) const;
     void check_layers(const ExrImage& image, const std::string& name) const;
 
     FilmFrame frame_;
-    std::map<std::string, std::vector<double>> sums_;  ///< of error channels, of squares
-    ImageMetadata common_;                             ///< what all headers say alike
-    std::string first_;                                ///< name of the first image
-    std::map<std::uint64_t, std::string> seeds_;       ///< and the image that has it
+    /// By channel: sums; of errors, of squares; of depths the least so far; of cryptomattes
+    /// nothing.
+    std::map<std::string, std::vector<double>> sums_;
+    std::map<std::string, MatteSums> mattes_;     ///< by name
+    ImageMetadata common_;                        ///< what all headers say alike
+    std::string first_;                           ///< name of the first image
+    std::map<std::uint64_t, std::string> seeds_;  ///< and the image that has it
     double weight_ = 0, freedom_ = 0;
     std::uint64_t passes_ = 0;
     std::size_t images_ = 0;

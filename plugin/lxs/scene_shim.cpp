@@ -220,7 +220,7 @@ CameraRay CameraShim::generate(const CameraSample& sample, float time) const {
     s.film = to(sample.film);
     s.lens = to(sample.lens);
     const lxs::CameraRay ray = camera_.generate(s, time);
-    return {from(ray.ray), ray.width, ray.spread};
+    return {from(ray.ray), ray.width, ray.spread, ray.depth, ray.depth_per_distance};
 }
 
 CameraSample SamplerShim::camera_sample(std::uint64_t number, std::uint32_t x,
@@ -245,6 +245,18 @@ void FilmShim::add_pass(const FilmPass& pass) {
                       .radiance = radiance_,
                       .groups = pass.groups,
                       .samples = double(width()) * height()});
+}
+
+LayersWanted FilmShim::layers_wanted() const {
+    const lxs::LayersWanted wanted = film_.layers_wanted();
+    return {.surfaces = wanted.surfaces()};
+}
+
+void FilmShim::add_surfaces(std::span<const Vec2> positions,
+                            std::span<const SeenSurface> surfaces) {
+    convert(positions, positions_);
+    convert(surfaces, surfaces_);
+    film_.add_surfaces(positions_, surfaces_);
 }
 
 void FilmShim::add_layer_pass(std::string_view name, std::span<const Vec2> positions,

@@ -1,11 +1,16 @@
 // The command line of lxsrender.
 #include "lxs/host/command_line.h"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include <CLI/CLI.hpp>
+#include <stdexcept>
 
 #include "lxs/host/command_line_mistake.h"
 #include "lxs/host/option_checks.h"
 #include "lxs/host/output_files.h"
+#include "lxs/imaging/layer_names.h"
 
 namespace lxs {
 namespace {
@@ -19,12 +24,27 @@ std::string check_stops(const std::string& text) {
     return check_within(text, 64);  // beyond it any image is black or white
 }
 
+std::string check_layers(const std::string& text) {
+    try {
+        layers_named(split_layer_names(text));
+        return "";
+    } catch (const std::invalid_argument& error) {
+        return error.what();
+    }
+}
+
 void add_output_options(CLI::App& app, CommandLine& command) {
     app.add_option("-o,--output", command.output,
                    "image to write: of FILE.exr the EXR and a PNG beside it, of FILE.png the PNG "
                    "alone (default: an EXR and a PNG with the film's file name, in the current "
                    "folder)")
         ->check(CLI::Validator(check_image_name, "FILE"));
+    app.add_option("--layers", command.layers,
+                   fmt::format("layers that the EXR has beside the image, instead of the scene's; "
+                               "separated by commas, of {}",
+                               fmt::join(layer_names(), ", ")))
+        ->type_name("NAMES")
+        ->check(CLI::Validator(check_layers, ""));
     app.add_option("--exposure", command.exposure_stops,
                    "stops by which the PNG is brighter (2 to this power), or darker below 0; the "
                    "EXR stays as it is")

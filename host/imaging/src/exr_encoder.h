@@ -1,6 +1,7 @@
 // OpenEXR files in memory.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <span>
 #include <string>
@@ -15,12 +16,14 @@ namespace lxs {
 struct ColorLayer {
     std::string name;
     std::vector<Rgb> values;
+    std::array<char, 3> channels{'R', 'G', 'B'};
 };
 
 /// A layer of one channel, "name.Y".
 struct FloatLayer {
     std::string name;
     std::span<const float> values;
+    char channel = 'Y';
 };
 
 /// The bytes of a scan-line EXR (32-bit float, ZIP) with the frame's window as data window. All

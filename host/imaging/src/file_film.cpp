@@ -68,6 +68,7 @@ void FlexImage::set_wavelengths(const Wavelengths& wavelengths) {
     accumulator_.set_conversion(wavelengths.to_rgb, wavelengths.white);
     for (auto& [name, layer] : color_layers_)
         layer.set_conversion(wavelengths.to_rgb, wavelengths.white);
+    if (asked_) asked_->set_wavelengths(wavelengths);
 }
 
 void FlexImage::add_pass(const PassSamples& samples) {
@@ -94,16 +95,22 @@ std::optional<ErrorEstimate> FlexImage::error() const {
     return error_->estimate(accumulator_);
 }
 
+bool FlexImage::is_asked(std::string_view name) const {
+    const auto names = FilmLayers::names(settings_.layers);
+    return std::find(names.begin(), names.end(), name) != names.end();
+}
+
 /// Whether a layer of the scene's or of the integrator's has this name.
 bool FlexImage::names_layer(std::string_view name) const {
     const auto& groups = group_names_;
     return (groups.size() > 1 && std::find(groups.begin(), groups.end(), name) != groups.end()) ||
-           color_layers_.contains(name) || layers_.contains(name);
+           color_layers_.contains(name) || layers_.contains(name) || is_asked(name);
 }
 
 void FlexImage::clear() {
     accumulator_.clear();
     if (error_) error_->clear();
+    if (asked_) asked_->clear();
     for (auto& [name, layer] : color_layers_) {
         layer.clear();
     }
@@ -137,6 +144,10 @@ RefusalList FlexImage::refusals() const {
         add(fmt::format("layer \"{}\"", name), layer.refused_samples());
     for (const auto& [name, count] : refused_layer_values_)
         add(fmt::format("layer \"{}\"", name), count);
+    if (asked_) {
+        const RefusalList asked = asked_->refusals();
+        list.insert(list.end(), asked.begin(), asked.end());
+    }
     return list;
 }
 
@@ -153,6 +164,7 @@ std::size_t FlexImage::memory_bytes() const {
         bytes += layer.memory_bytes();
     }
     if (error_) bytes += error_->memory_bytes();
+    if (asked_) bytes += asked_->memory_bytes();
     return bytes;
 }
 
@@ -182,6 +194,7 @@ void FlexImage::write_exr(const std::string& path, const ImageMetadata& metadata
     for (const auto& [name, values] : layers_) {
         floats.push_back({name, values});
     }
+    if (asked_) asked_->append_to(colors, floats, [this](std::span<Rgb> c) { to_film_colors(c); });
     write_file_atomically(path, encode_for(path, [&] {
                               return encode_exr(settings_.frame, colors, floats, metadata);
                           }));

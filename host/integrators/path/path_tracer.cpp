@@ -8,6 +8,7 @@
 #include "lxs/sdk/medium.h"
 #include "lxs/sdk/rays.h"
 #include "path/path_state.h"
+#include "path/surface_view.h"
 
 namespace lxs {
 namespace {
@@ -42,6 +43,7 @@ PathTracer::PathTracer(const Scene& scene, const PathSettings& settings, PathRef
 void PathTracer::trace(const Ray& camera_ray, PrimarySample& random,
                        std::pmr::monotonic_buffer_resource& memory, PathResult& result) const {
     State state{.ray = camera_ray, .random = random, .result = result, .left = {}};
+    SurfaceView view(result.seen);
     for (;;) {
         memory.release();
         SurfaceHit hit;
@@ -50,6 +52,7 @@ void PathTracer::trace(const Ray& camera_ray, PrimarySample& random,
         if (media_scatter_ && state.ray.medium && state.ray.medium->scatters()) {
             if (fly(state, hit.distance)) {
                 if (!scatter_in_medium(state)) break;
+                view.scattered();
                 continue;
             }
         } else {
@@ -59,10 +62,12 @@ void PathTracer::trace(const Ray& camera_ray, PrimarySample& random,
             add_escaped(state);
             break;
         }
+        if (view.wanted()) view.meet(hit, state.ray.direction, state.throughput);
         add_emitted(state, hit);
         if (hit.bsdf == nullptr) break;
         if (state.bounces < settings_.max_depth) add_direct(state, hit);
         if (!scatter(state, hit)) break;
+        if (view.wanted()) view.leave(state.ray.direction, state.throughput);
     }
     result.bounces += state.bounces;
 }

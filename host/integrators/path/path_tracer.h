@@ -10,6 +10,7 @@
 #include <span>
 #include <vector>
 
+#include "lxs/sdk/layers.h"
 #include "lxs/sdk/scene.h"
 #include "lxs/sdk/state_archive.h"
 #include "path/light_selector.h"
@@ -24,6 +25,7 @@ struct PathResult {
     std::span<Rgb> radiance;  ///< one entry a light group, added to
     std::uint64_t rays = 0;
     std::uint64_t bounces = 0;
+    SeenSurface* seen = nullptr;  ///< takes what the path sees of surfaces; null: nothing does
     /// Takes what the first shadow rays from surfaces found, at most kToldRays; null: nothing does.
     std::vector<aips::LightSample>* told = nullptr;
 };

@@ -40,6 +40,7 @@ EyePathOutput output_of(const EyePassInput& in, std::uint64_t pass, std::uint32_
         output.continued = std::span(image.continued).subspan(first, image.groups);
         output.explores = in.shares->explores(pass, path);
     }
+    if (in.layers.surfaces) output.surface = &image.surfaces[path];
     return output;
 }
 
@@ -127,8 +128,8 @@ std::size_t EyeImage::memory_bytes() const {
         positions.capacity() * sizeof(Vec2) +
         (radiance.capacity() + continued.capacity()) * sizeof(Rgb) +
         visible_points.capacity() * sizeof(VisiblePoint) + footprints.capacity() * sizeof(float) +
-        light_samples.capacity() * sizeof(LightSample) + beams.capacity() * sizeof(VolumeBeam) +
-        lamp_rests.capacity() * sizeof(LampRest);
+        surfaces.capacity() * sizeof(SeenSurface) + light_samples.capacity() * sizeof(LightSample) +
+        beams.capacity() * sizeof(VolumeBeam) + lamp_rests.capacity() * sizeof(LampRest);
     for (const Arena& arena : arenas)
         bytes += arena.bytes_reserved();
     return bytes;
@@ -150,6 +151,7 @@ void trace_eye_pass(const EyePassInput& in, std::uint64_t pass, float time, Refu
     image.positions.resize(in.paths);
     image.radiance.assign(std::size_t(in.paths) * image.groups, Rgb{});
     image.continued.assign(in.shares ? image.radiance.size() : 0, Rgb{});
+    image.surfaces.assign(in.layers.surfaces ? in.paths : 0, SeenSurface{});
     image.arenas.resize(block_count);
     if (in.keep_visible_points) image.visible_points.reserve(in.paths);
     std::vector<EyeBlock> blocks(block_count);

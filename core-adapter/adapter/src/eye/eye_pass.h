@@ -50,6 +50,7 @@ struct EyeImage {
     /// Laid out alike: what eye paths that went on from their visible points brought, without any
     /// share; empty if none may.
     std::vector<Rgb> continued;
+    std::vector<SeenSurface> surfaces;  ///< [path]; empty if they are not wanted
     std::vector<VisiblePoint> visible_points;
     std::vector<VolumeBeam> beams;  ///< parts within media that scatter: at most one an eye path
     double beam_footprint_sum = 0;  ///< of the pixel footprints' radii at the beams' middles
@@ -93,6 +94,7 @@ struct EyePassInput {
     bool keep_visible_points = true;    ///< else they and the beams are left out, and Bsdfs dropped
     const EyeShares* shares = nullptr;  ///< null: no eye path goes on from its visible point
     const LampImages* lamps = nullptr;  ///< null: eye paths alone meet lamps
+    LayersWanted layers = {};
 };
 
 /// Lobes that take photons under these settings; the others bounce the eye path on.

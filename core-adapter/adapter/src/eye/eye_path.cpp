@@ -10,6 +10,7 @@
 #include "eye/continued_path.h"
 #include "eye/store_probability.h"
 #include "eye/surface_side.h"
+#include "eye/surface_view.h"
 #include "eye/volume_light.h"
 #include "refusal/meet_surface.h"
 
@@ -31,13 +32,14 @@ class EyePath {
           lamps_(output.lamps.empty() ? output.radiance : output.lamps),
           continued_(output.continued),
           explores_(output.explores),
+          seen_(output.surface),
           media_(input.scene.media()) {
         tip_.ray = camera_ray.ray;
     }
 
     EyePathResult trace() {
         follow(1);
-        if (result_.has_beam) result_.beam.throughput *= beam_weights_ / beam_weight_;
+        if (result_.has_beam) result_.beam.throughput *= beam_choice_.factor();
         return result_;
     }
 
@@ -66,7 +68,9 @@ class EyePath {
             }
             travelled_ += point.distance;
             add_emitted(point);
+            if (seen_.wanted()) seen_.meet(point, tip_, camera_ray_.depth_at(travelled_));
             const bool go_on = point.bsdf && scatter(point, depth);
+            if (seen_.wanted() && go_on) seen_.leave(tip_);
             if (result_.has_visible_point) {
                 if (!result_.visible_point.bsdf) arena_.rewind(mark);
                 break;
@@ -89,14 +93,12 @@ class EyePath {
         if (in_.keep_visible_points) keep(beam);
     }
 
-    /// Keeps one of the path's beams, chosen by what it may scatter (reservoir sampling).
+    /// Keeps one of the path's beams, chosen by what it may scatter.
     void keep(const VolumeBeam& beam) {
         const Rgb passed = transmittance(media_->extinction(beam.medium), beam.length);
         const float weight = luminance(beam.throughput * (kWhite - passed));
         if (!(weight > 0) || !refusals_.accept(beam.throughput, kPassageOrigin)) return;
-        beam_weights_ += weight;
-        if (result_.has_beam && random_.next() * beam_weights_ >= weight) return;
-        beam_weight_ = weight;
+        if (!beam_choice_.takes(weight, [&] { return random_.next(); })) return;
         result_.has_beam = true;
         result_.beam = beam;
         result_.beam_footprint =
@@ -209,6 +211,7 @@ class EyePath {
                                           : std::min(within * first, std::nextafter(first, 0.0f));
         EyePath other(*this);
         other.lamps_only_ = true;
+        other.seen_ = {};
         other.result_ = {};
         if (!in_.lamps) other.branches_ = kMostBranches;
         other.lamp_share_ *= takes_first ? 1 - first : first;
@@ -264,6 +267,7 @@ class EyePath {
     Arena& arena_;
     std::span<Rgb> radiance_, lamps_, continued_;
     bool explores_;
+    SurfaceView seen_;
     const Media* media_;  // null if no medium scatters
 
     PathTip tip_;
@@ -273,8 +277,7 @@ class EyePath {
     float lamp_share_ = 1;        // of lamps met, as other ways from smooth surfaces tell too
     std::uint32_t branches_ = 0;  // vertices from which that was so
     std::size_t choices_ = 0;     // used at smooth surfaces beyond these
-    float beam_weights_ = 0;      // of all beams of the path
-    float beam_weight_ = 0;       // of the one that is kept
+    BeamChoice beam_choice_;
     EyePathResult result_;
 };
 

@@ -26,6 +26,7 @@ struct EyePathOutput {
     std::span<Rgb> lamps;      ///< [light group]: lamps behind smooth surfaces; empty: in radiance
     std::span<Rgb> continued;  ///< [light group]: EyeImage::continued; empty without shares
     bool explores = false;     ///< goes on from its visible point even where it has no share
+    SeenSurface* surface = nullptr;  ///< null: not wanted
 };
 
 /// Follows a camera ray, drawn at surfaces from `numbers`, in media from `random`; adds what it

@@ -19,6 +19,26 @@ struct VolumeBeam {
     Vec3 at(float distance) const { return origin + direction * distance; }
 };
 
+/// Chooses one of a path's beams, each in proportion to its weight (reservoir sampling).
+class BeamChoice {
+  public:
+    /// Whether a beam of this weight, > 0, is the one so far. `next` gives a number in [0, 1).
+    template <class Next>
+    bool takes(float weight, const Next& next) {
+        const bool first = weights_ == 0;
+        weights_ += weight;
+        if (!first && next() * weights_ >= weight) return false;
+        weight_ = weight;
+        return true;
+    }
+    /// One over the probability of the one that was taken.
+    float factor() const { return weights_ / weight_; }
+
+  private:
+    float weights_ = 0;  // of all
+    float weight_ = 0;   // of the one that is kept
+};
+
 /// Share of light that goes `distance` without a collision (Beer-Lambert).
 inline Rgb transmittance(Rgb extinction, float distance) {
     return {std::exp(-extinction.r * distance), std::exp(-extinction.g * distance),

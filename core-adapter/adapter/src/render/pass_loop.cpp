@@ -33,9 +33,12 @@ PassLoop::PassLoop(const Host& host, const Settings& settings, std::uint32_t eye
       eye_(make_eye_source({host_.scene, host_.camera, host_.sampler, direct_light_, settings_,
                             host.film.width(), host.film.height(), eye_paths, needs_points,
                             shared_by(strategies, &LightStrategy::eye_shares),
-                            shared_by(strategies, &LightStrategy::lamp_images)})),
+                            shared_by(strategies, &LightStrategy::lamp_images),
+                            host.film.layers_wanted()})),
       strategies_(std::move(strategies)) {
     statistics_.memory_bound_bytes = eye_memory_bound(host.scene, settings, eye_paths);
+    if (eye_->input().layers.surfaces)
+        statistics_.memory_bound_bytes += eye_paths * sizeof(SeenSurface);
     for (const auto& strategy : strategies_)
         statistics_.memory_bound_bytes += strategy->memory_bound_bytes();
     refuse_powers();
@@ -55,6 +58,7 @@ PassReport PassLoop::render_pass(std::uint64_t number) {
     for (const auto& strategy : strategies_)
         add_light(strategy->carry(pass, report), film_pass);
     host_.film.add_pass(film_pass);
+    if (!image_.surfaces.empty()) host_.film.add_surfaces(image_.positions, image_.surfaces);
     for (const auto& strategy : strategies_)
         strategy->end_pass(pass, film_pass);
     if (report.eye_paths) {

@@ -1,0 +1,26 @@
+// Layers beside the image, as a host's film asks for them and the engine fills them.
+#pragma once
+
+#include <limits>
+
+#include "aips/core/base/rgb.h"
+#include "aips/core/base/vector.h"
+
+namespace aips {
+
+/// Which layers a film wants. What it doesn't want is neither worked out nor kept.
+struct LayersWanted {
+    bool surfaces = false;  ///< Film::add_surfaces is to be called with each pass
+};
+
+/// What an eye path saw of surfaces. Those that let everything pass straight and undimmed are none.
+struct SeenSurface {
+    /// Bsdf::albedo of the first surface that isn't smooth alone, times what mirrors and glass on
+    /// the way there left of light; black where there is none.
+    Rgb albedo;
+    /// Shading normal of the first surface, on the side that was seen; zero where there is none.
+    Vec3 normal;
+    float depth = std::numeric_limits<float>::infinity();  ///< of it (CameraRay::depth_at)
+};
+
+}  // namespace aips

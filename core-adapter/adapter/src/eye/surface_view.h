@@ -1,0 +1,56 @@
+// What an eye path sees of surfaces, for layers beside the image.
+#pragma once
+
+#include <cstdint>
+
+#include "aips/adapter/layers.h"
+#include "eye/path_tip.h"
+#include "eye/surface_side.h"
+
+namespace aips {
+
+/// Told of every surface that the path meets and of how it goes on; it only looks.
+class SurfaceView {
+  public:
+    SurfaceView() = default;
+    /// `seen` may be null: nothing is wanted.
+    explicit SurfaceView(SeenSurface* seen) : seen_(seen) {}
+
+    /// Whether there is more to be seen.
+    bool wanted() const { return seen_ != nullptr; }
+
+    /// The path, `tip`, has arrived at `point`.
+    void meet(const SurfacePoint& point, const PathTip& tip, float depth) {
+        const Vec3 wo = -tip.ray.direction;
+        if (!met_) {
+            met_ = true;
+            straight_ = true;
+            direction_ = tip.ray.direction;
+            throughput_ = tip.throughput;
+            const bool front = dot(wo, point.geometric_normal) > 0;
+            seen_->normal = front ? point.shading_normal : -point.shading_normal;
+            seen_->depth = depth;
+        }
+        if (point.bsdf && point.bsdf->lobes() == kSpecular) return;
+        if (point.bsdf) seen_->albedo = tip.throughput * point.bsdf->albedo(wo, kAllLobes);
+        seen_ = nullptr;
+    }
+
+    /// The path leaves the surface that it has met last. One that lets it pass as it came is none.
+    void leave(const PathTip& tip) {
+        if (!straight_) return;
+        straight_ = false;
+        if (!(tip.ray.direction == direction_) || !(tip.throughput == throughput_)) return;
+        met_ = false;
+        *seen_ = {};
+    }
+
+  private:
+    SeenSurface* seen_ = nullptr;
+    bool met_ = false;       // a surface that is none of those
+    bool straight_ = false;  // the path is at it
+    Vec3 direction_;         // with which the path arrived at it
+    Rgb throughput_;
+};
+
+}  // namespace aips

@@ -1,0 +1,124 @@
+// The layers that a film keeps beside its image because a user asked for them.
+#include "film_layers.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace lxs {
+namespace {
+
+constexpr std::string_view kAlbedo = "albedo", kNormal = "normal", kDepth = "depth";
+
+/// Number of the pixel of `size` that a place on the film is in, beyond its edge the nearest.
+std::size_t pixel_along(float x, std::uint32_t size) {
+    return static_cast<std::size_t>(std::clamp(std::floor(x), 0.0f, static_cast<float>(size - 1)));
+}
+
+}  // namespace
+
+FilmLayers::FilmLayers(const LayersWanted& wanted, std::uint32_t width, std::uint32_t height,
+                       const PixelFilter& filter)
+    : wanted_(wanted), width_(width), height_(height) {
+    if (wanted.albedo) albedo_.emplace(width, height, 1, filter);
+    if (wanted.normal) normal_.emplace(width, height, 1, filter);
+    if (wanted.depth) depth_.assign(pixels(), kDepthOfNothing);
+}
+
+std::vector<std::string> FilmLayers::names(const LayersWanted& wanted) {
+    std::vector<std::string> names;
+    if (wanted.albedo) names.emplace_back(kAlbedo);
+    if (wanted.normal) names.emplace_back(kNormal);
+    if (wanted.depth) names.emplace_back(kDepth);
+    return names;
+}
+
+void FilmLayers::add_surfaces(std::span<const Vec2> positions,
+                              std::span<const SeenSurface> surfaces) {
+    const auto add = [&](FilmAccumulator& mean, const auto& value) {
+        values_.resize(surfaces.size());
+        std::transform(surfaces.begin(), surfaces.end(), values_.begin(), value);
+        mean.add({.positions = positions, .radiance = values_});
+    };
+    if (albedo_) add(*albedo_, [](const SeenSurface& seen) { return seen.albedo; });
+    if (normal_) {
+        add(*normal_, [](const SeenSurface& seen) {
+            return Rgb(0.5f + 0.5f * seen.normal.x, 0.5f + 0.5f * seen.normal.y,
+                       0.5f + 0.5f * seen.normal.z);
+        });
+    }
+    if (!depth_.empty()) add_depths(positions, surfaces);
+}
+
+/// The least is the same in whatever order samples come.
+void FilmLayers::add_depths(std::span<const Vec2> positions,
+                            std::span<const SeenSurface> surfaces) {
+    for (std::size_t i = 0; i < surfaces.size(); ++i) {
+        const Vec2& p = positions[i];
+        const float depth = surfaces[i].depth;
+        if (std::isnan(depth) || !std::isfinite(p.x) || !std::isfinite(p.y)) {
+            ++refused_depths_;
+            continue;
+        }
+        float& least = depth_[pixel_along(p.y, height_) * width_ + pixel_along(p.x, width_)];
+        least = std::min(least, depth);
+    }
+}
+
+void FilmLayers::clear() {
+    if (albedo_) albedo_->clear();
+    if (normal_) normal_->clear();
+    std::fill(depth_.begin(), depth_.end(), kDepthOfNothing);
+}
+
+void FilmLayers::set_wavelengths(const Wavelengths& wavelengths) {
+    if (albedo_) albedo_->set_conversion(wavelengths.to_rgb, wavelengths.white);
+}
+
+std::vector<Rgb> FilmLayers::mean_normals() const {
+    std::vector<Rgb> normals(pixels(), Rgb(0.0f));
+    for (std::size_t i = 0; i < normals.size(); ++i) {
+        const PixelMeans means = normal_->means(i);
+        if (means.weight[0] > 0) normals[i] = Rgb(means.value[0] * 2.0 - Imath::V3d(1.0));
+    }
+    return normals;
+}
+
+void FilmLayers::append_to(std::vector<ColorLayer>& colors, std::vector<FloatLayer>& floats,
+                           const std::function<void(std::span<Rgb>)>& to_film) const {
+    if (albedo_) {
+        std::vector<Rgb> values(pixels());
+        albedo_->resolve_total(values);
+        to_film(values);
+        colors.push_back({std::string(kAlbedo), std::move(values)});
+    }
+    if (normal_) colors.push_back({std::string(kNormal), mean_normals(), {'X', 'Y', 'Z'}});
+    if (!depth_.empty()) floats.push_back({std::string(kDepth), depth_, 'Z'});
+}
+
+void FilmLayers::state(StateArchive& archive) {
+    if (albedo_) albedo_->state(archive);
+    if (normal_) normal_->state(archive);
+    if (depth_.empty()) return;
+    archive.fixed(std::span(depth_));
+    archive.value(refused_depths_);
+    if (std::any_of(depth_.begin(), depth_.end(), [](float d) { return !std::isfinite(d); }))
+        throw StateError("a depth of the film is no finite number");
+}
+
+RefusalList FilmLayers::refusals() const {
+    RefusalList list;
+    const auto add = [&](std::string_view name, std::uint64_t count) {
+        if (count > 0) list.push_back({"layer \"" + std::string(name) + "\"", count});
+    };
+    if (albedo_) add(kAlbedo, albedo_->refused_samples());
+    if (normal_) add(kNormal, normal_->refused_samples());
+    add(kDepth, refused_depths_);
+    return list;
+}
+
+std::size_t FilmLayers::memory_bytes() const {
+    return (albedo_ ? albedo_->memory_bytes() : 0) + (normal_ ? normal_->memory_bytes() : 0) +
+           depth_.capacity() * sizeof(float) + values_.capacity() * sizeof(Rgb);
+}
+
+}  // namespace lxs

@@ -1,0 +1,35 @@
+// Layers beside the image, as a film asks for them and integrators fill them.
+#pragma once
+
+#include <limits>
+
+#include "lxs/sdk/types.h"
+
+namespace lxs {
+
+/// Which layers a film wants. What it doesn't want is neither worked out nor kept.
+struct LayersWanted {
+    bool albedo = false;
+    bool normal = false;
+    bool depth = false;
+
+    bool operator==(const LayersWanted&) const = default;
+    /// Whether Film::add_surfaces is to be called with each pass.
+    bool surfaces() const { return albedo || normal || depth; }
+};
+
+/// What one camera sample saw of surfaces. Those that let everything pass straight and undimmed
+/// (null materials) are none.
+struct SeenSurface {
+    /// Reflectance of the first surface that isn't smooth alone, times what mirrors and glass on
+    /// the way there left of light; black where there is none.
+    Rgb albedo{0.0f};
+    /// Shading normal of the first surface, unit, world space, on the side that the sample saw;
+    /// zero where there is none.
+    Vec3 normal{0.0f};
+    /// Of the first surface, scene units: along the camera's axis, from environment cameras along
+    /// the ray (CameraRay::depth).
+    float depth = std::numeric_limits<float>::infinity();
+};
+
+}  // namespace lxs

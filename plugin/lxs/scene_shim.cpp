@@ -229,27 +229,39 @@ CameraSample SamplerShim::camera_sample(std::uint64_t number, std::uint32_t x,
     return {{s.film.x, s.film.y}, {s.lens.x, s.lens.y}};
 }
 
-void FilmShim::add_pass(const FilmPass& pass) {
+lxs::PassSamples FilmShim::samples_of(const FilmPass& pass) {
     convert(pass.positions, positions_);
     convert(pass.eye, radiance_);
     convert(pass.photons, photons_);
-    film_.add_pass({.positions = positions_,
-                    .radiance = radiance_,
-                    .groups = pass.groups,
-                    .second_radiance = photons_,
-                    .second_weight = pass.photon_weight});
-    if (!pass.splats) return;
+    return {.positions = positions_,
+            .radiance = radiance_,
+            .groups = pass.groups,
+            .second_radiance = photons_,
+            .second_weight = pass.photon_weight};
+}
+
+lxs::PassSplats FilmShim::splats_of(const FilmPass& pass) {
     convert(pass.splats->positions, positions_);
     convert(pass.splats->radiance, radiance_);
-    film_.add_splats({.positions = positions_,
-                      .radiance = radiance_,
-                      .groups = pass.groups,
-                      .samples = double(width()) * height()});
+    return {.positions = positions_,
+            .radiance = radiance_,
+            .groups = pass.groups,
+            .samples = double(width()) * height()};
+}
+
+void FilmShim::add_pass(const FilmPass& pass) {
+    film_.add_pass(samples_of(pass));
+    if (pass.splats) film_.add_splats(splats_of(pass));
+}
+
+void FilmShim::add_parts(const FilmPass& parts) {
+    film_.add_parts(samples_of(parts));
+    if (parts.splats) film_.add_splats_of_parts(splats_of(parts));
 }
 
 LayersWanted FilmShim::layers_wanted() const {
     const lxs::LayersWanted wanted = film_.layers_wanted();
-    return {.surfaces = wanted.surfaces()};
+    return {.parts = wanted.parts(), .surfaces = wanted.surfaces()};
 }
 
 void FilmShim::add_surfaces(std::span<const Vec2> positions,

@@ -87,7 +87,7 @@ void expect_known(const Layers& layers) {
         }
         const float of_wall[] = {0.2f, 0.4f, 0.6f}, of_mirrored[] = {0.4f, 0.3f, 0.2f};
         for (std::size_t c = 0; c < 3; ++c) {
-            EXPECT_NEAR(layers.albedo[3 * wall + c], of_wall[c], 5e-3);  // by way of spectra
+            EXPECT_NEAR(layers.albedo[3 * wall + c], of_wall[c], 5e-3);        // by way of spectra
             EXPECT_NEAR(layers.albedo[3 * mirror + c], of_mirrored[c], 5e-3);  // by way of spectra
         }
     }
@@ -112,8 +112,10 @@ TEST(Layers, AreNamedAsDocumented) {
     using Names = std::set<std::string>;
     EXPECT_EQ(names(""), (Names{"R", "G", "B"}));
     EXPECT_EQ(names("--layers depth"), (Names{"R", "G", "B", "depth.Z"}));
-    EXPECT_EQ(names("--layers all"), (Names{"R", "G", "B", "albedo.R", "albedo.G", "albedo.B",
-                                            "normal.X", "normal.Y", "normal.Z", "depth.Z"}));
+    EXPECT_EQ(names("--layers all"),
+              (Names{"R", "G", "B", "direct.R", "direct.G", "direct.B", "indirect.R", "indirect.G",
+                     "indirect.B", "caustics.R", "caustics.G", "caustics.B", "albedo.R", "albedo.G",
+                     "albedo.B", "normal.X", "normal.Y", "normal.Z", "depth.Z"}));
 }
 
 }  // namespace

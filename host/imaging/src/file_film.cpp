@@ -13,6 +13,7 @@
 #include "flex_image.h"
 #include "lxs/imaging/atomic_file.h"
 #include "png_encoder.h"
+#include "sum_to_image.h"
 
 namespace lxs {
 namespace {
@@ -179,6 +180,7 @@ void FlexImage::write_exr(const std::string& path, const ImageMetadata& metadata
                               accumulator_.resolve_group(g, values);
                           })});
     }
+    sum_to_image(std::span(colors).subspan(1), colors.front().values);
     for (const auto& [name, layer] : color_layers_) {
         colors.push_back({name, film_colors([&resolved = layer](std::span<Rgb> values) {
                               resolved.resolve_total(values);

@@ -1,13 +1,22 @@
 // The layers that a film keeps beside its image because a user asked for them.
 #include "film_layers.h"
 
+#include "sum_to_image.h"
+
 #include <algorithm>
 #include <cmath>
 
 namespace lxs {
 namespace {
 
+/// By ImagePart.
+constexpr std::array<std::string_view, kImageParts> kParts{"direct", "caustics", "indirect"};
 constexpr std::string_view kAlbedo = "albedo", kNormal = "normal", kDepth = "depth";
+
+/// By ImagePart.
+std::array<bool, kImageParts> parts_of(const LayersWanted& wanted) {
+    return {wanted.direct, wanted.caustics, wanted.indirect};
+}
 
 /// Number of the pixel of `size` that a place on the film is in, beyond its edge the nearest.
 std::size_t pixel_along(float x, std::uint32_t size) {
@@ -19,6 +28,7 @@ std::size_t pixel_along(float x, std::uint32_t size) {
 FilmLayers::FilmLayers(const LayersWanted& wanted, std::uint32_t width, std::uint32_t height,
                        const PixelFilter& filter)
     : wanted_(wanted), width_(width), height_(height) {
+    if (wanted.parts()) parts_.emplace(width, height, kImageParts, filter);
     if (wanted.albedo) albedo_.emplace(width, height, 1, filter);
     if (wanted.normal) normal_.emplace(width, height, 1, filter);
     if (wanted.depth) depth_.assign(pixels(), kDepthOfNothing);
@@ -26,6 +36,9 @@ FilmLayers::FilmLayers(const LayersWanted& wanted, std::uint32_t width, std::uin
 
 std::vector<std::string> FilmLayers::names(const LayersWanted& wanted) {
     std::vector<std::string> names;
+    for (std::size_t part = 0; part < kImageParts; ++part) {
+        if (parts_of(wanted)[part]) names.emplace_back(kParts[part]);
+    }
     if (wanted.albedo) names.emplace_back(kAlbedo);
     if (wanted.normal) names.emplace_back(kNormal);
     if (wanted.depth) names.emplace_back(kDepth);
@@ -65,12 +78,14 @@ void FilmLayers::add_depths(std::span<const Vec2> positions,
 }
 
 void FilmLayers::clear() {
+    if (parts_) parts_->clear();
     if (albedo_) albedo_->clear();
     if (normal_) normal_->clear();
     std::fill(depth_.begin(), depth_.end(), kDepthOfNothing);
 }
 
 void FilmLayers::set_wavelengths(const Wavelengths& wavelengths) {
+    if (parts_) parts_->set_conversion(wavelengths.to_rgb, wavelengths.white);
     if (albedo_) albedo_->set_conversion(wavelengths.to_rgb, wavelengths.white);
 }
 
@@ -83,8 +98,24 @@ std::vector<Rgb> FilmLayers::mean_normals() const {
     return normals;
 }
 
+void FilmLayers::append_parts(std::vector<ColorLayer>& colors,
+                              const std::function<void(std::span<Rgb>)>& to_film) const {
+    std::vector<ColorLayer> parts;
+    for (std::uint32_t part = 0; part < kImageParts; ++part) {
+        std::vector<Rgb> values(pixels());
+        parts_->resolve_group(part, values);
+        to_film(values);
+        parts.push_back({std::string(kParts[part]), std::move(values)});
+    }
+    sum_to_image(parts, colors.front().values);
+    for (std::uint32_t part = 0; part < kImageParts; ++part) {
+        if (parts_of(wanted_)[part]) colors.push_back(std::move(parts[part]));
+    }
+}
+
 void FilmLayers::append_to(std::vector<ColorLayer>& colors, std::vector<FloatLayer>& floats,
                            const std::function<void(std::span<Rgb>)>& to_film) const {
+    if (parts_) append_parts(colors, to_film);
     if (albedo_) {
         std::vector<Rgb> values(pixels());
         albedo_->resolve_total(values);
@@ -96,6 +127,7 @@ void FilmLayers::append_to(std::vector<ColorLayer>& colors, std::vector<FloatLay
 }
 
 void FilmLayers::state(StateArchive& archive) {
+    if (parts_) parts_->state(archive);
     if (albedo_) albedo_->state(archive);
     if (normal_) normal_->state(archive);
     if (depth_.empty()) return;
@@ -110,6 +142,10 @@ RefusalList FilmLayers::refusals() const {
     const auto add = [&](std::string_view name, std::uint64_t count) {
         if (count > 0) list.push_back({"layer \"" + std::string(name) + "\"", count});
     };
+    if (parts_) {
+        for (std::size_t part = 0; part < kImageParts; ++part)
+            add(kParts[part], parts_->refused_by_group()[part]);
+    }
     if (albedo_) add(kAlbedo, albedo_->refused_samples());
     if (normal_) add(kNormal, normal_->refused_samples());
     add(kDepth, refused_depths_);
@@ -117,8 +153,9 @@ RefusalList FilmLayers::refusals() const {
 }
 
 std::size_t FilmLayers::memory_bytes() const {
-    return (albedo_ ? albedo_->memory_bytes() : 0) + (normal_ ? normal_->memory_bytes() : 0) +
-           depth_.capacity() * sizeof(float) + values_.capacity() * sizeof(Rgb);
+    return (parts_ ? parts_->memory_bytes() : 0) + (albedo_ ? albedo_->memory_bytes() : 0) +
+           (normal_ ? normal_->memory_bytes() : 0) + depth_.capacity() * sizeof(float) +
+           values_.capacity() * sizeof(Rgb);
 }
 
 }  // namespace lxs

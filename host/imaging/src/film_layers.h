@@ -29,14 +29,20 @@ class FilmLayers {
     /// Names in a file of the layers wanted.
     static std::vector<std::string> names(const LayersWanted& wanted);
 
-    /// As Film::add_surfaces.
+    /// As the film's.
+    void add_parts(const PassSamples& parts) {
+        if (parts_) parts_->add(parts);
+    }
+    void add_splats_of_parts(const PassSplats& parts) {
+        if (parts_) parts_->add_splats(parts);
+    }
     void add_surfaces(std::span<const Vec2> positions, std::span<const SeenSurface> surfaces);
     void clear();
     /// As FileFilm::set_wavelengths.
     void set_wavelengths(const Wavelengths& wavelengths);
 
-    /// Adds the layers to those of a file, which must not outlive this. `to_film` takes colours of
-    /// the scene to those of the film.
+    /// Adds the layers to those of a file, which must not outlive this and begin with the image.
+    /// `to_film` takes colours of the scene to those of the film.
     void append_to(std::vector<ColorLayer>& colors, std::vector<FloatLayer>& floats,
                    const std::function<void(std::span<Rgb>)>& to_film) const;
 
@@ -45,12 +51,15 @@ class FilmLayers {
     std::size_t memory_bytes() const;
 
   private:
+    void append_parts(std::vector<ColorLayer>& colors,
+                      const std::function<void(std::span<Rgb>)>& to_film) const;
     void add_depths(std::span<const Vec2> positions, std::span<const SeenSurface> surfaces);
     std::vector<Rgb> mean_normals() const;
     std::size_t pixels() const { return std::size_t{width_} * height_; }
 
     LayersWanted wanted_;
     std::uint32_t width_, height_;
+    std::optional<FilmAccumulator> parts_;  ///< with an ImagePart for a light group
     std::optional<FilmAccumulator> albedo_;
     std::optional<FilmAccumulator> normal_;  ///< of (1 + n) / 2, which is never negative
     std::vector<float> depth_;               ///< [pixel]: the least so far; empty if not wanted

@@ -39,6 +39,12 @@ class FlexImage final : public FileFilm {
     void add_pass(const PassSamples& samples) override;
     void add_splats(const PassSplats& splats) override;
     void add_layer_pass(std::string_view name, const PassSamples& samples) override;
+    void add_parts(const PassSamples& parts) override {
+        if (asked_) asked_->add_parts(parts);
+    }
+    void add_splats_of_parts(const PassSplats& parts) override {
+        if (asked_) asked_->add_splats_of_parts(parts);
+    }
     void add_surfaces(std::span<const Vec2> positions,
                       std::span<const SeenSurface> surfaces) override {
         if (asked_) asked_->add_surfaces(positions, surfaces);

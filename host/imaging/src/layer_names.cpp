@@ -17,7 +17,10 @@ struct NamedLayer {
     Member wanted;
 };
 
-constexpr std::array kLayers{NamedLayer{"albedo", &LayersWanted::albedo},
+constexpr std::array kLayers{NamedLayer{"direct", &LayersWanted::direct},
+                             NamedLayer{"indirect", &LayersWanted::indirect},
+                             NamedLayer{"caustics", &LayersWanted::caustics},
+                             NamedLayer{"albedo", &LayersWanted::albedo},
                              NamedLayer{"normal", &LayersWanted::normal},
                              NamedLayer{"depth", &LayersWanted::depth}};
 constexpr std::string_view kAll = "all";

@@ -34,6 +34,7 @@ void PathIntegrator::prepare(const RenderContext& context) {
     const std::size_t pixels = std::size_t{context.film.width()} * context.film.height();
     positions_.resize(pixels);
     radiance_.resize(pixels * context.film.light_groups());
+    parts_.resize(context.film.layers_wanted().parts() ? pixels * kImageParts : 0);
     seen_.resize(context.film.layers_wanted().surfaces() ? pixels : 0);
     told_.resize(context.film.height());
 }
@@ -49,6 +50,7 @@ PassReport PathIntegrator::render_pass(std::uint64_t pass) {
 PathCounts PathIntegrator::render_pixels(std::uint64_t pass) {
     const std::uint32_t height = context_->film.height();
     std::fill(radiance_.begin(), radiance_.end(), Rgb(0.0f));
+    std::fill(parts_.begin(), parts_.end(), Rgb(0.0f));
     std::fill(seen_.begin(), seen_.end(), SeenSurface{});
     std::vector<PathCounts> counts(height);
     const std::size_t bsdf_bytes = context_->scene.facts().max_bsdf_bytes;
@@ -63,6 +65,9 @@ PathCounts PathIntegrator::render_pixels(std::uint64_t pass) {
                              .radiance = radiance_,
                              .groups = context_->film.light_groups(),
                              .weight = 1});
+    if (!parts_.empty())
+        context_->film.add_parts(
+            {.positions = positions_, .radiance = parts_, .groups = kImageParts});
     if (!seen_.empty()) context_->film.add_surfaces(positions_, seen_);
     learn_lights(pass);
     PathCounts sum;
@@ -102,6 +107,8 @@ PathCounts PathIntegrator::render_row(std::uint64_t pass, std::uint32_t y,
         const CameraRay camera = context.camera.generate(sample, open + shutter * random.next());
         PathResult result{.radiance = std::span(radiance_).subspan(pixel * groups, groups)};
         if (learns && (pixel + pass) % stride == 0) result.told = &told_[y];
+        if (!parts_.empty())
+            result.parts = std::span(parts_).subspan(pixel * kImageParts, kImageParts);
         if (!seen_.empty()) result.seen = &seen_[pixel];
         tracer_->trace(camera.ray, random, memory, result);
         if (result.seen) result.seen->depth = camera.depth_at(result.seen->depth);

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "aips/adapter/media.h"
+#include "aips/core/base/image_part.h"
 
 namespace aips {
 
@@ -14,7 +15,8 @@ struct VolumeBeam {
     float length = 0;
     const void* medium = nullptr;
     Rgb throughput;  ///< of the eye path at the origin, divided by its choices' probabilities
-    std::uint32_t sample = 0;  ///< index of the eye path in its pass
+    std::uint32_t sample = 0;    ///< index of the eye path in its pass
+    EyeScatterings scatterings;  ///< of the eye path before it
 
     Vec3 at(float distance) const { return origin + direction * distance; }
 };

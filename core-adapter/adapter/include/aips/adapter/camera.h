@@ -79,6 +79,9 @@ class Film {
     virtual bool takes_splats() const { return false; }
     /// Layers that it takes beside what the settings ask for; never change.
     virtual LayersWanted layers_wanted() const { return {}; }
+    /// Adds the parts of the image that a pass brought, the image being their sum up to rounding:
+    /// as add_pass, with an ImagePart where that has a light group.
+    virtual void add_parts(const FilmPass& /*parts*/) {}
     /// Adds what the eye paths of a pass saw of surfaces: `surfaces[i]` at `positions[i]`. All
     /// passes count alike.
     virtual void add_surfaces(std::span<const Vec2> /*positions*/,

@@ -3,6 +3,7 @@
 
 #include <limits>
 
+#include "aips/core/base/image_part.h"
 #include "aips/core/base/rgb.h"
 #include "aips/core/base/vector.h"
 
@@ -10,6 +11,7 @@ namespace aips {
 
 /// Which layers a film wants. What it doesn't want is neither worked out nor kept.
 struct LayersWanted {
+    bool parts = false;     ///< Film::add_parts is to be called with each pass
     bool surfaces = false;  ///< Film::add_surfaces is to be called with each pass
 };
 

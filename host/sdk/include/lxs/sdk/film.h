@@ -58,6 +58,11 @@ class Film {
     /// Adds one pass of the extra colour layer `name`, through the same filter and into the same
     /// kind of mean as the image; `samples` has one group.
     virtual void add_layer_pass(std::string_view name, const PassSamples& samples) = 0;
+    /// Adds the parts of the image that a pass brought, the image being their sum up to rounding;
+    /// only if the film wants layers of parts. As add_pass and add_splats, with an ImagePart where
+    /// those have a light group.
+    virtual void add_parts(const PassSamples& /*parts*/) {}
+    virtual void add_splats_of_parts(const PassSplats& /*parts*/) {}
     /// Adds what the samples of one pass saw of surfaces, one entry a position; only if the film
     /// wants layers of surfaces. What is not finite is refused and counted.
     virtual void add_surfaces(std::span<const Vec2> /*positions*/,

@@ -1,6 +1,7 @@
 // Layers beside the image, as a film asks for them and integrators fill them.
 #pragma once
 
+#include <cstdint>
 #include <limits>
 
 #include "lxs/sdk/types.h"
@@ -9,14 +10,28 @@ namespace lxs {
 
 /// Which layers a film wants. What it doesn't want is neither worked out nor kept.
 struct LayersWanted {
+    bool direct = false;
+    bool indirect = false;
+    bool caustics = false;
     bool albedo = false;
     bool normal = false;
     bool depth = false;
 
     bool operator==(const LayersWanted&) const = default;
+    /// Whether Film::add_parts is to be called with each pass.
+    bool parts() const { return direct || indirect || caustics; }
     /// Whether Film::add_surfaces is to be called with each pass.
     bool surfaces() const { return albedo || normal || depth; }
 };
+
+/// Parts that the image is the sum of, by the scatterings of a light path that are diffuse, glossy
+/// or in a medium; what passes straight is none.
+enum class ImagePart : std::uint8_t {
+    Direct,    ///< none, or one that light has reached straight from a lamp
+    Caustics,  ///< one that light has reached from a lamp by way of smooth surfaces
+    Indirect,  ///< two or more
+};
+inline constexpr std::uint32_t kImageParts = 3;
 
 /// What one camera sample saw of surfaces. Those that let everything pass straight and undimmed
 /// (null materials) are none.

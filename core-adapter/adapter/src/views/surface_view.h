@@ -1,11 +1,8 @@
 // What an eye path sees of surfaces, for layers beside the image.
 #pragma once
 
-#include <cstdint>
-
 #include "aips/adapter/layers.h"
-#include "eye/path_tip.h"
-#include "eye/surface_side.h"
+#include "aips/adapter/scene.h"
 
 namespace aips {
 
@@ -19,28 +16,28 @@ class SurfaceView {
     /// Whether there is more to be seen.
     bool wanted() const { return seen_ != nullptr; }
 
-    /// The path, `tip`, has arrived at `point`.
-    void meet(const SurfacePoint& point, const PathTip& tip, float depth) {
-        const Vec3 wo = -tip.ray.direction;
+    /// The path has arrived at `point` along `direction`.
+    void meet(const SurfacePoint& point, Vec3 direction, const Rgb& throughput, float depth) {
+        const Vec3 wo = -direction;
         if (!met_) {
             met_ = true;
             straight_ = true;
-            direction_ = tip.ray.direction;
-            throughput_ = tip.throughput;
+            direction_ = direction;
+            throughput_ = throughput;
             const bool front = dot(wo, point.geometric_normal) > 0;
             seen_->normal = front ? point.shading_normal : -point.shading_normal;
             seen_->depth = depth;
         }
         if (point.bsdf && point.bsdf->lobes() == kSpecular) return;
-        if (point.bsdf) seen_->albedo = tip.throughput * point.bsdf->albedo(wo, kAllLobes);
+        if (point.bsdf) seen_->albedo = throughput * point.bsdf->albedo(wo, kAllLobes);
         seen_ = nullptr;
     }
 
     /// The path leaves the surface that it has met last. One that lets it pass as it came is none.
-    void leave(const PathTip& tip) {
+    void leave(Vec3 direction, const Rgb& throughput) {
         if (!straight_) return;
         straight_ = false;
-        if (!(tip.ray.direction == direction_) || !(tip.throughput == throughput_)) return;
+        if (!(direction == direction_) || !(throughput == throughput_)) return;
         met_ = false;
         *seen_ = {};
     }

@@ -39,7 +39,7 @@ inline lxs::Ray to(const Ray& ray) {
 }
 
 inline lxs::SeenSurface to(const SeenSurface& seen) {
-    return {to(seen.albedo), to(seen.normal), seen.depth};
+    return {to(seen.albedo), to(seen.normal), seen.depth, seen.object, seen.material};
 }
 
 /// What names the light point of a sample, for the host to take back.

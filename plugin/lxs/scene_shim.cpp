@@ -184,6 +184,7 @@ bool SceneShim::take(bool met, const lxs::SurfaceHit& hit, SurfacePoint& point,
     point.emitted = from(hit.emitted);
     point.light = hit.light ? index_of_.at(hit.light) : kNoLight;
     point.material = hit.material;
+    point.object = hit.object;
     point.primitive = hit.primitive;
     point.position_error = from(hit.p_error);
     point.interior = hit.interior;

@@ -3,8 +3,11 @@
 // the same.
 #include <gtest/gtest.h>
 
+#include <bit>
 #include <fstream>
+#include <regex>
 #include <set>
+#include <stdexcept>
 
 #include "rendered_image.h"
 
@@ -31,14 +34,19 @@ AttributeBegin
     Shape "trianglemesh" "integer indices" [0 1 2 0 2 3]
         "point P" [-9 -9 2  9 -9 2  9 9 2  -9 9 2]
 AttributeEnd
+MakeNamedMaterial "silver" "string type" ["mirror"] "color Kr" [0.5 0.5 0.5]
+ObjectBegin "the mirror"
+    NamedMaterial "silver"
+    Shape "trianglemesh" "string name" ["not this"] "integer indices" [0 1 2 0 2 3]
+        "point P" [0 -9 0  9 -9 0  9 9 0  0 9 0]
+ObjectEnd
 AttributeBegin
-    Material "mirror" "color Kr" [0.5 0.5 0.5]
-    Shape "trianglemesh" "integer indices" [0 1 2 0 2 3]
-        "point P" [0 -9 4  9 -9 4  9 9 4  0 9 4]
+    Translate 0 0 4
+    ObjectInstance "the mirror"
 AttributeEnd
 AttributeBegin
     Material "matte" "color Kd" [0.2 0.4 0.6]
-    Shape "trianglemesh" "integer indices" [0 1 2 0 2 3]
+    Shape "trianglemesh" "string name" ["the wall"] "integer indices" [0 1 2 0 2 3]
         "point P" [-9 -9 6  9 -9 6  9 9 6  -9 9 6]
 AttributeEnd
 AttributeBegin
@@ -112,10 +120,51 @@ TEST(Layers, AreNamedAsDocumented) {
     using Names = std::set<std::string>;
     EXPECT_EQ(names(""), (Names{"R", "G", "B"}));
     EXPECT_EQ(names("--layers depth"), (Names{"R", "G", "B", "depth.Z"}));
-    EXPECT_EQ(names("--layers all"),
+    Names all = names("--layers all");
+    std::erase_if(all, [](const std::string& name) { return name.starts_with("Crypto"); });
+    EXPECT_EQ(all,
               (Names{"R", "G", "B", "direct.R", "direct.G", "direct.B", "indirect.R", "indirect.G",
                      "indirect.B", "caustics.R", "caustics.G", "caustics.B", "albedo.R", "albedo.G",
                      "albedo.B", "normal.X", "normal.Y", "normal.Z", "depth.Z"}));
+}
+
+/// The id that the file's own header gives a name, as the float of its bits.
+float id_in_header(const std::filesystem::path& file, const std::string& key,
+                   const std::string& name) {
+    const std::string manifest = render::header_text(file, "cryptomatte/" + key + "/manifest");
+    std::smatch found;
+    if (!std::regex_search(manifest, found, std::regex("\"" + name + "\":\"([0-9a-f]{8})\"")))
+        throw std::runtime_error("no \"" + name + "\" in " + manifest);
+    return std::bit_cast<float>(static_cast<std::uint32_t>(std::stoul(found[1], nullptr, 16)));
+}
+
+/// Masks read by nothing but the published format: a name's id from the header, where it stands in
+/// the layers, and the coverage beside it.
+TEST(Layers, MasksAreThoseOfThePublishedFormat) {
+    const render::Folder folder;
+    for (const std::string integrator : {"aips", "path"}) {
+        render::render(scene(folder),
+                       "--passes 4 --quiet --layers cryptomatte --integrator " + integrator,
+                       folder);
+        const auto file = folder.path() / "out.exr";
+        const std::size_t wall = 20 * 40 + 33, mirror = 20 * 40 + 5;
+        const auto expect = [&](const std::string& layer, const std::string& key, std::size_t pixel,
+                                const std::string& name) {
+            const auto first = render::read_channels(
+                file, {layer + "00.R", layer + "00.G", layer + "00.B", layer + "00.A"});
+            EXPECT_EQ(render::header_text(file, "cryptomatte/" + key + "/name"), layer);
+            EXPECT_EQ(first.rgb[4 * pixel], id_in_header(file, key, name)) << name;
+            EXPECT_EQ(first.rgb[4 * pixel + 1], 1) << name;
+            EXPECT_EQ(first.rgb[4 * pixel + 3], 0) << name;
+            // On the mirror's edge each has its share.
+            const std::size_t edge = 20 * 40 + 19;
+            EXPECT_NEAR(first.rgb[4 * edge + 1] + first.rgb[4 * edge + 3], 1, 1e-5) << layer;
+        };
+        expect("CryptoObject", "3ae39a5", wall, "the wall");
+        expect("CryptoObject", "3ae39a5", mirror, "the mirror");
+        expect("CryptoMaterial", "be359d6", wall, "matte .scene.lxs:[0-9]+.");
+        expect("CryptoMaterial", "be359d6", mirror, "silver");
+    }
 }
 
 }  // namespace

@@ -66,6 +66,13 @@ Image read_layer(const fs::path& file, const std::string& layer) {
     return read_channels(file, {prefix + "R", prefix + "G", prefix + "B"});
 }
 
+std::string header_text(const fs::path& file, const std::string& name) {
+    const auto input = opened(file);
+    const OIIO::ParamValue* text = input->spec().find_attribute(name);
+    if (!text) throw std::runtime_error(file.string() + ": no \"" + name + "\" in the header");
+    return text->get_string();
+}
+
 Image read_image(const fs::path& file) {
     return read_layer(file, "");
 }

@@ -34,6 +34,9 @@ Image read_layer(const std::filesystem::path& file, const std::string& layer);
 /// These channels, one after the other in each pixel; throws std::runtime_error if one is missing.
 Image read_channels(const std::filesystem::path& file, const std::vector<std::string>& channels);
 
+/// A text of an EXR's header; throws std::runtime_error if there is none of the name.
+std::string header_text(const std::filesystem::path& file, const std::string& name);
+
 /// Names of all channels of an EXR; throws std::runtime_error if the file can't be read.
 std::set<std::string> channel_names(const std::filesystem::path& file);
 

@@ -174,7 +174,8 @@ std::vector<Rgb> FlexImage::image() const {
 }
 
 void FlexImage::write_exr(const std::string& path, const ImageMetadata& metadata) const {
-    std::vector<ColorLayer> colors{{"", image()}};
+    FileLayers layers{.colors = {{"", image()}}, .floats = {}, .values = {}, .metadata = metadata};
+    std::vector<ColorLayer>& colors = layers.colors;
     for (std::uint32_t g = 0; light_groups() > 1 && g < light_groups(); ++g) {
         colors.push_back({group_names_[g], film_colors([&](std::span<Rgb> values) {
                               accumulator_.resolve_group(g, values);
@@ -192,14 +193,12 @@ void FlexImage::write_exr(const std::string& path, const ImageMetadata& metadata
                               error_->standard_errors(accumulator_, values);
                           })});
     }
-    std::vector<FloatLayer> floats;
     for (const auto& [name, values] : layers_) {
-        floats.push_back({name, values});
+        layers.floats.push_back({name, values});
     }
-    if (asked_) asked_->append_to(colors, floats, [this](std::span<Rgb> c) { to_film_colors(c); });
-    write_file_atomically(path, encode_for(path, [&] {
-                              return encode_exr(settings_.frame, colors, floats, metadata);
-                          }));
+    if (asked_) asked_->append_to(layers, [this](std::span<Rgb> c) { to_film_colors(c); });
+    write_file_atomically(path,
+                          encode_for(path, [&] { return encode_exr(settings_.frame, layers); }));
 }
 
 void FlexImage::write_png(const std::string& path) const {

@@ -1,9 +1,11 @@
 // The layers that a film keeps beside its image because a user asked for them.
 #include "film_layers.h"
 
+#include "cryptomatte.h"
 #include "sum_to_image.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace lxs {
@@ -11,6 +13,7 @@ namespace {
 
 /// By ImagePart.
 constexpr std::array<std::string_view, kImageParts> kParts{"direct", "caustics", "indirect"};
+constexpr std::string_view kObjects = "CryptoObject", kMaterials = "CryptoMaterial";
 constexpr std::string_view kAlbedo = "albedo", kNormal = "normal", kDepth = "depth";
 
 /// By ImagePart.
@@ -31,6 +34,9 @@ FilmLayers::FilmLayers(const LayersWanted& wanted, std::uint32_t width, std::uin
     if (wanted.parts()) parts_.emplace(width, height, kImageParts, filter);
     if (wanted.albedo) albedo_.emplace(width, height, 1, filter);
     if (wanted.normal) normal_.emplace(width, height, 1, filter);
+    if (wanted.objects || wanted.materials) cells_.emplace(width, height, 1);
+    if (wanted.objects) objects_.emplace(Mattes{IdMattes(width, height, filter), {}});
+    if (wanted.materials) materials_.emplace(Mattes{IdMattes(width, height, filter), {}});
     if (wanted.depth) depth_.assign(pixels(), kDepthOfNothing);
 }
 
@@ -42,6 +48,10 @@ std::vector<std::string> FilmLayers::names(const LayersWanted& wanted) {
     if (wanted.albedo) names.emplace_back(kAlbedo);
     if (wanted.normal) names.emplace_back(kNormal);
     if (wanted.depth) names.emplace_back(kDepth);
+    for (const char* number : {"00", "01", "02"}) {
+        if (wanted.objects) names.push_back(std::string(kObjects) + number);
+        if (wanted.materials) names.push_back(std::string(kMaterials) + number);
+    }
     return names;
 }
 
@@ -60,6 +70,31 @@ void FilmLayers::add_surfaces(std::span<const Vec2> positions,
         });
     }
     if (!depth_.empty()) add_depths(positions, surfaces);
+    if (cells_) add_mattes(positions, surfaces);
+}
+
+void FilmLayers::set_names(std::span<const std::string> objects,
+                           std::span<const std::string> materials) {
+    const auto set = [](std::optional<Mattes>& masks, std::span<const std::string> names) {
+        if (!masks) return;
+        masks->names.assign(names.begin(), names.end());
+        std::vector<std::uint32_t> ids(names.size());
+        std::transform(names.begin(), names.end(), ids.begin(), &cryptomatte_id);
+        masks->mattes.set_ids(std::move(ids));
+    };
+    set(objects_, objects);
+    set(materials_, materials);
+}
+
+void FilmLayers::add_mattes(std::span<const Vec2> positions,
+                            std::span<const SeenSurface> surfaces) {
+    values_.assign(surfaces.size(), Rgb(0.0f));
+    cells_->sort({.positions = positions, .radiance = values_});
+    if (objects_)
+        objects_->mattes.add(*cells_, positions, [&](std::size_t i) { return surfaces[i].object; });
+    if (materials_)
+        materials_->mattes.add(*cells_, positions,
+                               [&](std::size_t i) { return surfaces[i].material; });
 }
 
 /// The least is the same in whatever order samples come.
@@ -81,6 +116,9 @@ void FilmLayers::clear() {
     if (parts_) parts_->clear();
     if (albedo_) albedo_->clear();
     if (normal_) normal_->clear();
+    for (std::optional<Mattes>* masks : {&objects_, &materials_}) {
+        if (*masks) (*masks)->mattes.clear();
+    }
     std::fill(depth_.begin(), depth_.end(), kDepthOfNothing);
 }
 
@@ -113,8 +151,9 @@ void FilmLayers::append_parts(std::vector<ColorLayer>& colors,
     }
 }
 
-void FilmLayers::append_to(std::vector<ColorLayer>& colors, std::vector<FloatLayer>& floats,
+void FilmLayers::append_to(FileLayers& layers,
                            const std::function<void(std::span<Rgb>)>& to_film) const {
+    std::vector<ColorLayer>& colors = layers.colors;
     if (parts_) append_parts(colors, to_film);
     if (albedo_) {
         std::vector<Rgb> values(pixels());
@@ -123,13 +162,30 @@ void FilmLayers::append_to(std::vector<ColorLayer>& colors, std::vector<FloatLay
         colors.push_back({std::string(kAlbedo), std::move(values)});
     }
     if (normal_) colors.push_back({std::string(kNormal), mean_normals(), {'X', 'Y', 'Z'}});
-    if (!depth_.empty()) floats.push_back({std::string(kDepth), depth_, 'Z'});
+    if (!depth_.empty()) layers.floats.push_back({std::string(kDepth), depth_, 'Z'});
+    const auto append = [&](const std::string& layer, const std::optional<Mattes>& masks) {
+        if (!masks) return;
+        for (std::size_t rank = 0; rank < kMatteRanks; ++rank) {
+            const std::string name = layer + "0" + std::to_string(rank / 2);
+            for (const bool coverage : {false, true}) {
+                layers.values.push_back(masks->mattes.plane(rank, coverage));
+                layers.floats.push_back(
+                    {name, layers.values.back(), "RGBA"[2 * (rank % 2) + (coverage ? 1 : 0)]});
+            }
+        }
+        add_cryptomatte_header(layer, masks->names, layers.metadata);
+    };
+    append(std::string(kObjects), objects_);
+    append(std::string(kMaterials), materials_);
 }
 
 void FilmLayers::state(StateArchive& archive) {
     if (parts_) parts_->state(archive);
     if (albedo_) albedo_->state(archive);
     if (normal_) normal_->state(archive);
+    for (std::optional<Mattes>* masks : {&objects_, &materials_}) {
+        if (*masks) (*masks)->mattes.state(archive);
+    }
     if (depth_.empty()) return;
     archive.fixed(std::span(depth_));
     archive.value(refused_depths_);
@@ -154,7 +210,10 @@ RefusalList FilmLayers::refusals() const {
 
 std::size_t FilmLayers::memory_bytes() const {
     return (parts_ ? parts_->memory_bytes() : 0) + (albedo_ ? albedo_->memory_bytes() : 0) +
-           (normal_ ? normal_->memory_bytes() : 0) + depth_.capacity() * sizeof(float) +
+           (normal_ ? normal_->memory_bytes() : 0) +
+           (objects_ ? objects_->mattes.memory_bytes() : 0) +
+           (materials_ ? materials_->mattes.memory_bytes() : 0) +
+           (cells_ ? cells_->memory_bytes() : 0) + depth_.capacity() * sizeof(float) +
            values_.capacity() * sizeof(Rgb);
 }
 

@@ -11,6 +11,7 @@
 
 #include "exr_encoder.h"
 #include "film_accumulator.h"
+#include "id_mattes.h"
 #include "lxs/sdk/layers.h"
 #include "lxs/sdk/refusal.h"
 #include "lxs/spectrum/wavelengths.h"
@@ -41,10 +42,12 @@ class FilmLayers {
     /// As FileFilm::set_wavelengths.
     void set_wavelengths(const Wavelengths& wavelengths);
 
+    /// As FileFilm::set_names.
+    void set_names(std::span<const std::string> objects, std::span<const std::string> materials);
+
     /// Adds the layers to those of a file, which must not outlive this and begin with the image.
     /// `to_film` takes colours of the scene to those of the film.
-    void append_to(std::vector<ColorLayer>& colors, std::vector<FloatLayer>& floats,
-                   const std::function<void(std::span<Rgb>)>& to_film) const;
+    void append_to(FileLayers& layers, const std::function<void(std::span<Rgb>)>& to_film) const;
 
     void state(StateArchive& archive);
     RefusalList refusals() const;
@@ -53,6 +56,7 @@ class FilmLayers {
   private:
     void append_parts(std::vector<ColorLayer>& colors,
                       const std::function<void(std::span<Rgb>)>& to_film) const;
+    void add_mattes(std::span<const Vec2> positions, std::span<const SeenSurface> surfaces);
     void add_depths(std::span<const Vec2> positions, std::span<const SeenSurface> surfaces);
     std::vector<Rgb> mean_normals() const;
     std::size_t pixels() const { return std::size_t{width_} * height_; }
@@ -62,7 +66,14 @@ class FilmLayers {
     std::optional<FilmAccumulator> parts_;  ///< with an ImagePart for a light group
     std::optional<FilmAccumulator> albedo_;
     std::optional<FilmAccumulator> normal_;  ///< of (1 + n) / 2, which is never negative
-    std::vector<float> depth_;               ///< [pixel]: the least so far; empty if not wanted
+    /// Masks of objects or of materials.
+    struct Mattes {
+        IdMattes mattes;
+        std::vector<std::string> names;
+    };
+    std::optional<SampleCells> cells_;  ///< for these
+    std::optional<Mattes> objects_, materials_;
+    std::vector<float> depth_;  ///< [pixel]: the least so far; empty if not wanted
     std::uint64_t refused_depths_ = 0;
     std::vector<Rgb> values_;  ///< of the pass that is added, kept between passes
 };

@@ -78,8 +78,8 @@ constexpr ParameterDeclaration kPicture[] = {
      kHuge},
     {.name = "layers",
      .type = String,
-     .doc = "Layers that the EXR has beside the image: direct, indirect, caustics, albedo, "
-            "normal, depth; all for every one.",
+     .doc = "Layers that the EXR has beside the image: direct, indirect, caustics, albedo, normal, "
+            "depth, objects, materials; cryptomatte for the last two, all for every one.",
      .array = true},
     {"cameraresponse", String, "",
      "File of the response curves of a camera or film, as in Grossberg and Nayar's database, "

@@ -67,6 +67,10 @@ class FlexImage final : public FileFilm {
 
     void state(StateArchive& archive) override;
     void set_wavelengths(const Wavelengths& wavelengths) override;
+    void set_names(std::span<const std::string> objects,
+                   std::span<const std::string> materials) override {
+        if (asked_) asked_->set_names(objects, materials);
+    }
     void set_exposure(double stops) override { settings_.tone_map.exposure_stops = stops; }
     std::vector<Rgb> image() const override;
     std::vector<std::uint8_t> tone_mapped() const override {

@@ -22,13 +22,22 @@ constexpr std::array kLayers{NamedLayer{"direct", &LayersWanted::direct},
                              NamedLayer{"caustics", &LayersWanted::caustics},
                              NamedLayer{"albedo", &LayersWanted::albedo},
                              NamedLayer{"normal", &LayersWanted::normal},
-                             NamedLayer{"depth", &LayersWanted::depth}};
-constexpr std::string_view kAll = "all";
+                             NamedLayer{"depth", &LayersWanted::depth},
+                             NamedLayer{"objects", &LayersWanted::objects},
+                             NamedLayer{"materials", &LayersWanted::materials}};
+constexpr std::string_view kAll = "all", kCryptomatte = "cryptomatte";
+
+bool asks_for(const std::string& name, const NamedLayer& layer) {
+    const bool mask =
+        layer.wanted == &LayersWanted::objects || layer.wanted == &LayersWanted::materials;
+    return name == layer.name || name == kAll || (mask && name == kCryptomatte);
+}
 
 constexpr auto kNames = [] {
-    std::array<std::string_view, kLayers.size() + 1> names;
+    std::array<std::string_view, kLayers.size() + 2> names;
     for (std::size_t i = 0; i < kLayers.size(); ++i)
         names[i] = kLayers[i].name;
+    names[kLayers.size()] = kCryptomatte;
     names.back() = kAll;
     return names;
 }();
@@ -36,7 +45,7 @@ constexpr auto kNames = [] {
 void ask_for(const std::string& name, LayersWanted& wanted) {
     bool known = false;
     for (const NamedLayer& layer : kLayers) {
-        if (name != layer.name && name != kAll) continue;
+        if (!asks_for(name, layer)) continue;
         wanted.*layer.wanted = true;
         known = true;
     }

@@ -25,6 +25,8 @@ class SurfaceView {
             travelled_ += hit.distance;
             seen_->normal = hit.ng.dot(direction) < 0 ? hit.ns : -hit.ns;
             seen_->depth = travelled_;
+            seen_->object = hit.object;
+            seen_->material = hit.material;
         }
         if (hit.bsdf && hit.bsdf->lobes() == kSpecular) return;
         if (hit.bsdf) seen_->albedo = throughput * hit.bsdf->albedo(-direction, kAllLobes);

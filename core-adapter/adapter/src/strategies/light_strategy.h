@@ -43,12 +43,13 @@ struct CarriedLight {
     /// [eye path * groups + group]; held by the strategy until its next pass. Empty: no light, in
     /// any pass.
     std::span<const Rgb> radiance = {};
-    /// Of that, if the film wants it: [eye path * kImageParts + ImagePart]; held likewise.
-    std::span<const Rgb> parts = {};
     PassMean mean = PassMean::Alike;
     double weight = 1;  ///< of the pass in the mean, > 0; 1 for Alike
     /// Held likewise; in all passes or in none, by one strategy at most. All passes count alike.
     std::optional<FilmSplats> splats = {};
+    /// Parts of `radiance`, if the film wants them: [eye path * kImageParts + ImagePart]; held
+    /// likewise.
+    std::span<const Rgb> parts = {};
 };
 
 class LightStrategy {

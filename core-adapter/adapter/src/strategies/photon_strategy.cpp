@@ -108,9 +108,9 @@ CarriedLight PhotonStrategy::carry(const StrategyPass& pass, PassReport& report)
         shoot(pass, photons, report);
     }
     return {.radiance = radiance_,
-            .parts = parts_,
             .mean = PassMean::Weighted,
-            .weight = photons.weight};
+            .weight = photons.weight,
+            .parts = parts_};
 }
 
 void PhotonStrategy::shoot(const StrategyPass& pass, const PassPhotons& photons,

@@ -27,6 +27,8 @@ class SurfaceView {
             const bool front = dot(wo, point.geometric_normal) > 0;
             seen_->normal = front ? point.shading_normal : -point.shading_normal;
             seen_->depth = depth;
+            seen_->object = point.object;
+            seen_->material = point.material;
         }
         if (point.bsdf && point.bsdf->lobes() == kSpecular) return;
         if (point.bsdf) seen_->albedo = throughput * point.bsdf->albedo(wo, kAllLobes);

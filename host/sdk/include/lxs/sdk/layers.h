@@ -16,12 +16,14 @@ struct LayersWanted {
     bool albedo = false;
     bool normal = false;
     bool depth = false;
+    bool objects = false;    ///< masks of them
+    bool materials = false;  ///< likewise
 
     bool operator==(const LayersWanted&) const = default;
     /// Whether Film::add_parts is to be called with each pass.
     bool parts() const { return direct || indirect || caustics; }
     /// Whether Film::add_surfaces is to be called with each pass.
-    bool surfaces() const { return albedo || normal || depth; }
+    bool surfaces() const { return albedo || normal || depth || objects || materials; }
 };
 
 /// Parts that the image is the sum of, by the scatterings of a light path that are diffuse, glossy
@@ -32,6 +34,9 @@ enum class ImagePart : std::uint8_t {
     Indirect,  ///< two or more
 };
 inline constexpr std::uint32_t kImageParts = 3;
+
+/// Index of no name.
+inline constexpr std::uint32_t kNoName = ~std::uint32_t{0};
 
 /// What one camera sample saw of surfaces. Those that let everything pass straight and undimmed
 /// (null materials) are none.
@@ -45,6 +50,8 @@ struct SeenSurface {
     /// Of the first surface, scene units: along the camera's axis, from environment cameras along
     /// the ray (CameraRay::depth).
     float depth = std::numeric_limits<float>::infinity();
+    /// Of the first surface: indices into Scene::object_names() and material_names().
+    std::uint32_t object = kNoName, material = kNoName;
 };
 
 }  // namespace lxs

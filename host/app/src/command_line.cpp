@@ -1,12 +1,17 @@
 // The command line of lxsrender.
 #include "lxs/host/command_line.h"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include <CLI/CLI.hpp>
+#include <stdexcept>
 
 #include "lxs/host/command_line_mistake.h"
 #include "lxs/host/display_server.h"
 #include "lxs/host/option_checks.h"
 #include "lxs/host/output_files.h"
+#include "lxs/imaging/layer_names.h"
 
 namespace lxs {
 namespace {
@@ -20,13 +25,24 @@ std::string check_stops(const std::string& text) {
     return check_within(text, 64);  // beyond it any image is black or white
 }
 
-std::string check_viewer(const std::string& text) {
+/// What `read` says of a text that it does not take.
+template <class Read>
+std::string mistake_in(const std::string& text, const Read& read) {
     try {
-        (void)ViewerAddress::parse(text);
+        (void)read(text);
+        return "";
     } catch (const std::invalid_argument& mistake) {
         return mistake.what();
     }
-    return "";
+}
+
+std::string check_viewer(const std::string& text) {
+    return mistake_in(text, &ViewerAddress::parse);
+}
+
+std::string check_layers(const std::string& text) {
+    return mistake_in(
+        text, [](const std::string& names) { return layers_named(split_layer_names(names)); });
 }
 
 void add_output_options(CLI::App& app, CommandLine& command) {
@@ -35,6 +51,12 @@ void add_output_options(CLI::App& app, CommandLine& command) {
                    "alone (default: an EXR and a PNG with the film's file name, in the current "
                    "folder)")
         ->check(CLI::Validator(check_image_name, "FILE"));
+    app.add_option("--layers", command.layers,
+                   fmt::format("layers that the EXR has beside the image, instead of the scene's; "
+                               "separated by commas, of {}",
+                               fmt::join(layer_names(), ", ")))
+        ->type_name("NAMES")
+        ->check(CLI::Validator(check_layers, ""));
     app.add_option("--exposure", command.exposure_stops,
                    "stops by which the PNG is brighter (2 to this power), or darker below 0; the "
                    "EXR stays as it is")

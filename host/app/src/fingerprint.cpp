@@ -46,6 +46,7 @@ void Fingerprint::set_settings(const CommandLine& command, std::string_view inte
     sum.add_text(integrator);
     sum.add_text(command.sampler.value_or(""));
     sum.add_text(std::to_string(width) + " x " + std::to_string(height));
+    sum.add_text(command.layers.value_or(""));
     for (const std::string& override : command.overrides)
         sum.add_text(override);
     checksums_[Settings] = sum.value();

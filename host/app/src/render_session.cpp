@@ -216,6 +216,7 @@ RenderSession prepare(const CommandLine& command, const PluginLibrary& plugins,
     complete_fingerprint(session, command, choice, files);
     choose_spectral(session, log);
     if (session.spectral) begin_spectral_pass(session, 0);
+    session.film->set_names(session.scene->object_names(), session.scene->material_names());
     session.camera->focus(*session.scene);
     return session;
 }

@@ -8,6 +8,7 @@
 #include "color_space.h"
 #include "lxs/imaging/film_frame.h"
 #include "lxs/scene/contents.h"
+#include "lxs/sdk/layers.h"
 #include "tone_map.h"
 
 namespace lxs {
@@ -28,6 +29,7 @@ struct FilmSettings {
     /// File of a film's response curves, not read yet; empty for none.
     std::string response_file;
     SourceLocation response_where;
+    LayersWanted layers;
     /// From the scene's colours to the film's, if those differ (colorspace_red ...).
     std::optional<ColorConversion> to_film_colors;
 };

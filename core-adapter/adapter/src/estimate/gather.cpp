@@ -54,7 +54,7 @@ void gather_photons(const EyeImage& image, const LandingGrid& grid, const Search
         tbb::blocked_range<std::size_t>(0, image.visible_points.size(), 256),
         [&](const tbb::blocked_range<std::size_t>& range) {
             std::uint64_t total = 0;
-            GroupSums sums(groups);
+            GroupSums sums(groups), parts(kPhotonParts);
             for (std::size_t i = range.begin(); i < range.end(); ++i) {
                 const VisiblePoint& point = image.visible_points[i];
                 const float radius = radii.of(i);
@@ -66,6 +66,11 @@ void gather_photons(const EyeImage& image, const LandingGrid& grid, const Search
                     const Rgb value = contribution(point, landing, radius);
                     if (is_black(value * f) || !refusals.accept(value, point.material)) return;
                     sums.add(landing.light_group, value);
+                    if (result.wants_parts) {
+                        const ImagePart part =
+                            point.scatterings.scattered_in(static_cast<ImagePart>(landing.part));
+                        if (part != ImagePart::Indirect) parts.add(std::uint32_t(part), value);
+                    }
                     const auto square = double(luminance(value) * luminance(value));
                     squares += square;
                     if (landing.shareable) {
@@ -77,6 +82,7 @@ void gather_photons(const EyeImage& image, const LandingGrid& grid, const Search
                 sums.move_to(&result.flux[i * groups]);
                 result.accepted[i] = saturated_sum(result.accepted[i], count);
                 result.squares[i] += float(squares);
+                if (result.wants_parts) parts.move_to(&result.parts[i * kPhotonParts]);
                 if (!result.shareable.empty()) {
                     result.shareable[i].sum += float(shareable);
                     result.shareable[i].squares += float(shareable_squares);

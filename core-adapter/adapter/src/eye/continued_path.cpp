@@ -12,7 +12,8 @@ namespace {
 class ContinuedPath {
   public:
     ContinuedPath(const EyePassInput& input, const ContinuedStart& start, const EyeNumbers& numbers,
-                  Refusals& refusals, Arena& arena, std::span<Rgb> direct, std::span<Rgb> continued)
+                  Refusals& refusals, Arena& arena, const LightSums& direct,
+                  std::span<Rgb> continued)
         : in_(input),
           start_(start),
           numbers_(numbers),
@@ -63,7 +64,7 @@ class ContinuedPath {
             query.shared = shared;
             query.bounce = lobes;
             query.continue_pdf = last ? 0.0f : 1.0f;
-            result_.rays += in_.direct_light.estimate(query, numbers, refusals_, continued_).rays;
+            result_.rays += in_.direct_light.estimate(query, numbers, refusals_, {continued_}).rays;
         }
         return !last && go_on(point, wo, lobes, numbers);
     }
@@ -78,9 +79,10 @@ class ContinuedPath {
     void add_light(LightIndex light, const Rgb& seen, const SurfacePoint* at) {
         const bool straight = tip_.scatterings == start_.tip.scatterings + 1;
         if (!straight && tip_.last_was_specular) return;
-        const std::span<Rgb> sums = straight ? direct_ : continued_;
+        const LightTarget sums =
+            straight ? direct_.of(tip_.seen_by.met()) : LightTarget{continued_};
         const Rgb value = tip_.throughput * seen * emission_weight(in_, tip_, light, at);
-        refusals_.add(sums[in_.scene.lights()[light]->group()], value, refusals_.of_light(light));
+        sums.add(in_.scene.lights()[light]->group(), value, refusals_.of_light(light), refusals_);
         if (!straight) return;
         result_.straight += luminance(value);
         if (light == start_.asked) result_.of_asked += luminance(value);
@@ -99,7 +101,8 @@ class ContinuedPath {
     const EyeNumbers& numbers_;
     Refusals& refusals_;
     Arena& arena_;
-    std::span<Rgb> direct_, continued_;
+    LightSums direct_;
+    std::span<Rgb> continued_;  // all of it indirect
     PathTip tip_;
     ContinuedResult result_;
 };
@@ -108,7 +111,7 @@ class ContinuedPath {
 
 ContinuedResult trace_continued_path(const EyePassInput& input, const ContinuedStart& start,
                                      const EyeNumbers& numbers, Refusals& refusals, Arena& arena,
-                                     std::span<Rgb> direct, std::span<Rgb> continued) {
+                                     const LightSums& direct, std::span<Rgb> continued) {
     return ContinuedPath(input, start, numbers, refusals, arena, direct, continued).trace();
 }
 

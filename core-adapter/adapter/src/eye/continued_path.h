@@ -3,6 +3,7 @@
 
 #include "aips/core/sampling/eye_numbers.h"
 #include "eye/path_tip.h"
+#include "views/light_target.h"
 
 namespace aips {
 
@@ -31,6 +32,6 @@ struct ContinuedResult {
 /// `direct`.
 ContinuedResult trace_continued_path(const EyePassInput& input, const ContinuedStart& start,
                                      const EyeNumbers& numbers, Refusals& refusals, Arena& arena,
-                                     std::span<Rgb> direct, std::span<Rgb> continued);
+                                     const LightSums& direct, std::span<Rgb> continued);
 
 }  // namespace aips

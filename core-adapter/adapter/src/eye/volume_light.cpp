@@ -70,7 +70,7 @@ Distance sample_distance(const VolumeBeam& beam, const SegmentExponential& by_tr
 
 unsigned estimate_scattered_light(const Scene& scene, const DirectLight& lights,
                                   const VolumeBeam& beam, float time, RandomStream& random,
-                                  Refusals& refusals, std::span<Rgb> radiance) {
+                                  Refusals& refusals, const LightTarget& radiance) {
     if (lights.choice().empty() || !(beam.length > 0)) return 0;
     const Media& media = *scene.media();
     const Rgb extinction = media.extinction(beam.medium);
@@ -93,7 +93,7 @@ unsigned estimate_scattered_light(const Scene& scene, const DirectLight& lights,
         scattered * sample.radiance * (1 / (distance.pdf * sample.pdf * chosen.pdf));
     if (!refusals.accept(unoccluded, kPassageOrigin) || is_black(unoccluded)) return 0;
     const Rgb passed = media.visibility(beam.medium, position, sample, time);
-    refusals.add(radiance[light.group()], unoccluded * passed, kPassageOrigin);
+    radiance.add(light.group(), unoccluded * passed, kPassageOrigin, refusals);
     return 1;
 }
 

@@ -1,20 +1,19 @@
 // Single scattering in a medium: what a light sends straight onto an eye path's segment there.
 #pragma once
 
-#include <span>
-
 #include "aips/core/sampling/random.h"
 #include "eye/direct_light.h"
 #include "eye/volume_beam.h"
+#include "views/light_target.h"
 
 namespace aips {
 
-/// Adds next-event estimation at one point of the segment to `radiance` (one entry a light group).
+/// Adds next-event estimation at one point of the segment to `radiance`.
 /// The point is drawn by transmittance or by the angle it is seen at from the light (Kulla and
 /// Fajardo 2012, "Importance sampling techniques for path tracing in participating media", section
 /// 3), weighed by the balance heuristic. Returns shadow rays traced.
 unsigned estimate_scattered_light(const Scene& scene, const DirectLight& lights,
                                   const VolumeBeam& beam, float time, RandomStream& random,
-                                  Refusals& refusals, std::span<Rgb> radiance);
+                                  Refusals& refusals, const LightTarget& radiance);
 
 }  // namespace aips

@@ -27,6 +27,7 @@ struct CommandLine {
     std::optional<std::uint32_t> width;   ///< pixels, instead of the scene's; height in proportion
     std::optional<std::uint32_t> height;  ///< pixels, instead of the scene's and of that proportion
     std::optional<std::string> sampler;   ///< instead of the scene's
+    std::optional<std::string> layers;    ///< names, instead of the scene's
     bool strict = false;                  ///< what LuxRender only warns of is an error
     std::vector<std::string> plugin_paths;
     std::optional<double> write_every;          ///< seconds from image to image; 0: the last alone

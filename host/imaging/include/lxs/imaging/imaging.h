@@ -54,6 +54,9 @@ class FileFilm : public Film {
 
     /// From now on passes hold values at these wavelengths; images stay linear RGB.
     virtual void set_wavelengths(const Wavelengths& wavelengths) = 0;
+    /// Names that SeenSurface tells objects and materials by; before the first pass.
+    virtual void set_names(std::span<const std::string> objects,
+                           std::span<const std::string> materials) = 0;
     /// From now on the PNG is brighter by this many stops (factors of 2), whatever the kernel.
     virtual void set_exposure(double stops) = 0;
     /// The mean image over passes and light groups: width * height, row by row, linear radiance.

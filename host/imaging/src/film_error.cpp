@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "lxs/imaging/error_figures.h"
 #include "finite_float.h"
 #include "for_pixels.h"
+#include "lxs/imaging/error_figures.h"
 
 namespace lxs {
 namespace {

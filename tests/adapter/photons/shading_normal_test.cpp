@@ -6,7 +6,7 @@
 #include <cmath>
 #include <cstdint>
 
-#include "eye/normal_ratio.h"
+#include "eye/surface_normals.h"
 #include "render_mock.h"
 
 namespace aips::shading_normal_test {

@@ -8,7 +8,7 @@
 
 #include "estimate/constants.h"
 #include "estimate/group_sums.h"
-#include "eye/normal_ratio.h"
+#include "eye/surface_normals.h"
 
 namespace aips {
 namespace {

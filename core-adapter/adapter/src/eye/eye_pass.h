@@ -9,7 +9,6 @@
 #include "aips/core/base/arena.h"
 #include "eye/direct_light.h"
 #include "eye/eye_shares.h"
-#include "eye/shared_direct.h"
 #include "eye/volume_beam.h"
 #include "lamps/lamp_images.h"
 #include "refusal/refusals.h"

@@ -7,7 +7,7 @@
 #include "eye/constants.h"
 #include "eye/continued_path.h"
 #include "eye/store_probability.h"
-#include "eye/surface_side.h"
+#include "eye/surface_normals.h"
 #include "eye/two_ways.h"
 #include "eye/volume_light.h"
 #include "refusal/meet_surface.h"

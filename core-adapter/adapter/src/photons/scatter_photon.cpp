@@ -6,7 +6,6 @@
 
 #include "aips/core/chains/primary_path.h"
 #include "aips/core/sampling/sampling.h"
-#include "eye/normal_ratio.h"
 
 namespace aips {
 namespace {

@@ -1,7 +1,7 @@
 // One bounce of a photon: the one-sample mixture of Bsdf and guide.
 #pragma once
 
-#include "eye/surface_side.h"
+#include "eye/surface_normals.h"
 #include "photons/photon_path.h"
 
 namespace aips {

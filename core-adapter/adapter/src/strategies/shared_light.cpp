@@ -6,7 +6,7 @@
 
 #include "base/film_pixel.h"
 #include "base/parallel_for.h"
-#include "eye/surface_side.h"
+#include "eye/surface_normals.h"
 #include "strategies/constants.h"
 
 namespace aips {

@@ -1,4 +1,4 @@
-// What tilted shading normals do to light that arrives.
+// What the normals of a surface tell: on which side a path is, and how light that arrives counts.
 #pragma once
 
 #include <algorithm>
@@ -7,6 +7,12 @@
 #include "eye/constants.h"
 
 namespace aips {
+
+/// The geometric normal of a point, SurfacePoint or VisiblePoint, turned to the side of `wo`.
+template <class Point>
+Vec3 normal_towards(Vec3 wo, const Point& point) {
+    return dot(wo, point.geometric_normal) > 0 ? point.geometric_normal : -point.geometric_normal;
+}
 
 /// Ratio of the cosine that a Bsdf wants (shading normal) to the one that the density of landings
 /// has (geometric normal), of a photon that comes from `wi` to a SurfacePoint or VisiblePoint;

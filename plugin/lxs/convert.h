@@ -38,6 +38,10 @@ inline lxs::Ray to(const Ray& ray) {
     return r;
 }
 
+inline lxs::SeenSurface to(const SeenSurface& seen) {
+    return {to(seen.albedo), to(seen.normal), seen.depth, seen.object, seen.material};
+}
+
 /// What names the light point of a sample, for the host to take back.
 inline lxs::DirectSample to(const DirectSample& sample) {
     lxs::DirectSample s;

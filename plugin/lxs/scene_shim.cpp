@@ -184,6 +184,7 @@ bool SceneShim::take(bool met, const lxs::SurfaceHit& hit, SurfacePoint& point,
     point.emitted = from(hit.emitted);
     point.light = hit.light ? index_of_.at(hit.light) : kNoLight;
     point.material = hit.material;
+    point.object = hit.object;
     point.primitive = hit.primitive;
     point.position_error = from(hit.p_error);
     point.interior = hit.interior;
@@ -220,7 +221,7 @@ CameraRay CameraShim::generate(const CameraSample& sample, float time) const {
     s.film = to(sample.film);
     s.lens = to(sample.lens);
     const lxs::CameraRay ray = camera_.generate(s, time);
-    return {from(ray.ray), ray.width, ray.spread};
+    return {from(ray.ray), ray.width, ray.spread, ray.depth, ray.depth_per_distance};
 }
 
 CameraSample SamplerShim::camera_sample(std::uint64_t number, std::uint32_t x,
@@ -229,22 +230,46 @@ CameraSample SamplerShim::camera_sample(std::uint64_t number, std::uint32_t x,
     return {{s.film.x, s.film.y}, {s.lens.x, s.lens.y}};
 }
 
-void FilmShim::add_pass(const FilmPass& pass) {
+lxs::PassSamples FilmShim::samples_of(const FilmPass& pass) {
     convert(pass.positions, positions_);
     convert(pass.eye, radiance_);
     convert(pass.photons, photons_);
-    film_.add_pass({.positions = positions_,
-                    .radiance = radiance_,
-                    .groups = pass.groups,
-                    .second_radiance = photons_,
-                    .second_weight = pass.photon_weight});
-    if (!pass.splats) return;
+    return {.positions = positions_,
+            .radiance = radiance_,
+            .groups = pass.groups,
+            .second_radiance = photons_,
+            .second_weight = pass.photon_weight};
+}
+
+lxs::PassSplats FilmShim::splats_of(const FilmPass& pass) {
     convert(pass.splats->positions, positions_);
     convert(pass.splats->radiance, radiance_);
-    film_.add_splats({.positions = positions_,
-                      .radiance = radiance_,
-                      .groups = pass.groups,
-                      .samples = double(width()) * height()});
+    return {.positions = positions_,
+            .radiance = radiance_,
+            .groups = pass.groups,
+            .samples = double(width()) * height()};
+}
+
+void FilmShim::add_pass(const FilmPass& pass) {
+    film_.add_pass(samples_of(pass));
+    if (pass.splats) film_.add_splats(splats_of(pass));
+}
+
+void FilmShim::add_parts(const FilmPass& parts) {
+    film_.add_parts(samples_of(parts));
+    if (parts.splats) film_.add_splats_of_parts(splats_of(parts));
+}
+
+LayersWanted FilmShim::layers_wanted() const {
+    const lxs::LayersWanted wanted = film_.layers_wanted();
+    return {.parts = wanted.parts(), .surfaces = wanted.surfaces()};
+}
+
+void FilmShim::add_surfaces(std::span<const Vec2> positions,
+                            std::span<const SeenSurface> surfaces) {
+    convert(positions, positions_);
+    convert(surfaces, surfaces_);
+    film_.add_surfaces(positions_, surfaces_);
 }
 
 void FilmShim::add_layer_pass(std::string_view name, std::span<const Vec2> positions,

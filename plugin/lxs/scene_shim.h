@@ -72,6 +72,10 @@ class FilmShim final : public Film {
     std::uint32_t height() const override { return film_.height(); }
     void add_pass(const FilmPass& pass) override;
     bool takes_splats() const override { return true; }
+    LayersWanted layers_wanted() const override;
+    void add_parts(const FilmPass& parts) override;
+    void add_surfaces(std::span<const Vec2> positions,
+                      std::span<const SeenSurface> surfaces) override;
     void add_layer_pass(std::string_view name, std::span<const Vec2> positions,
                         std::span<const Rgb> values, double weight) override;
     void set_layer(std::string_view name, std::span<const float> values) override {
@@ -79,9 +83,14 @@ class FilmShim final : public Film {
     }
 
   private:
+    /// In the host's terms, until the next of its kind.
+    lxs::PassSamples samples_of(const FilmPass& pass);
+    lxs::PassSplats splats_of(const FilmPass& pass);
+
     lxs::Film& film_;
     std::vector<lxs::Vec2> positions_;
     std::vector<lxs::Rgb> radiance_, photons_;
+    std::vector<lxs::SeenSurface> surfaces_;
 };
 
 /// The engine speaks of its inner workings: for who asks for more than usual.

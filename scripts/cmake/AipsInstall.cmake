@@ -41,7 +41,7 @@ if(AIPS_BUILD_HOST)
     DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
   install(TARGETS lxs_path aips LIBRARY DESTINATION ${aips_plugin_dir})
   install(TARGETS lxs_images_module LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}/aips/images)
-  install(TARGETS lxsrender)
+  install(TARGETS lxsrender lxsmerge)
 endif()
 
 configure_package_config_file(

@@ -44,21 +44,33 @@ std::set<std::string> channel_names(const fs::path& file) {
     return {names.begin(), names.end()};
 }
 
-Image read_layer(const fs::path& file, const std::string& layer) {
+Image read_channels(const fs::path& file, const std::vector<std::string>& channels) {
     const auto input = opened(file);
     const OIIO::ImageSpec& spec = input->spec();
     Image image{std::size_t(spec.width), std::size_t(spec.height), {}};
-    image.rgb.resize(image.width * image.height * 3);
+    image.rgb.resize(image.width * image.height * channels.size());
     float* first = image.rgb.data();
-    for (const char* color : {"R", "G", "B"}) {
-        const int channel = spec.channelindex(layer.empty() ? color : layer + '.' + color);
-        if (channel < 0) throw std::runtime_error(file.string() + ": no layer \"" + layer + '"');
+    for (const std::string& name : channels) {
+        const int channel = spec.channelindex(name);
+        if (channel < 0) throw std::runtime_error(file.string() + ": no channel \"" + name + '"');
         if (!input->read_image(0, 0, channel, channel + 1, OIIO::TypeDesc::FLOAT, first++,
-                               3 * sizeof(float))) {
+                               OIIO::stride_t(channels.size() * sizeof(float)))) {
             throw std::runtime_error("cannot read " + file.string() + ": " + input->geterror());
         }
     }
     return image;
+}
+
+Image read_layer(const fs::path& file, const std::string& layer) {
+    const std::string prefix = layer.empty() ? "" : layer + '.';
+    return read_channels(file, {prefix + "R", prefix + "G", prefix + "B"});
+}
+
+std::string header_text(const fs::path& file, const std::string& name) {
+    const auto input = opened(file);
+    const OIIO::ParamValue* text = input->spec().find_attribute(name);
+    if (!text) throw std::runtime_error(file.string() + ": no \"" + name + "\" in the header");
+    return text->get_string();
 }
 
 Image read_image(const fs::path& file) {

@@ -12,7 +12,7 @@
 
 namespace render {
 
-/// Linear radiance of an EXR, row by row, three floats a pixel.
+/// Linear radiance of an EXR, or other channels, row by row, three floats a pixel or as many.
 struct Image {
     std::size_t width = 0, height = 0;
     std::vector<float> rgb;
@@ -30,6 +30,12 @@ void write_image(const Image& image, const std::filesystem::path& file);
 
 /// The layer of channels LAYER.R, LAYER.G, LAYER.B; throws std::runtime_error if there is none.
 Image read_layer(const std::filesystem::path& file, const std::string& layer);
+
+/// These channels, one after the other in each pixel; throws std::runtime_error if one is missing.
+Image read_channels(const std::filesystem::path& file, const std::vector<std::string>& channels);
+
+/// A text of an EXR's header; throws std::runtime_error if there is none of the name.
+std::string header_text(const std::filesystem::path& file, const std::string& name);
 
 /// Names of all channels of an EXR; throws std::runtime_error if the file can't be read.
 std::set<std::string> channel_names(const std::filesystem::path& file);

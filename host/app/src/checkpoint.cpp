@@ -94,7 +94,7 @@ std::optional<FoundCheckpoint> find_checkpoint(const CommandLine& command,
         CheckpointReader reader(checkpoint_content(file));
         Fingerprint fingerprint;
         fingerprint.state(reader);
-        const std::string difference = fingerprint.difference(*session.fingerprint);
+        const std::string difference = fingerprint.difference(session.fingerprint);
         if (!difference.empty())
             throw StateError("it is of another render, which differs in: " + difference);
         return file;
@@ -160,7 +160,7 @@ void CheckpointSchedule::write(const RenderTotals& totals) {
     try {
         CheckpointWriter writer(*command_.checkpoint);
         RenderTotals saved = totals;
-        session_.fingerprint->state(writer);
+        session_.fingerprint.state(writer);
         render_state(writer, saved, session_);
         writer.commit();
         saved_passes_ = totals.passes;

@@ -1,11 +1,17 @@
 // The command line of lxsrender.
 #include "lxs/host/command_line.h"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include <CLI/CLI.hpp>
+#include <stdexcept>
 
 #include "lxs/host/command_line_mistake.h"
+#include "lxs/host/display_server.h"
 #include "lxs/host/option_checks.h"
 #include "lxs/host/output_files.h"
+#include "lxs/imaging/layer_names.h"
 
 namespace lxs {
 namespace {
@@ -19,12 +25,38 @@ std::string check_stops(const std::string& text) {
     return check_within(text, 64);  // beyond it any image is black or white
 }
 
+/// What `read` says of a text that it does not take.
+template <class Read>
+std::string mistake_in(const std::string& text, const Read& read) {
+    try {
+        (void)read(text);
+        return "";
+    } catch (const std::invalid_argument& mistake) {
+        return mistake.what();
+    }
+}
+
+std::string check_viewer(const std::string& text) {
+    return mistake_in(text, &ViewerAddress::parse);
+}
+
+std::string check_layers(const std::string& text) {
+    return mistake_in(
+        text, [](const std::string& names) { return layers_named(split_layer_names(names)); });
+}
+
 void add_output_options(CLI::App& app, CommandLine& command) {
     app.add_option("-o,--output", command.output,
                    "image to write: of FILE.exr the EXR and a PNG beside it, of FILE.png the PNG "
                    "alone (default: an EXR and a PNG with the film's file name, in the current "
                    "folder)")
         ->check(CLI::Validator(check_image_name, "FILE"));
+    app.add_option("--layers", command.layers,
+                   fmt::format("layers that the EXR has beside the image, instead of the scene's; "
+                               "separated by commas, of {}",
+                               fmt::join(layer_names(), ", ")))
+        ->type_name("NAMES")
+        ->check(CLI::Validator(check_layers, ""));
     app.add_option("--exposure", command.exposure_stops,
                    "stops by which the PNG is brighter (2 to this power), or darker below 0; the "
                    "EXR stays as it is")
@@ -36,6 +68,11 @@ void add_output_options(CLI::App& app, CommandLine& command) {
                    "displayinterval; less often where writing would take 2 % of the time)")
         ->type_name("SECONDS")
         ->check(CLI::Validator(check_not_negative, ""));
+    app.add_option("--display-server", command.display_server,
+                   "viewer tev to show the image so far in, about every second and at the end; its "
+                   "port is 14158 unless given")
+        ->type_name("HOST[:PORT]")
+        ->check(CLI::Validator(check_viewer, ""));
     app.add_option("--stats", command.statistics, "JSON file to write with settings, times, counts")
         ->type_name("FILE.json");
     auto* explain = app.add_flag("--explain", command.explain,

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 
 #include "lxs/host/progress.h"
 
@@ -17,11 +18,11 @@ constexpr double kSecondsBetweenEstimates = 1;
 
 }  // namespace
 
-bool compares_error_after(std::uint64_t passes) {
+std::uint64_t next_comparison(std::uint64_t passes) {
     std::uint64_t at = kFirstComparison;
     while (at < passes)
         at += at / 8;
-    return at == passes;
+    return at;
 }
 
 void ErrorWatch::pass_done(const RenderTotals& totals) {
@@ -30,7 +31,7 @@ void ErrorWatch::pass_done(const RenderTotals& totals) {
 }
 
 void ErrorWatch::compare(const RenderTotals& totals) {
-    if (!target_ || !compares_error_after(totals.passes)) return;
+    if (!target_ || next_comparison(totals.passes) != totals.passes) return;
     estimate(totals);
     reached_ = latest_ && latest_->relative() <= *target_;
 }
@@ -50,16 +51,23 @@ bool ErrorWatch::stale(const RenderTotals& totals) const {
 std::string ErrorWatch::text(const RenderTotals& totals) {
     if (stale(totals) && totals.seconds >= next_seconds_) estimate(totals);
     if (!latest_) return {};
-    const double error = latest_->relative();
-    std::string text = fmt::format("error {:.3g} %", 100 * error);
-    if (!target_) return text;
-    text += fmt::format(", {:.3g} % ", 100 * *target_);
-    if (error <= *target_) return text + "is reached";
-    // What chance is to blame for falls with the passes' number, and with it the squared error.
-    const double times = error / *target_ * (error / *target_);
-    const double passes = times * static_cast<double>(latest_->passes);
-    const double left = totals.seconds * (passes / static_cast<double>(totals.passes) - 1);
-    return text + "in " + clock_text(std::max(0.0, left));
+    std::string text = fmt::format("error {:.3g} %", 100 * latest_->relative());
+    if (target_)
+        text +=
+            fmt::format(", {:.3g} % in about {}", 100 * *target_, clock_text(seconds_left(totals)));
+    return text;
+}
+
+/// What chance is to blame for falls with the passes' number, and with it the squared error. The
+/// render ends at a comparison, not before.
+double ErrorWatch::seconds_left(const RenderTotals& totals) const {
+    constexpr double kMostPasses = 1e15;  // numbers that clock_text can write
+    const double times = latest_->relative() / *target_;
+    const double needed = times * times * static_cast<double>(latest_->passes);
+    const auto done = static_cast<double>(totals.passes);
+    const auto last = next_comparison(
+        static_cast<std::uint64_t>(std::clamp(std::ceil(needed), done + 1, kMostPasses)));
+    return totals.seconds * (static_cast<double>(last) / done - 1);
 }
 
 std::string ErrorWatch::ending_text(const RenderTotals& totals) {

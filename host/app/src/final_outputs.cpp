@@ -15,6 +15,7 @@
 #include "lxs/host/seconds_since.h"
 #include "lxs/host/statistics_file.h"
 #include "lxs/imaging/atomic_file.h"
+#include "lxs/imaging/image_header.h"
 
 namespace lxs {
 namespace {
@@ -58,18 +59,6 @@ void warn_of_empty_image(const ImageVerdict& image, ConsoleLog& log) {
         fmt::format("the image is all {}; the likely reason: {}", image.name(), image.reason));
 }
 
-/// The error of the image so far, if it is known.
-void add_error(const FileFilm& film, ImageMetadata& metadata) {
-    const auto error = film.error();
-    if (!error) return;
-    metadata["relMSE"] = fmt::format("{:.3g}", error->relmse);
-    metadata["relMSEInterval"] =
-        fmt::format("{:.3g} to {:.3g}", error->relmse_low, error->relmse_high);
-    metadata["relMSEWhole"] = fmt::format("{:.3g}", error->relmse_whole);
-    metadata["RMSE"] = fmt::format("{:.3g}", error->rmse);
-    metadata["RMSEInterval"] = fmt::format("{:.3g} to {:.3g}", error->rmse_low, error->rmse_high);
-}
-
 void look_for_advice(RenderSession& session, RenderFigures& figures) {
     const auto start = std::chrono::steady_clock::now();
     figures.advice = advise(session, *figures.account, *figures.image);
@@ -88,12 +77,15 @@ void explain(const CommandLine& command, const RenderSession& session, const Ren
 
 ImageMetadata image_metadata(const CommandLine& command, const RenderSession& session,
                              const RenderTotals& totals) {
-    ImageMetadata metadata{{"integrator", session.integrator_name},
-                           {"passes", fmt::to_string(totals.passes)},
-                           {"scene", std::filesystem::path(command.scene).filename().string()},
-                           {"seed", fmt::to_string(session.seed)},
-                           {"software", "lxsrender " + version()}};
-    add_error(*session.film, metadata);
+    namespace header = image_header;
+    ImageMetadata metadata{{header::kIntegrator, session.integrator_name},
+                           {header::kPasses, fmt::to_string(totals.passes)},
+                           {header::kSamples, fmt::to_string(totals.samples_per_pixel)},
+                           {header::kScene, std::filesystem::path(command.scene).filename()},
+                           {header::kSeed, fmt::to_string(session.seed)},
+                           {header::kSoftware, "lxsrender " + version()}};
+    session.fingerprint.describe(metadata);
+    if (const auto error = session.film->error()) describe(*error, metadata);
     return metadata;
 }
 

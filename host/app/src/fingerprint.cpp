@@ -1,12 +1,15 @@
 // What the bits of an image depend on, so that a render goes on only from a checkpoint of its own.
 #include "lxs/host/fingerprint.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <boost/dll/runtime_symbol_info.hpp>
 #include <set>
 
 #include "lxs/host/checksum.h"
 #include "lxs/images/image_library.h"
+#include "lxs/imaging/image_header.h"
 #include "lxs/sdk/plugin.h"
 
 namespace lxs {
@@ -43,6 +46,7 @@ void Fingerprint::set_settings(const CommandLine& command, std::string_view inte
     sum.add_text(integrator);
     sum.add_text(command.sampler.value_or(""));
     sum.add_text(std::to_string(width) + " x " + std::to_string(height));
+    sum.add_text(command.layers.value_or(""));
     for (const std::string& override : command.overrides)
         sum.add_text(override);
     checksums_[Settings] = sum.value();
@@ -52,6 +56,13 @@ void Fingerprint::set_seed(std::uint64_t seed) {
     Checksum sum;
     sum.add_text(std::to_string(seed));
     checksums_[Seed] = sum.value();
+}
+
+void Fingerprint::describe(ImageMetadata& metadata) const {
+    const auto text = [&](Cause cause) { return fmt::format("{:016x}", checksums_[cause]); };
+    metadata[image_header::kSceneText] = text(Sources);
+    metadata[image_header::kSceneFiles] = text(Assets);
+    metadata[image_header::kSettings] = text(Settings);
 }
 
 std::string Fingerprint::difference(const Fingerprint& other) const {

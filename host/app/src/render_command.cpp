@@ -148,6 +148,7 @@ ExitCode render(const CommandLine& command, const PluginLibrary& plugins, Consol
         throw;
     }
     checkpoints.finish(totals);
+    snapshots.finish(totals);
     session.times["render"] =
         begun.seconds + seconds_since(start) - session.times["write"] - session.times["checkpoint"];
     return finish(command, session, totals, interruption.requested(), log);

@@ -78,10 +78,9 @@ void create_chosen(RenderSession& session, const CommandLine& command,
 /// What stands in the scene's text is in the fingerprint already.
 void complete_fingerprint(RenderSession& session, const CommandLine& command,
                           const IntegratorChoice& choice, const ReadFiles& files) {
-    if (!session.fingerprint) return;
-    Fingerprint& fingerprint = *session.fingerprint;
+    Fingerprint& fingerprint = session.fingerprint;
     try {
-        fingerprint.set_program(choice.integrator->file);
+        if (command.checkpoint) fingerprint.set_program(choice.integrator->file);
         fingerprint.set_assets(files);
     } catch (const std::system_error& error) {
         throw SceneFailure(error.what());
@@ -198,7 +197,7 @@ RenderSession prepare(const CommandLine& command, const PluginLibrary& plugins,
         const PhaseTimer timer(session.times, "load");
         contents = load(command.scene, diagnostics, files);
         apply_statement_overrides(command, contents, log);
-        if (command.checkpoint) session.fingerprint.emplace().set_sources(files);
+        session.fingerprint.set_sources(files);
         files.sources.clear();
     }
     const bool whole = diagnostics.errors() == 0;
@@ -217,6 +216,7 @@ RenderSession prepare(const CommandLine& command, const PluginLibrary& plugins,
     complete_fingerprint(session, command, choice, files);
     choose_spectral(session, log);
     if (session.spectral) begin_spectral_pass(session, 0);
+    session.film->set_names(session.scene->object_names(), session.scene->material_names());
     session.camera->focus(*session.scene);
     return session;
 }

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <filesystem>
 #include <new>
 
 #include "lxs/host/final_outputs.h"
@@ -24,6 +25,18 @@ WriteSchedule png_schedule(const CommandLine& command, const FileFilm& film) {
     const double shown = film.display_interval_seconds();
     if (command.write_every || shown <= 0) return schedule;
     return {std::min(schedule.interval(), shown), WriteCost::Bounded};
+}
+
+/// A viewer follows a render that is watched: often, as far as that costs little.
+WriteSchedule viewer_schedule() {
+    constexpr double kSeconds = 1;
+    return {kSeconds, WriteCost::Bounded};
+}
+
+std::optional<DisplayServer> choose_display(const CommandLine& command) {
+    if (!command.display_server) return std::nullopt;
+    return DisplayServer(ViewerAddress::parse(*command.display_server),
+                         std::filesystem::path(command.scene).filename().string());
 }
 
 /// Calls `write`; gives the seconds that it took. What it throws is a warning.
@@ -50,12 +63,19 @@ Snapshots::Snapshots(const CommandLine& command, RenderSession& session, const B
       budget_(budget),
       log_(log),
       exr_(exr_schedule(command, *session.film)),
-      png_(png_schedule(command, *session.film)) {}
+      png_(png_schedule(command, *session.film)),
+      viewer_(viewer_schedule()),
+      display_(choose_display(command)) {}
 
 void Snapshots::between_passes(const RenderTotals& totals) {
     const auto left = budget_.remaining(totals.passes, totals.seconds);
     if (!session_.files.png.empty() && png_.due(totals.seconds, left)) write_png(totals);
     if (!session_.files.exr.empty() && exr_.due(totals.seconds, left)) write_exr(totals);
+    if (display_ && viewer_.due(totals.seconds, left)) show(totals);
+}
+
+void Snapshots::finish(const RenderTotals& totals) {
+    if (display_ && totals.passes > 0) show(totals);
 }
 
 void Snapshots::write_exr(const RenderTotals& totals) {
@@ -73,6 +93,22 @@ void Snapshots::write_png(const RenderTotals& totals) {
     });
     session_.times["write"] += took;
     png_.written(totals.seconds, took);
+}
+
+void Snapshots::show(const RenderTotals& totals) {
+    const auto start = std::chrono::steady_clock::now();
+    try {
+        const FileFilm& film = *session_.film;
+        display_->show(film.width(), film.height(), film.image());
+    } catch (const std::exception& error) {
+        if (!said_no_viewer_)
+            log_.warning(fmt::format("{}; rendering goes on, and the viewer is tried again later",
+                                     error.what()));
+        said_no_viewer_ = true;
+    }
+    const double took = seconds_since(start);
+    session_.times["write"] += took;
+    viewer_.written(totals.seconds, took);
 }
 
 void Snapshots::say_where() {

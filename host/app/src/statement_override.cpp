@@ -1,5 +1,5 @@
-// `--width`, `--height`, `--sampler` and `--set` of a sampler: options that stand above the scene's
-// own statements.
+// `--width`, `--height`, `--layers`, `--sampler` and `--set` of a sampler: options that stand above
+// the scene's own statements.
 #include "lxs/host/statement_override.h"
 
 #include <fmt/format.h>
@@ -9,6 +9,7 @@
 
 #include "lxs/host/parameter_override.h"
 #include "lxs/imaging/imaging.h"
+#include "lxs/imaging/layer_names.h"
 
 namespace lxs {
 namespace {
@@ -28,15 +29,22 @@ double read_size(const ParameterSet& set, std::string_view name, double fallback
     return size;
 }
 
-void set_size(ParameterSet& set, const std::string& name, double size,
-              const SourceLocation& where) {
+/// In place of what the scene gives as `name`.
+template <class Values>
+void set_values(ParameterSet& set, const std::string& type, const std::string& name, Values values,
+                const SourceLocation& where) {
     std::erase_if(set.values, [&](const ParameterValue& value) { return value.name == name; });
     ParameterValue value;
-    value.type = "integer";
+    value.type = type;
     value.name = name;
     value.where = where;
-    value.values = std::vector<double>{size};
+    value.values = std::move(values);
     set.values.push_back(std::move(value));
+}
+
+void set_size(ParameterSet& set, const std::string& name, double size,
+              const SourceLocation& where) {
+    set_values(set, "integer", name, std::vector<double>{size}, where);
 }
 
 /// The statement `name`, made if the scene has none.
@@ -65,6 +73,11 @@ void set_height(std::uint32_t height, SceneContents& contents) {
              command_line_location(fmt::format("--height {}", height)));
 }
 
+void set_layers(const std::string& names, SceneContents& contents) {
+    set_values(statement(contents, "Film", "fleximage"), "string", "layers",
+               split_layer_names(names), command_line_location("--layers " + names));
+}
+
 void choose_sampler(const CommandLine& command, SceneContents& contents) {
     ParameterSet& sampler = statement(contents, "Sampler", *command.sampler);
     if (sampler.plugin != *command.sampler) sampler.values.clear();
@@ -90,6 +103,7 @@ void set_sampler_parameters(const CommandLine& command, SceneContents& contents,
 void apply_statement_overrides(const CommandLine& command, SceneContents& contents, Log& log) {
     if (command.width) set_width(*command.width, contents);
     if (command.height) set_height(*command.height, contents);
+    if (command.layers) set_layers(*command.layers, contents);
     if (command.sampler) choose_sampler(command, contents);
     set_sampler_parameters(command, contents, log);
 }

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "lxs/host/error_json.h"
 #include "lxs/host/explanation.h"
 #include "lxs/host/process_usage.h"
 
@@ -74,17 +75,6 @@ Json by_origin(const RefusalsByKind& refused) {
     return json;
 }
 
-Json error_of(const ErrorEstimate& error) {
-    Json json;
-    json["relative"] = error.relative();
-    json["relmse"] = error.relmse;
-    json["relmse interval"] = {error.relmse_low, error.relmse_high};
-    json["relmse of the whole"] = error.relmse_whole;
-    json["rmse"] = error.rmse;
-    json["rmse interval"] = {error.rmse_low, error.rmse_high};
-    return json;
-}
-
 Json verdict(const ImageVerdict& image) {
     Json json;
     json["appearance"] = image.name();
@@ -151,7 +141,7 @@ std::string statistics_json(const CommandLine& command, const RenderSession& ses
     json["settings"] = settings(command, session);
     json["scene"] = scene_facts(session);
     if (figures.image) json["image"] = verdict(*figures.image);
-    if (const auto error = session.film->error()) json["estimated error"] = error_of(*error);
+    if (const auto error = session.film->error()) json["estimated error"] = error_json(*error);
     json["seconds"] = session.times;
     json["render CPU seconds"] = totals.cpu_seconds;
     json["counts"] = counts(totals);

@@ -44,6 +44,7 @@ class LensCamera : public SceneCamera {
           y_axis_(axis(settings.to_world, 1)),
           z_axis_(axis(settings.to_world, 2)),
           position_(axis(settings.to_world, 3)),
+          forward_(z_axis_.normalized()),
           middle_(0.5f * static_cast<float>(frame.x_resolution) - static_cast<float>(frame.x),
                   0.5f * static_cast<float>(frame.y_resolution) - static_cast<float>(frame.y)),
           medium_(medium) {}
@@ -61,8 +62,7 @@ class LensCamera : public SceneCamera {
         std::pmr::monotonic_buffer_resource memory(buffer.data(), buffer.size());
         SurfaceHit hit;
         if (!scene.intersect(ray, hit, memory)) return;
-        const Vec3d forward = z_axis_.normalized();
-        const double depth = ((Vec3d(hit.p) - position_) ^ forward) / z_axis_.length();
+        const double depth = ((Vec3d(hit.p) - position_) ^ forward_) / z_axis_.length();
         if (depth > 0) settings_.focal_distance = depth;
     }
 
@@ -88,6 +88,9 @@ class LensCamera : public SceneCamera {
         if (settings_.yon < 1e30) {
             result.ray.t_max = static_cast<float>((settings_.yon - settings_.hither) * length);
         }
+        const double depth = step ^ forward_;
+        result.depth = static_cast<float>(depth * settings_.hither);
+        result.depth_per_distance = static_cast<float>(depth / length);
         return result;
     }
 
@@ -103,7 +106,8 @@ class LensCamera : public SceneCamera {
 
     CameraSettings settings_;
     Vec3d x_axis_, y_axis_, z_axis_, position_;
-    Vec2 middle_;  ///< of the whole image, pixels of the window
+    Vec3d forward_;  ///< the camera's axis, unit
+    Vec2 middle_;    ///< of the whole image, pixels of the window
     const Medium* medium_;
 };
 
@@ -185,6 +189,8 @@ class EnvironmentCamera final : public LensCamera {
             longitude_step_ * latitude_step_ * std::max(std::abs(sine), latitude_step_ / 2);
         result.spread = static_cast<float>(0.5 * std::sqrt(solid_angle));
         result.width = static_cast<float>(result.spread * settings().hither * length);
+        result.depth = static_cast<float>(settings().hither * length);
+        result.depth_per_distance = 1;
         return result;
     }
 
@@ -241,6 +247,7 @@ class MovingCamera final : public SceneCamera {
         result.ray.direction = Vec3(direction / stretch);
         result.ray.t_max *= static_cast<float>(stretch);
         result.width *= static_cast<float>(stretch);
+        result.depth *= static_cast<float>(stretch);
         return result;
     }
 

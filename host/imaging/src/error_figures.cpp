@@ -1,11 +1,12 @@
 // One figure for a whole image: its estimated error.
-#include "error_figures.h"
+#include "lxs/imaging/error_figures.h"
 
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace lxs {
 namespace {
@@ -97,16 +98,12 @@ std::vector<PixelError> pixel_errors(const UncertainImage& image, double epsilon
     for_rows(image.height, [&](std::uint32_t y) {
         for (std::size_t i = std::size_t{y} * image.width; i < std::size_t{y + 1} * image.width;
              ++i) {
-            const double y_mean = luminance(image.value[i]);
-            const double bias = image.bias.empty() || !(y_mean > 0) ? 0 : image.bias[i] / y_mean;
             double relative = 0, squared = 0;
             for (int c = 0; c < 3; ++c) {
                 const double variance = image.variance[i][c];
-                const double own = bias * image.value[i][c];
-                const double error = variance + own * own;
                 const double truth = believed(image.value[i][c], variance, around[i][c]);
-                relative += error / (truth * truth + epsilon) / 3;
-                squared += error / 3;
+                relative += variance / (truth * truth + epsilon) / 3;
+                squared += variance / 3;
             }
             errors[i] = {static_cast<float>(relative), static_cast<float>(squared)};
         }
@@ -131,6 +128,28 @@ struct Sums {
     }
 };
 
+/// Of the relative errors but for the `worst` greatest; in the pixels' order, whatever order
+/// nth_element leaves.
+Sums without_worst(const std::vector<PixelError>& errors, std::size_t worst) {
+    std::vector<float> relative(errors.size());
+    std::transform(errors.begin(), errors.end(), relative.begin(),
+                   [](const PixelError& error) { return error.relative; });
+    const std::size_t kept = errors.size() - worst;
+    const auto end = relative.begin() + static_cast<std::ptrdiff_t>(kept);
+    std::nth_element(relative.begin(), end, relative.end());
+    const float limit = worst > 0 ? *end : std::numeric_limits<float>::infinity();
+    Sums rest;
+    std::size_t below = 0;
+    for (const PixelError& error : errors) {
+        if (!(error.relative < limit)) continue;
+        rest.add(error.relative);
+        ++below;
+    }
+    for (std::size_t equal = below; equal < kept; ++equal)
+        rest.add(limit);
+    return rest;
+}
+
 }  // namespace
 
 double ErrorEstimate::relative() const {
@@ -145,33 +164,22 @@ ErrorEstimate estimate_error(const UncertainImage& image) {
     mean /= pixels;
     // An image that is all black has no error that would be relative to anything.
     const double epsilon = mean > 0 ? kBlack * kBlack * mean * mean : 1;
-    std::vector<PixelError> errors = pixel_errors(image, epsilon);
+    const std::vector<PixelError> errors = pixel_errors(image, epsilon);
     Sums squared;
     double whole = 0;
     for (const PixelError& error : errors) {
         whole += error.relative;
         squared.add(error.squared);
     }
-    const auto worst = std::max<std::ptrdiff_t>(1, static_cast<std::ptrdiff_t>(kWorst * pixels));
-    std::vector<float> relative(errors.size());
-    std::transform(errors.begin(), errors.end(), relative.begin(),
-                   [](const PixelError& error) { return error.relative; });
-    const auto end = relative.end() - worst;
-    std::nth_element(relative.begin(), end, relative.end());
-    // In the pixels' order, whatever order nth_element has left.
-    const float limit = *end;
-    Sums rest;
-    auto equal = end - relative.begin();
-    for (const PixelError& error : errors) {
-        if (!(error.relative < limit)) continue;
-        rest.add(error.relative);
-        --equal;
-    }
-    for (; equal > 0; --equal)
-        rest.add(limit);
+    // A film of a single pixel keeps it.
+    const std::size_t worst =
+        std::min(std::max<std::size_t>(1, static_cast<std::size_t>(kWorst * pixels)),
+                 image.value.size() - 1);
+    const Sums rest = without_worst(errors, worst);
     const double rest_factor = rest.factor(image.degrees_of_freedom);
     const double rmse_factor = std::sqrt(squared.factor(image.degrees_of_freedom));
     ErrorEstimate estimate;
+    estimate.degrees_of_freedom = image.degrees_of_freedom;
     estimate.relmse = rest.sum / (pixels - static_cast<double>(worst));
     estimate.relmse_low = estimate.relmse / rest_factor;
     estimate.relmse_high = estimate.relmse * rest_factor;

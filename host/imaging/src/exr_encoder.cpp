@@ -77,20 +77,24 @@ class Channels {
 
 }  // namespace
 
-std::vector<std::byte> encode_exr(const FilmFrame& frame, std::span<const ColorLayer> colors,
-                                  std::span<const FloatLayer> floats,
-                                  const ImageMetadata& metadata) {
-    Channels channels(frame, metadata);
-    for (const ColorLayer& layer : colors) {
+std::vector<std::byte> encode_exr(const FilmFrame& frame, const FileLayers& layers) {
+    Channels channels(frame, layers.metadata);
+    for (const ColorLayer& layer : layers.colors) {
         const std::string prefix = layer.name.empty() ? "" : layer.name + ".";
         const float* first = &layer.values.front().x;
-        channels.add(prefix + "R", first, 3);
-        channels.add(prefix + "G", first + 1, 3);
-        channels.add(prefix + "B", first + 2, 3);
+        for (std::size_t c = 0; c < 3; ++c)
+            channels.add(prefix + layer.channels[c], first + c, 3);
     }
-    for (const FloatLayer& layer : floats) {
-        channels.add(layer.name + ".Y", layer.values.data(), 1);
+    for (const FloatLayer& layer : layers.floats) {
+        channels.add(layer.name + "." + layer.channel, layer.values.data(), 1);
     }
+    return channels.encode();
+}
+
+std::vector<std::byte> encode_exr(const ExrImage& image) {
+    Channels channels(image.frame, image.metadata);
+    for (const auto& [name, values] : image.channels)
+        channels.add(name, values.data(), 1);
     return channels.encode();
 }
 

@@ -1,7 +1,9 @@
 // OpenEXR files in memory.
 #pragma once
 
+#include <array>
 #include <cstddef>
+#include <deque>
 #include <span>
 #include <string>
 #include <vector>
@@ -15,18 +17,26 @@ namespace lxs {
 struct ColorLayer {
     std::string name;
     std::vector<Rgb> values;
+    std::array<char, 3> channels{'R', 'G', 'B'};
 };
 
 /// A layer of one channel, "name.Y".
 struct FloatLayer {
     std::string name;
     std::span<const float> values;
+    char channel = 'Y';
+};
+
+/// What a file holds beside its frame.
+struct FileLayers {
+    std::vector<ColorLayer> colors;
+    std::vector<FloatLayer> floats;
+    std::deque<std::vector<float>> values;  ///< of some of `floats`
+    ImageMetadata metadata;
 };
 
 /// The bytes of a scan-line EXR (32-bit float, ZIP) with the frame's window as data window. All
 /// layers have width * height values. Throws std::exception when OpenEXR refuses a name.
-std::vector<std::byte> encode_exr(const FilmFrame& frame, std::span<const ColorLayer> colors,
-                                  std::span<const FloatLayer> floats,
-                                  const ImageMetadata& metadata);
+std::vector<std::byte> encode_exr(const FilmFrame& frame, const FileLayers& layers);
 
 }  // namespace lxs

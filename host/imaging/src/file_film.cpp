@@ -13,6 +13,7 @@
 #include "flex_image.h"
 #include "lxs/imaging/atomic_file.h"
 #include "png_encoder.h"
+#include "sum_to_image.h"
 
 namespace lxs {
 namespace {
@@ -68,6 +69,7 @@ void FlexImage::set_wavelengths(const Wavelengths& wavelengths) {
     accumulator_.set_conversion(wavelengths.to_rgb, wavelengths.white);
     for (auto& [name, layer] : color_layers_)
         layer.set_conversion(wavelengths.to_rgb, wavelengths.white);
+    if (asked_) asked_->set_wavelengths(wavelengths);
 }
 
 void FlexImage::add_pass(const PassSamples& samples) {
@@ -94,16 +96,22 @@ std::optional<ErrorEstimate> FlexImage::error() const {
     return error_->estimate(accumulator_);
 }
 
+bool FlexImage::is_asked(std::string_view name) const {
+    const auto names = FilmLayers::names(settings_.layers);
+    return std::find(names.begin(), names.end(), name) != names.end();
+}
+
 /// Whether a layer of the scene's or of the integrator's has this name.
 bool FlexImage::names_layer(std::string_view name) const {
     const auto& groups = group_names_;
     return (groups.size() > 1 && std::find(groups.begin(), groups.end(), name) != groups.end()) ||
-           color_layers_.contains(name) || layers_.contains(name);
+           color_layers_.contains(name) || layers_.contains(name) || is_asked(name);
 }
 
 void FlexImage::clear() {
     accumulator_.clear();
     if (error_) error_->clear();
+    if (asked_) asked_->clear();
     for (auto& [name, layer] : color_layers_) {
         layer.clear();
     }
@@ -137,6 +145,10 @@ RefusalList FlexImage::refusals() const {
         add(fmt::format("layer \"{}\"", name), layer.refused_samples());
     for (const auto& [name, count] : refused_layer_values_)
         add(fmt::format("layer \"{}\"", name), count);
+    if (asked_) {
+        const RefusalList asked = asked_->refusals();
+        list.insert(list.end(), asked.begin(), asked.end());
+    }
     return list;
 }
 
@@ -153,6 +165,7 @@ std::size_t FlexImage::memory_bytes() const {
         bytes += layer.memory_bytes();
     }
     if (error_) bytes += error_->memory_bytes();
+    if (asked_) bytes += asked_->memory_bytes();
     return bytes;
 }
 
@@ -161,12 +174,14 @@ std::vector<Rgb> FlexImage::image() const {
 }
 
 void FlexImage::write_exr(const std::string& path, const ImageMetadata& metadata) const {
-    std::vector<ColorLayer> colors{{"", image()}};
+    FileLayers layers{.colors = {{"", image()}}, .floats = {}, .values = {}, .metadata = metadata};
+    std::vector<ColorLayer>& colors = layers.colors;
     for (std::uint32_t g = 0; light_groups() > 1 && g < light_groups(); ++g) {
         colors.push_back({group_names_[g], film_colors([&](std::span<Rgb> values) {
                               accumulator_.resolve_group(g, values);
                           })});
     }
+    sum_to_image(std::span(colors).subspan(1), colors.front().values);
     for (const auto& [name, layer] : color_layers_) {
         colors.push_back({name, film_colors([&resolved = layer](std::span<Rgb> values) {
                               resolved.resolve_total(values);
@@ -178,13 +193,12 @@ void FlexImage::write_exr(const std::string& path, const ImageMetadata& metadata
                               error_->standard_errors(accumulator_, values);
                           })});
     }
-    std::vector<FloatLayer> floats;
     for (const auto& [name, values] : layers_) {
-        floats.push_back({name, values});
+        layers.floats.push_back({name, values});
     }
-    write_file_atomically(path, encode_for(path, [&] {
-                              return encode_exr(settings_.frame, colors, floats, metadata);
-                          }));
+    if (asked_) asked_->append_to(layers, [this](std::span<Rgb> c) { to_film_colors(c); });
+    write_file_atomically(path,
+                          encode_for(path, [&] { return encode_exr(settings_.frame, layers); }));
 }
 
 void FlexImage::write_png(const std::string& path) const {

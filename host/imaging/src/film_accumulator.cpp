@@ -11,18 +11,6 @@
 namespace lxs {
 namespace {
 
-/// Cells [first, last] that a filter of this radius around the centre of pixel `i` reaches.
-struct CellRange {
-    std::uint32_t first, last;
-
-    CellRange(std::uint32_t i, float radius, std::uint32_t size) {
-        const float centre = static_cast<float>(i) + 0.5f;
-        const float end = static_cast<float>(size - 1);
-        first = static_cast<std::uint32_t>(std::clamp(std::floor(centre - radius), 0.0f, end));
-        last = static_cast<std::uint32_t>(std::clamp(std::ceil(centre + radius) - 1, 0.0f, end));
-    }
-};
-
 /// Adds f times the radiance of all light groups but the first to the sums of all.
 void add_other_groups(std::span<const Rgb> radiance, double f, std::span<double> sums) {
     for (std::size_t g = 1; g < radiance.size(); ++g) {

@@ -23,6 +23,11 @@ struct PixelMeans {
     std::array<double, 2> weight{};
 };
 
+/// Those from `first` to before `end`.
+struct LightGroups {
+    std::uint32_t first, end;
+};
+
 /// Estimates each pixel as sum(f w L) / sum(f w) over all samples: f the filter, w the weight of
 /// the sample's pass; likewise of what passes bring as their second part, and both are added.
 /// Splats are kept apart and added too (see Film::add_splats). Each pixel gathers its samples in a
@@ -91,9 +96,10 @@ class FilmAccumulator {
                    std::span<double> colors) const;
     void convert(std::span<double> colors) const;
     double filter_on_film(std::uint32_t x, std::uint32_t y) const;
-    Rgb resolve(std::size_t pixel, std::uint32_t first_group, std::uint32_t end_group) const;
-    void resolve_groups(std::uint32_t first_group, std::uint32_t end_group,
-                        std::span<Rgb> image) const;
+    Imath::V3d mean_value(const Mean& mean, std::size_t pixel, LightGroups groups) const;
+    Imath::V3d splat_value(std::size_t pixel, LightGroups groups) const;
+    Rgb resolve(std::size_t pixel, LightGroups groups) const;
+    void resolve_groups(LightGroups groups, std::span<Rgb> image) const;
 
     std::uint32_t width_, height_, groups_;
     PixelFilter filter_;

@@ -3,18 +3,18 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "film_accumulator.h"
+#include "finite_float.h"
 #include "pixel_debts.h"
 
 namespace lxs {
 namespace {
 
-/// Sums R, G, B of light groups [first, end).
-Imath::V3d sum_over_groups(const double* sums, std::uint32_t first, std::uint32_t end) {
+/// Sums R, G, B of light groups.
+Imath::V3d sum_over(const double* sums, LightGroups groups) {
     Imath::V3d sum(0.0);
-    for (std::size_t g = first; g < end; ++g)
+    for (std::size_t g = groups.first; g < groups.end; ++g)
         sum += Imath::V3d(sums[3 * g], sums[3 * g + 1], sums[3 * g + 2]);
     return sum;
 }
@@ -40,65 +40,53 @@ Imath::V3d white_of(const Imath::V3d& white_sum, double weight_sum) {
 
 }  // namespace
 
+Imath::V3d FilmAccumulator::mean_value(const Mean& mean, std::size_t pixel,
+                                       LightGroups groups) const {
+    if (mean.sums.empty()) return Imath::V3d(0.0);
+    const double* const sums = &mean.sums[pixel * (1 + 3 * std::size_t{groups_})];
+    if (!(*sums > 0)) return Imath::V3d(0.0);
+    return sum_over(sums + 1, groups) / (*sums * white_of(mean.white_sum, mean.weight_sum));
+}
+
+Imath::V3d FilmAccumulator::splat_value(std::size_t pixel, LightGroups groups) const {
+    if (!(splat_samples_ > 0)) return Imath::V3d(0.0);
+    const double pixels = static_cast<double>(width_) * height_;
+    return sum_over(&splats_[pixel * 3 * groups_], groups) * pixels /
+           (splat_samples_ * white_of(first_.white_sum, first_.weight_sum));
+}
+
 /// A pixel's value summed over light groups: the means of samples, and the splats. Below zero where
 /// negative lobes of the filter, or colours of wavelengths that RGB can't hold, have drawn it.
-Rgb FilmAccumulator::resolve(std::size_t pixel, std::uint32_t first_group,
-                             std::uint32_t end_group) const {
-    const std::size_t channels = 3 * std::size_t{groups_};
-    const double pixels = static_cast<double>(width_) * height_;
-    Imath::V3d value(0.0);
-    for (const Mean* mean : {&first_, &second_}) {
-        if (mean->sums.empty()) continue;
-        const double* const sums = &mean->sums[pixel * (1 + channels)];
-        if (*sums > 0)
-            value += sum_over_groups(sums + 1, first_group, end_group) /
-                     (*sums * white_of(mean->white_sum, mean->weight_sum));
-    }
-    if (splat_samples_ > 0)
-        value += sum_over_groups(&splats_[pixel * channels], first_group, end_group) * pixels /
-                 (splat_samples_ * white_of(first_.white_sum, first_.weight_sum));
-    Rgb finite;
-    for (int c = 0; c < 3; ++c) {
-        constexpr double kMost = std::numeric_limits<float>::max();
-        finite[c] = static_cast<float>(std::clamp(value[c], -kMost, kMost));
-    }
-    return finite;
+Rgb FilmAccumulator::resolve(std::size_t pixel, LightGroups groups) const {
+    const Imath::V3d value = mean_value(first_, pixel, groups) +
+                             mean_value(second_, pixel, groups) + splat_value(pixel, groups);
+    return {finite_float(value.x), finite_float(value.y), finite_float(value.z)};
 }
 
 PixelMeans FilmAccumulator::means(std::size_t pixel) const {
+    const LightGroups all{0, groups_};
     const std::size_t at = pixel * (1 + 3 * std::size_t{groups_});
-    const auto value = [&](const Mean& mean) {
-        const double* const sums = &mean.sums[at];
-        if (!(*sums > 0)) return Imath::V3d(0.0);
-        return sum_over_groups(sums + 1, 0, groups_) /
-               (*sums * white_of(mean.white_sum, mean.weight_sum));
-    };
-    PixelMeans means{.value = {value(first_), Imath::V3d(0.0)},
-                     .weight = {std::max(first_.sums[at], 0.0), 0}};
-    if (splat_samples_ > 0) {
-        const double passes = splat_samples_ / (static_cast<double>(width_) * height_);
-        means.value[0] += sum_over_groups(&splats_[pixel * 3 * groups_], 0, groups_) /
-                          (passes * white_of(first_.white_sum, first_.weight_sum));
-        if (means.weight[0] == 0) means.weight[0] = passes;
-    }
-    if (second_.sums.empty()) return means;
-    means.value[1] = value(second_);
-    means.weight[1] = std::max(second_.sums[at], 0.0);
+    PixelMeans means;
+    means.value = {mean_value(first_, pixel, all) + splat_value(pixel, all),
+                   mean_value(second_, pixel, all)};
+    means.weight[0] = std::max(first_.sums[at], 0.0);
+    if (means.weight[0] == 0)
+        means.weight[0] = splat_samples_ / (static_cast<double>(width_) * height_);
+    if (has_second()) means.weight[1] = std::max(second_.sums[at], 0.0);
     return means;
 }
 
 void FilmAccumulator::resolve_group(std::uint32_t group, std::span<Rgb> image) const {
-    resolve_groups(group, group + 1, image);
+    resolve_groups({group, group + 1}, image);
 }
 
 void FilmAccumulator::resolve_total(std::span<Rgb> image) const {
-    resolve_groups(0, groups_, image);
+    resolve_groups({0, groups_}, image);
 }
 
-void FilmAccumulator::resolve_groups(std::uint32_t first_group, std::uint32_t end_group,
-                                     std::span<Rgb> image) const {
+void FilmAccumulator::resolve_groups(LightGroups groups, std::span<Rgb> image) const {
     tbb::parallel_for(std::size_t{0}, image.size(),
-                      [&](std::size_t i) { image[i] = resolve(i, first_group, end_group); });
+                      [&](std::size_t i) { image[i] = resolve(i, groups); });
     const bool lobes = filter_.has_negative_weights();
     if (to_rgb_ || !lobes) cut_below_zero(image, lobes);
     if (!lobes) return;

@@ -1,25 +1,15 @@
 // What a film knows of its own error.
 #include "film_error.h"
 
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
 #include <cmath>
 
-#include "error_figures.h"
+#include "finite_float.h"
+#include "for_pixels.h"
+#include "lxs/imaging/error_figures.h"
 
 namespace lxs {
 namespace {
-
-template <class Work>
-void for_pixels(std::size_t pixels, const Work& work) {
-    constexpr std::size_t kPixels = 1024;  // of a task
-    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, pixels, kPixels), [&](const auto& range) {
-        for (std::size_t i = range.begin(); i != range.end(); ++i)
-            work(i);
-    });
-}
 
 /// Variance of what the image shows: a mean below zero, where negative lobes of the filter have
 /// drawn it, is shown as zero, and zero is nearly always what is true there.

@@ -76,6 +76,11 @@ constexpr ParameterDeclaration kPicture[] = {
     {"contrast_ywa", Float, "1",
      "Luminance that the eyes before the display are adapted to, for kernel contrast, cd m^-2.", 0,
      kHuge},
+    {.name = "layers",
+     .type = String,
+     .doc = "Layers that the EXR has beside the image: direct, indirect, caustics, albedo, normal, "
+            "depth, objects, materials; cryptomatte for the last two, all for every one.",
+     .array = true},
     {"cameraresponse", String, "",
      "File of the response curves of a camera or film, as in Grossberg and Nayar's database, "
      "applied to the PNG after the kernel."},

@@ -10,7 +10,9 @@
 #include <stdexcept>
 
 #include "color_space.h"
+#include "film_layers.h"
 #include "film_parameters.h"
+#include "lxs/imaging/layer_names.h"
 #include "option_choice.h"
 
 namespace lxs {
@@ -163,6 +165,23 @@ std::optional<ColorConversion> read_color_space(const ParameterReader& reader) {
     }
 }
 
+/// A light group of the name would hide the layer, or the layer it.
+LayersWanted read_layers(const ParameterReader& reader, const SceneContents& contents) {
+    const std::vector<std::string> names = reader.strings("layers");
+    try {
+        const LayersWanted wanted = layers_named(names);
+        const auto& groups = contents.light_groups;
+        for (const std::string& name : FilmLayers::names(wanted)) {
+            if (groups.size() > 1 && std::find(groups.begin(), groups.end(), name) != groups.end())
+                reader.fail("layers",
+                            fmt::format("the layer \"{}\" has the name of a light group", name));
+        }
+        return wanted;
+    } catch (const std::invalid_argument& error) {
+        reader.fail("layers", error.what());
+    }
+}
+
 FilmSettings read(const SceneContents& contents, Diagnostics& diagnostics) {
     const OptionChoice choice =
         choose_option(contents, "Film", "fleximage", {"fleximage", "multiimage"});
@@ -184,6 +203,7 @@ FilmSettings read(const SceneContents& contents, Diagnostics& diagnostics) {
     settings.display_interval_seconds =
         std::max(0.0, reader.number("displayinterval", settings.display_interval_seconds));
     settings.tone_map = read_tone_map(reader);
+    settings.layers = read_layers(reader, contents);
     settings.response_file = reader.string("cameraresponse", "");
     settings.response_where = reader.where("cameraresponse");
     settings.to_film_colors = read_color_space(reader);

@@ -6,21 +6,12 @@
 #include <string>
 
 #include "color_space.h"
+#include "lxs/imaging/film_frame.h"
 #include "lxs/scene/contents.h"
+#include "lxs/sdk/layers.h"
 #include "tone_map.h"
 
 namespace lxs {
-
-/// The image and the window of it that is rendered, pixels.
-struct FilmFrame {
-    std::uint32_t x_resolution = 800, y_resolution = 600;
-    std::uint32_t x = 0, y = 0;  ///< upper left pixel of the window
-    std::uint32_t width = 800, height = 600;
-};
-
-/// Most pixels of an image (16384 x 8192). The film's sums take 8 + 24 bytes per light group and
-/// pixel: 4.3 GB for this many with one group, and as much again where passes have a second part.
-inline constexpr std::uint64_t kMaxFilmPixels = std::uint64_t{1} << 27;
 
 /// Most sums of a film, 8 bytes each, of either part of what passes bring: 1 + 3 per light group
 /// and pixel.
@@ -38,6 +29,7 @@ struct FilmSettings {
     /// File of a film's response curves, not read yet; empty for none.
     std::string response_file;
     SourceLocation response_where;
+    LayersWanted layers;
     /// From the scene's colours to the film's, if those differ (colorspace_red ...).
     std::optional<ColorConversion> to_film_colors;
 };

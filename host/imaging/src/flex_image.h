@@ -10,6 +10,7 @@
 #include "color_space.h"
 #include "film_accumulator.h"
 #include "film_error.h"
+#include "film_layers.h"
 #include "film_settings.h"
 #include "lxs/imaging/imaging.h"
 #include "pixel_filter.h"
@@ -24,16 +25,30 @@ class FlexImage final : public FileFilm {
         : settings_(std::move(settings)),
           group_names_(std::move(group_names)),
           filter_(filter),
-          accumulator_(width(), height(), light_groups(), filter) {}
+          accumulator_(width(), height(), light_groups(), filter) {
+        if (settings_.layers != LayersWanted{})
+            asked_.emplace(settings_.layers, width(), height(), filter);
+    }
 
     std::uint32_t width() const override { return settings_.frame.width; }
     std::uint32_t height() const override { return settings_.frame.height; }
     std::uint32_t light_groups() const override {
         return static_cast<std::uint32_t>(group_names_.size());
     }
+    LayersWanted layers_wanted() const override { return settings_.layers; }
     void add_pass(const PassSamples& samples) override;
     void add_splats(const PassSplats& splats) override;
     void add_layer_pass(std::string_view name, const PassSamples& samples) override;
+    void add_parts(const PassSamples& parts) override {
+        if (asked_) asked_->add_parts(parts);
+    }
+    void add_splats_of_parts(const PassSplats& parts) override {
+        if (asked_) asked_->add_splats_of_parts(parts);
+    }
+    void add_surfaces(std::span<const Vec2> positions,
+                      std::span<const SeenSurface> surfaces) override {
+        if (asked_) asked_->add_surfaces(positions, surfaces);
+    }
     void clear() override;
     void set_layer(std::string_view name, std::span<const float> values) override;
 
@@ -52,6 +67,10 @@ class FlexImage final : public FileFilm {
 
     void state(StateArchive& archive) override;
     void set_wavelengths(const Wavelengths& wavelengths) override;
+    void set_names(std::span<const std::string> objects,
+                   std::span<const std::string> materials) override {
+        if (asked_) asked_->set_names(objects, materials);
+    }
     void set_exposure(double stops) override { settings_.tone_map.exposure_stops = stops; }
     std::vector<Rgb> image() const override;
     std::vector<std::uint8_t> tone_mapped() const override {
@@ -64,6 +83,7 @@ class FlexImage final : public FileFilm {
   private:
     FilmAccumulator& color_layer(std::string_view name);
     bool names_layer(std::string_view name) const;
+    bool is_asked(std::string_view name) const;
     void color_layers_state(StateArchive& archive);
     void float_layers_state(StateArchive& archive);
     /// The sums of an accumulator as the film's colours.
@@ -71,11 +91,13 @@ class FlexImage final : public FileFilm {
     std::vector<Rgb> film_colors(const Resolve& resolve) const {
         std::vector<Rgb> values(pixels());
         resolve(values);
-        if (settings_.to_film_colors) {
-            for (Rgb& c : values)
-                c = (*settings_.to_film_colors)(c);
-        }
+        to_film_colors(values);
         return values;
+    }
+    void to_film_colors(std::span<Rgb> values) const {
+        if (!settings_.to_film_colors) return;
+        for (Rgb& c : values)
+            c = (*settings_.to_film_colors)(c);
     }
     std::size_t pixels() const { return std::size_t{width()} * height(); }
 
@@ -88,6 +110,7 @@ class FlexImage final : public FileFilm {
     std::map<std::string, std::uint64_t> refused_layer_values_;  ///< by float layer
     std::optional<Wavelengths> wavelengths_;                     ///< none: passes are RGB
     std::optional<FilmError> error_;                             ///< none: not estimated
+    std::optional<FilmLayers> asked_;                            ///< none: no layers are wanted
 };
 
 }  // namespace lxs

@@ -1,12 +1,12 @@
 // The variance of each pixel's mean over passes, from batches of passes.
 #include "pixel_variance.h"
 
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
 #include <cmath>
 #include <span>
+
+#include "finite_float.h"
+#include "for_pixels.h"
 
 namespace lxs {
 namespace {
@@ -28,26 +28,21 @@ void PixelVariance::end_pass(const FilmAccumulator& film, const PairOfWeights& w
 
 void PixelVariance::end_batch(const FilmAccumulator& film) {
     const PerPair trust = batches_.trust();
-    constexpr std::size_t kPixels = 1024;  // of a task
-    tbb::parallel_for(
-        tbb::blocked_range<std::size_t>(0, first_.size(), kPixels), [&](const auto& range) {
-            for (std::size_t i = range.begin(); i != range.end(); ++i) {
-                const PixelMeans now = film.means(i);
-                First& first = first_[i];
-                for (int c = 0; c < kColors; ++c) {
-                    const double a = moved(now, 0, c, first.mean[c]);
-                    first.squares[c] = finite_float(first.squares[c] + trust[0] * a * a);
-                    if (second_.empty()) continue;
-                    Second& second = second_[i];
-                    const double b = moved(now, 1, c, second.mean[c]);
-                    second.products[c] = finite_float(second.products[c] + trust[1] * a * b);
-                    second.squares[c] = finite_float(second.squares[c] + trust[2] * b * b);
-                    second.mean[c] = finite_float(now.value[1][c]);
-                }
-                for (int c = 0; c < kColors; ++c)
-                    first.mean[c] = finite_float(now.value[0][c]);
-            }
-        });
+    for_pixels(first_.size(), [&](std::size_t i) {
+        const PixelMeans now = film.means(i);
+        First& first = first_[i];
+        for (int c = 0; c < kColors; ++c) {
+            const double a = moved(now, 0, c, first.mean[c]);
+            first.squares[c] = finite_float(first.squares[c] + trust[0] * a * a);
+            first.mean[c] = finite_float(now.value[0][c]);
+            if (second_.empty()) continue;
+            Second& second = second_[i];
+            const double b = moved(now, 1, c, second.mean[c]);
+            second.products[c] = finite_float(second.products[c] + trust[1] * a * b);
+            second.squares[c] = finite_float(second.squares[c] + trust[2] * b * b);
+            second.mean[c] = finite_float(now.value[1][c]);
+        }
+    });
     batches_.close();
 }
 

@@ -1,10 +1,8 @@
 // The variance of each pixel's mean over passes, from batches of passes.
 #pragma once
 
-#include <algorithm>
 #include <array>
 #include <cstddef>
-#include <limits>
 #include <vector>
 
 #include "film_accumulator.h"
@@ -12,13 +10,6 @@
 #include "pass_batches.h"
 
 namespace lxs {
-
-/// As a float; what is beyond its range, as its greatest. Images may be brighter than the square
-/// root of what a float holds.
-inline float finite_float(double value) {
-    constexpr double kMost = std::numeric_limits<float>::max();
-    return static_cast<float>(std::clamp(value, -kMost, kMost));
-}
 
 /// Of the image that a FilmAccumulator holds, all light groups together. Per pixel it keeps the
 /// means when the last batch ended, and sums over batches of what moved them since the batch

@@ -1,6 +1,8 @@
 // The samples of a pass by the pixel that they lie in.
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -9,6 +11,18 @@
 #include "lxs/sdk/state_archive.h"
 
 namespace lxs {
+
+/// Cells [first, last] that a filter of this radius around the centre of pixel `i` reaches.
+struct CellRange {
+    std::uint32_t first, last;
+
+    CellRange(std::uint32_t i, float radius, std::uint32_t size) {
+        const float centre = static_cast<float>(i) + 0.5f;
+        const float end = static_cast<float>(size - 1);
+        first = static_cast<std::uint32_t>(std::clamp(std::floor(centre - radius), 0.0f, end));
+        last = static_cast<std::uint32_t>(std::clamp(std::ceil(centre + radius) - 1, 0.0f, end));
+    }
+};
 
 /// Sorts the samples of one pass after the other by the cell (pixel) that each lies in, row by row,
 /// within a cell in the order given, so that who sums them in that order gets the same bits for any

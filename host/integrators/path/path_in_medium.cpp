@@ -31,6 +31,7 @@ bool PathTracer::scatter_in_medium(State& state) const {
     state.ray.direction = sample.direction;
     state.ray.t_max = std::numeric_limits<float>::infinity();
     ++state.bounces;
+    state.scatterings.add(false);
     return survives_roulette(state);
 }
 
@@ -39,7 +40,7 @@ void PathTracer::add_direct_in_medium(State& state) const {
         const float u = state.random.next();
         const LightChoice choice = lights_.choose(i, u);
         const Rgb light = direct_light_in_medium(state, choice, state.random.next_2d());
-        add(state, state.throughput * light, *choice.light);
+        add(state, state.throughput * light, *choice.light, state.scatterings.scattered_in());
     }
 }
 

@@ -24,12 +24,18 @@ void PathIntegrator::prepare(const RenderContext& context) {
     context.log.debug("path: " + settings_.text());
     if (const MetropolisSettings* metropolis = context.sampler.metropolis()) {
         metropolis_.emplace(context, *tracer_, *metropolis);
+        if (context.film.layers_wanted() != LayersWanted{})
+            context.log.warning(
+                "path: layers for compositing stay empty, as Markov chains don't look at all "
+                "pixels alike");
         context.log.debug("path: " + metropolis_->text());
         return;
     }
     const std::size_t pixels = std::size_t{context.film.width()} * context.film.height();
     positions_.resize(pixels);
     radiance_.resize(pixels * context.film.light_groups());
+    parts_.resize(context.film.layers_wanted().parts() ? pixels * kImageParts : 0);
+    seen_.resize(context.film.layers_wanted().surfaces() ? pixels : 0);
     told_.resize(context.film.height());
 }
 
@@ -44,6 +50,8 @@ PassReport PathIntegrator::render_pass(std::uint64_t pass) {
 PathCounts PathIntegrator::render_pixels(std::uint64_t pass) {
     const std::uint32_t height = context_->film.height();
     std::fill(radiance_.begin(), radiance_.end(), Rgb(0.0f));
+    std::fill(parts_.begin(), parts_.end(), Rgb(0.0f));
+    std::fill(seen_.begin(), seen_.end(), SeenSurface{});
     std::vector<PathCounts> counts(height);
     const std::size_t bsdf_bytes = context_->scene.facts().max_bsdf_bytes;
     tbb::parallel_for(tbb::blocked_range<std::uint32_t>(0, height), [&](const auto& rows) {
@@ -57,6 +65,10 @@ PathCounts PathIntegrator::render_pixels(std::uint64_t pass) {
                              .radiance = radiance_,
                              .groups = context_->film.light_groups(),
                              .weight = 1});
+    if (!parts_.empty())
+        context_->film.add_parts(
+            {.positions = positions_, .radiance = parts_, .groups = kImageParts});
+    if (!seen_.empty()) context_->film.add_surfaces(positions_, seen_);
     learn_lights(pass);
     PathCounts sum;
     for (const PathCounts& row : counts)
@@ -95,7 +107,11 @@ PathCounts PathIntegrator::render_row(std::uint64_t pass, std::uint32_t y,
         const CameraRay camera = context.camera.generate(sample, open + shutter * random.next());
         PathResult result{.radiance = std::span(radiance_).subspan(pixel * groups, groups)};
         if (learns && (pixel + pass) % stride == 0) result.told = &told_[y];
+        if (!parts_.empty())
+            result.parts = std::span(parts_).subspan(pixel * kImageParts, kImageParts);
+        if (!seen_.empty()) result.seen = &seen_[pixel];
         tracer_->trace(camera.ray, random, memory, result);
+        if (result.seen) result.seen->depth = camera.depth_at(result.seen->depth);
         positions_[pixel] = sample.film;
         counts.rays += result.rays;
         counts.bounces += result.bounces;

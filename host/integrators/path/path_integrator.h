@@ -33,8 +33,10 @@ class PathIntegrator : public Integrator {
     std::optional<RenderContext> context_;
     std::optional<PathRefusals> refusals_;
     std::optional<PathTracer> tracer_;
-    std::vector<Vec2> positions_;                       ///< of this pass, row by row
-    std::vector<Rgb> radiance_;                         ///< [pixel * light groups + group]
+    std::vector<Vec2> positions_;    ///< of this pass, row by row
+    std::vector<Rgb> radiance_;      ///< [pixel * light groups + group]
+    std::vector<Rgb> parts_;         ///< [pixel * kImageParts + ImagePart]; empty if not wanted
+    std::vector<SeenSurface> seen_;  ///< [pixel]; empty if not wanted
     std::vector<std::vector<aips::LightSample>> told_;  ///< by the rows of this pass
     PathCounts total_;
     std::optional<MetropolisRenderer> metropolis_;  ///< if the scene's sampler asks for it

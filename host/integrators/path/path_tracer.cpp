@@ -8,6 +8,7 @@
 #include "lxs/sdk/medium.h"
 #include "lxs/sdk/rays.h"
 #include "path/path_state.h"
+#include "path/surface_view.h"
 
 namespace lxs {
 namespace {
@@ -42,6 +43,7 @@ PathTracer::PathTracer(const Scene& scene, const PathSettings& settings, PathRef
 void PathTracer::trace(const Ray& camera_ray, PrimarySample& random,
                        std::pmr::monotonic_buffer_resource& memory, PathResult& result) const {
     State state{.ray = camera_ray, .random = random, .result = result, .left = {}};
+    SurfaceView view(result.seen);
     for (;;) {
         memory.release();
         SurfaceHit hit;
@@ -50,6 +52,7 @@ void PathTracer::trace(const Ray& camera_ray, PrimarySample& random,
         if (media_scatter_ && state.ray.medium && state.ray.medium->scatters()) {
             if (fly(state, hit.distance)) {
                 if (!scatter_in_medium(state)) break;
+                view.scattered();
                 continue;
             }
         } else {
@@ -59,10 +62,12 @@ void PathTracer::trace(const Ray& camera_ray, PrimarySample& random,
             add_escaped(state);
             break;
         }
+        if (view.wanted()) view.meet(hit, state.ray.direction, state.throughput);
         add_emitted(state, hit);
         if (hit.bsdf == nullptr) break;
         if (state.bounces < settings_.max_depth) add_direct(state, hit);
         if (!scatter(state, hit)) break;
+        if (view.wanted()) view.leave(state.ray.direction, state.throughput);
     }
     result.bounces += state.bounces;
 }
@@ -83,10 +88,14 @@ bool PathTracer::meet(State& state, SurfaceHit& hit, std::pmr::memory_resource& 
     return true;
 }
 
-void PathTracer::add(State& state, const Rgb& contribution, const Light& light) const {
+void PathTracer::add(State& state, const Rgb& contribution, const Light& light,
+                     aips::ImagePart part) const {
     Rgb& sum = state.result.radiance[light.group()];
     const Rgb raised = sum + contribution;
-    if (refusals_.accept_of_light(valid(contribution) && valid(raised), light)) sum = raised;
+    if (!refusals_.accept_of_light(valid(contribution) && valid(raised), light)) return;
+    sum = raised;
+    if (!state.result.parts.empty())
+        state.result.parts[static_cast<std::size_t>(part)] += contribution;
 }
 
 bool PathTracer::accept_sample(const DirectSample& sample, const Light& light) const {
@@ -108,7 +117,7 @@ float PathTracer::light_weight(const State& state, const Light& light, const Vec
 void PathTracer::add_emitted(State& state, const SurfaceHit& hit) const {
     if (hit.light == nullptr || is_black(hit.emitted)) return;
     const float weight = light_weight(state, *hit.light, hit.p, hit.ng, hit.primitive);
-    add(state, state.throughput * hit.emitted * weight, *hit.light);
+    add(state, state.throughput * hit.emitted * weight, *hit.light, state.scatterings.met());
 }
 
 void PathTracer::add_escaped(State& state) const {
@@ -119,7 +128,7 @@ void PathTracer::add_escaped(State& state) const {
         const Rgb radiance = light->escaped(direction);
         if (is_black(radiance) || !refusals_.accept_of_light(valid(radiance), *light)) continue;
         const float weight = light_weight(state, *light, Vec3(0.0f), Vec3(0.0f), 0);
-        add(state, state.throughput * radiance * weight, *light);
+        add(state, state.throughput * radiance * weight, *light, state.scatterings.met());
     }
 }
 
@@ -130,7 +139,7 @@ void PathTracer::add_direct(State& state, const SurfaceHit& hit) const {
         const float u = state.random.next();
         const LightChoice choice = lights_.choose(i, u, state.lights);
         const Rgb light = direct_light(state, hit, choice, state.random.next_2d());
-        add(state, state.throughput * light, *choice.light);
+        add(state, state.throughput * light, *choice.light, state.scatterings.scattered_in());
         if (state.result.told) tell(state, hit, choice, luminance(light) * choice.probability);
     }
 }
@@ -187,6 +196,7 @@ bool PathTracer::scatter(State& state, const SurfaceHit& hit) const {
     if (sample.straight) return ++state.straight < kMaxStraight;
 
     ++state.bounces;
+    state.scatterings.add((sample.lobe & kSpecular) != 0);
     state.left = {hit.p, hit.ns, (sample.lobe & kSpecular) != 0 ? 0.0f : sample.pdf, state.lights};
     return survives_roulette(state);
 }

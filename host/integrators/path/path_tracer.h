@@ -10,6 +10,8 @@
 #include <span>
 #include <vector>
 
+#include "aips/core/base/image_part.h"
+#include "lxs/sdk/layers.h"
 #include "lxs/sdk/scene.h"
 #include "lxs/sdk/state_archive.h"
 #include "path/light_selector.h"
@@ -24,6 +26,8 @@ struct PathResult {
     std::span<Rgb> radiance;  ///< one entry a light group, added to
     std::uint64_t rays = 0;
     std::uint64_t bounces = 0;
+    std::span<Rgb> parts = {};    ///< the same by ImagePart; empty: not wanted
+    SeenSurface* seen = nullptr;  ///< takes what the path sees of surfaces; null: nothing does
     /// Takes what the first shadow rays from surfaces found, at most kToldRays; null: nothing does.
     std::vector<aips::LightSample>* told = nullptr;
 };
@@ -63,7 +67,7 @@ class PathTracer {
     struct Vertex;
     struct State;
 
-    void add(State& state, const Rgb& contribution, const Light& light) const;
+    void add(State& state, const Rgb& contribution, const Light& light, aips::ImagePart part) const;
     bool meet(State& state, SurfaceHit& hit, std::pmr::memory_resource& memory) const;
     bool accept_sample(const DirectSample& sample, const Light& light) const;
     void add_emitted(State& state, const SurfaceHit& hit) const;

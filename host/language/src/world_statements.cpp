@@ -1,12 +1,30 @@
 // Statements of the world block: attributes, named things, lights, shapes.
 #include <fmt/format.h>
 
+#include <filesystem>
+
 #include "area_emission.h"
 #include "scene_reader.h"
 #include "textures_by_name.h"
 
 namespace lxs {
 namespace {
+
+/// Stays the same wherever the scene lies.
+std::string name_by_place(const std::string& plugin, const SourceLocation& where) {
+    const std::string file = std::filesystem::path(where.file->name).filename().string();
+    return fmt::format("{} ({}:{})", plugin, file, where.line);
+}
+
+/// The shape's own name, as exporters give it.
+std::string shape_name(const ParameterSet& set, const SourceLocation& where) {
+    for (const ParameterValue& value : set.values) {
+        const auto* texts = std::get_if<std::vector<std::string>>(&value.values);
+        if (value.name == "name" && texts && texts->size() == 1 && !texts->front().empty())
+            return texts->front();
+    }
+    return name_by_place(set.plugin, where);
+}
 
 /// Takes the parameter "string type" out of a set: MakeNamedMaterial's plugin name. As in LuxRender
 /// it counts only if it is one string, and then the last one does.
@@ -74,8 +92,7 @@ IndexedMaterial SceneReader::add_material(const ParameterSet& set, std::string n
 void SceneReader::material(Statement& statement) {
     const ParameterSet set = take_plugin(statement);
     const SourceLocation& where = statement.where;
-    const IndexedMaterial made =
-        add_material(set, fmt::format("{} ({}:{})", set.plugin, where.file->name, where.line));
+    const IndexedMaterial made = add_material(set, name_by_place(set.plugin, where));
     scopes_.graphics.material = made.material;
     scopes_.graphics.material_index = made.index;
 }
@@ -173,6 +190,7 @@ void SceneReader::shape(Statement& statement) {
     if (!geometry) return;
     Primitive primitive;
     primitive.geometry = std::move(*geometry);
+    primitive.name = shape_name(set, statement.where);
     primitive.material = graphics.material;
     primitive.material_index = graphics.material_index;
     primitive.to_world = scopes_.transform;

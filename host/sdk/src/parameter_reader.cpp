@@ -217,6 +217,12 @@ std::span<const double> ParameterReader::numbers(std::string_view name) const {
     return numbers ? std::span<const double>(*numbers) : std::span<const double>();
 }
 
+std::vector<std::string> ParameterReader::strings(std::string_view name) const {
+    const ParameterValue* value = find(name);
+    const auto* strings = value ? std::get_if<std::vector<std::string>>(&value->values) : nullptr;
+    return strings ? *strings : std::vector<std::string>();
+}
+
 std::optional<std::string> ParameterReader::texture_name(std::string_view name) const {
     const ParameterValue* value = find(name);
     if (!value || !is_texture_reference(*value)) return std::nullopt;

@@ -35,11 +35,13 @@ void refer_to_mesh(Surface& surface, const TriangleMesh& mesh, Bounds& bounds) {
 
 }  // namespace
 
-SurfaceGroup make_surface_group(std::vector<Primitive>& primitives) {
+SurfaceGroup make_surface_group(std::vector<Primitive>& primitives, const std::string& object,
+                                ObjectNames& names) {
     SurfaceGroup group;
     group.surfaces.reserve(primitives.size());
     for (Primitive& primitive : primitives) {
         Surface surface = describe(primitive);
+        surface.object_index = names.index_of(object.empty() ? primitive.name : object);
         if (auto* mesh = std::get_if<TriangleMesh>(&primitive.geometry)) {
             mesh->positions.reserve(mesh->positions.size() + 1);
             refer_to_mesh(surface, *mesh, group.bounds);

@@ -3,6 +3,8 @@
 
 #include <cstdint>
 #include <memory>
+#include <string>
+#include <unordered_map>
 #include <vector>
 
 #include "embree_scene.h"
@@ -29,6 +31,7 @@ struct Surface {
     const Medium* interior = nullptr;
     const Medium* exterior = nullptr;
     std::uint32_t material_index = 0;
+    std::uint32_t object_index = 0;               ///< of its name (ObjectNames)
     std::uint32_t emissive_index = kNotEmissive;  ///< among the emissive surfaces of its group
     bool reversed = false;                        ///< the front is the other side
     bool straight = false;                        ///< may pass light undeviated
@@ -36,6 +39,22 @@ struct Surface {
     bool reads_dpdv = false;                      ///< the material needs the tangent along v
     bool may_be_smooth = false;                   ///< the material may have a specular lobe
     bool reads_uv = true;  ///< material or emission need texture coordinates or a tangent
+};
+
+/// Names of objects, each once.
+class ObjectNames {
+  public:
+    std::uint32_t index_of(const std::string& name) {
+        const auto next = static_cast<std::uint32_t>(names_.size());
+        const auto [entry, is_new] = indices_.try_emplace(name, next);
+        if (is_new) names_.push_back(name);
+        return entry->second;
+    }
+    const std::vector<std::string>& names() const { return names_; }
+
+  private:
+    std::unordered_map<std::string, std::uint32_t> indices_;
+    std::vector<std::string> names_;
 };
 
 /// The surfaces of the world or of one object: geometry ids are indices into it.
@@ -47,7 +66,9 @@ struct SurfaceGroup {
 
 /// Tables of `primitives`, which must stay where they are. Makes room for one vertex behind each
 /// mesh (see EmbreeScene::add_mesh).
-SurfaceGroup make_surface_group(std::vector<Primitive>& primitives);
+/// They are named as the object that they are of, or each by itself if `object` is empty.
+SurfaceGroup make_surface_group(std::vector<Primitive>& primitives, const std::string& object,
+                                ObjectNames& names);
 
 /// Adds the group's geometry to `scene`, ids from 0. Empty meshes are left out.
 void add_surfaces(EmbreeScene& scene, const SurfaceGroup& group,

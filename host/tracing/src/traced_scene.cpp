@@ -50,11 +50,12 @@ TracedScene::TracedScene(SceneContents contents, const AssetResolver& resolve,
 }
 
 void TracedScene::build_geometry() {
-    world_surfaces_ = make_surface_group(contents_.primitives);
+    world_surfaces_ = make_surface_group(contents_.primitives, "", object_names_);
     add_surfaces(world_scene_, world_surfaces_, contents_.primitives);
     bounds_ = world_surfaces_.bounds;
     for (ObjectDefinition& object : contents_.objects) {
-        object_surfaces_.push_back(make_surface_group(object.primitives));
+        object_surfaces_.push_back(
+            make_surface_group(object.primitives, object.name, object_names_));
         EmbreeScene& scene = object_scenes_.emplace_back(device_);
         add_surfaces(scene, object_surfaces_.back(), object.primitives);
         scene.commit();
@@ -214,6 +215,7 @@ bool TracedScene::complete(const Ray& ray, const RawHit& raw, SurfaceHit& hit,
     const Surface& surface = locate_hit(ray, raw, hit, point);
     hit.primitive = raw.primitive;
     hit.material = surface.material_index;
+    hit.object = surface.object_index;
     hit.light = nullptr;
     hit.emitted = Rgb(0.0f);
     if (surface.emissive_index != Surface::kNotEmissive) {

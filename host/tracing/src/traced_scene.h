@@ -43,6 +43,7 @@ class TracedScene : public TraceScene {
     std::span<const std::string> material_names() const override {
         return contents_.material_names;
     }
+    std::span<const std::string> object_names() const override { return object_names_.names(); }
     void set_wavelengths(const Wavelengths& wavelengths) override;
     const SpectralNeed& spectral_need() const override { return spectral_need_; }
     WavelengthDensity wavelength_density() const override;
@@ -90,6 +91,7 @@ class TracedScene : public TraceScene {
     std::unique_ptr<RefusedValues[]> refused_;  ///< by material
     SceneSurvey survey_;
     EmbreeDevice device_;
+    ObjectNames object_names_;
     SurfaceGroup world_surfaces_;
     std::vector<SurfaceGroup> object_surfaces_;  ///< by object
     std::vector<EmbreeScene> object_scenes_;     ///< by object

@@ -2,8 +2,10 @@
 // rays: both ways of reckoning it have one expectation, and near large lights sharing is calmer.
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 
+#include "aips/core/sampling/random.h"
 #include "render_mock.h"
 #include "traced_eye_image.h"
 
@@ -20,7 +22,7 @@ struct Differences {
     explicit Differences(const EyeImage& image) {
         for (const VisiblePoint& point : image.visible_points) {
             if (!point.continued) continue;
-            const double a = point.direct_alone, s = point.direct_shared;
+            const double a = point.direct.alone, s = point.direct.shadow + point.direct.first;
             points += 1;
             alone += a;
             sum += a - s;
@@ -55,6 +57,81 @@ TEST(SharedDirectLight, SameExpectation) {
 TEST(SharedDirectLight, CalmerWhereLightIsNear) {
     const Differences found(shining_box({0.7f, -0.5f, 0.7f}));
     EXPECT_LT(found.shared_squares, 0.5 * found.alone_squares);
+}
+
+/// Two lights over eight directions, with sums in place of integrals: a sun that a bounce never
+/// meets, and a sky in seven.
+struct SunAndSky {
+    static constexpr std::size_t kDirections = 8;
+    std::array<double, 2> chosen{0.8, 0.2};
+    std::array<double, kDirections> brought{3, 0.1, 0.4, 0.2, 0.9, 0.3, 0.05, 0.6};
+    std::array<double, kDirections> asked{1, 0.4, 0.1, 0.1, 0.2, 0.1, 0.05, 0.05};
+    std::array<double, kDirections> bounced{0, 0.05, 0.2, 0.1, 0.4, 0.1, 0.05, 0.1};
+
+    static std::size_t light_of(std::size_t direction) { return direction == 0 ? 0 : 1; }
+    double shadow_pdf(std::size_t i) const { return chosen[light_of(i)] * asked[i]; }
+
+    /// By how much the variance for given lights falls.
+    double saved(double end_pdf) const {
+        double squares = 0, first = 0;
+        std::array<double, 2> all{}, kept{};
+        for (std::size_t i = 0; i < kDirections; ++i) {
+            const double g = brought[i],
+                         part = g * shadow_pdf(i) / (shadow_pdf(i) + end_pdf * bounced[i]);
+            squares += g * (g - part) / shadow_pdf(i);
+            all[light_of(i)] += g;
+            kept[light_of(i)] += part;
+            first += g - part;
+        }
+        for (const std::size_t l : {std::size_t{0}, std::size_t{1}})
+            squares -= (all[l] * all[l] - kept[l] * kept[l]) / chosen[l];
+        return squares + first * first;
+    }
+
+    static std::size_t drawn(const std::array<double, kDirections>& pdf, std::size_t first,
+                             double u) {
+        std::size_t i = first;
+        while (i + 1 < kDirections && u >= pdf[i])
+            u -= pdf[i++];
+        return i;
+    }
+
+    SharedDirect sample(RandomStream& random, double end_pdf) const {
+        const std::size_t light = random.next() < float(chosen[0]) ? 0 : 1;
+        const std::size_t i = light == 0 ? 0 : drawn(asked, 1, double(random.next()));
+        const std::size_t k = drawn(bounced, 1, double(random.next()));
+        const auto weight = [&](std::size_t j) {
+            return shadow_pdf(j) / (shadow_pdf(j) + end_pdf * bounced[j]);
+        };
+        SharedDirect s;
+        s.alone = float(brought[i] / shadow_pdf(i));
+        s.shadow = s.alone * float(weight(i));
+        s.first = float(brought[k] * (1 - weight(k)) / (bounced[k] * end_pdf));
+        s.asked_again = light == 1 ? s.first / float(chosen[1]) : 0;
+        s.end_pdf = float(end_pdf);
+        return s;
+    }
+};
+
+TEST(SharedDirectLight, TellsTheVarianceForGivenLights) {
+    constexpr int kSamples = 400000;
+    const SunAndSky scene;
+    for (const double end_pdf : {1.0, 0.3}) {
+        RandomStream random(11, std::uint64_t(end_pdf * 10), 0, RandomDomain::Eye);
+        double sum = 0, squares = 0, planted = 0;
+        for (int n = 0; n < kSamples; ++n) {
+            SharedDirect s = scene.sample(random, end_pdf);
+            const double saved = double(s.taken()) - double(s.added());
+            sum += saved / kSamples;
+            squares += saved * saved / kSamples;
+            s.asked_again = s.first;  // forgets how seldom the light is asked
+            planted += (double(s.taken()) - double(s.added())) / kSamples;
+        }
+        const double error = std::sqrt((squares - sum * sum) / kSamples);
+        EXPECT_NEAR(sum, scene.saved(end_pdf), kMostStandardErrors * error);
+        EXPECT_GT(std::abs(planted - scene.saved(end_pdf)), 3 * kMostStandardErrors * error)
+            << "a planted error would go unnoticed";
+    }
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdint>
 
+#include "eye/surface_normals.h"
 #include "render_mock.h"
 
 namespace aips::shading_normal_test {
@@ -100,6 +101,33 @@ TEST(ShadingNormal, LightPassedOnMatchesRadianceSeen) {
     // Significance 0.2 % (Student's t, 11 degrees); the middle of the patch stands for all of it,
     // which is lit differently by half a per cent.
     EXPECT_NEAR(mean, 1, 4 * error + 0.005);
+}
+
+/// One photon along a tilted surface must not outweigh all others. What the bound takes is what
+/// normal_ratio says: of light that arrives evenly, (wi.ns)^2 / kMostNormalRatio.
+TEST(ShadingNormal, PhotonsAlongTheSurfaceAreBounded) {
+    struct {
+        Vec3 geometric_normal{0, 0, 1}, shading_normal = normalize(Vec3{0.6f, 0, 0.8f});
+    } point;
+    const Vec3 along = normalize(Vec3{1, 0, 1e-6f});
+    EXPECT_EQ(normal_ratio(point, along), kMostNormalRatio);
+    EXPECT_EQ(normal_ratio(point, {1, 0, 0}), 0);
+    EXPECT_EQ(normal_ratio(point, {0, 0, 1}), 0.8f);
+
+    // By quadrature over directions in the plane of both normals, on both sides of the surface:
+    // of the flux |wi.ng| the Bsdf sees |wi.ns|, less what is beyond the bound.
+    double lost = 0;
+    constexpr int kSteps = 2000000;
+    for (int i = 0; i < kSteps; ++i) {
+        const double cosine = (i + 0.5) / kSteps;
+        const double sine = std::sqrt(1 - cosine * cosine);
+        const Vec3 wi{float(sine), 0, float(cosine)};
+        lost +=
+            2 *
+            (double(abs_dot(wi, point.shading_normal)) - cosine * double(normal_ratio(point, wi))) /
+            kSteps;
+    }
+    EXPECT_NEAR(lost, 0.36 / double(kMostNormalRatio), 0.02 * 0.36 / double(kMostNormalRatio));
 }
 
 }  // namespace

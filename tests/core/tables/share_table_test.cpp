@@ -80,6 +80,23 @@ TEST(ShareTable, PlacesKnowTheirOwnVariances) {
     EXPECT_NEAR(told[1], 0.25, 0.2);
 }
 
+TEST(ShareTable, SplitsKeepWhatSeldomPathsTold) {
+    ShareTable table(kScene);
+    for (int round = 0; round < 40; ++round) {
+        RandomStream random(3, std::uint64_t(round), 0, RandomDomain::Eye);
+        for (int i = 0; i < 4000; ++i) {
+            ShareSample s = sample_at(random);
+            s.continued = i % 128 == 0;
+            EXPECT_TRUE(table.add(s));
+        }
+        table.update(4000);
+    }
+    EXPECT_GT(table.leaf_count(), 64u);
+    // 1250 went on, ten for each of so many leaves: each still knows what its parents were told.
+    for (const ShareMoments& m : table.moments())
+        EXPECT_TRUE(m.population == 0 || m.continued > 64) << m.population << ' ' << m.continued;
+}
+
 TEST(ShareTable, PopulationIsWhatIsSeen) {
     ShareTable table(kScene);
     learn(table, 10);

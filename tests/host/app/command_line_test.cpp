@@ -67,6 +67,7 @@ TEST_F(CommandLineTest, MistakesExitWithTwoAndSayWhatIsWrong) {
         {{"a.lxs", "-o", "a"}, "the name must end in .exr or .png: a"},
         {{"a.lxs", "--exposure", "nan"}, "--exposure"},
         {{"a.lxs", "--exposure", "65"}, "--exposure"},
+        {{"a.lxs", "--layers", "depth,albdo"}, "\"albdo\"; did you mean \"albedo\"? Known: "},
         {{"a.lxs", "--quiet", "--verbose"}, "excludes"},
         {{"--markdown"}, "--describe"},
         {{"--describe", "pth"}, "unknown plugin \"pth\"; did you mean \"path\"?"},

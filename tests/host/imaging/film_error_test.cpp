@@ -25,9 +25,11 @@ PixelFilter box() {
 
 std::vector<Vec2> centres() {
     std::vector<Vec2> positions;
-    for (std::uint32_t i = 0; i < kPixels; ++i)
-        positions.emplace_back(static_cast<float>(i % kSide) + 0.5f,
-                               static_cast<float>(i / kSide) + 0.5f);
+    for (std::uint32_t row = 0; row < kSide; ++row) {
+        for (std::uint32_t column = 0; column < kSide; ++column)
+            positions.emplace_back(static_cast<float>(column) + 0.5f,
+                                   static_cast<float>(row) + 0.5f);
+    }
     return positions;
 }
 
@@ -258,6 +260,14 @@ TEST(FilmError, ARestoredFilmHasTheSameFigures) {
     EXPECT_EQ(second->error()->relmse, whole->error()->relmse);
     EXPECT_EQ(second->error()->rmse_high, whole->error()->rmse_high);
     EXPECT_EQ(second->error()->passes, 20u);
+}
+
+TEST(FilmError, AFilmOfOnePixelIsAsWrongAsThatPixel) {
+    const auto film = small_film(true, 1, 1);
+    for (unsigned pass = 0; pass < 4; ++pass)
+        add_pass(*film, pass);
+    EXPECT_GT(film->error()->relmse, 0);
+    EXPECT_EQ(film->error()->relmse, film->error()->relmse_whole);
 }
 
 TEST(FilmError, StateOfAnotherKindOfFilmIsRefused) {

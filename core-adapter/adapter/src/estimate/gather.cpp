@@ -8,17 +8,10 @@
 
 #include "estimate/constants.h"
 #include "estimate/group_sums.h"
+#include "eye/surface_normals.h"
 
 namespace aips {
 namespace {
-
-/// Ratio of the cosine that the Bsdf wants (shading normal) to the one that the density of
-/// landings has (geometric normal), for the photon's direction.
-float normal_ratio(const VisiblePoint& point, Vec3 wi) {
-    if (point.shading_normal == point.geometric_normal) return 1;
-    const float geometric = abs_dot(wi, point.geometric_normal);
-    return geometric > 0 ? abs_dot(wi, point.shading_normal) / geometric : 0;
-}
 
 /// f * power of one landing, without the constant f of Lambertian points; black if rejected.
 /// `in_front` tells whether the photon came from the side that the point's geometric normal shows,
@@ -61,7 +54,7 @@ void gather_photons(const EyeImage& image, const LandingGrid& grid, const Search
         tbb::blocked_range<std::size_t>(0, image.visible_points.size(), 256),
         [&](const tbb::blocked_range<std::size_t>& range) {
             std::uint64_t total = 0;
-            GroupSums sums(groups);
+            GroupSums sums(groups), parts(kPhotonParts);
             for (std::size_t i = range.begin(); i < range.end(); ++i) {
                 const VisiblePoint& point = image.visible_points[i];
                 const float radius = radii.of(i);
@@ -73,6 +66,11 @@ void gather_photons(const EyeImage& image, const LandingGrid& grid, const Search
                     const Rgb value = contribution(point, landing, radius);
                     if (is_black(value * f) || !refusals.accept(value, point.material)) return;
                     sums.add(landing.light_group, value);
+                    if (result.wants_parts) {
+                        const ImagePart part =
+                            point.scatterings.scattered_in(static_cast<ImagePart>(landing.part));
+                        if (part != ImagePart::Indirect) parts.add(std::uint32_t(part), value);
+                    }
                     const auto square = double(luminance(value) * luminance(value));
                     squares += square;
                     if (landing.shareable) {
@@ -84,6 +82,7 @@ void gather_photons(const EyeImage& image, const LandingGrid& grid, const Search
                 sums.move_to(&result.flux[i * groups]);
                 result.accepted[i] = saturated_sum(result.accepted[i], count);
                 result.squares[i] += float(squares);
+                if (result.wants_parts) parts.move_to(&result.parts[i * kPhotonParts]);
                 if (!result.shareable.empty()) {
                     result.shareable[i].sum += float(shareable);
                     result.shareable[i].squares += float(shareable_squares);

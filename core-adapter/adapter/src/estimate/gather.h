@@ -30,9 +30,13 @@ struct PhotonFlux {
     /// [visible point]: sum over these photons of the squared luminance of what flux sums.
     std::vector<float> squares;
     std::vector<ShareableFlux> shareable;  ///< [visible point]; empty if nobody asks for it
-    std::vector<ProbeSums> probes;         ///< [number in SearchRadii::probes]
-    std::uint64_t gathered = 0;            ///< photons accepted, over all visible points
+    /// [visible point * kPhotonParts + ImagePart]: what is direct light or caustics of `flux`, over
+    /// all light groups; empty if not wanted.
+    std::vector<Rgb> parts;
+    std::vector<ProbeSums> probes;  ///< [number in SearchRadii::probes]
+    std::uint64_t gathered = 0;     ///< photons accepted, over all visible points
 
+    bool wants_parts = false;      ///< whether gathers fill `parts`
     bool wants_shareable = false;  ///< whether gathers fill `shareable`
 
     void reset(std::size_t visible_points, std::uint32_t groups, std::size_t probe_count = 0) {
@@ -40,6 +44,7 @@ struct PhotonFlux {
         accepted.assign(visible_points, 0);
         squares.assign(visible_points, 0.0f);
         shareable.assign(wants_shareable ? visible_points : 0, {});
+        parts.assign(wants_parts ? visible_points * kPhotonParts : 0, Rgb{});
         probes.assign(probe_count, {});
         gathered = 0;
     }
@@ -50,13 +55,15 @@ struct PhotonFlux {
             square *= float(factor * factor);
         for (ShareableFlux& part : shareable)
             part = {float(part.sum * factor), float(part.squares * factor * factor)};
+        for (Rgb& part : parts)
+            part *= float(factor);
         for (ProbeSums& sums : probes)
             sums.scale(factor);
     }
     std::size_t memory_bytes() const {
         return flux.capacity() * sizeof(Rgb) + accepted.capacity() * sizeof(std::uint32_t) +
                squares.capacity() * sizeof(float) + shareable.capacity() * sizeof(ShareableFlux) +
-               probes.capacity() * sizeof(ProbeSums);
+               parts.capacity() * sizeof(Rgb) + probes.capacity() * sizeof(ProbeSums);
     }
 };
 

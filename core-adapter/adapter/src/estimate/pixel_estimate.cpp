@@ -6,6 +6,33 @@
 #include "aips/core/sampling/sampling.h"
 
 namespace aips {
+namespace {
+
+/// In double: r^2 times the number of paths leaves the range of float in tiny scenes.
+double per_disk_and_path(float radius, std::uint64_t photon_paths) {
+    return 1 / (double(kPi) * double(radius) * double(radius) * double(photon_paths));
+}
+
+Rgb scaled(const Rgb& sum, double scale) {
+    return {float(sum.r * scale), float(sum.g * scale), float(sum.b * scale)};
+}
+
+Rgb least(const Rgb& a, const Rgb& b) {
+    return {a.r < b.r ? a.r : b.r, a.g < b.g ? a.g : b.g, a.b < b.b ? a.b : b.b};
+}
+
+/// Makes parts sum to `all`. Direct light and caustics may be more by rounding, or where what they
+/// were summed to was refused.
+void split(const Rgb& all, std::span<Rgb> parts) {
+    Rgb rest = all;
+    for (std::size_t part = 0; part < kPhotonParts; ++part) {
+        parts[part] = least(parts[part], rest);
+        rest = rest - parts[part];
+    }
+    parts[std::size_t(ImagePart::Indirect)] = rest;
+}
+
+}  // namespace
 
 void estimate_pixels(const EyeImage& image, const PhotonFlux& flux, const SearchRadii& radii,
                      std::uint64_t photon_paths, Refusals& refusals,
@@ -14,19 +41,39 @@ void estimate_pixels(const EyeImage& image, const PhotonFlux& flux, const Search
     const std::uint32_t groups = image.groups;
     tbb::parallel_for(std::size_t{0}, image.visible_points.size(), [&](std::size_t i) {
         const VisiblePoint& point = image.visible_points[i];
-        // In double: r^2 times the number of paths leaves the range of float in tiny scenes.
-        const double radius = double(radii.of(i));
-        const double scale = 1 / (double(kPi) * radius * radius * double(photon_paths));
+        const double scale = per_disk_and_path(radii.of(i), photon_paths);
         const Rgb f = point.bsdf ? kWhite : point.kd * kInvPi;
         for (std::uint32_t g = 0; g < groups; ++g) {
-            const Rgb sum = flux.flux[i * groups + g];
-            const Rgb density{float(sum.r * scale), float(sum.g * scale), float(sum.b * scale)};
-            const Rgb value = point.throughput * f * density;
+            const Rgb value = point.throughput * f * scaled(flux.flux[i * groups + g], scale);
             // Each eye path has one visible point at the most: no two iterations share an entry.
             Rgb& brought = photon_radiance[std::size_t(point.sample) * groups + g];
             refusals.add(brought, value, point.material);
         }
     });
+}
+
+void estimate_parts(const EyeImage& image, const PhotonFlux& flux, const SearchRadii& radii,
+                    std::uint64_t photon_paths, std::span<const Rgb> of_media,
+                    std::span<const Rgb> photon_radiance, std::vector<Rgb>& parts) {
+    parts.assign(image.positions.size() * kImageParts, Rgb{});
+    const auto add = [&](std::uint32_t path, std::size_t part, const Rgb& value) {
+        parts[std::size_t(path) * kImageParts + part] += value;
+    };
+    for (std::size_t i = 0; i < image.visible_points.size(); ++i) {
+        const VisiblePoint& point = image.visible_points[i];
+        const Rgb factor = point.throughput * (point.bsdf ? kWhite : point.kd * kInvPi);
+        const double scale = per_disk_and_path(radii.of(i), photon_paths);
+        for (std::size_t part = 0; part < kPhotonParts; ++part)
+            add(point.sample, part, factor * scaled(flux.parts[i * kPhotonParts + part], scale));
+    }
+    for (std::size_t i = 0; i < of_media.size(); ++i)
+        add(image.beams[i / kPhotonParts].sample, i % kPhotonParts, of_media[i]);
+    for (std::size_t path = 0; path < image.positions.size(); ++path) {
+        Rgb all;
+        for (std::size_t g = 0; g < image.groups; ++g)
+            all += photon_radiance[path * image.groups + g];
+        split(all, std::span(parts).subspan(path * kImageParts, kImageParts));
+    }
 }
 
 }  // namespace aips

@@ -14,4 +14,11 @@ void estimate_pixels(const EyeImage& image, const PhotonFlux& flux, const Search
                      std::uint64_t photon_paths, Refusals& refusals,
                      std::vector<Rgb>& photon_radiance);
 
+/// The parts of what photons and continued eye paths bring, `photon_radiance`, as [path *
+/// kImageParts + ImagePart]. `of_media` has what media bring of direct light and caustics, as [beam
+/// * kPhotonParts + ImagePart]. All that is neither is indirect.
+void estimate_parts(const EyeImage& image, const PhotonFlux& flux, const SearchRadii& radii,
+                    std::uint64_t photon_paths, std::span<const Rgb> of_media,
+                    std::span<const Rgb> photon_radiance, std::vector<Rgb>& parts);
+
 }  // namespace aips

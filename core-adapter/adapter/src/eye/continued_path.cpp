@@ -63,7 +63,7 @@ class ContinuedPath {
             query.bounce = lobes;
             query.continue_pdf = last ? 0.0f : 1.0f;
             const DirectLightResult direct =
-                in_.direct_light.estimate(query, numbers, refusals_, output_.continued);
+                in_.direct_light.estimate(query, numbers, refusals_, {output_.continued});
             result_.rays += direct.rays;
             tell(output_.light, direct.sample.light, output_.share * direct.brought);
         }
@@ -80,12 +80,15 @@ class ContinuedPath {
     void add_light(LightIndex light, const Rgb& seen, const SurfacePoint* at) {
         const bool straight = tip_.scatterings == start_.tip.scatterings + 1;
         if (!straight && tip_.last_was_specular) return;
-        const std::span<Rgb> sums = straight ? output_.direct : output_.continued;
+        const LightTarget sums =
+            straight ? output_.direct.of(tip_.seen_by.met()) : LightTarget{output_.continued};
         const Rgb value = tip_.throughput * seen * emission_weight(in_, tip_, light, at);
-        const bool added = refusals_.add(sums[in_.scene.lights()[light]->group()], value,
-                                         refusals_.of_light(light));
+        const bool added = sums.add(in_.scene.lights()[light]->group(), value,
+                                    refusals_.of_light(light), refusals_);
         if (added) tell(output_.light, light, (straight ? 1 : output_.share) * luminance(value));
-        if (straight) result_.straight += luminance(value);
+        if (!straight) return;
+        result_.straight += luminance(value);
+        if (light == start_.asked) result_.of_asked += luminance(value);
     }
 
     bool survives(std::uint32_t n, float before, float u) {

@@ -3,6 +3,7 @@
 
 #include "aips/core/sampling/eye_numbers.h"
 #include "eye/path_tip.h"
+#include "views/light_target.h"
 
 namespace aips {
 
@@ -14,17 +15,20 @@ struct ContinuedStart {
     std::uint32_t depth = 0;  ///< its number along the eye path
     float choice_pdf = 1;     ///< probability that the path ended there, and did not bounce on
     PathTip tip;  ///< at the visible point, its throughput divided by all choices' probabilities
+    LightIndex asked = kNoLight;  ///< by the shadow ray from there
 };
 
 /// What a path did.
 struct ContinuedResult {
     std::uint32_t rays = 0;  ///< traced
     float straight = 0;      ///< luminance of lights that its first ray met
+    float of_asked = 0;      ///< of ContinuedStart::asked among them
 };
 
 /// Where its light goes.
 struct ContinuedOutput {
-    std::span<Rgb> direct, continued;   ///< [light group]
+    LightSums direct;
+    std::span<Rgb> continued;           ///< [light group]; all of it indirect
     LuminanceByLight* light = nullptr;  ///< takes luminances by light; null: not asked for
     float share = 0;                    ///< of `continued` that counts in these
 };

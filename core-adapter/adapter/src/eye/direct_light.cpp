@@ -15,7 +15,7 @@ DirectLight::DirectLight(const Scene& scene, bool learns)
 }
 
 DirectLightResult DirectLight::estimate(const DirectLightQuery& query, const VertexNumbers& numbers,
-                                        Refusals& refusals, std::span<Rgb> radiance) const {
+                                        Refusals& refusals, const LightTarget& radiance) const {
     DirectLightResult result;
     if (choice_.empty()) return result;
     const auto chosen = choice_at(query.point).sample(numbers.light_choice());
@@ -54,7 +54,7 @@ DirectLightResult DirectLight::estimate(const DirectLightQuery& query, const Ver
     if (!refusals.accept(unoccluded, query.point.material)) return result;
     const Rgb passed = scene_.visibility(query.point, sample, query.time);
     result.rays = 1;
-    refusals.add(radiance[light.group()], unoccluded * passed, kPassageOrigin);
+    radiance.add(light.group(), unoccluded * passed, kPassageOrigin, refusals);
     result.brought = luminance(unoccluded * passed);
     result.alone =
         luminance(query.throughput * alone * sample.radiance * passed * (cosine / pdf_light));

@@ -10,6 +10,7 @@
 #include "aips/core/tables/discrete_distribution.h"
 #include "aips/core/tables/learned_lights.h"
 #include "refusal/refusals.h"
+#include "views/light_target.h"
 
 namespace aips {
 
@@ -42,9 +43,9 @@ class DirectLight {
     /// `learns`: the choice follows what learn() is told.
     DirectLight(const Scene& scene, bool learns);
 
-    /// Adds the estimate to `radiance`, one entry a light group.
+    /// Adds the estimate to `radiance`.
     DirectLightResult estimate(const DirectLightQuery& query, const VertexNumbers& numbers,
-                               Refusals& refusals, std::span<Rgb> radiance) const;
+                               Refusals& refusals, const LightTarget& radiance) const;
 
     /// Density per steradian with which `estimate` would have drawn the light met by the direction
     /// wi from `from`; `at` is the point met, null for lights at infinity.

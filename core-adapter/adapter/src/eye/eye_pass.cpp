@@ -44,7 +44,10 @@ EyePathOutput output_of(const EyePassInput& in, std::uint64_t pass, std::uint32_
                         EyeImage& image, EyeBlock& block) {
     const std::size_t first = std::size_t(path) * image.groups;
     EyePathOutput output;
-    output.radiance = std::span(image.radiance).subspan(first, image.groups);
+    output.radiance.groups = std::span(image.radiance).subspan(first, image.groups);
+    if (in.layers.parts)
+        output.radiance.parts =
+            std::span(image.parts).subspan(std::size_t(path) * kImageParts, kImageParts);
     if (in.lamps) {
         block.lamps.assign(image.groups, Rgb{});
         output.lamps = block.lamps;
@@ -53,6 +56,7 @@ EyePathOutput output_of(const EyePassInput& in, std::uint64_t pass, std::uint32_
         output.continued = std::span(image.continued).subspan(first, image.groups);
         output.explores = in.shares->explores(pass, path);
     }
+    if (in.layers.surfaces) output.surface = &image.surfaces[path];
     return output;
 }
 
@@ -63,7 +67,8 @@ void add_lamps(const LampImages& known, const EyeNumbers& numbers, std::uint32_t
     if (!(luminance > 0)) return;
     const auto share = float(known.eye_share(image.positions[path], numbers.choices()));
     for (std::size_t g = 0; g < image.groups; ++g)
-        refusals.add(output.radiance[g], output.lamps[g] * share, kPassageOrigin);
+        output.radiance.of(ImagePart::Direct)
+            .add(std::uint32_t(g), output.lamps[g] * share, kPassageOrigin, refusals);
     if (output.lamp_light) block.light.add(*output.lamp_light, double(share));
     if (share < 1) block.lamp_rests.push_back({path, (1 - share) * luminance});
 }
@@ -152,10 +157,10 @@ void join_blocks(std::vector<EyeBlock>& blocks, EyeImage& image) {
 std::size_t EyeImage::memory_bytes() const {
     std::size_t bytes =
         positions.capacity() * sizeof(Vec2) +
-        (radiance.capacity() + continued.capacity()) * sizeof(Rgb) +
+        (radiance.capacity() + parts.capacity() + continued.capacity()) * sizeof(Rgb) +
         visible_points.capacity() * sizeof(VisiblePoint) + footprints.capacity() * sizeof(float) +
-        light_samples.capacity() * sizeof(LightSample) + beams.capacity() * sizeof(VolumeBeam) +
-        lamp_rests.capacity() * sizeof(LampRest);
+        surfaces.capacity() * sizeof(SeenSurface) + light_samples.capacity() * sizeof(LightSample) +
+        beams.capacity() * sizeof(VolumeBeam) + lamp_rests.capacity() * sizeof(LampRest);
     for (const Arena& arena : arenas)
         bytes += arena.bytes_reserved();
     return bytes;
@@ -176,7 +181,9 @@ void trace_eye_pass(const EyePassInput& in, std::uint64_t pass, float time, Refu
     image.groups = in.scene.light_groups();
     image.positions.resize(in.paths);
     image.radiance.assign(std::size_t(in.paths) * image.groups, Rgb{});
+    image.parts.assign(in.layers.parts ? std::size_t(in.paths) * kImageParts : 0, Rgb{});
     image.continued.assign(in.shares ? image.radiance.size() : 0, Rgb{});
+    image.surfaces.assign(in.layers.surfaces ? in.paths : 0, SeenSurface{});
     image.arenas.resize(block_count);
     if (in.keep_visible_points) image.visible_points.reserve(in.paths);
     std::vector<EyeBlock> blocks(block_count);

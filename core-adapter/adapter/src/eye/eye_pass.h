@@ -28,14 +28,13 @@ struct VisiblePoint {
     LobeMask receiving = 0;      ///< lobes that photons are gathered for
     std::uint32_t sample = 0;    ///< index of the eye path in its pass
     std::uint32_t material = 0;
+    EyeScatterings scatterings;  ///< of the eye path before it
     /// Share of the light that both may carry which the eye path brings by going on, in [0, 1).
     float eye_share = 0;
     float eye_rays = 0;         ///< traced for that, or to learn what it would bring
     bool continued = false;     ///< whether it went on
     bool tells_lights = false;  ///< it is told which light's photons bring it what
-    /// Where it went on and its first ray could meet lights: luminance of direct light as shadow
-    /// rays alone would have brought it, and as both did.
-    float direct_alone = 0, direct_shared = 0;
+    SharedDirect direct;        ///< where it went on
 };
 
 /// Luminance of lamps behind smooth surfaces that an eye path met and left to lamp paths.
@@ -49,9 +48,11 @@ struct EyeImage {
     std::uint32_t groups = 1;
     std::vector<Vec2> positions;  ///< film position of each eye path
     std::vector<Rgb> radiance;    ///< [path * groups + group]: emission seen and direct light
-    /// Laid out alike: what eye paths that went on from their visible points brought, without any
-    /// share; empty if none may.
+    std::vector<Rgb> parts;       ///< [path * kImageParts + part] of that; empty if not wanted
+    /// Laid out as `radiance`: what eye paths that went on from their visible points brought,
+    /// without any share; empty if none may.
     std::vector<Rgb> continued;
+    std::vector<SeenSurface> surfaces;  ///< [path]; empty if they are not wanted
     std::vector<VisiblePoint> visible_points;
     std::vector<VolumeBeam> beams;  ///< parts within media that scatter: at most one an eye path
     double beam_footprint_sum = 0;  ///< of the pixel footprints' radii at the beams' middles
@@ -99,6 +100,7 @@ struct EyePassInput {
     bool keep_visible_points = true;    ///< else they and the beams are left out, and Bsdfs dropped
     const EyeShares* shares = nullptr;  ///< null: no eye path goes on from its visible point
     const LampImages* lamps = nullptr;  ///< null: eye paths alone meet lamps
+    LayersWanted layers = {};
 };
 
 /// Lobes that take photons under these settings; the others bounce the eye path on.

@@ -2,16 +2,16 @@
 // strategy owns which class of paths is tabulated in docs/understand/who-carries-which-light.md.
 #include "eye/eye_path.h"
 
-#include <algorithm>
-#include <cmath>
 #include <tuple>
 
 #include "eye/constants.h"
 #include "eye/continued_path.h"
 #include "eye/store_probability.h"
-#include "eye/surface_side.h"
+#include "eye/surface_normals.h"
+#include "eye/two_ways.h"
 #include "eye/volume_light.h"
 #include "refusal/meet_surface.h"
+#include "views/surface_view.h"
 
 namespace aips {
 namespace {
@@ -29,13 +29,14 @@ class EyePath {
           arena_(arena),
           output_(output),
           radiance_(output.radiance),
-          lamps_(output.lamps.empty() ? output.radiance : output.lamps) {
+          lamps_(output.lamps.empty() ? output.radiance : LightSums{output.lamps, {}}),
+          seen_(output.surface) {
         tip_.ray = camera_ray.ray;
     }
 
     EyePathResult trace() {
         follow(1);
-        if (result_.has_beam) result_.beam.throughput *= beam_weights_ / beam_weight_;
+        if (result_.has_beam) result_.beam.throughput *= beam_choice_.factor();
         return result_;
     }
 
@@ -63,7 +64,11 @@ class EyePath {
             }
             travelled_ += point.distance;
             add_emitted(point);
+            if (seen_.wanted())
+                seen_.meet(point, tip_.ray.direction, tip_.throughput,
+                           camera_ray_.depth_at(travelled_));
             const bool go_on = point.bsdf && scatter(point, depth);
+            if (seen_.wanted() && go_on) seen_.leave(tip_.ray.direction, tip_.throughput);
             if (result_.has_visible_point) {
                 if (!result_.visible_point.bsdf) arena_.rewind(mark);
                 break;
@@ -77,24 +82,26 @@ class EyePath {
     /// shadow ray, all other by photons.
     void cross_medium(float length) {
         if (!media_ || !media_->scatters(tip_.ray.medium) || !(length > 0)) return;
-        VolumeBeam beam{tip_.ray.origin, tip_.ray.direction, length, tip_.ray.medium,
-                        tip_.throughput};
+        const VolumeBeam beam{.origin = tip_.ray.origin,
+                              .direction = tip_.ray.direction,
+                              .length = length,
+                              .medium = tip_.ray.medium,
+                              .throughput = tip_.throughput,
+                              .scatterings = tip_.seen_by};
         if (in_.settings.direct_light_sampling) {
-            result_.rays +=
-                estimate_scattered_light(in_.scene, in_.direct_light, beam, tip_.ray.time, random_,
-                                         refusals_, {radiance_, output_.light});
+            result_.rays += estimate_scattered_light(
+                in_.scene, in_.direct_light, beam, tip_.ray.time, random_, refusals_,
+                {radiance_.of(tip_.seen_by.scattered_in()), output_.light});
         }
         if (in_.keep_visible_points) keep(beam);
     }
 
-    /// Keeps one of the path's beams, chosen by what it may scatter (reservoir sampling).
+    /// Keeps one of the path's beams, chosen by what it may scatter.
     void keep(const VolumeBeam& beam) {
         const Rgb passed = transmittance(media_->extinction(beam.medium), beam.length);
         const float weight = luminance(beam.throughput * (kWhite - passed));
         if (!(weight > 0) || !refusals_.accept(beam.throughput, kPassageOrigin)) return;
-        beam_weights_ += weight;
-        if (result_.has_beam && random_.next() * beam_weights_ >= weight) return;
-        beam_weight_ = weight;
+        if (!beam_choice_.takes(weight, [&] { return random_.next(); })) return;
         result_.has_beam = true;
         result_.beam = beam;
         result_.beam_footprint =
@@ -104,9 +111,9 @@ class EyePath {
     /// Of lamps that were met.
     void add(const Rgb& value, LightIndex light) {
         if (lamps_only_ && !behind_smooth_) return;
-        const std::span<Rgb> sums = behind_smooth_ ? lamps_ : radiance_;
-        if (refusals_.add(sums[in_.scene.lights()[light]->group()], value,
-                          refusals_.of_light(light)))
+        const LightTarget sums = (behind_smooth_ ? lamps_ : radiance_).of(tip_.seen_by.met());
+        if (sums.add(in_.scene.lights()[light]->group(), value, refusals_.of_light(light),
+                     refusals_))
             tell(behind_smooth_ ? lamp_light_ : output_.light, light, luminance(value));
     }
 
@@ -190,12 +197,6 @@ class EyePath {
         return u_lobe;
     }
 
-    /// A choice between two ways: the first one where u_lobe < first.
-    struct TwoWays {
-        float first, u_lobe;
-        Vec2 u;
-    };
-
     /// Of the two ways that a smooth surface offers the path takes one. Lamps seen by smooth
     /// surfaces alone are looked for by the other way too, and count each way by its share: by
     /// chance alone one path in 25 would meet the lamp that a glass reflects, with all its light.
@@ -204,26 +205,22 @@ class EyePath {
     void look_the_other_way(const SurfacePoint& point, Vec3 wo, const TwoWays& ways,
                             std::uint32_t depth) {
         ++branches_;
-        const auto [first, u_lobe, u] = ways;
-        const bool takes_first = u_lobe < first;
-        const float within = takes_first ? u_lobe / first : (u_lobe - first) / (1 - first);
-        const float other_u = takes_first ? std::min(first + within * (1 - first), 0x1.fffffep-1f)
-                                          : std::min(within * first, std::nextafter(first, 0.0f));
         EyePath other(*this);
         other.lamps_only_ = true;
+        other.seen_ = {};
         other.result_ = {};
         if (!in_.lamps) other.branches_ = kMostBranches;
-        other.lamp_share_ *= takes_first ? 1 - first : first;
-        lamp_share_ *= takes_first ? first : 1 - first;
-        if (bounce(in_, point, wo, {kSpecular, 1, u, other_u}, refusals_, other.tip_))
+        other.lamp_share_ *= ways.other_share();
+        lamp_share_ *= ways.share();
+        if (bounce(in_, point, wo, {kSpecular, 1, ways.u, ways.other()}, refusals_, other.tip_))
             other.follow(depth + 1);
         result_.rays += other.result_.rays;
     }
 
     DirectLightResult estimate_direct_light(const DirectLightQuery& query,
                                             const VertexNumbers& numbers) {
-        const DirectLightResult direct =
-            in_.direct_light.estimate(query, numbers, refusals_, radiance_);
+        const DirectLightResult direct = in_.direct_light.estimate(
+            query, numbers, refusals_, radiance_.of(tip_.seen_by.scattered_in()));
         result_.rays += direct.rays;
         tell(output_.light, direct.sample.light, direct.brought);
         if (in_.direct_light.learns() && result_.light_sample.pdf == 0)
@@ -235,14 +232,16 @@ class EyePath {
     void go_on_from(ContinuedStart start, const DirectLightResult& direct) {
         VisiblePoint& v = result_.visible_point;
         start.tip.throughput = v.throughput;
+        const bool asks = direct.sample.pdf > 0;
+        if (asks) start.asked = direct.sample.light;
         const ContinuedResult went =
             trace_continued_path(in_, start, numbers_, refusals_, arena_,
                                  {radiance_, output_.continued, output_.light, v.eye_share});
         v.continued = true;
         v.eye_rays = float(went.rays);
         result_.rays += went.rays;
-        v.direct_alone = direct.alone;
-        v.direct_shared = direct.brought + went.straight;
+        v.direct = {direct.alone, direct.brought, went.straight,
+                    asks ? went.of_asked / direct.sample.pdf : 0, start.choice_pdf};
     }
 
     void store(const SurfacePoint& point, Vec3 wo, LobeMask receiving, float store_pdf) {
@@ -254,6 +253,7 @@ class EyePath {
         v.throughput = tip_.throughput * (1 / store_pdf);
         v.receiving = receiving;
         v.material = point.material;
+        v.scatterings = tip_.seen_by;
         v.bsdf = point.bsdf->lambertian(v.kd) ? nullptr : point.bsdf;
         result_.footprint = camera_ray_.width + camera_ray_.spread * travelled_;
         result_.has_visible_point = refusals_.accept(v.throughput, point.material) &&
@@ -267,9 +267,10 @@ class EyePath {
     Refusals& refusals_;
     Arena& arena_;
     const EyePathOutput& output_;
-    std::span<Rgb> radiance_, lamps_;
+    LightSums radiance_, lamps_;
     LuminanceByLight* lamp_light_ = output_.lamp_light;  // null: not asked for
-    const Media* media_ = in_.scene.media();             // null if no medium scatters
+    SurfaceView seen_;
+    const Media* media_ = in_.scene.media();  // null if no medium scatters
 
     PathTip tip_;
     float travelled_ = 0;
@@ -278,7 +279,7 @@ class EyePath {
     float lamp_share_ = 1;        // of lamps met, as other ways from smooth surfaces tell too
     std::uint32_t branches_ = 0;  // vertices from which that was so
     std::size_t choices_ = 0;     // used at smooth surfaces beyond these
-    float beam_weights_ = 0, beam_weight_ = 0;  // of all beams; of the one that is kept
+    BeamChoice beam_choice_;
     EyePathResult result_;
 };
 

@@ -5,6 +5,7 @@
 
 #include "aips/core/sampling/eye_numbers.h"
 #include "eye/eye_pass.h"
+#include "views/light_target.h"
 
 namespace aips {
 
@@ -23,13 +24,14 @@ struct EyePathResult {
 
 /// Where an eye path's light goes.
 struct EyePathOutput {
-    std::span<Rgb> radiance;   ///< [light group]: emission and direct light
+    LightSums radiance;        ///< emission and direct light
     std::span<Rgb> lamps;      ///< [light group]: lamps behind smooth surfaces; empty: in radiance
     std::span<Rgb> continued;  ///< [light group]: EyeImage::continued; empty without shares
     LuminanceByLight* lamp_light = nullptr;  ///< the same of `lamps`, or of all
-    LuminanceByLight* light =
-        nullptr;            ///< takes luminances by light, without shares; null: not asked for
-    bool explores = false;  ///< goes on from its visible point even where it has no share
+    /// Takes luminances by light, without shares; null: not asked for.
+    LuminanceByLight* light = nullptr;
+    bool explores = false;           ///< goes on from its visible point even where it has no share
+    SeenSurface* surface = nullptr;  ///< null: not wanted
 };
 
 /// Follows a camera ray, drawn at surfaces from `numbers`, in media from `random`; adds what it

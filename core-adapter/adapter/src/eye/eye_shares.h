@@ -32,4 +32,36 @@ struct EyeShares {
     bool any = false;  ///< whether some share is above 0
 };
 
+/// Direct light of a visible point from which the path went on: luminances. A shadow ray and the
+/// path's first ray share it, which is calmer than shadow rays alone.
+///
+/// Let a shadow ray ask light l with probability p_l. G_l is what l brings, S_l the part that the
+/// shadow ray keeps, B_l = G_l - S_l that of the first ray. Over many passes the choice of l, which
+/// is stratified, comes evenly, and what is left is the variance for a given light. It falls by
+///
+///     E[X^2] - E[S^2] - E[B^2] - (sum over l of (G_l^2 - S_l^2) / p_l) + (sum of B_l)^2,
+///
+/// X, S and B being samples: of the shadow ray alone, of what it keeps, and of the first ray. The
+/// first three terms are at least E[X (X - S)]. The others are products of expectations, and a
+/// shadow ray and a first ray from the same point are independent: B_l (G_l + S_l) / p_l is the
+/// mean of what the first ray brought of the light that was asked, times X + S, over p_l.
+///
+/// Whole variances, with the choice of lights in them, would hardly tell: under sun and sky nearly
+/// all of it is that choice, and sharing does not lessen it.
+struct SharedDirect {
+    float alone = 0;   ///< of the shadow ray if it shared nothing (X)
+    float shadow = 0;  ///< of the shadow ray (S)
+    float first = 0;   ///< of lights that the first ray met (B)
+    /// Of the light among them that the shadow ray asked, over the probability of asking it.
+    float asked_again = 0;
+    float end_pdf = 1;  ///< probability that the path ended at the point: only then B is added
+
+    /// What sharing takes from the variance, and what it adds to it: squared luminances, whose
+    /// expectations differ by what is saved. The second may be below zero.
+    float taken() const { return alone * (alone - shadow); }
+    float added() const {
+        return end_pdf * (asked_again * (alone + shadow) - first * (alone - shadow));
+    }
+};
+
 }  // namespace aips

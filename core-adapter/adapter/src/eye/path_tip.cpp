@@ -24,6 +24,7 @@ bool bounce(const EyePassInput& in, const SurfacePoint& point, Vec3 wo, const Bo
             tip.last_vertex.bsdf = nullptr;
         }
         ++tip.scatterings;
+        tip.seen_by.add(sample.lobe == kSpecular);
     }
     tip.ray = continue_ray(in.scene, point, sample.wi, sample.component, tip.ray);
     return true;

@@ -1,6 +1,7 @@
 // The tip of an eye path: what its next surface has to know of the last.
 #pragma once
 
+#include "aips/core/base/image_part.h"
 #include "eye/eye_pass.h"
 
 namespace aips {
@@ -12,6 +13,7 @@ struct PathTip {
     float bounce_pdf = 0;           ///< of the last scattering that was not straight
     SurfacePoint last_vertex;       ///< where that was; kept only if it was not specular
     std::uint32_t scatterings = 0;  ///< that were not straight
+    EyeScatterings seen_by;         ///< the same, by kind
 };
 
 /// A direction to be drawn from the lobes in `mask`, which are chosen with probability

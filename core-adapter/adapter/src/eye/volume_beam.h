@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "aips/adapter/media.h"
+#include "aips/core/base/image_part.h"
 
 namespace aips {
 
@@ -14,9 +15,30 @@ struct VolumeBeam {
     float length = 0;
     const void* medium = nullptr;
     Rgb throughput;  ///< of the eye path at the origin, divided by its choices' probabilities
-    std::uint32_t sample = 0;  ///< index of the eye path in its pass
+    std::uint32_t sample = 0;    ///< index of the eye path in its pass
+    EyeScatterings scatterings;  ///< of the eye path before it
 
     Vec3 at(float distance) const { return origin + direction * distance; }
+};
+
+/// Chooses one of a path's beams, each in proportion to its weight (reservoir sampling).
+class BeamChoice {
+  public:
+    /// Whether a beam of this weight, > 0, is the one so far. `next` gives a number in [0, 1).
+    template <class Next>
+    bool takes(float weight, const Next& next) {
+        const bool first = weights_ == 0;
+        weights_ += weight;
+        if (!first && next() * weights_ >= weight) return false;
+        weight_ = weight;
+        return true;
+    }
+    /// One over the probability of the one that was taken.
+    float factor() const { return weights_ / weight_; }
+
+  private:
+    float weights_ = 0;  // of all
+    float weight_ = 0;   // of the one that is kept
 };
 
 /// Share of light that goes `distance` without a collision (Beer-Lambert).

@@ -93,7 +93,7 @@ unsigned estimate_scattered_light(const Scene& scene, const DirectLight& lights,
         scattered * sample.radiance * (1 / (distance.pdf * sample.pdf * chosen.pdf));
     if (!refusals.accept(unoccluded, kPassageOrigin) || is_black(unoccluded)) return 0;
     const Rgb passed = media.visibility(beam.medium, position, sample, time);
-    if (refusals.add(output.radiance[light.group()], unoccluded * passed, kPassageOrigin))
+    if (output.radiance.add(light.group(), unoccluded * passed, kPassageOrigin, refusals))
         tell(output.light, LightIndex(chosen.index), luminance(unoccluded * passed));
     return 1;
 }

@@ -1,18 +1,17 @@
 // Single scattering in a medium: what a light sends straight onto an eye path's segment there.
 #pragma once
 
-#include <span>
-
 #include "aips/core/sampling/random.h"
 #include "base/luminance_by_light.h"
 #include "eye/direct_light.h"
 #include "eye/volume_beam.h"
+#include "views/light_target.h"
 
 namespace aips {
 
 /// Where light that media scatter goes.
 struct ScatteredLightOutput {
-    std::span<Rgb> radiance;            ///< [light group]
+    LightTarget radiance;
     LuminanceByLight* light = nullptr;  ///< takes luminances by light; null: not asked for
 };
 

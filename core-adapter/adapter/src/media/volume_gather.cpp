@@ -32,11 +32,12 @@ struct Piece {
 VolumeGather::VolumeGather(const Scene& scene, const Settings& settings)
     : scene_(scene), settings_(settings) {}
 
-void VolumeGather::begin_pass(std::uint64_t pass, const PassPhotons& photons,
-                              const EyeImage& image) {
+void VolumeGather::begin_pass(std::uint64_t pass, const PassPhotons& photons, const EyeImage& image,
+                              bool wants_parts) {
     pass_ = pass;
     waiting_.clear();
     flux_.assign(image.beams.size() * image.groups, Rgb{});
+    part_flux_.assign(wants_parts ? image.beams.size() * kPhotonParts : 0, Rgb{});
     squares_.assign(image.beams.size(), 0.0f);
     const double smallest = smallest_radius(scene_);
     if (!(initial_radius_ > 0) && !image.beams.empty()) {
@@ -67,7 +68,7 @@ void VolumeGather::sort() {
 }
 
 std::uint64_t VolumeGather::gather_beam(const VolumeBeam& beam, Refusals& refusals, GroupSums& sums,
-                                        float& squares) const {
+                                        GroupSums& parts, float& squares) const {
     const Media& media = *scene_.media();
     const Rgb extinction = media.extinction(beam.medium);
     const float width = 2 * radius_;
@@ -86,6 +87,10 @@ std::uint64_t VolumeGather::gather_beam(const VolumeBeam& beam, Refusals& refusa
                               piece.weight;
             if (!refusals.accept(value, kPassageOrigin)) return;
             sums.add(photon.light_group, value);
+            if (!part_flux_.empty()) {
+                const ImagePart part = beam.scatterings.scattered_in(photon.part);
+                if (part != ImagePart::Indirect) parts.add(std::uint32_t(part), value);
+            }
             square_sum += double(luminance(value)) * double(luminance(value));
             ++gathered;
         });
@@ -134,10 +139,12 @@ void VolumeGather::gather(const EyeImage& image, Refusals& refusals) {
     tbb::parallel_for(tbb::blocked_range<std::size_t>(0, image.beams.size(), 256),
                       [&](const tbb::blocked_range<std::size_t>& range) {
                           std::uint64_t total = 0;
-                          GroupSums sums(image.groups);
+                          GroupSums sums(image.groups), parts(kPhotonParts);
                           for (std::size_t i = range.begin(); i < range.end(); ++i) {
-                              total += gather_beam(image.beams[i], refusals, sums, squares_[i]);
+                              total +=
+                                  gather_beam(image.beams[i], refusals, sums, parts, squares_[i]);
                               sums.move_to(&flux_[i * image.groups]);
+                              if (!part_flux_.empty()) parts.move_to(&part_flux_[i * kPhotonParts]);
                           }
                           gathered.fetch_add(total, std::memory_order_relaxed);
                       });
@@ -147,6 +154,8 @@ void VolumeGather::gather(const EyeImage& image, Refusals& refusals) {
 
 void VolumeGather::scale_flux(float factor) {
     for (Rgb& sum : flux_)
+        sum *= factor;
+    for (Rgb& sum : part_flux_)
         sum *= factor;
     for (float& square : squares_)
         square *= factor * factor;
@@ -174,6 +183,19 @@ void VolumeGather::add_to(const EyeImage& image, std::uint64_t photon_paths, Ref
     }
 }
 
+std::vector<Rgb> VolumeGather::parts(const EyeImage& image, std::uint64_t photon_paths) const {
+    const double radius = double(radius_);
+    const double scale = 1 / (double(kPi) * radius * radius * double(photon_paths));
+    std::vector<Rgb> parts(part_flux_.size());
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+        const VolumeBeam& beam = image.beams[i / kPhotonParts];
+        const Rgb sum = part_flux_[i];
+        parts[i] = beam.throughput * scene_.media()->scattering(beam.medium) *
+                   Rgb{float(sum.r * scale), float(sum.g * scale), float(sum.b * scale)};
+    }
+    return parts;
+}
+
 void VolumeGather::state(StateArchive& archive) {
     state_of_initial_radius(archive, initial_radius_, kSurfaceRadii * smallest_radius(scene_));
 }
@@ -181,7 +203,8 @@ void VolumeGather::state(StateArchive& archive) {
 std::size_t VolumeGather::memory_bytes() const {
     return (waiting_.capacity() + photons_.capacity()) * sizeof(VolumePhoton) +
            positions_.capacity() * sizeof(Vec3) + cells_.memory_bytes() +
-           flux_.capacity() * sizeof(Rgb) + squares_.capacity() * sizeof(float);
+           (flux_.capacity() + part_flux_.capacity()) * sizeof(Rgb) +
+           squares_.capacity() * sizeof(float);
 }
 
 std::size_t VolumeGather::memory_bound_bytes(const Scene& scene, std::size_t eye_paths,

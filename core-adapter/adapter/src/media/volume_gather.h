@@ -25,14 +25,17 @@ struct VolumePhoton {
     Rgb power;       ///< watts * transmittance / density of the collision, before it is scattered
     const void* medium = nullptr;
     std::uint32_t light_group = 0;
+    ImagePart part = ImagePart::Direct;  ///< as Landing::part
 };
 
 class VolumeGather {
   public:
     VolumeGather(const Scene& scene, const Settings& settings);
 
-    /// A pass whose eye paths left these beams starts.
-    void begin_pass(std::uint64_t pass, const PassPhotons& photons, const EyeImage& image);
+    /// A pass whose eye paths left these beams starts. `wants_parts`: direct light and caustics are
+    /// to be known apart.
+    void begin_pass(std::uint64_t pass, const PassPhotons& photons, const EyeImage& image,
+                    bool wants_parts = false);
     /// Photons are appended here.
     std::vector<VolumePhoton>& waiting() { return waiting_; }
     bool full() const { return waiting_.size() > kWaitingPhotons; }
@@ -46,6 +49,9 @@ class VolumeGather {
     /// (one for each eye path, or empty: not asked for).
     void add_to(const EyeImage& image, std::uint64_t photon_paths, Refusals& refusals,
                 std::vector<Rgb>& radiance, std::span<float> variances) const;
+
+    /// Of that, direct light and caustics: [beam * kPhotonParts + ImagePart]; empty if not wanted.
+    std::vector<Rgb> parts(const EyeImage& image, std::uint64_t photon_paths) const;
 
     /// Between passes: saves the radius that the first pass began with, or restores it; all else is
     /// of one pass.
@@ -61,7 +67,7 @@ class VolumeGather {
   private:
     void sort();
     std::uint64_t gather_beam(const VolumeBeam& beam, Refusals& refusals, GroupSums& sums,
-                              float& squares) const;
+                              GroupSums& parts, float& squares) const;
 
     const Scene& scene_;
     Settings settings_;
@@ -73,6 +79,7 @@ class VolumeGather {
     std::vector<Vec3> positions_;        // of waiting_, for the sort
     std::vector<VolumePhoton> photons_;  // [slot of cells_]
     std::vector<Rgb> flux_;              // [beam * groups + group]
+    std::vector<Rgb> part_flux_;         // [beam * kPhotonParts + part]; empty if not wanted
     std::vector<float> squares_;         // [beam]: of the luminances that flux_ sums
     std::uint64_t gathered_ = 0;
 };

@@ -1,6 +1,7 @@
 // A photon on its way.
 #pragma once
 
+#include "aips/core/base/image_part.h"
 #include "photons/photon_path.h"
 
 namespace aips {
@@ -16,6 +17,7 @@ struct Photon {
     bool straight = true;     ///< has met nothing but null surfaces and architectural glass
     /// The first surface that did more than let it pass straight sent it on diffusely or glossily.
     bool shareable = false;
+    ImagePart part = ImagePart::Direct;  ///< Landing::part where it lands next
     EmissionStart start;
 };
 

@@ -50,6 +50,10 @@ class PhotonPass {
     void estimate(const EyeImage& image, const PhotonFlux& flux, const SearchRadii& radii,
                   std::uint64_t photon_paths, Refusals& refusals, std::vector<Rgb>& radiance,
                   std::vector<float>* variances) const;
+    /// Fills `parts` with the parts of `radiance`, to which continued eye paths may have added.
+    void estimate_parts(const EyeImage& image, const PhotonFlux& flux, const SearchRadii& radii,
+                        std::uint64_t photon_paths, std::span<const Rgb> radiance,
+                        std::vector<Rgb>& parts) const;
 
     /// Between passes: saves what later ones go on from, or restores it into a new one; the
     /// importance of pixels is saved by itself, and seconds by state_of_seconds().
@@ -63,7 +67,7 @@ class PhotonPass {
 
   private:
     void begin_pass(std::uint64_t pass, const PassPhotons& photons, float time,
-                    const EyeImage& image, const SearchRadii& radii);
+                    const EyeImage& image, const SearchRadii& radii, bool wants_parts);
     PhotonInput input_of(std::uint64_t pass, float time, std::uint64_t iteration);
     /// Where the sequence begins that the emissions of an iteration belong to.
     std::uint64_t sequence_begin(const PassPhotons& photons, std::uint32_t first,

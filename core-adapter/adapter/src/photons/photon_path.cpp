@@ -145,7 +145,7 @@ class PhotonTrace {
         if (!refusals_.accept(photon.power, kPassageOrigin)) return false;
         if (!photon.straight || !in_.settings.direct_light_sampling) {
             collisions_->push_back(
-                {position, -photon.ray.direction, photon.power, medium, photon.group});
+                {position, -photon.ray.direction, photon.power, medium, photon.group, photon.part});
         }
         if (photon.depth >= in_.settings.max_photon_depth) return false;
         photon.power *= media_->scattering(medium);
@@ -156,6 +156,7 @@ class PhotonTrace {
         photon.power = photon.power * sample.weight / survival;
         if (!refusals_.accept(photon.power, kPassageOrigin)) return false;
         photon.straight = false;
+        photon.part = ImagePart::Indirect;
         photon.previous = position;
         photon.ray = {position, sample.direction, in_.time, medium, photon.ray.component};
         ++photon.depth;
@@ -178,6 +179,7 @@ class PhotonTrace {
         landing.path = index_;
         landing.owned_by_shadow_rays = owned_by_shadow_rays;
         landing.shareable = photon.shareable;
+        landing.part = static_cast<std::uint16_t>(photon.part);
         landings_.push_back(landing);
         if (!owned_by_shadow_rays) ++counts_.landings;
         return true;
@@ -221,6 +223,8 @@ class PhotonTrace {
         if (!refusals_.accept_direction(scattered.direction, point.material)) return false;
         if (photon.straight && !scattered.straight) photon.shareable = scattered.lobe != kSpecular;
         photon.straight = photon.straight && scattered.straight;
+        if (!scattered.straight)
+            photon.part = scattered_on(photon.part, scattered.lobe == kSpecular);
         photon.previous = point.position;
         photon.ray =
             continue_ray(in_.scene, point, scattered.direction, scattered.component, photon.ray);

@@ -108,9 +108,9 @@ bool scatter_by_mixture(const Mixture& mixture, const SurfacePoint& point, Vec3 
 
 float adjoint_shading_factor(const SurfacePoint& point, Vec3 wo, Vec3 wi) {
     if (point.geometric_normal == point.shading_normal) return 1;
-    const float out = abs_dot(wi, point.geometric_normal) * abs_dot(wo, point.shading_normal);
-    const float in = abs_dot(wo, point.geometric_normal) * abs_dot(wi, point.shading_normal);
-    return in > 0 ? out / in : 0;
+    const float shading = abs_dot(wi, point.shading_normal);
+    if (!(shading > 0)) return 0;
+    return normal_ratio(point, wo) * (abs_dot(wi, point.geometric_normal) / shading);
 }
 
 template <class Numbers>

@@ -1,7 +1,7 @@
 // One bounce of a photon: the one-sample mixture of Bsdf and guide.
 #pragma once
 
-#include "eye/surface_side.h"
+#include "eye/surface_normals.h"
 #include "photons/photon_path.h"
 
 namespace aips {
@@ -31,6 +31,7 @@ bool scatter_photon(const PhotonInput& input, const SurfacePoint& point, Vec3 wo
 
 /// Veach's factor for photons at shading normals (1997, section 5.3.2): with it, photon power
 /// counts flux through the geometric surface while the Bsdf takes cosines to the shading normal.
+/// Bounded where the photon comes along the surface, see normal_ratio.
 float adjoint_shading_factor(const SurfacePoint& point, Vec3 wo, Vec3 wi);
 
 }  // namespace aips

@@ -214,9 +214,11 @@ inline constexpr double kCertainlyMissing = 3;
 
 /// Continued paths that found light, in effect, from which a leaf is judged. Unit: eye paths.
 /// Balances: decisions soon against places whose light paths have not met at all.
-/// Chosen by: docs/notebook/2026-11-25-who-carries-what.md.
-/// Supported by: open-ground, sun-window, summerhouse.
-inline constexpr double kFoundByPaths = 8;
+/// Chosen by: docs/notebook/2026-11-26-what-tells-the-gain-of-first-rays.md; that there is such a
+///   number by docs/notebook/2026-11-25-who-carries-what.md.
+/// Supported by: car, daylight (8 and 4 in its place); no difference beyond chance in open-ground,
+///   sun-window, ajar-door, hall, pool, magic-lamp, summerhouse.
+inline constexpr double kFoundByPaths = 2;
 
 /// What is certain to be left of the measured variance by eye paths up to their visible points.
 /// Unit: share of 1. Balances: photons without end against photons that are needed. Chosen by:

@@ -33,9 +33,14 @@ PassLoop::PassLoop(const Host& host, const Settings& settings, std::uint32_t eye
       eye_(make_eye_source({host_.scene, host_.camera, host_.sampler, direct_light_, settings_,
                             host.film.width(), host.film.height(), eye_paths, needs_points,
                             shared_by(strategies, &LightStrategy::eye_shares),
-                            shared_by(strategies, &LightStrategy::lamp_images)})),
+                            shared_by(strategies, &LightStrategy::lamp_images),
+                            host.film.layers_wanted()})),
       strategies_(std::move(strategies)) {
     statistics_.memory_bound_bytes = eye_memory_bound(host.scene, settings, eye_paths);
+    // Parts of eye paths, and of as many splats, of which there may be more while vectors grow.
+    const LayersWanted& layers = eye_->input().layers;
+    if (layers.surfaces) statistics_.memory_bound_bytes += eye_paths * sizeof(SeenSurface);
+    if (layers.parts) statistics_.memory_bound_bytes += eye_paths * 3 * kImageParts * sizeof(Rgb);
     for (const auto& strategy : strategies_)
         statistics_.memory_bound_bytes += strategy->memory_bound_bytes();
     refuse_powers();
@@ -55,9 +60,15 @@ PassReport PassLoop::render_pass(std::uint64_t number) {
                             report.eye_paths, eye_rays,           refusals_};
     FilmPass film_pass{
         .positions = image_.positions, .groups = image_.groups, .eye = image_.radiance};
-    for (const auto& strategy : strategies_)
-        add_light(strategy->carry(pass, report), film_pass);
+    FilmPass parts{.positions = image_.positions, .groups = kImageParts, .eye = image_.parts};
+    for (const auto& strategy : strategies_) {
+        const CarriedLight light = strategy->carry(pass, report);
+        add_light(light, film_pass);
+        if (!light.parts.empty()) parts.photons = light.parts;
+    }
     host_.film.add_pass(film_pass);
+    if (!image_.parts.empty()) add_parts(film_pass, parts);
+    if (!image_.surfaces.empty()) host_.film.add_surfaces(image_.positions, image_.surfaces);
     for (const auto& strategy : strategies_)
         strategy->end_pass(pass, film_pass);
     if (report.eye_paths) {
@@ -104,6 +115,20 @@ void PassLoop::account() {
     statistics_.account.cut_eye_paths += image_.cut_paths;
 }
 
+/// Lamps that splats show are met by smooth surfaces alone.
+void PassLoop::add_parts(const FilmPass& film_pass, FilmPass& parts) {
+    parts.photon_weight = film_pass.photon_weight;
+    if (film_pass.splats) {
+        const auto& [positions, radiance] = *film_pass.splats;
+        splat_parts_.assign(positions.size() * kImageParts, Rgb{});
+        for (std::size_t i = 0; i < radiance.size(); ++i)
+            splat_parts_[i / image_.groups * kImageParts + std::size_t(ImagePart::Direct)] +=
+                radiance[i];
+        parts.splats = {positions, splat_parts_};
+    }
+    host_.film.add_parts(parts);
+}
+
 void PassLoop::count(const PassReport& report, std::uint64_t eye_rays) {
     ++statistics_.passes;
     statistics_.eye_paths += report.eye_paths;
@@ -132,7 +157,8 @@ EngineStatistics PassLoop::statistics() const {
 }
 
 std::size_t PassLoop::memory_bytes() const {
-    std::size_t bytes = image_.memory_bytes() + eye_radiance_.capacity() * sizeof(Rgb) +
+    std::size_t bytes = image_.memory_bytes() +
+                        (eye_radiance_.capacity() + splat_parts_.capacity()) * sizeof(Rgb) +
                         direct_light_.memory_bytes();
     for (const auto& strategy : strategies_)
         bytes += strategy->memory_bytes();

@@ -30,6 +30,7 @@ class PassLoop {
     std::uint32_t trace_eye_paths(std::uint64_t pass);
     void add_light(const CarriedLight& light, FilmPass& film_pass);
     void account();
+    void add_parts(const FilmPass& film_pass, FilmPass& parts);
     void count(const PassReport& report, std::uint64_t eye_rays);
     void refuse_powers();
     std::size_t memory_bytes() const;
@@ -43,6 +44,7 @@ class PassLoop {
     LightStrategies strategies_;
     EyeImage image_;
     std::vector<Rgb> eye_radiance_;  // of eye paths and strategies together, if some add to it
+    std::vector<Rgb> splat_parts_;   // [splat * kImageParts + part]
     EngineStatistics statistics_;
     LuminanceByLight seen_light_;  // that eye paths brought, summed by light
 };

@@ -47,6 +47,9 @@ struct CarriedLight {
     double weight = 1;  ///< of the pass in the mean, > 0; 1 for Alike
     /// Held likewise; in all passes or in none, by one strategy at most. All passes count alike.
     std::optional<FilmSplats> splats = {};
+    /// Parts of `radiance`, if the film wants them: [eye path * kImageParts + ImagePart]; held
+    /// likewise.
+    std::span<const Rgb> parts = {};
 };
 
 class LightStrategy {

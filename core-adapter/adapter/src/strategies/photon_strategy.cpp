@@ -35,6 +35,7 @@ PhotonStrategy::PhotonStrategy(const Host& host, Plan& plan, std::uint32_t eye_p
     if (settings_.continue_eye_paths)
         shared_.emplace(scene_, film_.width(), film_.height(), eye_paths);
     flux_.wants_shareable = shared_.has_value();
+    flux_.wants_parts = film_.layers_wanted().parts;
     if (wants_noise()) noise_.emplace(film_.width(), film_.height());
     if (settings_.debug_layers) layers_.emplace(film_, guide_.get());
 }
@@ -101,11 +102,15 @@ CarriedLight PhotonStrategy::carry(const StrategyPass& pass, PassReport& report)
         if (plan_.needs.photons) {
             skip_log_.no_visible_points(freezes_eye_pass(settings_.mode));
             radiance_.assign(image.radiance.size(), Rgb{});
+            parts_.assign(flux_.wants_parts ? image.positions.size() * kImageParts : 0, Rgb{});
         }
     } else {
         shoot(pass, photons, report);
     }
-    return {radiance_, PassMean::Weighted, photons.weight};
+    return {.radiance = radiance_,
+            .mean = PassMean::Weighted,
+            .weight = photons.weight,
+            .parts = parts_};
 }
 
 void PhotonStrategy::shoot(const StrategyPass& pass, const PassPhotons& photons,
@@ -118,6 +123,8 @@ void PhotonStrategy::shoot(const StrategyPass& pass, const PassPhotons& photons,
                           noise_ ? &variances_ : nullptr);
     if (any_points) radius_policy_->after_pass(flux_);
     if (shared_) shared_->join(pass.number, image, flux_, photons.paths, *importance_, radiance_);
+    if (flux_.wants_parts)
+        photon_pass_.estimate_parts(image, flux_, radii_, photons.paths, radiance_, parts_);
     report.radius = radii_.mean;
     shot_ = photons.paths;
     report.photon_paths += shot_;
@@ -185,7 +192,7 @@ void PhotonStrategy::add_to(EngineStatistics& s) const {
 }
 
 std::size_t PhotonStrategy::memory_bytes() const {
-    return flux_.memory_bytes() + radiance_.capacity() * sizeof(Rgb) +
+    return flux_.memory_bytes() + (radiance_.capacity() + parts_.capacity()) * sizeof(Rgb) +
            variances_.capacity() * sizeof(float) + seen_.capacity() * sizeof(PixelLuminance) +
            photon_pass_.memory_bytes() + radius_policy_->memory_bytes() +
            (importance_ ? importance_->memory_bytes() : 0) + (noise_ ? noise_->memory_bytes() : 0) +
@@ -193,7 +200,11 @@ std::size_t PhotonStrategy::memory_bytes() const {
 }
 
 std::size_t PhotonStrategy::memory_bound_bytes() const {
-    const std::size_t photons = photon_memory_bound(scene_, plan_.needs, eye_paths_, pixels());
+    // Of paths, of visible points, and of beams, kept and estimated.
+    const std::size_t parts =
+        flux_.wants_parts ? eye_paths_ * (kImageParts + 3 * kPhotonParts) * sizeof(Rgb) : 0;
+    const std::size_t photons =
+        parts + photon_memory_bound(scene_, plan_.needs, eye_paths_, pixels());
     if (!layers_) return photons;
     return photons +
            DebugLayers::memory_bound_bytes(pixels(), eye_paths_, guide_ ? settings_.max_nodes : 0);

@@ -66,6 +66,7 @@ class PhotonStrategy : public LightStrategy {
     PhotonFlux flux_;
     PhotonPassTotals before_;           // the last pass
     std::vector<Rgb> radiance_;         // [eye path * groups + group]; empty if none is needed
+    std::vector<Rgb> parts_;            // [eye path * kImageParts + part]; empty if not wanted
     std::vector<float> variances_;      // [eye path]: of the luminance of that; with noise_
     std::vector<PixelLuminance> seen_;  // in the last pass that something steers by
     std::optional<DebugLayers> layers_;

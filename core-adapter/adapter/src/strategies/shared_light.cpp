@@ -6,7 +6,7 @@
 
 #include "base/film_pixel.h"
 #include "base/parallel_for.h"
-#include "eye/surface_side.h"
+#include "eye/surface_normals.h"
 #include "strategies/constants.h"
 
 namespace aips {
@@ -34,8 +34,8 @@ ShareSample sample_of(const EyeImage& image, const PhotonFlux& flux, std::size_t
     sample.photon_paths = paths;
     sample.rays = double(point.eye_rays);
     sample.eye = double(luminance_over_groups(image.continued, point.sample, image.groups));
-    const auto square = [&](float x) { return trimmed(double(x) * double(x), weight); };
-    sample.direct_saved = square(point.direct_alone) - square(point.direct_shared);
+    sample.direct_saved = trimmed(double(point.direct.taken()), weight) -
+                          trimmed(double(point.direct.added()), weight);
     const auto brought = double(luminance_over_groups(flux.flux, i, image.groups));
     if (!(brought > 0)) return sample;
     const double scale =

@@ -54,10 +54,19 @@ void ShareMoments::add(const ShareMoments& o) {
     direct_saved += o.direct_saved;
 }
 
-void ShareMoments::scale(double factor) {
-    for (double* sum : {&population, &points, &squares, &others, &continued, &xx, &xy, &yy, &spread,
-                        &x, &y, &rays, &direct_saved})
+void ShareMoments::scale_points(double factor) {
+    for (double* sum : {&population, &points, &squares, &others})
         *sum *= factor;
+}
+
+void ShareMoments::scale_continued(double factor) {
+    for (double* sum : {&continued, &xx, &xy, &yy, &spread, &x, &y, &rays, &direct_saved})
+        *sum *= factor;
+}
+
+void ShareMoments::scale(double factor) {
+    scale_points(factor);
+    scale_continued(factor);
 }
 
 void ShareMoments::state(StateArchive& archive) {
@@ -95,7 +104,9 @@ void ShareTable::update(std::size_t samples) {
     add_leaves();
 }
 
-// Both halves of a leaf start with what it knew, weighing less than what they will meet.
+// Both halves of a leaf start with what it knew, weighing less than what they will meet. Of eye
+// paths that went on they keep more: where one in many does, a share of what the leaf knew of them
+// would be too little to judge by, split after split.
 void ShareTable::add_leaves() {
     for (auto i = std::uint32_t(leaves_.size()); i < places_.leaf_count(); ++i) {
         const std::uint32_t parent = places_.parent_of(i);
@@ -106,7 +117,8 @@ void ShareTable::add_leaves() {
         }
         ShareMoments& from = leaves_[parent];
         const double half = from.population / 2;
-        from.scale(std::min(0.5, kInheritedPoints / std::max(from.points, 1.0)));
+        from.scale_points(std::min(0.5, kInheritedPoints / std::max(from.points, 1.0)));
+        from.scale_continued(std::min(1.0, kInheritedPoints / std::max(from.continued, 1.0)));
         from.population = half;
         leaves_.push_back(from);
         shares_.push_back(shares_[parent]);

@@ -6,6 +6,7 @@
 #include <span>
 #include <string_view>
 
+#include "aips/adapter/layers.h"
 #include "aips/adapter/scene.h"
 
 namespace aips {
@@ -19,8 +20,12 @@ struct CameraSample {
 /// A camera ray with the size of its pixel's footprint.
 struct CameraRay {
     Ray ray;
-    float width = 0;   ///< radius of the footprint at the origin, scene units
-    float spread = 0;  ///< its growth per unit of distance
+    float width = 0;               ///< radius of the footprint at the origin, scene units
+    float spread = 0;              ///< its growth per unit of distance
+    float depth = 0;               ///< of the origin, scene units: what a layer of depths shows
+    float depth_per_distance = 1;  ///< its growth along the ray
+
+    float depth_at(float distance) const { return depth + depth_per_distance * distance; }
 };
 
 class Camera {
@@ -72,6 +77,15 @@ class Film {
     /// Whether passes may bring splats. Without them lamps behind glass and in mirrors are met by
     /// eye paths alone.
     virtual bool takes_splats() const { return false; }
+    /// Layers that it takes beside what the settings ask for; never change.
+    virtual LayersWanted layers_wanted() const { return {}; }
+    /// Adds the parts of the image that a pass brought, the image being their sum up to rounding:
+    /// as add_pass, with an ImagePart where that has a light group.
+    virtual void add_parts(const FilmPass& /*parts*/) {}
+    /// Adds what the eye paths of a pass saw of surfaces: `surfaces[i]` at `positions[i]`. All
+    /// passes count alike.
+    virtual void add_surfaces(std::span<const Vec2> /*positions*/,
+                              std::span<const SeenSurface> /*surfaces*/) {}
     /// Adds a pass of the extra colour layer `name`: `values[i]` at `positions[i]`, filtered as the
     /// image is; `weight` > 0 is the pass's share in the mean over passes.
     virtual void add_layer_pass(std::string_view name, std::span<const Vec2> positions,

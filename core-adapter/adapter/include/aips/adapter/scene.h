@@ -39,6 +39,7 @@ struct SurfacePoint {
     LightIndex light = kNoLight;
     const Bsdf* bsdf = nullptr;      ///< null: absorbs everything
     std::uint32_t material = 0;      ///< index of a name, for reports
+    std::uint32_t object = 0;        ///< likewise, for a film's masks alone
     std::uint32_t primitive = 0;     ///< within the light's shape
     Vec3 position_error;             ///< rounding error bound per coordinate
     const void* interior = nullptr;  ///< medium behind the surface

@@ -27,10 +27,12 @@ struct CommandLine {
     std::optional<std::uint32_t> width;   ///< pixels, instead of the scene's; height in proportion
     std::optional<std::uint32_t> height;  ///< pixels, instead of the scene's and of that proportion
     std::optional<std::string> sampler;   ///< instead of the scene's
+    std::optional<std::string> layers;    ///< names, instead of the scene's
     bool strict = false;                  ///< what LuxRender only warns of is an error
     std::vector<std::string> plugin_paths;
-    std::optional<double> write_every;      ///< seconds from image to image; 0: the last alone
-    std::optional<std::string> statistics;  ///< JSON file
+    std::optional<double> write_every;          ///< seconds from image to image; 0: the last alone
+    std::optional<std::string> display_server;  ///< of tev, HOST or HOST:PORT
+    std::optional<std::string> statistics;      ///< JSON file
     bool advice = true;                     ///< what looks wrong with the render is said at its end
     bool explain = false;                   ///< so is what became of light and photons
     std::optional<std::string> checkpoint;  ///< file to save the render's state in; none: not saved

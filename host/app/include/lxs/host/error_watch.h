@@ -11,9 +11,10 @@ namespace lxs {
 
 struct RenderTotals;
 
-/// Whether the error is held against its target after so many passes: after 8, and whenever the
-/// passes have grown by an eighth. So where a render stops depends on neither time nor breaks.
-bool compares_error_after(std::uint64_t passes);
+/// The first number of passes, at least `passes`, after which the error is held against its target:
+/// 8, and whenever the passes have grown by an eighth. So where a render stops depends on neither
+/// time nor breaks.
+std::uint64_t next_comparison(std::uint64_t passes);
 
 class ErrorWatch {
   public:
@@ -26,8 +27,8 @@ class ErrorWatch {
     void begin(const RenderTotals& totals) { compare(totals); }
     bool reached() const { return reached_; }
 
-    /// "error 8.3 %, 5 % in 3:20", as of now or not long ago; empty if there is no estimate. Takes
-    /// at most a hundredth of the render's time.
+    /// "error 8.3 %, 5 % in about 3:20", as of now or not long ago; empty if there is no estimate.
+    /// Takes at most a hundredth of the render's time.
     std::string text(const RenderTotals& totals);
     /// "the estimated error is 8.3 %", as of now; empty if there is no estimate.
     std::string ending_text(const RenderTotals& totals);
@@ -36,6 +37,7 @@ class ErrorWatch {
     void compare(const RenderTotals& totals);
     void estimate(const RenderTotals& totals);
     bool stale(const RenderTotals& totals) const;
+    double seconds_left(const RenderTotals& totals) const;
 
     FileFilm& film_;
     std::optional<double> target_;

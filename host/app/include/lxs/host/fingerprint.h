@@ -1,4 +1,5 @@
-// What the bits of an image depend on, so that a render goes on only from a checkpoint of its own.
+// What the bits of an image depend on, so that a render goes on only from a checkpoint of its own,
+// and only renders of the same are merged.
 #pragma once
 
 #include <array>
@@ -8,6 +9,7 @@
 #include <string_view>
 
 #include "lxs/host/command_line.h"
+#include "lxs/imaging/exr_image.h"
 #include "lxs/language/read_files.h"
 #include "lxs/sdk/state_archive.h"
 
@@ -25,6 +27,8 @@ class Fingerprint {
                       std::uint32_t height);
     void set_seed(std::uint64_t seed);
 
+    /// Adds what images to be merged must have alike.
+    void describe(ImageMetadata& metadata) const;
     /// What differs, in words; empty if nothing does.
     std::string difference(const Fingerprint& other) const;
     void state(StateArchive& archive) { archive.fixed(std::span(checksums_)); }

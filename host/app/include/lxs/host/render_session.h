@@ -31,9 +31,9 @@ struct RenderSession {
     std::uint64_t seed = 0;
     OutputFiles files;
     PhaseTimes times;
-    std::optional<Fingerprint> fingerprint;  ///< if checkpoints are asked for
-    bool spectral = false;                   ///< each pass has wavelengths of its own
-    WavelengthDensity wavelength_density;    ///< that these are drawn from
+    Fingerprint fingerprint;  ///< that of the program is left out where no checkpoint is asked for
+    bool spectral = false;    ///< each pass has wavelengths of its own
+    WavelengthDensity wavelength_density;  ///< that these are drawn from
 };
 
 /// Everything that can be wrong with the input or the output's place is found here, and reported.

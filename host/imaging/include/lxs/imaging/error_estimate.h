@@ -15,6 +15,8 @@ struct ErrorEstimate {
     double rmse = 0;                         ///< of all pixels, radiance
     double rmse_low = 0, rmse_high = 0;
     std::uint64_t passes = 0;  ///< that it was estimated after
+    /// About as many independent squares as each pixel's variance rests on.
+    double degrees_of_freedom = 1;
 
     /// Square root of relmse: the error of a typical pixel as share of its brightness. This is the
     /// unit of "haltthreshold" and of --target-error.

@@ -3,7 +3,6 @@
 
 #include <cstdint>
 #include <functional>
-#include <map>
 #include <memory>
 #include <optional>
 #include <span>
@@ -12,6 +11,7 @@
 #include <vector>
 
 #include "lxs/imaging/error_estimate.h"
+#include "lxs/imaging/exr_image.h"
 #include "lxs/scene/contents.h"
 #include "lxs/sdk/camera.h"
 #include "lxs/sdk/film.h"
@@ -22,9 +22,6 @@
 #include "lxs/spectrum/wavelengths.h"
 
 namespace lxs {
-
-/// Key and value texts that go into the header of an EXR file.
-using ImageMetadata = std::map<std::string, std::string>;
 
 /// What the film keeps beyond the interface that integrators see.
 class FileFilm : public Film {
@@ -57,6 +54,9 @@ class FileFilm : public Film {
 
     /// From now on passes hold values at these wavelengths; images stay linear RGB.
     virtual void set_wavelengths(const Wavelengths& wavelengths) = 0;
+    /// Names that SeenSurface tells objects and materials by; before the first pass.
+    virtual void set_names(std::span<const std::string> objects,
+                           std::span<const std::string> materials) = 0;
     /// From now on the PNG is brighter by this many stops (factors of 2), whatever the kernel.
     virtual void set_exposure(double stops) = 0;
     /// The mean image over passes and light groups: width * height, row by row, linear radiance.

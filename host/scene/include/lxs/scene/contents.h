@@ -35,6 +35,7 @@ struct Primitive {
     Geometry geometry;
     std::shared_ptr<const Material> material;
     std::uint32_t material_index = 0;  ///< into SceneContents::material_names
+    std::string name = {};             ///< for masks; that of its object stands above it
     std::shared_ptr<const Medium> interior, exterior;
     std::optional<AreaEmission> emission;
     Matrix

@@ -18,6 +18,12 @@ struct CameraRay {
     Ray ray;
     float width = 0;   ///< radius of one pixel's footprint at the ray's origin, scene units
     float spread = 0;  ///< growth of that radius per unit of distance
+    float depth = 0;   ///< of the origin, scene units: what a depth layer shows
+    float depth_per_distance = 1;  ///< its growth along the ray
+
+    /// Depth of the ray's point at `distance` from its origin: along the camera's axis; for
+    /// cameras that look all around, along the ray.
+    float depth_at(float distance) const { return depth + depth_per_distance * distance; }
 };
 
 class Camera {

@@ -5,6 +5,7 @@
 #include <span>
 #include <string_view>
 
+#include "lxs/sdk/layers.h"
 #include "lxs/sdk/types.h"
 
 namespace lxs {
@@ -41,6 +42,8 @@ class Film {
     virtual std::uint32_t width() const = 0;   ///< of the rendered window, pixels
     virtual std::uint32_t height() const = 0;  ///< of the rendered window, pixels
     virtual std::uint32_t light_groups() const = 0;
+    /// Layers that it takes beside what an integrator adds of its own accord; never change.
+    virtual LayersWanted layers_wanted() const { return {}; }
 
     /// Adds one pass through the pixel filter. The sum's order depends on the samples' order alone,
     /// so that an image has the same bits for any number of threads. Samples that are not finite or
@@ -55,6 +58,15 @@ class Film {
     /// Adds one pass of the extra colour layer `name`, through the same filter and into the same
     /// kind of mean as the image; `samples` has one group.
     virtual void add_layer_pass(std::string_view name, const PassSamples& samples) = 0;
+    /// Adds the parts of the image that a pass brought, the image being their sum up to rounding;
+    /// only if the film wants layers of parts. As add_pass and add_splats, with an ImagePart where
+    /// those have a light group.
+    virtual void add_parts(const PassSamples& /*parts*/) {}
+    virtual void add_splats_of_parts(const PassSplats& /*parts*/) {}
+    /// Adds what the samples of one pass saw of surfaces, one entry a position; only if the film
+    /// wants layers of surfaces. What is not finite is refused and counted.
+    virtual void add_surfaces(std::span<const Vec2> /*positions*/,
+                              std::span<const SeenSurface> /*surfaces*/) {}
     /// Forgets all passes so far (after learning passes that must not stay in the image), those of
     /// extra colour layers too.
     virtual void clear() = 0;

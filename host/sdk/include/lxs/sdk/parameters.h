@@ -81,6 +81,8 @@ class ParameterReader {
     Vec3 vector(std::string_view name, const Vec3& fallback) const;
     /// All numbers of an array parameter; empty when not given.
     std::span<const double> numbers(std::string_view name) const;
+    /// All strings of an array parameter; empty when not given.
+    std::vector<std::string> strings(std::string_view name) const;
     /// Name of the texture that the parameter refers to, if it refers to one.
     std::optional<std::string> texture_name(std::string_view name) const;
 

@@ -30,6 +30,7 @@ struct SurfaceHit {
     const Medium* exterior = nullptr;  ///< medium before it (+ng)
     std::uint32_t primitive = 0;       ///< triangle within the light's shape (Light::pdf_direct)
     std::uint32_t material = 0;        ///< index into Scene::material_names()
+    std::uint32_t object = 0;          ///< index into Scene::object_names()
 };
 
 /// Facts about a scene that let an integrator leave out what the scene doesn't need.
@@ -73,6 +74,8 @@ class Scene {
     /// Names of the light groups, by index; at least one ("default").
     virtual std::span<const std::string> light_groups() const = 0;
     virtual std::span<const std::string> material_names() const = 0;
+    /// Of what masks tell apart; none: there are no such masks.
+    virtual std::span<const std::string> object_names() const { return {}; }
     /// Box around all surfaces, lights at infinity left out; empty for an empty scene.
     virtual Bounds bounds() const = 0;
     virtual SceneFacts facts() const = 0;

@@ -17,18 +17,21 @@ struct Landing {
     Vec3 normal;             ///< unit geometric normal of the surface, of either side
     std::uint32_t path = 0;  ///< number of the photon path in its pass
     /// Surfaces met so far, this one included: 1 from the light; kDeepestLanding stands for more.
-    std::uint16_t depth : 14 = 0;
+    std::uint16_t depth : 12 = 0;
     /// Light that eye paths may carry as well: the first surface that turned it away scattered it
     /// diffusely or glossily.
     std::uint16_t shareable : 1 = 0;
     /// Light that shadow rays bring to the image: a guide may learn from it, nothing gathers it.
     std::uint16_t owned_by_shadow_rays : 1 = 0;
+    /// ImagePart of what it brings to a surface that the eye sees straight or by way of smooth
+    /// ones.
+    std::uint16_t part : 2 = 0;
     std::uint16_t light_group = 0;  ///< group of the light that emitted the path
     std::uint32_t light = 0;        ///< number of that light, for accounts alone
 };
 /// A million of them wait for a gather.
 static_assert(sizeof(Landing) == 72);
 
-inline constexpr std::uint32_t kDeepestLanding = (1u << 14) - 1;
+inline constexpr std::uint32_t kDeepestLanding = (1u << 12) - 1;
 
 }  // namespace aips

@@ -19,13 +19,15 @@ struct GridPhoton {
     Vec3 normal;     ///< unit geometric normal of the surface, of the side the photon came from
     std::uint16_t light_group = 0;
     bool shareable = false;   ///< Landing::shareable
+    std::uint8_t part = 0;    ///< Landing::part
     std::uint32_t index = 0;  ///< number of the landing among those that were sorted
 };
 
 /// The landing with number `index`, with its normal turned to the photon's side.
 inline GridPhoton grid_photon(const Landing& l, std::uint32_t index) {
     const Vec3 normal = dot(l.direction, l.normal) > 0 ? l.normal : -l.normal;
-    return {l.position, l.direction, l.power, normal, l.light_group, bool(l.shareable), index};
+    return {l.position,        l.direction,          l.power, normal, l.light_group,
+            bool(l.shareable), std::uint8_t(l.part), index};
 }
 
 /// Landings as a CellSort has them. Buffers are reused; queries are const and may run on many

@@ -178,7 +178,8 @@ inline constexpr std::uint32_t kShareLeaves = kLightLeaves;
 /// Supported by: no measurement.
 inline constexpr double kSharePrior = 64;
 
-/// What the halves of a leaf keep of what it knew at most. Unit: visible points.
+/// What the halves of a leaf keep of what it knew at most: of its points, and, apart from that, of
+/// those from which eye paths went on. Unit: visible points.
 /// Balances: a guess for the half against what it meets itself.
 /// Chosen by: reasoning: as many as a leaf has met before it is split.
 /// Supported by: no measurement.

@@ -38,8 +38,8 @@ struct ShareSample {
     bool continued = false;   ///< whether an eye path went on: the rest is known only then
     double eye = 0;           ///< Y
     double rays = 0;          ///< traced for it
-    /// By how much less the square of direct light is where its first ray shares it with shadow
-    /// rays, whose expectation is the same: of either sign.
+    /// By how much less the variance of direct light is where its first ray shares it with shadow
+    /// rays: an estimate, of either sign.
     double direct_saved = 0;
 };
 
@@ -57,6 +57,8 @@ struct ShareMoments {
 
     void add(const ShareMoments& other);
     void scale(double factor);
+    void scale_points(double factor);     ///< what all points tell
+    void scale_continued(double factor);  ///< what those tell from which eye paths went on
     void state(StateArchive& archive);
 };
 

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstdint>
-#include <span>
 #include <vector>
 
 #include "lxs/imaging/error_estimate.h"
@@ -10,12 +9,11 @@
 
 namespace lxs {
 
-/// An image, and what is known of its error; all spans have width * height entries, row by row.
+/// An image, and what is known of its error: width * height entries, row by row.
 struct UncertainImage {
     std::uint32_t width = 0, height = 0;
-    std::vector<Rgb> value = {};       ///< the mean over passes, not below zero
-    std::vector<Rgb> variance = {};    ///< of the mean; 0 where it was cut at zero
-    std::span<const float> bias = {};  ///< of luminance, may be empty
+    std::vector<Rgb> value = {};     ///< the mean over passes, not below zero
+    std::vector<Rgb> variance = {};  ///< of the mean; 0 where it was cut at zero
     /// About as many independent squares as each variance rests on.
     double degrees_of_freedom = 1;
 };

@@ -1,0 +1,86 @@
+// Protects lxsmerge as a user meets it: real renders, exit codes and messages.
+#include "lxs/merge/merge_command.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "lxs/imaging/exr_image.h"
+#include "lxsrender_process.h"
+
+namespace lxs::merge_command_test {
+namespace {
+
+using testing::HasSubstr;
+
+class LxsMerge : public testing::Test {
+  protected:
+    void render(const std::string& name, const std::string& seed, const std::string& passes) {
+        const test::RunResult result = test::run_lxsrender(
+            folder_, {"-", "--seed", seed, "--passes", passes, "-o", name}, test::small_scene());
+        ASSERT_EQ(result.exit_code, 0) << result.err;
+    }
+
+    std::string path(const std::string& name) const { return (folder_.path() / name).string(); }
+
+    /// Standard error is told in `said_`.
+    ExitCode merge(std::vector<std::string> arguments) {
+        arguments.insert(arguments.begin(), "lxsmerge");
+        std::vector<const char*> argv;
+        for (const std::string& argument : arguments)
+            argv.push_back(argument.c_str());
+        testing::internal::CaptureStderr();
+        const ExitCode code = run_lxsmerge(int(argv.size()), argv.data());
+        said_ = testing::internal::GetCapturedStderr();
+        return code;
+    }
+
+    test::TemporaryFolder folder_;
+    std::string said_;
+};
+
+TEST_F(LxsMerge, JoinsRendersOfOneScene) {
+    render("a.exr", "1", "4");
+    render("b.exr", "2", "12");
+    ASSERT_EQ(merge({path("a.exr"), path("b.exr"), "-o", path("c.exr"), "--stats", path("c.json")}),
+              ExitCode::Success)
+        << said_;
+    EXPECT_THAT(said_, HasSubstr("2 images of 16 samples per pixel together, estimated error"));
+    const ExrImage a = read_exr(path("a.exr")), b = read_exr(path("b.exr")),
+                   c = read_exr(path("c.exr"));
+    const std::vector<float>& merged = c.channels.at("G");
+    for (std::size_t i = 0; i < merged.size(); ++i) {
+        EXPECT_NEAR(merged[i], (a.channels.at("G")[i] + 3 * b.channels.at("G")[i]) / 4,
+                    1e-6f * (1 + merged[i]));
+    }
+    const auto json = nlohmann::json::parse(std::ifstream(path("c.json")));
+    EXPECT_EQ(json["seeds"], (std::vector<int>{1, 2}));
+    EXPECT_EQ(json["counts"]["passes"], 16);
+    EXPECT_TRUE(json["estimated error"].contains("relmse"));
+}
+
+TEST_F(LxsMerge, RefusesTheSamePathsTwice) {
+    render("a.exr", "1", "4");
+    render("b.exr", "1", "12");
+    EXPECT_EQ(merge({path("a.exr"), path("b.exr"), "-o", path("c.exr")}), ExitCode::BadInput);
+    EXPECT_THAT(said_, HasSubstr("both hold seed 1"));
+    EXPECT_FALSE(std::ifstream(path("c.exr")));
+}
+
+TEST_F(LxsMerge, SaysWhatIsWrong) {
+    render("a.exr", "1", "2");
+    EXPECT_EQ(merge({path("a.exr"), path("none.exr"), "-o", path("c.exr")}), ExitCode::BadInput);
+    EXPECT_THAT(said_, HasSubstr("No such file or directory"));
+    EXPECT_EQ(merge({path("a.exr"), "-o", path("c.exr")}), ExitCode::Usage);
+    EXPECT_EQ(merge({path("a.exr"), path("a.exr"), "-o", path("c.png")}), ExitCode::Usage);
+    EXPECT_EQ(merge({path("a.exr"), path("a.exr"), "-o", "c.exr", "--stat", "c.json"}),
+              ExitCode::Usage);
+    EXPECT_THAT(said_, HasSubstr("did you mean --stats?"));
+    EXPECT_EQ(merge({path("a.exr"), path("a.exr"), "-o", path("no/c.exr")}),
+              ExitCode::OutputFailure);
+}
+
+}  // namespace
+}  // namespace lxs::merge_command_test

@@ -80,7 +80,7 @@ TEST(StressSums, PhotonsAlongABeam) {
     scene.fill({{0.1f, 0.1f, 0.1f}, {0.5f, 0.5f, 0.5f}, 0});
     scene.finish();
     EyeImage image = mock::image_of_pixels(1, 1, {});
-    image.beams = {{{0, 0, 0}, kUp, 1, nullptr, kWhite, 0}};
+    image.beams = {{{0, 0, 0}, kUp, 1, nullptr, kWhite, 0, {}}};
     image.beam_footprint_sum = 0.05;
     const auto radiance_of = [&](std::size_t photons) {
         VolumeGather gather(scene, {});

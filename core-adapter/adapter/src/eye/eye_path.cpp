@@ -78,8 +78,8 @@ class EyePath {
         }
     }
 
-    /// Light that the medium scatters into the ray on the way to the next surface: from lights by a
-    /// shadow ray, all other by photons.
+    /// Light that the medium scatters into the ray: of lights by a shadow ray, all other by
+    /// photons.
     void cross_medium(float length) {
         if (!media_ || !media_->scatters(tip_.ray.medium) || !(length > 0)) return;
         const VolumeBeam beam{.origin = tip_.ray.origin,
@@ -112,8 +112,8 @@ class EyePath {
     void add(const Rgb& value, LightIndex light) {
         if (lamps_only_ && !behind_smooth_) return;
         const LightTarget sums = (behind_smooth_ ? lamps_ : radiance_).of(tip_.seen_by.met());
-        if (sums.add(in_.scene.lights()[light]->group(), value, refusals_.of_light(light),
-                     refusals_))
+        const std::uint32_t group = in_.scene.lights()[light]->group();
+        if (sums.add(group, value, refusals_.of_light(light), refusals_))
             tell(behind_smooth_ ? lamp_light_ : output_.light, light, luminance(value));
     }
 

@@ -66,7 +66,6 @@ struct Render {
                                      log,
                                      {1, session.seed}});
         // Checksums of the program's own files would take most of the time.
-        session.fingerprint.emplace();
         command.checkpoint = fuzz::folder() / "check";
         command.checkpoint_interval = 0;
         command.resume = true;

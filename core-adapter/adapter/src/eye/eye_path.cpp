@@ -88,11 +88,10 @@ class EyePath {
                               .medium = tip_.ray.medium,
                               .throughput = tip_.throughput,
                               .scatterings = tip_.seen_by};
-        if (in_.settings.direct_light_sampling) {
+        if (in_.settings.direct_light_sampling)
             result_.rays += estimate_scattered_light(
                 in_.scene, in_.direct_light, beam, tip_.ray.time, random_, refusals_,
                 {radiance_.of(tip_.seen_by.scattered_in()), output_.light});
-        }
         if (in_.keep_visible_points) keep(beam);
     }
 
@@ -114,7 +113,7 @@ class EyePath {
         const LightTarget sums = (behind_smooth_ ? lamps_ : radiance_).of(tip_.seen_by.met());
         const std::uint32_t group = in_.scene.lights()[light]->group();
         if (sums.add(group, value, refusals_.of_light(light), refusals_))
-            tell(behind_smooth_ ? output_.lamp_light : output_.light, light, luminance(value));
+            tell(behind_smooth_ ? lamp_light_ : output_.light, light, luminance(value));
     }
 
     void add_emitted(const SurfacePoint& point) {
@@ -149,7 +148,7 @@ class EyePath {
         lamp_share_ = 1;
         branches_ = kMostBranches;
         lamps_ = radiance_;
-        output_.lamp_light = output_.light;
+        lamp_light_ = output_.light;
         const LobeMask receiving = lobes & receiving_lobes(in_.settings);
         const LobeMask bouncing = lobes & ~receiving;
         const float store_pdf = store_probability(*point.bsdf, wo, receiving, last ? 0 : bouncing);
@@ -268,6 +267,7 @@ class EyePath {
     Arena& arena_;
     const EyePathOutput& output_;
     LightSums radiance_, lamps_;
+    LuminanceByLight* lamp_light_ = output_.lamp_light;  // null: not asked for
     SurfaceView seen_;
     const Media* media_ = in_.scene.media();  // null if no medium scatters
 

@@ -62,6 +62,7 @@ nlohmann::json lasting_statistics(const std::string& text) {
     nlohmann::json json = nlohmann::json::parse(text);
     for (const char* name : {"seconds", "render CPU seconds", "peak memory bytes", "counts"})
         json.erase(name);
+    json["account"].erase("seconds");
     for (auto& [name, value] : json["aips"].items()) {
         if (name.ends_with("_seconds")) value = 0;
     }

@@ -29,7 +29,7 @@ void log_skipped(const Needs& needs, Log& log) {
         log.info("skipped " + skipped);
 }
 
-void SkipLog::say(std::string text) {
+void SkipLog::say(const std::string& text) {
     log_->info(text);
     constexpr std::string_view kSkipped = "skipped ";
     constexpr std::size_t kMostSaid = 64;  // parts may go off and on for as long as a render lasts

@@ -41,7 +41,7 @@ class SkipLog {
   private:
     void say_switch(bool off, bool& was_off, const std::string& part, double gain);
 
-    void say(std::string text);
+    void say(const std::string& text);
 
     Log* log_;
     std::vector<std::string> said_;

@@ -40,7 +40,8 @@ PassLoop::PassLoop(const Host& host, const Settings& settings, std::uint32_t eye
     // Parts of eye paths, and of as many splats, of which there may be more while vectors grow.
     const LayersWanted& layers = eye_->input().layers;
     if (layers.surfaces) statistics_.memory_bound_bytes += eye_paths * sizeof(SeenSurface);
-    if (layers.parts) statistics_.memory_bound_bytes += eye_paths * 3 * kImageParts * sizeof(Rgb);
+    if (layers.parts)
+        statistics_.memory_bound_bytes += std::size_t{3} * eye_paths * kImageParts * sizeof(Rgb);
     for (const auto& strategy : strategies_)
         statistics_.memory_bound_bytes += strategy->memory_bound_bytes();
     refuse_powers();

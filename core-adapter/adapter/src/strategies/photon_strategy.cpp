@@ -202,7 +202,7 @@ std::size_t PhotonStrategy::memory_bytes() const {
 std::size_t PhotonStrategy::memory_bound_bytes() const {
     // Of paths, of visible points, and of beams, kept and estimated.
     const std::size_t parts =
-        flux_.wants_parts ? eye_paths_ * (kImageParts + 3 * kPhotonParts) * sizeof(Rgb) : 0;
+        flux_.wants_parts ? sizeof(Rgb) * eye_paths_ * (kImageParts + 3 * kPhotonParts) : 0;
     const std::size_t photons =
         parts + photon_memory_bound(scene_, plan_.needs, eye_paths_, pixels());
     if (!layers_) return photons;

@@ -23,7 +23,8 @@ double share_within(const FileFilm& film, int least, int most) {
                               bytes.begin() + static_cast<std::ptrdiff_t>(i) + 3,
                               [&](int byte) { return byte >= least && byte <= most; });
     }
-    return bytes.empty() ? 0 : static_cast<double>(within) / static_cast<double>(bytes.size() / 3);
+    const std::size_t pixels = bytes.size() / 3;
+    return pixels == 0 ? 0 : static_cast<double>(within) / static_cast<double>(pixels);
 }
 
 }  // namespace

@@ -18,6 +18,7 @@
 #include "lxs/host/failure.h"
 #include "lxs/host/output_files.h"
 #include "lxs/imaging/atomic_file.h"
+#include "lxs/imaging/image_header.h"
 #include "lxs/merge/merger.h"
 #include "lxs/sdk/plugin.h"
 
@@ -58,12 +59,13 @@ std::optional<ExitCode> parse(int argc, const char* const* argv, MergeLine& line
     return std::nullopt;
 }
 
-std::string statistics_of(const MergeLine& line, const Merger& merger) {
+std::string statistics_of(const MergeLine& line, const Merger& merger,
+                          const std::optional<ErrorEstimate>& error) {
     nlohmann::ordered_json json;
     json["version"] = version();
     json["merged"] = line.inputs;
     json["seeds"] = merger.seeds();
-    if (const auto error = merger.error()) json["estimated error"] = error_json(*error);
+    if (error) json["estimated error"] = error_json(*error);
     json["counts"] = {{"passes", merger.passes()},
                       {"samples per pixel", merger.samples_per_pixel()}};
     return json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + '\n';
@@ -96,16 +98,18 @@ void merge_files(const MergeLine& line, ConsoleLog& log) {
         if (!path.empty()) check_writable(path);
     }
     const Merger merger = merge(line.inputs);
-    write(line.output, encode_exr(merger.merged()));
+    const std::optional<ErrorEstimate> error = merger.error();
+    ExrImage image = merger.merged();
+    if (error) describe(*error, image.metadata);
+    write(line.output, encode_exr(image));
     if (!line.statistics.empty()) {
-        const std::string text = statistics_of(line, merger);
+        const std::string text = statistics_of(line, merger, error);
         write(line.statistics, std::as_bytes(std::span(text)));
     }
     std::string said =
         fmt::format("wrote {}: {} of {} samples per pixel together", line.output,
                     counted(merger.images(), "image", "images"), merger.samples_per_pixel());
-    if (const auto error = merger.error())
-        said += fmt::format(", estimated error {:.2g} %", 100 * error->relative());
+    if (error) said += fmt::format(", estimated error {:.2g} %", 100 * error->relative());
     log.info(said);
 }
 

@@ -41,8 +41,7 @@ float joined(Rule rule, double sum, double weight) {
     return static_cast<float>((rule == Rule::Error ? std::sqrt(sum) : sum) / weight);
 }
 
-template <class Number>
-Number number_of(const ExrImage& image, const char* key, const std::string& name) {
+const std::string& text_of(const ExrImage& image, const char* key, const std::string& name) {
     const auto found = image.metadata.find(key);
     if (found == image.metadata.end()) {
         throw MergeRefusal(
@@ -50,7 +49,12 @@ Number number_of(const ExrImage& image, const char* key, const std::string& name
                         "written can be merged",
                         name, key));
     }
-    const std::string& text = found->second;
+    return found->second;
+}
+
+template <class Number>
+Number number_of(const ExrImage& image, const char* key, const std::string& name) {
+    const std::string& text = text_of(image, key, name);
     Number value{};
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
     const bool whole = error == std::errc() && end == text.data() + text.size();
@@ -134,14 +138,8 @@ void Merger::check_seeds(const Told& told, const std::string& name) const {
 
 void Merger::check(const ExrImage& image, const Told& told, const std::string& name) const {
     for (const auto& [key, what] : kAlike) {
-        const auto said = image.metadata.find(key);
-        if (said == image.metadata.end()) {
-            throw MergeRefusal(
-                fmt::format("'{}' does not say its {}; only images that lxsrender "
-                            "has written can be merged",
-                            name, key));
-        }
-        if (images_ > 0 && said->second != common_.at(key)) {
+        const std::string& said = text_of(image, key, name);
+        if (images_ > 0 && said != common_.at(key)) {
             throw MergeRefusal(fmt::format("'{}' and '{}' are not renders of the same: {} differs",
                                            first_, name, what));
         }
@@ -155,11 +153,12 @@ void Merger::check(const ExrImage& image, const Told& told, const std::string& n
 
 void Merger::add_channel(const std::string& channel, const std::vector<float>& values,
                          double weight) {
+    const Rule rule = rule_of(channel);
     std::vector<double>& sums = sums_[channel];
-    if (sums.empty()) sums.assign(values.size(), rule_of(channel) == Rule::Least ? kFarthest : 0);
+    if (sums.empty()) sums.assign(values.size(), rule == Rule::Least ? kFarthest : 0);
     for (std::size_t i = 0; i < values.size(); ++i) {
         const double value{values[i]};
-        switch (rule_of(channel)) {
+        switch (rule) {
             case Rule::Mean:
                 sums[i] += weight * value;
                 break;
@@ -208,17 +207,17 @@ std::vector<std::uint64_t> Merger::seeds() const {
 ExrImage Merger::merged() const {
     ExrImage image{frame_, {}, common_};
     for (const auto& [channel, sums] : sums_) {
+        const Rule rule = rule_of(channel);
         std::vector<float>& values = image.channels[channel];
         values.reserve(sums.size());
         for (const double sum : sums)
-            values.push_back(joined(rule_of(channel), sum, weight_));
+            values.push_back(joined(rule, sum, weight_));
     }
     for (const auto& [name, matte] : mattes_)
         matte.write(image, name, weight_);
     image.metadata[header::kPasses] = fmt::to_string(passes_);
     image.metadata[header::kSamples] = fmt::to_string(weight_);
     image.metadata[header::kSeed] = fmt::format("{}", fmt::join(seeds(), " "));
-    if (const auto estimate = error()) describe(*estimate, image.metadata);
     return image;
 }
 

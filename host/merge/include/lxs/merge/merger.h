@@ -31,7 +31,7 @@ class Merger {
     /// `name` stands for the image in messages. Throws MergeRefusal, and then holds what it held.
     void add(const ExrImage& image, const std::string& name);
 
-    /// After at least one add().
+    /// After at least one add(). Its header does not tell the error, which takes time of its own.
     ExrImage merged() const;
     /// Of merged(), if all its images know theirs.
     std::optional<ErrorEstimate> error() const;

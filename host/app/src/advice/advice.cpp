@@ -35,7 +35,8 @@ std::vector<Advice> advise(const RenderSession& session, const RenderAccount& ac
     std::vector<Advice> advice;
     try {
         SceneProbe probe(session);
-        const AdviceFacts facts{session, account, image, probe};
+        const std::vector<std::uint8_t> picture = session.film->tone_mapped();
+        const AdviceFacts facts{session, account, image, picture, probe};
         for (const Rule& rule : kRules) {
             if (auto text = rule.look(facts)) advice.push_back({rule.name, std::move(*text)});
         }

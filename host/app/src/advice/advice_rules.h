@@ -3,7 +3,9 @@
 // docs/reference/explain.md.
 #pragma once
 
+#include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 
 #include "advice/scene_probe.h"
@@ -16,6 +18,7 @@ struct AdviceFacts {
     const RenderSession& session;
     const RenderAccount& account;
     const ImageVerdict& image;
+    std::span<const std::uint8_t> picture;  ///< FileFilm::tone_mapped()
     SceneProbe& probe;
 };
 

@@ -15,8 +15,7 @@ constexpr double kBlackShare = 0.98;  ///< likewise
 constexpr int kDarkest = 2;           ///< of 255: no screen shows it apart from black
 
 /// Share of the picture's pixels of which every channel is within [least, most].
-double share_within(const FileFilm& film, int least, int most) {
-    const auto bytes = film.tone_mapped();
+double share_within(std::span<const std::uint8_t> bytes, int least, int most) {
     std::size_t within = 0;
     for (std::size_t i = 0; i + 2 < bytes.size(); i += 3) {
         within += std::all_of(bytes.begin() + static_cast<std::ptrdiff_t>(i),
@@ -32,7 +31,7 @@ double share_within(const FileFilm& film, int least, int most) {
 AdviceText image_is_burnt_out(const AdviceFacts& facts) {
     const FileFilm& film = *facts.session.film;
     if (facts.image.appearance != ImageVerdict::Appearance::Varied) return {};
-    const double white = share_within(film, 255, 255);
+    const double white = share_within(facts.picture, 255, 255);
     if (white < kBurntShare) return {};
     return fmt::format(
         "{:.0f} % of the picture is plain white. The EXR has all of it; for the picture lower "
@@ -41,9 +40,8 @@ AdviceText image_is_burnt_out(const AdviceFacts& facts) {
 }
 
 AdviceText image_is_nearly_black(const AdviceFacts& facts) {
-    const FileFilm& film = *facts.session.film;
     if (facts.image.appearance != ImageVerdict::Appearance::Varied) return {};
-    const double black = share_within(film, 0, kDarkest);
+    const double black = share_within(facts.picture, 0, kDarkest);
     if (black < kBlackShare) return {};
     return fmt::format(
         "{:.0f} % of the picture is black to the eye. Where the EXR has light, raise --exposure; "

@@ -5,13 +5,18 @@
 #include <fmt/ranges.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
+#include <charconv>
 #include <stdexcept>
+#include <string_view>
 
 #include "lxs/host/command_line_mistake.h"
 #include "lxs/host/display_server.h"
 #include "lxs/host/option_checks.h"
 #include "lxs/host/output_files.h"
 #include "lxs/imaging/layer_names.h"
+#include "lxs/sdk/diagnostics.h"
+#include "lxs/serve/page.h"
 
 namespace lxs {
 namespace {
@@ -45,6 +50,33 @@ std::string check_layers(const std::string& text) {
         text, [](const std::string& names) { return layers_named(split_layer_names(names)); });
 }
 
+std::string check_page(const std::string& text) {
+    std::uint16_t port = 0;
+    const char* const end = text.data() + text.size();
+    const auto [rest, error] = std::from_chars(text.data(), end, port);
+    if (error != std::errc() || rest != end)
+        return "expected a port from 0 to 65535, found " + in_quotes(text);
+    if (!serve::page_text().empty()) return "";
+    return "this lxsrender has no page: build it where npm is installed, with -DAIPS_SERVE=ON";
+}
+
+bool is_number(std::string_view text) {
+    return !text.empty() &&
+           std::all_of(text.begin(), text.end(), [](char c) { return c >= '0' && c <= '9'; });
+}
+
+/// The arguments, last first, as CLI11 takes them. What follows --serve is its port only if it is a
+/// number: else the scene.
+std::vector<std::string> arguments_from(int argc, const char* const* argv) {
+    std::vector<std::string> arguments(argv + std::min(argc, 1), argv + argc);
+    for (std::size_t i = 0; i < arguments.size(); ++i) {
+        const bool has_port = i + 1 < arguments.size() && is_number(arguments[i + 1]);
+        if (arguments[i] == "--serve" && !has_port) arguments[i] = "--serve=0";
+    }
+    std::reverse(arguments.begin(), arguments.end());
+    return arguments;
+}
+
 void add_output_options(CLI::App& app, CommandLine& command) {
     app.add_option("-o,--output", command.output,
                    "image to write: of FILE.exr the EXR and a PNG beside it, of FILE.png the PNG "
@@ -73,6 +105,11 @@ void add_output_options(CLI::App& app, CommandLine& command) {
                    "port is 14158 unless given")
         ->type_name("HOST[:PORT]")
         ->check(CLI::Validator(check_viewer, ""));
+    app.add_option("--serve", command.serve,
+                   "serve a page for browsers of this machine that shows the image as it converges "
+                   "and lets the render pause or end; PORT: any that is free, unless given")
+        ->type_name("[PORT]")
+        ->check(CLI::Validator(check_page, ""));
     app.add_option("--stats", command.statistics, "JSON file to write with settings, times, counts")
         ->type_name("FILE.json");
     auto* explain = app.add_flag("--explain", command.explain,
@@ -187,7 +224,7 @@ std::optional<ExitCode> parse_command_line(int argc, const char* const* argv,
     auto* quiet_flag = app.add_flag("--quiet", quiet, "print warnings and errors only");
     app.add_flag("--verbose", verbose, "print more")->excludes(quiet_flag);
     try {
-        app.parse(argc, argv);
+        app.parse(arguments_from(argc, argv));
         if (command.scene.empty() && !command.list_plugins && !command.describe &&
             !command.scene_language) {
             throw CLI::RequiredError("SCENE.lxs");

@@ -48,9 +48,13 @@ bool ErrorWatch::stale(const RenderTotals& totals) const {
     return !latest_ || latest_->passes != totals.passes;
 }
 
-std::string ErrorWatch::text(const RenderTotals& totals) {
+std::optional<ErrorEstimate> ErrorWatch::recent(const RenderTotals& totals) {
     if (stale(totals) && totals.seconds >= next_seconds_) estimate(totals);
-    if (!latest_) return {};
+    return latest_;
+}
+
+std::string ErrorWatch::text(const RenderTotals& totals) {
+    if (!recent(totals)) return {};
     std::string text = fmt::format("error {:.3g} %", 100 * latest_->relative());
     if (target_)
         text +=

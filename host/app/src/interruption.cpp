@@ -1,4 +1,4 @@
-// Ctrl-C, SIGTERM and SIGHUP during a render.
+// Ctrl-C, SIGTERM and SIGHUP during a render, and other requests to end it.
 #include "lxs/host/interruption.h"
 
 #include <unistd.h>
@@ -68,7 +68,16 @@ Interruption::~Interruption() {
 }
 
 bool Interruption::requested() const {
-    return signal_seen;
+    return signal_seen || !asked_by_.empty();
+}
+
+void Interruption::request(std::string_view who) {
+    asked_by_ = who;
+}
+
+std::string Interruption::reason() const {
+    if (signal_seen) return "stopped by Ctrl-C or a signal";
+    return asked_by_.empty() ? std::string() : "stopped by " + std::string(asked_by_);
 }
 
 }  // namespace lxs

@@ -56,9 +56,10 @@ std::string speed_text(const RenderTotals& totals, std::uint64_t resident_bytes)
                               resident_bytes / 1'000'000);
 }
 
-std::string ending_text(const RenderTotals& totals, const Budget& budget, bool interrupted) {
-    std::string why = interrupted ? "stopped by Ctrl-C or a signal"
-                                  : budget.why_over(totals.passes, totals.seconds);
+std::string ending_text(const RenderTotals& totals, const Budget& budget,
+                        const std::string& interruption) {
+    std::string why =
+        interruption.empty() ? budget.why_over(totals.passes, totals.seconds) : interruption;
     // The loop ends for nothing else.
     if (why.empty() && budget.error)
         why = fmt::format("the error of {:.3g} % that {} asks for is reached", 100 * *budget.error,
@@ -85,10 +86,10 @@ void Progress::show(const RenderTotals& totals) {
     }
 }
 
-void Progress::finish(const RenderTotals& totals, bool interrupted) {
+void Progress::finish(const RenderTotals& totals, const std::string& interruption) {
     log_.clear_live();
     if (totals.passes == 0) return;
-    std::string text = ending_text(totals, budget_, interrupted);
+    std::string text = ending_text(totals, budget_, interruption);
     if (const std::string error = error_.ending_text(totals); !error.empty()) text += "; " + error;
     log_.info(text);
     log_.debug(speed_text(totals, resident_bytes()));

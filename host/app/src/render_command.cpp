@@ -15,6 +15,7 @@
 #include "lxs/host/counted.h"
 #include "lxs/host/failure.h"
 #include "lxs/host/final_outputs.h"
+#include "lxs/host/live_view.h"
 #include "lxs/host/render_loop.h"
 #include "lxs/host/render_session.h"
 #include "lxs/host/scene_language_page.h"
@@ -121,7 +122,8 @@ ExitCode render(const CommandLine& command, const PluginLibrary& plugins, Consol
     auto found = find_checkpoint(command, session, log);
 
     const auto start = std::chrono::steady_clock::now();
-    const Interruption interruption;
+    Interruption interruption;
+    LiveView live(command, session, budget, log);
     prepare_integrator(session, command, log);
     const RenderTotals begun =
         found ? restore(std::move(*found), command, session, log) : RenderTotals{};
@@ -129,14 +131,21 @@ ExitCode render(const CommandLine& command, const PluginLibrary& plugins, Consol
     Snapshots snapshots(command, session, budget, log);
     ErrorWatch error(*session.film, budget.error);
     Progress progress(log, budget, error, command.verbosity == Verbosity::Verbose);
-    RenderLoop loop{
-        .integrator = *session.integrator,
-        .budget = budget,
-        .interruption = interruption,
-        .progress = progress,
-        .error = error,
-        .end_pass = [&](const RenderTotals& done) { checkpoints.pass_done(done); },
-        .between_passes = [&](const RenderTotals& done) { snapshots.between_passes(done); }};
+    RenderLoop loop{.integrator = *session.integrator,
+                    .budget = budget,
+                    .interruption = interruption,
+                    .progress = progress,
+                    .error = error,
+                    .end_pass =
+                        [&](const RenderTotals& done) {
+                            checkpoints.pass_done(done);
+                            live.pass_done(done, error, interruption);
+                        },
+                    .between_passes =
+                        [&](const RenderTotals& done) {
+                            snapshots.between_passes(done);
+                            live.wait_while_paused(done, error, interruption);
+                        }};
     if (session.spectral) {
         loop.begin_pass = [&](std::uint64_t pass) { begin_spectral_pass(session, pass); };
     }
@@ -149,9 +158,12 @@ ExitCode render(const CommandLine& command, const PluginLibrary& plugins, Consol
     }
     checkpoints.finish(totals);
     snapshots.finish(totals);
-    session.times["render"] =
-        begun.seconds + seconds_since(start) - session.times["write"] - session.times["checkpoint"];
-    return finish(command, session, totals, interruption.requested(), log);
+    live.passes_over(totals, error);
+    session.times["render"] = begun.seconds + seconds_since(start) - live.paused_seconds() -
+                              session.times["write"] - session.times["checkpoint"];
+    const ExitCode code = finish(command, session, totals, interruption.requested(), log);
+    live.ended(totals, code == ExitCode::Success || code == ExitCode::Interrupted);
+    return code;
 }
 
 ExitCode describe(const CommandLine& command, const PluginLibrary& plugins, ConsoleLog& log) {

@@ -30,12 +30,13 @@ void RenderLoop::run(RenderTotals& totals) {
     while (!interruption.requested() && !error.reached() &&
            (totals.passes == 0 || !budget.used_up(totals.passes, totals.seconds))) {
         if (between && between_passes) between_passes(totals);
+        if (interruption.requested()) break;  // while the render was paused
         between = true;
         render_pass(totals);
         progress.show(totals);
         if (end_pass) end_pass(totals);
     }
-    progress.finish(totals, interruption.requested());
+    progress.finish(totals, interruption.reason());
 }
 
 }  // namespace lxs

@@ -108,6 +108,10 @@ bool FlexImage::names_layer(std::string_view name) const {
            color_layers_.contains(name) || layers_.contains(name) || is_asked(name);
 }
 
+bool FlexImage::has_error_layer() const {
+    return error_ && error_->known() && !names_layer(kErrorLayer);
+}
+
 void FlexImage::clear() {
     accumulator_.clear();
     if (error_) error_->clear();
@@ -187,9 +191,8 @@ void FlexImage::write_exr(const std::string& path, const ImageMetadata& metadata
                               resolved.resolve_total(values);
                           })});
     }
-    constexpr std::string_view kError = "error";
-    if (error_ && error_->known() && !names_layer(kError)) {
-        colors.push_back({std::string(kError), film_colors([this](std::span<Rgb> values) {
+    if (has_error_layer()) {
+        colors.push_back({std::string(kErrorLayer), film_colors([this](std::span<Rgb> values) {
                               error_->standard_errors(accumulator_, values);
                           })});
     }

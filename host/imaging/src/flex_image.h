@@ -73,6 +73,8 @@ class FlexImage final : public FileFilm {
     }
     void set_exposure(double stops) override { settings_.tone_map.exposure_stops = stops; }
     std::vector<Rgb> image() const override;
+    std::vector<std::string> held_layers() const override;
+    HeldLayer held_layer(std::string_view name) const override;
     std::vector<std::uint8_t> tone_mapped() const override {
         return tone_map(image(), settings_.tone_map);
     }
@@ -81,9 +83,13 @@ class FlexImage final : public FileFilm {
     void write_png(const std::string& path) const override;
 
   private:
+    /// Of each pixel's mean over passes, in the file and for who looks on.
+    static constexpr std::string_view kErrorLayer = "error";
+
     FilmAccumulator& color_layer(std::string_view name);
     bool names_layer(std::string_view name) const;
     bool is_asked(std::string_view name) const;
+    bool has_error_layer() const;
     void color_layers_state(StateArchive& archive);
     void float_layers_state(StateArchive& archive);
     /// The sums of an accumulator as the film's colours.

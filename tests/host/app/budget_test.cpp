@@ -49,11 +49,11 @@ TEST(Progress, LineHoldsPassesAndTimeGoneAndLeft) {
 TEST(Progress, EndSaysWhyThereAreNoMorePasses) {
     const RenderTotals totals{.passes = 1, .seconds = 2};
     const Budget budget{.passes = 1, .seconds = {}};
-    EXPECT_EQ(ending_text(totals, budget, false),
+    EXPECT_EQ(ending_text(totals, budget, ""),
               "rendered 1 pass in 0:02: as many as --passes asks for");
-    EXPECT_EQ(ending_text(totals, {.passes = {}, .seconds = 2}, false),
+    EXPECT_EQ(ending_text(totals, {.passes = {}, .seconds = 2}, ""),
               "rendered 1 pass in 0:02: the 2 s that --time gives are over");
-    EXPECT_EQ(ending_text(totals, budget, true),
+    EXPECT_EQ(ending_text(totals, budget, "stopped by Ctrl-C or a signal"),
               "rendered 1 pass in 0:02: stopped by Ctrl-C or a signal");
 }
 
@@ -89,7 +89,7 @@ TEST(Progress, LineAndEndHoldTheError) {
     const Budget budget{.passes = {}, .seconds = {}, .error = 0.05};
     EXPECT_EQ(budget.text(), "until the error is 5 %");
     EXPECT_EQ(
-        ending_text(totals, budget, false),
+        ending_text(totals, budget, ""),
         "rendered 3 passes in 1:15: the error of 5 % that --target-error asks for is reached");
 }
 

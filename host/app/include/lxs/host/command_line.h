@@ -32,6 +32,7 @@ struct CommandLine {
     std::vector<std::string> plugin_paths;
     std::optional<double> write_every;          ///< seconds from image to image; 0: the last alone
     std::optional<std::string> display_server;  ///< of tev, HOST or HOST:PORT
+    std::optional<std::uint16_t> serve;         ///< port of the page to watch it; 0: any
     std::optional<std::string> statistics;      ///< JSON file
     bool advice = true;                     ///< what looks wrong with the render is said at its end
     bool explain = false;                   ///< so is what became of light and photons

@@ -30,6 +30,9 @@ class ErrorWatch {
     /// "error 8.3 %, 5 % in about 3:20", as of now or not long ago; empty if there is no estimate.
     /// Takes at most a hundredth of the render's time.
     std::string text(const RenderTotals& totals);
+    /// The same as a figure; nothing if there is no estimate.
+    std::optional<ErrorEstimate> recent(const RenderTotals& totals);
+    std::optional<double> target() const { return target_; }
     /// "the estimated error is 8.3 %", as of now; empty if there is no estimate.
     std::string ending_text(const RenderTotals& totals);
 

@@ -1,5 +1,8 @@
-// Ctrl-C, SIGTERM and SIGHUP during a render.
+// Ctrl-C, SIGTERM and SIGHUP during a render, and other requests to end it.
 #pragma once
+
+#include <string>
+#include <string_view>
 
 namespace lxs {
 
@@ -13,7 +16,15 @@ class Interruption {
     Interruption(const Interruption&) = delete;
     Interruption& operator=(const Interruption&) = delete;
 
+    /// By a signal, or by request().
     bool requested() const;
+    /// Ends the render as a signal does, but this one alone. `who`: asks for it; a text that lasts.
+    void request(std::string_view who);
+    /// "stopped by Ctrl-C or a signal"; empty unless requested().
+    std::string reason() const;
+
+  private:
+    std::string_view asked_by_;  ///< empty: nobody but signals
 };
 
 }  // namespace lxs

@@ -30,8 +30,9 @@ std::string progress_text(const RenderTotals& totals, const Budget& budget,
                           const std::string& error = {});
 /// Photons and rays a second, memory.
 std::string speed_text(const RenderTotals& totals, std::uint64_t resident_bytes);
-/// One line at the end: passes, time, and why no more.
-std::string ending_text(const RenderTotals& totals, const Budget& budget, bool interrupted);
+/// One line at the end: passes, time, and why no more: `interruption`, unless that is empty.
+std::string ending_text(const RenderTotals& totals, const Budget& budget,
+                        const std::string& interruption);
 
 class Progress {
   public:
@@ -42,8 +43,8 @@ class Progress {
     void begin(const RenderTotals& totals);
     /// After a pass; silent after the last one.
     void show(const RenderTotals& totals);
-    /// Takes the live line away and logs how the render ended.
-    void finish(const RenderTotals& totals, bool interrupted);
+    /// Takes the live line away and logs how the render ended: by `interruption`, unless empty.
+    void finish(const RenderTotals& totals, const std::string& interruption);
 
   private:
     ConsoleLog& log_;

@@ -23,6 +23,12 @@
 
 namespace lxs {
 
+/// A layer beside the image: values of its channels, pixel by pixel, row by row.
+struct HeldLayer {
+    std::uint32_t channels = 1;
+    std::vector<float> values = {};
+};
+
 /// What the film keeps beyond the interface that integrators see.
 class FileFilm : public Film {
   public:
@@ -64,6 +70,12 @@ class FileFilm : public Film {
     /// The same as the PNG shows it: 8 bits of red, green and blue per pixel.
     virtual std::vector<std::uint8_t> tone_mapped() const = 0;
     virtual std::string_view tone_map_kernel() const = 0;  ///< as the Film statement names it
+    /// Names of the layers that it has so far beside the image, as the EXR names them: of light
+    /// groups, of the integrator, of its own error. Those for compositing are in the file alone.
+    virtual std::vector<std::string> held_layers() const = 0;
+    /// One of these as the EXR has it, groups before they are fitted to the image's rounding; no
+    /// values if there is none of this name.
+    virtual HeldLayer held_layer(std::string_view name) const = 0;
     /// Writes linear 32-bit float radiance; each light group (if more than one) and each extra
     /// layer as a named layer. Written beside and renamed; throws std::runtime_error with the path
     /// and the cause, leaving an older file whole.

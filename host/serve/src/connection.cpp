@@ -1,0 +1,103 @@
+// One connection of a browser: request after request, each within bounds of size and time.
+#include "connection.h"
+
+#include <boost/beast/http/read.hpp>
+#include <boost/beast/http/write.hpp>
+#include <chrono>
+
+#include "lxs/serve/page.h"
+
+namespace lxs::serve {
+namespace {
+
+namespace http = boost::beast::http;
+using http::field;
+
+/// A page asks twice a second; what is silent for longer is closed.
+constexpr std::chrono::seconds kPatience{15};
+
+http::status status_of(const boost::system::error_code& error) {
+    if (error == http::error::header_limit) return http::status::request_header_fields_too_large;
+    if (error == http::error::body_limit || error == http::error::unexpected_body)
+        return http::status::payload_too_large;
+    return http::status::bad_request;
+}
+
+/// Nothing is kept by a browser, shown inside of another page or handed to other sites.
+void set_rules(http::fields& fields) {
+    const std::string_view policy = page_policy();
+    fields.set("Content-Security-Policy", {policy.data(), policy.size()});
+    fields.set("X-Content-Type-Options", "nosniff");
+    fields.set("X-Frame-Options", "DENY");
+    fields.set("Referrer-Policy", "no-referrer");
+    fields.set("Cross-Origin-Resource-Policy", "same-origin");
+    fields.set("Cross-Origin-Opener-Policy", "same-origin");
+    fields.set(field::cache_control, "no-store");
+}
+
+}  // namespace
+
+Connection::Connection(boost::asio::ip::tcp::socket socket, Answer answer,
+                       std::function<void()> ended)
+    : stream_(std::move(socket)),
+      answer_(std::move(answer)),
+      ended_(std::move(ended)),
+      buffer_(2 * kLongestHeader) {}
+
+Connection::~Connection() {
+    ended_();
+}
+
+void Connection::read() {
+    parser_.emplace();
+    bound(*parser_);
+    stream_.expires_after(kPatience);
+    http::async_read(stream_, buffer_, *parser_,
+                     [self = shared_from_this()](const auto& error, std::size_t) {
+                         self->reply_to_request(error);
+                     });
+}
+
+/// What is no HTTP is answered; who is gone, or silent, is not.
+void Connection::unreadable(const boost::system::error_code& error) {
+    const bool gone = error == boost::beast::error::timeout ||
+                      error == http::error::end_of_stream ||
+                      error.category() == boost::asio::error::get_system_category();
+    if (gone) return close();
+    send(refusal(status_of(error)), false);
+}
+
+void Connection::reply_to_request(const boost::system::error_code& error) try {
+    if (error) return unreadable(error);
+    const Request& request = parser_->get();
+    send(answer_(request), request.keep_alive());
+} catch (const std::exception&) {
+    close();  // no memory: the render matters more
+}
+
+void Connection::send(Reply reply, bool keep_alive) {
+    reply_ = std::move(reply);
+    response_ = {};
+    response_.result(reply_.status);
+    set_rules(response_);
+    response_.keep_alive(keep_alive);
+    if (reply_.status != http::status::no_content) {
+        response_.set(field::content_type, {reply_.type.data(), reply_.type.size()});
+        response_.body() = {reply_.body->data(), reply_.body->size()};
+        response_.prepare_payload();
+    }
+    stream_.expires_after(kPatience);
+    http::async_write(stream_, response_,
+                      [self = shared_from_this(), keep_alive](const auto& error, std::size_t) {
+                          if (error || !keep_alive) return self->close();
+                          self->read();
+                      });
+}
+
+void Connection::close() {
+    boost::system::error_code ignored;
+    stream_.socket().shutdown(boost::asio::ip::tcp::socket::shutdown_send, ignored);
+    stream_.socket().close(ignored);
+}
+
+}  // namespace lxs::serve

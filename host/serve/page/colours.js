@@ -21,6 +21,23 @@ export function colours(values, low, high, logarithmic, bytes, transparent) {
   });
 }
 
+/** A colour of its own for each number from 1: hues by the golden angle, which keeps neighbours apart. */
+export function colourOf(number) {
+  const hue = (200 + 137.508 * (number - 1)) % 360;
+  const channel = (n) => {
+    const k = (n + hue / 30) % 12;
+    return Math.round(255 * (0.6 - 0.34 * Math.max(-1, Math.min(k - 3, 9 - k, 1))));
+  };
+  return [channel(0), channel(8), channel(4)];
+}
+
+/** Writes these colours into `bytes`, RGBA; 0 is left out. */
+export function numberColours(values, bytes) {
+  values.forEach((value, i) => {
+    if (value > 0) bytes.set([...colourOf(value), 255], 4 * i);
+  });
+}
+
 export function paintScale(canvas) {
   const context = canvas.getContext("2d");
   for (let x = 0; x < canvas.width; ++x) {

@@ -1,6 +1,6 @@
 // Layers of the render, in false colours over the image.
 import { $, element } from "./dom.js";
-import { colours, paintScale } from "./colours.js";
+import { colourOf, colours, numberColours, paintScale } from "./colours.js";
 import { meaningOf } from "./layers.js";
 import { number } from "./numbers.js";
 import { askPicture, ask } from "./server.js";
@@ -64,17 +64,41 @@ export class Overlay {
       return this.viewer.cover(null);
     }
     const meaning = meaningOf(this.names[layer.index]);
-    const { values, low, high, logarithmic } = meaning.values(layer, picture);
+    const shown = meaning.values(layer, picture), { values } = shown;
     this.canvas.width = layer.width;
     this.canvas.height = layer.height;
     const context = this.canvas.getContext("2d");
     const pixels = context.createImageData(layer.width, layer.height);
-    colours(values, low, high, logarithmic, pixels.data, meaning.transparent);
+    if (shown.categories) numberColours(values, pixels.data);
+    else colours(values, shown.low, shown.high, shown.logarithmic, pixels.data, meaning.transparent);
     context.putImageData(pixels, 0, 0);
-    $("legend-low").textContent = `${logarithmic ? "\u2264 " : ""}${number(low, 2)}`;
-    $("legend-high").textContent = `${logarithmic ? "\u2265 " : ""}${number(high, 2)}`;
-    $("legend-unit").textContent = meaning.unit;
+    this.explain(shown, meaning.unit);
     document.body.dataset.overlay = this.names[layer.index];
-    this.viewer.cover({ canvas: this.canvas, opacity, name: meaning.title, read: (index) => [values[index]] });
+    this.viewer.cover({ canvas: this.canvas, opacity, name: meaning.title, read: (index) => [shown.categories ? shown.categories(values[index]) : values[index]] });
+  }
+
+  /** The scale below the image; of numbers, those that most of the image shows. */
+  explain({ values, low, high, logarithmic, categories }, unit) {
+    const most = 8;
+    $("legend-unit").textContent = unit;
+    $("legend-scale").hidden = Boolean(categories);
+    $("legend-low").replaceChildren();
+    $("legend-high").replaceChildren();
+    if (!categories) {
+      $("legend-low").textContent = `${logarithmic ? "\u2264 " : ""}${number(low, 2)}`;
+      $("legend-high").textContent = `${logarithmic ? "\u2265 " : ""}${number(high, 2)}`;
+      return;
+    }
+    const counts = new Map();
+    for (const value of values) if (value > 0) counts.set(value, (counts.get(value) ?? 0) + 1);
+    const first = [...counts].sort((a, b) => b[1] - a[1]).slice(0, most).map(([value]) => value).sort((a, b) => a - b);
+    $("legend-low").replaceChildren(...first.map((value) => {
+      const swatch = element("i");
+      swatch.style.background = `rgb(${colourOf(value).join(" ")})`;
+      const entry = element("span");
+      entry.append(swatch, categories(value));
+      return entry;
+    }));
+    if (counts.size > most) $("legend-high").textContent = `and ${counts.size - most} more`;
   }
 }

@@ -6,6 +6,9 @@ import { automaticStops, luminance, toneMap } from "./tone.js";
 const FROM_VALUES = 44; // screen pixels that a pixel needs to show its values
 const FARTHEST = 0.05, NEAREST = 128;
 
+/** Of an overlay: a number, or a name. */
+const shownValue = (value, digits) => (typeof value === "string" ? value : number(value, digits));
+
 function layerCanvas() {
   const canvas = document.createElement("canvas");
   return { canvas, context: canvas.getContext("2d") };
@@ -120,8 +123,8 @@ export class Viewer {
         context.lineWidth = 2;
         lines.forEach((value, line) => {
           const at = [left + (x + 0.5) * scale, top + (y + 0.5) * scale + (line - (lines.length - 1) / 2) * size * 1.25];
-          if (covered) context.strokeText(number(value, 3), ...at);
-          context.fillText(number(value, 3), ...at);
+          if (covered) context.strokeText(shownValue(value, 3), ...at);
+          context.fillText(shownValue(value, 3), ...at);
         });
       }
     }
@@ -143,7 +146,7 @@ export class Viewer {
     const rgb = this.picture.values.subarray(3 * index, 3 * index + 3);
     let text = `${pixel.x}, ${pixel.y}   R ${number(rgb[0])}  G ${number(rgb[1])}  B ${number(rgb[2])}  Y ${number(luminance(...rgb))}`;
     const covering = this.covering?.read?.(index);
-    if (covering) text += `   ${this.covering.name} ${covering.map((value) => number(value)).join(" ")}`;
+    if (covering) text += `   ${this.covering.name} ${covering.map((value) => shownValue(value)).join(" ")}`;
     $("pixel").textContent = text;
   }
 

@@ -55,6 +55,8 @@ class DebugLayers : public testing::TestWithParam<Method> {
         settings.debug_layers = layers;
         return settings;
     }
+    /// Eye paths that are traced once have nothing to learn for.
+    static bool learns_lights() { return GetParam().mode == Mode::Progressive; }
     static mock::Rendering render(const Settings& settings, std::uint32_t passes = 3) {
         const mock::Scene scene = two_lamps();
         const auto camera = mock::camera_along_y({0, -0.95f, 0}, 1, kWidth, kHeight);
@@ -99,7 +101,10 @@ TEST_P(DebugLayers, WithoutPhotonsTheirLayersAreBlack) {
     no_photons.max_photon_depth = 1;
     const auto r = render(no_photons);
     EXPECT_EQ(r.film.color_layers().at("photons").mean(), 0);
-    EXPECT_EQ(r.film.layers().size(), 1u) << "a guide that is not needed has no nodes";
+    EXPECT_EQ(r.film.layers().size(), learns_lights() ? 3u : 1u)
+        << "a guide that is not needed has no nodes";
+    EXPECT_EQ(r.film.layers().contains("lightchoice"), learns_lights());
+    EXPECT_EQ(r.film.layers().contains("lightshare"), learns_lights());
     EXPECT_EQ(r.film.layers().at("photondensity"),
               std::vector<float>(std::size_t{kWidth} * kHeight, 0.0f));
 }
@@ -133,16 +138,18 @@ TEST_P(DebugLayers, AreFiniteAndInTheirRanges) {
         for (const float value : values) {
             EXPECT_TRUE(std::isfinite(value) && value >= 0) << name << " " << value;
             EXPECT_TRUE(name != "guidedshare" || value <= 1) << value;
+            EXPECT_TRUE(name != "lightshare" || value <= 1) << value;
+            EXPECT_TRUE(name != "lightchoice" || value == 1 || value == 2) << value;
             EXPECT_TRUE(name != "nodeedges" || value == 0 || value == 1) << value;
             sum += value;
         }
         EXPECT_GT(sum, 0) << name;
     }
-    const std::vector<std::string> expected =
-        GetParam().guide == GuideKind::None
-            ? std::vector<std::string>{"photondensity"}
-            : std::vector<std::string>{"guidedshare", "nodeedges", "nodeerror", "nodeweight",
-                                       "photondensity"};
+    std::vector<std::string> expected{"photondensity"};
+    if (learns_lights()) expected.insert(expected.end(), {"lightchoice", "lightshare"});
+    if (GetParam().guide == GuideKind::Paper)
+        expected.insert(expected.end(), {"guidedshare", "nodeedges", "nodeerror", "nodeweight"});
+    std::sort(expected.begin(), expected.end());
     EXPECT_EQ(names, expected);
     for (const Rgb& pixel : r.film.color_layers().at("photons").image())
         EXPECT_TRUE(is_valid_radiance(pixel));

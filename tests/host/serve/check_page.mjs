@@ -99,13 +99,14 @@ async function checkValues(tab) {
 
 async function checkOverlays(tab) {
   const names = await tab.locator("#overlay option").allTextContents();
-  for (const name of ["error", "share carried by photons", "photon density", "guide: regions"])
+  for (const name of ["error", "share carried by photons", "photon density", "guide: regions", "learned lights"])
     assert.ok(names.includes(name), `${name} is among ${names}`);
   const seen = new Set([(await drawn(tab)).sum]);
   for (const name of names.slice(1)) {
     await tab.locator("#overlay").selectOption({ label: name });
     await until(async () => (await data(tab)).overlay, `overlay ${name}`);
     assert.ok(await tab.locator("#legend").isVisible(), `${name} has a legend`);
+    if (name === "learned lights") assert.match(await tab.locator("#legend").textContent(), /light 0.*light 1/);
     seen.add((await drawn(tab)).sum);
     await tab.locator("#overlay").selectOption("");
   }

@@ -24,6 +24,11 @@ AreaLightSource "area" "color L" [20 18 15]
 Translate 0 0 4
 Shape "sphere" "float radius" [0.5]
 AttributeEnd
+AttributeBegin
+AreaLightSource "area" "color L" [2 3 5]
+Translate -3 -1 2
+Shape "sphere" "float radius" [0.4]
+AttributeEnd
 MakeNamedMaterial "ground" "string type" ["matte"] "color Kd" [0.6 0.6 0.6]
 NamedMaterial "ground"
 Shape "trianglemesh" "integer indices" [0 1 2 0 2 3]

@@ -54,6 +54,14 @@ class DirectLight {
     /// Probabilities of the lights to be chosen without knowing where.
     const DiscreteDistribution& choice() const { return choice_; }
 
+    /// Those at a place; `normal` of any length but 0.
+    const DiscreteDistribution& choice_at(Vec3 position, Vec3 normal) const {
+        // A single light is chosen everywhere, whatever is learned.
+        return learned() ? learned_->at(position, normal) : choice_;
+    }
+    /// Whether choices differ from place to place.
+    bool learned() const { return learned_.has_value() && choice_.size() > 1; }
+
     /// Whether there is more to learn.
     bool learns() const { return learned_ && learned_->learns(); }
     /// As LearnedLights::learn(); without need to learn nothing is done.
@@ -76,9 +84,7 @@ class DirectLight {
 
   private:
     const DiscreteDistribution& choice_at(const SurfacePoint& point) const {
-        // A single light is chosen everywhere, whatever is learned.
-        const bool varies = learned_ && choice_.size() > 1;
-        return varies ? learned_->at(point.position, point.geometric_normal) : choice_;
+        return choice_at(point.position, point.geometric_normal);
     }
 
     const Scene& scene_;

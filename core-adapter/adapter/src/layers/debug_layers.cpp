@@ -1,4 +1,4 @@
-// Photon part, photon density, and the views of the guide's nodes.
+// Photon part, photon density, and the views of the guides.
 #include "layers/debug_layers.h"
 
 #include <algorithm>
@@ -21,6 +21,11 @@ void DebugLayers::add_pass(const EyeImage& image, const PhotonFlux& flux, const 
     add_photon_part(pass);
     add_photon_density(image, flux, radii, pass.photon_weight);
     if (node_layers_) node_layers_->show(image, pixel_of_path_, *bounces);
+}
+
+void DebugLayers::add_tables(const EyeImage& image, const BounceTables& tables) {
+    if (!table_layers_) table_layers_.emplace(film_);
+    table_layers_->show(image, pixel_of_path_, tables);
 }
 
 void DebugLayers::find_pixels(std::span<const Vec2> positions) {
@@ -66,7 +71,8 @@ std::size_t DebugLayers::memory_bytes() const {
     return pixel_of_path_.capacity() * sizeof(std::uint32_t) +
            photon_part_.capacity() * sizeof(Rgb) + densities_.capacity() * sizeof(WeightedSum) +
            density_layer_.capacity() * sizeof(float) +
-           (node_layers_ ? node_layers_->memory_bytes() : 0);
+           (node_layers_ ? node_layers_->memory_bytes() : 0) +
+           (table_layers_ ? table_layers_->memory_bytes() : 0);
 }
 
 std::size_t DebugLayers::memory_bound_bytes(std::size_t pixels, std::size_t eye_paths,
@@ -75,7 +81,7 @@ std::size_t DebugLayers::memory_bound_bytes(std::size_t pixels, std::size_t eye_
     const std::size_t layers = pixels * (sizeof(WeightedSum) + sizeof(float));
     const std::size_t guide =
         NodeLayers::memory_bound_bytes(pixels) + BounceTally::memory_bound_bytes(nodes);
-    return paths + layers + (nodes ? guide : 0);
+    return paths + layers + (nodes ? guide : TableLayers::memory_bound_bytes(pixels));
 }
 
 }  // namespace aips

@@ -9,6 +9,7 @@
 
 #include "estimate/gather.h"
 #include "layers/node_layers.h"
+#include "layers/table_layers.h"
 
 namespace aips {
 
@@ -23,6 +24,9 @@ class DebugLayers {
     /// (0: no photons were shot); `bounces` is not null with a guide.
     void add_pass(const EyeImage& image, const PhotonFlux& flux, const SearchRadii& radii,
                   const FilmPass& pass, const BounceTally* bounces);
+
+    /// After add_pass(), with the tables of directions that guide=adaptive has in use.
+    void add_tables(const EyeImage& image, const BounceTables& tables);
 
     /// Between passes: saves what later layers go on from, or restores it; the layers themselves
     /// are the film's.
@@ -52,6 +56,7 @@ class DebugLayers {
     std::vector<WeightedSum> densities_;  // [pixel]
     std::vector<float> density_layer_;    // [pixel]
     std::optional<NodeLayers> node_layers_;
+    std::optional<TableLayers> table_layers_;  // once there are tables
 };
 
 }  // namespace aips

@@ -44,6 +44,11 @@ PassLoop::PassLoop(const Host& host, const Settings& settings, std::uint32_t eye
         statistics_.memory_bound_bytes += std::size_t{3} * eye_paths * kImageParts * sizeof(Rgb);
     for (const auto& strategy : strategies_)
         statistics_.memory_bound_bytes += strategy->memory_bound_bytes();
+    if (settings.debug_layers && direct_light_.learned()) {
+        light_layers_.emplace(host.film);
+        statistics_.memory_bound_bytes +=
+            LightLayers::memory_bound_bytes(std::size_t{host.film.width()} * host.film.height());
+    }
     refuse_powers();
 }
 
@@ -75,6 +80,7 @@ PassReport PassLoop::render_pass(std::uint64_t number) {
     if (report.eye_paths) {
         direct_light_.learn(image_.light_samples, light_samples_due(report.eye_paths), number + 1);
     }
+    if (light_layers_) light_layers_->show(image_, direct_light_);
     count(report, eye_rays);
     return report;
 }
@@ -158,9 +164,9 @@ EngineStatistics PassLoop::statistics() const {
 }
 
 std::size_t PassLoop::memory_bytes() const {
-    std::size_t bytes = image_.memory_bytes() +
-                        (eye_radiance_.capacity() + splat_parts_.capacity()) * sizeof(Rgb) +
-                        direct_light_.memory_bytes();
+    std::size_t bytes =
+        image_.memory_bytes() + (eye_radiance_.capacity() + splat_parts_.capacity()) * sizeof(Rgb) +
+        direct_light_.memory_bytes() + (light_layers_ ? light_layers_->memory_bytes() : 0);
     for (const auto& strategy : strategies_)
         bytes += strategy->memory_bytes();
     return bytes;

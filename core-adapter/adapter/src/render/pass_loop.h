@@ -3,11 +3,13 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "aips/adapter/engine.h"
 #include "eye/direct_light.h"
 #include "eye/eye_source.h"
+#include "layers/light_layers.h"
 #include "refusal/refusals.h"
 #include "strategies/light_strategy.h"
 
@@ -39,6 +41,7 @@ class PassLoop {
     const Settings& settings_;
     std::uint32_t eye_paths_;
     DirectLight direct_light_;
+    std::optional<LightLayers> light_layers_;  // if they are asked for and lights are learned
     Refusals refusals_;
     std::unique_ptr<EyeSource> eye_;
     LightStrategies strategies_;

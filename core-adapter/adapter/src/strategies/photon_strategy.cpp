@@ -3,6 +3,7 @@
 
 #include "base/stopwatch.h"
 #include "eye/light_choice.h"
+#include "guides/adaptive/adaptive_guide.h"
 #include "guides/paper/paper_guide.h"
 #include "plan/memory_bound.h"
 #include "plan/pass_work.h"
@@ -132,14 +133,20 @@ void PhotonStrategy::shoot(const StrategyPass& pass, const PassPhotons& photons,
 }
 
 void PhotonStrategy::end_pass(const StrategyPass& pass, const FilmPass& film_pass) {
-    if (layers_)
-        layers_->add_pass(pass.image, flux_, radii_, film_pass, photon_pass_.guide().bounces());
+    if (layers_) show_layers(pass.image, film_pass);
     const PassNoise noise = learn_noise(pass.image);
     const PhotonPassTotals& after = photon_pass_.totals();
     const PassWork work = pass_work(pass.eye_paths, pass.eye_rays, before_, after);
     schedule_.end_pass(work, noise);
     if (shared_) share(pass, work, noise);
     skip_log_.after_pass(photon_pass_.guide().adaptive(), after.counts);
+}
+
+void PhotonStrategy::show_layers(const EyeImage& image, const FilmPass& film_pass) {
+    const PassGuide& guide = photon_pass_.guide();
+    layers_->add_pass(image, flux_, radii_, film_pass, guide.bounces());
+    const BounceGuide* tables = guide.adaptive() ? guide.adaptive()->bounces() : nullptr;
+    if (tables) layers_->add_tables(image, tables->tables());
 }
 
 void PhotonStrategy::share(const StrategyPass& pass, const PassWork& work, const PassNoise& noise) {

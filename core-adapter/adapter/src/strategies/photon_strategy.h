@@ -42,6 +42,7 @@ class PhotonStrategy : public LightStrategy {
     std::unique_ptr<PassGuide> make_pass_guide() const;
     std::unique_ptr<PhotonSource> make_source() const;
     void shoot(const StrategyPass& pass, const PassPhotons& photons, PassReport& report);
+    void show_layers(const EyeImage& image, const FilmPass& film_pass);
     void share(const StrategyPass& pass, const PassWork& work, const PassNoise& noise);
     PassNoise learn_noise(const EyeImage& image);
     bool wants_noise() const { return plan_.measures_noise() || settings_.continue_eye_paths; }

@@ -81,6 +81,11 @@ class BounceTables {
         return leaf == ScoreCache::kNoLeaf ? BounceTable{} : in_use_[leaf];
     }
 
+    /// Number of the region that a vertex is in, whether its table is in use or not: for views.
+    std::uint32_t region_at(Vec3 position, Vec3 normal) const {
+        return places_.leaf_at(position, normal);
+    }
+
     /// Learns from a vertex; false, learning nothing, if a number is not usable.
     bool add(const BounceScore& score);
     /// After `paths` further scored photon paths: forgets, splits, makes densities from what was

@@ -26,7 +26,7 @@ export function colourOf(number) {
   const hue = (200 + 137.508 * (number - 1)) % 360;
   const channel = (n) => {
     const k = (n + hue / 30) % 12;
-    return Math.round(255 * (0.6 - 0.34 * Math.max(-1, Math.min(k - 3, 9 - k, 1))));
+    return Math.round(255 * (0.58 - 0.24 * Math.max(-1, Math.min(k - 3, 9 - k, 1))));
   };
   return [channel(0), channel(8), channel(4)];
 }

@@ -144,9 +144,9 @@ export class Viewer {
     if (!pixel) return void ($("pixel").textContent = "\u00a0");
     const index = pixel.y * this.picture.width + pixel.x;
     const rgb = this.picture.values.subarray(3 * index, 3 * index + 3);
-    let text = `${pixel.x}, ${pixel.y}   R ${number(rgb[0])}  G ${number(rgb[1])}  B ${number(rgb[2])}  Y ${number(luminance(...rgb))}`;
     const covering = this.covering?.read?.(index);
-    if (covering) text += `   ${this.covering.name} ${covering.map((value) => shownValue(value)).join(" ")}`;
+    const over = covering ? `${this.covering.name} ${covering.map((value) => shownValue(value, 3)).join(" ")}   ` : "";
+    const text = `${pixel.x}, ${pixel.y}   ${over}R ${number(rgb[0])}  G ${number(rgb[1])}  B ${number(rgb[2])}  Y ${number(luminance(...rgb))}`;
     $("pixel").textContent = text;
   }
 

@@ -42,7 +42,7 @@ Connection::Connection(boost::asio::ip::tcp::socket socket, Answer answer,
     : stream_(std::move(socket)),
       answer_(std::move(answer)),
       ended_(std::move(ended)),
-      buffer_(2 * kLongestHeader) {}
+      buffer_(std::size_t{2} * kLongestHeader) {}
 
 Connection::~Connection() {
     ended_();

@@ -1,5 +1,5 @@
-// Protects the views of what a render has learned: which light shadow rays ask where, and the regions
-// of the adaptive guide's tables; and that looking changes no bit.
+// Protects the views of what a render has learned: which light shadow rays ask where, and the
+// regions of the adaptive guide's tables; and that looking changes no bit.
 #include <gtest/gtest.h>
 
 #include <numeric>

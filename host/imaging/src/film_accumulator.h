@@ -62,6 +62,8 @@ class FilmAccumulator {
     void resolve_group(std::uint32_t group, std::span<Rgb> image) const;
     void resolve_total(std::span<Rgb> image) const;
     PixelMeans means(std::size_t pixel) const;
+    /// Settles what is below zero in an image of means likewise.
+    void settle(std::span<Rgb> image) const;
     bool has_second() const { return !second_.sums.empty(); }
 
     /// Saves or restores all sums and counts; of the same image size, groups and filter.

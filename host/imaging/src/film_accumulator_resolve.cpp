@@ -87,6 +87,10 @@ void FilmAccumulator::resolve_total(std::span<Rgb> image) const {
 void FilmAccumulator::resolve_groups(LightGroups groups, std::span<Rgb> image) const {
     tbb::parallel_for(std::size_t{0}, image.size(),
                       [&](std::size_t i) { image[i] = resolve(i, groups); });
+    settle(image);
+}
+
+void FilmAccumulator::settle(std::span<Rgb> image) const {
     const bool lobes = filter_.has_negative_weights();
     if (to_rgb_ || !lobes) cut_below_zero(image, lobes);
     if (!lobes) return;

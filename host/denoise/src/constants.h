@@ -20,7 +20,7 @@ inline constexpr float kColorTolerance = 0.49f;
 
 /// Likewise for guides. Unit: 1. Balances: noise against blurred texture. Chosen by: the same, 0.4
 /// to 1.5, squared. Supported by: docs/notebook/2026-11-26-denoise.md.
-inline constexpr float kGuideTolerance = 0.36f;
+inline constexpr float kGuideTolerance = 0.64f;
 
 /// How far a half may exceed the other, in standard deviations of the other around the pixel. Unit:
 /// 1. Balances: single bright paths against light lost. Chosen by: the same, 1.5 to 3 and none.

@@ -15,7 +15,7 @@ namespace {
 
 constexpr float kTiny = 1e-20f;  // keeps 0 / 0 out where both pixels have no noise
 
-constexpr int kRows = 16;        // of a band: work of one task
+constexpr int kRows = 16;  // of a band: work of one task
 constexpr int kMargin = kSurroundings;
 
 /// By which pixels are compared with others.
@@ -185,8 +185,8 @@ class BandAverage {
             const float* const vb = &guide.variance[at(y + by.dy)] + by.dx;
             const float least = guide.least;
             for (int x = columns_.first; x < columns_.end; ++x)
-                most[x] = larger(most[x],
-                                 distance(a[x], b[x], va[x], vb[x], kGuideTolerance, least));
+                most[x] =
+                    larger(most[x], distance(a[x], b[x], va[x], vb[x], kGuideTolerance, least));
         }
         for (int x = columns_.first; x < columns_.end; ++x)
             weights_[index(x)] *= weight_at(most[x]);

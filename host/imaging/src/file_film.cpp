@@ -192,7 +192,7 @@ std::vector<Rgb> FlexImage::image() const {
 std::vector<Rgb> FlexImage::denoised() const {
     if (!denoise_ || !denoise_->known()) return {};
     std::vector<Rgb> values = denoise_->image(accumulator_);
-    accumulator_.settle(values);
+    accumulator_.settle_denoised(values);
     to_film_colors(values);
     return values;
 }

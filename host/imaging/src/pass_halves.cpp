@@ -113,9 +113,8 @@ void HalfMeans::state(StateArchive& archive) {
         second_.clear();
     }
     const auto finite = [](const Sum& sum) {
-        return std::isfinite(sum.weight) &&
-               std::all_of(sum.color.begin(), sum.color.end(),
-                           [](float v) { return std::isfinite(v); });
+        return std::isfinite(sum.weight) && std::all_of(sum.color.begin(), sum.color.end(),
+                                                        [](float v) { return std::isfinite(v); });
     };
     const auto sound = [&](const std::vector<Sums>& all) {
         return std::all_of(all.begin(), all.end(),

@@ -1,6 +1,6 @@
-// Protects the denoiser: noise falls by as many pixels as are alike, what is there is kept, what one
-// half alone has seen is cut, and with more passes nothing is done at all; any size, any input, and
-// the same bits on any number of threads.
+// Protects the denoiser: noise falls by as many pixels as are alike, what is there is kept, what
+// one half alone has seen is cut, and with more passes nothing is done at all; any size, any input,
+// and the same bits on any number of threads.
 #include "lxs/denoise/denoise.h"
 
 #include <gtest/gtest.h>
@@ -136,13 +136,14 @@ TEST(Denoise, WhatOneHalfAloneHasSeenIsCutAndALampIsKept) {
 TEST(Denoise, AnySizeAndInputGivesFiniteValues) {
     constexpr float kInfinite = std::numeric_limits<float>::infinity();
     constexpr float kNotANumber = std::numeric_limits<float>::quiet_NaN();
-    for (const auto& [width, height] : {std::pair{1u, 1u}, {1u, 7u}, {9u, 1u}, {3u, 2u}, {17u, 5u}}) {
+    for (const auto& [width, height] :
+         {std::pair{1u, 1u}, {1u, 7u}, {9u, 1u}, {3u, 2u}, {17u, 5u}}) {
         NoisyImage image = noisy(width, height, 0.3f, flat);
         image.halves[0].mean[0] = Rgb(kNotANumber, kInfinite, -kInfinite);
         image.halves[1].variance[0] = Rgb(kInfinite, kNotANumber, -1.0f);
         const std::size_t pixels = image.halves[0].mean.size();
-        image.guides.push_back({std::vector<float>(pixels, kNotANumber),
-                                std::vector<float>(pixels, kInfinite), 0});
+        image.guides.push_back(
+            {std::vector<float>(pixels, kNotANumber), std::vector<float>(pixels, kInfinite), 0});
         image.halves[1].mean[pixels - 1] = Rgb(std::numeric_limits<float>::max());
         const std::vector<Rgb> result = denoise(image);
         ASSERT_EQ(result.size(), pixels);

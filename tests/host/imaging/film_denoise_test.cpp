@@ -1,6 +1,7 @@
 // Protects what a film keeps for denoising: halves of its passes with their means and variances, an
 // image that keeps its bits, the same denoised bits after a pause, refusal of foreign state.
 #include "film_denoise.h"
+#include "dark_beside_bright.h"
 
 #include <gtest/gtest.h>
 
@@ -126,6 +127,19 @@ TEST(FilmDenoise, HalvesGetAlikeSharesOfEveryDigitOfThePass) {
             EXPECT_NEAR(static_cast<double>(set) / size, 0.5, 0.05) << digit;
         }
     }
+}
+
+TEST(FilmDenoise, ARingBesideABrightPixelStaysDarkAndOneWithoutItDoesNot) {
+    std::vector<Rgb> image(9, Rgb(1.0f)), denoised(9, Rgb(1.0f));
+    image[3] = image[6] = Rgb(0.0f);
+    denoised[5] = Rgb(50.0f);
+    keep_dark_beside_bright({denoised, 9, 1, 2, 2}, image);
+    const std::vector<Rgb> expected{Rgb(1.0f),  Rgb(1.0f), Rgb(1.0f), Rgb(0.0f), Rgb(1.0f),
+                                    Rgb(50.0f), Rgb(0.0f), Rgb(1.0f), Rgb(1.0f)};
+    EXPECT_EQ(denoised, expected);
+    denoised.assign(9, Rgb(1.0f));
+    keep_dark_beside_bright({denoised, 9, 1, 2, 2}, image);
+    EXPECT_EQ(denoised, std::vector<Rgb>(9, Rgb(1.0f)));
 }
 
 /// Two parts of unlike weights; the halves' means together are the mean of all.

@@ -67,15 +67,15 @@ class FileFilm : public Film {
     virtual void set_exposure(double stops) = 0;
     /// The mean image over passes and light groups: width * height, row by row, linear radiance.
     virtual std::vector<Rgb> image() const = 0;
-    /// Likewise, denoised (see denoise.h); empty if that wasn't asked for, or before the fourth pass.
-    /// Takes some 20 us of processor time a pixel.
+    /// Likewise, denoised (see denoise.h); empty if that wasn't asked for, or before the fourth
+    /// pass. Takes some 20 us of processor time a pixel.
     virtual std::vector<Rgb> denoised() const = 0;
     /// The image as the PNG shows it: 8 bits of red, green and blue per pixel.
     virtual std::vector<std::uint8_t> tone_mapped() const = 0;
     virtual std::string_view tone_map_kernel() const = 0;  ///< as the Film statement names it
     /// Writes linear 32-bit float radiance; each light group (if more than one) and each extra
-    /// layer as a named layer, and `denoised` if there is such an image. Written beside and renamed; throws std::runtime_error with the path
-    /// and the cause, leaving an older file whole.
+    /// layer as a named layer, and `denoised` if there is such an image. Written beside and
+    /// renamed; throws std::runtime_error with the path and the cause, leaving an older file whole.
     virtual void write_exr(const std::string& path, const ImageMetadata& metadata,
                            std::span<const Rgb> denoised = {}) const = 0;
     /// Writes the tonemapped 8-bit sRGB image, or that of `denoised` if there is one; written

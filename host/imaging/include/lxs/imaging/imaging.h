@@ -40,8 +40,8 @@ class FileFilm : public Film {
     virtual void estimate_errors(bool wanted) = 0;
     /// Whether the film keeps what its image can be denoised from: halves of its passes and layers
     /// that guide. To be asked for before the first pass or state(), and before an integrator asks
-    /// for layers_wanted(). The image keeps its bits. It takes 88 bytes a pixel beside those of
-    /// three layers, 56 without photons.
+    /// for layers_wanted(). The image keeps its bits. It takes 152 bytes a pixel beside those of
+    /// three layers, 120 without photons.
     virtual void keep_for_denoising(bool wanted) = 0;
     /// Whoever runs passes says when one has ended, if errors are to be estimated or the
     /// image denoised.

@@ -6,7 +6,7 @@ namespace lxs::denoising {
 /// How far a pixel looks for others like it. Unit: pixels. Balances: noise left where there are
 /// many against time, which grows with its square. Chosen by: relMSE in 19 scenes after 5 seconds,
 /// 5 to 14. Supported by: docs/notebook/2026-11-26-denoise.md.
-inline constexpr int kReach = 8;
+inline constexpr int kReach = 11;
 
 /// Surroundings that are compared reach this far. Unit: pixels. Balances: tests of more pixels,
 /// which are surer, against details that differ in one. Chosen by: the same, 1 and 2. Supported by:
@@ -20,7 +20,7 @@ inline constexpr float kColorTolerance = 0.49f;
 
 /// Likewise for guides. Unit: 1. Balances: noise against blurred texture. Chosen by: the same, 0.4
 /// to 1.5, squared. Supported by: docs/notebook/2026-11-26-denoise.md.
-inline constexpr float kGuideTolerance = 0.64f;
+inline constexpr float kGuideTolerance = 1.44f;
 
 /// How far a half may exceed the other, in standard deviations of the other around the pixel. Unit:
 /// 1. Balances: single bright paths against light lost. Chosen by: the same, 1.5 to 3 and none.

@@ -12,8 +12,8 @@
 
 namespace lxs {
 
-/// Watches the passes that a film gets. It reads the film's sums and never changes them. 152 bytes a
-/// pixel beside those of the layers that guide it, 120 without photons.
+/// Watches the passes that a film gets. It reads the film's sums and never changes them. 152 bytes
+/// a pixel beside those of the layers that guide it, 120 without photons.
 class FilmDenoise {
   public:
     FilmDenoise(std::uint32_t width, std::uint32_t height, const PixelFilter& filter);

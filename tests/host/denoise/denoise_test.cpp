@@ -71,8 +71,8 @@ TEST(Denoise, AnImageWithoutNoiseStaysAsItIs) {
 
 TEST(Denoise, NoiseFallsByAsManyPixelsAsAreAlike) {
     const NoisyImage image = noisy(64, 64, 0.2f, flat);
-    // 289 pixels are in reach, and most of them pass for the same: the noise of the halves' mean
-    // would fall to 0.02 / 289.
+    // 529 pixels are in reach, and most of them pass for the same: the noise of the halves' mean
+    // would fall to 0.02 / 529.
     EXPECT_LT(error(image, denoise(image), flat), 0.02 / 50);
 }
 

@@ -68,7 +68,7 @@ class FileFilm : public Film {
     /// The mean image over passes and light groups: width * height, row by row, linear radiance.
     virtual std::vector<Rgb> image() const = 0;
     /// Likewise, denoised (see denoise.h); empty if that wasn't asked for, or before the fourth
-    /// pass. Takes some 20 us of processor time a pixel.
+    /// pass. Takes some 15 us of processor time a pixel.
     virtual std::vector<Rgb> denoised() const = 0;
     /// The image as the PNG shows it: 8 bits of red, green and blue per pixel.
     virtual std::vector<std::uint8_t> tone_mapped() const = 0;

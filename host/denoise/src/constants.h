@@ -5,7 +5,7 @@ namespace lxs::denoising {
 
 /// How far a pixel looks for others like it. Unit: pixels. Balances: noise left where there are
 /// many against time, which grows with its square. Chosen by: relMSE in 19 scenes after 5 seconds,
-/// 5 to 14. Supported by: docs/notebook/2026-11-26-denoise.md.
+/// 5 to 15. Supported by: docs/notebook/2026-11-26-denoise.md.
 inline constexpr int kReach = 11;
 
 /// Surroundings that are compared reach this far. Unit: pixels. Balances: tests of more pixels,

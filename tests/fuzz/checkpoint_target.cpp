@@ -30,10 +30,11 @@ struct Kind {
     const char* integrator;
     const char* sampler;
     std::vector<std::string> settings;
+    bool denoise = false;
 };
 
-const std::array<Kind, 8>& kinds() {
-    static const std::array<Kind, 8> all = {{
+const std::array<Kind, 10>& kinds() {
+    static const std::array<Kind, 10> all = {{
         {"path", "lowdiscrepancy", {"path.maxdepth=4"}},
         {"path", "metropolis", {"path.maxdepth=4"}},
         {"aips", "lowdiscrepancy", {"aips.photonperpass=64", "aips.guide=adaptive"}},
@@ -42,6 +43,8 @@ const std::array<Kind, 8>& kinds() {
         {"sppm", "lowdiscrepancy", {"sppm.photonperpass=64", "sppm.photonsampler=amc"}},
         {"ppm", "lowdiscrepancy", {"ppm.photonperpass=64"}},
         {"exphotonmap", "lowdiscrepancy", {"exphotonmap.photonperpass=64"}},
+        {"path", "lowdiscrepancy", {"path.maxdepth=4"}, true},
+        {"aips", "lowdiscrepancy", {"aips.photonperpass=64"}, true},
     }};
     return all;
 }
@@ -59,6 +62,7 @@ struct Render {
         command.verbosity = lxs::Verbosity::Quiet;
         lxs::InputDiagnostics diagnostics(log, false);
         session = lxs::prepare_session(command, fuzz::plugins(), diagnostics, log);
+        session.film->keep_for_denoising(kind.denoise);
         session.integrator->prepare({*session.scene,
                                      *session.camera,
                                      *session.sampler,
@@ -71,6 +75,11 @@ struct Render {
         command.resume = true;
     }
 
+    void pass(std::uint64_t number) {
+        session.integrator->render_pass(number);
+        session.film->end_pass();
+    }
+
     lxs::ConsoleLog log{lxs::Verbosity::Quiet};
     lxs::CommandLine command;
     lxs::RenderSession session;
@@ -80,8 +89,8 @@ Bytes checkpoint_of(const Kind& kind) {
     Render render(kind);
     lxs::RenderTotals totals;
     lxs::CheckpointSchedule schedule(render.command, render.session, render.log, totals);
-    while (totals.passes < 2)
-        render.session.integrator->render_pass(totals.passes++);
+    while (totals.passes < 4)
+        render.pass(totals.passes++);
     schedule.finish(totals);
     return lxs::read_checkpoint_file(*render.command.checkpoint);
 }
@@ -126,10 +135,13 @@ void resume(const Kind& kind) {
     if (!found) std::abort();
     const lxs::RenderTotals totals =
         lxs::restore(std::move(*found), render.command, render.session, render.log);
-    render.session.integrator->render_pass(totals.passes);
-    for (const lxs::Rgb& pixel : render.session.film->image()) {
-        for (const float value : {pixel.x, pixel.y, pixel.z}) {
-            if (!std::isfinite(value) || value < 0) std::abort();
+    render.pass(totals.passes);
+    const lxs::FileFilm& film = *render.session.film;
+    for (const auto& image : {film.image(), film.denoised()}) {
+        for (const lxs::Rgb& pixel : image) {
+            for (const float value : {pixel.x, pixel.y, pixel.z}) {
+                if (!std::isfinite(value) || value < 0) std::abort();
+            }
         }
     }
 }

@@ -94,6 +94,10 @@ void add_output_options(CLI::App& app, CommandLine& command) {
                    "EXR stays as it is")
         ->type_name("STOPS")
         ->check(CLI::Validator(check_stops, ""));
+    app.add_flag(
+        "--denoise", command.denoise,
+        "denoise the PNG, and write the layer \"denoised\" into the EXR, whose image stays "
+        "as it is");
     app.add_option("--write-every", command.write_every,
                    "seconds after which the image so far is written anew, first after the first "
                    "pass; 0: at the end alone (default: the film's writeinterval, for the PNG its "

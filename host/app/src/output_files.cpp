@@ -71,8 +71,11 @@ std::string names_of_images(const OutputFiles& files) {
 
 bool write_images(const OutputFiles& files, const FileFilm& film, const ImageMetadata& metadata,
                   ConsoleLog& log) {
-    const auto write_exr = [&](const std::string& path) { film.write_exr(path, metadata); };
-    const auto write_png = [&](const std::string& path) { film.write_png(path); };
+    const std::vector<Rgb> denoised = film.denoised();
+    const auto write_exr = [&](const std::string& path) {
+        film.write_exr(path, metadata, denoised);
+    };
+    const auto write_png = [&](const std::string& path) { film.write_png(path, denoised); };
     const bool exr = files.exr.empty() || write_or_rescue(files.exr, write_exr, log);
     const bool png = files.png.empty() || write_or_rescue(files.png, write_png, log);
     return exr && png;

@@ -119,6 +119,7 @@ ExitCode render(const CommandLine& command, const PluginLibrary& plugins, Consol
     log.debug(fmt::format("seed {}", session.seed));
 
     session.film->estimate_errors(command.error_estimate);
+    session.film->keep_for_denoising(command.denoise);
     auto found = find_checkpoint(command, session, log);
 
     const auto start = std::chrono::steady_clock::now();

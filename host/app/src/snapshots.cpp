@@ -80,7 +80,8 @@ void Snapshots::finish(const RenderTotals& totals) {
 
 void Snapshots::write_exr(const RenderTotals& totals) {
     const double took = write_timed(log_, [&] {
-        session_.film->write_exr(session_.files.exr, image_metadata(command_, session_, totals));
+        session_.film->write_exr(session_.files.exr, image_metadata(command_, session_, totals),
+                                 session_.film->denoised());
     });
     session_.times["write"] += took;
     exr_.written(totals.seconds, took);
@@ -88,7 +89,7 @@ void Snapshots::write_exr(const RenderTotals& totals) {
 
 void Snapshots::write_png(const RenderTotals& totals) {
     const double took = write_timed(log_, [&] {
-        session_.film->write_png(session_.files.png);
+        session_.film->write_png(session_.files.png, session_.film->denoised());
         say_where();
     });
     session_.times["write"] += took;

@@ -70,6 +70,7 @@ void FlexImage::set_wavelengths(const Wavelengths& wavelengths) {
     for (auto& [name, layer] : color_layers_)
         layer.set_conversion(wavelengths.to_rgb, wavelengths.white);
     if (asked_) asked_->set_wavelengths(wavelengths);
+    if (denoise_) denoise_->set_wavelengths(wavelengths);
 }
 
 void FlexImage::add_pass(const PassSamples& samples) {
@@ -87,8 +88,21 @@ void FlexImage::estimate_errors(bool wanted) {
     if (wanted) error_.emplace(width(), height());
 }
 
+void FlexImage::keep_for_denoising(bool wanted) {
+    denoise_.reset();
+    if (wanted) denoise_.emplace(width(), height(), filter_);
+    if (wanted && wavelengths_) denoise_->set_wavelengths(*wavelengths_);
+}
+
+LayersWanted FlexImage::layers_wanted() const {
+    LayersWanted wanted = settings_.layers;
+    if (denoise_) wanted.albedo = wanted.normal = wanted.depth = true;
+    return wanted;
+}
+
 void FlexImage::end_pass() {
     if (error_) error_->end_pass(accumulator_);
+    if (denoise_) denoise_->end_pass(accumulator_);
 }
 
 std::optional<ErrorEstimate> FlexImage::error() const {
@@ -115,6 +129,7 @@ bool FlexImage::has_error_layer() const {
 void FlexImage::clear() {
     accumulator_.clear();
     if (error_) error_->clear();
+    if (denoise_) denoise_->clear();
     if (asked_) asked_->clear();
     for (auto& [name, layer] : color_layers_) {
         layer.clear();
@@ -169,6 +184,7 @@ std::size_t FlexImage::memory_bytes() const {
         bytes += layer.memory_bytes();
     }
     if (error_) bytes += error_->memory_bytes();
+    if (denoise_) bytes += denoise_->memory_bytes();
     if (asked_) bytes += asked_->memory_bytes();
     return bytes;
 }
@@ -177,7 +193,16 @@ std::vector<Rgb> FlexImage::image() const {
     return film_colors([this](std::span<Rgb> values) { accumulator_.resolve_total(values); });
 }
 
-void FlexImage::write_exr(const std::string& path, const ImageMetadata& metadata) const {
+std::vector<Rgb> FlexImage::denoised() const {
+    if (!denoise_ || !denoise_->known()) return {};
+    std::vector<Rgb> values = denoise_->image(accumulator_);
+    accumulator_.settle_denoised(values);
+    to_film_colors(values);
+    return values;
+}
+
+void FlexImage::write_exr(const std::string& path, const ImageMetadata& metadata,
+                          std::span<const Rgb> denoised) const {
     FileLayers layers{.colors = {{"", image()}}, .floats = {}, .values = {}, .metadata = metadata};
     std::vector<ColorLayer>& colors = layers.colors;
     for (std::uint32_t g = 0; light_groups() > 1 && g < light_groups(); ++g) {
@@ -196,6 +221,9 @@ void FlexImage::write_exr(const std::string& path, const ImageMetadata& metadata
                               error_->standard_errors(accumulator_, values);
                           })});
     }
+    constexpr std::string_view kDenoised = "denoised";
+    if (!denoised.empty() && !names_layer(kDenoised))
+        colors.push_back({std::string(kDenoised), {denoised.begin(), denoised.end()}});
     for (const auto& [name, values] : layers_) {
         layers.floats.push_back({name, values});
     }
@@ -204,8 +232,9 @@ void FlexImage::write_exr(const std::string& path, const ImageMetadata& metadata
                           encode_for(path, [&] { return encode_exr(settings_.frame, layers); }));
 }
 
-void FlexImage::write_png(const std::string& path) const {
-    const std::vector<std::uint8_t> rgb = tone_mapped();
+void FlexImage::write_png(const std::string& path, std::span<const Rgb> denoised) const {
+    const std::vector<std::uint8_t> rgb =
+        denoised.empty() ? tone_mapped() : tone_map(denoised, settings_.tone_map);
     write_file_atomically(path, encode_for(path, [&] {
                               return encode_png(width(), height(), settings_.tone_map.gamma, rgb);
                           }));

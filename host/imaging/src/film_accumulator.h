@@ -10,6 +10,7 @@
 #include "filter_integral.h"
 #include "lxs/sdk/film.h"
 #include "lxs/sdk/state_archive.h"
+#include "pixel_debts.h"
 #include "pixel_filter.h"
 #include "sample_cells.h"
 
@@ -62,6 +63,9 @@ class FilmAccumulator {
     void resolve_group(std::uint32_t group, std::span<Rgb> image) const;
     void resolve_total(std::span<Rgb> image) const;
     PixelMeans means(std::size_t pixel) const;
+    /// Settles what is below zero in an image of denoised means likewise, and keeps what the
+    /// filter's lobes make dark (see keep_dark_beside_bright).
+    void settle_denoised(std::span<Rgb> image) const;
     bool has_second() const { return !second_.sums.empty(); }
 
     /// Saves or restores all sums and counts; of the same image size, groups and filter.
@@ -100,6 +104,8 @@ class FilmAccumulator {
     Imath::V3d splat_value(std::size_t pixel, LightGroups groups) const;
     Rgb resolve(std::size_t pixel, LightGroups groups) const;
     void resolve_groups(LightGroups groups, std::span<Rgb> image) const;
+    void settle(std::span<Rgb> image) const;
+    FilteredImage filtered(std::span<Rgb> image) const;
 
     std::uint32_t width_, height_, groups_;
     PixelFilter filter_;

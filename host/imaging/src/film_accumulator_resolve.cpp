@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "dark_beside_bright.h"
 #include "film_accumulator.h"
 #include "finite_float.h"
-#include "pixel_debts.h"
 
 namespace lxs {
 namespace {
@@ -87,11 +87,26 @@ void FilmAccumulator::resolve_total(std::span<Rgb> image) const {
 void FilmAccumulator::resolve_groups(LightGroups groups, std::span<Rgb> image) const {
     tbb::parallel_for(std::size_t{0}, image.size(),
                       [&](std::size_t i) { image[i] = resolve(i, groups); });
+    settle(image);
+}
+
+void FilmAccumulator::settle(std::span<Rgb> image) const {
     const bool lobes = filter_.has_negative_weights();
     if (to_rgb_ || !lobes) cut_below_zero(image, lobes);
-    if (!lobes) return;
+    if (lobes) settle_debts(filtered(image));
+}
+
+FilteredImage FilmAccumulator::filtered(std::span<Rgb> image) const {
     const auto reach = [](float radius) { return static_cast<std::uint32_t>(std::ceil(radius)); };
-    settle_debts({image, width_, height_, reach(filter_.radius_x()), reach(filter_.radius_y())});
+    return {image, width_, height_, reach(filter_.radius_x()), reach(filter_.radius_y())};
+}
+
+void FilmAccumulator::settle_denoised(std::span<Rgb> image) const {
+    settle(image);
+    if (!filter_.has_negative_weights()) return;
+    std::vector<Rgb> total(image.size());
+    resolve_total(total);
+    keep_dark_beside_bright(filtered(image), total);
 }
 
 }  // namespace lxs

@@ -49,6 +49,12 @@ class FilmLayers {
     /// `to_film` takes colours of the scene to those of the film.
     void append_to(FileLayers& layers, const std::function<void(std::span<Rgb>)>& to_film) const;
 
+    /// Means of what is wanted: of reflectance, and of (1 + n) / 2; nullptr if it isn't wanted.
+    const FilmAccumulator* albedo() const { return albedo_ ? &*albedo_ : nullptr; }
+    const FilmAccumulator* normal() const { return normal_ ? &*normal_ : nullptr; }
+    /// [pixel]; empty if it isn't wanted.
+    std::span<const float> depth() const { return depth_; }
+
     void state(StateArchive& archive);
     RefusalList refusals() const;
     std::size_t memory_bytes() const;

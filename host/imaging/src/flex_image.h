@@ -9,6 +9,7 @@
 
 #include "color_space.h"
 #include "film_accumulator.h"
+#include "film_denoise.h"
 #include "film_error.h"
 #include "film_layers.h"
 #include "film_settings.h"
@@ -35,7 +36,7 @@ class FlexImage final : public FileFilm {
     std::uint32_t light_groups() const override {
         return static_cast<std::uint32_t>(group_names_.size());
     }
-    LayersWanted layers_wanted() const override { return settings_.layers; }
+    LayersWanted layers_wanted() const override;
     void add_pass(const PassSamples& samples) override;
     void add_splats(const PassSplats& splats) override;
     void add_layer_pass(std::string_view name, const PassSamples& samples) override;
@@ -48,6 +49,7 @@ class FlexImage final : public FileFilm {
     void add_surfaces(std::span<const Vec2> positions,
                       std::span<const SeenSurface> surfaces) override {
         if (asked_) asked_->add_surfaces(positions, surfaces);
+        if (denoise_) denoise_->add_surfaces(positions, surfaces);
     }
     void clear() override;
     void set_layer(std::string_view name, std::span<const float> values) override;
@@ -59,6 +61,7 @@ class FlexImage final : public FileFilm {
     double display_interval_seconds() const override { return settings_.display_interval_seconds; }
     double halt_error() const override { return settings_.halt_error; }
     void estimate_errors(bool wanted) override;
+    void keep_for_denoising(bool wanted) override;
     void end_pass() override;
     std::optional<ErrorEstimate> error() const override;
     std::uint64_t refused_samples() const override;
@@ -75,12 +78,14 @@ class FlexImage final : public FileFilm {
     std::vector<Rgb> image() const override;
     std::vector<std::string> held_layers() const override;
     HeldLayer held_layer(std::string_view name) const override;
+    std::vector<Rgb> denoised() const override;
     std::vector<std::uint8_t> tone_mapped() const override {
         return tone_map(image(), settings_.tone_map);
     }
     std::string_view tone_map_kernel() const override { return name(settings_.tone_map.kernel); }
-    void write_exr(const std::string& path, const ImageMetadata& metadata) const override;
-    void write_png(const std::string& path) const override;
+    void write_exr(const std::string& path, const ImageMetadata& metadata,
+                   std::span<const Rgb> denoised) const override;
+    void write_png(const std::string& path, std::span<const Rgb> denoised) const override;
 
   private:
     /// Of each pixel's mean over passes, in the file and for who looks on.
@@ -117,6 +122,7 @@ class FlexImage final : public FileFilm {
     std::optional<Wavelengths> wavelengths_;                     ///< none: passes are RGB
     std::optional<FilmError> error_;                             ///< none: not estimated
     std::optional<FilmLayers> asked_;                            ///< none: no layers are wanted
+    std::optional<FilmDenoise> denoise_;                         ///< none: not to be denoised
 };
 
 }  // namespace lxs

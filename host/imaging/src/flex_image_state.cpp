@@ -17,6 +17,12 @@ void FlexImage::state(StateArchive& archive) {
                                 : "it was saved with an estimate of the error");
     if (error_) error_->state(archive);
     if (asked_) asked_->state(archive);
+    bool denoises = denoise_.has_value();
+    archive.value(denoises);
+    if (denoises != denoise_.has_value())
+        throw StateError(denoise_ ? "it was saved without what --denoise needs"
+                                  : "it was saved by a render with --denoise");
+    if (denoise_) denoise_->state(archive);
 }
 
 void FlexImage::color_layers_state(StateArchive& archive) {

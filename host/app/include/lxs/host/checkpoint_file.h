@@ -16,7 +16,7 @@
 namespace lxs {
 
 /// Raised with every change of what a checkpoint holds.
-inline constexpr std::uint32_t kCheckpointVersion = 6;
+inline constexpr std::uint32_t kCheckpointVersion = 7;
 
 /// Writes the content of a checkpoint as it comes, in memory of a fixed size, beside the file that
 /// commit() puts it in place of. Throws std::runtime_error with the path and the system's reason.

@@ -21,6 +21,7 @@ struct CommandLine {
     std::optional<double> seconds;
     std::optional<double> target_error;  ///< budget: square root of relMSE
     bool error_estimate = true;          ///< the film estimates its error
+    bool denoise = false;                ///< the PNG is denoised, the EXR has a layer of it
     std::optional<std::uint64_t> seed;
     std::vector<std::string> overrides;     ///< plugin.parameter=value, of integrator or sampler
     std::optional<std::string> integrator;  ///< instead of the scene's

@@ -44,7 +44,13 @@ class FileFilm : public Film {
     /// to be asked for before the first pass or state(). The image keeps its bits. It takes 24
     /// bytes a pixel, 60 with photons.
     virtual void estimate_errors(bool wanted) = 0;
-    /// Whoever runs passes says when one has ended, if errors are to be estimated.
+    /// Whether the film keeps what its image can be denoised from: halves of its passes and layers
+    /// that guide. To be asked for before the first pass or state(), and before an integrator asks
+    /// for layers_wanted(). The image keeps its bits. It takes 152 bytes a pixel beside those of
+    /// three layers, 120 without photons.
+    virtual void keep_for_denoising(bool wanted) = 0;
+    /// Whoever runs passes says when one has ended, if errors are to be estimated or the
+    /// image denoised.
     virtual void end_pass() = 0;
     /// The error of the image so far; nothing before the third pass, or if it isn't estimated.
     /// Takes some 0.1 us a pixel.
@@ -67,7 +73,10 @@ class FileFilm : public Film {
     virtual void set_exposure(double stops) = 0;
     /// The mean image over passes and light groups: width * height, row by row, linear radiance.
     virtual std::vector<Rgb> image() const = 0;
-    /// The same as the PNG shows it: 8 bits of red, green and blue per pixel.
+    /// Likewise, denoised (see denoise.h); empty if that wasn't asked for, or before the fourth
+    /// pass. Takes some 15 us of processor time a pixel.
+    virtual std::vector<Rgb> denoised() const = 0;
+    /// The image as the PNG shows it: 8 bits of red, green and blue per pixel.
     virtual std::vector<std::uint8_t> tone_mapped() const = 0;
     virtual std::string_view tone_map_kernel() const = 0;  ///< as the Film statement names it
     /// Names of the layers that it has so far beside the image, as the EXR names them: of light
@@ -77,11 +86,13 @@ class FileFilm : public Film {
     /// values if there is none of this name.
     virtual HeldLayer held_layer(std::string_view name) const = 0;
     /// Writes linear 32-bit float radiance; each light group (if more than one) and each extra
-    /// layer as a named layer. Written beside and renamed; throws std::runtime_error with the path
-    /// and the cause, leaving an older file whole.
-    virtual void write_exr(const std::string& path, const ImageMetadata& metadata) const = 0;
-    /// Writes the tonemapped 8-bit sRGB image, written beside and renamed likewise.
-    virtual void write_png(const std::string& path) const = 0;
+    /// layer as a named layer, and `denoised` if there is such an image. Written beside and
+    /// renamed; throws std::runtime_error with the path and the cause, leaving an older file whole.
+    virtual void write_exr(const std::string& path, const ImageMetadata& metadata,
+                           std::span<const Rgb> denoised = {}) const = 0;
+    /// Writes the tonemapped 8-bit sRGB image, or that of `denoised` if there is one; written
+    /// beside and renamed likewise.
+    virtual void write_png(const std::string& path, std::span<const Rgb> denoised = {}) const = 0;
 };
 
 /// Path of the file that a scene names; throws InputError if there is none.

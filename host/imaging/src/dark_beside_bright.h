@@ -1,0 +1,17 @@
+// Pixels of a denoised image that a filter's lobes had made dark.
+#pragma once
+
+#include <span>
+
+#include "pixel_debts.h"
+
+namespace lxs {
+
+/// Where `denoised` is far darker than a pixel within the filter's reach, it is made no brighter
+/// than `image` is there, of its own colour: beside what is bright, the negative lobes of the
+/// filter make rings that no other pixel is like, so that a mean with others fills them. Where
+/// denoising has removed the bright pixel, it removes the ring as well. Both are of one size and at
+/// least 0; the same bits for any number of threads.
+void keep_dark_beside_bright(const FilteredImage& denoised, std::span<const Rgb> image);
+
+}  // namespace lxs

@@ -9,6 +9,7 @@
 
 #include "lxs/host/command_line_mistake.h"
 #include "lxs/host/display_server.h"
+#include "lxs/host/frame_number.h"
 #include "lxs/host/option_checks.h"
 #include "lxs/host/output_files.h"
 #include "lxs/imaging/layer_names.h"
@@ -43,6 +44,14 @@ std::string check_viewer(const std::string& text) {
 std::string check_layers(const std::string& text) {
     return mistake_in(
         text, [](const std::string& names) { return layers_named(split_layer_names(names)); });
+}
+
+std::uint32_t frame_of(const std::string& scene) {
+    if (const auto frame = frame_number(scene)) return *frame;
+    throw CLI::ValidationError("--seed-per-frame",
+                               "the name of the scene's file must have a "
+                               "number of at most nine digits, as frame_0007.lxs has: " +
+                                   scene);
 }
 
 void add_output_options(CLI::App& app, CommandLine& command) {
@@ -146,6 +155,20 @@ void add_checkpoint_options(CLI::App& app, CommandLine& command) {
         ->needs(checkpoint);
 }
 
+void add_animation_options(CLI::App& app, CommandLine& command, bool& seed_per_frame) {
+    app.add_option("--learned-out", command.learned_out,
+                   "file for what the render learns: guide, choices of lights, plan of photons; "
+                   "written at its end, for the next frame of an animation")
+        ->type_name("FILE");
+    app.add_option("--learned-in", command.learned_in,
+                   "begin with what another render learned, of this scene or one that is much like "
+                   "it; it fades, and the image's expectation is the same")
+        ->type_name("FILE");
+    app.add_flag("--seed-per-frame", seed_per_frame,
+                 "noise of its own for each frame: adds 2^32 times the number in the scene's file "
+                 "name (7 in frame_0007.lxs) to the seed");
+}
+
 void add_plugin_options(CLI::App& app, CommandLine& command) {
     app.add_option("--plugin-path", command.plugin_paths,
                    "folder with plugin modules, before the installed ones; may be repeated")
@@ -181,6 +204,8 @@ std::optional<ExitCode> parse_command_line(int argc, const char* const* argv,
     add_output_options(app, command);
     add_render_options(app, command);
     add_checkpoint_options(app, command);
+    bool seed_per_frame = false;
+    add_animation_options(app, command, seed_per_frame);
     add_plugin_options(app, command);
     bool quiet = false;
     bool verbose = false;
@@ -192,6 +217,7 @@ std::optional<ExitCode> parse_command_line(int argc, const char* const* argv,
             !command.scene_language) {
             throw CLI::RequiredError("SCENE.lxs");
         }
+        if (seed_per_frame) command.frame = frame_of(command.scene);
     } catch (const CLI::ParseError& error) {
         return app.exit(error) == 0 ? ExitCode::Success : ExitCode::Usage;
     }

@@ -42,6 +42,8 @@ struct Plan {
     /// Settings of the radius policy.
     Settings radius_settings() const;
 
+    /// Whether these settings let photons go this way.
+    bool allows(PhotonWay other) const;
     /// Between passes: saves what was decided since the start, or restores it. Throws StateError
     /// for a decision that these settings do not allow.
     void state(StateArchive& archive);

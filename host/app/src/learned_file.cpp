@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <new>
 
@@ -38,6 +39,15 @@ auto reading_learned(const std::string& path, Function function) {
     }
 }
 
+/// Fit for a message: what a file holds may be anything.
+bool is_name(const std::string& text) {
+    constexpr std::size_t kLongest = 64;
+    return !text.empty() && text.size() <= kLongest && std::ranges::all_of(text, [](char c) {
+        return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
+               c == '_' || c == '-';
+    });
+}
+
 fs::path place_of(const std::string& name) {
     std::error_code ignored;
     return fs::weakly_canonical(fs::absolute(name, ignored), ignored);
@@ -64,6 +74,7 @@ void take_learned(const LearnedFile& file, const CommandLine& command, RenderSes
         CheckpointReader reader(checkpoint_content(file, kLearnedFormat));
         std::string integrator;
         reader.text(integrator);
+        if (!is_name(integrator)) throw StateError("it does not say which integrator learned it");
         if (integrator != session.integrator_name) {
             throw StateError(fmt::format("\"{}\" learned it, and this render is by \"{}\"",
                                          integrator, session.integrator_name));

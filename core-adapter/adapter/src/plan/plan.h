@@ -13,8 +13,8 @@ namespace aips {
 
 struct Plan {
     Needs needs;
-    /// What takes photons through the scene if the guide is the adaptive one; Guided until
-    /// the first look.
+    /// What takes photons through the scene if the guide is the adaptive one; until the first look
+    /// Guided, or what another render that was learned from had taken.
     PhotonWay way = PhotonWay::Guided;
     bool media = false;  ///< some medium of the scene scatters
 

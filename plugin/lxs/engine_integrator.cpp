@@ -30,6 +30,15 @@ void EngineIntegrator::state(lxs::StateArchive& archive) {
     }
 }
 
+void EngineIntegrator::learned(lxs::StateArchive& archive) {
+    StateShim shim(archive);
+    try {
+        engine_->learned(shim);
+    } catch (const StateError& error) {
+        throw lxs::StateError(error.what());
+    }
+}
+
 lxs::Statistics EngineIntegrator::statistics() const {
     const EngineStatistics s = engine_->statistics();
     lxs::Statistics out{{"eye_paths", s.eye_paths},

@@ -20,6 +20,7 @@ class EngineIntegrator final : public lxs::Integrator {
     lxs::RefusalList refusals() const override;
     lxs::RenderAccount account() const override;
     void state(lxs::StateArchive& archive) override;
+    void learned(lxs::StateArchive& archive) override;
 
   private:
     /// The host's parts in the engine's terms; they live as long as the engine.

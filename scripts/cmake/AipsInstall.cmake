@@ -42,6 +42,8 @@ if(AIPS_BUILD_HOST)
   install(TARGETS lxs_path aips LIBRARY DESTINATION ${aips_plugin_dir})
   install(TARGETS lxs_images_module LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}/aips/images)
   install(TARGETS lxsrender lxsmerge)
+  install(PROGRAMS ${PROJECT_SOURCE_DIR}/scripts/render-frames
+    DESTINATION ${CMAKE_INSTALL_BINDIR})
 endif()
 
 configure_package_config_file(

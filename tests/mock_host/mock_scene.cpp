@@ -1,6 +1,8 @@
 // The mock host's scene: brute-force intersection in double precision.
 #include "mock_scene.h"
 
+#include <algorithm>
+
 #include "aips/core/sampling/sampling.h"
 #include "mock_lights.h"
 
@@ -131,6 +133,13 @@ float Scene::distance_to_end(const aips::Ray& ray) const {
 }
 
 void Scene::finish() {
+    // Of an earlier call.
+    std::erase_if(lights_, [&](const auto& light) {
+        return std::ranges::find(lights_of_surfaces_, light.get()) != lights_of_surfaces_.end();
+    });
+    lights_of_surfaces_.clear();
+    light_pointers_.clear();
+    names_.clear();
     light_of_surface_.assign(surfaces_.size(), aips::kNoLight);
     for (std::size_t i = 0; i < surfaces_.size(); ++i) {
         const Surface& s = surfaces_[i];
@@ -143,6 +152,7 @@ void Scene::finish() {
         } else {
             lights_.push_back(make_ball_light(std::get<Ball>(s.shape), s.emitted, s.light_group));
         }
+        lights_of_surfaces_.push_back(lights_.back().get());
     }
     for (const auto& light : lights_)
         light_pointers_.push_back(light.get());

@@ -56,6 +56,7 @@ class Scene final : public aips::Scene {
     /// is.
     void fill(const Fog& fog);
     void set_light_groups(std::uint32_t groups) { light_groups_ = groups; }
+    /// After all that is added; may be called again when more was.
     void finish();
 
     bool intersect(const aips::Ray& ray, aips::SurfacePoint& point,
@@ -88,7 +89,7 @@ class Scene final : public aips::Scene {
     std::vector<Surface> surfaces_;
     std::vector<aips::LightIndex> light_of_surface_;
     std::vector<std::unique_ptr<aips::Light>> lights_;
-    std::vector<const aips::Light*> light_pointers_;
+    std::vector<const aips::Light*> light_pointers_, lights_of_surfaces_;
     std::vector<std::string> names_;
     std::unique_ptr<Media> media_;
     Fog fog_;

@@ -1,4 +1,4 @@
-// The file format of checkpoints: what makes a file one, and that it is whole.
+// The file format of checkpoints and of what was learned.
 #include "lxs/host/checkpoint_file.h"
 
 #include <fcntl.h>
@@ -18,11 +18,13 @@ namespace {
 
 using Mark = std::array<char, 8>;
 
+constexpr std::uint32_t kByteOrder = 0x01020304;
+
 /// First and last bytes of a file.
 struct Head {
-    Mark mark{'L', 'X', 'S', 'C', 'H', 'E', 'C', 'K'};
-    std::uint32_t version = kCheckpointVersion;
-    std::uint32_t byte_order = 0x01020304;
+    Mark mark{};
+    std::uint32_t version = 0;
+    std::uint32_t byte_order = kByteOrder;
 };
 struct Tail {
     std::uint64_t checksum = 0;
@@ -45,17 +47,17 @@ T read_as(std::span<const std::byte> bytes) {
     return value;
 }
 
-void check_head(std::span<const std::byte> file) {
-    if (file.size() < sizeof(Head) || read_as<Head>(file).mark != Head{}.mark)
-        throw StateError("it is no checkpoint");
+void check_head(std::span<const std::byte> file, const SealedFormat& format) {
+    if (file.size() < sizeof(Head) || read_as<Head>(file).mark != format.mark)
+        throw StateError(fmt::format("it is no {}", format.name));
     const Head head = read_as<Head>(file);
-    if (head.byte_order != Head{}.byte_order)
+    if (head.byte_order != kByteOrder)
         throw StateError("it was written on a machine with another order of bytes");
-    if (head.version != kCheckpointVersion) {
+    if (head.version != format.version) {
         throw StateError(
             fmt::format("it was written in version {} of the format, but this "
                         "lxsrender reads version {}",
-                        head.version, kCheckpointVersion));
+                        head.version, format.version));
     }
 }
 
@@ -96,9 +98,10 @@ class InputFile {
 
 }  // namespace
 
-CheckpointWriter::CheckpointWriter(const std::string& path) : file_(path) {
+CheckpointWriter::CheckpointWriter(const std::string& path, const SealedFormat& format)
+    : file_(path) {
     buffer_.reserve(kBufferBytes);
-    append(bytes_of(Head{}));
+    append(bytes_of(Head{.mark = format.mark, .version = format.version}));
 }
 
 void CheckpointWriter::bytes(std::span<std::byte> data) {
@@ -135,8 +138,9 @@ void CheckpointReader::bytes(std::span<std::byte> data) {
     left_ = left_.subspan(data.size());
 }
 
-std::span<const std::byte> checkpoint_content(std::span<const std::byte> file) {
-    check_head(file);
+std::span<const std::byte> checkpoint_content(std::span<const std::byte> file,
+                                              const SealedFormat& format) {
+    check_head(file, format);
     if (file.size() < sizeof(Head) + sizeof(Tail)) throw StateError("it is cut off");
     const auto tail = read_as<Tail>(file.last(sizeof(Tail)));
     if (tail.mark != Tail{}.mark) throw StateError("it is cut off, or its end is damaged");
@@ -147,13 +151,13 @@ std::span<const std::byte> checkpoint_content(std::span<const std::byte> file) {
     return file.subspan(sizeof(Head), file.size() - sizeof(Head) - sizeof(Tail));
 }
 
-std::vector<std::byte> read_checkpoint_file(const std::string& path) {
+std::vector<std::byte> read_checkpoint_file(const std::string& path, const SealedFormat& format) {
     InputFile input(path);
     const std::size_t size = input.size();
     std::array<std::byte, sizeof(Head)> head{};
     const std::span<std::byte> begin = std::span(head).first(std::min(size, sizeof(Head)));
     input.read(begin);
-    check_head(begin);
+    check_head(begin, format);
     std::vector<std::byte> file(size);
     std::copy(head.begin(), head.end(), file.begin());
     input.read(std::span(file).subspan(sizeof(Head)));

@@ -12,6 +12,7 @@
 
 #include "lxs/host/command_line_mistake.h"
 #include "lxs/host/display_server.h"
+#include "lxs/host/frame_number.h"
 #include "lxs/host/option_checks.h"
 #include "lxs/host/output_files.h"
 #include "lxs/imaging/layer_names.h"
@@ -75,6 +76,14 @@ std::vector<std::string> arguments_from(int argc, const char* const* argv) {
     }
     std::reverse(arguments.begin(), arguments.end());
     return arguments;
+}
+
+std::uint32_t frame_of(const std::string& scene) {
+    if (const auto frame = frame_number(scene)) return *frame;
+    throw CLI::ValidationError("--seed-per-frame",
+                               "the name of the scene's file must have a "
+                               "number of at most nine digits, as frame_0007.lxs has: " +
+                                   scene);
 }
 
 void add_output_options(CLI::App& app, CommandLine& command) {
@@ -187,6 +196,20 @@ void add_checkpoint_options(CLI::App& app, CommandLine& command) {
         ->needs(checkpoint);
 }
 
+void add_animation_options(CLI::App& app, CommandLine& command, bool& seed_per_frame) {
+    app.add_option("--learned-out", command.learned_out,
+                   "file for what the render learns: guide, choices of lights, plan of photons; "
+                   "written at its end, for the next frame of an animation")
+        ->type_name("FILE");
+    app.add_option("--learned-in", command.learned_in,
+                   "begin with what another render learned, of this scene or one that is much like "
+                   "it; it fades, and the image's expectation is the same")
+        ->type_name("FILE");
+    app.add_flag("--seed-per-frame", seed_per_frame,
+                 "noise of its own for each frame: adds 2^32 times the number in the scene's file "
+                 "name (7 in frame_0007.lxs) to the seed");
+}
+
 void add_plugin_options(CLI::App& app, CommandLine& command) {
     app.add_option("--plugin-path", command.plugin_paths,
                    "folder with plugin modules, before the installed ones; may be repeated")
@@ -222,6 +245,8 @@ std::optional<ExitCode> parse_command_line(int argc, const char* const* argv,
     add_output_options(app, command);
     add_render_options(app, command);
     add_checkpoint_options(app, command);
+    bool seed_per_frame = false;
+    add_animation_options(app, command, seed_per_frame);
     add_plugin_options(app, command);
     bool quiet = false;
     bool verbose = false;
@@ -233,6 +258,7 @@ std::optional<ExitCode> parse_command_line(int argc, const char* const* argv,
             !command.scene_language) {
             throw CLI::RequiredError("SCENE.lxs");
         }
+        if (seed_per_frame) command.frame = frame_of(command.scene);
     } catch (const CLI::ParseError& error) {
         return app.exit(error) == 0 ? ExitCode::Success : ExitCode::Usage;
     }

@@ -58,6 +58,12 @@ void Fingerprint::set_seed(std::uint64_t seed) {
     checksums_[Seed] = sum.value();
 }
 
+void Fingerprint::set_learned(std::span<const std::byte> file) {
+    Checksum sum;
+    sum.add(file);
+    checksums_[Learned] = sum.value();
+}
+
 void Fingerprint::describe(ImageMetadata& metadata) const {
     const auto text = [&](Cause cause) { return fmt::format("{:016x}", checksums_[cause]); };
     metadata[image_header::kSceneText] = text(Sources);
@@ -72,6 +78,7 @@ std::string Fingerprint::difference(const Fingerprint& other) const {
         "a mesh, texture or other file that the scene names",
         "the integrator, a setting or the size of the image",
         "the seed",
+        "what was learned before",
     };
     std::string text;
     for (std::size_t cause = 0; cause < Causes; ++cause) {

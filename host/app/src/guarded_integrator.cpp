@@ -37,6 +37,9 @@ class GuardedIntegrator final : public Integrator {
     void state(StateArchive& archive) override {
         call_as_agreed("state", [&] { integrator_->state(archive); });
     }
+    void learned(StateArchive& archive) override {
+        call_as_agreed("learned", [&] { integrator_->learned(archive); });
+    }
 
   private:
     /// Lets those exceptions pass to which the contract gives a meaning.

@@ -15,6 +15,7 @@
 #include "lxs/host/counted.h"
 #include "lxs/host/failure.h"
 #include "lxs/host/final_outputs.h"
+#include "lxs/host/learned_file.h"
 #include "lxs/host/live_view.h"
 #include "lxs/host/render_loop.h"
 #include "lxs/host/render_session.h"
@@ -98,7 +99,9 @@ ExitCode finish(const CommandLine& command, RenderSession& session, const Render
         log.warning("interrupted before the first pass: there is no image to write");
         return ExitCode::Interrupted;
     }
-    return write_final_outputs(command, session, totals, interrupted, log);
+    const ExitCode written = write_final_outputs(command, session, totals, interrupted, log);
+    // After the images, which nothing that is wrong with it can cost.
+    return write_learned(command, session, log) ? written : ExitCode::OutputFailure;
 }
 
 /// Prints what was asked for on standard output.
@@ -110,6 +113,8 @@ void print(const std::string& text) {
 
 ExitCode render(const CommandLine& command, const PluginLibrary& plugins, ConsoleLog& log) {
     check_checkpoint_place(command);
+    check_learned_place(command);
+    const auto known = read_learned(command);
     InputDiagnostics diagnostics(log, command.strict);
     RenderSession session = prepare_session(command, plugins, diagnostics, log);
     log_scene(session, log);
@@ -118,6 +123,7 @@ ExitCode render(const CommandLine& command, const PluginLibrary& plugins, Consol
                          budget.text(), session.integrator_name));
     log.debug(fmt::format("seed {}", session.seed));
 
+    if (known) session.fingerprint.set_learned(*known);
     session.film->estimate_errors(command.error_estimate);
     session.film->keep_for_denoising(command.denoise);
     auto found = find_checkpoint(command, session, log);
@@ -126,6 +132,8 @@ ExitCode render(const CommandLine& command, const PluginLibrary& plugins, Consol
     Interruption interruption;
     LiveView live(command, session, budget, log);
     prepare_integrator(session, command, log);
+    check_learns(command, session);
+    if (known && !found) take_learned(*known, command, session, log);
     const RenderTotals begun =
         found ? restore(std::move(*found), command, session, log) : RenderTotals{};
     CheckpointSchedule checkpoints(command, session, log, begun);
@@ -208,6 +216,9 @@ ExitCode carry_out(const CommandLine& command, ConsoleLog& log) {
         log.verbatim(error.what());
         return ExitCode::BadInput;
     } catch (const SceneFailure& error) {
+        log.error(error.what());
+        return ExitCode::BadInput;
+    } catch (const LearnedFailure& error) {
         log.error(error.what());
         return ExitCode::BadInput;
     } catch (const PluginFailure& error) {

@@ -39,10 +39,13 @@ SceneContents load(const std::string& path, Diagnostics& diagnostics, ReadFiles&
     }
 }
 
-/// The command line's seed, else the integrator's parameter "seed", else 0.
+/// The command line's seed, else the integrator's parameter "seed", else 0; and the frame's part.
 std::uint64_t choose_seed(const CommandLine& command, const ParameterReader& parameters) {
-    if (command.seed) return *command.seed;
-    return parameters.given("seed") ? static_cast<std::uint64_t>(parameters.integer("seed", 0)) : 0;
+    const std::uint64_t of_frame = std::uint64_t{command.frame.value_or(0)} << 32;
+    if (command.seed) return *command.seed + of_frame;
+    const auto given =
+        parameters.given("seed") ? static_cast<std::uint64_t>(parameters.integer("seed", 0)) : 0;
+    return given + of_frame;
 }
 
 /// What an integrator says of parameters that are not LuxRender's: nothing to fall back to.

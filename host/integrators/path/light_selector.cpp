@@ -94,4 +94,15 @@ void LightSelector::state(StateArchive& archive) {
     }
 }
 
+void LightSelector::learned(StateArchive& archive) {
+    CoreArchive core(archive);
+    try {
+        aips::LearnedParts parts(core);
+        if (learned_) learned_->learned(parts);
+        parts.end();
+    } catch (const aips::StateError& error) {
+        throw StateError(error.what());
+    }
+}
+
 }  // namespace lxs

@@ -52,6 +52,8 @@ class LightSelector {
     void learn(std::span<const aips::LightSample> samples, std::uint64_t due, std::uint64_t passes);
     /// Saves what was learned, or restores it into a new selector over the same lights.
     void state(StateArchive& archive);
+    /// Saves what was learned for another render, or takes it before the first pass: it fades.
+    void learned(StateArchive& archive);
 
   private:
     bool all_;

@@ -126,6 +126,10 @@ void PathIntegrator::state(StateArchive& archive) {
     if (metropolis_) metropolis_->state(archive);
 }
 
+void PathIntegrator::learned(StateArchive& archive) {
+    tracer_->lights().learned(archive);
+}
+
 Statistics PathIntegrator::statistics() const {
     Statistics statistics{{"paths", total_.paths}, {"rays", total_.rays}};
     if (total_.paths > 0) {

@@ -21,6 +21,7 @@ class PathIntegrator : public Integrator {
     PassReport render_pass(std::uint64_t pass) override;
     Statistics statistics() const override;
     void state(StateArchive& archive) override;
+    void learned(StateArchive& archive) override;
     RefusalList refusals() const override;
 
   private:

@@ -12,7 +12,8 @@ namespace {
 /// Two lights of different kinds, a dead one, and all lobes that guides treat apart.
 View lit_view(const ResumableCase& what) {
     View view = half_mirror_view(what.width, what.height);
-    view.scene.add_point_light({-0.5f, 0.2f, 0.3f}, {0.4f, 0.3f, 0.1f});
+    view.scene.add_point_light({-0.5f + what.moved, 0.2f, 0.3f}, {0.4f, 0.3f, 0.1f});
+    if (what.another_lamp) view.scene.add_point_light({0.1f, 0.2f, 0.3f}, {0.1f, 0.1f, 0.1f});
     view.scene.add_point_light({0.5f, 0.2f, 0.3f}, {0, 0, 0});
     view.scene.finish();
     if (what.fog) view.scene.fill({{0.05f, 0.1f, 0.3f}, {0.5f, 0.4f, 0.2f}, 0});
@@ -118,6 +119,18 @@ Bytes ResumableRender::save() {
     Saving archive;
     engine_->state(archive);
     return archive.saved();
+}
+
+Bytes ResumableRender::save_learned() {
+    Saving archive;
+    engine_->learned(archive);
+    return archive.saved();
+}
+
+void ResumableRender::take_learned(std::span<const std::byte> learned) {
+    Restoring archive(learned);
+    engine_->learned(archive);
+    if (archive.remaining() > 0) throw StateError("more was learned than was taken");
 }
 
 std::vector<ResumableCase> resumable_cases() {

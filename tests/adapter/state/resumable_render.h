@@ -18,6 +18,8 @@ struct ResumableCase {
     std::uint32_t width = 20, height = 15;
     bool wide = false;   ///< a patch of a wide ground, which few photon paths reach
     bool lamps = false;  ///< a room in which images of a lamp are seen
+    float moved = 0;     ///< by so much lies one of the lamps elsewhere
+    bool another_lamp = false;
 };
 
 /// For messages of tests.
@@ -39,6 +41,9 @@ class ResumableRender {
             render_pass();
     }
     Bytes save();
+    /// What was learned, for other renders; or taken from another, before the first pass.
+    Bytes save_learned();
+    void take_learned(std::span<const std::byte> learned);
     const Film& film() const { return film_; }
     const Log& log() const { return log_; }
     aips::EngineStatistics statistics() const { return engine_->statistics(); }

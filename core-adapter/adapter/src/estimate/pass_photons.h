@@ -14,6 +14,8 @@ struct PassPhotons {
     /// Photon paths of the passes before the last choice, which rests on what they brought: numbers
     /// that are stratified over passes begin anew there. 0 if there was none.
     std::uint64_t chosen_at = 0;
+    /// Photon paths of earlier renders whose knowledge a guide began with: as if they were of this.
+    std::uint64_t known = 0;
 };
 
 }  // namespace aips

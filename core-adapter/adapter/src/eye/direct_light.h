@@ -74,6 +74,10 @@ class DirectLight {
     void state(StateArchive& archive) {
         if (learned_) learned_->state(archive);
     }
+    /// As LearnedLights::learned().
+    void learned(LearnedParts& parts) {
+        if (learned_) learned_->learned(parts);
+    }
     /// Memory held for learning.
     std::size_t memory_bytes() const { return learned_ ? learned_->memory_bytes() : 0; }
     /// Upper bound of memory_bytes() if it learns, from at most `samples` shadow rays a pass.

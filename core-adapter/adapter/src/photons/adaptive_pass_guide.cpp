@@ -35,6 +35,7 @@ class AdaptivePassGuide : public PassGuide {
     }
     double weight(std::uint64_t path) const override { return learning_weight(path); }
     void state(StateArchive& archive) override { guide_.state(archive); }
+    void learned(LearnedParts& parts) override { guide_.learned(parts); }
     void add_to(EngineStatistics& s) const override {
         s.guide_nodes = guide_.node_count();
         s.guide_bytes = guide_.memory_bytes();

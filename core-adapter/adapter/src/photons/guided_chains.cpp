@@ -248,6 +248,17 @@ void GuidedChains::state(StateArchive& archive) {
     archive.amount(start_share_);
 }
 
+void GuidedChains::learned(LearnedParts& parts) {
+    parts.part("starts of chains", starts_.fit(), [&](StateArchive& archive) {
+        starts_.state(archive);
+        mutation_size_.state(archive);
+        archive.amount(start_share_);
+        if (!archive.restoring()) return;
+        starts_.begin_anew();
+        mutation_size_.fade(kMutationLearningSteps / 2);
+    });
+}
+
 void GuidedChains::add_to(EngineStatistics& statistics) const {
     statistics.measured_paths = totals_.measured;
     statistics.visible_paths = std::uint64_t(std::llround(all_weights_.effective()));

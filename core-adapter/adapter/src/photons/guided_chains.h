@@ -33,6 +33,7 @@ class GuidedChains : public PhotonSource {
                        const PathTraces& traces) override;
     double end_pass() override;
     void state(StateArchive& archive) override;
+    void learned(LearnedParts& parts) override;
     void add_to(EngineStatistics& statistics) const override;
     std::size_t memory_bytes() const override;
     static std::size_t memory_bound_bytes(const Scene& scene, const Settings& settings,

@@ -6,6 +6,7 @@
 #include <span>
 
 #include "aips/adapter/engine.h"
+#include "aips/core/base/learned_parts.h"
 #include "estimate/search_radii.h"
 #include "photons/photon_iteration.h"
 #include "worth/pixel_importance.h"
@@ -49,11 +50,13 @@ class PassGuide {
                                 LandingStore& /*waiting*/) {
         return 0;
     }
-    /// What photon path number `path` of the render counts for in the image, in (0, 1]: fixed in
-    /// advance.
+    /// What photon path number `path`, PassPhotons::known of earlier renders counted in, counts for
+    /// in the image, in (0, 1]: fixed in advance.
     virtual double weight(std::uint64_t /*path*/) const { return 1; }
     /// Between passes: saves what was learned, or restores it into a new guide.
     virtual void state(StateArchive& /*archive*/) {}
+    /// The same for another render, from before the first pass on.
+    virtual void learned(LearnedParts& /*parts*/) {}
     virtual void add_to(EngineStatistics& /*statistics*/) const {}
     virtual std::size_t memory_bytes() const { return 0; }
     /// Bounces of the last pass by the guide's node, for debug layers; may be null.

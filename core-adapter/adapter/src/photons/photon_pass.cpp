@@ -103,7 +103,8 @@ void PhotonPass::run_iteration(PhotonInput& input, const IterationPaths& paths,
         totals_.learned += guide_->learn(paths.count, occupancy_, waiting_);
     }
     // After learning: a guide learns from what photons really carried.
-    const auto weight = static_cast<float>(guide_->weight(photons.before + paths.first));
+    const auto weight =
+        static_cast<float>(guide_->weight(photons.known + photons.before + paths.first));
     if (weight < 1) {
         waiting_.scale_power(landings, weight);
         if (volume_) volume_->scale_power(collisions, weight);
@@ -170,6 +171,11 @@ void PhotonPass::state(StateArchive& archive) {
     source_->state(archive);
     guide_->state(archive);
     if (volume_) volume_->state(archive);
+}
+
+void PhotonPass::learned(LearnedParts& parts) {
+    source_->learned(parts);
+    guide_->learned(parts);
 }
 
 void PhotonPass::state_of_seconds(StateArchive& archive) {

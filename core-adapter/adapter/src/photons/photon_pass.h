@@ -59,6 +59,8 @@ class PhotonPass {
     /// importance of pixels is saved by itself, and seconds by state_of_seconds().
     void state(StateArchive& archive);
     void state_of_seconds(StateArchive& archive);
+    /// Saves what was learned for another render, or takes it before the first pass.
+    void learned(LearnedParts& parts);
 
     const PhotonPassTotals& totals() const { return totals_; }
     const PassGuide& guide() const { return *guide_; }

@@ -44,6 +44,8 @@ class PhotonSource {
     virtual double end_pass() = 0;
     /// Between passes: saves what later ones go on from, or restores it.
     virtual void state(StateArchive& archive) = 0;
+    /// The same for another render, from before the first pass on: old knowledge fades.
+    virtual void learned(LearnedParts& /*parts*/) {}
     virtual void add_to(EngineStatistics& statistics) const = 0;
     virtual std::size_t memory_bytes() const = 0;
 };

@@ -113,6 +113,14 @@ inline constexpr double kChosenWeightOfAGuide = 2;
 /// Supported by: hall, sun-window, glass-ball, prism, ajar-door (2 in its place).
 inline constexpr double kChosenWeightInSmallImages = 1;
 
+/// Most of the photon paths of a guide's learning that count as shot where it begins with what
+/// another render learned. Unit: share of kLearningPaths.
+/// Balances: photons of the first passes that a good guide sent against fireflies by one that what
+/// moved has made wrong.
+/// Chosen by: reasoning: none on record.
+/// Supported by: no measurement.
+inline constexpr double kRememberedLearning = 1.0;
+
 /// Least cost of photons over the eye's. Eye paths are stratified from pass to pass, so that their
 /// noise falls faster than what two passes differ by tells: at least 60 % of the time goes to
 /// photons. Unit: ratio.

@@ -41,6 +41,7 @@ PhotonSchedule::PhotonSchedule(const Settings& settings, std::uint32_t eye_paths
     : adapts_(shoots && follows_noise(settings)),
       learns_(learns),
       chains_(chains),
+      eye_paths_(eye_paths),
       paths_(first_paths(settings, eye_paths, adapts_, learns, chains)),
       chosen_weight_(chosen_weight(paths_, learns)),
       decide_at_(learns ? kFirstPassesOfAGuide : kFirstPasses) {
@@ -54,7 +55,7 @@ void PhotonSchedule::plan() {
         next_.counted = 0;
         for (std::uint32_t first = 0; first < paths_;) {
             const std::uint32_t count = std::min(kPlainIterationPaths, paths_ - first);
-            next_.counted += learning_weight(next_.before + first) * count;
+            next_.counted += learning_weight(next_.known + next_.before + first) * count;
             first += count;
         }
     }
@@ -115,6 +116,7 @@ void PhotonSchedule::state(StateArchive& archive) {
     archive.value(planned_);
     archive.value(next_.before);
     archive.value(next_.chosen_at);
+    archive.value(next_.known);
     StateArchive::check(
         next_.chosen_at <= next_.before && (decided_ || planned_ || next_.chosen_at == 0),
         "a choice of photons that is still to come");
@@ -125,6 +127,27 @@ void PhotonSchedule::state(StateArchive& archive) {
         archive.value(*sum);
     archive.value(shot_);
     if (archive.restoring()) plan();
+}
+
+void PhotonSchedule::learned(LearnedParts& parts) {
+    const auto kind = std::uint64_t((adapts_ ? 1 : 0) + (learns_ ? 2 : 0) + (chains_ ? 4 : 0));
+    parts.part("photons per pass", kind << 32 | eye_paths_, [&](StateArchive& archive) {
+        bool chosen = decided_ || planned_;
+        std::uint32_t paths = paths_;
+        std::uint64_t known = next_.known + next_.before;
+        archive.value(chosen);
+        archive.value(paths);
+        archive.value(known);
+        StateArchive::check(!adapts_ || (paths >= kFewestPerPass && paths <= kMostPerPass),
+                            "a number of photons that no pass has");
+        if (!archive.restoring()) return;
+        next_.known = std::min(known, std::uint64_t(kRememberedLearning * kLearningPaths));
+        if (adapts_ && chosen) {
+            paths_ = paths;
+            decided_ = true;
+        }
+        plan();
+    });
 }
 
 double PhotonSchedule::even_paths() const {

@@ -12,7 +12,7 @@
 #include <cstdint>
 
 #include "aips/adapter/settings.h"
-#include "aips/core/base/state_archive.h"
+#include "aips/core/base/learned_parts.h"
 #include "estimate/pass_photons.h"
 #include "worth/pass_noise.h"
 
@@ -56,6 +56,9 @@ class PhotonSchedule {
     /// Between passes: saves what is planned and what that rests on, or restores it into a new
     /// schedule with the same settings.
     void state(StateArchive& archive);
+    /// Saves for another render with as many eye paths what this one would go on with, or takes it
+    /// before the first pass: the number is chosen by then, and a guide has learned.
+    void learned(LearnedParts& parts);
 
   private:
     void plan();
@@ -66,13 +69,14 @@ class PhotonSchedule {
     std::uint32_t best_paths() const;
 
     bool adapts_, learns_, chains_;
+    std::uint32_t eye_paths_;
     std::uint32_t paths_;
     double chosen_weight_;  // of passes after the first choice
     std::uint64_t pass_ = 0;
     std::uint64_t decide_at_;  // pass before which the number is chosen next
     bool decided_ = false;
     bool planned_ = false;  // elsewhere
-    PassPhotons next_;
+    PassPhotons next_;      // `known` of it is that of all passes
     // Since the last choice; at first, of the second half of all passes.
     PassWork work_;
     PassNoise noise_;

@@ -43,7 +43,8 @@ GuideKind Plan::guide() const {
 }
 
 bool Plan::looks_first() const {
-    return needs.photons && learns() && settings().guide_scout && !media;
+    return needs.photons && settings().guide == GuideKind::Adaptive && settings().guide_scout &&
+           !media;
 }
 
 bool Plan::measures_noise() const {
@@ -68,10 +69,14 @@ Settings Plan::radius_settings() const {
 
 void Plan::state(StateArchive& archive) {
     archive.value(way);
-    const bool may_be_left_out = settings().guide == GuideKind::Adaptive && settings().guide_scout;
-    const bool asked_for = may_be_left_out && (!chains_for_guide() || settings().guide_chains);
-    StateArchive::check(way <= PhotonWay::Chains && (way == PhotonWay::Guided || asked_for),
+    StateArchive::check(way <= PhotonWay::Chains && allows(way),
                         "a guide left out that was not asked for");
+}
+
+bool Plan::allows(PhotonWay other) const {
+    if (other == PhotonWay::Guided) return true;
+    const bool may_be_left_out = settings().guide == GuideKind::Adaptive && settings().guide_scout;
+    return may_be_left_out && (other != PhotonWay::Chains || settings().guide_chains);
 }
 
 Plan make_plan(const Scene& scene, const Settings& settings) {

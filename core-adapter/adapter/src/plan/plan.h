@@ -13,8 +13,8 @@ namespace aips {
 
 struct Plan {
     Needs needs;
-    /// What takes photons through the scene if the guide is the adaptive one; Guided until
-    /// the first look.
+    /// What takes photons through the scene if the guide is the adaptive one; until the first look
+    /// Guided, or what another render that was learned from had taken.
     PhotonWay way = PhotonWay::Guided;
     bool media = false;  ///< some medium of the scene scatters
 
@@ -42,6 +42,8 @@ struct Plan {
     /// Settings of the radius policy.
     Settings radius_settings() const;
 
+    /// Whether these settings let photons go this way.
+    bool allows(PhotonWay other) const;
     /// Between passes: saves what was decided since the start, or restores it. Throws StateError
     /// for a decision that these settings do not allow.
     void state(StateArchive& archive);

@@ -55,4 +55,8 @@ void Engine::state(StateArchive& archive) {
     state_->loop().state(archive);
 }
 
+void Engine::learned(StateArchive& archive) {
+    state_->loop().learned(archive);
+}
+
 }  // namespace aips

@@ -21,6 +21,20 @@ const Shared* shared_by(const LightStrategies& strategies,
     return nullptr;
 }
 
+std::string joined(const std::vector<std::string>& names) {
+    std::string text;
+    for (const std::string& name : names)
+        text += (text.empty() ? "" : ", ") + name;
+    return text.empty() ? "nothing" : text;
+}
+
+void log_learned(const LearnedParts& parts, Log& log) {
+    log.info("learned before: " + joined(parts.taken()));
+    if (!parts.left_out().empty())
+        log.info("skipped of what was learned before, as it does not fit: " +
+                 joined(parts.left_out()));
+}
+
 }  // namespace
 
 PassLoop::PassLoop(const Host& host, const Settings& settings, std::uint32_t eye_paths,
@@ -188,6 +202,18 @@ void PassLoop::state(StateArchive& archive) {
     for (const auto& strategy : strategies_)
         strategy->state_of_seconds(archive);
     archive.amount(statistics_.eye_seconds);
+}
+
+void PassLoop::learned(StateArchive& archive) {
+    if (archive.restoring() && statistics_.passes > 0)
+        throw std::logic_error("what was learned elsewhere is taken before the first pass");
+    state_of_version(archive);
+    LearnedParts parts(archive);
+    direct_light_.learned(parts);
+    for (const auto& strategy : strategies_)
+        strategy->learned(parts);
+    parts.end();
+    if (archive.restoring()) log_learned(parts, host_.log);
 }
 
 }  // namespace aips

@@ -26,6 +26,7 @@ class PassLoop {
     PassReport render_pass(std::uint64_t pass);
     EngineStatistics statistics() const;
     void state(StateArchive& archive);
+    void learned(StateArchive& archive);
 
   private:
     std::uint64_t begin_pass(std::uint64_t pass);

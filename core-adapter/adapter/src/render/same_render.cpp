@@ -5,7 +5,7 @@ namespace aips {
 namespace {
 
 /// To be raised whenever the content of states changes.
-constexpr std::uint32_t kStateVersion = 14;
+constexpr std::uint32_t kStateVersion = 15;
 
 void state_of_settings(StateArchive& archive, const Settings& s) {
     archive.same(s.mode, "mode");
@@ -42,6 +42,13 @@ void state_of_identity(StateArchive& archive, const Host& host, const Settings& 
     archive.same(host.scene.light_groups(), "light groups");
     archive.same(std::uint64_t{host.scene.lights().size()}, "lights");
     archive.same(std::uint64_t{host.scene.material_names().size()}, "materials");
+}
+
+void state_of_version(StateArchive& archive) {
+    std::uint32_t version = kStateVersion;
+    archive.value(version);
+    if (version != kStateVersion)
+        throw StateError("it was learned by another version of the engine");
 }
 
 }  // namespace aips

@@ -13,4 +13,7 @@ namespace aips {
 void state_of_identity(StateArchive& archive, const Host& host, const Settings& settings,
                        std::uint32_t eye_paths);
 
+/// Saves which version of the engine learned something, or throws StateError if that was another.
+void state_of_version(StateArchive& archive);
+
 }  // namespace aips

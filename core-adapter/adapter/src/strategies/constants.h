@@ -24,6 +24,13 @@ inline constexpr std::uint64_t kSharePointsOneOf = 16;
 /// Supported by: no measurement.
 inline constexpr double kShareMemory = 0.5;
 
+/// Visible points that what another render learned of shared light counts for. Unit: visible
+/// points.
+/// Balances: what is still true of the scene against what moved.
+/// Chosen by: reasoning: one pass of a small image.
+/// Supported by: no measurement.
+inline constexpr double kRememberedPoints = 1e4;
+
 /// Squared error of photons over their variance where radii follow noise and bias. Unit: ratio.
 /// Balances: eye paths, which have no bias, against photons.
 /// Chosen by: reasoning: where the sum of noise in r^-2 and squared bias in r^4 is least, the

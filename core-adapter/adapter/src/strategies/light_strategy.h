@@ -71,6 +71,9 @@ class LightStrategy {
     virtual void state(StateArchive& archive, const EyeImage& image) = 0;
     /// The same of its times, which are no function of scene, settings and passes.
     virtual void state_of_seconds(StateArchive& archive) = 0;
+    /// Saves what was learned for another render, or takes it into a new strategy before the first
+    /// pass: of a scene that may have moved, so that it fades and nothing of it is final.
+    virtual void learned(LearnedParts& /*parts*/) {}
     /// Adds its own counts and times.
     virtual void add_to(EngineStatistics& statistics) const = 0;
     /// Held now; at most memory_bound_bytes().

@@ -62,19 +62,21 @@ void PhotonStrategy::look_first(const StrategyPass& pass) {
     const double radius = initial_radius(settings_, pass.image, smallest_radius(scene_));
     const SeenPaths seen =
         scout_photons(scene_, settings_, pass.time, pass.image, static_cast<float>(radius));
-    take_way(photon_way(settings_, seen));
+    // What another render learned may have chosen a way already.
+    const PhotonWay way = photon_way(settings_, seen);
+    if (way != plan_.way) take_way(way);
     if (plan_.way == PhotonWay::Guided) return;
     skip_log_.left_out_guide(plan_.way, seen, plan_.guides_chains());
 }
 
 void PhotonStrategy::take_way(PhotonWay way) {
     plan_.way = way;
-    if (way == PhotonWay::Guided) return;
+    importance_ = make_importance();
     photon_pass_.take(make_pass_guide(), make_source());
     schedule_ = make_schedule();
-    importance_ = make_importance();
     radius_policy_ = make_radii();
-    if (!wants_noise()) noise_.reset();
+    noise_.reset();
+    if (wants_noise()) noise_.emplace(film_.width(), film_.height());
 }
 
 std::unique_ptr<PassGuide> PhotonStrategy::make_pass_guide() const {
@@ -174,7 +176,7 @@ PassNoise PhotonStrategy::learn_noise(const EyeImage& image) {
 void PhotonStrategy::state(StateArchive& archive, const EyeImage& image) {
     skip_log_.state(archive);
     plan_.state(archive);
-    if (archive.restoring()) take_way(plan_.way);
+    if (archive.restoring() && plan_.way != PhotonWay::Guided) take_way(plan_.way);
     schedule_.state(archive);
     if (importance_) importance_->state(archive);
     if (noise_) noise_->state(archive);
@@ -182,6 +184,20 @@ void PhotonStrategy::state(StateArchive& archive, const EyeImage& image) {
     photon_pass_.state(archive);
     radius_policy_->state(archive, image);
     if (layers_) layers_->state(archive);
+}
+
+void PhotonStrategy::learned(LearnedParts& parts) {
+    if (!plan_.needs.photons) return;
+    // First, as it decides on what others are parts of.
+    parts.part("way of photons", 0, [&](StateArchive& archive) {
+        PhotonWay way = plan_.way;
+        archive.value(way, PhotonWay::Chains);
+        if (way != plan_.way && plan_.allows(way)) take_way(way);
+    });
+    schedule_.learned(parts);
+    if (importance_) importance_->learned(parts);
+    if (shared_) shared_->learned(parts);
+    photon_pass_.learned(parts);
 }
 
 void PhotonStrategy::state_of_seconds(StateArchive& archive) {

@@ -29,6 +29,7 @@ class PhotonStrategy : public LightStrategy {
     void end_pass(const StrategyPass& pass, const FilmPass& film_pass) override;
     void state(StateArchive& archive, const EyeImage& image) override;
     void state_of_seconds(StateArchive& archive) override;
+    void learned(LearnedParts& parts) override;
     void add_to(EngineStatistics& statistics) const override;
     std::size_t memory_bytes() const override;
     std::size_t memory_bound_bytes() const override;

@@ -156,4 +156,14 @@ void SharedLight::state(StateArchive& archive) {
         archive.amount(*sum);
 }
 
+void SharedLight::learned(LearnedParts& parts) {
+    parts.part("shares", 0, [&](StateArchive& archive) {
+        shares_.table.state(archive);
+        archive.amount(eye_part_);
+        if (!archive.restoring()) return;
+        shares_.table.fade(kRememberedPoints);
+        set_any();
+    });
+}
+
 }  // namespace aips

@@ -47,6 +47,9 @@ class SharedLight {
 
     /// Saves what later passes go on from, or restores it.
     void state(StateArchive& archive);
+    /// The same for another render, from before the first pass on: shares stay until the first
+    /// decision, what they rest on fades.
+    void learned(LearnedParts& parts);
     std::size_t memory_bytes() const { return shares_.table.memory_bytes(); }
 
   private:

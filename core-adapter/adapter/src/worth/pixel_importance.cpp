@@ -95,6 +95,25 @@ void PixelImportance::state(StateArchive& archive) {
     if (archive.restoring() && passes_ > 0) estimate();
 }
 
+void PixelImportance::learned(LearnedParts& parts) {
+    const std::uint64_t size = std::uint64_t{width_} << 32 | height_;
+    parts.part("brightness of pixels", size, [&](StateArchive& archive) {
+        state(archive);
+        if (archive.restoring()) fade();
+    });
+}
+
+void PixelImportance::fade() {
+    if (passes_ <= kRememberedPasses) return;
+    const double kept = double(kRememberedPasses) / double(passes_);
+    for (std::vector<double>* values : {&sum_, &count_}) {
+        for (double& value : *values)
+            value *= kept;
+    }
+    passes_ = kRememberedPasses;
+    estimate();
+}
+
 double PixelImportance::weigh(const EyeImage& image, std::vector<float>& weights) const {
     weights.assign(image.visible_points.size(), kUnknownWeight);
     if (!(mean_ > 0) || weights.empty()) return 1;

@@ -9,6 +9,7 @@
 #include <span>
 #include <vector>
 
+#include "aips/core/base/learned_parts.h"
 #include "eye/eye_pass.h"
 #include "worth/constants.h"
 #include "worth/pixel_luminance.h"
@@ -40,10 +41,15 @@ class PixelImportance {
     /// Saves what was added, or restores it into a new estimate for the same film.
     void state(StateArchive& archive);
 
+    /// Saves the estimate for another render of as large a film, or takes it before the first pass,
+    /// as that of few passes.
+    void learned(LearnedParts& parts);
+
     std::size_t memory_bytes() const;
     static std::size_t memory_bound_bytes(std::size_t pixels);
 
   private:
+    void fade();
     void estimate();
     void blur();
 

@@ -106,15 +106,30 @@ void BounceTables::forget(double paths) {
     paths_ += paths;
     const double kept = std::min(1.0, settings_.places.memory_paths / std::max(paths_, 1.0));
     if (kept < 1) paths_ = settings_.places.memory_paths;
-    for (Leaf& leaf : leaves_) {
+    for (Leaf& leaf : leaves_)
         leaf.moments.scale(moments);
-        if (kept == 1) continue;
+    if (kept < 1) keep(kept);
+}
+
+/// This share of what tables are made of.
+void BounceTables::keep(double share) {
+    for (Leaf& leaf : leaves_) {
         for (double& sum : leaf.sums)
-            sum *= kept;
-        leaf.sum *= kept;
-        leaf.squares *= kept;
-        leaf.fresh *= kept;
+            sum *= share;
+        leaf.sum *= share;
+        leaf.squares *= share;
+        leaf.fresh *= share;
     }
+}
+
+void BounceTables::fade(double paths) {
+    places_.fade(paths);
+    if (paths_ <= paths) return;
+    const double kept = paths / paths_;
+    paths_ = paths;
+    keep(kept);
+    for (Leaf& leaf : leaves_)
+        leaf.moments.scale(kept);
 }
 
 void BounceTables::make_density(Leaf& leaf) const {

@@ -6,7 +6,7 @@
 namespace aips {
 
 LearnedLights::LearnedLights(const Bounds& scene, const DiscreteDistribution& plain)
-    : tables_(scene, plain, light_table_settings(plain.size())) {}
+    : lights_(plain.size()), tables_(scene, plain, light_table_settings(plain.size())) {}
 
 void LearnedLights::learn(std::span<const LightSample> samples, std::uint64_t due,
                           std::uint64_t passes) {
@@ -45,6 +45,20 @@ void LearnedLights::state(StateArchive& archive) {
         archive.value(s.pdf);
         archive.value(s.value);
     }
+}
+
+void LearnedLights::learned(LearnedParts& parts) {
+    parts.part("lights", lights_, [&](StateArchive& archive) {
+        state(archive);
+        if (archive.restoring()) begin_anew();
+    });
+}
+
+void LearnedLights::begin_anew() {
+    tables_.fade(double(kRememberedRays));
+    learned_ = std::min(learned_, kRememberedRays);
+    passes_before_ = due_ = 0;
+    waiting_.clear();
 }
 
 std::size_t LearnedLights::memory_bytes() const {

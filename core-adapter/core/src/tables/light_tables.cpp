@@ -110,6 +110,21 @@ void LightTables::make_choices() {
     }
 }
 
+void LightTables::fade(double rays) {
+    places_.fade(rays);
+    if (everywhere_.rays <= rays) return;
+    const double kept = rays / everywhere_.rays;
+    const auto keep = [kept](Sums& sums) {
+        sums.rays *= kept;
+        for (double& square : sums.squares)
+            square *= kept;
+    };
+    keep(everywhere_);
+    for (Sums& sums : leaves_)
+        keep(sums);
+    make_choices();
+}
+
 void LightTables::state(StateArchive& archive) {
     places_.state(archive);
     if (archive.restoring()) {

@@ -142,6 +142,11 @@ void ShareTable::forget(double factor) {
         leaf.scale(factor);
 }
 
+void ShareTable::fade(double points) {
+    places_.fade(points);
+    if (everywhere_.points > points) forget(points / everywhere_.points);
+}
+
 void ShareTable::set_shares(std::span<const float> shares) {
     if (shares.size() != shares_.size())
         throw std::invalid_argument("ShareTable: not a share for each leaf");

@@ -164,6 +164,20 @@ void PrimaryTree::update(double paths) {
     set_expectations();
 }
 
+void PrimaryTree::fade(double paths, double seeds) {
+    for (Leaf& leaf : leaves_) {
+        leaf.seeds.scale(seeds);
+        if (!(leaf.paths > paths)) continue;
+        const double kept = paths / leaf.paths;
+        for (Sums* sums : {&leaf.root, &leaf.met})
+            sums->scale(kept);
+        for (double* sum : {&leaf.score, &leaf.drawn, &leaf.cost})
+            *sum *= kept;
+        leaf.paths = paths;
+    }
+    set_expectations();
+}
+
 double PrimaryTree::leaf_mass(const Leaf& leaf) const {
     if (!(leaf.expected.root > 0)) return 0;
     return leaf.volume *

@@ -166,17 +166,23 @@ bool ScoreCache::add(const VertexScore& vertex) {
 }
 
 void ScoreCache::update(double paths) {
-    forget(paths);
+    paths_ += std::max(0.0, paths);
+    forget(settings_.memory_paths);
     split_leaves();
     add_totals();
     set_means();
 }
 
-void ScoreCache::forget(double paths) {
-    paths_ += std::max(0.0, paths);
-    if (paths_ <= settings_.memory_paths) return;
-    const double kept = settings_.memory_paths / paths_;
-    paths_ = settings_.memory_paths;
+void ScoreCache::fade(double paths) {
+    forget(paths);
+    add_totals();
+    set_means();
+}
+
+void ScoreCache::forget(double most) {
+    if (paths_ <= most) return;
+    const double kept = most / paths_;
+    paths_ = most;
     for (Totals& totals : totals_)
         totals.scale(kept);
     for (Leaf& leaf : leaves_)

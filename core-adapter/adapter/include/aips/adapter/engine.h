@@ -115,6 +115,14 @@ class Engine {
     /// which takes an eye pass. What is saved is a function of scene, settings and passes, but for
     /// its last kStateSecondsBytes, the times.
     void state(StateArchive& archive);
+    /// After any pass: saves what was learned for renders of other scenes that are much like this
+    /// one, as the next frame of an animation is. Or takes it, before the first pass.
+    ///
+    /// What was learned steers where samples go and no more: the expectation of the image stays as
+    /// it is, whatever was taken. It counts for little, and what was decided by it is judged anew.
+    /// Parts that fit nothing here (other lights, another film size) are left out; the log tells.
+    /// Throws StateError if it is damaged or of another version; the engine is then to be dropped.
+    void learned(StateArchive& archive);
     static constexpr std::size_t kStateSecondsBytes = 5 * sizeof(double);
 
   private:

@@ -178,6 +178,34 @@ void AdaptiveGuide::state(StateArchive& archive) {
     archive.amount(mean_weight_);
 }
 
+void AdaptiveGuide::learned(LearnedParts& parts) {
+    parts.part("emission", emission_.fit(), [&](StateArchive& archive) {
+        emission_.state(archive);
+        if (archive.restoring()) emission_.begin_anew(kRememberedPaths);
+    });
+    if (cache_) {
+        parts.part("survival", 0, [&](StateArchive& archive) {
+            cache_->state(archive);
+            survival_->state(archive);
+            survival_switch_.state(archive);
+            if (!archive.restoring()) return;
+            cache_->fade(kRememberedPaths);
+            survival_switch_.begin_anew();
+        });
+    }
+    if (bounces_) {
+        parts.part("directions", 0, [&](StateArchive& archive) {
+            bounces_->state(archive);
+            if (archive.restoring()) bounces_->fade(kRememberedPaths);
+        });
+    }
+    parts.part("worth of photons", 0, [&](StateArchive& archive) {
+        path_means_.state(archive);
+        archive.value(visible_paths_);
+        if (archive.restoring()) path_means_.fade(kRememberedPaths);
+    });
+}
+
 std::size_t AdaptiveGuide::memory_bytes() const {
     return scores_.memory_bytes() + emission_.memory_bytes() +
            (cache_ ? cache_->memory_bytes() : 0) + (bounces_ ? bounces_->memory_bytes() : 0) +

@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "aips/adapter/settings.h"
+#include "aips/core/base/learned_parts.h"
 #include "aips/core/trees/score_cache.h"
 #include "guides/adaptive/bounce_guide.h"
 #include "guides/adaptive/constants.h"
@@ -57,6 +58,10 @@ class AdaptiveGuide {
     /// Between passes: saves what was learned, or restores it into a new guide; what a pass begins
     /// with is made anew by begin_pass().
     void state(StateArchive& archive);
+
+    /// Saves what was learned for another render, or takes it into a new guide before the first
+    /// pass: it fades, and whether parts of the guide pay is judged anew.
+    void learned(LearnedParts& parts);
 
     const EmissionGuide& emission_guide() const { return emission_; }
     /// Whether survival by score was tried and does not pay.

@@ -25,6 +25,9 @@ class BounceGuide final : public DirectionGuide {
     /// Between passes: saves what was learned, or restores it into a new guide.
     void state(StateArchive& archive) { tables_.state(archive); }
 
+    /// As that of BounceTables.
+    void fade(double paths) { tables_.fade(paths); }
+
     const BounceTables& tables() const { return tables_; }
     std::size_t memory_bytes() const { return tables_.memory_bytes(); }
     static std::size_t memory_bound_bytes(double memory_paths);

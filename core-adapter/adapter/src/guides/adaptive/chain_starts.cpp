@@ -88,6 +88,12 @@ void ChainStarts::state(StateArchive& archive) {
     archive.value(paths_);
 }
 
+void ChainStarts::begin_anew() {
+    guide_.begin_anew(kRememberedPaths);
+    seeds_ = {};
+    paths_ = 0;
+}
+
 std::size_t ChainStarts::memory_bound_bytes(const Scene& scene, std::size_t eye_paths) {
     return EmissionGuide::memory_bound_bytes(light_choice(scene), guide_settings()) +
            SeedSearch::memory_bound_bytes(eye_paths);

@@ -53,6 +53,9 @@ class ChainStarts {
 
     /// Between passes: saves what was learned, or restores it.
     void state(StateArchive& archive);
+    /// As EmissionGuide's; walks from the eye are done anew.
+    void begin_anew();
+    std::uint64_t fit() const { return guide_.fit(); }
     std::size_t memory_bytes() const { return guide_.memory_bytes() + seeds_.memory_bytes(); }
     static std::size_t memory_bound_bytes(const Scene& scene, std::size_t eye_paths);
 

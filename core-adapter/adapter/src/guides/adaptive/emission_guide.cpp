@@ -158,6 +158,24 @@ void EmissionGuide::state(StateArchive& archive) {
     StateArchive::check(learned_ || !on_, "a guide of emission that is on and knows nothing");
 }
 
+void EmissionGuide::begin_anew(double paths) {
+    for (PrimaryTree& tree : trees_)
+        tree.fade(paths, kRememberedSeeds);
+    for (double& weight : seeds_)
+        weight *= kRememberedSeeds;
+    moments_ = {};
+    scored_ = std::min<std::uint64_t>(scored_, settings_.learned_scores);
+    set_densities();
+    on_ = learned_;
+}
+
+std::uint64_t EmissionGuide::fit() const {
+    std::uint64_t lights = 0xCBF29CE484222325u ^ trees_.size();  // FNV-1a
+    for (std::size_t l = 0; l < trees_.size(); ++l)
+        lights = (lights ^ (plain_pdf(LightIndex(l)) > 0 ? 1 : 0)) * 0x100000001B3u;
+    return lights;
+}
+
 double EmissionGuide::starved_share(double density) const {
     if (!on_) return 0;
     double sum = 0;

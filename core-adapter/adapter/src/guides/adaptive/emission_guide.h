@@ -78,6 +78,13 @@ class EmissionGuide {
     /// after update(), with nothing added since.
     void state(StateArchive& archive);
 
+    /// What was learned in another render counts for no more than `paths` scored photon paths, and
+    /// whether guiding pays is judged anew.
+    void begin_anew(double paths);
+    /// Stands for all that a guide must have alike to take what this one learned: which lights
+    /// there are that emit.
+    std::uint64_t fit() const;
+
     /// Whether sample() follows what was learned.
     bool on() const { return on_; }
     /// Plain second moment times cost over guided, on samples that did not shape the density.

@@ -37,6 +37,14 @@ class PathMeans {
     /// Mean score times mean cost: the error of equal-time images, about; 0 before any path.
     double score_times_cost() const { return count_ > 0 ? score_ * cost_ / (count_ * count_) : 0; }
 
+    /// What was counted counts for no more than `paths`.
+    void fade(double paths) {
+        all_ = std::min(all_, paths);
+        const double kept = count_ > 0 ? std::min(1.0, 0.25 * all_ / count_) : 1;
+        for (double* sum : {&score_, &cost_, &count_})
+            *sum *= kept;
+    }
+
     /// Saves or restores what was counted.
     void state(StateArchive& archive) {
         for (double* sum : {&score_, &cost_, &count_, &all_})

@@ -45,6 +45,9 @@ class SurvivalSwitch {
     /// After `paths` further scored photon paths, of which `memory_paths` count in full.
     void update(double paths, double memory_paths);
 
+    /// What was decided stays until it is judged anew, by what is counted from here on.
+    void begin_anew() { half_ = quarters_ = {}; }
+
     /// Saves or restores what was counted and decided.
     void state(StateArchive& archive) {
         half_.state(archive);

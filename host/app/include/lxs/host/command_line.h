@@ -40,6 +40,9 @@ struct CommandLine {
     std::optional<std::string> checkpoint;  ///< file to save the render's state in; none: not saved
     double checkpoint_interval = 300;       ///< least seconds between two of them; 0: every pass
     bool resume = false;                    ///< from `checkpoint`, if there is that file
+    std::optional<std::string> learned_out;  ///< file for what the render learns
+    std::optional<std::string> learned_in;   ///< of another render, to begin with
+    std::optional<std::uint32_t> frame;      ///< number of it; given: the seed differs by it
     Verbosity verbosity = Verbosity::Normal;
 
     bool list_plugins = false;

@@ -22,7 +22,10 @@ inline constexpr std::array kExitCodes = {
     ExitCodeMeaning{ExitCode::Success, "the image is written"},
     ExitCodeMeaning{ExitCode::InternalError, "internal error or out of memory"},
     ExitCodeMeaning{ExitCode::Usage, "the command line is not understood"},
-    ExitCodeMeaning{ExitCode::BadInput, "bad scene, or a bad value given by --set or --integrator"},
+    ExitCodeMeaning{
+        ExitCode::BadInput,
+        "bad scene, a bad value given by --set or --integrator, or a file that --learned-in "
+        "can't use"},
     ExitCodeMeaning{ExitCode::PluginFailure, "a plugin module can't be loaded, or fails"},
     ExitCodeMeaning{ExitCode::OutputFailure, "an output file can't be written"},
     ExitCodeMeaning{ExitCode::CheckpointRefused,

@@ -20,6 +20,11 @@ class CheckpointFailure : public std::runtime_error {
     using std::runtime_error::runtime_error;
 };
 
+/// A file of what was learned that can't be used.
+class LearnedFailure : public std::runtime_error {
+    using std::runtime_error::runtime_error;
+};
+
 /// A scene that an integrator can't render, with nothing in a file to point at.
 class SceneFailure : public std::runtime_error {
     using std::runtime_error::runtime_error;

@@ -5,6 +5,7 @@
 #include <array>
 #include <cstdint>
 #include <filesystem>
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -26,6 +27,8 @@ class Fingerprint {
     void set_settings(const CommandLine& command, std::string_view integrator, std::uint32_t width,
                       std::uint32_t height);
     void set_seed(std::uint64_t seed);
+    /// What was learned before, if anything was.
+    void set_learned(std::span<const std::byte> file);
 
     /// Adds what images to be merged must have alike.
     void describe(ImageMetadata& metadata) const;
@@ -34,7 +37,7 @@ class Fingerprint {
     void state(StateArchive& archive) { archive.fixed(std::span(checksums_)); }
 
   private:
-    enum Cause : std::uint8_t { Program, Sources, Assets, Settings, Seed, Causes };
+    enum Cause : std::uint8_t { Program, Sources, Assets, Settings, Seed, Learned, Causes };
 
     std::array<std::uint64_t, Causes> checksums_{};
 };

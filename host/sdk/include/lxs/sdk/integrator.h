@@ -73,6 +73,14 @@ class Integrator {
     virtual void state(StateArchive& /*archive*/) {
         throw std::runtime_error("this integrator can't be checkpointed");
     }
+    /// After any pass: saves what was learned for renders of scenes that are much like this one.
+    /// Or takes it, after prepare() and before the first pass: it may only steer where samples go,
+    /// must soon be outweighed by what is learned anew, and parts that don't fit are left out.
+    /// Throws StateError if it is damaged or of another version; another exception if nothing is
+    /// ever learned.
+    virtual void learned(StateArchive& /*archive*/) {
+        throw std::runtime_error("this integrator keeps nothing of what it learns");
+    }
 };
 
 }  // namespace lxs

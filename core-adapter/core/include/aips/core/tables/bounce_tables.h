@@ -92,6 +92,10 @@ class BounceTables {
     /// learned and decides where tables pay.
     void update(double paths);
 
+    /// What was learned counts for no more than `paths` scored photon paths. Tables in use stay so
+    /// until what is learned later tells otherwise.
+    void fade(double paths);
+
     /// Saves what was learned, or restores it into new tables over the same scene with the same
     /// settings. To be called after update(), with nothing added since.
     void state(StateArchive& archive);
@@ -126,6 +130,7 @@ class BounceTables {
 
     void add_leaves();
     void forget(double paths);
+    void keep(double share);
     void make_density(Leaf& leaf) const;
     void choose_shares();
     void use_tables();

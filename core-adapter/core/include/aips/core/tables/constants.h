@@ -72,6 +72,12 @@ inline constexpr std::uint64_t kMostNewRays = 1u << 16;
 /// reasoning: none on record. Supported by: no measurement.
 inline constexpr std::uint64_t kEnoughRays = 1u << 20;
 
+/// Shadow rays that what was learned in another render counts for. Unit: shadow rays.
+/// Balances: what is still true of the scene against what moved.
+/// Chosen by: reasoning: as many as the first choices of a render rest on, several times.
+/// Supported by: no measurement.
+inline constexpr std::uint64_t kRememberedRays = 1u << 14;
+
 /// Most leaves with a table of directions. Unit: leaves.
 /// Balances: parallax within a leaf against memory and photons to fill a table.
 /// Chosen by: reasoning: none on record.

@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "aips/core/base/learned_parts.h"
 #include "aips/core/tables/constants.h"
 #include "aips/core/tables/light_tables.h"
 
@@ -50,6 +51,9 @@ class LearnedLights {
 
     /// Saves what was learned, or restores it into new ones with the same scene and lights.
     void state(StateArchive& archive);
+    /// Saves what was learned for another render, or takes it into new ones before the first pass,
+    /// if it is of as many lights. It fades, and more is learned.
+    void learned(LearnedParts& parts);
 
     std::size_t memory_bytes() const;
     /// Upper bound of memory_bytes() without what waits to be learned: LightSamples of at most
@@ -58,7 +62,9 @@ class LearnedLights {
 
   private:
     std::uint64_t due_at_most() const;
+    void begin_anew();
 
+    std::size_t lights_;
     LightTables tables_;
     std::vector<LightSample> waiting_;  ///< not learned yet: tables are made anew now and then
     std::uint64_t due_ = 0;             ///< since choices were made

@@ -57,6 +57,9 @@ class LightTables {
     /// After `samples` calls of add(): splits leaves and makes the choices anew.
     void update(std::size_t samples);
 
+    /// What was learned counts for no more than so many shadow rays.
+    void fade(double rays);
+
     /// Saves what was learned, or restores it into new tables with the same scene and settings. To
     /// be called after update(), with nothing added since.
     void state(StateArchive& archive);

@@ -86,6 +86,8 @@ class ShareTable {
     std::vector<ShareMoments> moments() const;
     /// What was met counts for `factor` of what will be.
     void forget(double factor);
+    /// What was met counts for no more than so many visible points.
+    void fade(double points);
     /// [leaf]: each in [0, 1).
     void set_shares(std::span<const float> shares);
 

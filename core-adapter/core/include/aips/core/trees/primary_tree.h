@@ -74,6 +74,9 @@ class PrimaryTree {
     /// After `paths` further scored photon paths of all lights, those worth nothing included:
     /// forgets, splits what pays to be split.
     void update(double paths);
+    /// What was learned counts for no more than `paths` scored photon paths, and seeds for this
+    /// share of what they did; what is learned later soon outweighs it.
+    void fade(double paths, double seeds);
     /// Sets the density from what was learned so far. With nothing learned (no seeds), the shares
     /// of the learned (seeds') density go to the plain one. Whatever was learned, no density is
     /// below mixture.plain by more than two parts in 100 000: no photon weighs more than 1 / that.

@@ -84,6 +84,10 @@ class ScoreCache {
     /// expectations from what was learned so far.
     void update(double paths);
 
+    /// What was learned counts for no more than `paths` photon paths; what is learned later soon
+    /// outweighs it.
+    void fade(double paths);
+
     /// Saves what was learned, or restores it into a new cache over the same scene with the same
     /// settings. To be called after update(), with nothing added since.
     void state(StateArchive& archive);
@@ -210,7 +214,7 @@ class ScoreCache {
     bool divisible(const Leaf& leaf, int axis) const;
     double leaf_mass(std::uint32_t branch) const;
     Split best_split(std::uint32_t branch, double whole_mass) const;
-    void forget(double paths);
+    void forget(double most);
     void split_leaves();
     void split(const Split& split);
     void add_totals();

@@ -122,6 +122,9 @@ std::vector<ParameterDeclaration> way_declarations() {
             "guidelamps", kDefaults.guide_lamps,
             "In mode progressive: paths are drawn for lamps behind glass and in mirrors, beside "
             "eye paths; not with guide paper (docs/understand/lamp-paths.md)."),
+        boolean("correctedges", kDefaults.correct_edges,
+                "In mode progressive: at edges photons count by the part of their search disc that "
+                "is surface (docs/understand/edges.md)."),
         choice("guide", kDefaults.guide,
                "What decides where photons go: nothing; the adaptive tables of Liu and Zheng 2014; "
                "or what photons are worth to the image (docs/understand/guides.md).",

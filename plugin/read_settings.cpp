@@ -40,6 +40,7 @@ void read_guide(const lxs::ParameterReader& in, Settings& s) {
     s.mode = chosen(in, "mode", kModes, s.mode);
     s.continue_eye_paths = in.boolean("continueeyepaths", s.continue_eye_paths);
     s.guide_lamps = in.boolean("guidelamps", s.guide_lamps);
+    s.correct_edges = in.boolean("correctedges", s.correct_edges);
     s.guide = chosen(in, "guide", kGuides, s.guide);
     s.guide_share = in.number("guideshare", s.guide_share);
     s.iteration_photons = count("iterationphotons", s.iteration_photons);
@@ -95,6 +96,7 @@ Settings defaults_of(PluginKind kind) {
     settings.guide = GuideKind::None;
     settings.continue_eye_paths = false;
     settings.guide_lamps = false;
+    settings.correct_edges = false;
     settings.photons_per_pass = kUsualPhotonsPerPass;
     settings.radius = RadiusKind::Schedule;
     if (kind == PluginKind::Ppm) settings.mode = Mode::Ppm;

@@ -173,6 +173,16 @@ bool SceneShim::intersect_smooth(const Ray& ray, SurfacePoint& point,
     return take(scene_.intersect_smooth(to(ray), hit, memory), hit, point, memory);
 }
 
+bool SceneShim::intersect_shape(const Ray& ray, SurfacePoint& point,
+                                std::pmr::memory_resource& memory) const {
+    lxs::SurfaceHit hit;
+    if (!scene_.intersect_shape(to(ray), hit, memory)) return false;
+    point.position = from(hit.p);
+    point.geometric_normal = from(hit.ng);
+    point.distance = hit.distance;
+    return true;
+}
+
 bool SceneShim::take(bool met, const lxs::SurfaceHit& hit, SurfacePoint& point,
                      std::pmr::memory_resource& memory) const {
     point.distance = hit.distance;

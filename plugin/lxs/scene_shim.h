@@ -19,6 +19,8 @@ class SceneShim final : public Scene {
 
     bool intersect(const Ray& ray, SurfacePoint& point,
                    std::pmr::memory_resource& memory) const override;
+    bool intersect_shape(const Ray& ray, SurfacePoint& point,
+                         std::pmr::memory_resource& memory) const override;
     bool intersect_smooth(const Ray& ray, SurfacePoint& point,
                           std::pmr::memory_resource& memory) const override;
     Ray spawn(const SurfacePoint& point, Vec3 direction, float time) const override;

@@ -209,6 +209,15 @@ bool TracedScene::intersect_smooth(const Ray& ray, SurfaceHit& hit,
     return true;
 }
 
+bool TracedScene::intersect_shape(const Ray& ray, SurfaceHit& hit,
+                                  std::pmr::memory_resource& /*memory*/) const {
+    RawHit raw;
+    if (!find(ray, raw, hit)) return false;
+    ShadingPoint point;
+    locate_hit(ray, raw, hit, point);
+    return true;
+}
+
 bool TracedScene::complete(const Ray& ray, const RawHit& raw, SurfaceHit& hit,
                            std::pmr::memory_resource& memory) const {
     ShadingPoint point;

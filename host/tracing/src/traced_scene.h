@@ -37,6 +37,8 @@ class TracedScene : public TraceScene {
     }
     bool intersect_smooth(const Ray& ray, SurfaceHit& hit,
                           std::pmr::memory_resource& memory) const override;
+    bool intersect_shape(const Ray& ray, SurfaceHit& hit,
+                         std::pmr::memory_resource& memory) const override;
     Rgb transmittance(const Ray& ray) const override;
     std::span<const Light* const> lights() const override { return light_pointers_; }
     std::span<const std::string> light_groups() const override { return contents_.light_groups; }

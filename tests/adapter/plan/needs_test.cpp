@@ -243,6 +243,18 @@ TEST(Needs, EyePathsGoOnWhereTheyShareLightWithPhotons) {
     EXPECT_TRUE(off("the paper's photons", [](Settings& s) { s.guide = GuideKind::Paper; }));
 }
 
+TEST(Needs, EdgesAreCorrectedWherePassesLookAnew) {
+    const auto off = [](const std::string& reason, auto&& change) {
+        Settings settings = mock::small_settings(69, 1000);
+        change(settings);
+        return logged(render_box(settings).log, "skipped correction of edges: " + reason);
+    };
+    EXPECT_FALSE(off("", [](Settings&) {}));
+    EXPECT_FALSE(off("", [](Settings& s) { s.correct_edges = false; })) << "as asked for";
+    EXPECT_TRUE(off("no photons", [](Settings& s) { s.max_photon_depth = 1; }));
+    EXPECT_TRUE(off("the mode's", [](Settings& s) { s.mode = Mode::Ppm; }));
+}
+
 TEST(Needs, LampPathsAreDrawnWhereSmoothSurfacesShowLamps) {
     const mock::View room = mock::lamp_room(16);
     const auto off = [&](const mock::View& view, const std::string& reason, auto&& change) {

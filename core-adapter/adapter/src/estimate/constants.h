@@ -27,4 +27,49 @@ inline constexpr float kMinNormalAgreement = 0.7071f;
 /// Supported by: no measurement.
 inline constexpr float kSlab = 0.5f;
 
+/// Trials for each place of a search disc that is no surface, which bounds the factor of an edge's
+/// photons at one more. Unit: trials.
+/// Balances: light lost in corners against single photons that blot thin or ragged things.
+/// Chosen by: docs/notebook/2026-11-26-edges.md.
+/// Supported by: room, summerhouse, magic-lamp, daylight, pool (4 and 16 in its place).
+inline constexpr std::uint32_t kMostTrials = 2;
+
+/// Side of the grid of places that are tried first where a pixel is at an edge. Unit: places.
+/// Balances: noise of edges against rays.
+/// Chosen by: docs/notebook/2026-11-26-edges.md.
+/// Supported by: room, cornell-box, glass-ball (1 and 3 in its place).
+inline constexpr std::uint32_t kEdgeGrid = 2;
+
+/// Passes for which a pixel counts as one at an edge after it has been found there. Unit: passes.
+/// Balances: rays where radii have shrunk away from an edge against noise where few discs reach it.
+/// Chosen by: reasoning: radii shrink by a tenth from the 32nd pass to the 64th.
+/// Supported by: no measurement.
+inline constexpr std::uint8_t kEdgePasses = 32;
+
+/// First passes, in which all visible points are asked. Unit: passes.
+/// Balances: edges found soon against rays.
+/// Chosen by: reasoning: what all of them miss is less than a twentieth of the disc in most cases.
+/// Supported by: no measurement.
+inline constexpr std::uint64_t kAskingPasses = 8;
+
+/// Chance that a visible point far from known edges is asked later on. Unit: probability.
+/// Balances: rays against noise where an edge is found for the first time.
+/// Chosen by: docs/notebook/2026-11-26-edges.md.
+/// Supported by: magic-lamp, summerhouse, daylight (1 in its place).
+inline constexpr float kAskingChance = 0.25f;
+
+/// Chance that a place of a search disc passes for surface unasked, over the relative variance of
+/// what photons have brought. 1 would be best at a straight edge, if photons told their variance.
+/// Unit: ratio.
+/// Balances: noise that the correction multiplies against seams that it leaves.
+/// Chosen by: docs/notebook/2026-11-26-edges.md.
+/// Supported by: room, hall, summerhouse, daylight, magic-lamp (1 and 16 in its place).
+inline constexpr double kBeliefOfNoise = 4;
+
+/// Side of the cells of the film for which the photons' noise is known. Unit: pixels.
+/// Balances: rare bright photons, which few pixels have met, against places that differ.
+/// Chosen by: reasoning: 64 pixels meet what one of them meets once in so many passes.
+/// Supported by: no measurement.
+inline constexpr std::uint32_t kNoiseCell = 8;
+
 }  // namespace aips

@@ -29,15 +29,12 @@ Rgb reflected(const VisiblePoint& point, const GridPhoton& landing, bool in_fron
            point.bsdf->evaluate(point.wo, landing.direction, Transport::Radiance, point.receiving);
 }
 
-/// Whether a landing is on the visible point's own surface: similar normals, whose cosine is
-/// `agreement` up to its sign, and within a slab around the point's tangent plane, which keeps
-/// light from leaking across thin walls.
+}  // namespace
+
 bool on_same_surface(const VisiblePoint& point, Vec3 position, float agreement, float radius) {
     return std::abs(agreement) >= kMinNormalAgreement &&
            abs_dot(position - point.position, point.geometric_normal) <= kSlab * radius;
 }
-
-}  // namespace
 
 Rgb contribution(const VisiblePoint& point, const GridPhoton& landing, float radius) {
     const float agreement = dot(landing.normal, point.geometric_normal);

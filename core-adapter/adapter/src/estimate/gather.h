@@ -60,6 +60,19 @@ struct PhotonFlux {
         for (ProbeSums& sums : probes)
             sums.scale(factor);
     }
+    /// Multiplies all that was brought to one visible point, of `groups` light groups. Probes are
+    /// left as they are.
+    void scale_point(std::size_t point, std::uint32_t groups, float factor) {
+        for (std::size_t g = 0; g < groups; ++g)
+            flux[point * groups + g] *= factor;
+        squares[point] *= factor * factor;
+        if (!shareable.empty()) {
+            shareable[point].sum *= factor;
+            shareable[point].squares *= factor * factor;
+        }
+        for (std::size_t part = 0; part < (parts.empty() ? 0 : kPhotonParts); ++part)
+            parts[point * kPhotonParts + part] *= factor;
+    }
     std::size_t memory_bytes() const {
         return flux.capacity() * sizeof(Rgb) + accepted.capacity() * sizeof(std::uint32_t) +
                squares.capacity() * sizeof(float) + shareable.capacity() * sizeof(ShareableFlux) +
@@ -72,6 +85,11 @@ struct PhotonFlux {
 /// its photons in the grid's order, so the result does not depend on the number of threads.
 void gather_photons(const EyeImage& image, const LandingGrid& grid, const SearchRadii& radii,
                     Refusals& refusals, PhotonFlux& flux);
+
+/// Whether a landing is on the visible point's own surface: similar normals, whose cosine is
+/// `agreement` up to its sign, and within a slab around the point's tangent plane, which keeps
+/// light from leaking across thin walls.
+bool on_same_surface(const VisiblePoint& point, Vec3 position, float agreement, float radius);
 
 /// f * power of one landing (watts per steradian) within `radius` of a visible point, without the
 /// constant f of Lambertian points, and without the eye's share of light that both may carry; black

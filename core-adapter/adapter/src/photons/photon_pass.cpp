@@ -64,15 +64,14 @@ void PhotonPass::shoot(std::uint64_t pass, const PassPhotons& photons, float tim
     gather(image, radii, refusals, flux);
     const double factor = source_->end_pass();
     if (factor != 1) flux.scale(factor);
-    const double counted = scale_to_counted(photons, flux);
-    if (settings_.account) account(photons, image, factor * counted);
+    flux_factor_ = factor * scale_to_counted(photons, flux);
     totals_.gathered += flux.gathered;
 }
 
-void PhotonPass::account(const PassPhotons& photons, const EyeImage& image, double factor) {
-    if (image.telling_paths == 0) return;
+void PhotonPass::account(const PassPhotons& photons, const EyeImage& image, double brightened) {
+    if (!settings_.account || image.telling_paths == 0) return;
     const double paths = double(photons.paths) * double(image.telling_paths);
-    totals_.light.add(pass_light_, photons.weight * factor / paths);
+    totals_.light.add(pass_light_, photons.weight * flux_factor_ * brightened / paths);
     totals_.weights += photons.weight;
 }
 

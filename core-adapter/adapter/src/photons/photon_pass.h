@@ -44,6 +44,10 @@ class PhotonPass {
     void shoot(std::uint64_t pass, const PassPhotons& photons, float time, const EyeImage& image,
                const SearchRadii& radii, Refusals& refusals, PhotonFlux& flux);
 
+    /// What the photons of the pass brought to the image by light, if the settings ask for it;
+    /// `brightened`: by what factor its flux as a whole was corrected after shoot().
+    void account(const PassPhotons& photons, const EyeImage& image, double brightened);
+
     /// Fills `radiance` with what the photons of the pass brought to each eye path, by light group,
     /// on surfaces (`flux`) and in media, and `variances`, unless null, with those of its
     /// luminance.
@@ -83,8 +87,6 @@ class PhotonPass {
     void gather_in_media(const EyeImage& image, Refusals& refusals);
     void gather(const EyeImage& image, const SearchRadii& radii, Refusals& refusals,
                 PhotonFlux& flux);
-    /// What the photons of the pass brought to the image by light; `factor`: of their flux.
-    void account(const PassPhotons& photons, const EyeImage& image, double factor);
     /// What it shot stands for as many paths as it counts.
     /// Returns by what it scales the flux.
     double scale_to_counted(const PassPhotons& photons, PhotonFlux& flux);
@@ -100,6 +102,7 @@ class PhotonPass {
     std::uint64_t unguided_from_ = 0;  // number of the path after the last of guided emission
     LandingStore waiting_;             // near visible points, not gathered yet
     LandingGrid grid_;
+    double flux_factor_ = 1;              // of this pass's flux, beside that of single photons
     LuminanceByLight pass_light_;         // of this pass: luminance by light, times photon paths
     std::optional<VolumeGather> volume_;  // if some medium scatters
     PhotonPassTotals totals_;

@@ -3,6 +3,7 @@
 
 #include "base/vector_growth.h"
 #include "estimate/constants.h"
+#include "estimate/edge_correction.h"
 #include "eye/eye_pass.h"
 #include "guides/adaptive/adaptive_guide.h"
 #include "guides/paper/paper_guide.h"
@@ -124,7 +125,9 @@ std::size_t photon_memory_bound(const Scene& scene, const Needs& needs, std::uin
     const std::size_t plan = PixelImportance::memory_bound_bytes(pixels) +
                              PassNoiseMeter::memory_bound_bytes(pixels) +
                              eye_paths * (sizeof(PixelLuminance) + sizeof(float));
-    return visible_point_bytes(scene, eye_paths) + plan +
+    const std::size_t edges =
+        settings.correct_edges ? EdgeCorrection::memory_bound_bytes(pixels, eye_paths) : 0;
+    return visible_point_bytes(scene, eye_paths) + plan + edges +
            OccupancyGrid::memory_bound_bytes(eye_paths) + photon_bytes(scene, settings, eye_paths) +
            guide + radii + ShareTable::memory_bound_bytes(ShareTableSettings()) +
            volume_bytes(scene, settings, eye_paths);

@@ -93,6 +93,21 @@ void drop_continued_paths(Needs& needs, const Scene& scene) {
     skip(needs, "continued eye paths", reason);
 }
 
+/// The modes with frozen eye passes are those of their papers.
+void drop_edge_correction(Needs& needs) {
+    Settings& s = needs.settings;
+    if (!s.correct_edges) return;
+    std::string reason;
+    if (!needs.photons) {
+        reason = "no photons to gather";
+    } else if (freezes_eye_pass(s.mode)) {
+        reason = "the mode's density estimate has none";
+    }
+    if (reason.empty()) return;
+    s.correct_edges = false;
+    skip(needs, "correction of edges", reason);
+}
+
 /// Lamp paths meet lamps behind smooth surfaces, in each pass anew.
 void drop_lamp_paths(Needs& needs, const SceneFacts& facts, bool any_light) {
     Settings& s = needs.settings;
@@ -169,6 +184,7 @@ Needs analyse(const Scene& scene, const Settings& settings) {
     }
     drop_learned_lights(needs, lights.size() - dead, facts);
     drop_continued_paths(needs, scene);
+    drop_edge_correction(needs);
     drop_lamp_paths(needs, facts, dead < lights.size());
     if (scene.media()) drop_parts_for_surfaces(needs, facts);
     drop_guides(needs, facts);

@@ -91,6 +91,7 @@ std::string describe(const Settings& s) {
     if (!s.learn_lights) out << ", learnlights = false";
     if (!s.continue_eye_paths) out << ", continueeyepaths = false";
     if (!s.guide_lamps) out << ", guidelamps = false";
+    if (!s.correct_edges) out << ", correctedges = false";
     if (s.guide == GuideKind::Paper) {
         out << ", guideshare = " << s.guide_share << ", iterationphotons = " << s.iteration_photons
             << " paths, nodephotons = " << s.node_photons << ", treedepth = " << s.tree_depth

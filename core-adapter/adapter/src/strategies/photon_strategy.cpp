@@ -38,6 +38,8 @@ PhotonStrategy::PhotonStrategy(const Host& host, Plan& plan, std::uint32_t eye_p
     flux_.wants_shareable = shared_.has_value();
     flux_.wants_parts = film_.layers_wanted().parts;
     if (wants_noise()) noise_.emplace(film_.width(), film_.height());
+    if (settings_.correct_edges)
+        edges_.emplace(scene_, settings_, film_.width(), film_.height());
     if (settings_.debug_layers) layers_.emplace(film_, guide_.get());
 }
 
@@ -122,6 +124,11 @@ void PhotonStrategy::shoot(const StrategyPass& pass, const PassPhotons& photons,
     const bool any_points = !image.visible_points.empty();
     if (any_points) radii_ = radius_policy_->before_pass(pass.number, photons, image);
     photon_pass_.shoot(pass.number, photons, pass.time, image, radii_, pass.refusals, flux_);
+    if (edges_ && any_points) {
+        const Stopwatch watch(edge_seconds_);
+        report.rays += edges_->correct(pass.number, pass.time, image, radii_, flux_);
+    }
+    photon_pass_.account(photons, image, edges_ ? edges_->brightened() : 1);
     photon_pass_.estimate(image, flux_, radii_, photons.paths, pass.refusals, radiance_,
                           noise_ ? &variances_ : nullptr);
     if (any_points) radius_policy_->after_pass(flux_);
@@ -183,6 +190,7 @@ void PhotonStrategy::state(StateArchive& archive, const EyeImage& image) {
     if (shared_) shared_->state(archive);
     photon_pass_.state(archive);
     radius_policy_->state(archive, image);
+    if (edges_) edges_->state(archive);
     if (layers_) layers_->state(archive);
 }
 
@@ -203,6 +211,7 @@ void PhotonStrategy::learned(LearnedParts& parts) {
 void PhotonStrategy::state_of_seconds(StateArchive& archive) {
     photon_pass_.state_of_seconds(archive);
     archive.amount(plan_seconds_);
+    archive.amount(edge_seconds_);
 }
 
 void PhotonStrategy::add_to(EngineStatistics& s) const {
@@ -210,6 +219,7 @@ void PhotonStrategy::add_to(EngineStatistics& s) const {
     if (shared_) shared_->add_to(s);
     s.photons_per_pass = schedule_.next().paths;
     s.plan_seconds += plan_seconds_;
+    s.gather_seconds += edge_seconds_;
     s.account.skipped.insert(s.account.skipped.end(), skip_log_.said().begin(),
                              skip_log_.said().end());
 }
@@ -218,6 +228,7 @@ std::size_t PhotonStrategy::memory_bytes() const {
     return flux_.memory_bytes() + (radiance_.capacity() + parts_.capacity()) * sizeof(Rgb) +
            variances_.capacity() * sizeof(float) + seen_.capacity() * sizeof(PixelLuminance) +
            photon_pass_.memory_bytes() + radius_policy_->memory_bytes() +
+           (edges_ ? edges_->memory_bytes() : 0) +
            (importance_ ? importance_->memory_bytes() : 0) + (noise_ ? noise_->memory_bytes() : 0) +
            (shared_ ? shared_->memory_bytes() : 0) + (layers_ ? layers_->memory_bytes() : 0);
 }

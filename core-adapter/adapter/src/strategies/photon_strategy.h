@@ -6,6 +6,7 @@
 #include <optional>
 #include <vector>
 
+#include "estimate/edge_correction.h"
 #include "layers/debug_layers.h"
 #include "photons/photon_pass.h"
 #include "plan/photon_schedule.h"
@@ -63,6 +64,7 @@ class PhotonStrategy : public LightStrategy {
     std::optional<SharedLight> shared_;          // if eye paths go on from visible points
     PhotonPass photon_pass_;
     std::unique_ptr<RadiusPolicy> radius_policy_;
+    std::optional<EdgeCorrection> edges_;        // if search discs are asked for edges
     SearchRadii radii_;       // of the last pass
     std::uint32_t shot_ = 0;  // photon paths in it
     PhotonFlux flux_;
@@ -72,7 +74,7 @@ class PhotonStrategy : public LightStrategy {
     std::vector<float> variances_;      // [eye path]: of the luminance of that; with noise_
     std::vector<PixelLuminance> seen_;  // in the last pass that something steers by
     std::optional<DebugLayers> layers_;
-    double plan_seconds_ = 0;
+    double plan_seconds_ = 0, edge_seconds_ = 0;
 };
 
 }  // namespace aips

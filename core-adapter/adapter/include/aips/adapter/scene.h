@@ -116,6 +116,12 @@ class Scene {
                                   std::pmr::memory_resource& memory) const {
         return intersect(ray, point, memory);
     }
+    /// The same for who asks where a surface is and how it faces: it may leave all but `position`,
+    /// `geometric_normal` and `distance` as it is.
+    virtual bool intersect_shape(const Ray& ray, SurfacePoint& point,
+                                 std::pmr::memory_resource& memory) const {
+        return intersect(ray, point, memory);
+    }
     /// The ray that leaves `point` along `direction`, free of self-intersection.
     virtual Ray spawn(const SurfacePoint& point, Vec3 direction, float time) const = 0;
     /// Share of light that reaches `point` from the sampled light point; passes straight through

@@ -67,6 +67,8 @@ struct Settings {
     bool continue_eye_paths = true;
     /// Paths are drawn for lamps that smooth surfaces show, beside eye paths.
     bool guide_lamps = true;
+    /// Density estimates count the part of a search disc that is surface, not all of it.
+    bool correct_edges = true;
     bool store_glossy = false;  ///< glossy lobes receive photons instead of bouncing
     bool debug_layers = false;  ///< extra layers of the film: docs/reference/layers.md
 

@@ -65,6 +65,12 @@ class Scene {
                                   std::pmr::memory_resource& memory) const {
         return intersect(ray, hit, memory);
     }
+    /// The same for who asks where a surface is and how it faces: all but `p`, `ng` and `distance`
+    /// may be left out.
+    virtual bool intersect_shape(const Ray& ray, SurfaceHit& hit,
+                                 std::pmr::memory_resource& memory) const {
+        return intersect(ray, hit, memory);
+    }
     /// Share of light that arrives over the segment from `ray.origin` to `ray.t_max`, which the
     /// caller has shortened to stop before the light: 0 when blocked. Null materials and
     /// architectural glass let it pass undeviated; media absorb.

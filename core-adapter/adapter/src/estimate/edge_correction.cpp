@@ -1,0 +1,122 @@
+// Edges found by rays, and what photons brought there.
+#include "estimate/edge_correction.h"
+
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <atomic>
+
+#include "aips/core/sampling/sampling.h"
+#include "base/film_pixel.h"
+#include "base/parallel_for.h"
+
+namespace aips {
+
+EdgeCorrection::EdgeCorrection(const Scene& scene, const Settings& settings, std::uint32_t width,
+                               std::uint32_t height)
+    : scene_(scene),
+      settings_(settings),
+      width_(width),
+      height_(height),
+      noise_(width, height),
+      edges_(std::size_t{width} * height),
+      found_(edges_.size()) {}
+
+std::uint64_t EdgeCorrection::correct(std::uint64_t pass, float time, const EyeImage& image,
+                                      const SearchRadii& radii, PhotonFlux& flux) {
+    std::atomic<std::uint64_t> rays{0};
+    factors_.assign(image.visible_points.size(), 1);
+    tbb::parallel_for(
+        tbb::blocked_range<std::size_t>(0, image.visible_points.size(), 256),
+        [&](const tbb::blocked_range<std::size_t>& range) {
+            SurfaceShare surface(scene_, time);
+            for (std::size_t i = range.begin(); i < range.end(); ++i) {
+                if (flux.accepted[i] == 0) continue;
+                const VisiblePoint& point = image.visible_points[i];
+                const std::uint32_t pixel =
+                    film_pixel(image.positions[point.sample], width_, height_);
+                const Question question = question_at(pixel, pass);
+                RandomStream random(settings_.seed, pass, point.sample, RandomDomain::Edge);
+                if (question.chance < 1 && random.next() >= question.chance) continue;
+                const float missing =
+                    surface.missing(point, radii.of(i), question.of_disc, random);
+                if (missing == 0) continue;
+                // Several visible points may be in one pixel: all say the same.
+                std::atomic_ref(found_[pixel]).store(1, std::memory_order_relaxed);
+                factors_[i] = 1 + missing / question.chance;
+            }
+            rays.fetch_add(surface.rays(), std::memory_order_relaxed);
+        });
+    // Noise is that of photons as they came.
+    if (adapts_radius(settings_)) noise_.add_pass(image, flux);
+    apply(image, flux);
+    remember();
+    return rays.load();
+}
+
+void EdgeCorrection::apply(const EyeImage& image, PhotonFlux& flux) {
+    double before = 0, added = 0;
+    for (std::size_t i = 0; i < factors_.size(); ++i) {
+        if (settings_.account) {
+            const VisiblePoint& point = image.visible_points[i];
+            const Rgb weight = point.throughput * (point.bsdf ? kWhite : point.kd * kInvPi);
+            for (std::size_t g = 0; g < image.groups; ++g) {
+                const auto brought = double(luminance(weight * flux.flux[i * image.groups + g]));
+                before += brought;
+                added += brought * double(factors_[i] - 1);
+            }
+        }
+        if (factors_[i] != 1) flux.scale_point(i, image.groups, factors_[i]);
+    }
+    brightened_ = before > 0 ? 1 + added / before : 1;
+}
+
+EdgeCorrection::Question EdgeCorrection::question_at(std::uint32_t pixel,
+                                                     std::uint64_t pass) const {
+    const float unasked = believed(pixel);
+    if (unasked >= 1) return {{}, 0};
+    if (edges_[pixel]) return {{kEdgeGrid, unasked}, 1};
+    if (pass < kAskingPasses || beside_edge(pixel)) return {{1, unasked}, 1};
+    return {{1, unasked}, kAskingChance};
+}
+
+float EdgeCorrection::believed(std::uint32_t pixel) const {
+    if (!adapts_radius(settings_)) return 0;
+    return float(std::min(kBeliefOfNoise * noise_.relative_variance(pixel), 1.0));
+}
+
+bool EdgeCorrection::beside_edge(std::uint32_t pixel) const {
+    const std::uint32_t column = pixel % width_, row = pixel / width_;
+    const std::uint32_t last_column = std::min(column + 1, width_ - 1);
+    const std::uint32_t last_row = std::min(row + 1, height_ - 1);
+    for (std::uint32_t y = row ? row - 1 : 0; y <= last_row; ++y) {
+        for (std::uint32_t x = column ? column - 1 : 0; x <= last_column; ++x) {
+            if (edges_[std::size_t(y) * width_ + x]) return true;
+        }
+    }
+    return false;
+}
+
+/// What this pass has found steers the next ones.
+void EdgeCorrection::remember() {
+    in_chunks(edges_.size(), kItemsPerJob, tbb_for, [&](std::size_t first, std::size_t last) {
+        for (std::size_t i = first; i < last; ++i) {
+            if (found_[i]) {
+                edges_[i] = kEdgePasses;
+            } else if (edges_[i]) {
+                --edges_[i];
+            }
+            found_[i] = 0;
+        }
+    });
+}
+
+void EdgeCorrection::state(StateArchive& archive) {
+    noise_.state(archive);
+    archive.fixed(edges_);
+    for (const std::uint8_t passes : edges_)
+        StateArchive::check(passes <= kEdgePasses, "pixels at edges");
+}
+
+}  // namespace aips

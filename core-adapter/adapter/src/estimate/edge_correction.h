@@ -1,0 +1,72 @@
+// Density estimation at edges: where part of a search disc is no surface, no photon can land there.
+//
+// Divided by the area of a full disc the estimate would be half of the truth at a straight edge,
+// and dark seams as wide as the radius would run along all of them.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "aips/adapter/settings.h"
+#include "estimate/photon_noise.h"
+#include "estimate/surface_share.h"
+
+namespace aips {
+
+/// Multiplies what photons bring by estimates of 1 / (share of the disc that is surface). They do
+/// not depend on the photons of the pass. All that steers them is of earlier passes:
+///
+/// - Where radii are adaptive, noise is weighed against bias here as it is there. The correction
+///   multiplies both light and noise of k photons, and is best if it falls short by the factor
+///   1 + 1/k. So the first places are believed, in the mean as many as that takes.
+/// - Pixels that have shown an edge lately are asked with more rays, those far from any with fewer.
+class EdgeCorrection {
+  public:
+    /// `scene` and `settings` outlive it.
+    EdgeCorrection(const Scene& scene, const Settings& settings, std::uint32_t width,
+                   std::uint32_t height);
+
+    /// Corrects what the photons of a pass have brought; returns the rays traced for it. `radii`
+    /// are those that `flux` was gathered within. Bits do not depend on the number of threads.
+    std::uint64_t correct(std::uint64_t pass, float time, const EyeImage& image,
+                          const SearchRadii& radii, PhotonFlux& flux);
+
+    /// Luminance that the photons of the last pass brought to all eye paths, over what it was
+    /// without correction; 1 if nothing came.
+    double brightened() const { return brightened_; }
+
+    /// Saves what earlier passes have told, or restores it into a new one for the same film.
+    void state(StateArchive& archive);
+
+    std::size_t memory_bytes() const {
+        return noise_.memory_bytes() + edges_.capacity() + found_.capacity() +
+               factors_.capacity() * sizeof(float);
+    }
+    static std::size_t memory_bound_bytes(std::size_t pixels, std::size_t visible_points) {
+        return PhotonNoise::memory_bound_bytes(pixels) + 2 * pixels +
+               visible_points * sizeof(float);
+    }
+
+  private:
+    /// How a visible point is asked, and the chance that it is asked at all.
+    struct Question {
+        SurfaceQuestion of_disc;
+        float chance = 1;
+    };
+    Question question_at(std::uint32_t pixel, std::uint64_t pass) const;
+    float believed(std::uint32_t pixel) const;
+    bool beside_edge(std::uint32_t pixel) const;
+    void apply(const EyeImage& image, PhotonFlux& flux);
+    void remember();
+
+    const Scene& scene_;
+    const Settings& settings_;
+    std::uint32_t width_, height_;
+    PhotonNoise noise_;                // if radii are adaptive
+    std::vector<std::uint8_t> edges_;  // [pixel]: passes for which it counts as one at an edge
+    std::vector<std::uint8_t> found_;  // [pixel]: whether this pass has found one there
+    std::vector<float> factors_;       // [visible point], of the last pass
+    double brightened_ = 1;            // by these
+};
+
+}  // namespace aips

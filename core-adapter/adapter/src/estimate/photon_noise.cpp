@@ -1,0 +1,50 @@
+// Sums by cells of the film.
+#include "estimate/photon_noise.h"
+
+#include <limits>
+
+#include "base/film_pixel.h"
+
+namespace aips {
+namespace {
+
+constexpr std::uint32_t cells_along(std::uint32_t pixels) {
+    return (pixels + kNoiseCell - 1) / kNoiseCell;
+}
+
+}  // namespace
+
+PhotonNoise::PhotonNoise(std::uint32_t width, std::uint32_t height)
+    : width_(width),
+      height_(height),
+      cells_(std::size_t{cells_along(width)} * cells_along(height)) {}
+
+std::size_t PhotonNoise::cell_of(std::uint32_t pixel) const {
+    const std::uint32_t column = pixel % width_, row = pixel / width_;
+    return std::size_t{row / kNoiseCell} * cells_along(width_) + column / kNoiseCell;
+}
+
+void PhotonNoise::add_pass(const EyeImage& image, const PhotonFlux& flux) {
+    for (std::size_t i = 0; i < image.visible_points.size(); ++i) {
+        if (flux.accepted[i] == 0) continue;
+        const Vec2 film = image.positions[image.visible_points[i].sample];
+        Cell& cell = cells_[cell_of(film_pixel(film, width_, height_))];
+        cell.sum += double(luminance_over_groups(flux.flux, i, image.groups));
+        cell.squares += double(flux.squares[i]);
+    }
+}
+
+double PhotonNoise::relative_variance(std::uint32_t pixel) const {
+    const Cell& cell = cells_[cell_of(pixel)];
+    if (!(cell.sum > 0)) return std::numeric_limits<double>::infinity();
+    return double(kNoiseCell * kNoiseCell) * cell.squares / (cell.sum * cell.sum);
+}
+
+void PhotonNoise::state(StateArchive& archive) {
+    for (Cell& cell : cells_) {
+        archive.amount(cell.sum);
+        archive.amount(cell.squares);
+    }
+}
+
+}  // namespace aips

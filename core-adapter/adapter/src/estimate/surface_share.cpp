@@ -1,0 +1,78 @@
+// Trials of places in a search disc.
+//
+// The number of trials until one succeeds has the mean 1 / p: no density has to be known to divide
+// by it without bias (Qin et al. 2015, "Unbiased photon gathering for light transport simulation",
+// use it for paths).
+#include "estimate/surface_share.h"
+
+#include "aips/core/sampling/sampling.h"
+#include "estimate/constants.h"
+#include "estimate/gather.h"
+#include "eye/surface_normals.h"
+
+namespace aips {
+namespace {
+
+/// The search disc of a visible point, on the eye's side.
+class Disc {
+  public:
+    Disc(const VisiblePoint& point, float radius)
+        : point_(point), radius_(radius), frame_(normal_towards(point.wo, point)) {}
+
+    /// A place in it, from the unit square.
+    Vec3 place(Vec2 u) const {
+        const Vec2 d = square_to_concentric_disk(u);
+        return point_.position + (frame_.s * d.x + frame_.t * d.y) * radius_;
+    }
+    /// From above a place straight down.
+    void aim(Vec3 place, Ray& ray) const {
+        ray.origin = place + frame_.n * (kSlab * radius_);
+        ray.direction = -frame_.n;
+    }
+    bool has(const SurfacePoint& met) const {
+        return on_same_surface(point_, met.position,
+                               dot(met.geometric_normal, point_.geometric_normal), radius_);
+    }
+
+  private:
+    const VisiblePoint& point_;
+    float radius_;
+    Frame frame_;
+};
+
+}  // namespace
+
+SurfaceShare::SurfaceShare(const Scene& scene, float time) : scene_(scene) {
+    ray_.time = time;
+}
+
+float SurfaceShare::missing(const VisiblePoint& point, float radius,
+                            const SurfaceQuestion& question, RandomStream& random) {
+    const std::uint32_t side = question.side;
+    const Disc disc(point, radius);
+    const auto finds = [&](Vec2 u) {
+        if (question.believed > 0 && random.next() < question.believed) return true;
+        disc.aim(disc.place(u), ray_);
+        ++rays_;
+        SurfacePoint met;
+        const auto mark = arena_.mark();
+        const bool found = scene_.intersect_shape(ray_, met, arena_);
+        arena_.rewind(mark);
+        return found && disc.has(met);
+    };
+    std::uint32_t trials = 0;
+    for (std::uint32_t cell = 0; cell < side * side; ++cell) {
+        const Vec2 within = random.next2();
+        if (finds({(float(cell % side) + within.x) / float(side),
+                   (float(cell / side) + within.y) / float(side)}))
+            continue;
+        // Its own trials, all over the disc: as many as 1 / p in the mean.
+        for (std::uint32_t trial = 1; trial <= kMostTrials; ++trial) {
+            ++trials;
+            if (finds(random.next2())) break;
+        }
+    }
+    return float(trials) / float(side * side);
+}
+
+}  // namespace aips

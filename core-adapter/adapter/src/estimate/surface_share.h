@@ -1,0 +1,41 @@
+// How much of a search disc is surface, asked of the scene by rays.
+#pragma once
+
+#include <cstdint>
+
+#include "aips/core/base/arena.h"
+#include "aips/core/sampling/random.h"
+#include "eye/eye_pass.h"
+
+namespace aips {
+
+/// How a search disc is asked.
+struct SurfaceQuestion {
+    std::uint32_t side = 1;  ///< one place in each cell of side x side is tried first
+    float believed = 0;      ///< chance of a place to pass for surface unasked, below 1
+};
+
+/// Asks for places of search discs whether there is surface. Not for many threads at once.
+class SurfaceShare {
+  public:
+    /// `scene` outlives it; rays travel at `time`.
+    SurfaceShare(const Scene& scene, float time);
+
+    /// By how much photons around `point` have to count for more, the disc of `radius` being no
+    /// surface in part: in the mean (1 - p) (1 - (1 - p)^kMostTrials) / p, which is 1 / p - 1 but
+    /// for its bound. p is the share of places that pass for surface: those believed unasked, and
+    /// those where a ray along the normal finds surface that gather_photons() takes photons from,
+    /// turned alike and within the slab. Exactly 0 where all is surface.
+    float missing(const VisiblePoint& point, float radius, const SurfaceQuestion& question,
+                  RandomStream& random);
+
+    std::uint64_t rays() const { return rays_; }
+
+  private:
+    const Scene& scene_;
+    Arena arena_;
+    Ray ray_;
+    std::uint64_t rays_ = 0;
+};
+
+}  // namespace aips

@@ -46,18 +46,6 @@ inline constexpr std::uint32_t kEdgeGrid = 2;
 /// Supported by: no measurement.
 inline constexpr std::uint8_t kEdgePasses = 32;
 
-/// First passes, in which all visible points are asked. Unit: passes.
-/// Balances: edges found soon against rays.
-/// Chosen by: reasoning: what all of them miss is less than a twentieth of the disc in most cases.
-/// Supported by: no measurement.
-inline constexpr std::uint64_t kAskingPasses = 8;
-
-/// Chance that a visible point far from known edges is asked later on. Unit: probability.
-/// Balances: rays against noise where an edge is found for the first time.
-/// Chosen by: docs/notebook/2026-11-26-edges.md.
-/// Supported by: magic-lamp, summerhouse, daylight (1 in its place).
-inline constexpr float kAskingChance = 0.25f;
-
 /// Chance that a place of a search disc passes for surface unasked, over the relative variance of
 /// what photons have brought. 1 would be best at a straight edge, if photons told their variance.
 /// Unit: ratio.

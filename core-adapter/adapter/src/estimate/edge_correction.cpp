@@ -36,15 +36,14 @@ std::uint64_t EdgeCorrection::correct(std::uint64_t pass, float time, const EyeI
                 const VisiblePoint& point = image.visible_points[i];
                 const std::uint32_t pixel =
                     film_pixel(image.positions[point.sample], width_, height_);
-                const Question question = question_at(pixel, pass);
+                const SurfaceQuestion question{edges_[pixel] ? kEdgeGrid : 1, believed(pixel)};
+                if (question.believed >= 1) continue;
                 RandomStream random(settings_.seed, pass, point.sample, RandomDomain::Edge);
-                if (question.chance < 1 && random.next() >= question.chance) continue;
-                const float missing =
-                    surface.missing(point, radii.of(i), question.of_disc, random);
+                const float missing = surface.missing(point, radii.of(i), question, random);
                 if (missing == 0) continue;
                 // Several visible points may be in one pixel: all say the same.
                 std::atomic_ref(found_[pixel]).store(1, std::memory_order_relaxed);
-                factors_[i] = 1 + missing / question.chance;
+                factors_[i] = 1 + missing;
             }
             rays.fetch_add(surface.rays(), std::memory_order_relaxed);
         });
@@ -72,30 +71,10 @@ void EdgeCorrection::apply(const EyeImage& image, PhotonFlux& flux) {
     brightened_ = before > 0 ? 1 + added / before : 1;
 }
 
-EdgeCorrection::Question EdgeCorrection::question_at(std::uint32_t pixel,
-                                                     std::uint64_t pass) const {
-    const float unasked = believed(pixel);
-    if (unasked >= 1) return {{}, 0};
-    if (edges_[pixel]) return {{kEdgeGrid, unasked}, 1};
-    if (pass < kAskingPasses || beside_edge(pixel)) return {{1, unasked}, 1};
-    return {{1, unasked}, kAskingChance};
-}
-
+/// Chance of a place in the disc of this pixel's points to pass for surface unasked.
 float EdgeCorrection::believed(std::uint32_t pixel) const {
     if (!adapts_radius(settings_)) return 0;
     return float(std::min(kBeliefOfNoise * noise_.relative_variance(pixel), 1.0));
-}
-
-bool EdgeCorrection::beside_edge(std::uint32_t pixel) const {
-    const std::uint32_t column = pixel % width_, row = pixel / width_;
-    const std::uint32_t last_column = std::min(column + 1, width_ - 1);
-    const std::uint32_t last_row = std::min(row + 1, height_ - 1);
-    for (std::uint32_t y = row ? row - 1 : 0; y <= last_row; ++y) {
-        for (std::uint32_t x = column ? column - 1 : 0; x <= last_column; ++x) {
-            if (edges_[std::size_t(y) * width_ + x]) return true;
-        }
-    }
-    return false;
 }
 
 /// What this pass has found steers the next ones.

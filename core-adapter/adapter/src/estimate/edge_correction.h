@@ -19,7 +19,7 @@ namespace aips {
 /// - Where radii are adaptive, noise is weighed against bias here as it is there. The correction
 ///   multiplies both light and noise of k photons, and is best if it falls short by the factor
 ///   1 + 1/k. So the first places are believed, in the mean as many as that takes.
-/// - Pixels that have shown an edge lately are asked with more rays, those far from any with fewer.
+/// - Pixels that have shown an edge lately are asked with more rays than others.
 class EdgeCorrection {
   public:
     /// `scene` and `settings` outlive it.
@@ -48,14 +48,7 @@ class EdgeCorrection {
     }
 
   private:
-    /// How a visible point is asked, and the chance that it is asked at all.
-    struct Question {
-        SurfaceQuestion of_disc;
-        float chance = 1;
-    };
-    Question question_at(std::uint32_t pixel, std::uint64_t pass) const;
     float believed(std::uint32_t pixel) const;
-    bool beside_edge(std::uint32_t pixel) const;
     void apply(const EyeImage& image, PhotonFlux& flux);
     void remember();
 

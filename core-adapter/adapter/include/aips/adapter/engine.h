@@ -123,7 +123,7 @@ class Engine {
     /// Parts that fit nothing here (other lights, another film size) are left out; the log tells.
     /// Throws StateError if it is damaged or of another version; the engine is then to be dropped.
     void learned(StateArchive& archive);
-    static constexpr std::size_t kStateSecondsBytes = 5 * sizeof(double);
+    static constexpr std::size_t kStateSecondsBytes = 6 * sizeof(double);
 
   private:
     class State;

@@ -45,7 +45,8 @@ const std::array<Kind, 5>& kinds() {
 
 /// A session on 4 x 3 pixels, ready for its first pass.
 struct Render {
-    explicit Render(const Kind& kind) {
+    Render(const Kind& kind, std::uint64_t seed) {
+        command.seed = seed;
         command.scene = fuzz::folder() / "small.lxs";
         command.output = fuzz::folder() / "out.exr";
         command.integrator = kind.integrator;
@@ -74,7 +75,7 @@ std::string learned_path() {
 }
 
 Bytes learned_of(const Kind& kind) {
-    Render render(kind);
+    Render render(kind, 1);
     for (std::uint64_t pass = 0; pass < 3; ++pass)
         render.session.integrator->render_pass(pass);
     if (!lxs::write_learned(render.command, render.session, render.log)) std::abort();
@@ -104,7 +105,7 @@ void seal(Bytes content) {
 }
 
 void begin_with_it(const Kind& kind) {
-    Render render(kind);
+    Render render(kind, 2);
     const auto file = lxs::read_learned(render.command);
     if (!file) std::abort();
     lxs::take_learned(*file, render.command, render.session, render.log);

@@ -73,11 +73,20 @@ void take_learned(const LearnedFile& file, const CommandLine& command, RenderSes
     reading_learned(*command.learned_in, [&] {
         CheckpointReader reader(checkpoint_content(file, kLearnedFormat));
         std::string integrator;
+        std::uint64_t seed = 0;
         reader.text(integrator);
+        reader.value(seed);
         if (!is_name(integrator)) throw StateError("it does not say which integrator learned it");
         if (integrator != session.integrator_name) {
             throw StateError(fmt::format("\"{}\" learned it, and this render is by \"{}\"",
                                          integrator, session.integrator_name));
+        }
+        // What it knows would come from the very numbers that it decides on: a bias.
+        if (seed == session.seed) {
+            throw StateError(fmt::format("it was learned with this render's own random numbers, "
+                                         "seed {}; give another one with --seed or "
+                                         "--seed-per-frame",
+                                         seed));
         }
         try {
             session.integrator->learned(reader);
@@ -95,12 +104,14 @@ void check_learns(const CommandLine& command, RenderSession& session) {
     if (!command.learned_out) return;
     const std::string& path = *command.learned_out;
     const OutputFiles& files = session.files;
-    for (const std::string& output :
-         {files.exr, files.png, files.statistics, command.checkpoint.value_or("")}) {
-        if (!output.empty() && place_of(output) == place_of(path))
+    // A checkpoint is resumed with what the render began with.
+    const std::string needed = command.checkpoint ? command.learned_in.value_or("") : "";
+    for (const std::string& other :
+         {files.exr, files.png, files.statistics, command.checkpoint.value_or(""), needed}) {
+        if (!other.empty() && place_of(other) == place_of(path))
             throw LearnedFailure(
-                fmt::format("'{}' can't hold what is learned and be another "
-                            "output too",
+                fmt::format("'{}' can't hold what is learned and be another of this "
+                            "render's files too",
                             path));
     }
     try {
@@ -118,6 +129,7 @@ bool write_learned(const CommandLine& command, RenderSession& session, ConsoleLo
         CheckpointWriter writer(*command.learned_out, kLearnedFormat);
         std::string integrator = session.integrator_name;
         writer.text(integrator);
+        writer.value(session.seed);
         session.integrator->learned(writer);
         writer.commit();
     } catch (const PluginFailure&) {

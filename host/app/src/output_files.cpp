@@ -8,6 +8,7 @@
 #include <cerrno>
 #include <filesystem>
 #include <locale>
+#include <new>
 #include <system_error>
 
 #include "lxs/host/failure.h"
@@ -71,7 +72,12 @@ std::string names_of_images(const OutputFiles& files) {
 
 bool write_images(const OutputFiles& files, const FileFilm& film, const ImageMetadata& metadata,
                   ConsoleLog& log) {
-    const std::vector<Rgb> denoised = film.denoised();
+    std::vector<Rgb> denoised;
+    try {
+        denoised = film.denoised();
+    } catch (const std::bad_alloc&) {
+        log.error("the image is not denoised: there is not enough memory");
+    }
     const auto write_exr = [&](const std::string& path) {
         film.write_exr(path, metadata, denoised);
     };

@@ -138,7 +138,7 @@ TEST(RandomScenes, SameExpectationWhateverTheGuide) {
     const auto reference = renders({plain, 10000, 20}, none);
     {
         SCOPED_TRACE("paper");
-        const Guided guided = expect_same(reference, {paper, 20000, 10});
+        const Guided guided = expect_same(reference, {paper, 20000, 12});
         EXPECT_GT(double(guided.guided_bounces), 0.1 * double(guided.bounces));
     }
     {

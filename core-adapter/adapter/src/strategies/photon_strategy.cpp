@@ -200,7 +200,8 @@ void PhotonStrategy::learned(LearnedParts& parts) {
     parts.part("way of photons", 0, [&](StateArchive& archive) {
         PhotonWay way = plan_.way;
         archive.value(way, PhotonWay::Chains);
-        if (way != plan_.way && plan_.allows(way)) take_way(way);
+        // A first look judges it anew; without one nothing would.
+        if (way != plan_.way && plan_.allows(way) && plan_.looks_first()) take_way(way);
     });
     schedule_.learned(parts);
     if (importance_) importance_->learned(parts);

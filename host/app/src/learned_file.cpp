@@ -83,10 +83,11 @@ void take_learned(const LearnedFile& file, const CommandLine& command, RenderSes
         }
         // What it knows would come from the very numbers that it decides on: a bias.
         if (seed == session.seed) {
-            throw StateError(fmt::format("it was learned with this render's own random numbers, "
-                                         "seed {}; give another one with --seed or "
-                                         "--seed-per-frame",
-                                         seed));
+            throw StateError(
+                fmt::format("it was learned with this render's own random numbers, "
+                            "seed {}; give another one with --seed or "
+                            "--seed-per-frame",
+                            seed));
         }
         try {
             session.integrator->learned(reader);

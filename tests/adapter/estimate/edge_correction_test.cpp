@@ -40,8 +40,8 @@ VisiblePoint point_at(Vec3 position) {
 
 /// Share of a disc on one side of a line at `distance` (radii) from its centre, the greater one.
 double share_beside(double distance) {
-    return 1 - (std::acos(distance) - distance * std::sqrt(1 - distance * distance)) /
-                   std::numbers::pi;
+    return 1 -
+           (std::acos(distance) - distance * std::sqrt(1 - distance * distance)) / std::numbers::pi;
 }
 
 double expected_missing(double share) {
@@ -85,8 +85,7 @@ TEST(EdgeCorrection, MakesUpForWhatTheDiscLacksInTheMean) {
 TEST(EdgeCorrection, AGridOfPlacesHasLessNoise) {
     const VisiblePoint point = point_at({1, 0, 0});
     const mock::Scene scene = step();
-    EXPECT_LT(missing_at(scene, point, {2, 0}).error,
-              0.5 * missing_at(scene, point, {1, 0}).error);
+    EXPECT_LT(missing_at(scene, point, {2, 0}).error, 0.5 * missing_at(scene, point, {1, 0}).error);
 }
 
 TEST(EdgeCorrection, LeavesWholeDiscsAlone) {

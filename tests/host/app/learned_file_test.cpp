@@ -27,8 +27,9 @@ class LearnedFileTest : public testing::Test {
     }
     RunResult run(const std::string& scene, const Options& more,
                   const std::string& integrator = "aips") const {
-        Options options{scene,      "--seed-per-frame", "--integrator", integrator, "--width", "64",
-                        "--passes", "4",                "-o",           "out.exr"};
+        Options options{
+            scene, "--seed-per-frame", "--integrator", integrator, "--width", "64", "--passes", "4",
+            "-o",  "out.exr"};
         options.insert(options.end(), more.begin(), more.end());
         return run_lxsrender(folder_, options);
     }
@@ -70,8 +71,9 @@ TEST_F(LearnedFileTest, ToBeginWithItGivesTheSameBitsEachTime) {
         const Options check{"--learned-in", "a", "--checkpoint", "c", "--resume"};
         Options first = check;
         first.insert(first.end(), {"--passes", "2"});
-        Options options{"frame_2.lxs", "--seed-per-frame", "--integrator", integrator, "--width",
-                        "64",          "-o",               "out.exr"};
+        Options options{"frame_2.lxs", "--seed-per-frame", "--integrator",
+                        integrator,    "--width",          "64",
+                        "-o",          "out.exr"};
         options.insert(options.end(), first.begin(), first.end());
         const RunResult begun = run_lxsrender(folder_, options);
         EXPECT_EQ(begun.exit_code, 0) << begun.err;
@@ -113,8 +115,9 @@ TEST_F(LearnedFileTest, WhatItIsNotIsRefused) {
 
 TEST_F(LearnedFileTest, PlacesAreLookedAtBeforeRendering) {
     expect_refusal({"--learned-out", "nowhere/a"}, "cannot write 'nowhere/a': ", "aips", 5);
-    expect_refusal({"--learned-out", "out.exr"},
-                   "'out.exr' can't hold what is learned and be another of this render's files too");
+    expect_refusal(
+        {"--learned-out", "out.exr"},
+        "'out.exr' can't hold what is learned and be another of this render's files too");
     image("frame_1.lxs", {"--learned-out", "a"});
     expect_refusal({"--learned-in", "a", "--learned-out", "a", "--checkpoint", "c"},
                    "'a' can't hold what is learned and be another of this render's files too");

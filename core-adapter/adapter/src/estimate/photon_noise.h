@@ -33,7 +33,8 @@ class PhotonNoise {
     }
 
   private:
-    /// Of full cells; at the film's edge variances are overstated. In double precision: of n visible points they are off by n 2^-53 at most.
+    /// Of full cells; at the film's edge variances are overstated. In double precision: of n
+    /// visible points they are off by n 2^-53 at most.
     struct Cell {
         double sum = 0, squares = 0;  // of luminances, of those of single photons
     };

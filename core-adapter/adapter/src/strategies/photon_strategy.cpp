@@ -38,8 +38,7 @@ PhotonStrategy::PhotonStrategy(const Host& host, Plan& plan, std::uint32_t eye_p
     flux_.wants_shareable = shared_.has_value();
     flux_.wants_parts = film_.layers_wanted().parts;
     if (wants_noise()) noise_.emplace(film_.width(), film_.height());
-    if (settings_.correct_edges)
-        edges_.emplace(scene_, settings_, film_.width(), film_.height());
+    if (settings_.correct_edges) edges_.emplace(scene_, settings_, film_.width(), film_.height());
     if (settings_.debug_layers) layers_.emplace(film_, guide_.get());
 }
 
@@ -229,9 +228,9 @@ std::size_t PhotonStrategy::memory_bytes() const {
     return flux_.memory_bytes() + (radiance_.capacity() + parts_.capacity()) * sizeof(Rgb) +
            variances_.capacity() * sizeof(float) + seen_.capacity() * sizeof(PixelLuminance) +
            photon_pass_.memory_bytes() + radius_policy_->memory_bytes() +
-           (edges_ ? edges_->memory_bytes() : 0) +
-           (importance_ ? importance_->memory_bytes() : 0) + (noise_ ? noise_->memory_bytes() : 0) +
-           (shared_ ? shared_->memory_bytes() : 0) + (layers_ ? layers_->memory_bytes() : 0);
+           (edges_ ? edges_->memory_bytes() : 0) + (importance_ ? importance_->memory_bytes() : 0) +
+           (noise_ ? noise_->memory_bytes() : 0) + (shared_ ? shared_->memory_bytes() : 0) +
+           (layers_ ? layers_->memory_bytes() : 0);
 }
 
 std::size_t PhotonStrategy::memory_bound_bytes() const {

@@ -64,9 +64,9 @@ class PhotonStrategy : public LightStrategy {
     std::optional<SharedLight> shared_;          // if eye paths go on from visible points
     PhotonPass photon_pass_;
     std::unique_ptr<RadiusPolicy> radius_policy_;
-    std::optional<EdgeCorrection> edges_;        // if search discs are asked for edges
-    SearchRadii radii_;       // of the last pass
-    std::uint32_t shot_ = 0;  // photon paths in it
+    std::optional<EdgeCorrection> edges_;  // if search discs are asked for edges
+    SearchRadii radii_;                    // of the last pass
+    std::uint32_t shot_ = 0;               // photon paths in it
     PhotonFlux flux_;
     PhotonPassTotals before_;           // the last pass
     std::vector<Rgb> radiance_;         // [eye path * groups + group]; empty if none is needed

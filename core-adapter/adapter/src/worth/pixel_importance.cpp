@@ -88,10 +88,9 @@ void PixelImportance::state(StateArchive& archive) {
     StateArchive::check(passes_ <= kMostPasses, "passes without end");
     for (std::vector<double>* values : {&sum_, &count_}) {
         archive.fixed(*values);
-        StateArchive::check(
-            std::all_of(values->begin(), values->end(),
-                        [](double v) { return v >= 0 && std::isfinite(v); }),
-            "a pixel whose luminance is none");
+        StateArchive::check(std::all_of(values->begin(), values->end(),
+                                        [](double v) { return v >= 0 && std::isfinite(v); }),
+                            "a pixel whose luminance is none");
     }
     if (archive.restoring() && passes_ > 0) estimate();
 }

@@ -1,10 +1,11 @@
 // Bundles the page into one HTML text and writes it as C++: node build.mjs PACKAGES OUTPUT.cpp,
 // PACKAGES being the folder that has node_modules.
 import { createHash } from "node:crypto";
-import { createRequire } from "node:module";
 import { readFileSync, writeFileSync } from "node:fs";
 import path from "node:path";
 import { fileURLToPath } from "node:url";
+
+import { bundler } from "./bundle.mjs";
 
 const [packages, output] = process.argv.slice(2);
 if (!output) {
@@ -12,23 +13,7 @@ if (!output) {
   process.exit(2);
 }
 const folder = path.join(path.dirname(fileURLToPath(import.meta.url)), "page");
-const esbuild = createRequire(path.resolve(packages, "package.json"))("esbuild");
-
-function bundle(entry) {
-  const result = esbuild.buildSync({
-    entryPoints: [path.join(folder, entry)],
-    nodePaths: [path.resolve(packages, "node_modules")],
-    bundle: true,
-    minify: true,
-    format: "iife",
-    target: "es2020",
-    legalComments: "inline",
-    charset: "ascii",
-    write: false,
-    logLevel: "warning",
-  });
-  return result.outputFiles[0].text;
-}
+const bundle = bundler(packages, folder);
 
 const checksum = (text) => `'sha256-${createHash("sha256").update(text).digest("base64")}'`;
 const style = bundle("style.css"), script = bundle("main.js");

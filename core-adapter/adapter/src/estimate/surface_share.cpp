@@ -62,9 +62,10 @@ float SurfaceShare::missing(const VisiblePoint& point, float radius,
     };
     std::uint32_t trials = 0;
     for (std::uint32_t cell = 0; cell < side * side; ++cell) {
+        const std::uint32_t column = cell % side, row = cell / side;
         const Vec2 within = random.next2();
-        if (finds({(float(cell % side) + within.x) / float(side),
-                   (float(cell / side) + within.y) / float(side)}))
+        if (finds(
+                {(float(column) + within.x) / float(side), (float(row) + within.y) / float(side)}))
             continue;
         // Its own trials, all over the disc: as many as 1 / p in the mean.
         for (std::uint32_t trial = 1; trial <= kMostTrials; ++trial) {

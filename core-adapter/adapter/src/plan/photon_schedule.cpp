@@ -130,7 +130,7 @@ void PhotonSchedule::state(StateArchive& archive) {
 }
 
 void PhotonSchedule::learned(LearnedParts& parts) {
-    const auto kind = std::uint64_t((adapts_ ? 1 : 0) + (learns_ ? 2 : 0) + (chains_ ? 4 : 0));
+    const std::uint64_t kind = (adapts_ ? 1u : 0u) + (learns_ ? 2u : 0u) + (chains_ ? 4u : 0u);
     parts.part("photons per pass", kind << 32 | eye_paths_, [&](StateArchive& archive) {
         bool chosen = decided_ || planned_;
         std::uint32_t paths = paths_;

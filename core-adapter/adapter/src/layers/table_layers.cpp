@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "eye/surface_normals.h"
 #include "layers/node_layers.h"
 
 namespace aips {
@@ -18,8 +19,7 @@ void TableLayers::show(const EyeImage& image, std::span<const std::uint32_t> pix
     std::fill(regions_.begin(), regions_.end(), kNoGuideNode);
     std::fill(values_.begin(), values_.end(), 0.0f);
     for (const VisiblePoint& point : image.visible_points) {
-        const Vec3 normal = dot(point.geometric_normal, point.wo) < 0 ? -point.geometric_normal
-                                                                      : point.geometric_normal;
+        const Vec3 normal = normal_towards(point.wo, point);
         const std::uint32_t pixel = pixel_of_path[point.sample];
         regions_[pixel] = tables.region_at(point.position, normal);
         const BounceTable table = tables.at(point.position, normal);

@@ -59,7 +59,7 @@ void EdgeCorrection::apply(const EyeImage& image, PhotonFlux& flux) {
     for (std::size_t i = 0; i < factors_.size(); ++i) {
         if (settings_.account) {
             const VisiblePoint& point = image.visible_points[i];
-            const Rgb weight = point.throughput * (point.bsdf ? kWhite : point.kd * kInvPi);
+            const Rgb weight = point.throughput * left_out_f(point);
             for (std::size_t g = 0; g < image.groups; ++g) {
                 const auto brought = double(luminance(weight * flux.flux[i * image.groups + g]));
                 before += brought;

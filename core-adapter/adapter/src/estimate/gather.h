@@ -6,6 +6,7 @@
 
 #include "aips/core/photon_map/photon_grid.h"
 #include "aips/core/radii/optimal_radius.h"
+#include "aips/core/sampling/sampling.h"
 #include "estimate/search_radii.h"
 #include "eye/eye_pass.h"
 #include "refusal/refusals.h"
@@ -79,6 +80,12 @@ struct PhotonFlux {
                parts.capacity() * sizeof(Rgb) + probes.capacity() * sizeof(ProbeSums);
     }
 };
+
+/// What flux is still to be multiplied by: the constant f of Lambertian points, which it leaves
+/// out.
+inline Rgb left_out_f(const VisiblePoint& point) {
+    return point.bsdf ? kWhite : point.kd * kInvPi;
+}
 
 /// Adds the landings in `grid` within its radius of each visible point. Landings on a surface that
 /// faces elsewhere, or on the other side of the visible point's, are left out. Every point sums

@@ -22,7 +22,7 @@ void add_photon_energy(const EyeImage& image, const LandingGrid& grid,
             const VisiblePoint& point = image.visible_points[i];
             if (!point.tells_lights) continue;
             const float radius = radii.of(i);
-            const Rgb f = point.bsdf ? kWhite : point.kd * kInvPi;
+            const Rgb f = left_out_f(point);
             const Rgb scale =
                 point.throughput * f * float(1 / (double(kPi) * double(radius) * double(radius)));
             grid.for_each_in_radius(point.position, radius, [&](const GridPhoton& photon) {

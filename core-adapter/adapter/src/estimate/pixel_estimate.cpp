@@ -42,7 +42,7 @@ void estimate_pixels(const EyeImage& image, const PhotonFlux& flux, const Search
     tbb::parallel_for(std::size_t{0}, image.visible_points.size(), [&](std::size_t i) {
         const VisiblePoint& point = image.visible_points[i];
         const double scale = per_disk_and_path(radii.of(i), photon_paths);
-        const Rgb f = point.bsdf ? kWhite : point.kd * kInvPi;
+        const Rgb f = left_out_f(point);
         for (std::uint32_t g = 0; g < groups; ++g) {
             const Rgb value = point.throughput * f * scaled(flux.flux[i * groups + g], scale);
             // Each eye path has one visible point at the most: no two iterations share an entry.
@@ -61,7 +61,7 @@ void estimate_parts(const EyeImage& image, const PhotonFlux& flux, const SearchR
     };
     for (std::size_t i = 0; i < image.visible_points.size(); ++i) {
         const VisiblePoint& point = image.visible_points[i];
-        const Rgb factor = point.throughput * (point.bsdf ? kWhite : point.kd * kInvPi);
+        const Rgb factor = point.throughput * left_out_f(point);
         const double scale = per_disk_and_path(radii.of(i), photon_paths);
         for (std::size_t part = 0; part < kPhotonParts; ++part)
             add(point.sample, part, factor * scaled(flux.parts[i * kPhotonParts + part], scale));

@@ -12,7 +12,7 @@ namespace {
 
 void gather_probe(const VisiblePoint& point, const LandingGrid& grid, float radius,
                   ProbeSums& sums) {
-    const Rgb weight = point.throughput * (point.bsdf ? kWhite : point.kd * kInvPi);
+    const Rgb weight = point.throughput * left_out_f(point);
     const float inverse = 1 / (radius * radius);
     grid.for_each_in_radius(point.position, radius, [&](const GridPhoton& landing) {
         const Rgb brought = contribution(point, landing, radius);

@@ -3,6 +3,7 @@
 
 #include "aips/core/sampling/sampling.h"
 #include "base/parallel_for.h"
+#include "estimate/gather.h"
 
 namespace aips {
 
@@ -22,7 +23,7 @@ double LandingScore::score(const Landing& landing) const {
         const VisiblePoint& point = image_->visible_points[i];
         const float radius = radii_.of(i);
         if (length_squared(point.position - landing.position) > radius * radius) return;
-        const Rgb f = point.bsdf ? kWhite : point.kd * kInvPi;
+        const Rgb f = left_out_f(point);
         const double value =
             double(luminance(point.throughput * f * contribution(point, photon, radius)));
         if (!(value > 0) || !std::isfinite(value)) return;

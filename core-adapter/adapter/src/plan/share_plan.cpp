@@ -72,9 +72,6 @@ class Search {
             const double paths =
                 std::clamp(facts_.photon_paths * std::exp2(0.5 * step), limits.fewest, limits.most);
             const SharePlan plan = with(paths);
-            // Fewer photons only where eye paths carry their light.
-            const double fewest = kLeastRatio * (1 - eye_part(plan)) * facts_.eye_cost;
-            if (step < 0 && paths * facts_.photon_path_cost < fewest) continue;
             if (step > 0 && paths * facts_.photon_path_cost > kGreatestRatio * facts_.eye_cost)
                 continue;
             if (plan.error * plan.cost < least) {
@@ -92,17 +89,6 @@ class Search {
         const double missed = missing(m.y, m.x, m);
         return std::max(clusters_ * mean(m.squares, m.points),
                         facts_.photon_paths * facts_.passes * missed * missed);
-    }
-
-    /// What eye paths carry of all light of photons, by its squares.
-    double eye_part(const SharePlan& plan) const {
-        double eye = 0, all = own_;
-        for (const LeafTerms& t : terms_) {
-            all += t.photons;
-            const auto a = double(plan.shares[t.leaf]);
-            eye += t.photons * (1 - sq(1 - a));
-        }
-        return all > 0 ? eye / all : 0;
     }
 
     /// Estimates of what direct light would gain may exceed what is there.

@@ -94,8 +94,8 @@ class Reckoning:
 def short_name(name):
     """The function that a loop is in, from the full name of its body's type."""
     name = name.replace('(anonymous namespace)::', '')
+    name = re.sub(r'^\w+::(?:in_chunks|for_pixels|in_blocks)<', '', name)
     found = re.search(r'([\w~]+(?:::[\w~]+)*)(?:<[^()]*>)?\(', name)
-    # A body that is handed through in_chunks() and its like has their name before `<`.
     return re.sub(r'^(?:aips|lxs)::', '', found[1]) if found else name
 
 

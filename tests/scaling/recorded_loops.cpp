@@ -24,10 +24,11 @@ bool numbered_items() {
 
 bool ranges() {
     std::vector<int> times(1000);
-    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, times.size(), 256), [&](const auto& range) {
-        for (std::size_t i = range.begin(); i != range.end(); ++i)
-            ++times[i];
-    });
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, times.size(), 256),
+                      [&](const auto& range) {
+                          for (std::size_t i = range.begin(); i != range.end(); ++i)
+                              ++times[i];
+                      });
     return all_once(times);
 }
 

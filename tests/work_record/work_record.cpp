@@ -117,12 +117,10 @@ Record& record() {
 
 void work_on_threads(const Loop& loop, const Piece& piece) {
     const oneapi::tbb::blocked_range<std::size_t> range(0, loop.items, loop.grain);
-    oneapi::tbb::parallel_for(range,
-                              [&](const auto& part) { piece(part.begin(), part.end()); });
+    oneapi::tbb::parallel_for(range, [&](const auto& part) { piece(part.begin(), part.end()); });
 }
 
-void work_piece_by_piece(const Loop& loop, const Piece& piece,
-                         std::vector<std::uint32_t>& tasks) {
+void work_piece_by_piece(const Loop& loop, const Piece& piece, std::vector<std::uint32_t>& tasks) {
     const std::size_t size = std::max(loop.grain, (loop.items + kMostPieces - 1) / kMostPieces);
     tasks.reserve((loop.items + size - 1) / size);
     std::int64_t begin = now(Mode::Tasks);

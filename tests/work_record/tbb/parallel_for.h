@@ -1,5 +1,5 @@
-// Stands in for oneTBB's header of this name in builds with AIPS_RECORD_WORK: every parallel loop of
-// the engine and the host passes here, and is recorded (docs/measured/scaling.md). What is built
+// Stands in for oneTBB's header of this name in builds with AIPS_RECORD_WORK: every parallel loop
+// of the engine and the host passes here, and is recorded (docs/measured/scaling.md). What is built
 // without that option knows nothing of it.
 #pragma once
 

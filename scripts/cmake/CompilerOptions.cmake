@@ -4,6 +4,7 @@ option(AIPS_IPO "Inter-procedural optimisation" OFF)
 option(AIPS_FUZZ "Build for coverage-guided fuzzing, with the sanitizers (docs/build-on/fuzzing.md; needs clang)" OFF)
 option(AIPS_NATIVE "Tune for this machine's processor (-march=native)" OFF)
 option(AIPS_UNITY "Compile files of the host, tests and benchmarks in batches (docs/build-on/building.md)" OFF)
+option(AIPS_RECORD_WORK "Record parallel loops for scripts/scaling (docs/measured/scaling.md)" OFF)
 set(CMAKE_UNITY_BUILD_BATCH_SIZE 16)
 set(AIPS_SANITIZE "" CACHE STRING "Sanitizers, e.g. address,undefined or thread")
 

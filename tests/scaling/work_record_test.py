@@ -1,0 +1,39 @@
+"""Protects the record of loops: which are in it, by which names, in how many pieces; and that loops work
+the same whether they are recorded or not. Argument: the program recorded_loops."""
+import json
+import os
+import pathlib
+import subprocess
+import sys
+import tempfile
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / 'scripts'))
+from work_span import short_name  # noqa: E402
+
+# The loop within loops_within() is a part of that.
+PIECES = {'numbered_items': 10, 'ranges': 4, 'many_items': 2041, 'loops_within': 3}
+
+
+def record_of(program, mode):
+    with tempfile.TemporaryDirectory() as folder:
+        file = pathlib.Path(folder) / 'record.json'
+        subprocess.run([program], check=True,
+                       env=os.environ | {'AIPS_WORK_RECORD': f'{mode}:{file}'})
+        return json.loads(file.read_text())
+
+
+def main():
+    program = sys.argv[1]
+    subprocess.run([program], check=True)
+    for mode in ('tasks', 'walls'):
+        record = record_of(program, mode)
+        names = [short_name(record['names'][number]) for number, *_ in record['loops']]
+        assert names == list(PIECES), names
+        times = [time for _, begin, end, _ in record['loops'] for time in (begin, end)]
+        assert times == sorted(times), times
+        pieces = [len(tasks) for *_, tasks in record['loops']]
+        assert pieces == (list(PIECES.values()) if mode == 'tasks' else [0] * 4), pieces
+
+
+if __name__ == '__main__':
+    main()

@@ -70,6 +70,11 @@ class Lights(Agreement):
         scenes.world_image(scene, values, turn=0.7)
         self.agrees('world image', scene)
 
+    def test_preetham_sky(self):
+        scene = scenes.stage()
+        scenes.preetham_sky(scene, (0, -0.6, 0.8), turbidity=3, strength=4)
+        self.agrees('preetham', scene)
+
     def test_shining_mesh(self):
         scene = scenes.stage()
         shines = scenes.material('lamp', 'ShaderNodeEmission', Color=(1, 0.8, 0.6, 1), Strength=8)

@@ -123,6 +123,14 @@ def world_image(scene, values, turn):
     _mapping(tree, texture, 'Generated').inputs['Rotation'].default_value = (0, 0, turn)
 
 
+def preetham_sky(scene, towards, turbidity, strength):
+    """Preetham's sky with the sun, which is not seen, in the direction `towards`."""
+    tree = scene.world.node_tree
+    sky = tree.nodes.new('ShaderNodeTexSky')
+    sky.sky_type, sky.sun_direction, sky.turbidity = 'PREETHAM', towards, turbidity
+    tree.links.new(sky.outputs[0], background(scene, (1, 1, 1), strength).inputs['Color'])
+
+
 def image_material(values, scale, shift):
     """A diffuse material of sRGB values, looked up by a node Mapping of the uv."""
     made = material('picture', 'ShaderNodeBsdfDiffuse')

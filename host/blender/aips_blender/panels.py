@@ -25,13 +25,11 @@ class AIPS_PT_quality(_Panel):
     bl_label = 'Quality'
 
     def fill(self, layout, settings, _context):
-        layout.prop(settings, 'until', expand=True)
-        if settings.until == 'ERROR':
-            layout.prop(settings, 'target_error')
-            layout.prop(settings, 'longest')
-        layout.prop(settings, {'TIME': 'seconds', 'PASSES': 'passes'}.get(settings.until, 'integrator'))
-        if settings.until != 'ERROR':
-            layout.prop(settings, 'integrator')
+        layout.prop(settings, 'until')
+        shown = {'ERROR': ('target_error', 'longest'), 'TIME': ('seconds',), 'PASSES': ('passes',)}
+        for name in shown[settings.until]:
+            layout.prop(settings, name)
+        layout.prop(settings, 'integrator')
 
 
 class AIPS_PT_denoise(_Panel):

@@ -1,9 +1,11 @@
 """Runs lxsrender in a process of its own and reads what it says."""
 import collections
+import ctypes
 import os
 import shutil
 import signal
 import subprocess
+import sys
 import threading
 
 LINES_KEPT = 200
@@ -29,14 +31,24 @@ def find(preferred):
     return path
 
 
+DEATH_OF_PARENT = 1  # Linux, prctl(2): PR_SET_PDEATHSIG
+
+
+def _end_with_blender():
+    """In the new process: where Blender is killed, the render ends as if interrupted."""
+    ctypes.CDLL(None).prctl(DEATH_OF_PARENT, signal.SIGINT)
+
+
 class Process:
     """A render that goes on; lines of its log are kept, and told as they come."""
 
     def __init__(self, arguments, folder):
+        on_linux = _end_with_blender if sys.platform.startswith('linux') else None
         # A session of its own, so that an interrupt at Blender's terminal does not reach it first.
         self._process = subprocess.Popen(arguments, cwd=folder, stdin=subprocess.DEVNULL,
                                          stdout=subprocess.DEVNULL, stderr=subprocess.PIPE,
-                                         text=True, errors='replace', start_new_session=True)
+                                         text=True, errors='replace', start_new_session=True,
+                                         preexec_fn=on_linux)
         self._lines = collections.deque(maxlen=LINES_KEPT)
         self._reader = threading.Thread(target=self._read, daemon=True)
         self._reader.start()

@@ -85,6 +85,19 @@ class Renders(unittest.TestCase):
         self.assertGreater(sizes[0], 10000)
 
 
+    def test_motion_blur_is_exported(self):
+        scene = small_scene()
+        for name, frame, x in (('box', 0, -2), ('box', 2, 0), ('Camera', 0, 0), ('Camera', 2, 1)):
+            bpy.data.objects[name].location.x = x
+            bpy.data.objects[name].keyframe_insert('location', index=0, frame=frame)
+        scene.render.use_motion_blur = True
+        scene.frame_set(1)
+        path = os.path.join(FOLDER, 'moving.lxs')
+        bpy.ops.export_scene.aips_lxs(filepath=path)
+        with open(path, encoding='utf-8') as file:
+            self.assertEqual(file.read().count('MotionBegin'), 2)
+
+
 class Fails(unittest.TestCase):
     def fails(self, words):
         with self.assertRaisesRegex(RuntimeError, words):

@@ -17,9 +17,11 @@ HERE = pathlib.Path(__file__).resolve().parent
 SKIPPED = 77
 
 
-def environment(folder):
+def environment(folder, blender):
     """The user's settings and add-ons are out of reach, temporary files in the folder."""
-    return {**os.environ, 'BLENDER_USER_CONFIG': folder, 'BLENDER_USER_SCRIPTS': folder,
+    # Packaged Blenders look for their Python's library beside the first python3 on PATH.
+    path = os.pathsep.join([str(pathlib.Path(blender).parent), os.environ.get('PATH', '')])
+    return {**os.environ, 'PATH': path, 'BLENDER_USER_CONFIG': folder, 'BLENDER_USER_SCRIPTS': folder,
             'TMPDIR': folder, 'AIPS_TEST_FOLDER': folder}
 
 
@@ -38,7 +40,7 @@ def main():
             [blender, '-b', '-noaudio', '--factory-startup', '--python-exit-code', '1',
              '--python', str(HERE / 'in_blender.py'), '--', str(arguments.lxsrender.resolve()),
              *arguments.tests],
-            env=environment(folder), cwd=folder, check=False).returncode
+            env=environment(folder, blender), cwd=folder, check=False).returncode
 
 
 if __name__ == '__main__':

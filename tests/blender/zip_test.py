@@ -29,7 +29,8 @@ def main():
     parser = argparse.ArgumentParser()
     parser.add_argument('--lxsrender', type=pathlib.Path, required=True)
     lxsrender = parser.parse_args().lxsrender.resolve()
-    if shutil.which('blender') is None:
+    blender = shutil.which('blender')
+    if blender is None:
         print('skipped: there is no Blender; scripts/setup --blender installs it')
         return SKIPPED
     with tempfile.TemporaryDirectory(prefix='aips-blender-') as name:
@@ -39,8 +40,8 @@ def main():
             subprocess.run([sys.executable, str(ROOT / 'scripts/blender-addon'), '-o', str(path)], check=True)
         assert first.read_bytes() == second.read_bytes(), 'the same files make other bytes'
         script = IN_BLENDER.format(zip=str(first), lxsrender=str(lxsrender), image=str(image))
-        code = subprocess.run(['blender', '-b', '-noaudio', '--factory-startup', '--python-exit-code', '1',
-                               '--python-expr', script], env=environment(name), check=False).returncode
+        code = subprocess.run([blender, '-b', '-noaudio', '--factory-startup', '--python-exit-code', '1',
+                               '--python-expr', script], env=environment(name, blender), check=False).returncode
         return code or int(not image.exists())
 
 

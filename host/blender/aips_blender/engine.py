@@ -52,10 +52,10 @@ class AipsRenderEngine(bpy.types.RenderEngine):
         tell_left_out(self, exported.left_out)
         self.report({'INFO'}, f'aips: {path} is written')
 
-    def view_update(self, context, depsgraph):
+    def view_update(self, _context, _depsgraph):
         if self._preview is None:
             self._preview = viewport.Preview()
-        self._preview.start(self, context, depsgraph)
+        self._preview.change()
 
     def view_draw(self, context, depsgraph):
         if self._preview is not None:
@@ -175,8 +175,14 @@ def _fill(result, image, found):
 
 
 def _keep_text(name, lines):
-    text = bpy.data.texts.get(name) or bpy.data.texts.new(name)
-    text.from_string('\n'.join(lines) + '\n')
+    def write():
+        text = bpy.data.texts.get(name) or bpy.data.texts.new(name)
+        text.from_string('\n'.join(lines) + '\n')
+
+    if bpy.app.background:
+        write()
+    else:
+        bpy.app.timers.register(write)  # renders have a thread of their own, Blender's data have none
 
 
 def register():

@@ -2,8 +2,8 @@
 import bpy
 
 ENGINE = 'AIPS'
-# Blender's own panels with these words in their names belong to Eevee or Workbench.
-NOT_OURS = ('EEVEE', 'WORKBENCH', 'freestyle', 'gpencil', 'hair', 'simplify')
+# Common panels with these words in their names are of things that this engine has not.
+NOT_OURS = ('freestyle', 'gpencil', 'hair')
 
 
 class _Panel(bpy.types.Panel):
@@ -58,6 +58,16 @@ class AIPS_PT_expert(_Panel):
         layout.prop(settings, 'extra')
 
 
+class AIPS_PT_motion_blur(_Panel):
+    bl_label = 'Motion blur'
+    bl_options = {'DEFAULT_CLOSED'}
+
+    def fill(self, layout, _settings, context):
+        render = context.scene.render
+        layout.prop(render, 'use_motion_blur')
+        layout.prop(render, 'motion_blur_shutter')
+
+
 class AIPS_PT_passes(_Panel):
     bl_label = 'Passes of aips'
     bl_context = 'view_layer'
@@ -102,14 +112,16 @@ class AIPS_PT_world_light_group(_Panel):
                            text='Light group')
 
 
-PANELS = (AIPS_PT_quality, AIPS_PT_denoise, AIPS_PT_expert, AIPS_PT_passes, AIPS_PT_light_groups,
+PANELS = (AIPS_PT_quality, AIPS_PT_denoise, AIPS_PT_motion_blur, AIPS_PT_expert,
+          AIPS_PT_passes, AIPS_PT_light_groups,
           AIPS_PT_object_light_group, AIPS_PT_world_light_group)
 
 
-# Cycles' panels of a surface's, a lamp's, the world's and the camera's own settings.
-FROM_CYCLES = ('CYCLES_PT_context_material', 'CYCLES_MATERIAL_PT_surface', 'CYCLES_LIGHT_PT_light',
-               'CYCLES_LIGHT_PT_nodes', 'CYCLES_LIGHT_PT_spot', 'CYCLES_WORLD_PT_surface',
-               'CYCLES_CAMERA_PT_dof', 'CYCLES_CAMERA_PT_dof_aperture')
+# Eevee's panels of a surface's, a lamp's, the world's and the camera's own settings; what they show
+# is Blender's, not Eevee's.
+FROM_EEVEE = ('EEVEE_MATERIAL_PT_context_material', 'EEVEE_MATERIAL_PT_surface',
+              'EEVEE_WORLD_PT_surface', 'DATA_PT_EEVEE_light', 'DATA_PT_spot', 'DATA_PT_camera_dof',
+              'DATA_PT_camera_dof_aperture')
 
 
 def _common_panels():
@@ -119,25 +131,20 @@ def _common_panels():
             and not any(word in panel.__name__ for word in NOT_OURS)]
 
 
-def _cycles_panels():
-    return [getattr(bpy.types, name) for name in FROM_CYCLES if hasattr(bpy.types, name)]
+def _panels_of_blender():
+    chosen = [getattr(bpy.types, name) for name in FROM_EEVEE if hasattr(bpy.types, name)]
+    return _common_panels() + chosen
 
 
 def register():
     for panel in PANELS:
         bpy.utils.register_class(panel)
-    for panel in _common_panels():
+    for panel in _panels_of_blender():
         panel.COMPAT_ENGINES.add(ENGINE)
-    for panel in _cycles_panels():
-        # Cycles' panels share one set; these get one of their own.
-        panel.COMPAT_ENGINES = set(panel.COMPAT_ENGINES) | {ENGINE}
 
 
 def unregister():
-    for panel in _cycles_panels():
-        if 'COMPAT_ENGINES' in panel.__dict__:
-            del panel.COMPAT_ENGINES
-    for panel in _common_panels():
+    for panel in _panels_of_blender():
         panel.COMPAT_ENGINES.discard(ENGINE)
     for panel in reversed(PANELS):
         bpy.utils.unregister_class(panel)

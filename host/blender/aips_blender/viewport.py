@@ -1,4 +1,4 @@
-"""The preview in the viewport: a small render that starts anew whenever scene or view change."""
+"""The preview in the viewport: a small render that starts anew when scene or view have changed."""
 import os
 import shutil
 import tempfile
@@ -17,6 +17,7 @@ from .export.scene import ExportError, export
 
 LONGEST_SIDE = 480       # pixels of the preview's image
 SECONDS = 60             # for which a preview converges
+SECONDS_OF_PEACE = 0.3   # without a change, before a render starts
 
 
 class Preview:
@@ -28,13 +29,24 @@ class Preview:
         weakref.finalize(self, self._state.end)
         self._count = 0
         self._view = None
+        self._changed = None  # when scene or view changed, until the render for that has begun
         self._seen, self._header, self._begun = 0, {}, 0.0
         self._texture = None
         self._image, self._film = '', Film(1, 1)
 
+    def change(self):
+        """The scene has changed: what goes on is ended, and a new render begins soon."""
+        self._state.stop()
+        self._changed = time.monotonic()
+
     def draw(self, engine, context, depsgraph):
         if _view_key(context) != self._view:
-            self.start(engine, context, depsgraph)
+            self._view = _view_key(context)
+            self.change()
+        if self._changed is not None:
+            if time.monotonic() - self._changed > SECONDS_OF_PEACE:
+                self._start(engine, context, depsgraph)
+            engine.tag_redraw()
         self._look()
         if self._texture is not None:
             engine.bind_display_space_shader(depsgraph.scene)
@@ -42,19 +54,18 @@ class Preview:
             engine.unbind_display_space_shader()
         self._tell(engine)
 
-    def start(self, engine, context, depsgraph):
-        """Scene or view have changed: what goes on is ended, and a new render begins."""
-        self._state.stop()
-        self._view = _view_key(context)
+    def _start(self, engine, context, depsgraph):
+        self._changed = None
         self._count += 1
-        stem = os.path.join(self._state.folder, str(self._count))
-        self._image = stem + '.exr'
+        folder = self._state.new_folder(self._count)
+        self._image = os.path.join(folder, 'image.exr')
         self._film, self._header, self._begun = _film(context), {}, time.monotonic()
         try:
             program = process.find(preferences.of(bpy.context).program)
-            exported = export(stem + '.lxs', depsgraph, self._film, view=_seen_by(context))
+            exported = export(os.path.join(folder, 'scene.lxs'), depsgraph, self._film,
+                              view=_seen_by(context))
             self._state.running = process.Process(
-                command.arguments(program, exported.path, self._image), self._state.folder)
+                command.arguments(program, exported.path, self._image), folder)
         except (ExportError, process.NotFound, OSError) as error:
             engine.update_stats('', f'aips: {error}')
 
@@ -88,8 +99,15 @@ class _State:
     """The render that goes on, and the folder of its files."""
 
     def __init__(self):
-        self.folder = tempfile.mkdtemp(prefix='aips-preview-')
+        self._folder = tempfile.mkdtemp(prefix='aips-preview-')
         self.running = None
+
+    def new_folder(self, count):
+        """A folder for one render; that of the one before goes."""
+        shutil.rmtree(os.path.join(self._folder, str(count - 1)), ignore_errors=True)
+        folder = os.path.join(self._folder, str(count))
+        os.makedirs(folder)
+        return folder
 
     def stop(self):
         if self.running:
@@ -98,7 +116,7 @@ class _State:
 
     def end(self):
         self.stop()
-        shutil.rmtree(self.folder, ignore_errors=True)
+        shutil.rmtree(self._folder, ignore_errors=True)
 
 
 def _texture(image):

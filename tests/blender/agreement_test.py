@@ -78,8 +78,16 @@ class Lights(Agreement):
     def test_shining_mesh(self):
         scene = scenes.stage()
         shines = scenes.material('lamp', 'ShaderNodeEmission', Color=(1, 0.8, 0.6, 1), Strength=8)
-        scenes.box('lamp', 0.8, shines, (0.8, -0.5, 2), (0.3, 0.2, 0))
+        lamp = scenes.box('lamp', 0.8, shines, (0.8, -0.5, 2), (0.3, 0.2, 0))
+        lamp.scale.x = -1  # mirrored, it still shines outwards
         self.agrees('mesh', scene)
+
+
+    def test_open_mesh_shines_on_both_sides(self):
+        scene = scenes.stage()
+        shines = scenes.material('sheet', 'ShaderNodeEmission', Strength=6)
+        scenes.plane('sheet', 1.2, shines, (0.9, 0.2, 1.6), (1.2, 0.3, 0))
+        self.agrees('sheet', scene)
 
 
 class Materials(Agreement):

@@ -6,12 +6,15 @@ import numpy as np
 from . import ply
 
 
-class MeshParts:
-    """Files of a mesh by material slot, and whether the mesh is closed."""
+BACK = 1e-4  # of the mesh's extent: how far the back of what shines lies behind its front
 
-    def __init__(self, files, closed):
+
+class MeshParts:
+    """Files of a mesh by material slot; of open parts that shine, also those of their backs."""
+
+    def __init__(self, files, backs):
         self.files = files
-        self.closed = closed
+        self.backs = backs
 
 
 def _array(collection, attribute, kind, width):
@@ -53,19 +56,37 @@ def is_closed(mesh):
     return len(counts) > 0 and bool((counts == 2).all())
 
 
-def write_parts(mesh, folder, stem):
-    """Writes the mesh's parts as `folder/stem-SLOT.ply`; None where it has no triangle."""
+def write_parts(mesh, folder, stem, shines):
+    """Writes the mesh's parts as `folder/stem-SLOT.ply`; None where it has no triangle.
+
+    `shines(slot)` tells whether a part does. Cycles' meshes shine on both sides, LuxRender's on
+    that of their normals: open parts get a back.
+    """
     if not mesh.polygons:
         return None
     corners, has_uv, has_color = _corners(mesh)
     slots = _array(mesh.loop_triangles, 'material_index', np.int32, 1).ravel()
-    files = {}
-    for slot in np.unique(slots):
+    parts, closed = MeshParts({}, {}), is_closed(mesh)
+    for slot in map(int, np.unique(slots)):
         chosen = corners.reshape(len(slots), 3, -1)[slots == slot].reshape(-1, corners.shape[1])
         rows, triangles = ply.welded(chosen)
-        path = os.path.join(folder, f'{stem}-{slot}.ply')
-        uvs = rows[:, 6:8] if has_uv else None
-        ply.write(path, rows[:, 0:3], rows[:, 3:6], uvs, triangles,
-                  rows[:, -3:] if has_color else None)
-        files[int(slot)] = path
-    return MeshParts(files, is_closed(mesh))
+        parts.files[slot] = os.path.join(folder, f'{stem}-{slot}.ply')
+        _write(parts.files[slot], rows, triangles, has_uv, has_color)
+        if not closed and shines(slot):
+            parts.backs[slot] = os.path.join(folder, f'{stem}-{slot}-back.ply')
+            _write(parts.backs[slot], _turned(rows), triangles[:, ::-1], has_uv, has_color)
+    return parts
+
+
+def _turned(rows):
+    """The same surface from behind, a little off its front."""
+    turned = rows.copy()
+    extent = np.ptp(rows[:, 0:3], axis=0).max()
+    turned[:, 0:3] -= BACK * extent * rows[:, 3:6]
+    turned[:, 3:6] = -rows[:, 3:6]
+    return turned
+
+
+def _write(path, rows, triangles, has_uv, has_color):
+    ply.write(path, rows[:, 0:3], rows[:, 3:6], rows[:, 6:8] if has_uv else None, triangles,
+              rows[:, -3:] if has_color else None)

@@ -101,18 +101,21 @@ class _SceneExport:
         return key if self._meshes[key] else None
 
     def _written_mesh(self, thing):
+        materials = [s.material for s in thing.material_slots] or [None]
+
+        def shader(slot):
+            return self._materials.shader(materials[min(slot, len(materials) - 1)])
+
         mesh = thing.to_mesh()
         try:
             stem = f'{len(self._meshes)}-{safe_name(thing.name)}'
-            parts = meshes.write_parts(mesh, self._folder, stem) if mesh else None
+            parts = mesh and meshes.write_parts(mesh, self._folder, stem,
+                                                lambda slot: shader(slot).emission is not None)
         finally:
             thing.to_mesh_clear()
         if parts is None:
             return None
-        materials = [s.material for s in thing.material_slots] or [None]
-        shaders = {slot: self._materials.shader(materials[min(slot, len(materials) - 1)])
-                   for slot in parts.files}
-        return Mesh(thing.name, parts, shaders)
+        return Mesh(thing.name, parts, {slot: shader(slot) for slot in parts.files})
 
     def text_of(self, film, name, view):
         """The whole scene; materials are written by now, and stand before what uses them."""

@@ -61,8 +61,8 @@ class Shapes:
             if shader.emission is not None:
                 self._emission(shader.emission)
             self._plymesh(path, placed.name)
-            if shader.emission is not None and not mesh.parts.closed:
-                self._left_out.add('open meshes shine on the side of their normals alone', placed.name)
+            if slot in mesh.parts.backs:
+                self._plymesh(mesh.parts.backs[slot], placed.name)
             self._text.statement('AttributeEnd')
         self._text.statement('AttributeEnd')
 

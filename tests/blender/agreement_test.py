@@ -20,7 +20,8 @@ class Agreement(unittest.TestCase):
     def agrees(self, name, scene, within=0.02):
         found = differences(name, scene)
         worst = float(np.abs(found).max())
-        print(f'[{name}: mean {100 * found.mean():+.2f} %, worst block {100 * worst:.2f} %] ', end='',
+        print(f'[{name}: mean {100 * found.mean():+.2f} %, worst block {100 * worst:.2f} %] ',
+              end='',
               flush=True)
         self.assertLess(worst, within)
 

@@ -1,4 +1,4 @@
-"""Runs in Blender, by scripts/blender-benchmark: a caustic by aips and by Cycles, at equal CPU time.
+"""Runs in Blender, by scripts/blender-benchmark: a caustic by aips and Cycles at equal CPU time.
 
 Errors are relMSE without the worst 0.1 % of the pixels (docs/measured/method.md), against a long
 render of either: an error that both tell alike is no matter of whose reference it is.
@@ -39,8 +39,9 @@ def cpu_seconds(who):
 
 def by_aips(path, passes):
     before = cpu_seconds(resource.RUSAGE_CHILDREN)
-    subprocess.run([LXSRENDER, path + '.lxs', '-o', path + '.exr', '--quiet', '--passes', str(passes),
-                    '--seed', str(passes), '--write-every', '0', '--no-advice'], check=True)
+    subprocess.run([LXSRENDER, path + '.lxs', '-o', path + '.exr', '--quiet', '--passes',
+                    str(passes), '--seed', str(passes), '--write-every', '0', '--no-advice'],
+                   check=True)
     return exr.read(path + '.exr').stack('RGB'), cpu_seconds(resource.RUSAGE_CHILDREN) - before
 
 
@@ -59,7 +60,7 @@ def relmse(image, reference):
 
 
 def rendered_for(render, seconds, probe):
-    """An image of about so many CPU seconds; the first, of `probe` passes, tells how long one takes."""
+    """An image of about so many CPU seconds; one of `probe` passes tells how long they take."""
     _, took = render(probe)
     return render(max(int(probe * seconds / took), 2))
 
@@ -72,7 +73,8 @@ def main():
     export(path + '.lxs', bpy.context.evaluated_depsgraph_get(), Film(WIDTH, HEIGHT))
     renders = {'aips': (lambda count: by_aips(path, count), 8),
                'Cycles': (lambda count: by_cycles(scene, path, count), 16)}
-    short = {name: rendered_for(render, seconds, probe) for name, (render, probe) in renders.items()}
+    short = {name: rendered_for(render, seconds, probe)
+             for name, (render, probe) in renders.items()}
     long = {name: rendered_for(render, LONG * seconds, 2 * probe)
             for name, (render, probe) in renders.items()}
     print('| | CPU seconds | relMSE to long aips | to long Cycles |\n| --- | --- | --- | --- |')

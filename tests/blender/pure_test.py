@@ -75,7 +75,8 @@ class Formulas(unittest.TestCase):
         self.assertAlmostEqual(flat, (1 - rim) / 2, places=4)
 
     def test_welded_corners_give_the_same_triangles(self):
-        corners = np.array([[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 0, 0], [1, 1, 0], [0, 1, 0]], float)
+        corners = np.array([[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 0, 0], [1, 1, 0], [0, 1, 0]],
+                           float)
         rows, triangles = ply.welded(corners)
         self.assertEqual(len(rows), 4)
         np.testing.assert_array_equal(rows[triangles.ravel()], corners)

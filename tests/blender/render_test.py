@@ -1,4 +1,4 @@
-"""Protects F12: the image and its passes in Blender, cancelling, borders, and messages of failures."""
+"""Protects F12: the image and its passes in Blender, cancelling, borders, messages of failures."""
 import os
 import time
 import unittest

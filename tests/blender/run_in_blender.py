@@ -21,7 +21,8 @@ def environment(folder, blender):
     """The user's settings and add-ons are out of reach, temporary files in the folder."""
     # Packaged Blenders look for their Python's library beside the first python3 on PATH.
     path = os.pathsep.join([str(pathlib.Path(blender).parent), os.environ.get('PATH', '')])
-    return {**os.environ, 'PATH': path, 'BLENDER_USER_CONFIG': folder, 'BLENDER_USER_SCRIPTS': folder,
+    return {**os.environ, 'PATH': path, 'BLENDER_USER_CONFIG': folder,
+            'BLENDER_USER_SCRIPTS': folder,
             'TMPDIR': folder, 'AIPS_TEST_FOLDER': folder}
 
 

@@ -37,11 +37,13 @@ def main():
         folder = pathlib.Path(name)
         first, second, image = folder / 'a.zip', folder / 'b.zip', folder / 'image.png'
         for path in (first, second):
-            subprocess.run([sys.executable, str(ROOT / 'scripts/blender-addon'), '-o', str(path)], check=True)
+            subprocess.run([sys.executable, str(ROOT / 'scripts/blender-addon'), '-o', str(path)],
+                           check=True)
         assert first.read_bytes() == second.read_bytes(), 'the same files make other bytes'
         script = IN_BLENDER.format(zip=str(first), lxsrender=str(lxsrender), image=str(image))
-        code = subprocess.run([blender, '-b', '-noaudio', '--factory-startup', '--python-exit-code', '1',
-                               '--python-expr', script], env=environment(name, blender), check=False).returncode
+        code = subprocess.run(
+            [blender, '-b', '-noaudio', '--factory-startup', '--python-exit-code', '1',
+             '--python-expr', script], env=environment(name, blender), check=False).returncode
         return code or int(not image.exists())
 
 

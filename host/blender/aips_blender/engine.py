@@ -31,7 +31,8 @@ class AipsRenderEngine(bpy.types.RenderEngine):
     def update_render_passes(self, scene=None, renderlayer=None):
         self.register_pass(scene, renderlayer, 'Combined', 4, 'RGBA', 'COLOR')
         for each in _passes(scene, renderlayer):
-            self.register_pass(scene, renderlayer, each.name, len(each.letters), each.letters, each.kind)
+            self.register_pass(scene, renderlayer, each.name, len(each.letters), each.letters,
+                               each.kind)
 
     def render(self, depsgraph):
         try:
@@ -182,7 +183,8 @@ def _keep_text(name, lines):
     if bpy.app.background:
         write()
     else:
-        bpy.app.timers.register(write)  # renders have a thread of their own, Blender's data have none
+        # Renders have a thread of their own, in which Blender's data are not to be changed.
+        bpy.app.timers.register(write)
 
 
 def register():

@@ -124,7 +124,7 @@ def write(path, rgb):
                   ('screenWindowWidth', 'float', struct.pack('<f', 1)))
     head = struct.pack('<iI', MAGIC, VERSION)
     for name, kind, value in attributes:
-        head += name.encode() + b'\0' + kind.encode() + b'\0' + struct.pack('<i', len(value)) + value
+        head += b'\0'.join((name.encode(), kind.encode(), struct.pack('<i', len(value)) + value))
     head += b'\0'
     line = 12 * width
     first = len(head) + 8 * height

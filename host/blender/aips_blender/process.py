@@ -90,7 +90,8 @@ def failure(code, lines):
     if code in (0, INTERRUPTED):
         return None
     errors = [line for line in lines if 'error:' in line]
-    said = '; '.join(e.split('error: ', 1)[-1] for e in errors[:3]) or (lines or ['no word of why'])[0]
+    first = (lines or ['no word of why'])[0]
+    said = '; '.join(e.split('error: ', 1)[-1] for e in errors[:3]) or first
     return f'lxsrender ended with exit code {code}: {said}'
 
 

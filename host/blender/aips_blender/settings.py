@@ -1,6 +1,7 @@
 """What the user sets in Blender's panels, and what follows of it for export and command line."""
 import bpy
-from bpy.props import BoolProperty, EnumProperty, FloatProperty, IntProperty, PointerProperty, StringProperty
+from bpy.props import (BoolProperty, EnumProperty, FloatProperty, IntProperty, PointerProperty,
+                       StringProperty)
 
 from . import passes
 from .export.film import Film
@@ -34,7 +35,8 @@ class AipsSceneSettings(bpy.types.PropertyGroup):
                ('sppm', 'sppm', "LuxRender's photon mapping")])
     layers: EnumProperty(name='Passes', items=LAYERS, options={'ENUM_FLAG'}, default=set(),
                          update=_passes_change)
-    denoise: BoolProperty(name='Denoise', description='Take noise out of the image; the pass Noisy Image keeps it',
+    denoise: BoolProperty(name='Denoise',
+                          description='Take noise out of the image; the pass Noisy Image keeps it',
                           update=_passes_change)
     explain: BoolProperty(name='Explain', description='Say at the end what became of the light')
     seed: IntProperty(name='Seed', min=0, description='Seed of all random numbers')
@@ -51,7 +53,8 @@ class AipsSceneSettings(bpy.types.PropertyGroup):
     update_interval: IntProperty(name='Update every', default=2, min=1, max=3600,
                                  description='Seconds between two images so far; more where '
                                              'writing one takes long')
-    extra: StringProperty(name='More options', description='Options of lxsrender, as on the command line')
+    extra: StringProperty(name='More options',
+                          description='Options of lxsrender, as on the command line')
 
 
 def integrator_options(settings):

@@ -1,4 +1,4 @@
-"""What the status line tells of a render, from the header of its latest image and from the clock."""
+"""What the status line tells of a render, by the header of its latest image and the clock."""
 
 
 def clock(seconds):

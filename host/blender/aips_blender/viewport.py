@@ -85,7 +85,8 @@ class Preview:
         if running is None:
             return
         if running.running():
-            engine.update_stats('', status.text(self._film, self._header, time.monotonic() - self._begun))
+            engine.update_stats('', status.text(self._film, self._header,
+                                                time.monotonic() - self._begun))
             engine.tag_redraw()
             return
         said = process.failure(running.wait(), running.lines())
@@ -128,7 +129,8 @@ def _texture(image):
 
 def _view_key(context):
     region = context.region_data
-    return (tuple(tuple(r) for r in region.view_matrix), tuple(tuple(r) for r in region.window_matrix),
+    matrices = (region.view_matrix, region.window_matrix)
+    return (tuple(tuple(row) for matrix in matrices for row in matrix),
             context.region.width, context.region.height)
 
 

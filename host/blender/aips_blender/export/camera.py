@@ -52,7 +52,8 @@ def view_of(camera_object, depsgraph, width, height, aspect, left_out):
 def window_of(matrix, orthographic):
     """What part of its screen a projection shows: where it maps to -1 and 1."""
     if orthographic:
-        return tuple((sign - matrix[row][3]) / matrix[row][row] for row in (0, 1) for sign in (-1, 1))
+        return tuple((sign - matrix[row][3]) / matrix[row][row] for row in (0, 1)
+                     for sign in (-1, 1))
     return tuple((sign + matrix[row][2]) / matrix[row][row] for row in (0, 1) for sign in (-1, 1))
 
 

@@ -2,20 +2,22 @@
 
 lxsrender takes a colour for the weights of LuxRender's seven spectra, as LuxRender does
 (docs/understand/colours.md): a light of colour 1 0 0 shines as 0.95 0 0, a surface of 0.8 0.01 0.01
-reflects 0.81 0.007 0.012. Blender's colours are the plain products of RGB. Here the first is undone.
+reflects 0.81 0.007 0.012. In Blender colours are plain products of RGB. Here the first is undone.
 """
 import numpy as np
 
 # By which channels are 1: what is shown in Rec. 709, as lxsrender shows it beside grey.
 LIGHTS = {
-    (1, 1, 1): (1, 1, 1), (1, 0, 0): (0.9515, -0.0042, -0.0009), (0, 1, 0): (0.0421, 1.0058, 0.0101),
-    (0, 0, 1): (-0.0023, -0.0024, 0.9966), (0, 1, 1): (0.0444, 1.0054, 0.9979),
-    (1, 0, 1): (0.9466, -0.0065, 0.9981), (1, 1, 0): (1.0078, 0.9984, 0.0138),
+    (1, 1, 1): (1, 1, 1), (1, 0, 0): (0.9515, -0.0042, -0.0009),
+    (0, 1, 0): (0.0421, 1.0058, 0.0101), (0, 0, 1): (-0.0023, -0.0024, 0.9966),
+    (0, 1, 1): (0.0444, 1.0054, 0.9979), (1, 0, 1): (0.9466, -0.0065, 0.9981),
+    (1, 1, 0): (1.0078, 0.9984, 0.0138),
 }
 SURFACES = {
-    (1, 1, 1): (1, 1, 1), (1, 0, 0): (1.0117, -0.0040, 0.0022), (0, 1, 0): (-0.0072, 1.0037, 0.0167),
-    (0, 0, 1): (-0.0050, -0.0015, 0.9820), (0, 1, 1): (-0.0010, 1.0012, 0.9939),
-    (1, 0, 1): (1.0233, -0.0107, 0.9903), (1, 1, 0): (1.0013, 1.0014, 0.0233),
+    (1, 1, 1): (1, 1, 1), (1, 0, 0): (1.0117, -0.0040, 0.0022),
+    (0, 1, 0): (-0.0072, 1.0037, 0.0167), (0, 0, 1): (-0.0050, -0.0015, 0.9820),
+    (0, 1, 1): (-0.0010, 1.0012, 0.9939), (1, 0, 1): (1.0233, -0.0107, 0.9903),
+    (1, 1, 0): (1.0013, 1.0014, 0.0233),
 }
 STEPS = 6  # each leaves a twentieth of the difference
 
@@ -28,7 +30,8 @@ def shown(rgb, bases):
     for channel in range(3):
         table[0, channel] = bases[tuple(int(i != channel) for i in range(3))]
         table[1, channel] = bases[tuple(int(i == channel) for i in range(3))]
-    return least + (middle - least) * table[0][order[..., 0]] + (most - middle) * table[1][order[..., 2]]
+    pairs, single = table[0][order[..., 0]], table[1][order[..., 2]]
+    return least + (middle - least) * pairs + (most - middle) * single
 
 
 def written(wanted, bases, most):
@@ -46,7 +49,7 @@ def light_color(wanted):
 
 
 def surface_color(wanted):
-    """Of a surface that reflects or lets through `wanted`, three numbers; a texture's name stays."""
+    """Of a surface that reflects or transmits `wanted`, three numbers; a texture's name stays."""
     if isinstance(wanted, str) or wanted[0] == wanted[1] == wanted[2]:
         return wanted
     return tuple(float(c) for c in written(wanted, SURFACES, 1))

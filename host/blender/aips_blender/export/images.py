@@ -25,10 +25,11 @@ class Images:
 
     def _find(self, image):
         if image.source not in ('FILE', 'GENERATED'):
-            self._left_out.add(f'images of the kind {image.source.lower()} are left out', image.name)
+            self._left_out.add(f'images of the kind {image.source.lower()} are left out',
+                               image.name)
             return None
         path = image.filepath_from_user() if image.source == 'FILE' else ''
-        # Linear ones are heights, normals and the like, or light of all kinds, and stay as they are.
+        # Linear ones are heights, normals and the like, or light, and stay as they are.
         linear = image.colorspace_settings.name in ('Linear', 'Raw', 'Non-Color')
         if linear and path.lower().endswith(READ_AS_THEY_ARE) and os.path.isfile(path) \
                 and not image.is_dirty:

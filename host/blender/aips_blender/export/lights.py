@@ -1,9 +1,9 @@
 """Writes Blender's lights, whose watts become intensity, radiance or irradiance.
 
 Units, as Cycles 3.4 has them and tests/blender compares: with power P a point or spot light has the
-intensity P / (4 pi) per steradian, a sphere of radius r the radiance P / (4 pi^2 r^2), an area light
-of area A the radiance P / (4 A), a sun of strength E the irradiance E. In the scene language a
-colour L of 1 is a radiance, or an intensity, of 1; of light "distant" see _sun.
+intensity P / (4 pi) per steradian, a sphere of radius r the radiance P / (4 pi^2 r^2), an area
+light of area A the radiance P / (4 A), a sun of strength E the irradiance E. In the scene language
+a colour L of 1 is a radiance, or an intensity, of 1; of light "distant" see _sun.
 """
 import math
 import os
@@ -57,9 +57,11 @@ class Lights:
     def _shape_emits(self, name, rgb, radiance, seen):
         """What makes the shape that follows shine and block no light, as Cycles' lights."""
         if not seen:
-            self._left_out.add('lights are seen by the camera, though hidden from it in Blender', name)
+            self._left_out.add('lights are seen by the camera, though hidden from it in Blender',
+                               name)
         self._text.statement('AreaLightSource', 'area', parameters=[
-            color('L', rgb), factor('gain', radiance), factor('power', 0.0), factor('efficacy', 0.0)])
+            color('L', rgb), factor('gain', radiance), factor('power', 0.0),
+            factor('efficacy', 0.0)])
         self._text.statement('Material', 'null')
 
     def _point(self, name, light, matrix, rgb, seen):
@@ -76,11 +78,12 @@ class Lights:
             factor('radius', radius), parameter('string', 'name', name)])
 
     def _spot(self, name, light, matrix, rgb, _seen):
-        """A map of intensity by direction, as Cycles' falloff has no counterpart in light "spot"."""
+        """A map of intensity by direction, as light "spot" has another falloff than Cycles."""
         if light.shadow_soft_size > 0:
             self._left_out.add('radii of spot lights are left out, shadows are hard', name)
         profile = spot_profile(math.cos(light.spot_size / 2), light.spot_blend, SPOT_ROWS)
-        path = os.path.join(self._folder, f'spot-{self._text.free_name("spot")}.exr'.replace(' ', '-'))
+        stem = self._text.free_name('spot').replace(' ', '-')
+        path = os.path.join(self._folder, stem + '.exr')
         exr.write(path, np.repeat(profile[:, None, None], 3, axis=2).repeat(2, axis=1))
         # "goniometric" sends 4 pi L however narrow the map; the map's top is +z, a spot's axis -z.
         self._text.matrix('ConcatTransform', _unscaled(matrix, flipped=True))
@@ -120,7 +123,8 @@ class Lights:
             return
         self._text.statement('Shape', 'trianglemesh', parameters=[
             parameter('integer', 'triindices', (0, 1, 2, 0, 2, 3)),
-            parameter('point', 'P', (-1.0, -1.0, 0.0, 1.0, -1.0, 0.0, 1.0, 1.0, 0.0, -1.0, 1.0, 0.0)),
+            parameter('point', 'P', (-1.0, -1.0, 0.0, 1.0, -1.0, 0.0,
+                                     1.0, 1.0, 0.0, -1.0, 1.0, 0.0)),
             parameter('string', 'name', name)])
 
 

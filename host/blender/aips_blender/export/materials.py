@@ -67,7 +67,8 @@ class Materials:
         if share == 1.0:
             return self._of(second, name)
         a, b = self._of(first, f'{name} 1'), self._of(second, f'{name} 2')
-        emission = self._sum(self._part(a, share, True, name), self._part(b, share, False, name), name)
+        emission = self._sum(self._part(a, share, True, name), self._part(b, share, False, name),
+                             name)
         return Shader(mix(self._shaders, name, a.name, b.name, share), emission)
 
     def _share(self, found, name):

@@ -31,7 +31,8 @@ def _corners(mesh):
     positions = _array(mesh.vertices, 'co', np.float32, 3)
     loops = _array(triangles, 'loops', np.int32, 3).ravel()
     vertices = _array(triangles, 'vertices', np.int32, 3).ravel()
-    columns = [positions[vertices], _array(triangles, 'split_normals', np.float32, 9).reshape(-1, 3)]
+    normals = _array(triangles, 'split_normals', np.float32, 9).reshape(-1, 3)
+    columns = [positions[vertices], normals]
     uv = mesh.uv_layers.active
     if uv:
         columns.append(_array(uv.data, 'uv', np.float32, 2)[loops])

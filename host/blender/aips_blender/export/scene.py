@@ -42,7 +42,8 @@ def export(path, depsgraph, film, frame_set=None, view=None):
         with open(path, 'w', encoding='utf-8') as file:
             file.write(text)
     except OSError as error:
-        raise ExportError(f'{error.filename or folder} cannot be written: {error.strerror}') from error
+        where = error.filename or folder
+        raise ExportError(f'{where} cannot be written: {error.strerror}') from error
     return Exported(path, export_.left_out.lines())
 
 
@@ -125,7 +126,8 @@ class _SceneExport:
         self._write_camera(film, view)
         self._text.statement('WorldBegin')
         self._text.lines += materials
-        World(self._text, self._folder, self._textures, self.left_out).write(self._depsgraph.scene_eval.world)
+        world = World(self._text, self._folder, self._textures, self.left_out)
+        world.write(self._depsgraph.scene_eval.world)
         for lamp in self._lamps:
             self._lights.write(*lamp)
         Shapes(self._text, self.left_out).write(self._meshes, self._placed)

@@ -57,7 +57,8 @@ class Shaders:
             return self._normal_map(before)
         if before.node.type == 'BUMP':
             return self._bump_map(before)
-        self.left_out.add(f'normals by node {before.node.bl_label} are left out', before.node.id_data.name)
+        self.left_out.add(f'normals by node {before.node.bl_label} are left out',
+                          before.node.id_data.name)
         return []
 
     def _bump_map(self, before):
@@ -103,7 +104,7 @@ class Shaders:
         return Shader(self.metal(name, tint, width, self.bump(found)))
 
     def metal(self, name, tint, width, bump):
-        """A mirror where it is smooth, else facets whose reflectance at normal incidence is tint."""
+        """A mirror where it is smooth, else facets that reflect tint at normal incidence."""
         if not isinstance(width, str) and width < SMOOTH:
             return self.named(name, 'mirror', [color('Kr', tint), *bump])
         fresnel = self.text.free_name(f'{name} fresnel')

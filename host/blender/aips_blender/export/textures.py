@@ -72,7 +72,8 @@ class Textures:
         }.get(found.node.type)
         value = make(found, kind) if make else None
         if value is None:
-            self._left_out.add(f'nodes {found.node.bl_label} are replaced by grey', found.node.id_data.name)
+            self._left_out.add(f'nodes {found.node.bl_label} are replaced by grey',
+                               found.node.id_data.name)
             value = GREY
         if kind == 'float' and isinstance(value, tuple):
             return luminance(value)
@@ -132,7 +133,8 @@ class Textures:
             before = graph.source(before.input('Vector'))
         if before and not (before.node.type == 'UVMAP' or
                            (before.node.type == 'TEX_COORD' and before.output.name == 'UV')):
-            self._left_out.add('texture coordinates other than uv are replaced by uv', found.node.name)
+            self._left_out.add('texture coordinates other than uv are replaced by uv',
+                               found.node.name)
         # Images of the scene language begin at the top, uv of Blender at the bottom.
         return [parameter('float', 'uscale', scale[0]), parameter('float', 'vscale', -scale[1]),
                 parameter('float', 'udelta', shift[0]), parameter('float', 'vdelta', 1 - shift[1])]
@@ -177,7 +179,8 @@ class Textures:
         if not any(isinstance(v, str) for v in (a, b, amount)):
             return _blended_constants(blend, a, b, amount)
         if blend == 'MULTIPLY':
-            product = self._texture('product', 'color', 'scale', [color('tex1', a), color('tex2', b)])
+            product = self._texture('product', 'color', 'scale',
+                                    [color('tex1', a), color('tex2', b)])
             return self._blended('MIX', a, product, amount) if amount != 1 else product
         if blend != 'MIX':
             return None

@@ -11,8 +11,8 @@ from .images import pixels
 from .lxs_text import color, factor, parameter
 
 CLEAR = 2.2  # turbidity that stands for a dust density of 1
-# Radiance of Cycles' skies over that of LuxRender's models, and of its sun: measured with the sun at
-# 15, 45 and 80 degrees. Preetham's is the same model; of Hosek's and Nishita's see the manual.
+# Radiance of Cycles' skies over that of LuxRender's models, and of its sun: measured with the sun
+# at 15, 45 and 80 degrees. Preetham's is the same model; of Hosek's and Nishita's see the manual.
 SKY_GAIN = {'PREETHAM': 5.99e-5, 'HOSEK_WILKIE': 1.65e-5, 'NISHITA': 7.0e-4}
 SUN_GAIN = 1.33e-3
 SUN_DEGREES = 0.545  # width of the sun's disk that a relsize of 1 stands for
@@ -39,7 +39,8 @@ class World:
             if found is None:
                 return
             if found.node.type != 'BACKGROUND':
-                self._left_out.add('shaders of the world other than Background are left out', world.name)
+                self._left_out.add('shaders of the world other than Background are left out',
+                                   world.name)
                 return
         self._text.statement('AttributeBegin')
         group = world.original.lightgroup  # not kept up to date in evaluated copies
@@ -59,14 +60,16 @@ class World:
             return self._sky(world, by.node, strength)
         rgb = self._textures.color(found.input('Color'))
         if isinstance(rgb, str):
-            self._left_out.add('textures of the world other than image and sky are left out', world.name)
+            self._left_out.add('textures of the world other than image and sky are left out',
+                               world.name)
             rgb = (0.5, 0.5, 0.5)
         return self._constant(rgb, strength)
 
     def _constant(self, rgb, strength):
         if strength > 0 and any(rgb):
             self._text.statement('LightSource', 'infinite',
-                                 parameters=[color('L', light_color(rgb)), factor('gain', strength)])
+                                 parameters=[color('L', light_color(rgb)),
+                                             factor('gain', strength)])
 
     def _image(self, world, found, strength):
         node = found.node

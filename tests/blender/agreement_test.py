@@ -133,6 +133,15 @@ class Materials(Agreement):
         bpy.data.objects['wall'].data.materials[0] = picture
         self.agrees('image', scene)
 
+    def test_checker(self):
+        scene = scenes.lit_stage()
+        bpy.data.objects['wall'].data.materials[0] = scenes.checker_material()
+        self.agrees('checker', scene)
+
+    def test_principled_alpha(self):
+        self.ball('alpha', 'ShaderNodeBsdfPrincipled', Base_Color=(0.5, 0.4, 0.3, 1), Specular=0,
+                  Roughness=0.5, Alpha=0.4)
+
 
 class Cameras(Agreement):
     def seen(self, name, **settings):

@@ -143,6 +143,21 @@ def image_material(values, scale, shift):
     return made
 
 
+def checker_material():
+    """Squares of two greys, looked up by a node Mapping of the uv."""
+    made = material('checker', 'ShaderNodeBsdfDiffuse')
+    tree = made.node_tree
+    texture = tree.nodes.new('ShaderNodeTexChecker')
+    texture.inputs['Color1'].default_value = (0.7, 0.7, 0.7, 1)
+    texture.inputs['Color2'].default_value = (0.2, 0.2, 0.2, 1)
+    texture.inputs['Scale'].default_value = 3
+    tree.links.new(texture.outputs['Color'], tree.nodes['Diffuse BSDF'].inputs['Color'])
+    mapping = _mapping(tree, texture, 'UV')
+    mapping.inputs['Scale'].default_value = (1, 2, 1)
+    mapping.inputs['Location'].default_value = (0.1, 0, 0)
+    return made
+
+
 def _mapping(tree, texture, coordinates):
     mapping, source = tree.nodes.new('ShaderNodeMapping'), tree.nodes.new('ShaderNodeTexCoord')
     tree.links.new(source.outputs[coordinates], mapping.inputs['Vector'])

@@ -125,19 +125,26 @@ class Textures:
             *channel, *self.mapping(found)])
 
     def mapping(self, found):
-        """Parameters of the uv mapping that a node Mapping before `found` makes."""
+        """Parameters of an image's uv mapping, that of a node Mapping before `found`."""
+        scale, shift = self._uv(found)
+        # Images of the scene language begin at the top, uv of Blender at the bottom.
+        return _uv_parameters((scale[0], -scale[1]), (shift[0], 1 - shift[1]))
+
+    def _uv(self, found):
+        """Scale and shift of the uv that a texture node is looked up by."""
         scale, shift = (1.0, 1.0), (0.0, 0.0)
-        before = graph.source(found.input('Vector')) if found.input('Vector') else None
+        place = found.input('Vector')
+        before = graph.source(place) if place else None
         if before and before.node.type == 'MAPPING':
             scale, shift = self._mapped(before)
             before = graph.source(before.input('Vector'))
-        if before and not (before.node.type == 'UVMAP' or
-                           (before.node.type == 'TEX_COORD' and before.output.name == 'UV')):
+        by_uv = before and (before.node.type == 'UVMAP' or (before.node.type == 'TEX_COORD' and
+                                                            before.output.name == 'UV'))
+        # Images are looked up by uv where nothing is said, other textures by generated coordinates.
+        if not by_uv and (before or found.node.type != 'TEX_IMAGE'):
             self._left_out.add('texture coordinates other than uv are replaced by uv',
                                found.node.name)
-        # Images of the scene language begin at the top, uv of Blender at the bottom.
-        return [parameter('float', 'uscale', scale[0]), parameter('float', 'vscale', -scale[1]),
-                parameter('float', 'udelta', shift[0]), parameter('float', 'vdelta', 1 - shift[1])]
+        return scale, shift
 
     def _mapped(self, before):
         """Scale and shift of a node Mapping."""
@@ -154,9 +161,11 @@ class Textures:
     def _checker(self, found, kind):
         first, second = self.color(found.input('Color1')), self.color(found.input('Color2'))
         scale = self.constant_number(found.input('Scale'), 'scales')
+        (x, y, *_), shift = self._uv(found)
+        # Blender begins with the second colour.
         pattern = self._texture('checker', 'float', 'checkerboard', [
-            parameter('float', 'uscale', scale), parameter('float', 'vscale', scale),
-            parameter('float', 'tex1', 1.0), parameter('float', 'tex2', 0.0)])
+            *_uv_parameters((x * scale, y * scale), (shift[0] * scale, shift[1] * scale)),
+            parameter('float', 'tex1', 0.0), parameter('float', 'tex2', 1.0)])
         if kind == 'float':
             return pattern
         return self._texture('checker colors', 'color', 'mix', [
@@ -196,6 +205,11 @@ class Textures:
         if isinstance(gain, (int, float)):
             gain = (gain,) * 3
         return self._texture('gain', 'color', 'scale', [color('tex1', value), color('tex2', gain)])
+
+
+def _uv_parameters(scale, shift):
+    return [parameter('float', 'uscale', scale[0]), parameter('float', 'vscale', scale[1]),
+            parameter('float', 'udelta', shift[0]), parameter('float', 'vdelta', shift[1])]
 
 
 def _blended_constants(blend, a, b, amount):

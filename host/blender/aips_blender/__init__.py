@@ -1,0 +1,24 @@
+"""Makes aips a render engine of Blender: export, F12 by lxsrender, preview, panels."""
+bl_info = {
+    'name': 'aips',
+    'description': 'Renders by lxsrender: photons guided to what the camera sees',
+    'version': (0, 1, 0),
+    'blender': (3, 4, 0),
+    'category': 'Render',
+    'location': 'Render properties > Render Engine; File > Export > LuxRender scene',
+}
+
+
+def _modules():
+    from . import engine, export_operator, panels, preferences, settings
+    return preferences, settings, engine, export_operator, panels
+
+
+def register():
+    for module in _modules():
+        module.register()
+
+
+def unregister():
+    for module in reversed(_modules()):
+        module.unregister()

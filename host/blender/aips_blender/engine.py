@@ -1,0 +1,195 @@
+"""The render engine: F12 exports the scene, runs lxsrender and shows the image as it converges."""
+import os
+import shlex
+import shutil
+import tempfile
+import time
+
+import bpy
+
+from . import command, exr, passes, preferences, process, settings, status, viewport
+from .export.scene import ExportError, export
+
+SECONDS_BETWEEN_LOOKS = 0.1
+
+
+class Pending:
+    """Path of an export that a render is to make in place of an image, or None."""
+    path = None
+
+
+class AipsRenderEngine(bpy.types.RenderEngine):
+    bl_idname = 'AIPS'
+    bl_label = 'aips'
+    bl_use_preview = False
+    bl_use_shading_nodes_custom = False
+    bl_use_eevee_viewport = True
+
+    def __init__(self):
+        self._preview = None
+
+    def update_render_passes(self, scene=None, renderlayer=None):
+        self.register_pass(scene, renderlayer, 'Combined', 4, 'RGBA', 'COLOR')
+        for each in _passes(scene, renderlayer):
+            self.register_pass(scene, renderlayer, each.name, len(each.letters), each.letters,
+                               each.kind)
+
+    def render(self, depsgraph):
+        try:
+            if Pending.path:
+                self._export(depsgraph, Pending.path)
+                return
+            folder = tempfile.mkdtemp(prefix='aips-')
+            try:
+                Render(self, depsgraph, folder).run()
+            finally:
+                shutil.rmtree(folder, ignore_errors=True)
+        except (ExportError, process.NotFound, exr.ExrError, OSError) as error:
+            self.report({'ERROR'}, f'aips: {error}')
+
+    def _export(self, depsgraph, path):
+        film = settings.film_of(depsgraph.scene, settings.light_groups(depsgraph.view_layer))
+        exported = export(path, depsgraph, film, self.frame_set)
+        tell_left_out(self, exported.left_out)
+        self.report({'INFO'}, f'aips: {path} is written')
+
+    def view_update(self, _context, _depsgraph):
+        if self._preview is None:
+            self._preview = viewport.Preview()
+        self._preview.change()
+
+    def view_draw(self, context, depsgraph):
+        if self._preview is not None:
+            self._preview.draw(self, context, depsgraph)
+
+
+def _passes(scene, view_layer):
+    found = passes.chosen(scene.aips.layers, settings.light_groups(view_layer))
+    return found + ([passes.NOISY] if scene.aips.denoise else [])
+
+
+def tell_left_out(engine, lines):
+    """Reports each kind of thing that is not carried over."""
+    for line in lines:
+        engine.report({'WARNING'}, f'aips: {line}')
+
+
+class Render:
+    """One image of one view layer, from the export to the end."""
+
+    def __init__(self, engine, depsgraph, folder):
+        self._engine = engine
+        self._depsgraph = depsgraph
+        self._folder = folder
+        self._image = os.path.join(folder, 'image.exr')
+        self._seen, self._header, self._said = 0, {}, ''
+        self._options = depsgraph.scene.aips
+        self._program = process.find(preferences.of(bpy.context).program)
+
+    def run(self):
+        scene, view_layer = self._depsgraph.scene, self._depsgraph.view_layer
+        self._engine.update_stats('', 'aips: exporting the scene')
+        self._film = settings.film_of(scene, settings.light_groups(view_layer))
+        exported = export(os.path.join(self._folder, 'scene.lxs'), self._depsgraph, self._film,
+                          self._engine.frame_set)
+        tell_left_out(self._engine, exported.left_out)
+        self._result = _begin_result(self._engine, scene.render, view_layer)
+        try:
+            self._follow(process.Process(self._arguments(exported.path), self._folder))
+        finally:
+            self._engine.end_result(self._result)
+
+    def _arguments(self, path):
+        every = command.write_every(self._film.width * self._film.height, self._options.denoise,
+                                    self._options.update_interval)
+        found = command.arguments(
+            self._program, path, self._image, preferences.of(bpy.context).threads,
+            self._options.seed, self._options.denoise, self._options.explain, every)
+        return found + _options(self._options.extra)
+
+    def _follow(self, running):
+        begun = time.monotonic()
+        try:
+            while running.running():
+                if self._engine.test_break():
+                    running.interrupt()
+                    break
+                self._show(time.monotonic() - begun)
+                time.sleep(SECONDS_BETWEEN_LOOKS)
+            code = running.wait()
+        except BaseException:
+            running.kill()
+            raise
+        said = process.failure(code, running.lines())
+        self._load()
+        if said:
+            self._engine.report({'ERROR'}, f'aips: {said}')
+        for line in process.warnings(running.lines()):
+            self._engine.report({'WARNING'}, f'aips: {line}')
+        if self._options.explain:
+            _keep_text('aips explains', running.lines())
+
+    def _show(self, seconds):
+        self._load()
+        said = status.text(self._film, self._header, seconds)
+        if said != self._said:
+            self._said = said
+            self._engine.update_progress(status.share(self._film, self._header, seconds))
+            self._engine.update_stats('', said)
+
+    def _load(self):
+        """Puts the image so far into the result, if it is a new one."""
+        try:
+            changed = os.stat(self._image).st_mtime_ns
+        except FileNotFoundError:
+            return
+        if changed == self._seen:
+            return
+        self._seen = changed
+        image = exr.read(self._image)
+        self._header = image.texts
+        _fill(self._result, image, _passes(self._depsgraph.scene, self._depsgraph.view_layer))
+        self._engine.update_result(self._result)
+
+
+def _options(text):
+    try:
+        return shlex.split(text)
+    except ValueError as error:
+        raise ExportError(f'"More options" cannot be read: {error}') from error
+
+
+def _begin_result(engine, render, view_layer):
+    x0, x1, y0, y1 = settings.border(render)
+    return engine.begin_result(0, 0, x1 - x0, y1 - y0, layer=view_layer.name)
+
+
+def _fill(result, image, found):
+    layer = result.layers[0]
+    combined = passes.COMBINED
+    for each in [combined, *found]:
+        if each.name in layer.passes:
+            target = layer.passes[each.name]
+            values = passes.pixels(image, each)
+            if len(values) == len(target.rect):
+                target.rect.foreach_set(values)
+
+
+def _keep_text(name, lines):
+    def write():
+        text = bpy.data.texts.get(name) or bpy.data.texts.new(name)
+        text.from_string('\n'.join(lines) + '\n')
+
+    if bpy.app.background:
+        write()
+    else:
+        # Renders have a thread of their own, in which Blender's data are not to be changed.
+        bpy.app.timers.register(write)
+
+
+def register():
+    bpy.utils.register_class(AipsRenderEngine)
+
+
+def unregister():
+    bpy.utils.unregister_class(AipsRenderEngine)

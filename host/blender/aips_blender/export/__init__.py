@@ -1,0 +1,1 @@
+"""The export: from Blender's evaluated scene to LuxRender 1.x files that lxsrender reads."""

@@ -1,0 +1,22 @@
+"""Collects what of a scene cannot be carried over, each kind once, with the names it concerns."""
+
+MOST_NAMES = 5
+
+
+class LeftOut:
+    def __init__(self):
+        self._names = {}
+
+    def add(self, what, name):
+        """`what` says what is missing and what stands in its place."""
+        names = self._names.setdefault(what, [])
+        if name not in names:
+            names.append(name)
+
+    def lines(self):
+        return [f'{what}: {self._list(names)}' for what, names in sorted(self._names.items())]
+
+    @staticmethod
+    def _list(names):
+        more = len(names) - MOST_NAMES
+        return ', '.join(names[:MOST_NAMES]) + (f' and {more} more' if more > 0 else '')

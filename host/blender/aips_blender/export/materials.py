@@ -1,0 +1,123 @@
+"""Turns Blender's materials into named materials of the scene language, each once."""
+from . import graph
+from .principled import mix, principled
+from .shaders import Shader, Shaders, color
+
+DEFAULT_GREY = (0.8, 0.8, 0.8)  # Cycles' surface without a material
+
+
+class Materials:
+    def __init__(self, text, textures, left_out):
+        self._shaders = Shaders(text, textures, left_out)
+        self._textures = textures
+        self._left_out = left_out
+        self._known = {}
+        self._leaves = {
+            'BSDF_DIFFUSE': self._shaders.diffuse, 'BSDF_GLOSSY': self._shaders.glossy,
+            'BSDF_ANISOTROPIC': self._shaders.glossy, 'BSDF_GLASS': self._shaders.glass,
+            'BSDF_REFRACTION': self._shaders.glass, 'BSDF_TRANSPARENT': self._shaders.transparent,
+            'BSDF_TRANSLUCENT': self._shaders.translucent, 'BSDF_VELVET': self._shaders.velvet,
+            'SUBSURFACE_SCATTERING': self._shaders.scattering, 'EMISSION': self._shaders.emission,
+            'BSDF_PRINCIPLED': lambda found, name: principled(self._shaders, found, name),
+            'MIX_SHADER': self._mix, 'ADD_SHADER': self._add,
+        }
+
+    def shader(self, material):
+        """The Shader of a material, which may be None."""
+        key = material.name_full if material else None
+        if key not in self._known:
+            self._known[key] = self._made(material)
+        return self._known[key]
+
+    def _made(self, material):
+        if material is None:
+            return self._matte('no material', DEFAULT_GREY)
+        if not material.use_nodes:
+            return self._matte(material.name, tuple(material.diffuse_color[:3]))
+        output = graph.output_node(material.node_tree, 'OUTPUT_MATERIAL')
+        if output is None:
+            return Shader(self._shaders.black(material.name))
+        for what in ('Volume', 'Displacement'):
+            if output.inputs[what].is_linked:
+                self._left_out.add(f'{what.lower()} of materials is left out', material.name)
+        return self._of(graph.Place(output.inputs['Surface']), material.name)
+
+    def _matte(self, name, rgb):
+        return Shader(self._shaders.named(name, 'matte', [color('Kd', rgb)]))
+
+    def _of(self, place, name):
+        found = graph.source(place)
+        if found is None:
+            return Shader(self._shaders.black(name))
+        make = self._leaves.get(found.node.type)
+        if make is None:
+            self._left_out.add(f'shaders {found.node.bl_label} are replaced by grey', name)
+            return self._matte(name, DEFAULT_GREY)
+        return make(found, name)
+
+    def _inputs(self, found):
+        """The two places of a mix or a sum, which have the same name."""
+        return [graph.Place(s, found.groups) for s in found.node.inputs if s.type == 'SHADER']
+
+    def _mix(self, found, name):
+        first, second = self._inputs(found)
+        share = self._share(found, name)
+        if share == 0.0:
+            return self._of(first, name)
+        if share == 1.0:
+            return self._of(second, name)
+        a, b = self._of(first, f'{name} 1'), self._of(second, f'{name} 2')
+        emission = self._sum(self._part(a, share, True, name), self._part(b, share, False, name),
+                             name)
+        return Shader(mix(self._shaders, name, a.name, b.name, share), emission)
+
+    def _share(self, found, name):
+        place = found.input('Fac')
+        by = graph.source(place)
+        if by and by.node.type == 'LIGHT_PATH':
+            self._left_out.add('what differs by kind of ray (Light Path) is left out', name)
+            return 0.0
+        if by and by.node.type in ('FRESNEL', 'LAYER_WEIGHT'):
+            self._left_out.add('mixes by angle have their share at normal incidence', name)
+            return self._normal_incidence(by)
+        share = self._textures.number(place)
+        return share if isinstance(share, str) else min(max(share, 0.0), 1.0)
+
+    def _normal_incidence(self, by):
+        if by.node.type == 'FRESNEL':
+            index = self._textures.constant_number(by.input('IOR'), 'index of refraction')
+        elif by.output.name == 'Fresnel':
+            index = 1 / max(1 - self._textures.constant_number(by.input('Blend'), 'blends'), 1e-5)
+        else:
+            return 0.0
+        return ((index - 1) / (index + 1)) ** 2
+
+    def _part(self, shader, share, first, name):
+        """Emission of one side of a mix, times its share."""
+        if shader.emission is None:
+            return None
+        if isinstance(share, str):
+            self._left_out.add('emission mixed by a texture shines with half its strength', name)
+            share = 0.5
+        return self._textures.product(shader.emission, 1 - share if first else share)
+
+    def _sum(self, a, b, name):
+        if a is None or b is None:
+            return a if b is None else b
+        if isinstance(a, tuple) and isinstance(b, tuple):
+            return tuple(x + y for x, y in zip(a, b))
+        self._left_out.add('of two emissions with textures one is left out', name)
+        return a
+
+    def _add(self, found, name):
+        """Emission adds to a surface; of two surfaces the sum has no counterpart."""
+        first, second = self._inputs(found)
+        kinds = [graph.source(place) for place in (first, second)]
+        if kinds[0] is None or kinds[0].node.type == 'EMISSION':
+            first, second = second, first
+            kinds.reverse()
+        if kinds[1] and kinds[1].node.type != 'EMISSION':
+            self._left_out.add('sums of two surfaces show the first', name)
+            return self._of(first, name)
+        base, light = self._of(first, name), self._of(second, f'{name} light')
+        return Shader(base.name, self._sum(base.emission, light.emission, name))

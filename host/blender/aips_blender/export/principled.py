@@ -1,0 +1,72 @@
+"""Turns node Principled BSDF into LuxRender's glossy, metal2, glass and mixes of these."""
+from .lxs_text import factor
+from .shaders import BLACK, WHITE, Shader, color
+
+REFLECTANCE_OF_SPECULAR = 0.08  # at normal incidence, where Specular is 1 (Cycles' manual)
+APPROXIMATED = (('Subsurface', 0.0), ('Specular Tint', 0.0), ('Anisotropic', 0.0), ('Sheen', 0.0),
+                ('Clearcoat', 0.0))
+
+
+def principled(shaders, found, name):
+    textures = shaders.textures
+    for what, neutral in APPROXIMATED:
+        if textures.number(found.input(what)) != neutral:
+            shaders.left_out.add(f"{what} of node Principled BSDF is left out", name)
+    material = _mixed(shaders, found, name)
+    alpha = textures.number(found.input('Alpha'))
+    if alpha != 1.0:
+        material = mix(shaders, f'{name} alpha', shaders.null(f'{name} null'), material, alpha)
+    return Shader(material, _emission(shaders, found))
+
+
+def _mixed(shaders, found, name):
+    """Metal over glass over the coated diffuse base, by their shares."""
+    metallic = shaders.textures.number(found.input('Metallic'))
+    transmission = shaders.textures.number(found.input('Transmission'))
+    base = shaders.textures.color(found.input('Base Color'))
+    width, bump = shaders.width(found), shaders.bump(found)
+
+    def metal():
+        return shaders.metal(f'{name} metal', base, width, bump)
+
+    def glass():
+        index = shaders.textures.constant_number(found.input('IOR'), 'index of refraction')
+        return shaders.dielectric(f'{name} glass', WHITE, base, index, width, bump)
+
+    def coated():
+        return _coated(shaders, found, name, base, width, bump)
+
+    def dielectric():
+        return _by_share(shaders, f'{name} dielectric', coated, glass, transmission)
+
+    return _by_share(shaders, name, dielectric, metal, metallic)
+
+
+def _by_share(shaders, name, first, second, share):
+    if share == 0.0:
+        return first()
+    if share == 1.0:
+        return second()
+    return mix(shaders, name, first(), second(), share)
+
+
+def mix(shaders, name, first, second, share):
+    """Of materials by name; share is that of the second, a number or a texture's name."""
+    from_names = [f'"string namedmaterial1" ["{first}"]', f'"string namedmaterial2" ["{second}"]']
+    return shaders.named(name, 'mix', from_names + [factor('amount', share)])
+
+
+def _coated(shaders, found, name, base, width, bump):
+    specular = shaders.textures.constant_number(found.input('Specular'), 'specular')
+    if specular == 0.0:
+        return shaders.named(name, 'matte', [color('Kd', base), *bump])
+    coat = (REFLECTANCE_OF_SPECULAR * specular,) * 3
+    return shaders.named(name, 'glossy', [color('Kd', base), color('Ks', coat),
+                                          *shaders.roughness(width), *bump])
+
+
+def _emission(shaders, found):
+    textures = shaders.textures
+    strength = textures.constant_number(found.input('Emission Strength'), 'strengths of emission')
+    light = textures.product(textures.color(found.input('Emission')), strength)
+    return None if light == BLACK else light

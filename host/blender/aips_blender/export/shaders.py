@@ -1,0 +1,169 @@
+"""Writes one LuxRender material for each of Blender's simple shader nodes.
+
+Cycles' GGX width is roughness squared; the scene language's `uroughness` has the same meaning, as
+Schlick's distribution of facets with r = u v is GGX's with alpha^2 = r.
+"""
+import dataclasses
+
+from . import graph
+from .colours import surface_color
+from .lxs_text import color as color_as_written, factor, parameter
+
+SMOOTH = 1e-4      # GGX width below which a surface is taken for smooth
+BLACK, WHITE = (0.0, 0.0, 0.0), (1.0, 1.0, 1.0)
+
+
+def color(name, value):
+    """The parameter of a colour that a surface is to have."""
+    return color_as_written(name, surface_color(value))
+
+
+@dataclasses.dataclass
+class Shader:
+    """A named material of the scene language, and the radiance that it emits, or None."""
+    name: str
+    emission: object = None
+
+
+class Shaders:
+    def __init__(self, text, textures, left_out):
+        self.text = text
+        self.textures = textures
+        self.left_out = left_out
+
+    def named(self, wanted, kind, parameters=()):
+        name = self.text.free_name(wanted)
+        self.text.statement('MakeNamedMaterial', name,
+                            parameters=[parameter('string', 'type', kind), *parameters])
+        return name
+
+    def width(self, found):
+        """GGX width of a node's roughness: a number or a texture's name."""
+        rough = self.textures.number(found.input('Roughness'))
+        if isinstance(rough, str):
+            name = self.text.free_name(f'{rough} squared')
+            self.text.statement('Texture', name, 'float', 'scale',
+                                parameters=[factor('tex1', rough), factor('tex2', rough)])
+            return name
+        return rough * rough
+
+    def bump(self, found):
+        """The parameter bumpmap of what feeds a node's normal, or nothing."""
+        place = found.input('Normal')
+        before = graph.source(place) if place else None
+        if before is None:
+            return []
+        if before.node.type == 'NORMAL_MAP':
+            return self._normal_map(before)
+        if before.node.type == 'BUMP':
+            return self._bump_map(before)
+        self.left_out.add(f'normals by node {before.node.bl_label} are left out',
+                          before.node.id_data.name)
+        return []
+
+    def _bump_map(self, before):
+        height = self.textures.number(before.input('Height'))
+        if not isinstance(height, str):
+            return []
+        scale = self.textures.constant_number(before.input('Strength'), 'strengths of bumps') * \
+            self.textures.constant_number(before.input('Distance'), 'distances of bumps')
+        name = self.text.free_name('bump')
+        self.text.statement('Texture', name, 'float', 'scale', parameters=[
+            factor('tex1', height), factor('tex2', -scale if before.node.invert else scale)])
+        return [factor('bumpmap', name)]
+
+    def _normal_map(self, before):
+        found = graph.source(before.input('Color'))
+        path = None
+        if found and found.node.type == 'TEX_IMAGE' and found.node.image:
+            path = self.textures.image_file(found.node.image)
+        if before.node.space != 'TANGENT' or path is None:
+            self.left_out.add('normal maps not of an image in tangent space are left out',
+                              before.node.id_data.name)
+            return []
+        if self.textures.number(before.input('Strength')) != 1.0:
+            self.left_out.add('strengths of normal maps are taken for 1', before.node.id_data.name)
+        name = self.text.free_name('normal map')
+        self.text.statement('Texture', name, 'float', 'normalmap', parameters=[
+            self.text.file(path), *self.textures.mapping(found)])
+        return [factor('bumpmap', name)]
+
+    def diffuse(self, found, name):
+        rough = self.textures.constant_number(found.input('Roughness'), 'roughness of diffuse')
+        if rough:
+            self.left_out.add("roughness of diffuse is approximated by LuxRender's sigma", name)
+        # Both are Oren and Nayar's, whose deviation LuxRender has in degrees.
+        sigma = rough * 180 / 3.14159265
+        return Shader(self.named(name, 'matte', [
+            color('Kd', self.textures.color(found.input('Color'))), factor('sigma', sigma),
+            *self.bump(found)]))
+
+    def glossy(self, found, name):
+        tint = self.textures.color(found.input('Color'))
+        width = 0.0 if found.node.distribution == 'SHARP' else self.width(found)
+        return Shader(self.metal(name, tint, width, self.bump(found)))
+
+    def metal(self, name, tint, width, bump):
+        """A mirror where it is smooth, else facets that reflect tint at normal incidence."""
+        if not isinstance(width, str) and width < SMOOTH:
+            return self.named(name, 'mirror', [color('Kr', tint), *bump])
+        fresnel = self.text.free_name(f'{name} fresnel')
+        self.text.statement('Texture', fresnel, 'fresnel', 'fresnelcolor',
+                            parameters=[color('Kr', tint)])
+        return self.named(name, 'metal2', [parameter('texture', 'fresnel', fresnel),
+                                           *self.roughness(width), *bump])
+
+    @staticmethod
+    def roughness(width):
+        return [factor('uroughness', width), factor('vroughness', width)]
+
+    def glass(self, found, name):
+        tint = self.textures.color(found.input('Color'))
+        reflected = BLACK if found.node.type == 'BSDF_REFRACTION' else tint
+        width = 0.0 if found.node.distribution == 'SHARP' else self.width(found)
+        return Shader(self.dielectric(name, reflected, tint, self._index(found), width,
+                                      self.bump(found)))
+
+    def _index(self, found):
+        return self.textures.constant_number(found.input('IOR'), 'index of refraction')
+
+    def dielectric(self, name, reflected, refracted, index, width, bump):
+        parts = [color('Kr', reflected), color('Kt', refracted), factor('index', index), *bump]
+        if not isinstance(width, str) and width < SMOOTH:
+            return self.named(name, 'glass', parts)
+        return self.named(name, 'roughglass', parts + self.roughness(width))
+
+    def transparent(self, found, name):
+        tint = self.textures.color(found.input('Color'))
+        if tint == WHITE:
+            return Shader(self.null(name))
+        # Of index 1 nothing is reflected, and light goes straight on.
+        return Shader(self.named(name, 'glass', [
+            color('Kr', BLACK), color('Kt', tint), factor('index', 1.0),
+            parameter('bool', 'architectural', True)]))
+
+    def null(self, name):
+        return self.named(name, 'null')
+
+    def translucent(self, found, name):
+        return Shader(self.named(name, 'mattetranslucent', [
+            color('Kr', BLACK), color('Kt', self.textures.color(found.input('Color'))),
+            *self.bump(found)]))
+
+    def velvet(self, found, name):
+        self.left_out.add("velvet is approximated by LuxRender's", name)
+        return Shader(self.named(name, 'velvet',
+                                 [color('Kd', self.textures.color(found.input('Color')))]))
+
+    def scattering(self, found, name):
+        self.left_out.add('scattering below the surface is replaced by diffuse', name)
+        return Shader(self.named(name, 'matte',
+                                 [color('Kd', self.textures.color(found.input('Color')))]))
+
+    def emission(self, found, name):
+        strength = self.textures.constant_number(found.input('Strength'), 'strengths of emission')
+        light = self.textures.product(self.textures.color(found.input('Color')), strength)
+        return Shader(self.black(name), None if light == BLACK else light)
+
+    def black(self, name):
+        return self.named(name, 'matte', [color('Kd', BLACK)])

@@ -1,0 +1,97 @@
+"""Writes meshes with their materials: once each, in place, or as instances of an object."""
+import dataclasses
+
+from .colours import light_color
+from .lxs_text import color, factor, parameter
+
+
+@dataclasses.dataclass
+class Placed:
+    """A mesh at its places: one matrix, or one at either end of the shutter's time."""
+    name: str
+    mesh: object         # key of the mesh and its materials
+    matrices: tuple
+    light_group: str = ''
+
+
+@dataclasses.dataclass
+class Mesh:
+    name: str
+    parts: object        # MeshParts
+    shaders: dict        # Shader by slot
+
+    def emits(self):
+        return any(s.emission is not None for s in self.shaders.values())
+
+
+class Shapes:
+    def __init__(self, text, left_out):
+        self._text = text
+        self._left_out = left_out
+
+    def write(self, meshes, placed):
+        """Meshes by key, and all that is placed of them."""
+        counts = {}
+        for each in placed:
+            counts[each.mesh] = counts.get(each.mesh, 0) + len(each.matrices)
+        named = {}
+        for each in placed:
+            mesh = meshes[each.mesh]
+            if mesh.emits():
+                self._in_place(mesh, each)
+                continue
+            if counts[each.mesh] == 1:
+                self._in_place(mesh, each)
+                continue
+            if each.mesh not in named:
+                named[each.mesh] = self._object(mesh)
+            self._instance(named[each.mesh], each)
+
+    def _in_place(self, mesh, placed):
+        if len(placed.matrices) > 1:
+            self._left_out.add('motion of what shines is left out', placed.name)
+        self._text.statement('AttributeBegin')
+        self._text.matrix('ConcatTransform', placed.matrices[0])
+        if placed.light_group and mesh.emits():
+            self._text.statement('LightGroup', placed.light_group)
+        for slot, path in mesh.parts.files.items():
+            shader = mesh.shaders[slot]
+            self._text.statement('AttributeBegin')
+            self._text.statement('NamedMaterial', shader.name)
+            if shader.emission is not None:
+                self._emission(shader.emission)
+            self._plymesh(path, placed.name)
+            if slot in mesh.parts.backs:
+                self._plymesh(mesh.parts.backs[slot], placed.name)
+            self._text.statement('AttributeEnd')
+        self._text.statement('AttributeEnd')
+
+    def _emission(self, light):
+        if isinstance(light, tuple):
+            light = light_color(light)
+        self._text.statement('AreaLightSource', 'area', parameters=[
+            color('L', light), factor('power', 0.0), factor('efficacy', 0.0)])
+
+    def _plymesh(self, path, name):
+        self._text.statement('Shape', 'plymesh', parameters=[
+            self._text.file(path), parameter('string', 'name', name)])
+
+    def _object(self, mesh):
+        name = self._text.free_name(mesh.name)
+        self._text.statement('ObjectBegin', name)
+        for slot, path in mesh.parts.files.items():
+            self._text.statement('NamedMaterial', mesh.shaders[slot].name)
+            self._plymesh(path, mesh.name)
+        self._text.statement('ObjectEnd')
+        return name
+
+    def _instance(self, name, placed):
+        self._text.statement('AttributeBegin')
+        if len(placed.matrices) > 1:
+            self._text.lines.append('MotionBegin [0 1]')
+        for matrix in placed.matrices:
+            self._text.matrix('ConcatTransform', matrix)
+        if len(placed.matrices) > 1:
+            self._text.lines.append('MotionEnd')
+        self._text.statement('ObjectInstance', name)
+        self._text.statement('AttributeEnd')

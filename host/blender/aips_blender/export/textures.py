@@ -1,0 +1,221 @@
+"""Turns what feeds a colour or a number socket into constants, or textures of the scene language.
+
+A value is a tuple of three numbers or a number where it is constant, and a texture's name where
+it is not. Nodes without a counterpart give their mean guess, and are told as left out.
+"""
+from . import graph
+from .colours import surface_color
+from .lxs_text import color as color_as_written, factor, parameter
+
+GREY = (0.5, 0.5, 0.5)
+WRAP = {'REPEAT': 'repeat', 'EXTEND': 'clamp', 'CLIP': 'black'}
+LUMINANCE = (0.2126, 0.7152, 0.0722)  # Rec. 709
+
+
+def color(name, value):
+    """The parameter of a colour within a texture, which mostly is that of a surface."""
+    return color_as_written(name, surface_color(value))
+
+
+def luminance(rgb):
+    return sum(w * c for w, c in zip(LUMINANCE, rgb))
+
+
+class Textures:
+    def __init__(self, text, images, left_out):
+        self._text = text
+        self._images = images
+        self._left_out = left_out
+        self._known = {}
+
+    def image_file(self, image):
+        """Path of a file of an image's linear values, or None."""
+        return self._images.file(image)
+
+    def color(self, place):
+        """Value of a colour place."""
+        found = graph.source(place)
+        if found is None:
+            value = graph.constant(place)
+            return (value,) * 3 if isinstance(value, float) else tuple(value[:3])
+        return self._once(found, 'color')
+
+    def number(self, place):
+        """Value of a number place."""
+        found = graph.source(place)
+        if found is None:
+            value = graph.constant(place)
+            return value if isinstance(value, float) else luminance(value[:3])
+        return self._once(found, 'float')
+
+    def constant_number(self, place, what):
+        """A number where the scene language takes no texture; `what` is told where there is one."""
+        value = self.number(place)
+        if isinstance(value, str):
+            self._left_out.add(f'textures of {what} are left out', place.socket.node.name)
+            return float(place.socket.default_value)
+        return value
+
+    def _once(self, found, kind):
+        # Nodes are wrapped anew at each access; their addresses tell them apart.
+        key = (found.node.as_pointer(), found.output.identifier, kind,
+               tuple(g.as_pointer() for g in found.groups))
+        if key not in self._known:
+            self._known[key] = self._value(found, kind)
+        return self._known[key]
+
+    def _value(self, found, kind):
+        make = {
+            'TEX_IMAGE': self._image, 'RGB': self._rgb, 'VALUE': self._number, 'MIX': self._mix,
+            'MIX_RGB': self._mix, 'BLACKBODY': self._blackbody, 'VERTEX_COLOR': self._vertex_color,
+            'ATTRIBUTE': self._vertex_color, 'TEX_CHECKER': self._checker,
+        }.get(found.node.type)
+        value = make(found, kind) if make else None
+        if value is None:
+            self._left_out.add(f'nodes {found.node.bl_label} are replaced by grey',
+                               found.node.id_data.name)
+            value = GREY
+        if kind == 'float' and isinstance(value, tuple):
+            return luminance(value)
+        if kind == 'color' and isinstance(value, (int, float)):
+            return (value,) * 3
+        return value
+
+    def _texture(self, wanted, kind, plugin, parameters):
+        name = self._text.free_name(wanted)
+        self._text.statement('Texture', name, kind, plugin, parameters=parameters)
+        return name
+
+    def _rgb(self, found, _kind):
+        return tuple(found.output.default_value[:3])
+
+    def _number(self, found, _kind):
+        return float(found.output.default_value)
+
+    def _blackbody(self, found, kind):
+        kelvin = self.constant_number(found.input('Temperature'), 'temperatures')
+        if kind == 'float':
+            return 1.0
+        return self._texture('blackbody', 'color', 'blackbody',
+                             [parameter('float', 'temperature', kelvin)])
+
+    def _vertex_color(self, _found, kind):
+        return self._texture('vertex color', kind,
+                             'hitpointcolor' if kind == 'color' else 'hitpointgrey', [])
+
+    def _image(self, found, kind):
+        node = found.node
+        path = self._images.file(node.image) if node.image else None
+        if path is None:
+            return None
+        if node.projection != 'FLAT':
+            self._left_out.add('projections of images are left out, uv is used', node.image.name)
+        channel = []
+        if kind == 'float':
+            alpha = found.output.name == 'Alpha'
+            if alpha:
+                self._left_out.add('alpha of images is taken for 1', node.image.name)
+                return 1.0
+            channel = [parameter('string', 'channel', 'mean')]
+        return self._texture(node.image.name, kind, 'imagemap', [
+            self._text.file(path), parameter('float', 'gamma', 1.0),
+            parameter('string', 'wrap', WRAP.get(node.extension, 'repeat')),
+            parameter('string', 'filtertype',
+                      'nearest' if node.interpolation == 'Closest' else 'bilinear'),
+            *channel, *self.mapping(found)])
+
+    def mapping(self, found):
+        """Parameters of an image's uv mapping, that of a node Mapping before `found`."""
+        scale, shift = self._uv(found)
+        # Images of the scene language begin at the top, uv of Blender at the bottom.
+        return _uv_parameters((scale[0], -scale[1]), (shift[0], 1 - shift[1]))
+
+    def _uv(self, found):
+        """Scale and shift of the uv that a texture node is looked up by."""
+        scale, shift = (1.0, 1.0), (0.0, 0.0)
+        place = found.input('Vector')
+        before = graph.source(place) if place else None
+        if before and before.node.type == 'MAPPING':
+            scale, shift = self._mapped(before)
+            before = graph.source(before.input('Vector'))
+        by_uv = before and (before.node.type == 'UVMAP' or (before.node.type == 'TEX_COORD' and
+                                                            before.output.name == 'UV'))
+        # Images are looked up by uv where nothing is said, other textures by generated coordinates.
+        if not by_uv and (before or found.node.type != 'TEX_IMAGE'):
+            self._left_out.add('texture coordinates other than uv are replaced by uv',
+                               found.node.name)
+        return scale, shift
+
+    def _mapped(self, before):
+        """Scale and shift of a node Mapping."""
+        scale, turn = (graph.constant(before.input(n)) for n in ('Scale', 'Rotation'))
+        if any(turn):
+            self._left_out.add('rotations of node Mapping are left out', before.node.name)
+        place = before.input('Location')
+        shift = graph.constant(place) if place else (0.0, 0.0, 0.0)
+        if before.node.vector_type == 'TEXTURE':
+            shift = tuple(-m / s if s else 0.0 for m, s in zip(shift, scale))
+            scale = tuple(1 / s if s else 1.0 for s in scale)
+        return scale, shift
+
+    def _checker(self, found, kind):
+        first, second = self.color(found.input('Color1')), self.color(found.input('Color2'))
+        scale = self.constant_number(found.input('Scale'), 'scales')
+        (x, y, *_), shift = self._uv(found)
+        # Blender begins with the second colour.
+        pattern = self._texture('checker', 'float', 'checkerboard', [
+            *_uv_parameters((x * scale, y * scale), (shift[0] * scale, shift[1] * scale)),
+            parameter('float', 'tex1', 0.0), parameter('float', 'tex2', 1.0)])
+        if kind == 'float':
+            return pattern
+        return self._texture('checker colors', 'color', 'mix', [
+            parameter('texture', 'amount', pattern), color('tex1', second), color('tex2', first)])
+
+    def _mix(self, found, kind):
+        node = found.node
+        if node.type == 'MIX' and node.data_type != 'RGBA':
+            return None
+        first = found.input('A_Color', 'Color1')
+        second = found.input('B_Color', 'Color2')
+        amount = self.number(found.input('Factor_Float', 'Fac'))
+        a, b = self.color(first), self.color(second)
+        mixed = self._blended(node.blend_type, a, b, amount)
+        if mixed is None or kind == 'color' or isinstance(mixed, tuple):
+            return mixed
+        return None
+
+    def _blended(self, blend, a, b, amount):
+        if not any(isinstance(v, str) for v in (a, b, amount)):
+            return _blended_constants(blend, a, b, amount)
+        if blend == 'MULTIPLY':
+            product = self._texture('product', 'color', 'scale',
+                                    [color('tex1', a), color('tex2', b)])
+            return self._blended('MIX', a, product, amount) if amount != 1 else product
+        if blend != 'MIX':
+            return None
+        return self._texture('mixed colors', 'color', 'mix',
+                             [color('tex1', a), color('tex2', b), factor('amount', amount)])
+
+    def product(self, value, gain):
+        """A colour value times a number or a value of numbers."""
+        if isinstance(value, tuple) and isinstance(gain, (int, float)):
+            return tuple(c * gain for c in value)
+        if gain == 1:
+            return value
+        if isinstance(gain, (int, float)):
+            gain = (gain,) * 3
+        return self._texture('gain', 'color', 'scale', [color('tex1', value), color('tex2', gain)])
+
+
+def _uv_parameters(scale, shift):
+    return [parameter('float', 'uscale', scale[0]), parameter('float', 'vscale', scale[1]),
+            parameter('float', 'udelta', shift[0]), parameter('float', 'vdelta', shift[1])]
+
+
+def _blended_constants(blend, a, b, amount):
+    single = {'MIX': lambda x, y: y, 'MULTIPLY': lambda x, y: x * y, 'ADD': lambda x, y: x + y,
+              'SUBTRACT': lambda x, y: x - y, 'DARKEN': min, 'LIGHTEN': max,
+              'SCREEN': lambda x, y: 1 - (1 - x) * (1 - y)}.get(blend)
+    if single is None:
+        return None
+    return tuple(x + amount * (single(x, y) - x) for x, y in zip(a, b))

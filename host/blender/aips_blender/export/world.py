@@ -1,0 +1,118 @@
+"""Writes the world: a colour, an image of all directions, or sun and sky."""
+import math
+import os
+
+import numpy as np
+
+from .. import exr
+from . import graph
+from .colours import light_color
+from .images import pixels
+from .lxs_text import color, factor, parameter
+
+CLEAR = 2.2  # turbidity that stands for a dust density of 1
+# Radiance of Cycles' skies over that of LuxRender's models, and of its sun: measured with the sun
+# at 15, 45 and 80 degrees. Preetham's is the same model; of Hosek's and Nishita's see the manual.
+SKY_GAIN = {'PREETHAM': 5.99e-5, 'HOSEK_WILKIE': 1.65e-5, 'NISHITA': 7.0e-4}
+SUN_GAIN = 1.33e-3
+SUN_DEGREES = 0.545  # width of the sun's disk that a relsize of 1 stands for
+
+
+class World:
+    def __init__(self, text, folder, textures, left_out):
+        self._text = text
+        self._folder = folder
+        self._textures = textures
+        self._left_out = left_out
+
+    def write(self, world):
+        if world is None:
+            return
+        found = None
+        if world.use_nodes:
+            output = graph.output_node(world.node_tree, 'OUTPUT_WORLD')
+            if output is None:
+                return
+            if output.inputs['Volume'].is_linked:
+                self._left_out.add("the world's volume is left out", world.name)
+            found = graph.source(graph.Place(output.inputs['Surface']))
+            if found is None:
+                return
+            if found.node.type != 'BACKGROUND':
+                self._left_out.add('shaders of the world other than Background are left out',
+                                   world.name)
+                return
+        self._text.statement('AttributeBegin')
+        group = world.original.lightgroup  # not kept up to date in evaluated copies
+        if group:
+            self._text.statement('LightGroup', group)
+        self._background(world, found)
+        self._text.statement('AttributeEnd')
+
+    def _background(self, world, found):
+        if found is None:
+            return self._constant(tuple(world.color), 1.0)
+        strength = self._textures.constant_number(found.input('Strength'), 'strengths of the world')
+        by = graph.source(found.input('Color'))
+        if by and by.node.type == 'TEX_ENVIRONMENT':
+            return self._image(world, by, strength)
+        if by and by.node.type == 'TEX_SKY':
+            return self._sky(world, by.node, strength)
+        rgb = self._textures.color(found.input('Color'))
+        if isinstance(rgb, str):
+            self._left_out.add('textures of the world other than image and sky are left out',
+                               world.name)
+            rgb = (0.5, 0.5, 0.5)
+        return self._constant(rgb, strength)
+
+    def _constant(self, rgb, strength):
+        if strength > 0 and any(rgb):
+            self._text.statement('LightSource', 'infinite',
+                                 parameters=[color('L', light_color(rgb)),
+                                             factor('gain', strength)])
+
+    def _image(self, world, found, strength):
+        node = found.node
+        values = pixels(node.image) if node.image else None
+        if values is None or node.projection != 'EQUIRECTANGULAR':
+            self._left_out.add('worlds without an equirectangular image are left out', world.name)
+            return
+        path = os.path.join(self._folder, 'world.exr')
+        # In the scene language azimuths run the other way round, and begin at +x in place of -x.
+        exr.write(path, np.maximum(np.nan_to_num(values[:, ::-1, :3]), 0))
+        turn = 180 - math.degrees(self._turn(world, found))
+        self._text.statement('Rotate', turn, 0.0, 0.0, 1.0)
+        self._text.statement('LightSource', 'infinite', parameters=[
+            self._text.file(path, 'mapname'), factor('gain', strength)])
+
+    def _turn(self, world, found):
+        """Rotation about z by a node Mapping, radians."""
+        before = graph.source(found.input('Vector'))
+        if before is None or before.node.type != 'MAPPING':
+            return 0.0
+        x, y, turn = graph.constant(before.input('Rotation'))
+        if x or y or tuple(graph.constant(before.input('Scale'))) != (1.0, 1.0, 1.0):
+            self._left_out.add("the world's mapping is left out but for turns about z", world.name)
+        return -turn if before.node.vector_type == 'TEXTURE' else turn
+
+    def _sky(self, world, node, strength):
+        if node.sky_type == 'PREETHAM':
+            return self._sky_light('sky', node.sun_direction, node.turbidity, strength, node)
+        self._left_out.add("skies are approximated by LuxRender's", world.name)
+        if node.sky_type == 'HOSEK_WILKIE':
+            return self._sky_light('sky2', node.sun_direction, node.turbidity, strength, node)
+        height, turn = node.sun_elevation, node.sun_rotation
+        towards = (math.sin(turn) * math.cos(height), math.cos(turn) * math.cos(height),
+                   math.sin(height))
+        haze = CLEAR * max(node.dust_density, 0.5)
+        self._sky_light('sky2', towards, haze, strength, node)
+        if node.sun_disc:
+            self._text.statement('LightSource', 'sun', parameters=[
+                factor('gain', strength * node.sun_intensity * SUN_GAIN),
+                parameter('vector', 'sundir', towards), factor('turbidity', haze),
+                factor('relsize', math.degrees(node.sun_size) / SUN_DEGREES)])
+
+    def _sky_light(self, plugin, towards, turbidity, strength, node):
+        self._text.statement('LightSource', plugin, parameters=[
+            factor('gain', strength * SKY_GAIN[node.sky_type]),
+            parameter('vector', 'sundir', tuple(towards)), factor('turbidity', turbidity)])

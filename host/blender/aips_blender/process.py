@@ -1,0 +1,99 @@
+"""Runs lxsrender in a process of its own and reads what it says."""
+import collections
+import ctypes
+import os
+import shutil
+import signal
+import subprocess
+import sys
+import threading
+
+LINES_KEPT = 200
+SECONDS_TO_END = 60   # after an interrupt; a pass may take that long
+INTERRUPTED = 130     # lxsrender's exit code after an interrupt, with the image written
+
+
+class NotFound(Exception):
+    """There is no lxsrender; the text says where it was looked for."""
+
+
+def find(preferred):
+    """Path of lxsrender: the preferred one, or that on PATH."""
+    if preferred:
+        path = os.path.abspath(os.path.expanduser(preferred))
+        if os.path.isfile(path) and os.access(path, os.X_OK):
+            return path
+        raise NotFound(f'{path} is no program that can be run: see "lxsrender" in the preferences '
+                       'of the add-on aips')
+    path = shutil.which('lxsrender')
+    if path is None:
+        raise NotFound('lxsrender is not on PATH, and the preferences of the add-on aips name none')
+    return path
+
+
+DEATH_OF_PARENT = 1  # Linux, prctl(2): PR_SET_PDEATHSIG
+
+
+def _end_with_blender():
+    """In the new process: where Blender is killed, the render ends as if interrupted."""
+    ctypes.CDLL(None).prctl(DEATH_OF_PARENT, signal.SIGINT)
+
+
+class Process:
+    """A render that goes on; lines of its log are kept, and told as they come."""
+
+    def __init__(self, arguments, folder):
+        on_linux = _end_with_blender if sys.platform.startswith('linux') else None
+        # A session of its own, so that an interrupt at Blender's terminal does not reach it first.
+        self._process = subprocess.Popen(arguments, cwd=folder, stdin=subprocess.DEVNULL,
+                                         stdout=subprocess.DEVNULL, stderr=subprocess.PIPE,
+                                         text=True, errors='replace', start_new_session=True,
+                                         preexec_fn=on_linux)
+        self._lines = collections.deque(maxlen=LINES_KEPT)
+        self._reader = threading.Thread(target=self._read, daemon=True)
+        self._reader.start()
+
+    def _read(self):
+        for line in self._process.stderr:
+            self._lines.append(line.rstrip('\n'))
+
+    def running(self):
+        return self._process.poll() is None
+
+    def lines(self):
+        return list(self._lines)
+
+    def interrupt(self):
+        """Asks it to end after the pass, with the image written."""
+        if self.running():
+            self._process.send_signal(signal.SIGINT)
+
+    def kill(self):
+        """Ends it at once; nothing more is written."""
+        if self.running():
+            self._process.kill()
+        self.wait()
+
+    def wait(self):
+        """Waits for its end, and ends it where that takes too long; its exit code."""
+        try:
+            self._process.wait(SECONDS_TO_END)
+        except subprocess.TimeoutExpired:
+            self._process.kill()
+            self._process.wait()
+        self._reader.join(1)
+        return self._process.returncode
+
+
+def failure(code, lines):
+    """What went wrong, from an exit code and the log; None where the image is written."""
+    if code in (0, INTERRUPTED):
+        return None
+    errors = [line for line in lines if 'error:' in line]
+    first = (lines or ['no word of why'])[0]
+    said = '; '.join(e.split('error: ', 1)[-1] for e in errors[:3]) or first
+    return f'lxsrender ended with exit code {code}: {said}'
+
+
+def warnings(lines):
+    return [line for line in lines if 'warning:' in line]

@@ -1,0 +1,179 @@
+"""Protects units, materials and cameras: exported scenes look as Cycles' images of the same scenes.
+
+Means over blocks of 16 x 16 pixels differ by less than 2 %, unless a case says more and why; noise
+of both images is within that. docs/start/blender.md has the table.
+"""
+import math
+import unittest
+
+import bpy
+import numpy as np
+
+import small_scenes as scenes
+from cycles_agreement import differences
+
+FACETS = 0.04    # LuxRender's facets shadow each other by another formula than Cycles'
+PRINCIPLED = 0.05  # Cycles' diffuse base is Burley's, which darkens and brightens by angle
+
+
+class Agreement(unittest.TestCase):
+    def agrees(self, name, scene, within=0.02):
+        found = differences(name, scene)
+        worst = float(np.abs(found).max())
+        print(f'[{name}: mean {100 * found.mean():+.2f} %, worst block {100 * worst:.2f} %] ',
+              end='',
+              flush=True)
+        self.assertLess(worst, within)
+
+    def lit_by(self, kind, energy, **settings):
+        scene = scenes.stage()
+        scenes.light(kind, energy, **{'place': (0.5, -1.0, 3.5), 'turn': (0.2, 0.1, 0), **settings})
+        self.agrees(kind.lower(), scene)
+
+    def ball(self, name, node_type, within=0.02, **inputs):
+        """A ball of a material before the stage, under a wide lamp and a grey sky."""
+        scene = scenes.lit_stage()
+        scenes.ball('ball', 0.7, scenes.material(name, node_type, **inputs), (0.8, 0.2, 0.7))
+        self.agrees(name, scene, within)
+
+
+class Lights(Agreement):
+    def test_point(self):
+        self.lit_by('POINT', 300, shadow_soft_size=0)
+
+    def test_ball(self):
+        self.lit_by('POINT', 300, shadow_soft_size=0.3, color=(1, 0.7, 0.3))
+
+    def test_spot(self):
+        self.lit_by('SPOT', 800, shadow_soft_size=0, spot_size=1.2, spot_blend=0.4)
+
+    def test_sun(self):
+        self.lit_by('SUN', 2, angle=math.radians(5))
+
+    def test_sun_with_parallel_rays(self):
+        self.lit_by('SUN', 2, angle=0)
+
+    def test_rectangle(self):
+        self.lit_by('AREA', 200, shape='RECTANGLE', size=1, size_y=0.5, color=(0.4, 0.6, 1))
+
+    def test_ellipse(self):
+        self.lit_by('AREA', 200, shape='ELLIPSE', size=1, size_y=0.5)
+
+    def test_world_colour(self):
+        scene = scenes.stage()
+        scenes.background(scene, (0.5, 0.7, 0.9), 1.5)
+        self.agrees('world', scene)
+
+    def test_world_image(self):
+        scene = scenes.stage()
+        values = np.full((16, 32, 4), 0.5, np.float32)
+        values[9:12, 3:9, :3], values[12:, 20:24, :3] = (4, 3, 2), (1, 2, 3)
+        scenes.world_image(scene, values, turn=0.7)
+        self.agrees('world image', scene)
+
+    def test_preetham_sky(self):
+        scene = scenes.stage()
+        scenes.preetham_sky(scene, (0, -0.6, 0.8), turbidity=3, strength=4)
+        self.agrees('preetham', scene)
+
+    def test_shining_mesh(self):
+        scene = scenes.stage()
+        shines = scenes.material('lamp', 'ShaderNodeEmission', Color=(1, 0.8, 0.6, 1), Strength=8)
+        lamp = scenes.box('lamp', 0.8, shines, (0.8, -0.5, 2), (0.3, 0.2, 0))
+        lamp.scale.x = -1  # mirrored, it still shines outwards
+        self.agrees('mesh', scene)
+
+
+    def test_open_mesh_shines_on_both_sides(self):
+        scene = scenes.stage()
+        shines = scenes.material('sheet', 'ShaderNodeEmission', Strength=6)
+        scenes.plane('sheet', 1.2, shines, (0.9, 0.2, 1.6), (1.2, 0.3, 0))
+        self.agrees('sheet', scene)
+
+
+class Materials(Agreement):
+    def test_mirror(self):
+        self.ball('mirror', 'ShaderNodeBsdfGlossy', Color=(0.9, 0.8, 0.7, 1), Roughness=0)
+
+    def test_glass(self):
+        self.ball('glass', 'ShaderNodeBsdfGlass', Roughness=0, IOR=1.5)
+
+    def test_translucent(self):
+        self.ball('translucent', 'ShaderNodeBsdfTranslucent', Color=(0.8, 0.8, 0.8, 1))
+
+    def test_transparent(self):
+        self.ball('transparent', 'ShaderNodeBsdfTransparent', Color=(0.8, 0.6, 0.8, 1))
+
+    def test_rough_glossy(self):
+        self.ball('glossy', 'ShaderNodeBsdfGlossy', FACETS, Color=(0.8, 0.8, 0.8, 1), Roughness=0.4)
+
+    def test_principled_metal(self):
+        self.ball('metal', 'ShaderNodeBsdfPrincipled', FACETS, Base_Color=(0.9, 0.7, 0.4, 1),
+                  Roughness=0.4, Metallic=1)
+
+    def test_principled_glass(self):
+        self.ball('principled glass', 'ShaderNodeBsdfPrincipled', Base_Color=(0.9, 0.95, 0.9, 1),
+                  Roughness=0, Transmission=1)
+
+    def test_principled_plastic(self):
+        self.ball('plastic', 'ShaderNodeBsdfPrincipled', PRINCIPLED, Base_Color=(0.6, 0.3, 0.2, 1),
+                  Roughness=0.4)
+
+    def test_mix(self):
+        scene = scenes.lit_stage()
+        scenes.ball('ball', 0.7, scenes.half_transparent(0.3), (0.8, 0.2, 0.7))
+        self.agrees('mix', scene)
+
+    def test_image(self):
+        scene = scenes.lit_stage()
+        values = np.full((8, 16, 4), 0.5, np.float32)
+        values[:4, :, 0], values[:, :6, 1], values[6:, 10:, 2] = 0.8, 0.7, 0.9
+        values[:, :, 3] = 1
+        picture = scenes.image_material(values, scale=(2, 1.5, 1), shift=(0.2, 0.1, 0))
+        bpy.data.objects['wall'].data.materials[0] = picture
+        self.agrees('image', scene)
+
+    def test_checker(self):
+        scene = scenes.lit_stage()
+        bpy.data.objects['wall'].data.materials[0] = scenes.checker_material()
+        self.agrees('checker', scene)
+
+    def test_principled_alpha(self):
+        self.ball('alpha', 'ShaderNodeBsdfPrincipled', Base_Color=(0.5, 0.4, 0.3, 1), Specular=0,
+                  Roughness=0.5, Alpha=0.4)
+
+
+class Cameras(Agreement):
+    def seen(self, name, **settings):
+        scene = scenes.lit_stage()
+        for key, value in settings.items():
+            setattr(scene.camera.data, key, value)
+        self.agrees(name, scene)
+
+    def test_shift(self):
+        self.seen('shift', shift_x=0.15, shift_y=-0.1)
+
+    def test_sensor_fit(self):
+        self.seen('fit', sensor_fit='VERTICAL')
+
+    def test_orthographic(self):
+        self.seen('orthographic', type='ORTHO', ortho_scale=5)
+
+    def test_depth_of_field(self):
+        scene = scenes.lit_stage()
+        dof = scene.camera.data.dof
+        dof.use_dof, dof.focus_distance, dof.aperture_fstop = True, 4, 0.2
+        self.agrees('depth of field', scene)
+
+    def test_motion_blur(self):
+        scene = scenes.lit_stage()
+        box = bpy.data.objects['box']
+        for frame, x in ((0, -2.2), (2, -0.2)):
+            box.location.x = x
+            box.keyframe_insert('location', index=0, frame=frame)
+        for curve in box.animation_data.action.fcurves:
+            for point in curve.keyframe_points:
+                point.interpolation = 'LINEAR'
+        scene.render.use_motion_blur, scene.render.motion_blur_shutter = True, 1.0
+        scene.frame_set(1)
+        self.agrees('motion blur', scene)

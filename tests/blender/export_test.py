@@ -1,0 +1,153 @@
+"""Protects what an export holds: meshes, instances, lights, and what is told as left out."""
+import math
+import os
+import re
+import unittest
+
+import bpy
+
+import small_scenes as scenes
+from aips_blender.export.film import Film
+from aips_blender.export.scene import ExportError, export
+from fixture import FOLDER, exported
+
+
+def vertices_of(text):
+    """Sizes of the vertex lists of an export's PLY files."""
+    found = []
+    for path in re.findall(r'"string filename" \["([^"]+\.ply)"\]', text):
+        with open(os.path.join(FOLDER, path), 'rb') as file:
+            found.append(int(re.search(rb'element vertex (\d+)', file.read(400)).group(1)))
+    return found
+
+
+class Meshes(unittest.TestCase):
+    def setUp(self):
+        scenes.clear()
+        scenes.camera()
+        scenes.light('POINT', 100, shadow_soft_size=0)
+
+    def test_flat_and_smooth_normals(self):
+        scenes.box('flat', 1, scenes.grey(), (0, 0, 0))
+        text, _ = exported('flat')
+        self.assertEqual(len(vertices_of(text)), 1)
+        scenes.ball('smooth', 1, None, (0, 0, 0))
+        bpy.data.objects.remove(bpy.data.objects['flat'])
+        text, _ = exported('smooth')
+        # Smooth: one normal a vertex, and more vertices only where the uv map is cut.
+        self.assertLess(vertices_of(text)[0], 49 * 25 + 48)
+
+    def test_modifiers_are_applied(self):
+        box = scenes.box('box', 1, scenes.grey(), (0, 0, 0))
+        before = vertices_of(exported('plain')[0])[0]
+        box.modifiers.new('subdivided', 'SUBSURF').levels = 2
+        self.assertGreater(vertices_of(exported('subdivided')[0])[0], 3 * before)
+
+    def test_what_is_used_often_is_an_object(self):
+        box = scenes.box('box', 1, scenes.grey(), (0, 0, 0))
+        for x in (2, 4):
+            scenes.add('copy', box.data, (x, 0, 0))
+        text, _ = exported('instances')
+        self.assertEqual(len(vertices_of(text)), 1)
+        self.assertEqual(text.count('ObjectInstance'), 3)
+
+    def test_instances_of_a_collection(self):
+        part = bpy.data.collections.new('part')
+        box = scenes.box('box', 1, scenes.grey(), (0, 0, 0))
+        bpy.context.collection.objects.unlink(box)
+        part.objects.link(box)
+        for x in (0, 3):
+            empty = scenes.add('place', None, (x, 0, 0))
+            empty.instance_type, empty.instance_collection = 'COLLECTION', part
+        self.assertEqual(exported('collection')[0].count('ObjectInstance'), 2)
+
+    def test_one_file_for_each_material(self):
+        box = scenes.box('box', 1, scenes.grey(), (0, 0, 0))
+        box.data.materials.append(scenes.material('other', 'ShaderNodeBsdfDiffuse'))
+        box.data.polygons[0].material_index = 1
+        self.assertEqual(sorted(vertices_of(exported('slots')[0])), [4, 20])
+
+    def test_what_is_empty_or_hidden_is_not_there(self):
+        scenes.add('nothing', bpy.data.meshes.new('nothing'))
+        scenes.box('hidden', 1, scenes.grey(), (0, 0, 0)).hide_set(True)
+        self.assertNotIn('plymesh', exported('empty')[0])
+
+
+class LeftOut(unittest.TestCase):
+    def test_each_kind_is_told_once_by_name(self):
+        scenes.stage()
+        lamps = [scenes.light('AREA', 10, (x, 0, 3), spread=1.0) for x in (0, 1)]
+        for lamp in lamps:
+            lamp.visible_camera = True
+        made = scenes.material('bumpy', 'ShaderNodeBsdfDiffuse')
+        noise = made.node_tree.nodes.new('ShaderNodeTexNoise')
+        made.node_tree.links.new(noise.outputs['Color'],
+                                 made.node_tree.nodes['Diffuse BSDF'].inputs['Color'])
+        scenes.box('noisy', 1, made, (2, 0, 0))
+        _, lines = exported('left out')
+        self.assertIn('spreads of area lights are left out: AREA, AREA.001', lines)
+        self.assertTrue(any(line.startswith('nodes Noise Texture are replaced by grey')
+                            for line in lines))
+
+    def test_a_folder_that_cannot_be_written(self):
+        scenes.stage()
+        blocked = os.path.join(FOLDER, 'file')
+        with open(blocked, 'w', encoding='utf-8'):
+            pass
+        with self.assertRaisesRegex(ExportError, 'cannot be written'):
+            export(os.path.join(blocked, 'scene.lxs'), bpy.context.evaluated_depsgraph_get(),
+                   Film(8, 8))
+
+    def test_no_camera(self):
+        scenes.clear()
+        with self.assertRaisesRegex(ExportError, 'no camera'):
+            exported('no camera')
+
+
+class Materials(unittest.TestCase):
+    def test_groups_and_reroutes_are_looked_through(self):
+        scenes.stage()
+        group = bpy.data.node_groups.new('paint', 'ShaderNodeTree')
+        group.inputs.new('NodeSocketColor', 'Tint')
+        group.outputs.new('NodeSocketShader', 'Surface')
+        inside, out = group.nodes.new('NodeGroupInput'), group.nodes.new('NodeGroupOutput')
+        diffuse = group.nodes.new('ShaderNodeBsdfDiffuse')
+        group.links.new(inside.outputs[0], diffuse.inputs['Color'])
+        group.links.new(diffuse.outputs[0], out.inputs[0])
+        made = bpy.data.materials.new('grouped')
+        made.use_nodes = True
+        tree = made.node_tree
+        node, reroute = tree.nodes.new('ShaderNodeGroup'), tree.nodes.new('NodeReroute')
+        node.node_tree = group
+        node.inputs['Tint'].default_value = (0.25, 0.25, 0.25, 1)
+        tree.links.new(node.outputs[0], reroute.inputs[0])
+        tree.links.new(reroute.outputs[0], tree.nodes['Material Output'].inputs['Surface'])
+        scenes.box('grouped', 1, made, (2, 0, 0))
+        text, left_out = exported('grouped')
+        self.assertIn('"grouped" "string type" ["matte"] "color Kd" [0.25 0.25 0.25]', text)
+        self.assertEqual(left_out, [])
+
+    def test_emission_of_principled_shines(self):
+        scenes.stage()
+        made = scenes.material('glows', 'ShaderNodeBsdfPrincipled', Emission=(1, 1, 1, 1),
+                               Emission_Strength=3.0)
+        scenes.box('glows', 1, made, (2, 0, 0))
+        self.assertRegex(exported('glows')[0], r'AreaLightSource "area" "color L" \[3 3 3\]')
+
+
+class Cameras(unittest.TestCase):
+    def test_field_of_view_is_that_of_the_shorter_axis(self):
+        scenes.stage()
+        text, _ = exported('fov', Film(64, 32))
+        found = float(re.search(r'"float fov" \[([\d.]+)\]', text).group(1))
+        expected = 2 * math.atan(36 / 40 / 2 / 2)
+        self.assertAlmostEqual(math.radians(found), expected, places=5)
+
+    def test_light_groups(self):
+        scene = scenes.stage()
+        lamp = scenes.light('POINT', 10)
+        bpy.ops.scene.view_layer_add_lightgroup()
+        name = bpy.context.view_layer.lightgroups[0].name
+        lamp.lightgroup = scene.world.lightgroup = name
+        scenes.background(scene, (1, 1, 1), 1.0)
+        self.assertEqual(exported('groups')[0].count(f'LightGroup "{name}"'), 2)

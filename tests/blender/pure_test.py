@@ -1,0 +1,130 @@
+"""Protects the parts of the add-on that know nothing of Blender: files, texts, process."""
+import os
+import sys
+import time
+import unittest
+
+import numpy as np
+
+from aips_blender import command, exr, passes, process, status
+from aips_blender.export import colours, lights, ply
+from aips_blender.export.camera import View, window_of
+from aips_blender.export.film import Film
+from aips_blender.export.left_out import LeftOut
+from aips_blender.export.lxs_text import LxsText, parameter
+from fixture import FOLDER
+
+
+class Exr(unittest.TestCase):
+    def test_what_is_written_is_read(self):
+        rgb = np.random.default_rng(1).random((5, 7, 3)).astype(np.float32)
+        path = os.path.join(FOLDER, 'written.exr')
+        exr.write(path, rgb)
+        np.testing.assert_array_equal(exr.read(path).stack('RGB'), rgb)
+
+    def test_a_damaged_file_has_a_clear_message(self):
+        path = os.path.join(FOLDER, 'damaged.exr')
+        exr.write(path, np.ones((4, 4, 3), np.float32))
+        with open(path, 'rb') as file:
+            data = file.read()
+        for length in (0, 3, 20, 200, len(data) - 8):
+            with open(path, 'wb') as file:
+                file.write(data[:length])
+            with self.assertRaisesRegex(exr.ExrError, 'damaged.exr is not an EXR file'):
+                exr.read(path)
+
+
+class Text(unittest.TestCase):
+    def test_numbers_strings_and_bools(self):
+        self.assertEqual(parameter('float', 'a', 0.1), '"float a" [0.1]')
+        self.assertEqual(parameter('integer', 'a', (1, 2)), '"integer a" [1 2]')
+        self.assertEqual(parameter('bool', 'a', True), '"bool a" ["true"]')
+        self.assertEqual(parameter('string', 'a', 'say "x"\n\\'), '"string a" ["say \'x\' /"]')
+
+    def test_names_are_given_once(self):
+        text = LxsText(FOLDER)
+        self.assertEqual([text.free_name('a') for _ in range(3)], ['a', 'a 2', 'a 3'])
+
+    def test_matrices_are_written_by_columns(self):
+        text = LxsText(FOLDER)
+        text.matrix('Transform', [[1, 0, 0, 7], [0, 1, 0, 8], [0, 0, 1, 9], [0, 0, 0, 1]])
+        self.assertEqual(text.lines, ['Transform [1 0 0 0 0 1 0 0 0 0 1 0 7 8 9 1]'])
+
+    def test_left_out_names_each_kind_once(self):
+        left_out = LeftOut()
+        for name in ('a', 'b', 'a', 'c', 'd', 'e', 'f', 'g'):
+            left_out.add('hair is left out', name)
+        self.assertEqual(left_out.lines(), ['hair is left out: a, b, c, d, e and 2 more'])
+
+
+class Formulas(unittest.TestCase):
+    def test_light_colours_shine_as_wanted(self):
+        for wanted in ((1, 1, 1), (1, 0.5, 0.2), (0.3, 0.4, 0.9), (2, 3, 1)):
+            shown = colours.shown(np.array(colours.light_color(wanted)), colours.LIGHTS)
+            np.testing.assert_allclose(shown, wanted, atol=1e-5)
+
+    def test_images_have_the_colours_of_surfaces(self):
+        values = np.array([[[0.8, 0.3, 0.2], [0.2, 0.2, 0.2]], [[0.1, 0.5, 0.9], [0.3, 0.6, 0.3]]])
+        image = colours.surface_image(values)
+        np.testing.assert_allclose(colours.shown(image, colours.SURFACES), values, atol=1e-5)
+        np.testing.assert_allclose(image[0, 0], colours.surface_color(values[0, 0]), atol=1e-6)
+
+    def test_mean_of_a_narrow_spot(self):
+        rim = np.cos(0.3)
+        flat = lights.sphere_mean(np.where(lights.spot_profile(rim, 0.0, 8192) > 0, 1.0, 0.0))
+        self.assertAlmostEqual(flat, (1 - rim) / 2, places=4)
+
+    def test_welded_corners_give_the_same_triangles(self):
+        corners = np.array([[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 0, 0], [1, 1, 0], [0, 1, 0]],
+                           float)
+        rows, triangles = ply.welded(corners)
+        self.assertEqual(len(rows), 4)
+        np.testing.assert_array_equal(rows[triangles.ravel()], corners)
+
+    def test_window_of_a_projection(self):
+        # 90 degrees wide, twice as wide as high, shifted by a quarter of its width to the right
+        matrix = [[1, 0, 0.5, 0], [0, 2, 0, 0], [0, 0, -1, 0], [0, 0, -1, 0]]
+        self.assertEqual(window_of(matrix, False), (-0.5, 1.5, -0.5, 0.5))
+        found = View('perspective', (-0.5, 1.5, -0.5, 0.5)).parameters()
+        self.assertIn('"float screenwindow" [-1 3 -1 1]', found)
+
+
+class Status(unittest.TestCase):
+    def test_share_follows_the_nearest_bound(self):
+        film = Film(1, 1, passes=10, seconds=100, error=0.05)
+        self.assertEqual(status.share(film, {}, 20), 0.2)
+        self.assertEqual(status.share(film, {'passes': '5', 'relMSE': '0.01'}, 20), 0.5)
+
+    def test_line(self):
+        self.assertEqual(status.text(Film(1, 1, error=0.05), {'passes': '5', 'relMSE': '0.01'}, 63),
+                         'aips: pass 5, error 10 %, 5 % wanted, 1:03 gone')
+
+    def test_writing_takes_a_small_share(self):
+        self.assertEqual(command.write_every(100, False, 2), 2)
+        self.assertGreater(command.write_every(2_000_000, True, 2), 60)
+
+    def test_combined_is_denoised_where_the_image_is(self):
+        one = np.ones((1, 1), np.float32)
+        image = exr.Image({'R': one, 'G': one, 'B': one, 'denoised.R': 2 * one}, {})
+        self.assertEqual(list(passes.pixels(image, passes.COMBINED)[0]), [2, 0, 0, 1])
+        self.assertEqual(list(passes.pixels(image, passes.NOISY)[0]), [1, 1, 1])
+
+
+class Processes(unittest.TestCase):
+    def test_a_program_that_is_not_there(self):
+        with self.assertRaisesRegex(process.NotFound, '/nowhere is no program that can be run'):
+            process.find('/nowhere')
+
+    def test_failure_tells_the_programs_own_words(self):
+        self.assertIsNone(process.failure(130, []))
+        self.assertEqual(process.failure(2, ['error: no such option']),
+                         'lxsrender ended with exit code 2: no such option')
+
+    def test_an_interrupt_ends_it(self):
+        program = 'import sys, time; print("ready", file=sys.stderr, flush=True); time.sleep(60)'
+        running = process.Process([sys.executable, '-c', program], FOLDER)
+        while running.running() and not running.lines():
+            time.sleep(0.05)
+        running.interrupt()
+        self.assertNotEqual(running.wait(), 0)
+        self.assertTrue(any('KeyboardInterrupt' in line for line in running.lines()))

@@ -1,0 +1,174 @@
+"""Protects F12: the image and its passes in Blender, cancelling, borders, messages of failures."""
+import os
+import time
+import unittest
+
+import bpy
+import numpy as np
+
+import fixture
+import small_scenes as scenes
+from aips_blender import engine, exr
+from fixture import FOLDER
+
+
+def render(name, file_format='OPEN_EXR_MULTILAYER'):
+    scene = bpy.context.scene
+    scene.render.engine = 'AIPS'
+    scene.render.image_settings.file_format = file_format
+    scene.render.image_settings.color_depth = '32' if 'EXR' in file_format else '8'
+    scene.render.image_settings.exr_codec = 'ZIP'
+    scene.render.filepath = os.path.join(FOLDER, name)
+    bpy.ops.render.render(write_still=True)
+    return scene.render.filepath
+
+
+def small_scene(passes=4):
+    scene = scenes.lit_stage()
+    fixture.enable()
+    scene.render.resolution_x, scene.render.resolution_y = 48, 32
+    scene.render.resolution_percentage = 100
+    scene.aips.until, scene.aips.passes = 'PASSES', passes
+    return scene
+
+
+class Renders(unittest.TestCase):
+    def test_passes_are_layers(self):
+        scene = small_scene(5)
+        scene.aips.layers = {'albedo', 'normal', 'depth', 'direct', 'indirect', 'caustics', 'error'}
+        scene.aips.denoise = scene.aips.explain = True
+        bpy.ops.scene.view_layer_add_lightgroup()
+        group = bpy.context.view_layer.lightgroups[0].name
+        bpy.data.objects['AREA'].lightgroup = group
+        image = exr.read(render('layers.exr'))
+        layer = bpy.context.view_layer.name
+        parts = [image.stack([f'{layer}.{p}.{c}' for c in 'RGB']) for p in
+                 ('Noisy Image', 'Direct', 'Indirect', 'Caustics', group, 'Albedo', 'Combined')]
+        noisy, direct, indirect, caustics, grouped, albedo, combined = parts
+        np.testing.assert_allclose(direct + indirect + caustics, noisy, atol=1e-3)
+        self.assertTrue(0 < grouped.mean() < noisy.mean())
+        self.assertAlmostEqual(float(combined.mean() / noisy.mean()), 1, delta=0.1)
+        self.assertAlmostEqual(float(np.median(albedo[-4:])), 0.6, places=2)  # the floor, below
+        self.assertGreater(image.channels[f'{layer}.Normal.Z'][-1].min(), 0.9)
+        depth = image.channels[f'{layer}.Depth.Z']
+        self.assertLess(depth[-1].max(), depth[0].min())
+        self.assertIn('photons brought', bpy.data.texts['aips explains'].as_string())
+
+    def test_a_border_is_rendered_alone(self):
+        scene = small_scene(64)
+        whole = exr.read(render('whole.exr', 'OPEN_EXR')).stack('RGB')
+        scene.render.use_border = scene.render.use_crop_to_border = True
+        scene.render.border_min_x, scene.render.border_max_x = 0.26, 0.74
+        scene.render.border_min_y, scene.render.border_max_y = 0.1, 0.6
+        part = exr.read(render('border.exr', 'OPEN_EXR')).stack('RGB')
+        rows, columns = part.shape[:2]
+        x, y = int(0.26 * 48), 32 - int(0.6 * 32)
+        same = whole[y:y + rows, x:x + columns]
+        for found, expected in zip(np.array_split(part, 4), np.array_split(same, 4)):
+            self.assertAlmostEqual(float(found.mean() / expected.mean()), 1, delta=0.05)
+
+    def test_two_view_layers(self):
+        scene = small_scene()
+        scene.view_layers.new('second')
+        self.assertIn('second.Combined.R', exr.read(render('two.exr')).channels)
+
+    def test_export_by_the_menu_uses_settings_for_renders(self):
+        scene = small_scene()
+        modifier = bpy.data.objects['box'].modifiers.new('subdivided', 'SUBSURF')
+        modifier.levels, modifier.render_levels = 0, 3
+        scene.render.engine = 'CYCLES'
+        path = os.path.join(FOLDER, 'menu.lxs')
+        bpy.ops.export_scene.aips_lxs(filepath=path)
+        self.assertEqual(scene.render.engine, 'CYCLES')
+        sizes = [os.path.getsize(os.path.join(FOLDER, 'menu-files', f))
+                 for f in os.listdir(os.path.join(FOLDER, 'menu-files')) if 'box' in f]
+        self.assertGreater(sizes[0], 10000)
+
+
+    def test_motion_blur_is_exported(self):
+        scene = small_scene()
+        for name, frame, x in (('box', 0, -2), ('box', 2, 0), ('Camera', 0, 0), ('Camera', 2, 1)):
+            bpy.data.objects[name].location.x = x
+            bpy.data.objects[name].keyframe_insert('location', index=0, frame=frame)
+        scene.render.use_motion_blur = True
+        scene.frame_set(1)
+        path = os.path.join(FOLDER, 'moving.lxs')
+        bpy.ops.export_scene.aips_lxs(filepath=path)
+        with open(path, encoding='utf-8') as file:
+            self.assertEqual(file.read().count('MotionBegin'), 2)
+
+
+class Fails(unittest.TestCase):
+    def fails(self, words):
+        with self.assertRaisesRegex(RuntimeError, words):
+            render('fails.exr')
+
+    def test_no_program(self):
+        small_scene()
+        fixture.enable('/nowhere/lxsrender')
+        self.fails('/nowhere/lxsrender is no program that can be run')
+
+    def test_the_programs_own_message_is_shown(self):
+        scene = small_scene()
+        scene.aips.extra = '--no-such-option'
+        self.fails('lxsrender ended with exit code 2: .*no-such-option')
+
+    def test_options_that_cannot_be_read(self):
+        scene = small_scene()
+        scene.aips.extra = '"open'
+        self.fails('More options')
+
+    def test_no_camera(self):
+        scene = small_scene()
+        bpy.data.objects.remove(scene.camera)
+        self.fails('camera')
+
+
+class Asked:
+    """Stands for Blender's engine: asks to stop once there is an image, and keeps what comes."""
+
+    def __init__(self):
+        self.images, self.said = 0, []
+
+    def test_break(self):
+        return self.images > 0
+
+    def update_result(self, _result):
+        self.images += 1
+
+    def update_stats(self, _head, text):
+        self.said.append(text)
+
+    def update_progress(self, share):
+        assert 0 <= share <= 1
+
+    def begin_result(self, *_size, layer):
+        return Result()
+
+    def end_result(self, _result):
+        self.said.append('ended')
+
+    def report(self, kind, text):
+        self.said.append(f'{kind} {text}')
+
+    frame_set = None
+
+
+class Result:
+    """Without passes: nothing is kept of the image."""
+
+    class Layer:
+        passes = ()
+    layers = [Layer()]
+
+
+class Cancels(unittest.TestCase):
+    def test_cancel_ends_soon_and_keeps_the_image(self):
+        small_scene(1_000_000)
+        asked = Asked()
+        begun = time.monotonic()
+        engine.Render(asked, bpy.context.evaluated_depsgraph_get(), FOLDER).run()
+        self.assertLess(time.monotonic() - begun, 30)
+        self.assertGreaterEqual(asked.images, 1)
+        self.assertEqual(asked.said[-1], 'ended')
+        self.assertFalse([s for s in asked.said if 'ERROR' in s])

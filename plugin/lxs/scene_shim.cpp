@@ -272,7 +272,7 @@ void FilmShim::add_parts(const FilmPass& parts) {
 
 LayersWanted FilmShim::layers_wanted() const {
     const lxs::LayersWanted wanted = film_.layers_wanted();
-    return {.parts = wanted.parts(), .surfaces = wanted.surfaces()};
+    return {.parts = wanted.parts(), .surfaces = wanted.surfaces(), .bias = wanted.bias};
 }
 
 void FilmShim::add_surfaces(std::span<const Vec2> positions,
@@ -280,6 +280,13 @@ void FilmShim::add_surfaces(std::span<const Vec2> positions,
     convert(positions, positions_);
     convert(surfaces, surfaces_);
     film_.add_surfaces(positions_, surfaces_);
+}
+
+void FilmShim::add_bias(const BiasSamples& samples) {
+    lxs::PassSamples pass =
+        samples_of({samples.positions, 1, samples.half, samples.whole, samples.weight});
+    pass.weight = samples.weight;
+    film_.add_bias(pass);
 }
 
 void FilmShim::add_layer_pass(std::string_view name, std::span<const Vec2> positions,

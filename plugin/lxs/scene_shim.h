@@ -78,6 +78,7 @@ class FilmShim final : public Film {
     void add_parts(const FilmPass& parts) override;
     void add_surfaces(std::span<const Vec2> positions,
                       std::span<const SeenSurface> surfaces) override;
+    void add_bias(const BiasSamples& samples) override;
     void add_layer_pass(std::string_view name, std::span<const Vec2> positions,
                         std::span<const Rgb> values, double weight) override;
     void set_layer(std::string_view name, std::span<const float> values) override {

@@ -122,10 +122,11 @@ TEST(Layers, AreNamedAsDocumented) {
     EXPECT_EQ(names("--layers depth"), (Names{"R", "G", "B", "depth.Z"}));
     Names all = names("--layers all");
     std::erase_if(all, [](const std::string& name) { return name.starts_with("Crypto"); });
-    EXPECT_EQ(all,
-              (Names{"R", "G", "B", "direct.R", "direct.G", "direct.B", "indirect.R", "indirect.G",
-                     "indirect.B", "caustics.R", "caustics.G", "caustics.B", "albedo.R", "albedo.G",
-                     "albedo.B", "normal.X", "normal.Y", "normal.Z", "depth.Z"}));
+    EXPECT_EQ(all, (Names{"R",          "G",          "B",          "direct.R",   "direct.G",
+                          "direct.B",   "indirect.R", "indirect.G", "indirect.B", "caustics.R",
+                          "caustics.G", "caustics.B", "albedo.R",   "albedo.G",   "albedo.B",
+                          "normal.X",   "normal.Y",   "normal.Z",   "depth.Z",    "bias.R",
+                          "bias.G",     "bias.B"}));
 }
 
 /// The id that the file's own header gives a name, as the float of its bits.

@@ -69,6 +69,7 @@ void FlexImage::set_wavelengths(const Wavelengths& wavelengths) {
     accumulator_.set_conversion(wavelengths.to_rgb, wavelengths.white);
     for (auto& [name, layer] : color_layers_)
         layer.set_conversion(wavelengths.to_rgb, wavelengths.white);
+    if (bias_) bias_->set_conversion(wavelengths.to_rgb, wavelengths.white);
     if (asked_) asked_->set_wavelengths(wavelengths);
     if (denoise_) denoise_->set_wavelengths(wavelengths);
 }
@@ -101,13 +102,14 @@ LayersWanted FlexImage::layers_wanted() const {
 }
 
 void FlexImage::end_pass() {
+    if (bias_) bias_->end_pass();
     if (error_) error_->end_pass(accumulator_);
     if (denoise_) denoise_->end_pass(accumulator_);
 }
 
 std::optional<ErrorEstimate> FlexImage::error() const {
     if (!error_) return std::nullopt;
-    return error_->estimate(accumulator_);
+    return error_->estimate(accumulator_, bias_ ? &*bias_ : nullptr);
 }
 
 bool FlexImage::is_asked(std::string_view name) const {
@@ -129,6 +131,7 @@ bool FlexImage::has_error_layer() const {
 void FlexImage::clear() {
     accumulator_.clear();
     if (error_) error_->clear();
+    if (bias_) bias_->clear();
     if (denoise_) denoise_->clear();
     if (asked_) asked_->clear();
     for (auto& [name, layer] : color_layers_) {
@@ -164,6 +167,7 @@ RefusalList FlexImage::refusals() const {
         add(fmt::format("layer \"{}\"", name), layer.refused_samples());
     for (const auto& [name, count] : refused_layer_values_)
         add(fmt::format("layer \"{}\"", name), count);
+    if (bias_) add(fmt::format("layer \"{}\"", kBiasLayer), bias_->refused_samples());
     if (asked_) {
         const RefusalList asked = asked_->refusals();
         list.insert(list.end(), asked.begin(), asked.end());
@@ -185,6 +189,7 @@ std::size_t FlexImage::memory_bytes() const {
     }
     if (error_) bytes += error_->memory_bytes();
     if (denoise_) bytes += denoise_->memory_bytes();
+    if (bias_) bytes += bias_->memory_bytes();
     if (asked_) bytes += asked_->memory_bytes();
     return bytes;
 }
@@ -221,6 +226,7 @@ void FlexImage::write_exr(const std::string& path, const ImageMetadata& metadata
                               error_->standard_errors(accumulator_, values);
                           })});
     }
+    if (bias_) colors.push_back({std::string(kBiasLayer), bias_colors()});
     constexpr std::string_view kDenoised = "denoised";
     if (!denoised.empty() && !names_layer(kDenoised))
         colors.push_back({std::string(kDenoised), {denoised.begin(), denoised.end()}});
@@ -230,6 +236,25 @@ void FlexImage::write_exr(const std::string& path, const ImageMetadata& metadata
     if (asked_) asked_->append_to(layers, [this](std::span<Rgb> c) { to_film_colors(c); });
     write_file_atomically(path,
                           encode_for(path, [&] { return encode_exr(settings_.frame, layers); }));
+}
+
+/// The film's colours are none below zero: too bright and too dark are converted apart.
+std::vector<Rgb> FlexImage::bias_colors() const {
+    std::vector<Rgb> bias(pixels());
+    bias_->values(bias);
+    const auto part = [&](float sign) {
+        return film_colors([&](std::span<Rgb> values) {
+            std::transform(bias.begin(), bias.end(), values.begin(), [sign](const Rgb& b) {
+                const Rgb c = b * sign;
+                return Rgb(std::max(c.x, 0.0f), std::max(c.y, 0.0f), std::max(c.z, 0.0f));
+            });
+        });
+    };
+    std::vector<Rgb> colors = part(1);
+    const std::vector<Rgb> dark = part(-1);
+    for (std::size_t i = 0; i < colors.size(); ++i)
+        colors[i] -= dark[i];
+    return colors;
 }
 
 void FlexImage::write_png(const std::string& path, std::span<const Rgb> denoised) const {

@@ -49,7 +49,8 @@ void FilmError::clear() {
     pass_splats_ = 0;
 }
 
-std::optional<ErrorEstimate> FilmError::estimate(const FilmAccumulator& film) const {
+std::optional<ErrorEstimate> FilmError::estimate(const FilmAccumulator& film,
+                                                 const FilmBias* bias) const {
     if (!known()) return std::nullopt;
     UncertainImage image{.width = width_, .height = height_};
     image.value.resize(pixels());
@@ -64,6 +65,10 @@ std::optional<ErrorEstimate> FilmError::estimate(const FilmAccumulator& film) co
         }
     });
     image.degrees_of_freedom = variance_.batches().degrees_of_freedom();
+    if (bias && bias->known()) {
+        image.squared_bias.resize(pixels());
+        bias->squares(image.squared_bias);
+    }
     ErrorEstimate estimate = estimate_error(image);
     estimate.passes = variance_.batches().passes();
     return estimate;

@@ -6,6 +6,7 @@
 #include <span>
 
 #include "film_accumulator.h"
+#include "film_bias.h"
 #include "lxs/imaging/error_estimate.h"
 #include "pixel_variance.h"
 
@@ -24,7 +25,9 @@ class FilmError {
     void clear();
 
     bool known() const { return variance_.known(); }
-    std::optional<ErrorEstimate> estimate(const FilmAccumulator& film) const;
+    /// `bias`: of the same passes, or null if it isn't known.
+    std::optional<ErrorEstimate> estimate(const FilmAccumulator& film,
+                                          const FilmBias* bias = nullptr) const;
     /// Standard deviation of each pixel's mean over passes, radiance.
     void standard_errors(const FilmAccumulator& film, std::span<Rgb> values) const;
 

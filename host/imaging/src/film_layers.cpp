@@ -2,6 +2,7 @@
 #include "film_layers.h"
 
 #include "cryptomatte.h"
+#include "film_bias.h"
 #include "sum_to_image.h"
 
 #include <algorithm>
@@ -48,6 +49,7 @@ std::vector<std::string> FilmLayers::names(const LayersWanted& wanted) {
     if (wanted.albedo) names.emplace_back(kAlbedo);
     if (wanted.normal) names.emplace_back(kNormal);
     if (wanted.depth) names.emplace_back(kDepth);
+    if (wanted.bias) names.emplace_back(kBiasLayer);
     for (const char* number : {"00", "01", "02"}) {
         if (wanted.objects) names.push_back(std::string(kObjects) + number);
         if (wanted.materials) names.push_back(std::string(kMaterials) + number);

@@ -79,7 +79,8 @@ constexpr ParameterDeclaration kPicture[] = {
     {.name = "layers",
      .type = String,
      .doc = "Layers that the EXR has beside the image: direct, indirect, caustics, albedo, normal, "
-            "depth, objects, materials; cryptomatte for the last two, all for every one.",
+            "depth, objects, materials, bias; cryptomatte for objects and materials, all for every "
+            "one.",
      .array = true},
     {"cameraresponse", String, "",
      "File of the response curves of a camera or film, as in Grossberg and Nayar's database, "

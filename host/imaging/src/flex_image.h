@@ -9,6 +9,7 @@
 
 #include "color_space.h"
 #include "film_accumulator.h"
+#include "film_bias.h"
 #include "film_denoise.h"
 #include "film_error.h"
 #include "film_layers.h"
@@ -29,6 +30,7 @@ class FlexImage final : public FileFilm {
           accumulator_(width(), height(), light_groups(), filter) {
         if (settings_.layers != LayersWanted{})
             asked_.emplace(settings_.layers, width(), height(), filter);
+        if (settings_.layers.bias) bias_.emplace(width(), height());
     }
 
     std::uint32_t width() const override { return settings_.frame.width; }
@@ -50,6 +52,9 @@ class FlexImage final : public FileFilm {
                       std::span<const SeenSurface> surfaces) override {
         if (asked_) asked_->add_surfaces(positions, surfaces);
         if (denoise_) denoise_->add_surfaces(positions, surfaces);
+    }
+    void add_bias(const PassSamples& samples) override {
+        if (bias_) bias_->add(samples);
     }
     void clear() override;
     void set_layer(std::string_view name, std::span<const float> values) override;
@@ -105,6 +110,7 @@ class FlexImage final : public FileFilm {
         to_film_colors(values);
         return values;
     }
+    std::vector<Rgb> bias_colors() const;
     void to_film_colors(std::span<Rgb> values) const {
         if (!settings_.to_film_colors) return;
         for (Rgb& c : values)
@@ -121,6 +127,7 @@ class FlexImage final : public FileFilm {
     std::map<std::string, std::uint64_t> refused_layer_values_;  ///< by float layer
     std::optional<Wavelengths> wavelengths_;                     ///< none: passes are RGB
     std::optional<FilmError> error_;                             ///< none: not estimated
+    std::optional<FilmBias> bias_;                               ///< none: not wanted
     std::optional<FilmLayers> asked_;                            ///< none: no layers are wanted
     std::optional<FilmDenoise> denoise_;                         ///< none: not to be denoised
 };

@@ -19,6 +19,7 @@ HeldLayer of_colors(std::span<const Rgb> colors) {
 std::vector<std::string> FlexImage::held_layers() const {
     std::vector<std::string> names;
     if (has_error_layer()) names.emplace_back(kErrorLayer);
+    if (bias_) names.emplace_back(kBiasLayer);
     for (const auto& [name, layer] : color_layers_)
         names.push_back(name);
     for (const auto& [name, values] : layers_)
@@ -32,6 +33,7 @@ HeldLayer FlexImage::held_layer(std::string_view name) const {
         return of_colors(film_colors(
             [this](std::span<Rgb> values) { error_->standard_errors(accumulator_, values); }));
     }
+    if (name == kBiasLayer && bias_) return of_colors(bias_colors());
     if (const auto color = color_layers_.find(name); color != color_layers_.end()) {
         return of_colors(
             film_colors([&](std::span<Rgb> values) { color->second.resolve_total(values); }));

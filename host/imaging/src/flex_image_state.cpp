@@ -16,6 +16,7 @@ void FlexImage::state(StateArchive& archive) {
         throw StateError(error_ ? "it was saved without an estimate of the error"
                                 : "it was saved with an estimate of the error");
     if (error_) error_->state(archive);
+    if (bias_) bias_->state(archive);
     if (asked_) asked_->state(archive);
     bool denoises = denoise_.has_value();
     archive.value(denoises);

@@ -24,7 +24,8 @@ constexpr std::array kLayers{NamedLayer{"direct", &LayersWanted::direct},
                              NamedLayer{"normal", &LayersWanted::normal},
                              NamedLayer{"depth", &LayersWanted::depth},
                              NamedLayer{"objects", &LayersWanted::objects},
-                             NamedLayer{"materials", &LayersWanted::materials}};
+                             NamedLayer{"materials", &LayersWanted::materials},
+                             NamedLayer{"bias", &LayersWanted::bias}};
 constexpr std::string_view kAll = "all", kCryptomatte = "cryptomatte";
 
 bool asks_for(const std::string& name, const NamedLayer& layer) {

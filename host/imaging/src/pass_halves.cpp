@@ -62,10 +62,10 @@ void HalfMeans::add(Sums& sums, const PixelMeans& now, std::size_t part, std::si
     move(sums.all.weight, sums.first_half.weight, weight);
 }
 
-void HalfMeans::end_batch(const FilmAccumulator& film, std::size_t half) {
-    if (film.has_second()) second_.resize(sums_.size());
+void HalfMeans::end_batch(const Means& means, bool has_second, std::size_t half) {
+    if (has_second) second_.resize(sums_.size());
     for_pixels(sums_.size(), [&](std::size_t i) {
-        const PixelMeans now = film.means(i);
+        const PixelMeans now = means(i);
         add(sums_[i], now, 0, half);
         if (!second_.empty()) add(second_[i], now, 1, half);
     });

@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 #include "film_accumulator.h"
@@ -34,15 +35,20 @@ class HalvesSchedule {
     std::array<std::uint64_t, 2> passes_{}, first_{};
 };
 
-/// Means of both halves of the passes that an accumulator holds, up to the last batch: it keeps
+/// Means of both halves of the passes that a film holds, up to the last batch: it keeps
 /// the sums of all then, and of the first half's; the second's are the rest. 32 bytes a pixel, 64
 /// where passes have two parts.
 class HalfMeans {
   public:
     explicit HalfMeans(std::size_t pixels) : sums_(pixels) {}
 
-    /// Whether passes have had a second part is as the accumulator says.
-    void end_batch(const FilmAccumulator& film, std::size_t half);
+    /// Means of a pixel as they are now.
+    using Means = std::function<PixelMeans(std::size_t)>;
+    /// With a second part or without, as the passes so far have had one.
+    void end_batch(const Means& means, bool has_second, std::size_t half);
+    void end_batch(const FilmAccumulator& film, std::size_t half) {
+        end_batch([&film](std::size_t i) { return film.means(i); }, film.has_second(), half);
+    }
     /// Of the pixel, both parts summed; 0 where the half has no samples.
     Imath::V3d mean(std::size_t half, std::size_t pixel) const;
     void clear();

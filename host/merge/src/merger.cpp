@@ -63,6 +63,13 @@ Number number_of(const ExrImage& image, const char* key, const std::string& name
     return value;
 }
 
+/// 0 where the image says nothing of it.
+double of_bias(const ExrImage& image, const char* key, const std::string& name) {
+    const auto found = image.metadata.find(key);
+    if (found == image.metadata.end() || found->second == "0") return 0;
+    return number_of<double>(image, key, name);
+}
+
 /// Numbers between single spaces; empty if that is not what it is.
 std::vector<std::uint64_t> seeds_in(const std::string& text) {
     std::vector<std::uint64_t> seeds;
@@ -100,6 +107,7 @@ struct Merger::Told {
     std::uint64_t passes = 0;
     double samples = 0;  // per pixel
     double freedom = 0;
+    double relmse_of_bias = 0, rmse_of_bias = 0;
     std::vector<std::uint64_t> seeds;
 
     Told(const ExrImage& image, const std::string& name)
@@ -110,6 +118,8 @@ struct Merger::Told {
         if (seeds.empty()) throw MergeRefusal(fmt::format("'{}' does not say its seed", name));
         if (image.channels.contains("error.R"))
             freedom = number_of<double>(image, header::kErrorFreedom, name);
+        relmse_of_bias = of_bias(image, header::kRelMseOfBias, name);
+        rmse_of_bias = of_bias(image, header::kRmseOfBias, name);
     }
 };
 
@@ -193,6 +203,8 @@ void Merger::add(const ExrImage& image, const std::string& name) {
     });
     weight_ += told.samples;
     freedom_ += told.freedom;
+    relmse_of_bias_ += told.samples * told.relmse_of_bias;
+    mse_of_bias_ += told.samples * told.rmse_of_bias * told.rmse_of_bias;
     passes_ += told.passes;
     ++images_;
 }
@@ -237,6 +249,8 @@ std::optional<ErrorEstimate> Merger::error() const {
         }
     }
     image.degrees_of_freedom = freedom_;
+    image.relmse_of_bias = relmse_of_bias_ / weight_;
+    image.mse_of_bias = mse_of_bias_ / weight_;
     ErrorEstimate estimate = estimate_error(image);
     estimate.passes = passes_;
     return estimate;

@@ -42,6 +42,26 @@ TEST(Merger, WeighsByWhatImagesHold) {
     EXPECT_EQ(image.frame.x_resolution, 5u);
 }
 
+/// Merging lessens noise alone: what radii blur stays as it is in the mean of the renders.
+TEST(Merger, BiasIsTheMeanOfBiases) {
+    ExrImage a = rendered(1, 10, 1.0f, 0.4f), b = rendered(2, 30, 1.0f, 0.2f);
+    for (ExrImage* image : {&a, &b}) {
+        const float bias = image == &a ? -0.3f : 0.1f;
+        for (const char* channel : {"bias.R", "bias.G", "bias.B"})
+            image->channels[channel].assign(6, bias);
+        image->metadata[header::kRelMseOfBias] = image == &a ? "0.08" : "0.04";
+        image->metadata[header::kRmseOfBias] = image == &a ? "0.3" : "0";
+    }
+    Merger merger;
+    merger.add(a, "1.exr");
+    merger.add(b, "2.exr");
+    EXPECT_NEAR(merger.merged().channels.at("bias.G")[0], 0.0f, 1e-7f);
+    const ErrorEstimate error = *merger.error();
+    EXPECT_NEAR(error.relmse_of_bias, 0.05, 1e-6);
+    EXPECT_NEAR(error.rmse_of_bias, std::sqrt(0.25 * 0.09), 1e-6);
+    EXPECT_GT(error.relmse, error.relmse_of_bias);
+}
+
 TEST(Merger, OrderAndGroupsDoNotMatter) {
     const ExrImage a = rendered(1, 10, 1.0f, 0.4f), b = rendered(2, 30, 3.0f, 0.2f),
                    c = rendered(3, 5, 0.5f, 0.9f);

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <numbers>
 
 #include "aips/core/sampling/sampling.h"
 #include "base/film_pixel.h"
@@ -40,6 +41,10 @@ std::uint64_t EdgeCorrection::correct(std::uint64_t pass, float time, const EyeI
                 if (question.believed >= 1) continue;
                 RandomStream random(settings_.seed, pass, point.sample, RandomDomain::Edge);
                 const float missing = surface.missing(point, radii.of(i), question, random);
+                if (flux.wants_inner && (edges_[pixel] || missing > 0)) {
+                    const float radius = radii.of(i) * std::numbers::sqrt2_v<float> / 2;
+                    flux.inner[i] *= 1 + surface.missing(point, radius, question, random);
+                }
                 if (missing == 0) continue;
                 // Several visible points may be in one pixel: all say the same.
                 std::atomic_ref(found_[pixel]).store(1, std::memory_order_relaxed);

@@ -27,7 +27,9 @@ class EdgeCorrection {
                    std::uint32_t height);
 
     /// Corrects what the photons of a pass have brought; returns the rays traced for it. `radii`
-    /// are those that `flux` was gathered within. Bits do not depend on the number of threads.
+    /// are those that `flux` was gathered within. What the inner halves of discs brought is
+    /// corrected by rays of its own, at edges that are known, and changes nothing else. Bits do not
+    /// depend on the number of threads.
     std::uint64_t correct(std::uint64_t pass, float time, const EyeImage& image,
                           const SearchRadii& radii, PhotonFlux& flux);
 

@@ -51,10 +51,11 @@ void gather_photons(const EyeImage& image, const LandingGrid& grid, const Search
         tbb::blocked_range<std::size_t>(0, image.visible_points.size(), 256),
         [&](const tbb::blocked_range<std::size_t>& range) {
             std::uint64_t total = 0;
-            GroupSums sums(groups), parts(kPhotonParts);
+            GroupSums sums(groups), parts(kPhotonParts), inner(1);
             for (std::size_t i = range.begin(); i < range.end(); ++i) {
                 const VisiblePoint& point = image.visible_points[i];
                 const float radius = radii.of(i);
+                const float inner_square = radius * radius / 2;
                 // Left out of the flux, but what it absorbs is no contribution.
                 const Rgb f = point.bsdf ? kWhite : point.kd;
                 std::uint32_t count = 0;
@@ -68,6 +69,9 @@ void gather_photons(const EyeImage& image, const LandingGrid& grid, const Search
                             point.scatterings.scattered_in(static_cast<ImagePart>(landing.part));
                         if (part != ImagePart::Indirect) parts.add(std::uint32_t(part), value);
                     }
+                    if (result.wants_inner &&
+                        length_squared(landing.position - point.position) <= inner_square)
+                        inner.add(0, value);
                     const auto square = double(luminance(value) * luminance(value));
                     squares += square;
                     if (landing.shareable) {
@@ -80,6 +84,7 @@ void gather_photons(const EyeImage& image, const LandingGrid& grid, const Search
                 result.accepted[i] = saturated_sum(result.accepted[i], count);
                 result.squares[i] += float(squares);
                 if (result.wants_parts) parts.move_to(&result.parts[i * kPhotonParts]);
+                if (result.wants_inner) inner.move_to(&result.inner[i]);
                 if (!result.shareable.empty()) {
                     result.shareable[i].sum += float(shareable);
                     result.shareable[i].squares += float(shareable_squares);

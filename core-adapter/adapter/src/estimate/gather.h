@@ -34,10 +34,14 @@ struct PhotonFlux {
     /// [visible point * kPhotonParts + ImagePart]: what is direct light or caustics of `flux`, over
     /// all light groups; empty if not wanted.
     std::vector<Rgb> parts;
+    /// [visible point]: of `flux`, over all light groups, what the inner half of the disc's area
+    /// brought; empty if not wanted. Edges have a factor of their own there.
+    std::vector<Rgb> inner;
     std::vector<ProbeSums> probes;  ///< [number in SearchRadii::probes]
     std::uint64_t gathered = 0;     ///< photons accepted, over all visible points
 
     bool wants_parts = false;      ///< whether gathers fill `parts`
+    bool wants_inner = false;      ///< whether gathers fill `inner`
     bool wants_shareable = false;  ///< whether gathers fill `shareable`
 
     void reset(std::size_t visible_points, std::uint32_t groups, std::size_t probe_count = 0) {
@@ -46,6 +50,7 @@ struct PhotonFlux {
         squares.assign(visible_points, 0.0f);
         shareable.assign(wants_shareable ? visible_points : 0, {});
         parts.assign(wants_parts ? visible_points * kPhotonParts : 0, Rgb{});
+        inner.assign(wants_inner ? visible_points : 0, Rgb{});
         probes.assign(probe_count, {});
         gathered = 0;
     }
@@ -58,11 +63,13 @@ struct PhotonFlux {
             part = {float(part.sum * factor), float(part.squares * factor * factor)};
         for (Rgb& part : parts)
             part *= float(factor);
+        for (Rgb& sum : inner)
+            sum *= float(factor);
         for (ProbeSums& sums : probes)
             sums.scale(factor);
     }
-    /// Multiplies all that was brought to one visible point, of `groups` light groups. Probes are
-    /// left as they are.
+    /// Multiplies all that was brought to one visible point, of `groups` light groups. Probes and
+    /// `inner` are left as they are.
     void scale_point(std::size_t point, std::uint32_t groups, float factor) {
         for (std::size_t g = 0; g < groups; ++g)
             flux[point * groups + g] *= factor;
@@ -77,7 +84,8 @@ struct PhotonFlux {
     std::size_t memory_bytes() const {
         return flux.capacity() * sizeof(Rgb) + accepted.capacity() * sizeof(std::uint32_t) +
                squares.capacity() * sizeof(float) + shareable.capacity() * sizeof(ShareableFlux) +
-               parts.capacity() * sizeof(Rgb) + probes.capacity() * sizeof(ProbeSums);
+               (parts.capacity() + inner.capacity()) * sizeof(Rgb) +
+               probes.capacity() * sizeof(ProbeSums);
     }
 };
 

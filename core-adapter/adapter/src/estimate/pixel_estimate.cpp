@@ -3,6 +3,8 @@
 
 #include <tbb/parallel_for.h>
 
+#include <cmath>
+
 #include "aips/core/sampling/sampling.h"
 
 namespace aips {
@@ -49,6 +51,26 @@ void estimate_pixels(const EyeImage& image, const PhotonFlux& flux, const Search
             Rgb& brought = photon_radiance[std::size_t(point.sample) * groups + g];
             refusals.add(brought, value, point.material);
         }
+    });
+}
+
+void estimate_discs(const EyeImage& image, const PhotonFlux& flux, const SearchRadii& radii,
+                    std::uint64_t photon_paths, DiscEstimates& discs) {
+    discs.whole.assign(image.positions.size(), Rgb{});
+    discs.half.assign(image.positions.size(), Rgb{});
+    if (photon_paths == 0) return;
+    tbb::parallel_for(std::size_t{0}, image.visible_points.size(), [&](std::size_t i) {
+        const VisiblePoint& point = image.visible_points[i];
+        const double scale = per_disk_and_path(radii.of(i), photon_paths);
+        const Rgb factor = point.throughput * left_out_f(point);
+        Rgb sum;
+        for (std::size_t g = 0; g < image.groups; ++g)
+            sum += flux.flux[i * image.groups + g];
+        const Rgb whole = factor * scaled(sum, scale);
+        const Rgb half = factor * scaled(flux.inner[i], 2 * scale);
+        if (!std::isfinite(whole.r + whole.g + whole.b + half.r + half.g + half.b)) return;
+        discs.whole[point.sample] = whole;
+        discs.half[point.sample] = half;
     });
 }
 

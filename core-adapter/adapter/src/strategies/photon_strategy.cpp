@@ -37,6 +37,7 @@ PhotonStrategy::PhotonStrategy(const Host& host, Plan& plan, std::uint32_t eye_p
         shared_.emplace(scene_, film_.width(), film_.height(), eye_paths);
     flux_.wants_shareable = shared_.has_value();
     flux_.wants_parts = film_.layers_wanted().parts;
+    flux_.wants_inner = film_.layers_wanted().bias && plan_.needs.photons;
     if (wants_noise()) noise_.emplace(film_.width(), film_.height());
     if (settings_.correct_edges) edges_.emplace(scene_, settings_, film_.width(), film_.height());
     if (settings_.debug_layers) layers_.emplace(film_, guide_.get());
@@ -142,6 +143,7 @@ void PhotonStrategy::shoot(const StrategyPass& pass, const PassPhotons& photons,
 
 void PhotonStrategy::end_pass(const StrategyPass& pass, const FilmPass& film_pass) {
     if (layers_) show_layers(pass.image, film_pass);
+    if (flux_.wants_inner) show_bias(pass.image, film_pass);
     const PassNoise noise = learn_noise(pass.image);
     const PhotonPassTotals& after = photon_pass_.totals();
     const PassWork work = pass_work(pass.eye_paths, pass.eye_rays, before_, after);
@@ -155,6 +157,14 @@ void PhotonStrategy::show_layers(const EyeImage& image, const FilmPass& film_pas
     layers_->add_pass(image, flux_, radii_, film_pass, guide.bounces());
     const BounceGuide* tables = guide.adaptive() ? guide.adaptive()->bounces() : nullptr;
     if (tables) layers_->add_tables(image, tables->tables());
+}
+
+void PhotonStrategy::show_bias(const EyeImage& image, const FilmPass& film_pass) {
+    estimate_discs(image, flux_, radii_, shot_, discs_);
+    film_.add_bias({.positions = image.positions,
+                    .whole = discs_.whole,
+                    .half = discs_.half,
+                    .weight = film_pass.photon_weight});
 }
 
 void PhotonStrategy::share(const StrategyPass& pass, const PassWork& work, const PassNoise& noise) {
@@ -225,7 +235,10 @@ void PhotonStrategy::add_to(EngineStatistics& s) const {
 }
 
 std::size_t PhotonStrategy::memory_bytes() const {
-    return flux_.memory_bytes() + (radiance_.capacity() + parts_.capacity()) * sizeof(Rgb) +
+    return flux_.memory_bytes() +
+           (radiance_.capacity() + parts_.capacity() + discs_.whole.capacity() +
+            discs_.half.capacity()) *
+               sizeof(Rgb) +
            variances_.capacity() * sizeof(float) + seen_.capacity() * sizeof(PixelLuminance) +
            photon_pass_.memory_bytes() + radius_policy_->memory_bytes() +
            (edges_ ? edges_->memory_bytes() : 0) + (importance_ ? importance_->memory_bytes() : 0) +
@@ -237,8 +250,9 @@ std::size_t PhotonStrategy::memory_bound_bytes() const {
     // Of paths, of visible points, and of beams, kept and estimated.
     const std::size_t parts =
         flux_.wants_parts ? sizeof(Rgb) * eye_paths_ * (kImageParts + 3 * kPhotonParts) : 0;
+    const std::size_t discs = flux_.wants_inner ? 3 * sizeof(Rgb) * eye_paths_ : 0;
     const std::size_t photons =
-        parts + photon_memory_bound(scene_, plan_.needs, eye_paths_, pixels());
+        parts + discs + photon_memory_bound(scene_, plan_.needs, eye_paths_, pixels());
     if (!layers_) return photons;
     return photons +
            DebugLayers::memory_bound_bytes(pixels(), eye_paths_, guide_ ? settings_.max_nodes : 0);

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "estimate/edge_correction.h"
+#include "estimate/pixel_estimate.h"
 #include "layers/debug_layers.h"
 #include "photons/photon_pass.h"
 #include "plan/photon_schedule.h"
@@ -45,6 +46,7 @@ class PhotonStrategy : public LightStrategy {
     std::unique_ptr<PhotonSource> make_source() const;
     void shoot(const StrategyPass& pass, const PassPhotons& photons, PassReport& report);
     void show_layers(const EyeImage& image, const FilmPass& film_pass);
+    void show_bias(const EyeImage& image, const FilmPass& film_pass);
     void share(const StrategyPass& pass, const PassWork& work, const PassNoise& noise);
     PassNoise learn_noise(const EyeImage& image);
     bool wants_noise() const { return plan_.measures_noise() || settings_.continue_eye_paths; }
@@ -71,6 +73,7 @@ class PhotonStrategy : public LightStrategy {
     PhotonPassTotals before_;           // the last pass
     std::vector<Rgb> radiance_;         // [eye path * groups + group]; empty if none is needed
     std::vector<Rgb> parts_;            // [eye path * kImageParts + part]; empty if not wanted
+    DiscEstimates discs_;               // if the film wants their bias
     std::vector<float> variances_;      // [eye path]: of the luminance of that; with noise_
     std::vector<PixelLuminance> seen_;  // in the last pass that something steers by
     std::optional<DebugLayers> layers_;

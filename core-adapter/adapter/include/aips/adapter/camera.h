@@ -68,6 +68,15 @@ struct FilmPass {
     std::optional<FilmSplats> splats = {};
 };
 
+/// What photons on surfaces bring the samples of a pass, all light groups together, from their
+/// whole search discs and from the inner half of their area. Light that changes evenly is blurred
+/// in proportion to the area, so that the difference is half of the bias.
+struct BiasSamples {
+    std::span<const Vec2> positions;  ///< of the samples, pixels
+    std::span<const Rgb> whole, half;
+    double weight = 1;  ///< as FilmPass::photon_weight
+};
+
 class Film {
   public:
     virtual ~Film() = default;
@@ -86,6 +95,8 @@ class Film {
     /// passes count alike.
     virtual void add_surfaces(std::span<const Vec2> /*positions*/,
                               std::span<const SeenSurface> /*surfaces*/) {}
+    /// Adds what the radius does to the photons' part of a pass.
+    virtual void add_bias(const BiasSamples& /*samples*/) {}
     /// Adds a pass of the extra colour layer `name`: `values[i]` at `positions[i]`, filtered as the
     /// image is; `weight` > 0 is the pass's share in the mean over passes.
     virtual void add_layer_pass(std::string_view name, std::span<const Vec2> positions,

@@ -14,6 +14,7 @@ namespace aips {
 struct LayersWanted {
     bool parts = false;     ///< Film::add_parts is to be called with each pass
     bool surfaces = false;  ///< Film::add_surfaces is to be called with each pass
+    bool bias = false;      ///< Film::add_bias is to be called with each pass
 };
 
 /// Index of no name.

@@ -14,8 +14,11 @@ inline nlohmann::ordered_json error_json(const ErrorEstimate& error) {
     json["relmse"] = error.relmse;
     json["relmse interval"] = {error.relmse_low, error.relmse_high};
     json["relmse of the whole"] = error.relmse_whole;
+    json["relmse of bias"] = error.relmse_of_bias;
     json["rmse"] = error.rmse;
     json["rmse interval"] = {error.rmse_low, error.rmse_high};
+    json["rmse of the whole"] = error.rmse_whole;
+    json["rmse of bias"] = error.rmse_of_bias;
     return json;
 }
 

@@ -11,9 +11,12 @@ struct ErrorEstimate {
     /// bright path has met decide the figure of the whole.
     double relmse = 0;
     double relmse_low = 0, relmse_high = 0;  ///< where the true one lies in 19 of 20 images
+    double relmse_of_bias = 0;               ///< the part of relmse that bias is known to have
     double relmse_whole = 0;                 ///< of all pixels
-    double rmse = 0;                         ///< of all pixels, radiance
+    double rmse = 0;                         ///< without its own worst 0.1 %, radiance
     double rmse_low = 0, rmse_high = 0;
+    double rmse_of_bias = 0;   ///< of bias alone
+    double rmse_whole = 0;     ///< of all pixels
     std::uint64_t passes = 0;  ///< that it was estimated after
     /// About as many independent squares as each pixel's variance rests on.
     double degrees_of_freedom = 1;

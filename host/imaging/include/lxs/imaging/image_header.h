@@ -13,6 +13,8 @@ inline constexpr const char* kScene = "scene";  ///< file name, without its fold
 inline constexpr const char* kSeed = "seed";    ///< of a merged image all of them, with spaces
 inline constexpr const char* kSoftware = "software";
 inline constexpr const char* kErrorFreedom = "errorDegreesOfFreedom";
+inline constexpr const char* kRelMseOfBias = "relMSEOfBias";
+inline constexpr const char* kRmseOfBias = "RMSEOfBias";
 /// Checksums, 16 hexadecimal digits each, of what the image depends on beside its seed.
 inline constexpr const char* kSceneText = "sceneChecksum";
 inline constexpr const char* kSceneFiles = "sceneFilesChecksum";

@@ -57,6 +57,7 @@ class Merger {
     std::string first_;                           ///< name of the first image
     std::map<std::uint64_t, std::string> seeds_;  ///< and the image that has it
     double weight_ = 0, freedom_ = 0;
+    double relmse_of_bias_ = 0, mse_of_bias_ = 0;  ///< sums, weighted by samples
     std::uint64_t passes_ = 0;
     std::size_t images_ = 0;
 };

@@ -67,6 +67,11 @@ class Film {
     /// wants layers of surfaces. What is not finite is refused and counted.
     virtual void add_surfaces(std::span<const Vec2> /*positions*/,
                               std::span<const SeenSurface> /*surfaces*/) {}
+    /// Adds what blurs light in one pass, of an integrator that gathers photons; only if the film
+    /// wants the layer of bias. `radiance` is what the inner half of each search disc's area
+    /// brought the samples, `second_radiance` what the whole disc did, in one group and with one
+    /// weight.
+    virtual void add_bias(const PassSamples& /*samples*/) {}
     /// Forgets all passes so far (after learning passes that must not stay in the image), those of
     /// extra colour layers too.
     virtual void clear() = 0;

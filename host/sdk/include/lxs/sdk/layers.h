@@ -18,6 +18,7 @@ struct LayersWanted {
     bool depth = false;
     bool objects = false;    ///< masks of them
     bool materials = false;  ///< likewise
+    bool bias = false;       ///< whether Film::add_bias is to be called with each pass
 
     bool operator==(const LayersWanted&) const = default;
     /// Whether Film::add_parts is to be called with each pass.

@@ -14,6 +14,7 @@ from cycles_agreement import differences
 
 FACETS = 0.04    # LuxRender's facets shadow each other by another formula than Cycles'
 PRINCIPLED = 0.05  # Cycles' diffuse base is Burley's, which darkens and brightens by angle
+STEEP = 0.04     # bumps so steep that normals turn away from eye or light, by other rules
 
 
 class Agreement(unittest.TestCase):
@@ -137,6 +138,16 @@ class Materials(Agreement):
         scene = scenes.lit_stage()
         bpy.data.objects['wall'].data.materials[0] = scenes.checker_material()
         self.agrees('checker', scene)
+
+    def test_bump(self):
+        scene = scenes.stage()
+        scenes.background(scene, (1, 1, 1), 0.2)
+        scenes.light('SUN', 3, turn=(0.9, 0.5, 0), angle=0.05)
+        y, x = np.mgrid[0:64, 0:64] / 64
+        waves = scenes.bumpy_material(0.5 + 0.5 * np.sin(2 * np.pi * (x + y)), 0.4)
+        for name in ('wall', 'floor'):
+            bpy.data.objects[name].data.materials[0] = waves
+        self.agrees('bump', scene, STEEP)
 
     def test_principled_alpha(self):
         self.ball('alpha', 'ShaderNodeBsdfPrincipled', Base_Color=(0.5, 0.4, 0.3, 1), Specular=0,

@@ -2,6 +2,7 @@
 import math
 
 import bpy
+import numpy as np
 
 
 def clear():
@@ -155,6 +156,20 @@ def checker_material():
     mapping = _mapping(tree, texture, 'UV')
     mapping.inputs['Scale'].default_value = (1, 2, 1)
     mapping.inputs['Location'].default_value = (0.1, 0, 0)
+    return made
+
+
+def bumpy_material(heights, distance):
+    """Grey with a bump of the given heights, 0 to 1, times a distance."""
+    made = grey()
+    tree = made.node_tree
+    values = np.repeat(heights[:, :, None], 4, axis=2).astype(np.float32)
+    texture, bump = tree.nodes.new('ShaderNodeTexImage'), tree.nodes.new('ShaderNodeBump')
+    texture.image = bpy.data.images.new('heights', *heights.shape, float_buffer=True, is_data=True)
+    texture.image.pixels.foreach_set(values.ravel())
+    bump.inputs['Strength'].default_value, bump.inputs['Distance'].default_value = 1, distance
+    tree.links.new(texture.outputs['Color'], bump.inputs['Height'])
+    tree.links.new(bump.outputs[0], tree.nodes['Diffuse BSDF'].inputs['Normal'])
     return made
 
 

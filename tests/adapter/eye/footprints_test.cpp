@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <limits>
 #include <numeric>
 #include <vector>
@@ -35,6 +36,19 @@ TEST(Footprints, ThatAreNoNumbersCountForNothing) {
 TEST(Footprints, OfCamerasWithoutAnyForMostPixelsAreNotBounded) {
     std::vector<float> footprints{0, 0, 0, 5, 0};
     EXPECT_DOUBLE_EQ(bounded_footprint_sum(footprints), 5);
+}
+
+TEST(Footprints, OfManyAreBoundedByTheirMedian) {
+    std::vector<float> footprints(70001);
+    for (std::size_t i = 0; i < footprints.size(); ++i)
+        footprints[i] = 1e-3f * float(i * i % 100003) * float(i % 7);
+    std::vector<float> sorted(footprints);
+    std::ranges::sort(sorted);
+    const float most = 8 * sorted[sorted.size() / 2];
+    double sum = 0;
+    for (const float footprint : footprints)
+        sum += double(std::min(footprint, most));
+    EXPECT_NEAR(bounded_footprint_sum(footprints), sum, 1e-12 * sum);
 }
 
 }  // namespace

@@ -145,5 +145,52 @@ TEST(ShareTable, MemoryIsBounded) {
     EXPECT_LE(table.memory_bytes(), ShareTable::memory_bound_bytes({}));
 }
 
+/// All jobs, the last one first.
+void backwards(std::uint32_t count, const Job& job) {
+    for (std::uint32_t i = count; i-- > 0;)
+        job(i);
+}
+
+/// A table that learned, by groups of samples or one by one, and has split.
+ShareTable learned(const std::vector<std::vector<ShareSample>>& groups,
+                   const ParallelFor& parallel) {
+    ShareTable table(kScene);
+    for (int round = 0; round < 4; ++round) {
+        if (parallel) {
+            table.add(groups, parallel);
+        } else {
+            for (const auto& group : groups) {
+                for (const ShareSample& sample : group)
+                    table.add(sample);
+            }
+        }
+        table.update(4000);
+    }
+    return table;
+}
+
+TEST(ShareTable, LearnsTheSameFromManyAtOnceWhateverTheOrderOfJobs) {
+    RandomStream random(3, 0, 0, RandomDomain::Guide);
+    std::vector<std::vector<ShareSample>> groups(8);
+    for (auto& group : groups) {
+        for (int i = 0; i < 500; ++i)
+            group.push_back(sample_at(random));
+        group.back().eye = std::numeric_limits<double>::quiet_NaN();
+    }
+    const auto forwards = learned(groups, serial_for).moments();
+    const auto reversed = learned(groups, backwards).moments();
+    const auto one_by_one = learned(groups, nullptr).moments();
+    ASSERT_GT(forwards.size(), 8u);
+    ASSERT_EQ(forwards.size(), reversed.size());
+    ASSERT_EQ(forwards.size(), one_by_one.size());
+    for (std::size_t i = 0; i < forwards.size(); ++i) {
+        EXPECT_EQ(forwards[i].xx, reversed[i].xx);
+        EXPECT_EQ(forwards[i].spread, reversed[i].spread);
+        // The mean over all leaves, which is in each, is rounded in another order.
+        EXPECT_NEAR(forwards[i].xx, one_by_one[i].xx, 1e-12 * one_by_one[i].xx);
+        EXPECT_EQ(forwards[i].population, one_by_one[i].population);
+    }
+}
+
 }  // namespace
 }  // namespace aips::share_table_test

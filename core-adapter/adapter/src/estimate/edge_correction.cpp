@@ -9,10 +9,26 @@
 #include <numbers>
 
 #include "aips/core/sampling/sampling.h"
+#include "base/assign_all.h"
 #include "base/film_pixel.h"
+#include "base/ordered_sum.h"
 #include "base/parallel_for.h"
 
 namespace aips {
+namespace {
+
+/// Luminance that photons brought to visible points, and what they bring more by their factors.
+struct Brightening {
+    double before = 0, added = 0;
+
+    Brightening& operator+=(const Brightening& other) {
+        before += other.before;
+        added += other.added;
+        return *this;
+    }
+};
+
+}  // namespace
 
 EdgeCorrection::EdgeCorrection(const Scene& scene, const Settings& settings, std::uint32_t width,
                                std::uint32_t height)
@@ -27,7 +43,7 @@ EdgeCorrection::EdgeCorrection(const Scene& scene, const Settings& settings, std
 std::uint64_t EdgeCorrection::correct(std::uint64_t pass, float time, const EyeImage& image,
                                       const SearchRadii& radii, PhotonFlux& flux) {
     std::atomic<std::uint64_t> rays{0};
-    factors_.assign(image.visible_points.size(), 1);
+    assign_all(factors_, image.visible_points.size(), 1.0f);
     tbb::parallel_for(
         tbb::blocked_range<std::size_t>(0, image.visible_points.size(), 256),
         [&](const tbb::blocked_range<std::size_t>& range) {
@@ -60,19 +76,23 @@ std::uint64_t EdgeCorrection::correct(std::uint64_t pass, float time, const EyeI
 }
 
 void EdgeCorrection::apply(const EyeImage& image, PhotonFlux& flux) {
-    double before = 0, added = 0;
-    for (std::size_t i = 0; i < factors_.size(); ++i) {
-        if (settings_.account) {
-            const VisiblePoint& point = image.visible_points[i];
-            const Rgb weight = point.throughput * left_out_f(point);
-            for (std::size_t g = 0; g < image.groups; ++g) {
-                const auto brought = double(luminance(weight * flux.flux[i * image.groups + g]));
-                before += brought;
-                added += brought * double(factors_[i] - 1);
+    const auto apply_to = [&](std::size_t first, std::size_t last) {
+        Brightening sum;
+        for (std::size_t i = first; i < last; ++i) {
+            if (settings_.account) {
+                const VisiblePoint& point = image.visible_points[i];
+                const Rgb weight = point.throughput * left_out_f(point);
+                for (std::size_t g = 0; g < image.groups; ++g) {
+                    const auto brought =
+                        double(luminance(weight * flux.flux[i * image.groups + g]));
+                    sum += {brought, brought * double(factors_[i] - 1)};
+                }
             }
+            if (factors_[i] != 1) flux.scale_point(i, image.groups, factors_[i]);
         }
-        if (factors_[i] != 1) flux.scale_point(i, image.groups, factors_[i]);
-    }
+        return sum;
+    };
+    const auto [before, added] = ordered_sum<Brightening>(factors_.size(), apply_to);
     brightened_ = before > 0 ? 1 + added / before : 1;
 }
 

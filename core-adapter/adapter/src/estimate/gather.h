@@ -7,6 +7,7 @@
 #include "aips/core/photon_map/photon_grid.h"
 #include "aips/core/radii/optimal_radius.h"
 #include "aips/core/sampling/sampling.h"
+#include "base/assign_all.h"
 #include "estimate/search_radii.h"
 #include "eye/eye_pass.h"
 #include "refusal/refusals.h"
@@ -45,6 +46,7 @@ struct PhotonFlux {
     bool wants_shareable = false;  ///< whether gathers fill `shareable`
 
     void reset(std::size_t visible_points, std::uint32_t groups, std::size_t probe_count = 0) {
+<<<<<<< HEAD
         flux.assign(visible_points * groups, Rgb{});
         accepted.assign(visible_points, 0);
         squares.assign(visible_points, 0.0f);
@@ -52,6 +54,14 @@ struct PhotonFlux {
         parts.assign(wants_parts ? visible_points * kPhotonParts : 0, Rgb{});
         inner.assign(wants_inner ? visible_points : 0, Rgb{});
         probes.assign(probe_count, {});
+=======
+        assign_all(flux, visible_points * groups, Rgb{});
+        assign_all(accepted, visible_points, std::uint32_t{0});
+        assign_all(squares, visible_points, 0.0f);
+        assign_all(shareable, wants_shareable ? visible_points : 0, ShareableFlux{});
+        assign_all(parts, wants_parts ? visible_points * kPhotonParts : 0, Rgb{});
+        assign_all(probes, probe_count, ProbeSums{});
+>>>>>>> scaling-serial
         gathered = 0;
     }
     void scale(double factor) {

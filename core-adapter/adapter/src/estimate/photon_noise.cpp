@@ -3,6 +3,7 @@
 
 #include <limits>
 
+#include "base/disjoint_ranges.h"
 #include "base/film_pixel.h"
 
 namespace aips {
@@ -25,13 +26,22 @@ std::size_t PhotonNoise::cell_of(std::uint32_t pixel) const {
 }
 
 void PhotonNoise::add_pass(const EyeImage& image, const PhotonFlux& flux) {
-    for (std::size_t i = 0; i < image.visible_points.size(); ++i) {
-        if (flux.accepted[i] == 0) continue;
+    const auto cell_at = [&](std::size_t i) {
         const Vec2 film = image.positions[image.visible_points[i].sample];
-        Cell& cell = cells_[cell_of(film_pixel(film, width_, height_))];
-        cell.sum += double(luminance_over_groups(flux.flux, i, image.groups));
-        cell.squares += double(flux.squares[i]);
-    }
+        return cell_of(film_pixel(film, width_, height_));
+    };
+    const std::uint32_t columns = cells_along(width_);
+    in_disjoint_ranges(
+        image.visible_points.size(),
+        [&](std::size_t i) { return std::uint32_t(cell_at(i) / columns); },
+        [&](std::size_t first, std::size_t last) {
+            for (std::size_t i = first; i < last; ++i) {
+                if (flux.accepted[i] == 0) continue;
+                Cell& cell = cells_[cell_at(i)];
+                cell.sum += double(luminance_over_groups(flux.flux, i, image.groups));
+                cell.squares += double(flux.squares[i]);
+            }
+        });
 }
 
 double PhotonNoise::relative_variance(std::uint32_t pixel) const {

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "aips/core/sampling/sampling.h"
+#include "base/assign_all.h"
 
 namespace aips {
 namespace {
@@ -39,7 +40,7 @@ void split(const Rgb& all, std::span<Rgb> parts) {
 void estimate_pixels(const EyeImage& image, const PhotonFlux& flux, const SearchRadii& radii,
                      std::uint64_t photon_paths, Refusals& refusals,
                      std::vector<Rgb>& photon_radiance) {
-    photon_radiance.assign(image.radiance.size(), Rgb{});
+    assign_all(photon_radiance, image.radiance.size(), Rgb{});
     const std::uint32_t groups = image.groups;
     tbb::parallel_for(std::size_t{0}, image.visible_points.size(), [&](std::size_t i) {
         const VisiblePoint& point = image.visible_points[i];

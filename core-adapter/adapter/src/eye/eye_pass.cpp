@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "aips/core/sampling/low_discrepancy.h"
+#include "base/assign_all.h"
 #include "base/parallel_for.h"
 #include "eye/constants.h"
 #include "eye/eye_path.h"
@@ -180,10 +181,10 @@ void trace_eye_pass(const EyePassInput& in, std::uint64_t pass, float time, Refu
         in.paths / kEyePathsPerBlock + (in.paths % kEyePathsPerBlock ? 1 : 0);
     image.groups = in.scene.light_groups();
     image.positions.resize(in.paths);
-    image.radiance.assign(std::size_t(in.paths) * image.groups, Rgb{});
-    image.parts.assign(in.layers.parts ? std::size_t(in.paths) * kImageParts : 0, Rgb{});
-    image.continued.assign(in.shares ? image.radiance.size() : 0, Rgb{});
-    image.surfaces.assign(in.layers.surfaces ? in.paths : 0, SeenSurface{});
+    assign_all(image.radiance, std::size_t(in.paths) * image.groups, Rgb{});
+    assign_all(image.parts, in.layers.parts ? std::size_t(in.paths) * kImageParts : 0, Rgb{});
+    assign_all(image.continued, in.shares ? image.radiance.size() : 0, Rgb{});
+    assign_all(image.surfaces, in.layers.surfaces ? in.paths : 0, SeenSurface{});
     image.arenas.resize(block_count);
     if (in.keep_visible_points) image.visible_points.reserve(in.paths);
     std::vector<EyeBlock> blocks(block_count);

@@ -11,7 +11,7 @@
 namespace aips {
 namespace {
 
-constexpr std::uint32_t kLampPathsPerBlock = 256;
+constexpr std::uint32_t kLampPathsPerBlock = 32;
 /// Numbers of lamp paths at surfaces: a sequence that no other paths have.
 constexpr std::uint64_t kLampSequence = ~std::uint64_t{0};
 

@@ -3,8 +3,13 @@
 
 #include <tbb/parallel_for.h>
 
+#include "base/parallel_for.h"
+
 namespace aips {
 namespace {
+
+/// Blocks that one job joins to the others.
+constexpr std::size_t kBlocksPerJob = 8;
 
 /// Chosen by a hash: every n-th point of a low-discrepancy sequence is not a fair sample of it.
 bool logged(const PhotonInput& input, std::uint64_t serial) {
@@ -39,16 +44,37 @@ PhotonCounts PhotonTracer::trace(const PhotonInput& input, std::uint64_t paths_b
                               collisions ? &block.collisions : nullptr);
         }
     });
-    PhotonCounts counts;
-    for (const Block& block : std::span(blocks_).first(block_count)) {
-        if (log) log->append(block.log, std::uint32_t(store.landings().size()));
-        store.append(block.landings);
+    const std::span blocks = std::span(blocks_).first(block_count);
+    const std::size_t before = store.landings().size();
+    const PhotonCounts counts = join(blocks, store);
+    for (const Block& block : blocks) {
+        if (log) log->append(block.log, std::uint32_t(before + block.first));
         if (collisions) {
             collisions->insert(collisions->end(), block.collisions.begin(), block.collisions.end());
         }
-        counts += block.counts;
     }
     return counts;
+}
+
+/// Counts are integers, whose sums do not depend on the order.
+PhotonCounts PhotonTracer::join(std::span<Block> blocks, LandingStore& store) const {
+    std::size_t count = 0;
+    for (Block& block : blocks) {
+        block.first = count;
+        count += block.landings.size();
+    }
+    const std::span<Landing> joined = store.grow(count);
+    std::vector<PhotonCounts> counts((blocks.size() + kBlocksPerJob - 1) / kBlocksPerJob);
+    in_chunks(blocks.size(), kBlocksPerJob, tbb_for, [&](std::size_t begin, std::size_t end) {
+        for (const Block& block : blocks.subspan(begin, end - begin)) {
+            std::ranges::copy(block.landings, joined.subspan(block.first).begin());
+            counts[begin / kBlocksPerJob] += block.counts;
+        }
+    });
+    PhotonCounts sum;
+    for (const PhotonCounts& part : counts)
+        sum += part;
+    return sum;
 }
 
 std::size_t PhotonTracer::memory_bytes() const {

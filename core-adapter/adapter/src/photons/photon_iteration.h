@@ -3,6 +3,9 @@
 
 #include <tbb/enumerable_thread_specific.h>
 
+#include <algorithm>
+#include <utility>
+
 #include "photons/constants.h"
 #include "photons/photon_path.h"
 
@@ -23,20 +26,28 @@ inline std::size_t most_landings(const Settings& settings, std::size_t paths) {
 /// The landings of photon paths, in the order of the paths.
 class LandingStore {
   public:
-    std::span<const Landing> landings() const { return landings_; }
-    void clear() { landings_.clear(); }
+    std::span<const Landing> landings() const { return std::span(landings_).first(count_); }
+    void clear() { count_ = 0; }
     std::size_t memory_bytes() const { return landings_.capacity() * sizeof(Landing); }
     void append(std::span<const Landing> landings) {
-        landings_.insert(landings_.end(), landings.begin(), landings.end());
+        std::ranges::copy(landings, grow(landings.size()).begin());
+    }
+    /// Room for so many landings behind the others, to be written to; valid until there are more.
+    std::span<Landing> grow(std::size_t landings) {
+        const std::size_t first = std::exchange(count_, count_ + landings);
+        if (landings_.size() < count_) landings_.resize(count_);
+        return std::span(landings_).subspan(first, landings);
     }
     /// Of all landings from number `first` on.
     void scale_power(std::size_t first, float factor) {
-        for (std::size_t i = first; i < landings_.size(); ++i)
-            landings_[i].power *= factor;
+        for (Landing& landing : std::span(landings_).first(count_).subspan(first))
+            landing.power *= factor;
     }
 
   private:
+    // Those beyond count_ were there once: to be made anew they would be written twice.
     std::vector<Landing> landings_;
+    std::size_t count_ = 0;
 };
 
 /// Traces photon paths in parallel blocks, whose memory it keeps.
@@ -55,11 +66,14 @@ class PhotonTracer {
 
   private:
     struct Block {
+        std::size_t first = 0;  // landing of the iteration
         std::vector<Landing> landings;
         std::vector<VolumePhoton> collisions;
         PathLog log;
         PhotonCounts counts;
     };
+
+    PhotonCounts join(std::span<Block> blocks, LandingStore& store) const;
 
     std::vector<Block> blocks_;
     tbb::enumerable_thread_specific<Arena> arenas_;

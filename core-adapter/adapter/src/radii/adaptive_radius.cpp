@@ -1,12 +1,12 @@
 // Radii that balance noise and bias.
 #include "radii/adaptive_radius.h"
 
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
+#include "base/disjoint_ranges.h"
+#include "base/parallel_for.h"
 #include "base/vector_growth.h"
 #include "radii/constants.h"
 #include "radii/scheduled_radius.h"
@@ -26,6 +26,21 @@ ProbeEstimate scaled(ProbeEstimate estimate, double factor) {
     return estimate;
 }
 
+/// Whether the visible points of a pixel have probes in a pass. 7 has no factor in common with 16:
+/// all pixels take turns, neighbours not one after the other.
+class ProbeTurn {
+  public:
+    ProbeTurn(std::uint64_t pass, std::uint32_t width)
+        : width_(width), turn_(std::uint32_t(pass % kProbeTurns * 7 % kProbeTurns)) {}
+    bool operator()(std::uint32_t pixel) const {
+        const std::uint32_t column = pixel % width_, row = pixel / width_;
+        return row % kProbeStep * kProbeStep + column % kProbeStep == turn_;
+    }
+
+  private:
+    std::uint32_t width_, turn_;
+};
+
 }  // namespace
 
 AdaptiveRadius::AdaptiveRadius(const Settings& settings, const Scene& scene, std::uint32_t width,
@@ -43,13 +58,21 @@ SearchRadii AdaptiveRadius::before_pass(std::uint64_t pass, const PassPhotons& p
     const double schedule = double(scheduled_radius(settings_, initial_, shot, floor_.least()));
     radii_.resize(image.visible_points.size());
     pixels_.resize(image.visible_points.size());
-    tbb::parallel_for(std::size_t{0}, radii_.size(), [&](std::size_t i) {
-        const VisiblePoint& point = image.visible_points[i];
-        pixels_[i] = map_.pixel(image.positions[point.sample]);
-        radii_[i] = std::max(radius_at(pixels_[i], schedule, shot + pass_paths_),
-                             floor_.at(point.position));
+    const ProbeTurn has_turn(pass, map_.width());
+    std::vector<std::vector<std::uint32_t>> probes((radii_.size() + kItemsPerJob - 1) /
+                                                   kItemsPerJob);
+    in_chunks(radii_.size(), kItemsPerJob, tbb_for, [&](std::size_t first, std::size_t last) {
+        for (std::size_t i = first; i < last; ++i) {
+            const VisiblePoint& point = image.visible_points[i];
+            pixels_[i] = map_.pixel(image.positions[point.sample]);
+            radii_[i] = std::max(radius_at(pixels_[i], schedule, shot + pass_paths_),
+                                 floor_.at(point.position));
+            if (has_turn(pixels_[i])) probes[first / kItemsPerJob].push_back(std::uint32_t(i));
+        }
     });
-    place_probes(pass);
+    probes_.clear();
+    for (const std::vector<std::uint32_t>& chunk : probes)
+        probes_.insert(probes_.end(), chunk.begin(), chunk.end());
     SearchRadii radii{std::span<const float>(radii_)};
     radii.probes = probes_;
     radii.probe_radius = float(unit_ * std::pow(1 + shot / kReferencePaths, kProbePower));
@@ -68,26 +91,18 @@ float AdaptiveRadius::radius_at(std::uint32_t pixel, double schedule, double pat
     return float(std::clamp(radius, kLeastOfSchedule * schedule, kGreatestOfSchedule * schedule));
 }
 
-// 7 has no factor in common with 16: all pixels take turns, neighbours not one after the other.
-void AdaptiveRadius::place_probes(std::uint64_t pass) {
-    const auto turn = std::uint32_t(pass % kProbeTurns * 7 % kProbeTurns);
-    probes_.clear();
-    for (std::size_t i = 0; i < pixels_.size(); ++i) {
-        const std::uint32_t column = pixels_[i] % map_.width(), row = pixels_[i] / map_.width();
-        if (row % kProbeStep * kProbeStep + column % kProbeStep == turn) {
-            probes_.push_back(static_cast<std::uint32_t>(i));
-        }
-    }
-}
-
 // With lengths in units of the first probes' radius contributions are about as large as radiance
 // whatever the scene's scale, and their fourth powers within range.
 void AdaptiveRadius::after_pass(const PhotonFlux& flux) {
-    for (std::size_t i = 0; i < probes_.size(); ++i) {
-        const ProbeEstimate estimate =
-            probe_estimate(flux.probes[i], probe_radius_ / unit_, pass_paths_);
-        map_.add(pixels_[probes_[i]], scaled(estimate, 1 / (unit_ * unit_)));
-    }
+    in_disjoint_ranges(
+        probes_.size(), [&](std::size_t i) { return pixels_[probes_[i]]; },
+        [&](std::size_t first, std::size_t last) {
+            for (std::size_t i = first; i < last; ++i) {
+                const ProbeEstimate estimate =
+                    probe_estimate(flux.probes[i], probe_radius_ / unit_, pass_paths_);
+                map_.add(pixels_[probes_[i]], scaled(estimate, 1 / (unit_ * unit_)));
+            }
+        });
 }
 
 // The rest is of one pass.

@@ -22,7 +22,6 @@ class AdaptiveRadius final : public RadiusPolicy {
     static std::size_t memory_bound_bytes(std::size_t pixels, std::size_t visible_points);
 
   private:
-    void place_probes(std::uint64_t pass);
     /// For the pass that ends at `paths` photon paths, `schedule` being its scheduled radius.
     float radius_at(std::uint32_t pixel, double schedule, double paths) const;
 

@@ -7,6 +7,7 @@
 #include <limits>
 #include <string>
 
+#include "base/ordered_sum.h"
 #include "base/vector_growth.h"
 #include "strategies/constants.h"
 
@@ -19,11 +20,16 @@ double usual_luminance(const FilmPass& pass) {
     for (int round = 0; round < kCutRounds; ++round) {
         const double most =
             round == 0 ? std::numeric_limits<double>::infinity() : kBrightSample * mean;
-        double sum = 0;
-        for (std::size_t i = 0; i < pass.eye.size(); ++i) {
-            const auto photons = pass.photons.empty() ? 0.0 : double(luminance(pass.photons[i]));
-            sum += std::min(double(luminance(pass.eye[i])) + photons, most);
-        }
+        const auto sum_of = [&](std::size_t first, std::size_t last) {
+            double part = 0;
+            for (std::size_t i = first; i < last; ++i) {
+                const auto photons =
+                    pass.photons.empty() ? 0.0 : double(luminance(pass.photons[i]));
+                part += std::min(double(luminance(pass.eye[i])) + photons, most);
+            }
+            return part;
+        };
+        const auto sum = ordered_sum<double>(pass.eye.size(), sum_of);
         mean = sum * pass.groups / double(std::max<std::size_t>(pass.eye.size(), 1));
     }
     return mean;

@@ -5,12 +5,16 @@
 #include <bit>
 
 #include "base/film_pixel.h"
+#include "base/ordered_sum.h"
 #include "base/parallel_for.h"
 #include "eye/surface_normals.h"
 #include "strategies/constants.h"
 
 namespace aips {
 namespace {
+
+/// Visible points of a job, and jobs whose samples are kept at once: 8 MiB of them.
+constexpr std::size_t kPointsPerSharingJob = 512, kSharingJobs = 128;
 
 /// Before which passes it is decided anew: whenever there are twice as many. Numbers that are
 /// stratified over passes start anew there, so that more often would cost what it brings.
@@ -20,6 +24,27 @@ bool decides_before(std::uint64_t pass) {
 
 bool learned_from(std::uint64_t pass, std::uint32_t path) {
     return pass < kAllPointsUntil || (pass + path) % kSharePointsOneOf == 0;
+}
+
+/// Of eye paths that went on from visible points.
+struct WentOn {
+    double rays = 0;
+    std::uint64_t paths = 0;
+
+    WentOn& operator+=(const WentOn& other) {
+        rays += other.rays;
+        paths += other.paths;
+        return *this;
+    }
+};
+
+WentOn went_on(std::span<const VisiblePoint> points) {
+    return ordered_sum<WentOn>(points.size(), [&](std::size_t first, std::size_t last) {
+        WentOn sum;
+        for (const VisiblePoint& point : points.subspan(first, last - first))
+            sum += {double(point.eye_rays), std::uint64_t{point.continued}};
+        return sum;
+    });
 }
 
 /// What point number `i` tells of a pass with `paths` photon paths.
@@ -57,11 +82,9 @@ void SharedLight::join(std::uint64_t pass, const EyeImage& image, const PhotonFl
                        std::uint64_t photon_paths, const PixelImportance& importance,
                        std::span<Rgb> radiance) {
     points_ = double(image.visible_points.size());
-    rays_ = 0;
-    for (const VisiblePoint& point : image.visible_points) {
-        rays_ += double(point.eye_rays);
-        continued_ += point.continued;
-    }
+    const WentOn counted = went_on(image.visible_points);
+    rays_ = counted.rays;
+    continued_ += counted.paths;
     // Before the first pass all pixels weigh alike, in no unit.
     if (pass > 0) learn(pass, image, flux, photon_paths, importance, radiance);
     in_chunks(image.visible_points.size(), kItemsPerJob, tbb_for,
@@ -79,16 +102,28 @@ void SharedLight::join(std::uint64_t pass, const EyeImage& image, const PhotonFl
 void SharedLight::learn(std::uint64_t pass, const EyeImage& image, const PhotonFlux& flux,
                         std::uint64_t photon_paths, const PixelImportance& importance,
                         std::span<const Rgb> radiance) {
+    const std::size_t points = image.visible_points.size();
+    std::vector<std::vector<ShareSample>> samples(
+        std::min(kSharingJobs, (points + kPointsPerSharingJob - 1) / kPointsPerSharingJob));
+    const auto collect = [&](std::size_t first, std::size_t last, std::vector<ShareSample>& into) {
+        into.clear();
+        for (std::size_t i = first; i < last; ++i) {
+            const VisiblePoint& point = image.visible_points[i];
+            if (!learned_from(pass, point.sample)) continue;
+            const std::uint32_t pixel = film_pixel(image.positions[point.sample], width_, height_);
+            const auto weight = double(importance.weight_of_sharing(pixel));
+            into.push_back(sample_of(image, flux, i, weight, double(photon_paths), radiance));
+        }
+    };
     std::size_t learned = 0;
-    for (std::size_t i = 0; i < image.visible_points.size(); ++i) {
-        const VisiblePoint& point = image.visible_points[i];
-        if (!learned_from(pass, point.sample)) continue;
-        const std::uint32_t pixel = film_pixel(image.positions[point.sample], width_, height_);
-        const auto weight = double(importance.weight_of_sharing(pixel));
-        const ShareSample sample =
-            sample_of(image, flux, i, weight, double(photon_paths), radiance);
-        shares_.table.add(sample);
-        ++learned;
+    for (std::size_t begin = 0; begin < points; begin += kSharingJobs * kPointsPerSharingJob) {
+        tbb_for(std::uint32_t(samples.size()), [&](std::uint32_t job) {
+            const std::size_t first = begin + job * kPointsPerSharingJob;
+            collect(first, std::min(first + kPointsPerSharingJob, points), samples[job]);
+        });
+        shares_.table.add(samples, tbb_for);
+        for (const std::vector<ShareSample>& of_job : samples)
+            learned += of_job.size();
     }
     shares_.table.update(learned);
 }

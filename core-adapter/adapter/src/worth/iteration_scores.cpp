@@ -7,6 +7,12 @@
 #include "base/vector_growth.h"
 
 namespace aips {
+namespace {
+
+/// Of uneven cost, by how many visible points are around them: some ten microseconds.
+constexpr std::size_t kLandingsPerJob = 8;
+
+}  // namespace
 
 double IterationScores::begin_pass(const EyeImage& image, std::span<const Vec3> positions,
                                    const SearchRadii& radii) {
@@ -19,7 +25,7 @@ template <typename LandingOf>
 std::span<const double> IterationScores::score(std::size_t count, const LandingOf& landing) {
     scores_.resize(count);
     using Range = tbb::blocked_range<std::size_t>;
-    tbb::parallel_for(Range(0, count, 128), [&](const Range& range) {
+    tbb::parallel_for(Range(0, count, kLandingsPerJob), [&](const Range& range) {
         for (std::size_t i = range.begin(); i < range.end(); ++i)
             scores_[i] = score_.score(landing(i));
     });

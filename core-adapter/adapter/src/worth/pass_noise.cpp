@@ -3,7 +3,9 @@
 
 #include <utility>
 
-#include "base/parallel_for.h"
+#include "base/assign_all.h"
+#include "base/disjoint_ranges.h"
+#include "base/ordered_sum.h"
 #include "estimate/group_sums.h"
 
 namespace aips {
@@ -12,7 +14,7 @@ namespace aips {
 // photons bring, as if they came independently; stratified ones come more evenly.
 void photon_variances(const EyeImage& image, std::span<const Rgb> photons, const PhotonFlux& flux,
                       std::vector<float>& variances) {
-    variances.assign(image.positions.size(), 0);
+    assign_all(variances, image.positions.size(), 0.0f);
     const auto& points = image.visible_points;
     in_chunks(points.size(), kItemsPerJob, tbb_for, [&](std::size_t first, std::size_t last) {
         for (std::size_t i = first; i < last; ++i) {
@@ -32,19 +34,10 @@ PassNoise PassNoiseMeter::add_pass(std::span<const PixelLuminance> seen,
                                    const PixelImportance& importance) {
     std::swap(pixels_, last_);
     sum_pixels(seen, variances);
-    // By chunks that the film alone decides, so that sums round alike for any number of threads.
-    std::vector<Differences> parts(pixels_.size() / kItemsPerJob + 1);
-    in_chunks(pixels_.size(), kItemsPerJob, tbb_for, [&](std::size_t first, std::size_t last) {
-        parts[first / kItemsPerJob] = compare(first, last, photon_paths, importance);
-    });
-    Differences sums;
-    for (const Differences& part : parts) {
-        sums.all += part.all;
-        sums.trimmed += part.trimmed;
-        sums.of_photons += part.of_photons;
-        sums.photon_path += part.photon_path;
-        sums.pixels += part.pixels;
-    }
+    const auto sums =
+        ordered_sum<Differences>(pixels_.size(), [&](std::size_t first, std::size_t last) {
+            return compare(first, last, photon_paths, importance);
+        });
     last_paths_ = photon_paths;
     if (!(sums.pixels > 0)) return {};
     return {(sums.all - sums.of_photons) / sums.pixels, sums.photon_path / sums.pixels,
@@ -77,13 +70,17 @@ PassNoiseMeter::Differences PassNoiseMeter::compare(std::size_t first, std::size
 
 void PassNoiseMeter::sum_pixels(std::span<const PixelLuminance> seen,
                                 std::span<const float> variances) {
-    pixels_.assign(pixels_.size(), {});
-    for (std::size_t i = 0; i < seen.size(); ++i) {
-        Pixel& pixel = pixels_[seen[i].pixel];
-        pixel.sum += seen[i].luminance;
-        pixel.variance += variances[i];
-        ++pixel.paths;
-    }
+    assign_all(pixels_, pixels_.size(), Pixel{});
+    in_disjoint_ranges(
+        seen.size(), [&](std::size_t i) { return seen[i].pixel; },
+        [&](std::size_t first, std::size_t last) {
+            for (std::size_t i = first; i < last; ++i) {
+                Pixel& pixel = pixels_[seen[i].pixel];
+                pixel.sum += seen[i].luminance;
+                pixel.variance += variances[i];
+                ++pixel.paths;
+            }
+        });
 }
 
 // Whatever is restored, it gives an estimate of noise at worst that is none.

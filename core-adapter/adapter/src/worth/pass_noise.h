@@ -62,6 +62,15 @@ class PassNoiseMeter {
     struct Differences {
         double all = 0, trimmed = 0, of_photons = 0, photon_path = 0;  // weighed
         double pixels = 0;                                             // that were compared
+
+        Differences& operator+=(const Differences& other) {
+            all += other.all;
+            trimmed += other.trimmed;
+            of_photons += other.of_photons;
+            photon_path += other.photon_path;
+            pixels += other.pixels;
+            return *this;
+        }
     };
     void sum_pixels(std::span<const PixelLuminance> seen, std::span<const float> variances);
     /// Sums of what pixels [first, last) differ by, for the present pass's `photon_paths`.

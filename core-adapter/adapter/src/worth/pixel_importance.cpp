@@ -6,8 +6,10 @@
 #include <limits>
 #include <numeric>
 
+#include "base/assign_all.h"
+#include "base/disjoint_ranges.h"
 #include "base/film_pixel.h"
-#include "base/parallel_for.h"
+#include "base/ordered_sum.h"
 
 namespace aips {
 namespace {
@@ -27,6 +29,15 @@ void sum_windows(const double* from, double* to, int count, std::ptrdiff_t strid
     }
 }
 
+/// Calls work(i) for each pixel, on all threads.
+template <class Work>
+void for_pixels(std::size_t pixels, const Work& work) {
+    in_chunks(pixels, kItemsPerJob, tbb_for, [&](std::size_t first, std::size_t last) {
+        for (std::size_t i = first; i < last; ++i)
+            work(i);
+    });
+}
+
 /// A positive float, whatever the units: the range of squared luminances is wider than theirs.
 float within_floats(double weight) {
     using Limits = std::numeric_limits<float>;
@@ -44,20 +55,27 @@ PixelImportance::PixelImportance(std::uint32_t width, std::uint32_t height)
 }
 
 void PixelImportance::add_pass(std::span<const PixelLuminance> seen) {
-    for (const PixelLuminance& path : seen) {
-        sum_[path.pixel] += path.luminance;
-        count_[path.pixel] += 1;
-    }
+    in_disjoint_ranges(
+        seen.size(), [&](std::size_t i) { return seen[i].pixel; },
+        [&](std::size_t first, std::size_t last) {
+            for (const PixelLuminance& path : seen.subspan(first, last - first)) {
+                sum_[path.pixel] += path.luminance;
+                count_[path.pixel] += 1;
+            }
+        });
     ++passes_;
     estimate();
 }
 
 void PixelImportance::estimate() {
-    double total = 0, paths = 0;
-    for (std::size_t i = 0; i < sum_.size(); ++i) {
-        total += sum_[i];
-        paths += count_[i];
-    }
+    const auto sum_of = [](const std::vector<double>& values) {
+        return ordered_sum<double>(values.size(), [&](std::size_t first, std::size_t last) {
+            const auto begin = values.begin();
+            return std::accumulate(begin + std::ptrdiff_t(first), begin + std::ptrdiff_t(last),
+                                   0.0);
+        });
+    };
+    const double total = sum_of(sum_), paths = sum_of(count_);
     mean_ = paths > 0 ? total / paths : 0;
     blur();
 }
@@ -75,11 +93,11 @@ void PixelImportance::blur() {
         });
     };
     box(count_);
-    std::transform(window_.begin(), window_.end(), blurred_.begin(),
-                   [](double count) { return float(count); });
+    for_pixels(blurred_.size(), [&](std::size_t i) { blurred_[i] = float(window_[i]); });
     box(sum_);
-    for (std::size_t i = 0; i < blurred_.size(); ++i)
+    for_pixels(blurred_.size(), [&](std::size_t i) {
         blurred_[i] = blurred_[i] > 0 ? float(window_[i] / double(blurred_[i])) : 0;
+    });
 }
 
 void PixelImportance::state(StateArchive& archive) {
@@ -115,18 +133,20 @@ void PixelImportance::fade() {
 }
 
 double PixelImportance::weigh(const EyeImage& image, std::vector<float>& weights) const {
-    weights.assign(image.visible_points.size(), kUnknownWeight);
+    assign_all(weights, image.visible_points.size(), kUnknownWeight);
     if (!(mean_ > 0) || weights.empty()) return 1;
-    in_chunks(weights.size(), kItemsPerJob, tbb_for, [&](std::size_t first, std::size_t last) {
+    const auto weigh_points = [&](std::size_t first, std::size_t last) {
+        double sum = 0;
         for (std::size_t i = first; i < last; ++i) {
             const Vec2 position = image.positions[image.visible_points[i].sample];
             weights[i] = weight(film_pixel(position, width_, height_));
+            sum += double(weights[i]);
         }
-    });
-    const double mean =
-        std::accumulate(weights.begin(), weights.end(), 0.0) / double(weights.size());
-    for (float& w : weights)
-        w = within_floats(double(w) / mean);
+        return sum;
+    };
+    const double mean = ordered_sum<double>(weights.size(), weigh_points) / double(weights.size());
+    for_pixels(weights.size(),
+               [&](std::size_t i) { weights[i] = within_floats(double(weights[i]) / mean); });
     return mean;
 }
 

@@ -12,14 +12,15 @@ void LandingGrid::build(std::span<const Landing> landings, float radius,
                         const ParallelFor& parallel) {
     positions_.reserve(rounded_capacity(landings.size()));
     photons_.reserve(rounded_capacity(landings.size()));
-    positions_.resize(landings.size());
+    // Never fewer than there were: what is made anew is written twice.
+    if (positions_.size() < landings.size()) positions_.resize(landings.size());
     in_chunks(landings.size(), kChunk, parallel, [&](std::size_t first, std::size_t last) {
         for (std::size_t i = first; i < last; ++i)
             positions_[i] = landings[i].position;
     });
-    cells_.build(positions_, radius, parallel);
-    photons_.resize(cells_.size());
-    in_chunks(photons_.size(), kChunk, parallel, [&](std::size_t first, std::size_t last) {
+    cells_.build(std::span(positions_).first(landings.size()), radius, parallel);
+    if (photons_.size() < cells_.size()) photons_.resize(cells_.size());
+    in_chunks(cells_.size(), kChunk, parallel, [&](std::size_t first, std::size_t last) {
         for (std::size_t slot = first; slot < last; ++slot) {
             const std::uint32_t i = cells_.order()[slot];
             photons_[slot] = grid_photon(landings[i], i);

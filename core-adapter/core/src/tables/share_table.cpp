@@ -5,6 +5,8 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "aips/core/base/in_order_by_owner.h"
+
 namespace aips {
 namespace {
 
@@ -15,6 +17,11 @@ bool usable(const ShareSample& s) {
            std::isfinite(s.weight * s.photons * s.photons * s.photon_paths) &&
            std::isfinite(s.weight * s.squares) && std::isfinite(s.weight * s.others) &&
            std::isfinite(s.weight * s.eye * s.eye) && std::isfinite(s.weight * s.direct_saved);
+}
+
+/// Its score: where errors may come from, whichever way light is carried there.
+VertexScore vertex_of(const ShareSample& s) {
+    return {s.position, s.normal, s.weight * (s.photons * s.photons + s.eye * s.eye), 1};
 }
 
 ShareMoments moments_of(const ShareSample& s) {
@@ -89,14 +96,41 @@ ShareTable::ShareTable(const Bounds& scene, const ShareTableSettings& settings)
 }
 
 bool ShareTable::add(const ShareSample& s) {
-    if (!usable(s)) return false;
-    // Where errors may come from, whichever way light is carried there.
-    const double score = s.weight * (s.photons * s.photons + s.eye * s.eye);
-    if (!places_.add({s.position, s.normal, score, 1})) return false;
-    const ShareMoments moments = moments_of(s);
-    leaves_[places_.leaf_at(s.position, s.normal)].add(moments);
-    everywhere_.add(moments);
+    const std::uint32_t branch = branch_of(s);
+    if (branch == kNoOwner) return false;
+    add_at(branch, s);
+    everywhere_.add(moments_of(s));
     return true;
+}
+
+void ShareTable::add(std::span<const std::vector<ShareSample>> samples,
+                     const ParallelFor& parallel) {
+    std::vector<std::size_t> first(samples.size() + 1, 0);
+    for (std::size_t g = 0; g < samples.size(); ++g)
+        first[g + 1] = first[g] + samples[g].size();
+    std::vector<const ShareSample*> all(first.back());
+    std::vector<std::uint32_t> branches(first.back());
+    std::vector<ShareMoments> sums(samples.size());
+    parallel(std::uint32_t(samples.size()), [&](std::uint32_t g) {
+        for (std::size_t i = first[g]; i < first[g + 1]; ++i) {
+            all[i] = &samples[g][i - first[g]];
+            branches[i] = branch_of(*all[i]);
+            if (branches[i] != kNoOwner) sums[g].add(moments_of(*all[i]));
+        }
+    });
+    in_order_by_owner(branches, parallel, [&](std::size_t i) { add_at(branches[i], *all[i]); });
+    for (const ShareMoments& sum : sums)
+        everywhere_.add(sum);
+}
+
+std::uint32_t ShareTable::branch_of(const ShareSample& s) const {
+    if (!usable(s) || !ScoreCache::usable(vertex_of(s))) return kNoOwner;
+    return places_.branch_at(s.position, s.normal);
+}
+
+void ShareTable::add_at(std::uint32_t branch, const ShareSample& s) {
+    places_.add_at(branch, vertex_of(s));
+    leaves_[places_.leaf_of(branch)].add(moments_of(s));
 }
 
 void ShareTable::update(std::size_t samples) {

@@ -145,10 +145,18 @@ ScoreCache::ScoreCache(const Bounds& scene, const ScoreCacheSettings& settings)
     totals_.resize(kTrees);
 }
 
+bool ScoreCache::usable(const VertexScore& vertex) {
+    return is_finite(vertex.position) && is_finite(vertex.normal) && representable(vertex.score) &&
+           representable(vertex.cost);
+}
+
 bool ScoreCache::add(const VertexScore& vertex) {
-    if (!is_finite(vertex.position) || !is_finite(vertex.normal)) return false;
-    if (!representable(vertex.score) || !representable(vertex.cost)) return false;
-    const std::uint32_t branch = locate(vertex.position, vertex.normal);
+    if (!usable(vertex)) return false;
+    add_at(locate(vertex.position, vertex.normal), vertex);
+    return true;
+}
+
+void ScoreCache::add_at(std::uint32_t branch, const VertexScore& vertex) {
     Leaf& leaf = leaves_[branches_[branch].target()];
     const double root = std::sqrt(vertex.score);
     const double scored = vertex.score > 0 ? 1 : 0;
@@ -162,7 +170,6 @@ bool ScoreCache::add(const VertexScore& vertex) {
     leaf.probe.root.add(lower, root);
     leaf.probe.score.add(lower, vertex.score);
     leaf.probe.cost.add(lower, vertex.cost);
-    return true;
 }
 
 void ScoreCache::update(double paths) {

@@ -13,6 +13,7 @@
 #include <span>
 #include <vector>
 
+#include "aips/core/base/parallel.h"
 #include "aips/core/tables/constants.h"
 #include "aips/core/trees/score_cache.h"
 
@@ -79,6 +80,8 @@ class ShareTable {
 
     /// Learns from a visible point; false, learning nothing, if a number is not usable.
     bool add(const ShareSample& sample);
+    /// add() of all `samples`, group after group, on the threads of `parallel`: the same for any.
+    void add(std::span<const std::vector<ShareSample>> samples, const ParallelFor& parallel);
     /// After `samples` calls of add(): splits leaves. A new leaf has its parent's share.
     void update(std::size_t samples);
 
@@ -100,6 +103,9 @@ class ShareTable {
     static std::size_t memory_bound_bytes(const ShareTableSettings& settings);
 
   private:
+    /// In `places_`; kNoOwner if a number is not usable.
+    std::uint32_t branch_of(const ShareSample& sample) const;
+    void add_at(std::uint32_t branch, const ShareSample& sample);
     void add_leaves();
 
     ShareTableSettings settings_;

@@ -80,6 +80,14 @@ class ScoreCache {
     /// Learns from a vertex; false, changing nothing, if a number is not finite, negative, or
     /// beyond single precision. Vertices whose score is zero count.
     bool add(const VertexScore& vertex);
+    /// add() in two steps, for many vertices on several threads: whether a vertex is usable, and in
+    /// which branch it lies, can be asked from many threads; add_at(), of usable ones that lie
+    /// there, of one thread for each branch.
+    static bool usable(const VertexScore& vertex);
+    std::uint32_t branch_at(Vec3 position, Vec3 normal) const { return locate(position, normal); }
+    void add_at(std::uint32_t branch, const VertexScore& vertex);
+    /// Number of the leaf that a branch is: see leaf_at().
+    std::uint32_t leaf_of(std::uint32_t branch) const { return branches_[branch].target(); }
     /// After `paths` further photon paths: forgets, splits what pays to be split, and sets the
     /// expectations from what was learned so far.
     void update(double paths);

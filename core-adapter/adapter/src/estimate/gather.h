@@ -46,22 +46,13 @@ struct PhotonFlux {
     bool wants_shareable = false;  ///< whether gathers fill `shareable`
 
     void reset(std::size_t visible_points, std::uint32_t groups, std::size_t probe_count = 0) {
-<<<<<<< HEAD
-        flux.assign(visible_points * groups, Rgb{});
-        accepted.assign(visible_points, 0);
-        squares.assign(visible_points, 0.0f);
-        shareable.assign(wants_shareable ? visible_points : 0, {});
-        parts.assign(wants_parts ? visible_points * kPhotonParts : 0, Rgb{});
-        inner.assign(wants_inner ? visible_points : 0, Rgb{});
-        probes.assign(probe_count, {});
-=======
         assign_all(flux, visible_points * groups, Rgb{});
         assign_all(accepted, visible_points, std::uint32_t{0});
         assign_all(squares, visible_points, 0.0f);
         assign_all(shareable, wants_shareable ? visible_points : 0, ShareableFlux{});
         assign_all(parts, wants_parts ? visible_points * kPhotonParts : 0, Rgb{});
+        assign_all(inner, wants_inner ? visible_points : 0, Rgb{});
         assign_all(probes, probe_count, ProbeSums{});
->>>>>>> scaling-serial
         gathered = 0;
     }
     void scale(double factor) {

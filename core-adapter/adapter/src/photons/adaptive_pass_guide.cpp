@@ -33,7 +33,6 @@ class AdaptivePassGuide : public PassGuide {
         log_.clear();
         return learned;
     }
-    void end_pass() override { guide_.end_pass(); }
     double weight(std::uint64_t path) const override { return learning_weight(path); }
     void state(StateArchive& archive) override { guide_.state(archive); }
     void learned(LearnedParts& parts) override { guide_.learned(parts); }

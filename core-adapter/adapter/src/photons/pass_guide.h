@@ -50,8 +50,6 @@ class PassGuide {
                                 LandingStore& /*waiting*/) {
         return 0;
     }
-    /// After the last iteration of a pass.
-    virtual void end_pass() {}
     /// What photon path number `path`, PassPhotons::known of earlier renders counted in, counts for
     /// in the image, in (0, 1]: fixed in advance.
     virtual double weight(std::uint64_t /*path*/) const { return 1; }

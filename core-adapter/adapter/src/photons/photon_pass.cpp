@@ -60,10 +60,6 @@ void PhotonPass::shoot(std::uint64_t pass, const PassPhotons& photons, float tim
         if (volume_ && volume_->full()) gather_in_media(image, refusals);
         first += paths.count;
     }
-    {
-        const Stopwatch watch(totals_.guide_seconds);
-        guide_->end_pass();
-    }
     gather_in_media(image, refusals);
     gather(image, radii, refusals, flux);
     const double factor = source_->end_pass();

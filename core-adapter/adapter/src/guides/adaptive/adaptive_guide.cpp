@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <limits>
-#include <utility>
 
 #include "base/parallel_for.h"
 #include "base/vector_growth.h"
@@ -68,42 +67,22 @@ std::uint64_t AdaptiveGuide::learn(const PathLog& log, std::span<const Landing> 
     paths_ += paths;
     if (!awake()) return 0;
     worths_.measure(log, landings, score_landings(log, landings));
-    // They know nothing of each other; each learns from the paths in their order.
-    tbb_for(5, [&](std::uint32_t part) {
-        if (part == 0 && survival()) learn_survival(log);
-        if (part == 1 && emission()) learn_emission(log);
-        if (part == 2 && survival()) judge_survival(log, landings);
-        if (part == 3 && bounces()) learn_bounces(log);
-        if (part == 4) learn_means();
-    });
     // In paths that were scored: one in how many that is changes, and would change the scale.
-    open_.scored += double(log.paths.size());
-    ++open_.iterations;
-    if (open_.iterations >= (paths_ < kEagerPaths ? 1 : kSettledIterations)) update();
-    return log.paths.size() + log.vertices.size() + scored_.size();
-}
-
-void AdaptiveGuide::end_pass() {
-    if (open_.iterations > 0) update();
-}
-
-void AdaptiveGuide::update() {
-    const double scored = std::exchange(open_, {}).scored;
-    if (survival()) survival_->set_reference(path_means_.cost_over_score());
+    const auto scored = double(log.paths.size());
+    // They know nothing of each other; each learns from the paths in their order.
     tbb_for(4, [&](std::uint32_t part) {
-        if (part == 0 && survival()) cache_->update(scored);
-        if (part == 1 && emission()) emission_.update(scored);
-        if (part == 2 && survival()) survival_switch_.update(scored, kMemoryPaths);
-        if (part == 3 && bounces()) bounces_->update(scored);
+        if (part == 0 && survival()) learn_survival(log, scored);
+        if (part == 1 && emission()) learn_emission(log, scored);
+        if (part == 2 && survival()) judge_survival(log, landings, scored);
+        if (part == 3 && bounces()) learn_bounces(log, scored);
     });
-    path_means_.update(scored);
-}
-
-void AdaptiveGuide::learn_means() {
     for (const Worth& path : worths_.paths()) {
         path_means_.add(path.score, path.cost);
         if (path.score > 0) ++visible_paths_;
     }
+    if (survival()) survival_->set_reference(path_means_.cost_over_score());
+    path_means_.update(scored);
+    return log.paths.size() + log.vertices.size() + scored_.size();
 }
 
 std::span<const double> AdaptiveGuide::score_landings(const PathLog& log,
@@ -117,12 +96,13 @@ std::span<const double> AdaptiveGuide::score_landings(const PathLog& log,
     return scores_.of(landings, numbers);
 }
 
-void AdaptiveGuide::learn_emission(const PathLog& log) {
+void AdaptiveGuide::learn_emission(const PathLog& log, double scored) {
     for (std::size_t i = 0; i < log.paths.size(); ++i) {
         const PathRecord& path = log.paths[i];
         const Worth& worth = worths_.paths()[i];
         emission_.add({{path.light, path.start, path.pdf}, worth.score, worth.cost});
     }
+    emission_.update(scored);
 }
 
 template <class Visit>
@@ -134,22 +114,26 @@ void AdaptiveGuide::for_each_vertex(const PathLog& log, const Visit& visit) cons
     }
 }
 
-void AdaptiveGuide::learn_survival(const PathLog& log) {
+void AdaptiveGuide::learn_survival(const PathLog& log, double scored) {
     for_each_vertex(log, [&](const PathVertex& vertex, const Worth& worth) {
         const double power = double(vertex.power);
         cache_->add({vertex.position, vertex.normal, worth.score / (power * power), worth.cost});
     });
+    cache_->update(scored);
 }
 
-void AdaptiveGuide::learn_bounces(const PathLog& log) {
+void AdaptiveGuide::learn_bounces(const PathLog& log, double scored) {
     for_each_vertex(log, [&](const PathVertex& vertex, const Worth& worth) {
         bounces_->add(vertex, worth.score, worth.cost);
     });
+    bounces_->update(scored);
 }
 
-void AdaptiveGuide::judge_survival(const PathLog& log, std::span<const Landing> landings) {
+void AdaptiveGuide::judge_survival(const PathLog& log, std::span<const Landing> landings,
+                                   double scored) {
     for (std::size_t i = 0; i < log.paths.size(); ++i)
         survival_switch_.add(judged_path(log, i, landings));
+    survival_switch_.update(scored, kMemoryPaths);
 }
 
 // From the path's start to its end.

@@ -54,8 +54,6 @@ class AdaptiveGuide {
     /// Learns from the logged ones of `paths` photon paths, whose landings are among `landings`.
     /// Returns how many paths, vertices and landings it learned from.
     std::uint64_t learn(const PathLog& log, std::span<const Landing> landings, std::uint32_t paths);
-    /// All paths of the pass have been learned from.
-    void end_pass();
 
     /// Between passes: saves what was learned, or restores it into a new guide; what a pass begins
     /// with is made anew by begin_pass().
@@ -96,13 +94,11 @@ class AdaptiveGuide {
     /// in each from its end to its start.
     template <class Visit>
     void for_each_vertex(const PathLog& log, const Visit& visit) const;
-    // From the paths in worths_: they add to sums, by which update() changes what photons follow.
-    void learn_emission(const PathLog& log);
-    void learn_survival(const PathLog& log);
-    void learn_bounces(const PathLog& log);
-    void judge_survival(const PathLog& log, std::span<const Landing> landings);
-    void learn_means();
-    void update();
+    // From the paths in worths_, of which there are `scored`.
+    void learn_emission(const PathLog& log, double scored);
+    void learn_survival(const PathLog& log, double scored);
+    void learn_bounces(const PathLog& log, double scored);
+    void judge_survival(const PathLog& log, std::span<const Landing> landings, double scored);
     SurvivalSwitch::Path judged_path(const PathLog& log, std::size_t number,
                                      std::span<const Landing> landings) const;
 
@@ -118,11 +114,6 @@ class AdaptiveGuide {
     PathMeans path_means_;
     double mean_weight_ = 1;  // of the last pass that was learned from
     SeedSearch seeds_;
-    struct Open {
-        std::uint32_t iterations = 0;
-        double scored = 0;  // paths
-    };
-    Open open_;  // learned from since the last update(); none between passes
     std::vector<std::uint32_t> scored_;  // landings of logged paths, path after path
     PathWorths worths_;                  // of the last iteration's
     std::uint64_t paths_ = 0;            // shot so far

@@ -114,13 +114,6 @@ inline constexpr std::uint32_t kEagerOneOf = 4;
 /// Supported by: no measurement.
 inline constexpr std::uint32_t kLateOneOf = 16;
 
-/// Iterations after which what photons follow changes by what was learned, after kEagerPaths; until
-/// then one. Unit: iterations.
-/// Balances: time in which most threads wait against following what changes.
-/// Chosen by: docs/notebook/2026-11-26-scaling.md.
-/// Supported by: hall, sun-window, glass-ball (1 in its place).
-inline constexpr std::uint32_t kSettledIterations = 4;
-
 /// Scored paths before guided starts or survival by score may be switched off: what a part would
 /// gain when it has learned cannot be told while it learns, and it learns faster when it is on.
 /// Unit: scored photon paths.

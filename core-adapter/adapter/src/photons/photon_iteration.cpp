@@ -46,7 +46,7 @@ PhotonCounts PhotonTracer::trace(const PhotonInput& input, std::uint64_t paths_b
     });
     const std::span blocks = std::span(blocks_).first(block_count);
     const std::size_t before = store.landings().size();
-    const PhotonCounts counts = join(blocks, store);
+    PhotonCounts counts = join(blocks, store);
     for (const Block& block : blocks) {
         if (log) log->append(block.log, std::uint32_t(before + block.first));
         if (collisions) {

@@ -16,6 +16,9 @@ using http::field;
 /// A page asks twice a second; what is silent for longer is closed.
 constexpr std::chrono::seconds kPatience{15};
 
+/// Until whoever has got the last answer hangs up.
+constexpr std::chrono::seconds kPatienceAtTheEnd{2};
+
 http::status status_of(const boost::system::error_code& error) {
     if (error == http::error::header_limit) return http::status::request_header_fields_too_large;
     if (error == http::error::body_limit || error == http::error::unexpected_body)
@@ -89,9 +92,24 @@ void Connection::send(Reply reply, bool keep_alive) {
     stream_.expires_after(kPatience);
     http::async_write(stream_, response_,
                       [self = shared_from_this(), keep_alive](const auto& error, std::size_t) {
-                          if (error || !keep_alive) return self->close();
-                          self->read();
+                          if (error) return self->close();
+                          keep_alive ? self->read() : self->finish();
                       });
+}
+
+/// What is closed with something unread is reset, and the answer may be lost with it.
+void Connection::finish() {
+    boost::system::error_code ignored;
+    stream_.socket().shutdown(boost::asio::ip::tcp::socket::shutdown_send, ignored);
+    stream_.expires_after(kPatienceAtTheEnd);
+    discard();
+}
+
+void Connection::discard() {
+    stream_.async_read_some(boost::asio::buffer(rest_),
+                            [self = shared_from_this()](const auto& error, std::size_t) {
+                                error ? self->close() : self->discard();
+                            });
 }
 
 void Connection::close() {

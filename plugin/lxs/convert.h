@@ -1,7 +1,9 @@
 // Conversions between the engine's and the host's vocabulary types.
 #pragma once
 
+#include "aips/adapter/layers.h"
 #include "aips/adapter/scene.h"
+#include "lxs/sdk/layers.h"
 #include "lxs/sdk/scene.h"
 
 namespace aips::shim {

@@ -1,12 +1,11 @@
 // Sums of filtered samples per pixel and light group, over all passes.
 #include "film_accumulator.h"
 
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+
+#include "for_rows.h"
 
 namespace lxs {
 namespace {
@@ -139,11 +138,7 @@ void FilmAccumulator::add(const PassSamples& pass) {
     if (second) begin_second();
     reserve_rows(second);
     cells_.sort(pass);
-    tbb::parallel_for(tbb::blocked_range<std::uint32_t>(0, height_), [&](const auto& rows) {
-        for (std::uint32_t y = rows.begin(); y != rows.end(); ++y) {
-            gather_row(pass, y, row_pixel(y));
-        }
-    });
+    for_rows(height_, [&](std::uint32_t y) { gather_row(pass, y, row_pixel(y)); });
     if (!to_rgb_) return;
     first_.white_sum += white_of_pass_ * pass.weight;
     first_.weight_sum += pass.weight;
@@ -157,11 +152,7 @@ void FilmAccumulator::add_splats(const PassSplats& splats) {
     begin_splats();
     reserve_rows(false);
     cells_.sort(pass);
-    tbb::parallel_for(tbb::blocked_range<std::uint32_t>(0, height_), [&](const auto& rows) {
-        for (std::uint32_t y = rows.begin(); y != rows.end(); ++y) {
-            gather_splats(pass, y, row_pixel(y));
-        }
-    });
+    for_rows(height_, [&](std::uint32_t y) { gather_splats(pass, y, row_pixel(y)); });
     splat_samples_ += splats.samples;
 }
 

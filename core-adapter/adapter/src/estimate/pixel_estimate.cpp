@@ -57,8 +57,8 @@ void estimate_pixels(const EyeImage& image, const PhotonFlux& flux, const Search
 
 void estimate_discs(const EyeImage& image, const PhotonFlux& flux, const SearchRadii& radii,
                     std::uint64_t photon_paths, DiscEstimates& discs) {
-    discs.whole.assign(image.positions.size(), Rgb{});
-    discs.half.assign(image.positions.size(), Rgb{});
+    assign_all(discs.whole, image.positions.size(), Rgb{});
+    assign_all(discs.half, image.positions.size(), Rgb{});
     if (photon_paths == 0) return;
     tbb::parallel_for(std::size_t{0}, image.visible_points.size(), [&](std::size_t i) {
         const VisiblePoint& point = image.visible_points[i];

@@ -54,6 +54,65 @@ TEST(SharedDirectLight, SameExpectation) {
         << "a planted error of 2 % would go unnoticed";
 }
 
+/// The corner of a closed box that shines, with a veil in it that lets light through, seen by eye
+/// paths that all do `eye`.
+EyeImage veiled_corner(const EyeShare& eye) {
+    mock::Scene scene;
+    mock::Surface wall, veil;
+    wall.emitted = {1, 1, 1};
+    scene.add_box({-1, -1, -1}, {1, 1, 1}, wall);
+    veil.shape = mock::Ball{{0.3f, 0.3f, 0.3f}, 0.5f};
+    veil.material.kind = mock::Material::Kind::Null;
+    veil.material.reflectance = {0.9f, 0.9f, 0.9f};
+    scene.add(veil);
+    scene.finish();
+    EyeShares shares(scene.bounds());
+    shares.table.set_shares(std::vector<EyeShare>(shares.table.leaf_count(), eye));
+    shares.any = eye.any();
+    return mock::traced_eye_image(scene,
+                                  mock::camera_along_y({0.7f, -0.5f, 0.7f}, 0.4f, kSize, kSize),
+                                  kSize, kPaths, mock::small_settings(5, 1), &shares);
+}
+
+/// Of light at visible points.
+struct Moments {
+    double mean = 0, variance = 0, points = 0;
+
+    explicit Moments(const EyeImage& image) : points(double(image.visible_points.size())) {
+        double squares = 0;
+        for (const VisiblePoint& point : image.visible_points) {
+            const auto value = double(luminance(image.radiance[point.sample]));
+            mean += value / points;
+            squares += value * value / points;
+        }
+        variance = squares - mean * mean;
+    }
+};
+
+TEST(SharedDirectLight, FirstRaysAloneKeepTheExpectation) {
+    const EyeImage without = veiled_corner({}), with = veiled_corner({.first_ray = true});
+    const Moments a(without), b(with);
+    // Stratified numbers only make the means better than this.
+    const double error = std::sqrt((a.variance + b.variance) / a.points);
+    EXPECT_NEAR(a.mean, b.mean, kMostStandardErrors * error);
+    EXPECT_GT(0.02 * a.mean, kMostStandardErrors * error)
+        << "a planted error of 2 % would go unnoticed";
+    EXPECT_LT(b.variance, 0.8 * a.variance) << "first rays make nothing calmer";
+}
+
+TEST(SharedDirectLight, FirstRaysBringNoOtherLight) {
+    const EyeImage image = veiled_corner({.first_ray = true});
+    std::size_t first_rays = 0;
+    for (const VisiblePoint& point : image.visible_points) {
+        if (point.continued) continue;  // one in four explores
+        ++first_rays;
+        ASSERT_LE(point.eye_rays, 3) << "to the veil, through it, and on to a wall";
+        ASSERT_EQ(point.eye_share, 0);
+        ASSERT_TRUE(is_black(image.continued[point.sample]));
+    }
+    EXPECT_GT(double(first_rays), 0.7 * double(image.visible_points.size()));
+}
+
 TEST(SharedDirectLight, CalmerWhereLightIsNear) {
     const Differences found(shining_box({0.7f, -0.5f, 0.7f}));
     EXPECT_LT(found.shared_squares, 0.5 * found.alone_squares);

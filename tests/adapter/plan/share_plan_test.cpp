@@ -28,7 +28,7 @@ ShareMoments leaf(double photons, double eye, double others = 0, double rays = 4
     return m;
 }
 
-ShareFacts facts_of(std::span<const ShareMoments> leaves, std::span<const float> shares,
+ShareFacts facts_of(std::span<const ShareMoments> leaves, std::span<const EyeShare> shares,
                     double eye_noise) {
     ShareFacts facts{leaves, shares};
     facts.points = kPoints;
@@ -39,7 +39,7 @@ ShareFacts facts_of(std::span<const ShareMoments> leaves, std::span<const float>
     facts.ray_cost = 1;
     facts.variance = eye_noise;
     for (std::size_t i = 0; i < leaves.size(); ++i) {
-        const double a = double(shares[i]), n = double(leaves.size());
+        const double a = double(shares[i].share), n = double(leaves.size());
         const ShareMoments& m = leaves[i];
         facts.variance += (1 - a) * (1 - a) * m.squares / m.points / kPaths / n;
         facts.variance += m.others / m.points / kPaths / n;
@@ -56,10 +56,10 @@ constexpr PhotonLimits kFixed{kPaths, kPaths}, kFree{kPaths / 32, 4 * kPaths};
 
 TEST(SharePlan, SharesGoByTheInverseOfTheVariances) {
     const std::vector<ShareMoments> leaves{leaf(3 * kPaths, 1), leaf(kPaths / 100, 1)};
-    const std::vector<float> shares(2);
+    const std::vector<EyeShare> shares(2);
     const SharePlan plan = plan_shares(facts_of(leaves, shares, 0.1), kFixed);
-    EXPECT_NEAR(plan.shares[0], best_share(3, 1), 1e-6);
-    EXPECT_EQ(plan.shares[1], 0) << "one per cent of variance does not pay its rays";
+    EXPECT_NEAR(plan.shares[0].share, best_share(3, 1), 1e-6);
+    EXPECT_EQ(plan.shares[1].share, 0) << "one per cent of variance does not pay its rays";
     EXPECT_EQ(plan.photon_paths, kPaths);
     EXPECT_NEAR(plan.going_on, 0.5, 1e-9);
     EXPECT_NEAR(plan.eye_share, best_share(3, 1), 1e-6);
@@ -67,80 +67,112 @@ TEST(SharePlan, SharesGoByTheInverseOfTheVariances) {
 
 TEST(SharePlan, BiasOfPhotonsIsAnErrorToo) {
     const std::vector<ShareMoments> leaves{leaf(kPaths, 1)};
-    const std::vector<float> shares(1);
+    const std::vector<EyeShare> shares(1);
     ShareFacts facts = facts_of(leaves, shares, 0.01);
-    EXPECT_NEAR(plan_shares(facts, kFixed).shares[0], best_share(1, 1), 1e-6);
+    EXPECT_NEAR(plan_shares(facts, kFixed).shares[0].share, best_share(1, 1), 1e-6);
     facts.squared_error = 1.5;
-    EXPECT_NEAR(plan_shares(facts, kFixed).shares[0], best_share(1.5, 1), 1e-6);
+    EXPECT_NEAR(plan_shares(facts, kFixed).shares[0].share, best_share(1.5, 1), 1e-6);
 }
 
 TEST(SharePlan, PhotonsBecomeFewWhereEyePathsCarryTheLight) {
     const std::vector<ShareMoments> leaves{leaf(100 * kPaths, 1)};
-    const std::vector<float> shares(1);
+    const std::vector<EyeShare> shares(1);
     const SharePlan plan = plan_shares(facts_of(leaves, shares, 0.1), kFree);
-    EXPECT_GT(plan.shares[0], 0.95f);
+    EXPECT_GT(plan.shares[0].share, 0.95f);
     EXPECT_NEAR(plan.photon_paths, kFree.fewest, 1);
 }
 
 /// Of light that smooth surfaces focus eye paths find nothing.
 TEST(SharePlan, PhotonsStayForLightThatIsTheirsAlone) {
     const std::vector<ShareMoments> leaves{leaf(kPaths / 100, 5, 10 * kPaths)};
-    const std::vector<float> shares(1);
+    const std::vector<EyeShare> shares(1);
     const SharePlan plan = plan_shares(facts_of(leaves, shares, 0.1), kFree);
-    EXPECT_EQ(plan.shares[0], 0);
+    EXPECT_EQ(plan.shares[0].share, 0);
     EXPECT_GT(plan.photon_paths, kPaths);
 }
 
 TEST(SharePlan, LightThatPathsMissIsNotTheirs) {
     std::vector<ShareMoments> leaves{leaf(kPaths, 1)};
-    const std::vector<float> shares(1);
+    const std::vector<EyeShare> shares(1);
     leaves[0].y = leaves[0].xy = leaves[0].yy = 0;  // not one has met it
-    EXPECT_EQ(plan_shares(facts_of(leaves, shares, 0.1), kFixed).shares[0], 0);
+    EXPECT_EQ(plan_shares(facts_of(leaves, shares, 0.1), kFixed).shares[0].share, 0);
     leaves[0] = leaf(kPaths, 1);
     leaves[0].y = leaves[0].xy = 100;  // or a tenth of it
     leaves[0].yy = 200;
-    EXPECT_LT(plan_shares(facts_of(leaves, shares, 0.1), kFixed).shares[0], 0.01f);
+    EXPECT_LT(plan_shares(facts_of(leaves, shares, 0.1), kFixed).shares[0].share, 0.01f);
     leaves[0] = leaf(kPaths, 1);
     leaves[0].yy = 1e6;  // or all of it by one path
-    EXPECT_EQ(plan_shares(facts_of(leaves, shares, 0.1), kFixed).shares[0], 0);
+    EXPECT_EQ(plan_shares(facts_of(leaves, shares, 0.1), kFixed).shares[0].share, 0);
 }
 
 /// Photons of chains come in clusters, which squares of single ones do not tell.
 TEST(SharePlan, ClusteredPhotonsAreTakenAsNoisyAsTheyAre) {
     std::vector<ShareMoments> leaves{leaf(kPaths, 1)};
-    const std::vector<float> shares(1);
+    const std::vector<EyeShare> shares(1);
     leaves[0].squares /= 50;
     ShareFacts facts = facts_of(leaves, shares, 0.1);
-    EXPECT_LT(plan_shares(facts, kFixed).shares[0], 0.02f);
+    EXPECT_LT(plan_shares(facts, kFixed).shares[0].share, 0.02f);
     facts.independent = false;
-    EXPECT_NEAR(plan_shares(facts, kFixed).shares[0], best_share(1, 1), 1e-6);
+    EXPECT_NEAR(plan_shares(facts, kFixed).shares[0].share, best_share(1, 1), 1e-6);
 }
 
 /// Near a large light shadow rays alone are noisier than the light that photons bring.
-TEST(SharePlan, PathsGoOnForTheSakeOfDirectLight) {
+TEST(SharePlan, AFirstRayIsSentForTheSakeOfDirectLight) {
     std::vector<ShareMoments> leaves{leaf(kPaths / 1e5, 1), leaf(kPaths / 1e5, 1)};
-    const std::vector<float> shares(2);
-    EXPECT_EQ(plan_shares(facts_of(leaves, shares, 20), kFixed).going_on, 0);
+    const std::vector<EyeShare> shares(2);
+    EXPECT_EQ(plan_shares(facts_of(leaves, shares, 20), kFixed).first_rays, 0);
     leaves[1].direct_saved = leaves[1].continued * 30;
     const SharePlan plan = plan_shares(facts_of(leaves, shares, 20), kFixed);
-    EXPECT_EQ(plan.shares[0], 0);
-    EXPECT_FLOAT_EQ(plan.shares[1], float(kLeastEyeShare));
+    EXPECT_EQ(plan.shares[0], EyeShare{});
+    EXPECT_EQ(plan.shares[1], EyeShare{.first_ray = true});
+    EXPECT_EQ(plan.going_on, 0);
+    EXPECT_DOUBLE_EQ(plan.first_rays, 0.5);
+    EXPECT_DOUBLE_EQ(plan.cost, 3000 + kPaths + kPoints / 2 * kFirstRays);
     // The choice is the same once they do, and the noise is gone.
-    const std::vector<float> chosen{0, plan.shares[1]};
-    EXPECT_EQ(plan_shares(facts_of(leaves, chosen, 5), kFixed).shares, plan.shares);
+    EXPECT_EQ(plan_shares(facts_of(leaves, plan.shares, 5), kFixed).shares, plan.shares);
     // What is said to be gained is no more than there is.
     leaves[1].direct_saved = leaves[1].continued * 1e9;
     EXPECT_GT(plan_shares(facts_of(leaves, shares, 20), kFixed).error, 0);
 }
 
+/// Where a path has no second ray, as under an open sky, a first one is all of it.
+TEST(SharePlan, PathsOfOneRayGoOnForTheSakeOfDirectLight) {
+    std::vector<ShareMoments> leaves{leaf(kPaths / 1e5, 1, 0, 1)};
+    leaves[0].direct_saved = leaves[0].continued * 30;
+    const std::vector<EyeShare> shares(1);
+    EXPECT_EQ(plan_shares(facts_of(leaves, shares, 20), kFixed).shares[0],
+              EyeShare{.share = float(kLeastEyeShare)});
+}
+
+TEST(SharePlan, WholePathsFollowAFirstRayWhereTheirLightPaysToo) {
+    std::vector<ShareMoments> leaves{leaf(3 * kPaths, 1)};
+    leaves[0].direct_saved = leaves[0].continued * 30;
+    const std::vector<EyeShare> shares(1);
+    const SharePlan plan = plan_shares(facts_of(leaves, shares, 20), kFixed);
+    EXPECT_NEAR(plan.shares[0].share, best_share(3, 1), 1e-6);
+    EXPECT_FALSE(plan.shares[0].first_ray);
+    EXPECT_DOUBLE_EQ(plan.cost, 3000 + kPaths + kPoints * 4);
+}
+
+/// Squares of rare light say more than passes differ by, and would leave nothing to be gained.
+TEST(SharePlan, NoiseOfWhatEyePathsBringIsNoRemainder) {
+    std::vector<ShareMoments> leaves{leaf(kPaths / 1e5, 1)};
+    leaves[0].direct_saved = leaves[0].continued * 30;
+    const std::vector<EyeShare> shares(1);
+    ShareFacts facts = facts_of(leaves, shares, 0);
+    EXPECT_EQ(plan_shares(facts, kFixed).first_rays, 0);
+    facts.own_variance = 20;
+    EXPECT_EQ(plan_shares(facts, kFixed).first_rays, 1);
+}
+
 TEST(SharePlan, NothingKnownIsNothingShared) {
     const std::vector<ShareMoments> leaves(6);
-    const std::vector<float> shares(6);
+    const std::vector<EyeShare> shares(6);
     ShareFacts facts{leaves, shares};
     facts.photon_paths = kPaths;
     const SharePlan plan = plan_shares(facts, kFixed);
-    for (const float share : plan.shares)
-        EXPECT_EQ(share, 0);
+    for (const EyeShare& share : plan.shares)
+        EXPECT_EQ(share, EyeShare{});
     EXPECT_EQ(plan.photon_paths, kPaths);
 }
 

@@ -51,18 +51,18 @@ TEST(ShareTable, PlacesKnowTheirOwnVariances) {
     ShareTableSettings settings;
     settings.prior_count = 1e-3;
     ShareTable table(kScene, settings);
-    EXPECT_EQ(table.at({0.2f, 0.5f, 0}, kUp), 0);
+    EXPECT_EQ(table.at({0.2f, 0.5f, 0}, kUp), EyeShare{});
     learn(table, 40);
     EXPECT_GT(table.leaf_count(), 16u);
     const auto moments = table.moments();
-    std::vector<float> numbers(moments.size());
+    std::vector<EyeShare> numbers(moments.size());
     for (std::size_t leaf = 0; leaf < numbers.size(); ++leaf)
-        numbers[leaf] = float(leaf) / float(numbers.size());
+        numbers[leaf].share = float(leaf) / float(numbers.size());
     table.set_shares(numbers);
     double eye[2] = {}, photons[2] = {}, told[2] = {};
     for (const int right : {0, 1}) {
         for (float y = 0.05f; y < 1; y += 0.1f) {
-            const float share = table.at({right ? 0.8f : 0.2f, y, 0}, kUp);
+            const float share = table.at({right ? 0.8f : 0.2f, y, 0}, kUp).share;
             const auto leaf = std::size_t(std::lround(share * float(numbers.size())));
             const ShareMoments& m = moments[leaf];
             eye[right] += (m.yy - m.xy) / m.continued / 10;
@@ -133,7 +133,7 @@ TEST(ShareTable, UnusableSamplesAreLeftOut) {
         EXPECT_FALSE(table.add(sample)) << "a product that is no number";
     }
     EXPECT_EQ(table.moments()[0].points, 0);
-    EXPECT_THROW(table.set_shares(std::vector<float>(3)), std::invalid_argument);
+    EXPECT_THROW(table.set_shares(std::vector<EyeShare>(3)), std::invalid_argument);
     ShareTableSettings settings;
     settings.prior_count = 0;
     EXPECT_THROW(ShareTable(kScene, settings), std::invalid_argument);

@@ -31,7 +31,8 @@ class ContinuedPath {
             const auto mark = arena_.mark();
             const VertexNumbers numbers = numbers_.vertex(start_.depth + n);
             const bool last = n + 1 == in_.settings.max_photon_depth;
-            const bool goes_on = meet(numbers, last) && survives(n, before, numbers.end());
+            const bool goes_on = meet(numbers, last) && (!start_.first_ray || straight()) &&
+                                 survives(n, before, numbers.end());
             arena_.rewind(mark);
             if (!goes_on) break;
         }
@@ -57,7 +58,7 @@ class ContinuedPath {
         if (!point.bsdf) return false;
         const Vec3 wo = -tip_.ray.direction;
         const LobeMask lobes = point.bsdf->lobes();
-        if (const LobeMask shared = lobes & kNonSpecular) {
+        if (const LobeMask shared = start_.first_ray ? 0 : lobes & kNonSpecular) {
             DirectLightQuery query{point, wo, tip_.ray.time, tip_.throughput};
             query.shared = shared;
             query.bounce = lobes;
@@ -75,18 +76,20 @@ class ContinuedPath {
                       tip_);
     }
 
+    /// Whether the path still flies as it left the visible point.
+    bool straight() const { return tip_.scatterings == start_.tip.scatterings + 1; }
+
     /// Light that the path's ray meets, coming straight from the visible point, or from a surface
     /// beyond that scattered it.
     void add_light(LightIndex light, const Rgb& seen, const SurfacePoint* at) {
-        const bool straight = tip_.scatterings == start_.tip.scatterings + 1;
-        if (!straight && tip_.last_was_specular) return;
+        if (!straight() && tip_.last_was_specular) return;
         const LightTarget sums =
-            straight ? output_.direct.of(tip_.seen_by.met()) : LightTarget{output_.continued};
+            straight() ? output_.direct.of(tip_.seen_by.met()) : LightTarget{output_.continued};
         const Rgb value = tip_.throughput * seen * emission_weight(in_, tip_, light, at);
         const bool added = sums.add(in_.scene.lights()[light]->group(), value,
                                     refusals_.of_light(light), refusals_);
-        if (added) tell(output_.light, light, (straight ? 1 : output_.share) * luminance(value));
-        if (!straight) return;
+        if (added) tell(output_.light, light, (straight() ? 1 : output_.share) * luminance(value));
+        if (!straight()) return;
         result_.straight += luminance(value);
         if (light == start_.asked) result_.of_asked += luminance(value);
     }

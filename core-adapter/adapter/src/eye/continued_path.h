@@ -1,4 +1,5 @@
-// An eye path that goes on from its visible point, for light that photons could bring there too.
+// An eye path that goes on from its visible point, for light that photons could bring there too, or
+// sends a first ray alone, for direct light.
 #pragma once
 
 #include "aips/core/sampling/eye_numbers.h"
@@ -16,6 +17,7 @@ struct ContinuedStart {
     float choice_pdf = 1;     ///< probability that the path ended there, and did not bounce on
     PathTip tip;  ///< at the visible point, its throughput divided by all choices' probabilities
     LightIndex asked = kNoLight;  ///< by the shadow ray from there
+    bool first_ray = false;       ///< ends where it is turned away from its first direction
 };
 
 /// What a path did.

@@ -31,10 +31,10 @@ struct VisiblePoint {
     EyeScatterings scatterings;  ///< of the eye path before it
     /// Share of the light that both may carry which the eye path brings by going on, in [0, 1).
     float eye_share = 0;
-    float eye_rays = 0;         ///< traced for that, or to learn what it would bring
-    bool continued = false;     ///< whether it went on
+    float eye_rays = 0;         ///< traced from there, to learn what that would bring too
+    bool continued = false;     ///< whether it went on, beyond a first ray
     bool tells_lights = false;  ///< it is told which light's photons bring it what
-    SharedDirect direct;        ///< where it went on
+    SharedDirect direct;        ///< where a first ray left it
 };
 
 /// Luminance of lamps behind smooth surfaces that an eye path met and left to lamp paths.

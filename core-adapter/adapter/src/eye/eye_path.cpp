@@ -152,11 +152,12 @@ class EyePath {
         const LobeMask receiving = lobes & receiving_lobes(in_.settings);
         const LobeMask bouncing = lobes & ~receiving;
         const float store_pdf = store_probability(*point.bsdf, wo, receiving, last ? 0 : bouncing);
-        const float eye_share =
-            receiving && in_.shares ? in_.shares->at(point.position, normal_towards(wo, point)) : 0;
-        // The first ray of a path that goes on shares the lights with shadow rays.
-        const bool goes_on = receiving && in_.shares && in_.keep_visible_points &&
-                             (eye_share > 0 || output_.explores);
+        const EyeShare eye = receiving && in_.shares
+                                 ? in_.shares->at(point.position, normal_towards(wo, point))
+                                 : EyeShare{};
+        // The first ray from the visible point shares the lights with shadow rays.
+        const bool goes_on =
+            receiving && in_.shares && in_.keep_visible_points && (eye.any() || output_.explores);
         DirectLightResult direct;
         if (in_.settings.direct_light_sampling && (lobes & kNonSpecular)) {
             DirectLightQuery query{point, wo, tip_.ray.time, tip_.throughput};
@@ -171,8 +172,10 @@ class EyePath {
             if (!in_.keep_visible_points) return false;
             store(point, wo, receiving, store_pdf);
             if (result_.has_visible_point && goes_on) {
-                result_.visible_point.eye_share = eye_share;
-                go_on_from({point, wo, receiving, depth, store_pdf, tip_}, direct);
+                result_.visible_point.eye_share = eye.share;
+                ContinuedStart start{point, wo, receiving, depth, store_pdf, tip_};
+                start.first_ray = !(eye.share > 0 || output_.explores);
+                go_on_from(start, direct);
             }
             return false;
         }
@@ -227,7 +230,7 @@ class EyePath {
         return direct;
     }
 
-    /// The path goes on from its visible point.
+    /// The path goes on from its visible point, or its first ray alone does.
     void go_on_from(ContinuedStart start, const DirectLightResult& direct) {
         VisiblePoint& v = result_.visible_point;
         start.tip.throughput = v.throughput;
@@ -236,7 +239,7 @@ class EyePath {
         const ContinuedResult went =
             trace_continued_path(in_, start, numbers_, refusals_, arena_,
                                  {radiance_, output_.continued, output_.light, v.eye_share});
-        v.continued = true;
+        v.continued = !start.first_ray;
         v.eye_rays = float(went.rays);
         result_.rays += went.rays;
         v.direct = {direct.alone, direct.brought, went.straight,

@@ -20,8 +20,10 @@ struct EyeShares {
                                                                   : kLateExplorers;
         return (pass + path) % stride == 0;
     }
-    /// The eye's share at a place on the side that `normal` shows.
-    float at(Vec3 position, Vec3 normal) const { return any ? table.at(position, normal) : 0; }
+    /// At a place on the side that `normal` shows.
+    EyeShare at(Vec3 position, Vec3 normal) const {
+        return any ? table.at(position, normal) : EyeShare{};
+    }
 
     ShareTable table;
     /// Passes before the present shares were set. Numbers that are stratified over passes start
@@ -29,7 +31,7 @@ struct EyeShares {
     /// what was learned.
     std::uint64_t passes_before = 0;
 
-    bool any = false;  ///< whether some share is above 0
+    bool any = false;  ///< whether a ray leaves some place
 };
 
 /// Direct light of a visible point from which the path went on: luminances. A shadow ray and the

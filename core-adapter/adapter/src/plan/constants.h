@@ -203,6 +203,13 @@ inline constexpr double kMostEyeShare = 0.96875;
 /// Supported by: no measurement.
 inline constexpr double kLeastEyeShare = 0x1p-10;
 
+/// Rays of an eye path that goes on for direct light alone: few meet null surfaces, which let them
+/// through. Unit: rays.
+/// Balances: the cost of first rays against that of whole paths.
+/// Chosen by: reasoning: one, and what it meets is not shaded.
+/// Supported by: no measurement.
+inline constexpr double kFirstRays = 1;
+
 /// Least variance of continued paths over their second moment: few samples, or a noisy mean of X Y,
 /// may say less. Unit: share of 1. Balances: places lit evenly against decisions by chance. Chosen
 /// by: reasoning: a path that scatters anywhere has more. Supported by: no measurement.
@@ -232,6 +239,14 @@ inline constexpr double kFoundByPaths = 2;
 /// Unit: share of 1. Balances: photons without end against photons that are needed. Chosen by:
 /// reasoning: estimates of the rest may exceed the whole. Supported by: no measurement.
 inline constexpr double kLeastEyeNoise = 0.02;
+
+/// Most of the eye's variance up to its visible points that first rays are taken to save. Unit:
+/// share of 1.
+/// Balances: photons that are needed once it is saved against estimates of few passes, which may
+///   exceed all that there is.
+/// Chosen by: reasoning: of ten parts one is left, as in a furnace.
+/// Supported by: no measurement.
+inline constexpr double kMostSaved = 0.9;
 
 /// What is left of the eye's variance between two passes when many are joined, as eye paths are
 /// stratified from pass to pass. Unit: share of 1.

@@ -14,6 +14,7 @@
 #include "radii/ppm_radius.h"
 #include "radii/scheduled_radius.h"
 #include "worth/iteration_scores.h"
+#include "worth/own_light_noise.h"
 #include "worth/pass_noise.h"
 #include "worth/path_worth.h"
 
@@ -130,7 +131,7 @@ std::size_t photon_memory_bound(const Scene& scene, const Needs& needs, std::uin
     return visible_point_bytes(scene, eye_paths) + plan + edges +
            OccupancyGrid::memory_bound_bytes(eye_paths) + photon_bytes(scene, settings, eye_paths) +
            guide + radii + ShareTable::memory_bound_bytes(ShareTableSettings()) +
-           volume_bytes(scene, settings, eye_paths);
+           OwnLightNoise::memory_bound_bytes(pixels) + volume_bytes(scene, settings, eye_paths);
 }
 
 }  // namespace aips

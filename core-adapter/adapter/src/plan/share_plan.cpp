@@ -12,10 +12,11 @@ namespace {
 
 /// A leaf's contribution to E and C.
 struct LeafTerms {
-    double photons = 0;  // V: relative variance times photon paths, times all its weight
-    double eye = 0;      // W
-    double cost = 0;     // of its continued paths in a pass
-    double direct = 0;   // variance of direct light that goes where they go on
+    double photons = 0;     // V: relative variance times photon paths, times all its weight
+    double eye = 0;         // W
+    double cost = 0;        // of its continued paths in a pass
+    double first_cost = 0;  // if their first rays alone are sent
+    double direct = 0;      // variance of direct light that goes with these
     std::size_t leaf = 0;
 };
 
@@ -59,10 +60,11 @@ class Search {
         for (std::size_t i = 0; i < facts.leaves.size(); ++i) {
             if (population > 0) add_leaf(i, facts.leaves[i].population / population);
         }
-        const double eye =
-            std::max(facts.variance - present_, kLeastEyeNoise * facts.variance) + saved_;
+        const double eye = std::max({facts.variance - present_, facts.own_variance,
+                                     kLeastEyeNoise * facts.variance}) +
+                           saved_;
         eye_ = kStratifiedEye * eye;
-        bound_savings(eye - kLeastEyeNoise * facts.variance);
+        bound_savings(kMostSaved * eye);
     }
 
     SharePlan best(const PhotonLimits& limits) {
@@ -108,52 +110,75 @@ class Search {
         const double eye = eye_variance(m);
         const double photons = photon_variance(m);
         const double own = clusters_ * mean(m.others, m.points);
-        const double share = double(facts_.shares[i]);
+        const EyeShare& now = facts_.shares[i];
+        const auto share = double(now.share);
         const double n = facts_.photon_paths;
         if (n > 0) present_ += weight * (sq(1 - share) * photons + own) / n;
         if (share > 0 && std::isfinite(eye)) present_ += weight * sq(share) * eye;
         const double direct = weight * std::max(0.0, mean(m.direct_saved, m.continued));
-        if (share > 0) saved_ += direct;
+        if (now.any()) saved_ += direct;
         own_ += weight * own * facts_.squared_error;
-        terms_.push_back({weight * photons * facts_.squared_error, weight * kStratifiedPaths * eye,
-                          points * facts_.ray_cost * mean(m.rays, m.continued), direct, i});
+        const double ray_cost = points * facts_.ray_cost;
+        terms_.push_back({.photons = weight * photons * facts_.squared_error,
+                          .eye = weight * kStratifiedPaths * eye,
+                          .cost = ray_cost * mean(m.rays, m.continued),
+                          .first_cost = ray_cost * kFirstRays,
+                          .direct = direct,
+                          .leaf = i});
+    }
+
+    /// What a leaf's eye paths could do more, and what that saves and costs.
+    struct Gain {
+        double error = 0, cost = 0;
+        const LeafTerms* terms = nullptr;
+        bool first_ray = false;
+    };
+
+    /// All at once, or the first ray and then the rest: where the rest saves less for its cost.
+    static void add_gains(const LeafTerms& t, double photons, std::vector<Gain>& gains) {
+        const double shared = photons - joined(photons, t.eye);
+        const double gain = shared + t.direct;
+        if (!(gain > 0 && t.cost > 0 && std::isfinite(gain))) return;
+        const double rest = t.cost - t.first_cost;
+        if (rest > 0 && shared * t.first_cost < t.direct * rest) {
+            gains.push_back({t.direct, t.first_cost, &t, true});
+            if (shared > 0) gains.push_back({shared, rest, &t});
+        } else {
+            gains.push_back({gain, t.cost, &t});
+        }
     }
 
     /// The best leaves for so many photon paths: those first whose paths save most for their cost.
     SharePlan with(double paths) {
-        struct Gain {
-            double error = 0, cost = 0;
-            const LeafTerms* terms = nullptr;
-        };
         std::vector<Gain> gains;
         SharePlan plan;
         plan.photon_paths = paths;
-        plan.shares.assign(facts_.leaves.size(), 0);
+        plan.shares.assign(facts_.leaves.size(), {});
         plan.error = eye_ + own_ / paths;
         plan.cost = facts_.eye_cost + facts_.photon_path_cost * paths;
         for (const LeafTerms& t : terms_) {
-            const double alone = t.photons / paths;
-            plan.error += alone;
-            const double gain = alone - joined(alone, t.eye) + t.direct;
-            if (gain > 0 && t.cost > 0 && std::isfinite(gain)) gains.push_back({gain, t.cost, &t});
+            plan.error += t.photons / paths;
+            add_gains(t, t.photons / paths, gains);
         }
-        std::sort(gains.begin(), gains.end(), [](const Gain& a, const Gain& b) {
-            const double left = a.error * b.cost, right = b.error * a.cost;
-            return left != right ? left > right : a.terms->leaf < b.terms->leaf;
+        // Of a leaf the first ray comes first: it saves more for its cost.
+        std::ranges::stable_sort(gains, [](const Gain& a, const Gain& b) {
+            return a.error * b.cost > b.error * a.cost;
         });
         for (const Gain& g : gains) {
             if ((plan.error - g.error) * (plan.cost + g.cost) >= plan.error * plan.cost) break;
             plan.error -= g.error;
             plan.cost += g.cost;
-            plan.shares[g.terms->leaf] = float(share(g.terms->photons / paths, g.terms->eye));
+            plan.shares[g.terms->leaf] =
+                g.first_ray ? EyeShare{.first_ray = true}
+                            : EyeShare{.share = share(g.terms->photons / paths, g.terms->eye)};
         }
         return plan;
     }
 
     /// Of the eye, where it goes on, for direct light's sake at least.
-    static double share(double photons, double eye) {
+    static float share(double photons, double eye) {
         const double part = photons > 0 ? photons / (photons + eye) : 0;
-        return std::clamp(part, kLeastEyeShare, kMostEyeShare);
+        return float(std::clamp(part, kLeastEyeShare, kMostEyeShare));
     }
 
     static double sq(double x) { return x * x; }
@@ -175,11 +200,13 @@ SharePlan plan_shares(const ShareFacts& facts, const PhotonLimits& limits) {
     for (std::size_t i = 0; i < facts.leaves.size(); ++i) {
         const double population = facts.leaves[i].population;
         all += population;
-        if (plan.shares[i] > 0) plan.going_on += population;
-        sum += population * double(plan.shares[i]);
+        if (plan.shares[i].share > 0) plan.going_on += population;
+        if (plan.shares[i].first_ray) plan.first_rays += population;
+        sum += population * double(plan.shares[i].share);
     }
     plan.eye_share = mean(sum, plan.going_on);
     plan.going_on = mean(plan.going_on, all);
+    plan.first_rays = mean(plan.first_rays, all);
     return plan;
 }
 
@@ -187,12 +214,16 @@ std::string describe(const SharePlan& plan) {
     const auto percent = [](double share) { return std::to_string(std::lround(100 * share)); };
     const std::string photons =
         std::to_string(std::llround(plan.photon_paths)) + " photon paths a pass";
+    const std::string rays = plan.first_rays > 0 ? "; from " + percent(plan.first_rays) +
+                                                       " % a ray goes out for direct light alone"
+                                                 : "";
     if (!(plan.going_on > 0)) {
-        return "photons carry all indirect light to surfaces that take them; " + photons;
+        return "photons carry all indirect light to surfaces that take them" + rays + "; " +
+               photons;
     }
     return "eye paths go on from " + percent(plan.going_on) +
            " % of the surfaces seen that take photons, and carry " + percent(plan.eye_share) +
-           " % of the light there that both can; " + photons;
+           " % of the light there that both can" + rays + "; " + photons;
 }
 
 }  // namespace aips

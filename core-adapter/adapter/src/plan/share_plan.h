@@ -6,9 +6,9 @@
 // where A is what eye paths leave up to their visible points, K the light that photons alone carry,
 // V and W what photons and continued eye paths leave of the rest. A is less by what direct light
 // gains where first rays share it with shadow rays. It costs
-//     C = eye + photons N + what the continued paths of the leaves cost.
-// The leaves whose eye paths go on, and N, are chosen so that E C is least: of an image that is a
-// mean over passes that is the error at a given time.
+//     C = eye + photons N + what the first rays or continued paths of the leaves cost.
+// The leaves whose eye paths send a first ray or go on, and N, are chosen so that E C is least: of
+// an image that is a mean over passes that is the error at a given time.
 #pragma once
 
 #include <cstdint>
@@ -24,13 +24,15 @@ namespace aips {
 /// What passes told since the last decision.
 struct ShareFacts {
     std::span<const ShareMoments> leaves;  ///< ShareTable::moments()
-    std::span<const float> shares;         ///< [leaf]: of the eye, in those passes
+    std::span<const EyeShare> shares;      ///< [leaf]: in those passes
     double passes = 1;                     ///< so many
     double points = 0;                     ///< visible points in one of them
     double point_weight = 0;  ///< of one visible point's variance in the mean over pixels
     double variance = 0;      ///< mean over pixels of the relative variance in a pass, all in all
-    double photon_paths = 0;  ///< in a pass
-    double eye_cost = 0;      ///< of a pass, without continued paths
+    /// The same of what eye paths bring by themselves; 0: not known.
+    double own_variance = 0;
+    double photon_paths = 0;      ///< in a pass
+    double eye_cost = 0;          ///< of a pass, without continued paths
     double photon_path_cost = 0;  ///< of one
     double ray_cost = 0;          ///< of a continued path's ray
     bool independent = true;      ///< squares of single photons tell their variance
@@ -38,10 +40,11 @@ struct ShareFacts {
 };
 
 struct SharePlan {
-    std::vector<float> shares;  ///< [leaf]: of the eye, in [0, 1)
+    std::vector<EyeShare> shares;  ///< [leaf]
     double photon_paths = 0;
     double error = 0, cost = 0;  ///< E and C
     double going_on = 0;         ///< share of the visible points whose eye paths go on
+    double first_rays = 0;       ///< share of them that send a first ray alone
     double eye_share = 0;        ///< mean over those of the eye's share
 };
 

@@ -59,8 +59,7 @@ ShareSample sample_of(const EyeImage& image, const PhotonFlux& flux, std::size_t
     sample.photon_paths = paths;
     sample.rays = double(point.eye_rays);
     sample.eye = double(luminance_over_groups(image.continued, point.sample, image.groups));
-    sample.direct_saved = trimmed(double(point.direct.taken()), weight) -
-                          trimmed(double(point.direct.added()), weight);
+    sample.direct_saved = double(point.direct.taken()) - double(point.direct.added());
     const auto brought = double(luminance_over_groups(flux.flux, i, image.groups));
     if (!(brought > 0)) return sample;
     const double scale =
@@ -85,6 +84,7 @@ void SharedLight::join(std::uint64_t pass, const EyeImage& image, const PhotonFl
     const WentOn counted = went_on(image.visible_points);
     rays_ = counted.rays;
     continued_ += counted.paths;
+    own_noise_.add_pass(image, importance, pass > 0);
     // Before the first pass all pixels weigh alike, in no unit.
     if (pass > 0) learn(pass, image, flux, photon_paths, importance, radiance);
     in_chunks(image.visible_points.size(), kItemsPerJob, tbb_for,
@@ -154,6 +154,7 @@ SharePlan SharedLight::decide(const SharedPass& pass, const PhotonLimits& limits
     facts.points = sums_.points / sums_.passes;
     facts.point_weight = 1 / (seen * per_pixel * per_pixel);
     facts.variance = sums_.variance / sums_.noisy_passes;
+    facts.own_variance = own_noise_.take();
     facts.photon_paths = sums_.photon_paths / sums_.passes;
     facts.eye_cost = sums_.eye_cost / sums_.passes;
     facts.photon_path_cost = sums_.photon_cost / std::max(1.0, sums_.photon_paths);
@@ -171,8 +172,7 @@ SharePlan SharedLight::decide(const SharedPass& pass, const PhotonLimits& limits
 }
 
 void SharedLight::set_any() {
-    shares_.any =
-        std::ranges::any_of(shares_.table.shares(), [](float share) { return share > 0; });
+    shares_.any = std::ranges::any_of(shares_.table.shares(), &EyeShare::any);
 }
 
 void SharedLight::add_to(EngineStatistics& s) const {
@@ -183,6 +183,7 @@ void SharedLight::add_to(EngineStatistics& s) const {
 void SharedLight::state(StateArchive& archive) {
     shares_.table.state(archive);
     set_any();
+    own_noise_.state(archive);
     archive.value(shares_.passes_before);
     archive.value(continued_);
     archive.amount(eye_part_);

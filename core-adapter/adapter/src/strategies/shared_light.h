@@ -9,6 +9,7 @@
 #include "eye/eye_shares.h"
 #include "plan/pass_work.h"
 #include "plan/share_plan.h"
+#include "worth/own_light_noise.h"
 #include "worth/pass_noise.h"
 #include "worth/pixel_importance.h"
 
@@ -29,7 +30,11 @@ class SharedLight {
     /// For a film of so many pixels and passes of so many eye paths.
     SharedLight(const Scene& scene, std::uint32_t width, std::uint32_t height,
                 std::uint32_t eye_paths)
-        : shares_(scene.bounds()), width_(width), height_(height), eye_paths_(eye_paths) {}
+        : shares_(scene.bounds()),
+          own_noise_(width, height),
+          width_(width),
+          height_(height),
+          eye_paths_(eye_paths) {}
 
     const EyeShares& shares() const { return shares_; }
 
@@ -50,7 +55,9 @@ class SharedLight {
     /// The same for another render, from before the first pass on: shares stay until the first
     /// decision, what they rest on fades.
     void learned(LearnedParts& parts);
-    std::size_t memory_bytes() const { return shares_.table.memory_bytes(); }
+    std::size_t memory_bytes() const {
+        return shares_.table.memory_bytes() + own_noise_.memory_bytes();
+    }
 
   private:
     void learn(std::uint64_t pass, const EyeImage& image, const PhotonFlux& flux,
@@ -67,6 +74,7 @@ class SharedLight {
     };
 
     EyeShares shares_;
+    OwnLightNoise own_noise_;
     std::uint32_t width_, height_, eye_paths_;
     double points_ = 0, rays_ = 0;  // visible points, and rays that went on from them, of a pass
     std::uint64_t continued_ = 0;   // eye paths that went on, of all passes

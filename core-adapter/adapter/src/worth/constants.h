@@ -66,6 +66,15 @@ inline constexpr int kLastBlur = 2;
 /// Supported by: glass-ball, chess, room.
 inline constexpr double kMostOfAPixel = 4;
 
+/// What a pixel counts for at most in the noise of what eye paths bring by themselves, as a mean
+/// over passes. Unit: relative variance.
+/// Balances: light that few passes meet anywhere against pixels that no number of passes helps.
+/// Chosen by: docs/notebook/2026-11-26-first-rays-alone.md.
+/// Supported by: prism and daylight (4, 64 and no end in its place); no difference in car,
+/// bathroom,
+///   summerhouse.
+inline constexpr double kMostOfOwnLight = 16;
+
 /// eps over the mean luminance where it is decided who carries light. Unit: share of 1.
 /// Balances: dark pixels' relative errors against bright ones' squared ones.
 /// Chosen by: docs/notebook/2026-11-25-who-carries-what.md.

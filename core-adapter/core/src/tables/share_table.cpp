@@ -146,7 +146,7 @@ void ShareTable::add_leaves() {
         const std::uint32_t parent = places_.parent_of(i);
         if (parent == i) {
             leaves_.emplace_back();
-            shares_.push_back(0);
+            shares_.emplace_back();
             continue;
         }
         ShareMoments& from = leaves_[parent];
@@ -181,7 +181,7 @@ void ShareTable::fade(double points) {
     if (everywhere_.points > points) forget(points / everywhere_.points);
 }
 
-void ShareTable::set_shares(std::span<const float> shares) {
+void ShareTable::set_shares(std::span<const EyeShare> shares) {
     if (shares.size() != shares_.size())
         throw std::invalid_argument("ShareTable: not a share for each leaf");
     shares_.assign(shares.begin(), shares.end());
@@ -191,26 +191,27 @@ void ShareTable::state(StateArchive& archive) {
     places_.state(archive);
     if (archive.restoring()) {
         leaves_.assign(places_.leaf_count(), {});
-        shares_.assign(places_.leaf_count(), 0);
+        shares_.assign(places_.leaf_count(), {});
     }
     everywhere_.state(archive);
     for (ShareMoments& leaf : leaves_)
         leaf.state(archive);
-    for (float& share : shares_) {
-        archive.value(share);
-        StateArchive::check(share >= 0 && share < 1, "a share of light that is none");
+    for (EyeShare& eye : shares_) {
+        archive.value(eye.share);
+        archive.value(eye.first_ray);
+        StateArchive::check(eye.share >= 0 && eye.share < 1, "a share of light that is none");
     }
 }
 
 std::size_t ShareTable::memory_bytes() const {
     return places_.memory_bytes() + leaves_.capacity() * sizeof(ShareMoments) +
-           shares_.capacity() * sizeof(float);
+           shares_.capacity() * sizeof(EyeShare);
 }
 
 std::size_t ShareTable::memory_bound_bytes(const ShareTableSettings& settings) {
     // moments() makes a copy for as long as shares are chosen.
     return ScoreCache::memory_bound_bytes(settings.places) +
-           settings.places.max_leaves * (2 * sizeof(ShareMoments) + 2 * sizeof(float));
+           settings.places.max_leaves * (2 * sizeof(ShareMoments) + 2 * sizeof(EyeShare));
 }
 
 }  // namespace aips

@@ -27,6 +27,16 @@ struct ShareTableSettings {
         kSharePrior;  ///< visible points that the mean over all leaves weighs in each, > 0
 };
 
+/// What eye paths do that end at a place.
+struct EyeShare {
+    float share = 0;         ///< of the light that both can carry, in [0, 1): above 0 they go on
+    bool first_ray = false;  ///< where it is 0: they send one ray, for direct light alone
+
+    bool operator==(const EyeShare&) const = default;
+    /// Whether a ray leaves the place.
+    bool any() const { return share > 0 || first_ray; }
+};
+
 /// What a visible point told of light that both can carry: luminances, as if nothing were shared.
 struct ShareSample {
     Vec3 position;
@@ -70,13 +80,12 @@ class ShareTable {
     /// Throws std::invalid_argument when a setting is out of range.
     explicit ShareTable(const Bounds& scene, const ShareTableSettings& settings = {});
 
-    /// The share of the eye, in [0, 1).
-    float at(Vec3 position, Vec3 normal) const {
+    EyeShare at(Vec3 position, Vec3 normal) const {
         return shares_[places_.leaf_at(position, normal)];
     }
 
-    /// [leaf]: the eye's; valid until they change.
-    std::span<const float> shares() const { return shares_; }
+    /// [leaf]; valid until they change.
+    std::span<const EyeShare> shares() const { return shares_; }
 
     /// Learns from a visible point; false, learning nothing, if a number is not usable.
     bool add(const ShareSample& sample);
@@ -91,8 +100,8 @@ class ShareTable {
     void forget(double factor);
     /// What was met counts for no more than so many visible points.
     void fade(double points);
-    /// [leaf]: each in [0, 1).
-    void set_shares(std::span<const float> shares);
+    /// [leaf].
+    void set_shares(std::span<const EyeShare> shares);
 
     /// Saves what was learned, or restores it into a new table of the same scene and settings. To
     /// be called after update(), with nothing added since.
@@ -112,7 +121,7 @@ class ShareTable {
     ScoreCache places_;
     ShareMoments everywhere_;
     std::vector<ShareMoments> leaves_;  // [leaf]
-    std::vector<float> shares_;         // [leaf]
+    std::vector<EyeShare> shares_;      // [leaf]
 };
 
 }  // namespace aips

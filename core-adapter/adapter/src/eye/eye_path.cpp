@@ -78,8 +78,7 @@ class EyePath {
         }
     }
 
-    /// Light that the medium scatters into the ray: of lights by a shadow ray, all other by
-    /// photons.
+    /// Light that the medium scatters into the ray: of lights by a shadow ray, else by photons.
     void cross_medium(float length) {
         if (!media_ || !media_->scatters(tip_.ray.medium) || !(length > 0)) return;
         const VolumeBeam beam{.origin = tip_.ray.origin,
@@ -152,12 +151,11 @@ class EyePath {
         const LobeMask receiving = lobes & receiving_lobes(in_.settings);
         const LobeMask bouncing = lobes & ~receiving;
         const float store_pdf = store_probability(*point.bsdf, wo, receiving, last ? 0 : bouncing);
-        const EyeShare eye = receiving && in_.shares
-                                 ? in_.shares->at(point.position, normal_towards(wo, point))
-                                 : EyeShare{};
+        const bool may = receiving && in_.shares && in_.keep_visible_points;
+        EyeShare eye;
+        if (may) eye = in_.shares->at(point.position, normal_towards(wo, point));
         // The first ray from the visible point shares the lights with shadow rays.
-        const bool goes_on =
-            receiving && in_.shares && in_.keep_visible_points && (eye.any() || output_.explores);
+        const bool goes_on = may && (eye.any() || output_.explores);
         DirectLightResult direct;
         if (in_.settings.direct_light_sampling && (lobes & kNonSpecular)) {
             DirectLightQuery query{point, wo, tip_.ray.time, tip_.throughput};
@@ -173,9 +171,7 @@ class EyePath {
             store(point, wo, receiving, store_pdf);
             if (result_.has_visible_point && goes_on) {
                 result_.visible_point.eye_share = eye.share;
-                ContinuedStart start{point, wo, receiving, depth, store_pdf, tip_};
-                start.first_ray = !(eye.share > 0 || output_.explores);
-                go_on_from(start, direct);
+                go_on_from({point, wo, receiving, depth, store_pdf, tip_}, direct);
             }
             return false;
         }
@@ -234,6 +230,7 @@ class EyePath {
     void go_on_from(ContinuedStart start, const DirectLightResult& direct) {
         VisiblePoint& v = result_.visible_point;
         start.tip.throughput = v.throughput;
+        start.first_ray = !(v.eye_share > 0 || output_.explores);
         const bool asks = direct.sample.pdf > 0;
         if (asks) start.asked = direct.sample.light;
         const ContinuedResult went =

@@ -21,8 +21,7 @@ inline constexpr double kNearWithoutGuide = 1.0 / 3;
 
 /// Share of unguided photon paths that are seen below which chains do better than the guide. Unit:
 /// share of 1.
-/// Balances: fireflies of a guide with nothing to learn from against the unstratified paths of
-///   chains.
+/// Balances: fireflies of a guide that has nothing to learn from against unstratified chains.
 /// Chosen by: docs/notebook/2026-11-23-guide-or-chains.md.
 /// Supported by: summerhouse with grounds of five sizes, hall, sun-window.
 inline constexpr double kSeenForChains = 5e-4;
@@ -62,8 +61,7 @@ inline constexpr std::uint32_t kMostPerPass = 1u << 22;
 /// are rare. Unit: photon paths.
 /// Balances: passes of the eye against chains that find nothing.
 /// Chosen by: docs/notebook/2026-11-23-photons-of-chains.md.
-/// Supported by: no measurement (that chains want long passes was seen in summerhouse, the number
-///   was not varied).
+/// Supported by: no measurement (summerhouse wants long passes; the number was not varied).
 inline constexpr std::uint32_t kFewestOfChains = 1u << 16;
 
 /// Passes before the first choice of the photons per pass; others follow whenever there are a
@@ -74,8 +72,7 @@ inline constexpr std::uint32_t kFewestOfChains = 1u << 16;
 inline constexpr std::uint64_t kFirstPasses = 4;
 
 /// The same where a guide learns. Unit: passes.
-/// Balances: a choice by what a guide is not yet against passes of a number that nothing has
-///   chosen.
+/// Balances: a choice by what a guide is not yet against passes of a number that none has chosen.
 /// Chosen by: docs/notebook/2026-11-23-weights-of-first-passes.md.
 /// Supported by: furnace, chess, prism (4 and 6 in its place).
 inline constexpr std::uint64_t kFirstPassesOfAGuide = 8;
@@ -88,8 +85,8 @@ inline constexpr std::uint64_t kFirstPassesOfAGuide = 8;
 inline constexpr double kGreatestRise = 2;
 
 /// Factor by which a choice may lower the last one, and that of a guide the first. Unit: ratio.
-/// Balances: the best number soon against passes of unequal noise that count alike.
-/// Chosen by: reasoning: passes count alike, so that their numbers may change slowly only.
+/// Balances: as that of the rise.
+/// Chosen by: reasoning: as that of the rise.
 /// Supported by: no measurement.
 inline constexpr double kGreatestFall = 4;
 
@@ -115,8 +112,7 @@ inline constexpr double kChosenWeightInSmallImages = 1;
 
 /// Most of the photon paths of a guide's learning that count as shot where it begins with what
 /// another render learned. Unit: share of kLearningPaths.
-/// Balances: photons of the first passes that a good guide sent against fireflies by one that what
-/// moved has made wrong.
+/// Balances: the first passes of a guide that is still right against fireflies of one that is not.
 /// Chosen by: reasoning: none on record.
 /// Supported by: no measurement.
 inline constexpr double kRememberedLearning = 1.0;
@@ -198,13 +194,13 @@ inline constexpr double kLearnedWork = 0.65;
 inline constexpr double kMostEyeShare = 0.96875;
 
 /// Least share of the eye where paths go on for the sake of direct light. Unit: share of 1.
-/// Balances: direct light that first rays share against noise of rare light that they meet later.
+/// Balances: direct light that first rays share against noise of what they meet later.
 /// Chosen by: reasoning: squares of that light count a millionth.
 /// Supported by: no measurement.
 inline constexpr double kLeastEyeShare = 0x1p-10;
 
-/// Rays of an eye path that goes on for direct light alone: few meet null surfaces, which let them
-/// through. Unit: rays.
+/// Rays of an eye path that goes on for direct light alone; null surfaces seldom add one.
+/// Unit: rays.
 /// Balances: the cost of first rays against that of whole paths.
 /// Chosen by: reasoning: one, and what it meets is not shaded.
 /// Supported by: no measurement.
@@ -240,10 +236,8 @@ inline constexpr double kFoundByPaths = 2;
 /// reasoning: estimates of the rest may exceed the whole. Supported by: no measurement.
 inline constexpr double kLeastEyeNoise = 0.02;
 
-/// Most of the eye's variance up to its visible points that first rays are taken to save. Unit:
-/// share of 1.
-/// Balances: photons that are needed once it is saved against estimates of few passes, which may
-///   exceed all that there is.
+/// Most of the eye's variance that first rays are taken to save. Unit: share of 1.
+/// Balances: photons that are needed then against estimates that exceed all there is.
 /// Chosen by: reasoning: of ten parts one is left, as in a furnace.
 /// Supported by: no measurement.
 inline constexpr double kMostSaved = 0.9;
@@ -255,8 +249,7 @@ inline constexpr double kMostSaved = 0.9;
 /// Supported by: summerhouse, cornell-box, hall (1 in its place).
 inline constexpr double kStratifiedEye = 0.35;
 
-/// The same of what continued paths leave: the first of their directions is stratified.
-/// Unit: share of 1.
+/// The same of continued paths: the first of their directions is stratified. Unit: share of 1.
 /// Balances: eye paths against photons for light that both carry.
 /// Chosen by: docs/notebook/2026-11-25-who-carries-what.md.
 /// Supported by: summerhouse (1 in its place); no difference in five others.
@@ -281,8 +274,8 @@ inline constexpr int kStepsOfFewerPhotons = 10;
 /// Supported by: no measurement.
 inline constexpr int kStepsOfMorePhotons = 4;
 
-/// Photons of chains that come together, at most, in what is foretold of light that they alone
-/// carry. Unit: photons. Balances: the noise of chains against an estimate that has no bound.
+/// Photons of chains that come together at most, in what is foretold. Unit: photons.
+/// Balances: the noise of chains against an estimate that has no bound.
 /// Chosen by: reasoning: none on record.
 /// Supported by: no measurement.
 inline constexpr double kMostClusteredPhotons = 64;
@@ -292,14 +285,13 @@ inline constexpr double kMostClusteredPhotons = 64;
 /// steps from nothing to all. Supported by: no measurement.
 inline constexpr double kSaidChange = 0.1;
 
-/// Factors by which the photons of a pass may rise and fall where they are chosen together with who
-/// carries light. Unit: ratio.
+/// Most that photons of a pass rise by where they are chosen with who carries light. Unit: ratio.
 /// Balances: soon at the best number against what few passes tell by chance.
 /// Chosen by: reasoning: that choice rests on more than the noise of a pass.
 /// Supported by: no measurement.
 inline constexpr double kGreatestPlannedRise = 2;
 
-/// The other of them. Unit: ratio.
+/// Most that they fall by. Unit: ratio.
 /// Balances: as that of the rise.
 /// Chosen by: reasoning: as that of the rise.
 /// Supported by: no measurement.

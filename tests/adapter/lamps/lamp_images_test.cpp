@@ -37,7 +37,7 @@ std::vector<LampImage> some_images() {
 
 LampImages known_images(const std::vector<LampImage>& images) {
     LampImages known(kWidth, kHeight, 1);
-    known.add(images);
+    known.add(images, 0);
     known.begin_pass(3);
     return known;
 }
@@ -115,14 +115,32 @@ TEST(LampImages, TakesEachImageOnceAndNoneThatAPixelCannotHold) {
     far.axes = {9, 0, 0, 0.001f};
     outside.centre.x = -0.01f;
     flat.axes[3] = 0;
-    known.add(std::vector{image, image, shifted});
+    known.add(std::vector{image, image, shifted}, 0);
     EXPECT_EQ(known.all().size(), 1u) << "the same again";
-    known.add(std::vector{larger});
+    known.add(std::vector{larger}, 0);
     EXPECT_EQ(known.all().size(), 2u) << "another at the same place";
-    known.add(std::vector{far, outside, flat, image_at({1, 1}, {1, 0, 0, 1})});
+    known.add(std::vector{far, outside, flat, image_at({1, 1}, {1, 0, 0, 1})}, 0);
     EXPECT_EQ(known.all().size(), 2u);
-    known.add(std::vector{image_at({std::nanf(""), 1}, {0.1f, 0, 0, 0.1f})});
+    known.add(std::vector{image_at({std::nanf(""), 1}, {0.1f, 0, 0, 0.1f})}, 0);
     EXPECT_EQ(known.all().size(), 2u);
+}
+
+TEST(LampImages, WorthFindingIsWhatEyePathsSeldomMeet) {
+    LampImage tiny = image_at({1.5f, 1.5f}, {0.01f, 0, 0, 0.01f});
+    LampImage large = image_at({2.5f, 1.5f}, {0.3f, 0, 0, 0.3f}), dim = tiny;
+    tiny.luminance = large.luminance = 1e6f;
+    dim.centre.x = 3.5f;
+    dim.luminance = 1;
+    const auto worth = [](const LampImage& image, double mean_luminance) {
+        LampImages known(kWidth, kHeight, 1);
+        const double first = known.add(std::vector{image}, mean_luminance);
+        EXPECT_EQ(known.add(std::vector{image}, mean_luminance), 0) << "it was known";
+        return first;
+    };
+    EXPECT_EQ(worth(tiny, 1), 1);
+    EXPECT_LT(worth(large, 1), 0.1) << "every third path meets it";
+    EXPECT_LT(worth(dim, 1), 0.1) << "it is a thousandth of its pixel's light";
+    EXPECT_EQ(worth(dim, 0), 1) << "nothing is known of the light";
 }
 
 TEST(LampImages, WithoutAnyNoPathIsDrawnAndEyePathsCountInFull) {
@@ -141,7 +159,7 @@ TEST(LampImages, MemoryStaysBelowItsBoundHoweverManyAreFound) {
         images.push_back(image_at({kSize * random.next(), kSize * random.next()},
                                   {0.7f * random.next(), 0, 0, 0.002f}));
     }
-    known.add(images);
+    known.add(images, 0);
     known.begin_pass(1);
     EXPECT_GT(known.all().size(), kMostImages / 2);
     EXPECT_LE(known.all().size(), kMostImages);

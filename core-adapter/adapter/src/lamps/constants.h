@@ -64,6 +64,13 @@ inline constexpr double kAlikeArea = 4;
 /// Supported by: no measurement.
 inline constexpr double kDarkestLampPixel = 0.5;
 
+/// Relative variance of a pixel without an image from which on it is fully worth finding. Unit:
+/// ratio.
+/// Balances: searches for what no eye path meets against images that eye paths do well.
+/// Chosen by: docs/notebook/2026-11-26-images-worth-finding.md.
+/// Supported by: summerhouse, jewellery, chess, bathroom, car (every image alike in its place).
+inline constexpr double kNoisyImage = 64;
+
 /// Least part of its pixel's light that an image is taken for. Unit: share of 1.
 /// Balances: images that matter against fireflies of those that hardly do.
 /// Chosen by: reasoning: none on record.

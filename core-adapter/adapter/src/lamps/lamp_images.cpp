@@ -67,15 +67,29 @@ void LampImages::file(std::uint32_t image) {
     });
 }
 
-std::size_t LampImages::add(std::span<const LampImage> found) {
-    const std::size_t before = images_.size();
+/// Of its light; all where that is not known.
+double LampImages::part_of_pixel(const LampImage& image, double mean_luminance) {
+    if (!(mean_luminance > 0)) return 1;
+    const double light = double(image.luminance) * image.area();
+    return light / (light + kDarkestLampPixel * mean_luminance);
+}
+
+/// Met by chance it would leave its pixel c (1 - c) L^2, c being its area and c L its light.
+double LampImages::worth_finding(const LampImage& image, double mean_luminance) {
+    const double part = part_of_pixel(image, mean_luminance);
+    return std::min(1.0, part * part * (1 / image.area() - 1) / kNoisyImage);
+}
+
+double LampImages::add(std::span<const LampImage> found, double mean_luminance) {
+    double worth = 0;
     for (const LampImage& image : found) {
         if (images_.size() >= kMostImages || entries_.size() >= kMostEntries) break;
         if (!suits(image) || known(image)) continue;
         images_.push_back(image);
         file(std::uint32_t(images_.size() - 1));
+        worth += worth_finding(image, mean_luminance);
     }
-    return images_.size() - before;
+    return worth;
 }
 
 void LampImages::begin_pass(double mean_luminance) {
@@ -89,14 +103,9 @@ void LampImages::begin_pass(double mean_luminance) {
 /// By the part of its pixel's light that an image is: what matters is the relative error. Returns
 /// the sum of parts.
 double LampImages::set_choice(double mean_luminance) {
-    std::vector<float> parts(images_.size(), 1.0f);
-    if (mean_luminance > 0) {
-        for (std::size_t i = 0; i < images_.size(); ++i) {
-            const double light = double(images_[i].luminance) * images_[i].area();
-            const double part = light / (light + kDarkestLampPixel * mean_luminance);
-            parts[i] = float(std::max(part, kLeastImagePart));
-        }
-    }
+    std::vector<float> parts(images_.size());
+    for (std::size_t i = 0; i < images_.size(); ++i)
+        parts[i] = float(std::max(part_of_pixel(images_[i], mean_luminance), kLeastImagePart));
     choice_.build(parts);
     return choice_.total();
 }

@@ -80,7 +80,7 @@ void LampStrategy::search(const ComingPass& pass, std::uint64_t round, std::uint
         *sum *= kSearchMemory;
     lately_.count += count;
     lately_.rays += double(found.rays);
-    lately_.images += double(images_.add(found.images));
+    lately_.images += images_.add(found.images, mean_luminance_);
 }
 
 /// So many that they take a share of the rays, less where images become hard to find.

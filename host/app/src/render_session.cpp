@@ -209,7 +209,7 @@ RenderSession prepare(const CommandLine& command, const PluginLibrary& plugins,
         make_from_options(session, command, contents, files, plugins, diagnostics, log);
     if (diagnostics.errors() == 0) {  // before the scene takes its time to build
         session.files = choose_output_files(command, *session.film);
-        check_writable(session.files);
+        if (!command.helps) check_writable(session.files);
     }
     const bool has_world = contents.end.line > 0;
     gather(diagnostics, [&] {

@@ -43,6 +43,8 @@ struct CommandLine {
     std::optional<std::string> learned_out;  ///< file for what the render learns
     std::optional<std::string> learned_in;   ///< of another render, to begin with
     std::optional<std::uint32_t> frame;      ///< number of it; given: the seed differs by it
+    bool mpi = false;                        ///< with the other processes of an MPI job
+    bool helps = false;                      ///< as one of those after the first: it writes nothing
     Verbosity verbosity = Verbosity::Normal;
 
     bool list_plugins = false;

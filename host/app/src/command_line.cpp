@@ -202,6 +202,17 @@ void add_mpi_option(CLI::App& app, CommandLine& command) {
                  "render together with the other processes that mpirun has started: they share the "
                  "work of each pass, and the image has the same bits with any number of them")
         ->excludes(app.get_option("--explain"));
+    app.add_option(
+           "--mpi-split", command.mpi_split,
+           "what the processes share: photons, and the eye paths of each pass with them; or "
+           "passes, each process with a seed of its own, which are merged (default: "
+           "photons)")
+        ->type_name("photons|passes")
+        ->transform(
+            CLI::CheckedTransformer(std::map<std::string, MpiSplit>{{"photons", MpiSplit::Photons},
+                                                                    {"passes", MpiSplit::Passes}},
+                                    CLI::ignore_case))
+        ->needs(app.get_option("--mpi"));
 }
 
 /// What can't be told from the options alone.
@@ -215,6 +226,10 @@ void check_mpi(const CommandLine& command) {
         throw CLI::ValidationError("--mpi",
                                    "the scene must be a file, which all processes can read: of "
                                    "standard input only the first has any");
+    if (command.mpi_split != MpiSplit::Passes) return;
+    if (!command.output || !has_suffix(*command.output, ".exr"))
+        throw CLI::ValidationError("--mpi-split",
+                                   "passes are merged into an EXR file: give its name by -o");
 }
 
 void add_animation_options(CLI::App& app, CommandLine& command, bool& seed_per_frame) {

@@ -1,5 +1,7 @@
 """Protects: the files of lxsrender --mpi are those of one process, byte for byte, with any number of
-ranks, and where a render goes on with another number of them."""
+ranks, and where a render goes on with another number of them; by whole passes, those of lxsmerge."""
+import pathlib
+import subprocess
 import tempfile
 
 from mpi_job import Jobs, expect
@@ -37,11 +39,27 @@ def goes_on_with_another_number(jobs):
     expect(jobs.bytes('job.exr') == jobs.bytes('alone.exr'), 'resumed with another number of ranks')
 
 
+def passes_are_merged(jobs):
+    scene, size = 'glass-ball', ('--integrator', 'path', '--width', '48')
+    parts = []
+    for seed, passes in ((7, 2), (8, 1)):
+        parts.append(str(jobs.folder / f'{seed}.exr'))
+        jobs.alone(scene, *size, '--seed', str(seed), '--passes', str(passes), '-o', parts[-1])
+    merge = pathlib.Path(jobs.program).with_name('lxsmerge')
+    subprocess.run([merge, *parts, '-o', jobs.folder / 'merged.exr', '--quiet'], check=True)
+    options = [*size, '--seed', '7', '--passes', '3', '--mpi-split', 'passes']
+    done = jobs.run(2, jobs.command(scene, 'split.exr', *options))
+    expect(done.returncode == 0, done.stderr)
+    expect(jobs.bytes('split.exr') == jobs.bytes('merged.exr'), '--mpi-split passes is no lxsmerge')
+    expect(not list(jobs.folder.glob('*_part*')), 'parts are left')
+
+
 def main():
     with tempfile.TemporaryDirectory() as folder:
         jobs = Jobs(folder)
         same_files(jobs)
         goes_on_with_another_number(jobs)
+        passes_are_merged(jobs)
 
 
 if __name__ == '__main__':

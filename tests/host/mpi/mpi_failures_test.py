@@ -33,6 +33,14 @@ def failures(jobs):
     said_once(jobs, jobs.run(2, nowhere), 5, "cannot write '/nowhere/image.exr'")
 
 
+def failures_of_passes(jobs):
+    split = ['--mpi-split', 'passes', '--passes', '2']
+    small = jobs.command('glass-ball', 'image.exr', *SMALL)
+    said_once(jobs, jobs.run(3, small + split), 2, 'there must be a pass for each process')
+    unnamed = small[:small.index('-o')] + small[small.index('-o') + 2:]
+    said_once(jobs, jobs.run(2, unnamed + split), 2, 'give its name by -o')
+
+
 def ranks_of(job):
     """Process ids of its lxsrenders."""
     found = []
@@ -72,6 +80,7 @@ def main():
     with tempfile.TemporaryDirectory() as folder:
         jobs = Jobs(folder)
         failures(jobs)
+        failures_of_passes(jobs)
         killed_rank(jobs)
 
 

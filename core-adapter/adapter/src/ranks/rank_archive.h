@@ -13,6 +13,7 @@ namespace aips {
 /// Collects a message.
 class RankWriter final : public StateArchive {
   public:
+    RankWriter() { message_.reserve(kUsualBytes); }
     bool restoring() const override { return false; }
     void bytes(std::span<std::byte> data) override {
         message_.insert(message_.end(), data.begin(), data.end());
@@ -21,6 +22,9 @@ class RankWriter final : public StateArchive {
     std::span<const std::byte> message() const { return message_; }
 
   private:
+    /// Of an iteration: to grow to it bit by bit would copy it several times.
+    static constexpr std::size_t kUsualBytes = std::size_t{1} << 20;
+
     std::vector<std::byte> message_;
 };
 

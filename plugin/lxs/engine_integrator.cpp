@@ -11,8 +11,10 @@ void EngineIntegrator::prepare(const lxs::RenderContext& context) {
     settings_.account = context.settings.account;
     shims_ = std::make_unique<Shims>(context);
     pixels_ = double(context.film.width()) * double(context.film.height());
-    engine_ = std::make_unique<Engine>(
-        Host{shims_->scene, shims_->camera, shims_->sampler, shims_->film, shims_->log}, settings_);
+    engine_ =
+        std::make_unique<Engine>(Host{shims_->scene, shims_->camera, shims_->sampler, shims_->film,
+                                      shims_->log, shims_->ranks ? &*shims_->ranks : nullptr},
+                                 settings_);
     check_memory(engine_->statistics().memory_bound_bytes);
 }
 

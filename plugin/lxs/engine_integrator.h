@@ -2,9 +2,11 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 
 #include "aips/adapter/engine.h"
 #include "lxs/sdk/integrator.h"
+#include "ranks_shim.h"
 #include "scene_shim.h"
 
 namespace aips::shim {
@@ -16,6 +18,7 @@ class EngineIntegrator final : public lxs::Integrator {
     void prepare(const lxs::RenderContext& context) override;
     lxs::PassReport render_pass(std::uint64_t pass) override;
     bool passes_stand_alone() const override { return settings_.mode == Mode::Progressive; }
+    bool shares_passes() const override { return true; }
     lxs::Statistics statistics() const override;
     lxs::RefusalList refusals() const override;
     lxs::RenderAccount account() const override;
@@ -30,13 +33,16 @@ class EngineIntegrator final : public lxs::Integrator {
               camera(context.camera),
               sampler(context.sampler),
               film(context.film),
-              log(context.log) {}
+              log(context.log) {
+            if (context.ranks) ranks.emplace(*context.ranks);
+        }
 
         SceneShim scene;
         CameraShim camera;
         SamplerShim sampler;
         FilmShim film;
         LogShim log;
+        std::optional<RanksShim> ranks;
     };
 
     Settings settings_;

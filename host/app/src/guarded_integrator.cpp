@@ -25,6 +25,10 @@ class GuardedIntegrator final : public Integrator {
         return call_module(file_, at("passes_stand_alone"),
                            [&] { return integrator_->passes_stand_alone(); });
     }
+    bool shares_passes() const override {
+        return call_module(file_, at("shares_passes"),
+                           [&] { return integrator_->shares_passes(); });
+    }
     Statistics statistics() const override {
         return call_module(file_, at("statistics"), [&] { return integrator_->statistics(); });
     }

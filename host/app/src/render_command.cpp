@@ -24,6 +24,7 @@
 #include "lxs/host/snapshots.h"
 #include "lxs/host/thread_count.h"
 #include "lxs/images/image_library.h"
+#include "shared_render.h"
 
 namespace lxs {
 namespace {
@@ -78,9 +79,10 @@ void prepare_integrator(RenderSession& session, const CommandLine& command, Cons
     const RenderContext context{*session.scene,
                                 *session.camera,
                                 *session.sampler,
-                                *session.film,
+                                session.no_film ? *session.no_film : *session.film,
                                 log,
-                                {command.threads, session.seed, command.advice}};
+                                {command.threads, session.seed, command.advice},
+                                session.job};
     try {
         session.integrator->prepare(context);
     } catch (const InputError&) {
@@ -91,6 +93,19 @@ void prepare_integrator(RenderSession& session, const CommandLine& command, Cons
         throw SceneFailure(fmt::format("{}: \"{}\" can't render it: {}", command.scene,
                                        session.integrator_name, error.what()));
     }
+}
+
+/// Prepares the integrator and brings it to where the render begins; returns what was done before.
+RenderTotals begin(const CommandLine& command, RenderSession& session,
+                   const std::optional<LearnedFile>& known, std::optional<FoundCheckpoint> found,
+                   ConsoleLog& log) {
+    prepare_integrator(session, command, log);
+    check_learns(command, session);
+    if (known && !found) take_learned(*known, command, session, log);
+    RenderTotals begun;
+    if (found) begun = restore(std::move(*found), command, session, log);
+    if (session.job) agree_on_begin(session, begun.passes);
+    return begun;
 }
 
 ExitCode finish(const CommandLine& command, RenderSession& session, const RenderTotals& totals,
@@ -111,13 +126,17 @@ void print(const std::string& text) {
         fmt::format("cannot write standard output: {}", std::generic_category().message(errno)));
 }
 
-ExitCode render(const CommandLine& command, const PluginLibrary& plugins, ConsoleLog& log) {
-    check_checkpoint_place(command);
-    check_learned_place(command);
+ExitCode render(const CommandLine& command, const PluginLibrary& plugins, ConsoleLog& log,
+                RankJob* job) {
+    if (!command.helps) {
+        check_checkpoint_place(command);
+        check_learned_place(command);
+    }
     const auto known = read_learned(command);
     InputDiagnostics diagnostics(log, command.strict);
     RenderSession session = prepare_session(command, plugins, diagnostics, log);
     log_scene(session, log);
+    if (job) join_job(session, command, *job, log);
     const Budget budget = choose_budget(command, *session.film, log);
     log.info(fmt::format("rendering {} with \"{}\"; Ctrl-C ends it early and keeps the picture",
                          budget.text(), session.integrator_name));
@@ -128,14 +147,12 @@ ExitCode render(const CommandLine& command, const PluginLibrary& plugins, Consol
     session.film->keep_for_denoising(command.denoise);
     auto found = find_checkpoint(command, session, log);
 
+    Interruption interruption;  // a rank that helps leaves it to the first to heed one
+    if (command.helps)
+        return help_render(session, begin(command, session, known, std::move(found), log).passes);
     const auto start = std::chrono::steady_clock::now();
-    Interruption interruption;
     LiveView live(command, session, budget, log);
-    prepare_integrator(session, command, log);
-    check_learns(command, session);
-    if (known && !found) take_learned(*known, command, session, log);
-    const RenderTotals begun =
-        found ? restore(std::move(*found), command, session, log) : RenderTotals{};
+    const RenderTotals begun = begin(command, session, known, std::move(found), log);
     CheckpointSchedule checkpoints(command, session, log, begun);
     Snapshots snapshots(command, session, budget, log);
     ErrorWatch error(*session.film, budget.error);
@@ -155,12 +172,14 @@ ExitCode render(const CommandLine& command, const PluginLibrary& plugins, Consol
                             snapshots.between_passes(done);
                             live.wait_while_paused(done, error, interruption);
                         }};
-    if (session.spectral) {
-        loop.begin_pass = [&](std::uint64_t pass) { begin_spectral_pass(session, pass); };
-    }
+    loop.begin_pass = [&](std::uint64_t pass) {
+        if (job) job->another_pass(true);
+        if (session.spectral) begin_spectral_pass(session, pass);
+    };
     RenderTotals totals = begun;
     try {
         loop.run(totals);
+        if (job) job->another_pass(false);
     } catch (...) {
         save_finished_passes(command, session, totals, log);
         throw;
@@ -189,7 +208,7 @@ ExitCode describe(const CommandLine& command, const PluginLibrary& plugins, Cons
     return ExitCode::Success;
 }
 
-ExitCode run(const CommandLine& command, PluginLibrary& plugins, ConsoleLog& log) {
+ExitCode run(const CommandLine& command, PluginLibrary& plugins, ConsoleLog& log, RankJob* job) {
     load_plugins(command, plugins);
     if (command.list_plugins) {
         print(list_plugins(plugins));
@@ -200,16 +219,22 @@ ExitCode run(const CommandLine& command, PluginLibrary& plugins, ConsoleLog& log
         return ExitCode::Success;
     }
     if (command.describe) return describe(command, plugins, log);
-    return on_threads(command.threads, [&] { return render(command, plugins, log); });
+    try {
+        return on_threads(command.threads, [&] { return render(command, plugins, log, job); });
+    } catch (...) {
+        // Whatever it has become on its way through the integrator.
+        if (job && job->failure()) throw *job->failure();
+        throw;
+    }
 }
 
 }  // namespace
 
-ExitCode carry_out(const CommandLine& command, ConsoleLog& log) {
+ExitCode carry_out(const CommandLine& command, ConsoleLog& log, RankJob* job) {
     // Outlives the handlers below: an exception that a module threw may need the module's code.
     PluginLibrary plugins;
     try {
-        return run(command, plugins, log);
+        return run(command, plugins, log, job);
     } catch (const RefusedInput&) {
         return ExitCode::BadInput;
     } catch (const InputError& error) {
@@ -233,6 +258,9 @@ ExitCode carry_out(const CommandLine& command, ConsoleLog& log) {
     } catch (const CheckpointFailure& error) {
         log.error(error.what());
         return ExitCode::CheckpointRefused;
+    } catch (const RankFailure& error) {
+        log.error(error.what());
+        return error.code();
     } catch (const std::bad_alloc&) {
         log.error("out of memory");
     } catch (const std::exception& error) {

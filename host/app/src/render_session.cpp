@@ -39,13 +39,15 @@ SceneContents load(const std::string& path, Diagnostics& diagnostics, ReadFiles&
     }
 }
 
-/// The command line's seed, else the integrator's parameter "seed", else 0; and the frame's part.
+/// The command line's seed, else the integrator's parameter "seed", else 0; and the parts of the
+/// frame and of a process.
 std::uint64_t choose_seed(const CommandLine& command, const ParameterReader& parameters) {
-    const std::uint64_t of_frame = std::uint64_t{command.frame.value_or(0)} << 32;
-    if (command.seed) return *command.seed + of_frame;
+    const std::uint64_t added =
+        (std::uint64_t{command.frame.value_or(0)} << 32) + command.seeds_above;
+    if (command.seed) return *command.seed + added;
     const auto given =
         parameters.given("seed") ? static_cast<std::uint64_t>(parameters.integer("seed", 0)) : 0;
-    return given + of_frame;
+    return given + added;
 }
 
 /// What an integrator says of parameters that are not LuxRender's: nothing to fall back to.
@@ -209,7 +211,7 @@ RenderSession prepare(const CommandLine& command, const PluginLibrary& plugins,
         make_from_options(session, command, contents, files, plugins, diagnostics, log);
     if (diagnostics.errors() == 0) {  // before the scene takes its time to build
         session.files = choose_output_files(command, *session.film);
-        check_writable(session.files);
+        if (!command.helps) check_writable(session.files);
     }
     const bool has_world = contents.end.line > 0;
     gather(diagnostics, [&] {

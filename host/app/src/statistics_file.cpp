@@ -130,6 +130,18 @@ Json advice_of(const std::vector<Advice>& advice) {
     return json;
 }
 
+Json traffic_of(const RankJob& job) {
+    const RankTraffic traffic = job.traffic();
+    Json json;
+    json["processes"] = job.count();
+    json["exchanges"] = traffic.exchanges;
+    json["bytes told"] = traffic.told_bytes;
+    json["bytes heard"] = traffic.heard_bytes;
+    json["seconds waiting"] = traffic.waiting_seconds;
+    json["seconds of transfer"] = traffic.transfer_seconds;
+    return json;
+}
+
 }  // namespace
 
 std::string statistics_json(const CommandLine& command, const RenderSession& session,
@@ -145,6 +157,7 @@ std::string statistics_json(const CommandLine& command, const RenderSession& ses
     json["seconds"] = session.times;
     json["render CPU seconds"] = totals.cpu_seconds;
     json["counts"] = counts(totals);
+    if (session.job) json["mpi"] = traffic_of(*session.job);
     json["peak memory bytes"] = peak_resident_bytes();
     json["film memory bytes"] = session.film->memory_bytes();
     json["refused film samples"] = session.film->refused_samples();

@@ -99,16 +99,16 @@ void add_parts(std::vector<ResumableCase>& cases) {
 
 }  // namespace
 
-ResumableRender::ResumableRender(const ResumableCase& what)
+ResumableRender::ResumableRender(const ResumableCase& what, Ranks* ranks)
     : view_(view_of(what)),
       sampler_(what.settings.seed),
       film_(what.width, what.height, view_.scene.light_groups()),
-      engine_(std::make_unique<Engine>(Host{view_.scene, view_.camera, sampler_, film_, log_},
-                                       what.settings)) {}
+      engine_(std::make_unique<Engine>(
+          Host{view_.scene, view_.camera, sampler_, film_, log_, ranks}, what.settings)) {}
 
 ResumableRender::ResumableRender(const ResumableCase& what, std::span<const std::byte> state,
-                                 const Film& film)
-    : ResumableRender(what) {
+                                 const Film& film, Ranks* ranks)
+    : ResumableRender(what, ranks) {
     Restoring archive(state);
     engine_->state(archive);
     film_ = film;

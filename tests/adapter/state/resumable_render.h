@@ -30,9 +30,11 @@ inline std::ostream& operator<<(std::ostream& out, const ResumableCase& what) {
 /// Everything that such a render has: built anew for each.
 class ResumableRender {
   public:
-    explicit ResumableRender(const ResumableCase& what);
+    /// `ranks`: with which it renders; null: alone.
+    explicit ResumableRender(const ResumableCase& what, aips::Ranks* ranks = nullptr);
     /// Goes on from what was saved; `film` is what it had been given until then.
-    ResumableRender(const ResumableCase& what, std::span<const std::byte> state, const Film& film);
+    ResumableRender(const ResumableCase& what, std::span<const std::byte> state, const Film& film,
+                    aips::Ranks* ranks = nullptr);
 
     /// The pass that comes next.
     void render_pass() { engine_->render_pass(engine_->statistics().passes); }

@@ -44,8 +44,11 @@ std::uint64_t EdgeCorrection::correct(std::uint64_t pass, float time, const EyeI
                                       const SearchRadii& radii, PhotonFlux& flux) {
     std::atomic<std::uint64_t> rays{0};
     assign_all(factors_, image.visible_points.size(), 1.0f);
+    const PointOwners& owners = image.owners;
+    SharedWork work = work_on_points(owners, nullptr);
     tbb::parallel_for(
-        tbb::blocked_range<std::size_t>(0, image.visible_points.size(), 256),
+        tbb::blocked_range<std::size_t>(owners.first(factors_.size()), owners.last(factors_.size()),
+                                        256),
         [&](const tbb::blocked_range<std::size_t>& range) {
             SurfaceShare surface(scene_, time);
             for (std::size_t i = range.begin(); i < range.end(); ++i) {
@@ -61,18 +64,23 @@ std::uint64_t EdgeCorrection::correct(std::uint64_t pass, float time, const EyeI
                     const float radius = radii.of(i) * std::numbers::sqrt2_v<float> / 2;
                     flux.inner[i] *= 1 + surface.missing(point, radius, question, random);
                 }
-                if (missing == 0) continue;
-                // Several visible points may be in one pixel: all say the same.
-                std::atomic_ref(found_[pixel]).store(1, std::memory_order_relaxed);
                 factors_[i] = 1 + missing;
             }
             rays.fetch_add(surface.rays(), std::memory_order_relaxed);
         });
+    std::uint64_t all_rays = rays.load();
+    work.exchange([&, own = all_rays](std::uint32_t rank, StateArchive& archive) {
+        plain_of_points(archive, owners, rank, factors_);
+        plain_of_points(archive, owners, rank, flux.inner);
+        std::uint64_t of_rank = own;
+        archive.value(of_rank);
+        if (archive.restoring()) all_rays += of_rank;
+    });
     // Noise is that of photons as they came.
     if (adapts_radius(settings_)) noise_.add_pass(image, flux);
     apply(image, flux);
-    remember();
-    return rays.load();
+    remember(image);
+    return all_rays;
 }
 
 void EdgeCorrection::apply(const EyeImage& image, PhotonFlux& flux) {
@@ -103,7 +111,16 @@ float EdgeCorrection::believed(std::uint32_t pixel) const {
 }
 
 /// What this pass has found steers the next ones.
-void EdgeCorrection::remember() {
+void EdgeCorrection::remember(const EyeImage& image) {
+    in_chunks(factors_.size(), kItemsPerJob, tbb_for, [&](std::size_t first, std::size_t last) {
+        for (std::size_t i = first; i < last; ++i) {
+            if (factors_[i] == 1) continue;
+            const Vec2 place = image.positions[image.visible_points[i].sample];
+            // Several visible points may be in one pixel: all say the same.
+            std::atomic_ref(found_[film_pixel(place, width_, height_)])
+                .store(1, std::memory_order_relaxed);
+        }
+    });
     in_chunks(edges_.size(), kItemsPerJob, tbb_for, [&](std::size_t first, std::size_t last) {
         for (std::size_t i = first; i < last; ++i) {
             if (found_[i]) {

@@ -52,7 +52,7 @@ class EdgeCorrection {
   private:
     float believed(std::uint32_t pixel) const;
     void apply(const EyeImage& image, PhotonFlux& flux);
-    void remember();
+    void remember(const EyeImage& image);
 
     const Scene& scene_;
     const Settings& settings_;

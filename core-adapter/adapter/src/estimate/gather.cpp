@@ -48,7 +48,8 @@ void gather_photons(const EyeImage& image, const LandingGrid& grid, const Search
     const std::uint32_t groups = image.groups;
     std::atomic<std::uint64_t> gathered{0};
     tbb::parallel_for(
-        tbb::blocked_range<std::size_t>(0, image.visible_points.size(), 256),
+        tbb::blocked_range<std::size_t>(image.owners.first(image.visible_points.size()),
+                                        image.owners.last(image.visible_points.size()), 256),
         [&](const tbb::blocked_range<std::size_t>& range) {
             std::uint64_t total = 0;
             GroupSums sums(groups), parts(kPhotonParts), inner(1);
@@ -94,6 +95,22 @@ void gather_photons(const EyeImage& image, const LandingGrid& grid, const Search
             gathered.fetch_add(total, std::memory_order_relaxed);
         });
     result.gathered += gathered.load();
+}
+
+void exchange_flux(const EyeImage& image, std::uint64_t gathered_before, SharedWork& work,
+                   PhotonFlux& flux) {
+    const std::uint64_t own = flux.gathered - gathered_before;
+    work.exchange([&](std::uint32_t rank, StateArchive& archive) {
+        plain_of_points(archive, image.owners, rank, flux.flux, image.groups);
+        plain_of_points(archive, image.owners, rank, flux.accepted);
+        plain_of_points(archive, image.owners, rank, flux.squares);
+        plain_of_points(archive, image.owners, rank, flux.shareable);
+        plain_of_points(archive, image.owners, rank, flux.parts, kPhotonParts);
+        plain_of_points(archive, image.owners, rank, flux.inner);
+        std::uint64_t gathered = own;
+        archive.value(gathered);
+        if (archive.restoring()) flux.gathered += gathered;
+    });
 }
 
 }  // namespace aips

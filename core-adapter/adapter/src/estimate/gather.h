@@ -10,6 +10,7 @@
 #include "base/assign_all.h"
 #include "estimate/search_radii.h"
 #include "eye/eye_pass.h"
+#include "ranks/shared_work.h"
 #include "refusal/refusals.h"
 
 namespace aips {
@@ -98,9 +99,15 @@ inline Rgb left_out_f(const VisiblePoint& point) {
 
 /// Adds the landings in `grid` within its radius of each visible point. Landings on a surface that
 /// faces elsewhere, or on the other side of the visible point's, are left out. Every point sums
-/// its photons in the grid's order, so the result does not depend on the number of threads.
+/// its photons in the grid's order, so the result does not depend on the number of threads. Of the
+/// points of other ranks nothing is gathered here.
 void gather_photons(const EyeImage& image, const LandingGrid& grid, const SearchRadii& radii,
                     Refusals& refusals, PhotonFlux& flux);
+
+/// After a gather: tells the other ranks what it brought to this one's points, and takes theirs.
+/// `gathered_before`: PhotonFlux::gathered before it; `work` began then.
+void exchange_flux(const EyeImage& image, std::uint64_t gathered_before, SharedWork& work,
+                   PhotonFlux& flux);
 
 /// Whether a landing is on the visible point's own surface: similar normals, whose cosine is
 /// `agreement` up to its sign, and within a slab around the point's tangent plane, which keeps

@@ -12,6 +12,7 @@
 #include "eye/constants.h"
 #include "eye/eye_path.h"
 #include "eye/footprints.h"
+#include "ranks/foreign_bsdf.h"
 
 namespace aips {
 namespace {
@@ -120,6 +121,42 @@ void trace_block(const EyePassInput& in, std::uint64_t pass, float time, std::ui
     }
 }
 
+/// Saves what a block left, from eye path `first` to below `last`, for another rank, or takes it
+/// from one.
+void state_of_block(StateArchive& archive, std::uint32_t first, std::uint32_t last, EyeImage& image,
+                    EyeBlock& block) {
+    const auto paths = [&]<class T>(std::vector<T>& values, std::size_t per_path) {
+        if (values.empty()) return;
+        plain(archive, std::span<T>(values).subspan(first * per_path, (last - first) * per_path));
+    };
+    paths(image.positions, 1);
+    paths(image.radiance, image.groups);
+    paths(image.parts, kImageParts);
+    paths(image.continued, image.groups);
+    paths(image.surfaces, 1);
+    state_of(archive, block.visible_points, block.footprints, block.light_samples, block.lamp_rests,
+             block.rays, block.telling_paths, block.cut_paths, block.light);
+    if (!archive.restoring()) return;
+    for (VisiblePoint& point : block.visible_points) {
+        if (point.bsdf) point.bsdf = foreign_bsdf();
+    }
+}
+
+/// Whose points are which, before blocks are joined.
+void set_owners(Ranks* ranks, const SharedWork& work, const std::vector<EyeBlock>& blocks,
+                PointOwners& owners) {
+    owners = {};
+    if (!ranks) return;
+    owners.ranks = ranks;
+    owners.begins.push_back(0);
+    for (std::uint32_t rank = 0; rank < ranks->count(); ++rank) {
+        std::size_t end = owners.begins.back();
+        for (std::uint32_t b = work.first_of(rank); b < work.first_of(rank + 1); ++b)
+            end += blocks[b].visible_points.size();
+        owners.begins.push_back(end);
+    }
+}
+
 /// Joins what the blocks hold in their order, and empties them. The memory of `joined` is kept:
 /// most of it is overwritten where it lies.
 template <class T>
@@ -188,12 +225,21 @@ void trace_eye_pass(const EyePassInput& in, std::uint64_t pass, float time, Refu
     image.arenas.resize(block_count);
     if (in.keep_visible_points) image.visible_points.reserve(in.paths);
     std::vector<EyeBlock> blocks(block_count);
-    tbb::parallel_for(0u, block_count, [&](std::uint32_t b) {
+    const auto last_of = [&](std::uint32_t first) {
+        return first + std::min(kEyePathsPerBlock, in.paths - first);
+    };
+    SharedWork work(in.ranks, block_count, &refusals);
+    tbb::parallel_for(work.first(), work.last(), [&](std::uint32_t b) {
         image.arenas[b].reset();
         const std::uint32_t first = b * kEyePathsPerBlock;
-        const std::uint32_t last = first + std::min(kEyePathsPerBlock, in.paths - first);
-        trace_block(in, pass, time, first, last, refusals, image, image.arenas[b], blocks[b]);
+        trace_block(in, pass, time, first, last_of(first), refusals, image, image.arenas[b],
+                    blocks[b]);
     });
+    work.exchange([&](std::uint32_t b, StateArchive& archive) {
+        const std::uint32_t first = b * kEyePathsPerBlock;
+        state_of_block(archive, first, last_of(first), image, blocks[b]);
+    });
+    set_owners(in.ranks, work, blocks, image.owners);
     join_blocks(blocks, image);
 }
 

@@ -12,6 +12,7 @@
 #include "eye/eye_shares.h"
 #include "eye/volume_beam.h"
 #include "lamps/lamp_images.h"
+#include "ranks/shared_work.h"
 #include "refusal/refusals.h"
 
 namespace aips {
@@ -54,6 +55,7 @@ struct EyeImage {
     std::vector<Rgb> continued;
     std::vector<SeenSurface> surfaces;  ///< [path]; empty if they are not wanted
     std::vector<VisiblePoint> visible_points;
+    PointOwners owners;             ///< of these, whose Bsdfs a rank has for its own ones alone
     std::vector<VolumeBeam> beams;  ///< parts within media that scatter: at most one an eye path
     double beam_footprint_sum = 0;  ///< of the pixel footprints' radii at the beams' middles
     std::vector<Arena> arenas;      ///< one per block of eye paths; hold the visible points' Bsdfs
@@ -101,6 +103,7 @@ struct EyePassInput {
     const EyeShares* shares = nullptr;  ///< null: no eye path goes on from its visible point
     const LampImages* lamps = nullptr;  ///< null: eye paths alone meet lamps
     LayersWanted layers = {};
+    Ranks* ranks = nullptr;  ///< that share the eye paths; null: none do
 };
 
 /// Lobes that take photons under these settings; the others bounce the eye path on.
@@ -109,7 +112,7 @@ inline LobeMask receiving_lobes(const Settings& settings) {
 }
 
 /// Traces pass number `pass` at one time; `image` is refilled, its memory reused. The result does
-/// not depend on the number of threads.
+/// not depend on the number of threads, nor on that of ranks.
 void trace_eye_pass(const EyePassInput& input, std::uint64_t pass, float time, Refusals& refusals,
                     EyeImage& image);
 

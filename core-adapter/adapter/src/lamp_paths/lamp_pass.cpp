@@ -7,6 +7,7 @@
 #include "base/parallel_for.h"
 #include "eye/eye_path.h"
 #include "lamp_paths/lamp_search.h"
+#include "ranks/shared_work.h"
 
 namespace aips {
 namespace {
@@ -15,20 +16,32 @@ constexpr std::uint32_t kLampPathsPerBlock = 32;
 /// Numbers of lamp paths at surfaces: a sequence that no other paths have.
 constexpr std::uint64_t kLampSequence = ~std::uint64_t{0};
 
-/// Calls `work(block, index, arena)` for each of `count` indices.
+/// Saves a block for another rank, or takes it from one.
+void state_of_block(StateArchive& archive, LampSplats& block) {
+    state_of(archive, block.positions, block.radiance, block.rays, block.light);
+}
+
+void state_of_block(StateArchive& archive, LampFindings& block) {
+    state_of(archive, block.images, block.rays);
+}
+
+/// Calls `work(block, index, arena)` for each of `count` indices, on this rank or another.
 template <class Block, class Work>
-std::vector<Block> in_blocks(std::uint32_t count, const Work& work) {
+std::vector<Block> in_blocks(const EyePassInput& in, std::uint32_t count, Refusals& refusals,
+                             const Work& work) {
     std::vector<Block> blocks(count / kLampPathsPerBlock + (count % kLampPathsPerBlock ? 1 : 0));
-    tbb::parallel_for(std::size_t{0}, blocks.size(), [&](std::size_t b) {
+    const auto trace_block = [&](std::uint32_t b) {
         Arena arena;
-        const auto first = std::uint32_t(b) * kLampPathsPerBlock;
+        const std::uint32_t first = b * kLampPathsPerBlock;
         const std::uint32_t last = first + std::min(kLampPathsPerBlock, count - first);
         for (std::uint32_t i = first; i < last; ++i) {
             const auto mark = arena.mark();
             work(blocks[b], i, arena);
             arena.rewind(mark);
         }
-    });
+    };
+    share_out(in.ranks, std::uint32_t(blocks.size()), &refusals, trace_block,
+              [&](std::uint32_t b, StateArchive& archive) { state_of_block(archive, blocks[b]); });
     return blocks;
 }
 
@@ -78,7 +91,7 @@ void trace_lamp_paths(const EyePassInput& in, std::uint64_t pass, float time, Re
     splats.light.clear();
     splats.paths = in.lamps->paths();
     const auto blocks = in_blocks<LampSplats>(
-        in.lamps->paths(), [&](LampSplats& block, std::uint32_t i, Arena& arena) {
+        in, in.lamps->paths(), refusals, [&](LampSplats& block, std::uint32_t i, Arena& arena) {
             trace(in, pass, time, i, refusals, arena, block);
         });
     for (const LampSplats& block : blocks) {
@@ -91,8 +104,8 @@ void trace_lamp_paths(const EyePassInput& in, std::uint64_t pass, float time, Re
 
 LampFindings search_lamps(const EyePassInput& in, std::uint64_t round, std::uint32_t count,
                           float time, Refusals& refusals) {
-    const auto blocks =
-        in_blocks<LampFindings>(count, [&](LampFindings& block, std::uint32_t i, Arena& arena) {
+    const auto blocks = in_blocks<LampFindings>(
+        in, count, refusals, [&](LampFindings& block, std::uint32_t i, Arena& arena) {
             block.rays += search_lamps(in, {round, i, time}, refusals, arena, block.images);
         });
     LampFindings all;

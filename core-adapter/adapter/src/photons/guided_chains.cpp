@@ -8,6 +8,7 @@
 #include "base/parallel_for.h"
 #include "base/vector_growth.h"
 #include "photons/photon_chains.h"
+#include "ranks/shared_work.h"
 
 namespace aips {
 namespace {
@@ -132,9 +133,12 @@ PhotonCounts GuidedChains::trace(const PhotonInput& input, const IterationPaths&
 PhotonCounts GuidedChains::draw(const PhotonInput& input, std::uint32_t count, Refusals& refusals) {
     std::vector<Drawn> jobs(kJobs);
     tbb::enumerable_thread_specific<Arena> arenas;
-    tbb::parallel_for(0u, kJobs, [&](std::uint32_t job) {
+    const auto work = [&](std::uint32_t job) {
         Tracer tracer{input, starts_, refusals, arenas.local(), jobs[job].photons};
         draw(tracer, job, chain_share(job, count), jobs[job]);
+    };
+    share_out(input.ranks, kJobs, &refusals, work, [&](std::uint32_t job, StateArchive& archive) {
+        state_of(archive, jobs[job].visible, jobs[job].to_learn, jobs[job].photons);
     });
     const bool measuring = left_to_measure() > 0;
     PhotonCounts photons;
@@ -183,9 +187,12 @@ PhotonCounts GuidedChains::walk(const PhotonInput& input, std::uint32_t count, R
                                 LandingStore& store) {
     std::vector<Walked> walks(kJobs);
     tbb::enumerable_thread_specific<Arena> arenas;
-    tbb::parallel_for(0u, kJobs, [&](std::uint32_t c) {
+    const auto work = [&](std::uint32_t c) {
         Tracer tracer{input, starts_, refusals, arenas.local(), walks[c].photons};
         walk(tracer, c, chain_share(c, count), walks[c]);
+    };
+    share_out(input.ranks, kJobs, &refusals, work, [&](std::uint32_t c, StateArchive& archive) {
+        state_of(archive, walks[c].landings, walks[c].states, walks[c].photons, walks[c].chain);
     });
     const double share = visible_share() / double(paths_ - measured_);
     PhotonCounts photons;

@@ -18,7 +18,8 @@ inline bool may_guide_chains(const Settings& s) {
 /// A pass first draws a fixed number of independent paths, which measure the share of visible ones.
 /// Then chains spread the weight of those that were visible over the paths around them. Their
 /// number is fixed, each is sequential, and what they leave is joined in order: the result does not
-/// depend on the number of threads.
+/// depend on the number of threads. Of several ranks each walks with chains of its own, whose state
+/// the others need not know.
 class GuidedChains : public PhotonSource {
   public:
     /// All of these outlive it; `light_choice`: by power.

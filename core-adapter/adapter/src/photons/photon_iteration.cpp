@@ -4,6 +4,7 @@
 #include <tbb/parallel_for.h>
 
 #include "base/parallel_for.h"
+#include "ranks/shared_work.h"
 
 namespace aips {
 namespace {
@@ -27,7 +28,8 @@ PhotonCounts PhotonTracer::trace(const PhotonInput& input, std::uint64_t paths_b
     // Nothing is added to `first` and `count` beyond their sum, which may be 2^32 - 1.
     const std::uint32_t block_count = count / kPathsPerBlock + (count % kPathsPerBlock ? 1 : 0);
     if (blocks_.size() < block_count) blocks_.resize(block_count);
-    tbb::parallel_for(0u, block_count, [&](std::uint32_t b) {
+    SharedWork work(input.ranks, block_count, &refusals);
+    tbb::parallel_for(work.first(), work.last(), [&](std::uint32_t b) {
         Arena& arena = arenas_.local();
         Block& block = blocks_[b];
         block.landings.clear();
@@ -44,6 +46,7 @@ PhotonCounts PhotonTracer::trace(const PhotonInput& input, std::uint64_t paths_b
                               collisions ? &block.collisions : nullptr);
         }
     });
+    work.exchange([&](std::uint32_t b, StateArchive& archive) { blocks_[b].state(archive); });
     const std::span blocks = std::span(blocks_).first(block_count);
     const std::size_t before = store.landings().size();
     PhotonCounts counts = join(blocks, store);
@@ -54,6 +57,11 @@ PhotonCounts PhotonTracer::trace(const PhotonInput& input, std::uint64_t paths_b
         }
     }
     return counts;
+}
+
+/// Paths in media are traced by each rank itself: their marks of media are its own.
+void PhotonTracer::Block::state(StateArchive& archive) {
+    state_of(archive, landings, log.paths, log.vertices, counts);
 }
 
 /// Counts are integers, whose sums do not depend on the order.

@@ -56,7 +56,7 @@ class PhotonTracer {
     /// Traces `count` paths from number `first` of the pass and appends their landings to `store`,
     /// the records of those that input.log_one_of selects to `log`, and what is left in media that
     /// scatter to `collisions` (null if none does).
-    /// The result does not depend on the number of threads.
+    /// The result does not depend on the number of threads, nor on that of ranks.
     PhotonCounts trace(const PhotonInput& input, std::uint64_t paths_before_pass,
                        std::uint32_t first, std::uint32_t count, Refusals& refusals,
                        LandingStore& store, PathLog* log = nullptr,
@@ -71,6 +71,9 @@ class PhotonTracer {
         std::vector<VolumePhoton> collisions;
         PathLog log;
         PhotonCounts counts;
+
+        /// Saves it for another rank, or takes it from one.
+        void state(StateArchive& archive);
     };
 
     PhotonCounts join(std::span<Block> blocks, LandingStore& store) const;

@@ -55,6 +55,7 @@ void PhotonPass::shoot(std::uint64_t pass, const PassPhotons& photons, float tim
         const std::uint32_t most = guide_->iteration_paths(iteration, source_->iteration_paths());
         const IterationPaths paths{photons, first, std::min(most, photons.paths - first)};
         PhotonInput input = input_of(pass, time, iteration);
+        input.ranks = image.owners.ranks;
         run_iteration(input, paths, refusals);
         if (waiting_.landings().size() > kWaitingPhotons) gather(image, radii, refusals, flux);
         if (volume_ && volume_->full()) gather_in_media(image, refusals);
@@ -122,7 +123,10 @@ void PhotonPass::gather(const EyeImage& image, const SearchRadii& radii, Refusal
                         PhotonFlux& flux) {
     const Stopwatch watch(totals_.gather_seconds);
     grid_.build(waiting_.landings(), radii.largest, tbb_for);
+    const std::uint64_t gathered = flux.gathered;
+    SharedWork work = work_on_points(image.owners, &refusals);
     gather_photons(image, grid_, radii, refusals, flux);
+    exchange_flux(image, gathered, work, flux);
     if (settings_.account) add_photon_energy(image, grid_, waiting_.landings(), radii, pass_light_);
     if (!radii.probes.empty()) {
         // A grid of their own: one for radii so much wider would slow the gather.

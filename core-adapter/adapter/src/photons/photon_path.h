@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "aips/adapter/guide.h"
+#include "aips/adapter/ranks.h"
 #include "aips/adapter/scene.h"
 #include "aips/adapter/settings.h"
 #include "aips/core/base/arena.h"
@@ -61,6 +62,7 @@ struct PhotonInput {
     /// Number in the render of the path that the sequence of emissions begins at (SequencePath).
     std::uint64_t sequence_begin = 0;
     float time = 0;
+    Ranks* ranks = nullptr;            ///< that share the paths of an iteration; null: none do
     BounceTally* bounces = nullptr;    ///< counts bounces by node, for debug layers; may be null
     bool store_owned = false;          ///< landings that shadow rays own too, marked, for a guide
     const PointGrid* reach = nullptr;  ///< with occupancy: the exact test; may be null

@@ -35,6 +35,7 @@ SeenPaths scout_photons(const Scene& scene, const Settings& settings, float time
     input.pass = kNoPass;
     input.time = time;
     input.log_one_of = 1;
+    input.ranks = image.owners.ranks;
     Refusals refusals(scene);
     LandingStore landings;
     PathLog log;

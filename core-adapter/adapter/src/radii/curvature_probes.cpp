@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "aips/core/sampling/sampling.h"
+#include "ranks/shared_work.h"
 
 namespace aips {
 namespace {
@@ -27,8 +28,21 @@ void gather_probe(const VisiblePoint& point, const LandingGrid& grid, float radi
 
 void gather_probes(const EyeImage& image, const LandingGrid& grid, const SearchRadii& radii,
                    std::span<ProbeSums> sums) {
+    const PointOwners& owners = image.owners;
+    SharedWork work = work_on_points(owners, nullptr);
+    const std::size_t points = image.visible_points.size();
+    const std::size_t first = owners.first(points), last = owners.last(points);
     tbb::parallel_for(std::size_t{0}, radii.probes.size(), [&](std::size_t i) {
-        gather_probe(image.visible_points[radii.probes[i]], grid, radii.probe_radius, sums[i]);
+        const std::size_t point = radii.probes[i];
+        if (point < first || point >= last) return;
+        gather_probe(image.visible_points[point], grid, radii.probe_radius, sums[i]);
+    });
+    work.exchange([&](std::uint32_t rank, StateArchive& archive) {
+        for (std::size_t i = 0; i < radii.probes.size(); ++i) {
+            const std::size_t point = radii.probes[i];
+            if (point >= owners.begins[rank] && point < owners.begins[rank + 1])
+                plain(archive, sums.subspan(i, 1));
+        }
     });
 }
 

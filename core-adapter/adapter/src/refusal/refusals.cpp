@@ -13,9 +13,16 @@ Refusals::Refusals(const Scene& scene)
       lights_(static_cast<std::uint32_t>(scene.lights().size())),
       counts_(std::make_unique<std::atomic<std::uint64_t>[]>(materials_ + lights_ + 1)) {}
 
-void Refusals::count(Origin origin) {
+void Refusals::count(Origin origin, std::uint64_t times) {
     const std::uint32_t index = std::min(origin, materials_ + lights_);
-    counts_[index].fetch_add(1, std::memory_order_relaxed);
+    counts_[index].fetch_add(times, std::memory_order_relaxed);
+}
+
+std::vector<std::uint64_t> Refusals::counts() const {
+    std::vector<std::uint64_t> counts(materials_ + lights_ + 1);
+    for (std::size_t i = 0; i < counts.size(); ++i)
+        counts[i] = counts_[i].load();
+    return counts;
 }
 
 void Refusals::state(StateArchive& archive) {

@@ -70,7 +70,9 @@ class Refusals {
         sum = raised;
         return true;
     }
-    void count(Origin origin);
+    void count(Origin origin, std::uint64_t times = 1);
+    /// Counts by origin: materials, lights, then passage; count() takes the same numbers.
+    std::vector<std::uint64_t> counts() const;
 
     /// Saves or restores the counts.
     void state(StateArchive& archive);

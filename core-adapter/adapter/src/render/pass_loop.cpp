@@ -28,6 +28,19 @@ std::string joined(const std::vector<std::string>& names) {
     return text.empty() ? "nothing" : text;
 }
 
+/// Those that share the work of each pass; null: each process does all of it, for its own log.
+Ranks* sharing_ranks(const Host& host, const Settings& settings) {
+    if (!host.ranks || host.ranks->count() == 1) return nullptr;
+    const char* reason = nullptr;
+    // Marks of media are addresses. The others sum over visible points that they have to ask.
+    if (host.scene.media()) reason = "media scatter light";
+    if (settings.debug_layers) reason = "debug layers are asked for";
+    if (settings.account) reason = "an account is asked for";
+    if (!reason) return host.ranks;
+    host.log.warning(std::string("each process traces all of each pass, as ") + reason);
+    return nullptr;
+}
+
 void log_learned(const LearnedParts& parts, Log& log) {
     log.info("learned before: " + joined(parts.taken()));
     if (!parts.left_out().empty())
@@ -48,7 +61,7 @@ PassLoop::PassLoop(const Host& host, const Settings& settings, std::uint32_t eye
                             host.film.width(), host.film.height(), eye_paths, needs_points,
                             shared_by(strategies, &LightStrategy::eye_shares),
                             shared_by(strategies, &LightStrategy::lamp_images),
-                            host.film.layers_wanted()})),
+                            host.film.layers_wanted(), sharing_ranks(host, settings)})),
       strategies_(std::move(strategies)) {
     statistics_.memory_bound_bytes = eye_memory_bound(host.scene, settings, eye_paths);
     // Parts of eye paths, and of as many splats, of which there may be more while vectors grow.

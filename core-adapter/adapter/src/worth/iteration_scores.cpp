@@ -5,6 +5,7 @@
 #include <tbb/parallel_for.h>
 
 #include "base/vector_growth.h"
+#include "worth/shared_scores.h"
 
 namespace aips {
 namespace {
@@ -24,6 +25,10 @@ double IterationScores::begin_pass(const EyeImage& image, std::span<const Vec3> 
 template <typename LandingOf>
 std::span<const double> IterationScores::score(std::size_t count, const LandingOf& landing) {
     scores_.resize(count);
+    if (const EyeImage& image = score_.image(); image.owners.ranks) {
+        score_with_ranks(score_, image.owners, landing, scores_);
+        return scores_;
+    }
     using Range = tbb::blocked_range<std::size_t>;
     tbb::parallel_for(Range(0, count, kLandingsPerJob), [&](const Range& range) {
         for (std::size_t i = range.begin(); i < range.end(); ++i)

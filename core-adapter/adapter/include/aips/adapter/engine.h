@@ -12,6 +12,7 @@
 
 #include "aips/adapter/account.h"
 #include "aips/adapter/camera.h"
+#include "aips/adapter/ranks.h"
 #include "aips/adapter/scene.h"
 #include "aips/adapter/settings.h"
 #include "aips/core/base/state_archive.h"
@@ -25,6 +26,9 @@ struct Host {
     const Sampler& sampler;
     Film& film;
     Log& log;
+    /// With which this process renders; null: alone. All have the same scene and settings; each
+    /// gets all of the image, and films that need it not may drop it.
+    Ranks* ranks = nullptr;
 };
 
 /// What one pass did.
@@ -91,7 +95,7 @@ struct EngineStatistics {
 };
 
 /// Renders one pass after another. The image is a pure function of (scene, settings, passes):
-/// threads and their timing have no influence.
+/// threads, ranks and their timing have no influence.
 class Engine {
   public:
     /// Throws std::invalid_argument for settings that contradict each other. Logs the settings, the

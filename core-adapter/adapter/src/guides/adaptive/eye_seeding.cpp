@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "aips/core/sampling/sampling.h"
+#include "ranks/shared_work.h"
 
 namespace aips {
 namespace {
@@ -203,13 +204,38 @@ class SeedWalk {
 void walk_block(const SeedInput& in, std::uint32_t first_group, std::uint32_t last_group,
                 SeedBlock& block) {
     const auto& points = in.image.visible_points;
+    const std::size_t own_first = in.image.owners.first(points.size());
+    const std::size_t own_last = in.image.owners.last(points.size());
     Arena arena;
     for (std::uint32_t group = first_group; group < last_group; ++group) {
         RandomStream random(in.settings.seed, in.pass, group, RandomDomain::EyeSeeding);
         const std::size_t first = std::size_t(group) * kSeedGroup;
         const std::size_t count = std::min<std::size_t>(kSeedGroup, points.size() - first);
         const auto chosen = static_cast<std::size_t>(random.next() * static_cast<float>(count));
+        if (first + chosen < own_first || first + chosen >= own_last) continue;
         SeedWalk(in, random, arena, block).run(points[first + chosen]);
+    }
+}
+
+/// Each rank walks from its own points, whose groups follow on those of the rank before.
+void join_ranks(const PointOwners& owners, std::vector<EmissionSeed>& seeds, SeedCounts& counts) {
+    if (!owners.ranks) return;
+    SharedWork work = work_on_points(owners, nullptr);
+    struct OfRank {
+        std::vector<EmissionSeed> seeds;
+        SeedCounts counts;
+    };
+    std::vector<OfRank> ranks(owners.ranks->count());
+    ranks[owners.ranks->rank()] = {std::move(seeds), counts};
+    work.exchange([&](std::uint32_t rank, StateArchive& archive) {
+        state_of(archive, ranks[rank].seeds, ranks[rank].counts.walks, ranks[rank].counts.rays);
+    });
+    seeds.clear();
+    counts = {};
+    for (const OfRank& rank : ranks) {
+        seeds.insert(seeds.end(), rank.seeds.begin(), rank.seeds.end());
+        counts.walks += rank.counts.walks;
+        counts.rays += rank.counts.rays;
     }
 }
 
@@ -238,6 +264,7 @@ void find_emission_seeds(const Scene& scene, const Settings& settings,
         counts.walks += block.counts.walks;
         counts.rays += block.counts.rays;
     }
+    join_ranks(image.owners, seeds, counts);
 }
 
 }  // namespace aips

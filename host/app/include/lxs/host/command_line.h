@@ -12,6 +12,12 @@ namespace lxs {
 
 enum class Verbosity : std::uint8_t { Quiet, Normal, Verbose };
 
+/// What the processes of --mpi share.
+enum class MpiSplit : std::uint8_t {
+    Photons,  ///< the rays of each pass: the image has the bits of one process
+    Passes    ///< passes: each renders some with a seed of its own, and the images are merged
+};
+
 struct CommandLine {
     std::string scene;                    ///< file, "-" for standard input
     std::optional<std::string> output;    ///< EXR file, the PNG beside it; or PNG file alone
@@ -43,6 +49,10 @@ struct CommandLine {
     std::optional<std::string> learned_out;  ///< file for what the render learns
     std::optional<std::string> learned_in;   ///< of another render, to begin with
     std::optional<std::uint32_t> frame;      ///< number of it; given: the seed differs by it
+    bool mpi = false;                        ///< with the other processes of an MPI job
+    MpiSplit mpi_split = MpiSplit::Photons;
+    std::uint32_t seeds_above = 0;  ///< added to the seed
+    bool helps = false;             ///< as one of those after the first: it writes nothing
     Verbosity verbosity = Verbosity::Normal;
 
     bool list_plugins = false;

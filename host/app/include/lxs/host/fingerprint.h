@@ -34,6 +34,8 @@ class Fingerprint {
     void describe(ImageMetadata& metadata) const;
     /// What differs, in words; empty if nothing does.
     std::string difference(const Fingerprint& other) const;
+    /// Alike if nothing differs.
+    std::span<const std::byte> bytes() const { return std::as_bytes(std::span(checksums_)); }
     void state(StateArchive& archive) { archive.fixed(std::span(checksums_)); }
 
   private:

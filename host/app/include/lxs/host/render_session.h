@@ -12,6 +12,7 @@
 #include "lxs/host/integrator_choice.h"
 #include "lxs/host/output_files.h"
 #include "lxs/host/plugin_library.h"
+#include "lxs/host/rank_job.h"
 #include "lxs/imaging/imaging.h"
 #include "lxs/tracing/trace_scene.h"
 
@@ -26,11 +27,13 @@ struct RenderSession {
     std::unique_ptr<SceneCamera> camera;
     std::unique_ptr<Sampler> sampler;
     std::unique_ptr<TraceScene> scene;
+    std::unique_ptr<Film> no_film;  ///< what the integrator is given by a rank that helps
     std::unique_ptr<Integrator> integrator;
     std::string integrator_name;
     std::uint64_t seed = 0;
     OutputFiles files;
     PhaseTimes times;
+    RankJob* job = nullptr;   ///< of --mpi
     Fingerprint fingerprint;  ///< that of the program is left out where no checkpoint is asked for
     bool spectral = false;    ///< each pass has wavelengths of its own
     WavelengthDensity wavelength_density;  ///< that these are drawn from

@@ -13,6 +13,7 @@
 #include "lxs/sdk/camera.h"
 #include "lxs/sdk/film.h"
 #include "lxs/sdk/log.h"
+#include "lxs/sdk/ranks.h"
 #include "lxs/sdk/refusal.h"
 #include "lxs/sdk/scene.h"
 #include "lxs/sdk/state_archive.h"
@@ -34,6 +35,7 @@ struct RenderContext {
     Film& film;
     Log& log;
     RenderSettings settings;
+    Ranks* ranks = nullptr;  ///< that share each pass; null: this process renders alone
 };
 
 /// What one pass did, for progress and budgets.
@@ -59,6 +61,9 @@ class Integrator {
     /// the passes of a render can't then each have wavelengths of their own. Asked before
     /// prepare().
     virtual bool passes_stand_alone() const { return true; }
+    /// Whether the ranks of RenderContext share the work of each pass, and the image has the same
+    /// bits with any number of them. Asked before prepare().
+    virtual bool shares_passes() const { return false; }
     virtual Statistics statistics() const { return {}; }
     /// Contributions left out of the image because they were not finite or negative, by the
     /// material, the light or whatever else they came from: reported at the end of the render.

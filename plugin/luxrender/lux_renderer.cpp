@@ -64,11 +64,11 @@ std::vector<GivenParameter> parameters_of(const lux::ParamSet& set) {
 
 }  // namespace
 
-void LuxIntegrator::Preprocess(const lux::RandomGenerator&, const lux::Scene& scene) {
+void LuxIntegrator::Preprocess(const lux::RandomGenerator&, const lux::Scene&) {
     LOG(LUX_SEVERE, LUX_CONSISTENCY)
         << "SurfaceIntegrator \"aips\" needs Renderer \"aips\" beside it: nothing is rendered";
-    scene.camera()->film->enoughSamplesPerPixel = true;
-    lux::Context::GetActive()->Abort();
+    // The renderer that calls this holds a lock that ending it takes.
+    std::thread([] { lux::Context::GetActive()->Abort(); }).detach();
 }
 
 lux::SurfaceIntegrator* LuxIntegrator::CreateSurfaceIntegrator(const lux::ParamSet& parameters) {

@@ -22,7 +22,7 @@ class LuxIntegrator final : public lux::SurfaceIntegrator {
     explicit LuxIntegrator(const std::vector<GivenParameter>& given) : given_(given) {}
     const std::vector<GivenParameter>& given() const { return given_; }
     /// Called by other renderers alone, which cannot render by it: ends the render with a message.
-    void Preprocess(const lux::RandomGenerator&, const lux::Scene& scene) override;
+    void Preprocess(const lux::RandomGenerator&, const lux::Scene&) override;
     unsigned Li(const lux::Scene&, const lux::Sample&) const override { return 0; }
 
     static lux::SurfaceIntegrator* CreateSurfaceIntegrator(const lux::ParamSet& parameters);

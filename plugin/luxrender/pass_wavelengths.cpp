@@ -2,7 +2,8 @@
 #include "pass_wavelengths.h"
 
 #include <algorithm>
-#include <cmath>
+
+#include "aips/core/sampling/low_discrepancy.h"
 
 namespace aips::luxrender {
 namespace {
@@ -11,7 +12,10 @@ constexpr unsigned kSteps = 340;
 /// Share of the density that is even over all wavelengths: bounds the weight of the eye's ends,
 /// where what lamps and surfaces do may be large and the eye's sensitivity is next to nothing.
 constexpr double kEvenShare = 0.1;
-constexpr double kGoldenRatio = 0.6180339887498949;
+/// Of the Sobol' sequence whose first four place the samples of a pixel in film and lens: a pass's
+/// wavelengths and its places are spread evenly together.
+constexpr unsigned kDimension = 4;
+constexpr std::uint32_t kScramble = 1;
 
 }  // namespace
 
@@ -31,8 +35,7 @@ PassWavelengths::PassWavelengths(const LuxView& view)
 }
 
 PassWavelengths::Drawn PassWavelengths::of_pass(std::uint64_t pass) const {
-    double whole;
-    const double offset = std::modf((double(pass) + 0.5) * kGoldenRatio, &whole);
+    const double offset = sobol_owen(pass, kDimension, kScramble);
     Drawn drawn;
     for (unsigned k = 0; k < 3; ++k) {
         const double u = (double(2 - k) + offset) / 3;

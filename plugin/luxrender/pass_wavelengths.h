@@ -8,8 +8,8 @@
 
 namespace aips::luxrender {
 
-/// Draws wavelengths by the eye's sensitivity, in three strata at offsets that follow the golden
-/// ratio from pass to pass, so that the tint of single passes fades fast.
+/// Draws wavelengths by the eye's sensitivity, in three strata at offsets that follow a Sobol'
+/// sequence from pass to pass, so that the tint of single passes fades fast.
 class PassWavelengths {
   public:
     explicit PassWavelengths(const LuxView& view);

@@ -14,11 +14,11 @@ namespace aips::luxrender {
 namespace {
 
 // Protects the mean over passes: the sum over wavelengths of a spectrum over their densities is its
-// integral. A sum of three strata at golden-ratio offsets is within 0.2 % after 89 passes.
+// integral, and after 64 passes, a whole net of offsets, within half a percent.
 TEST(LuxRenderShim, WavelengthsIntegrateSpectra) {
     const SphereView view;
     const PassWavelengths wavelengths(view);
-    constexpr unsigned kPasses = 89;
+    constexpr unsigned kPasses = 64;
     double flat = 0, sloped = 0;
     for (unsigned pass = 0; pass < kPasses; ++pass) {
         const auto drawn = wavelengths.of_pass(pass);
@@ -32,8 +32,8 @@ TEST(LuxRenderShim, WavelengthsIntegrateSpectra) {
         }
     }
     const double area = std::sqrt(5000 * M_PI);  // the tails beyond 380 and 720 nm are 1e-3 of it
-    EXPECT_NEAR(flat / area, 1, 3e-3);
-    EXPECT_NEAR(sloped / area / 550, 1, 3e-3);
+    EXPECT_NEAR(flat / area, 1, 5e-3);
+    EXPECT_NEAR(sloped / area / 550, 1, 5e-3);
 }
 
 // Protects emission: nine or so numbers out of four must be uniform and unrelated, and the choice

@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "aips/adapter/engine.h"
+#include "aips/parts/sobol_sampler.h"
 #include "film_shim.h"
 #include "parameters.h"
 #include "pass_wavelengths.h"
@@ -119,7 +120,8 @@ class Run final : public EngineRun {
     PassWavelengths wavelengths_;
     SceneShim scene_;
     CameraShim camera_;
-    SamplerShim sampler_;
+    /// LuxRender's samplers go their own way through the film.
+    SobolSampler sampler_;
     FilmShim film_;
     LogShim log_;
     Engine engine_;

@@ -1,9 +1,8 @@
-// LuxRender's camera and film, and a sampler, as the engine sees them.
+// LuxRender's camera and film as the engine sees them.
 #include "film_shim.h"
 
 #include <cmath>
 
-#include "aips/core/sampling/low_discrepancy.h"
 #include "convert.h"
 
 namespace aips::luxrender {
@@ -25,14 +24,6 @@ CameraRay CameraShim::generate(const CameraSample& sample, float time) const {
     ray.width = size(here.ray.origin, right.ray.origin, below.ray.origin);
     ray.spread = size(here.ray.direction, right.ray.direction, below.ray.direction);
     return ray;
-}
-
-CameraSample SamplerShim::camera_sample(std::uint64_t number, std::uint32_t x,
-                                        std::uint32_t y) const {
-    const auto seed =
-        hash_bits(x + hash_bits(y + hash_bits(static_cast<std::uint32_t>(seed_ ^ seed_ >> 32))));
-    const auto u = [&](unsigned dimension) { return sobol_owen(number, dimension, seed); };
-    return {{float(x) + u(0), float(y) + u(1)}, {u(2), u(3)}};
 }
 
 void FilmShim::add_pass(const FilmPass& pass) {

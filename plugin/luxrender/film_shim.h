@@ -1,4 +1,4 @@
-// LuxRender's camera and film, and a sampler and a log, as the engine sees them.
+// LuxRender's camera, film and log as the engine sees them.
 #pragma once
 
 #include "aips/adapter/camera.h"
@@ -16,18 +16,6 @@ class CameraShim final : public Camera {
 
   private:
     const LuxView& view_;
-};
-
-/// An Owen-scrambled Sobol' sequence for each pixel: LuxRender's samplers go their own way through
-/// the film and cannot be asked for a sample of a pixel.
-class SamplerShim final : public Sampler {
-  public:
-    explicit SamplerShim(std::uint64_t seed) : seed_(seed) {}
-    CameraSample camera_sample(std::uint64_t number, std::uint32_t x,
-                               std::uint32_t y) const override;
-
-  private:
-    std::uint64_t seed_;
 };
 
 /// Three means of the film: eye paths, photons by their passes' weights, splats.

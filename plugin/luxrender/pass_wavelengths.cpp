@@ -12,7 +12,7 @@ constexpr unsigned kSteps = 340;
 /// Share of the density that is even over all wavelengths: bounds the weight of the eye's ends,
 /// where what lamps and surfaces do may be large and the eye's sensitivity is next to nothing.
 constexpr double kEvenShare = 0.1;
-/// Of the Sobol' sequence whose first four place the samples of a pixel in film and lens: a pass's
+/// Of the Sobol' sequence whose first four place SobolSampler's samples in film and lens: a pass's
 /// wavelengths and its places are spread evenly together.
 constexpr unsigned kDimension = 4;
 constexpr std::uint32_t kScramble = 1;

@@ -6,6 +6,7 @@
 Ends with 77, which ctest takes for skipped, where LuxRender's console or numpy is missing.
 """
 import pathlib
+import socket
 import sys
 import tempfile
 import unittest
@@ -110,6 +111,21 @@ class InLuxRender(unittest.TestCase):
                                parameters='"string mode" ["photonmap"]')
         self.assertIn('photonmap', mode.text)
         self.assertIsNone(mode.image, mode.text)
+
+    def test_network(self):
+        """Protects users: a node of LuxRender's network is refused, not waited for."""
+        with socket.socket() as free:
+            free.bind(('127.0.0.1', 0))
+            port = free.getsockname()[1]
+        node = self.lux.node(port)
+        try:
+            refused = self.lux.render(GROUPS, 'aips', 4, WIDTH, name='network',
+                                      arguments=['-u', f'127.0.0.1:{port}'])
+        finally:
+            node.kill()
+            node.communicate()
+        self.assertIn('renders on one machine', refused.text)
+        self.assertIsNone(refused.image, refused.text)
 
 
 if __name__ == '__main__':

@@ -54,7 +54,7 @@ class LuxConsole:
 
     def render(self, scene, integrator, samples, width, parameters='', film_parameters='',
                name='image', threads=2, integrator_text=None,
-               volumes='none'):
+               volumes='none', arguments=()):
         """A scene of the project by name, or the text of a whole one."""
         text = scene if 'WorldBegin' in scene else (SCENES / f'{scene}.lxs').read_text()
         head, world = text.split('WorldBegin', 1)
@@ -70,15 +70,27 @@ class LuxConsole:
         world = world.replace('"meshes/', f'"{SCENES}/meshes/')
         path = target.with_suffix('.lxs')
         path.write_text(f'{head}WorldBegin{world}')
-        return self.run(path, threads)
+        return self.run(path, ['-t', str(threads), *arguments])
 
-    def run(self, path, threads):
+    def environment(self):
+        return {**os.environ, 'LD_PRELOAD': str(self.module)}
+
+    def node(self, port):
+        """A node of LuxRender's network on this machine, to be ended by who asked for it."""
+        process = subprocess.Popen([self.program, '-s', '-p', str(port)], cwd=self.folder, text=True,
+                                   stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
+                                   env=self.environment())
+        while 'listening' not in (line := process.stdout.readline()) and line:
+            pass
+        return process
+
+    def run(self, path, arguments):
         written = path.with_suffix('.exr')
         written.unlink(missing_ok=True)
         before = resource.getrusage(resource.RUSAGE_CHILDREN)
-        done = subprocess.run([self.program, '-t', str(threads), path], check=False, text=True,
+        done = subprocess.run([self.program, *arguments, path], check=False, text=True,
                               stdout=subprocess.PIPE, stderr=subprocess.STDOUT, timeout=1800,
-                              env={**os.environ, 'LD_PRELOAD': str(self.module)})
+                              env=self.environment())
         after = resource.getrusage(resource.RUSAGE_CHILDREN)
         image = exr.read(written).stack('RGB').astype(float) if written.exists() else None
         return Rendered(done.stdout, after.ru_utime - before.ru_utime, image)

@@ -33,7 +33,7 @@ class SameEngine(unittest.TestCase):
             self.skipTest('the build is not one of Ninja')
         rules = re.findall(r'^build (plugins/(?:aips|aips_luxrender)\.so): (.*?)$',
                            plan.read_text(), flags=re.M)
-        engines = {module: sorted(re.findall(r'\S*libaips_(?:adapter|core)\.a', inputs))
+        engines = {module: sorted(set(re.findall(r'\S*libaips_(?:adapter|core)\.a', inputs)))
                    for module, inputs in rules}
         self.assertIn('plugins/aips.so', engines)
         self.assertEqual(len(set(map(tuple, engines.values()))), 1, engines)

@@ -95,6 +95,12 @@ class InLuxRender(unittest.TestCase):
         error = [np.mean(np.abs(i.image - whole.image)) for i in (first, both)]
         self.assertLess(error[1], 0.8 * error[0])
 
+    def test_threads(self):
+        """Protects the bits: they are the same for any number of threads."""
+        one, three = (self.lux.render('cornell-box', 'aips', 4, WIDTH, threads=n).image
+                      for n in (1, 3))
+        self.assertTrue(np.array_equal(one, three))
+
     def test_refusals(self):
         """Protects users: one clear message, and no image."""
         haze = self.lux.render(HAZE, 'aips', 4, WIDTH, name='haze', volumes='multi')

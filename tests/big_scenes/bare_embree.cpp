@@ -124,9 +124,10 @@ int hits(RTCScene scene) {
     constexpr int kWidth = 160, kHeight = 120;
     int met = 0;
     for (int i = 0; i < kWidth * kHeight; ++i) {
+        const int column = i % kWidth, row = i / kWidth;
         RTCRayHit query{};
-        query.ray.org_x = 2 * (static_cast<float>(i % kWidth) + 0.5f) / kWidth - 1;
-        query.ray.org_y = 2 * (static_cast<float>(i / kWidth) + 0.5f) / kHeight - 1;
+        query.ray.org_x = 2 * (static_cast<float>(column) + 0.5f) / kWidth - 1;
+        query.ray.org_y = 2 * (static_cast<float>(row) + 0.5f) / kHeight - 1;
         query.ray.org_z = 2;
         query.ray.dir_z = -1;
         query.ray.tfar = std::numeric_limits<float>::infinity();

@@ -27,8 +27,8 @@ struct Grid {
         const auto shuffled = [](std::uint32_t i) { return i * 7919 % kCount; };
         vertices.resize(kCount);
         for (std::uint32_t i = 0; i < kCount; ++i) {
-            const auto x = static_cast<float>(i % (kSide + 1));
-            const auto y = static_cast<float>(i / (kSide + 1));
+            const std::uint32_t column = i % (kSide + 1), row = i / (kSide + 1);
+            const auto x = static_cast<float>(column), y = static_cast<float>(row);
             vertices[shuffled(i)] = Vec3(x, y, 3 * std::sin(0.1f * x) * std::cos(0.17f * y));
         }
         for (std::uint32_t j = 0; j < kSide; ++j) {

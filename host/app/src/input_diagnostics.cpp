@@ -12,6 +12,7 @@
 namespace lxs {
 namespace {
 
+const std::string kMessage = "<the message>";  // where it stands in a formatted one
 constexpr std::size_t kMostKinds = 100;
 constexpr std::size_t kMostOthers = 5;  // names of one kind beside the first
 
@@ -87,7 +88,10 @@ void InputDiagnostics::add(const std::string& severity, const SourceLocation& wh
         }
         ++kinds_of_[severity];
         index_[key] = kinds_.size();
-        kinds_.push_back({severity, where, message, 1, {}});
+        // At once, since texts of large files are given up before all is told.
+        const std::string told = format_message(where, severity, kMessage);
+        const std::size_t at = told.find(kMessage);
+        kinds_.push_back({told.substr(0, at), told.substr(at + kMessage.size()), message, 1, {}});
         return;
     }
     Kind& kind = kinds_[known->second];
@@ -110,7 +114,7 @@ std::string InputDiagnostics::text(const Kind& kind) {
 
 void InputDiagnostics::report() {
     for (const Kind& kind : kinds_)
-        log_.verbatim(format_message(kind.where, kind.severity, text(kind)));
+        log_.verbatim(kind.before + printable(text(kind)) + kind.behind);
     if (untold_ > 0) {
         log_.warning(
             fmt::format("more than {} kinds of messages about the scene: {} of further "

@@ -203,7 +203,7 @@ RenderSession prepare(const CommandLine& command, const PluginLibrary& plugins,
         contents = load(command.scene, diagnostics, files);
         apply_statement_overrides(command, contents, log);
         session.fingerprint.set_sources(files);
-        files.sources.clear();
+        forget_sources(files);
     }
     const bool whole = diagnostics.errors() == 0;
     const PhaseTimer timer(session.times, "build");

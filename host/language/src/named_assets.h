@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "arguments.h"
+#include "files_ahead.h"
 #include "lxs/scene/registry.h"
 
 namespace lxs {
@@ -22,8 +23,12 @@ struct IndexedMaterial {
 class NamedAssets final : public AssetContext {
   public:
     /// Appends to `files` the path of every asset that it resolves.
-    NamedAssets(std::string directory, std::vector<std::string>& files, Diagnostics& diagnostics)
-        : directory_(std::move(directory)), files_(files), diagnostics_(diagnostics) {}
+    NamedAssets(std::string directory, std::vector<std::string>& files, FilesAhead& ahead,
+                Diagnostics& diagnostics)
+        : directory_(std::move(directory)),
+          files_(files),
+          ahead_(ahead),
+          diagnostics_(diagnostics) {}
 
     const std::string& directory() const { return directory_; }
     std::string resolve(const std::string& name, const SourceLocation& where) const override;
@@ -33,6 +38,9 @@ class NamedAssets final : public AssetContext {
                                                       const SourceLocation& where) const override;
     std::shared_ptr<const FresnelTexture> fresnel_texture(
         const std::string& name, const SourceLocation& where) const override;
+    std::any take_ahead(const std::string& plugin, const std::string& path) const override {
+        return ahead_.take(plugin, path);
+    }
     std::shared_ptr<const Material> material(const std::string& name,
                                              const SourceLocation& where) const override;
     /// Throw IgnoredStatement naming near names if there is no such material or volume.
@@ -83,6 +91,7 @@ class NamedAssets final : public AssetContext {
 
     std::string directory_;
     std::vector<std::string>& files_;
+    FilesAhead& ahead_;
     Diagnostics& diagnostics_;
     Textures<FloatTexture> float_textures_;
     Textures<ColorTexture> color_textures_;

@@ -22,6 +22,16 @@ SceneContents read_source(std::string text, const std::string& name, const std::
 
 }  // namespace
 
+void forget_sources(ReadFiles& files) {
+    const auto nothing = std::make_shared<const std::string>();
+    for (const auto& source : files.sources) {
+        // Made by this reader, as what may change.
+        if (source->text->size() > kMostKeptText)
+            std::const_pointer_cast<SourceFile>(source)->text = nothing;
+    }
+    files.sources.clear();
+}
+
 SceneContents read_scene(const std::string& path, const Registry& registry,
                          Diagnostics& diagnostics, ReadFiles* files) {
     const std::string name = path == "-" ? "<standard input>" : path;

@@ -3,6 +3,7 @@
 
 #include "included_files.h"
 #include "parse_file.h"
+#include "waiting_statements.h"
 
 namespace lxs {
 namespace {
@@ -68,7 +69,8 @@ const std::map<std::string, SceneReader::Rule>& SceneReader::rules() {
 SceneReader::SceneReader(const std::string& directory, const Registry& registry,
                          Diagnostics& diagnostics)
     : diagnostics_(diagnostics),
-      assets_(directory, files_.assets, diagnostics),
+      ahead_(registry, directory),
+      assets_(directory, files_.assets, ahead_, diagnostics),
       factory_(registry, assets_, diagnostics_),
       objects_(diagnostics_) {
     contents_.directory = directory;
@@ -77,7 +79,21 @@ SceneReader::SceneReader(const std::string& directory, const Registry& registry,
 
 void SceneReader::read(const std::shared_ptr<const SourceFile>& file) {
     files_.sources.push_back(file);
-    parse_file(file, [this](Statement& statement) { execute(statement); });
+    WaitingStatements waiting(
+        [this](std::vector<Statement> them) { execute_all(std::move(them)); });
+    try {
+        parse_file(file, [&](Statement& statement) { waiting.add(std::move(statement)); });
+    } catch (const InputError&) {
+        waiting.release();  // what stands before bad syntax comes first
+        throw;
+    }
+    waiting.release();
+}
+
+void SceneReader::execute_all(std::vector<Statement> statements) {
+    ahead_.read(statements);
+    for (Statement& statement : statements)
+        execute(statement);
 }
 
 SceneContents SceneReader::finish() {

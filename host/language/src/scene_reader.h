@@ -41,6 +41,8 @@ class SceneReader {
         bool in_motion = false;  ///< also between MotionBegin and MotionEnd
     };
     static const std::map<std::string, Rule>& rules();
+    /// Carries out these statements in order, when their files have been read ahead.
+    void execute_all(std::vector<Statement> statements);
     /// Reports errors and goes on behind the statement; throws EndOfReading after very many.
     void execute(Statement& statement);
     void interpret(Statement& statement);
@@ -119,6 +121,7 @@ class SceneReader {
 
     ReadFiles files_;
     Diagnostics& diagnostics_;
+    FilesAhead ahead_;
     NamedAssets assets_;
     PluginFactory factory_;
     ObjectLibrary objects_;

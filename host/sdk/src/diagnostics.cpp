@@ -81,7 +81,7 @@ std::string format_message(const SourceLocation& where, const std::string& sever
         text += std::to_string(where.line) + ":" + std::to_string(where.column) + ":";
     }
     text += " " + severity + ": " + message;
-    if (file.text && where.line > 0) {
+    if (file.text && !file.text->empty() && where.line > 0) {
         text += '\n';
         text += excerpt(source_line(*file.text, where.line), where.column);
     }

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "empty_shape.h"
+#include "on_all_threads.h"
 
 namespace lxs {
 namespace {
@@ -34,8 +35,13 @@ bool is_degenerate(const std::vector<Vec3>& positions, const std::uint32_t* corn
 }
 
 void drop_degenerate(TriangleMesh& mesh, const ParameterReader& reader) {
-    std::size_t kept = 0;
-    for (std::size_t i = 0; i < mesh.indices.size(); i += 3) {
+    const std::size_t triangles = mesh.indices.size() / 3;
+    const std::size_t first = first_where(triangles, [&](std::size_t i) {
+        return is_degenerate(mesh.positions, &mesh.indices[3 * i]);
+    });
+    if (first == triangles && triangles > 0) return;
+    std::size_t kept = 3 * first;
+    for (std::size_t i = kept; i < mesh.indices.size(); i += 3) {
         if (is_degenerate(mesh.positions, &mesh.indices[i])) continue;
         std::copy_n(mesh.indices.begin() + static_cast<std::ptrdiff_t>(i), 3,
                     mesh.indices.begin() + static_cast<std::ptrdiff_t>(kept));
@@ -51,17 +57,23 @@ void drop_degenerate(TriangleMesh& mesh, const ParameterReader& reader) {
 
 void transform_positions(TriangleMesh& mesh, const Matrix& to_world,
                          const ParameterReader& reader) {
-    for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
+    const auto moved = [&](std::size_t i) {
         V3d image;
         to_world.multVecMatrix(V3d(mesh.positions[i]), image);
-        mesh.positions[i] = Vec3(image);
-        if (!in_range(mesh.positions[i])) {
-            throw InputError(reader.where(),
-                             fmt::format("the current transform moves vertex {} out of range ({}, "
-                                         "{}, {}); at most {:g}",
-                                         i, image.x, image.y, image.z, kLargestCoordinate));
-        }
-    }
+        return image;
+    };
+    const std::size_t bad = first_where(mesh.positions.size(), [&](std::size_t i) {
+        const Vec3 image(moved(i));
+        if (!in_range(image)) return true;
+        mesh.positions[i] = image;
+        return false;
+    });
+    if (bad == mesh.positions.size()) return;
+    const V3d image = moved(bad);
+    throw InputError(reader.where(),
+                     fmt::format("the current transform moves vertex {} out of range ({}, {}, {}); "
+                                 "at most {:g}",
+                                 bad, image.x, image.y, image.z, kLargestCoordinate));
 }
 
 void transform_normals(TriangleMesh& mesh, const Matrix& to_world) {
@@ -73,59 +85,47 @@ void transform_normals(TriangleMesh& mesh, const Matrix& to_world) {
     for (int i = 0; i < 3; ++i)
         cofactors[i] = axes[(i + 1) % 3].cross(axes[(i + 2) % 3]);
     const double sign = axes[0].dot(cofactors[0]) < 0 ? -1 : 1;
-    std::vector<Vec3> geometric;  // made when a normal turns out to be zero
-    for (std::size_t i = 0; i < mesh.normals.size(); ++i) {
+    const auto turned = [&](std::size_t i) {
         const Vec3 n = mesh.normals[i];
-        V3d image = (cofactors[0] * n.x + cofactors[1] * n.y + cofactors[2] * n.z) * sign;
-        const double length = image.length();
-        if (length > 0) {
-            mesh.normals[i] = Vec3(image / length);
-            continue;
+        return (cofactors[0] * n.x + cofactors[1] * n.y + cofactors[2] * n.z) * sign;
+    };
+    const bool has_zero = first_where(mesh.normals.size(), [&](std::size_t i) {
+                              return !(turned(i).length() > 0);
+                          }) < mesh.normals.size();
+    const std::vector<Vec3> geometric =
+        has_zero ? smooth_normals(mesh.positions, mesh.indices) : std::vector<Vec3>();
+    in_pieces(mesh.normals.size(), [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) {
+            const V3d image = turned(i);
+            const double length = image.length();
+            mesh.normals[i] = length > 0 ? Vec3(image / length) : geometric[i];
         }
-        if (geometric.empty()) geometric = smooth_normals(mesh.positions, mesh.indices);
-        mesh.normals[i] = geometric[i];
-    }
+    });
 }
 
 }  // namespace
 
 void check_vectors(const std::vector<Vec3>& vectors, std::string_view noun,
                    const MeshSource& source) {
-    for (std::size_t i = 0; i < vectors.size(); ++i) {
-        const Vec3& v = vectors[i];
-        if (in_range(v)) continue;
-        const bool finite = std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
-        source.reader.fail(
-            source.parameter,
-            fmt::format("{} {} of {} is {}: ({}, {}, {})", noun, i, source.label,
-                        finite ? fmt::format("beyond {:g}", kLargestCoordinate) : "not finite", v.x,
-                        v.y, v.z));
-    }
+    const std::size_t bad =
+        first_where(vectors.size(), [&](std::size_t i) { return !in_range(vectors[i]); });
+    if (bad == vectors.size()) return;
+    const Vec3& v = vectors[bad];
+    const bool finite = std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
+    source.reader.fail(
+        source.parameter,
+        fmt::format("{} {} of {} is {}: ({}, {}, {})", noun, bad, source.label,
+                    finite ? fmt::format("beyond {:g}", kLargestCoordinate) : "not finite", v.x,
+                    v.y, v.z));
 }
 
 void check_coordinates(const std::vector<Vec2>& uvs, const MeshSource& source) {
-    for (std::size_t i = 0; i < uvs.size(); ++i) {
-        if (std::isfinite(uvs[i].x) && std::isfinite(uvs[i].y)) continue;
-        source.reader.fail(source.parameter, fmt::format("pair {} of {} is not finite: ({}, {})", i,
-                                                         source.label, uvs[i].x, uvs[i].y));
-    }
-}
-
-std::vector<Vec3> smooth_normals(const std::vector<Vec3>& positions,
-                                 const std::vector<std::uint32_t>& indices) {
-    std::vector<V3d> sums(positions.size(), V3d(0.0));
-    for (std::size_t i = 0; i < indices.size(); i += 3) {
-        const V3d normal = cross_product(positions, &indices[i]).normalized();
-        for (std::size_t k = 0; k < 3; ++k)
-            sums[indices[i + k]] += normal;
-    }
-    std::vector<Vec3> normals;
-    normals.reserve(sums.size());
-    for (const V3d& sum : sums) {
-        const double length = sum.length();
-        normals.push_back(length > 0 ? Vec3(sum / length) : Vec3(0, 0, 1));
-    }
-    return normals;
+    const std::size_t bad = first_where(uvs.size(), [&](std::size_t i) {
+        return !std::isfinite(uvs[i].x) || !std::isfinite(uvs[i].y);
+    });
+    if (bad == uvs.size()) return;
+    source.reader.fail(source.parameter, fmt::format("pair {} of {} is not finite: ({}, {})", bad,
+                                                     source.label, uvs[bad].x, uvs[bad].y));
 }
 
 TriangleMesh finish_mesh(TriangleMesh mesh, const Matrix& to_world, const ParameterReader& reader) {

@@ -2,8 +2,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <any>
 #include <cmath>
 #include <fstream>
+#include <memory>
 #include <new>
 #include <stdexcept>
 
@@ -17,20 +19,38 @@
 namespace lxs {
 namespace {
 
-std::string whole_file(const std::string& path) {
+/// A file's bytes; a string would write zeros over all of them first.
+struct FileText {
+    std::unique_ptr<char[]> bytes;
+    std::size_t size = 0;
+    std::string_view view() const { return {bytes.get(), size}; }
+};
+
+FileText whole_file(const std::string& path) {
     std::ifstream file(path, std::ios::binary | std::ios::ate);
     if (!file) throw std::runtime_error("it can't be opened");
-    std::string text(static_cast<std::size_t>(file.tellg()), '\0');
+    FileText text;
+    text.size = static_cast<std::size_t>(file.tellg());
+    text.bytes = std::make_unique_for_overwrite<char[]>(text.size);
     file.seekg(0);
-    if (!file.read(text.data(), static_cast<std::streamsize>(text.size())))
+    if (!file.read(text.bytes.get(), static_cast<std::streamsize>(text.size)))
         throw std::runtime_error("reading stopped before its end");
     return text;
 }
 
+using ReadMesh = TriangleMesh (*)(std::string_view file);
+
+/// A mesh that was read ahead; shared, as std::any wants copies.
+using MeshAhead = std::shared_ptr<TriangleMesh>;
+
+/// For Factory::read_file.
+template <ReadMesh kRead>
+std::any read_ahead(const std::string& path) {
+    return std::make_shared<TriangleMesh>(kRead(whole_file(path).view()));
+}
+
 /// The file that the statement names, read by `read` and checked.
-template <class Read>
-TriangleMesh read_mesh(const ParameterReader& reader, const AssetContext& assets,
-                       const Read& read) {
+TriangleMesh read_mesh(const ParameterReader& reader, const AssetContext& assets, ReadMesh read) {
     constexpr std::string_view kFile = "filename";
     const std::string name = reader.string(kFile, "");
     if (name.empty()) {
@@ -40,7 +60,12 @@ TriangleMesh read_mesh(const ParameterReader& reader, const AssetContext& assets
     const std::string path = assets.resolve(name, reader.where(kFile));
     TriangleMesh mesh;
     try {
-        mesh = read(whole_file(path));
+        const std::any ahead = assets.take_ahead(std::string(reader.plugin()), path);
+        if (const auto* known = std::any_cast<MeshAhead>(&ahead)) {
+            mesh = std::move(**known);
+        } else {
+            mesh = read(whole_file(path).view());
+        }
     } catch (const std::bad_alloc&) {
         throw EndOfReading(reader.where(kFile),
                            fmt::format("not enough memory for the mesh in \"{}\"", name));
@@ -110,13 +135,13 @@ ShapeFactory make_ply_factory() {
                           "Make smooth normals in place of the file's; always so if it has none."},
                          {"usecolor", Bool, "true", "Use the file's vertex colours."},
                          {"gamma", Float, "1", "Exponent of the file's vertex colours.", 0}}),
-        create_ply};
+        create_ply, read_ahead<read_ply_mesh>};
 }
 
 ShapeFactory make_stl_factory() {
     return {file_parameters({{"filename", ParameterType::String, "",
                               "STL file, text or binary; its facets are flat."}}),
-            create_stl};
+            create_stl, read_ahead<read_stl_mesh>};
 }
 
 }  // namespace lxs

@@ -3,8 +3,13 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <optional>
 
+#include "on_all_threads.h"
+#include "ply_rows.h"
 #include "ply_values.h"
 
 namespace lxs {
@@ -18,7 +23,10 @@ struct VertexColumns {
           uv{e.find({"s", "u", "texture_u"}), e.find({"t", "v", "texture_v"})},
           color{e.find({"red", "r"}), e.find({"green", "g"}), e.find({"blue", "b"})},
           alpha(e.find({"alpha", "a"})) {}
-    int position[3], normal[3], uv[2], color[3], alpha;
+    std::array<int, 3> position, normal;
+    std::array<int, 2> uv;
+    std::array<int, 3> color;
+    int alpha;
 };
 
 /// What a colour of this type is divided by.
@@ -45,29 +53,69 @@ std::size_t plausible(std::size_t count, std::string_view file) {
     return std::min(count, file.size());
 }
 
-void read_vertices(const PlyElement& element, std::size_t room, PlyValues& values,
-                   TriangleMesh& mesh) {
-    const VertexColumns columns(element);
-    if (columns.position[0] < 0 || columns.position[1] < 0 || columns.position[2] < 0)
-        throw std::runtime_error("its vertices have no x, y and z");
-    const bool has_normals =
-        columns.normal[0] >= 0 && columns.normal[1] >= 0 && columns.normal[2] >= 0;
-    const bool has_uvs = columns.uv[0] >= 0 && columns.uv[1] >= 0;
-    const bool has_colors = columns.color[0] >= 0 && columns.color[1] >= 0 && columns.color[2] >= 0;
-    const bool has_alphas = columns.alpha >= 0;
-    const double color_unit = 1 / color_scale(element, columns.color[0]);
-    const double alpha_unit = 1 / color_scale(element, columns.alpha);
-    mesh.positions.reserve(room + 1);
-    if (has_normals) mesh.normals.reserve(room);
-    if (has_uvs) mesh.uvs.reserve(room);
+/// Writes vertices of a mesh from rows of numbers.
+class VertexWriter {
+  public:
+    /// Throws std::runtime_error for vertices without a position.
+    VertexWriter(const PlyElement& element, TriangleMesh& mesh)
+        : columns_(element),
+          mesh_(mesh),
+          has_normals_(all(columns_.normal)),
+          has_uvs_(all(columns_.uv)),
+          has_colors_(all(columns_.color)),
+          has_alphas_(columns_.alpha >= 0),
+          color_unit_(1 / color_scale(element, columns_.color[0])),
+          alpha_unit_(1 / color_scale(element, columns_.alpha)) {
+        if (!all(columns_.position)) throw std::runtime_error("its vertices have no x, y and z");
+    }
 
+    /// And for one more position, which the kernel may read.
+    void reserve(std::size_t count) {
+        mesh_.positions.reserve(count + 1);
+        if (has_normals_) mesh_.normals.reserve(count);
+        if (has_uvs_) mesh_.uvs.reserve(count);
+    }
+    void resize(std::size_t count) {
+        mesh_.positions.resize(count);
+        if (has_normals_) mesh_.normals.resize(count);
+        if (has_uvs_) mesh_.uvs.resize(count);
+        if (has_colors_) mesh_.colors.resize(count);
+        if (has_alphas_) mesh_.alphas.resize(count);
+    }
+    /// at(k) is column k of the vertex.
+    template <class At>
+    void write(std::size_t i, const At& at) {
+        const auto vector = [&](const std::array<int, 3>& column, double unit) {
+            return Vec3(static_cast<float>(at(column[0]) * unit),
+                        static_cast<float>(at(column[1]) * unit),
+                        static_cast<float>(at(column[2]) * unit));
+        };
+        mesh_.positions[i] = vector(columns_.position, 1);
+        if (has_normals_) mesh_.normals[i] = vector(columns_.normal, 1);
+        if (has_uvs_)
+            mesh_.uvs[i] = Vec2(static_cast<float>(at(columns_.uv[0])),
+                                static_cast<float>(at(columns_.uv[1])));
+        if (has_colors_) mesh_.colors[i] = vector(columns_.color, color_unit_);
+        if (has_alphas_) mesh_.alphas[i] = static_cast<float>(at(columns_.alpha) * alpha_unit_);
+    }
+
+  private:
+    template <std::size_t kCount>
+    static bool all(const std::array<int, kCount>& columns) {
+        return std::ranges::all_of(columns, [](int column) { return column >= 0; });
+    }
+
+    const VertexColumns columns_;
+    TriangleMesh& mesh_;
+    const bool has_normals_, has_uvs_, has_colors_, has_alphas_;
+    const double color_unit_, alpha_unit_;
+};
+
+/// One after another, where rows differ in length.
+void read_vertices_in_turn(const PlyElement& element, std::size_t room, PlyValues& values,
+                           VertexWriter& writer) {
+    writer.reserve(room);
     std::vector<double> row(element.properties.size());
-    const auto at = [&](int column) { return row[static_cast<std::size_t>(column)]; };
-    const auto vector = [&](const int* column, double unit) {
-        return Vec3(static_cast<float>(at(column[0]) * unit),
-                    static_cast<float>(at(column[1]) * unit),
-                    static_cast<float>(at(column[2]) * unit));
-    };
     for (std::size_t i = 0; i < element.count; ++i) {
         for (std::size_t k = 0; k < row.size(); ++k) {
             const PlyProperty& property = element.properties[k];
@@ -77,15 +125,31 @@ void read_vertices(const PlyElement& element, std::size_t room, PlyValues& value
                 row[k] = values.next(property.type);
             }
         }
-        mesh.positions.push_back(vector(columns.position, 1));
-        if (has_normals) mesh.normals.push_back(vector(columns.normal, 1));
-        if (has_uvs) {
-            mesh.uvs.emplace_back(static_cast<float>(at(columns.uv[0])),
-                                  static_cast<float>(at(columns.uv[1])));
-        }
-        if (has_colors) mesh.colors.push_back(vector(columns.color, color_unit));
-        if (has_alphas) mesh.alphas.push_back(static_cast<float>(at(columns.alpha) * alpha_unit));
+        writer.resize(i + 1);
+        writer.write(i, [&](int column) { return row[static_cast<std::size_t>(column)]; });
     }
+}
+
+void read_vertices(const PlyElement& element, std::size_t room, PlyValues& values,
+                   TriangleMesh& mesh) {
+    VertexWriter writer(element, mesh);
+    const std::optional<PlyRows> rows = equal_rows(element, values, 0);
+    if (!rows) return read_vertices_in_turn(element, room, values, writer);
+    writer.reserve(element.count);
+    writer.resize(element.count);
+    in_pieces(element.count, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) {
+            writer.write(
+                i, [&](int column) { return rows->value(i, static_cast<std::size_t>(column)); });
+        }
+    });
+    values.take(rows->bytes());
+}
+
+[[noreturn]] void fail_vertex(std::size_t face, double index, double vertex_count) {
+    throw std::runtime_error(
+        fmt::format("face {} names vertex {}, but there are {} vertices, numbered from 0", face,
+                    index, vertex_count));
 }
 
 /// One face's corners, cut into triangles (0, k, k + 1).
@@ -97,12 +161,7 @@ void read_corners(const PlyProperty& property, std::size_t face, double vertex_c
     std::uint32_t first = 0, last = 0;
     for (double k = 0; k < corners; ++k) {
         const double index = values.next(property.type);
-        if (!(index >= 0 && index < vertex_count)) {
-            throw std::runtime_error(
-                fmt::format("face {} names vertex {}, but there are {} "
-                            "vertices, numbered from 0",
-                            face, index, vertex_count));
-        }
+        if (!(index >= 0 && index < vertex_count)) fail_vertex(face, index, vertex_count);
         const auto corner = static_cast<std::uint32_t>(index);
         if (k == 0) first = corner;
         if (k >= 2) indices.insert(indices.end(), {first, last, corner});
@@ -110,13 +169,43 @@ void read_corners(const PlyProperty& property, std::size_t face, double vertex_c
     }
 }
 
+/// Faces that are all triangles, in rows of one length; false if they are not. `corners` is the
+/// property that lists them.
+bool read_triangles(const PlyElement& element, std::size_t corners, double vertex_count,
+                    PlyValues& values, std::vector<std::uint32_t>& indices) {
+    constexpr std::size_t kCorners = 3;
+    const std::optional<PlyRows> rows = equal_rows(element, values, kCorners);
+    if (!rows) return false;
+    const auto is_other = [&](std::size_t i) { return rows->value(i, corners) != kCorners; };
+    if (first_where(element.count, is_other) < element.count) return false;
+    const std::size_t begin = indices.size();
+    indices.resize(begin + kCorners * element.count);
+    const std::size_t bad = first_where(element.count, [&](std::size_t i) {
+        for (std::size_t k = 0; k < kCorners; ++k) {
+            const double index = rows->list_value(i, corners, k);
+            if (!(index >= 0 && index < vertex_count)) return true;
+            indices[begin + kCorners * i + k] = static_cast<std::uint32_t>(index);
+        }
+        return false;
+    });
+    for (std::size_t k = 0; bad < element.count; ++k) {
+        const double index = rows->list_value(bad, corners, k);
+        if (!(index >= 0 && index < vertex_count)) fail_vertex(bad, index, vertex_count);
+    }
+    values.take(rows->bytes());
+    return true;
+}
+
 void read_faces(const PlyElement& element, std::size_t room, PlyValues& values,
                 TriangleMesh& mesh) {
     const int corners = element.find({"vertex_indices", "vertex_index"});
     if (corners < 0 || !element.properties[static_cast<std::size_t>(corners)].is_list)
         throw std::runtime_error("its faces have no list of vertex indices");
-    mesh.indices.reserve(3 * room);
     const auto vertex_count = static_cast<double>(mesh.positions.size());
+    if (read_triangles(element, static_cast<std::size_t>(corners), vertex_count, values,
+                       mesh.indices))
+        return;
+    mesh.indices.reserve(3 * room);
     for (std::size_t i = 0; i < element.count; ++i) {
         for (std::size_t k = 0; k < element.properties.size(); ++k) {
             const PlyProperty& property = element.properties[k];

@@ -1,62 +1,93 @@
 // The numbers of a PLY file after its header, one after another.
 #pragma once
 
+#include <algorithm>
 #include <bit>
 #include <charconv>
 #include <cstring>
 #include <stdexcept>
 #include <string_view>
+#include <utility>
 
 #include "ply_header.h"
 
 namespace lxs {
 
-/// Reads values in the file's order. `next` throws std::runtime_error at the file's end and for
-/// text that is no number.
+/// Bytes of a value in a binary file.
+inline std::size_t size_of(PlyType type) {
+    switch (type) {
+        case PlyType::Int8:
+        case PlyType::UInt8:
+            return 1;
+        case PlyType::Int16:
+        case PlyType::UInt16:
+            return 2;
+        case PlyType::Int32:
+        case PlyType::UInt32:
+        case PlyType::Float:
+            return 4;
+        case PlyType::Double:
+            break;
+    }
+    return 8;
+}
+
+template <class T>
+double binary_value(const char* at, PlyFormat format) {
+    char bytes[sizeof(T)];
+    std::memcpy(bytes, at, sizeof(T));
+    constexpr auto kOwn =
+        std::endian::native == std::endian::little ? PlyFormat::LittleEndian : PlyFormat::BigEndian;
+    if (format != kOwn) std::reverse(bytes, bytes + sizeof(T));
+    return static_cast<double>(std::bit_cast<T>(bytes));
+}
+
+/// The value whose size_of(type) bytes begin at `at`; `format` is a binary one.
+inline double binary_value(const char* at, PlyType type, PlyFormat format) {
+    switch (type) {
+        case PlyType::Int8:
+            return binary_value<std::int8_t>(at, format);
+        case PlyType::UInt8:
+            return binary_value<std::uint8_t>(at, format);
+        case PlyType::Int16:
+            return binary_value<std::int16_t>(at, format);
+        case PlyType::UInt16:
+            return binary_value<std::uint16_t>(at, format);
+        case PlyType::Int32:
+            return binary_value<std::int32_t>(at, format);
+        case PlyType::UInt32:
+            return binary_value<std::uint32_t>(at, format);
+        case PlyType::Float:
+            return binary_value<float>(at, format);
+        case PlyType::Double:
+            break;
+    }
+    return binary_value<double>(at, format);
+}
+
+/// Reads values in the file's order. `next` and `take` throw std::runtime_error at the file's end,
+/// `next` for text that is no number, too.
 class PlyValues {
   public:
     PlyValues(std::string_view data, PlyFormat format)
         : at_(data.data()), end_(data.data() + data.size()), format_(format) {}
 
+    PlyFormat format() const { return format_; }
+    std::size_t bytes_left() const { return static_cast<std::size_t>(end_ - at_); }
+    /// The next `bytes` of a binary file, which are passed over.
+    const char* take(std::size_t bytes) {
+        if (bytes_left() < bytes) throw_ended();
+        return std::exchange(at_, at_ + bytes);
+    }
+    /// What `take` will give.
+    const char* ahead() const { return at_; }
+
     double next(PlyType type) {
         if (format_ == PlyFormat::Ascii) return next_text();
-        switch (type) {
-            case PlyType::Int8:
-                return binary<std::int8_t>();
-            case PlyType::UInt8:
-                return binary<std::uint8_t>();
-            case PlyType::Int16:
-                return binary<std::int16_t>();
-            case PlyType::UInt16:
-                return binary<std::uint16_t>();
-            case PlyType::Int32:
-                return binary<std::int32_t>();
-            case PlyType::UInt32:
-                return binary<std::uint32_t>();
-            case PlyType::Float:
-                return binary<float>();
-            case PlyType::Double:
-                break;
-        }
-        return binary<double>();
+        return binary_value(take(size_of(type)), type, format_);
     }
 
   private:
-    template <class T>
-    double binary() {
-        if (static_cast<std::size_t>(end_ - at_) < sizeof(T)) throw_ended();
-        char bytes[sizeof(T)];
-        std::memcpy(bytes, at_, sizeof(T));
-        at_ += sizeof(T);
-        constexpr auto kOwn = std::endian::native == std::endian::little ? PlyFormat::LittleEndian
-                                                                         : PlyFormat::BigEndian;
-        if (format_ != kOwn) {
-            for (std::size_t i = 0; i < sizeof(T) / 2; ++i)
-                std::swap(bytes[i], bytes[sizeof(T) - 1 - i]);
-        }
-        return static_cast<double>(std::bit_cast<T>(bytes));
-    }
-
     double next_text() {
         const auto is_blank = [](char c) { return c == ' ' || (c >= '\t' && c <= '\r'); };
         while (at_ < end_ && is_blank(*at_))

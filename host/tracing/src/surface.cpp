@@ -1,6 +1,10 @@
 // Builds the table of surfaces from primitives.
 #include "surface.h"
 
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+
 namespace lxs {
 namespace {
 
@@ -21,22 +25,35 @@ Surface describe(const Primitive& primitive) {
     return surface;
 }
 
-void refer_to_mesh(Surface& surface, const TriangleMesh& mesh, Bounds& bounds) {
+/// Of the triangles' corners; other vertices don't count.
+Bounds bounds_of(const TriangleMesh& mesh) {
+    constexpr std::size_t kCornersAtOnce = 1 << 16;
+    std::vector<Bounds> parts((mesh.indices.size() + kCornersAtOnce - 1) / kCornersAtOnce);
+    tbb::parallel_for(std::size_t{0}, parts.size(), [&](std::size_t part) {
+        const std::size_t end = std::min((part + 1) * kCornersAtOnce, mesh.indices.size());
+        for (std::size_t i = part * kCornersAtOnce; i < end; ++i)
+            parts[part].extendBy(mesh.positions[mesh.indices[i]]);
+    });
+    Bounds bounds;
+    for (const Bounds& part : parts)
+        bounds.extendBy(part);
+    return bounds;
+}
+
+void refer_to_mesh(Surface& surface, const TriangleMesh& mesh, bool tabulates_planes) {
     surface.positions = mesh.positions.data();
     surface.indices = mesh.indices.data();
     if (!mesh.normals.empty()) surface.normals = mesh.normals.data();
     if (!mesh.uvs.empty()) surface.uvs = mesh.uvs.data();
     if (!mesh.colors.empty()) surface.colors = mesh.colors.data();
     if (!mesh.alphas.empty()) surface.alphas = mesh.alphas.data();
-    surface.planes = triangle_planes(mesh, surface.reversed);
-    for (const std::uint32_t index : mesh.indices)
-        bounds.extendBy(mesh.positions[index]);
+    if (tabulates_planes) surface.planes = triangle_planes(mesh, surface.reversed);
 }
 
 }  // namespace
 
 SurfaceGroup make_surface_group(std::vector<Primitive>& primitives, const std::string& object,
-                                ObjectNames& names) {
+                                ObjectNames& names, bool tabulates_planes) {
     SurfaceGroup group;
     group.surfaces.reserve(primitives.size());
     for (Primitive& primitive : primitives) {
@@ -44,7 +61,8 @@ SurfaceGroup make_surface_group(std::vector<Primitive>& primitives, const std::s
         surface.object_index = names.index_of(object.empty() ? primitive.name : object);
         if (auto* mesh = std::get_if<TriangleMesh>(&primitive.geometry)) {
             mesh->positions.reserve(mesh->positions.size() + 1);
-            refer_to_mesh(surface, *mesh, group.bounds);
+            refer_to_mesh(surface, *mesh, tabulates_planes);
+            group.bounds.extendBy(bounds_of(*mesh));
         } else {
             surface.quadric = std::make_unique<QuadricShape>(std::get<Quadric>(primitive.geometry));
             group.bounds.extendBy(surface.quadric->bounds());

@@ -24,7 +24,7 @@ struct Surface {
     const Vec2* uvs = nullptr;          ///< null: none
     const Rgb* colors = nullptr;        ///< null: none
     const float* alphas = nullptr;      ///< null: none
-    std::vector<TrianglePlane> planes;  ///< of a mesh
+    std::vector<TrianglePlane> planes;  ///< of a mesh; empty: worked out at each hit
     std::unique_ptr<const QuadricShape> quadric;
     Matrix object_to_shape;  ///< identity if the shape's transform has no inverse
     const Material* material = nullptr;
@@ -64,11 +64,17 @@ struct SurfaceGroup {
     std::uint32_t emissive_count = 0;
 };
 
+/// In a scene of more triangles their planes are worked out at each hit, instead of being kept. The
+/// table takes 16 bytes a triangle and so at most 256 MiB; without it a path takes 2 to 3 % longer
+/// (docs/measured/big-scenes.md).
+inline constexpr std::size_t kMostTabulatedPlanes = 1 << 24;
+
 /// Tables of `primitives`, which must stay where they are. Makes room for one vertex behind each
 /// mesh (see EmbreeScene::add_mesh).
 /// They are named as the object that they are of, or each by itself if `object` is empty.
+/// `tabulates_planes`: whether planes of triangles are kept.
 SurfaceGroup make_surface_group(std::vector<Primitive>& primitives, const std::string& object,
-                                ObjectNames& names);
+                                ObjectNames& names, bool tabulates_planes);
 
 /// Adds the group's geometry to `scene`, ids from 0. Empty meshes are left out.
 void add_surfaces(EmbreeScene& scene, const SurfaceGroup& group,

@@ -53,7 +53,8 @@ void locate_on_triangle(const Surface& surface, const InstanceTransform* instanc
     const std::uint32_t i0 = corner[0], i1 = corner[1], i2 = corner[2];
     const V3d p0(surface.positions[i0]);
     const V3d e1 = V3d(surface.positions[i1]) - p0, e2 = V3d(surface.positions[i2]) - p0;
-    const TrianglePlane& plane = surface.planes[raw.primitive];
+    const TrianglePlane plane = surface.planes.empty() ? triangle_plane(e1, e2, surface.reversed)
+                                                       : surface.planes[raw.primitive];
     const auto [origin, direction] = ray_in_shape(instance, ray);
     refine_weights({p0, e1, e2}, origin, direction, raw);
     const V3d p = p0 + e1 * raw.u + e2 * raw.v;

@@ -45,17 +45,20 @@ TracedScene::TracedScene(SceneContents contents, const AssetResolver& resolve,
     build_geometry();
     place_instances();
     warn_of_lost_precision(bounds_, contents_.end, diagnostics);
-    world_scene_.commit();
     make_all_lights(resolve, diagnostics);
+    // Placements have what is still needed of instances: room for the hierarchy.
+    std::vector<Instance>().swap(contents_.instances);
+    world_scene_.commit();
 }
 
 void TracedScene::build_geometry() {
-    world_surfaces_ = make_surface_group(contents_.primitives, "", object_names_);
+    const bool tabulates_planes = survey_.facts.triangles <= kMostTabulatedPlanes;
+    world_surfaces_ = make_surface_group(contents_.primitives, "", object_names_, tabulates_planes);
     add_surfaces(world_scene_, world_surfaces_, contents_.primitives);
     bounds_ = world_surfaces_.bounds;
     for (ObjectDefinition& object : contents_.objects) {
         object_surfaces_.push_back(
-            make_surface_group(object.primitives, object.name, object_names_));
+            make_surface_group(object.primitives, object.name, object_names_, tabulates_planes));
         EmbreeScene& scene = object_scenes_.emplace_back(device_);
         add_surfaces(scene, object_surfaces_.back(), object.primitives);
         scene.commit();
@@ -63,6 +66,7 @@ void TracedScene::build_geometry() {
 }
 
 void TracedScene::place_instances() {
+    placements_.reserve(contents_.instances.size() + 1);
     placements_.emplace_back().surfaces = world_surfaces_.surfaces.data();
     std::size_t light_count = world_surfaces_.emissive_count;
     transforms_.reserve(contents_.instances.size());  // placements point into both

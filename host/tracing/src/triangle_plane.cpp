@@ -36,17 +36,20 @@ double plane_error(const V3d& e1, const V3d& e2, double inverse_normal_length) {
 
 }  // namespace
 
+TrianglePlane triangle_plane(const V3d& e1, const V3d& e2, bool reversed) {
+    const V3d normal = e1.cross(e2);
+    const double inverse_length = 1 / std::sqrt(normal.dot(normal));
+    return {Vec3(normal * (reversed ? -inverse_length : inverse_length)),
+            static_cast<float>(plane_error(e1, e2, inverse_length))};
+}
+
 std::vector<TrianglePlane> triangle_planes(const TriangleMesh& mesh, bool reversed) {
     std::vector<TrianglePlane> planes;
     planes.reserve(mesh.indices.size() / 3);
     for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3) {
         const V3d p0(mesh.positions[mesh.indices[i]]);
-        const V3d e1 = V3d(mesh.positions[mesh.indices[i + 1]]) - p0;
-        const V3d e2 = V3d(mesh.positions[mesh.indices[i + 2]]) - p0;
-        const V3d normal = e1.cross(e2);
-        const double inverse_length = 1 / std::sqrt(normal.dot(normal));
-        planes.push_back({Vec3(normal * (reversed ? -inverse_length : inverse_length)),
-                          static_cast<float>(plane_error(e1, e2, inverse_length))});
+        planes.push_back(triangle_plane(V3d(mesh.positions[mesh.indices[i + 1]]) - p0,
+                                        V3d(mesh.positions[mesh.indices[i + 2]]) - p0, reversed));
     }
     return planes;
 }

@@ -1,4 +1,5 @@
-// The plane of a triangle, worked out once per mesh instead of at every hit.
+// The plane of a triangle: worked out once per mesh instead of at every hit, where that takes
+// little memory.
 #pragma once
 
 #include <cstdint>
@@ -13,6 +14,9 @@ struct TrianglePlane {
     Vec3 normal;  ///< unit, the surface's front
     float error;  ///< bound of how far off the plane the kernel sees the triangle, along the normal
 };
+
+/// Of the triangle with edges `e1` and `e2` from its first corner. Always the same bits.
+TrianglePlane triangle_plane(const Imath::V3d& e1, const Imath::V3d& e2, bool reversed);
 
 /// [triangle]. The front is the side that corners run around counter-clockwise, or with `reversed`
 /// the other. Degenerate triangles, which no ray meets, have no meaningful plane.

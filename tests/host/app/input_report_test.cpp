@@ -48,6 +48,13 @@ TEST_F(InputReport, MessagesOfAKindAreOneWithTheirCount) {
     EXPECT_THAT(same.err, HasSubstr("; the shape is skipped (2 times)"));
 }
 
+TEST_F(InputReport, MessagesShowLinesOfLargeFilesToo) {
+    const RunResult run =
+        render("", "#" + std::string(std::size_t{17} << 20, '-') + "\n  Shape \"teapot\"\n");
+    EXPECT_EQ(run.exit_code, 0) << run.err;
+    EXPECT_THAT(run.err, HasSubstr("; the shape is skipped\n    Shape \"teapot\"\n          ^\n"));
+}
+
 TEST_F(InputReport, AllErrorsAreToldInOneRun) {
     const RunResult run = render(
         "Camera \"perspectiv\"\nVolumeIntegrator \"hovercraft\"\nRenderer \"hovercraft\"\n"

@@ -30,6 +30,10 @@ TEST(FormatMessage, CommandLineHasNoExcerpt) {
     EXPECT_EQ(format_message({file, 0, 0}, "error", "bad"), "--set a.b=c: error: bad");
 }
 
+TEST(FormatMessage, ATextThatWasGivenUpHasNoExcerpt) {
+    EXPECT_EQ(format_message(place("", 7, 3), "error", "bad"), "a.lxs:7:3: error: bad");
+}
+
 TEST(FormatMessage, ShowsTheIncludeChainInnermostFirst) {
     auto main = std::make_shared<SourceFile>();
     main->name = "main.lxs";
@@ -71,7 +75,7 @@ TEST(FormatMessage, ShowsNoControlCharacters) {
 
 TEST(FormatMessage, SurvivesPositionsBeyondTheText) {
     EXPECT_EQ(format_message(place("a\n", 9, 9), "error", "bad"), "a.lxs:9:9: error: bad\n  \n  ^");
-    EXPECT_EQ(format_message(place("", 1, 1), "error", "bad"), "a.lxs:1:1: error: bad\n  \n  ^");
+    EXPECT_EQ(format_message(place("\n", 1, 1), "error", "bad"), "a.lxs:1:1: error: bad\n  \n  ^");
 }
 
 TEST(NearestName, FindsMisspellings) {

@@ -5,6 +5,7 @@
 #include <iostream>
 
 #include "scene_fakes.h"
+#include "temporary_folder.h"
 
 namespace lxs::test::large_scene_test {
 namespace {
@@ -44,6 +45,22 @@ TEST(LargeScene, MillionsOfInlineNumbers) {
     const auto count = static_cast<double>(mesh.positions.size() * 3 + mesh.indices.size());
     std::cout << "[  report  ] " << count / 1e6 << " million numbers in " << elapsed.count()
               << " s\n";
+}
+
+TEST(LargeScene, TheTextOfLargeFilesAloneIsGivenUp) {
+    const files::TemporaryFolder folder;
+    folder.write("large.lxo", "#" + std::string(kMostKeptText, '-') + "\nShape \"sphere\"\n");
+    const std::string path = folder.write(
+        "scene.lxs", "WorldBegin\nShape \"sphere\"\nInclude \"large.lxo\"\nWorldEnd\n");
+    CollectingDiagnostics diagnostics;
+    ReadFiles files;
+    const SceneContents contents = read_scene(path, fake_registry(), diagnostics, &files);
+    EXPECT_EQ(files.sources.size(), 2u);
+    forget_sources(files);
+    EXPECT_TRUE(files.sources.empty());
+    EXPECT_GT(contents.primitives.at(0).where.file->text->size(), 0u);
+    EXPECT_EQ(contents.primitives.at(1).where.file->text->size(), 0u);
+    EXPECT_EQ(contents.primitives.at(1).where.line, 2u);
 }
 
 TEST(LargeScene, LongListsReadAsShortOnesDo) {

@@ -20,7 +20,7 @@ namespace {
 constexpr std::uint32_t kEyePathsPerBlock = 1024;
 
 /// What one block adds to the pass besides the per-path arrays.
-struct EyeBlock {
+struct alignas(64) EyeBlock {  // a cache line is of one thread
     std::vector<VisiblePoint> visible_points;
     std::vector<VolumeBeam> beams;
     std::vector<float> footprints;

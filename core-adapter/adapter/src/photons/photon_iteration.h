@@ -65,7 +65,7 @@ class PhotonTracer {
     std::size_t memory_bytes() const;
 
   private:
-    struct Block {
+    struct alignas(64) Block {  // a cache line is of one thread
         std::size_t first = 0;  // landing of the iteration
         std::vector<Landing> landings;
         std::vector<VolumePhoton> collisions;

@@ -1,6 +1,8 @@
 // Bound of the engine's memory.
 #include "plan/memory_bound.h"
 
+#include <tbb/task_arena.h>
+
 #include "base/vector_growth.h"
 #include "estimate/constants.h"
 #include "estimate/edge_correction.h"
@@ -30,6 +32,13 @@ std::size_t eye_image_bytes(const Scene& scene, std::size_t paths) {
     const std::size_t arenas = Arena::kChunkBytes / 512;
     const std::size_t last_block = 2 * Arena::kChunkBytes + scene.facts().max_bsdf_bytes;
     return paths * (image + arenas) + last_block;
+}
+
+/// What photon paths are traced in: each thread has an arena for one Bsdf at a time, with a second
+/// chunk where that does not fit, and while chains walk, another.
+std::size_t thread_bytes(const Scene& scene) {
+    const auto threads = static_cast<std::size_t>(tbb::this_task_arena::max_concurrency());
+    return threads * 2 * (2 * Arena::kChunkBytes + scene.facts().max_bsdf_bytes);
 }
 
 /// What shadow rays tell, in blocks and joined, and what is learned from it.
@@ -130,7 +139,8 @@ std::size_t photon_memory_bound(const Scene& scene, const Needs& needs, std::uin
         settings.correct_edges ? EdgeCorrection::memory_bound_bytes(pixels, eye_paths) : 0;
     return visible_point_bytes(scene, eye_paths) + plan + edges +
            OccupancyGrid::memory_bound_bytes(eye_paths) + photon_bytes(scene, settings, eye_paths) +
-           guide + radii + ShareTable::memory_bound_bytes(ShareTableSettings()) +
+           thread_bytes(scene) + guide + radii +
+           ShareTable::memory_bound_bytes(ShareTableSettings()) +
            OwnLightNoise::memory_bound_bytes(pixels) + volume_bytes(scene, settings, eye_paths);
 }
 

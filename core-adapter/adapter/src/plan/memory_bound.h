@@ -1,4 +1,4 @@
-// How much memory the engine can take, from the parameters alone.
+// How much memory the engine can take, from the parameters and the number of threads alone.
 #pragma once
 
 #include <cstddef>

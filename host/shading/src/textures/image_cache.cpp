@@ -13,11 +13,14 @@ CachedImages& ImageCache::images() {
     return *images_;
 }
 
-ImageCache::Image ImageCache::open(const std::string& path, const ParameterReader& reader) {
+ImageCache::Image ImageCache::open(const std::string& path, const ParameterReader& reader,
+                                   const AssetContext& assets) {
     CachedImages& cache = images();
-    std::shared_ptr<const CachedImage> texels;
+    Texels texels;
     try {
-        texels = cache.open(path);
+        const std::any ahead = assets.take_ahead(std::string(reader.plugin()), path);
+        const auto* known = std::any_cast<Texels>(&ahead);
+        texels = known ? *known : Texels(cache.open(path));
     } catch (const std::runtime_error& error) {
         reader.fail("filename", fmt::format("cannot read image \"{}\": {}", path, error.what()));
     }

@@ -1,12 +1,13 @@
 // The images that the textures of one registry share.
 #pragma once
 
+#include <any>
 #include <memory>
 #include <mutex>
 #include <string>
 
 #include "lxs/images/image_library.h"
-#include "lxs/sdk/parameters.h"
+#include "lxs/scene/registry.h"
 
 namespace lxs::shading {
 
@@ -20,11 +21,15 @@ class ImageCache {
         SourceLocation where;  ///< of the parameter that names it
     };
 
-    /// Opens the file `path` and reads it once; values that are not finite or negative are
-    /// reported in one warning. Throws InputError at `reader`'s filename when it can't be read.
-    Image open(const std::string& path, const ParameterReader& reader);
+    /// Opens the file `path` and reads it once, unless that was done ahead; values that are not
+    /// finite or negative are reported in one warning. Throws InputError at `reader`'s filename
+    /// when it can't be read.
+    Image open(const std::string& path, const ParameterReader& reader, const AssetContext& assets);
+    /// The same without a message, for Factory::read_file.
+    std::any open_ahead(const std::string& path) { return Texels(images().open(path)); }
 
   private:
+    using Texels = std::shared_ptr<const CachedImage>;
     CachedImages& images();
 
     std::mutex mutex_;

@@ -54,7 +54,7 @@ ImageLookup::ImageLookup(const ParameterReader& reader, const AssetContext& asse
     if (!reader.given("filename")) reader.fail("filename", "imagemap: \"filename\" is missing");
     const std::string path =
         assets.resolve(reader.string("filename", ""), reader.where("filename"));
-    image_ = cache_->open(path, reader);
+    image_ = cache_->open(path, reader, assets);
     gamma_ = static_cast<float>(reader.number("gamma", 2.2));
     gain_ = static_cast<float>(reader.number("gain", 1));
     const Wrap wrap = read_wrap(reader);
@@ -181,6 +181,7 @@ std::vector<ParameterDeclaration> imagemap_parameters() {
 
 void register_imagemaps(Registry& registry) {
     auto cache = std::make_shared<ImageCache>();
+    const auto read_file = [cache](const std::string& path) { return cache->open_ahead(path); };
     const ParameterDeclaration channel =
         choice("channel", "mean", "channel of the image that is read", kChannels);
     std::vector<ParameterDeclaration> float_parameters = imagemap_parameters();
@@ -191,7 +192,8 @@ void register_imagemaps(Registry& registry) {
             return or_ones<FloatTexture>(
                 reader, [&] { return create_float(reader, assets, to_world, cache); },
                 std::make_shared<ConstantTexture<float>>(1.0f));
-        }};
+        },
+        read_file};
     registry.color_textures["imagemap"] = {
         imagemap_parameters(),
         [cache](const ParameterReader& reader, const AssetContext& assets,
@@ -203,7 +205,8 @@ void register_imagemaps(Registry& registry) {
                         ImageLookup(reader, assets, to_world, cache));
                 },
                 std::make_shared<ConstantTexture<Rgb>>(Rgb(1.0f)));
-        }};
+        },
+        read_file};
 }
 
 }  // namespace lxs::shading

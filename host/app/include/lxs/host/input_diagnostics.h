@@ -41,9 +41,8 @@ class InputDiagnostics : public Diagnostics {
 
   private:
     struct Kind {
-        std::string severity;
-        SourceLocation where;
-        std::string message;  ///< of the first
+        std::string before, behind;  ///< of the first: its place, and the line there
+        std::string message;         ///< of the first
         std::uint64_t count = 0;
         std::vector<std::string> others;  ///< names in other messages, a few, in order
     };

@@ -15,4 +15,12 @@ struct ReadFiles {
     std::vector<std::string> assets;  ///< paths of meshes, textures and the like; some twice
 };
 
+/// Larger sources are not kept for the lines that messages show: a mesh that is written out in one
+/// may be most of a scene's memory.
+inline constexpr std::size_t kMostKeptText = std::size_t{16} << 20;
+
+/// Forgets the sources, and the text of those above kMostKeptText: messages about them show the
+/// place, but not the line.
+void forget_sources(ReadFiles& files);
+
 }  // namespace lxs

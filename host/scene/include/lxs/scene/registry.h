@@ -2,6 +2,7 @@
 // Each category's implementation folder fills its part (register_shapes, register_textures, ...).
 #pragma once
 
+#include <any>
 #include <functional>
 #include <map>
 #include <memory>
@@ -30,6 +31,11 @@ class AssetContext {
         const std::string& name, const SourceLocation& where) const = 0;
     virtual std::shared_ptr<const FresnelTexture> fresnel_texture(
         const std::string& name, const SourceLocation& where) const = 0;
+    /// What the factory of `plugin` made of the file by `read_file`, if it was read ahead and has
+    /// not been taken yet; else empty.
+    virtual std::any take_ahead(const std::string& /*plugin*/, const std::string& /*path*/) const {
+        return {};
+    }
     /// Named materials (mix); throws InputError at `where` if there is none.
     virtual std::shared_ptr<const Material> material(const std::string& name,
                                                      const SourceLocation& where) const = 0;
@@ -52,6 +58,10 @@ struct Factory {
     std::vector<ParameterDeclaration> parameters;
     std::function<Product(const ParameterReader&, const AssetContext&, const Matrix& to_world)>
         create;
+    /// Reads the file that the parameter "filename" names, as `create` does, from any thread and
+    /// without a message: a scene's files are read several at a time. What it throws is passed
+    /// over, since `create` then reads again. Null: there is nothing to read ahead.
+    std::function<std::any(const std::string& path)> read_file = {};
 };
 
 using ShapeFactory = Factory<Geometry>;

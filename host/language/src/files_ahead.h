@@ -1,0 +1,43 @@
+// Files that statements name, read on all threads before the statements are carried out one by one.
+#pragma once
+
+#include <any>
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "lxs/scene/registry.h"
+#include "statement.h"
+
+namespace lxs {
+
+class FilesAhead {
+  public:
+    /// `directory`: where file names in the scene are looked up. `registry` must outlive it.
+    FilesAhead(const Registry& registry, std::string directory)
+        : registry_(registry), directory_(std::move(directory)) {}
+
+    /// Reads the files of shapes and textures among these, several at a time. Says nothing: a file
+    /// that is missing or can't be read is met again, and reported, by the statement that names it.
+    void read(const std::vector<Statement>& statements);
+    /// What was read of the file for `plugin`, once; empty if nothing was.
+    std::any take(const std::string& plugin, const std::string& path);
+
+  private:
+    using ReadFile = std::function<std::any(const std::string& path)>;
+    struct Job {
+        std::string plugin, path;
+        const ReadFile* read;
+        std::any result = {};
+    };
+    /// The reader of the plugin that the statement names, or null.
+    const ReadFile* reader_of(const Statement& statement, const std::string& plugin) const;
+    std::vector<Job> jobs_of(const std::vector<Statement>& statements) const;
+
+    const Registry& registry_;
+    std::string directory_;
+    std::map<std::pair<std::string, std::string>, std::any> read_;  ///< by plugin and path
+};
+
+}  // namespace lxs

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <system_error>
 #include <vector>
@@ -44,9 +45,9 @@ ExitCode merge_parts(const CommandLine& asked, std::uint32_t count) {
     if (asked.verbosity == Verbosity::Quiet) words.emplace_back("--quiet");
     for (std::uint32_t rank = 0; rank < count; ++rank)
         words.push_back(part_name(*asked.output, rank + 1));
-    std::vector<const char*> arguments;
-    for (const std::string& word : words)
-        arguments.push_back(word.c_str());
+    std::vector<const char*> arguments(words.size());
+    std::ranges::transform(words, arguments.begin(),
+                           [](const std::string& w) { return w.c_str(); });
     const ExitCode code = run_lxsmerge(static_cast<int>(arguments.size()), arguments.data());
     if (code != ExitCode::Success) return code;
     for (std::uint32_t rank = 0; rank < count; ++rank) {

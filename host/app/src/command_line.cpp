@@ -16,9 +16,9 @@
 #include "lxs/host/option_checks.h"
 #include "lxs/host/output_files.h"
 #include "lxs/imaging/layer_names.h"
-#include "lxs/mpi/process_group.h"
 #include "lxs/sdk/diagnostics.h"
 #include "lxs/serve/page.h"
+#include "mpi_options.h"
 
 namespace lxs {
 namespace {
@@ -197,41 +197,6 @@ void add_checkpoint_options(CLI::App& app, CommandLine& command) {
         ->needs(checkpoint);
 }
 
-void add_mpi_option(CLI::App& app, CommandLine& command) {
-    app.add_flag("--mpi", command.mpi,
-                 "render together with the other processes that mpirun has started: they share the "
-                 "work of each pass, and the image has the same bits with any number of them")
-        ->excludes(app.get_option("--explain"));
-    app.add_option(
-           "--mpi-split", command.mpi_split,
-           "what the processes share: photons, and the eye paths of each pass with them; or "
-           "passes, each process with a seed of its own, which are merged (default: "
-           "photons)")
-        ->type_name("photons|passes")
-        ->transform(
-            CLI::CheckedTransformer(std::map<std::string, MpiSplit>{{"photons", MpiSplit::Photons},
-                                                                    {"passes", MpiSplit::Passes}},
-                                    CLI::ignore_case))
-        ->needs(app.get_option("--mpi"));
-}
-
-/// What can't be told from the options alone.
-void check_mpi(const CommandLine& command) {
-    if (!command.mpi) return;
-    if (!has_process_group())
-        throw CLI::ValidationError("--mpi",
-                                   "this lxsrender has no MPI: build it where Open MPI is "
-                                   "installed, with -DAIPS_MPI=ON");
-    if (command.scene == "-")
-        throw CLI::ValidationError("--mpi",
-                                   "the scene must be a file, which all processes can read: of "
-                                   "standard input only the first has any");
-    if (command.mpi_split != MpiSplit::Passes) return;
-    if (!command.output || !has_suffix(*command.output, ".exr"))
-        throw CLI::ValidationError("--mpi-split",
-                                   "passes are merged into an EXR file: give its name by -o");
-}
-
 void add_animation_options(CLI::App& app, CommandLine& command, bool& seed_per_frame) {
     app.add_option("--learned-out", command.learned_out,
                    "file for what the render learns: guide, choices of lights, plan of photons; "
@@ -281,7 +246,7 @@ std::optional<ExitCode> parse_command_line(int argc, const char* const* argv,
     add_output_options(app, command);
     add_render_options(app, command);
     add_checkpoint_options(app, command);
-    add_mpi_option(app, command);
+    add_mpi_options(app, command);
     bool seed_per_frame = false;
     add_animation_options(app, command, seed_per_frame);
     add_plugin_options(app, command);

@@ -45,7 +45,7 @@ void RankJob::agree(std::span<const std::byte> bytes, const std::string& what) {
     const RankMessages all = exchange(bytes);
     for (std::uint32_t rank = 1; rank < count(); ++rank) {
         if (std::ranges::equal(all.of(rank), all.of(0))) continue;
-        parted_ = true;
+        // Not parted: one that is ahead, in an exchange of the engine's, hears of it by end().
         throw failure_.emplace(
             fmt::format("process {} of {} {} than the first: all of them need the same files",
                         rank + 1, count(), what),

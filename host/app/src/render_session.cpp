@@ -85,7 +85,7 @@ void complete_fingerprint(RenderSession& session, const CommandLine& command,
                           const IntegratorChoice& choice, const ReadFiles& files) {
     Fingerprint& fingerprint = session.fingerprint;
     try {
-        if (command.checkpoint) fingerprint.set_program(choice.integrator->file);
+        if (command.checkpoint || command.mpi) fingerprint.set_program(choice.integrator->file);
         fingerprint.set_assets(files);
     } catch (const std::system_error& error) {
         throw SceneFailure(error.what());

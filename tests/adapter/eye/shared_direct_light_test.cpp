@@ -56,7 +56,7 @@ TEST(SharedDirectLight, SameExpectation) {
 
 /// The corner of a closed box that shines, with a veil in it that lets light through, seen by eye
 /// paths that all do `eye`.
-EyeImage veiled_corner(const EyeShare& eye) {
+EyeImage veiled_corner(const EyeShare& eye, std::uint32_t max_photon_depth) {
     mock::Scene scene;
     mock::Surface wall, veil;
     wall.emitted = {1, 1, 1};
@@ -69,9 +69,11 @@ EyeImage veiled_corner(const EyeShare& eye) {
     EyeShares shares(scene.bounds());
     shares.table.set_shares(std::vector<EyeShare>(shares.table.leaf_count(), eye));
     shares.any = eye.any();
+    Settings settings = mock::small_settings(5, 1);
+    settings.max_photon_depth = max_photon_depth;
     return mock::traced_eye_image(scene,
                                   mock::camera_along_y({0.7f, -0.5f, 0.7f}, 0.4f, kSize, kSize),
-                                  kSize, kPaths, mock::small_settings(5, 1), &shares);
+                                  kSize, kPaths, settings, &shares);
 }
 
 /// Of light at visible points.
@@ -89,9 +91,10 @@ struct Moments {
     }
 };
 
-TEST(SharedDirectLight, FirstRaysAloneKeepTheExpectation) {
-    const EyeImage without = veiled_corner({}), with = veiled_corner({.first_ray = true});
-    const Moments a(without), b(with);
+void expect_same_direct_light(std::uint32_t max_photon_depth) {
+    SCOPED_TRACE(max_photon_depth);
+    const Moments a(veiled_corner({}, max_photon_depth));
+    const Moments b(veiled_corner({.first_ray = true}, max_photon_depth));
     // Stratified numbers only make the means better than this.
     const double error = std::sqrt((a.variance + b.variance) / a.points);
     EXPECT_NEAR(a.mean, b.mean, kMostStandardErrors * error);
@@ -100,8 +103,14 @@ TEST(SharedDirectLight, FirstRaysAloneKeepTheExpectation) {
     EXPECT_LT(b.variance, 0.8 * a.variance) << "first rays make nothing calmer";
 }
 
+/// A veil has two sides: with a depth of 1 or 2 photons would get through no more than one.
+TEST(SharedDirectLight, FirstRaysAloneKeepTheExpectation) {
+    for (const std::uint32_t max_photon_depth : {1u, 2u, 8u})
+        expect_same_direct_light(max_photon_depth);
+}
+
 TEST(SharedDirectLight, FirstRaysBringNoOtherLight) {
-    const EyeImage image = veiled_corner({.first_ray = true});
+    const EyeImage image = veiled_corner({.first_ray = true}, 8);
     std::size_t first_rays = 0;
     for (const VisiblePoint& point : image.visible_points) {
         if (point.continued) continue;  // one in four explores

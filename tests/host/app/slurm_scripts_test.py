@@ -20,11 +20,11 @@ def main():
     with tempfile.TemporaryDirectory() as name:
         folder = pathlib.Path(name)
         for number in (1, 2):
-            task('seeds.sbatch', number, scenes / 'cornell-box.lxs', folder / 'part')
-        parts = sorted(folder.glob('part_*.exr'))
+            task('seeds.sbatch', number, scenes / 'cornell-box.lxs', folder / 'parts/part')
+        parts = sorted(folder.glob('parts/part_*.exr'))
         subprocess.run([program.with_name('lxsmerge'), *parts, '-o', folder / 'whole.exr'],
                        check=True)
-        if list(folder.glob('*.state')):
+        if list(folder.glob('parts/*.state')):
             sys.exit('a task that has ended well left its checkpoint')
         shot = folder / 'shot'
         shot.mkdir()

@@ -26,12 +26,10 @@ class ContinuedPath {
         const float before = max_component(tip_.throughput);
         const BounceDraw draw{start_.receiving, start_.choice_pdf, first.direction(), first.lobe()};
         if (!bounce(in_, start_.point, start_.wo, draw, refusals_, tip_)) return result_;
-        // A photon that lands at the visible point after n surfaces met the n - 1 others here.
-        for (std::uint32_t n = 1; n < in_.settings.max_photon_depth; ++n) {
+        for (std::uint32_t n = 1; may_meet(n); ++n) {
             const auto mark = arena_.mark();
             const VertexNumbers numbers = numbers_.vertex(start_.depth + n);
-            const bool last = n + 1 == in_.settings.max_photon_depth;
-            const bool goes_on = meet(numbers, last) && (!start_.first_ray || straight()) &&
+            const bool goes_on = meet(numbers, n) && (!start_.first_ray || straight()) &&
                                  survives(n, before, numbers.end());
             arena_.rewind(mark);
             if (!goes_on) break;
@@ -40,9 +38,17 @@ class ContinuedPath {
     }
 
   private:
-    /// The next surface: its light, what lights send there, and the way on; false at the path's
+    /// A photon that lands at the visible point after n surfaces met the n - 1 others here.
+    bool photons_meet(std::uint32_t n) const { return n < in_.settings.max_photon_depth; }
+
+    /// Beyond these a first ray still brings what shadow rays have left to it.
+    bool may_meet(std::uint32_t n) const {
+        return photons_meet(n) || (straight() && n < kMostStraightSurfaces);
+    }
+
+    /// Surface number n: its light, what lights send there, and the way on; false at the path's
     /// end.
-    bool meet(const VertexNumbers& numbers, bool last) {
+    bool meet(const VertexNumbers& numbers, std::uint32_t n) {
         SurfacePoint point;
         ++result_.rays;
         const bool met = meet_surface(in_.scene, tip_.ray, point, arena_, refusals_);
@@ -58,17 +64,18 @@ class ContinuedPath {
         if (!point.bsdf) return false;
         const Vec3 wo = -tip_.ray.direction;
         const LobeMask lobes = point.bsdf->lobes();
-        if (const LobeMask shared = start_.first_ray ? 0 : lobes & kNonSpecular) {
+        const bool asks = photons_meet(n) && !start_.first_ray;
+        if (const LobeMask shared = asks ? lobes & kNonSpecular : 0) {
             DirectLightQuery query{point, wo, tip_.ray.time, tip_.throughput};
             query.shared = shared;
             query.bounce = lobes;
-            query.continue_pdf = last ? 0.0f : 1.0f;
+            query.continue_pdf = photons_meet(n + 1) ? 1.0f : 0.0f;
             const DirectLightResult direct =
                 in_.direct_light.estimate(query, numbers, refusals_, {output_.continued});
             result_.rays += direct.rays;
             tell(output_.light, direct.sample.light, output_.share * direct.brought);
         }
-        return !last && go_on(point, wo, lobes, numbers);
+        return go_on(point, wo, lobes, numbers);
     }
 
     bool go_on(const SurfacePoint& point, Vec3 wo, LobeMask lobes, const VertexNumbers& numbers) {

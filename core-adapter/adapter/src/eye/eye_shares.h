@@ -34,7 +34,7 @@ struct EyeShares {
     bool any = false;  ///< whether a ray leaves some place
 };
 
-/// Direct light of a visible point from which the path went on: luminances. A shadow ray and the
+/// Direct light of a visible point that a first ray left: luminances. A shadow ray and the
 /// path's first ray share it, which is calmer than shadow rays alone.
 ///
 /// Let a shadow ray ask light l with probability p_l. G_l is what l brings, S_l the part that the

@@ -23,6 +23,8 @@ class FilesAhead {
     void read(const std::vector<Statement>& statements);
     /// What was read of the file for `plugin`, once; empty if nothing was.
     std::any take(const std::string& plugin, const std::string& path);
+    /// Drops what nobody took, as of statements in the wrong place.
+    void forget() { read_.clear(); }
 
   private:
     using ReadFile = std::function<std::any(const std::string& path)>;

@@ -91,9 +91,10 @@ void SceneReader::read(const std::shared_ptr<const SourceFile>& file) {
 }
 
 void SceneReader::execute_all(std::vector<Statement> statements) {
-    ahead_.read(statements);
+    if (!ended_) ahead_.read(statements);
     for (Statement& statement : statements)
         execute(statement);
+    ahead_.forget();
 }
 
 SceneContents SceneReader::finish() {

@@ -6,6 +6,7 @@
 #include <atomic>
 #include <stdexcept>
 
+#include "files_ahead.h"
 #include "run_on_threads.h"
 #include "scene_fakes.h"
 #include "temporary_folder.h"
@@ -75,6 +76,29 @@ TEST_F(FilesAhead, AFileThatIsNamedTwiceIsReadTwice) {
     const auto contents = read_scene(shape("one") + shape("two") + shape("one"), diagnostics);
     EXPECT_EQ(contents.primitives.size(), 3u);
     EXPECT_EQ(read_, 3);
+}
+
+/// Shapes before WorldBegin are no shapes: their files are kept for nobody.
+TEST_F(FilesAhead, WhatNobodyTakesIsForgotten) {
+    const Registry known = registry();
+    lxs::FilesAhead ahead(known, folder_.path().string());
+    const auto text = [](const std::string& value) {
+        Argument argument;
+        argument.values = std::vector<std::string>{value};
+        return argument;
+    };
+    std::vector<Statement> statements;
+    for (const std::string name : {"one", "two"}) {
+        folder_.write(name, "text");
+        Statement statement;
+        statement.name = "Shape";
+        statement.arguments = {text("file"), text("string filename"), text(name)};
+        statements.push_back(statement);
+    }
+    ahead.read(statements);
+    EXPECT_TRUE(ahead.take("file", (folder_.path() / "one").string()).has_value());
+    ahead.forget();
+    EXPECT_FALSE(ahead.take("file", (folder_.path() / "two").string()).has_value());
 }
 
 TEST_F(FilesAhead, MessagesComeInTheOrderOfStatementsForAnyNumberOfThreads) {

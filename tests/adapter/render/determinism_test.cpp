@@ -41,12 +41,12 @@ TEST_P(Determinism, SeedsDiffer) {
 
 /// With more eye paths and pixels than one job takes, and photons per pass that follow the noise.
 mock::Rendering rendering_of_many_jobs(unsigned threads, GuideKind guide) {
-    constexpr std::uint32_t kWidth = 80, kHeight = 60;
+    constexpr std::uint32_t kWidth = 128, kHeight = 96;
     const mock::View view = mock::half_mirror_view(kWidth, kHeight);
     Settings settings = mock::small_settings(13, 0);
     settings.guide = guide;
-    // One more than it takes to choose.
-    const std::uint32_t passes = guide == GuideKind::None ? 5 : 9;
+    // One more than it takes to choose, with a guide and without.
+    const std::uint32_t passes = 9;
     return concurrency::run_on(threads, [&] {
         return mock::render(view.scene, view.camera, kWidth, kHeight, settings, passes);
     });

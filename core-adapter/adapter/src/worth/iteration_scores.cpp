@@ -25,8 +25,8 @@ double IterationScores::begin_pass(const EyeImage& image, std::span<const Vec3> 
 template <typename LandingOf>
 std::span<const double> IterationScores::score(std::size_t count, const LandingOf& landing) {
     scores_.resize(count);
-    if (const EyeImage& image = score_.image(); image.owners.ranks) {
-        score_with_ranks(score_, image.owners, landing, scores_);
+    if (count > 0 && score_.image().owners.ranks) {
+        score_with_ranks(score_, score_.image().owners, landing, scores_);
         return scores_;
     }
     using Range = tbb::blocked_range<std::size_t>;

@@ -13,7 +13,7 @@ import unittest
 
 SKIPPED = 77
 try:
-    from luxconsole import LuxConsole, SCENES, block_differences
+    from luxconsole import LuxConsole, block_differences
     import numpy as np
 except ImportError as missing:
     print(f'skipped: {missing}')
@@ -47,6 +47,7 @@ MakeNamedVolume "haze" "homogeneous" "float fresnel" [1] "color sigma_a" [0 0 0]
   "color sigma_s" [0.1 0.1 0.1] "color g" [0 0 0]
 Exterior "haze"
 ''')
+VARYING = HAZE.replace('"homogeneous"', '"heterogeneous"').replace('[0.1 0.1 0.1]', '[0 0 0]')
 
 
 class InLuxRender(unittest.TestCase):
@@ -99,6 +100,8 @@ class InLuxRender(unittest.TestCase):
         """Protects the bits: they are the same for any number of threads."""
         one, three = (self.lux.render('cornell-box', 'aips', 4, WIDTH, threads=n).image
                       for n in (1, 3))
+        self.assertIsNotNone(one)
+        self.assertIsNotNone(three)
         self.assertTrue(np.array_equal(one, three))
 
     def test_refusals(self):
@@ -106,6 +109,9 @@ class InLuxRender(unittest.TestCase):
         haze = self.lux.render(HAZE, 'aips', 4, WIDTH, name='haze', volumes='multi')
         self.assertIn('volumes that scatter', haze.text)
         self.assertIsNone(haze.image, haze.text)
+        varying = self.lux.render(VARYING, 'aips', 4, WIDTH, name='varying', volumes='multi')
+        self.assertIn('or are heterogeneous', varying.text)
+        self.assertIsNone(varying.image, varying.text)
         alone = self.lux.render(GROUPS, 'aips', 4, WIDTH, name='alone',
                                 integrator_text='Renderer "aips" SurfaceIntegrator "path"')
         self.assertIn('Renderer "aips" needs SurfaceIntegrator "aips"', alone.text)

@@ -47,7 +47,6 @@ MakeNamedVolume "haze" "homogeneous" "float fresnel" [1] "color sigma_a" [0 0 0]
   "color sigma_s" [0.1 0.1 0.1] "color g" [0 0 0]
 Exterior "haze"
 ''')
-VARYING = HAZE.replace('"homogeneous"', '"heterogeneous"').replace('[0.1 0.1 0.1]', '[0 0 0]')
 
 
 class InLuxRender(unittest.TestCase):
@@ -109,9 +108,6 @@ class InLuxRender(unittest.TestCase):
         haze = self.lux.render(HAZE, 'aips', 4, WIDTH, name='haze', volumes='multi')
         self.assertIn('volumes that scatter', haze.text)
         self.assertIsNone(haze.image, haze.text)
-        varying = self.lux.render(VARYING, 'aips', 4, WIDTH, name='varying', volumes='multi')
-        self.assertIn('or are heterogeneous', varying.text)
-        self.assertIsNone(varying.image, varying.text)
         alone = self.lux.render(GROUPS, 'aips', 4, WIDTH, name='alone',
                                 integrator_text='Renderer "aips" SurfaceIntegrator "path"')
         self.assertIn('Renderer "aips" needs SurfaceIntegrator "aips"', alone.text)

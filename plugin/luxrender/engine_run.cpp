@@ -88,10 +88,12 @@ Settings settings_of(LuxView& view, const std::vector<GivenParameter>& given) {
 
 class Run final : public EngineRun {
   public:
-    Run(LuxView& view, const Settings& settings, std::uint64_t passes_before)
+    /// Wavelengths go by the seed given, as those of a resumed film go on.
+    Run(LuxView& view, const Settings& settings, std::uint64_t seed_given,
+        std::uint64_t passes_before)
         : view_(view),
           passes_before_(passes_before),
-          wavelengths_(view),
+          wavelengths_(view, seed_given),
           scene_(view, wavelengths_),
           camera_(view),
           sampler_(settings.seed),
@@ -139,9 +141,10 @@ std::vector<KnownParameter> known_parameters() {
 std::unique_ptr<EngineRun> start_engine(LuxView& view, const std::vector<GivenParameter>& given,
                                         std::uint64_t passes_before) {
     Settings settings = settings_of(view, given);
+    const std::uint64_t seed_given = settings.seed;
     // What a resumed film has came from other numbers than what is added.
     settings.seed += passes_before * 0x9E3779B97F4A7C15u;
-    return std::make_unique<Run>(view, settings, passes_before);
+    return std::make_unique<Run>(view, settings, seed_given, passes_before);
 }
 
 }  // namespace aips::luxrender

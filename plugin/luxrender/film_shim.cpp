@@ -13,16 +13,16 @@ CameraRay CameraShim::generate(const CameraSample& sample, float time) const {
         const float film[2] = {sample.film.x + x, sample.film.y + y};
         return view_.camera_ray(film, lens, time);
     };
-    const ViewCameraRay here = at(0, 0);
+    const ViewRay here = at(0, 0);
     CameraRay ray;
-    ray.ray = ray_of(here.ray);
-    const ViewCameraRay right = at(1, 0), below = at(0, 1);
+    ray.ray = ray_of(here);
+    const ViewRay right = at(1, 0), below = at(0, 1);
     const auto size = [](const Triple& a, const Triple& b, const Triple& c) {
         const Vec3 u = vector_of(b) - vector_of(a), v = vector_of(c) - vector_of(a);
         return 0.5f * std::sqrt(length(cross(u, v)));
     };
-    ray.width = size(here.ray.origin, right.ray.origin, below.ray.origin);
-    ray.spread = size(here.ray.direction, right.ray.direction, below.ray.direction);
+    ray.width = size(here.origin, right.origin, below.origin);
+    ray.spread = size(here.direction, right.direction, below.direction);
     return ray;
 }
 

@@ -10,12 +10,15 @@
 #include "integrators/none.h"
 #include "paramset.h"
 #include "randomgen.h"
+#include "volumes/heterogeneous.h"
 
 namespace aips::luxrender {
 namespace {
 
+/// A volume that varies may scatter anywhere: none is taken for one that only absorbs.
 bool scatters(const lux::Volume* volume) {
     if (!volume) return false;
+    if (dynamic_cast<const lux::HeterogeneousVolume*>(volume)) return true;
     luxrays::SpectrumWavelengths wavelengths;
     wavelengths.Sample(0.5f);
     lux::DifferentialGeometry anywhere;
@@ -126,8 +129,8 @@ std::string LuxRenderer::refusal(lux::Scene& scene) const {
     if (statistics_->has_slave_nodes())
         return "\"aips\" renders on one machine; leave out the network's nodes";
     if (scene.volumeRegion || has_scattering(scene))
-        return "\"aips\" does not render volumes that scatter; VolumeIntegrator \"emission\" takes "
-               "them for absorbing, volume regions have to go";
+        return "\"aips\" does not render volumes that scatter or are heterogeneous; "
+               "VolumeIntegrator \"emission\" takes them for absorbing, volume regions have to go";
     return {};
 }
 
@@ -173,12 +176,18 @@ void LuxRenderer::Render(lux::Scene* scene) {
 
 void LuxRenderer::render_passes(lux::Scene& scene, EngineRun& run) {
     lux::Film& film = *scene.camera()->film;
-    state_ = RUN;
+    change_state(INIT, RUN);
     statistics_->reset();
     statistics_->start();
     scene.SetReady();
     while (goes_on()) {
-        run.render_pass(statistics_->threads);
+        try {
+            run.render_pass(statistics_->threads);
+        } catch (const std::exception& error) {
+            LOG(LUX_SEVERE, LUX_SYSTEM)
+                << "the render ends after " << statistics_->passes << " passes: " << error.what();
+            break;
+        }
         ++statistics_->passes;
         statistics_->photon_paths = run.photon_paths();
         film.CheckWriteOuputInterval();
@@ -201,14 +210,16 @@ bool LuxRenderer::goes_on() {
     return state_ != TERMINATE;
 }
 
+bool LuxRenderer::change_state(RendererState from, RendererState to) {
+    return state_.compare_exchange_strong(from, to);
+}
+
 void LuxRenderer::Pause() {
-    state_ = PAUSE;
-    statistics_->stop();
+    if (change_state(RUN, PAUSE)) statistics_->stop();
 }
 
 void LuxRenderer::Resume() {
-    state_ = RUN;
-    statistics_->start();
+    if (change_state(PAUSE, RUN)) statistics_->start();
 }
 
 }  // namespace aips::luxrender

@@ -61,6 +61,8 @@ class LuxRenderer final : public lux::Renderer {
     void render_passes(lux::Scene& scene, EngineRun& run);
     /// Waits while paused; false if the render is over.
     bool goes_on();
+    /// False, and no change, if the state is another: other threads may have ended the render.
+    bool change_state(RendererState from, RendererState to);
 
     std::atomic<RendererState> state_{INIT};
     std::atomic<bool> suspend_when_done_{false};

@@ -62,12 +62,6 @@ struct ViewDirect {
     Triple end;  ///< the light's point
 };
 
-/// A camera ray.
-struct ViewCameraRay {
-    ViewRay ray;
-    bool met = false;  ///< whether the camera has a ray for that sample
-};
-
 /// Which mean of the film a sample belongs to.
 enum class FilmPart { Eye, Photons, Splats };
 
@@ -125,8 +119,7 @@ class LuxView {
     virtual Triple escaped(unsigned light, const Triple& direction) const = 0;
 
     /// Position in pixels of the cropped film, lens in [0,1)^2.
-    virtual ViewCameraRay camera_ray(const float film[2], const float lens[2],
-                                     float time) const = 0;
+    virtual ViewRay camera_ray(const float film[2], const float lens[2], float time) const = 0;
     virtual float shutter_open() const = 0;
     virtual float shutter_close() const = 0;
 

@@ -15,12 +15,12 @@ constexpr double kEvenShare = 0.1;
 /// Of the Sobol' sequence whose first four place SobolSampler's samples in film and lens: a pass's
 /// wavelengths and its places are spread evenly together.
 constexpr unsigned kDimension = 4;
-constexpr std::uint32_t kScramble = 1;
 
 }  // namespace
 
-PassWavelengths::PassWavelengths(const LuxView& view)
-    : shortest_(view.shortest_wavelength()),
+PassWavelengths::PassWavelengths(const LuxView& view, std::uint64_t seed)
+    : scramble_(hash_bits(std::uint32_t(seed) ^ hash_bits(std::uint32_t(seed >> 32)))),
+      shortest_(view.shortest_wavelength()),
       step_((view.longest_wavelength() - shortest_) / kSteps),
       cumulative_(kSteps) {
     double sum = 0;
@@ -35,7 +35,7 @@ PassWavelengths::PassWavelengths(const LuxView& view)
 }
 
 PassWavelengths::Drawn PassWavelengths::of_pass(std::uint64_t pass) const {
-    const double offset = sobol_owen(pass, kDimension, kScramble);
+    const double offset = sobol_owen(pass, kDimension, scramble_);
     Drawn drawn;
     for (unsigned k = 0; k < 3; ++k) {
         const double u = (double(2 - k) + offset) / 3;

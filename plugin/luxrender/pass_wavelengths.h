@@ -9,10 +9,11 @@
 namespace aips::luxrender {
 
 /// Draws wavelengths by the eye's sensitivity, in three strata at offsets that follow a Sobol'
-/// sequence from pass to pass, so that the tint of single passes fades fast.
+/// sequence from pass to pass, so that the tint of single passes fades fast. Other seeds have other
+/// sequences.
 class PassWavelengths {
   public:
-    explicit PassWavelengths(const LuxView& view);
+    PassWavelengths(const LuxView& view, std::uint64_t seed);
 
     struct Drawn {
         Triple nanometres;   ///< the longest first
@@ -21,6 +22,7 @@ class PassWavelengths {
     Drawn of_pass(std::uint64_t pass) const;
 
   private:
+    std::uint32_t scramble_;
     float shortest_, step_;           ///< nanometres
     std::vector<double> cumulative_;  ///< of the density at the end of each step; the last is 1
 };

@@ -2,6 +2,7 @@
 #include "scene_shim.h"
 
 #include <algorithm>
+#include <cmath>
 #include <new>
 
 #include "aips/core/sampling/random.h"
@@ -11,6 +12,11 @@
 
 namespace aips::luxrender {
 namespace {
+
+/// Share of the lights' mean power that each counts for at least. The few photons that measure it
+/// may all be black where a light shines in lines or its texture has few bright places, and the
+/// engine leaves out lights of power 0.
+constexpr float kLeastPower = 1e-3f;
 
 constexpr std::size_t kAlignment = alignof(std::max_align_t);
 
@@ -87,6 +93,7 @@ class LightShim final : public Light {
         }
         power_ += float(sum / paths / all);
     }
+    void raise_power(float least) { power_ = std::max(power_, least); }
 
   private:
     const LuxView& view_;
@@ -116,6 +123,12 @@ SceneShim::SceneShim(LuxView& view, const PassWavelengths& wavelengths)
         for (LightShim* shim : shims)
             shim->add_power(pass, kPaths, kPasses);
     }
+    double sum = 0;
+    for (const LightShim* shim : shims)
+        if (std::isfinite(shim->power())) sum += shim->power();
+    const float least = sum > 0 ? kLeastPower * float(sum / double(shims.size())) : 1;
+    for (LightShim* shim : shims)
+        shim->raise_power(least);
 }
 
 SceneShim::~SceneShim() = default;

@@ -51,6 +51,7 @@ SceneView::SceneView(lux::Scene& scene, const FilmBuffers& buffers)
       buffers_(buffers),
       shutter_open_(scene.camera["ShutterOpen"].FloatValue()),
       shutter_close_(scene.camera["ShutterClose"].FloatValue()),
+      time_(shutter_open_),
       number_(next_view_number()) {
     for (const auto& light : scene.lights)
         index_of_.emplace(light.get(), static_cast<int>(index_of_.size()));
@@ -90,6 +91,8 @@ LuxWorker& SceneView::this_threads_worker() const {
 }
 
 LuxWorker& SceneView::worker(float time) const {
+    // All threads store the same; most find it there.
+    if (time_.load(std::memory_order_relaxed) != time) time_.store(time, std::memory_order_relaxed);
     LuxWorker& w = this_threads_worker();
     w.begin(wavelengths_, stamp_, time);
     return w;
@@ -97,7 +100,7 @@ LuxWorker& SceneView::worker(float time) const {
 
 LuxWorker& SceneView::worker() const {
     LuxWorker& w = this_threads_worker();
-    w.begin(wavelengths_, stamp_, w.sample.realTime);
+    w.begin(wavelengths_, stamp_, time_.load(std::memory_order_relaxed));
     return w;
 }
 
@@ -167,7 +170,7 @@ Triple SceneView::visibility(const Triple& from, const Triple& to, const void* v
     return triple_of(passed);
 }
 
-ViewCameraRay SceneView::camera_ray(const float film[2], const float lens[2], float time) const {
+ViewRay SceneView::camera_ray(const float film[2], const float lens[2], float time) const {
     LuxWorker& w = worker(time);
     w.sample.imageX = film[0] + float(film_.GetXPixelStart());
     w.sample.imageY = film[1] + float(film_.GetYPixelStart());
@@ -175,13 +178,13 @@ ViewCameraRay SceneView::camera_ray(const float film[2], const float lens[2], fl
     w.sample.lensV = lens[1];
     luxrays::Ray ray;
     float x = 0, y = 0;
-    ViewCameraRay camera_ray;
-    camera_ray.met = w.sample.camera->GenerateRay(scene_, w.sample, &ray, &x, &y) > 0.f;
+    w.sample.camera->GenerateRay(scene_, w.sample, &ray, &x, &y);
+    ViewRay camera_ray;
     // The near clipping plane is where the ray begins.
-    camera_ray.ray.origin = triple_of(ray(ray.mint));
-    camera_ray.ray.direction = triple_of(ray.d);
-    camera_ray.ray.time = time;
-    camera_ray.ray.volume = w.sample.camera->GetVolume();
+    camera_ray.origin = triple_of(ray(ray.mint));
+    camera_ray.direction = triple_of(ray.d);
+    camera_ray.time = time;
+    camera_ray.volume = w.sample.camera->GetVolume();
     return camera_ray;
 }
 

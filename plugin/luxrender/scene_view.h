@@ -55,7 +55,7 @@ class SceneView final : public LuxView {
     float pdf_escaping(unsigned light, const Triple& from, const Triple& wi) const override;
     Triple escaped(unsigned light, const Triple& direction) const override;
 
-    ViewCameraRay camera_ray(const float film[2], const float lens[2], float time) const override;
+    ViewRay camera_ray(const float film[2], const float lens[2], float time) const override;
     float shutter_open() const override { return shutter_open_; }
     float shutter_close() const override { return shutter_close_; }
 
@@ -71,7 +71,8 @@ class SceneView final : public LuxView {
   private:
     /// This thread's worker, ready for use.
     LuxWorker& worker(float time) const;
-    /// The same at the time of its last use.
+    /// The same at the pass's time, for lights, which are asked without one. Every pass begins with
+    /// rays of the camera, which have it.
     LuxWorker& worker() const;
     LuxWorker& this_threads_worker() const;
 
@@ -79,6 +80,7 @@ class SceneView final : public LuxView {
     lux::Film& film_;
     FilmBuffers buffers_;
     float shutter_open_, shutter_close_;
+    mutable std::atomic<float> time_;  ///< of the pass
     std::unordered_map<const lux::Light*, int> index_of_;
     luxrays::SpectrumWavelengths wavelengths_;
     Triple per_density_;

@@ -13,7 +13,7 @@ import unittest
 
 SKIPPED = 77
 try:
-    from luxconsole import LuxConsole, SCENES, block_differences
+    from luxconsole import LuxConsole, block_differences
     import numpy as np
 except ImportError as missing:
     print(f'skipped: {missing}')
@@ -99,6 +99,8 @@ class InLuxRender(unittest.TestCase):
         """Protects the bits: they are the same for any number of threads."""
         one, three = (self.lux.render('cornell-box', 'aips', 4, WIDTH, threads=n).image
                       for n in (1, 3))
+        self.assertIsNotNone(one)
+        self.assertIsNotNone(three)
         self.assertTrue(np.array_equal(one, three))
 
     def test_refusals(self):

@@ -8,16 +8,18 @@
 #include "engine_run.h"
 #include "film_shim.h"
 #include "pass_wavelengths.h"
+#include "scene_shim.h"
 #include "sphere_view.h"
 
 namespace aips::luxrender {
 namespace {
 
 // Protects the mean over passes: the sum over wavelengths of a spectrum over their densities is its
-// integral, and after 64 passes, a whole net of offsets, within half a percent.
-TEST(LuxRenderShim, WavelengthsIntegrateSpectra) {
+// integral, and after 64 passes, a whole net of offsets, within half a percent for any seed.
+class LuxRenderShimSeeds : public testing::TestWithParam<std::uint64_t> {};
+TEST_P(LuxRenderShimSeeds, WavelengthsIntegrateSpectra) {
     const SphereView view;
-    const PassWavelengths wavelengths(view);
+    const PassWavelengths wavelengths(view, GetParam());
     constexpr unsigned kPasses = 64;
     double flat = 0, sloped = 0;
     for (unsigned pass = 0; pass < kPasses; ++pass) {
@@ -34,6 +36,45 @@ TEST(LuxRenderShim, WavelengthsIntegrateSpectra) {
     const double area = std::sqrt(5000 * M_PI);  // the tails beyond 380 and 720 nm are 1e-3 of it
     EXPECT_NEAR(flat / area, 1, 5e-3);
     EXPECT_NEAR(sloped / area / 550, 1, 5e-3);
+}
+INSTANTIATE_TEST_SUITE_P(Seeds, LuxRenderShimSeeds,
+                         testing::Values(0, 1, 7, std::uint64_t{1} << 40));
+
+// Protects means over seeds: renders of other seeds have other tints, also where seeds differ in
+// high bits alone.
+TEST(LuxRenderShim, WavelengthsGoBySeed) {
+    const SphereView view;
+    const auto first = [&](std::uint64_t seed) {
+        return PassWavelengths(view, seed).of_pass(0).nanometres.v[1];
+    };
+    EXPECT_EQ(first(1), first(1));
+    EXPECT_NE(first(1), first(2));
+    EXPECT_NE(first(1), first((std::uint64_t{1} << 40) + 1));
+}
+
+/// With a second light of which no photon tells anything, as lamps of one line may be, and at
+/// choice a first one that is as dark.
+class DarkView final : public SphereView {
+  public:
+    explicit DarkView(bool all) : all_(all) {}
+    unsigned light_count() const override { return 2; }
+    bool emit(unsigned light, const float place[3], const float direction[3],
+              ViewEmission& emission) const override {
+        return light == 0 && !all_ && SphereView::emit(light, place, direction, emission);
+    }
+
+  private:
+    bool all_;
+};
+
+// Protects light: the engine leaves out lights of power 0, which a few photons may seem to have.
+TEST(LuxRenderShim, NoLightIsLeftOutByChance) {
+    DarkView one(false), both(true);
+    const SceneShim lit(one, PassWavelengths(one, 1)), dark(both, PassWavelengths(both, 1));
+    const float bright = lit.lights()[0]->power();
+    EXPECT_NEAR(lit.lights()[1]->power(), 0.5e-3f * bright, 1e-6f * bright);
+    EXPECT_EQ(dark.lights()[0]->power(), 1);
+    EXPECT_EQ(dark.lights()[1]->power(), 1);
 }
 
 // Protects emission: nine or so numbers out of four must be uniform and unrelated, and the choice

@@ -12,7 +12,7 @@
 
 namespace aips::luxrender {
 
-class SphereView final : public LuxView {
+class SphereView : public LuxView {
   public:
     static constexpr float kReflectance = 0.5f, kPi = 3.14159265f;
     static constexpr Triple kEmitted{{1, 2, 4}};
@@ -120,14 +120,13 @@ class SphereView final : public LuxView {
     Triple escaped(unsigned, const Triple&) const override { return {}; }
 
     /// A pinhole at the centre that looks up.
-    ViewCameraRay camera_ray(const float film[2], const float*, float time) const override {
-        ViewCameraRay camera_ray;
+    ViewRay camera_ray(const float film[2], const float*, float time) const override {
+        ViewRay camera_ray;
         const float x = (film[0] - kPixels * 0.5f) * pixel_size();
         const float y = (film[1] - kPixels * 0.5f) * pixel_size();
         const float size = std::sqrt(x * x + y * y + 1);
-        camera_ray.ray.direction = {{x / size, y / size, 1 / size}};
-        camera_ray.ray.time = time;
-        camera_ray.met = true;
+        camera_ray.direction = {{x / size, y / size, 1 / size}};
+        camera_ray.time = time;
         return camera_ray;
     }
     static constexpr float pixel_size() { return 1.0f / kPixels; }

@@ -53,6 +53,8 @@ async function show(state) {
   if (!render) return;
   showPhase(phaseOf(state));
   showOrders(state);
+  // At once, and not after images that are still to come.
+  if (render.phase === "ended") notice(render.message ?? "");
   document.title = `${render.title} \u2013 lxsrender`;
   document.body.dataset.passes = render.passes;
   $("title").textContent = render.title;
@@ -71,10 +73,7 @@ async function show(state) {
     }
   }
   await overlay.update(state);
-  if (render.phase === "ended") {
-    ended = true;
-    notice(render.message ?? "");
-  }
+  ended = render.phase === "ended";
 }
 
 async function watch() {

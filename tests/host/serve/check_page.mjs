@@ -127,7 +127,8 @@ async function checkPanel(tab) {
 async function stop(tab) {
   await tab.getByRole("button", { name: "Stop and save" }).click();
   await until(async () => (await data(tab)).phase === "ended", "the render ends");
-  assert.match(await tab.locator("#notice").textContent(), /Written: a\.exr and a\.png/);
+  const written = /Written: a\.exr and a\.png/;
+  await until(async () => written.test(await tab.locator("#notice").textContent()), "the page says what is written");
   assert.ok(await tab.locator("#stop").isDisabled());
   assert.ok((await drawn(tab)).colours > 50, "the last image stays");
 }

@@ -1,10 +1,9 @@
 // The image library of programs that load it with the first image.
-#include <boost/dll/runtime_symbol_info.hpp>
 #include <boost/dll/shared_library.hpp>
 #include <filesystem>
-#include <system_error>
 
 #include "lxs/images/image_library.h"
+#include "lxs/modules/module_file.h"
 
 namespace lxs {
 namespace {
@@ -37,13 +36,7 @@ class LoadedLibrary {
 }  // namespace
 
 fs::path image_library_file() {
-    const fs::path bin = boost::dll::program_location().parent_path();
-    for (const char* folder : {LXS_INSTALLED_IMAGES, LXS_BUILT_IMAGES}) {
-        fs::path file = bin / folder / LXS_IMAGES_MODULE;
-        std::error_code unknown;
-        if (fs::exists(file, unknown)) return file;
-    }
-    return {};
+    return module_file({LXS_INSTALLED_IMAGES, LXS_BUILT_IMAGES}, LXS_IMAGES_MODULE);
 }
 
 const ImageLibrary& image_library() {

@@ -1,35 +1,27 @@
 // Loads the module with MPI.
 #include "lxs/mpi/process_group.h"
 
-#include <boost/dll/runtime_symbol_info.hpp>
 #include <boost/dll/shared_library.hpp>
 #include <filesystem>
-#include <system_error>
+
+#include "lxs/modules/module_file.h"
 
 namespace lxs {
 namespace {
 
-namespace fs = std::filesystem;
-
-fs::path module_file() {
-    const fs::path bin = boost::dll::program_location().parent_path();
-    for (const char* folder : {LXS_INSTALLED_MPI, LXS_BUILT_MPI}) {
-        fs::path file = bin / folder / LXS_MPI_MODULE;
-        std::error_code unknown;
-        if (fs::exists(file, unknown)) return file;
-    }
-    return {};
+std::filesystem::path mpi_module() {
+    return module_file({LXS_INSTALLED_MPI, LXS_BUILT_MPI}, LXS_MPI_MODULE);
 }
 
 }  // namespace
 
 bool has_process_group() {
-    return !module_file().empty();
+    return !mpi_module().empty();
 }
 
 ProcessGroup& process_group() {
     static boost::dll::shared_library module;
-    const fs::path file = module_file();
+    const std::filesystem::path file = mpi_module();
     try {
         // Open MPI loads parts of its own, which look for its symbols among those of all.
         module.load(file, boost::dll::load_mode::rtld_now | boost::dll::load_mode::rtld_global);

@@ -133,7 +133,7 @@ void PixelImportance::fade() {
 }
 
 double PixelImportance::weigh(const EyeImage& image, std::vector<float>& weights) const {
-    assign_all(weights, image.visible_points.size(), kUnknownWeight);
+    assign_all(weights, image.visible_points.size(), kUnknownWeight, image.positions.size());
     if (!(mean_ > 0) || weights.empty()) return 1;
     const auto weigh_points = [&](std::size_t first, std::size_t last) {
         double sum = 0;

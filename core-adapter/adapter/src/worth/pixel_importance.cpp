@@ -15,7 +15,7 @@ namespace aips {
 namespace {
 
 /// Rows or columns that one job blurs over.
-constexpr std::size_t kLinesPerJob = 32;
+constexpr std::size_t kLinesPerJob = 8;
 
 /// Sums of sliding windows along a line of `count` values, `stride` apart, of ratios' parts. What a
 /// bright value leaves behind by rounding, 2^-53 of it, is far below what counts as dark

@@ -37,7 +37,11 @@ class AdaptivePassGuide : public PassGuide {
     void study() override { guide_.study(last_log_); }
     std::uint64_t learn(std::uint32_t paths, const OccupancyGrid& /*near*/,
                         LandingStore& /*waiting*/) override {
-        std::swap(log_, last_log_);
+        if (guide_.learns_at_once()) {
+            guide_.study(log_);
+        } else {
+            std::swap(log_, last_log_);
+        }
         log_.clear();
         return guide_.update(paths);
     }
@@ -69,7 +73,7 @@ class AdaptivePassGuide : public PassGuide {
     const Settings& settings_;
     AdaptiveGuide guide_;
     PathLog log_;       // of the iteration that is traced
-    PathLog last_log_;  // of the one before, which is studied meanwhile
+    PathLog last_log_;  // of the one before, which may be studied meanwhile
 };
 
 }  // namespace

@@ -41,9 +41,12 @@ class AdaptiveGuide {
     /// Photon paths of the next iteration, where an unguided one has so many: few as long as much
     /// is learned, or photons count for less by their number (learning_weight.h).
     std::uint32_t iteration_paths(std::uint32_t unguided) const {
-        if (paths_ < kEagerPaths) return kLearningIterationPaths;
+        if (learns_at_once()) return kLearningIterationPaths;
         return awake() ? kSettledIterationPaths : unguided;
     }
+    /// Whether iterations are learned from before the next is traced: while what is known grows
+    /// fast, photons that follow older knowledge make fireflies.
+    bool learns_at_once() const { return paths_ < kEagerPaths; }
     const EmissionGuide* emission() const {
         return emission_rest_.awake() && settings_.guide_emission ? &emission_ : nullptr;
     }

@@ -96,7 +96,7 @@ inline constexpr double kRememberedPaths = 1e5;
 /// Supported by: no measurement.
 inline constexpr double kRememberedSeeds = 1.0 / 16;
 
-/// Photon paths until which many are scored. Unit: photon paths.
+/// Photon paths until which many are scored, each iteration before the next. Unit: photon paths.
 /// Balances: time of learning against how soon much is known.
 /// Chosen by: docs/notebook/2026-11-23-one-scale-for-scores.md.
 /// Supported by: sun-window, hall (two and a half million).

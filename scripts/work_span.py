@@ -4,6 +4,10 @@ A record says of each loop when it began and ended and how long each of its piec
 thread. What lies between two loops is serial. On P cores the pieces of a loop are given out in
 their order, each to the core that is free first, as work stealing does but for details; the next
 loop begins when the last piece has ended.
+
+Some parts of a pass go on beside each other, each a chain of loops and serial sections. The record
+has them one after the other. On P cores pieces of both are given to cores that are free, one chain's
+before the other's; whichever of the two takes longer, counts: threads know of no such order.
 """
 import dataclasses
 import heapq
@@ -40,6 +44,8 @@ def list_schedule(tasks, cores):
 
 def seconds(section, cores, barrier=0.0):
     """On so many cores; `barrier` seconds to wake threads and to wait for them, on more than one."""
+    if isinstance(section, Pair):
+        return section.seconds(cores, barrier)
     if not section.tasks:
         return section.serial
     return list_schedule(section.tasks, cores) + (barrier if cores > 1 else 0.0)
@@ -47,7 +53,80 @@ def seconds(section, cores, barrier=0.0):
 
 def span(section):
     """On any number of cores, with threads that wake at once."""
+    if isinstance(section, Pair):
+        return section.span()
     return max(section.tasks) if section.tasks else section.serial
+
+
+@dataclasses.dataclass
+class Pair:
+    """Two chains of sections that go on beside each other."""
+    name: str
+    chains: list         # two lists of sections
+
+    @property
+    def work(self):
+        return sum(section.work for chain in self.chains for section in chain)
+
+    @property
+    def tasks(self):
+        return [task for chain in self.chains for section in chain for task in section.tasks]
+
+    def seconds(self, cores, barrier=0.0):
+        if cores == 1:
+            return self.work
+        return max(chains_seconds(chains, cores, barrier)
+                   for chains in (self.chains, self.chains[::-1]))
+
+    def span(self):
+        return max(sum(span(section) for section in chain) for chain in self.chains)
+
+
+class Chain:
+    """Sections of which each begins when the one before has ended, while they are scheduled."""
+
+    def __init__(self, sections, barrier):
+        self.sections, self.barrier = iter(sections), barrier
+        self.ready, self.at, self.running, self.ends = [], 0.0, 0, 0.0
+        self.next_section()
+
+    def next_section(self):
+        """The next one with pieces; `at` is when they may begin, which is in self.ready."""
+        for section in self.sections:
+            self.ready = list(section.tasks or [section.serial])[::-1]
+            self.wait = self.barrier if section.tasks else 0.0
+            return
+        self.ready = []
+
+    def ended(self, time):
+        """A piece has."""
+        self.running -= 1
+        if not self.ready and self.running == 0:
+            self.at = self.ends = time + self.wait
+            self.next_section()
+
+
+def chains_seconds(chains, cores, barrier=0.0):
+    """Until both have ended, where a free core takes the next piece of the first chain that has one."""
+    chains = [Chain(chain, barrier) for chain in chains]
+    now, free, working = 0.0, cores, []  # working: (end, number, chain) of pieces
+    number = 0
+    while True:
+        for chain in chains:
+            while free and chain.ready and chain.at <= now:
+                number += 1
+                heapq.heappush(working, (now + chain.ready.pop(), number, chain))
+                chain.running += 1
+                free -= 1
+        waiting = [chain.at for chain in chains if chain.ready and chain.at > now]
+        if not working and not waiting:
+            return max(now, *(chain.ends for chain in chains))
+        if working and (not waiting or working[0][0] <= min(waiting)):
+            now, _, chain = heapq.heappop(working)
+            free += 1
+            chain.ended(now)
+        else:
+            now = min(waiting)
 
 
 @dataclasses.dataclass
@@ -99,26 +178,61 @@ def short_name(name):
     return re.sub(r'^(?:aips|lxs)::', '', found[1]) if found else name
 
 
-def sections_of(loops, names):
-    """Loops and what lies between them, in order, from the first loop on. What lies between is
-    named by the loops around it."""
-    sections = []
-    last_end = last_name = None
-    for number, begin, end, tasks in loops:
-        name = names[number]
-        if last_end is not None:
-            sections.append(Section(f'{last_name} .. {name}', [], max(0, begin - last_end) * 1e-9))
-        sections.append(Section(name, [t * 1e-9 for t in tasks] or [(end - begin) * 1e-9]))
-        last_end, last_name = end, name
-    return sections
+class Reader:
+    """Loops of a record and what lies between them, in order."""
+
+    def __init__(self, record):
+        self.loops = record['loops']
+        self.names = [short_name(name) for name in record['names']]
+        self.walls = record['clock'] == 'wall'
+        self.pairs = record.get('pairs', [])
+
+    def sections(self):
+        """From the first loop on."""
+        sections, i, time, last = [], 0, None, None
+        for pair in self.pairs:
+            sections, time, last = self.add_loops(sections, i, pair[0], time, last)
+            both = self.pair(pair)
+            if time is not None:
+                sections.append(between(last, both.name, time, pair[3]))
+            sections.append(both)
+            i, time, last = pair[2], pair[5], both.name
+        return self.add_loops(sections, i, len(self.loops), time, last)[0]
+
+    def add_loops(self, sections, first, end, time, last):
+        """Those from `first` to before `end`, behind what ended at `time` and is called `last`."""
+        for number, begin, done, tasks in self.loops[first:end]:
+            if not tasks and not self.walls:
+                continue
+            name = self.names[number]
+            if time is not None:
+                sections.append(between(last, name, time, begin))
+            sections.append(Section(name, [t * 1e-9 for t in tasks] or [(done - begin) * 1e-9]))
+            time, last = done, name
+        return sections, time, last
+
+    def pair(self, pair):
+        first, second, end, *times = pair
+        chains, names = [], []
+        for loops, begin_time, end_time in (((first, second), times[0], times[1]),
+                                            ((second, end), times[1], times[2])):
+            sections, time, last = self.add_loops([], *loops, begin_time, 'beginning')
+            sections.append(between(last, 'end', time, end_time))
+            chains.append(sections)
+            longest = max((s for s in sections if s.tasks), key=lambda s: s.work, default=None)
+            names.append(longest.name if longest else 'no loop')
+        return Pair(' beside '.join(names), chains)
+
+
+def between(last, name, time, until):
+    """What lies between two loops, and is named by them."""
+    return Section(f'{last} .. {name}', [], max(0, until - time) * 1e-9)
 
 
 def passes_of(record, mark, skip=1):
     """Sections of each pass: from one loop in the function `mark` to the next, without the first
     `skip` passes and what comes after the last such loop."""
-    names = [short_name(name) for name in record['names']]
-    sections = sections_of([loop for loop in record['loops'] if loop[3] or record['clock'] == 'wall'],
-                           names)
+    sections = Reader(record).sections()
     begins = [i for i, section in enumerate(sections) if section.name == mark]
     return [sections[a:b] for a, b in zip(begins[skip:], begins[skip + 1:])]
 

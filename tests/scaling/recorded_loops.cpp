@@ -1,6 +1,7 @@
 // Loops of known sizes, each of which must work on all of its items once: exit code 1 otherwise.
 // work_record_test.py looks at their record.
 #include <tbb/parallel_for.h>
+#include <tbb/parallel_invoke.h>
 
 #include <atomic>
 #include <cstdint>
@@ -47,6 +48,14 @@ bool loops_within() {
     return times == 15;
 }
 
+bool beside_each_other() {
+    std::atomic<int> times{0};
+    const auto work = [&] { tbb::parallel_for(0, 5, [&](int /*i*/) { ++times; }); };
+    tbb::parallel_invoke(work, [&] { tbb::parallel_invoke(work, work); });
+    tbb::parallel_invoke([&] { ++times; }, [&] { ++times; });
+    return times == 17;
+}
+
 bool no_items() {
     tbb::parallel_for(3, 3, [](int /*i*/) {});
     return true;
@@ -55,5 +64,6 @@ bool no_items() {
 }  // namespace
 
 int main() {
-    return numbered_items() && ranges() && many_items() && loops_within() && no_items() ? 0 : 1;
+    const bool loops = numbered_items() && ranges() && many_items() && loops_within();
+    return loops && beside_each_other() && no_items() ? 0 : 1;
 }

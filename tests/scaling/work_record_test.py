@@ -12,6 +12,7 @@ from work_span import short_name  # noqa: E402
 
 # The loop within loops_within() is a part of that.
 PIECES = {'numbered_items': 10, 'ranges': 4, 'many_items': 2041, 'loops_within': 3}
+BESIDE = 'beside_each_other'
 
 
 def record_of(program, mode):
@@ -28,11 +29,18 @@ def main():
     for mode in ('tasks', 'walls'):
         record = record_of(program, mode)
         names = [short_name(record['names'][number]) for number, *_ in record['loops']]
-        assert names == list(PIECES), names
+        # Three loops in a pair, of which two in a pair within; in walls each pair is a loop.
+        beside = [BESIDE] * (3 if mode == 'tasks' else 2)
+        assert names == list(PIECES) + beside, names
         times = [time for _, begin, end, _ in record['loops'] for time in (begin, end)]
         assert times == sorted(times), times
         pieces = [len(tasks) for *_, tasks in record['loops']]
-        assert pieces == (list(PIECES.values()) if mode == 'tasks' else [0] * 4), pieces
+        expected = list(PIECES.values()) + [5] * 3 if mode == 'tasks' else [0] * 6
+        assert pieces == expected, pieces
+        pairs = [pair[:3] for pair in record['pairs']]
+        assert pairs == ([[4, 5, 7], [7, 7, 7]] if mode == 'tasks' else []), pairs
+        for pair in record['pairs']:
+            assert pair[3:] == sorted(pair[3:]), pair
 
 
 if __name__ == '__main__':

@@ -6,8 +6,8 @@ import sys
 import unittest
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / 'scripts'))
-from work_span import (CORES, Reckoning, Section, list_schedule, passes_of,  # noqa: E402
-                       short_name)
+from work_span import (CORES, Pair, Reader, Reckoning, Section, chains_seconds,  # noqa: E402
+                       list_schedule, passes_of, seconds, short_name, span)
 
 
 def loop(*tasks):
@@ -59,6 +59,64 @@ class KnownSpeedUps(unittest.TestCase):
         self.assertEqual([row.tasks for row in reckoning.rows], [2])
 
 
+class Pairs(unittest.TestCase):
+    """Of chains that go on beside each other."""
+
+    def test_one_core_does_one_after_the_other(self):
+        self.assertAlmostEqual(seconds(Pair('', [[loop(1, 2), serial(3)], [serial(4)]]), 1), 10)
+
+    def test_what_is_short_is_hidden_where_cores_are_free(self):
+        pair = Pair('', [[loop(*[1.0] * 4)], [serial(0.25), loop(0.25, 0.25)]])
+        self.assertAlmostEqual(seconds(pair, 8), 1)
+        self.assertAlmostEqual(span(pair), 1)
+
+    def test_pieces_of_both_share_the_cores(self):
+        # Ten of each take ten rounds of two cores, whichever comes first.
+        pair = Pair('', [[loop(*[1.0] * 10)], [loop(*[1.0] * 10)]])
+        self.assertAlmostEqual(seconds(pair, 2), 10)
+        self.assertAlmostEqual(seconds(pair, 20), 1)
+
+    def test_a_chain_that_has_to_wait_counts(self):
+        # A serial chain of 3 behind a loop that takes both cores for 2: 5; before it, 1 + 3 = 4.
+        pair = Pair('', [[loop(2, 2)], [serial(1), serial(2)]])
+        self.assertAlmostEqual(chains_seconds(pair.chains, 2), 5)
+        self.assertAlmostEqual(chains_seconds(pair.chains[::-1], 2), 4)
+        self.assertAlmostEqual(seconds(pair, 2), 5)
+
+    def test_sections_of_a_chain_wait_for_each_other(self):
+        self.assertAlmostEqual(chains_seconds([[loop(2, 1), loop(2, 1)], []], 2), 4)
+        self.assertAlmostEqual(chains_seconds([[loop(2, 1), loop(2, 1)], []], 2, 0.25), 4.5)
+
+    def test_a_chain_alone_is_as_its_sections(self):
+        numbers = random.Random(9)
+        for _ in range(50):
+            chain = [loop(*[numbers.expovariate(1) for _ in range(numbers.randrange(1, 90))]),
+                     serial(numbers.random()), loop(1, 2, 3)]
+            for cores in CORES[1:]:
+                alone = sum(seconds(section, cores) for section in chain)
+                self.assertAlmostEqual(chains_seconds([[], chain], cores), alone)
+
+    def test_bounds(self):
+        numbers = random.Random(8)
+        for _ in range(100):
+            chains = [[loop(*[numbers.expovariate(1) for _ in range(numbers.randrange(1, 90))])
+                       for _ in range(3)] + [serial(numbers.random())] for _ in range(2)]
+            pair = Pair('', chains)
+            for cores in CORES:
+                time = seconds(pair, cores)
+                least = max(pair.work / cores, span(pair))
+                most = sum(seconds(section, cores) for chain in chains for section in chain)
+                self.assertGreaterEqual(time, least * (1 - 1e-12))
+                self.assertLessEqual(time, most * (1 + 1e-12))
+
+    def test_counts_in_a_reckoning(self):
+        reckoning = Reckoning([[serial(1), Pair('a beside b', [[serial(2)], [loop(1, 1)]])]])
+        self.assertAlmostEqual(reckoning.at[1], 5)
+        self.assertAlmostEqual(reckoning.at[4], 3)
+        self.assertAlmostEqual(reckoning.work, 5)
+        self.assertEqual([row.serial for row in reckoning.rows], [True, False])
+
+
 class Bounds(unittest.TestCase):
     def test_of_graham(self):
         numbers = random.Random(7)
@@ -85,6 +143,21 @@ class Records(unittest.TestCase):
                          [['eye', 'eye .. Film::add', 'Film::add', 'Film::add .. eye']] * 2)
         self.assertAlmostEqual(sum(s.work for s in passes[0]), 3.9e-6)
         self.assertEqual(len(passes_of(self.RECORD, 'eye', skip=1)), 1)
+
+    def test_pairs_have_what_lies_before_between_and_behind_their_loops(self):
+        record = {'clock': 'processor', 'names': ['a()::{lambda()#1}', 'b()::{lambda()#1}'],
+                  'loops': [[0, 0, 1000, [1000]], [1, 2500, 3000, [500]], [0, 3600, 3700, [100]],
+                            [0, 9000, 9500, [500]]],
+                  'pairs': [[1, 2, 3, 2000, 3200, 4000], [3, 3, 3, 5000, 6000, 8000]]}
+        sections = Reader(record).sections()
+        self.assertEqual([s.name for s in sections],
+                         ['a', 'a .. b beside a', 'b beside a',
+                          'b beside a .. no loop beside no loop', 'no loop beside no loop',
+                          'no loop beside no loop .. a', 'a'])
+        self.assertEqual([round(s.work * 1e9) for s in sections],
+                         [1000, 1000, 2000, 1000, 3000, 1000, 500])
+        chains = [[round(s.work * 1e9) for s in chain] for chain in sections[2].chains]
+        self.assertEqual(chains, [[500, 500, 200], [400, 100, 300]])
 
     def test_names_are_those_of_functions(self):
         for full, short in {

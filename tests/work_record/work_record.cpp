@@ -3,6 +3,7 @@
 
 #include <cxxabi.h>
 #include <oneapi/tbb/parallel_for.h>
+#include <oneapi/tbb/parallel_invoke.h>
 #include <time.h>
 
 #include <algorithm>
@@ -29,6 +30,12 @@ struct Entry {
     std::size_t name = 0;
     std::int64_t begin = 0, end = 0;   // nanoseconds
     std::vector<std::uint32_t> tasks;  // nanoseconds; of walls none
+};
+
+/// Two parts of the work that may go on at the same time: each its entries, and its time.
+struct Pair {
+    std::size_t first = 0, second = 0, end = 0;                  // entry that it begins with
+    std::int64_t first_time = 0, second_time = 0, end_time = 0;  // nanoseconds
 };
 
 /// Processor time of the thread, so that others' work on the machine does not count; for walls the
@@ -75,6 +82,20 @@ class Record {
         entries_.back().end = now(mode_);
     }
 
+    void add_pair(const std::function<void()>& first, const std::function<void()>& second) {
+        Pair pair{entries_.size(), 0, 0, now(mode_), 0, 0};
+        within_pair_ = true;
+        first();
+        pair.second = entries_.size();
+        pair.second_time = now(mode_);
+        second();
+        pair.end = entries_.size();
+        pair.end_time = now(mode_);
+        within_pair_ = false;
+        pairs_.push_back(pair);
+    }
+    bool takes_pairs() const { return takes() && !within_pair_; }
+
   private:
     std::size_t name(const std::type_info& body) {
         return names_.try_emplace(body.name(), names_.size()).first->second;
@@ -84,9 +105,10 @@ class Record {
     Mode mode_ = Mode::Nothing;
     std::string file_;
     std::thread::id thread_ = std::this_thread::get_id();
-    bool within_ = false;
+    bool within_ = false, within_pair_ = false;
     std::unordered_map<std::string, std::size_t> names_;
     std::vector<Entry> entries_;
+    std::vector<Pair> pairs_;
 };
 
 void Record::write() const {
@@ -105,6 +127,12 @@ void Record::write() const {
         for (std::size_t t = 0; t < entry.tasks.size(); ++t)
             out << (t ? "," : "") << entry.tasks[t];
         out << "]]";
+    }
+    out << "],\n\"pairs\": [";
+    for (std::size_t i = 0; i < pairs_.size(); ++i) {
+        const Pair& pair = pairs_[i];
+        out << (i ? ",\n" : "\n") << '[' << pair.first << ", " << pair.second << ", " << pair.end
+            << ", " << pair.first_time << ", " << pair.second_time << ", " << pair.end_time << ']';
     }
     out << "]}\n";
     if (!out.flush()) std::fprintf(stderr, "cannot write %s\n", file_.c_str());
@@ -142,6 +170,22 @@ void run(const Loop& loop, const Piece& piece) {
         record.add(loop, [&](Entry& /*entry*/) { work_on_threads(loop, piece); });
     } else {
         record.add(loop, [&](Entry& entry) { work_piece_by_piece(loop, piece, entry.tasks); });
+    }
+}
+
+void run_beside(const std::type_info& body, const std::function<void()>& first,
+                const std::function<void()>& second) {
+    Record& record = work_record::record();
+    const auto on_threads = [&] { oneapi::tbb::parallel_invoke(first, second); };
+    if (record.mode() == Mode::Tasks && record.takes_pairs()) {
+        record.add_pair(first, second);
+    } else if (record.mode() == Mode::Walls && record.takes()) {
+        record.add({body}, [&](Entry& /*entry*/) { on_threads(); });
+    } else if (record.mode() == Mode::Tasks && record.takes()) {
+        first();
+        second();
+    } else {
+        on_threads();
     }
 }
 

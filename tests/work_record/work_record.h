@@ -24,4 +24,9 @@ using Piece = std::function<void(std::size_t first, std::size_t last)>;
 /// recorded. Without the variable oneTBB does the same and nothing is recorded.
 void run(const Loop& loop, const Piece& piece);
 
+/// Does both, each with loops of its own. tasks: one after the other, and which loops were whose is
+/// recorded. walls: as one loop of the name of `body`. Pairs within pairs are part of their caller.
+void run_beside(const std::type_info& body, const std::function<void()>& first,
+                const std::function<void()>& second);
+
 }  // namespace work_record

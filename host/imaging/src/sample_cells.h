@@ -54,6 +54,9 @@ class SampleCells {
   private:
     void check(const PassSamples& pass) const;
     void find_cells(const PassSamples& pass);
+    std::vector<std::size_t> ranges() const;
+    void count(const PassSamples& pass, const std::vector<std::size_t>& begins);
+    void sum_counts();
     bool acceptable_radiance(const PassSamples& pass, std::size_t first, std::size_t count) const;
     std::size_t reason_for_refusal(const PassSamples& pass, std::size_t sample) const;
 

@@ -29,7 +29,8 @@ struct Learner {
             path.pdf = 1;
             path.rays = 1;
         }
-        guide.learn(log, {}, paths);
+        guide.study(log);
+        guide.update(paths);
     }
 
     mock::Scene scene;

@@ -66,6 +66,20 @@ TEST(DeterminismOfChoices, SameBitsForAnyNumberOfThreadsOfManyJobs) {
     }
 }
 
+/// A guide learns from one iteration while the next is traced: of many paths, after which
+/// iterations are longer.
+TEST(DeterminismOfLag, SameBitsForAnyNumberOfThreads) {
+    const mock::View view = mock::half_mirror_view(40, 30);
+    const auto image = [&](unsigned threads) {
+        Settings settings = mock::small_settings(19, 300'000);
+        settings.guide = GuideKind::Adaptive;
+        return concurrency::run_on(threads, [&] {
+            return mock::render(view.scene, view.camera, 40, 30, settings, 4).film.image();
+        });
+    };
+    EXPECT_EQ(image(1), image(4));
+}
+
 TEST(DeterminismOfScores, SameBitsForAnyNumberOfThreadsWithTheImagesError) {
     const auto image = [](unsigned threads, CriterionKind criterion) {
         return image_with(threads, GuideKind::Paper, 11, Mode::Progressive, criterion);

@@ -133,7 +133,8 @@ class Balance {
             input.unguided_roulette = input.guide != nullptr;
             input.log_vertices = true;
             trace(input, i);
-            guide.learn(log_, store_.landings(), kPaths);
+            guide.study(log_);
+            guide.update(kPaths);
         }
         return ledger_;
     }

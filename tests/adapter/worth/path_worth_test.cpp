@@ -19,12 +19,12 @@ class PathWorth : public ::testing::Test {
         PathRecord path;
         path.first_vertex = std::uint32_t(log_.vertices.size());
         path.vertices = std::uint32_t(photons.size());
-        path.first_landing = std::uint32_t(landings_.size());
+        path.first_landing = std::uint32_t(log_.landings.size());
         path.landings = path.rays = path.vertices + 1;
         for (std::uint32_t depth = 1; depth <= path.landings; ++depth) {
             Landing landing;
             landing.depth = std::uint16_t(depth);
-            landings_.push_back(landing);
+            log_.landings.push_back(landing);
             scores_.push_back(std::ldexp(1.0, int(scores_.size() % 8)));
             if (depth == path.landings) continue;
             PathVertex vertex;
@@ -34,14 +34,13 @@ class PathWorth : public ::testing::Test {
         }
         log_.paths.push_back(path);
     }
-    void measure() { worths_.measure(log_, landings_, scores_); }
+    void measure() { worths_.measure(log_, scores_); }
     void expect_worth(const Worth& worth, double score, double rays, double landed) const {
         EXPECT_DOUBLE_EQ(worth.score, score);
         EXPECT_DOUBLE_EQ(worth.cost, rays + kLandingCost * landed);
     }
 
     PathLog log_;
-    std::vector<Landing> landings_;
     std::vector<double> scores_;
     PathWorths worths_;
 };
@@ -69,11 +68,10 @@ TEST_F(PathWorth, OfEachPathByItself) {
     measure();
     expect_worth(worths_.paths()[0], 1, kEmissionCost + 1, 1);
     expect_worth(worths_.paths()[1], 2 + 4, kEmissionCost + 2, 2);
-    ASSERT_EQ(worths_.scores(log_.paths[1], 1).size(), 2u);
-    EXPECT_EQ(worths_.scores(log_.paths[1], 1)[0], 2);
+    ASSERT_EQ(worths_.scores(log_.paths[1]).size(), 2u);
+    EXPECT_EQ(worths_.scores(log_.paths[1])[0], 2);
     // A later iteration's take their place.
     log_ = {};
-    landings_.clear();
     scores_.clear();
     add_path({1});
     measure();

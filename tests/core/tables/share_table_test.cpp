@@ -186,7 +186,7 @@ TEST(ShareTable, LearnsTheSameFromManyAtOnceWhateverTheOrderOfJobs) {
     for (std::size_t i = 0; i < forwards.size(); ++i) {
         EXPECT_EQ(forwards[i].xx, reversed[i].xx);
         EXPECT_EQ(forwards[i].spread, reversed[i].spread);
-        // The mean over all leaves, which is in each, is rounded in another order.
+        // Sums over groups are rounded in another order.
         EXPECT_NEAR(forwards[i].xx, one_by_one[i].xx, 1e-12 * one_by_one[i].xx);
         EXPECT_EQ(forwards[i].population, one_by_one[i].population);
     }

@@ -3,6 +3,7 @@
 #include <OpenImageIO/imagebuf.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <limits>
@@ -42,6 +43,32 @@ TEST(FilmAccumulation, ConstantStaysConstantUnderEveryFilter) {
         }
         EXPECT_EQ(film->refused_samples(), 0u);
     }
+}
+
+/// More samples and pixels than one job takes, in the order of the pixels and turned around: then
+/// jobs have pixels in common, and sums round in another order.
+TEST(FilmAccumulation, ManySamplesInAnyOrderAreInTheirPixels) {
+    constexpr std::uint32_t kWidth = 260, kHeight = 150;
+    const auto film = make(scene_of_size(kWidth, kHeight));
+    const auto turned = make(scene_of_size(kWidth, kHeight));
+    Samples samples;
+    for (std::uint32_t i = 0; i < 2 * kWidth * kHeight; ++i) {
+        const std::uint32_t pixel = i / 2;
+        samples.positions.emplace_back(float(pixel % kWidth) + (i % 2 ? 0.75f : 0.0f),
+                                       float(pixel / kWidth) + 0.5f);
+        samples.radiance.emplace_back(float(pixel % 1000) * (i % 2 ? 0.25f : 0.75f));
+    }
+    samples.radiance[70'001] = Rgb(-1.0f);  // refused, wherever it comes
+    film->add_pass(samples.pass());
+    std::reverse(samples.positions.begin(), samples.positions.end());
+    std::reverse(samples.radiance.begin(), samples.radiance.end());
+    turned->add_pass(samples.pass());
+    const std::vector<Rgb> image = film->image();
+    EXPECT_TRUE(same_bits(image, turned->image()));
+    for (std::size_t i = 0; i < image.size(); ++i)
+        ASSERT_EQ(image[i].x, float(i % 1000) * (i == 35'000 ? 0.75f : 0.5f)) << i;
+    EXPECT_EQ(film->refused_samples(), 1u);
+    EXPECT_EQ(turned->refused_samples(), 1u);
 }
 
 TEST(FilmAccumulation, BoxOfOnePixelKeepsSamplesInTheirPixel) {

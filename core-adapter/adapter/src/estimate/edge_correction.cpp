@@ -43,7 +43,7 @@ EdgeCorrection::EdgeCorrection(const Scene& scene, const Settings& settings, std
 std::uint64_t EdgeCorrection::correct(std::uint64_t pass, float time, const EyeImage& image,
                                       const SearchRadii& radii, PhotonFlux& flux) {
     std::atomic<std::uint64_t> rays{0};
-    assign_all(factors_, image.visible_points.size(), 1.0f);
+    assign_all(factors_, image.visible_points.size(), 1.0f, image.positions.size());
     const PointOwners& owners = image.owners;
     SharedWork work = work_on_points(owners, nullptr);
     tbb::parallel_for(

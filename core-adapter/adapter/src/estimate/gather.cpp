@@ -6,6 +6,7 @@
 
 #include <atomic>
 
+#include "base/parallel_for.h"
 #include "estimate/constants.h"
 #include "estimate/group_sums.h"
 #include "eye/surface_normals.h"
@@ -29,7 +30,28 @@ Rgb reflected(const VisiblePoint& point, const GridPhoton& landing, bool in_fron
            point.bsdf->evaluate(point.wo, landing.direction, Transport::Radiance, point.receiving);
 }
 
+/// Calls scale(value) for all values, on all threads.
+template <class T, class Scale>
+void scale_each(std::vector<T>& values, const Scale& scale) {
+    in_chunks(values.size(), kItemsPerJob, tbb_for, [&](std::size_t first, std::size_t last) {
+        for (T& value : std::span(values).subspan(first, last - first))
+            scale(value);
+    });
+}
+
 }  // namespace
+
+void PhotonFlux::scale(double factor) {
+    const auto linear = float(factor), squared = float(factor * factor);
+    const auto scale_light = [&](Rgb& sum) { sum = sum * linear; };
+    for (std::vector<Rgb>* sums : {&flux, &parts, &inner})
+        scale_each(*sums, scale_light);
+    scale_each(squares, [&](float& square) { square *= squared; });
+    scale_each(shareable, [&](ShareableFlux& part) {
+        part = {float(part.sum * factor), float(part.squares * factor * factor)};
+    });
+    scale_each(probes, [&](ProbeSums& sums) { sums.scale(factor); });
+}
 
 bool on_same_surface(const VisiblePoint& point, Vec3 position, float agreement, float radius) {
     return std::abs(agreement) >= kMinNormalAgreement &&
@@ -49,7 +71,7 @@ void gather_photons(const EyeImage& image, const LandingGrid& grid, const Search
     std::atomic<std::uint64_t> gathered{0};
     tbb::parallel_for(
         tbb::blocked_range<std::size_t>(image.owners.first(image.visible_points.size()),
-                                        image.owners.last(image.visible_points.size()), 256),
+                                        image.owners.last(image.visible_points.size()), 64),
         [&](const tbb::blocked_range<std::size_t>& range) {
             std::uint64_t total = 0;
             GroupSums sums(groups), parts(kPhotonParts), inner(1);

@@ -42,34 +42,24 @@ struct PhotonFlux {
     std::vector<ProbeSums> probes;  ///< [number in SearchRadii::probes]
     std::uint64_t gathered = 0;     ///< photons accepted, over all visible points
 
+    std::size_t most_points = 0;   ///< visible points of any pass, if that is known
     bool wants_parts = false;      ///< whether gathers fill `parts`
     bool wants_inner = false;      ///< whether gathers fill `inner`
     bool wants_shareable = false;  ///< whether gathers fill `shareable`
 
     void reset(std::size_t visible_points, std::uint32_t groups, std::size_t probe_count = 0) {
-        assign_all(flux, visible_points * groups, Rgb{});
-        assign_all(accepted, visible_points, std::uint32_t{0});
-        assign_all(squares, visible_points, 0.0f);
-        assign_all(shareable, wants_shareable ? visible_points : 0, ShareableFlux{});
-        assign_all(parts, wants_parts ? visible_points * kPhotonParts : 0, Rgb{});
-        assign_all(inner, wants_inner ? visible_points : 0, Rgb{});
-        assign_all(probes, probe_count, ProbeSums{});
+        assign_all(flux, visible_points * groups, Rgb{}, most_points * groups);
+        assign_all(accepted, visible_points, std::uint32_t{0}, most_points);
+        assign_all(squares, visible_points, 0.0f, most_points);
+        assign_all(shareable, wants_shareable ? visible_points : 0, ShareableFlux{}, most_points);
+        assign_all(parts, wants_parts ? visible_points * kPhotonParts : 0, Rgb{},
+                   most_points * kPhotonParts);
+        assign_all(inner, wants_inner ? visible_points : 0, Rgb{}, most_points);
+        assign_all(probes, probe_count, ProbeSums{}, most_points);
         gathered = 0;
     }
-    void scale(double factor) {
-        for (Rgb& sum : flux)
-            sum = sum * float(factor);
-        for (float& square : squares)
-            square *= float(factor * factor);
-        for (ShareableFlux& part : shareable)
-            part = {float(part.sum * factor), float(part.squares * factor * factor)};
-        for (Rgb& part : parts)
-            part *= float(factor);
-        for (Rgb& sum : inner)
-            sum *= float(factor);
-        for (ProbeSums& sums : probes)
-            sums.scale(factor);
-    }
+    /// Multiplies all that was brought.
+    void scale(double factor);
     /// Multiplies all that was brought to one visible point, of `groups` light groups. Probes and
     /// `inner` are left as they are.
     void scale_point(std::size_t point, std::uint32_t groups, float factor) {

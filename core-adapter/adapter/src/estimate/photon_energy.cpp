@@ -14,7 +14,7 @@ namespace aips {
 void add_photon_energy(const EyeImage& image, const LandingGrid& grid,
                        std::span<const Landing> landings, const SearchRadii& radii,
                        LuminanceByLight& sums) {
-    constexpr std::size_t kChunks = 64;  // a fixed number: their sums are joined in order
+    constexpr std::size_t kChunks = 256;  // a fixed number: their sums are joined in order
     std::array<LuminanceByLight, kChunks> chunks;
     const std::size_t points = image.visible_points.size();
     tbb::parallel_for(std::size_t{0}, kChunks, [&](std::size_t c) {

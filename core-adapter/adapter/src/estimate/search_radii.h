@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <numeric>
 #include <span>
 
 namespace aips {
@@ -20,10 +19,7 @@ struct SearchRadii {
     }
 
     /// One for each, kept elsewhere; at least one.
-    explicit SearchRadii(std::span<const float> radii)
-        : largest(*std::max_element(radii.begin(), radii.end())),
-          mean(float(std::accumulate(radii.begin(), radii.end(), 0.0) / double(radii.size()))),
-          per_point(radii) {}
+    explicit SearchRadii(std::span<const float> radii);
 
     /// Beyond it from all visible points no photon matters.
     float reach() const { return std::max(largest, probe_radius); }

@@ -158,12 +158,14 @@ void set_owners(Ranks* ranks, const SharedWork& work, const std::vector<EyeBlock
 }
 
 /// Joins what the blocks hold in their order, and empties them. The memory of `joined` is kept:
-/// most of it is overwritten where it lies.
+/// most of it is overwritten where it lies. `most`: that a pass may hold.
 template <class T>
-void join(std::vector<EyeBlock>& blocks, std::vector<T> EyeBlock::*part, std::vector<T>& joined) {
+void join(std::vector<EyeBlock>& blocks, std::vector<T> EyeBlock::*part, std::size_t most,
+          std::vector<T>& joined) {
     std::vector<std::size_t> first(blocks.size() + 1, 0);
     for (std::size_t b = 0; b < blocks.size(); ++b)
         first[b + 1] = first[b] + (blocks[b].*part).size();
+    reserve_with_room(joined, first.back(), most);
     joined.resize(first.back());
     tbb::parallel_for(std::size_t{0}, blocks.size(), [&](std::size_t b) {
         std::vector<T> block = std::move(blocks[b].*part);
@@ -172,11 +174,12 @@ void join(std::vector<EyeBlock>& blocks, std::vector<T> EyeBlock::*part, std::ve
 }
 
 void join_blocks(std::vector<EyeBlock>& blocks, EyeImage& image) {
-    join(blocks, &EyeBlock::visible_points, image.visible_points);
-    join(blocks, &EyeBlock::beams, image.beams);
-    join(blocks, &EyeBlock::footprints, image.footprints);
-    join(blocks, &EyeBlock::light_samples, image.light_samples);
-    join(blocks, &EyeBlock::lamp_rests, image.lamp_rests);
+    const std::size_t paths = image.positions.size();
+    join(blocks, &EyeBlock::visible_points, paths, image.visible_points);
+    join(blocks, &EyeBlock::beams, paths, image.beams);
+    join(blocks, &EyeBlock::footprints, paths, image.footprints);
+    join(blocks, &EyeBlock::light_samples, paths, image.light_samples);
+    join(blocks, &EyeBlock::lamp_rests, paths, image.lamp_rests);
     image.beam_footprint_sum = 0;
     image.rays = image.telling_paths = image.cut_paths = 0;
     image.light.clear();

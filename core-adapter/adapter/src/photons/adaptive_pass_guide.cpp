@@ -1,4 +1,6 @@
 // guide=adaptive in a photon pass.
+#include <utility>
+
 #include "guides/adaptive/adaptive_guide.h"
 #include "guides/adaptive/learning_weight.h"
 #include "photons/pass_guide.h"
@@ -26,12 +28,26 @@ class AdaptivePassGuide : public PassGuide {
         input.unguided_roulette = input.guide != nullptr;
         input.log_vertices = input.survival || input.guide;
     }
+    std::uint32_t iteration_paths(std::uint64_t /*iteration*/,
+                                  std::uint32_t unguided) const override {
+        return guide_.iteration_paths(unguided);
+    }
     PathLog* log() override { return &log_; }
+    bool has_studies() const override { return !last_log_.paths.empty(); }
+    void study() override { guide_.study(last_log_); }
     std::uint64_t learn(std::uint32_t paths, const OccupancyGrid& /*near*/,
-                        LandingStore& waiting) override {
-        const std::uint64_t learned = guide_.learn(log_, waiting.landings(), paths);
+                        LandingStore& /*waiting*/) override {
+        if (guide_.learns_at_once()) {
+            guide_.study(log_);
+        } else {
+            std::swap(log_, last_log_);
+        }
         log_.clear();
-        return learned;
+        return guide_.update(paths);
+    }
+    std::uint64_t end_pass() override {
+        last_log_.clear();
+        return guide_.update(0);
     }
     double weight(std::uint64_t path) const override { return learning_weight(path); }
     void state(StateArchive& archive) override { guide_.state(archive); }
@@ -49,14 +65,15 @@ class AdaptivePassGuide : public PassGuide {
         s.pruned_emission = guide_.emission_guide().starved_share(kPrunedDensity);
     }
     std::size_t memory_bytes() const override {
-        return guide_.memory_bytes() + log_.memory_bytes();
+        return guide_.memory_bytes() + log_.memory_bytes() + last_log_.memory_bytes();
     }
     const AdaptiveGuide* adaptive() const override { return &guide_; }
 
   private:
     const Settings& settings_;
     AdaptiveGuide guide_;
-    PathLog log_;  // of one iteration
+    PathLog log_;       // of the iteration that is traced
+    PathLog last_log_;  // of the one before, which may be studied meanwhile
 };
 
 }  // namespace

@@ -6,12 +6,17 @@
 
 namespace aips {
 
-/// Photon paths of an iteration that no guide=paper cuts shorter. Unit: photon paths.
-/// Balances: work for all threads and little time between iterations against a guide that lags
-///   behind.
-/// Chosen by: docs/notebook/2026-11-24-sequences-of-emissions.md.
-/// Supported by: cornell-box, glass-ball, chess (longer ones).
-inline constexpr std::uint32_t kPlainIterationPaths = 1u << 14;
+/// Photon paths of an iteration that no guide learns from. Unit: photon paths.
+/// Balances: work for all threads against memory.
+/// Chosen by: docs/notebook/2026-11-26-lagging-guide.md.
+/// Supported by: no measurement.
+inline constexpr std::uint32_t kPlainIterationPaths = 1u << 16;
+
+/// Photon paths of a round of chains, and of a first look. Unit: photon paths.
+/// Balances: work for all threads against memory, and against chains without a path for long.
+/// Chosen by: reasoning: none on record.
+/// Supported by: no measurement.
+inline constexpr std::uint32_t kRoundPaths = 1u << 14;
 
 /// Paths of a block, which one thread traces, and over which the photons that come from splitting
 /// are bounded. Unit: photon paths.
@@ -26,12 +31,24 @@ inline constexpr std::uint32_t kPathsPerBlock = 256;
 /// Supported by: no measurement.
 inline constexpr std::uint32_t kMostSplits = 16;
 
-/// Chains that walk side by side in a pass. Unit: chains.
+/// Chains that walk side by side in a pass, at least. Unit: chains.
 /// Balances: work for all threads, with bits that do not depend on them, against the length of each
 ///   chain.
 /// Chosen by: reasoning: a fixed number, so that bits do not depend on the number of threads.
 /// Supported by: no measurement.
 inline constexpr std::uint32_t kChainCount = 64;
+
+/// The same, at most. Unit: chains.
+/// Balances: work for all threads against memory.
+/// Chosen by: reasoning: several for each of 64 threads.
+/// Supported by: no measurement.
+inline constexpr std::uint32_t kMostChains = 512;
+
+/// Paths of a chain in a pass, at least, where there are more than the fewest. Unit: photon paths.
+/// Balances: work for all threads against the length of each chain.
+/// Chosen by: docs/notebook/2026-11-26-lagging-guide.md.
+/// Supported by: no measurement.
+inline constexpr std::uint32_t kPathsPerChain = 2048;
 
 /// Steps of a chain from one start to the next, at least, where chains start at paths that were
 /// drawn before. Unit: steps.

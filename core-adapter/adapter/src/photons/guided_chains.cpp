@@ -109,10 +109,10 @@ std::uint64_t GuidedChains::begin_pass(const PassPhotons& photons, const GuidedP
 }
 
 std::uint32_t GuidedChains::iteration_paths() const {
-    if (left_to_measure() > 0) return std::min(kPlainIterationPaths, left_to_measure());
+    if (left_to_measure() > 0) return std::min(kRoundPaths, left_to_measure());
     // Short while the size of mutations is learned from one to the next.
     const std::uint64_t steps = std::max<std::uint64_t>(2, mutation_size_.steps() / 4);
-    return std::uint32_t(std::min<std::uint64_t>(kJobs * steps, kPlainIterationPaths));
+    return std::uint32_t(std::min<std::uint64_t>(kJobs * steps, kRoundPaths));
 }
 
 PhotonCounts GuidedChains::trace(const PhotonInput& input, const IterationPaths& paths,
@@ -135,7 +135,7 @@ PhotonCounts GuidedChains::draw(const PhotonInput& input, std::uint32_t count, R
     tbb::enumerable_thread_specific<Arena> arenas;
     const auto work = [&](std::uint32_t job) {
         Tracer tracer{input, starts_, refusals, arenas.local(), jobs[job].photons};
-        draw(tracer, job, chain_share(job, count), jobs[job]);
+        draw(tracer, job, chain_share(job, kJobs, count), jobs[job]);
     };
     share_out(input.ranks, kJobs, &refusals, work, [&](std::uint32_t job, StateArchive& archive) {
         state_of(archive, jobs[job].visible, jobs[job].to_learn, jobs[job].photons);
@@ -189,7 +189,7 @@ PhotonCounts GuidedChains::walk(const PhotonInput& input, std::uint32_t count, R
     tbb::enumerable_thread_specific<Arena> arenas;
     const auto work = [&](std::uint32_t c) {
         Tracer tracer{input, starts_, refusals, arenas.local(), walks[c].photons};
-        walk(tracer, c, chain_share(c, count), walks[c]);
+        walk(tracer, c, chain_share(c, kJobs, count), walks[c]);
     };
     share_out(input.ranks, kJobs, &refusals, work, [&](std::uint32_t c, StateArchive& archive) {
         state_of(archive, walks[c].landings, walks[c].states, walks[c].photons, walks[c].chain);
@@ -288,8 +288,8 @@ std::size_t GuidedChains::memory_bound_bytes(const Scene& scene, const Settings&
     const std::size_t path = sizeof(WeightedPath) + sizeof(Drawn::Path) + sizeof(Walked::State);
     return PhotonChains::memory_bound_bytes(settings, std::uint32_t(eye_paths)) +
            ChainStarts::memory_bound_bytes(scene, eye_paths) +
-           StartPool::memory_bound_bytes(kMostPooledPaths, kPlainIterationPaths) +
-           kVectorGrowth * kPlainIterationPaths * path;
+           StartPool::memory_bound_bytes(kMostPooledPaths, kRoundPaths) +
+           kVectorGrowth * kRoundPaths * path;
 }
 
 std::unique_ptr<PhotonSource> make_guided_chains(const Scene& scene, const Settings& settings,

@@ -1,5 +1,5 @@
 // What a guide has to do with a photon pass: it sees the pass begin, tells iterations where to send
-// their photons, and learns from what they left.
+// their photons, and learns from what they left: at once, or while the next iteration is traced.
 #pragma once
 
 #include <memory>
@@ -43,13 +43,22 @@ class PassGuide {
     virtual LandingStore& landings(LandingStore& waiting) { return waiting; }
     /// Where the iteration's paths are recorded; null: nowhere.
     virtual PathLog* log() { return nullptr; }
-    /// Learns from an iteration of `paths` photon paths, before what they carried is weighted.
-    /// Those of its own landings that are near visible points go on to `waiting`. Returns how many
-    /// paths, vertices and landings it learned from, if that costs time of its own.
+    /// Whether study() has something to learn from.
+    virtual bool has_studies() const { return false; }
+    /// Learns from what the last iteration recorded. Changes nothing that photons follow, so that
+    /// the next one may be traced at the same time.
+    virtual void study() {}
+    /// After an iteration of `paths` photon paths, before what they carried is weighted: what was
+    /// studied while it was traced decides from here on, and what it recorded is studied next. A
+    /// guide that doesn't study learns from it here; those of its own landings that are near
+    /// visible points go on to `waiting`. Returns how many paths, vertices and landings it learned
+    /// from, if that costs time of its own.
     virtual std::uint64_t learn(std::uint32_t /*paths*/, const OccupancyGrid& /*near*/,
                                 LandingStore& /*waiting*/) {
         return 0;
     }
+    /// After the last iteration of a pass, when that has been studied: nothing is left to learn.
+    virtual std::uint64_t end_pass() { return 0; }
     /// What photon path number `path`, PassPhotons::known of earlier renders counted in, counts for
     /// in the image, in (0, 1]: fixed in advance.
     virtual double weight(std::uint64_t /*path*/) const { return 1; }

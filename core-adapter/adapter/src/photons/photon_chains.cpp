@@ -9,9 +9,6 @@
 namespace aips {
 namespace {
 
-/// Longest round in paths per chain: with all chains as many paths as a plain iteration.
-constexpr std::uint32_t kMaxRound = kPlainIterationPaths / PhotonChains::kChains;
-
 struct Round {
     std::vector<Landing> landings;
     PhotonCounts photons;
@@ -35,27 +32,30 @@ void PhotonChains::mark_reach(std::span<const Vec3> visible_points, float radius
 void PhotonChains::begin_pass(std::uint32_t paths) {
     paths_ = paths;
     pass_ = {};
-    for (std::uint32_t c = 0; c < kChains; ++c)
-        chains_[c].begin_pass((chain_share(c, paths) + 1) / 2);
+    chains_.resize(chain_count(paths));
+    for (std::uint32_t c = 0; c < chains(); ++c)
+        chains_[c].begin_pass((chain_share(c, chains(), paths) + 1) / 2);
 }
 
 std::uint32_t PhotonChains::round_paths() const {
-    const std::uint64_t traced = (pass_.uniform + pass_.mutated) / kChains;
-    return kChains * std::uint32_t(std::clamp<std::uint64_t>(traced / 4, 2, kMaxRound));
+    const std::uint64_t traced = (pass_.uniform + pass_.mutated) / chains();
+    const std::uint32_t most = std::min(kRoundPaths / kChainCount, kPlainIterationPaths / chains());
+    return chains() * std::uint32_t(std::clamp<std::uint64_t>(traced / 4, 2, most));
 }
 
 PhotonCounts PhotonChains::trace(const PhotonInput& input, std::uint32_t count, Refusals& refusals,
                                  LandingStore& store) {
-    std::vector<Round> rounds(kChains);
+    std::vector<Round> rounds(chains());
     tbb::enumerable_thread_specific<Arena> arenas;
     PhotonInput exact = input;
     exact.reach = &reach_;
     const float exponent = mutation_size_.exponent();
-    tbb::parallel_for(0u, kChains, [&](std::uint32_t c) {
+    tbb::parallel_for(0u, chains(), [&](std::uint32_t c) {
         Arena& arena = arenas.local();
         Round& round = rounds[c];
         chains_[c].run(
-            {input.settings.seed, input.pass, c, kChains}, chain_share(c, count), exponent,
+            {input.settings.seed, input.pass, c, chains()}, chain_share(c, chains(), count),
+            exponent,
             [&](PrimaryPath& path, std::vector<Landing>& state, std::uint64_t number) {
                 state.clear();
                 trace_photon_path(exact, path, std::uint32_t(number), refusals, arena, state,
@@ -69,11 +69,16 @@ PhotonCounts PhotonChains::trace(const PhotonInput& input, std::uint32_t count, 
     });
     PhotonCounts photons;
     ChainCounts counts;
+    std::vector<std::size_t> first{0};
     for (const Round& round : rounds) {
-        store.append(round.landings);
+        first.push_back(first.back() + round.landings.size());
         photons += round.photons;
         counts += round.chain;
     }
+    const std::span<Landing> joined = store.grow(first.back());
+    tbb::parallel_for(0u, chains(), [&](std::uint32_t c) {
+        std::ranges::copy(rounds[c].landings, joined.subspan(first[c]).begin());
+    });
     pass_ += counts;
     not_learned_ += counts;
     if (mutation_size_.steps() < kMutationLearningSteps) learn_mutation_size();
@@ -82,7 +87,7 @@ PhotonCounts PhotonChains::trace(const PhotonInput& input, std::uint32_t count, 
 }
 
 void PhotonChains::learn_mutation_size() {
-    const std::uint64_t steps = not_learned_.mutated / kChains;
+    const std::uint64_t steps = not_learned_.mutated / chains();
     if (steps == 0) return;
     mutation_size_.learn(double(not_learned_.accepted) / double(not_learned_.mutated), steps);
     not_learned_ = {};
@@ -130,7 +135,7 @@ std::size_t PhotonChains::memory_bound_bytes(const Settings& settings, std::uint
     // A current and a proposed state; what lasts from the last round is recorded in this one too.
     const std::size_t carried = 2 * sizeof(Landing) * settings.max_photon_depth;
     return PointGrid::memory_bound_bytes(eye_paths) +
-           kChains * (sizeof(Chain) + kVectorGrowth * (2 * state + carried));
+           kMostChains * (sizeof(Chain) + kVectorGrowth * (2 * state + carried));
 }
 
 }  // namespace aips

@@ -2,6 +2,9 @@
 // Markov chains (Hachisuka & Jensen 2011).
 #pragma once
 
+#include <algorithm>
+#include <bit>
+
 #include "aips/core/chains/visibility_chain.h"
 #include "estimate/search_radii.h"
 #include "photons/constants.h"
@@ -15,25 +18,27 @@ inline bool may_use_chains(const Settings& s) {
            (s.guide == GuideKind::Adaptive && s.guide_scout && s.guide_chains);
 }
 
-/// Share of chain `c` of `paths` paths. Rounds but the last share evenly, so that the shares of the
-/// rounds add up to the share of the pass.
-constexpr std::uint32_t chain_share(std::uint32_t c, std::uint32_t paths) {
-    return paths / kChainCount + (c < paths % kChainCount ? 1 : 0);
+/// Chains of a pass of so many paths.
+constexpr std::uint32_t chain_count(std::uint32_t paths) {
+    return std::clamp(std::bit_floor(paths / kPathsPerChain), kChainCount, kMostChains);
+}
+
+/// Share of chain `c` of `chains` of `paths` paths. Rounds but the last share evenly, so that the
+/// shares of the rounds add up to the share of the pass.
+constexpr std::uint32_t chain_share(std::uint32_t c, std::uint32_t chains, std::uint32_t paths) {
+    return paths / chains + (c < paths % chains ? 1 : 0);
 }
 
 /// A chain's state that lasted several steps lands once, with the power of all of them.
 void record_state(std::span<const Landing> state, std::uint32_t repeats,
                   std::vector<Landing>& landings);
 
-/// Chains that walk among the photon paths which reach visible points. Their number is fixed, each
-/// is sequential, and their landings are joined in order: the result does not depend on the number
-/// of threads. See docs/understand/chains.md for what is exact about them.
+/// Chains that walk among the photon paths which reach visible points. Their number follows from
+/// that of the pass's paths, each is sequential, and their landings are joined in order: the result
+/// does not depend on the number of threads. See docs/understand/chains.md for what is exact about
+/// them.
 class PhotonChains {
   public:
-    static constexpr std::uint32_t kChains = kChainCount;
-
-    PhotonChains() : chains_(kChains) {}
-
     /// How far from a visible point (scene units) photons count as visible.
     static float reach(const SearchRadii& radii) {
         return std::max(kChainReach * radii.mean, radii.reach());
@@ -76,8 +81,9 @@ class PhotonChains {
     /// From the mutations since it last learned; nothing before each chain had one.
     void learn_mutation_size();
     void spread_states();
+    std::uint32_t chains() const { return std::uint32_t(chains_.size()); }
 
-    std::vector<Chain> chains_;
+    std::vector<Chain> chains_ = std::vector<Chain>(kChainCount);
     // The false hits of hashed occupancy would outnumber the visible paths of a wide scene.
     PointGrid reach_;
     MutationSize mutation_size_;

@@ -48,15 +48,41 @@ PhotonCounts PhotonTracer::trace(const PhotonInput& input, std::uint64_t paths_b
     });
     work.exchange([&](std::uint32_t b, StateArchive& archive) { blocks_[b].state(archive); });
     const std::span blocks = std::span(blocks_).first(block_count);
-    const std::size_t before = store.landings().size();
     PhotonCounts counts = join(blocks, store);
+    const auto block_of_paths = [&](std::size_t b) {
+        return BlockOfPaths{blocks[b].log, blocks[b].landings};
+    };
+    if (log) append_logs(blocks.size(), block_of_paths, *log);
     for (const Block& block : blocks) {
-        if (log) log->append(block.log, std::uint32_t(before + block.first));
         if (collisions) {
             collisions->insert(collisions->end(), block.collisions.begin(), block.collisions.end());
         }
     }
     return counts;
+}
+
+std::span<Landing> LandingStore::grow(std::size_t landings) {
+    const std::size_t first = landings_.size(), count = first + landings;
+    if (landings_.capacity() < count) {
+        UnwrittenVector<Landing> wider;
+        wider.reserve(std::max(count, 2 * landings_.capacity()));
+        wider.resize(first);
+        in_chunks(first, kItemsPerJob, tbb_for, [&](std::size_t begin, std::size_t end) {
+            std::copy_n(landings_.begin() + std::ptrdiff_t(begin), end - begin,
+                        wider.begin() + std::ptrdiff_t(begin));
+        });
+        landings_.swap(wider);
+    }
+    landings_.resize(count);
+    return std::span(landings_).subspan(first, landings);
+}
+
+void LandingStore::scale_power(std::size_t first, float factor) {
+    const std::span<Landing> scaled = std::span(landings_).subspan(first);
+    in_chunks(scaled.size(), kItemsPerJob, tbb_for, [&](std::size_t begin, std::size_t end) {
+        for (Landing& landing : scaled.subspan(begin, end - begin))
+            landing.power *= factor;
+    });
 }
 
 /// Paths in media are traced by each rank itself: their marks of media are its own.

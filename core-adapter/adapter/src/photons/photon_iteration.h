@@ -4,8 +4,8 @@
 #include <tbb/enumerable_thread_specific.h>
 
 #include <algorithm>
-#include <utility>
 
+#include "aips/core/base/unwritten.h"
 #include "photons/constants.h"
 #include "photons/photon_path.h"
 
@@ -26,28 +26,19 @@ inline std::size_t most_landings(const Settings& settings, std::size_t paths) {
 /// The landings of photon paths, in the order of the paths.
 class LandingStore {
   public:
-    std::span<const Landing> landings() const { return std::span(landings_).first(count_); }
-    void clear() { count_ = 0; }
+    std::span<const Landing> landings() const { return landings_; }
+    void clear() { landings_.clear(); }
     std::size_t memory_bytes() const { return landings_.capacity() * sizeof(Landing); }
     void append(std::span<const Landing> landings) {
         std::ranges::copy(landings, grow(landings.size()).begin());
     }
     /// Room for so many landings behind the others, to be written to; valid until there are more.
-    std::span<Landing> grow(std::size_t landings) {
-        const std::size_t first = std::exchange(count_, count_ + landings);
-        if (landings_.size() < count_) landings_.resize(count_);
-        return std::span(landings_).subspan(first, landings);
-    }
+    std::span<Landing> grow(std::size_t landings);
     /// Of all landings from number `first` on.
-    void scale_power(std::size_t first, float factor) {
-        for (Landing& landing : std::span(landings_).first(count_).subspan(first))
-            landing.power *= factor;
-    }
+    void scale_power(std::size_t first, float factor);
 
   private:
-    // Those beyond count_ were there once: to be made anew they would be written twice.
-    std::vector<Landing> landings_;
-    std::size_t count_ = 0;
+    UnwrittenVector<Landing> landings_;
 };
 
 /// Traces photon paths in parallel blocks, whose memory it keeps.

@@ -2,6 +2,7 @@
 #include "photons/photon_pass.h"
 
 #include "base/parallel_for.h"
+#include "base/side_by_side.h"
 #include "base/stopwatch.h"
 #include "estimate/constants.h"
 #include "estimate/photon_energy.h"
@@ -61,8 +62,7 @@ void PhotonPass::shoot(std::uint64_t pass, const PassPhotons& photons, float tim
         if (volume_ && volume_->full()) gather_in_media(image, refusals);
         first += paths.count;
     }
-    gather_in_media(image, refusals);
-    gather(image, radii, refusals, flux);
+    end_iterations(image, radii, refusals, flux);
     const double factor = source_->end_pass();
     if (factor != 1) flux.scale(factor);
     flux_factor_ = factor * scale_to_counted(photons, flux);
@@ -92,12 +92,12 @@ void PhotonPass::run_iteration(PhotonInput& input, const IterationPaths& paths,
     const std::size_t collisions = volume_ ? volume_->waiting().size() : 0;
     input.sequence_begin = sequence_begin(photons, paths.first, input.emission != nullptr);
     if (input.emission) unguided_from_ = photons.before + paths.first + paths.count;
-    {
+    study_beside(input.ranks, [&] {
         const Stopwatch watch(totals_.photon_seconds);
         const PathTraces traces{guide_->landings(waiting_), guide_->log(),
                                 volume_ ? &volume_->waiting() : nullptr};
         totals_.counts += source_->trace(input, paths, refusals, traces);
-    }
+    });
     {
         const Stopwatch watch(totals_.guide_seconds);
         totals_.learned += guide_->learn(paths.count, occupancy_, waiting_);
@@ -109,6 +109,30 @@ void PhotonPass::run_iteration(PhotonInput& input, const IterationPaths& paths,
         waiting_.scale_power(landings, weight);
         if (volume_) volume_->scale_power(collisions, weight);
     }
+}
+
+/// Ranks tell each other what they found in one order: theirs study first. What comes of it is the
+/// same.
+template <class Work>
+void PhotonPass::study_beside(Ranks* ranks, const Work& work) {
+    const auto study = [&] {
+        const Stopwatch watch(totals_.guide_seconds);
+        guide_->study();
+    };
+    if (!guide_->has_studies()) return work();
+    if (!ranks) return side_by_side(work, study);
+    study();
+    work();
+}
+
+void PhotonPass::end_iterations(const EyeImage& image, const SearchRadii& radii, Refusals& refusals,
+                                PhotonFlux& flux) {
+    study_beside(image.owners.ranks, [&] {
+        gather_in_media(image, refusals);
+        gather(image, radii, refusals, flux);
+    });
+    const Stopwatch watch(totals_.guide_seconds);
+    totals_.learned += guide_->end_pass();
 }
 
 double PhotonPass::scale_to_counted(const PassPhotons& photons, PhotonFlux& flux) {

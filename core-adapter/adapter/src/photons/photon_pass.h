@@ -82,8 +82,14 @@ class PhotonPass {
         return guided ? photons.before + first : std::max(photons.chosen_at, unguided_from_);
     }
     void mark_reach(float radius);
-    /// Traces an iteration, lets the guide learn from it, and weights what it carried.
+    /// Traces an iteration while the guide learns from the one before, and weights what it carried.
     void run_iteration(PhotonInput& input, const IterationPaths& paths, Refusals& refusals);
+    /// Beside the guide's studies, of which there may be none.
+    template <class Work>
+    void study_beside(Ranks* ranks, const Work& work);
+    /// The last gather, beside the guide's studies of the last iteration.
+    void end_iterations(const EyeImage& image, const SearchRadii& radii, Refusals& refusals,
+                        PhotonFlux& flux);
     void gather_in_media(const EyeImage& image, Refusals& refusals);
     void gather(const EyeImage& image, const SearchRadii& radii, Refusals& refusals,
                 PhotonFlux& flux);

@@ -15,7 +15,7 @@ namespace {
 /// Number of the pass and of the first path in the render: none that brings light has them.
 constexpr std::uint64_t kNoPass = std::numeric_limits<std::uint64_t>::max();
 constexpr std::uint64_t kFirstPath = std::uint64_t{1} << 62;
-constexpr std::uint64_t kMostPaths = kMostLooks * kPlainIterationPaths;
+constexpr std::uint64_t kMostPaths = kMostLooks * kRoundPaths;
 
 }  // namespace
 
@@ -42,12 +42,11 @@ SeenPaths scout_photons(const Scene& scene, const Settings& settings, float time
     PhotonTracer tracer;
     SeenPaths counts;
     do {
-        tracer.trace(input, kFirstPath, std::uint32_t(counts.traced), kPlainIterationPaths,
-                     refusals, landings, &log);
-        counts.traced += kPlainIterationPaths;
+        tracer.trace(input, kFirstPath, std::uint32_t(counts.traced), kRoundPaths, refusals,
+                     landings, &log);
+        counts.traced += kRoundPaths;
         for (const PathRecord& path : log.paths) {
-            const auto landed =
-                std::span(landings.landings()).subspan(path.first_landing, path.landings);
+            const auto landed = std::span(log.landings).subspan(path.first_landing, path.landings);
             counts.near += !landed.empty();
             counts.seen += std::ranges::any_of(landed, [&](const Landing& landing) {
                 return reach.any_within_radius(landing.position);

@@ -62,11 +62,13 @@ std::size_t visible_point_bytes(const Scene& scene, std::size_t paths) {
                     shareable + transient + footprints);
 }
 
-/// Most landings of an iteration.
+/// Most landings of an iteration: those of guides may be split, those without one are longer.
 std::size_t iteration_landings(const Settings& s) {
-    return most_landings(s, s.guide == GuideKind::Paper
-                                ? std::max(s.iteration_photons, s.initial_photons)
-                                : kPlainIterationPaths);
+    if (s.guide == GuideKind::Paper)
+        return most_landings(s, std::max(s.iteration_photons, s.initial_photons));
+    const std::size_t guided =
+        s.guide == GuideKind::Adaptive ? most_landings(s, kSettledIterationPaths) : 0;
+    return std::max(guided, std::size_t{kPlainIterationPaths} * s.max_photon_depth);
 }
 
 /// Of one kind at most.
@@ -75,22 +77,23 @@ std::size_t chain_bytes(const Scene& scene, const Settings& s, std::uint32_t eye
     return may_use_chains(s) ? PhotonChains::memory_bound_bytes(s, eye_paths) : 0;
 }
 
-/// Landings of the store that waits, of one iteration (twice with a guide: blocks, then joined),
+/// Landings of the store that waits, of one iteration in blocks, with guide=paper once more joined,
 /// and the grid.
 std::size_t photon_bytes(const Scene& scene, const Settings& s, std::uint32_t eye_paths) {
     const std::size_t iteration = iteration_landings(s);
     const std::size_t waiting = kWaitingPhotons + iteration;
-    return (waiting + 2 * iteration) * kVectorGrowth * sizeof(Landing) +
+    const std::size_t apart = s.guide == GuideKind::Paper ? 2 * iteration : iteration;
+    return (waiting + apart) * kVectorGrowth * sizeof(Landing) +
            LandingGrid::memory_bound_bytes(waiting) + chain_bytes(scene, s, eye_paths);
 }
 
-/// Records of an iteration's paths, in blocks and joined, and their landings' scores. At most all
-/// paths are logged.
+/// Records of an iteration's paths in blocks, joined ones of it and of the one before, and scores
+/// of their landings. At most all paths are logged.
 std::size_t log_bytes(const Settings& s, std::size_t paths) {
     const std::size_t path = sizeof(PathRecord) + s.max_photon_depth * sizeof(PathVertex);
     // Of the first photon of each path.
-    const std::size_t scores = s.max_photon_depth * (sizeof(double) + sizeof(std::uint32_t));
-    return paths * kVectorGrowth * (2 * path + scores) +
+    const std::size_t landings = s.max_photon_depth * (2 * sizeof(Landing) + sizeof(double));
+    return paths * kVectorGrowth * (3 * path + landings) +
            PathWorths::memory_bound_bytes(paths, s.max_photon_depth);
 }
 
@@ -122,7 +125,7 @@ std::size_t photon_memory_bound(const Scene& scene, const Needs& needs, std::uin
     }
     if (settings.guide == GuideKind::Adaptive) {
         guide = AdaptiveGuide::memory_bound_bytes(scene, settings, eye_paths) +
-                log_bytes(settings, kPlainIterationPaths);
+                log_bytes(settings, kSettledIterationPaths);
     }
     std::size_t radii = ScheduledRadius::memory_bound_bytes(eye_paths);
     if (settings.mode == Mode::Ppm) radii = PpmRadius::memory_bound_bytes(eye_paths);

@@ -54,7 +54,7 @@ void PhotonSchedule::plan() {
     if (learns_) {
         next_.counted = 0;
         for (std::uint32_t first = 0; first < paths_;) {
-            const std::uint32_t count = std::min(kPlainIterationPaths, paths_ - first);
+            const std::uint32_t count = std::min(kLearningIterationPaths, paths_ - first);
             next_.counted += learning_weight(next_.known + next_.before + first) * count;
             first += count;
         }

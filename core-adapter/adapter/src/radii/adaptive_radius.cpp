@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
+#include "base/assign_all.h"
 #include "base/disjoint_ranges.h"
 #include "base/parallel_for.h"
 #include "base/vector_growth.h"
@@ -56,23 +58,32 @@ SearchRadii AdaptiveRadius::before_pass(std::uint64_t pass, const PassPhotons& p
     pass_paths_ = double(photons.paths);
     const auto shot = double(photons.before);
     const double schedule = double(scheduled_radius(settings_, initial_, shot, floor_.least()));
-    radii_.resize(image.visible_points.size());
-    pixels_.resize(image.visible_points.size());
+    const std::size_t points = image.visible_points.size(), most = image.positions.size();
+    reserve_with_room(radii_, points, most);
+    reserve_with_room(pixels_, points, most);
+    radii_.resize(points);
+    pixels_.resize(points);
     const ProbeTurn has_turn(pass, map_.width());
-    std::vector<std::vector<std::uint32_t>> probes((radii_.size() + kItemsPerJob - 1) /
-                                                   kItemsPerJob);
-    in_chunks(radii_.size(), kItemsPerJob, tbb_for, [&](std::size_t first, std::size_t last) {
-        for (std::size_t i = first; i < last; ++i) {
+    // Of each job, how many points have probes; then, where their numbers begin.
+    std::vector<std::size_t> first((points + kItemsPerJob - 1) / kItemsPerJob + 1);
+    in_chunks(points, kItemsPerJob, tbb_for, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) {
             const VisiblePoint& point = image.visible_points[i];
             pixels_[i] = map_.pixel(image.positions[point.sample]);
             radii_[i] = std::max(radius_at(pixels_[i], schedule, shot + pass_paths_),
                                  floor_.at(point.position));
-            if (has_turn(pixels_[i])) probes[first / kItemsPerJob].push_back(std::uint32_t(i));
+            first[begin / kItemsPerJob + 1] += has_turn(pixels_[i]) ? 1 : 0;
         }
     });
-    probes_.clear();
-    for (const std::vector<std::uint32_t>& chunk : probes)
-        probes_.insert(probes_.end(), chunk.begin(), chunk.end());
+    std::partial_sum(first.begin(), first.end(), first.begin());
+    reserve_with_room(probes_, first.back(), most);
+    probes_.resize(first.back());
+    in_chunks(points, kItemsPerJob, tbb_for, [&](std::size_t begin, std::size_t end) {
+        std::size_t next = first[begin / kItemsPerJob];
+        for (std::size_t i = begin; i < end; ++i) {
+            if (has_turn(pixels_[i])) probes_[next++] = std::uint32_t(i);
+        }
+    });
     SearchRadii radii{std::span<const float>(radii_)};
     radii.probes = probes_;
     radii.probe_radius = float(unit_ * std::pow(1 + shot / kReferencePaths, kProbePower));

@@ -1,17 +1,35 @@
 // Radii that single precision asks for.
 #include "radii/radius_floor.h"
 
+#include <atomic>
+
+#include "base/assign_all.h"
+
 namespace aips {
 
 void raise_to_floor(const EyeImage& image, const RadiusFloor& floor, float radius,
                     std::vector<float>& radii) {
-    radii.clear();
     const auto& points = image.visible_points;
-    const auto is_below = [&](const VisiblePoint& p) { return radius < floor.at(p.position); };
-    if (std::none_of(points.begin(), points.end(), is_below)) return;
-    radii.reserve(points.size());
-    for (const VisiblePoint& point : points)
-        radii.push_back(std::max(radius, floor.at(point.position)));
+    const auto in_points = [&](const auto& work) {
+        in_chunks(points.size(), kItemsPerJob, tbb_for, work);
+    };
+    std::atomic<bool> any_below = false;
+    in_points([&](std::size_t first, std::size_t last) {
+        for (std::size_t i = first; i < last; ++i) {
+            if (radius < floor.at(points[i].position))
+                any_below.store(true, std::memory_order_relaxed);
+        }
+    });
+    if (!any_below) {
+        radii.clear();
+        return;
+    }
+    reserve_with_room(radii, points.size(), image.positions.size());
+    radii.resize(points.size());
+    in_points([&](std::size_t first, std::size_t last) {
+        for (std::size_t i = first; i < last; ++i)
+            radii[i] = std::max(radius, floor.at(points[i].position));
+    });
 }
 
 }  // namespace aips

@@ -3,6 +3,7 @@
 
 #include <stdexcept>
 
+#include "base/side_by_side.h"
 #include "base/stopwatch.h"
 #include "plan/memory_bound.h"
 #include "render/precision_warning.h"
@@ -102,14 +103,23 @@ PassReport PassLoop::render_pass(std::uint64_t number) {
     host_.film.add_pass(film_pass);
     if (!image_.parts.empty()) add_parts(film_pass, parts);
     if (!image_.surfaces.empty()) host_.film.add_surfaces(image_.positions, image_.surfaces);
-    for (const auto& strategy : strategies_)
-        strategy->end_pass(pass, film_pass);
-    if (report.eye_paths) {
-        direct_light_.learn(image_.light_samples, light_samples_due(report.eye_paths), number + 1);
-    }
+    learn(pass, film_pass);
     if (light_layers_) light_layers_->show(image_, direct_light_);
     count(report, eye_rays);
     return report;
+}
+
+/// Strategies and the choice of lights know nothing of each other.
+void PassLoop::learn(const StrategyPass& pass, const FilmPass& film_pass) {
+    const auto end_pass = [&] {
+        for (const auto& strategy : strategies_)
+            strategy->end_pass(pass, film_pass);
+    };
+    if (!pass.eye_paths) return end_pass();
+    side_by_side(end_pass, [&] {
+        direct_light_.learn(image_.light_samples, light_samples_due(pass.eye_paths),
+                            pass.number + 1);
+    });
 }
 
 std::uint64_t PassLoop::begin_pass(std::uint64_t pass) {

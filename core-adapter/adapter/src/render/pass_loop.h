@@ -32,6 +32,7 @@ class PassLoop {
     std::uint64_t begin_pass(std::uint64_t pass);
     std::uint32_t trace_eye_paths(std::uint64_t pass);
     void add_light(const CarriedLight& light, FilmPass& film_pass);
+    void learn(const StrategyPass& pass, const FilmPass& film_pass);
     void account();
     void add_parts(const FilmPass& film_pass, FilmPass& parts);
     void count(const PassReport& report, std::uint64_t eye_rays);

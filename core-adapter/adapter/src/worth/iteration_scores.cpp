@@ -22,29 +22,19 @@ double IterationScores::begin_pass(const EyeImage& image, std::span<const Vec3> 
     return mean_weight;
 }
 
-template <typename LandingOf>
-std::span<const double> IterationScores::score(std::size_t count, const LandingOf& landing) {
-    scores_.resize(count);
-    if (count > 0 && score_.image().owners.ranks) {
+std::span<const double> IterationScores::of(std::span<const Landing> landings) {
+    scores_.resize(landings.size());
+    if (!landings.empty() && score_.image().owners.ranks) {
+        const auto landing = [&](std::size_t i) -> const Landing& { return landings[i]; };
         score_with_ranks(score_, score_.image().owners, landing, scores_);
         return scores_;
     }
     using Range = tbb::blocked_range<std::size_t>;
-    tbb::parallel_for(Range(0, count, kLandingsPerJob), [&](const Range& range) {
+    tbb::parallel_for(Range(0, landings.size(), kLandingsPerJob), [&](const Range& range) {
         for (std::size_t i = range.begin(); i < range.end(); ++i)
-            scores_[i] = score_.score(landing(i));
+            scores_[i] = score_.score(landings[i]);
     });
     return scores_;
-}
-
-std::span<const double> IterationScores::of(std::span<const Landing> landings) {
-    return score(landings.size(), [&](std::size_t i) -> const Landing& { return landings[i]; });
-}
-
-std::span<const double> IterationScores::of(std::span<const Landing> landings,
-                                            std::span<const std::uint32_t> numbers) {
-    return score(numbers.size(),
-                 [&](std::size_t i) -> const Landing& { return landings[numbers[i]]; });
 }
 
 std::size_t IterationScores::memory_bytes() const {

@@ -17,18 +17,12 @@ class IterationScores {
                       const SearchRadii& radii);
     /// One score for each landing, valid until the next call.
     std::span<const double> of(std::span<const Landing> landings);
-    /// The same of landings with these numbers alone.
-    std::span<const double> of(std::span<const Landing> landings,
-                               std::span<const std::uint32_t> numbers);
 
     std::size_t memory_bytes() const;
     /// Upper bound of memory_bytes() with at most so many landings in an iteration.
     static std::size_t memory_bound_bytes(std::size_t eye_paths, std::size_t landings);
 
   private:
-    template <typename LandingOf>
-    std::span<const double> score(std::size_t count, const LandingOf& landing);
-
     const PixelImportance& importance_;
     LandingScore score_;
     std::vector<float> weights_;  // [visible point]

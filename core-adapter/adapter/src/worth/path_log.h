@@ -4,9 +4,12 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <functional>
+#include <span>
 #include <vector>
 
 #include "aips/adapter/scene.h"
+#include "aips/core/photon_map/landing.h"
 #include "aips/core/trees/primary_tree.h"
 #include "worth/constants.h"
 
@@ -63,7 +66,7 @@ struct PathVertex {
     LobeMask lobes = 0;   ///< of the surface
 };
 
-/// A path as a whole. Indices are into the log's vertices and the landing store beside it.
+/// A path as a whole. Indices are into the log's vertices and landings.
 struct PathRecord {
     LightIndex light = kNoLight;
     PrimaryPoint start{};
@@ -77,16 +80,37 @@ struct PathRecord {
 struct PathLog {
     std::vector<PathRecord> paths;
     std::vector<PathVertex> vertices;
+    /// Of logged paths alone, at the power that they carried. None while paths are traced: then
+    /// indices are into the landings of the block.
+    std::vector<Landing> landings;
 
     void clear() {
         paths.clear();
         vertices.clear();
+        landings.clear();
     }
-    /// Appends `other`, whose landings follow on `landings` others.
-    void append(const PathLog& other, std::uint32_t landings);
     std::size_t memory_bytes() const {
-        return paths.capacity() * sizeof(PathRecord) + vertices.capacity() * sizeof(PathVertex);
+        return paths.capacity() * sizeof(PathRecord) + vertices.capacity() * sizeof(PathVertex) +
+               landings.capacity() * sizeof(Landing);
     }
 };
+
+/// Of a log, or where its parts begin.
+struct PathLogSize {
+    std::size_t paths = 0, vertices = 0, landings = 0;
+
+    static PathLogSize of(const PathLog& log);
+    PathLogSize& operator+=(const PathLogSize& other);
+};
+
+/// What a block of paths left.
+struct BlockOfPaths {
+    const PathLog& log;
+    std::span<const Landing> landings;  ///< of all paths, logged or not
+};
+
+/// Appends the logs of `count` blocks, in their order, to `log`, on all threads.
+void append_logs(std::size_t count, const std::function<BlockOfPaths(std::size_t)>& block,
+                 PathLog& log);
 
 }  // namespace aips

@@ -13,34 +13,26 @@ constexpr std::size_t kPathsPerJob = 256;
 
 }  // namespace
 
-void PathWorths::measure(const PathLog& log, std::span<const Landing> landings,
-                         std::span<const double> scores) {
+void PathWorths::measure(const PathLog& log, std::span<const double> scores) {
     scores_ = scores;
-    first_score_.clear();
-    std::uint32_t first = 0;
-    for (const PathRecord& path : log.paths) {
-        first_score_.push_back(first);
-        first += path.landings;
-    }
     paths_.resize(log.paths.size());
     vertices_.resize(log.vertices.size());
     in_chunks(paths_.size(), kPathsPerJob, tbb_for, [&](std::size_t begin, std::size_t end) {
         for (std::size_t path = begin; path < end; ++path)
-            measure_path(log, path, landings);
+            measure_path(log, path);
     });
 }
 
 // From the path's end to its start, summing what came after.
-void PathWorths::measure_path(const PathLog& log, std::size_t number,
-                              std::span<const Landing> landings) {
+void PathWorths::measure_path(const PathLog& log, std::size_t number) {
     const PathRecord& path = log.paths[number];
-    const std::span landed_scores = scores(path, number);
+    const std::span landed_scores = scores(path);
     double score = 0;
     double landed = 0, rays = 0;
     std::uint32_t last_rays = path.rays;
     std::uint32_t l = path.landings;
     const auto take_landings_after = [&](std::uint32_t depth) {
-        for (; l > 0 && landings[path.first_landing + l - 1].depth > depth; --l) {
+        for (; l > 0 && log.landings[path.first_landing + l - 1].depth > depth; --l) {
             score += landed_scores[l - 1];
             landed += 1;
         }
@@ -62,12 +54,11 @@ void PathWorths::measure_path(const PathLog& log, std::size_t number,
 }
 
 std::size_t PathWorths::memory_bytes() const {
-    return first_score_.capacity() * sizeof(std::uint32_t) +
-           (paths_.capacity() + vertices_.capacity()) * sizeof(Worth);
+    return (paths_.capacity() + vertices_.capacity()) * sizeof(Worth);
 }
 
 std::size_t PathWorths::memory_bound_bytes(std::size_t paths, std::size_t depth) {
-    return kVectorGrowth * paths * (sizeof(std::uint32_t) + (1 + depth) * sizeof(Worth));
+    return kVectorGrowth * paths * (1 + depth) * sizeof(Worth);
 }
 
 }  // namespace aips

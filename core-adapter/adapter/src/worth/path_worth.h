@@ -5,7 +5,6 @@
 #include <span>
 #include <vector>
 
-#include "aips/core/photon_map/landing.h"
 #include "worth/constants.h"
 #include "worth/path_log.h"
 
@@ -19,18 +18,16 @@ struct Worth {
 /// Of one iteration's log.
 class PathWorths {
   public:
-    /// `landings`: the store beside the log; `scores`: of the logged paths' landings, path after
-    /// path, which stay as they are as long as scores() is asked for.
-    void measure(const PathLog& log, std::span<const Landing> landings,
-                 std::span<const double> scores);
+    /// `scores`: of the log's landings, which stay as they are as long as scores() is asked for.
+    void measure(const PathLog& log, std::span<const double> scores);
 
     /// [path]: of the whole path.
     std::span<const Worth> paths() const { return paths_; }
     /// [vertex of the log]: of one of the photons that went on from there.
     std::span<const Worth> vertices() const { return vertices_; }
-    /// [path]: its landings' scores.
-    std::span<const double> scores(const PathRecord& path, std::size_t number) const {
-        return scores_.subspan(first_score_[number], path.landings);
+    /// Of a path's landings.
+    std::span<const double> scores(const PathRecord& path) const {
+        return scores_.subspan(path.first_landing, path.landings);
     }
 
     std::size_t memory_bytes() const;
@@ -38,10 +35,9 @@ class PathWorths {
     static std::size_t memory_bound_bytes(std::size_t paths, std::size_t depth);
 
   private:
-    void measure_path(const PathLog& log, std::size_t number, std::span<const Landing> landings);
+    void measure_path(const PathLog& log, std::size_t number);
 
     std::span<const double> scores_;
-    std::vector<std::uint32_t> first_score_;  // [path]
     std::vector<Worth> paths_, vertices_;
 };
 

@@ -15,7 +15,7 @@ namespace aips {
 namespace {
 
 /// Rows or columns that one job blurs over.
-constexpr std::size_t kLinesPerJob = 32;
+constexpr std::size_t kLinesPerJob = 8;
 
 /// Sums of sliding windows along a line of `count` values, `stride` apart, of ratios' parts. What a
 /// bright value leaves behind by rounding, 2^-53 of it, is far below what counts as dark
@@ -133,7 +133,7 @@ void PixelImportance::fade() {
 }
 
 double PixelImportance::weigh(const EyeImage& image, std::vector<float>& weights) const {
-    assign_all(weights, image.visible_points.size(), kUnknownWeight);
+    assign_all(weights, image.visible_points.size(), kUnknownWeight, image.positions.size());
     if (!(mean_ > 0) || weights.empty()) return 1;
     const auto weigh_points = [&](std::size_t first, std::size_t last) {
         double sum = 0;

@@ -41,6 +41,11 @@ void CellSort::build(std::span<const Vec3> points, float radius, const ParallelF
 
 void CellSort::reserve(std::size_t points) {
     const std::size_t capacity = rounded_capacity(points);
+    // Nothing is kept of the points before, which growing would move.
+    for (UnwrittenVector<std::uint32_t>* numbers : {&bucket_, &order_, &start_})
+        numbers->clear();
+    keys_.clear();
+    positions_.clear();
     bucket_.reserve(capacity);
     keys_.reserve(capacity);
     positions_.reserve(capacity);

@@ -4,22 +4,24 @@
 namespace aips {
 namespace {
 
-constexpr std::size_t kChunk = std::size_t(1) << 14;
+constexpr std::size_t kChunk = std::size_t(1) << 12;
 
 }  // namespace
 
 void LandingGrid::build(std::span<const Landing> landings, float radius,
                         const ParallelFor& parallel) {
+    // Nothing is kept of those before, which growing would move.
+    positions_.clear();
+    photons_.clear();
     positions_.reserve(rounded_capacity(landings.size()));
     photons_.reserve(rounded_capacity(landings.size()));
-    // Never fewer than there were: what is made anew is written twice.
-    if (positions_.size() < landings.size()) positions_.resize(landings.size());
+    positions_.resize(landings.size());
     in_chunks(landings.size(), kChunk, parallel, [&](std::size_t first, std::size_t last) {
         for (std::size_t i = first; i < last; ++i)
             positions_[i] = landings[i].position;
     });
-    cells_.build(std::span(positions_).first(landings.size()), radius, parallel);
-    if (photons_.size() < cells_.size()) photons_.resize(cells_.size());
+    cells_.build(positions_, radius, parallel);
+    photons_.resize(cells_.size());
     in_chunks(cells_.size(), kChunk, parallel, [&](std::size_t first, std::size_t last) {
         for (std::size_t slot = first; slot < last; ++slot) {
             const std::uint32_t i = cells_.order()[slot];

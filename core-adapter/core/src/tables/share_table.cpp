@@ -3,12 +3,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
-
-#include "aips/core/base/in_order_by_owner.h"
 
 namespace aips {
 namespace {
+
+/// Of samples that are left out.
+constexpr std::uint32_t kNoBranch = std::numeric_limits<std::uint32_t>::max();
 
 bool usable(const ShareSample& s) {
     const auto amount = [](double x) { return x >= 0 && std::isfinite(x); };
@@ -97,40 +99,69 @@ ShareTable::ShareTable(const Bounds& scene, const ShareTableSettings& settings)
 
 bool ShareTable::add(const ShareSample& s) {
     const std::uint32_t branch = branch_of(s);
-    if (branch == kNoOwner) return false;
-    add_at(branch, s);
+    if (branch == kNoBranch) return false;
+    places_.add_at(branch, vertex_of(s));
+    leaves_[places_.leaf_of(branch)].add(moments_of(s));
     everywhere_.add(moments_of(s));
     return true;
 }
 
+/// What the samples of a group tell.
+struct ShareTable::Group {
+    /// Of one leaf.
+    struct Part {
+        ScoreCache::Sums places;
+        ShareMoments moments;
+    };
+    std::vector<std::uint32_t> branches;  // each once, in the order of its first sample
+    std::vector<Part> parts;              // of these
+    ShareMoments sum;
+};
+
+ShareTable::Group ShareTable::group_of(std::span<const ShareSample> samples) const {
+    Group group;
+    std::vector<std::uint32_t> part_of(places_.branch_end(), kNoBranch);  // [branch]
+    for (const ShareSample& s : samples) {
+        const std::uint32_t branch = branch_of(s);
+        if (branch == kNoBranch) continue;
+        if (part_of[branch] == kNoBranch) {
+            part_of[branch] = std::uint32_t(group.parts.size());
+            group.branches.push_back(branch);
+            group.parts.emplace_back();
+        }
+        Group::Part& part = group.parts[part_of[branch]];
+        places_.add_to(part.places, branch, vertex_of(s));
+        part.moments.add(moments_of(s));
+    }
+    for (const Group::Part& part : group.parts)
+        group.sum.add(part.moments);
+    return group;
+}
+
 void ShareTable::add(std::span<const std::vector<ShareSample>> samples,
                      const ParallelFor& parallel) {
-    std::vector<std::size_t> first(samples.size() + 1, 0);
-    for (std::size_t g = 0; g < samples.size(); ++g)
-        first[g + 1] = first[g] + samples[g].size();
-    std::vector<const ShareSample*> all(first.back());
-    std::vector<std::uint32_t> branches(first.back());
-    std::vector<ShareMoments> sums(samples.size());
-    parallel(std::uint32_t(samples.size()), [&](std::uint32_t g) {
-        for (std::size_t i = first[g]; i < first[g + 1]; ++i) {
-            all[i] = &samples[g][i - first[g]];
-            branches[i] = branch_of(*all[i]);
-            if (branches[i] != kNoOwner) sums[g].add(moments_of(*all[i]));
+    constexpr std::uint32_t kJobs = 64;
+    std::vector<Group> groups(samples.size());
+    parallel(std::uint32_t(samples.size()),
+             [&](std::uint32_t g) { groups[g] = group_of(samples[g]); });
+    // Every job looks at all branches and takes its part of them.
+    parallel(kJobs, [&](std::uint32_t job) {
+        for (const Group& group : groups) {
+            for (std::size_t i = 0; i < group.branches.size(); ++i) {
+                const std::uint32_t branch = group.branches[i];
+                if (branch % kJobs != job) continue;
+                places_.add_at(branch, group.parts[i].places);
+                leaves_[places_.leaf_of(branch)].add(group.parts[i].moments);
+            }
         }
     });
-    in_order_by_owner(branches, parallel, [&](std::size_t i) { add_at(branches[i], *all[i]); });
-    for (const ShareMoments& sum : sums)
-        everywhere_.add(sum);
+    for (const Group& group : groups)
+        everywhere_.add(group.sum);
 }
 
 std::uint32_t ShareTable::branch_of(const ShareSample& s) const {
-    if (!usable(s) || !ScoreCache::usable(vertex_of(s))) return kNoOwner;
+    if (!usable(s) || !ScoreCache::usable(vertex_of(s))) return kNoBranch;
     return places_.branch_at(s.position, s.normal);
-}
-
-void ShareTable::add_at(std::uint32_t branch, const ShareSample& s) {
-    places_.add_at(branch, vertex_of(s));
-    leaves_[places_.leaf_of(branch)].add(moments_of(s));
 }
 
 void ShareTable::update(std::size_t samples) {

@@ -61,6 +61,12 @@ void ScoreCache::HalfSums::add(const std::array<bool, 3>& is_lower, double value
     }
 }
 
+void ScoreCache::HalfSums::add(const HalfSums& other) {
+    whole += other.whole;
+    for (unsigned axis = 0; axis < 3; ++axis)
+        lower[axis] += other.lower[axis];
+}
+
 void ScoreCache::HalfSums::scale(double factor) {
     whole *= factor;
     for (double& sum : lower)
@@ -70,6 +76,14 @@ void ScoreCache::HalfSums::scale(double factor) {
 double ScoreCache::HalfSums::half(int axis, bool upper) const {
     const double below = lower[unsigned(axis)];
     return upper ? std::max(0.0, whole - below) : below;
+}
+
+void ScoreCache::Probe::add(const Probe& other) {
+    count.add(other.count);
+    scored.add(other.scored);
+    root.add(other.root);
+    score.add(other.score);
+    cost.add(other.cost);
 }
 
 void ScoreCache::Probe::scale(double factor) {
@@ -158,18 +172,34 @@ bool ScoreCache::add(const VertexScore& vertex) {
 
 void ScoreCache::add_at(std::uint32_t branch, const VertexScore& vertex) {
     Leaf& leaf = leaves_[branches_[branch].target()];
+    add(totals_[branch], leaf.met, leaf.probe, leaf.box, vertex);
+}
+
+void ScoreCache::add_to(Sums& sums, std::uint32_t branch, const VertexScore& vertex) const {
+    add(sums.totals, sums.met, sums.probe, leaves_[branches_[branch].target()].box, vertex);
+}
+
+void ScoreCache::add_at(std::uint32_t branch, const Sums& sums) {
+    totals_[branch].add(sums.totals);
+    Leaf& leaf = leaves_[branches_[branch].target()];
+    leaf.met.extend(sums.met);
+    leaf.probe.add(sums.probe);
+}
+
+void ScoreCache::add(Totals& totals, Bounds& met, Probe& probe, const Bounds& box,
+                     const VertexScore& vertex) {
     const double root = std::sqrt(vertex.score);
     const double scored = vertex.score > 0 ? 1 : 0;
-    totals_[branch].add({1, scored, root, vertex.score, vertex.cost});
+    totals.add({1, scored, root, vertex.score, vertex.cost});
     std::array<bool, 3> lower{};
     for (int axis = 0; axis < 3; ++axis)
-        lower[unsigned(axis)] = vertex.position[axis] < halving_plane(leaf.box, axis);
-    leaf.met.extend(vertex.position);
-    leaf.probe.count.add(lower, 1);
-    leaf.probe.scored.add(lower, scored);
-    leaf.probe.root.add(lower, root);
-    leaf.probe.score.add(lower, vertex.score);
-    leaf.probe.cost.add(lower, vertex.cost);
+        lower[unsigned(axis)] = vertex.position[axis] < halving_plane(box, axis);
+    met.extend(vertex.position);
+    probe.count.add(lower, 1);
+    probe.scored.add(lower, scored);
+    probe.root.add(lower, root);
+    probe.score.add(lower, vertex.score);
+    probe.cost.add(lower, vertex.cost);
 }
 
 void ScoreCache::update(double paths) {

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <utility>
 
 #include "base/parallel_for.h"
 #include "base/vector_growth.h"
@@ -62,47 +63,48 @@ std::uint32_t AdaptiveGuide::log_one_of() const {
     return paths_ < kEagerPaths ? kEagerOneOf : kLateOneOf;
 }
 
-std::uint64_t AdaptiveGuide::learn(const PathLog& log, std::span<const Landing> landings,
-                                   std::uint32_t paths) {
-    paths_ += paths;
-    if (!awake()) return 0;
-    worths_.measure(log, landings, score_landings(log, landings));
-    // In paths that were scored: one in how many that is changes, and would change the scale.
-    const auto scored = double(log.paths.size());
+void AdaptiveGuide::study(const PathLog& log) {
+    if (!awake() || log.paths.empty()) return;
+    worths_.measure(log, scores_.of(log.landings));
     // They know nothing of each other; each learns from the paths in their order.
     tbb_for(4, [&](std::uint32_t part) {
-        if (part == 0 && survival()) learn_survival(log, scored);
-        if (part == 1 && emission()) learn_emission(log, scored);
-        if (part == 2 && survival()) judge_survival(log, landings, scored);
-        if (part == 3 && bounces()) learn_bounces(log, scored);
+        if (part == 0 && survival()) learn_survival(log);
+        if (part == 1 && emission()) learn_emission(log);
+        if (part == 2 && survival()) judge_survival(log);
+        if (part == 3 && bounces()) learn_bounces(log);
     });
     for (const Worth& path : worths_.paths()) {
         path_means_.add(path.score, path.cost);
         if (path.score > 0) ++visible_paths_;
     }
-    if (survival()) survival_->set_reference(path_means_.cost_over_score());
-    path_means_.update(scored);
-    return log.paths.size() + log.vertices.size() + scored_.size();
+    studied_ += PathLogSize::of(log);
 }
 
-std::span<const double> AdaptiveGuide::score_landings(const PathLog& log,
-                                                      std::span<const Landing> landings) {
-    std::vector<std::uint32_t>& numbers = scored_;
-    numbers.clear();
-    for (const PathRecord& path : log.paths) {
-        for (std::uint32_t i = 0; i < path.landings; ++i)
-            numbers.push_back(path.first_landing + i);
+std::uint64_t AdaptiveGuide::update(std::uint32_t paths) {
+    paths_ += paths;
+    const PathLogSize studied = std::exchange(studied_, {});
+    if (!awake() || studied.paths == 0) return 0;
+    const auto scored = double(studied.paths);
+    // In paths that were scored: one in how many that is changes, and would change the scale.
+    tbb_for(3, [&](std::uint32_t part) {
+        if (part == 0 && survival()) cache_->update(scored);
+        if (part == 1 && emission()) emission_.update(scored);
+        if (part == 2 && bounces()) bounces_->update(scored);
+    });
+    if (survival()) {
+        survival_switch_.update(scored, kMemoryPaths);
+        survival_->set_reference(path_means_.cost_over_score());
     }
-    return scores_.of(landings, numbers);
+    path_means_.update(scored);
+    return studied.paths + studied.vertices + studied.landings;
 }
 
-void AdaptiveGuide::learn_emission(const PathLog& log, double scored) {
+void AdaptiveGuide::learn_emission(const PathLog& log) {
     for (std::size_t i = 0; i < log.paths.size(); ++i) {
         const PathRecord& path = log.paths[i];
         const Worth& worth = worths_.paths()[i];
         emission_.add({{path.light, path.start, path.pdf}, worth.score, worth.cost});
     }
-    emission_.update(scored);
 }
 
 template <class Visit>
@@ -114,39 +116,34 @@ void AdaptiveGuide::for_each_vertex(const PathLog& log, const Visit& visit) cons
     }
 }
 
-void AdaptiveGuide::learn_survival(const PathLog& log, double scored) {
+void AdaptiveGuide::learn_survival(const PathLog& log) {
     for_each_vertex(log, [&](const PathVertex& vertex, const Worth& worth) {
         const double power = double(vertex.power);
         cache_->add({vertex.position, vertex.normal, worth.score / (power * power), worth.cost});
     });
-    cache_->update(scored);
 }
 
-void AdaptiveGuide::learn_bounces(const PathLog& log, double scored) {
+void AdaptiveGuide::learn_bounces(const PathLog& log) {
     for_each_vertex(log, [&](const PathVertex& vertex, const Worth& worth) {
         bounces_->add(vertex, worth.score, worth.cost);
     });
-    bounces_->update(scored);
 }
 
-void AdaptiveGuide::judge_survival(const PathLog& log, std::span<const Landing> landings,
-                                   double scored) {
-    for (std::size_t i = 0; i < log.paths.size(); ++i)
-        survival_switch_.add(judged_path(log, i, landings));
-    survival_switch_.update(scored, kMemoryPaths);
+void AdaptiveGuide::judge_survival(const PathLog& log) {
+    for (const PathRecord& path : log.paths)
+        survival_switch_.add(judged_path(log, path));
 }
 
 // From the path's start to its end.
-SurvivalSwitch::Path AdaptiveGuide::judged_path(const PathLog& log, std::size_t number,
-                                                std::span<const Landing> landings) const {
-    const PathRecord& path = log.paths[number];
-    const std::span scores = worths_.scores(path, number);
+SurvivalSwitch::Path AdaptiveGuide::judged_path(const PathLog& log, const PathRecord& path) const {
+    const std::span scores = worths_.scores(path);
+    const std::span landings = std::span(log.landings).subspan(path.first_landing, path.landings);
     SurvivalSwitch::Path judged;
     std::uint32_t l = 0, rays = 0;
     const auto add_up_to = [&](std::uint32_t depth, std::uint32_t rays_so_far) {
         double score = 0;
         double cost = double(rays_so_far - rays);
-        for (; l < path.landings && landings[path.first_landing + l].depth <= depth; ++l) {
+        for (; l < path.landings && landings[l].depth <= depth; ++l) {
             score += scores[l];
             cost += kLandingCost;
         }
@@ -209,8 +206,7 @@ void AdaptiveGuide::learned(LearnedParts& parts) {
 std::size_t AdaptiveGuide::memory_bytes() const {
     return scores_.memory_bytes() + emission_.memory_bytes() +
            (cache_ ? cache_->memory_bytes() : 0) + (bounces_ ? bounces_->memory_bytes() : 0) +
-           seeds_.memory_bytes() + scored_.capacity() * sizeof(std::uint32_t) +
-           worths_.memory_bytes();
+           seeds_.memory_bytes() + worths_.memory_bytes();
 }
 
 std::size_t AdaptiveGuide::memory_bound_bytes(const Scene& scene, const Settings& settings,

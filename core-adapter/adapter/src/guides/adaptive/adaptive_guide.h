@@ -38,6 +38,15 @@ class AdaptiveGuide {
                              std::span<const Vec3> positions, const SearchRadii& radii);
     /// Of how many paths one is logged, in the next iteration.
     std::uint32_t log_one_of() const;
+    /// Photon paths of the next iteration, where an unguided one has so many: few as long as much
+    /// is learned, or photons count for less by their number (learning_weight.h).
+    std::uint32_t iteration_paths(std::uint32_t unguided) const {
+        if (learns_at_once()) return kLearningIterationPaths;
+        return awake() ? kSettledIterationPaths : unguided;
+    }
+    /// Whether iterations are learned from before the next is traced: while what is known grows
+    /// fast, photons that follow older knowledge make fireflies.
+    bool learns_at_once() const { return paths_ < kEagerPaths; }
     const EmissionGuide* emission() const {
         return emission_rest_.awake() && settings_.guide_emission ? &emission_ : nullptr;
     }
@@ -51,9 +60,12 @@ class AdaptiveGuide {
     const BounceGuide* bounces() const {
         return bounces_rest_.awake() && bounces_ ? &*bounces_ : nullptr;
     }
-    /// Learns from the logged ones of `paths` photon paths, whose landings are among `landings`.
-    /// Returns how many paths, vertices and landings it learned from.
-    std::uint64_t learn(const PathLog& log, std::span<const Landing> landings, std::uint32_t paths);
+    /// Learns from the logged ones of an iteration's paths: changes nothing that photons follow, so
+    /// that the next iteration may be traced at the same time.
+    void study(const PathLog& log);
+    /// After `paths` further photon paths, between iterations: what was studied decides from here
+    /// on. Returns how many paths, vertices and landings that was.
+    std::uint64_t update(std::uint32_t paths);
 
     /// Between passes: saves what was learned, or restores it into a new guide; what a pass begins
     /// with is made anew by begin_pass().
@@ -88,19 +100,16 @@ class AdaptiveGuide {
         const bool measures = !settings_.guide_emission && !survival_ && !bounces_;
         return measures || emission() || survival() || bounces();
     }
-    /// Of the logged paths' landings, path after path.
-    std::span<const double> score_landings(const PathLog& log, std::span<const Landing> landings);
     /// Calls visit(vertex, worth) for each that a photon of some power went on from, path by path,
     /// in each from its end to its start.
     template <class Visit>
     void for_each_vertex(const PathLog& log, const Visit& visit) const;
-    // From the paths in worths_, of which there are `scored`.
-    void learn_emission(const PathLog& log, double scored);
-    void learn_survival(const PathLog& log, double scored);
-    void learn_bounces(const PathLog& log, double scored);
-    void judge_survival(const PathLog& log, std::span<const Landing> landings, double scored);
-    SurvivalSwitch::Path judged_path(const PathLog& log, std::size_t number,
-                                     std::span<const Landing> landings) const;
+    // From the paths in worths_.
+    void learn_emission(const PathLog& log);
+    void learn_survival(const PathLog& log);
+    void learn_bounces(const PathLog& log);
+    void judge_survival(const PathLog& log);
+    SurvivalSwitch::Path judged_path(const PathLog& log, const PathRecord& path) const;
 
     const Scene& scene_;
     const Settings& settings_;
@@ -114,9 +123,9 @@ class AdaptiveGuide {
     PathMeans path_means_;
     double mean_weight_ = 1;  // of the last pass that was learned from
     SeedSearch seeds_;
-    std::vector<std::uint32_t> scored_;  // landings of logged paths, path after path
-    PathWorths worths_;                  // of the last iteration's
-    std::uint64_t paths_ = 0;            // shot so far
+    PathWorths worths_;        // of the iteration studied last
+    std::uint64_t paths_ = 0;  // shot so far
+    PathLogSize studied_;      // since the last update
     PartRest emission_rest_, survival_rest_, bounces_rest_;
     std::uint64_t visible_paths_ = 0;  // logged ones that were worth something
 };

@@ -96,11 +96,25 @@ inline constexpr double kRememberedPaths = 1e5;
 /// Supported by: no measurement.
 inline constexpr double kRememberedSeeds = 1.0 / 16;
 
-/// Photon paths until which many are scored. Unit: photon paths.
+/// Photon paths until which many are scored, each iteration before the next. Unit: photon paths.
 /// Balances: time of learning against how soon much is known.
 /// Chosen by: docs/notebook/2026-11-23-one-scale-for-scores.md.
 /// Supported by: sun-window, hall (two and a half million).
 inline constexpr std::uint64_t kEagerPaths = 1'000'000;
+
+/// Photon paths of an iteration until then; photon_schedule.h weighs the first photons by as many.
+/// Unit: photon paths.
+/// Balances: work for all threads and little time between iterations against a guide that lags
+///   behind.
+/// Chosen by: docs/notebook/2026-11-24-sequences-of-emissions.md.
+/// Supported by: cornell-box, glass-ball, chess (longer ones).
+inline constexpr std::uint32_t kLearningIterationPaths = 1u << 14;
+
+/// Photon paths of an iteration afterwards. Unit: photon paths.
+/// Balances: as before, for a guide that changes little; and memory.
+/// Chosen by: docs/notebook/2026-11-26-lagging-guide.md.
+/// Supported by: no measurement.
+inline constexpr std::uint32_t kSettledIterationPaths = 1u << 15;
 
 /// Of so many paths one is scored until then. Unit: photon paths.
 /// Balances: time of learning against how soon much is known.

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "aips/core/base/parallel.h"
+#include "aips/core/base/unwritten.h"
 #include "aips/core/photon_map/cell_hash.h"
 
 namespace aips {
@@ -135,13 +136,13 @@ class CellSort {
     CellGrid cells_;
     std::uint32_t mask_ = 0;                      // buckets less one
     unsigned partition_shift_ = 0;                // bucket >> shift is its partition
-    std::vector<std::uint32_t> start_;            // [bucket]: first slot; one more at the end
-    std::vector<std::uint32_t> bucket_;           // [point]: its bucket, kNoBucket if left out
+    UnwrittenVector<std::uint32_t> start_;        // [bucket]: first slot; one more at the end
+    UnwrittenVector<std::uint32_t> bucket_;       // [point]: its bucket, kNoBucket if left out
     std::vector<std::uint32_t> cursor_;           // [chunk][partition]: where its next key goes
     std::vector<std::uint32_t> partition_start_;  // [partition]: first key; one more at the end
-    std::vector<Key> keys_;                       // by partition, then in the points' order
-    std::vector<Vec3> positions_;                 // by bucket, then in the points' order
-    std::vector<std::uint32_t> order_;            // as positions_
+    UnwrittenVector<Key> keys_;                   // by partition, then in the points' order
+    UnwrittenVector<Vec3> positions_;             // by bucket, then in the points' order
+    UnwrittenVector<std::uint32_t> order_;        // as positions_
 };
 
 }  // namespace aips

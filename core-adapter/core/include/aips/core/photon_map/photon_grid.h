@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "aips/core/base/unwritten.h"
 #include "aips/core/photon_map/cell_sort.h"
 #include "aips/core/photon_map/landing.h"
 
@@ -56,8 +57,8 @@ class LandingGrid {
 
   private:
     CellSort cells_;
-    std::vector<Vec3> positions_;      // [landing], for the sort
-    std::vector<GridPhoton> photons_;  // [slot]
+    UnwrittenVector<Vec3> positions_;      // [landing], for the sort
+    UnwrittenVector<GridPhoton> photons_;  // [slot]
 };
 
 }  // namespace aips

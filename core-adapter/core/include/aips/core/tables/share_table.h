@@ -89,7 +89,8 @@ class ShareTable {
 
     /// Learns from a visible point; false, learning nothing, if a number is not usable.
     bool add(const ShareSample& sample);
-    /// add() of all `samples`, group after group, on the threads of `parallel`: the same for any.
+    /// add() of all `samples` on the threads of `parallel`, the same for any: sums are taken group
+    /// by group, and round as such.
     void add(std::span<const std::vector<ShareSample>> samples, const ParallelFor& parallel);
     /// After `samples` calls of add(): splits leaves. A new leaf has its parent's share.
     void update(std::size_t samples);
@@ -112,9 +113,10 @@ class ShareTable {
     static std::size_t memory_bound_bytes(const ShareTableSettings& settings);
 
   private:
-    /// In `places_`; kNoOwner if a number is not usable.
+    /// In `places_`; none if a number is not usable.
     std::uint32_t branch_of(const ShareSample& sample) const;
-    void add_at(std::uint32_t branch, const ShareSample& sample);
+    struct Group;
+    Group group_of(std::span<const ShareSample> samples) const;
     void add_leaves();
 
     ShareTableSettings settings_;

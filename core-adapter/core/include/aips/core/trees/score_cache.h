@@ -86,6 +86,13 @@ class ScoreCache {
     static bool usable(const VertexScore& vertex);
     std::uint32_t branch_at(Vec3 position, Vec3 normal) const { return locate(position, normal); }
     void add_at(std::uint32_t branch, const VertexScore& vertex);
+    /// add_at() in two steps, for many vertices of one branch: what they add is summed apart by
+    /// add_to(), which may be called from many threads, and joined later.
+    struct Sums;
+    void add_to(Sums& sums, std::uint32_t branch, const VertexScore& vertex) const;
+    void add_at(std::uint32_t branch, const Sums& sums);
+    /// Above all numbers of branches.
+    std::uint32_t branch_end() const { return static_cast<std::uint32_t>(branches_.size()); }
     /// Number of the leaf that a branch is: see leaf_at().
     std::uint32_t leaf_of(std::uint32_t branch) const { return branches_[branch].target(); }
     /// After `paths` further photon paths: forgets, splits what pays to be split, and sets the
@@ -170,6 +177,7 @@ class ScoreCache {
         std::array<double, 3> lower{};
 
         void add(const std::array<bool, 3>& is_lower, double value);
+        void add(const HalfSums& other);
         void scale(double factor);
         double half(int axis, bool upper) const;
         void state(StateArchive& archive);
@@ -183,6 +191,7 @@ class ScoreCache {
         HalfSums score;
         HalfSums cost;
 
+        void add(const Probe& other);
         void scale(double factor);
         Totals whole() const;
         Totals half(int axis, bool upper) const;
@@ -217,6 +226,9 @@ class ScoreCache {
     static std::uint32_t child(Branch b, Vec3 position) {
         return b.target() + (position[b.axis()] >= b.plane ? 1u : 0u);
     }
+    /// Adds a vertex of a leaf with this box.
+    static void add(Totals& totals, Bounds& met, Probe& probe, const Bounds& box,
+                    const VertexScore& vertex);
     float fitted_side(const Leaf& leaf, int axis) const;
     bool fit_box(Leaf& leaf) const;
     bool divisible(const Leaf& leaf, int axis) const;
@@ -236,6 +248,13 @@ class ScoreCache {
     std::vector<Means> means_;    // of each branch
     std::vector<Totals> totals_;  // of each branch; interior ones are set in update()
     std::vector<Leaf> leaves_;
+};
+
+/// What vertices of one branch add to its leaf.
+struct ScoreCache::Sums {
+    Totals totals;
+    Bounds met;
+    Probe probe;
 };
 
 }  // namespace aips

@@ -9,10 +9,16 @@
 namespace lxs {
 namespace {
 
-/// What counts as far darker, as share of the bright pixel. Unit: 1. Balances: rings that are kept
-/// against dark noise that is. Chosen by: a lobe of "mitchell" takes up to a twentieth; relMSE in
-/// 19 scenes, 0.05 to 0.2. Supported by: docs/notebook/2026-11-26-denoise.md.
+/// What counts as far darker in the image itself, as share of the bright pixel. Unit: 1. Balances:
+/// rings that are kept against dark noise that is. Chosen by: a lobe of "mitchell" takes up to a
+/// twentieth; relMSE in 19 scenes, 0.02 to 0.2. Supported by: docs/notebook/2026-11-26-denoise.md.
 constexpr float kDark = 0.1f;
+
+/// What is dimmer after denoising, likewise: means of few passes fill a ring with much of what is
+/// bright. Unit: 1. Balances: rings that are kept against pixels of what is bright that chance has
+/// left dark. Chosen by: relMSE in 19 scenes after 10 and 60 passes, 0.1 to 1. Supported by:
+/// docs/notebook/2026-11-26-denoise.md.
+constexpr float kDim = 0.5f;
 
 float brightness(const Rgb& color) {
     return color.x + color.y + color.z;
@@ -43,7 +49,8 @@ void keep_dark_beside_bright(const FilteredImage& denoised, std::span<const Rgb>
     const auto around = greatest(rows, denoised.width, denoised.height, denoised.reach_y);
     for_pixels(image.size(), [&](std::size_t i) {
         const float own = brightness(image[i]);
-        if (bright[i] < kDark * around[i] && own < bright[i]) denoised.pixels[i] *= own / bright[i];
+        const bool ring = own < kDark * around[i] && bright[i] < kDim * around[i];
+        if (ring && own < bright[i]) denoised.pixels[i] *= own / bright[i];
     });
 }
 

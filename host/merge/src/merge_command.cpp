@@ -5,6 +5,8 @@
 
 #include <CLI/CLI.hpp>
 #include <exception>
+#include <fstream>
+#include <iterator>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <span>
@@ -20,13 +22,14 @@
 #include "lxs/imaging/atomic_file.h"
 #include "lxs/imaging/image_header.h"
 #include "lxs/merge/merger.h"
+#include "lxs/merge/statistics_sums.h"
 #include "lxs/sdk/plugin.h"
 
 namespace lxs {
 namespace {
 
 struct MergeLine {
-    std::vector<std::string> inputs;
+    std::vector<std::string> inputs, statistics_of_inputs;
     std::string output, statistics;
     bool quiet = false;
 };
@@ -48,8 +51,14 @@ std::optional<ExitCode> parse(int argc, const char* const* argv, MergeLine& line
         ->required()
         ->type_name("FILE.exr")
         ->check(CLI::Validator(check_image_name, ""));
-    app.add_option("--stats", line.statistics, "JSON file to write with seeds, counts and error")
-        ->type_name("FILE.json");
+    CLI::Option* const statistics =
+        app.add_option("--stats", line.statistics,
+                       "JSON file to write with seeds, counts and error")
+            ->type_name("FILE.json");
+    app.add_option("--stats-of", line.statistics_of_inputs,
+                   "statistics of the images, to be summed up in that file")
+        ->needs(statistics)
+        ->type_name("A.json B.json");
     app.add_flag("--quiet", line.quiet, "print warnings and errors only");
     try {
         app.parse(argc, argv);
@@ -60,7 +69,8 @@ std::optional<ExitCode> parse(int argc, const char* const* argv, MergeLine& line
 }
 
 std::string statistics_of(const MergeLine& line, const Merger& merger,
-                          const std::optional<ErrorEstimate>& error) {
+                          const std::optional<ErrorEstimate>& error,
+                          const std::optional<StatisticsSums>& renders) {
     nlohmann::ordered_json json;
     json["version"] = version();
     json["merged"] = line.inputs;
@@ -68,6 +78,7 @@ std::string statistics_of(const MergeLine& line, const Merger& merger,
     if (error) json["estimated error"] = error_json(*error);
     json["counts"] = {{"passes", merger.passes()},
                       {"samples per pixel", merger.samples_per_pixel()}};
+    if (renders) json["renders"] = renders->merged();
     return json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + '\n';
 }
 
@@ -93,17 +104,30 @@ Merger merge(const std::vector<std::string>& inputs) {
     return merger;
 }
 
+std::optional<StatisticsSums> sum_statistics(const MergeLine& line, const Merger& merger) {
+    if (line.statistics_of_inputs.empty()) return std::nullopt;
+    StatisticsSums sums;
+    for (const std::string& path : line.statistics_of_inputs) {
+        std::ifstream file(path, std::ios::binary);
+        const std::string text{std::istreambuf_iterator<char>(file), {}};
+        if (!file) throw MergeRefusal(fmt::format("cannot read '{}'", path));
+        sums.add(text, path, merger.seeds());
+    }
+    return sums;
+}
+
 void merge_files(const MergeLine& line, ConsoleLog& log) {
     for (const std::string& path : {line.output, line.statistics}) {
         if (!path.empty()) check_writable(path);
     }
     const Merger merger = merge(line.inputs);
+    const std::optional<StatisticsSums> renders = sum_statistics(line, merger);
     const std::optional<ErrorEstimate> error = merger.error();
     ExrImage image = merger.merged();
     if (error) describe(*error, image.metadata);
     write(line.output, encode_exr(image));
     if (!line.statistics.empty()) {
-        const std::string text = statistics_of(line, merger, error);
+        const std::string text = statistics_of(line, merger, error, renders);
         write(line.statistics, std::as_bytes(std::span(text)));
     }
     std::string said =

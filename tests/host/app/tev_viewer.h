@@ -1,20 +1,13 @@
 // A stand-in for the viewer tev: listens, and keeps what it is sent, as tev's own reader does.
 #pragma once
 
-#include <cstdint>
 #include <map>
 #include <memory>
 #include <string>
-#include <vector>
+
+#include "tev_reader.h"
 
 namespace lxs::test {
-
-struct ShownImage {
-    std::int32_t width = 0, height = 0;
-    std::vector<std::string> channels;
-    std::vector<std::vector<float>> values;  ///< by channel, row by row
-    int created = 0, updates = 0;
-};
 
 class TevViewer {
   public:

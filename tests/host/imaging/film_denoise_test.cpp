@@ -142,6 +142,16 @@ TEST(FilmDenoise, ARingBesideABrightPixelStaysDarkAndOneWithoutItDoesNot) {
     EXPECT_EQ(denoised, std::vector<Rgb>(9, Rgb(1.0f)));
 }
 
+TEST(FilmDenoise, ARingThatIsHalfFilledStaysDark) {
+    std::vector<Rgb> image(9, Rgb(50.0f)), denoised(9, Rgb(50.0f));
+    image[2] = image[6] = Rgb(1.0f);
+    denoised[2] = Rgb(20.0f);
+    denoised[6] = Rgb(30.0f);  // this one is bright itself, and chance has left it dark
+    keep_dark_beside_bright({denoised, 9, 1, 2, 2}, image);
+    EXPECT_EQ(denoised[2], Rgb(1.0f));
+    EXPECT_EQ(denoised[6], Rgb(30.0f));
+}
+
 /// Two parts of unlike weights; the halves' means together are the mean of all.
 TEST(FilmDenoise, HalvesMakeUpTheWhole) {
     const PixelFilter box(0.5, 0.5, [](double, double) { return 1.0; });

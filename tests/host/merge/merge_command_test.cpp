@@ -19,7 +19,9 @@ class LxsMerge : public testing::Test {
   protected:
     void render(const std::string& name, const std::string& seed, const std::string& passes) {
         const test::RunResult result = test::run_lxsrender(
-            folder_, {"-", "--seed", seed, "--passes", passes, "-o", name}, test::small_scene());
+            folder_,
+            {"-", "--seed", seed, "--passes", passes, "-o", name, "--stats", name + ".json"},
+            test::small_scene());
         ASSERT_EQ(result.exit_code, 0) << result.err;
     }
 
@@ -59,6 +61,58 @@ TEST_F(LxsMerge, JoinsRendersOfOneScene) {
     EXPECT_EQ(json["seeds"], (std::vector<int>{1, 2}));
     EXPECT_EQ(json["counts"]["passes"], 16);
     EXPECT_TRUE(json["estimated error"].contains("relmse"));
+}
+
+TEST_F(LxsMerge, SumsStatisticsUp) {
+    const auto read = [&](const std::string& name) {
+        return nlohmann::json::parse(std::ifstream(path(name)));
+    };
+    render("a.exr", "1", "4");
+    render("b.exr", "2", "12");
+    render("d.exr", "3", "8");
+    ASSERT_EQ(merge({path("a.exr"), path("b.exr"), "-o", path("c.exr"), "--stats", path("c.json"),
+                     "--stats-of", path("a.exr.json"), path("b.exr.json")}),
+              ExitCode::Success)
+        << said_;
+    const auto a = read("a.exr.json"), b = read("b.exr.json"), both = read("c.json")["renders"];
+    EXPECT_EQ(both["seeds"], (std::vector<int>{1, 2}));
+    for (const char* count : {"passes", "samples per pixel", "rays", "photon paths"})
+        EXPECT_EQ(both["counts"][count],
+                  a["counts"][count].get<double>() + b["counts"][count].get<double>());
+    EXPECT_DOUBLE_EQ(both["render CPU seconds"].get<double>(),
+                     a["render CPU seconds"].get<double>() + b["render CPU seconds"].get<double>());
+    // What is merged may be merged again.
+    ASSERT_EQ(merge({path("c.exr"), path("d.exr"), "-o", path("e.exr"), "--stats", path("e.json"),
+                     "--stats-of", path("c.json"), path("d.exr.json")}),
+              ExitCode::Success)
+        << said_;
+    const auto all = read("e.json")["renders"];
+    EXPECT_EQ(all["seeds"], (std::vector<int>{1, 2, 3}));
+    EXPECT_EQ(all["counts"]["passes"], 24);
+}
+
+TEST_F(LxsMerge, StatisticsThatDoNotBelong) {
+    render("a.exr", "1", "2");
+    render("b.exr", "2", "2");
+    render("c.exr", "3", "2");
+    std::ofstream(path("other.json")) << R"({"seeds": [1], "counts": {}})";
+    const auto refused = [&](std::vector<std::string> files, const char* why) {
+        std::vector<std::string> words{path("a.exr"), path("b.exr"),  "-o",        path("o.exr"),
+                                       "--stats",     path("o.json"), "--stats-of"};
+        for (const std::string& file : files)
+            words.push_back(path(file));
+        EXPECT_EQ(merge(words), ExitCode::BadInput);
+        EXPECT_THAT(said_, HasSubstr(why));
+        EXPECT_FALSE(std::ifstream(path("o.exr")));
+    };
+    refused({"a.exr.json", "none.json"}, "cannot read");
+    refused({"a.exr.json", "a.exr"}, "is no statistics file");
+    refused({"other.json"}, "is no statistics file");
+    refused({"c.exr.json"}, "is of seed 3, which none of the images holds");
+    refused({"a.exr.json", "a.exr.json"}, "are both of seed 1");
+    EXPECT_EQ(merge({path("a.exr"), path("b.exr"), "-o", path("o.exr"), "--stats-of",
+                     path("a.exr.json")}),
+              ExitCode::Usage);
 }
 
 TEST_F(LxsMerge, RefusesTheSamePathsTwice) {

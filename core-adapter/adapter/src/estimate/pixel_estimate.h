@@ -21,13 +21,14 @@ void estimate_parts(const EyeImage& image, const PhotonFlux& flux, const SearchR
                     std::uint64_t photon_paths, std::span<const Rgb> of_media,
                     std::span<const Rgb> photon_radiance, std::vector<Rgb>& parts);
 
-/// What photons on surfaces bring each eye path, all light groups together.
+/// What photons bring each eye path, all light groups together; of media, within the sections of
+/// its beam.
 struct DiscEstimates {
     std::vector<Rgb> whole;  ///< [eye path]: from the whole search disc
     std::vector<Rgb> half;   ///< [eye path]: from the inner half of its area
 };
 
-/// From a flux that has `inner`; what is not finite is left out of both.
+/// Of surfaces, from a flux that has `inner`; what is not finite is left out of both.
 void estimate_discs(const EyeImage& image, const PhotonFlux& flux, const SearchRadii& radii,
                     std::uint64_t photon_paths, DiscEstimates& discs);
 

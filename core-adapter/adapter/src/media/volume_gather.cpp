@@ -29,15 +29,22 @@ struct Piece {
 
 }  // namespace
 
+/// Of one beam.
+struct VolumeGather::BeamSums {
+    explicit BeamSums(std::uint32_t groups) : by_group(groups), parts(kPhotonParts), inner(1) {}
+    GroupSums by_group, parts, inner;
+};
+
 VolumeGather::VolumeGather(const Scene& scene, const Settings& settings)
     : scene_(scene), settings_(settings) {}
 
 void VolumeGather::begin_pass(std::uint64_t pass, const PassPhotons& photons, const EyeImage& image,
-                              bool wants_parts) {
+                              VolumeWants wants) {
     pass_ = pass;
     waiting_.clear();
     flux_.assign(image.beams.size() * image.groups, Rgb{});
-    part_flux_.assign(wants_parts ? image.beams.size() * kPhotonParts : 0, Rgb{});
+    part_flux_.assign(wants.parts ? image.beams.size() * kPhotonParts : 0, Rgb{});
+    inner_flux_.assign(wants.inner ? image.beams.size() : 0, Rgb{});
     squares_.assign(image.beams.size(), 0.0f);
     const double smallest = smallest_radius(scene_);
     if (!(initial_radius_ > 0) && !image.beams.empty()) {
@@ -67,8 +74,8 @@ void VolumeGather::sort() {
         photons_[slot] = waiting_[cells_.order()[slot]];
 }
 
-std::uint64_t VolumeGather::gather_beam(const VolumeBeam& beam, Refusals& refusals, GroupSums& sums,
-                                        GroupSums& parts, float& squares) const {
+std::uint64_t VolumeGather::gather_beam(const VolumeBeam& beam, Refusals& refusals, BeamSums& sums,
+                                        float& squares) const {
     const Media& media = *scene_.media();
     const Rgb extinction = media.extinction(beam.medium);
     const float width = 2 * radius_;
@@ -81,15 +88,18 @@ std::uint64_t VolumeGather::gather_beam(const VolumeBeam& beam, Refusals& refusa
             const Vec3 to_photon = photon.position - beam.origin;
             const float t = dot(to_photon, beam.direction);
             if (photon.medium != beam.medium || !(t >= piece.from && t < piece.to)) return;
-            if (length_squared(to_photon - beam.direction * t) > radius_ * radius_) return;
+            const float off_square = length_squared(to_photon - beam.direction * t);
+            if (off_square > radius_ * radius_) return;
             const Rgb value = photon.power * transmittance(extinction, t) *
                               media.phase(beam.medium, dot(photon.direction, beam.direction)) *
                               piece.weight;
             if (!refusals.accept(value, kPassageOrigin)) return;
-            sums.add(photon.light_group, value);
+            sums.by_group.add(photon.light_group, value);
+            if (!inner_flux_.empty() && off_square <= radius_ * radius_ / 2)
+                sums.inner.add(0, value);
             if (!part_flux_.empty()) {
                 const ImagePart part = beam.scatterings.scattered_in(photon.part);
-                if (part != ImagePart::Indirect) parts.add(std::uint32_t(part), value);
+                if (part != ImagePart::Indirect) sums.parts.add(std::uint32_t(part), value);
             }
             square_sum += double(luminance(value)) * double(luminance(value));
             ++gathered;
@@ -139,12 +149,13 @@ void VolumeGather::gather(const EyeImage& image, Refusals& refusals) {
     tbb::parallel_for(tbb::blocked_range<std::size_t>(0, image.beams.size(), 256),
                       [&](const tbb::blocked_range<std::size_t>& range) {
                           std::uint64_t total = 0;
-                          GroupSums sums(image.groups), parts(kPhotonParts);
+                          BeamSums sums(image.groups);
                           for (std::size_t i = range.begin(); i < range.end(); ++i) {
-                              total +=
-                                  gather_beam(image.beams[i], refusals, sums, parts, squares_[i]);
-                              sums.move_to(&flux_[i * image.groups]);
-                              if (!part_flux_.empty()) parts.move_to(&part_flux_[i * kPhotonParts]);
+                              total += gather_beam(image.beams[i], refusals, sums, squares_[i]);
+                              sums.by_group.move_to(&flux_[i * image.groups]);
+                              if (!part_flux_.empty())
+                                  sums.parts.move_to(&part_flux_[i * kPhotonParts]);
+                              if (!inner_flux_.empty()) sums.inner.move_to(&inner_flux_[i]);
                           }
                           gathered.fetch_add(total, std::memory_order_relaxed);
                       });
@@ -157,23 +168,30 @@ void VolumeGather::scale_flux(float factor) {
         sum *= factor;
     for (Rgb& sum : part_flux_)
         sum *= factor;
+    for (Rgb& sum : inner_flux_)
+        sum *= factor;
     for (float& square : squares_)
         square *= factor * factor;
+}
+
+double VolumeGather::per_disc_and_path(std::uint64_t photon_paths) const {
+    return 1 / (double(kPi) * double(radius_) * double(radius_) * double(photon_paths));
+}
+
+Rgb VolumeGather::radiance_of(const VolumeBeam& beam, const Rgb& sum, double scale) const {
+    const Rgb density{float(sum.r * scale), float(sum.g * scale), float(sum.b * scale)};
+    return beam.throughput * scene_.media()->scattering(beam.medium) * density;
 }
 
 void VolumeGather::add_to(const EyeImage& image, std::uint64_t photon_paths, Refusals& refusals,
                           std::vector<Rgb>& radiance, std::span<float> variances) const {
     if (image.beams.empty()) return;
-    const double radius = double(radius_);
-    const double scale = 1 / (double(kPi) * radius * radius * double(photon_paths));
+    const double scale = per_disc_and_path(photon_paths);
     for (std::size_t i = 0; i < image.beams.size(); ++i) {
         const VolumeBeam& beam = image.beams[i];
-        const Rgb factor = beam.throughput * scene_.media()->scattering(beam.medium);
         double added = 0;
         for (std::uint32_t g = 0; g < image.groups; ++g) {
-            const Rgb sum = flux_[i * image.groups + g];
-            const Rgb density{float(sum.r * scale), float(sum.g * scale), float(sum.b * scale)};
-            const Rgb value = factor * density;
+            const Rgb value = radiance_of(beam, flux_[i * image.groups + g], scale);
             Rgb& sum_of_path = radiance[std::size_t(beam.sample) * image.groups + g];
             if (refusals.add(sum_of_path, value, kPassageOrigin)) added += double(luminance(value));
         }
@@ -184,16 +202,28 @@ void VolumeGather::add_to(const EyeImage& image, std::uint64_t photon_paths, Ref
 }
 
 std::vector<Rgb> VolumeGather::parts(const EyeImage& image, std::uint64_t photon_paths) const {
-    const double radius = double(radius_);
-    const double scale = 1 / (double(kPi) * radius * radius * double(photon_paths));
+    const double scale = per_disc_and_path(photon_paths);
     std::vector<Rgb> parts(part_flux_.size());
-    for (std::size_t i = 0; i < parts.size(); ++i) {
-        const VolumeBeam& beam = image.beams[i / kPhotonParts];
-        const Rgb sum = part_flux_[i];
-        parts[i] = beam.throughput * scene_.media()->scattering(beam.medium) *
-                   Rgb{float(sum.r * scale), float(sum.g * scale), float(sum.b * scale)};
-    }
+    for (std::size_t i = 0; i < parts.size(); ++i)
+        parts[i] = radiance_of(image.beams[i / kPhotonParts], part_flux_[i], scale);
     return parts;
+}
+
+void VolumeGather::add_discs(const EyeImage& image, std::uint64_t photon_paths,
+                             DiscEstimates& discs) const {
+    if (inner_flux_.empty()) return;
+    const double scale = per_disc_and_path(photon_paths);
+    for (std::size_t i = 0; i < image.beams.size(); ++i) {
+        const VolumeBeam& beam = image.beams[i];
+        Rgb sum;
+        for (std::size_t g = 0; g < image.groups; ++g)
+            sum += flux_[i * image.groups + g];
+        const Rgb whole = radiance_of(beam, sum, scale);
+        const Rgb half = radiance_of(beam, inner_flux_[i], 2 * scale);
+        if (!std::isfinite(whole.r + whole.g + whole.b + half.r + half.g + half.b)) continue;
+        discs.whole[beam.sample] += whole;
+        discs.half[beam.sample] += half;
+    }
 }
 
 void VolumeGather::state(StateArchive& archive) {
@@ -203,7 +233,7 @@ void VolumeGather::state(StateArchive& archive) {
 std::size_t VolumeGather::memory_bytes() const {
     return (waiting_.capacity() + photons_.capacity()) * sizeof(VolumePhoton) +
            positions_.capacity() * sizeof(Vec3) + cells_.memory_bytes() +
-           (flux_.capacity() + part_flux_.capacity()) * sizeof(Rgb) +
+           (flux_.capacity() + part_flux_.capacity() + inner_flux_.capacity()) * sizeof(Rgb) +
            squares_.capacity() * sizeof(float);
 }
 

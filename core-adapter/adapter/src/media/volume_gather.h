@@ -13,6 +13,7 @@
 #include "estimate/constants.h"
 #include "estimate/group_sums.h"
 #include "estimate/pass_photons.h"
+#include "estimate/pixel_estimate.h"
 #include "eye/eye_pass.h"
 #include "refusal/refusals.h"
 
@@ -28,14 +29,19 @@ struct VolumePhoton {
     ImagePart part = ImagePart::Direct;  ///< as Landing::part
 };
 
+/// What is to be known of the flux beside its sum by light group.
+struct VolumeWants {
+    bool parts = false;  ///< direct light and caustics
+    bool inner = false;  ///< what the inner half of the beams' sections brings
+};
+
 class VolumeGather {
   public:
     VolumeGather(const Scene& scene, const Settings& settings);
 
-    /// A pass whose eye paths left these beams starts. `wants_parts`: direct light and caustics are
-    /// to be known apart.
+    /// A pass whose eye paths left these beams starts.
     void begin_pass(std::uint64_t pass, const PassPhotons& photons, const EyeImage& image,
-                    bool wants_parts = false);
+                    VolumeWants wants = {});
     /// Photons are appended here.
     std::vector<VolumePhoton>& waiting() { return waiting_; }
     bool full() const { return waiting_.size() > kWaitingPhotons; }
@@ -53,6 +59,10 @@ class VolumeGather {
     /// Of that, direct light and caustics: [beam * kPhotonParts + ImagePart]; empty if not wanted.
     std::vector<Rgb> parts(const EyeImage& image, std::uint64_t photon_paths) const;
 
+    /// Adds what photons bring to beams, all light groups together, within the radius and within
+    /// the inner half of its area; nothing if that is not wanted.
+    void add_discs(const EyeImage& image, std::uint64_t photon_paths, DiscEstimates& discs) const;
+
     /// Between passes: saves the radius that the first pass began with, or restores it; all else is
     /// of one pass.
     void state(StateArchive& archive);
@@ -65,9 +75,14 @@ class VolumeGather {
                                           std::size_t iteration);
 
   private:
+    struct BeamSums;
     void sort();
-    std::uint64_t gather_beam(const VolumeBeam& beam, Refusals& refusals, GroupSums& sums,
-                              GroupSums& parts, float& squares) const;
+    std::uint64_t gather_beam(const VolumeBeam& beam, Refusals& refusals, BeamSums& sums,
+                              float& squares) const;
+    /// One over the area within the radius and the photon paths of the pass.
+    double per_disc_and_path(std::uint64_t photon_paths) const;
+    /// Radiance of a beam that photons of `sum` bring it.
+    Rgb radiance_of(const VolumeBeam& beam, const Rgb& sum, double scale) const;
 
     const Scene& scene_;
     Settings settings_;
@@ -80,6 +95,7 @@ class VolumeGather {
     std::vector<VolumePhoton> photons_;  // [slot of cells_]
     std::vector<Rgb> flux_;              // [beam * groups + group]
     std::vector<Rgb> part_flux_;         // [beam * kPhotonParts + part]; empty if not wanted
+    std::vector<Rgb> inner_flux_;        // [beam]; empty if not wanted
     std::vector<float> squares_;         // [beam]: of the luminances that flux_ sums
     std::uint64_t gathered_ = 0;
 };

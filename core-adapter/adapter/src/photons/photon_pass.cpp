@@ -24,7 +24,7 @@ PhotonPass::PhotonPass(const Scene& scene, const Settings& settings,
 }
 
 void PhotonPass::begin_pass(std::uint64_t pass, const PassPhotons& photons, float time,
-                            const EyeImage& image, const SearchRadii& radii, bool wants_parts) {
+                            const EyeImage& image, const SearchRadii& radii, VolumeWants wants) {
     const float reach = source_->reach(radii);
     const bool reach_lasts = freezes_eye_pass(settings_.mode) && reach_ == reach;
     if (guide_->wants_points() || !reach_lasts) {
@@ -36,7 +36,7 @@ void PhotonPass::begin_pass(std::uint64_t pass, const PassPhotons& photons, floa
     }
     totals_.counts.rays += source_->begin_pass(photons, {pass, time, image, positions_, radii});
     waiting_.clear();
-    if (volume_) volume_->begin_pass(pass, photons, image, wants_parts);
+    if (volume_) volume_->begin_pass(pass, photons, image, wants);
 }
 
 void PhotonPass::mark_reach(float radius) {
@@ -49,7 +49,7 @@ void PhotonPass::shoot(std::uint64_t pass, const PassPhotons& photons, float tim
                        const EyeImage& image, const SearchRadii& radii, Refusals& refusals,
                        PhotonFlux& flux) {
     flux.reset(image.visible_points.size(), image.groups, radii.probes.size());
-    begin_pass(pass, photons, time, image, radii, flux.wants_parts);
+    begin_pass(pass, photons, time, image, radii, {flux.wants_parts, flux.wants_inner});
     pass_light_.clear();
     std::uint64_t iteration = 0;
     for (std::uint32_t first = 0; first < photons.paths; ++iteration) {
@@ -178,6 +178,13 @@ void PhotonPass::estimate(const EyeImage& image, const PhotonFlux& flux, const S
         volume_->add_to(image, photon_paths, refusals, radiance,
                         variances ? std::span<float>(*variances) : std::span<float>());
     }
+}
+
+void PhotonPass::estimate_discs(const EyeImage& image, const PhotonFlux& flux,
+                                const SearchRadii& radii, std::uint64_t photon_paths,
+                                DiscEstimates& discs) const {
+    aips::estimate_discs(image, flux, radii, photon_paths, discs);
+    if (volume_ && photon_paths > 0) volume_->add_discs(image, photon_paths, discs);
 }
 
 void PhotonPass::estimate_parts(const EyeImage& image, const PhotonFlux& flux,

@@ -54,6 +54,10 @@ class PhotonPass {
     void estimate(const EyeImage& image, const PhotonFlux& flux, const SearchRadii& radii,
                   std::uint64_t photon_paths, Refusals& refusals, std::vector<Rgb>& radiance,
                   std::vector<float>* variances) const;
+    /// Fills `discs` with what whole search discs and their inner halves brought, on surfaces and
+    /// in media.
+    void estimate_discs(const EyeImage& image, const PhotonFlux& flux, const SearchRadii& radii,
+                        std::uint64_t photon_paths, DiscEstimates& discs) const;
     /// Fills `parts` with the parts of `radiance`, to which continued eye paths may have added.
     void estimate_parts(const EyeImage& image, const PhotonFlux& flux, const SearchRadii& radii,
                         std::uint64_t photon_paths, std::span<const Rgb> radiance,
@@ -73,7 +77,7 @@ class PhotonPass {
 
   private:
     void begin_pass(std::uint64_t pass, const PassPhotons& photons, float time,
-                    const EyeImage& image, const SearchRadii& radii, bool wants_parts);
+                    const EyeImage& image, const SearchRadii& radii, VolumeWants wants);
     PhotonInput input_of(std::uint64_t pass, float time, std::uint64_t iteration);
     /// Where the sequence begins that the emissions of an iteration belong to.
     std::uint64_t sequence_begin(const PassPhotons& photons, std::uint32_t first,

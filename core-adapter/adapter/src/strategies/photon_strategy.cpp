@@ -161,7 +161,7 @@ void PhotonStrategy::show_layers(const EyeImage& image, const FilmPass& film_pas
 }
 
 void PhotonStrategy::show_bias(const EyeImage& image, const FilmPass& film_pass) {
-    estimate_discs(image, flux_, radii_, shot_, discs_);
+    photon_pass_.estimate_discs(image, flux_, radii_, shot_, discs_);
     film_.add_bias({.positions = image.positions,
                     .whole = discs_.whole,
                     .half = discs_.half,
@@ -251,7 +251,7 @@ std::size_t PhotonStrategy::memory_bound_bytes() const {
     // Of paths, of visible points, and of beams, kept and estimated.
     const std::size_t parts =
         flux_.wants_parts ? sizeof(Rgb) * eye_paths_ * (kImageParts + 3 * kPhotonParts) : 0;
-    const std::size_t discs = flux_.wants_inner ? 3 * sizeof(Rgb) * eye_paths_ : 0;
+    const std::size_t discs = flux_.wants_inner ? 4 * sizeof(Rgb) * eye_paths_ : 0;
     const std::size_t photons =
         parts + discs + photon_memory_bound(scene_, plan_.needs, eye_paths_, pixels());
     if (!layers_) return photons;

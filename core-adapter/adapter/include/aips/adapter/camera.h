@@ -68,9 +68,10 @@ struct FilmPass {
     std::optional<FilmSplats> splats = {};
 };
 
-/// What photons on surfaces bring the samples of a pass, all light groups together, from their
-/// whole search discs and from the inner half of their area. Light that changes evenly is blurred
-/// in proportion to the area, so that the difference is half of the bias.
+/// What photons bring the samples of a pass, all light groups together, from their whole search
+/// discs and from the inner half of their area; of media, from the sections of their beams. Light
+/// that changes evenly is blurred in proportion to the area, so that the difference is half of the
+/// bias.
 struct BiasSamples {
     std::span<const Vec2> positions;  ///< of the samples, pixels
     std::span<const Rgb> whole, half;

@@ -118,6 +118,9 @@ std::vector<ParameterDeclaration> way_declarations() {
                 "In mode progressive: eye paths go on from surfaces that take photons, where that "
                 "brings more for its time than photons do; not with guide paper "
                 "(docs/understand/who-carries-which-light.md)."),
+        boolean("photonturns", kDefaults.photon_turns,
+                "Where eye paths go on and photons bring little, one of up to eight passes shoots "
+                "for all (docs/understand/passes-without-photons.md)."),
         boolean(
             "guidelamps", kDefaults.guide_lamps,
             "In mode progressive: paths are drawn for lamps behind glass and in mirrors, beside "

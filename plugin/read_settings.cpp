@@ -39,6 +39,7 @@ void read_guide(const lxs::ParameterReader& in, Settings& s) {
     };
     s.mode = chosen(in, "mode", kModes, s.mode);
     s.continue_eye_paths = in.boolean("continueeyepaths", s.continue_eye_paths);
+    s.photon_turns = in.boolean("photonturns", s.photon_turns);
     s.guide_lamps = in.boolean("guidelamps", s.guide_lamps);
     s.correct_edges = in.boolean("correctedges", s.correct_edges);
     s.guide = chosen(in, "guide", kGuides, s.guide);

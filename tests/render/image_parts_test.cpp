@@ -47,7 +47,9 @@ TEST(ImageParts, SumToTheImageWhateverCarriesTheLight) {
     for (const std::string way :
          {"aips", "aips --set aips.guide=none", "aips --set aips.continueeyepaths=false",
           "aips --set aips.guidelamps=false", "aips --set aips.directlightsampling=false",
-          "aips --set aips.storeglossy=true", "sppm", "exphotonmap", "ppm", "path"}) {
+          "aips --set aips.storeglossy=true", "path", "sppm --set sppm.photonperpass=100000",
+          "ppm --set ppm.photonperpass=100000",
+          "exphotonmap --set exphotonmap.photonperpass=100000"}) {
         const std::string common = "--passes 10 --quiet --integrator " + way;
         const auto plain = render::render(scene, common, folder);
         const auto with = render::render(scene, common + " --layers all", folder);
@@ -101,7 +103,8 @@ std::vector<statistics::BlockMeans> parts_by(const std::string& way) {
 TEST(ImageParts, AreTheSameLightByPhotonsAndByPaths) {
     constexpr double kSignificance = 1e-5, kAllowed = 0.05;
     const auto paths = parts_by("path --passes 100");
-    for (const std::string way : {"aips --passes 12", "exphotonmap --passes 12"}) {
+    for (const std::string way :
+         {"aips --passes 12", "exphotonmap --passes 12 --set exphotonmap.photonperpass=100000"}) {
         const auto photons = parts_by(way);
         for (std::size_t part = 0; part < kParts.size(); ++part) {
             const auto comparison =

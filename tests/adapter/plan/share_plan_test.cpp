@@ -176,5 +176,22 @@ TEST(SharePlan, NothingKnownIsNothingShared) {
     EXPECT_EQ(plan.photon_paths, kPaths);
 }
 
+/// Where the eye does nearly all, shooting in one of several passes saves what it costs in itself;
+/// not where photons bring a part of the image that would then come and go.
+TEST(SharePlan, OnePassShootsForSeveralWherePhotonsBringLittle) {
+    const std::vector<ShareMoments> leaves{leaf(kPaths, 0.1)};
+    const std::vector<EyeShare> shares(1);
+    ShareFacts facts = facts_of(leaves, shares, 0.1);
+    facts.shooting_cost = 1000;
+    const PhotonLimits in_turns{kPaths, kPaths, 8};
+    EXPECT_EQ(plan_shares(facts, kFixed).turns, 1u);
+    EXPECT_EQ(plan_shares(facts, in_turns).turns, 8u);
+    facts.photon_square = 1;
+    EXPECT_EQ(plan_shares(facts, in_turns).turns, 1u);
+    facts.photon_square = 0;
+    facts.shooting_cost = 0;
+    EXPECT_EQ(plan_shares(facts, in_turns).turns, 1u);
+}
+
 }  // namespace
 }  // namespace aips::share_plan_test

@@ -114,6 +114,20 @@ TEST(ResumableCases, LeaveTheGuideOutWhereTheySaySo) {
     }
 }
 
+TEST(ResumableCases, HavePassesWithoutPhotonsWhereTheySaySo) {
+    for (const ResumableCase& what : mock::resumable_cases()) {
+        if (what.name != "photon_turns") continue;
+        ResumableRender render(what);
+        unsigned without = 0;
+        for (unsigned pass = 1; pass <= what.passes; ++pass) {
+            const std::uint64_t before = render.statistics().photon_paths;
+            render.render_to(pass);
+            without += render.statistics().photon_paths == before;
+        }
+        EXPECT_GE(without, 3u);
+    }
+}
+
 TEST(ResumableCases, DrawLampPathsWhereTheySaySo) {
     for (const ResumableCase& what : mock::resumable_cases()) {
         if (!what.lamps) continue;

@@ -2,6 +2,7 @@
 #include "resumable_render.h"
 
 #include "lamp_room.h"
+#include "random_scenes.h"
 
 namespace mock {
 
@@ -22,6 +23,7 @@ View lit_view(const ResumableCase& what) {
 
 View view_of(const ResumableCase& what) {
     if (what.lamps) return lamp_room(what.width);
+    if (what.open) return random_view(7, {true}, what.width, what.height);
     return what.wide ? wide_view(40, what.width, what.height) : lit_view(what);
 }
 
@@ -63,6 +65,12 @@ void add_parts(std::vector<ResumableCase>& cases) {
         automatic.photons_per_pass = 0;
         cases.push_back({"automatic_" + name(guide), automatic, false, 11, 12, 9});
     }
+    // Long enough for passes without photons.
+    Settings turns = settings_of(GuideKind::None);
+    turns.photons_per_pass = 0;
+    ResumableCase in_turns{"photon_turns", turns, false, 13, 12, 12};
+    in_turns.open = true;
+    cases.push_back(in_turns);
     cases.push_back({"fog_photonmap", settings_of(GuideKind::Adaptive, Mode::PhotonMap), true, 3});
     Settings plain = settings_of(GuideKind::Adaptive);
     plain.guide_survival = plain.guide_bounces = plain.guide_emission = false;

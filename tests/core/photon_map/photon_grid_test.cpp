@@ -49,15 +49,18 @@ TEST_P(GridCase, FindsWhatBruteForceFinds) {
     const Case& c = GetParam();
     const auto landings = scattered(c.count, c.center, c.spread, 1);
     LandingGrid grid;
-    grid.build(landings, c.radius);
-    EXPECT_EQ(grid.size(), landings.size());
-    const auto queries = scattered(300, c.center, 1.1f * c.spread, 2);
-    for (const Landing& q : queries) {
-        expect_like_brute_force(grid, landings, q.position, c.radius);
-        expect_like_brute_force(grid, landings, q.position, 0.3f * c.radius);
-    }
-    for (std::size_t i = 0; i < std::min<std::size_t>(50, landings.size()); ++i) {
-        expect_like_brute_force(grid, landings, landings[i].position, c.radius);
+    // Few and many queries: with a filter before them, and without.
+    for (const std::size_t expected : {std::size_t{0}, 9 * landings.size(), std::size_t{0}}) {
+        grid.build(landings, c.radius, serial_for, expected);
+        EXPECT_EQ(grid.size(), landings.size());
+        const auto queries = scattered(300, c.center, 1.1f * c.spread, 2);
+        for (const Landing& q : queries) {
+            expect_like_brute_force(grid, landings, q.position, c.radius);
+            expect_like_brute_force(grid, landings, q.position, 0.3f * c.radius);
+        }
+        for (std::size_t i = 0; i < std::min<std::size_t>(50, landings.size()); ++i) {
+            expect_like_brute_force(grid, landings, landings[i].position, c.radius);
+        }
     }
 }
 

@@ -69,11 +69,13 @@ void PhotonPass::shoot(std::uint64_t pass, const PassPhotons& photons, float tim
     totals_.gathered += flux.gathered;
 }
 
-void PhotonPass::account(const PassPhotons& photons, const EyeImage& image, double brightened) {
+void PhotonPass::account(const PassPhotons& photons, std::uint32_t passes, const EyeImage& image,
+                         double brightened) {
     if (!settings_.account || image.telling_paths == 0) return;
     const double paths = double(photons.paths) * double(image.telling_paths);
-    totals_.light.add(pass_light_, photons.weight * flux_factor_ * brightened / paths);
-    totals_.weights += photons.weight;
+    const double weight = photons.weight * passes;
+    totals_.light.add(pass_light_, weight * flux_factor_ * brightened / paths);
+    totals_.weights += weight;
 }
 
 PhotonInput PhotonPass::input_of(std::uint64_t pass, float time, std::uint64_t iteration) {
@@ -146,7 +148,7 @@ double PhotonPass::scale_to_counted(const PassPhotons& photons, PhotonFlux& flux
 void PhotonPass::gather(const EyeImage& image, const SearchRadii& radii, Refusals& refusals,
                         PhotonFlux& flux) {
     const Stopwatch watch(totals_.gather_seconds);
-    grid_.build(waiting_.landings(), radii.largest, tbb_for);
+    grid_.build(waiting_.landings(), radii.largest, tbb_for, image.visible_points.size());
     const std::uint64_t gathered = flux.gathered;
     SharedWork work = work_on_points(image.owners, &refusals);
     gather_photons(image, grid_, radii, refusals, flux);

@@ -45,8 +45,10 @@ class PhotonPass {
                const SearchRadii& radii, Refusals& refusals, PhotonFlux& flux);
 
     /// What the photons of the pass brought to the image by light, if the settings ask for it;
-    /// `brightened`: by what factor its flux as a whole was corrected after shoot().
-    void account(const PassPhotons& photons, const EyeImage& image, double brightened);
+    /// they were shot for so many `passes`. `brightened`: by what factor its flux as a whole was
+    /// corrected after shoot().
+    void account(const PassPhotons& photons, std::uint32_t passes, const EyeImage& image,
+                 double brightened);
 
     /// Fills `radiance` with what the photons of the pass brought to each eye path, by light group,
     /// on surfaces (`flux`) and in media, and `variances`, unless null, with those of its

@@ -119,72 +119,53 @@ inline constexpr double kRememberedLearning = 1.0;
 
 /// Least cost of photons over the eye's. Eye paths are stratified from pass to pass, so that their
 /// noise falls faster than what two passes differ by tells: at least 60 % of the time goes to
-/// photons. Unit: ratio.
-/// Balances: the eye's noise against that of photons.
-/// Chosen by: docs/notebook/2026-11-23-costs-of-a-pass.md.
-/// Supported by: glass-ball, chess (without it).
+/// photons. Unit: ratio. Balances: the eye's noise against that of photons. Chosen by:
+/// docs/notebook/2026-11-23-costs-of-a-pass.md. Supported by: glass-ball, chess (without it).
 inline constexpr double kLeastRatio = 1.5;
 
 /// Greatest cost of photons over the eye's: beyond it no more than a tenth could be gained. Unit:
-/// ratio.
-/// Balances: the eye's noise against that of photons.
-/// Chosen by: reasoning: what is left to gain beyond it.
-/// Supported by: no measurement.
+/// ratio. Balances: the eye's noise against that of photons. Chosen by: reasoning: what is left to
+/// gain beyond it. Supported by: no measurement.
 inline constexpr double kGreatestRatio = 10;
 
 /// What photons from chains cost over the eye: of 10, 5 and 3 the best for the image, and as good
-/// as 10 for their own light. Unit: ratio.
-/// Balances: the eye's noise against that of photons.
-/// Chosen by: docs/notebook/2026-11-23-photons-of-chains.md.
-/// Supported by: one scene only: summerhouse (10 and 3 in its place).
+/// as 10 for their own light. Unit: ratio. Balances: the eye's noise against that of photons.
+/// Chosen by: docs/notebook/2026-11-23-photons-of-chains.md. Supported by: one scene only:
+/// summerhouse (10 and 3 in its place).
 inline constexpr double kChainRatio = 5;
 
-/// Work of an eye ray. Unit: about 0.3 us.
-/// Balances: the choice of the photons per pass: time of the eye against that of photons.
-/// Chosen by: docs/notebook/2026-11-23-costs-of-a-pass.md.
+/// Work of an eye ray. Unit: about 0.3 us. Balances: the choice of the photons per pass: time of
+/// the eye against that of photons. Chosen by: docs/notebook/2026-11-23-costs-of-a-pass.md.
 /// Supported by: 13 scenes.
 inline constexpr double kEyeRayWork = 1.1;
 
-/// Work of an eye path: shading, film, search. Unit: about 0.3 us.
-/// Balances: as that of an eye ray.
-/// Chosen by: docs/notebook/2026-11-23-costs-of-a-pass.md.
-/// Supported by: 13 scenes.
+/// Work of an eye path: shading, film, search. Unit: about 0.3 us. Balances: as that of an eye ray.
+/// Chosen by: docs/notebook/2026-11-23-costs-of-a-pass.md. Supported by: 13 scenes.
 inline constexpr double kEyePathWork = 1.2;
 
-/// Work of a photon's ray. Unit: about 0.3 us.
-/// Balances: as that of an eye ray.
-/// Chosen by: docs/notebook/2026-11-23-costs-of-a-pass.md.
-/// Supported by: 13 scenes.
+/// Work of a photon's ray. Unit: about 0.3 us. Balances: as that of an eye ray. Chosen by:
+/// docs/notebook/2026-11-23-costs-of-a-pass.md. Supported by: 13 scenes.
 inline constexpr double kRayWork = 0.8;
 
-/// Work of a photon's bounce. Unit: about 0.3 us.
-/// Balances: as that of an eye ray.
-/// Chosen by: docs/notebook/2026-11-23-costs-of-a-pass.md.
-/// Supported by: 13 scenes.
+/// Work of a photon's bounce. Unit: about 0.3 us. Balances: as that of an eye ray. Chosen by:
+/// docs/notebook/2026-11-23-costs-of-a-pass.md. Supported by: 13 scenes.
 inline constexpr double kBounceWork = 0.8;
 
-/// Work of a photon gathered. Unit: about 0.3 us.
-/// Balances: as that of an eye ray.
-/// Chosen by: docs/notebook/2026-11-23-costs-of-a-pass.md.
-/// Supported by: 13 scenes.
+/// Work of a photon gathered. Unit: about 0.3 us. Balances: as that of an eye ray. Chosen by:
+/// docs/notebook/2026-11-23-costs-of-a-pass.md. Supported by: 13 scenes.
 inline constexpr double kGatheredWork = 0.6;
 
-/// Work of a guided emission. Unit: about 0.3 us.
-/// Balances: as that of an eye ray.
-/// Chosen by: docs/notebook/2026-11-23-costs-of-a-pass.md.
-/// Supported by: 13 scenes.
+/// Work of a guided emission. Unit: about 0.3 us. Balances: as that of an eye ray. Chosen by:
+/// docs/notebook/2026-11-23-costs-of-a-pass.md. Supported by: 13 scenes.
 inline constexpr double kGuidedEmissionWork = 0.8;
 
-/// Work of a bounce whose direction a guide drew. Unit: about 0.3 us.
-/// Balances: as that of an eye ray.
-/// Chosen by: docs/notebook/2026-11-23-costs-of-a-pass.md.
-/// Supported by: 13 scenes.
+/// Work of a bounce whose direction a guide drew. Unit: about 0.3 us. Balances: as that of an eye
+/// ray. Chosen by: docs/notebook/2026-11-23-costs-of-a-pass.md. Supported by: 13 scenes.
 inline constexpr double kGuidedBounceWork = 1.8;
 
-/// Work of a path, vertex or landing that guide=adaptive learns from. Unit: about 0.3 us.
-/// Balances: as that of an eye ray.
-/// Chosen by: docs/notebook/2026-11-23-costs-of-a-pass.md.
-/// Supported by: nine scenes (0.58 to 0.97 in eight).
+/// Work of a path, vertex or landing that guide=adaptive learns from. Unit: about 0.3 us. Balances:
+/// as that of an eye ray. Chosen by: docs/notebook/2026-11-23-costs-of-a-pass.md. Supported by:
+/// nine scenes (0.58 to 0.97 in eight).
 inline constexpr double kLearnedWork = 0.65;
 
 /// Greatest share of the eye in light that both carry: what photons bring of it still tells what
@@ -254,6 +235,21 @@ inline constexpr double kStratifiedEye = 0.35;
 /// Chosen by: docs/notebook/2026-11-25-who-carries-what.md.
 /// Supported by: summerhouse (1 in its place); no difference in five others.
 inline constexpr double kStratifiedPaths = 0.5;
+
+/// Work of a pass that shoots for each of its visible points, however many photons there are: it is
+/// marked, has a radius, and is asked what lies around it. Unit: about 0.3 us. Balances: passes
+/// without photons against light that only some passes have. Chosen by:
+/// docs/notebook/2026-11-26-passes-without-photons.md. Supported by: summerhouse, car.
+inline constexpr double kPointWork = 1.5;
+
+/// Most passes of which one shoots. Unit: passes, a power of two. Balances: as that of a point's
+/// work. Chosen by: reasoning: an eighth of that work is left. Supported by: no measurement.
+inline constexpr std::uint32_t kMostTurns = 8;
+
+/// Passes from which on some may be without photons. Unit: passes, at least the most turns.
+/// Balances: as that of a point's work. Chosen by: reasoning: passes before every decision are then
+/// a multiple of the turns. Supported by: no measurement.
+inline constexpr std::uint64_t kTurnsFrom = 8;
 
 /// Passes from which on more photons of chains are planned where eye paths share their light.
 /// Unit: passes.

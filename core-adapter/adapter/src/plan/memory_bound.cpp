@@ -19,6 +19,7 @@
 #include "worth/own_light_noise.h"
 #include "worth/pass_noise.h"
 #include "worth/path_worth.h"
+#include "worth/photon_square.h"
 
 namespace aips {
 namespace {
@@ -52,8 +53,8 @@ std::size_t light_bytes(const Settings& s, const Scene& scene, std::uint32_t eye
 /// Visible points, their Bsdfs, and what is estimated there.
 std::size_t visible_point_bytes(const Scene& scene, std::size_t paths) {
     const std::size_t groups = scene.light_groups();
-    // Flux, its photons and squares, and radiance.
-    const std::size_t estimate = 2 * groups * sizeof(Rgb) + sizeof(std::uint32_t) + sizeof(float);
+    // Flux, its photons and squares, radiance, and that as it counts.
+    const std::size_t estimate = 3 * groups * sizeof(Rgb) + sizeof(std::uint32_t) + sizeof(float);
     const std::size_t shareable = sizeof(ShareableFlux);
     // While blocks are joined, their visible points exist twice.
     const std::size_t transient = kVectorGrowth * sizeof(VisiblePoint);
@@ -144,7 +145,8 @@ std::size_t photon_memory_bound(const Scene& scene, const Needs& needs, std::uin
            OccupancyGrid::memory_bound_bytes(eye_paths) + photon_bytes(scene, settings, eye_paths) +
            thread_bytes(scene) + guide + radii +
            ShareTable::memory_bound_bytes(ShareTableSettings()) +
-           OwnLightNoise::memory_bound_bytes(pixels) + volume_bytes(scene, settings, eye_paths);
+           OwnLightNoise::memory_bound_bytes(pixels) + PhotonSquare::memory_bound_bytes(pixels) +
+           volume_bytes(scene, settings, eye_paths);
 }
 
 }  // namespace aips

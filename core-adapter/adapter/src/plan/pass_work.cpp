@@ -11,6 +11,10 @@ double eye_ray_work(double rays) {
     return kEyeRayWork * rays;
 }
 
+double shooting_work(double points) {
+    return kPointWork * points;
+}
+
 PassWork pass_work(std::uint64_t eye_paths, std::uint64_t eye_rays, const PhotonPassTotals& before,
                    const PhotonPassTotals& after) {
     const auto difference = [](std::uint64_t from, std::uint64_t to) { return double(to - from); };

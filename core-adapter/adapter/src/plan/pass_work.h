@@ -13,6 +13,9 @@ namespace aips {
 PassWork pass_work(std::uint64_t eye_paths, std::uint64_t eye_rays, const PhotonPassTotals& before,
                    const PhotonPassTotals& after);
 
+/// Work of a pass that shoots, for its visible points, besides that of its photons.
+double shooting_work(double points);
+
 /// Work of so many rays of eye paths, in the same unit.
 double eye_ray_work(double rays);
 

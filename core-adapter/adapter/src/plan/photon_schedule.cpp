@@ -37,10 +37,12 @@ bool follows_noise(const Settings& settings) {
 }
 
 PhotonSchedule::PhotonSchedule(const Settings& settings, std::uint32_t eye_paths, bool shoots,
-                               bool learns, bool chains)
-    : adapts_(shoots && follows_noise(settings)),
+                               bool learns, bool chains, bool may_take_turns)
+    : seed_(settings.seed),
+      adapts_(shoots && follows_noise(settings)),
       learns_(learns),
       chains_(chains),
+      may_take_turns_(may_take_turns),
       eye_paths_(eye_paths),
       paths_(first_paths(settings, eye_paths, adapts_, learns, chains)),
       chosen_weight_(chosen_weight(paths_, learns)),
@@ -86,22 +88,25 @@ void PhotonSchedule::end_pass(const PassWork& work, const PassNoise& noise) {
     plan();
 }
 
-void PhotonSchedule::take(double paths) {
+void PhotonSchedule::take(double paths, std::uint32_t every) {
     planned_ = true;
     next_.chosen_at = next_.before;
     const PhotonLimits bounds = limits();
-    paths_ = static_cast<std::uint32_t>(std::clamp(paths, bounds.fewest, bounds.most));
+    turns_ = {.every = std::clamp(every, 1u, bounds.turns), .since = pass_};
+    const double shot = std::clamp(paths, bounds.fewest, bounds.most) * turns_.every;
+    paths_ = static_cast<std::uint32_t>(std::min(shot, double(kMostPerPass)));
     decided_ = decided_ || pass_ >= decide_at_;
     plan();
 }
 
 PhotonLimits PhotonSchedule::limits() const {
-    const double present = paths_;
+    const double present = paths_ / double(turns_.every);
     // A guide is still learning; chains, which do not, only make passes short as early as this.
-    if (!adapts_ || (pass_ < decide_at_ && !chains_)) return {present, present};
+    if (!adapts_ || (pass_ < decide_at_ && !chains_)) return {present, present, turns_.every};
     const double rise = chains_ && pass_ < kChainsJudgedFrom ? 1 : kGreatestPlannedRise;
+    const std::uint32_t turns = pass_ < kTurnsFrom || !may_take_turns_ ? 1 : kMostTurns;
     return {std::max(double(kFewestPerPass), present / kGreatestPlannedFall),
-            std::min(double(kMostPerPass), present * rise)};
+            std::min(double(kMostPerPass), present * rise), turns};
 }
 
 void PhotonSchedule::state(StateArchive& archive) {
@@ -110,6 +115,7 @@ void PhotonSchedule::state(StateArchive& archive) {
     StateArchive::check(
         adapts_ ? paths_ >= kFewestPerPass && paths_ <= kMostPerPass : paths_ == present,
         "a number of photons that no pass has");
+    turns_.state(archive);
     archive.value(pass_);
     archive.value(decide_at_);
     archive.value(decided_);

@@ -14,6 +14,7 @@
 #include "aips/adapter/settings.h"
 #include "aips/core/base/learned_parts.h"
 #include "estimate/pass_photons.h"
+#include "plan/photon_turns.h"
 #include "worth/pass_noise.h"
 
 namespace aips {
@@ -28,6 +29,7 @@ struct PassWork {
 /// Bounds of the photon paths of a pass.
 struct PhotonLimits {
     double fewest = 0, most = 0;
+    std::uint32_t turns = 1;  ///< most passes of which one shoots
 };
 
 /// Whether the photons per pass follow the noise that passes tell.
@@ -38,19 +40,26 @@ class PhotonSchedule {
     /// `shoots`: photons are needed at all; `learns`: the first photon paths count for less
     /// (learning_weight.h); `chains`: they come from Markov chains in a guide's place, whose
     /// landings come in clusters and do not tell their noise. Photons then take a fixed share of
-    /// the time.
+    /// the time. `may_take_turns`: some passes may be without.
     PhotonSchedule(const Settings& settings, std::uint32_t eye_paths, bool shoots, bool learns,
-                   bool chains = false);
+                   bool chains = false, bool may_take_turns = true);
 
-    /// The pass that comes next.
+    /// The pass that comes next, if it shoots.
     const PassPhotons& next() const { return next_; }
+    /// Whether it does.
+    bool shoots() const { return turns_.shoots(seed_, pass_); }
+    /// One of so many passes does; what its photons count for.
+    std::uint32_t turns() const { return turns_.every; }
+    /// A pass has ended that shot no photons, in its turn.
+    void skip_pass() { ++pass_; }
     /// Whether numbers follow what passes tell; `noise`, which end_pass() then wants to know, says
     /// nothing of chains.
     bool adapts() const { return adapts_; }
     void end_pass(const PassWork& work, const PassNoise& noise);
     /// Instead of what end_pass() decides, from the first call on: after it, so many photon paths
-    /// in the passes that come, and numbers that are stratified over passes begin anew.
-    void take(double paths);
+    /// a pass in those that come, all of `every` passes shot in one of them; numbers that are
+    /// stratified over passes begin anew.
+    void take(double paths, std::uint32_t every);
     /// What the next choice may be; where nothing adapts, what is.
     PhotonLimits limits() const;
     /// Between passes: saves what is planned and what that rests on, or restores it into a new
@@ -68,9 +77,11 @@ class PhotonSchedule {
     double best_ratio() const;
     std::uint32_t best_paths() const;
 
-    bool adapts_, learns_, chains_;
+    std::uint64_t seed_;
+    bool adapts_, learns_, chains_, may_take_turns_;
     std::uint32_t eye_paths_;
-    std::uint32_t paths_;
+    std::uint32_t paths_;  // of a pass that shoots
+    PhotonTurns turns_;
     double chosen_weight_;  // of passes after the first choice
     std::uint64_t pass_ = 0;
     std::uint64_t decide_at_;  // pass before which the number is chosen next

@@ -68,14 +68,16 @@ class Search {
     }
 
     SharePlan best(const PhotonLimits& limits) {
-        SharePlan best = with(std::clamp(facts_.photon_paths, limits.fewest, limits.most));
+        const double present = facts_.photon_paths / facts_.turns;
+        SharePlan best = with(std::clamp(present, limits.fewest, limits.most));
         double least = std::numeric_limits<double>::infinity();
         for (int step = -kStepsOfFewerPhotons; step <= kStepsOfMorePhotons; ++step) {
             const double paths =
-                std::clamp(facts_.photon_paths * std::exp2(0.5 * step), limits.fewest, limits.most);
-            const SharePlan plan = with(paths);
+                std::clamp(present * std::exp2(0.5 * step), limits.fewest, limits.most);
             if (step > 0 && paths * facts_.photon_path_cost > kGreatestRatio * facts_.eye_cost)
                 continue;
+            SharePlan plan = with(paths);
+            take_turns(plan, limits);
             if (plan.error * plan.cost < least) {
                 least = plan.error * plan.cost;
                 best = plan;
@@ -91,6 +93,21 @@ class Search {
         const double missed = missing(m.y, m.x, m);
         return std::max(clusters_ * mean(m.squares, m.points),
                         facts_.photon_paths * facts_.passes * missed * missed);
+    }
+
+    /// The best number of passes of which one shoots the photons of all.
+    void take_turns(SharePlan& plan, const PhotonLimits& limits) const {
+        const double error = plan.error, cost = plan.cost;
+        double least = std::numeric_limits<double>::infinity();
+        for (std::uint32_t turns = 1; turns <= limits.turns; turns *= 2) {
+            const double e = error + (turns - 1) * facts_.photon_square;
+            const double c = cost - facts_.shooting_cost * (1 - 1.0 / turns);
+            if (e * c >= least) continue;
+            least = e * c;
+            plan.turns = turns;
+            plan.error = e;
+            plan.cost = c;
+        }
     }
 
     /// Estimates of what direct light would gain may exceed what is there.

@@ -8,7 +8,9 @@
 // gains where first rays share it with shadow rays. It costs
 //     C = eye + photons N + what the first rays or continued paths of the leaves cost.
 // The leaves whose eye paths send a first ray or go on, and N, are chosen so that E C is least: of
-// an image that is a mean over passes that is the error at a given time.
+// an image that is a mean over passes that is the error at a given time. If one of k passes shoots
+// for all of them, E is greater by (k - 1) S and C less by F (1 - 1 / k): S is the square of what
+// photons bring (an upper bound, as that evens out over k passes), F what shooting costs in itself.
 #pragma once
 
 #include <cstdint>
@@ -31,8 +33,12 @@ struct ShareFacts {
     double variance = 0;      ///< mean over pixels of the relative variance in a pass, all in all
     /// The same of what eye paths bring by themselves; 0: not known.
     double own_variance = 0;
-    double photon_paths = 0;      ///< in a pass
-    double eye_cost = 0;          ///< of a pass, without continued paths
+    double photon_paths = 0;   ///< in a pass that shoots
+    std::uint32_t turns = 1;   ///< passes of which one does
+    double eye_cost = 0;       ///< of a pass, without continued paths
+    double shooting_cost = 0;  ///< part of it that passes without photons do not have
+    /// Mean over pixels of the squared relative share of the image that photons brought.
+    double photon_square = 0;
     double photon_path_cost = 0;  ///< of one
     double ray_cost = 0;          ///< of a continued path's ray
     bool independent = true;      ///< squares of single photons tell their variance
@@ -41,11 +47,12 @@ struct ShareFacts {
 
 struct SharePlan {
     std::vector<EyeShare> shares;  ///< [leaf]
-    double photon_paths = 0;
-    double error = 0, cost = 0;  ///< E and C
-    double going_on = 0;         ///< share of the visible points whose eye paths go on
-    double first_rays = 0;       ///< share of them that send a first ray alone
-    double eye_share = 0;        ///< mean over those of the eye's share
+    double photon_paths = 0;       ///< of a pass, as a mean over those that shoot and others
+    std::uint32_t turns = 1;       ///< passes of which one shoots for all
+    double error = 0, cost = 0;    ///< E and C
+    double going_on = 0;           ///< share of the visible points whose eye paths go on
+    double first_rays = 0;         ///< share of them that send a first ray alone
+    double eye_share = 0;          ///< mean over those of the eye's share
 };
 
 /// One sentence for the log: who carries what.

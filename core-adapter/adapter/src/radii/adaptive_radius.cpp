@@ -28,6 +28,14 @@ ProbeEstimate scaled(ProbeEstimate estimate, double factor) {
     return estimate;
 }
 
+/// The radius to take where `optimal` would be best, and `schedule` is that of the schedule.
+float in_range_of(double schedule, double optimal) {
+    // No photon has been seen nearby, or numbers too large or too small to reckon with.
+    if (!(optimal > 0 && optimal <= double(std::numeric_limits<float>::max())))
+        return float(schedule);
+    return float(std::clamp(optimal, kLeastOfSchedule * schedule, kGreatestOfSchedule * schedule));
+}
+
 /// Whether the visible points of a pixel have probes in a pass. 7 has no factor in common with 16:
 /// all pixels take turns, neighbours not one after the other.
 class ProbeTurn {
@@ -47,7 +55,10 @@ class ProbeTurn {
 
 AdaptiveRadius::AdaptiveRadius(const Settings& settings, const Scene& scene, std::uint32_t width,
                                std::uint32_t height)
-    : settings_(settings), floor_(scene), map_(width, height) {}
+    : settings_(settings),
+      floor_(scene),
+      map_(width, height),
+      of_one_path_(std::size_t{width} * height) {}
 
 SearchRadii AdaptiveRadius::before_pass(std::uint64_t pass, const PassPhotons& photons,
                                         const EyeImage& image) {
@@ -58,6 +69,9 @@ SearchRadii AdaptiveRadius::before_pass(std::uint64_t pass, const PassPhotons& p
     pass_paths_ = double(photons.paths);
     const auto shot = double(photons.before);
     const double schedule = double(scheduled_radius(settings_, initial_, shot, floor_.least()));
+    const double optimum =
+        unit_ * optimal_radius(1, 1, shot + pass_paths_) / optimal_radius(1, 1, 1);
+    renew(pass);
     const std::size_t points = image.visible_points.size(), most = image.positions.size();
     reserve_with_room(radii_, points, most);
     reserve_with_room(pixels_, points, most);
@@ -70,8 +84,8 @@ SearchRadii AdaptiveRadius::before_pass(std::uint64_t pass, const PassPhotons& p
         for (std::size_t i = begin; i < end; ++i) {
             const VisiblePoint& point = image.visible_points[i];
             pixels_[i] = map_.pixel(image.positions[point.sample]);
-            radii_[i] = std::max(radius_at(pixels_[i], schedule, shot + pass_paths_),
-                                 floor_.at(point.position));
+            const double radius = optimum * double(of_one_path_[pixels_[i]]);
+            radii_[i] = std::max(in_range_of(schedule, radius), floor_.at(point.position));
             first[begin / kItemsPerJob + 1] += has_turn(pixels_[i]) ? 1 : 0;
         }
     });
@@ -91,15 +105,21 @@ SearchRadii AdaptiveRadius::before_pass(std::uint64_t pass, const PassPhotons& p
     return radii;
 }
 
-float AdaptiveRadius::radius_at(std::uint32_t pixel, double schedule, double paths) const {
-    const ProbeEstimate known = map_.mean(pixel);
-    const double radius =
-        unit_ * optimal_radius(known.second_moment, expected_squared_laplacian(known), paths);
-    // No photon has been seen nearby, or numbers too large or too small to reckon with.
-    if (!(radius > 0 && radius <= double(std::numeric_limits<float>::max()))) {
-        return float(schedule);
-    }
-    return float(std::clamp(radius, kLeastOfSchedule * schedule, kGreatestOfSchedule * schedule));
+/// Of all pixels at first, then of a part of the rows in turn: what is known changes little from
+/// pass to pass.
+void AdaptiveRadius::renew(std::uint64_t pass) {
+    const std::uint32_t width = map_.width();
+    const bool all = pass < kRadiiRenewedUntil;
+    in_chunks(of_one_path_.size() / width, 1, tbb_for, [&](std::size_t first, std::size_t last) {
+        for (std::size_t row = first; row < last; ++row) {
+            if (!all && (row + pass) % kRadiiRenewedIn != 0) continue;
+            for (std::size_t pixel = row * width; pixel < (row + 1) * width; ++pixel) {
+                const ProbeEstimate known = map_.mean(std::uint32_t(pixel));
+                of_one_path_[pixel] = float(
+                    optimal_radius(known.second_moment, expected_squared_laplacian(known), 1));
+            }
+        }
+    });
 }
 
 // With lengths in units of the first probes' radius contributions are about as large as radiance
@@ -121,16 +141,20 @@ void AdaptiveRadius::state(StateArchive& archive, const EyeImage& /*image*/) {
     state_of_initial_radius(archive, initial_, floor_.least());
     unit_ = kProbeRadius * initial_;
     map_.state(archive);
+    for (float& radius : of_one_path_)
+        archive.value(radius);
 }
 
 std::size_t AdaptiveRadius::memory_bytes() const {
-    return map_.memory_bytes() + (pixels_.capacity() + probes_.capacity()) * sizeof(std::uint32_t) +
+    return map_.memory_bytes() + of_one_path_.capacity() * sizeof(float) +
+           (pixels_.capacity() + probes_.capacity()) * sizeof(std::uint32_t) +
            radii_.capacity() * sizeof(float);
 }
 
 std::size_t AdaptiveRadius::memory_bound_bytes(std::size_t pixels, std::size_t visible_points) {
     const std::size_t point = kVectorGrowth * (sizeof(float) + 2 * sizeof(std::uint32_t));
-    return CurvatureMap::memory_bound_bytes(pixels) + visible_points * point;
+    return CurvatureMap::memory_bound_bytes(pixels) + pixels * sizeof(float) +
+           visible_points * point;
 }
 
 }  // namespace aips

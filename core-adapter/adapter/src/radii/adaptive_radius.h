@@ -22,8 +22,7 @@ class AdaptiveRadius final : public RadiusPolicy {
     static std::size_t memory_bound_bytes(std::size_t pixels, std::size_t visible_points);
 
   private:
-    /// For the pass that ends at `paths` photon paths, `schedule` being its scheduled radius.
-    float radius_at(std::uint32_t pixel, double schedule, double paths) const;
+    void renew(std::uint64_t pass);
 
     Settings settings_;
     RadiusFloor floor_;
@@ -32,6 +31,7 @@ class AdaptiveRadius final : public RadiusPolicy {
     double probe_radius_ = 0;            // of this pass
     double pass_paths_ = 0;              // photon paths of this pass
     CurvatureMap map_;                   // in lengths of unit_
+    std::vector<float> of_one_path_;     // [pixel]: optimal radius in unit_ if one path is shot
     std::vector<std::uint32_t> pixels_;  // [visible point]
     std::vector<float> radii_;           // [visible point]
     std::vector<std::uint32_t> probes_;  // visible points

@@ -42,6 +42,18 @@ inline constexpr double kMinRadiusShare = 1e-7;
 /// Supported by: no measurement.
 inline constexpr double kLeastRadiusShare = 1e-9;
 
+/// Before this pass all radii follow at once what probes find. Unit: passes.
+/// Balances: time against radii that are late.
+/// Chosen by: reasoning: from then on a pass brings a sixteenth of what is known, or less.
+/// Supported by: no measurement.
+inline constexpr std::uint64_t kRadiiRenewedUntil = 16;
+
+/// Passes in which they all do later. Unit: passes.
+/// Balances: as that of the first.
+/// Chosen by: docs/notebook/2026-11-26-passes-without-photons.md.
+/// Supported by: summerhouse, car, chess, glass-ball.
+inline constexpr std::uint64_t kRadiiRenewedIn = 4;
+
 /// Least radius that adapts. The schedule lets both bias and noise vanish with the photons shot, so
 /// radii within a constant factor do, whatever probes say. Unit: scheduled radii.
 /// Balances: edges of caustics against probes that err.

@@ -177,7 +177,8 @@ void PassLoop::count(const PassReport& report, std::uint64_t eye_rays) {
     ++statistics_.passes;
     statistics_.eye_paths += report.eye_paths;
     statistics_.eye_rays += eye_rays;
-    statistics_.radius = report.radius;
+    // Some passes may be without photons.
+    if (report.radius > 0) statistics_.radius = report.radius;
 }
 
 /// Lights that nothing is ever asked of, as what they say of their power is none.

@@ -5,7 +5,7 @@ namespace aips {
 namespace {
 
 /// To be raised whenever the content of states changes.
-constexpr std::uint32_t kStateVersion = 16;
+constexpr std::uint32_t kStateVersion = 17;
 
 void state_of_settings(StateArchive& archive, const Settings& s) {
     archive.same(s.mode, "mode");
@@ -22,9 +22,9 @@ void state_of_settings(StateArchive& archive, const Settings& s) {
         archive.same(share, "radii or shares in its settings");
     for (const bool on :
          {s.include_environment, s.direct_light_sampling, s.store_glossy, s.debug_layers,
-          s.learn_lights, s.continue_eye_paths, s.guide_lamps, s.correct_edges, s.guide_emission,
-          s.eye_seeding, s.guide_bounces, s.guide_survival, s.guide_chains, s.guide_chain_starts,
-          s.guide_scout, s.present_errors, s.first_landings})
+          s.learn_lights, s.continue_eye_paths, s.photon_turns, s.guide_lamps, s.correct_edges,
+          s.guide_emission, s.eye_seeding, s.guide_bounces, s.guide_survival, s.guide_chains,
+          s.guide_chain_starts, s.guide_scout, s.present_errors, s.first_landings})
         archive.same(std::uint8_t(on), "switches in its settings");
 }
 

@@ -90,6 +90,7 @@ std::string describe(const Settings& s) {
     if (s.debug_layers) out << ", debuglayers = true";
     if (!s.learn_lights) out << ", learnlights = false";
     if (!s.continue_eye_paths) out << ", continueeyepaths = false";
+    if (!s.photon_turns) out << ", photonturns = false";
     if (!s.guide_lamps) out << ", guidelamps = false";
     if (!s.correct_edges) out << ", correctedges = false";
     if (s.guide == GuideKind::Paper) {

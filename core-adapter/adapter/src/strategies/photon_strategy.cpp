@@ -8,7 +8,6 @@
 #include "plan/memory_bound.h"
 #include "plan/pass_work.h"
 #include "strategies/constants.h"
-#include "strategies/lamp_strategy.h"
 
 namespace aips {
 namespace {
@@ -45,7 +44,10 @@ PhotonStrategy::PhotonStrategy(const Host& host, Plan& plan, std::uint32_t eye_p
 }
 
 PhotonSchedule PhotonStrategy::make_schedule() const {
-    return {settings_, eye_paths_, plan_.needs.photons, plan_.learns(), plan_.chains_for_guide()};
+    // What photons bring to media is kept from pass to pass.
+    const bool turns = settings_.photon_turns && !scene_.media();
+    return {settings_, eye_paths_, plan_.needs.photons, plan_.learns(), plan_.chains_for_guide(),
+            turns};
 }
 
 std::unique_ptr<RadiusPolicy> PhotonStrategy::make_radii() const {
@@ -102,8 +104,11 @@ CarriedLight PhotonStrategy::carry(const StrategyPass& pass, PassReport& report)
     before_ = photon_pass_.totals();
     radii_ = {};
     shot_ = 0;
+    in_turn_ = schedule_.shoots();
     const PassPhotons photons = schedule_.next();
-    if (!plan_.needs.photons || (image.visible_points.empty() && image.beams.empty())) {
+    if (!in_turn_) {
+        leave_out_photons(image);
+    } else if (!plan_.needs.photons || (image.visible_points.empty() && image.beams.empty())) {
         flux_.reset(image.visible_points.size(), image.groups);
         if (plan_.needs.photons) {
             skip_log_.no_visible_points(freezes_eye_pass(settings_.mode));
@@ -113,7 +118,7 @@ CarriedLight PhotonStrategy::carry(const StrategyPass& pass, PassReport& report)
     } else {
         shoot(pass, photons, report);
     }
-    return {.radiance = radiance_,
+    return {.radiance = counted(),
             .mean = PassMean::Weighted,
             .weight = photons.weight,
             .parts = parts_};
@@ -123,32 +128,64 @@ void PhotonStrategy::shoot(const StrategyPass& pass, const PassPhotons& photons,
                            PassReport& report) {
     const EyeImage& image = pass.image;
     const bool any_points = !image.visible_points.empty();
+    shot_ = photons.paths;
     if (any_points) radii_ = radius_policy_->before_pass(pass.number, photons, image);
     photon_pass_.shoot(pass.number, photons, pass.time, image, radii_, pass.refusals, flux_);
     if (edges_ && any_points) {
         const Stopwatch watch(edge_seconds_);
         report.rays += edges_->correct(pass.number, pass.time, image, radii_, flux_);
     }
-    photon_pass_.account(photons, image, edges_ ? edges_->brightened() : 1);
+    photon_pass_.account(photons, schedule_.turns(), image, edges_ ? edges_->brightened() : 1);
     photon_pass_.estimate(image, flux_, radii_, photons.paths, pass.refusals, radiance_,
                           noise_ ? &variances_ : nullptr);
     if (any_points) radius_policy_->after_pass(flux_);
-    if (shared_) shared_->join(pass.number, image, flux_, photons.paths, *importance_, radiance_);
+    if (shared_) join_eye_share(pass, photons);
     if (flux_.wants_parts)
-        photon_pass_.estimate_parts(image, flux_, radii_, photons.paths, radiance_, parts_);
+        photon_pass_.estimate_parts(image, flux_, radii_, photons.paths / schedule_.turns(),
+                                    counted(), parts_);
     report.radius = radii_.mean;
-    shot_ = photons.paths;
     report.photon_paths += shot_;
     report.rays += photon_pass_.totals().counts.rays - before_.counts.rays;
 }
 
+/// Later passes are steered by photons as they came; in the image they count for several passes.
+void PhotonStrategy::join_eye_share(const StrategyPass& pass, const PassPhotons& photons) {
+    const std::uint32_t turns = schedule_.turns();
+    if (turns > 1) {
+        counted_.resize(radiance_.size());
+        for (std::size_t i = 0; i < radiance_.size(); ++i)
+            counted_[i] = radiance_[i] * float(turns - 1);
+    }
+    shared_->join({pass.number, photons.paths, turns}, pass.image, flux_, *importance_, radiance_);
+    if (turns == 1) return;
+    for (std::size_t i = 0; i < radiance_.size(); ++i)
+        counted_[i] += radiance_[i];
+}
+
+/// Eye paths go on as in passes that shoot.
+void PhotonStrategy::leave_out_photons(const EyeImage& image) {
+    flux_.reset(image.visible_points.size(), image.groups);
+    radiance_.assign(image.radiance.size(), Rgb{});
+    shared_->add_eye_share(image, radiance_);
+    if (flux_.wants_parts) photon_pass_.estimate_parts(image, flux_, 1.0f, 1, radiance_, parts_);
+}
+
+/// What photons and continued eye paths bring to the image in this pass.
+const std::vector<Rgb>& PhotonStrategy::counted() const {
+    return in_turn_ && shot_ > 0 && schedule_.turns() > 1 ? counted_ : radiance_;
+}
+
 void PhotonStrategy::end_pass(const StrategyPass& pass, const FilmPass& film_pass) {
     if (layers_) show_layers(pass.image, film_pass);
-    if (flux_.wants_inner) show_bias(pass.image, film_pass);
+    if (flux_.wants_inner && in_turn_) show_bias(pass.image, film_pass);
     const PassNoise noise = learn_noise(pass.image);
     const PhotonPassTotals& after = photon_pass_.totals();
     const PassWork work = pass_work(pass.eye_paths, pass.eye_rays, before_, after);
-    schedule_.end_pass(work, noise);
+    if (in_turn_) {
+        schedule_.end_pass(work, noise);
+    } else {
+        schedule_.skip_pass();
+    }
     if (shared_) share(pass, work, noise);
     skip_log_.after_pass(photon_pass_.guide().adaptive(), after.counts);
 }
@@ -165,15 +202,16 @@ void PhotonStrategy::show_bias(const EyeImage& image, const FilmPass& film_pass)
     film_.add_bias({.positions = image.positions,
                     .whole = discs_.whole,
                     .half = discs_.half,
-                    .weight = film_pass.photon_weight});
+                    .weight = film_pass.photon_weight * schedule_.turns()});
 }
 
 void PhotonStrategy::share(const StrategyPass& pass, const PassWork& work, const PassNoise& noise) {
     const double squared_error = adapts_radius(settings_) ? kErrorOverVariance : 1;
     const bool independent = !plan_.chains();
-    const SharedPass ended{pass.number, work, noise, shot_, independent, squared_error};
-    if (const auto decided = shared_->end_pass(ended, schedule_.limits())) {
-        schedule_.take(decided->photon_paths);
+    const SharedPass ended{pass.number,       work,        noise,        shot_,
+                           schedule_.turns(), independent, squared_error};
+    if (const auto decided = shared_->end_pass(ended, in_turn_, *importance_, schedule_.limits())) {
+        schedule_.take(decided->photon_paths, decided->turns);
         skip_log_.shared(*decided);
     }
 }
@@ -237,8 +275,8 @@ void PhotonStrategy::add_to(EngineStatistics& s) const {
 
 std::size_t PhotonStrategy::memory_bytes() const {
     return flux_.memory_bytes() +
-           (radiance_.capacity() + parts_.capacity() + discs_.whole.capacity() +
-            discs_.half.capacity()) *
+           (radiance_.capacity() + counted_.capacity() + parts_.capacity() +
+            discs_.whole.capacity() + discs_.half.capacity()) *
                sizeof(Rgb) +
            variances_.capacity() * sizeof(float) + seen_.capacity() * sizeof(PixelLuminance) +
            photon_pass_.memory_bytes() + radius_policy_->memory_bytes() +
@@ -257,19 +295,6 @@ std::size_t PhotonStrategy::memory_bound_bytes() const {
     if (!layers_) return photons;
     return photons +
            DebugLayers::memory_bound_bytes(pixels(), eye_paths_, guide_ ? settings_.max_nodes : 0);
-}
-
-LightStrategies make_strategies(const Host& host, Plan& plan, std::uint32_t eye_paths) {
-    LightStrategies strategies;
-    strategies.push_back(std::make_unique<PhotonStrategy>(host, plan, eye_paths));
-    if (!plan.settings().guide_lamps) return strategies;
-    const std::string reason = plan.why_no_lamp_paths(host.film, eye_paths);
-    if (reason.empty()) {
-        strategies.push_back(std::make_unique<LampStrategy>(host, eye_paths));
-    } else {
-        host.log.info("skipped lamp paths: " + reason);
-    }
-    return strategies;
 }
 
 }  // namespace aips

@@ -45,6 +45,9 @@ class PhotonStrategy : public LightStrategy {
     std::unique_ptr<PassGuide> make_pass_guide() const;
     std::unique_ptr<PhotonSource> make_source() const;
     void shoot(const StrategyPass& pass, const PassPhotons& photons, PassReport& report);
+    void join_eye_share(const StrategyPass& pass, const PassPhotons& photons);
+    void leave_out_photons(const EyeImage& image);
+    const std::vector<Rgb>& counted() const;
     void show_layers(const EyeImage& image, const FilmPass& film_pass);
     void show_bias(const EyeImage& image, const FilmPass& film_pass);
     void share(const StrategyPass& pass, const PassWork& work, const PassNoise& noise);
@@ -69,12 +72,14 @@ class PhotonStrategy : public LightStrategy {
     std::optional<EdgeCorrection> edges_;  // if search discs are asked for edges
     SearchRadii radii_;                    // of the last pass
     std::uint32_t shot_ = 0;               // photon paths in it
+    bool in_turn_ = true;                  // whether it was one that shoots
     PhotonFlux flux_;
-    PhotonPassTotals before_;           // the last pass
-    std::vector<Rgb> radiance_;         // [eye path * groups + group]; empty if none is needed
-    std::vector<Rgb> parts_;            // [eye path * kImageParts + part]; empty if not wanted
-    DiscEstimates discs_;               // if the film wants their bias
-    std::vector<float> variances_;      // [eye path]: of the luminance of that; with noise_
+    PhotonPassTotals before_;       // the last pass
+    std::vector<Rgb> radiance_;     // [eye path * groups + group]; empty if none is needed
+    std::vector<Rgb> counted_;      // that with photons as they count; where some passes have none
+    std::vector<Rgb> parts_;        // [eye path * kImageParts + part]; empty if not wanted
+    DiscEstimates discs_;           // if the film wants their bias
+    std::vector<float> variances_;  // [eye path]: of the luminance of that; with noise_
     std::vector<PixelLuminance> seen_;  // in the last pass that something steers by
     std::optional<DebugLayers> layers_;
     double plan_seconds_ = 0, edge_seconds_ = 0;

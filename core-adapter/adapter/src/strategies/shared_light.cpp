@@ -22,8 +22,10 @@ bool decides_before(std::uint64_t pass) {
     return pass > 1 && std::has_single_bit(pass);
 }
 
-bool learned_from(std::uint64_t pass, std::uint32_t path) {
-    return pass < kAllPointsUntil || (pass + path) % kSharePointsOneOf == 0;
+/// Of fewer passes with photons the more points.
+bool learned_from(const ShotPass& pass, std::uint32_t path) {
+    return pass.number < kAllPointsUntil ||
+           (pass.number / pass.turns + path) % (kSharePointsOneOf / pass.turns) == 0;
 }
 
 /// Of eye paths that went on from visible points.
@@ -77,16 +79,20 @@ ShareSample sample_of(const EyeImage& image, const PhotonFlux& flux, std::size_t
 
 }  // namespace
 
-void SharedLight::join(std::uint64_t pass, const EyeImage& image, const PhotonFlux& flux,
-                       std::uint64_t photon_paths, const PixelImportance& importance,
-                       std::span<Rgb> radiance) {
+void SharedLight::join(const ShotPass& pass, const EyeImage& image, const PhotonFlux& flux,
+                       const PixelImportance& importance, std::span<Rgb> radiance) {
     points_ = double(image.visible_points.size());
     const WentOn counted = went_on(image.visible_points);
     rays_ = counted.rays;
     continued_ += counted.paths;
-    own_noise_.add_pass(image, importance, pass > 0);
+    own_noise_.add_pass(image, importance, pass.number > 0);
+    photon_square_.add_pass(image, radiance);
     // Before the first pass all pixels weigh alike, in no unit.
-    if (pass > 0) learn(pass, image, flux, photon_paths, importance, radiance);
+    if (pass.number > 0) learn(pass, image, flux, importance, radiance);
+    add_eye_share(image, radiance);
+}
+
+void SharedLight::add_eye_share(const EyeImage& image, std::span<Rgb> radiance) const {
     in_chunks(image.visible_points.size(), kItemsPerJob, tbb_for,
               [&](std::size_t first, std::size_t last) {
                   for (std::size_t i = first; i < last; ++i) {
@@ -99,9 +105,8 @@ void SharedLight::join(std::uint64_t pass, const EyeImage& image, const PhotonFl
               });
 }
 
-void SharedLight::learn(std::uint64_t pass, const EyeImage& image, const PhotonFlux& flux,
-                        std::uint64_t photon_paths, const PixelImportance& importance,
-                        std::span<const Rgb> radiance) {
+void SharedLight::learn(const ShotPass& pass, const EyeImage& image, const PhotonFlux& flux,
+                        const PixelImportance& importance, std::span<const Rgb> radiance) {
     const std::size_t points = image.visible_points.size();
     std::vector<std::vector<ShareSample>> samples(
         std::min(kSharingJobs, (points + kPointsPerSharingJob - 1) / kPointsPerSharingJob));
@@ -112,7 +117,7 @@ void SharedLight::learn(std::uint64_t pass, const EyeImage& image, const PhotonF
             if (!learned_from(pass, point.sample)) continue;
             const std::uint32_t pixel = film_pixel(image.positions[point.sample], width_, height_);
             const auto weight = double(importance.weight_of_sharing(pixel));
-            into.push_back(sample_of(image, flux, i, weight, double(photon_paths), radiance));
+            into.push_back(sample_of(image, flux, i, weight, double(pass.photon_paths), radiance));
         }
     };
     std::size_t learned = 0;
@@ -128,7 +133,15 @@ void SharedLight::learn(std::uint64_t pass, const EyeImage& image, const PhotonF
     shares_.table.update(learned);
 }
 
-std::optional<SharePlan> SharedLight::end_pass(const SharedPass& pass, const PhotonLimits& limits) {
+std::optional<SharePlan> SharedLight::end_pass(const SharedPass& pass, bool shot,
+                                               const PixelImportance& importance,
+                                               const PhotonLimits& limits) {
+    if (shot) count(pass);
+    if (!decides_before(pass.number + 1) || !(sums_.noisy_passes > 0)) return {};
+    return decide(pass, importance, limits);
+}
+
+void SharedLight::count(const SharedPass& pass) {
     const double continued = eye_ray_work(rays_);
     sums_.passes += 1;
     sums_.points += points_;
@@ -140,11 +153,10 @@ std::optional<SharePlan> SharedLight::end_pass(const SharedPass& pass, const Pho
         sums_.variance += variance;
         sums_.noisy_passes += 1;
     }
-    if (!decides_before(pass.number + 1) || !(sums_.noisy_passes > 0)) return {};
-    return decide(pass, limits);
 }
 
-SharePlan SharedLight::decide(const SharedPass& pass, const PhotonLimits& limits) {
+SharePlan SharedLight::decide(const SharedPass& pass, const PixelImportance& importance,
+                              const PhotonLimits& limits) {
     const std::vector<ShareMoments> moments = shares_.table.moments();
     const double pixels = double(width_) * height_;
     const double per_pixel = std::max(1.0, double(eye_paths_) / pixels);
@@ -156,7 +168,10 @@ SharePlan SharedLight::decide(const SharedPass& pass, const PhotonLimits& limits
     facts.variance = sums_.variance / sums_.noisy_passes;
     facts.own_variance = own_noise_.take();
     facts.photon_paths = sums_.photon_paths / sums_.passes;
+    facts.turns = pass.turns;
+    facts.photon_square = photon_square_.take(importance);
     facts.eye_cost = sums_.eye_cost / sums_.passes;
+    facts.shooting_cost = std::min(shooting_work(facts.points), facts.eye_cost / 2);
     facts.photon_path_cost = sums_.photon_cost / std::max(1.0, sums_.photon_paths);
     facts.ray_cost = eye_ray_work(1);
     facts.independent = pass.independent;
@@ -184,6 +199,7 @@ void SharedLight::state(StateArchive& archive) {
     shares_.table.state(archive);
     set_any();
     own_noise_.state(archive);
+    photon_square_.state(archive);
     archive.value(shares_.passes_before);
     archive.value(continued_);
     archive.amount(eye_part_);

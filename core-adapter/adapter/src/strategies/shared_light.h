@@ -11,6 +11,7 @@
 #include "plan/share_plan.h"
 #include "worth/own_light_noise.h"
 #include "worth/pass_noise.h"
+#include "worth/photon_square.h"
 #include "worth/pixel_importance.h"
 
 namespace aips {
@@ -21,8 +22,16 @@ struct SharedPass {
     PassWork work;  ///< the eye's with that of continued paths
     PassNoise noise;
     std::uint64_t photon_paths = 0;
+    std::uint32_t turns = 1;   ///< passes of which one shoots
     bool independent = true;   ///< squares of single photons tell their variance
     double squared_error = 1;  ///< of photons, their bias included, over their variance
+};
+
+/// A pass under way that shot photons.
+struct ShotPass {
+    std::uint64_t number = 0;
+    std::uint64_t photon_paths = 0;
+    std::uint32_t turns = 1;  ///< it is one of so many passes, which the others are without
 };
 
 class SharedLight {
@@ -32,6 +41,7 @@ class SharedLight {
                 std::uint32_t eye_paths)
         : shares_(scene.bounds()),
           own_noise_(width, height),
+          photon_square_(width, height),
           width_(width),
           height_(height),
           eye_paths_(eye_paths) {}
@@ -40,13 +50,16 @@ class SharedLight {
 
     /// Of a pass: `radiance` is what its photons brought to each eye path, made of `flux`, without
     /// the eye's share; that is added. Learns from both where something is known of the image.
-    void join(std::uint64_t pass, const EyeImage& image, const PhotonFlux& flux,
-              std::uint64_t photon_paths, const PixelImportance& importance,
-              std::span<Rgb> radiance);
+    void join(const ShotPass& pass, const EyeImage& image, const PhotonFlux& flux,
+              const PixelImportance& importance, std::span<Rgb> radiance);
+    /// Of a pass that shot no photons, in its turn: adds the eye's share.
+    void add_eye_share(const EyeImage& image, std::span<Rgb> radiance) const;
 
-    /// A pass has ended. Before passes that are fixed it is decided anew who carries what; the plan
-    /// then tells how many photon paths, within `limits`, go with it.
-    std::optional<SharePlan> end_pass(const SharedPass& pass, const PhotonLimits& limits);
+    /// A pass has ended, `shot` if it had photons. Before passes that are fixed it is decided anew
+    /// who carries what; the plan then tells how many photon paths, within `limits`, go with it.
+    std::optional<SharePlan> end_pass(const SharedPass& pass, bool shot,
+                                      const PixelImportance& importance,
+                                      const PhotonLimits& limits);
 
     void add_to(EngineStatistics& statistics) const;
 
@@ -56,15 +69,17 @@ class SharedLight {
     /// decision, what they rest on fades.
     void learned(LearnedParts& parts);
     std::size_t memory_bytes() const {
-        return shares_.table.memory_bytes() + own_noise_.memory_bytes();
+        return shares_.table.memory_bytes() + own_noise_.memory_bytes() +
+               photon_square_.memory_bytes();
     }
 
   private:
-    void learn(std::uint64_t pass, const EyeImage& image, const PhotonFlux& flux,
-               std::uint64_t photon_paths, const PixelImportance& importance,
-               std::span<const Rgb> radiance);
+    void learn(const ShotPass& pass, const EyeImage& image, const PhotonFlux& flux,
+               const PixelImportance& importance, std::span<const Rgb> radiance);
     void set_any();
-    SharePlan decide(const SharedPass& pass, const PhotonLimits& limits);
+    void count(const SharedPass& pass);
+    SharePlan decide(const SharedPass& pass, const PixelImportance& importance,
+                     const PhotonLimits& limits);
 
     /// Sums since the last decision.
     struct Sums {
@@ -75,6 +90,7 @@ class SharedLight {
 
     EyeShares shares_;
     OwnLightNoise own_noise_;
+    PhotonSquare photon_square_;
     std::uint32_t width_, height_, eye_paths_;
     double points_ = 0, rays_ = 0;  // visible points, and rays that went on from them, of a pass
     std::uint64_t continued_ = 0;   // eye paths that went on, of all passes

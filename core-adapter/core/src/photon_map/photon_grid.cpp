@@ -1,6 +1,8 @@
 // Copies of landings in the order of their cells.
 #include "aips/core/photon_map/photon_grid.h"
 
+#include "photon_map/constants.h"
+
 namespace aips {
 namespace {
 
@@ -9,7 +11,7 @@ constexpr std::size_t kChunk = std::size_t(1) << 12;
 }  // namespace
 
 void LandingGrid::build(std::span<const Landing> landings, float radius,
-                        const ParallelFor& parallel) {
+                        const ParallelFor& parallel, std::size_t queries) {
     // Nothing is kept of those before, which growing would move.
     positions_.clear();
     photons_.clear();
@@ -21,6 +23,11 @@ void LandingGrid::build(std::span<const Landing> landings, float radius,
             positions_[i] = landings[i].position;
     });
     cells_.build(positions_, radius, parallel);
+    if (landings.size() * kQueriesOfFewLandings < queries) {
+        filter_.build(positions_, radius);
+    } else {
+        filter_.clear();
+    }
     photons_.resize(cells_.size());
     in_chunks(cells_.size(), kChunk, parallel, [&](std::size_t first, std::size_t last) {
         for (std::size_t slot = first; slot < last; ++slot) {
@@ -31,12 +38,13 @@ void LandingGrid::build(std::span<const Landing> landings, float radius,
 }
 
 std::size_t LandingGrid::memory_bytes() const {
-    return cells_.memory_bytes() + positions_.capacity() * sizeof(Vec3) +
+    return cells_.memory_bytes() + filter_.memory_bytes() + positions_.capacity() * sizeof(Vec3) +
            photons_.capacity() * sizeof(GridPhoton);
 }
 
 std::size_t LandingGrid::memory_bound_bytes(std::size_t max_landings) {
     return CellSort::memory_bound_bytes(max_landings) +
+           ReachFilter::memory_bound_bytes(max_landings) +
            rounded_capacity(max_landings) * (sizeof(Vec3) + sizeof(GridPhoton));
 }
 

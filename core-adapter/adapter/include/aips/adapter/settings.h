@@ -65,6 +65,8 @@ struct Settings {
     bool learn_lights = true;           ///< shadow rays go where lights were seen to come from
     /// Eye paths go on from their visible points where they carry light better than photons do.
     bool continue_eye_paths = true;
+    /// Where photons bring little, one of several passes shoots for all.
+    bool photon_turns = true;
     /// Paths are drawn for lamps that smooth surfaces show, beside eye paths.
     bool guide_lamps = true;
     /// Density estimates count the part of a search disc that is surface, not all of it.

@@ -9,6 +9,7 @@
 #include "aips/core/base/unwritten.h"
 #include "aips/core/photon_map/cell_sort.h"
 #include "aips/core/photon_map/landing.h"
+#include "aips/core/photon_map/reach_filter.h"
 
 namespace aips {
 
@@ -37,13 +38,16 @@ class LandingGrid {
   public:
     /// Sorts copies of `landings` (fewer than 2^32) for searches up to `radius`. Landings at
     /// positions that are not finite are left out. The result is the same for every `parallel`.
+    /// Where many more `queries` follow than there are landings, it pays to know at once where
+    /// there is nothing.
     void build(std::span<const Landing> landings, float radius,
-               const ParallelFor& parallel = serial_for);
+               const ParallelFor& parallel = serial_for, std::size_t queries = 0);
 
     /// Calls `visit(const GridPhoton&)` once for each landing with |position - p| <= radius, in an
     /// order that is a function of the landings alone. `radius` beyond radius() is cut to it.
     template <class F>
     void for_each_in_radius(Vec3 p, float radius, F&& visit) const {
+        if (!is_finite(p) || !filter_.may_reach(p)) return;
         cells_.for_each_in_radius(p, radius, [&](std::uint32_t slot) { visit(photons_[slot]); });
     }
 
@@ -57,6 +61,7 @@ class LandingGrid {
 
   private:
     CellSort cells_;
+    ReachFilter filter_;                   // where landings are few
     UnwrittenVector<Vec3> positions_;      // [landing], for the sort
     UnwrittenVector<GridPhoton> photons_;  // [slot]
 };

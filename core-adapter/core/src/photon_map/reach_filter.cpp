@@ -1,0 +1,41 @@
+// Marking the cells that a few points reach.
+#include "aips/core/photon_map/reach_filter.h"
+
+#include <algorithm>
+#include <bit>
+
+#include "photon_map/constants.h"
+
+namespace aips {
+namespace {
+
+std::size_t filter_words(std::size_t points) {
+    return std::bit_ceil(std::max<std::size_t>(points, 1) * kFilterBitsPerPoint) / 64;
+}
+
+}  // namespace
+
+void ReachFilter::build(std::span<const Vec3> points, float radius) {
+    cells_ = CellGrid(radius);
+    bits_.assign(filter_words(points.size()), 0);
+    mask_ = bits_.size() * 64 - 1;
+    for (const Vec3& point : points) {
+        if (!is_finite(point)) continue;
+        const CellRange range = cells_.cells_of_ball(point, cells_.radius());
+        for (std::int64_t z = range.lower.z; z <= range.upper.z; ++z) {
+            for (std::int64_t y = range.lower.y; y <= range.upper.y; ++y) {
+                for (std::int64_t x = range.lower.x; x <= range.upper.x; ++x) {
+                    const std::uint64_t bit = hash_cell({x, y, z}) & mask_;
+                    bits_[bit / 64] |= std::uint64_t(1) << bit % 64;
+                }
+            }
+        }
+    }
+}
+
+std::size_t ReachFilter::memory_bound_bytes(std::size_t max_points) {
+    // Vectors grow by doubling.
+    return 2 * filter_words(max_points) * sizeof(std::uint64_t);
+}
+
+}  // namespace aips

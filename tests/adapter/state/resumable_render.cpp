@@ -23,7 +23,7 @@ View lit_view(const ResumableCase& what) {
 
 View view_of(const ResumableCase& what) {
     if (what.lamps) return lamp_room(what.width);
-    if (what.open) return random_view(7, {true}, what.width, what.height);
+    if (what.open) return random_view(15, {true}, what.width, what.height);
     return what.wide ? wide_view(40, what.width, what.height) : lit_view(what);
 }
 
@@ -68,7 +68,7 @@ void add_parts(std::vector<ResumableCase>& cases) {
     // Long enough for passes without photons.
     Settings turns = settings_of(GuideKind::None);
     turns.photons_per_pass = 0;
-    ResumableCase in_turns{"photon_turns", turns, false, 13, 12, 12};
+    ResumableCase in_turns{"photon_turns", turns, false, 13, 48, 48};
     in_turns.open = true;
     cases.push_back(in_turns);
     cases.push_back({"fog_photonmap", settings_of(GuideKind::Adaptive, Mode::PhotonMap), true, 3});

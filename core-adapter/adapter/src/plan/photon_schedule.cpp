@@ -94,7 +94,7 @@ void PhotonSchedule::take(double paths, std::uint32_t every) {
     const PhotonLimits bounds = limits();
     turns_ = {.every = std::clamp(every, 1u, bounds.turns), .since = pass_};
     const double shot = std::clamp(paths, bounds.fewest, bounds.most) * turns_.every;
-    paths_ = static_cast<std::uint32_t>(std::min(shot, double(kMostPerPass)));
+    paths_ = static_cast<std::uint32_t>(shot);
     decided_ = decided_ || pass_ >= decide_at_;
     plan();
 }
@@ -106,7 +106,7 @@ PhotonLimits PhotonSchedule::limits() const {
     const double rise = chains_ && pass_ < kChainsJudgedFrom ? 1 : kGreatestPlannedRise;
     const std::uint32_t turns = pass_ < kTurnsFrom || !may_take_turns_ ? 1 : kMostTurns;
     return {std::max(double(kFewestPerPass), present / kGreatestPlannedFall),
-            std::min(double(kMostPerPass), present * rise), turns};
+            std::min(double(kMostPerPass), present * rise), turns, kMostPerPass};
 }
 
 void PhotonSchedule::state(StateArchive& archive) {
@@ -117,6 +117,9 @@ void PhotonSchedule::state(StateArchive& archive) {
         "a number of photons that no pass has");
     turns_.state(archive);
     archive.value(pass_);
+    StateArchive::check(turns_.every == 1 || (adapts_ && may_take_turns_ && turns_.since <= pass_ &&
+                                              turns_.since % turns_.every == 0),
+                        "passes without photons where all shoot");
     archive.value(decide_at_);
     archive.value(decided_);
     archive.value(planned_);
@@ -139,7 +142,7 @@ void PhotonSchedule::learned(LearnedParts& parts) {
     const std::uint64_t kind = (adapts_ ? 1u : 0u) + (learns_ ? 2u : 0u) + (chains_ ? 4u : 0u);
     parts.part("photons per pass", kind << 32 | eye_paths_, [&](StateArchive& archive) {
         bool chosen = decided_ || planned_;
-        std::uint32_t paths = paths_;
+        std::uint32_t paths = paths_ / turns_.every;
         std::uint64_t known = next_.known + next_.before;
         archive.value(chosen);
         archive.value(paths);

@@ -10,6 +10,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 
 #include "aips/adapter/settings.h"
 #include "aips/core/base/learned_parts.h"
@@ -30,6 +31,7 @@ struct PassWork {
 struct PhotonLimits {
     double fewest = 0, most = 0;
     std::uint32_t turns = 1;  ///< most passes of which one shoots
+    double most_shot = std::numeric_limits<double>::infinity();  ///< by it
 };
 
 /// Whether the photons per pass follow the noise that passes tell.

@@ -99,7 +99,8 @@ class Search {
     void take_turns(SharePlan& plan, const PhotonLimits& limits) const {
         const double error = plan.error, cost = plan.cost;
         double least = std::numeric_limits<double>::infinity();
-        for (std::uint32_t turns = 1; turns <= limits.turns; turns *= 2) {
+        for (std::uint32_t turns = 1;
+             turns <= limits.turns && plan.photon_paths * turns <= limits.most_shot; turns *= 2) {
             const double e = error + (turns - 1) * facts_.photon_square;
             const double c = cost - facts_.shooting_cost * (1 - 1.0 / turns);
             if (e * c >= least) continue;

@@ -60,7 +60,7 @@ AdaptiveRadius::AdaptiveRadius(const Settings& settings, const Scene& scene, std
       map_(width, height),
       of_one_path_(std::size_t{width} * height) {}
 
-SearchRadii AdaptiveRadius::before_pass(std::uint64_t pass, const PassPhotons& photons,
+SearchRadii AdaptiveRadius::before_pass(std::uint64_t /*pass*/, const PassPhotons& photons,
                                         const EyeImage& image) {
     if (!(initial_ > 0)) {
         initial_ = initial_radius(settings_, image, floor_.least());
@@ -71,13 +71,13 @@ SearchRadii AdaptiveRadius::before_pass(std::uint64_t pass, const PassPhotons& p
     const double schedule = double(scheduled_radius(settings_, initial_, shot, floor_.least()));
     const double optimum =
         unit_ * optimal_radius(1, 1, shot + pass_paths_) / optimal_radius(1, 1, 1);
-    renew(pass);
+    renew();
     const std::size_t points = image.visible_points.size(), most = image.positions.size();
     reserve_with_room(radii_, points, most);
     reserve_with_room(pixels_, points, most);
     radii_.resize(points);
     pixels_.resize(points);
-    const ProbeTurn has_turn(pass, map_.width());
+    const ProbeTurn has_turn(passes_++, map_.width());
     // Of each job, how many points have probes; then, where their numbers begin.
     std::vector<std::size_t> first((points + kItemsPerJob - 1) / kItemsPerJob + 1);
     in_chunks(points, kItemsPerJob, tbb_for, [&](std::size_t begin, std::size_t end) {
@@ -107,12 +107,12 @@ SearchRadii AdaptiveRadius::before_pass(std::uint64_t pass, const PassPhotons& p
 
 /// Of all pixels at first, then of a part of the rows in turn: what is known changes little from
 /// pass to pass.
-void AdaptiveRadius::renew(std::uint64_t pass) {
+void AdaptiveRadius::renew() {
     const std::uint32_t width = map_.width();
-    const bool all = pass < kRadiiRenewedUntil;
+    const bool all = passes_ < kRadiiRenewedUntil;
     in_chunks(of_one_path_.size() / width, 1, tbb_for, [&](std::size_t first, std::size_t last) {
         for (std::size_t row = first; row < last; ++row) {
-            if (!all && (row + pass) % kRadiiRenewedIn != 0) continue;
+            if (!all && (row + passes_) % kRadiiRenewedIn != 0) continue;
             for (std::size_t pixel = row * width; pixel < (row + 1) * width; ++pixel) {
                 const ProbeEstimate known = map_.mean(std::uint32_t(pixel));
                 of_one_path_[pixel] = float(
@@ -140,6 +140,7 @@ void AdaptiveRadius::after_pass(const PhotonFlux& flux) {
 void AdaptiveRadius::state(StateArchive& archive, const EyeImage& /*image*/) {
     state_of_initial_radius(archive, initial_, floor_.least());
     unit_ = kProbeRadius * initial_;
+    archive.value(passes_);
     map_.state(archive);
     for (float& radius : of_one_path_)
         archive.value(radius);

@@ -22,7 +22,7 @@ class AdaptiveRadius final : public RadiusPolicy {
     static std::size_t memory_bound_bytes(std::size_t pixels, std::size_t visible_points);
 
   private:
-    void renew(std::uint64_t pass);
+    void renew();
 
     Settings settings_;
     RadiusFloor floor_;
@@ -30,6 +30,7 @@ class AdaptiveRadius final : public RadiusPolicy {
     double unit_ = 0;                    // probe radius of the first pass
     double probe_radius_ = 0;            // of this pass
     double pass_paths_ = 0;              // photon paths of this pass
+    std::uint64_t passes_ = 0;           // that shot photons, before the next
     CurvatureMap map_;                   // in lengths of unit_
     std::vector<float> of_one_path_;     // [pixel]: optimal radius in unit_ if one path is shot
     std::vector<std::uint32_t> pixels_;  // [visible point]

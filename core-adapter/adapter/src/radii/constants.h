@@ -48,7 +48,7 @@ inline constexpr double kLeastRadiusShare = 1e-9;
 /// Supported by: no measurement.
 inline constexpr std::uint64_t kRadiiRenewedUntil = 16;
 
-/// Passes in which they all do later. Unit: passes.
+/// Passes that shoot in which they all do later. Unit: passes.
 /// Balances: as that of the first.
 /// Chosen by: docs/notebook/2026-11-26-passes-without-photons.md.
 /// Supported by: summerhouse, car, chess, glass-ball.

@@ -45,7 +45,7 @@ PhotonStrategy::PhotonStrategy(const Host& host, Plan& plan, std::uint32_t eye_p
 
 PhotonSchedule PhotonStrategy::make_schedule() const {
     // What photons bring to media is kept from pass to pass.
-    const bool turns = settings_.photon_turns && !scene_.media();
+    const bool turns = settings_.photon_turns && settings_.continue_eye_paths && !scene_.media();
     return {settings_, eye_paths_, plan_.needs.photons, plan_.learns(), plan_.chains_for_guide(),
             turns};
 }
@@ -166,7 +166,7 @@ void PhotonStrategy::join_eye_share(const StrategyPass& pass, const PassPhotons&
 void PhotonStrategy::leave_out_photons(const EyeImage& image) {
     flux_.reset(image.visible_points.size(), image.groups);
     radiance_.assign(image.radiance.size(), Rgb{});
-    shared_->add_eye_share(image, radiance_);
+    shared_->go_on_alone(image, radiance_);
     if (flux_.wants_parts) photon_pass_.estimate_parts(image, flux_, 1.0f, 1, radiance_, parts_);
 }
 

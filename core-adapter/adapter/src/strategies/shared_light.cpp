@@ -92,6 +92,11 @@ void SharedLight::join(const ShotPass& pass, const EyeImage& image, const Photon
     add_eye_share(image, radiance);
 }
 
+void SharedLight::go_on_alone(const EyeImage& image, std::span<Rgb> radiance) {
+    continued_ += went_on(image.visible_points).paths;
+    add_eye_share(image, radiance);
+}
+
 void SharedLight::add_eye_share(const EyeImage& image, std::span<Rgb> radiance) const {
     in_chunks(image.visible_points.size(), kItemsPerJob, tbb_for,
               [&](std::size_t first, std::size_t last) {

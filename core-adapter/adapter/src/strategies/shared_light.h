@@ -53,7 +53,7 @@ class SharedLight {
     void join(const ShotPass& pass, const EyeImage& image, const PhotonFlux& flux,
               const PixelImportance& importance, std::span<Rgb> radiance);
     /// Of a pass that shot no photons, in its turn: adds the eye's share.
-    void add_eye_share(const EyeImage& image, std::span<Rgb> radiance) const;
+    void go_on_alone(const EyeImage& image, std::span<Rgb> radiance);
 
     /// A pass has ended, `shot` if it had photons. Before passes that are fixed it is decided anew
     /// who carries what; the plan then tells how many photon paths, within `limits`, go with it.
@@ -74,6 +74,7 @@ class SharedLight {
     }
 
   private:
+    void add_eye_share(const EyeImage& image, std::span<Rgb> radiance) const;
     void learn(const ShotPass& pass, const EyeImage& image, const PhotonFlux& flux,
                const PixelImportance& importance, std::span<const Rgb> radiance);
     void set_any();

@@ -85,7 +85,7 @@ struct EngineStatistics {
     double eye_seconds = 0, photon_seconds = 0, gather_seconds = 0, guide_seconds = 0;
     double plan_seconds = 0;             ///< first look at photons, noise, pixels' weights
     float radius = 0;                    ///< of the last pass
-    std::uint32_t photons_per_pass = 0;  ///< of the next pass
+    std::uint32_t photons_per_pass = 0;  ///< of the next pass that shoots
     std::size_t memory_bytes = 0;        ///< held by the engine now
     std::size_t memory_bound_bytes = 0;
     /// Contributions refused because they were not finite or negative, by origin: 'material "red"',

@@ -86,7 +86,7 @@ TEST(AdaptiveRadius, FollowsTheScheduleUntilPhotonsAreSeen) {
     const Settings settings = settings_with(1000000);
     AdaptiveRadius adaptive = policy(settings);
     for (std::uint64_t pass = 0; pass < 4; ++pass) {
-        const SearchRadii radii = adaptive.before_pass(pass, photons_of(settings, pass), image);
+        const SearchRadii radii = adaptive.before_pass(photons_of(settings, pass), image);
         for (std::size_t i = 0; i < image.visible_points.size(); ++i)
             EXPECT_FLOAT_EQ(radii.of(i), scheduled(settings, pass));
         adaptive.after_pass(flux_with(radii, ProbeSums{}));
@@ -99,7 +99,7 @@ TEST(AdaptiveRadius, ProbesEveryPixelOnceInSixteenPasses) {
     AdaptiveRadius adaptive = policy(settings);
     std::multiset<std::uint32_t> probed;
     for (std::uint64_t pass = 0; pass < 16; ++pass) {
-        const SearchRadii radii = adaptive.before_pass(pass, photons_of(settings, pass), image);
+        const SearchRadii radii = adaptive.before_pass(photons_of(settings, pass), image);
         EXPECT_EQ(radii.probes.size(), kSize * kSize / 16);
         probed.insert(radii.probes.begin(), radii.probes.end());
         adaptive.after_pass(flux_with(radii, probe_of(0, 1, 1)));
@@ -119,7 +119,7 @@ TEST(AdaptiveRadius, StaysWithinBoundsOfTheSchedule) {
         const ProbeSums sums = probe_of(excess, 10000, 1e-3);
         float least = 1e30f, greatest = 0;
         for (std::uint64_t pass = 0; pass < 10000; ++pass) {
-            const SearchRadii radii = adaptive.before_pass(pass, photons_of(settings, pass), image);
+            const SearchRadii radii = adaptive.before_pass(photons_of(settings, pass), image);
             const float ratio = radii.of(0) / scheduled(settings, pass);
             least = std::min(least, ratio);
             greatest = std::max(greatest, ratio);
@@ -143,9 +143,9 @@ TEST(AdaptiveRadius, IgnoresWhatIsNotANumber) {
     const Settings settings = settings_with(1000);
     for (const double value : {1e-200, 1e200}) {
         AdaptiveRadius adaptive = policy(settings);
-        adaptive.after_pass(flux_with(adaptive.before_pass(0, photons_of(settings, 0), image),
+        adaptive.after_pass(flux_with(adaptive.before_pass(photons_of(settings, 0), image),
                                       probe_of(0.3, 10, value)));
-        EXPECT_FLOAT_EQ(adaptive.before_pass(1, photons_of(settings, 1), image).of(0),
+        EXPECT_FLOAT_EQ(adaptive.before_pass(photons_of(settings, 1), image).of(0),
                         scheduled(settings, 1));
     }
 }
@@ -177,7 +177,7 @@ TEST(AdaptiveRadius, FindsTheOptimumOfAKnownDensity) {
     const Settings settings = settings_with(kPhotons);
     AdaptiveRadius adaptive = policy(settings);
     for (std::uint64_t pass = 0; pass < kPasses; ++pass) {
-        const SearchRadii radii = adaptive.before_pass(pass, photons_of(settings, pass), image);
+        const SearchRadii radii = adaptive.before_pass(photons_of(settings, pass), image);
         LandingGrid grid;
         grid.build(quadratic_landings(kCurvature, kHalf, kPhotons, pass), radii.probe_radius);
         PhotonFlux flux;
@@ -192,9 +192,8 @@ TEST(AdaptiveRadius, FindsTheOptimumOfAKnownDensity) {
     const double optimum = optimal_radius(value * value * density, laplacian * laplacian,
                                           double(kPhotons) * (kPasses + 1));
     const std::size_t middle = kSize / 2 * kSize + kSize / 2;
-    EXPECT_NEAR(
-        adaptive.before_pass(kPasses, photons_of(settings, kPasses), image).of(middle) / optimum, 1,
-        0.1);
+    EXPECT_NEAR(adaptive.before_pass(photons_of(settings, kPasses), image).of(middle) / optimum, 1,
+                0.1);
 }
 
 TEST(AdaptiveRadius, ProbesTakeWhatTheGatherTakes) {
@@ -227,7 +226,7 @@ TEST(AdaptiveRadius, MemoryIsFlatAndWithinItsBound) {
     AdaptiveRadius adaptive = policy(settings);
     std::size_t bytes = 0;
     for (std::uint64_t pass = 0; pass < 40; ++pass) {
-        adaptive.after_pass(flux_with(adaptive.before_pass(pass, photons_of(settings, pass), image),
+        adaptive.after_pass(flux_with(adaptive.before_pass(photons_of(settings, pass), image),
                                       probe_of(0.1, 3, 1)));
         if (pass == 16) bytes = adaptive.memory_bytes();
     }

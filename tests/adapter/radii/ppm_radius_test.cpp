@@ -50,7 +50,7 @@ PhotonFlux flux_of(const std::vector<std::uint32_t>& accepted) {
 TEST(PpmRadius, StartsAtTheSameRadiusEverywhere) {
     const EyeImage image = eye_image(3);
     PpmRadius ppm = policy();
-    const SearchRadii radii = ppm.before_pass(0, {}, image);
+    const SearchRadii radii = ppm.before_pass({}, image);
     for (std::size_t i = 0; i < 3; ++i)
         EXPECT_FLOAT_EQ(radii.of(i), 3 * 2 * 0.1f);
     EXPECT_FLOAT_EQ(radii.mean, radii.largest);
@@ -60,11 +60,11 @@ TEST(PpmRadius, StartsAtTheSameRadiusEverywhere) {
 TEST(PpmRadius, ShrinksByTheFormula) {
     const EyeImage image = eye_image(3);
     PpmRadius ppm = policy();
-    const float start = ppm.before_pass(0, {}, image).of(0);
+    const float start = ppm.before_pass({}, image).of(0);
     ppm.after_pass(flux_of({10, 0, 1}));
-    ppm.before_pass(1, {}, image);
+    ppm.before_pass({}, image);
     ppm.after_pass(flux_of({5, 0, 0}));
-    const SearchRadii radii = ppm.before_pass(2, {}, image);
+    const SearchRadii radii = ppm.before_pass({}, image);
     EXPECT_FLOAT_EQ(radii.of(0), start * float(std::sqrt(0.7 * (7 + 0.7 * 5) / (7 + 5))));
     EXPECT_EQ(radii.of(1), start);  // met no photon
     EXPECT_FLOAT_EQ(radii.of(2), start * float(std::sqrt(0.7)));
@@ -94,7 +94,7 @@ TEST(PpmRadius, MeanOverPassesIsThePapersEstimate) {
     const EyeImage image = eye_image(1, 2);
     PpmRadius ppm = policy();
     Refusals refusals;
-    PaperPoint paper{double(ppm.before_pass(0, {}, image).of(0))};
+    PaperPoint paper{double(ppm.before_pass({}, image).of(0))};
     RandomStream random(1, 0, 0, RandomDomain::Eye);
     double mean[2] = {0, 0};
     for (std::uint64_t pass = 0; pass < kPasses; ++pass) {
@@ -106,7 +106,7 @@ TEST(PpmRadius, MeanOverPassesIsThePapersEstimate) {
             flux.flux[std::size_t(g)] = {value, value, value};
         }
         std::vector<Rgb> radiance;
-        estimate_pixels(image, flux, ppm.before_pass(pass, {}, image), kPaths, refusals, radiance);
+        estimate_pixels(image, flux, ppm.before_pass({}, image), kPaths, refusals, radiance);
         ppm.after_pass(flux);
         for (const std::size_t g : {0u, 1u})
             mean[g] += double(radiance[g].g) / kPasses;
@@ -125,7 +125,7 @@ TEST(PpmRadius, MemoryIsFlatAndWithinItsBound) {
     const EyeImage image = eye_image(100);
     PpmRadius ppm = policy();
     for (std::uint64_t pass = 0; pass < 5; ++pass) {
-        ppm.before_pass(pass, {}, image);
+        ppm.before_pass({}, image);
         ppm.after_pass(flux_of(std::vector<std::uint32_t>(100, 3)));
         EXPECT_EQ(ppm.memory_bytes(), PpmRadius::memory_bound_bytes(100));
     }

@@ -153,7 +153,7 @@ PhotonParts photon_parts(const mock::Scene& scene, const Settings& settings, std
         photons.before = pass * settings.photons_per_pass;
         photons.paths = settings.photons_per_pass;
         photons.counted = photons.paths;
-        const SearchRadii radii = radius_policy->before_pass(pass, photons, image);
+        const SearchRadii radii = radius_policy->before_pass(photons, image);
         photon_pass.shoot(pass, photons, 0, image, radii, refusals, flux);
         estimate_pixels(image, flux, radii, photons.paths, refusals, radiance);
         for (const Rgb& surface : radiance)

@@ -67,8 +67,7 @@ TEST(StressRadius, OfTheSchedule) {
                 PassPhotons photons{0, 0xFFFFFFFFu};
                 last = 1e30f;
                 for (int pass = 0; pass < kPasses; ++pass, photons.before += photons.paths) {
-                    const SearchRadii radii =
-                        policy.before_pass(std::uint64_t(pass), photons, eye_image(footprint));
+                    const SearchRadii radii = policy.before_pass(photons, eye_image(footprint));
                     ASSERT_NO_FATAL_FAILURE(expect_usable(radii));
                     ASSERT_LE(radii.largest, last);
                     last = radii.largest;
@@ -89,7 +88,7 @@ TEST(StressRadius, OfPpmFollowsItsFormula) {
     std::vector<long double> kept(4, 0), squares(4, 0);
     double error = 0;
     for (int pass = 0; pass < kPasses; ++pass) {
-        const SearchRadii radii = policy.before_pass(std::uint64_t(pass), {}, image);
+        const SearchRadii radii = policy.before_pass({}, image);
         ASSERT_NO_FATAL_FAILURE(expect_usable(radii));
         PhotonFlux flux;
         flux.reset(kPixels, 1);
@@ -121,7 +120,7 @@ TEST(StressRadius, OfPpmKeepsItsFloor) {
     const EyeImage image = eye_image();
     double photons = 1;
     for (int pass = 0; pass < kPasses; ++pass) {
-        ASSERT_NO_FATAL_FAILURE(expect_usable(policy.before_pass(std::uint64_t(pass), {}, image)));
+        ASSERT_NO_FATAL_FAILURE(expect_usable(policy.before_pass({}, image)));
         PhotonFlux flux;
         flux.reset(kPixels, 1);
         flux.accepted.assign(kPixels, std::uint32_t(photons));
@@ -129,7 +128,7 @@ TEST(StressRadius, OfPpmKeepsItsFloor) {
         photons = std::min(photons * 100, 4e9);
         policy.after_pass(flux);
     }
-    const float last = policy.before_pass(kPasses, {}, image).largest;
+    const float last = policy.before_pass({}, image).largest;
     EXPECT_NEAR(double(last) / floor_radius(), 1, 1e-6);
     std::ostringstream figure;
     figure << "last radius " << last << ", the floor";
@@ -146,7 +145,7 @@ TEST(StressRadius, OfProbesStaysWithinBounds) {
         PassPhotons photons{0, 1000000};
         const int passes = kind == 0 ? kPasses : sized(64, kPasses);
         for (int pass = 0; pass < passes; ++pass, photons.before += photons.paths) {
-            const SearchRadii radii = policy.before_pass(std::uint64_t(pass), photons, image);
+            const SearchRadii radii = policy.before_pass(photons, image);
             ASSERT_NO_FATAL_FAILURE(expect_usable(radii));
             const double schedule = double(
                 scheduled_radius(settings, 4 * kFootprint, double(photons.before), floor_radius()));

@@ -60,8 +60,7 @@ AdaptiveRadius::AdaptiveRadius(const Settings& settings, const Scene& scene, std
       map_(width, height),
       of_one_path_(std::size_t{width} * height) {}
 
-SearchRadii AdaptiveRadius::before_pass(std::uint64_t /*pass*/, const PassPhotons& photons,
-                                        const EyeImage& image) {
+SearchRadii AdaptiveRadius::before_pass(const PassPhotons& photons, const EyeImage& image) {
     if (!(initial_ > 0)) {
         initial_ = initial_radius(settings_, image, floor_.least());
         unit_ = kProbeRadius * initial_;

@@ -10,8 +10,7 @@
 
 namespace aips {
 
-SearchRadii PpmRadius::before_pass(std::uint64_t /*pass*/, const PassPhotons& /*photons*/,
-                                   const EyeImage& image) {
+SearchRadii PpmRadius::before_pass(const PassPhotons& /*photons*/, const EyeImage& image) {
     if (points_.empty()) {
         const double radius = initial_radius(settings_, image, floor_.least());
         points_.assign(image.visible_points.size(), {0, radius * radius});

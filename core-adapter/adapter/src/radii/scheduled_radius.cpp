@@ -11,8 +11,7 @@ float scheduled_radius(const Settings& settings, double initial, double paths_sh
     return knaus_zwicker_radius(initial, paths_shot, kReferencePaths, settings.alpha, smallest);
 }
 
-SearchRadii ScheduledRadius::before_pass(std::uint64_t /*pass*/, const PassPhotons& photons,
-                                         const EyeImage& image) {
+SearchRadii ScheduledRadius::before_pass(const PassPhotons& photons, const EyeImage& image) {
     if (!(initial_ > 0)) initial_ = initial_radius(settings_, image, floor_.least());
     const float radius =
         settings_.mode == Mode::PhotonMap

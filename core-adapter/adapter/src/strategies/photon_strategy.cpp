@@ -129,7 +129,7 @@ void PhotonStrategy::shoot(const StrategyPass& pass, const PassPhotons& photons,
     const EyeImage& image = pass.image;
     const bool any_points = !image.visible_points.empty();
     shot_ = photons.paths;
-    if (any_points) radii_ = radius_policy_->before_pass(pass.number, photons, image);
+    if (any_points) radii_ = radius_policy_->before_pass(photons, image);
     photon_pass_.shoot(pass.number, photons, pass.time, image, radii_, pass.refusals, flux_);
     if (edges_ && any_points) {
         const Stopwatch watch(edge_seconds_);
@@ -165,7 +165,7 @@ void PhotonStrategy::join_eye_share(const StrategyPass& pass, const PassPhotons&
 /// Eye paths go on as in passes that shoot.
 void PhotonStrategy::leave_out_photons(const EyeImage& image) {
     flux_.reset(image.visible_points.size(), image.groups);
-    radiance_.assign(image.radiance.size(), Rgb{});
+    assign_all(radiance_, image.radiance.size(), Rgb{});
     shared_->go_on_alone(image, radiance_);
     if (flux_.wants_parts) photon_pass_.estimate_parts(image, flux_, 1.0f, 1, radiance_, parts_);
 }

@@ -1,4 +1,4 @@
-// The mock host's scene: brute-force intersection in double precision.
+// The mock host's scene.
 #include "mock_scene.h"
 
 #include <algorithm>
@@ -10,73 +10,6 @@ namespace mock {
 namespace {
 
 using aips::Vec3;
-
-struct Vec3d {
-    double x, y, z;
-};
-Vec3d wide(Vec3 v) {
-    return {v.x, v.y, v.z};
-}
-Vec3d operator-(Vec3d a, Vec3d b) {
-    return {a.x - b.x, a.y - b.y, a.z - b.z};
-}
-double dot(Vec3d a, Vec3d b) {
-    return a.x * b.x + a.y * b.y + a.z * b.z;
-}
-Vec3d cross(Vec3d a, Vec3d b) {
-    return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
-}
-
-/// Nearest distance in (t_min, t_max), or a negative number.
-double hit_distance(const Quad& q, Vec3d o, Vec3d d, double t_min, double t_max) {
-    const Vec3d u = wide(q.edge_u), v = wide(q.edge_v), n = cross(u, v);
-    const double along = dot(n, d);
-    if (along == 0) return -1;
-    const Vec3d to = wide(q.corner) - o;
-    const double t = dot(n, to) / along;
-    if (!(t > t_min && t < t_max)) return -1;
-    const Vec3d p{o.x + d.x * t - q.corner.x, o.y + d.y * t - q.corner.y,
-                  o.z + d.z * t - q.corner.z};
-    const double nn = dot(n, n);
-    const double a = dot(cross(p, v), n) / nn, b = dot(cross(u, p), n) / nn;
-    return a >= 0 && a <= 1 && b >= 0 && b <= 1 ? t : -1;
-}
-
-double hit_distance(const Ball& ball, Vec3d o, Vec3d d, double t_min, double t_max) {
-    const Vec3d oc = o - wide(ball.center);
-    const double b = dot(oc, d), c = dot(oc, oc) - double(ball.radius) * ball.radius;
-    const double disc = b * b - c;
-    if (disc < 0) return -1;
-    const double root = std::sqrt(disc);
-    // A ray that starts on the ball, up to the rounding of its origin, meets it at the chord's
-    // other end alone: else one in 10^5 entered from outside what it was to cross within.
-    const double rounding = 4 * 0x1p-23 * (std::sqrt(dot(o, o)) + double(ball.radius));
-    const bool starts_on_ball = std::abs(c) < 2 * ball.radius * rounding;
-    for (const double t : {-b - root, -b + root}) {
-        if (t > t_min && t < t_max && !(starts_on_ball && std::abs(t) < std::abs(b))) return t;
-    }
-    return -1;
-}
-
-Vec3 front_normal(const Quad& q, Vec3) {
-    return normalize(cross(q.edge_u, q.edge_v));
-}
-Vec3 front_normal(const Ball& b, Vec3 p) {
-    const Vec3 n = normalize(p - b.center);
-    return b.inside_out ? -n : n;
-}
-
-void extend(aips::Bounds& bounds, const Quad& q) {
-    for (const Vec3 p :
-         {q.corner, q.corner + q.edge_u, q.corner + q.edge_v, q.corner + q.edge_u + q.edge_v}) {
-        bounds.extend(p);
-    }
-}
-void extend(aips::Bounds& bounds, const Ball& b) {
-    const Vec3 r{b.radius, b.radius, b.radius};
-    bounds.extend(b.center - r);
-    bounds.extend(b.center + r);
-}
 
 aips::LobeMask lobes_of(Material::Kind kind) {
     switch (kind) {
@@ -105,7 +38,7 @@ void Scene::add_point_light(Vec3 position, aips::Rgb intensity) {
 void Scene::add_distant_light(const DistantCone& cone, aips::Rgb radiance) {
     aips::Bounds bounds;
     for (const Surface& s : surfaces_) {
-        std::visit([&](const auto& shape) { extend(bounds, shape); }, s.shape);
+        extend(bounds, s.shape);
     }
     lights_.push_back(make_distant_light(bounds, cone, radiance));
 }
@@ -140,11 +73,13 @@ void Scene::finish() {
     lights_of_surfaces_.clear();
     light_pointers_.clear();
     names_.clear();
+    targets_.clear();
     light_of_surface_.assign(surfaces_.size(), aips::kNoLight);
     for (std::size_t i = 0; i < surfaces_.size(); ++i) {
         const Surface& s = surfaces_[i];
         names_.push_back("surface " + std::to_string(i));
-        std::visit([&](const auto& shape) { extend(bounds_, shape); }, s.shape);
+        extend(bounds_, s.shape);
+        targets_.add(s.shape);
         if (is_black(s.emitted)) continue;
         light_of_surface_[i] = static_cast<aips::LightIndex>(lights_.size());
         if (const Quad* quad = std::get_if<Quad>(&s.shape)) {
@@ -156,55 +91,41 @@ void Scene::finish() {
     }
     for (const auto& light : lights_)
         light_pointers_.push_back(light.get());
+    smallest_step_ = smallest_step();
 }
 
-/// The smallest step that single-precision positions of this scene can resolve.
 double Scene::smallest_step() const {
     const Vec3 reach = max(abs(bounds_.lower), abs(bounds_.upper));
     const double farthest = std::max({reach.x, reach.y, reach.z});
     return std::max(1e-5 * double(bounds_.diagonal()), 4 * 0x1p-23 * farthest);
 }
 
-bool Scene::nearest(const aips::Ray& ray, double t_max, Hit& hit) const {
+bool Scene::nearest(const aips::Ray& ray, double t_max, RayTargets::Hit& hit) const {
     if (on_ray) on_ray(ray.time);
-    const Vec3d o = wide(ray.origin), d = wide(ray.direction);
-    const double t_min = smallest_step();
-    bool found = false;
-    for (std::size_t i = 0; i < surfaces_.size(); ++i) {
-        const double t =
-            std::visit([&](const auto& shape) { return hit_distance(shape, o, d, t_min, t_max); },
-                       surfaces_[i].shape);
-        if (t > 0) {
-            t_max = t;
-            hit = {t, i};
-            found = true;
-        }
-    }
-    return found;
+    return targets_.nearest(ray, smallest_step_, t_max, hit);
 }
 
 bool Scene::intersect(const aips::Ray& ray, aips::SurfacePoint& point,
                       std::pmr::memory_resource& memory) const {
-    Hit hit;
+    RayTargets::Hit hit;
     if (!nearest(ray, std::numeric_limits<double>::infinity(), hit)) {
         if (!media_) return false;
         point.distance = distance_to_end(ray);
         point.transmittance = fog_.transmittance(point.distance);
         return false;
     }
-    const Surface& surface = surfaces_[hit.surface];
+    const Surface& surface = surfaces_[hit.shape];
     point.distance = static_cast<float>(hit.t);
     if (media_) point.transmittance = fog_.transmittance(point.distance);
     point.position = ray.origin + ray.direction * point.distance;
-    point.geometric_normal = std::visit(
-        [&](const auto& shape) { return front_normal(shape, point.position); }, surface.shape);
+    point.geometric_normal = front_normal(surface.shape, point.position);
     point.shading_normal = surface.normal_tilt == Vec3{}
                                ? point.geometric_normal
                                : normalize(point.geometric_normal + surface.normal_tilt);
     const bool front = dot(ray.direction, point.geometric_normal) < 0;
-    point.light = front ? light_of_surface_[hit.surface] : aips::kNoLight;
+    point.light = front ? light_of_surface_[hit.shape] : aips::kNoLight;
     point.emitted = front ? surface.emitted : aips::Rgb{};
-    point.material = static_cast<std::uint32_t>(hit.surface);
+    point.material = static_cast<std::uint32_t>(hit.shape);
     point.bsdf = make_bsdf(surface.material, point.geometric_normal, point.shading_normal, memory);
     return true;
 }
@@ -221,17 +142,17 @@ aips::Rgb Scene::visibility(const aips::SurfacePoint& point, const aips::DirectS
 aips::Rgb Scene::visibility_from(Vec3 position, const aips::DirectSample& light, float time) const {
     const aips::Ray ray{position, light.wi, time, nullptr};
     double from = 0;
-    const double end = double(light.distance) - smallest_step();
+    const double end = double(light.distance) - smallest_step_;
     for (int passed = 0; passed < 64; ++passed) {
         aips::Ray rest = ray;
         rest.origin = ray.origin + ray.direction * static_cast<float>(from);
-        Hit hit;
+        RayTargets::Hit hit;
         if (!nearest(rest, end - from, hit)) {
             if (!media_) return aips::kWhite;
             return fog_.transmittance(std::isfinite(light.distance) ? light.distance
                                                                     : distance_to_end(ray));
         }
-        if (surfaces_[hit.surface].material.kind != Material::Kind::Null) return {};
+        if (surfaces_[hit.shape].material.kind != Material::Kind::Null) return {};
         from += hit.t;
     }
     return {};

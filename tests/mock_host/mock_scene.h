@@ -4,30 +4,18 @@
 #include <functional>
 #include <memory>
 #include <string>
-#include <variant>
 #include <vector>
 
 #include "aips/adapter/scene.h"
 #include "mock_bsdf.h"
 #include "mock_media.h"
+#include "mock_shapes.h"
 
 namespace mock {
 
-/// Parallelogram corner + s * edge_u + t * edge_v; its front is cross(edge_u, edge_v).
-struct Quad {
-    aips::Vec3 corner, edge_u, edge_v;
-};
-
-/// Sphere with its front outside; `inside_out` turns it.
-struct Ball {
-    aips::Vec3 center;
-    float radius = 1;
-    bool inside_out = false;
-};
-
 /// A shape, what it is made of, and what it emits from its front.
 struct Surface {
-    std::variant<Quad, Ball> shape;
+    Shape shape;
     Material material;
     aips::Rgb emitted{0, 0, 0};
     aips::Vec3 normal_tilt{0, 0, 0};  ///< added to the shading normal (breaks it on purpose)
@@ -78,15 +66,14 @@ class Scene final : public aips::Scene {
     std::function<void(float)> on_ray;
 
   private:
-    struct Hit {
-        double t = 0;
-        std::size_t surface = 0;
-    };
-    bool nearest(const aips::Ray& ray, double t_max, Hit& hit) const;
+    bool nearest(const aips::Ray& ray, double t_max, RayTargets::Hit& hit) const;
     float distance_to_end(const aips::Ray& ray) const;
+    /// The smallest step that single-precision positions of this scene can resolve.
     double smallest_step() const;
 
     std::vector<Surface> surfaces_;
+    RayTargets targets_;
+    double smallest_step_ = 0;
     std::vector<aips::LightIndex> light_of_surface_;
     std::vector<std::unique_ptr<aips::Light>> lights_;
     std::vector<const aips::Light*> light_pointers_, lights_of_surfaces_;

@@ -21,6 +21,7 @@ namespace {
 
 constexpr std::uint32_t kSize = 12;
 constexpr std::uint64_t kScenes = 20;
+constexpr unsigned kSeeds = 16;
 constexpr double kRadiusBias = 0.02;
 
 struct Renders {
@@ -85,12 +86,12 @@ void by_both(Settings& s) {
 }
 
 TEST(ContinuedPaths, SameExpectationAsPhotonsAlone) {
-    const auto photons = renders(by_photons, 10000, 26, 6);
+    const auto photons = renders(by_photons, 10000, kSeeds, 6);
     EXPECT_EQ(photons.continued, 0u);
     const auto a = relative(photons.means, photons.means);
     const auto expect_same = [&](const std::function<void(Settings&)>& choose,
                                  std::uint64_t first_seed, double least_continued) {
-        const auto shared = renders(choose, first_seed, 26, 24);
+        const auto shared = renders(choose, first_seed, kSeeds, 24);
         EXPECT_GT(double(shared.continued), least_continued * double(shared.eye_paths));
         const auto b = relative(shared.means, photons.means);
         const auto same = statistics::compare(a, b, 0.01, kRadiusBias);

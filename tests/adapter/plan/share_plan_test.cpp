@@ -135,6 +135,40 @@ TEST(SharePlan, AFirstRayIsSentForTheSakeOfDirectLight) {
     EXPECT_GT(plan_shares(facts_of(leaves, shares, 20), kFixed).error, 0);
 }
 
+/// One sample close to a lamp told a gain of 35 times all noise in furnace, and photons were cut to
+/// a fifteenth: what sharing has gained is no noise that passes have.
+TEST(SharePlan, WhatDirectLightHasGainedIsNotThereAnyMore) {
+    std::vector<ShareMoments> leaves{leaf(kPaths, 30), leaf(kPaths, 30)};
+    const std::vector<EyeShare> shares(2, EyeShare{.first_ray = true});
+    const auto plan_with = [&](double gain) {
+        leaves[0].direct_saved = leaves[0].continued * gain;
+        leaves[1].direct_saved = leaves[1].continued * 30;
+        return plan_shares(facts_of(leaves, shares, 0.5), kFree);
+    };
+    const SharePlan usual = plan_with(30), spoiled = plan_with(1e6);
+    EXPECT_EQ(spoiled.shares, usual.shares);
+    EXPECT_EQ(spoiled.shares, shares);
+    EXPECT_EQ(spoiled.photon_paths, usual.photon_paths);
+    EXPECT_NEAR(spoiled.error, usual.error, 1e-6);
+}
+
+/// Wide radii lose light, which no number of passes makes good.
+TEST(SharePlan, LightThatPhotonsLoseIsAnError) {
+    std::vector<ShareMoments> leaves{leaf(kPaths, 1)};
+    const std::vector<EyeShare> shares(1);
+    const auto share_after = [&](double passes, double photons) {
+        leaves[0].x = leaves[0].xy = 1000 * photons;
+        ShareFacts facts = facts_of(leaves, shares, 0.01);
+        facts.passes_until = passes;
+        return double(plan_shares(facts, kFixed).shares[0].share);
+    };
+    EXPECT_NEAR(share_after(0, 0.8), best_share(1, 1.2), 1e-6);
+    EXPECT_NEAR(share_after(64, 0.8), best_share(1 + 64 * 0.04 * 0.8, 1.2), 1e-6);
+    EXPECT_NEAR(share_after(256, 0.8), best_share(1 + 256 * 0.04 * 0.8, 1.2), 1e-6);
+    EXPECT_NEAR(share_after(256, 0.98), best_share(1, 1.02), 1e-6) << "that may be chance";
+    EXPECT_NEAR(share_after(256, 1.2), best_share(1, 0.8), 1e-6) << "paths miss light, or seem to";
+}
+
 /// Where a path has no second ray, as under an open sky, a first one is all of it.
 TEST(SharePlan, PathsOfOneRayGoOnForTheSakeOfDirectLight) {
     std::vector<ShareMoments> leaves{leaf(kPaths / 1e5, 1, 0, 1)};

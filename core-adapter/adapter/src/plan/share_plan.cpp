@@ -12,11 +12,13 @@ namespace {
 
 /// A leaf's contribution to E and C.
 struct LeafTerms {
-    double photons = 0;     // V: relative variance times photon paths, times all its weight
-    double eye = 0;         // W
-    double cost = 0;        // of its continued paths in a pass
-    double first_cost = 0;  // if their first rays alone are sent
-    double direct = 0;      // variance of direct light that goes with these
+    double photons = 0;  // V: relative variance times photon paths, times all its weight
+    double lost = 0;     // squared, of light that photons lose, in as many passes as there will be
+    double eye = 0;      // W
+    double cost = 0;     // of its continued paths in a pass
+    double first_cost = 0;       // if their first rays alone are sent
+    double direct = 0;           // variance of direct light that goes with these
+    bool shares_direct = false;  // it is gone already
     std::size_t leaf = 0;
 };
 
@@ -57,14 +59,14 @@ class Search {
         }
         if (!facts.independent && squares > 0)
             clusters_ = std::clamp(spread / squares, 1.0, kMostClusteredPhotons);
+        lost_ = lost_light();
         for (std::size_t i = 0; i < facts.leaves.size(); ++i) {
             if (population > 0) add_leaf(i, facts.leaves[i].population / population);
         }
-        const double eye = std::max({facts.variance - present_, facts.own_variance,
-                                     kLeastEyeNoise * facts.variance}) +
-                           saved_;
-        eye_ = kStratifiedEye * eye;
+        const double eye = std::max(
+            {facts.variance - present_, facts.own_variance, kLeastEyeNoise * facts.variance});
         bound_savings(kMostSaved * eye);
+        eye_ = kStratifiedEye * (eye + saved_);
     }
 
     SharePlan best(const PhotonLimits& limits) {
@@ -87,6 +89,22 @@ class Search {
     }
 
   private:
+    /// Share of the light that photons bring too little of, as radii reach over edges and into
+    /// shadows, or as chains have not found it: what continued paths bring more, beyond chance.
+    double lost_light() const {
+        double photons = 0, eye = 0, variance = 0;
+        for (const ShareMoments& m : facts_.leaves) {
+            if (!(m.continued > 0)) continue;
+            const double difference = mean(m.x - m.y, m.continued);
+            const double square = mean(m.xx + m.yy - 2 * m.xy, m.continued);
+            photons += m.population * mean(m.x, m.continued);
+            eye += m.population * mean(m.y, m.continued);
+            variance += sq(m.population) * std::max(0.0, square - sq(difference)) / m.continued;
+        }
+        const double lost = eye - photons;
+        return lost > kCertainlyMissing * std::sqrt(variance) ? lost / eye : 0;
+    }
+
     /// Variance of a single photon path's worth of light that both carry. What is seldom found at
     /// all is found together by a whole pass.
     double photon_variance(const ShareMoments& m) const {
@@ -111,14 +129,15 @@ class Search {
         }
     }
 
-    /// Estimates of what direct light would gain may exceed what is there.
+    /// Estimates of what direct light would gain may exceed what is there. What it has gained
+    /// already is bounded by nothing: without it there would be as much more.
     void bound_savings(double most) {
         double all = 0;
         for (const LeafTerms& t : terms_)
-            all += t.direct;
+            all += t.shares_direct ? 0 : t.direct;
         const double factor = all > most ? std::max(0.0, most) / all : 1;
         for (LeafTerms& t : terms_)
-            t.direct *= kStratifiedEye * factor;
+            t.direct *= kStratifiedEye * (t.shares_direct ? 1 : factor);
     }
 
     void add_leaf(std::size_t i, double population) {
@@ -138,10 +157,13 @@ class Search {
         own_ += weight * own * facts_.squared_error;
         const double ray_cost = points * facts_.ray_cost;
         terms_.push_back({.photons = weight * photons * facts_.squared_error,
+                          .lost = weight * facts_.passes_until * sq(lost_) *
+                                  std::max(0.0, mean(m.xy, m.continued)),
                           .eye = weight * kStratifiedPaths * eye,
                           .cost = ray_cost * mean(m.rays, m.continued),
                           .first_cost = ray_cost * kFirstRays,
                           .direct = direct,
+                          .shares_direct = now.any(),
                           .leaf = i});
     }
 
@@ -174,9 +196,10 @@ class Search {
         plan.shares.assign(facts_.leaves.size(), {});
         plan.error = eye_ + own_ / paths;
         plan.cost = facts_.eye_cost + facts_.photon_path_cost * paths;
+        const auto of_photons = [&](const LeafTerms& t) { return t.photons / paths + t.lost; };
         for (const LeafTerms& t : terms_) {
-            plan.error += t.photons / paths;
-            add_gains(t, t.photons / paths, gains);
+            plan.error += of_photons(t);
+            add_gains(t, of_photons(t), gains);
         }
         // Of a leaf the first ray comes first: it saves more for its cost.
         std::ranges::stable_sort(gains, [](const Gain& a, const Gain& b) {
@@ -188,7 +211,7 @@ class Search {
             plan.cost += g.cost;
             plan.shares[g.terms->leaf] =
                 g.first_ray ? EyeShare{.first_ray = true}
-                            : EyeShare{.share = share(g.terms->photons / paths, g.terms->eye)};
+                            : EyeShare{.share = share(of_photons(*g.terms), g.terms->eye)};
         }
         return plan;
     }
@@ -204,6 +227,7 @@ class Search {
     const ShareFacts& facts_;
     std::vector<LeafTerms> terms_;
     double clusters_ = 1;  // photons that come together as one
+    double lost_ = 0;      // share of the light that photons lose
     double own_ = 0;       // K
     double eye_ = 0;       // A
     double present_ = 0;   // variance of photons and continued paths as they were

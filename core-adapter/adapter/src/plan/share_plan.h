@@ -2,10 +2,11 @@
 // one decision, from counted costs and measured moments.
 //
 // With N photon paths a pass leaves, as a mean over pixels of relative variances,
-//     E = A + K / N + sum over leaves of e,   e = V / N, or 1 / (N / V + 1 / W)
+//     E = A + K / N + sum over leaves of e,   e = P, or 1 / (1 / P + 1 / W),   P = V / N + M B^2
 // where A is what eye paths leave up to their visible points, K the light that photons alone carry,
-// V and W what photons and continued eye paths leave of the rest. A is less by what direct light
-// gains where first rays share it with shadow rays. It costs
+// V and W what photons and continued eye paths leave of the rest, B what photons lose of it by
+// their radii, which is there in full after M passes. A is less by what direct light gains where
+// first rays share it with shadow rays. It costs
 //     C = eye + photons N + what the first rays or continued paths of the leaves cost.
 // The leaves whose eye paths send a first ray or go on, and N, are chosen so that E C is least: of
 // an image that is a mean over passes that is the error at a given time. If one of k passes shoots
@@ -28,6 +29,8 @@ struct ShareFacts {
     std::span<const ShareMoments> leaves;  ///< ShareTable::moments()
     std::span<const EyeShare> shares;      ///< [leaf]: in those passes
     double passes = 1;                     ///< so many
+    double passes_until = 0;               ///< of the render, when the next decision comes; 0:
+                                           ///< what photons lose does not count yet
     double points = 0;                     ///< visible points in one of them
     double point_weight = 0;  ///< of one visible point's variance in the mean over pixels
     double variance = 0;      ///< mean over pixels of the relative variance in a pass, all in all

@@ -168,6 +168,8 @@ SharePlan SharedLight::decide(const SharedPass& pass, const PixelImportance& imp
     const double seen = std::min(pixels, double(eye_paths_));
     ShareFacts facts{moments, shares_.table.shares()};
     facts.passes = sums_.passes;
+    // Early ones count little in the end, and chains may just not have found what there is.
+    if (pass.number + 1 >= kLossJudgedFrom) facts.passes_until = 2.0 * double(pass.number + 1);
     facts.points = sums_.points / sums_.passes;
     facts.point_weight = 1 / (seen * per_pixel * per_pixel);
     facts.variance = sums_.variance / sums_.noisy_passes;

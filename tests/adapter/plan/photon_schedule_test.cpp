@@ -4,10 +4,13 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
 #include "guides/adaptive/learning_weight.h"
+#include "plan/constants.h"
+#include "state/memory_archive.h"
 
 namespace aips::photon_schedule_test {
 namespace {
@@ -169,6 +172,32 @@ TEST(PhotonSchedule, ChainsTakeAFixedShareOfTime) {
 TEST(PhotonSchedule, PassesOfChainsAreNeverShort) {
     for (const PassPhotons& pass : passes({}, false, {1, 1, 1e3}, 70, true))
         EXPECT_EQ(pass.paths, 65536u);
+}
+
+// Of a render that was taught by another: whatever noise passes have, the first count for less, by
+// their number alone.
+TEST(PhotonSchedule, FirstPassesCountForLessWhereTheyWereTaught) {
+    mock::Saving saving;
+    {
+        PhotonSchedule teacher({}, kEyePaths, true, true);
+        for (int pass = 0; pass < 20; ++pass)
+            teacher.end_pass({1e5, double(teacher.next().paths)}, {1, 1e6});
+        LearnedParts parts(saving);
+        teacher.learned(parts);
+        parts.end();
+    }
+    for (const double noise : {1.0, 1e9}) {
+        mock::Restoring restoring(saving.saved());
+        LearnedParts parts(restoring);
+        PhotonSchedule taught({}, kEyePaths, true, true);
+        taught.learned(parts);
+        for (int pass = 0; pass < 20; ++pass) {
+            const double known = std::min(1.0, (pass + 1) / kTaughtPasses);
+            EXPECT_DOUBLE_EQ(taught.next().weight, known * known) << pass;
+            EXPECT_EQ(taught.next().counted, taught.next().paths);
+            taught.end_pass({1e5, double(taught.next().paths)}, {1, noise});
+        }
+    }
 }
 
 }  // namespace

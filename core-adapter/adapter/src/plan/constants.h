@@ -111,11 +111,16 @@ inline constexpr double kChosenWeightOfAGuide = 2;
 inline constexpr double kChosenWeightInSmallImages = 1;
 
 /// Most of the photon paths of a guide's learning that count as shot where it begins with what
-/// another render learned. Unit: share of kLearningPaths.
-/// Balances: the first passes of a guide that is still right against fireflies of one that is not.
-/// Chosen by: reasoning: none on record.
+/// another render learned. Unit: share of kLearningPaths. Balances: the first passes of a guide
+/// that is still right against fireflies of one that is not. Chosen by: reasoning: none on record.
 /// Supported by: no measurement.
 inline constexpr double kRememberedLearning = 1.0;
+
+/// Passes of a render that was taught before its photons count in full. Unit: passes. Balances:
+/// photons by what was true of another scene, and radii that know nothing yet, against photons that
+/// count for less. Chosen by: docs/notebook/2026-11-27-frames-of-glass-ball.md. Supported by: one
+/// scene only: glass-ball (1 in its place).
+inline constexpr double kTaughtPasses = 8;
 
 /// Least cost of photons over the eye's. Eye paths are stratified from pass to pass, so that their
 /// noise falls faster than what two passes differ by tells: at least 60 % of the time goes to
@@ -258,10 +263,9 @@ inline constexpr std::uint64_t kTurnsFrom = 8;
 /// Supported by: summerhouse, car, daylight (none in its place).
 inline constexpr std::uint64_t kChainsJudgedFrom = 16;
 
-/// Steps of a root of two by which fewer photon paths a pass are tried. Unit: steps.
-/// Balances: photons that nobody needs against jumps by chance.
-/// Chosen by: reasoning: the bound of a planned fall.
-/// Supported by: no measurement.
+/// Steps of a root of two by which fewer photon paths a pass are tried. Unit: steps. Balances:
+/// photons that nobody needs against jumps by chance. Chosen by: reasoning: the bound of a planned
+/// fall. Supported by: no measurement.
 inline constexpr int kStepsOfFewerPhotons = 10;
 
 /// The same for more. Unit: steps.

@@ -28,6 +28,13 @@ double chosen_weight(std::uint32_t first_paths, bool learns) {
     return first_paths > kLearningPass ? kChosenWeightOfAGuide : kChosenWeightInSmallImages;
 }
 
+/// What a pass counts for, in (0, 1], of a render that was taught: what was learned may be wrong
+/// where things have moved, and the first radii are as blind as those of any render.
+double taught_weight(std::uint64_t pass) {
+    const double known = double(pass + 1) / kTaughtPasses;
+    return std::min(known * known, 1.0);
+}
+
 }  // namespace
 
 bool follows_noise(const Settings& settings) {
@@ -63,6 +70,7 @@ void PhotonSchedule::plan() {
     }
     next_.weight = next_.counted;
     if (adapts_) next_.weight = next_.counted / paths_ * (decided_ ? chosen_weight_ : 1);
+    if (taught_) next_.weight *= taught_weight(pass_);
 }
 
 void PhotonSchedule::end_pass(const PassWork& work, const PassNoise& noise) {
@@ -123,6 +131,7 @@ void PhotonSchedule::state(StateArchive& archive) {
     archive.value(decide_at_);
     archive.value(decided_);
     archive.value(planned_);
+    archive.value(taught_);
     archive.value(next_.before);
     archive.value(next_.chosen_at);
     archive.value(next_.known);
@@ -150,6 +159,7 @@ void PhotonSchedule::learned(LearnedParts& parts) {
         StateArchive::check(!adapts_ || (paths >= kFewestPerPass && paths <= kMostPerPass),
                             "a number of photons that no pass has");
         if (!archive.restoring()) return;
+        taught_ = adapts_ || learns_;
         next_.known = std::min(known, std::uint64_t(kRememberedLearning * kLearningPaths));
         if (adapts_ && chosen) {
             paths_ = paths;

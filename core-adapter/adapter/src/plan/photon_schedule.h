@@ -89,6 +89,7 @@ class PhotonSchedule {
     std::uint64_t decide_at_;  // pass before which the number is chosen next
     bool decided_ = false;
     bool planned_ = false;  // elsewhere
+    bool taught_ = false;   // by another render
     PassPhotons next_;      // `known` of it is that of all passes
     // Since the last choice; at first, of the second half of all passes.
     PassWork work_;

@@ -212,13 +212,6 @@ def half_transparent(share):
     return _mixed(share, 'ShaderNodeBsdfTransparent')
 
 
-def half_mirror(share):
-    """A mix of diffuse and, by the share, a mirror."""
-    made = _mixed(share, 'ShaderNodeBsdfGlossy')
-    made.node_tree.nodes['Glossy BSDF'].inputs['Roughness'].default_value = 0
-    return made
-
-
 def _mixed(share, second):
     made = material('mix', 'ShaderNodeMixShader', Fac=share)
     tree = made.node_tree

@@ -61,7 +61,7 @@ TEST(Objects, HaveTheNameOfTheOutermost) {
     const SceneContents contents = read_world(
         "ObjectBegin \"leaf\" Shape \"sphere\" ObjectEnd\n"
         "ObjectBegin \"branch\" ObjectInstance \"leaf\" ObjectEnd\n"
-        "ObjectBegin \"tree\" Shape \"disk\" ObjectInstance \"branch\" ObjectEnd\n"
+        "ObjectBegin \"tree\" Shape \"sphere\" ObjectInstance \"branch\" ObjectEnd\n"
         "ObjectInstance \"tree\" ObjectInstance \"leaf\" ObjectInstance \"branch\"");
     std::vector<std::string> names;
     for (const Instance& instance : contents.instances) {

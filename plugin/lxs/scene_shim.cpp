@@ -117,6 +117,7 @@ class LightShim final : public Light {
     std::uint32_t group() const override { return light_.group(); }
     float power() const override { return light_.power(); }
     bool at_infinity() const override { return light_.at_infinity(); }
+    bool hidden_from_camera() const override { return light_.hidden_from_camera(); }
     bool emit(const PrimaryPoint& u, Emission& emission) const override {
         lxs::EmissionSample s;
         if (!light_.sample_emission(u, s)) return false;

@@ -73,6 +73,21 @@ class Meshes(unittest.TestCase):
         self.assertNotIn('plymesh', exported('empty')[0])
 
 
+class Lights(unittest.TestCase):
+    def test_lights_hidden_from_the_camera(self):
+        scene = scenes.stage()
+        scenes.background(scene, (1, 1, 1), 1)
+        scenes.light('SUN', 2, angle=0.1)
+        scenes.light('AREA', 10).data.cycles.cast_shadow = False
+        scenes.light('POINT', 10, shadow_soft_size=0.1).visible_camera = True
+        scene.world.cycles_visibility.camera = False
+        text, left_out = exported('hidden')
+        self.assertEqual(left_out, ['lights without shadows cast them: AREA'])
+        shines = [line for line in text.splitlines() if line.startswith(('Area', 'LightSource'))]
+        self.assertEqual(['"bool hidden" ["true"]' in line for line in shines],
+                         [True, True, True, False])
+
+
 class LeftOut(unittest.TestCase):
     def test_each_kind_is_told_once_by_name(self):
         scenes.stage()
@@ -84,7 +99,18 @@ class LeftOut(unittest.TestCase):
         made.node_tree.links.new(noise.outputs['Color'],
                                  made.node_tree.nodes['Diffuse BSDF'].inputs['Color'])
         scenes.box('noisy', 1, made, (2, 0, 0))
+        bpy.data.objects['box'].visible_camera = False
+        bpy.data.objects['wall'].is_holdout = True
+        lamps[0].visible_glossy = False
+        ball = scenes.ball('furry', 0.3, scenes.grey(), (0, 0, 0))
+        ball.modifiers.new('hair', 'PARTICLE_SYSTEM').particle_system.settings.type = 'HAIR'
+        scenes.add('curls', bpy.data.hair_curves.new('curls'))
         _, lines = exported('left out')
+        for line in ('hair is left out: furry, curls',
+                     'what is hidden from some rays is seen by all: box',
+                     'holdouts and shadow catchers are shown as objects: wall',
+                     'lights hidden from some rays shine on all: AREA'):
+            self.assertIn(line, lines)
         self.assertIn('spreads of area lights are left out: AREA, AREA.001', lines)
         self.assertTrue(any(line.startswith('nodes Noise Texture are replaced by grey')
                             for line in lines))
@@ -102,6 +128,43 @@ class LeftOut(unittest.TestCase):
         scenes.clear()
         with self.assertRaisesRegex(ExportError, 'no camera'):
             exported('no camera')
+
+
+class Volumes(unittest.TestCase):
+    def test_what_lies_in_a_volume_has_it_around(self):
+        scene = scenes.stage()
+        scenes.world_volume(scene, 'ShaderNodeVolumeScatter', Density=0.25, Anisotropy=0.5,
+                            Color=(0.4, 0.8, 1, 1))
+        fog = scenes.volume('fog', 'ShaderNodeVolumePrincipled', Density=2,
+                            Color=(0.5, 0.5, 0.5, 1), Absorption_Color=(0.25, 0.25, 1, 1))
+        scenes.box('fog', 3, fog, (2.5, 0, 1.5))
+        glass = scenes.material('glass', 'ShaderNodeBsdfGlass', Roughness=0)
+        scenes.add_volume(glass, 'ShaderNodeVolumeAbsorption', Density=2, Color=(1, 0.5, 0, 1))
+        scenes.ball('inner', 0.5, glass, (2.5, 0, 1))
+        scenes.light('POINT', 100, (2.5, 0, 2), shadow_soft_size=0)
+        text, left_out = exported('volumes')
+        self.assertEqual(left_out, [])
+        self.assertIn('VolumeIntegrator "multi"', text)
+        found = {name: tuple(float(x) for x in numbers.split()) for name, numbers in re.findall(
+            r'MakeNamedVolume "(.*?)" .*?"color sigma_a" \[(.*?)\]', text)}
+        self.assertEqual(len(found), 3)
+        shapes = re.findall(r'Interior "(.*?)"\nExterior "(.*?)"\n(?:Shape|Light).*?"'
+                            r'(?:string name|point from)" \[(.*?)\]', text)
+        sides = {name.strip('"'): (found[i], found[e]) for i, e, name in shapes}
+        self.assertEqual(sides['wall'], ((0, 0, 0), (0, 0, 0)))
+        self.assertEqual(sides['fog'], ((0.5, 0.5, 0), (0, 0, 0)))
+        self.assertEqual(sides['inner'], ((0.5, 1.5, 2), (0.5, 0.5, 0)))
+        self.assertEqual(sides['2.5 0 2'], ((0.5, 0.5, 0), (0.5, 0.5, 0)))
+        self.assertRegex(text, r'"color sigma_s" \[0.1\d* 0.2\d* 0.25\] "color g" \[0.5 0.5 0.5\]')
+        self.assertTrue(text.endswith('Exterior "volume 1"\nWorldEnd\n'))  # around the camera
+
+    def test_what_is_not_carried_over_is_told(self):
+        scenes.stage()
+        fog = scenes.volume('fog', 'ShaderNodeVolumePrincipled', Emission_Strength=1.0)
+        scenes.plane('sheet', 1, fog, (0, 0, 1))
+        _, left_out = exported('told')
+        self.assertEqual(left_out, ['light of volumes is left out: fog',
+                                    'volumes of meshes that are not closed are left out: sheet'])
 
 
 class Materials(unittest.TestCase):

@@ -6,12 +6,15 @@ import unittest
 
 import numpy as np
 
-from aips_blender import command, exr, passes, process, status
+from aips_blender import command, exr, murmur, passes, process, status
 from aips_blender.export import colours, lights, ply
 from aips_blender.export.camera import View, window_of
 from aips_blender.export.film import Film
 from aips_blender.export.left_out import LeftOut
 from aips_blender.export.lxs_text import LxsText, parameter
+from aips_blender.export.media import CLEAR, Medium, both
+from aips_blender.export.shapes import Placed
+from aips_blender.export.spaces import Space, Spaces
 from fixture import FOLDER
 
 
@@ -44,6 +47,7 @@ class Text(unittest.TestCase):
     def test_names_are_given_once(self):
         text = LxsText(FOLDER)
         self.assertEqual([text.free_name('a') for _ in range(3)], ['a', 'a 2', 'a 3'])
+        self.assertEqual(text.free_name('a', 'material'), 'a')
 
     def test_matrices_are_written_by_columns(self):
         text = LxsText(FOLDER)
@@ -87,6 +91,69 @@ class Formulas(unittest.TestCase):
         self.assertEqual(window_of(matrix, False), (-0.5, 1.5, -0.5, 0.5))
         found = View('perspective', (-0.5, 1.5, -0.5, 0.5)).parameters()
         self.assertIn('"float screenwindow" [-1 3 -1 1]', found)
+
+
+    def test_hashes_of_masks(self):
+        # Those of the specification's example, and of the empty text.
+        self.assertEqual([murmur.hash_of(t) for t in ('', 'hello', 'hello, world')],
+                         [0, 0x248bfa47, 0x149bbb7f])
+
+    def test_the_image_so_far_has_names_of_masks_for_blender(self):
+        texts = {'cryptomatte/1234567/name': 'CryptoObject', 'cryptomatte/1234567/hash': 'm',
+                 'cryptomatte/1234567/conversion': 'u', 'cryptomatte/1234567/manifest': '{}',
+                 'other': 'x'}
+        told = passes.mask_texts(texts, 'View')
+        key = f'cryptomatte/{murmur.hash_of("View.CryptoObject"):08x}'[:-1]
+        self.assertEqual(told, {f'{key}/name': 'View.CryptoObject', f'{key}/hash': 'm',
+                                f'{key}/conversion': 'u', f'{key}/manifest': '{}'})
+
+
+TETRAHEDRON = np.array([[0, 0, 0], [2, 0, 0], [0, 2, 0], [0, 0, 2]], float)
+FACES = ((0, 2, 1), (0, 1, 3), (0, 3, 2), (1, 2, 3))
+FOG = Medium((0.1, 0.2, 0.3), (0.4, 0.5, 0.6), 0.5)
+
+
+def moved(x, y, z):
+    return np.array([[1, 0, 0, x], [0, 1, 0, y], [0, 0, 1, z], [0, 0, 0, 1]], float)
+
+
+class InVolumes(unittest.TestCase):
+    def setUp(self):
+        self.left_out = LeftOut()
+        self.spaces = Spaces(CLEAR, self.left_out)
+        self.fog = Placed('fog', None, (moved(5, 0, 0),))
+        corners = TETRAHEDRON[np.array(FACES)]
+        self.spaces.add(Space(self.fog, FOG, corners, moved(5, 0, 0)))
+
+    def small(self, *place):
+        return self.spaces.around(Placed('small', None, (moved(*place),)),
+                                  (np.zeros(3), np.full(3, 0.2)))
+
+    def test_points_within_a_mesh(self):
+        inside = [(5.3, 0.3, 0.3), (5.1, 0.1, 1.7)]
+        outside = [(5.8, 0.8, 0.8), (4.9, 0.3, 0.3), (0.3, 0.3, 0.3)]
+        self.assertEqual([self.spaces.at(p) for p in inside], [FOG, FOG])
+        self.assertEqual([self.spaces.at(p) for p in outside], [CLEAR] * 3)
+
+    def test_things_lie_within_or_outside(self):
+        self.assertEqual(self.small(5.2, 0.2, 0.2), FOG)
+        self.assertEqual(self.small(5, 0, 0), FOG)  # touches the border from within
+        self.assertEqual(self.small(8, 0, 0), CLEAR)
+        self.assertEqual(self.left_out.lines(), [])
+        self.assertEqual(self.small(4.9, 0.2, 0.2), CLEAR)
+        self.assertEqual(self.left_out.lines(),
+                         ['what lies partly in a volume is taken to lie outside: small'])
+
+    def test_a_volume_does_not_surround_itself(self):
+        box = TETRAHEDRON.min(axis=0), TETRAHEDRON.max(axis=0)
+        self.assertEqual(self.spaces.around(self.fog, box), CLEAR)
+
+    def test_coefficients_add_up(self):
+        self.assertEqual(both(FOG, CLEAR), FOG)
+        twice = both(FOG, Medium((0.1, 0, 0), (0.4, 0.5, 0.6), -0.1))
+        np.testing.assert_allclose(twice.absorbs, (0.2, 0.2, 0.3))
+        np.testing.assert_allclose(twice.scatters, (0.8, 1, 1.2))
+        self.assertAlmostEqual(twice.cosine, 0.2)
 
 
 class Status(unittest.TestCase):

@@ -8,7 +8,7 @@ import numpy as np
 
 import fixture
 import small_scenes as scenes
-from aips_blender import engine, exr
+from aips_blender import engine, exr, murmur
 from fixture import FOLDER
 
 
@@ -32,6 +32,26 @@ def small_scene(passes=4):
     return scene
 
 
+def matte(image, layer, name):
+    """Share of each pixel that a mask's passes give to a name."""
+    names = [f'{layer}{i:02}' for i in range(3)]
+    ids, covers = ([image.channels[f'{n}.{c}'] for n in names for c in pair]
+                   for pair in ('rb', 'ga'))
+    found = [np.ascontiguousarray(i).view(np.uint32) == murmur.hash_of(name) for i in ids]
+    return sum(f * c for f, c in zip(found, covers))
+
+
+def add_matte_node(scene, name):
+    """Lets the compositor show the matte of an object in place of the image."""
+    scene.use_nodes = True
+    nodes = scene.node_tree.nodes
+    nodes.clear()
+    nodes.new('CompositorNodeRLayers')  # without it nothing is rendered
+    node, out = nodes.new('CompositorNodeCryptomatteV2'), nodes.new('CompositorNodeComposite')
+    node.source, node.scene, node.matte_id = 'RENDER', scene, name
+    scene.node_tree.links.new(node.outputs['Matte'], out.inputs['Image'])
+
+
 class Renders(unittest.TestCase):
     def test_passes_are_layers(self):
         scene = small_scene(5)
@@ -53,6 +73,30 @@ class Renders(unittest.TestCase):
         depth = image.channels[f'{layer}.Depth.Z']
         self.assertLess(depth[-1].max(), depth[0].min())
         self.assertIn('photons brought', bpy.data.texts['aips explains'].as_string())
+
+    def test_masks_are_cryptomatte(self):
+        scene = small_scene(4)
+        scenes.add('second box', bpy.data.objects['box'].data, (1.2, 0.3, 0.5))
+        layer = bpy.context.view_layer
+        layer.use_pass_cryptomatte_object = layer.use_pass_cryptomatte_material = True
+        add_matte_node(scene, 'second box')
+        image = exr.read(render('masks.exr'))
+        floor, wall, left, right = (matte(image, f'{layer.name}.CryptoObject', name)
+                                    for name in ('floor', 'wall', 'box', 'second box'))
+        np.testing.assert_allclose(floor[-1], 1, atol=1e-3)
+        # At the wall's edge, to the left, nothing is seen.
+        np.testing.assert_allclose((floor + wall + left + right)[:, 2:], 1, atol=1e-3)
+        self.assertGreater(left[:, :24].sum(), 20)
+        self.assertGreater(right[:, 24:].sum(), 20)
+        self.assertEqual(float(left[:, 30:].sum() + right[:, :18].sum()), 0)
+        red = matte(image, f'{layer.name}.CryptoMaterial', 'red')
+        np.testing.assert_allclose(red, left + right, atol=1e-3)
+        # Blender's own node finds the object by its name.
+        shown = image.channels['Composite.Combined.R']
+        np.testing.assert_allclose(shown, right, atol=1e-3)
+        names = {text: key for key, text in image.texts.items() if key.endswith('/name')}
+        key = names[f'{layer.name}.CryptoObject'].replace('/name', '/manifest')
+        self.assertIn(f'"second box":"{murmur.hash_of("second box"):08x}"', image.texts[key])
 
     def test_a_border_is_rendered_alone(self):
         scene = small_scene(64)
@@ -91,6 +135,7 @@ class Renders(unittest.TestCase):
             bpy.data.objects[name].location.x = x
             bpy.data.objects[name].keyframe_insert('location', index=0, frame=frame)
         scene.render.use_motion_blur = True
+        bpy.data.objects['box'].modifiers.new('bones', 'ARMATURE')
         scene.frame_set(1)
         path = os.path.join(FOLDER, 'moving.lxs')
         bpy.ops.export_scene.aips_lxs(filepath=path)

@@ -41,6 +41,33 @@ def material(name, node_type, **inputs):
     return made
 
 
+def volume(name, node_type, **inputs):
+    """A material without a surface, filled as one volume shader has it."""
+    made = bpy.data.materials.new(name)
+    made.use_nodes = True
+    nodes = made.node_tree.nodes
+    nodes.clear()
+    nodes.new('ShaderNodeOutputMaterial')
+    return add_volume(made, node_type, **inputs)
+
+
+def add_volume(made, node_type, **inputs):
+    _link_volume(made.node_tree, made.node_tree.nodes['Material Output'], node_type, inputs)
+    return made
+
+
+def world_volume(scene, node_type, **inputs):
+    tree = scene.world.node_tree
+    _link_volume(tree, tree.nodes['World Output'], node_type, inputs)
+
+
+def _link_volume(tree, output, node_type, inputs):
+    shader = tree.nodes.new(node_type)
+    tree.links.new(shader.outputs[0], output.inputs['Volume'])
+    for key, value in inputs.items():
+        shader.inputs[key.replace('_', ' ')].default_value = value
+
+
 def grey(value=0.6):
     return material('grey', 'ShaderNodeBsdfDiffuse', Color=(value, value, value, 1))
 
@@ -182,11 +209,15 @@ def _mapping(tree, texture, coordinates):
 
 def half_transparent(share):
     """A mix of diffuse and, by the share, transparent."""
+    return _mixed(share, 'ShaderNodeBsdfTransparent')
+
+
+def _mixed(share, second):
     made = material('mix', 'ShaderNodeMixShader', Fac=share)
     tree = made.node_tree
     mix = tree.nodes['Mix Shader']
     diffuse = tree.nodes.new('ShaderNodeBsdfDiffuse')
     diffuse.inputs['Color'].default_value = (0.2, 0.5, 0.2, 1)
     tree.links.new(diffuse.outputs[0], mix.inputs[1])
-    tree.links.new(tree.nodes.new('ShaderNodeBsdfTransparent').outputs[0], mix.inputs[2])
+    tree.links.new(tree.nodes.new(second).outputs[0], mix.inputs[2])
     return made

@@ -48,7 +48,7 @@ class AipsRenderEngine(bpy.types.RenderEngine):
             self.report({'ERROR'}, f'aips: {error}')
 
     def _export(self, depsgraph, path):
-        film = settings.film_of(depsgraph.scene, settings.light_groups(depsgraph.view_layer))
+        film = settings.film_of(depsgraph.scene, depsgraph.view_layer)
         exported = export(path, depsgraph, film, self.frame_set)
         tell_left_out(self, exported.left_out)
         self.report({'INFO'}, f'aips: {path} is written')
@@ -64,8 +64,7 @@ class AipsRenderEngine(bpy.types.RenderEngine):
 
 
 def _passes(scene, view_layer):
-    found = passes.chosen(scene.aips.layers, settings.light_groups(view_layer))
-    return found + ([passes.NOISY] if scene.aips.denoise else [])
+    return settings.passes_of(scene, view_layer) + ([passes.NOISY] if scene.aips.denoise else [])
 
 
 def tell_left_out(engine, lines):
@@ -89,7 +88,7 @@ class Render:
     def run(self):
         scene, view_layer = self._depsgraph.scene, self._depsgraph.view_layer
         self._engine.update_stats('', 'aips: exporting the scene')
-        self._film = settings.film_of(scene, settings.light_groups(view_layer))
+        self._film = settings.film_of(scene, view_layer)
         exported = export(os.path.join(self._folder, 'scene.lxs'), self._depsgraph, self._film,
                           self._engine.frame_set)
         tell_left_out(self._engine, exported.left_out)
@@ -98,6 +97,12 @@ class Render:
             self._follow(process.Process(self._arguments(exported.path), self._folder))
         finally:
             self._engine.end_result(self._result)
+        # The whole result holds them, of which the one that has just ended became a part.
+        told = passes.mask_texts(self._header, view_layer.name)
+        if told:
+            whole = self._engine.get_result()
+            for key, text in told.items():
+                whole.stamp_data_add_field(key, text)
 
     def _arguments(self, path):
         every = command.write_every(self._film.width * self._film.height, self._options.denoise,

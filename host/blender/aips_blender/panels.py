@@ -76,6 +76,17 @@ class AIPS_PT_passes(_Panel):
         layout.column().prop(settings, 'layers', expand=False)
 
 
+class AIPS_PT_masks(_Panel):
+    bl_label = 'Masks (Cryptomatte)'
+    bl_context = 'view_layer'
+
+    def fill(self, layout, _settings, context):
+        view_layer = context.view_layer
+        layout.prop(view_layer, 'use_pass_cryptomatte_object', text='Objects')
+        layout.prop(view_layer, 'use_pass_cryptomatte_material', text='Materials')
+        layout.prop(view_layer, 'pass_cryptomatte_depth', text='Levels')
+
+
 class AIPS_PT_light_groups(_Panel):
     bl_label = 'Light groups'
     bl_context = 'view_layer'
@@ -99,6 +110,19 @@ class AIPS_PT_object_light_group(_Panel):
                            text='Light group')
 
 
+class AIPS_PT_light_visibility(_Panel):
+    bl_label = 'Visibility of the light'
+    bl_context = 'object'
+
+    @classmethod
+    def poll(cls, context):
+        return super().poll(context) and context.object is not None \
+            and context.object.type == 'LIGHT'
+
+    def fill(self, layout, _settings, context):
+        layout.prop(context.object, 'visible_camera', text='Seen by the camera')
+
+
 class AIPS_PT_world_light_group(_Panel):
     bl_label = 'Light group'
     bl_context = 'world'
@@ -113,8 +137,8 @@ class AIPS_PT_world_light_group(_Panel):
 
 
 PANELS = (AIPS_PT_quality, AIPS_PT_denoise, AIPS_PT_motion_blur, AIPS_PT_expert,
-          AIPS_PT_passes, AIPS_PT_light_groups,
-          AIPS_PT_object_light_group, AIPS_PT_world_light_group)
+          AIPS_PT_passes, AIPS_PT_masks, AIPS_PT_light_groups,
+          AIPS_PT_object_light_group, AIPS_PT_light_visibility, AIPS_PT_world_light_group)
 
 
 # Eevee's panels of a surface's, a lamp's, the world's and the camera's own settings; what they show

@@ -3,12 +3,14 @@ import dataclasses
 
 import numpy as np
 
+from . import murmur
+
 
 @dataclasses.dataclass(frozen=True)
 class Pass:
     name: str          # in Blender
     channels: tuple    # in the EXR
-    letters: str       # of Blender's channels
+    letters: str       # of Blender's channels; masks have small ones, as Cycles'
     kind: str          # COLOR, VECTOR or VALUE
     layer: str = ''    # what lxsrender is asked for; '' for what it writes anyway
 
@@ -29,6 +31,9 @@ BY_SETTING = {
     'caustics': _color('Caustics', 'caustics', 'caustics'),
     'error': _color('Error', 'error'),
 }
+MASKS = {'objects': 'CryptoObject', 'materials': 'CryptoMaterial'}  # Cryptomatte, by layer
+LEVELS_A_PASS = 2       # ids with their coverages that one pass of four channels holds
+MOST_LEVELS = 6         # of lxsrender
 
 
 def chosen(settings, light_groups):
@@ -39,7 +44,34 @@ def chosen(settings, light_groups):
 
 def layers(passes):
     """What lxsrender is to be asked for."""
-    return tuple(p.layer for p in passes if p.layer)
+    return tuple(dict.fromkeys(p.layer for p in passes if p.layer))
+
+
+def masks(wanted, levels):
+    """Passes of the masks whose layers are wanted, for so many levels."""
+    count = -(-min(levels, MOST_LEVELS) // LEVELS_A_PASS)
+    found = []
+    for layer, stem in MASKS.items():
+        for i in range(count if layer in wanted else 0):
+            name = f'{stem}{i:02}'
+            found.append(Pass(name, tuple(f'{name}.{c}' for c in 'RGBA'), 'rgba', 'COLOR', layer))
+    return found
+
+
+def mask_texts(texts, view_layer):
+    """What an image's header tells of masks, as Blender has it: keys and texts.
+
+    Blender's masks are named by their view layer too.
+    """
+    told = {}
+    for key, stem in texts.items():
+        if not (key.startswith('cryptomatte/') and key.endswith('/name')):
+            continue
+        own = f'{view_layer}.{stem}'
+        for what in ('hash', 'conversion', 'manifest', 'name'):
+            text = own if what == 'name' else texts[key[:-len('name')] + what]
+            told[f'cryptomatte/{murmur.hash_of(own):08x}'[:-1] + f'/{what}'] = text
+    return told
 
 
 def pixels(image, wanted):

@@ -95,12 +95,21 @@ def crop(render):
     return tuple(max(at - 0.25, 0) / of if at < of else 1.0 for at, of in pixels)
 
 
-def film_of(scene, light_groups):
+def passes_of(scene, view_layer):
+    """Passes beside Combined that lxsrender is asked for or writes anyway."""
+    wanted = [layer for layer, asked in (('objects', view_layer.use_pass_cryptomatte_object),
+                                         ('materials', view_layer.use_pass_cryptomatte_material))
+              if asked]
+    return passes.chosen(scene.aips.layers, light_groups(view_layer)) + \
+        passes.masks(wanted, view_layer.pass_cryptomatte_depth)
+
+
+def film_of(scene, view_layer):
     settings = scene.aips
     width, height = size(scene.render)
     by = settings.until
     return Film(width, height, crop(scene.render),
-                passes.layers(passes.chosen(settings.layers, light_groups)),
+                passes.layers(passes_of(scene, view_layer)),
                 settings.passes if by == 'PASSES' else 0,
                 {'TIME': settings.seconds, 'ERROR': settings.longest}.get(by, 0),
                 settings.target_error if by == 'ERROR' else 0.0,

@@ -114,8 +114,12 @@ float PathTracer::light_weight(const State& state, const Light& light, const Vec
     return power_heuristic(state.left.pdf, pdf * lights_.probability(&light, state.left.lights));
 }
 
+bool PathTracer::sees(const State& state, const Light& light) {
+    return state.bounces > 0 || !light.hidden_from_camera();
+}
+
 void PathTracer::add_emitted(State& state, const SurfaceHit& hit) const {
-    if (hit.light == nullptr || is_black(hit.emitted)) return;
+    if (hit.light == nullptr || is_black(hit.emitted) || !sees(state, *hit.light)) return;
     const float weight = light_weight(state, *hit.light, hit.p, hit.ng, hit.primitive);
     add(state, state.throughput * hit.emitted * weight, *hit.light, state.scatterings.met());
 }
@@ -125,6 +129,7 @@ void PathTracer::add_escaped(State& state) const {
     if (state.bounces == 0 && !settings_.include_environment) return;
     const Vec3& direction = state.ray.direction;
     for (const Light* light : lights_.at_infinity()) {
+        if (!sees(state, *light)) continue;
         const Rgb radiance = light->escaped(direction);
         if (is_black(radiance) || !refusals_.accept_of_light(valid(radiance), *light)) continue;
         const float weight = light_weight(state, *light, Vec3(0.0f), Vec3(0.0f), 0);

@@ -70,6 +70,8 @@ class PathTracer {
     void add(State& state, const Rgb& contribution, const Light& light, aips::ImagePart part) const;
     bool meet(State& state, SurfaceHit& hit, std::pmr::memory_resource& memory) const;
     bool accept_sample(const DirectSample& sample, const Light& light) const;
+    /// False for a light that is hidden from the camera, as long as the path has not scattered.
+    static bool sees(const State& state, const Light& light);
     void add_emitted(State& state, const SurfaceHit& hit) const;
     void add_escaped(State& state) const;
     void add_direct(State& state, const SurfaceHit& hit) const;

@@ -33,6 +33,7 @@ AreaEmission make_area_emission(const ParameterSet& set, const AssetContext& ass
         read_area_profile(parameters, [&](const std::string& name, const SourceLocation& where) {
             return assets.resolve(name, where);
         });
+    emission.hidden = parameters.boolean("hidden", false);
     emission.where = set.where;
     return emission;
 }

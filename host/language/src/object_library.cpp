@@ -94,7 +94,15 @@ void ObjectLibrary::place(const Name& name, const MovingTransform& transform,
     if (placed + objects_[object].parts > kMaxParts) {
         throw EndOfReading(name.where, "more than ten million instances");
     }
-    expand(object, transform, inherited, contents);
+    expand(object, transform, inherited, Instance::kNoOuterObject, contents);
+}
+
+std::uint32_t ObjectLibrary::outer_index(Object& placed, SceneContents& contents) {
+    if (placed.outer == Instance::kNoOuterObject) {
+        placed.outer = static_cast<std::uint32_t>(contents.outer_objects.size());
+        contents.outer_objects.push_back(placed.name);
+    }
+    return placed.outer;
 }
 
 MovingTransform ObjectLibrary::placed(const Object& object,
@@ -107,22 +115,25 @@ MovingTransform ObjectLibrary::placed(const Object& object,
 }
 
 void ObjectLibrary::expand(std::size_t index, const MovingTransform& moving,
-                           const Inheritance& inherited, SceneContents& contents) {
-    const Object& object = objects_[index];
+                           const Inheritance& inherited, std::uint32_t outer,
+                           SceneContents& contents) {
+    Object& object = objects_[index];
     if (object.parts == 0) return;
     const MovingTransform transform = placed(object, moving);
     if (!object.primitives.empty()) {
         contents.instances.push_back(
-            {variant(index, inherited), transform.matrix, transform.motion});
+            {variant(index, inherited), transform.matrix, transform.motion, outer});
     }
     for (LightDescription light : object.lights) {
         light.to_world *= transform.matrix;
         if (!light.medium) light.medium = inherited.exterior;
         contents.lights.push_back(std::move(light));
     }
+    if (object.children.empty()) return;
+    if (outer == Instance::kNoOuterObject) outer = outer_index(object, contents);
     for (const Child& child : object.children) {
         expand(child.object, combined(child.transform, moving),
-               combined(child.inherited, inherited), contents);
+               combined(child.inherited, inherited), outer, contents);
     }
 }
 

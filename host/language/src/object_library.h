@@ -59,7 +59,8 @@ class ObjectLibrary {
         std::vector<LightDescription> lights;
         std::vector<Child> children;
         // Set by end():
-        int depth = 1;     ///< levels of objects, itself included
+        int depth = 1;                                   ///< levels of objects, itself included
+        std::uint32_t outer = Instance::kNoOuterObject;  ///< into SceneContents::outer_objects
         double parts = 0;  ///< definitions and lights that one instance places
         bool shines = false;
         bool lacks_material = false, lacks_interior = false, lacks_exterior = false;
@@ -73,7 +74,9 @@ class ObjectLibrary {
 
     std::size_t find(const Name& name) const;
     void expand(std::size_t object, const MovingTransform& transform, const Inheritance& inherited,
-                SceneContents& contents);
+                std::uint32_t outer, SceneContents& contents);
+    /// Of the object that is placed, for the instances within it; kNoOuterObject without any.
+    std::uint32_t outer_index(Object& placed, SceneContents& contents);
     /// Stills objects that shine, with a warning.
     MovingTransform placed(const Object& object, const MovingTransform& transform) const;
     std::size_t variant(std::size_t object, Inheritance inherited);

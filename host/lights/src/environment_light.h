@@ -22,6 +22,7 @@ class EnvironmentLight : public Light {
     std::uint32_t group() const override { return placement_.group; }
     float power() const override { return power_; }
     bool at_infinity() const override { return true; }
+    bool hidden_from_camera() const override { return placement_.hidden; }
 
     bool sample_emission(const PrimaryPoint& u, EmissionSample& sample) const override;
     bool sample_direct(const Vec3& p, const Vec3& n, const Vec2& u,

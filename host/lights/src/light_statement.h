@@ -22,7 +22,9 @@ struct LightStatement {
     const SceneSphere& sphere;
     const AssetResolver& resolve;
 
-    LightPlacement placement() const { return {description.group, description.medium}; }
+    LightPlacement placement() const {
+        return {description.group, description.medium, reader.boolean("hidden", false)};
+    }
     float number(std::string_view name, double fallback) const {
         return static_cast<float>(reader.number(name, fallback));
     }

@@ -65,6 +65,12 @@ constexpr ParameterDeclaration kImportance{.name = "importance",
                                            .default_text = "1",
                                            .doc = "Share of samples spent on the light.",
                                            .no_effect = true};
+/// Not LuxRender's, which warns of it and shows the light.
+constexpr ParameterDeclaration kHidden{
+    .name = "hidden",
+    .type = Type::Bool,
+    .default_text = "false",
+    .doc = "The camera does not see the light itself; mirrors and glass show it. Not LuxRender's."};
 constexpr ParameterDeclaration kSamples{.name = "nsamples",
                                         .type = Type::Integer,
                                         .default_text = "1",
@@ -137,13 +143,14 @@ Declarations infinite_parameters() {
              .choices = kMappings},
             kMapGamma,
             kMapResolution,
+            kHidden,
             kSamples,
             kImportance};
 }
 
 /// Of the Hosek-Wilkie sky.
 Declarations sky2_parameters() {
-    return {kSunDirection, kTurbidity, kGain, kUnreadColor, kSamples, kImportance};
+    return {kSunDirection, kTurbidity, kGain, kUnreadColor, kHidden, kSamples, kImportance};
 }
 
 /// Of the Preetham sky.
@@ -194,6 +201,7 @@ Declarations distant_parameters() {
              .doc = "Half angle that the light subtends, degrees; 0 is parallel light.",
              .minimum = 0,
              .maximum = 90},
+            kHidden,
             kSamples,
             kImportance};
 }
@@ -241,7 +249,8 @@ const std::vector<LightPlugin>& light_plugins() {
         {"sky2", sky2_parameters()},
         {"spot", spot_parameters()},
         {"sun",
-         {kSunDirection, kTurbidity, kRelativeSize, kGain, kUnreadColor, kSamples, kImportance}},
+         {kSunDirection, kTurbidity, kRelativeSize, kGain, kUnreadColor, kHidden, kSamples,
+          kImportance}},
         {"sunsky", with_sun(sky_parameters())},
         {"sunsky2", with_sun(sky2_parameters())},
     };
@@ -274,6 +283,7 @@ std::span<const ParameterDeclaration> area_light_parameters() {
                                     "top row along the normal; one-sided."},
         kMapGamma,
         kFlip,
+        kHidden,
         kSamples,
         kImportance,
     };

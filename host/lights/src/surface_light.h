@@ -32,6 +32,7 @@ class SurfaceLight : public AreaLight {
     std::uint32_t group() const override { return placement_.group; }
     float power() const override { return power_; }
     bool has_area() const override { return has_area_; }
+    bool hidden_from_camera() const override { return placement_.hidden; }
 
     bool sample_emission(const PrimaryPoint& u, EmissionSample& sample) const override;
     bool sample_direct(const Vec3& p, const Vec3& n, const Vec2& u,

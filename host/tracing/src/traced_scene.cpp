@@ -68,7 +68,7 @@ void TracedScene::build_geometry() {
 void TracedScene::place_instances() {
     placements_.reserve(contents_.instances.size() + 1);
     placements_.emplace_back().surfaces = world_surfaces_.surfaces.data();
-    std::size_t light_count = world_surfaces_.emissive_count;
+    std::uint32_t light_count = world_surfaces_.emissive_count;
     transforms_.reserve(contents_.instances.size());  // placements point into both
     moving_.reserve(contents_.instances.size());
     const TimeSpan times = times_of(contents_.instances);
@@ -83,6 +83,8 @@ void TracedScene::place_instances() {
         placement.world_to_object = instance.to_world.inverse();
         placement.first_light = light_count;
         light_count += group.emissive_count;
+        if (instance.outer != Instance::kNoOuterObject)
+            placement.object = object_names_.index_of(contents_.outer_objects[instance.outer]);
         if (!instance.motion.empty()) {
             place_moving(instance, id, times, placement);
             continue;
@@ -228,12 +230,14 @@ bool TracedScene::complete(const Ray& ray, const RawHit& raw, SurfaceHit& hit,
     const Surface& surface = locate_hit(ray, raw, hit, point);
     hit.primitive = raw.primitive;
     hit.material = surface.material_index;
-    hit.object = surface.object_index;
+    const std::uint32_t outer = placement_of(raw).object;
+    hit.object = outer != Placement::kOwnObjects ? outer : surface.object_index;
     hit.light = nullptr;
     hit.emitted = Rgb(0.0f);
     if (surface.emissive_index != Surface::kNotEmissive) {
         // Area lights come first among the lights, in the order of their table.
-        const std::size_t light = placement_of(raw).first_light + surface.emissive_index;
+        const std::size_t light =
+            std::size_t{placement_of(raw).first_light} + surface.emissive_index;
         const Vec3 wo = -ray.direction;
         hit.light = light_pointers_[light];
         if (wo.dot(hit.ng) > 0) {

@@ -64,8 +64,10 @@ class TracedScene : public TraceScene {
         const Surface* surfaces = nullptr;
         const InstanceTransform* transform = nullptr;  ///< null for the world and if it moves
         const MovingPlacement* moving = nullptr;
-        Matrix world_to_object;       ///< of what moves: where its statement says it stands
-        std::size_t first_light = 0;  ///< into area_lights_
+        Matrix world_to_object;              ///< of what moves: where its statement says it stands
+        std::uint32_t first_light = 0;       ///< into area_lights_
+        std::uint32_t object = kOwnObjects;  ///< of all surfaces, for masks; else each has its own
+        static constexpr std::uint32_t kOwnObjects = std::numeric_limits<std::uint32_t>::max();
 
         const Matrix* to_object() const { return transform || moving ? &world_to_object : nullptr; }
     };

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "render_mock.h"
+#include "scene_with_lights.h"
 
 namespace aips::path_classes_test {
 namespace {
@@ -13,7 +14,7 @@ using Kind = mock::Material::Kind;
 constexpr std::uint32_t kSize = 16;
 
 /// Mean luminance of one view, with the given division of labour.
-double mean_of(const mock::Scene& scene, const mock::Camera& camera, bool direct, bool glossy,
+double mean_of(const aips::Scene& scene, const mock::Camera& camera, bool direct, bool glossy,
                GuideKind guide = GuideKind::None, double radius = 2) {
     Settings settings = mock::small_settings(31, 60000);
     settings.direct_light_sampling = direct;
@@ -105,6 +106,38 @@ TEST(PathClasses, LampSeenDirectlyAndInMirror) {
         EXPECT_NEAR(mean_of(scene, up, direct, false), 5, 1e-4);
         EXPECT_NEAR(mean_of(scene, down, direct, false), 2.5, 1e-4);
     }
+}
+
+class HiddenLight final : public mock::LightLike {
+  public:
+    using LightLike::LightLike;
+    bool hidden_from_camera() const override { return true; }
+};
+
+/// Rows "L E" and "L S+ E" of lamps that are hidden from the camera: nobody carries the first,
+/// whatever null surface it comes through, and all else is as it was.
+TEST(PathClasses, LampHiddenFromTheCamera) {
+    mock::Material mirror, null;
+    mirror.kind = Kind::Mirror;
+    mirror.reflectance = {0.5f, 0.5f, 0.5f};
+    null.kind = Kind::Null;
+    const mock::Scene scene = floor_under_lamp(mirror, &null), lit = floor_under_lamp({}, nullptr);
+    const HiddenLight over_mirror(*scene.lights()[0]), over_floor(*lit.lights()[0]);
+    const mock::SceneWithLights hidden(scene, {&over_mirror}), hidden_lit(lit, {&over_floor});
+    const mock::Camera up{{0, 0, 1}, {0, 0, 1}, {0.2f, 0, 0}, {0, 0.2f, 0}, kSize, kSize};
+    const mock::Camera down{{0, 0, 1}, {0, 0, -1}, {0.1f, 0, 0}, {0, 0.1f, 0}, kSize, kSize};
+    for (const bool direct : {true, false}) {
+        EXPECT_EQ(mean_of(hidden, up, direct, false), 0);
+        EXPECT_NEAR(mean_of(hidden, down, direct, false), 2.5, 1e-4);
+        EXPECT_EQ(mean_of(hidden_lit, camera_down(), direct, false),
+                  mean_of(lit, camera_down(), direct, false));
+    }
+    mock::Scene sky = floor_under_lamp({}, nullptr);
+    sky.add_environment({2, 2, 2});
+    const HiddenLight above(*sky.lights()[1]);
+    const mock::SceneWithLights hidden_sky(sky, {sky.lights()[0], &above});
+    const mock::Camera aside{{0, 0, 1}, {1, 0, 0.5f}, {0, 0.1f, 0}, {0, 0, 0.1f}, kSize, kSize};
+    EXPECT_EQ(mean_of(hidden_sky, aside, true, false), 0);
 }
 
 /// Row "environment": seen directly, by shadow rays, and by photons.

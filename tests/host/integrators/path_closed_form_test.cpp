@@ -90,6 +90,27 @@ TEST(PathClosedForm, EnvironmentIsHiddenFromTheCameraAlone) {
     expect_near_relative(render_mean(floor, hidden, 256), 1.4, 0.005);
 }
 
+// Lights that are hidden from the camera: mirrors show them, null sheets do not.
+TEST(PathClosedForm, HiddenLightsAreSeenInMirrorsAlone) {
+    const auto scene = [](bool down, const std::string& hidden) {
+        return camera_above(4) + "LightSource \"infinite\" \"color L\" [2 2 2]" + hidden +
+               "\nAttributeBegin\nAreaLightSource \"area\" \"color L\" [3 3 3] \"float power\" [0] "
+               "\"float efficacy\" [0]" +
+               hidden + "\nMaterial \"null\"\n" + square(2, 1, down) +
+               "AttributeEnd\nMaterial \"mirror\" \"color Kr\" [0.5 0.5 0.5]\n" + square(0, 50) +
+               "WorldEnd\n";
+    };
+    const std::string hidden = " \"bool hidden\" [\"true\"]";
+    // The sky and a lamp in the mirror; a lamp that faces the camera.
+    expect_near_relative(render_mean(scene(true, ""), {}, 16), 0.5 * (2 + 3), 1e-5);
+    expect_near_relative(render_mean(scene(true, hidden), {}, 16), 0.5 * (2 + 3), 1e-5);
+    expect_near_relative(render_mean(scene(false, ""), {}, 16), 0.5 * 2 + 3, 1e-5);
+    expect_near_relative(render_mean(scene(false, hidden), {}, 16), 0.5 * 2, 1e-5);
+    const std::string sky = camera_above(4) + "LightSource \"infinite\" \"color L\" [2 2 2]" +
+                            hidden + "\n" + square(9, 0.1) + "WorldEnd\n";
+    EXPECT_EQ(render_mean(sky, {}, 16).mean, Rgb(0.0f));
+}
+
 // A slab of absorbing medium between two null sheets, passed by camera and shadow rays.
 TEST(PathClosedForm, ClearMediumAbsorbsByBeerLambert) {
     const std::string scene =

@@ -57,6 +57,22 @@ TEST(Objects, Nest) {
     EXPECT_EQ(Imath::V3d(0.0) * contents.instances[1].to_world, Imath::V3d(4, 0, 0));
 }
 
+TEST(Objects, HaveTheNameOfTheOutermost) {
+    const SceneContents contents = read_world(
+        "ObjectBegin \"leaf\" Shape \"sphere\" ObjectEnd\n"
+        "ObjectBegin \"branch\" ObjectInstance \"leaf\" ObjectEnd\n"
+        "ObjectBegin \"tree\" Shape \"sphere\" ObjectInstance \"branch\" ObjectEnd\n"
+        "ObjectInstance \"tree\" ObjectInstance \"leaf\" ObjectInstance \"branch\"");
+    std::vector<std::string> names;
+    for (const Instance& instance : contents.instances) {
+        names.push_back(instance.outer == Instance::kNoOuterObject
+                            ? contents.objects[instance.object].name
+                            : contents.outer_objects.at(instance.outer));
+    }
+    EXPECT_EQ(names, (std::vector<std::string>{"tree", "tree", "leaf", "branch"}));
+    EXPECT_EQ(contents.objects.size(), 2u);  // the leaf is kept once
+}
+
 TEST(Objects, InheritWhatTheyLack) {
     const SceneContents contents = read_world(
         "MakeNamedVolume \"water\" \"clear\"\n"

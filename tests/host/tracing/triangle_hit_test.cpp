@@ -160,6 +160,19 @@ TEST(TriangleHit, MediumOfTheRayAttenuates) {
     EXPECT_EQ(result.transmittance.z, 1);
 }
 
+TEST(TriangleHit, InstancesOfAnOuterObjectHaveItsName) {
+    const TriangleMesh mesh = parallelogram(Vec3(0), Vec3(1, 0, 0), Vec3(0, 1, 0));
+    SceneContents contents = instanced({primitive(mesh)}, {Matrix(), translation(2, 0, 0)});
+    contents.outer_objects = {"tree"};
+    contents.instances[1].outer = 0;
+    const auto scene = trace(std::move(contents));
+    SurfaceHit own, outer;
+    ASSERT_TRUE(hit(*scene, ray(Vec3(0.25f, 0.5f, 1), kDown), own));
+    ASSERT_TRUE(hit(*scene, ray(Vec3(2.25f, 0.5f, 1), kDown), outer));
+    EXPECT_EQ(scene->object_names()[own.object], "object");
+    EXPECT_EQ(scene->object_names()[outer.object], "tree");
+}
+
 TEST(TriangleHit, EmptySceneIsMissed) {
     const auto scene = trace(std::vector<Primitive>{});
     SurfaceHit result;

@@ -32,6 +32,7 @@ bool bounce(const EyePassInput& in, const SurfacePoint& point, Vec3 wo, const Bo
 
 float emission_weight(const EyePassInput& in, const PathTip& tip, LightIndex light,
                       const SurfacePoint* at) {
+    if (tip.scatterings == 0 && in.scene.lights()[light]->hidden_from_camera()) return 0;
     if (tip.last_was_specular) return 1;
     const float pdf_light = in.direct_light.pdf(light, tip.last_vertex, tip.ray.direction, at);
     // No density: what it weighs is refused, and counted against the light.

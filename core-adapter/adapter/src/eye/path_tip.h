@@ -30,7 +30,8 @@ bool bounce(const EyePassInput& input, const SurfacePoint& point, Vec3 wo, const
             Refusals& refusals, PathTip& tip);
 
 /// Share of the light met by the path's ray, at `at` or at infinity, that shadow rays from the last
-/// vertex leave to it. NaN where the light has no density.
+/// vertex leave to it; nothing of a light that is hidden from the camera before the path has
+/// scattered. NaN where the light has no density.
 float emission_weight(const EyePassInput& input, const PathTip& tip, LightIndex light,
                       const SurfacePoint* at);
 

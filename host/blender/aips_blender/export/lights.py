@@ -28,15 +28,13 @@ class Lights:
         self._left_out = left_out
 
     def write(self, name, light, matrix, seen, group):
-        """One light; `seen`: whether the camera sees it in Cycles."""
+        """One light, within the attributes of its own; `seen`: whether Cycles' camera sees it."""
         make = {'POINT': self._point, 'SPOT': self._spot, 'SUN': self._sun,
                 'AREA': self._area}[light.type]
         rgb = light_color([c * f for c, f in zip(light.color, self._node_factor(light))])
-        self._text.statement('AttributeBegin')
         if group:
             self._text.statement('LightGroup', group)
         make(name, light, matrix, rgb, seen)
-        self._text.statement('AttributeEnd')
 
     def _node_factor(self, light):
         """What the nodes of a light multiply its colour by."""
@@ -54,14 +52,11 @@ class Lights:
         strength = self._textures.constant_number(found.input('Strength'), 'strengths of lights')
         return tuple(c * strength for c in tint)
 
-    def _shape_emits(self, name, rgb, radiance, seen):
+    def _shape_emits(self, rgb, radiance, seen):
         """What makes the shape that follows shine and block no light, as Cycles' lights."""
-        if not seen:
-            self._left_out.add('lights are seen by the camera, though hidden from it in Blender',
-                               name)
         self._text.statement('AreaLightSource', 'area', parameters=[
             color('L', rgb), factor('gain', radiance), factor('power', 0.0),
-            factor('efficacy', 0.0)])
+            factor('efficacy', 0.0), *hidden(not seen)])
         self._text.statement('Material', 'null')
 
     def _point(self, name, light, matrix, rgb, seen):
@@ -73,7 +68,7 @@ class Lights:
                 parameter('point', 'from', place)])
             return
         self._text.statement('Translate', *map(float, place))
-        self._shape_emits(name, rgb, light.energy / (4 * math.pi ** 2 * radius ** 2), seen)
+        self._shape_emits(rgb, light.energy / (4 * math.pi ** 2 * radius ** 2), seen)
         self._text.statement('Shape', 'sphere', parameters=[
             factor('radius', radius), parameter('string', 'name', name)])
 
@@ -91,7 +86,7 @@ class Lights:
             color('L', rgb), factor('gain', light.energy / (4 * math.pi) * sphere_mean(profile)),
             self._text.file(path, 'mapname')])
 
-    def _sun(self, _name, light, matrix, rgb, _seen):
+    def _sun(self, _name, light, matrix, rgb, seen):
         """L of light "distant" is the irradiance times the solid angle of its cone."""
         theta = min(light.angle / 2, math.pi / 2)
         parallel = theta < LEAST_SUN_ANGLE
@@ -100,7 +95,8 @@ class Lights:
         self._text.statement('LightSource', 'distant', parameters=[
             color('L', rgb), factor('gain', light.energy * cone),
             factor('theta', 0.0 if parallel else math.degrees(theta)),
-            parameter('point', 'from', (0.0, 0.0, 0.0)), parameter('point', 'to', towards)])
+            parameter('point', 'from', (0.0, 0.0, 0.0)), parameter('point', 'to', towards),
+            *hidden(not seen)])
 
     def _area(self, name, light, matrix, rgb, seen):
         if getattr(getattr(light, 'cycles', None), 'is_portal', False):
@@ -117,7 +113,7 @@ class Lights:
         # Lights shine along -z, shapes along +z.
         self._text.statement('Rotate', 180.0, 1.0, 0.0, 0.0)
         self._text.statement('Scale', light.size / 2, height / 2, 1.0)
-        self._shape_emits(name, rgb, light.energy / (4 * area), seen)
+        self._shape_emits(rgb, light.energy / (4 * area), seen)
         if flat:
             self._text.statement('Shape', 'disk', parameters=[parameter('string', 'name', name)])
             return
@@ -126,6 +122,11 @@ class Lights:
             parameter('point', 'P', (-1.0, -1.0, 0.0, 1.0, -1.0, 0.0,
                                      1.0, 1.0, 0.0, -1.0, 1.0, 0.0)),
             parameter('string', 'name', name)])
+
+
+def hidden(from_camera):
+    """The parameter that hides a light from the camera, or nothing."""
+    return [parameter('bool', 'hidden', True)] if from_camera else []
 
 
 def spot_profile(rim, blend, rows):

@@ -34,12 +34,12 @@ def factor(name, value):
 
 
 class LxsText:
-    """Statements in their order; `names` gives each thing a name of its own."""
+    """Statements in their order, and the names that are taken of each kind of thing."""
 
     def __init__(self, folder):
         self.lines = []
         self._folder = folder
-        self._taken = set()
+        self._taken = set()  # pairs of kind and name
 
     def file(self, path, name='filename'):
         """A file's parameter: its path from the scene's folder if it is in there."""
@@ -48,8 +48,13 @@ class LxsText:
 
     def statement(self, keyword, *words, parameters=()):
         """Keyword, then names in quotes and numbers without, then parameters as they are."""
+        self.lines.append(self.written(keyword, *words, parameters=parameters))
+
+    @staticmethod
+    def written(keyword, *words, parameters=()):
+        """The same, to be put elsewhere."""
         head = [keyword] + [quoted(w) if isinstance(w, str) else number(w) for w in words]
-        self.lines.append(' '.join(head + list(parameters)))
+        return ' '.join(head + list(parameters))
 
     def matrix(self, keyword, rows):
         """A transform; rows are those of a 4 x 4 matrix that multiplies columns."""
@@ -59,13 +64,13 @@ class LxsText:
     def comment(self, text):
         self.lines.append('# ' + text.replace('\n', ' '))
 
-    def free_name(self, wanted):
-        """`wanted`, or `wanted 2`, `wanted 3`, ... where that is taken."""
+    def free_name(self, wanted, kind='texture'):
+        """`wanted`, or `wanted 2`, `wanted 3`, ... where a thing of that kind has it."""
         name, count = wanted, 1
-        while name in self._taken:
+        while (kind, name) in self._taken:
             count += 1
             name = f'{wanted} {count}'
-        self._taken.add(name)
+        self._taken.add((kind, name))
         return name
 
     def text(self):

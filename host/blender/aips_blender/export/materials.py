@@ -1,5 +1,8 @@
 """Turns Blender's materials into named materials of the scene language, each once."""
+import dataclasses
+
 from . import graph
+from .media import MediumNodes
 from .principled import mix, principled
 from .shaders import Shader, Shaders, color
 
@@ -10,6 +13,7 @@ class Materials:
     def __init__(self, text, textures, left_out):
         self._shaders = Shaders(text, textures, left_out)
         self._textures = textures
+        self._media = MediumNodes(textures, left_out)
         self._left_out = left_out
         self._known = {}
         self._leaves = {
@@ -37,10 +41,15 @@ class Materials:
         output = graph.output_node(material.node_tree, 'OUTPUT_MATERIAL')
         if output is None:
             return Shader(self._shaders.black(material.name))
-        for what in ('Volume', 'Displacement'):
-            if output.inputs[what].is_linked:
-                self._left_out.add(f'{what.lower()} of materials is left out', material.name)
-        return self._of(graph.Place(output.inputs['Surface']), material.name)
+        if output.inputs['Displacement'].is_linked:
+            self._left_out.add('displacement of materials is left out', material.name)
+        surface, volume = (graph.Place(output.inputs[what]) for what in ('Surface', 'Volume'))
+        if graph.source(volume) is None:
+            return self._of(surface, material.name)
+        # Without a surface a volume has a border that is not seen.
+        shader = self._of(surface, material.name) if graph.source(surface) else \
+            Shader(self._shaders.null(material.name))
+        return dataclasses.replace(shader, medium=self._media.of(volume, material.name))
 
     def _matte(self, name, rgb):
         return Shader(self._shaders.named(name, 'matte', [color('Kd', rgb)]))
@@ -66,7 +75,7 @@ class Materials:
             return self._of(first, name)
         if share == 1.0:
             return self._of(second, name)
-        a, b = self._of(first, f'{name} 1'), self._of(second, f'{name} 2')
+        a, b = self._of(first, f'{name}: 1'), self._of(second, f'{name}: 2')
         emission = self._sum(self._part(a, share, True, name), self._part(b, share, False, name),
                              name)
         return Shader(mix(self._shaders, name, a.name, b.name, share), emission)
@@ -119,5 +128,5 @@ class Materials:
         if kinds[1] and kinds[1].node.type != 'EMISSION':
             self._left_out.add('sums of two surfaces show the first', name)
             return self._of(first, name)
-        base, light = self._of(first, name), self._of(second, f'{name} light')
+        base, light = self._of(first, name), self._of(second, f'{name}: light')
         return Shader(base.name, self._sum(base.emission, light.emission, name))

@@ -4,7 +4,7 @@ import os
 import numpy as np
 
 from . import ply
-
+from .media import CLEAR
 
 BACK = 1e-4  # of the mesh's extent: how far the back of what shines lies behind its front
 
@@ -12,9 +12,12 @@ BACK = 1e-4  # of the mesh's extent: how far the back of what shines lies behind
 class MeshParts:
     """Files of a mesh by material slot; of open parts that shine, also those of their backs."""
 
-    def __init__(self, files, backs):
-        self.files = files
-        self.backs = backs
+    def __init__(self, bounds, closed):
+        self.files = {}
+        self.backs = {}
+        self.bounds = bounds    # least and greatest coordinates
+        self.closed = closed
+        self.triangles = None   # their corners, where something fills the mesh
 
 
 def _array(collection, attribute, kind, width):
@@ -57,23 +60,26 @@ def is_closed(mesh):
     return len(counts) > 0 and bool((counts == 2).all())
 
 
-def write_parts(mesh, folder, stem, shines):
+def write_parts(mesh, folder, stem, shader):
     """Writes the mesh's parts as `folder/stem-SLOT.ply`; None where it has no triangle.
 
-    `shines(slot)` tells whether a part does. Cycles' meshes shine on both sides, LuxRender's on
-    that of their normals: open parts get a back.
+    `shader(slot)` is the Shader of a part. Cycles' meshes shine on both sides, LuxRender's on that
+    of their normals: open parts get a back.
     """
     if not mesh.polygons:
         return None
     corners, has_uv, has_color = _corners(mesh)
     slots = _array(mesh.loop_triangles, 'material_index', np.int32, 1).ravel()
-    parts, closed = MeshParts({}, {}), is_closed(mesh)
+    positions = corners[:, :3]
+    parts = MeshParts((positions.min(axis=0), positions.max(axis=0)), is_closed(mesh))
     for slot in map(int, np.unique(slots)):
         chosen = corners.reshape(len(slots), 3, -1)[slots == slot].reshape(-1, corners.shape[1])
         rows, triangles = ply.welded(chosen)
         parts.files[slot] = os.path.join(folder, f'{stem}-{slot}.ply')
         _write(parts.files[slot], rows, triangles, has_uv, has_color)
-        if not closed and shines(slot):
+        if shader(slot).medium != CLEAR:
+            parts.triangles = positions.reshape(-1, 3, 3).astype(float)
+        if not parts.closed and shader(slot).emission is not None:
             parts.backs[slot] = os.path.join(folder, f'{stem}-{slot}-back.ply')
             _write(parts.backs[slot], _turned(rows), triangles[:, ::-1], has_uv, has_color)
     return parts

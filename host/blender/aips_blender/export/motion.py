@@ -44,6 +44,11 @@ class Motion:
         frame_set(*now)
         self._ends = tuple(ends)
 
+    @property
+    def blurs(self):
+        """Whether the shutter is open for a time."""
+        return bool(self._ends)
+
     def of(self, key, matrix):
         """One matrix where it stands still, else two."""
         ends = [end.get(key) for end in self._ends]

@@ -12,10 +12,12 @@ def principled(shaders, found, name):
     for what, neutral in APPROXIMATED:
         if textures.number(found.input(what)) != neutral:
             shaders.left_out.add(f"{what} of node Principled BSDF is left out", name)
-    material = _mixed(shaders, found, name)
     alpha = textures.number(found.input('Alpha'))
-    if alpha != 1.0:
-        material = mix(shaders, f'{name} alpha', shaders.null(f'{name} null'), material, alpha)
+    if alpha == 1.0:
+        material = _mixed(shaders, found, name)
+    else:
+        opaque = _mixed(shaders, found, f'{name}: opaque')
+        material = mix(shaders, name, shaders.null(f'{name}: null'), opaque, alpha)
     return Shader(material, _emission(shaders, found))
 
 
@@ -26,28 +28,29 @@ def _mixed(shaders, found, name):
     base = shaders.textures.color(found.input('Base Color'))
     width, bump = shaders.width(found), shaders.bump(found)
 
-    def metal():
-        return shaders.metal(f'{name} metal', base, width, bump)
+    def metal(part):
+        return shaders.metal(part, base, width, bump)
 
-    def glass():
+    def glass(part):
         index = shaders.textures.constant_number(found.input('IOR'), 'index of refraction')
-        return shaders.dielectric(f'{name} glass', WHITE, base, index, width, bump)
+        return shaders.dielectric(part, WHITE, base, index, width, bump)
 
-    def coated():
-        return _coated(shaders, found, name, base, width, bump)
+    def coated(part):
+        return _coated(shaders, found, part, base, width, bump)
 
-    def dielectric():
-        return _by_share(shaders, f'{name} dielectric', coated, glass, transmission)
+    def dielectric(part):
+        return _by_share(shaders, part, ('base', coated), ('glass', glass), transmission)
 
-    return _by_share(shaders, name, dielectric, metal, metallic)
+    return _by_share(shaders, name, ('dielectric', dielectric), ('metal', metal), metallic)
 
 
 def _by_share(shaders, name, first, second, share):
-    if share == 0.0:
-        return first()
-    if share == 1.0:
-        return second()
-    return mix(shaders, name, first(), second(), share)
+    """Of two pairs of a part's name and what makes it; the whole alone has the name itself."""
+    for edge, (_, make) in ((0.0, first), (1.0, second)):
+        if share == edge:
+            return make(name)
+    parts = [make(f'{name}: {part}') for part, make in (first, second)]
+    return mix(shaders, name, *parts, share)
 
 
 def mix(shaders, name, first, second, share):

@@ -8,12 +8,18 @@ from .left_out import LeftOut
 from .lights import Lights
 from .lxs_text import LxsText, parameter
 from .materials import Materials
+from .media import CLEAR, Media
 from .motion import Motion, instance_key
 from .shapes import Mesh, Placed, Shapes
+from .spaces import Space, Spaces
 from .textures import Textures
 from .world import World
 
 GEOMETRY = {'MESH', 'CURVE', 'SURFACE', 'FONT', 'META'}
+# Modifiers that mostly change a mesh from frame to frame.
+DEFORMS = {'ARMATURE', 'CLOTH', 'HOOK', 'MESH_CACHE', 'MESH_SEQUENCE_CACHE', 'OCEAN', 'SOFT_BODY',
+           'WAVE'}
+KINDS_OF_RAYS = ('camera', 'diffuse', 'glossy', 'transmission', 'volume_scatter', 'shadow')
 NOTHING = {'EMPTY', 'CAMERA', 'ARMATURE', 'LATTICE', 'LIGHT_PROBE', 'SPEAKER', 'LIGHT'}
 
 
@@ -73,6 +79,9 @@ class _SceneExport:
     def _collect_instance(self, instance, motion):
         thing = instance.object
         self._tell_hair(thing)
+        self._tell_visibility(thing)
+        if motion.blurs and any(m.type in DEFORMS for m in thing.modifiers):
+            self.left_out.add("deformation within the shutter's time is left out", thing.name)
         matrices = motion.of(instance_key(instance), instance.matrix_world.copy())
         if thing.type in GEOMETRY:
             key = self._mesh_of(thing)
@@ -84,6 +93,8 @@ class _SceneExport:
             # The evaluated light goes with the instance; names lead back to it.
             self._lamps.append((thing.name, thing.data, matrices[0], thing.visible_camera,
                                 thing.original.lightgroup))
+        elif thing.type == 'CURVES':
+            self.left_out.add('hair is left out', thing.name)
         elif thing.type not in NOTHING:
             self.left_out.add(f'objects of type {thing.type.lower()} are left out', thing.name)
 
@@ -91,6 +102,19 @@ class _SceneExport:
         for system in thing.particle_systems:
             if system.settings.type == 'HAIR' and system.settings.render_type == 'PATH':
                 self.left_out.add('hair is left out', thing.name)
+
+    def _tell_visibility(self, thing):
+        """Of lights all but what is hidden from the camera, which is carried over."""
+        if thing.type in GEOMETRY:
+            if not all(getattr(thing, f'visible_{kind}') for kind in KINDS_OF_RAYS):
+                self.left_out.add('what is hidden from some rays is seen by all', thing.name)
+            if thing.is_holdout or thing.is_shadow_catcher:
+                self.left_out.add('holdouts and shadow catchers are shown as objects', thing.name)
+        elif thing.type == 'LIGHT':
+            if not all(getattr(thing, f'visible_{kind}') for kind in KINDS_OF_RAYS[1:]):
+                self.left_out.add('lights hidden from some rays shine on all', thing.name)
+            if not getattr(getattr(thing.data, 'cycles', None), 'cast_shadow', True):
+                self.left_out.add('lights without shadows cast them', thing.name)
 
     def _mesh_of(self, thing):
         """Key of a mesh with its materials, written where it is new; None without triangles."""
@@ -111,30 +135,79 @@ class _SceneExport:
         try:
             stem = f'{len(self._meshes)}-{safe_name(thing.name)}'
             parts = mesh and meshes.write_parts(mesh, self._folder, stem,
-                                                lambda slot: shader(slot).emission is not None)
+                                                shader)
         finally:
             thing.to_mesh_clear()
         if parts is None:
             return None
-        return Mesh(thing.name, parts, {slot: shader(slot) for slot in parts.files})
+        shaders = {slot: shader(slot) for slot in parts.files}
+        if parts.triangles is not None and not self._may_be_filled(thing, parts):
+            parts.triangles = None
+            shaders = {slot: dataclasses.replace(s, medium=CLEAR) for slot, s in shaders.items()}
+        return Mesh(thing.name, parts, shaders)
+
+    def _may_be_filled(self, thing, parts):
+        """Whether the volume of a mesh's material can be carried over."""
+        if not parts.closed:
+            self.left_out.add('volumes of meshes that are not closed are left out', thing.name)
+            return False
+        if any(m.type == 'FLUID' and m.fluid_type == 'DOMAIN' for m in thing.modifiers):
+            self.left_out.add('smoke and fire are left out', thing.name)
+            return False
+        return True
 
     def text_of(self, film, name, view):
         """The whole scene; materials are written by now, and stand before what uses them."""
-        materials, self._text.lines[:] = list(self._text.lines), []
+        world = World(self._text, self._folder, self._textures, self.left_out)
+        spaces = self._spaces(world.medium(self._depsgraph.scene_eval.world))
+        materials = self._taken_lines()
+        place = self._write_view(film, view)
+        camera_lines = self._taken_lines()
+        media = Media(self._text)
+        self._write_things(world, media, spaces, 'objects' in film.layers)
+        media.sides(CLEAR, spaces.at(place))  # at the end it is what the camera stands in
+        things = self._taken_lines()
+        if self._depsgraph.scene.render.film_transparent:
+            self.left_out.add('transparent backgrounds are left out', self._depsgraph.scene.name)
         self._text.comment("Exported from Blender by the add-on of aips.")
         film_statements.write(self._text, film, name)
-        self._write_camera(film, view)
+        if spaces.scatter():
+            self._text.statement('VolumeIntegrator', 'multi')
+        self._text.lines += camera_lines
         self._text.statement('WorldBegin')
-        self._text.lines += materials
-        world = World(self._text, self._folder, self._textures, self.left_out)
-        world.write(self._depsgraph.scene_eval.world)
-        for lamp in self._lamps:
-            self._lights.write(*lamp)
-        Shapes(self._text, self.left_out).write(self._meshes, self._placed)
+        self._text.lines += materials + media.statements + things
         self._text.statement('WorldEnd')
         return self._text.text()
 
-    def _write_camera(self, film, view):
+    def _taken_lines(self):
+        """What has been written so far, to be put elsewhere."""
+        lines, self._text.lines[:] = list(self._text.lines), []
+        return lines
+
+    def _spaces(self, world_medium):
+        spaces = Spaces(world_medium, self.left_out)
+        for placed in self._placed:
+            mesh = self._meshes[placed.mesh]
+            if mesh.parts.triangles is not None:
+                medium = next(s.medium for s in mesh.shaders.values() if s.medium != CLEAR)
+                spaces.add(Space(placed, medium, mesh.parts.triangles, placed.matrices[0]))
+        return spaces
+
+    def _write_things(self, world, media, spaces, names_apart):
+        """Lights and shapes, with the media that they stand in."""
+        world.write(self._depsgraph.scene_eval.world, media, spaces.world)
+        for name, light, matrix, seen, group in self._lamps:
+            far = light.type == 'SUN'
+            around = spaces.world if far else spaces.at([matrix[row][3] for row in range(3)])
+            self._text.statement('AttributeBegin')
+            media.sides(around, around)
+            self._lights.write(name, light, matrix, seen, group)
+            self._text.statement('AttributeEnd')
+        Shapes(self._text, media, spaces, self.left_out, names_apart).write(self._meshes,
+                                                                            self._placed)
+
+    def _write_view(self, film, view):
+        """Writes the camera; its place."""
         if view is not None:
             shown, matrices = view[0], (view[1],)
         elif self._camera is not None:
@@ -152,3 +225,4 @@ class _SceneExport:
             self._text.lines.append('MotionEnd')
         shutter = [parameter('float', 'shutteropen', 0.0), parameter('float', 'shutterclose', 1.0)]
         self._text.statement('Camera', shown.kind, parameters=shown.parameters() + shutter)
+        return [matrices[0][row][3] for row in range(3)]

@@ -8,6 +8,7 @@ import dataclasses
 from . import graph
 from .colours import surface_color
 from .lxs_text import color as color_as_written, factor, parameter
+from .media import CLEAR, Medium
 
 SMOOTH = 1e-4      # GGX width below which a surface is taken for smooth
 BLACK, WHITE = (0.0, 0.0, 0.0), (1.0, 1.0, 1.0)
@@ -20,9 +21,11 @@ def color(name, value):
 
 @dataclasses.dataclass
 class Shader:
-    """A named material of the scene language, and the radiance that it emits, or None."""
+    """A named material of the scene language, the radiance that it emits, or None, and what fills
+    meshes that have it all over."""
     name: str
     emission: object = None
+    medium: Medium = CLEAR
 
 
 class Shaders:
@@ -32,7 +35,7 @@ class Shaders:
         self.left_out = left_out
 
     def named(self, wanted, kind, parameters=()):
-        name = self.text.free_name(wanted)
+        name = self.text.free_name(wanted, 'material')
         self.text.statement('MakeNamedMaterial', name,
                             parameters=[parameter('string', 'type', kind), *parameters])
         return name
@@ -107,7 +110,7 @@ class Shaders:
         """A mirror where it is smooth, else facets that reflect tint at normal incidence."""
         if not isinstance(width, str) and width < SMOOTH:
             return self.named(name, 'mirror', [color('Kr', tint), *bump])
-        fresnel = self.text.free_name(f'{name} fresnel')
+        fresnel = self.text.free_name(f'{name}: fresnel')
         self.text.statement('Texture', fresnel, 'fresnel', 'fresnelcolor',
                             parameters=[color('Kr', tint)])
         return self.named(name, 'metal2', [parameter('texture', 'fresnel', fresnel),

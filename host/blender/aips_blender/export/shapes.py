@@ -3,6 +3,7 @@ import dataclasses
 
 from .colours import light_color
 from .lxs_text import color, factor, parameter
+from .media import both
 
 
 @dataclasses.dataclass
@@ -25,9 +26,14 @@ class Mesh:
 
 
 class Shapes:
-    def __init__(self, text, left_out):
+    """`names_apart`: whether instances of one mesh by several objects have the objects' names."""
+
+    def __init__(self, text, media, spaces, left_out, names_apart):
         self._text = text
+        self._media = media
+        self._spaces = spaces
         self._left_out = left_out
+        self._names_apart = names_apart
 
     def write(self, meshes, placed):
         """Meshes by key, and all that is placed of them."""
@@ -37,17 +43,28 @@ class Shapes:
         named = {}
         for each in placed:
             mesh = meshes[each.mesh]
-            if mesh.emits():
-                self._in_place(mesh, each)
+            around = self._spaces.around(each, mesh.parts.bounds)
+            if mesh.emits() or counts[each.mesh] == 1:
+                self._in_place(mesh, each, around)
                 continue
-            if counts[each.mesh] == 1:
-                self._in_place(mesh, each)
-                continue
-            if each.mesh not in named:
-                named[each.mesh] = self._object(mesh)
-            self._instance(named[each.mesh], each)
+            key = (each.mesh, around)
+            if key not in named:
+                named[key] = self._object(mesh, around)
+            self._instance(self._name_of(each, mesh, key, named), each)
 
-    def _in_place(self, mesh, placed):
+    def _name_of(self, placed, mesh, key, named):
+        """The object to place: where masks tell objects apart, one of this object's name."""
+        if not self._names_apart or placed.name == mesh.name:
+            return named[key]
+        own = (*key, placed.name)
+        if own not in named:
+            named[own] = self._text.free_name(placed.name, 'object')
+            self._text.statement('ObjectBegin', named[own])
+            self._text.statement('ObjectInstance', named[key])
+            self._text.statement('ObjectEnd')
+        return named[own]
+
+    def _in_place(self, mesh, placed, around):
         if len(placed.matrices) > 1:
             self._left_out.add('motion of what shines is left out', placed.name)
         self._text.statement('AttributeBegin')
@@ -58,6 +75,7 @@ class Shapes:
             shader = mesh.shaders[slot]
             self._text.statement('AttributeBegin')
             self._text.statement('NamedMaterial', shader.name)
+            self._media.sides(both(shader.medium, around), around)
             if shader.emission is not None:
                 self._emission(shader.emission)
             self._plymesh(path, placed.name)
@@ -76,12 +94,16 @@ class Shapes:
         self._text.statement('Shape', 'plymesh', parameters=[
             self._text.file(path), parameter('string', 'name', name)])
 
-    def _object(self, mesh):
-        name = self._text.free_name(mesh.name)
+    def _object(self, mesh, around):
+        name = self._text.free_name(mesh.name, 'object')
         self._text.statement('ObjectBegin', name)
         for slot, path in mesh.parts.files.items():
-            self._text.statement('NamedMaterial', mesh.shaders[slot].name)
+            shader = mesh.shaders[slot]
+            self._text.statement('AttributeBegin')
+            self._text.statement('NamedMaterial', shader.name)
+            self._media.sides(both(shader.medium, around), around)
             self._plymesh(path, mesh.name)
+            self._text.statement('AttributeEnd')
         self._text.statement('ObjectEnd')
         return name
 

@@ -8,9 +8,12 @@ from .. import exr
 from . import graph
 from .colours import light_color
 from .images import pixels
+from .lights import hidden
 from .lxs_text import color, factor, parameter
+from .media import CLEAR, MediumNodes
 
-CLEAR = 2.2  # turbidity that stands for a dust density of 1
+KINDS_OF_RAYS = ('diffuse', 'glossy', 'transmission', 'scatter')
+CLEAR_SKY = 2.2  # turbidity that stands for a dust density of 1
 # Radiance of Cycles' skies over that of LuxRender's models, and of its sun: measured with the sun
 # at 15, 45 and 80 degrees. Preetham's is the same model; of Hosek's and Nishita's see the manual.
 SKY_GAIN = {'PREETHAM': 5.99e-5, 'HOSEK_WILKIE': 1.65e-5, 'NISHITA': 7.0e-4}
@@ -24,8 +27,18 @@ class World:
         self._folder = folder
         self._textures = textures
         self._left_out = left_out
+        self._hidden = []  # the parameter that hides it from the camera, if it is
 
-    def write(self, world):
+    def medium(self, world):
+        """The Medium that fills the world."""
+        output = world and world.use_nodes and graph.output_node(world.node_tree, 'OUTPUT_WORLD')
+        if not output:
+            return CLEAR
+        return MediumNodes(self._textures, self._left_out).of(
+            graph.Place(output.inputs['Volume']), world.name)
+
+    def write(self, world, media, medium):
+        """The light of the world, which comes through its medium."""
         if world is None:
             return
         found = None
@@ -33,8 +46,6 @@ class World:
             output = graph.output_node(world.node_tree, 'OUTPUT_WORLD')
             if output is None:
                 return
-            if output.inputs['Volume'].is_linked:
-                self._left_out.add("the world's volume is left out", world.name)
             found = graph.source(graph.Place(output.inputs['Surface']))
             if found is None:
                 return
@@ -42,10 +53,15 @@ class World:
                 self._left_out.add('shaders of the world other than Background are left out',
                                    world.name)
                 return
+        visibility = getattr(world, 'cycles_visibility', None)
+        if visibility and not all(getattr(visibility, kind) for kind in KINDS_OF_RAYS):
+            self._left_out.add('lights hidden from some rays shine on all', world.name)
+        self._hidden = hidden(visibility and not visibility.camera)
         self._text.statement('AttributeBegin')
         group = world.original.lightgroup  # not kept up to date in evaluated copies
         if group:
             self._text.statement('LightGroup', group)
+        media.sides(medium, medium)
         self._background(world, found)
         self._text.statement('AttributeEnd')
 
@@ -69,7 +85,7 @@ class World:
         if strength > 0 and any(rgb):
             self._text.statement('LightSource', 'infinite',
                                  parameters=[color('L', light_color(rgb)),
-                                             factor('gain', strength)])
+                                             factor('gain', strength), *self._hidden])
 
     def _image(self, world, found, strength):
         node = found.node
@@ -83,7 +99,7 @@ class World:
         turn = 180 - math.degrees(self._turn(world, found))
         self._text.statement('Rotate', turn, 0.0, 0.0, 1.0)
         self._text.statement('LightSource', 'infinite', parameters=[
-            self._text.file(path, 'mapname'), factor('gain', strength)])
+            self._text.file(path, 'mapname'), factor('gain', strength), *self._hidden])
 
     def _turn(self, world, found):
         """Rotation about z by a node Mapping, radians."""
@@ -104,15 +120,16 @@ class World:
         height, turn = node.sun_elevation, node.sun_rotation
         towards = (math.sin(turn) * math.cos(height), math.cos(turn) * math.cos(height),
                    math.sin(height))
-        haze = CLEAR * max(node.dust_density, 0.5)
+        haze = CLEAR_SKY * max(node.dust_density, 0.5)
         self._sky_light('sky2', towards, haze, strength, node)
         if node.sun_disc:
             self._text.statement('LightSource', 'sun', parameters=[
                 factor('gain', strength * node.sun_intensity * SUN_GAIN),
                 parameter('vector', 'sundir', towards), factor('turbidity', haze),
-                factor('relsize', math.degrees(node.sun_size) / SUN_DEGREES)])
+                factor('relsize', math.degrees(node.sun_size) / SUN_DEGREES), *self._hidden])
 
     def _sky_light(self, plugin, towards, turbidity, strength, node):
         self._text.statement('LightSource', plugin, parameters=[
             factor('gain', strength * SKY_GAIN[node.sky_type]),
-            parameter('vector', 'sundir', tuple(towards)), factor('turbidity', turbidity)])
+            parameter('vector', 'sundir', tuple(towards)), factor('turbidity', turbidity),
+            *self._hidden])

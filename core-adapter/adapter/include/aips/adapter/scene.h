@@ -71,6 +71,9 @@ class Light {
     virtual std::uint32_t group() const = 0;  ///< light group (layer of the film)
     virtual float power() const = 0;          ///< about, in watts; 0 only for a dead light
     virtual bool at_infinity() const = 0;     ///< seen by rays that leave the scene
+    /// Whether the camera does not see it, neither straight nor through what passes light straight
+    /// on. All else is as without.
+    virtual bool hidden_from_camera() const { return false; }
     /// Draws a photon from primary coordinates in [0,1)^4; false if nothing leaves there. They are
     /// finer than single precision tells apart, and rounding to it may give 1: where a light is far
     /// wider than what is seen, places have to be worked out in double precision.

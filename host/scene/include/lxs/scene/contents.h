@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <map>
 #include <memory>
 #include <optional>
@@ -27,6 +28,7 @@ struct AreaEmission {
     float efficacy = 0;  ///< lumens per watt
     std::shared_ptr<const FrontProfile> profile;  ///< intensity by direction; null: diffuse
     std::uint32_t group = 0;
+    bool hidden = false;  ///< the camera does not see it
     SourceLocation where;
 };
 
@@ -55,6 +57,10 @@ struct Instance {
     std::size_t object = 0;  ///< index into SceneContents::objects
     Matrix to_world;         ///< without motion
     Motion motion = {};      ///< empty: stands still
+    /// Into SceneContents::outer_objects: the object that was placed, where that is one around
+    /// `object`; it names masks. kNoOuterObject: `object` itself.
+    std::uint32_t outer = kNoOuterObject;
+    static constexpr std::uint32_t kNoOuterObject = std::numeric_limits<std::uint32_t>::max();
 };
 
 /// A light without geometry: its parameters and where it stands.
@@ -78,6 +84,7 @@ struct SceneContents {
     std::map<std::string, OptionStatement> options;
     std::vector<Primitive> primitives;  ///< world space
     std::vector<ObjectDefinition> objects;
+    std::vector<std::string> outer_objects;  ///< names
     std::vector<Instance> instances;
     std::vector<LightDescription> lights;
     std::vector<SceneMedium> media;         ///< all that were named

@@ -47,6 +47,9 @@ class Light {
     virtual float power() const = 0;
     /// True for infinite, sky and sun lights: rays that leave the scene see `escaped`.
     virtual bool at_infinity() const { return false; }
+    /// True where the camera does not see it, neither straight nor through what passes light
+    /// straight on.
+    virtual bool hidden_from_camera() const { return false; }
 
     /// Draws a photon from primary coordinates: u[0..1] position, u[2..3] direction. False if these
     /// emit nothing. Positions on what may be far wider than a view (the disc beside the scene) are

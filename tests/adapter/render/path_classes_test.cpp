@@ -134,8 +134,9 @@ TEST(PathClasses, LampHiddenFromTheCamera) {
     }
     mock::Scene sky = floor_under_lamp({}, nullptr);
     sky.add_environment({2, 2, 2});
-    const HiddenLight above(*sky.lights()[1]);
-    const mock::SceneWithLights hidden_sky(sky, {sky.lights()[0], &above});
+    sky.finish();
+    const HiddenLight above(*sky.lights()[0]);
+    const mock::SceneWithLights hidden_sky(sky, {&above, sky.lights()[1]});
     const mock::Camera aside{{0, 0, 1}, {1, 0, 0.5f}, {0, 0.1f, 0}, {0, 0, 0.1f}, kSize, kSize};
     EXPECT_EQ(mean_of(hidden_sky, aside, true, false), 0);
 }

@@ -14,7 +14,7 @@ from cycles_agreement import differences
 
 FACETS = 0.04    # LuxRender's facets shadow each other by another formula than Cycles'
 PRINCIPLED = 0.05  # Cycles' diffuse base is Burley's, which darkens and brightens by angle
-DISC = 0.04      # Cycles' balls of light are discs turned to what they light: r^2 / (r^2 + d^2) less
+DISC = 0.04      # Cycles' balls of light are discs turned to what they light
 FOG = 0.04       # leaves room for noise, which fades slowly there
 STEEP = 0.04     # bumps so steep that normals turn away from eye or light, by other rules
 
@@ -177,7 +177,8 @@ class Volumes(Agreement):
     def test_tinted_glass(self):
         scene = scenes.lit_stage()
         glass = scenes.material('glass', 'ShaderNodeBsdfGlass', Roughness=0, IOR=1.0)
-        scenes.add_volume(glass, 'ShaderNodeVolumeAbsorption', Density=0.8, Color=(0.3, 0.6, 0.9, 1))
+        scenes.add_volume(glass, 'ShaderNodeVolumeAbsorption', Density=0.8,
+                          Color=(0.3, 0.6, 0.9, 1))
         scenes.ball('ball', 0.7, glass, (0.8, 0.2, 0.7))
         self.agrees('tinted', scene)
 

@@ -42,7 +42,8 @@ def lxs_image(path, integrator):
     scene_path = path.replace('.exr', '.lxs')
     scene = bpy.context.scene
     scene.render.resolution_x, scene.render.resolution_y = WIDTH, HEIGHT
-    export(scene_path, bpy.context.evaluated_depsgraph_get(), Film(WIDTH, HEIGHT, passes=PASSES, integrator=integrator),
+    export(scene_path, bpy.context.evaluated_depsgraph_get(),
+           Film(WIDTH, HEIGHT, passes=PASSES, integrator=integrator),
            frame_set=lambda frame, part: scene.frame_set(frame, subframe=part))
     done = subprocess.run([LXSRENDER, scene_path, '-o', path, '--strict', '--quiet', '--no-advice',
                            '--no-error-estimate'],
@@ -61,5 +62,6 @@ def differences(name, scene, integrator='aips'):
     """Relative differences of the blocks' means (of all colours together), ours from Cycles'."""
     path = os.path.join(FOLDER, name)
     ours, theirs = (blocks(image).mean(-1) for image in
-                    (lxs_image(path + '.exr', integrator), cycles_image(scene, path + '-cycles.exr')))
+                    (lxs_image(path + '.exr', integrator),
+                     cycles_image(scene, path + '-cycles.exr')))
     return (ours - theirs) / np.maximum(theirs, DARK * theirs.mean())

@@ -166,6 +166,19 @@ class Volumes(unittest.TestCase):
         self.assertEqual(left_out, ['light of volumes is left out: fog',
                                     'volumes of meshes that are not closed are left out: sheet'])
 
+    def test_what_has_no_inside_surrounds_nothing(self):
+        scenes.stage()
+        fog = scenes.volume('fog', 'ShaderNodeVolumePrincipled', Density=2)
+        scenes.box('flat', 1, fog, (0, 0, 1)).scale = (1, 1, 0)
+        clear = scenes.volume('clear', 'ShaderNodeVolumeScatter', Density=0, Anisotropy=0.5)
+        scenes.box('empty', 1, clear, (2, 0, 1))
+        edge = bpy.data.meshes.new('edge')
+        edge.from_pydata([(0, 0, 0), (1, 0, 0)], [], [(0, 1)])
+        scenes.add('edge', edge, (0, 0, 2), (0, 0, 0))
+        text, left_out = exported('no inside')
+        self.assertEqual(left_out, [])
+        self.assertNotIn('empty', ' '.join(re.findall(r'Interior.*', text)))
+
 
 class Materials(unittest.TestCase):
     def test_groups_and_reroutes_are_looked_through(self):

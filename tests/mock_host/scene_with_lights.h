@@ -45,6 +45,7 @@ class LightLike : public aips::Light {
     std::uint32_t group() const override { return light_.group(); }
     float power() const override { return light_.power(); }
     bool at_infinity() const override { return light_.at_infinity(); }
+    bool hidden_from_camera() const override { return light_.hidden_from_camera(); }
     bool emit(const aips::PrimaryPoint& u, aips::Emission& emission) const override {
         return light_.emit(u, emission);
     }

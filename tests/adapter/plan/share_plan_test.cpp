@@ -169,6 +169,20 @@ TEST(SharePlan, LightThatPhotonsLoseIsAnError) {
     EXPECT_NEAR(share_after(256, 1.2), best_share(1, 0.8), 1e-6) << "paths miss light, or seem to";
 }
 
+/// A leaf of which a single path is known says nothing of light that photons lose.
+TEST(SharePlan, OneBrightPathIsNoLightThatPhotonsLose) {
+    std::vector<ShareMoments> leaves{leaf(kPaths, 1), leaf(kPaths, 1)};
+    leaves[1].continued = 1;
+    leaves[1].x = leaves[1].xx = leaves[1].xy = 1;
+    leaves[1].y = 50;
+    leaves[1].yy = 2500;
+    const std::vector<EyeShare> shares(2);
+    ShareFacts facts = facts_of(leaves, shares, 0.01);
+    const SharePlan without = plan_shares(facts, kFixed);
+    facts.passes_until = 256;
+    EXPECT_EQ(plan_shares(facts, kFixed).shares, without.shares);
+}
+
 /// Where a path has no second ray, as under an open sky, a first one is all of it.
 TEST(SharePlan, PathsOfOneRayGoOnForTheSakeOfDirectLight) {
     std::vector<ShareMoments> leaves{leaf(kPaths / 1e5, 1, 0, 1)};

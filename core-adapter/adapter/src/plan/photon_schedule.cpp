@@ -31,6 +31,7 @@ double chosen_weight(std::uint32_t first_paths, bool learns) {
 /// What a pass counts for, in (0, 1], of a render that was taught: what was learned may be wrong
 /// where things have moved, and the first radii are as blind as those of any render.
 double taught_weight(std::uint64_t pass) {
+    static_assert(kTurnsFrom >= kTaughtPasses, "passes without photons leave the weight as it is");
     const double known = double(pass + 1) / kTaughtPasses;
     return std::min(known * known, 1.0);
 }
@@ -159,14 +160,15 @@ void PhotonSchedule::learned(LearnedParts& parts) {
         StateArchive::check(!adapts_ || (paths >= kFewestPerPass && paths <= kMostPerPass),
                             "a number of photons that no pass has");
         if (!archive.restoring()) return;
-        taught_ = adapts_ || learns_;
         next_.known = std::min(known, std::uint64_t(kRememberedLearning * kLearningPaths));
         if (adapts_ && chosen) {
             paths_ = paths;
             decided_ = true;
         }
-        plan();
     });
+    if (!parts.restoring()) return;
+    taught_ = (adapts_ || learns_) && !parts.taken().empty();
+    plan();
 }
 
 double PhotonSchedule::even_paths() const {

@@ -95,11 +95,11 @@ class Search {
         double photons = 0, eye = 0, variance = 0;
         for (const ShareMoments& m : facts_.leaves) {
             if (!(m.continued > 0)) continue;
-            const double difference = mean(m.x - m.y, m.continued);
+            // Not less the square of the mean: a single bright path then says one standard error.
             const double square = mean(m.xx + m.yy - 2 * m.xy, m.continued);
             photons += m.population * mean(m.x, m.continued);
             eye += m.population * mean(m.y, m.continued);
-            variance += sq(m.population) * std::max(0.0, square - sq(difference)) / m.continued;
+            variance += sq(m.population) * std::max(0.0, square) / m.continued;
         }
         const double lost = eye - photons;
         return lost > kCertainlyMissing * std::sqrt(variance) ? lost / eye : 0;
@@ -157,8 +157,8 @@ class Search {
         own_ += weight * own * facts_.squared_error;
         const double ray_cost = points * facts_.ray_cost;
         terms_.push_back({.photons = weight * photons * facts_.squared_error,
-                          .lost = weight * facts_.passes_until * sq(lost_) *
-                                  std::max(0.0, mean(m.xy, m.continued)),
+                          .lost = weight * facts_.points_per_pixel * facts_.passes_until *
+                                  sq(lost_) * std::max(0.0, mean(m.xy, m.continued)),
                           .eye = weight * kStratifiedPaths * eye,
                           .cost = ray_cost * mean(m.rays, m.continued),
                           .first_cost = ray_cost * kFirstRays,

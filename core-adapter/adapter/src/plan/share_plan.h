@@ -32,8 +32,9 @@ struct ShareFacts {
     double passes_until = 0;               ///< of the render, when the next decision comes; 0:
                                            ///< what photons lose does not count yet
     double points = 0;                     ///< visible points in one of them
-    double point_weight = 0;  ///< of one visible point's variance in the mean over pixels
-    double variance = 0;      ///< mean over pixels of the relative variance in a pass, all in all
+    double point_weight = 0;      ///< of one visible point's variance in the mean over pixels
+    double points_per_pixel = 1;  ///< in a pass: what they all lose does not average out
+    double variance = 0;  ///< mean over pixels of the relative variance in a pass, all in all
     /// The same of what eye paths bring by themselves; 0: not known.
     double own_variance = 0;
     double photon_paths = 0;   ///< in a pass that shoots

@@ -172,6 +172,7 @@ SharePlan SharedLight::decide(const SharedPass& pass, const PixelImportance& imp
     if (pass.number + 1 >= kLossJudgedFrom) facts.passes_until = 2.0 * double(pass.number + 1);
     facts.points = sums_.points / sums_.passes;
     facts.point_weight = 1 / (seen * per_pixel * per_pixel);
+    facts.points_per_pixel = per_pixel;
     facts.variance = sums_.variance / sums_.noisy_passes;
     facts.own_variance = own_noise_.take();
     facts.photon_paths = sums_.photon_paths / sums_.passes;

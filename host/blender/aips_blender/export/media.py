@@ -58,7 +58,8 @@ class MediumNodes:
         if make is None:
             self._left_out.add(f'shaders {found.node.bl_label} of volumes are left out', name)
             return CLEAR
-        return make(found, name)
+        medium = make(found, name)
+        return medium if any(medium.absorbs + medium.scatters) else CLEAR
 
     def _color(self, found, socket, name):
         rgb = self._textures.color(found.input(socket))

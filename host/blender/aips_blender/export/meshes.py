@@ -70,6 +70,8 @@ def write_parts(mesh, folder, stem, shader):
         return None
     corners, has_uv, has_color = _corners(mesh)
     slots = _array(mesh.loop_triangles, 'material_index', np.int32, 1).ravel()
+    if not len(slots):
+        return None
     positions = corners[:, :3]
     parts = MeshParts((positions.min(axis=0), positions.max(axis=0)), is_closed(mesh))
     for slot in map(int, np.unique(slots)):

@@ -11,7 +11,7 @@ from .materials import Materials
 from .media import CLEAR, Media
 from .motion import Motion, instance_key
 from .shapes import Mesh, Placed, Shapes
-from .spaces import Space, Spaces
+from .spaces import Space, Spaces, is_solid
 from .textures import Textures
 from .world import World
 
@@ -188,7 +188,7 @@ class _SceneExport:
         spaces = Spaces(world_medium, self.left_out)
         for placed in self._placed:
             mesh = self._meshes[placed.mesh]
-            if mesh.parts.triangles is not None:
+            if mesh.parts.triangles is not None and is_solid(placed.matrices[0]):
                 medium = next(s.medium for s in mesh.shaders.values() if s.medium != CLEAR)
                 spaces.add(Space(placed, medium, mesh.parts.triangles, placed.matrices[0]))
         return spaces

@@ -12,6 +12,11 @@ LEAST_OVERLAP = 1e-5  # of the extent, below which boxes only touch
 SHRUNK = 1e-3         # share by which boxes are made smaller before they are looked for
 
 
+def is_solid(matrix):
+    """Whether something placed so has an inside: it has none if it is flattened."""
+    return abs(np.linalg.det(np.array(matrix, float))) > 0
+
+
 class Space:
     """The inside of a closed mesh at its place."""
 

@@ -44,10 +44,13 @@ class Lights(Agreement):
         self.lit_by('POINT', 300, shadow_soft_size=0)
 
     def test_ball(self):
-        # In the view, but hidden from the camera as Blender's lights are.
+        self.lit_by('POINT', 300, shadow_soft_size=0.3, color=(1, 0.7, 0.3))
+
+    def test_ball_in_view(self):
+        """Hidden from the camera, as Blender's lights are."""
         scenes.stage()
         scenes.light('POINT', 300, (0.6, 0.2, 1.6), shadow_soft_size=0.3, color=(1, 0.7, 0.3))
-        self.agrees('ball', bpy.context.scene, DISC)
+        self.agrees('ball in view', bpy.context.scene, DISC)
 
     def test_spot(self):
         self.lit_by('SPOT', 800, shadow_soft_size=0, spot_size=1.2, spot_blend=0.4)

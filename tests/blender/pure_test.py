@@ -93,6 +93,7 @@ class Formulas(unittest.TestCase):
         self.assertIn('"float screenwindow" [-1 3 -1 1]', found)
 
 
+class Masks(unittest.TestCase):
     def test_hashes_of_masks(self):
         # Those of the specification's example, and of the empty text.
         self.assertEqual([murmur.hash_of(t) for t in ('', 'hello', 'hello, world')],

@@ -209,15 +209,11 @@ def _mapping(tree, texture, coordinates):
 
 def half_transparent(share):
     """A mix of diffuse and, by the share, transparent."""
-    return _mixed(share, 'ShaderNodeBsdfTransparent')
-
-
-def _mixed(share, second):
     made = material('mix', 'ShaderNodeMixShader', Fac=share)
     tree = made.node_tree
     mix = tree.nodes['Mix Shader']
     diffuse = tree.nodes.new('ShaderNodeBsdfDiffuse')
     diffuse.inputs['Color'].default_value = (0.2, 0.5, 0.2, 1)
     tree.links.new(diffuse.outputs[0], mix.inputs[1])
-    tree.links.new(tree.nodes.new(second).outputs[0], mix.inputs[2])
+    tree.links.new(tree.nodes.new('ShaderNodeBsdfTransparent').outputs[0], mix.inputs[2])
     return made

@@ -91,13 +91,9 @@ void Scene::finish() {
     }
     for (const auto& light : lights_)
         light_pointers_.push_back(light.get());
-    smallest_step_ = smallest_step();
-}
-
-double Scene::smallest_step() const {
     const Vec3 reach = max(abs(bounds_.lower), abs(bounds_.upper));
     const double farthest = std::max({reach.x, reach.y, reach.z});
-    return std::max(1e-5 * double(bounds_.diagonal()), 4 * 0x1p-23 * farthest);
+    smallest_step_ = std::max(1e-5 * double(bounds_.diagonal()), 4 * 0x1p-23 * farthest);
 }
 
 bool Scene::nearest(const aips::Ray& ray, double t_max, RayTargets::Hit& hit) const {

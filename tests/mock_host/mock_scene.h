@@ -68,12 +68,10 @@ class Scene final : public aips::Scene {
   private:
     bool nearest(const aips::Ray& ray, double t_max, RayTargets::Hit& hit) const;
     float distance_to_end(const aips::Ray& ray) const;
-    /// The smallest step that single-precision positions of this scene can resolve.
-    double smallest_step() const;
 
     std::vector<Surface> surfaces_;
     RayTargets targets_;
-    double smallest_step_ = 0;
+    double smallest_step_ = 0;  ///< that single-precision positions of this scene can resolve
     std::vector<aips::LightIndex> light_of_surface_;
     std::vector<std::unique_ptr<aips::Light>> lights_;
     std::vector<const aips::Light*> light_pointers_, lights_of_surfaces_;

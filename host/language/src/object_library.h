@@ -58,9 +58,10 @@ class ObjectLibrary {
         std::vector<Primitive> primitives;
         std::vector<LightDescription> lights;
         std::vector<Child> children;
+        /// Into SceneContents::outer_objects, once it was placed around others.
+        std::uint32_t outer = Instance::kNoOuterObject;
         // Set by end():
-        int depth = 1;                                   ///< levels of objects, itself included
-        std::uint32_t outer = Instance::kNoOuterObject;  ///< into SceneContents::outer_objects
+        int depth = 1;     ///< levels of objects, itself included
         double parts = 0;  ///< definitions and lights that one instance places
         bool shines = false;
         bool lacks_material = false, lacks_interior = false, lacks_exterior = false;
@@ -75,8 +76,8 @@ class ObjectLibrary {
     std::size_t find(const Name& name) const;
     void expand(std::size_t object, const MovingTransform& transform, const Inheritance& inherited,
                 std::uint32_t outer, SceneContents& contents);
-    /// Of the object that is placed, for the instances within it; kNoOuterObject without any.
-    std::uint32_t outer_index(Object& placed, SceneContents& contents);
+    /// Index into SceneContents::outer_objects, which gets the name at its first use.
+    static std::uint32_t outer_index(Object& placed, SceneContents& contents);
     /// Stills objects that shine, with a warning.
     MovingTransform placed(const Object& object, const MovingTransform& transform) const;
     std::size_t variant(std::size_t object, Inheritance inherited);

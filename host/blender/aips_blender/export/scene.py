@@ -134,8 +134,7 @@ class _SceneExport:
         mesh = thing.to_mesh()
         try:
             stem = f'{len(self._meshes)}-{safe_name(thing.name)}'
-            parts = mesh and meshes.write_parts(mesh, self._folder, stem,
-                                                shader)
+            parts = mesh and meshes.write_parts(mesh, self._folder, stem, shader)
         finally:
             thing.to_mesh_clear()
         if parts is None:

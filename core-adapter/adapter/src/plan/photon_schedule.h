@@ -68,8 +68,8 @@ class PhotonSchedule {
     /// schedule with the same settings.
     void state(StateArchive& archive);
     /// Saves for another render with as many eye paths what this one would go on with, or takes it
-    /// before the first pass: the number is chosen by then, and a guide has learned. Comes after
-    /// all other parts of photons: of a render that any of them taught the first passes count less.
+    /// before the first pass: the number is chosen by then, and a guide has learned. Where
+    /// this or any part before it is taken, another render has taught, and first passes count less.
     void learned(LearnedParts& parts);
 
   private:

@@ -251,10 +251,10 @@ void PhotonStrategy::learned(LearnedParts& parts) {
         // A first look judges it anew; without one nothing would.
         if (way != plan_.way && plan_.allows(way) && plan_.looks_first()) take_way(way);
     });
+    schedule_.learned(parts);
     if (importance_) importance_->learned(parts);
     if (shared_) shared_->learned(parts);
     photon_pass_.learned(parts);
-    schedule_.learned(parts);
 }
 
 void PhotonStrategy::state_of_seconds(StateArchive& archive) {

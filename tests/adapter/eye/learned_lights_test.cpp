@@ -69,8 +69,8 @@ bool skipped(const mock::Rendering& rendering) {
 /// 13 tests at a family-wise significance of 1 %, fixed seeds; 3 % would be found.
 TEST(LearnedLights, SameExpectationAsByPower) {
     const mock::View view = rooms();
-    const auto plain = renders(view, by_power, 100, 192, 8),
-               clever = renders(view, learned, 200, 192, 8);
+    const auto plain = renders(view, by_power, 100, 144, 8),
+               clever = renders(view, learned, 200, 144, 8);
     const auto same = statistics::compare(plain, clever, 0.01);
     EXPECT_FALSE(same.differs()) << same.describe();
     EXPECT_LT(same.detectable, 0.03) << same.describe();

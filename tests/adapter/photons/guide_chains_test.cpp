@@ -117,31 +117,25 @@ TEST(GuideChains, HaveTheExpectationOfUnguidedPhotons) {
     Settings settings = adaptive(100, true);
     settings.guide = GuideKind::None;
     const auto plain = block_means(settings, 16, 4);
+    const auto expect_same = [&](const Settings& chains, unsigned seeds, std::uint32_t passes) {
+        const auto same = statistics::compare(plain, block_means(chains, seeds, passes), 0.01);
+        std::cout << same.describe() << "\n";
+        EXPECT_FALSE(same.differs()) << same.describe();
+        EXPECT_LT(same.detectable, 0.125) << same.describe();
+    };
     for (const bool guided : {false, true}) {
         SCOPED_TRACE(guided);
         settings = adaptive(200, true);
         settings.guide_chain_starts = guided;
-        const auto same = statistics::compare(plain, block_means(settings, 16, 4), 0.01);
-        std::cout << same.describe() << "\n";
-        EXPECT_FALSE(same.differs()) << same.describe();
-        EXPECT_LT(same.detectable, 0.125) << same.describe();
+        expect_same(settings, 16, 4);
     }
-}
-
-/// Passes so short that the first ones seldom see one path, and later ones some that weigh
-/// differently: chains whose starts did not follow the weights, or passes whose share of visible
-/// paths and whose paths depended on each other otherwise, would show.
-TEST(GuideChains, HaveTheExpectationOfUnguidedPhotonsInShortPasses) {
-    Settings settings = adaptive(600, true);
-    settings.guide = GuideKind::None;
-    const auto plain = block_means(settings, 16, 4);
+    SCOPED_TRACE("short passes");
+    // The first ones seldom see one path, and later ones some that weigh differently: chains whose
+    // starts did not follow the weights, or passes whose share of visible paths and whose paths
+    // depended on each other otherwise, would show.
     settings = adaptive(700, true);
     settings.photons_per_pass = 2000;
-    const auto chained = block_means(settings, 24, 150);
-    const auto same = statistics::compare(plain, chained, 0.01);
-    std::cout << same.describe() << "\n";
-    EXPECT_FALSE(same.differs()) << same.describe();
-    EXPECT_LT(same.detectable, 0.125) << same.describe();
+    expect_same(settings, 24, 150);
 }
 
 /// What guided starts are for: measured paths tell the brightness as many more plain ones would.

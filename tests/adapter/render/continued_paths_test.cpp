@@ -89,9 +89,9 @@ TEST(ContinuedPaths, SameExpectationAsPhotonsAlone) {
     const auto photons = renders(by_photons, 10000, kSeeds, 6);
     EXPECT_EQ(photons.continued, 0u);
     const auto a = relative(photons.means, photons.means);
-    const auto expect_same = [&](const std::function<void(Settings&)>& choose,
+    const auto expect_same = [&](const std::function<void(Settings&)>& choose, unsigned passes,
                                  std::uint64_t first_seed, double least_continued) {
-        const auto shared = renders(choose, first_seed, kSeeds, 24);
+        const auto shared = renders(choose, first_seed, kSeeds, passes);
         EXPECT_GT(double(shared.continued), least_continued * double(shared.eye_paths));
         const auto b = relative(shared.means, photons.means);
         const auto same = statistics::compare(a, b, 0.01, kRadiusBias);
@@ -103,11 +103,11 @@ TEST(ContinuedPaths, SameExpectationAsPhotonsAlone) {
     };
     {
         SCOPED_TRACE("the eye's");
-        expect_same(by_the_eye, 40000, 0.5);
+        expect_same(by_the_eye, 24, 40000, 0.5);
     }
     {
         SCOPED_TRACE("both");
-        expect_same(by_both, 70000, 0.1);
+        expect_same(by_both, 12, 70000, 0.1);
     }
 }
 

@@ -154,7 +154,7 @@ TEST(RandomScenes, SameExpectationWhateverTheGuide) {
     }
     {
         SCOPED_TRACE("photons by the noise");
-        const Guided chosen = expect_same(reference, {by_noise, 50000, 6, 12});
+        const Guided chosen = expect_same(reference, {by_noise, 50000, 6, 7});
         EXPECT_NE(chosen.most, kManyEyePaths) << "what each render began with";
     }
 }

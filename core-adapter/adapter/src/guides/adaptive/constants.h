@@ -113,7 +113,7 @@ inline constexpr std::uint32_t kLearningIterationPaths = 1u << 14;
 /// Photon paths of an iteration afterwards. Unit: photon paths.
 /// Balances: as before, for a guide that changes little; and memory.
 /// Chosen by: docs/notebook/2026-11-26-lagging-guide.md.
-/// Supported by: sun-window (16384, 43 seeds).
+/// Supported by: one scene only: sun-window (16384 in its place, 43 seeds).
 inline constexpr std::uint32_t kSettledIterationPaths = 1u << 15;
 
 /// Of so many paths one is scored until then. Unit: photon paths.

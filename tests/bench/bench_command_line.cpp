@@ -157,12 +157,33 @@ void add_paper(CLI::App& app, BenchCommandLine& command) {
     paper.callback([&command] { command.command = Command::Paper; });
 }
 
-void add_others(CLI::App& app, BenchCommandLine& command) {
-    CLI::App& table = *app.add_subcommand("table", "print a study's comparisons as Markdown");
-    table.add_option("dir", command.folder, "folder of the study")->type_name("DIR")->required();
+void add_table(CLI::App& app, BenchCommandLine& command) {
+    CLI::App& table = *app.add_subcommand(
+        "table", "print a study's comparisons, or errors of several studies, as Markdown");
+    table
+        .add_option("dir", command.shown,
+                    "folder of the study; with --error several, and NAME=DIR for a column's name")
+        ->type_name("DIR")
+        ->required();
     table.add_option("--clock", command.clock, "cpu (default) or wall")
         ->check(CLI::IsMember({"cpu", "wall"}));
-    table.callback([&command] { command.command = Command::Table; });
+    table
+        .add_option("--error", command.shown_error,
+                    "one table of this error, a row each scene: relmse_rest, relmse, mse or rmse")
+        ->check(CLI::IsMember({"relmse_rest", "relmse", "mse", "rmse"}));
+    table
+        .add_option("--budget", command.shown_budget_s,
+                    "of --error: seconds (default: the first study's longest budget)")
+        ->check(CLI::Validator(lxs::check_positive, "SECONDS"));
+    table.callback([&command] {
+        if (command.shown_error.empty() && command.shown.size() > 1)
+            throw CLI::ValidationError("dir", "several are shown with --error only");
+        command.command = Command::Table;
+    });
+}
+
+void add_others(CLI::App& app, BenchCommandLine& command) {
+    add_table(app, command);
     CLI::App& methods = *app.add_subcommand("methods", "print the methods that this build can run");
     add_method_table(methods, command);
     methods.callback([&command] { command.command = Command::Methods; });

@@ -36,7 +36,10 @@ struct BenchCommandLine {
     std::string baseline = "sppm";
     std::optional<unsigned> photons_per_pass;
     bool photon_part = false;
-    std::string folder;  ///< --out of run, DIR of table, agreement and report, JOB of render-one
+    std::string folder;  ///< --out of run, DIR of agreement and report, JOB of render-one
+    std::vector<std::string> shown;  ///< of table: DIR, or NAME=DIR with an error
+    std::string shown_error;         ///< of table: a figure; "": comparisons
+    std::optional<double> shown_budget_s;
     std::string smaller_radius;  ///< of agreement: DIR of the study that tells the bias
     std::string references = "out/bench-references";
     std::string method_table, scene_table, scene_folder;

@@ -8,6 +8,7 @@
 #include "agreement_command.h"
 #include "bench_command_line.h"
 #include "comparison_table.h"
+#include "error_table.h"
 #include "lxs/host/failure.h"
 #include "measured_render.h"
 #include "method_check.h"
@@ -64,11 +65,25 @@ ExitCode reference(const BenchCommandLine& command, const lxs::PluginLibrary& pl
     return make_references(request, table, plugins, interruption, log);
 }
 
+Json read_summary(const std::filesystem::path& folder) {
+    return read_json(folder / "summary.json", kSummarySchema);
+}
+
 ExitCode print_table(const BenchCommandLine& command) {
-    const Json summary =
-        read_json(std::filesystem::path(command.folder) / "summary.json", kSummarySchema);
     const std::string clock = command.clock == "wall" ? "wall" : "cpu";
-    std::fputs(comparison_table(summary, clock).c_str(), stdout);
+    if (command.shown_error.empty()) {
+        const Json summary = read_summary(command.shown.front());
+        std::fputs(comparison_table(summary, clock).c_str(), stdout);
+        return ExitCode::Success;
+    }
+    std::vector<ShownStudy> studies;
+    for (const std::string& shown : command.shown) {
+        const std::size_t folder = shown.find('=') + 1;  // 0 without a name
+        studies.push_back(
+            {read_summary(shown.substr(folder)), folder > 0 ? shown.substr(0, folder - 1) : ""});
+    }
+    const ShownError error{command.shown_error, clock, command.shown_budget_s};
+    std::fputs(error_table(studies, error).c_str(), stdout);
     return ExitCode::Success;
 }
 

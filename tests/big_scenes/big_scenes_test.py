@@ -1,11 +1,14 @@
-"""Protects: a triangle takes at most 1.3 times the memory that it takes Embree alone, and the scenes of
-scripts/big-scenes, instanced and textured ones too, are rendered.
+"""Protects: a triangle takes at most 1.3 times the memory that it takes Embree alone, the scenes of
+scripts/big-scenes, instanced and textured ones too, are rendered, and builds of hierarchies are reckoned for more
+processors.
 
     big_scenes_test.py BUILD
 """
 import importlib.machinery
 import importlib.util
+import json
 import pathlib
+import subprocess
 import sys
 import tempfile
 import unittest
@@ -53,6 +56,15 @@ class BigScenes(unittest.TestCase):
         alone = big_scenes.bare(BUILD, self.folder, 1, True)
         self.assertGreater(alone['hits'], 0.7 * big_scenes.WIDTH * big_scenes.HEIGHT)
         self.assertEqual(ours['scene']['triangles'], count / 100)
+
+    def test_a_build_is_divided_among_processors(self):
+        big_scenes.write_mesh(self.folder, 200_000)
+        reckoned = json.loads(subprocess.run([BUILD / 'bin/build-span', self.folder / 'terrain.ply'], check=True,
+                                             capture_output=True).stdout)
+        self.assertGreater(reckoned['tasks'], 1000)
+        seconds = list(reckoned['seconds'].values())
+        self.assertEqual(seconds, sorted(seconds, reverse=True))
+        self.assertGreater(seconds[-1], 0)
 
     def test_textures_are_read(self):
         self.assertEqual(big_scenes.write_textures(self.folder, 1, side=256), 5)

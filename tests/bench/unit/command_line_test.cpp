@@ -33,6 +33,8 @@ TEST(BenchCommandLine, MistakesExitWithTwoAndSayWhatIsWrong) {
          "expected plugin.parameter=value"},
         {"reference --scenes furnace --seconds 0", "above 0"},
         {"table", "dir is required"},
+        {"table a b", "several are shown with --error only"},
+        {"table a --error mean", "--error"},
         {"agreement", "dir is required"},
     };
     for (const auto& [arguments, message] : cases) {

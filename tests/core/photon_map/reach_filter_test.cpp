@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <limits>
+#include <thread>
 
 #include "aips/core/sampling/random.h"
 
@@ -46,6 +47,33 @@ TEST(ReachFilter, SeldomPassesInVain) {
     for (const Vec3& q : scattered(10000, {}, 1000, 2))
         passed += filter.may_reach(q);
     EXPECT_LT(passed, 2000u);
+}
+
+/// Jobs of one build at the same time, so that the thread sanitizer sees them, and from the last
+/// on.
+void on_two_threads(std::uint32_t count, const Job& job) {
+    const auto half = [&](std::uint32_t which) {
+        for (std::uint32_t i = count; i-- > 0;) {
+            if (i % 2 == which) job(i);
+        }
+    };
+    std::thread other(half, 1);
+    half(0);
+    other.join();
+}
+
+TEST(ReachFilter, IsTheSameOnSeveralThreads) {
+    const auto points = scattered(5000, {}, 40, 1);
+    ReachFilter serial, parallel;
+    serial.build(points, 1);
+    parallel.build(points, 1, on_two_threads);
+    unsigned passed = 0;
+    for (const Vec3& q : scattered(20000, {}, 100, 2)) {
+        ASSERT_EQ(serial.may_reach(q), parallel.may_reach(q));
+        passed += serial.may_reach(q);
+    }
+    EXPECT_GT(passed, 1000u);
+    EXPECT_LT(passed, 19000u);
 }
 
 TEST(ReachFilter, PointsThatAreNotFiniteReachNothing) {

@@ -24,7 +24,7 @@ void LandingGrid::build(std::span<const Landing> landings, float radius,
     });
     cells_.build(positions_, radius, parallel);
     if (landings.size() * kQueriesOfFewLandings < queries) {
-        filter_.build(positions_, radius);
+        filter_.build(positions_, radius, parallel);
     } else {
         filter_.clear();
     }

@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "aips/core/base/parallel.h"
 #include "aips/core/photon_map/cell_hash.h"
 
 namespace aips {
@@ -15,8 +16,10 @@ namespace aips {
 /// are const and may run on many threads.
 class ReachFilter {
   public:
-    /// Of the finite ones of `points`; reuses the memory.
-    void build(std::span<const Vec3> points, float radius);
+    /// Of the finite ones of `points`; reuses the memory. The result is the same for every
+    /// `parallel`.
+    void build(std::span<const Vec3> points, float radius,
+               const ParallelFor& parallel = serial_for);
     /// Lets everything pass.
     void clear() { mask_ = 0; }
 
@@ -32,6 +35,8 @@ class ReachFilter {
     static std::size_t memory_bound_bytes(std::size_t max_points);
 
   private:
+    void mark(Vec3 point);
+
     CellGrid cells_;
     std::uint64_t mask_ = 0;           // bits less one; 0: all pass
     std::vector<std::uint64_t> bits_;  // by hash

@@ -1,3 +1,4 @@
+// Cells by scene and column, gathered over all studies before any is written.
 #include "error_table.h"
 
 #include <fmt/format.h>

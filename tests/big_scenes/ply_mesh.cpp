@@ -1,3 +1,4 @@
+// Reading row by row, so that the file is never in memory beside the mesh.
 #include "ply_mesh.h"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// Wrapped tasks, and the functions of oneTBB that this program has in the library's place.
 #include "task_span.h"
 
 #include <dlfcn.h>
@@ -35,6 +36,14 @@ struct Account {
 
 // The library's functions have no room for an argument of ours.
 Account* account = nullptr;
+
+/// Measuring lasts as long as this lives.
+struct Opened {
+    explicit Opened(Account& opened) { account = &opened; }
+    ~Opened() { account = nullptr; }
+    Opened(const Opened&) = delete;
+    Opened& operator=(const Opened&) = delete;
+};
 
 /// A task that begins when it was spawned, whenever it is its turn.
 class Timed : public d1::task {
@@ -105,10 +114,11 @@ Span measure(int processors, const std::function<void()>& body,
              const std::function<double()>& clock) {
     const tbb::global_control alone(tbb::global_control::max_allowed_parallelism, 1);
     Account own{clock, processors, clock()};
-    account = &own;
-    body();
-    own.advance();
-    account = nullptr;
+    {
+        const Opened opened(own);
+        body();
+        own.advance();
+    }
     own.span.span = own.now;
     return own.span;
 }

@@ -167,13 +167,16 @@ void add_table(CLI::App& app, BenchCommandLine& command) {
         ->required();
     table.add_option("--clock", command.clock, "cpu (default) or wall")
         ->check(CLI::IsMember({"cpu", "wall"}));
-    table
-        .add_option("--error", command.shown_error,
-                    "one table of this error, a row each scene: relmse_rest, relmse, mse or rmse")
-        ->check(CLI::IsMember({"relmse_rest", "relmse", "mse", "rmse"}));
+    CLI::Option* const error =
+        table
+            .add_option(
+                "--error", command.shown_error,
+                "one table of this error, a row each scene: relmse_rest, relmse, mse or rmse")
+            ->check(CLI::IsMember({"relmse_rest", "relmse", "mse", "rmse"}));
     table
         .add_option("--budget", command.shown_budget_s,
                     "of --error: seconds (default: the first study's longest budget)")
+        ->needs(error)
         ->check(CLI::Validator(lxs::check_positive, "SECONDS"));
     table.callback([&command] {
         if (command.shown_error.empty() && command.shown.size() > 1)

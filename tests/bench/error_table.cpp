@@ -40,6 +40,8 @@ class Table {
         ++cell.count;
     }
 
+    bool is_empty() const { return cells_.empty(); }
+
     std::string text() const {
         std::string text = "| scene |", rule = "| --- |";
         for (const std::string& column : columns_) {
@@ -110,20 +112,17 @@ std::string column_of(const ShownStudy& study, const Json& settings) {
     return several && variant != "any" ? fmt::format("{}, {}", method, variant) : method;
 }
 
-double longest_budget(const std::vector<ShownStudy>& studies) {
+double longest_budget(const ShownStudy& study) {
     double longest = 0;
-    for (const ShownStudy& study : studies) {
-        for (const double budget_s : study.summary.at("study").at("budgets_s"))
-            longest = std::max(longest, budget_s);
-        if (longest > 0) return longest;
-    }
-    throw StudyError("no study with a budget to show errors at");
+    for (const double budget_s : study.summary.at("study").at("budgets_s"))
+        longest = std::max(longest, budget_s);
+    return longest;
 }
 
 }  // namespace
 
 std::string error_table(const std::vector<ShownStudy>& studies, const ShownError& shown) {
-    const double budget_s = shown.budget_s ? *shown.budget_s : longest_budget(studies);
+    const double budget_s = shown.budget_s ? *shown.budget_s : longest_budget(studies.front());
     Table table;
     for (const ShownStudy& study : studies) {
         for (const Json& run : study.summary.at("runs")) {
@@ -139,6 +138,8 @@ std::string error_table(const std::vector<ShownStudy>& studies, const ShownError
             }
         }
     }
+    if (table.is_empty())
+        throw StudyError(fmt::format("no error after {:g} {} seconds", budget_s, shown.clock));
     return fmt::format("{} after {:g} {} seconds, mean over seeds:\n\n", shown.figure, budget_s,
                        shown.clock) +
            table.text();

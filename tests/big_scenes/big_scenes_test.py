@@ -62,9 +62,8 @@ class BigScenes(unittest.TestCase):
         reckoned = json.loads(subprocess.run([BUILD / 'bin/build-span', self.folder / 'terrain.ply'], check=True,
                                              capture_output=True).stdout)
         self.assertGreater(reckoned['tasks'], 1000)
-        seconds = list(reckoned['seconds'].values())
-        self.assertEqual(seconds, sorted(seconds, reverse=True))
-        self.assertGreater(seconds[-1], 0)
+        # Half a dozen on a machine that others keep busy; 1 where tasks begin one after the other.
+        self.assertGreater(reckoned['seconds']['1'], 3 * reckoned['seconds']['64'])
 
     def test_textures_are_read(self):
         self.assertEqual(big_scenes.write_textures(self.folder, 1, side=256), 5)

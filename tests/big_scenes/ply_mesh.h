@@ -14,7 +14,7 @@ struct Mesh {
     std::size_t vertices = 0;
 };
 
-/// Throws std::runtime_error when the file is no such file, or too short.
+/// Throws std::exception when the file is no such file, or too short.
 Mesh read_mesh(const char* path);
 
 /// An empty scene with the flags of the host.

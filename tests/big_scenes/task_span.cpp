@@ -97,7 +97,7 @@ void reckon_wait(const Wait& wait) {
 
 /// The function of the library that is called `name`, which one of ours hides.
 template <class Function>
-Function* next(const char* name) {
+Function* in_library(const char* name) {
     void* const found = dlsym(RTLD_NEXT, name);
     if (!found) throw std::runtime_error(std::string("no ") + name + " in this version of oneTBB");
     return reinterpret_cast<Function*>(found);
@@ -128,37 +128,37 @@ Span measure(int processors, const std::function<void()>& body,
 // oneTBB's entry points (oneapi/tbb/detail/_task.h).
 namespace tbb::detail::r1 {
 
-using task_span::next;
+using task_span::in_library;
 
 void spawn(d1::task& task, d1::task_group_context& context) {
-    static auto* const real = next<void(d1::task&, d1::task_group_context&)>(
+    static auto* const real = in_library<void(d1::task&, d1::task_group_context&)>(
         "_ZN3tbb6detail2r15spawnERNS0_2d14taskERNS2_18task_group_contextE");
     real(task_span::timed(task), context);
 }
 
 void spawn(d1::task& task, d1::task_group_context& context, d1::slot_id slot) {
-    static auto* const real = next<void(d1::task&, d1::task_group_context&, d1::slot_id)>(
+    static auto* const real = in_library<void(d1::task&, d1::task_group_context&, d1::slot_id)>(
         "_ZN3tbb6detail2r15spawnERNS0_2d14taskERNS2_18task_group_contextEt");
     real(task_span::timed(task), context, slot);
 }
 
 void execute_and_wait(d1::task& task, d1::task_group_context& context, d1::wait_context& wait,
                       d1::task_group_context& wait_group) {
-    static auto* const real = next<void(d1::task&, d1::task_group_context&, d1::wait_context&,
-                                        d1::task_group_context&)>(
+    static auto* const real = in_library<void(d1::task&, d1::task_group_context&, d1::wait_context&,
+                                              d1::task_group_context&)>(
         "_ZN3tbb6detail2r116execute_and_waitERNS0_2d14taskERNS2_18task_group_contextERNS2_12wait_"
         "contextES6_");
     task_span::reckon_wait([&] { real(task_span::timed(task), context, wait, wait_group); });
 }
 
 void wait(d1::wait_context& wait, d1::task_group_context& context) {
-    static auto* const real = next<void(d1::wait_context&, d1::task_group_context&)>(
+    static auto* const real = in_library<void(d1::wait_context&, d1::task_group_context&)>(
         "_ZN3tbb6detail2r14waitERNS0_2d112wait_contextERNS2_18task_group_contextE");
     task_span::reckon_wait([&] { real(wait, context); });
 }
 
 int max_concurrency(const d1::task_arena_base* arena) {
-    static auto* const real = next<int(const d1::task_arena_base*)>(
+    static auto* const real = in_library<int(const d1::task_arena_base*)>(
         "_ZN3tbb6detail2r115max_concurrencyEPKNS0_2d115task_arena_baseE");
     return task_span::account ? task_span::account->processors : real(arena);
 }

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 #include <tbb/parallel_for.h>
 #include <tbb/parallel_invoke.h>
+#include <tbb/task_arena.h>
 #include <tbb/task_group.h>
 
 #include <algorithm>
@@ -90,6 +91,15 @@ TEST(TaskSpan, OfAGroupGoesOnBesideIt) {
     EXPECT_EQ(span.work, 10);
     EXPECT_EQ(span.span, 6);
     EXPECT_EQ(span.tasks, 2u);
+}
+
+TEST(TaskSpan, DividesWorkAsForTheProcessorsAskedFor) {
+    Worked clock;
+    const int before = tbb::this_task_arena::max_concurrency();
+    int meanwhile = 0;
+    clock.measure([&] { meanwhile = tbb::this_task_arena::max_concurrency(); });
+    EXPECT_EQ(meanwhile, 64);
+    EXPECT_EQ(tbb::this_task_arena::max_concurrency(), before);
 }
 
 TEST(TaskSpan, LeavesTasksAloneThatAreNotMeasured) {

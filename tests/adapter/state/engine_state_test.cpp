@@ -2,6 +2,7 @@
 // the uninterrupted one, film, layers, statistics and later states alike, whatever was learned.
 #include <gtest/gtest.h>
 
+#include "guides/adaptive/constants.h"
 #include "resumable_render.h"
 
 namespace aips::engine_state_test {
@@ -125,6 +126,15 @@ TEST(ResumableCases, HavePassesWithoutPhotonsWhereTheySaySo) {
             without += render.statistics().photon_paths == before;
         }
         EXPECT_GE(without, 3u);
+    }
+}
+
+TEST(ResumableCases, LearnBesideTracingWhereTheySaySo) {
+    for (const ResumableCase& what : mock::resumable_cases()) {
+        if (what.name != "lagging_guide") continue;
+        ResumableRender render(what);
+        render.render_to(what.passes);
+        EXPECT_GT(render.statistics().photon_paths, kEagerPaths + what.settings.photons_per_pass);
     }
 }
 

@@ -103,6 +103,10 @@ void add_parts(std::vector<ResumableCase>& cases) {
     cases.push_back({"chains_for_guide", chains, false, 4, 20, 15, true});
     chains.guide_chain_starts = false;
     cases.push_back({"unguided_chains_for_guide", chains, false, 4, 20, 15, true});
+    // So many paths that the guide learns from an iteration while the next is traced.
+    Settings lagging = settings_of(GuideKind::Adaptive);
+    lagging.photons_per_pass = 600'000;
+    cases.push_back({"lagging_guide", lagging, false, 3});
 }
 
 }  // namespace

@@ -35,6 +35,7 @@ TEST(BenchCommandLine, MistakesExitWithTwoAndSayWhatIsWrong) {
         {"table", "dir is required"},
         {"table a b", "several are shown with --error only"},
         {"table a --error mean", "--error"},
+        {"table a --budget 20", "--error"},
         {"agreement", "dir is required"},
     };
     for (const auto& [arguments, message] : cases) {

@@ -72,8 +72,10 @@ TEST(ErrorTable, TellsVariantsApartWhereThereAreSeveral) {
                 HasSubstr("| scene | aips, shipped | aips, fixed | path |"));
 }
 
-TEST(ErrorTable, NeedsABudget) {
-    EXPECT_THROW(error_table({}, kRelative), StudyError);
+TEST(ErrorTable, NeedsAnError) {
+    const auto one = study({run("hall", "aips", "shipped", 20, 0.1)});
+    EXPECT_THROW(error_table({one}, {"relmse", "cpu", 60}), StudyError);
+    EXPECT_THROW(error_table({one}, {"relmse", "wall", 20}), StudyError);
 }
 
 }  // namespace

@@ -15,4 +15,13 @@ inline void tbb_for(std::uint32_t count, const Job& job) {
     tbb::parallel_for(0u, count, job);
 }
 
+/// work(i) for each i below `count`, many in a job.
+template <class Work>
+void for_all(std::size_t count, const Work& work) {
+    in_chunks(count, kItemsPerJob, tbb_for, [&](std::size_t first, std::size_t last) {
+        for (std::size_t i = first; i < last; ++i)
+            work(i);
+    });
+}
+
 }  // namespace aips

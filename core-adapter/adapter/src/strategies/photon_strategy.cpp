@@ -1,6 +1,7 @@
 // Light by photons.
 #include "strategies/photon_strategy.h"
 
+#include "base/parallel_for.h"
 #include "base/stopwatch.h"
 #include "eye/light_choice.h"
 #include "guides/adaptive/adaptive_guide.h"
@@ -153,13 +154,11 @@ void PhotonStrategy::join_eye_share(const StrategyPass& pass, const PassPhotons&
     const std::uint32_t turns = schedule_.turns();
     if (turns > 1) {
         counted_.resize(radiance_.size());
-        for (std::size_t i = 0; i < radiance_.size(); ++i)
-            counted_[i] = radiance_[i] * float(turns - 1);
+        for_all(radiance_.size(),
+                [&](std::size_t i) { counted_[i] = radiance_[i] * float(turns - 1); });
     }
     shared_->join({pass.number, photons.paths, turns}, pass.image, flux_, *importance_, radiance_);
-    if (turns == 1) return;
-    for (std::size_t i = 0; i < radiance_.size(); ++i)
-        counted_[i] += radiance_[i];
+    if (turns > 1) for_all(radiance_.size(), [&](std::size_t i) { counted_[i] += radiance_[i]; });
 }
 
 /// Eye paths go on as in passes that shoot.

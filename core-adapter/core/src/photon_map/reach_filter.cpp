@@ -10,7 +10,7 @@
 namespace aips {
 namespace {
 
-constexpr std::size_t kChunkPoints = std::size_t(1) << 9;
+constexpr std::size_t kFilterChunkPoints = std::size_t(1) << 9;
 
 std::size_t filter_words(std::size_t points) {
     return std::bit_ceil(std::max<std::size_t>(points, 1) * kFilterBitsPerPoint) / 64;
@@ -22,11 +22,12 @@ void ReachFilter::build(std::span<const Vec3> points, float radius, const Parall
     cells_ = CellGrid(radius);
     bits_.assign(filter_words(points.size()), 0);
     mask_ = bits_.size() * 64 - 1;
-    in_chunks(points.size(), kChunkPoints, parallel, [&](std::size_t first, std::size_t last) {
-        for (const Vec3& point : points.subspan(first, last - first)) {
-            if (is_finite(point)) mark(point);
-        }
-    });
+    in_chunks(points.size(), kFilterChunkPoints, parallel,
+              [&](std::size_t first, std::size_t last) {
+                  for (const Vec3& point : points.subspan(first, last - first)) {
+                      if (is_finite(point)) mark(point);
+                  }
+              });
 }
 
 // Bits are set in any order, and some by several threads.

@@ -209,10 +209,7 @@ std::size_t EyeImage::memory_bytes() const {
 
 void positions_of(std::span<const VisiblePoint> points, std::vector<Vec3>& positions) {
     positions.resize(points.size());
-    in_chunks(points.size(), kItemsPerJob, tbb_for, [&](std::size_t first, std::size_t last) {
-        for (std::size_t i = first; i < last; ++i)
-            positions[i] = points[i].position;
-    });
+    for_all(points.size(), [&](std::size_t i) { positions[i] = points[i].position; });
 }
 
 void trace_eye_pass(const EyePassInput& in, std::uint64_t pass, float time, Refusals& refusals,

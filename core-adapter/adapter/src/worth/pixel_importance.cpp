@@ -10,6 +10,7 @@
 #include "base/disjoint_ranges.h"
 #include "base/film_pixel.h"
 #include "base/ordered_sum.h"
+#include "base/parallel_for.h"
 
 namespace aips {
 namespace {
@@ -27,15 +28,6 @@ void sum_windows(const double* from, double* to, int count, std::ptrdiff_t strid
         if (i - radius - 1 >= 0) sum -= from[(i - radius - 1) * stride];
         if (i >= 0) to[i * stride] = std::max(sum, 0.0);
     }
-}
-
-/// Calls work(i) for each pixel, on all threads.
-template <class Work>
-void for_pixels(std::size_t pixels, const Work& work) {
-    in_chunks(pixels, kItemsPerJob, tbb_for, [&](std::size_t first, std::size_t last) {
-        for (std::size_t i = first; i < last; ++i)
-            work(i);
-    });
 }
 
 /// A positive float, whatever the units: the range of squared luminances is wider than theirs.
@@ -93,9 +85,9 @@ void PixelImportance::blur() {
         });
     };
     box(count_);
-    for_pixels(blurred_.size(), [&](std::size_t i) { blurred_[i] = float(window_[i]); });
+    for_all(blurred_.size(), [&](std::size_t i) { blurred_[i] = float(window_[i]); });
     box(sum_);
-    for_pixels(blurred_.size(), [&](std::size_t i) {
+    for_all(blurred_.size(), [&](std::size_t i) {
         blurred_[i] = blurred_[i] > 0 ? float(window_[i] / double(blurred_[i])) : 0;
     });
 }
@@ -145,8 +137,8 @@ double PixelImportance::weigh(const EyeImage& image, std::vector<float>& weights
         return sum;
     };
     const double mean = ordered_sum<double>(weights.size(), weigh_points) / double(weights.size());
-    for_pixels(weights.size(),
-               [&](std::size_t i) { weights[i] = within_floats(double(weights[i]) / mean); });
+    for_all(weights.size(),
+            [&](std::size_t i) { weights[i] = within_floats(double(weights[i]) / mean); });
     return mean;
 }
 

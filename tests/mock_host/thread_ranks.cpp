@@ -1,6 +1,7 @@
 // Ranks that are threads.
 #include "thread_ranks.h"
 
+#include <algorithm>
 #include <exception>
 #include <stdexcept>
 #include <thread>
@@ -26,13 +27,14 @@ aips::RankMessages ThreadRanks::exchange(std::uint32_t rank, std::span<const std
     told_[rank].assign(own.begin(), own.end());
     const std::uint64_t present = exchanges_;
     if (++arrived_ == told_.size()) {
-        messages_ = {};
-        for (const std::vector<std::byte>& message : told_) {
-            messages_.begins.push_back(messages_.bytes.size());
-            messages_.bytes.insert(messages_.bytes.end(), message.begin(), message.end());
-        }
-        messages_.begins.push_back(messages_.bytes.size());
-        bytes_ += messages_.bytes.size();
+        std::vector<std::size_t> begins{0};
+        for (const std::vector<std::byte>& message : told_)
+            begins.push_back(begins.back() + message.size());
+        const auto bytes = std::make_shared_for_overwrite<std::byte[]>(begins.back());
+        for (std::size_t r = 0; r < told_.size(); ++r)
+            std::ranges::copy(told_[r], bytes.get() + begins[r]);
+        bytes_ += begins.back();
+        messages_ = {bytes, std::move(begins)};
         arrived_ = 0;
         ++exchanges_;
         changed_.notify_all();

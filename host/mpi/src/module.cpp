@@ -39,15 +39,17 @@ class MpiGroup final : public ProcessGroup {
             all.marks.push_back(static_cast<std::uint8_t>(head));
             messages.begins.push_back(messages.begins.back() + (head >> 8));
         }
-        messages.bytes.resize(messages.begins.back());
-        if (messages.bytes.size() <= std::size_t{std::numeric_limits<int>::max()}) {
-            gather(own, messages);
+        const std::size_t size = messages.begins.back();
+        const auto bytes = std::make_shared_for_overwrite<std::byte[]>(size);
+        messages.bytes = bytes;
+        if (size <= std::size_t{std::numeric_limits<int>::max()}) {
+            gather(own, messages, bytes.get());
         } else {
-            broadcast_each(own, messages);
+            broadcast_each(own, messages.begins, bytes.get());
         }
         ++traffic_.exchanges;
         traffic_.told_bytes += own.size();
-        traffic_.heard_bytes += messages.bytes.size() - own.size();
+        traffic_.heard_bytes += size - own.size();
         traffic_.waiting_seconds += all_here - start;
         traffic_.transfer_seconds += MPI_Wtime() - all_here;
         return all;
@@ -60,26 +62,26 @@ class MpiGroup final : public ProcessGroup {
         return all;
     }
 
-    void gather(std::span<const std::byte> own, RankMessages& messages) const {
+    void gather(std::span<const std::byte> own, const RankMessages& messages,
+                std::byte* bytes) const {
         std::vector<int> sizes, begins;
         for (std::uint32_t r = 0; r < count(); ++r) {
             begins.push_back(static_cast<int>(messages.begins[r]));
             sizes.push_back(static_cast<int>(messages.of(r).size()));
         }
-        MPI_Allgatherv(own.data(), static_cast<int>(own.size()), MPI_BYTE, messages.bytes.data(),
-                       sizes.data(), begins.data(), MPI_BYTE, MPI_COMM_WORLD);
+        MPI_Allgatherv(own.data(), static_cast<int>(own.size()), MPI_BYTE, bytes, sizes.data(),
+                       begins.data(), MPI_BYTE, MPI_COMM_WORLD);
     }
 
-    void broadcast_each(std::span<const std::byte> own, RankMessages& messages) const {
-        std::ranges::copy(
-            own, messages.bytes.begin() + static_cast<std::ptrdiff_t>(messages.begins[rank()]));
+    void broadcast_each(std::span<const std::byte> own, const std::vector<std::size_t>& begins,
+                        std::byte* bytes) const {
+        std::ranges::copy(own, bytes + begins[rank()]);
         for (int r = 0; r < count_; ++r) {
-            const std::size_t end = messages.begins[static_cast<std::size_t>(r) + 1];
-            for (std::size_t at = messages.begins[static_cast<std::size_t>(r)]; at < end;
+            const std::size_t end = begins[static_cast<std::size_t>(r) + 1];
+            for (std::size_t at = begins[static_cast<std::size_t>(r)]; at < end;
                  at += kMostAtOnce) {
-                MPI_Bcast(messages.bytes.data() + at,
-                          static_cast<int>(std::min(kMostAtOnce, end - at)), MPI_BYTE, r,
-                          MPI_COMM_WORLD);
+                MPI_Bcast(bytes + at, static_cast<int>(std::min(kMostAtOnce, end - at)), MPI_BYTE,
+                          r, MPI_COMM_WORLD);
             }
         }
     }

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "aips/core/base/cache_line.h"
 #include "aips/core/sampling/low_discrepancy.h"
 #include "base/assign_all.h"
 #include "base/parallel_for.h"
@@ -20,7 +21,7 @@ namespace {
 constexpr std::uint32_t kEyePathsPerBlock = 1024;
 
 /// What one block adds to the pass besides the per-path arrays.
-struct alignas(64) EyeBlock {  // a cache line is of one thread
+struct alignas(kCacheLine) EyeBlock {
     std::vector<VisiblePoint> visible_points;
     std::vector<VolumeBeam> beams;
     std::vector<float> footprints;
@@ -32,6 +33,7 @@ struct alignas(64) EyeBlock {  // a cache line is of one thread
     LuminanceByLight light;
     LuminanceByLight lamp_light;  // behind smooth surfaces: of one eye path
     std::uint64_t telling_paths = 0, cut_paths = 0;
+    bool has_bsdf = false;  // one of the visible points
 };
 
 /// Whether an eye path's visible point tells lights apart. Chosen by a hash: no pattern of pixels
@@ -116,6 +118,7 @@ void trace_block(const EyePassInput& in, std::uint64_t pass, float time, std::ui
             block.visible_points.push_back(result.visible_point);
             block.visible_points.back().sample = i;
             block.visible_points.back().tells_lights = tells;
+            block.has_bsdf |= result.visible_point.bsdf != nullptr;
             block.footprints.push_back(result.footprint);
         }
     }
@@ -136,7 +139,8 @@ void state_of_block(StateArchive& archive, std::uint32_t first, std::uint32_t la
     paths(image.surfaces, 1);
     state_of(archive, block.visible_points, block.footprints, block.light_samples, block.lamp_rests,
              block.rays, block.telling_paths, block.cut_paths, block.light);
-    if (!archive.restoring()) return;
+    archive.value(block.has_bsdf);
+    if (!archive.restoring() || !block.has_bsdf) return;
     for (VisiblePoint& point : block.visible_points) {
         if (point.bsdf) point.bsdf = foreign_bsdf();
     }
@@ -155,6 +159,8 @@ void set_owners(Ranks* ranks, const SharedWork& work, const std::vector<EyeBlock
             end += blocks[b].visible_points.size();
         owners.begins.push_back(end);
     }
+    owners.any_bsdf =
+        std::ranges::any_of(blocks, [](const EyeBlock& block) { return block.has_bsdf; });
 }
 
 /// Joins what the blocks hold in their order, and empties them. The memory of `joined` is kept:

@@ -2,40 +2,64 @@
 // need not doubt each other's bytes.
 #pragma once
 
+#include <algorithm>
 #include <cstring>
 #include <type_traits>
 #include <vector>
 
 #include "aips/core/base/state_archive.h"
+#include "base/parallel_for.h"
 
 namespace aips {
 
-/// Collects a message.
-class RankWriter final : public StateArchive {
-  public:
-    RankWriter() { message_.reserve(kUsualBytes); }
-    bool restoring() const override { return false; }
-    void bytes(std::span<std::byte> data) override {
-        message_.insert(message_.end(), data.begin(), data.end());
+/// `from` to the beginning of `to`; one thread does not fill the memory's bandwidth.
+inline void copy_on_all_threads(std::span<const std::byte> from, std::span<std::byte> to) {
+    constexpr std::size_t kBytesPerJob = std::size_t{1} << 18;
+    if (from.size() <= kBytesPerJob) {
+        if (!from.empty()) std::memcpy(to.data(), from.data(), from.size());
+        return;
     }
+    in_chunks(from.size(), kBytesPerJob, tbb_for, [&](std::size_t first, std::size_t last) {
+        std::memcpy(to.data() + first, from.data() + first, last - first);
+    });
+}
+
+/// Counts what a part would take.
+class RankMeasure final : public StateArchive {
+  public:
+    bool restoring() const override { return false; }
+    void bytes(std::span<std::byte> data) override { size_ += data.size(); }
     std::size_t remaining() const override { return 0; }
-    std::span<const std::byte> message() const { return message_; }
+    std::size_t size() const { return size_; }
 
   private:
-    /// Of an iteration: to grow to it bit by bit would copy it several times.
-    static constexpr std::size_t kUsualBytes = std::size_t{1} << 20;
-
-    std::vector<std::byte> message_;
+    std::size_t size_ = 0;
 };
 
-/// Reads one, which outlives it.
+/// Writes a part where it was measured to fit.
+class RankWriter final : public StateArchive {
+  public:
+    explicit RankWriter(std::span<std::byte> message) : rest_(message) {}
+    bool restoring() const override { return false; }
+    void bytes(std::span<std::byte> data) override {
+        check(data.size() <= rest_.size(), "a part grew while it was told");
+        copy_on_all_threads(data, rest_);
+        rest_ = rest_.subspan(data.size());
+    }
+    std::size_t remaining() const override { return rest_.size(); }
+
+  private:
+    std::span<std::byte> rest_;
+};
+
+/// Reads one, from bytes that outlive it.
 class RankReader final : public StateArchive {
   public:
     explicit RankReader(std::span<const std::byte> message) : rest_(message) {}
     bool restoring() const override { return true; }
     void bytes(std::span<std::byte> data) override {
         check(data.size() <= rest_.size(), "ranks do not have the same work");
-        if (!data.empty()) std::memcpy(data.data(), rest_.data(), data.size());
+        copy_on_all_threads(rest_.first(data.size()), data);
         rest_ = rest_.subspan(data.size());
     }
     std::size_t remaining() const override { return rest_.size(); }

@@ -1,8 +1,15 @@
 // Telling parts of work to other ranks.
+//
+// A message has the sizes of its parts, the parts, and what was refused: so all threads write it
+// and read it, each another part.
 #include "ranks/shared_work.h"
+
+#include <cstring>
 
 namespace aips {
 namespace {
+
+constexpr const char* kOtherWork = "ranks do not have the same work";
 
 /// Refused light that is new since `before`, by origin; most often none.
 void save_refused(StateArchive& archive, const Refusals& refusals,
@@ -31,20 +38,64 @@ SharedWork::SharedWork(Ranks* ranks, std::uint32_t count, Refusals* refusals)
     if (ranks_ && refusals_) refused_before_ = refusals_->counts();
 }
 
-void SharedWork::exchange(const std::function<void(std::uint32_t, StateArchive&)>& state) {
-    if (!ranks_) return;
-    RankWriter writer;
-    for (std::uint32_t part = first(); part < last(); ++part)
-        state(part, writer);
+std::span<const std::byte> SharedWork::pack(const PartState& state) {
+    const std::uint32_t parts = last() - first();
+    std::vector<std::size_t> sizes(parts + 1);
+    tbb::parallel_for(0u, parts, [&](std::uint32_t i) {
+        RankMeasure measure;
+        state(first() + i, measure);
+        sizes[i] = measure.size();
+    });
+    RankMeasure refused;
+    if (refusals_) save_refused(refused, *refusals_, refused_before_);
+    sizes[parts] = refused.size();
+    std::vector<std::size_t> begins{sizes.size() * sizeof(std::size_t)};
+    for (const std::size_t size : sizes)
+        begins.push_back(begins.back() + size);
+    message_ = std::make_unique_for_overwrite<std::byte[]>(begins.back());
+    const std::span message(message_.get(), begins.back());
+    std::memcpy(message.data(), sizes.data(), begins.front());
+    const auto place = [&](std::uint32_t i) {
+        return RankWriter(message.subspan(begins[i], sizes[i]));
+    };
+    tbb::parallel_for(0u, parts, [&](std::uint32_t i) {
+        RankWriter writer = place(i);
+        state(first() + i, writer);
+    });
+    RankWriter writer = place(parts);
     if (refusals_) save_refused(writer, *refusals_, refused_before_);
-    const RankMessages messages = ranks_->exchange(writer.message());
+    return message;
+}
+
+void SharedWork::unpack(std::uint32_t other, std::span<const std::byte> message,
+                        const PartState& state) {
+    const std::uint32_t first = first_of(other), parts = first_of(other + 1) - first;
+    std::vector<std::size_t> sizes(parts + 1);
+    RankReader head(message);
+    plain(head, std::span(sizes));
+    std::vector<std::size_t> begins{sizes.size() * sizeof(std::size_t)};
+    for (const std::size_t size : sizes)
+        begins.push_back(begins.back() + size);
+    StateArchive::check(begins.back() == message.size(), kOtherWork);
+    const auto place = [&](std::uint32_t i) {
+        return RankReader(message.subspan(begins[i], sizes[i]));
+    };
+    tbb::parallel_for(0u, parts, [&](std::uint32_t i) {
+        RankReader reader = place(i);
+        state(first + i, reader);
+        StateArchive::check(reader.remaining() == 0, kOtherWork);
+    });
+    RankReader reader = place(parts);
+    if (refusals_) add_refused(reader, *refusals_);
+    StateArchive::check(reader.remaining() == 0, kOtherWork);
+}
+
+void SharedWork::exchange(const PartState& state) {
+    if (!ranks_) return;
+    const RankMessages messages = ranks_->exchange(pack(state));
+    message_.reset();
     for (std::uint32_t other = 0; other < ranks_->count(); ++other) {
-        if (other == ranks_->rank()) continue;
-        RankReader reader(messages.of(other));
-        for (std::uint32_t part = first_of(other); part < first_of(other + 1); ++part)
-            state(part, reader);
-        if (refusals_) add_refused(reader, *refusals_);
-        StateArchive::check(reader.remaining() == 0, "ranks do not have the same work");
+        if (other != ranks_->rank()) unpack(other, messages.of(other), state);
     }
 }
 

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -32,11 +33,16 @@ class SharedWork {
         return static_cast<std::uint32_t>(std::uint64_t{count_} * rank / ranks_count());
     }
 
-    /// After the work: `state` saves what a part left, and puts what it left elsewhere in the same
-    /// place here. What was refused counts on all ranks.
-    void exchange(const std::function<void(std::uint32_t part, StateArchive& archive)>& state);
+    /// Saves what a part left, or puts what it left elsewhere in the same place here. It is called
+    /// for several parts at a time, twice to save one, and for the parts of one rank after those of
+    /// another.
+    using PartState = std::function<void(std::uint32_t part, StateArchive& archive)>;
+    /// After the work. What was refused counts on all ranks.
+    void exchange(const PartState& state);
 
   private:
+    std::span<const std::byte> pack(const PartState& state);
+    void unpack(std::uint32_t other, std::span<const std::byte> message, const PartState& state);
     std::uint32_t rank() const { return ranks_ ? ranks_->rank() : 0; }
     std::uint32_t ranks_count() const { return ranks_ ? ranks_->count() : 1; }
 
@@ -44,6 +50,7 @@ class SharedWork {
     std::uint32_t count_;
     Refusals* refusals_;
     std::vector<std::uint64_t> refused_before_;  // [origin]; empty for a process alone
+    std::unique_ptr<std::byte[]> message_;       // of this rank, while it is told
 };
 
 /// Does the parts of this rank on all threads by work(part), and takes the others' from their
@@ -61,6 +68,7 @@ void share_out(Ranks* ranks, std::uint32_t count, Refusals* refusals, const Work
 struct PointOwners {
     Ranks* ranks = nullptr;
     std::vector<std::size_t> begins;  ///< [rank] of its points, and the number of all; with ranks
+    bool any_bsdf = false;            ///< whether a point of any rank has one; with ranks
 
     /// Of `points` in all, those of this rank begin and end here.
     std::size_t first(std::size_t /*points*/) const { return ranks ? begins[ranks->rank()] : 0; }

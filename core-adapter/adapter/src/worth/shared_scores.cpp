@@ -69,9 +69,7 @@ RankTerms own_terms(const LandingScore& score, const PointOwners& owners, const 
 /// [rank]; empty where no visible point has a Bsdf.
 std::vector<RankTerms> terms_of_ranks(const LandingScore& score, const PointOwners& owners,
                                       const LandingOf& landing, std::size_t count) {
-    const auto& points = score.image().visible_points;
-    if (std::ranges::none_of(points, [](const VisiblePoint& point) { return point.bsdf; }))
-        return {};
+    if (!owners.any_bsdf) return {};
     std::vector<RankTerms> ranks(owners.ranks->count());
     SharedWork work = work_on_points(owners, nullptr);
     ranks[owners.ranks->rank()] = own_terms(score, owners, landing, count);

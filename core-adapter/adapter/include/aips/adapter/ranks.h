@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -10,11 +11,11 @@ namespace aips {
 
 /// What all ranks said, one after the other in the order of ranks.
 struct RankMessages {
-    std::vector<std::byte> bytes;
+    std::shared_ptr<const std::byte[]> bytes;
     std::vector<std::size_t> begins;  ///< [rank] of its message in `bytes`, and the end of the last
 
     std::span<const std::byte> of(std::uint32_t rank) const {
-        return std::span(bytes).subspan(begins[rank], begins[rank + 1] - begins[rank]);
+        return {bytes.get() + begins[rank], begins[rank + 1] - begins[rank]};
     }
 };
 

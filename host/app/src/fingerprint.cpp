@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <boost/dll/runtime_symbol_info.hpp>
 #include <set>
+#include <vector>
 
 #include "lxs/host/checksum.h"
 #include "lxs/images/image_library.h"
@@ -32,11 +33,13 @@ void Fingerprint::set_sources(const ReadFiles& files) {
 }
 
 void Fingerprint::set_assets(const ReadFiles& files) {
-    Checksum sum;
     std::set<std::string_view> seen;
+    std::vector<std::string> paths;
     for (const std::string& path : files.assets) {
-        if (seen.insert(path).second) sum.add_file(path);
+        if (seen.insert(path).second) paths.push_back(path);
     }
+    Checksum sum;
+    sum.add_files(paths);
     checksums_[Assets] = sum.value();
 }
 

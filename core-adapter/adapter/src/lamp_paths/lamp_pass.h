@@ -4,12 +4,13 @@
 #include <cstdint>
 #include <vector>
 
+#include "aips/core/base/cache_line.h"
 #include "eye/eye_pass.h"
 
 namespace aips {
 
 /// What the lamp paths of a pass met, black ones left out.
-struct LampSplats {
+struct alignas(kCacheLine) LampSplats {
     std::vector<Vec2> positions;  ///< pixels
     std::vector<Rgb> radiance;    ///< [splat * groups + group], as FilmSplats has it
     std::uint64_t paths = 0, rays = 0;
@@ -26,7 +27,7 @@ void trace_lamp_paths(const EyePassInput& input, std::uint64_t pass, float time,
                       LampSplats& splats);
 
 /// What searches found, in their order.
-struct LampFindings {
+struct alignas(kCacheLine) LampFindings {
     std::vector<LampImage> images;
     std::uint64_t rays = 0;
 };

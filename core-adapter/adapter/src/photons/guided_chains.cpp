@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "aips/core/base/cache_line.h"
 #include "base/parallel_for.h"
 #include "base/vector_growth.h"
 #include "photons/photon_chains.h"
@@ -53,7 +54,7 @@ struct GuidedChains::Tracer {
 };
 
 /// What a job drew.
-struct GuidedChains::Drawn {
+struct alignas(kCacheLine) GuidedChains::Drawn {
     struct Path {
         EmissionStart start;
         double cost = 0;
@@ -65,7 +66,7 @@ struct GuidedChains::Drawn {
 };
 
 /// Where a chain went.
-struct GuidedChains::Walked {
+struct alignas(kCacheLine) GuidedChains::Walked {
     struct State {
         EmissionStart start;
         double cost = 0;

@@ -3,13 +3,14 @@
 
 #include <tbb/enumerable_thread_specific.h>
 
+#include "aips/core/base/cache_line.h"
 #include "base/parallel_for.h"
 #include "base/vector_growth.h"
 
 namespace aips {
 namespace {
 
-struct Round {
+struct alignas(kCacheLine) Round {
     std::vector<Landing> landings;
     PhotonCounts photons;
     ChainCounts chain;

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "aips/core/base/cache_line.h"
 #include "aips/core/base/unwritten.h"
 #include "photons/constants.h"
 #include "photons/photon_path.h"
@@ -56,7 +57,7 @@ class PhotonTracer {
     std::size_t memory_bytes() const;
 
   private:
-    struct alignas(64) Block {  // a cache line is of one thread
+    struct alignas(kCacheLine) Block {
         std::size_t first = 0;  // landing of the iteration
         std::vector<Landing> landings;
         std::vector<VolumePhoton> collisions;

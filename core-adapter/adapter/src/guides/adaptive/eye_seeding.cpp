@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 
+#include "aips/core/base/cache_line.h"
 #include "aips/core/sampling/sampling.h"
 #include "ranks/shared_work.h"
 
@@ -26,7 +27,7 @@ struct SeedInput {
     const EyeImage& image;
 };
 
-struct SeedBlock {
+struct alignas(kCacheLine) SeedBlock {
     std::vector<EmissionSeed> seeds;
     SeedCounts counts;
 };

@@ -6,12 +6,14 @@
 #include <memory_resource>
 #include <vector>
 
+#include "aips/core/base/cache_line.h"
+
 namespace aips {
 
 /// Bump allocator: allocations are given back together, by rewind() or reset(); chunks are kept for
 /// reuse, so that a warm arena takes no memory. Not for many threads at once. Objects in it are
 /// dropped without their destructors.
-class Arena final : public std::pmr::memory_resource {
+class alignas(kCacheLine) Arena final : public std::pmr::memory_resource {
   public:
     /// A place to rewind to.
     struct Mark {

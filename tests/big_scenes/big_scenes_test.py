@@ -1,5 +1,5 @@
 """Protects: a triangle takes at most 1.3 times the memory that it takes Embree alone, the scenes of
-scripts/big-scenes, instanced and textured ones too, are rendered, and builds of hierarchies are reckoned for more
+scripts/big-scenes, instanced and textured ones too, are rendered, textures in no more than their cache, and builds of hierarchies are reckoned for more
 processors.
 
     big_scenes_test.py BUILD
@@ -70,6 +70,14 @@ class BigScenes(unittest.TestCase):
         ours = big_scenes.lxsrender(BUILD, self.folder, '--passes', 1)
         self.assertTrue(ours['scene']['image textures'])
         self.assertEqual(ours['image']['appearance'], 'varied')
+
+    def test_textures_beyond_their_cache_add_no_memory(self):
+        cache, texels = 512 * big_scenes.MIB, 384 * big_scenes.MIB
+        self.assertEqual(big_scenes.write_textures(self.folder, texels / big_scenes.MIB, times=8), 4)
+        ours = big_scenes.lxsrender(BUILD, self.folder, '--passes', 1, '--width', 800)
+        # As floats they have three times the cache, and nearly all of it is read.
+        self.assertGreater(ours['peak memory bytes'], cache)
+        self.assertLess(ours['peak memory bytes'], cache + texels)
 
 
 if __name__ == '__main__':

@@ -1,6 +1,6 @@
 """Protects: a triangle takes at most 1.3 times the memory that it takes Embree alone, the scenes of
-scripts/big-scenes, instanced and textured ones too, are rendered, textures in no more than their cache, and builds of hierarchies are reckoned for more
-processors.
+scripts/big-scenes, instanced and textured ones too, are rendered, textures in no more than their cache, and builds of
+hierarchies are reckoned for more processors.
 
     big_scenes_test.py BUILD
 """

@@ -19,7 +19,7 @@
 namespace lxs {
 namespace {
 
-constexpr std::size_t kBlockBytes = std::size_t{1} << 22;
+constexpr std::size_t kBlockBytes = std::size_t{1} << 20;
 
 [[noreturn]] void refuse(const std::string& path, int code) {
     throw std::system_error(code != 0 ? code : EIO, std::generic_category(),
@@ -41,7 +41,9 @@ void Checksum::add_file(const std::string& path) {
     std::error_code error;
     const std::size_t size = std::filesystem::file_size(path, error);
     if (error) refuse(path, error.value());
-    std::vector<std::uint64_t> hashes((size + kBlockBytes - 1) / kBlockBytes);
+    // An empty file has a block too: whether it can be read is found out by reading it.
+    std::vector<std::uint64_t> hashes(
+        std::max<std::size_t>(1, (size + kBlockBytes - 1) / kBlockBytes));
     tbb::parallel_for(std::size_t{0}, hashes.size(), [&](std::size_t i) {
         const std::size_t begin = i * kBlockBytes;
         hashes[i] = hash_of_block(path, begin, std::min(kBlockBytes, size - begin));

@@ -1,5 +1,5 @@
 // Protects: what ranks tell each other of parts arrives whole and in its place, whatever the sizes
-// of parts and the numbers of ranks and threads; and ranks whose work differs are refused.
+// of parts and the number of ranks; and ranks whose work differs are refused.
 #include "ranks/shared_work.h"
 
 #include <gmock/gmock.h>

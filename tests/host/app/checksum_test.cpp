@@ -39,6 +39,8 @@ TEST_F(ChecksumTest, TellsEachBlock) {
         other[at] = 'b';
         EXPECT_NE(sum_of({file("other", other)}), whole) << at;
     }
+    const std::string ends = 'x' + std::string(kFileBytes - 2, 'a') + 'y';
+    EXPECT_NE(sum_of({file("ends", ends)}), sum_of({file("turned", {ends.rbegin(), ends.rend()})}));
     EXPECT_NE(sum_of({file("shorter", content.substr(1))}), whole);
     EXPECT_NE(sum_of({file("longer", content + 'a')}), whole);
 }

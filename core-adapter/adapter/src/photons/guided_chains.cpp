@@ -5,7 +5,6 @@
 
 #include <cmath>
 
-#include "aips/core/base/cache_line.h"
 #include "base/parallel_for.h"
 #include "base/vector_growth.h"
 #include "photons/photon_chains.h"

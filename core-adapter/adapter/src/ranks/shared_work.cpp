@@ -61,6 +61,7 @@ std::span<const std::byte> SharedWork::pack(const PartState& state) {
     tbb::parallel_for(0u, parts, [&](std::uint32_t i) {
         RankWriter writer = place(i);
         state(first() + i, writer);
+        StateArchive::check(writer.remaining() == 0, "a part shrank while it was told");
     });
     RankWriter writer = place(parts);
     if (refusals_) save_refused(writer, *refusals_, refused_before_);

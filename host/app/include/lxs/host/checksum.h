@@ -10,10 +10,11 @@
 
 namespace lxs {
 
-/// CRC-64 (ECMA-182, as in xz): finds every flipped byte and every burst of up to eight. Guards
-/// against accidents, not against forgers.
+/// Guards against accidents, not against forgers.
 class Checksum {
   public:
+    /// By CRC-64 (ECMA-182, as in xz), which finds every flipped byte and every burst of up to
+    /// eight.
     void add(std::span<const std::byte> bytes) { crc_.process_bytes(bytes.data(), bytes.size()); }
     /// With its length: "ab", "c" differs from "a", "bc".
     void add_text(std::string_view text) {

@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "empty_shape.h"
-#include "on_all_threads.h"
+#include "lxs/scene/on_all_threads.h"
 
 namespace lxs {
 namespace {

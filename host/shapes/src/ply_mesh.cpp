@@ -8,7 +8,7 @@
 #include <cmath>
 #include <optional>
 
-#include "on_all_threads.h"
+#include "lxs/scene/on_all_threads.h"
 #include "ply_rows.h"
 #include "ply_values.h"
 

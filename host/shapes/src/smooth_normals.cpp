@@ -7,8 +7,8 @@
 
 #include <algorithm>
 
+#include "lxs/scene/on_all_threads.h"
 #include "mesh_data.h"
-#include "on_all_threads.h"
 
 namespace lxs {
 namespace {

@@ -1,20 +1,16 @@
 // Planes of triangles, with the kernel's rounding error.
 #include "triangle_plane.h"
 
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
 #include <cmath>
 
 #include "kernel_rounding.h"
+#include "lxs/scene/on_all_threads.h"
 
 namespace lxs {
 namespace {
 
 using Imath::V3d;
-
-constexpr std::size_t kPlanesAtOnce = 1 << 13;
 
 // The kernel (Embree's watertight test after Davidovic et al. 2012, "3D rasterization: a bridge
 // between rasterization and ray casting") takes corners v_i relative to the origin, the normal N as
@@ -50,15 +46,14 @@ TrianglePlane triangle_plane(const V3d& e1, const V3d& e2, bool reversed) {
 
 std::vector<TrianglePlane> triangle_planes(const TriangleMesh& mesh, bool reversed) {
     std::vector<TrianglePlane> planes(mesh.indices.size() / 3);
-    tbb::parallel_for(
-        tbb::blocked_range<std::size_t>(0, planes.size(), kPlanesAtOnce), [&](const auto& range) {
-            for (std::size_t i = range.begin(); i < range.end(); ++i) {
-                const std::uint32_t* const corner = &mesh.indices[3 * i];
-                const V3d p0(mesh.positions[corner[0]]);
-                planes[i] = triangle_plane(V3d(mesh.positions[corner[1]]) - p0,
-                                           V3d(mesh.positions[corner[2]]) - p0, reversed);
-            }
-        });
+    in_pieces(planes.size(), [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) {
+            const std::uint32_t* const corner = &mesh.indices[3 * i];
+            const V3d p0(mesh.positions[corner[0]]);
+            planes[i] = triangle_plane(V3d(mesh.positions[corner[1]]) - p0,
+                                       V3d(mesh.positions[corner[2]]) - p0, reversed);
+        }
+    });
     return planes;
 }
 

@@ -2,7 +2,6 @@
 // need not doubt each other's bytes.
 #pragma once
 
-#include <algorithm>
 #include <cstring>
 #include <type_traits>
 #include <vector>

@@ -31,6 +31,14 @@ void add_refused(StateArchive& archive, Refusals& refusals) {
         refusals.count(static_cast<Origin>(raised[i]), raised[i + 1]);
 }
 
+/// Where the parts of a message begin, behind their sizes, and the end of the last.
+std::vector<std::size_t> begins_of(const std::vector<std::size_t>& sizes) {
+    std::vector<std::size_t> begins{sizes.size() * sizeof(std::size_t)};
+    for (const std::size_t size : sizes)
+        begins.push_back(begins.back() + size);
+    return begins;
+}
+
 }  // namespace
 
 SharedWork::SharedWork(Ranks* ranks, std::uint32_t count, Refusals* refusals)
@@ -49,9 +57,7 @@ std::span<const std::byte> SharedWork::pack(const PartState& state) {
     RankMeasure refused;
     if (refusals_) save_refused(refused, *refusals_, refused_before_);
     sizes[parts] = refused.size();
-    std::vector<std::size_t> begins{sizes.size() * sizeof(std::size_t)};
-    for (const std::size_t size : sizes)
-        begins.push_back(begins.back() + size);
+    const std::vector<std::size_t> begins = begins_of(sizes);
     message_ = std::make_unique_for_overwrite<std::byte[]>(begins.back());
     const std::span message(message_.get(), begins.back());
     std::memcpy(message.data(), sizes.data(), begins.front());
@@ -74,9 +80,7 @@ void SharedWork::unpack(std::uint32_t other, std::span<const std::byte> message,
     std::vector<std::size_t> sizes(parts + 1);
     RankReader head(message);
     plain(head, std::span(sizes));
-    std::vector<std::size_t> begins{sizes.size() * sizeof(std::size_t)};
-    for (const std::size_t size : sizes)
-        begins.push_back(begins.back() + size);
+    const std::vector<std::size_t> begins = begins_of(sizes);
     StateArchive::check(begins.back() == message.size(), kOtherWork);
     const auto place = [&](std::uint32_t i) {
         return RankReader(message.subspan(begins[i], sizes[i]));

@@ -54,7 +54,8 @@ void RayTargets::add(const Shape& shape) {
 }
 
 /// Nearest distance in (t_min, t_max), or a negative number.
-double RayTargets::quad_distance(const Target& quad, Vec3d o, Vec3d d, double t_min, double t_max) {
+inline double RayTargets::quad_distance(const Target& quad, const Vec3d& o, const Vec3d& d,
+                                        double t_min, double t_max) {
     const double along = dot(quad.normal, d);
     if (along == 0) return -1;
     const double t = dot(quad.normal, quad.origin - o) / along;
@@ -66,7 +67,8 @@ double RayTargets::quad_distance(const Target& quad, Vec3d o, Vec3d d, double t_
 }
 
 /// Nearest distance in (t_min, t_max), or a negative number.
-double RayTargets::ball_distance(const Target& ball, Vec3d o, Vec3d d, double t_min, double t_max) {
+inline double RayTargets::ball_distance(const Target& ball, const Vec3d& o, const Vec3d& d,
+                                        double t_min, double t_max) {
     const Vec3d oc = o - ball.origin;
     const double b = dot(oc, d), c = dot(oc, oc) - ball.radius * ball.radius;
     const double disc = b * b - c;
@@ -86,8 +88,9 @@ bool RayTargets::nearest(const aips::Ray& ray, double t_min, double t_max, Hit& 
     const Vec3d o = wide(ray.origin), d = wide(ray.direction);
     bool found = false;
     for (std::size_t i = 0; i < targets_.size(); ++i) {
-        const auto distance = targets_[i].ball ? ball_distance : quad_distance;
-        const double t = distance(targets_[i], o, d, t_min, t_max);
+        const Target& target = targets_[i];
+        const double t = target.ball ? ball_distance(target, o, d, t_min, t_max)
+                                     : quad_distance(target, o, d, t_min, t_max);
         if (t > 0) {
             t_max = t;
             hit = {t, i};

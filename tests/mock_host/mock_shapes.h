@@ -53,8 +53,10 @@ class RayTargets {
     friend Vec3d operator-(Vec3d a, Vec3d b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
     static double dot(Vec3d a, Vec3d b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
     static Vec3d cross_over(Vec3d a, Vec3d b, double divisor);
-    static double quad_distance(const Target& quad, Vec3d o, Vec3d d, double t_min, double t_max);
-    static double ball_distance(const Target& ball, Vec3d o, Vec3d d, double t_min, double t_max);
+    static double quad_distance(const Target& quad, const Vec3d& o, const Vec3d& d, double t_min,
+                                double t_max);
+    static double ball_distance(const Target& ball, const Vec3d& o, const Vec3d& d, double t_min,
+                                double t_max);
 
     std::vector<Target> targets_;
 };

@@ -9,12 +9,16 @@
 #include <iostream>
 
 #include "seeded_renders.h"
+#include "test_form.h"
 
 namespace adjoint_scattering_test {
 namespace {
 
 constexpr int kSize = 48, kBlock = 12;
-constexpr unsigned kSeeds = 8;
+
+unsigned seeds() {
+    return statistics::sized(6u, 8u);
+}
 
 /// What the density estimate may be off by. Radii are a pixel at most where light has edges, which
 /// moves it by a small share of a block's 12 pixels; four pixels on the smoothly lit ceiling.
@@ -156,7 +160,7 @@ void check(const std::string& name, const std::string& text, const Effort& effor
     std::ofstream(scene) << text;
     const auto reference =
         render::seeded_block_means(scene, "--integrator path --set path.maxdepth=64 --passes 40",
-                                   folder, {.first = 100, .count = kSeeds}, kBlock);
+                                   folder, {.first = 100, .count = seeds()}, kBlock);
     for (const std::string guide : {"none", "paper", "adaptive"}) {
         const auto photons = render::seeded_block_means(
             scene,
@@ -164,7 +168,7 @@ void check(const std::string& name, const std::string& text, const Effort& effor
             "--set aips.photonperpass=" +
                 effort.photons + " --set aips.startradius=" + effort.radius +
                 " --set aips.guide=" + guide,
-            folder, {.first = 200, .count = kSeeds}, kBlock);
+            folder, {.first = 200, .count = seeds()}, kBlock);
         const auto same = statistics::compare(reference, photons, 0.01, kRadiusBias);
         std::cout << name << ", guide " << guide << ": " << same.describe() << "\n";
         EXPECT_FALSE(same.differs()) << name << ", guide " << guide << ": " << same.describe();

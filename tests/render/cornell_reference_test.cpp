@@ -67,13 +67,13 @@ void check(const std::string& integrator, const std::string& arguments) {
 
 TEST(CornellReference, Aips) {
     check("aips",
-          "--passes 10 --seed 1 --set aips.maxphotondepth=24 --set aips.maxeyedepth=24 "
+          "--passes 5 --seed 1 --set aips.maxphotondepth=24 --set aips.maxeyedepth=24 "
           "--set aips.photonperpass=300000");
 }
 
 TEST(CornellReference, AipsUnguided) {
     check("aips",
-          "--passes 10 --seed 2 --set aips.maxphotondepth=24 --set aips.maxeyedepth=24 "
+          "--passes 5 --seed 2 --set aips.maxphotondepth=24 --set aips.maxeyedepth=24 "
           "--set aips.photonperpass=500000 --set aips.guide=none");
 }
 

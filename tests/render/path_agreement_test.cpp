@@ -17,7 +17,7 @@ TEST(PathAgreement, CornellBoxAndTheBiasOfTheRadius) {
     const render::Folder folder;
     const auto scene = render::small_scene("cornell-box", folder, kSize, kSize);
     const auto reference =
-        render::render(scene, "--integrator path --set path.maxdepth=12 --passes 250", folder);
+        render::render(scene, "--integrator path --set path.maxdepth=12 --passes 120", folder);
     const auto blocks = reference.block_means(kBlock);
     std::vector<double> sequence;
     for (const std::string radius : {"16", "4", "1"}) {

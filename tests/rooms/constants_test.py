@@ -118,6 +118,7 @@ def faults(root):
     yield from wrong_comments(root)
     known = {}
     everywhere = {path: path.read_text() for _, room in rooms(root) for path in room.files}
+    words = {path: set(re.findall(r'\w+', text)) for path, text in everywhere.items()}
     for place, room in rooms(root):
         for path in room.files:
             if path.name != 'constants.h':
@@ -130,8 +131,7 @@ def faults(root):
                 if name in known:
                     yield f'{place}: {name} is in {known[name]} as well'
                 known[name] = place
-                if not any(re.search(rf'\b{name}\b', text)
-                           for other, text in everywhere.items() if other != path):
+                if not any(name in used for other, used in words.items() if other != path):
                     yield f'{place}: {name}: nothing uses it'
     present, named = set(numbers(root)), facts(root)
     for name in sorted(present - named):

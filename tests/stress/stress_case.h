@@ -4,17 +4,12 @@
 
 #include <string_view>
 
+#include "test_form.h"
+
 namespace stress {
 
-/// Whether the long form was asked for (environment variable AIPS_STRESS is "long"), as
-/// scripts/stress does. The short form is part of every test run: seconds per case.
-bool long_form();
-
-/// The size of a case in the form that is being run.
-template <class Number>
-Number sized(Number in_short_form, Number in_long_form) {
-    return long_form() ? in_long_form : in_short_form;
-}
+using statistics::long_form;
+using statistics::sized;
 
 /// The running test's row of the table: what was tried ("1e9 terms of 1e-3 to 1e3"), and the figure
 /// that came out beside the bound that it must keep ("relative error 3e-8 of at most 1e-6").

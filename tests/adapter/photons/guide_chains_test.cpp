@@ -10,6 +10,7 @@
 #include "plan/flat_memory.h"
 #include "render_mock.h"
 #include "run_on_threads.h"
+#include "test_form.h"
 
 namespace aips::guide_chains_test {
 namespace {
@@ -123,12 +124,8 @@ TEST(GuideChains, HaveTheExpectationOfUnguidedPhotons) {
         EXPECT_FALSE(same.differs()) << same.describe();
         EXPECT_LT(same.detectable, 0.125) << same.describe();
     };
-    for (const bool guided : {false, true}) {
-        SCOPED_TRACE(guided);
-        settings = adaptive(200, true);
-        settings.guide_chain_starts = guided;
-        expect_same(settings, 16, 4);
-    }
+    // Those without guided starts are those of photon sampler amc, bit for bit, which has a test.
+    expect_same(adaptive(200, true), 16, 4);
     SCOPED_TRACE("short passes");
     // The first ones seldom see one path, and later ones some that weigh differently: chains whose
     // starts did not follow the weights, or passes whose share of visible paths and whose paths
@@ -185,9 +182,9 @@ struct SideRatio {
 
 SideRatio ratio_of_sides(const mock::View& view, GuideKind guide, std::uint32_t photons,
                          std::uint64_t first_seed) {
-    constexpr unsigned kSeeds = 16;
+    const unsigned seeds = statistics::sized(10u, 16u);
     double sum = 0, squares = 0;
-    for (unsigned s = 0; s < kSeeds; ++s) {
+    for (unsigned s = 0; s < seeds; ++s) {
         Settings settings = adaptive(first_seed + s, true);
         settings.guide = guide;
         settings.photons_per_pass = photons;
@@ -199,8 +196,8 @@ SideRatio ratio_of_sides(const mock::View& view, GuideKind guide, std::uint32_t 
         sum += right / left;
         squares += right / left * (right / left);
     }
-    const double mean = sum / kSeeds;
-    return {mean, std::sqrt((squares / kSeeds - mean * mean) / (kSeeds - 1))};
+    const double mean = sum / seeds;
+    return {mean, std::sqrt((squares / seeds - mean * mean) / (seeds - 1))};
 }
 
 /// Bounces at the sheet draw a number more than those elsewhere, which chooses its side. Chains
@@ -217,7 +214,7 @@ TEST(GuideChains, KeepTheBalanceOfBothSidesOfATiltedSheet) {
         std::cout << plain.mean << " +- " << plain.error << " by photons, " << chained.mean
                   << " +- " << chained.error << " by chains\n";
         EXPECT_NEAR(chained.mean, plain.mean, 3.7 * error);
-        EXPECT_LT(error, 0.03 * plain.mean) << "too uncertain to tell";
+        EXPECT_LT(error, statistics::sized(0.04, 0.03) * plain.mean) << "too uncertain to tell";
     }
 }
 

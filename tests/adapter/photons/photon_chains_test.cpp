@@ -9,6 +9,7 @@
 #include "plan/flat_memory.h"
 #include "render_mock.h"
 #include "run_on_threads.h"
+#include "test_form.h"
 
 namespace aips::photon_chains_test {
 namespace {
@@ -76,7 +77,7 @@ TEST(PhotonChains, SameExpectationOnBothSidesOfATiltedSheet) {
 /// Few paths a pass: some measured paths are visible, and the chains begin anew in each of 60
 /// passes per seed. A start-up bias, or one of the visible share, would show.
 TEST(PhotonChains, SameExpectationWhereFewPathsAreVisible) {
-    expect_same(wide_view(2), 120, 500, 60, 0.05);
+    expect_same(wide_view(2), statistics::sized(60u, 120u), 500, 60, statistics::sized(0.08, 0.05));
 }
 
 /// Mean over pixels of the variance over seeds.

@@ -34,7 +34,7 @@ std::vector<ResumableCase> small_cases() {
 }
 
 /// Of each way to damage a state, in each case.
-constexpr unsigned kTrials = 120;
+constexpr unsigned kTrials = AIPS_SANITIZED ? 60 : 120;
 
 struct Saved {
     mock::Bytes state;

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "resumable_render.h"
+#include "test_form.h"
 
 namespace aips::learned_agreement_test {
 namespace {
@@ -14,7 +15,9 @@ using mock::ResumableCase;
 using mock::ResumableRender;
 
 /// Of each side; renders of few passes, in which what was taken counts most.
-constexpr unsigned kSeeds = 96;
+unsigned seeds() {
+    return statistics::sized(48u, 96u);
+}
 constexpr unsigned kPasses = 3;
 /// Blocks of the image, in each direction.
 constexpr std::uint32_t kBlocks = 3;
@@ -28,9 +31,9 @@ struct Moments {
         sum += x;
         squares += x * x;
     }
-    double mean() const { return sum / kSeeds; }
+    double mean() const { return sum / seeds(); }
     double variance_of_mean() const {
-        return (squares - sum * sum / kSeeds) / (kSeeds - 1.0) / kSeeds;
+        return (squares - sum * sum / seeds()) / (seeds() - 1.0) / seeds();
     }
 };
 
@@ -56,7 +59,7 @@ TEST_P(LearnedAgreement, WithTheRenderThatBeginsWithNothing) {
     old.render_to(4);
     const Bytes learned = old.save_learned();
     Blocks cold, warm;
-    for (unsigned i = 0; i < kSeeds; ++i) {
+    for (unsigned i = 0; i < seeds(); ++i) {
         ResumableCase what = GetParam();
         what.settings.seed = 1000 + 2 * i;
         ResumableRender alone(what);

@@ -37,7 +37,7 @@ struct Moments {
     }
 };
 
-using Blocks = std::array<Moments, kBlocks * kBlocks>;
+using Blocks = std::array<Moments, std::size_t{kBlocks} * kBlocks>;
 
 void add(Blocks& blocks, const ResumableRender& render, const ResumableCase& what) {
     const std::vector<Rgb> image = render.film().image();

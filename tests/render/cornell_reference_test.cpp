@@ -8,6 +8,7 @@
 #include <numeric>
 
 #include "rendered_image.h"
+#include "test_form.h"
 
 namespace cornell_reference_test {
 namespace {
@@ -65,16 +66,21 @@ void check(const std::string& integrator, const std::string& arguments) {
     EXPECT_LT(found.ninetieth, 0.08);
 }
 
+/// Of photons.
+std::string passes() {
+    return "--passes " + std::to_string(statistics::sized(5, 10));
+}
+
 TEST(CornellReference, Aips) {
-    check("aips",
-          "--passes 5 --seed 1 --set aips.maxphotondepth=24 --set aips.maxeyedepth=24 "
-          "--set aips.photonperpass=300000");
+    check("aips", passes() +
+                      " --seed 1 --set aips.maxphotondepth=24 --set aips.maxeyedepth=24 "
+                      "--set aips.photonperpass=300000");
 }
 
 TEST(CornellReference, AipsUnguided) {
-    check("aips",
-          "--passes 5 --seed 2 --set aips.maxphotondepth=24 --set aips.maxeyedepth=24 "
-          "--set aips.photonperpass=500000 --set aips.guide=none");
+    check("aips", passes() +
+                      " --seed 2 --set aips.maxphotondepth=24 --set aips.maxeyedepth=24 "
+                      "--set aips.photonperpass=500000 --set aips.guide=none");
 }
 
 TEST(CornellReference, Path) {

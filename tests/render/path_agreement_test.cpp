@@ -6,6 +6,7 @@
 
 #include "block_test.h"
 #include "rendered_image.h"
+#include "test_form.h"
 
 namespace path_agreement_test {
 namespace {
@@ -16,8 +17,10 @@ constexpr std::size_t kBlock = 16;
 TEST(PathAgreement, CornellBoxAndTheBiasOfTheRadius) {
     const render::Folder folder;
     const auto scene = render::small_scene("cornell-box", folder, kSize, kSize);
-    const auto reference =
-        render::render(scene, "--integrator path --set path.maxdepth=12 --passes 120", folder);
+    const auto reference = render::render(scene,
+                                          "--integrator path --set path.maxdepth=12 --passes " +
+                                              std::to_string(statistics::sized(120, 250)),
+                                          folder);
     const auto blocks = reference.block_means(kBlock);
     std::vector<double> sequence;
     for (const std::string radius : {"16", "4", "1"}) {

@@ -6,6 +6,7 @@
 
 #include "aips/core/sampling/random.h"
 #include "resumable_render.h"
+#include "test_form.h"
 
 namespace aips::damaged_state_test {
 namespace {
@@ -34,7 +35,9 @@ std::vector<ResumableCase> small_cases() {
 }
 
 /// Of each way to damage a state, in each case.
-constexpr unsigned kTrials = AIPS_SANITIZED ? 60 : 120;
+unsigned trials() {
+    return statistics::sized(AIPS_SANITIZED ? 60u : 120u, 120u);
+}
 
 struct Saved {
     mock::Bytes state;
@@ -89,7 +92,7 @@ TEST_P(DamagedState, WrongNumbersDoNoHarm) {
                             std::bit_cast<double>(~std::uint64_t{0} >> 1),
                             std::bit_cast<double>(std::uint64_t{0x0000000300000005})};
     RandomStream random(7, 0, 0, RandomDomain::Photon);
-    for (unsigned trial = 0; trial < kTrials; ++trial) {
+    for (unsigned trial = 0; trial < trials(); ++trial) {
         mock::Bytes state = saved.state;
         // Half of all trials in the short part with counts and switches before the first sums.
         const std::size_t range =
@@ -108,7 +111,7 @@ TEST_P(DamagedState, WrongNumbersDoNoHarm) {
 TEST_P(DamagedState, FlippedBitsDoNoHarm) {
     const Saved saved = saved_after(GetParam(), 2);
     RandomStream random(8, 0, 0, RandomDomain::Photon);
-    for (unsigned trial = 0; trial < kTrials; ++trial) {
+    for (unsigned trial = 0; trial < trials(); ++trial) {
         mock::Bytes state = saved.state;
         const std::size_t at =
             std::min(std::size_t(random.next() * float(state.size())), state.size() - 1);

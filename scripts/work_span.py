@@ -12,7 +12,9 @@ before the other's; whichever of the two takes longer, counts: threads know of n
 import dataclasses
 import heapq
 import json
+import math
 import re
+import statistics
 
 CORES = (1, 2, 4, 8, 16, 32, 64)
 
@@ -235,6 +237,30 @@ def passes_of(record, mark, skip=1):
     sections = Reader(record).sections()
     begins = [i for i, section in enumerate(sections) if section.name == mark]
     return [sections[a:b] for a, b in zip(begins[skip:], begins[skip + 1:])]
+
+
+class Turns:
+    """What two records say of passes that are on one thread and on all in turn, of which one has the even
+    passes on one thread and the other the odd ones. Each pass on all threads is compared with the mean speed
+    of the passes before and after it, which are on one thread and on different processors. Neither a drift of
+    the machine's speed, nor a processor that is slower than another, nor that even passes do more than odd
+    ones is taken for a gain."""
+
+    def __init__(self, even, odd, skip=1):
+        gains = [self.gains(record['passes'][skip:]) for record in (even, odd)]
+        if not all(gains):
+            raise SystemExit(f'fewer than {skip + 5} passes')
+        self.speed_up = math.prod(statistics.mean(of_one) for of_one in gains) ** 0.5
+        passes = [a_pass for record in (even, odd) for a_pass in record['passes'][skip:]]
+        self.alone = statistics.mean(wall * 1e-9 for alone, wall, _ in passes if alone)
+        #: processors that the passes on all threads kept busy
+        self.busy = statistics.mean(used / wall for alone, wall, used in passes if not alone)
+
+    @staticmethod
+    def gains(passes):
+        threes = zip(passes, passes[1:], passes[2:])
+        return [statistics.harmonic_mean((before, after)) / wall
+                for (_, before, _), (alone, wall, _), (_, after, _) in threes if not alone]
 
 
 def read_record(path):

@@ -15,12 +15,20 @@ PIECES = {'numbered_items': 10, 'ranges': 4, 'many_items': 2041, 'loops_within':
 BESIDE = 'beside_each_other'
 
 
-def record_of(program, mode):
+def record_of(program, mode, *arguments):
     with tempfile.TemporaryDirectory() as folder:
         file = pathlib.Path(folder) / 'record.json'
-        subprocess.run([program], check=True,
-                       env=os.environ | {'AIPS_WORK_RECORD': f'{mode}:{file}'})
+        subprocess.run([program, *arguments], check=True,
+                       env=os.environ | {'AIPS_WORK_RECORD': f'{mode}:{file}', 'AIPS_WORK_MARK': 'ranges'})
         return json.loads(file.read_text())
+
+
+def check_turns(program):
+    """Four times the loops are three passes from mark to mark."""
+    for mode, alone in (('even', [1, 0, 1]), ('odd', [0, 1, 0])):
+        passes = record_of(program, mode, *'four')['passes']
+        assert [single for single, *_ in passes] == alone, passes
+        assert all(wall > 0 and used >= 0 for _, wall, used in passes), passes
 
 
 def main():
@@ -41,6 +49,7 @@ def main():
         assert pairs == ([[4, 5, 7], [7, 7, 7]] if mode == 'tasks' else []), pairs
         for pair in record['pairs']:
             assert pair[3:] == sorted(pair[3:]), pair
+    check_turns(program)
 
 
 if __name__ == '__main__':

@@ -7,7 +7,7 @@ import unittest
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / 'scripts'))
 from work_span import (CORES, Pair, Reader, Reckoning, Section, chains_seconds,  # noqa: E402
-                       list_schedule, passes_of, seconds, short_name, span)
+                       list_schedule, passes_of, seconds, short_name, span, Turns)
 
 
 def loop(*tasks):
@@ -171,6 +171,41 @@ class Records(unittest.TestCase):
                 'FilmAccumulator::add',
         }.items():
             self.assertEqual(short_name(full), short)
+
+
+class PassesInTurn(unittest.TestCase):
+    @staticmethod
+    def record(alone, seconds_of, slower=1):
+        """Twelve passes, those whose number has the remainder `alone` on one thread and the others 1.8 times
+        as fast, on threads of which 1.9 are busy. Of the two processors the second takes so many times as long."""
+        passes, mean = [], (1 + 1 / slower) / 2
+        for number in range(12):
+            single = number % 2 == alone
+            wall = seconds_of(number) * ((1, slower)[number // 2 % 2] if single else 1 / (1.8 * mean))
+            passes.append([int(single), wall * 1e9, wall * (1 if single else 1.9) * 1e9])
+        return {'passes': passes}
+
+    def turns(self, seconds_of, slower=1):
+        return Turns(*(self.record(alone, seconds_of, slower) for alone in (0, 1)))
+
+    def test_equal_passes(self):
+        turns = self.turns(lambda number: 3)
+        self.assertAlmostEqual(turns.speed_up, 1.8)
+        self.assertAlmostEqual(turns.alone, 3)
+        self.assertAlmostEqual(turns.busy, 1.9)
+
+    def test_even_passes_that_do_more_are_no_gain(self):
+        self.assertAlmostEqual(self.turns(lambda number: 5 if number % 2 else 2).speed_up, 1.8)
+
+    def test_a_slow_processor_is_neither_gain_nor_loss(self):
+        self.assertAlmostEqual(self.turns(lambda number: 3, slower=1.5).speed_up, 1.8)
+
+    def test_a_machine_that_gets_slower_is_no_loss(self):
+        self.assertAlmostEqual(self.turns(lambda number: 3 + 0.05 * number).speed_up, 1.8, places=3)
+
+    def test_too_few_passes_are_told(self):
+        with self.assertRaises(SystemExit):
+            Turns({'passes': [[1, 1, 1]]}, {'passes': [[0, 1, 1]]})
 
 
 if __name__ == '__main__':

@@ -2,8 +2,10 @@
 #include "work_record.h"
 
 #include <cxxabi.h>
+#include <oneapi/tbb/global_control.h>
 #include <oneapi/tbb/parallel_for.h>
 #include <oneapi/tbb/parallel_invoke.h>
+#include <sched.h>
 #include <time.h>
 
 #include <algorithm>
@@ -12,6 +14,7 @@
 #include <cstdlib>
 #include <fstream>
 #include <memory>
+#include <optional>
 #include <string>
 #include <thread>
 #include <unordered_map>
@@ -40,10 +43,13 @@ struct Pair {
 
 /// Processor time of the thread, so that others' work on the machine does not count; for walls the
 /// time on the clock.
-std::int64_t now(Mode mode) {
+std::int64_t nanoseconds(clockid_t clock) {
     timespec time{};
-    clock_gettime(mode == Mode::Tasks ? CLOCK_THREAD_CPUTIME_ID : CLOCK_MONOTONIC, &time);
+    clock_gettime(clock, &time);
     return std::int64_t{time.tv_sec} * 1'000'000'000 + time.tv_nsec;
+}
+std::int64_t now(Mode mode) {
+    return nanoseconds(mode == Mode::Tasks ? CLOCK_THREAD_CPUTIME_ID : CLOCK_MONOTONIC);
 }
 
 std::string readable(const char* name) {
@@ -53,17 +59,101 @@ std::string readable(const char* name) {
     return status == 0 ? text.get() : name;
 }
 
+std::string environment(const char* variable) {
+    const char* value = std::getenv(variable);
+    return value ? value : "";
+}
+
+/// Processors that this thread may be on, one by one, as some are slower at times than others.
+class Processors {
+  public:
+    Processors() { sched_getaffinity(0, sizeof all_, &all_); }
+
+    void next() {
+        do
+            last_ = (last_ + 1) % CPU_SETSIZE;
+        while (!CPU_ISSET(last_, &all_));
+        cpu_set_t one;
+        CPU_ZERO(&one);
+        CPU_SET(last_, &one);
+        sched_setaffinity(0, sizeof one, &one);
+    }
+    void any() const { sched_setaffinity(0, sizeof all_, &all_); }
+
+  private:
+    cpu_set_t all_{};
+    int last_ = -1;
+};
+
+/// Passes of a render, every second one on a single thread, which is on each processor in turn.
+class Turns {
+  public:
+    /// `alone`: 0 if even passes are on a single thread, 1 if odd ones are.
+    Turns(std::string mark, std::size_t alone) : mark_(std::move(mark)), alone_(alone) {}
+
+    void loop_begins(const Loop& loop) {
+        if (!is_mark(loop.body)) return;
+        const bool alone = begins_.size() % 2 == alone_;
+        begins_.push_back(
+            {alone, nanoseconds(CLOCK_MONOTONIC), nanoseconds(CLOCK_PROCESS_CPUTIME_ID)});
+        if (alone) {
+            single_.emplace(oneapi::tbb::global_control::max_allowed_parallelism, 1);
+            processors_.next();
+        } else {
+            single_.reset();
+            processors_.any();
+        }
+    }
+
+    void write(std::ostream& out) const {
+        out << ",\n\"passes\": [";
+        for (std::size_t i = 0; i + 1 < begins_.size(); ++i)
+            out << (i ? ", " : "") << '[' << (begins_[i].alone ? 1 : 0) << ", "
+                << begins_[i + 1].wall - begins_[i].wall << ", "
+                << begins_[i + 1].processor - begins_[i].processor << ']';
+        out << ']';
+    }
+
+  private:
+    struct Begin {
+        bool alone = false;
+        std::int64_t wall = 0, processor = 0;  // nanoseconds; of all threads
+    };
+
+    bool is_mark(const std::type_info& body) {
+        const auto [found, fresh] = marks_.try_emplace(body.name(), false);
+        if (fresh) found->second = readable(body.name()).find(mark_) != std::string::npos;
+        return found->second;
+    }
+
+    std::string mark_;
+    std::size_t alone_ = 0;
+    std::unordered_map<const char*, bool> marks_;
+    std::vector<Begin> begins_;
+    std::optional<oneapi::tbb::global_control> single_;
+    Processors processors_;
+};
+
 class Record {
   public:
     Record() {
-        const char* variable = std::getenv("AIPS_WORK_RECORD");
-        const std::string wish = variable ? variable : "";
-        if (wish.starts_with("tasks:")) mode_ = Mode::Tasks;
-        if (wish.starts_with("walls:")) mode_ = Mode::Walls;
-        if (mode_ != Mode::Nothing) file_ = wish.substr(6);
+        const std::string wish = environment("AIPS_WORK_RECORD");
+        const std::size_t colon = wish.find(':');
+        if (colon == std::string::npos) return;
+        const std::string mode = wish.substr(0, colon);
+        file_ = wish.substr(colon + 1);
+        if (mode == "tasks") mode_ = Mode::Tasks;
+        if (mode == "walls") mode_ = Mode::Walls;
+        if (mode == "even" || mode == "odd") {
+            mode_ = Mode::Walls;
+            turns_.emplace(environment("AIPS_WORK_MARK"), mode == "odd" ? 1 : 0);
+        }
     }
     ~Record() {
-        if (mode_ != Mode::Nothing) write();
+        if (mode_ == Mode::Nothing) return;
+        std::ofstream out(file_);
+        write(out);
+        if (!out.flush()) std::fprintf(stderr, "cannot write %s\n", file_.c_str());
     }
     Record(const Record&) = delete;
     Record& operator=(const Record&) = delete;
@@ -73,6 +163,7 @@ class Record {
     bool takes() const { return !within_ && std::this_thread::get_id() == thread_; }
 
     void add(const Loop& loop, const std::function<void(Entry&)>& work) {
+        if (turns_) turns_->loop_begins(loop);
         const std::int64_t begin = now(mode_);
         Entry entry{name(loop.body), begin, 0, {}};
         within_ = true;
@@ -100,10 +191,11 @@ class Record {
     std::size_t name(const std::type_info& body) {
         return names_.try_emplace(body.name(), names_.size()).first->second;
     }
-    void write() const;
+    void write(std::ostream& out) const;
 
     Mode mode_ = Mode::Nothing;
     std::string file_;
+    std::optional<Turns> turns_;
     std::thread::id thread_ = std::this_thread::get_id();
     bool within_ = false, within_pair_ = false;
     std::unordered_map<std::string, std::size_t> names_;
@@ -111,11 +203,10 @@ class Record {
     std::vector<Pair> pairs_;
 };
 
-void Record::write() const {
+void Record::write(std::ostream& out) const {
     std::vector<std::string> names(names_.size());
     for (const auto& [name, number] : names_)
         names[number] = readable(name.c_str());
-    std::ofstream out(file_);
     out << "{\"clock\": \"" << (mode_ == Mode::Tasks ? "processor" : "wall") << "\", \"names\": [";
     for (std::size_t i = 0; i < names.size(); ++i)
         out << (i ? ", " : "") << '"' << names[i] << '"';
@@ -134,8 +225,9 @@ void Record::write() const {
         out << (i ? ",\n" : "\n") << '[' << pair.first << ", " << pair.second << ", " << pair.end
             << ", " << pair.first_time << ", " << pair.second_time << ", " << pair.end_time << ']';
     }
-    out << "]}\n";
-    if (!out.flush()) std::fprintf(stderr, "cannot write %s\n", file_.c_str());
+    out << ']';
+    if (turns_) turns_->write(out);
+    out << "}\n";
 }
 
 Record& record() {

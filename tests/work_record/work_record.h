@@ -18,10 +18,14 @@ struct Loop {
 using Piece = std::function<void(std::size_t first, std::size_t last)>;
 
 /// Works on all items of a loop. What is recorded depends on the environment variable
-/// AIPS_WORK_RECORD, which is `tasks:FILE` or `walls:FILE`; FILE is written when the program ends.
+/// AIPS_WORK_RECORD, which is MODE:FILE; FILE is written when the program ends.
 /// tasks: pieces are worked on one by one, and the processor time of each is recorded.
 /// walls: pieces are worked on by oneTBB's threads, and the time on the clock of each loop is
-/// recorded. Without the variable oneTBB does the same and nothing is recorded.
+/// recorded.
+/// even, odd: as walls, but of passes the even or the odd ones are on a single thread, which is on
+/// each processor in turn; the time of each pass is recorded, and the processor time of all
+/// threads. A pass begins with a loop in the function AIPS_WORK_MARK. Without the variable oneTBB
+/// does the same as for walls and nothing is recorded.
 void run(const Loop& loop, const Piece& piece);
 
 /// Does both, each with loops of its own. tasks: one after the other, and which loops were whose is

@@ -21,6 +21,17 @@ def vertices_of(text):
     return found
 
 
+def boxes_of_a_collection(name, *places):
+    """Instances of a box, which is seen nowhere else, at places along x."""
+    part = bpy.data.collections.new('part')
+    box = scenes.box(name, 1, scenes.grey(), (0, 0, 0))
+    bpy.context.collection.objects.unlink(box)
+    part.objects.link(box)
+    for x in places:
+        empty = scenes.add('place', None, (x, 0, 0))
+        empty.instance_type, empty.instance_collection = 'COLLECTION', part
+
+
 class Meshes(unittest.TestCase):
     def setUp(self):
         scenes.clear()
@@ -52,13 +63,7 @@ class Meshes(unittest.TestCase):
         self.assertEqual(text.count('ObjectInstance'), 3)
 
     def test_instances_of_a_collection(self):
-        part = bpy.data.collections.new('part')
-        box = scenes.box('box', 1, scenes.grey(), (0, 0, 0))
-        bpy.context.collection.objects.unlink(box)
-        part.objects.link(box)
-        for x in (0, 3):
-            empty = scenes.add('place', None, (x, 0, 0))
-            empty.instance_type, empty.instance_collection = 'COLLECTION', part
+        boxes_of_a_collection('box', 0, 3)
         self.assertEqual(exported('collection')[0].count('ObjectInstance'), 2)
 
     def test_one_file_for_each_material(self):
@@ -131,6 +136,17 @@ class LeftOut(unittest.TestCase):
 
 
 class Volumes(unittest.TestCase):
+    def test_masks_of_one_object_within_a_volume_and_outside(self):
+        scenes.clear()
+        scenes.camera()
+        fog = scenes.volume('fog', 'ShaderNodeVolumeScatter', Density=1)
+        scenes.box('around', 3, fog, (0, 0, 0))
+        boxes_of_a_collection('box', 0, 5)
+        text, left_out = exported('masks', Film(8, 8, layers=('objects',)))
+        self.assertEqual(text.count('ObjectInstance'), 2)
+        self.assertEqual(left_out, ['masks tell objects of one name apart by a number: box 2'])
+        self.assertEqual(exported('no masks')[1], [])
+
     def test_what_lies_in_a_volume_has_it_around(self):
         scene = scenes.stage()
         scenes.world_volume(scene, 'ShaderNodeVolumeScatter', Density=0.25, Anisotropy=0.5,

@@ -54,14 +54,16 @@ class Shapes:
 
     def _name_of(self, placed, mesh, key, named):
         """The object to place: where masks tell objects apart, one of this object's name."""
-        if not self._names_apart or placed.name == mesh.name:
+        if not self._names_apart:
             return named[key]
-        own = (*key, placed.name)
+        own = key if placed.name == mesh.name else (*key, placed.name)
         if own not in named:
             named[own] = self._text.free_name(placed.name, 'object')
             self._text.statement('ObjectBegin', named[own])
             self._text.statement('ObjectInstance', named[key])
             self._text.statement('ObjectEnd')
+        if named[own] != placed.name:
+            self._left_out.add('masks tell objects of one name apart by a number', named[own])
         return named[own]
 
     def _in_place(self, mesh, placed, around):

@@ -41,13 +41,14 @@ struct Pair {
     std::int64_t first_time = 0, second_time = 0, end_time = 0;  // nanoseconds
 };
 
-/// Processor time of the thread, so that others' work on the machine does not count; for walls the
-/// time on the clock.
 std::int64_t nanoseconds(clockid_t clock) {
     timespec time{};
     clock_gettime(clock, &time);
     return std::int64_t{time.tv_sec} * 1'000'000'000 + time.tv_nsec;
 }
+
+/// Processor time of the thread, so that others' work on the machine does not count; for walls the
+/// time on the clock.
 std::int64_t now(Mode mode) {
     return nanoseconds(mode == Mode::Tasks ? CLOCK_THREAD_CPUTIME_ID : CLOCK_MONOTONIC);
 }

@@ -8,6 +8,7 @@
 
 #include "block_test.h"
 #include "rendered_image.h"
+#include "test_form.h"
 
 namespace image_parts_test {
 namespace {
@@ -85,7 +86,10 @@ TEST(ImageParts, SumToTheImageInMediaAndByWavelengths) {
     }
 }
 
-constexpr unsigned kSeeds = 6;
+/// Many short renders tell more than few long ones of as many passes.
+unsigned seeds() {
+    return statistics::sized(12u, 6u);
+}
 constexpr int kSize = 32;
 
 /// [layer][seed][block]
@@ -93,7 +97,7 @@ std::vector<statistics::BlockMeans> parts_by(const std::string& way) {
     const render::Folder folder;
     const auto scene = render::small_scene("cornell-box", folder, kSize, kSize);
     std::vector<statistics::BlockMeans> means(kParts.size());
-    for (unsigned seed = 1; seed <= kSeeds; ++seed) {
+    for (unsigned seed = 1; seed <= seeds(); ++seed) {
         render::render(scene,
                        "--quiet --layers direct,indirect,caustics --seed " + std::to_string(seed) +
                            " --integrator " + way,
@@ -108,10 +112,10 @@ std::vector<statistics::BlockMeans> parts_by(const std::string& way) {
 /// The bias of the radius may be some percent in a block, where the image's borders are.
 TEST(ImageParts, AreTheSameLightByPhotonsAndByPaths) {
     constexpr double kSignificance = 1e-5, kAllowed = 0.05;
-    const auto paths = parts_by("path --passes 100");
-    for (const std::string way :
-         {"aips --passes 12", "exphotonmap --passes 12 --set exphotonmap.photonperpass=100000"}) {
-        const auto photons = parts_by(way);
+    const auto paths = parts_by("path --passes " + std::to_string(statistics::sized(30, 100)));
+    for (const std::string way : {"aips", "exphotonmap --set exphotonmap.photonperpass=100000"}) {
+        const auto photons =
+            parts_by(way + " --passes " + std::to_string(statistics::sized(4, 12)));
         for (std::size_t part = 0; part < kParts.size(); ++part) {
             const auto comparison =
                 statistics::compare(paths[part], photons[part], kSignificance, kAllowed);

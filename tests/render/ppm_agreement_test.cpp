@@ -9,7 +9,7 @@
 namespace ppm_agreement_test {
 namespace {
 
-constexpr int kSize = 96;
+constexpr int kSize = 64;
 constexpr std::size_t kBlock = 16;
 
 /// All light comes from photons: shadow rays from fixed hit points keep their first pass's noise.

@@ -6,12 +6,15 @@
 #include <string>
 
 #include "seeded_renders.h"
+#include "test_form.h"
 
 namespace profile_agreement_test {
 namespace {
 
 constexpr std::size_t kBlock = 8;
-constexpr unsigned kSeeds = 6;
+unsigned seeds() {
+    return statistics::sized(4u, 6u);
+}
 
 /// A room lit by a panel under its ceiling, an instance, with a file without symmetry, and by a
 /// ball with coloured light. Both are out of view, where few samples would show their rims.
@@ -60,15 +63,15 @@ TEST(ProfileAgreement, PanelAndBallInARoom) {
     const auto scene = room(folder);
     const auto path =
         render::seeded_block_means(scene, "--integrator path --set path.maxdepth=17 --passes 150",
-                                   folder, {.first = 1, .count = kSeeds}, kBlock);
+                                   folder, {.first = 1, .count = seeds()}, kBlock);
     const auto photons = render::seeded_block_means(
         scene,
         "--integrator aips --passes 6 --set aips.photonperpass=40000 "
         "--set aips.directlightsampling=false --set aips.startradius=0.5",
-        folder, {.first = 100, .count = kSeeds}, kBlock);
+        folder, {.first = 100, .count = seeds()}, kBlock);
     const auto same = statistics::compare(path, photons, 0.01, 0.03);
     EXPECT_FALSE(same.differs()) << same.describe();
-    EXPECT_LT(same.detectable, 0.05) << same.describe();
+    EXPECT_LT(same.detectable, statistics::sized(0.07, 0.05)) << same.describe();
 }
 
 }  // namespace

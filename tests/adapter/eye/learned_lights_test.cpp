@@ -9,6 +9,7 @@
 #include "block_test.h"
 #include "render_mock.h"
 #include "run_on_threads.h"
+#include "test_form.h"
 
 namespace aips::learned_lights_test {
 namespace {
@@ -49,7 +50,7 @@ void learned(Settings& /*settings*/) {}
 statistics::BlockMeans renders(const mock::View& view, const std::function<void(Settings&)>& choose,
                                std::uint64_t first_seed, unsigned passes, unsigned block) {
     statistics::BlockMeans means;
-    for (unsigned s = 0; s < 24; ++s) {
+    for (unsigned s = 0; s < statistics::sized(14u, 24u); ++s) {
         Settings settings = mock::small_settings(first_seed + s, 500);
         settings.start_radius = 3;
         choose(settings);
@@ -66,14 +67,15 @@ bool skipped(const mock::Rendering& rendering) {
                        });
 }
 
-/// 13 tests at a family-wise significance of 1 %, fixed seeds; 3 % would be found.
+/// 13 tests at a family-wise significance of 1 %, fixed seeds; 4 % would be found, by the
+/// long form 3 %.
 TEST(LearnedLights, SameExpectationAsByPower) {
     const mock::View view = rooms();
     const auto plain = renders(view, by_power, 100, 144, 8),
                clever = renders(view, learned, 200, 144, 8);
     const auto same = statistics::compare(plain, clever, 0.01);
     EXPECT_FALSE(same.differs()) << same.describe();
-    EXPECT_LT(same.detectable, 0.03) << same.describe();
+    EXPECT_LT(same.detectable, statistics::sized(0.04, 0.03)) << same.describe();
 }
 
 TEST(LearnedLights, LessVarianceWhereMostLightsAreHidden) {

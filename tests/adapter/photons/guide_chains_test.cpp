@@ -112,27 +112,29 @@ statistics::BlockMeans block_means(const Settings& like, unsigned seeds, std::ui
     return means;
 }
 
-/// Family-wise significance of 1 %, fixed seeds; an eighth more or less would be found. Most of
+/// Family-wise significance of 1 %, fixed seeds; a fifth more or less would be found, by the long
+/// form an eighth. Most of
 /// what chains leave uncertain is one scale for all, by the independent paths that were seen.
 TEST(GuideChains, HaveTheExpectationOfUnguidedPhotons) {
     Settings settings = adaptive(100, true);
     settings.guide = GuideKind::None;
-    const auto plain = block_means(settings, 16, 4);
-    const auto expect_same = [&](const Settings& chains, unsigned seeds, std::uint32_t passes) {
-        const auto same = statistics::compare(plain, block_means(chains, seeds, passes), 0.01);
+    const unsigned seeds = statistics::sized(8u, 16u);
+    const auto plain = block_means(settings, seeds, 4);
+    const auto expect_same = [&](const Settings& chains, unsigned renders, std::uint32_t passes) {
+        const auto same = statistics::compare(plain, block_means(chains, renders, passes), 0.01);
         std::cout << same.describe() << "\n";
         EXPECT_FALSE(same.differs()) << same.describe();
-        EXPECT_LT(same.detectable, 0.125) << same.describe();
+        EXPECT_LT(same.detectable, statistics::sized(0.2, 0.125)) << same.describe();
     };
     // Those without guided starts are those of photon sampler amc, bit for bit, which has a test.
-    expect_same(adaptive(200, true), 16, 4);
+    expect_same(adaptive(200, true), seeds, 4);
     SCOPED_TRACE("short passes");
     // The first ones seldom see one path, and later ones some that weigh differently: chains whose
     // starts did not follow the weights, or passes whose share of visible paths and whose paths
     // depended on each other otherwise, would show.
     settings = adaptive(700, true);
     settings.photons_per_pass = 2000;
-    expect_same(settings, 24, 150);
+    expect_same(settings, statistics::sized(16u, 24u), statistics::sized(100u, 150u));
 }
 
 /// What guided starts are for: measured paths tell the brightness as many more plain ones would.
@@ -182,7 +184,7 @@ struct SideRatio {
 
 SideRatio ratio_of_sides(const mock::View& view, GuideKind guide, std::uint32_t photons,
                          std::uint64_t first_seed) {
-    const unsigned seeds = statistics::sized(10u, 16u);
+    const unsigned seeds = statistics::sized(6u, 16u);
     double sum = 0, squares = 0;
     for (unsigned s = 0; s < seeds; ++s) {
         Settings settings = adaptive(first_seed + s, true);
@@ -214,7 +216,7 @@ TEST(GuideChains, KeepTheBalanceOfBothSidesOfATiltedSheet) {
         std::cout << plain.mean << " +- " << plain.error << " by photons, " << chained.mean
                   << " +- " << chained.error << " by chains\n";
         EXPECT_NEAR(chained.mean, plain.mean, 3.7 * error);
-        EXPECT_LT(error, statistics::sized(0.04, 0.03) * plain.mean) << "too uncertain to tell";
+        EXPECT_LT(error, statistics::sized(0.055, 0.03) * plain.mean) << "too uncertain to tell";
     }
 }
 

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "render_mock.h"
+#include "test_form.h"
 
 namespace aips::furnace_test {
 namespace {
@@ -27,7 +28,8 @@ mock::Scene furnace(const mock::Material& wall) {
 }
 
 /// Mean radiance in a view of the middle of one wall, further from all edges than the radius.
-double measured(const mock::Scene& scene, Settings settings, std::uint32_t passes) {
+double measured(const mock::Scene& scene, Settings settings) {
+    const std::uint32_t passes = statistics::sized(10u, 20u);
     constexpr std::uint32_t kSize = 32;
     settings.max_photon_depth = 8;
     settings.start_radius = 2;
@@ -38,7 +40,7 @@ double measured(const mock::Scene& scene, Settings settings, std::uint32_t passe
 
 TEST(Furnace, UnguidedPhotonsAndShadowRays) {
     const mock::Scene scene = furnace({});
-    EXPECT_NEAR(measured(scene, mock::small_settings(1, 40000), 20), furnace_radiance(8),
+    EXPECT_NEAR(measured(scene, mock::small_settings(1, 40000)), furnace_radiance(8),
                 0.01 * furnace_radiance(8));
 }
 
@@ -46,7 +48,7 @@ TEST(Furnace, PhotonsAlone) {
     const mock::Scene scene = furnace({});
     Settings settings = mock::small_settings(2, 40000);
     settings.direct_light_sampling = false;
-    EXPECT_NEAR(measured(scene, settings, 20), furnace_radiance(8), 0.01 * furnace_radiance(8));
+    EXPECT_NEAR(measured(scene, settings), furnace_radiance(8), 0.01 * furnace_radiance(8));
 }
 
 TEST(Furnace, Guides) {
@@ -54,7 +56,7 @@ TEST(Furnace, Guides) {
     for (const GuideKind guide : {GuideKind::Paper, GuideKind::Adaptive}) {
         Settings settings = mock::small_settings(3, 40000);
         settings.guide = guide;
-        EXPECT_NEAR(measured(scene, settings, 20), furnace_radiance(8), 0.01 * furnace_radiance(8))
+        EXPECT_NEAR(measured(scene, settings), furnace_radiance(8), 0.01 * furnace_radiance(8))
             << mock::name(guide);
     }
 }
@@ -65,7 +67,7 @@ TEST(Furnace, AdaptiveChains) {
         Settings settings = mock::small_settings(8, 40000);
         settings.photon_sampler = PhotonSampler::AdaptiveChains;
         settings.direct_light_sampling = direct;
-        EXPECT_NEAR(measured(scene, settings, 20), furnace_radiance(8), 0.01 * furnace_radiance(8));
+        EXPECT_NEAR(measured(scene, settings), furnace_radiance(8), 0.01 * furnace_radiance(8));
     }
 }
 
@@ -77,8 +79,7 @@ TEST(Furnace, FrozenEyePass) {
             settings.mode = mode;
             settings.alpha = 0.7;
             settings.guide = guide;
-            EXPECT_NEAR(measured(scene, settings, 20), furnace_radiance(8),
-                        0.01 * furnace_radiance(8));
+            EXPECT_NEAR(measured(scene, settings), furnace_radiance(8), 0.01 * furnace_radiance(8));
         }
     }
 }
@@ -88,7 +89,7 @@ TEST(Furnace, GeneralBsdfInTheGather) {
     mock::Material wall;
     wall.hide_lambert = true;
     const mock::Scene scene = furnace(wall);
-    EXPECT_NEAR(measured(scene, mock::small_settings(5, 40000), 20), furnace_radiance(8),
+    EXPECT_NEAR(measured(scene, mock::small_settings(5, 40000)), furnace_radiance(8),
                 0.01 * furnace_radiance(8));
 }
 

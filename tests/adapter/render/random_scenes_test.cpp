@@ -1,9 +1,9 @@
 // Protects the first rule of guiding in scenes that nobody chose: whatever decides where photons
 // go, and however many a pass shoots, the expected image is the same.
 //
-// Fifteen random rooms (long form: thirty), a fixed radius, independent renders. Welch tests of
+// Eight random rooms (long form: thirty), a fixed radius, independent renders. Welch tests of
 // each scene's image mean and its four quarters, and of the mean over all scenes (each relative to
-// its own), are Sidak-corrected together: 76 or 151 tests a setting at 1 %.
+// its own), are Sidak-corrected together: 41 or 151 tests a setting at 1 %.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -24,7 +24,7 @@ constexpr double kSignificance = 0.01;
 constexpr std::uint32_t kManyEyePaths = 4500;  // a pass
 
 std::uint64_t scenes() {
-    return statistics::sized(15u, 30u);
+    return statistics::sized(8u, 30u);
 }
 
 /// How all scenes are rendered.
@@ -107,8 +107,8 @@ std::size_t scenes_found(const statistics::BlockMeans& a, const statistics::Bloc
     return found;
 }
 
-/// Expects the expectation of `plain`. A bias of 3 % of all scenes must be found in their mean, one
-/// of 5 % of a single scene in most of them.
+/// Expects the expectation of `plain`. A bias of 4 % (long form: 3 %) of all scenes must be found
+/// in their mean, one of 5 % of a single scene in most of them.
 Guided expect_same(const statistics::BlockMeans& plain, const Way& way) {
     Guided guided;
     const auto rendered = renders(way, guided);
@@ -116,8 +116,9 @@ Guided expect_same(const statistics::BlockMeans& plain, const Way& way) {
     const auto same = statistics::compare(a, b, kSignificance);
     EXPECT_FALSE(same.differs()) << "scene " << same.smallest_at / kValues << ": "
                                  << same.describe();
-    EXPECT_LT(same.detectable, 0.03) << same.describe();
-    const auto found = statistics::compare(a, statistics::scaled(b, 1.03), kSignificance);
+    const double planted = statistics::sized(0.04, 0.03);
+    EXPECT_LT(same.detectable, planted) << same.describe();
+    const auto found = statistics::compare(a, statistics::scaled(b, 1 + planted), kSignificance);
     EXPECT_TRUE(found.differs()) << "a planted bias went unnoticed: " << found.describe();
     EXPECT_GT(2 * scenes_found(a, b, 0.05, same.threshold), scenes());
     return guided;
@@ -148,8 +149,8 @@ TEST(RandomScenes, SameExpectationWhateverTheGuide) {
     {
         SCOPED_TRACE("adaptive");
         const Guided guided = expect_same(reference, {adaptive, 30000, 14});
-        EXPECT_GE(guided.emission, 3u);
-        EXPECT_GE(guided.survival, 3u);
+        EXPECT_GE(guided.emission, statistics::sized(2u, 3u));
+        EXPECT_GE(guided.survival, statistics::sized(2u, 3u));
     }
     {
         SCOPED_TRACE("adaptive, with directions");

@@ -36,7 +36,7 @@ std::vector<ResumableCase> small_cases() {
 
 /// Of each way to damage a state, in each case.
 unsigned trials() {
-    return statistics::sized(AIPS_SANITIZED ? 60u : 120u, 120u);
+    return statistics::sized(AIPS_SANITIZED ? 30u : 60u, 120u);
 }
 
 struct Saved {

@@ -16,7 +16,7 @@ using mock::ResumableRender;
 
 /// Of each side; renders of few passes, in which what was taken counts most.
 unsigned seeds() {
-    return statistics::sized(48u, 96u);
+    return statistics::sized(24u, 96u);
 }
 constexpr unsigned kPasses = 3;
 /// Blocks of the image, in each direction.

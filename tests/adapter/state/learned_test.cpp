@@ -7,6 +7,7 @@
 
 #include "aips/core/sampling/random.h"
 #include "resumable_render.h"
+#include "test_form.h"
 
 namespace aips::learned_test {
 namespace {
@@ -83,7 +84,7 @@ TEST_P(Learned, DamagedItIsRefusedOrDoesNoHarm) {
     const ResumableCase what = smaller(GetParam());
     const Bytes learned = learned_by(what, 2);
     RandomStream random(9, 0, 0, RandomDomain::Photon);
-    for (unsigned trial = 0; trial < 24; ++trial) {
+    for (unsigned trial = 0; trial < statistics::sized(10u, 24u); ++trial) {
         Bytes damaged = learned;
         const auto at =
             std::min(std::size_t(random.next() * float(damaged.size())), damaged.size() - 1);

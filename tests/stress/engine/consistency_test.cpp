@@ -85,7 +85,7 @@ statistics::BlockMeans relative(statistics::BlockMeans means,
 }
 
 TEST(StressConsistency, ThirtyScenesAgreeWithPaths) {
-    const unsigned seeds = stress::sized(20u, 30u);
+    const unsigned seeds = stress::sized(12u, 30u);
     const auto paths = all_scenes(path, seeds, 1);
     const auto reference = relative(paths, paths);
     std::ostringstream figure;
@@ -97,8 +97,8 @@ TEST(StressConsistency, ThirtyScenesAgreeWithPaths) {
         const auto c = statistics::compare(reference, means, kSignificance, kAllowed);
         EXPECT_FALSE(c.differs()) << mock::name(guide) << ", scene " << c.smallest_at << ": "
                                   << c.describe();
-        EXPECT_LT(c.detectable, stress::sized(0.15, 0.08)) << c.describe();
-        EXPECT_LT(c.detectable_in_block, stress::sized(0.25, 0.15)) << c.describe();
+        EXPECT_LT(c.detectable, stress::sized(0.2, 0.08)) << c.describe();
+        EXPECT_LT(c.detectable_in_block, stress::sized(0.35, 0.15)) << c.describe();
         // What is allowed is not all that is looked for: a fifth of the light lost or added is
         // found.
         for (const double planted : {0.8, 1.2}) {
@@ -114,7 +114,7 @@ TEST(StressConsistency, ThirtyScenesAgreeWithPaths) {
         relative(all_scenes(photons(GuideKind::None, 2 * kStartRadius), seeds, kFirstSeed), paths);
     const auto bias = statistics::compare_paired(unguided, wider, kSignificance);
     EXPECT_LT(std::abs(bias.mean_ratio - 1), kAllowed / 2) << bias.describe();
-    EXPECT_LT(bias.detectable, 0.06) << bias.describe();
+    EXPECT_LT(bias.detectable, stress::sized(0.1, 0.06)) << bias.describe();
     figure << "twice the radius " << bias.mean_ratio;
     stress::record("thirty random scenes against path tracing, bias allowed 3 %", figure.str());
 }

@@ -158,7 +158,7 @@ Differences differences_of_pixels(double extent, const std::string& from) {
     const render::Folder folder;
     const auto scene = folder.write("slab.lxs", ground_under_slab(extent, from));
     auto pixels =
-        render::render(scene, "--passes 96 --seed 4 --set aips.photonperpass=40000", folder)
+        render::render(scene, "--passes 64 --seed 4 --set aips.photonperpass=40000", folder)
             .block_means(1);
     const auto share_below = [&pixels](double share) {
         const auto place = pixels.begin() + std::ptrdiff_t(share * double(pixels.size()));

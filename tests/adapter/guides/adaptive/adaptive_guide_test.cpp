@@ -96,10 +96,14 @@ double pixel_variance(const View& view, void (*choose)(Settings&), std::uint64_t
     return statistics::mean_variance(renders(view, widely(choose), 8, first_seed, 1, passes));
 }
 
+unsigned seeds() {
+    return statistics::sized(9u, 16u);
+}
+
 /// 13 tests per comparison at a family-wise significance of 1 %, fixed seeds; a planted bias must
 /// be found.
 void expect_same(const statistics::BlockMeans& a, const statistics::BlockMeans& b,
-                 double planted = 0.03) {
+                 double planted = statistics::sized(0.045, 0.03)) {
     const auto same = statistics::compare(a, b, 0.01);
     EXPECT_FALSE(same.differs()) << same.describe();
     EXPECT_LT(same.detectable, planted) << same.describe();
@@ -109,12 +113,12 @@ void expect_same(const statistics::BlockMeans& a, const statistics::BlockMeans& 
 
 TEST(AdaptiveGuide, SameExpectationInAClosedBox) {
     const View view = lamp_and_mirror();
-    expect_same(renders(view, plain, 16, 1000), renders(view, adaptive, 16, 2000));
+    expect_same(renders(view, plain, seeds(), 1000), renders(view, adaptive, seeds(), 2000));
 }
 
 TEST(AdaptiveGuide, SameExpectationWithEachPartAlone) {
     const View view = lamp_and_mirror();
-    const auto reference = renders(view, plain, 16, 1000);
+    const auto reference = renders(view, plain, seeds(), 1000);
     const auto emission = [](Settings& s) {
         adaptive(s);
         s.guide_survival = s.guide_bounces = false;
@@ -123,17 +127,17 @@ TEST(AdaptiveGuide, SameExpectationWithEachPartAlone) {
         adaptive(s);
         s.guide_emission = s.guide_bounces = false;
     };
-    expect_same(reference, renders(view, emission, 16, 3000));
-    expect_same(reference, renders(view, survival, 16, 4000));
+    expect_same(reference, renders(view, emission, seeds(), 3000));
+    expect_same(reference, renders(view, survival, seeds(), 4000));
 }
 
 TEST(AdaptiveGuide, SameExpectationWithGuidedBounces) {
     const View view = lamp_in_a_corridor();
-    const unsigned seeds = statistics::sized(14u, 24u);
-    const double planted = statistics::sized(0.07, 0.05);
-    const auto reference = renders(view, plain, seeds, 1000, 8, 12);
-    expect_same(reference, renders(view, bounces_alone, seeds, 9000, 8, 12), planted);
-    expect_same(reference, renders(view, adaptive, seeds, 10000, 8, 12), planted);
+    const unsigned many = statistics::sized(9u, 24u);
+    const double planted = statistics::sized(0.09, 0.05);
+    const auto reference = renders(view, plain, many, 1000, 8, 12);
+    expect_same(reference, renders(view, bounces_alone, many, 9000, 8, 12), planted);
+    expect_same(reference, renders(view, adaptive, many, 10000, 8, 12), planted);
 }
 
 // The variance falls by a factor of 1.9, and one pair of eight renders tells it within a tenth.
@@ -151,14 +155,16 @@ TEST(AdaptiveGuide, SameExpectationWithPhotonsByTheNoise) {
         adaptive(s);
         s.photons_per_pass = 0;
     };
-    expect_same(renders(view, plain, 16, 1000), renders(view, by_noise, 8, 11000, 8, 14), 0.05);
+    expect_same(renders(view, plain, seeds(), 1000),
+                renders(view, by_noise, statistics::sized(6u, 8u), 11000, 8, 14),
+                statistics::sized(0.07, 0.05));
 }
 
 TEST(AdaptiveGuide, SunOverAWideGround) {
     const View view = wide_ground();
     // Few photons are seen: within a narrower radius too few to tell.
-    expect_same(renders(view, widely(plain), 40, 5000, 8, 12),
-                renders(view, widely(adaptive), 12, 6000, 8, 12));
+    expect_same(renders(view, widely(plain), statistics::sized(20u, 40u), 5000, 8, 12),
+                renders(view, widely(adaptive), statistics::sized(8u, 12u), 6000, 8, 12));
     EXPECT_GT(pixel_variance(view, plain, 7000, 24) / pixel_variance(view, adaptive, 8000, 24), 3);
 }
 

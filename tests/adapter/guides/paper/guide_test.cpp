@@ -33,7 +33,7 @@ Settings switched(Settings settings, Switches to) {
 /// Block means of renders with different seeds; unguided if `switches` is null. Without shadow rays
 /// all light comes by photons: more for the guide to spoil.
 statistics::BlockMeans renders(bool shadow_rays, const Switches* switches, std::uint64_t first_seed,
-                               unsigned seeds = statistics::sized(16u, 30u)) {
+                               unsigned seeds = statistics::sized(10u, 30u)) {
     const auto [scene, camera] = mock::half_mirror_view(kWidth, kHeight);
     statistics::BlockMeans means;
     for (unsigned s = 0; s < seeds; ++s) {
@@ -55,7 +55,7 @@ void expect_same_expectation(const statistics::BlockMeans& plain,
                              const statistics::BlockMeans& guided) {
     const auto same = statistics::compare(plain, guided, 0.01);
     EXPECT_FALSE(same.differs()) << same.describe();
-    const double planted = statistics::sized(0.03, 0.02);
+    const double planted = statistics::sized(0.05, 0.02);
     EXPECT_LT(same.detectable, planted) << same.describe();
     const auto found = statistics::compare(plain, statistics::scaled(guided, 1 + planted), 0.01);
     EXPECT_TRUE(found.differs()) << "a planted bias went unnoticed: " << found.describe();

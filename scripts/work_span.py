@@ -239,6 +239,22 @@ def passes_of(record, mark, skip=1):
     return [sections[a:b] for a, b in zip(begins[skip:], begins[skip + 1:])]
 
 
+def least(records):
+    """Sections of the same work in several records, each piece with the least of its times: what disturbed
+    the machine in one of them is left out. A pass has the same pieces in each, as it does the same."""
+    first = records[0]
+    if isinstance(first, list):
+        if any(len(other) != len(first) for other in records):
+            raise SystemExit('records of different work')
+        return [least(same) for same in zip(*records)]
+    if isinstance(first, Pair):
+        return Pair(first.name, least([pair.chains for pair in records]))
+    if isinstance(first, Section):
+        return Section(first.name, least([section.tasks for section in records]),
+                       min(section.serial for section in records))
+    return min(records)
+
+
 class Turns:
     """What two records say of passes that are on one thread and on all in turn, of which one has the even
     passes on one thread and the other the odd ones. Each pass on all threads is compared with the mean speed

@@ -7,7 +7,7 @@ import unittest
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / 'scripts'))
 from work_span import (CORES, Pair, Reader, Reckoning, Section, chains_seconds,  # noqa: E402
-                       list_schedule, passes_of, seconds, short_name, span, Turns)
+                       least, list_schedule, passes_of, seconds, short_name, span, Turns)
 
 
 def loop(*tasks):
@@ -171,6 +171,25 @@ class Records(unittest.TestCase):
                 'FilmAccumulator::add',
         }.items():
             self.assertEqual(short_name(full), short)
+
+
+class SeveralRecords(unittest.TestCase):
+    @staticmethod
+    def record(*late):
+        """Passes of 64 equal tasks and a pair, in which the pieces of these numbers took nine times as long."""
+        times = [9 if number in late else 1 for number in range(100)]
+        return [[loop(*times[:64]), serial(times[64]), Pair('', [[loop(*times[65:80])], [loop(*times[80:])]])]]
+
+    def test_what_disturbs_one_of_them_is_left_out(self):
+        undisturbed = Reckoning(self.record())
+        together = Reckoning(least([self.record(3, 64, 90), self.record(4, 66), self.record(50, 99)]))
+        self.assertLess(Reckoning(self.record(4)).speed_up(64), 0.7 * undisturbed.speed_up(64))
+        for cores in CORES:
+            self.assertAlmostEqual(together.at[cores], undisturbed.at[cores])
+
+    def test_other_work_is_refused(self):
+        with self.assertRaises(SystemExit):
+            least([self.record(), [[loop(1)]]])
 
 
 class PassesInTurn(unittest.TestCase):

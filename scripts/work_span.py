@@ -242,10 +242,15 @@ def passes_of(record, mark, skip=1):
 def least(records):
     """Sections of the same work in several records, each piece with the least of its times: what disturbed
     the machine in one of them is left out. A pass has the same pieces in each, as it does the same."""
+    def kind(work):
+        if isinstance(work, Section):
+            return Section, len(work.tasks), work.name if work.tasks else ''
+        return type(work), len(work) if isinstance(work, list) else 0
+
     first = records[0]
+    if any(kind(other) != kind(first) for other in records):
+        raise SystemExit('records of different work')
     if isinstance(first, list):
-        if any(len(other) != len(first) for other in records):
-            raise SystemExit('records of different work')
         return [least(same) for same in zip(*records)]
     if isinstance(first, Pair):
         return Pair(first.name, least([pair.chains for pair in records]))

@@ -87,7 +87,7 @@ TEST(ImageParts, SumToTheImageInMediaAndByWavelengths) {
 }
 
 /// Many short renders tell more than few long ones of as many passes.
-unsigned seeds() {
+unsigned renders() {
     return statistics::sized(12u, 6u);
 }
 constexpr int kSize = 32;
@@ -97,7 +97,8 @@ std::vector<statistics::BlockMeans> parts_by(const std::string& way) {
     const render::Folder folder;
     const auto scene = render::small_scene("cornell-box", folder, kSize, kSize);
     std::vector<statistics::BlockMeans> means(kParts.size());
-    for (unsigned seed = 1; seed <= seeds(); ++seed) {
+    const unsigned seeds = renders();
+    for (unsigned seed = 1; seed <= seeds; ++seed) {
         render::render(scene,
                        "--quiet --layers direct,indirect,caustics --seed " + std::to_string(seed) +
                            " --integrator " + way,

@@ -51,12 +51,13 @@ TEST(MediaAgreement, LampInABoxOfFog) {
                                    "--integrator path --set path.maxdepth=16 --passes " +
                                        std::to_string(statistics::sized(40, 100)),
                                    folder, {.first = 1, .count = seeds()}, kBlock);
+    const std::string photons_per_pass = statistics::sized("50000", "100000");
     for (const std::string strategy : {"true", "false"}) {
         const auto photons = render::seeded_block_means(
             scene,
-            "--integrator aips --set aips.guide=none --set aips.photonperpass=50000 "
-            "--set aips.startradius=0.7 --set aips.directlightsampling=" +
-                strategy + " --passes " + std::to_string(statistics::sized(3, 12)),
+            "--integrator aips --set aips.guide=none --set aips.photonperpass=" + photons_per_pass +
+                " --set aips.startradius=0.7 --set aips.directlightsampling=" + strategy +
+                " --passes " + std::to_string(statistics::sized(3, 6)),
             folder, {.first = 100, .count = seeds()}, kBlock);
         const auto same = statistics::compare(path, photons, 0.01, 0.01);
         EXPECT_FALSE(same.differs())

@@ -5,17 +5,18 @@
 
 #include "block_test.h"
 #include "rendered_image.h"
+#include "test_form.h"
 
 namespace ppm_agreement_test {
 namespace {
 
-constexpr int kSize = 64;
 constexpr std::size_t kBlock = 16;
 
 /// All light comes from photons: shadow rays from fixed hit points keep their first pass's noise.
 TEST(PpmAgreement, CornellBoxAndTheBiasThatPassesTakeAway) {
     const render::Folder folder;
-    const auto scene = render::small_scene("cornell-box", folder, kSize, kSize);
+    const int size = statistics::sized(64, 96);
+    const auto scene = render::small_scene("cornell-box", folder, size, size);
     const auto reference = render::render(scene,
                                           "--integrator sppm --passes 15 --seed 1 --set "
                                           "sppm.directlightsampling=false --set "

@@ -188,8 +188,11 @@ class SeveralRecords(unittest.TestCase):
             self.assertAlmostEqual(together.at[cores], undisturbed.at[cores])
 
     def test_other_work_is_refused(self):
-        with self.assertRaises(SystemExit):
-            least([self.record(), [[loop(1)]]])
+        renamed = self.record()
+        renamed[0][0].name = 'another'
+        for other in [[loop(1)]], renamed, [[*self.record()[0][:2], serial(1)]]:
+            with self.assertRaises(SystemExit):
+                least([self.record(), other])
 
 
 class PassesInTurn(unittest.TestCase):

@@ -173,6 +173,17 @@ BlockMeans scaled(BlockMeans means, double factor) {
     return means;
 }
 
+BlockMeans relative_to(const BlockMeans& reference, BlockMeans means, std::size_t values) {
+    for (std::size_t i = 0; i < means.front().size(); ++i) {
+        double sum = 0;
+        for (const auto& seed : reference)
+            sum += seed[i / values * values + values - 1];
+        for (auto& seed : means)
+            seed[i] /= sum / double(reference.size());
+    }
+    return means;
+}
+
 std::string Comparison::describe() const {
     std::ostringstream out;
     out << "mean ratio " << mean_ratio << ", smallest p " << smallest_p << " of " << tests

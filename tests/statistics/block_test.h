@@ -47,6 +47,10 @@ double mean_variance(const BlockMeans& means);
 /// All values times `factor`: a planted bias, to show that a comparison would find it.
 BlockMeans scaled(BlockMeans means, double factor);
 
+/// Values of several scenes, `values` of each, relative to the mean of its scene's last in
+/// `reference`: a mean over all of them then weighs the scenes alike.
+BlockMeans relative_to(const BlockMeans& reference, BlockMeans means, std::size_t values);
+
 /// Two-sided p of Student's t with `degrees` (> 0, any real) of freedom.
 double student_p(double t, double degrees);
 

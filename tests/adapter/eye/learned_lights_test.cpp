@@ -49,8 +49,9 @@ void learned(Settings& /*settings*/) {}
 /// Mostly shadow rays' noise: the walls are dark, so that photons carry little.
 statistics::BlockMeans renders(const mock::View& view, const std::function<void(Settings&)>& choose,
                                std::uint64_t first_seed, unsigned passes, unsigned block) {
+    const unsigned seeds = statistics::sized(14u, 24u);
     statistics::BlockMeans means;
-    for (unsigned s = 0; s < statistics::sized(14u, 24u); ++s) {
+    for (unsigned s = 0; s < seeds; ++s) {
         Settings settings = mock::small_settings(first_seed + s, 500);
         settings.start_radius = 3;
         choose(settings);

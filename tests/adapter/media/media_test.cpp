@@ -103,8 +103,9 @@ struct FoggyBox {
 /// Block means of foggy boxes with different seeds.
 statistics::BlockMeans renders(const Settings& asked_for, std::uint64_t first_seed) {
     const FoggyBox box;
+    const unsigned seeds = statistics::sized(7u, 10u);
     statistics::BlockMeans means;
-    for (unsigned s = 0; s < statistics::sized(7u, 10u); ++s) {
+    for (unsigned s = 0; s < seeds; ++s) {
         Settings settings = asked_for;
         settings.seed = first_seed + s;
         const auto r = render_along_y(box.scene, settings, 6);

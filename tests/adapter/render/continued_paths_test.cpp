@@ -21,6 +21,7 @@ namespace aips::continued_paths_test {
 namespace {
 
 constexpr std::uint32_t kSize = 12;
+constexpr std::size_t kValues = 5;  // of a scene: four quarters and the whole image
 constexpr unsigned kSeeds = 16;
 constexpr double kRadiusBias = 0.02;
 
@@ -30,7 +31,7 @@ std::uint64_t scenes() {
 }
 
 struct Renders {
-    statistics::BlockMeans means;  // [seed][scene * 5 + value], relative to the scenes' references
+    statistics::BlockMeans means;  // [seed][scene * kValues + value]
     std::uint64_t continued = 0, eye_paths = 0;
 };
 
@@ -64,18 +65,6 @@ Renders renders(const std::function<void(Settings&)>& choose, std::uint64_t firs
     return result;
 }
 
-statistics::BlockMeans relative(statistics::BlockMeans means,
-                                const statistics::BlockMeans& reference) {
-    for (std::size_t i = 0; i < means.front().size(); ++i) {
-        double mean = 0;
-        for (const auto& seed : reference)
-            mean += seed[i / 5 * 5 + 4] / double(reference.size());
-        for (auto& seed : means)
-            seed[i] /= mean;
-    }
-    return means;
-}
-
 void by_photons(Settings& s) {
     s.continue_eye_paths = false;
     s.photons_per_pass = 20000;
@@ -93,15 +82,15 @@ void by_both(Settings& s) {
 TEST(ContinuedPaths, SameExpectationAsPhotonsAlone) {
     const auto photons = renders(by_photons, 10000, kSeeds, 6);
     EXPECT_EQ(photons.continued, 0u);
-    const auto a = relative(photons.means, photons.means);
+    const auto a = statistics::relative_to(photons.means, photons.means, kValues);
     const auto expect_same = [&](const std::function<void(Settings&)>& choose, unsigned passes,
                                  std::uint64_t first_seed, double least_continued) {
         const auto shared = renders(choose, first_seed, kSeeds, passes);
         EXPECT_GT(double(shared.continued), least_continued * double(shared.eye_paths));
-        const auto b = relative(shared.means, photons.means);
+        const auto b = statistics::relative_to(photons.means, shared.means, kValues);
         const auto same = statistics::compare(a, b, 0.01, kRadiusBias);
-        EXPECT_FALSE(same.differs()) << "scene " << same.smallest_at / 5 << ", value "
-                                     << same.smallest_at % 5 << ": " << same.describe();
+        EXPECT_FALSE(same.differs()) << "scene " << same.smallest_at / kValues << ", value "
+                                     << same.smallest_at % kValues << ": " << same.describe();
         const double planted = statistics::sized(0.05, 0.035);
         EXPECT_LT(same.detectable, planted) << same.describe();
         const auto found =

@@ -80,19 +80,6 @@ statistics::BlockMeans renders(const Way& way, Guided& guided) {
     return means;
 }
 
-/// Relative to the scenes' means in `reference`: a mean over scenes then weighs them alike.
-statistics::BlockMeans relative(statistics::BlockMeans means,
-                                const statistics::BlockMeans& reference) {
-    for (std::size_t i = 0; i < means.front().size(); ++i) {
-        double mean = 0;
-        for (const auto& seed : reference)
-            mean += seed[i / kValues * kValues + kValues - 1] / double(reference.size());
-        for (auto& seed : means)
-            seed[i] /= mean;
-    }
-    return means;
-}
-
 /// Scenes in whose mean or quarters a bias of `planted` is found, as one test of all of them.
 std::size_t scenes_found(const statistics::BlockMeans& a, const statistics::BlockMeans& b,
                          double planted, double threshold) {
@@ -112,7 +99,8 @@ std::size_t scenes_found(const statistics::BlockMeans& a, const statistics::Bloc
 Guided expect_same(const statistics::BlockMeans& plain, const Way& way) {
     Guided guided;
     const auto rendered = renders(way, guided);
-    const auto a = relative(plain, plain), b = relative(rendered, plain);
+    const auto a = statistics::relative_to(plain, plain, kValues),
+               b = statistics::relative_to(plain, rendered, kValues);
     const auto same = statistics::compare(a, b, kSignificance);
     EXPECT_FALSE(same.differs()) << "scene " << same.smallest_at / kValues << ": "
                                  << same.describe();

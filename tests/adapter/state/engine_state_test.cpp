@@ -79,6 +79,15 @@ std::vector<std::string> said_since(const mock::Log& log, std::size_t line) {
     return {log.lines.begin() + std::ptrdiff_t(line), log.lines.end()};
 }
 
+/// In the short form after a third or so of the passes, and after all.
+std::vector<unsigned> interrupted_after(unsigned passes) {
+    if (!statistics::long_form()) return {(passes + 2) / 3, passes};
+    std::vector<unsigned> all;
+    for (unsigned pass = 0; pass <= passes; pass += passes > 5 ? 3 : 1)
+        all.push_back(pass);
+    return all;
+}
+
 class EngineState : public testing::TestWithParam<ResumableCase> {};
 
 TEST_P(EngineState, GoesOnWithTheSameBits) {
@@ -90,10 +99,9 @@ TEST_P(EngineState, GoesOnWithTheSameBits) {
         interruptions.push_back({straight.save(), straight.film(), straight.log().lines.size()});
         EXPECT_EQ(interruptions.back().state, straight.save()) << "saved twice";
     }
-    // In the short form after a third or so of the passes, and after all.
-    const unsigned first = statistics::sized((what.passes + 2) / 3, 0u);
-    const unsigned step = statistics::sized(what.passes - first, what.passes > 5 ? 3u : 1u);
-    for (unsigned pass = first; pass <= what.passes; pass += step) {
+    ResumableRender unrendered(what, interruptions[0].state, interruptions[0].film);
+    EXPECT_EQ(unrendered.save(), interruptions[0].state) << "saved before the first pass";
+    for (const unsigned pass : interrupted_after(what.passes)) {
         SCOPED_TRACE("interrupted after pass " + std::to_string(pass));
         ResumableRender resumed(what, interruptions[pass].state, interruptions[pass].film);
         EXPECT_EQ(resumed.save(), interruptions[pass].state) << "saved where it was restored";

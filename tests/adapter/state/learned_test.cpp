@@ -84,7 +84,8 @@ TEST_P(Learned, DamagedItIsRefusedOrDoesNoHarm) {
     const ResumableCase what = smaller(GetParam());
     const Bytes learned = learned_by(what, 2);
     RandomStream random(9, 0, 0, RandomDomain::Photon);
-    for (unsigned trial = 0; trial < statistics::sized(10u, 24u); ++trial) {
+    const unsigned trials = statistics::sized(10u, 24u);
+    for (unsigned trial = 0; trial < trials; ++trial) {
         Bytes damaged = learned;
         const auto at =
             std::min(std::size_t(random.next() * float(damaged.size())), damaged.size() - 1);

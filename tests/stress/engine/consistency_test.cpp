@@ -71,29 +71,18 @@ Render photons(GuideKind guide, double radius) {
     };
 }
 
-/// Every scene relative to its mean in `reference`.
-statistics::BlockMeans relative(statistics::BlockMeans means,
-                                const statistics::BlockMeans& reference) {
-    for (std::size_t i = 0; i < kScenes; ++i) {
-        double sum = 0;
-        for (const auto& seed : reference)
-            sum += seed[i] / double(reference.size());
-        for (auto& seed : means)
-            seed[i] /= sum;
-    }
-    return means;
-}
-
 TEST(StressConsistency, ThirtyScenesAgreeWithPaths) {
     const unsigned seeds = stress::sized(12u, 30u);
     const auto paths = all_scenes(path, seeds, 1);
-    const auto reference = relative(paths, paths);
+    const auto reference = statistics::relative_to(paths, paths, 1);
     std::ostringstream figure;
     statistics::BlockMeans unguided;
     for (const GuideKind guide : {GuideKind::None, GuideKind::Paper, GuideKind::Adaptive}) {
-        const auto means = relative(all_scenes(photons(guide, kStartRadius), seeds,
+        const auto means =
+            statistics::relative_to(paths,
+                                    all_scenes(photons(guide, kStartRadius), seeds,
                                                kFirstSeed + 100000 * std::uint64_t(guide)),
-                                    paths);
+                                    1);
         const auto c = statistics::compare(reference, means, kSignificance, kAllowed);
         EXPECT_FALSE(c.differs()) << mock::name(guide) << ", scene " << c.smallest_at << ": "
                                   << c.describe();
@@ -110,8 +99,8 @@ TEST(StressConsistency, ThirtyScenesAgreeWithPaths) {
                << " %) ";
         if (guide == GuideKind::None) unguided = means;
     }
-    const auto wider =
-        relative(all_scenes(photons(GuideKind::None, 2 * kStartRadius), seeds, kFirstSeed), paths);
+    const auto wider = statistics::relative_to(
+        paths, all_scenes(photons(GuideKind::None, 2 * kStartRadius), seeds, kFirstSeed), 1);
     const auto bias = statistics::compare_paired(unguided, wider, kSignificance);
     EXPECT_LT(std::abs(bias.mean_ratio - 1), kAllowed / 2) << bias.describe();
     EXPECT_LT(bias.detectable, stress::sized(0.1, 0.06)) << bias.describe();

@@ -56,8 +56,8 @@ TEST(StressEnergy, ClosedBallOfAnyAlbedo) {
             double expected = 0;
             for (unsigned k = 0; k <= depth; ++k)
                 expected += std::pow(double(albedo), k);
-            for (const stress::Way& way : stress::ways(
-                     0, depth > 8 ? stress::sized(250, 500) : stress::sized(2000, 4000), false)) {
+            const int photons = depth > 8 ? stress::sized(250, 500) : stress::sized(2000, 4000);
+            for (const stress::Way& way : stress::ways(0, photons, false)) {
                 statistics::BlockMeans means;
                 Settings settings = way.settings;
                 settings.max_photon_depth = depth;

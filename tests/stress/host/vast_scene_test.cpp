@@ -157,9 +157,11 @@ struct Differences {
 Differences differences_of_pixels(double extent, const std::string& from) {
     const render::Folder folder;
     const auto scene = folder.write("slab.lxs", ground_under_slab(extent, from));
-    auto pixels =
-        render::render(scene, "--passes 64 --seed 4 --set aips.photonperpass=40000", folder)
-            .block_means(1);
+    auto pixels = render::render(scene,
+                                 "--seed 4 --set aips.photonperpass=40000 --passes " +
+                                     std::to_string(stress::sized(64, 96)),
+                                 folder)
+                      .block_means(1);
     const auto share_below = [&pixels](double share) {
         const auto place = pixels.begin() + std::ptrdiff_t(share * double(pixels.size()));
         std::nth_element(pixels.begin(), place, pixels.end());

@@ -51,14 +51,14 @@ TEST(MediaAgreement, LampInABoxOfFog) {
                                    "--integrator path --set path.maxdepth=16 --passes " +
                                        std::to_string(statistics::sized(40, 100)),
                                    folder, {.first = 1, .count = seeds()}, kBlock);
-    const std::string photons_per_pass = statistics::sized("50000", "100000");
+    std::string photons_options =
+        "--integrator aips --set aips.guide=none --set aips.startradius=0.7 "
+        "--set aips.photonperpass=";
+    photons_options += statistics::sized("50000 --passes 3", "100000 --passes 6");
+    photons_options += " --set aips.directlightsampling=";
     for (const std::string strategy : {"true", "false"}) {
-        const auto photons = render::seeded_block_means(
-            scene,
-            "--integrator aips --set aips.guide=none --set aips.photonperpass=" + photons_per_pass +
-                " --set aips.startradius=0.7 --set aips.directlightsampling=" + strategy +
-                " --passes " + std::to_string(statistics::sized(3, 6)),
-            folder, {.first = 100, .count = seeds()}, kBlock);
+        const auto photons = render::seeded_block_means(scene, photons_options + strategy, folder,
+                                                        {.first = 100, .count = seeds()}, kBlock);
         const auto same = statistics::compare(path, photons, 0.01, 0.01);
         EXPECT_FALSE(same.differs())
             << "directlightsampling " << strategy << ": " << same.describe();

@@ -64,6 +64,8 @@ class DirectLight {
 
     /// Whether there is more to learn.
     bool learns() const { return learned_ && learned_->learns(); }
+    /// Whether anything was learned.
+    bool knows() const { return learned_ && learned_->knows(); }
     /// As LearnedLights::learn(); without need to learn nothing is done.
     void learn(std::span<const LightSample> samples, std::uint64_t due, std::uint64_t passes) {
         if (learned_) learned_->learn(samples, due, passes);

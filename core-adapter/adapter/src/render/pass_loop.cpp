@@ -6,6 +6,7 @@
 #include "base/side_by_side.h"
 #include "base/stopwatch.h"
 #include "plan/memory_bound.h"
+#include "render/lights_ahead.h"
 #include "render/precision_warning.h"
 #include "render/same_render.h"
 
@@ -82,7 +83,8 @@ PassLoop::PassLoop(const Host& host, const Settings& settings, std::uint32_t eye
 
 PassReport PassLoop::render_pass(std::uint64_t number) {
     PassReport report;
-    std::uint64_t eye_rays = begin_pass(number);
+    std::uint64_t eye_rays = number == 0 ? look_ahead() : 0;
+    eye_rays += begin_pass(number);
     report.eye_paths = trace_eye_paths(number);
     if (number == 0) warn_of_lost_precision(image_, host_.log);
     if (report.eye_paths) {
@@ -120,6 +122,11 @@ void PassLoop::learn(const StrategyPass& pass, const FilmPass& film_pass) {
         direct_light_.learn(image_.light_samples, light_samples_due(pass.eye_paths),
                             pass.number + 1);
     });
+}
+
+std::uint64_t PassLoop::look_ahead() {
+    const Stopwatch watch(statistics_.eye_seconds);
+    return learn_lights_ahead(eye_->input(), eye_->time(0), direct_light_);
 }
 
 std::uint64_t PassLoop::begin_pass(std::uint64_t pass) {

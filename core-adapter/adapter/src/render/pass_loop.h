@@ -29,6 +29,7 @@ class PassLoop {
     void learned(StateArchive& archive);
 
   private:
+    std::uint64_t look_ahead();
     std::uint64_t begin_pass(std::uint64_t pass);
     std::uint32_t trace_eye_paths(std::uint64_t pass);
     void add_light(const CarriedLight& light, FilmPass& film_pass);

@@ -25,6 +25,12 @@ constexpr std::uint32_t light_samples_due(std::uint32_t paths, std::uint32_t ray
     return rays * (paths / paths_per_light_sample(paths, rays) + 1);
 }
 
+/// Shadow rays that are to tell before the first pass: as many as it has paths, but enough for
+/// choices to be made anew, and no more than are learned from at once.
+constexpr std::uint32_t light_samples_ahead(std::uint32_t paths) {
+    return std::uint32_t(std::clamp<std::uint64_t>(paths, kFewestNewRays, kMostNewRays));
+}
+
 /// at() changes in learn() alone and may be called from many threads in between. Deterministic: a
 /// function of the sequence of calls.
 class LearnedLights {
@@ -37,6 +43,8 @@ class LearnedLights {
         return tables_.at(position, normal);
     }
 
+    /// Whether anything was learned.
+    bool knows() const { return learned_ > 0; }
     /// Whether there is more to learn.
     bool learns() const { return learned_ < kEnoughRays; }
     /// After `passes` passes: what shadow rays told, in an order that does not depend on threads.

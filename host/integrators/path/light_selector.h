@@ -47,6 +47,8 @@ class LightSelector {
 
     /// Whether there are tables that still learn.
     bool learns() const { return learned_ && learned_->learns(); }
+    /// Whether anything was learned.
+    bool knows() const { return learned_ && learned_->knows(); }
     /// What shadow rays told, as aips::LearnedLights::learn() wants it: to be called between
     /// passes.
     void learn(std::span<const aips::LightSample> samples, std::uint64_t due, std::uint64_t passes);

@@ -16,9 +16,11 @@ float on_film(float u, std::uint32_t size) {
 
 }  // namespace
 
-PathTarget::PathTarget(const RenderContext& context, const PathTracer& tracer)
+PathTarget::PathTarget(const RenderContext& context, const PathTracer& tracer,
+                       std::vector<aips::LightSample>* told)
     : context_(context),
       tracer_(tracer),
+      told_(told),
       buffer_(context.scene.facts().max_bsdf_bytes + alignof(std::max_align_t)),
       memory_(buffer_.data(), buffer_.size()) {}
 
@@ -30,7 +32,7 @@ void PathTarget::evaluate(PrimarySample& sample, Contribution& contribution) {
     contribution.position = {on_film(film.x, context_.film.width()),
                              on_film(film.y, context_.film.height())};
     contribution.radiance.assign(context_.film.light_groups(), Rgb(0.0f));
-    PathResult result{.radiance = contribution.radiance};
+    PathResult result{.radiance = contribution.radiance, .told = told_};
     const CameraRay camera = context_.camera.generate({contribution.position, lens}, time);
     tracer_.trace(camera.ray, sample, memory_, result);
 

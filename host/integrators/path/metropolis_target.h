@@ -17,7 +17,9 @@ namespace lxs {
 /// luminance of all light groups. For use by one thread.
 class PathTarget final : public MetropolisTarget {
   public:
-    PathTarget(const RenderContext& context, const PathTracer& tracer);
+    /// `told` takes what the first shadow rays of all paths find; null: nothing does.
+    PathTarget(const RenderContext& context, const PathTracer& tracer,
+               std::vector<aips::LightSample>* told = nullptr);
 
     void evaluate(PrimarySample& sample, Contribution& contribution) override;
 
@@ -27,6 +29,7 @@ class PathTarget final : public MetropolisTarget {
   private:
     const RenderContext& context_;
     const PathTracer& tracer_;
+    std::vector<aips::LightSample>* told_;
     std::vector<std::byte> buffer_;
     std::pmr::monotonic_buffer_resource memory_;
     PathCounts counts_;

@@ -8,6 +8,8 @@
 #include <algorithm>
 #include <cstddef>
 
+#include "path/lights_ahead.h"
+
 namespace lxs {
 
 void PathIntegrator::prepare(const RenderContext& context) {
@@ -40,7 +42,13 @@ void PathIntegrator::prepare(const RenderContext& context) {
 }
 
 PassReport PathIntegrator::render_pass(std::uint64_t pass) {
-    const PathCounts counts = metropolis_ ? metropolis_->render_pass() : render_pixels(pass);
+    PathCounts counts;
+    if (metropolis_) {
+        counts = metropolis_->render_pass();
+    } else {
+        counts.rays = learn_lights_ahead(*context_, settings_, tracer_->lights());
+        counts += render_pixels(pass);
+    }
     total_ += counts;
     PassReport report;
     report.rays = counts.rays;

@@ -14,6 +14,7 @@ enum class RandomDomain : std::uint32_t {
     Path = 0x70617468,
     MetropolisSeeds = 0x6d6c7462,
     MetropolisChain = 0x6d6c7463,
+    LightsAhead = 0x6c616864,
 };
 
 /// Numbers in [0,1), a pure function of (domain, seed, pass, pixel, dimension): counter-based

@@ -3,6 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <filesystem>
+
 #include "bench_process.h"
 #include "checksum.h"
 #include "method_table.h"
@@ -26,7 +28,7 @@ TEST(MethodTable, TheProjectsOwnIsReadAndHasTheBaseline) {
     const auto radius = [&](const char* name) {
         return startradius(overrides(table, find_method(table.references, name), kAny, {})).value();
     };
-    for (const char* name : {"photons", "photons-chains", "photons-guided"}) {
+    for (const char* name : {"photons", "photons-chains", "photons-guided", "shared"}) {
         EXPECT_LE(radius(name), table.fixed_startradius / 4) << name;
         EXPECT_EQ(radius("photons-halved"), radius(name) / 2) << name;
     }
@@ -57,6 +59,21 @@ TEST(SceneTable, FindsListedScenesAndFiles) {
     EXPECT_EQ(find_scene(path, kTables + "/scenes.json", "nowhere").name, "furnace");
     EXPECT_THAT([] { find_scene("nothing", kTables + "/scenes.json", BENCH_SCENES); },
                 ThrowsMessage<StudyError>(HasSubstr("unknown scene \"nothing\"")));
+}
+
+/// For the whole image eye paths share the light of one reference, and of one only: the other is to
+/// find a fault of theirs.
+TEST(SceneTable, OneReferenceOfTheWholeImageIsIndependentOfEyePaths) {
+    const MethodTable table = read_method_table(kTables + "/methods.json");
+    const std::string scenes = kTables + "/scenes-whole-image.json";
+    for (const auto& file : std::filesystem::directory_iterator(BENCH_SCENES)) {
+        if (file.path().extension() != ".lxs") continue;
+        const std::string name = file.path().stem();
+        const auto [first, second] = listed_scene(name, scenes).references;
+        EXPECT_TRUE(first == "shared" || first == "path") << name;
+        EXPECT_TRUE(second.starts_with("photons")) << name;
+        EXPECT_NO_THROW(find_method(table.references, second)) << name;
+    }
 }
 
 TEST(SceneTable, ChecksumFollowsEveryNamedFile) {

@@ -189,10 +189,11 @@ TEST(ScatterPhoton, TellsTheDensitiesOfItsDirections) {
     EXPECT_NEAR(half, 0.5, 4 * error);
 }
 
-/// Tilted shading normals: a share of directions about the geometric normal keeps the mean that the
-/// Bsdf's own samples have with Veach's factor, and bounds what those leave without bound:
-/// f cos / p <= Kd / pi |wi.ng| |wo.ns| / |wo.ng| / (|wi.ng| / (2 pi)).
-TEST(ScatterPhoton, TiltedNormalKeepsTheMeanAndBoundsTheWeight) {
+/// Scatters by `material`, whose lobes reflect and let through so much each, where the shading
+/// normal is tilted by an eighth of a turn. A share of directions about the geometric normal keeps
+/// the mean that the Bsdf's own samples have with Veach's factor, and bounds what those leave
+/// without bound: f cos / p <= K / pi |wi.ng| |wo.ns| / |wo.ng| / (|wi.ng| / (2 sides pi)).
+void expect_bounded(const mock::Material& material, double reflected, double let_through) {
     const mock::Scene scene = mock::lamp_box({}, {});
     const Settings settings;
     const DiscreteDistribution lights;
@@ -201,11 +202,12 @@ TEST(ScatterPhoton, TiltedNormalKeepsTheMeanAndBoundsTheWeight) {
     SurfacePoint point;
     point.geometric_normal = {0, 0, 1};
     point.shading_normal = normalize(Vec3{1, 0, 1});
-    const mock::Material material;
     point.bsdf = mock::make_bsdf(material, point.geometric_normal, point.shading_normal, arena);
     const Vec3 wo = normalize(Vec3{0.5f, 0.2f, 0.9f});
-    const double bound = 2 * double(material.reflectance.r) * abs_dot(wo, point.shading_normal) /
-                         abs_dot(wo, point.geometric_normal);
+    const double ratio =
+        double(abs_dot(wo, point.shading_normal)) / double(abs_dot(wo, point.geometric_normal));
+    const double sides = let_through > 0 ? 2 : 1;
+    const double bound = 2 * sides * std::max(reflected, let_through) * ratio;
     PhotonCounts counts;
     constexpr int kSamples = 400000;
     double sum = 0, squares = 0;
@@ -220,11 +222,25 @@ TEST(ScatterPhoton, TiltedNormalKeepsTheMeanAndBoundsTheWeight) {
         sum += value;
         squares += value * value;
     }
-    // The integral of Kd / pi |wi.ng| |wo.ns| / |wo.ng| (1 + wi.x) over the hemisphere about ng:
+    // The integral of K / pi |wi.ng| |wo.ns| / |wo.ng| (1 + wi.x) over both hemispheres about ng:
     // the mean of the x of a cosine-distributed direction is 0.
     const double mean = sum / kSamples;
     const double error = std::sqrt((squares / kSamples - mean * mean) / kSamples);
-    EXPECT_NEAR(mean, bound / 2, 4 * error);
+    EXPECT_NEAR(mean, (reflected + let_through) * ratio, 4 * error);
+}
+
+TEST(ScatterPhoton, TiltedNormalKeepsTheMeanAndBoundsTheWeight) {
+    const mock::Material material;
+    expect_bounded(material, double(material.reflectance.r), 0);
+}
+
+/// A curtain: one photon that it let through along its shading normal's plane had ten million
+/// times its power.
+TEST(ScatterPhoton, TiltedNormalBoundsWhatIsLetThrough) {
+    mock::Material curtain;
+    curtain.kind = mock::Material::Kind::Sheet;
+    curtain.transmittance = {0.4f, 0.4f, 0.4f};
+    expect_bounded(curtain, double(curtain.reflectance.r), double(curtain.transmittance.r));
 }
 
 }  // namespace

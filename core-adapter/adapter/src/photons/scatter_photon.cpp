@@ -34,24 +34,44 @@ float specular_probability(const Bsdf& bsdf, Vec3 wo, LobeMask lobes) {
     return std::clamp(specular / (specular + other), 0.1f, 0.9f);
 }
 
+/// Cosine about the geometric normal: on the side that the photon came from, or on both alike.
+struct CosineDirections {
+    Vec3 normal;  // on that side
+    bool both_sides = false;
+
+    /// `u_side` in [0, 1) tells which side.
+    Vec3 sample(float u_side, Vec2 u) const {
+        const Vec3 side = both_sides && u_side < 0.5f ? -normal : normal;
+        return Frame(side).to_world(square_to_cosine_hemisphere(u));
+    }
+    float pdf(Vec3 wi) const {
+        const float cosine = dot(wi, normal);
+        return (both_sides ? 0.5f * std::abs(cosine) : std::max(0.0f, cosine)) * kInvPi;
+    }
+};
+
 /// Densities that a direction is drawn from, one of them at random.
 struct Mixture {
     const GuidedDirections* guided = nullptr;
     float guided_share = 0;
-    float geometric_share = 0;  // cosine about the geometric normal, on the side of wo
-    float mask_pdf = 1;         // probability of having come to non-specular lobes at all
+    CosineDirections cosine;
+    float cosine_share = 0;
+    float mask_pdf = 1;  // probability of having come to non-specular lobes at all
 };
 
-/// Share of the cosine about the geometric normal where the shading normal is tilted against it.
-/// A Bsdf draws by the cosine to the shading normal; the quotient of the two cosines in
+/// Adds the cosine about the geometric normal where the shading normal is tilted against it. A Bsdf
+/// draws by the cosine to the shading normal; the quotient of the two cosines in
 /// adjoint_shading_factor then has no bound, nor the photon's power a finite variance. With this
-/// share diffuse lobes' weights are bounded.
-float geometric_share(const SurfacePoint& point, Vec3 wo, LobeMask lobes) {
-    if (point.geometric_normal == point.shading_normal || !(lobes & kDiffuse)) return 0;
+/// share diffuse lobes' weights are bounded; behind the surface too, where they let light through.
+void add_cosine(const SurfacePoint& point, Vec3 wo, LobeMask lobes, Mixture& mixture) {
+    if (point.geometric_normal == point.shading_normal || !(lobes & kDiffuse)) return;
     const float diffuse = luminance(point.bsdf->albedo(wo, kDiffuse));
     const float all = luminance(point.bsdf->albedo(wo, lobes & kNonSpecular));
     const float share = diffuse / all;
-    return share > 0 ? 0.5f * std::min(share, 1.0f) : 0;
+    if (!(share > 0)) return;
+    const Vec3 normal = normal_towards(wo, point);
+    mixture.cosine = {normal, point.bsdf->pdf(wo, -normal, kDiffuse) > 0};
+    mixture.cosine_share = 0.5f * std::min(share, 1.0f);
 }
 
 /// One-sample mixture of guide, cosine and Bsdf, weighed by the density of all together, so that
@@ -64,8 +84,7 @@ template <class Numbers>
 bool scatter_by_mixture(const Mixture& mixture, const SurfacePoint& point, Vec3 wo, Numbers& random,
                         PhotonCounts& counts, ScatteredPhoton& result) {
     const float rest = 1 - mixture.guided_share;
-    const float geometric = rest * mixture.geometric_share;
-    const Vec3 normal = normal_towards(wo, point);
+    const float by_cosine = rest * mixture.cosine_share;
     const float u_choice = random.next();
     const Vec2 u = random.next2();
     const float u_lobe = random.next();
@@ -73,8 +92,8 @@ bool scatter_by_mixture(const Mixture& mixture, const SurfacePoint& point, Vec3 
     if (mixture.guided && u_choice < mixture.guided_share) {
         wi = mixture.guided->sample(u);
         ++counts.guided_bounces;
-    } else if (u_choice < mixture.guided_share + geometric) {
-        wi = Frame(normal).to_world(square_to_cosine_hemisphere(u));
+    } else if (u_choice < mixture.guided_share + by_cosine) {
+        wi = mixture.cosine.sample((u_choice - mixture.guided_share) / by_cosine, u);
     } else {
         BsdfSample sample;
         if (!point.bsdf->sample(wo, u, u_lobe, Transport::Power, kNonSpecular, sample)) {
@@ -83,8 +102,8 @@ bool scatter_by_mixture(const Mixture& mixture, const SurfacePoint& point, Vec3 
         wi = sample.wi;
     }
     const float bsdf_pdf = point.bsdf->pdf(wo, wi, kNonSpecular);
-    float pdf = (rest - geometric) * bsdf_pdf;
-    if (geometric > 0) pdf += geometric * std::max(0.0f, dot(wi, normal)) * kInvPi;
+    float pdf = (rest - by_cosine) * bsdf_pdf;
+    if (by_cosine > 0) pdf += by_cosine * mixture.cosine.pdf(wi);
     const float plain_pdf = pdf / rest;
     if (mixture.guided) pdf += mixture.guided_share * mixture.guided->pdf(wi);
     if (!std::isfinite(pdf) || bsdf_pdf < 0) {
@@ -125,9 +144,9 @@ bool scatter_photon(const PhotonInput& in, const SurfacePoint& point, Vec3 wo, N
                 arena);
         }
         mixture.guided_share = mixture.guided ? mixture.guided->share() : 0;
-        mixture.geometric_share = geometric_share(point, wo, lobes);
+        add_cosine(point, wo, lobes, mixture);
     }
-    if (mixture.guided || mixture.geometric_share > 0) {
+    if (mixture.guided || mixture.cosine_share > 0) {
         const float specular = specular_probability(*point.bsdf, wo, lobes);
         if (specular > 0 && random.next() < specular) {
             return scatter_by_bsdf(point, wo, kSpecular, specular, random, result);

@@ -89,7 +89,7 @@ class MeasuredPasses {
     void render_pass() {
         const auto wall = Clock::now();
         const double cpu = lxs::cpu_seconds();
-        const lxs::PassReport report = session_.integrator->render_pass(totals_.passes);
+        const lxs::PassReport report = lxs::render_pass(session_, totals_.passes);
         totals_.wall_s += lxs::seconds_since(wall);
         totals_.cpu_s += lxs::cpu_seconds() - cpu;
         ++totals_.passes;

@@ -157,7 +157,7 @@ ExitCode render(const CommandLine& command, const PluginLibrary& plugins, Consol
     Snapshots snapshots(command, session, budget, log);
     ErrorWatch error(*session.film, budget.error);
     Progress progress(log, budget, error, command.verbosity == Verbosity::Verbose);
-    RenderLoop loop{.integrator = *session.integrator,
+    RenderLoop loop{.session = session,
                     .budget = budget,
                     .interruption = interruption,
                     .progress = progress,
@@ -172,10 +172,7 @@ ExitCode render(const CommandLine& command, const PluginLibrary& plugins, Consol
                             snapshots.between_passes(done);
                             live.wait_while_paused(done, error, interruption);
                         }};
-    loop.begin_pass = [&](std::uint64_t pass) {
-        if (job) job->another_pass(true);
-        if (session.spectral) begin_spectral_pass(session, pass);
-    };
+    if (job) loop.begin_pass = [&] { job->another_pass(true); };
     RenderTotals totals = begun;
     try {
         loop.run(totals);

@@ -8,11 +8,11 @@
 
 namespace lxs {
 
-void RenderLoop::render_pass(RenderTotals& totals) const {
+void RenderLoop::render_next(RenderTotals& totals) const {
     const auto start = std::chrono::steady_clock::now();
     const double cpu_start = cpu_seconds();
-    if (begin_pass) begin_pass(totals.passes);
-    const PassReport report = integrator.render_pass(totals.passes);
+    if (begin_pass) begin_pass();
+    const PassReport report = render_pass(session, totals.passes);
     ++totals.passes;
     totals.photon_paths += report.photon_paths;
     totals.rays += report.rays;
@@ -32,7 +32,7 @@ void RenderLoop::run(RenderTotals& totals) {
         if (between && between_passes) between_passes(totals);
         if (interruption.requested()) break;  // while the render was paused
         between = true;
-        render_pass(totals);
+        render_next(totals);
         progress.show(totals);
         if (end_pass) end_pass(totals);
     }

@@ -146,6 +146,14 @@ void choose_spectral(RenderSession& session, ConsoleLog& log) {
     log.info(fmt::format("rendering by wavelengths, three a pass, as {}", reason));
 }
 
+/// Gives scene and film the wavelengths of pass `pass`.
+void begin_spectral_pass(RenderSession& session, std::uint64_t pass) {
+    const Wavelengths wavelengths =
+        wavelengths_of_pass(session.seed, pass, session.wavelength_density);
+    session.scene->set_wavelengths(wavelengths);
+    session.film->set_wavelengths(wavelengths);
+}
+
 /// Takes `step`; an error in it is gathered with those of others.
 void gather(Diagnostics& diagnostics, const auto& step) {
     try {
@@ -228,11 +236,9 @@ RenderSession prepare(const CommandLine& command, const PluginLibrary& plugins,
 
 }  // namespace
 
-void begin_spectral_pass(RenderSession& session, std::uint64_t pass) {
-    const Wavelengths wavelengths =
-        wavelengths_of_pass(session.seed, pass, session.wavelength_density);
-    session.scene->set_wavelengths(wavelengths);
-    session.film->set_wavelengths(wavelengths);
+PassReport render_pass(RenderSession& session, std::uint64_t pass) {
+    if (session.spectral) begin_spectral_pass(session, pass);
+    return session.integrator->render_pass(pass);
 }
 
 RenderSession prepare_session(const CommandLine& command, const PluginLibrary& plugins,

@@ -29,10 +29,8 @@ void agree_on_begin(const RenderSession& session, std::uint64_t passes) {
 }
 
 ExitCode help_render(RenderSession& session, std::uint64_t passes) {
-    for (; session.job->another_pass(); ++passes) {
-        if (session.spectral) begin_spectral_pass(session, passes);
-        session.integrator->render_pass(passes);
-    }
+    for (; session.job->another_pass(); ++passes)
+        render_pass(session, passes);
     return ExitCode::Success;
 }
 

@@ -1,9 +1,11 @@
 // Protects the whole command, in its smallest form and for function only: references that grow, a
 // study, its resumption, failure of a run, the table. No time is tested.
+#include <OpenImageIO/imagebufalgo.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "bench_process.h"
+#include "image_file.h"
 #include "study_file.h"
 
 namespace bench::test::smallest_study_test {
@@ -90,6 +92,29 @@ TEST_F(SmallestStudyTest, ReferencesStudyResumptionAndTable) {
     EXPECT_EQ(table.exit_code, 0);
     EXPECT_THAT(table.text, HasSubstr("## furnace: one fixed radius for all"));
     EXPECT_THAT(table.text, HasSubstr("| sppm | 0.1 |"));
+}
+
+/// A render that is measured is the one that a user gets, pass by pass: wavelengths of a scene that
+/// disperses light were once those of the first pass in all of a study's passes.
+TEST_F(SmallestStudyTest, RendersWhatAUserGets) {
+    const BenchResult study =
+        run("run --scenes prism --methods path --width 24 --threads 1 --seeds 1 --budgets 0.05 "
+            "--clock cpu --out study");
+    ASSERT_EQ(study.exit_code, 0) << study.text;
+    const Json measured = summary()["runs"][0];
+    const auto passes = measured["totals"]["passes"].get<std::uint64_t>();
+    ASSERT_GT(passes, 1u);
+    const std::string scene = std::string(BENCH_SCENES) + "/prism.lxs";
+    const BenchResult render =
+        run_program(folder_, std::string(LXSRENDER) + " '" + scene +
+                                 "' --integrator path --width 24 --threads 1 --seed 1 --passes " +
+                                 std::to_string(passes) + " -o user.exr");
+    ASSERT_EQ(render.exit_code, 0) << render.text;
+    const fs::path last = measured["snapshots"].back()["exr"].get<std::string>();
+    const auto difference = OIIO::ImageBufAlgo::compare(
+        read_image(folder_.path() / "study" / last), read_image(folder_.path() / "user.exr"), 0, 0);
+    EXPECT_EQ(difference.maxerror, 0);
+    EXPECT_GT(mean_luminance(read_image(folder_.path() / "user.exr")), 0);
 }
 
 /// Every key that docs/reference/benchmark-files.md promises.

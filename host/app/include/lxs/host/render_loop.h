@@ -7,18 +7,18 @@
 #include "lxs/host/error_watch.h"
 #include "lxs/host/interruption.h"
 #include "lxs/host/progress.h"
-#include "lxs/sdk/integrator.h"
+#include "lxs/host/render_session.h"
 
 namespace lxs {
 
 struct RenderLoop {
-    Integrator& integrator;
+    RenderSession& session;
     const Budget& budget;
     const Interruption& interruption;
     Progress& progress;
     ErrorWatch& error;
-    std::function<void(std::uint64_t pass)> begin_pass = {};  ///< called before each; may be empty
-    std::function<void(const RenderTotals&)> end_pass = {};   ///< called after each; may be empty
+    std::function<void()> begin_pass = {};                   ///< called before each; may be empty
+    std::function<void(const RenderTotals&)> end_pass = {};  ///< called after each; may be empty
     /// Called after each but the last; may be empty.
     std::function<void(const RenderTotals&)> between_passes = {};
 
@@ -28,7 +28,7 @@ struct RenderLoop {
     void run(RenderTotals& totals);
 
   private:
-    void render_pass(RenderTotals& totals) const;
+    void render_next(RenderTotals& totals) const;
 };
 
 }  // namespace lxs

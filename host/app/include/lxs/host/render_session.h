@@ -44,7 +44,8 @@ struct RenderSession {
 RenderSession prepare_session(const CommandLine& command, const PluginLibrary& plugins,
                               InputDiagnostics& diagnostics, ConsoleLog& log);
 
-/// Gives scene and film the wavelengths of pass `pass`; only if the session is spectral.
-void begin_spectral_pass(RenderSession& session, std::uint64_t pass);
+/// Renders pass number `pass` with the session's integrator, which is prepared: by wavelengths of
+/// its own if the session is spectral.
+PassReport render_pass(RenderSession& session, std::uint64_t pass);
 
 }  // namespace lxs

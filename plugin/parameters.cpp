@@ -128,6 +128,9 @@ std::vector<ParameterDeclaration> way_declarations() {
         boolean("correctedges", kDefaults.correct_edges,
                 "In mode progressive: at edges photons count by the part of their search disc that "
                 "is surface (docs/understand/edges.md)."),
+        boolean("narrowradii", kDefaults.narrow_radii,
+                "Where radii adapt: those of pixels that are surely blurred are narrower "
+                "(docs/understand/adaptive-radius.md)."),
         choice("guide", kDefaults.guide,
                "What decides where photons go: nothing; the adaptive tables of Liu and Zheng 2014; "
                "or what photons are worth to the image (docs/understand/guides.md).",

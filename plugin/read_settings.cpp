@@ -42,6 +42,7 @@ void read_guide(const lxs::ParameterReader& in, Settings& s) {
     s.photon_turns = in.boolean("photonturns", s.photon_turns);
     s.guide_lamps = in.boolean("guidelamps", s.guide_lamps);
     s.correct_edges = in.boolean("correctedges", s.correct_edges);
+    s.narrow_radii = in.boolean("narrowradii", s.narrow_radii);
     s.guide = chosen(in, "guide", kGuides, s.guide);
     s.guide_share = in.number("guideshare", s.guide_share);
     s.iteration_photons = count("iterationphotons", s.iteration_photons);

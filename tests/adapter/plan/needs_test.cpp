@@ -5,6 +5,7 @@
 #include <atomic>
 
 #include "lamp_room.h"
+#include "plan/needs.h"
 #include "render_mock.h"
 #include "scene_with_lights.h"
 
@@ -253,6 +254,22 @@ TEST(Needs, EdgesAreCorrectedWherePassesLookAnew) {
     EXPECT_FALSE(off("", [](Settings& s) { s.correct_edges = false; })) << "as asked for";
     EXPECT_TRUE(off("no photons", [](Settings& s) { s.max_photon_depth = 1; }));
     EXPECT_TRUE(off("the mode's", [](Settings& s) { s.mode = Mode::Ppm; }));
+}
+
+/// Nothing else asks what the inner halves of search discs bring.
+TEST(Needs, BlurNarrowsRadiiThatAdapt) {
+    const mock::Scene scene = mock::lamp_box({}, {});
+    const auto narrows = [&](RadiusKind radius, std::uint32_t photon_depth, bool asked) {
+        Settings settings = mock::small_settings(70, 1000);
+        settings.radius = radius;
+        settings.max_photon_depth = photon_depth;
+        settings.narrow_radii = asked;
+        return analyse(scene, settings).settings.narrow_radii;
+    };
+    EXPECT_TRUE(narrows(RadiusKind::Adaptive, 8, true));
+    EXPECT_FALSE(narrows(RadiusKind::Adaptive, 8, false)) << "as asked for";
+    EXPECT_FALSE(narrows(RadiusKind::Schedule, 8, true)) << "by the schedule";
+    EXPECT_FALSE(narrows(RadiusKind::Adaptive, 1, true)) << "no photons";
 }
 
 TEST(Needs, LampPathsAreDrawnWhereSmoothSurfacesShowLamps) {

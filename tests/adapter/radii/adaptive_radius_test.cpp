@@ -67,6 +67,7 @@ ProbeSums probe_of(double excess, int photons, double value) {
 /// The same in all probes.
 PhotonFlux flux_with(const SearchRadii& radii, const ProbeSums& sums) {
     PhotonFlux flux;
+    flux.wants_inner = true;
     flux.reset(std::size_t{kSize} * kSize, 1, radii.probes.size());
     std::fill(flux.probes.begin(), flux.probes.end(), sums);
     return flux;
@@ -181,6 +182,7 @@ TEST(AdaptiveRadius, FindsTheOptimumOfAKnownDensity) {
         LandingGrid grid;
         grid.build(quadratic_landings(kCurvature, kHalf, kPhotons, pass), radii.probe_radius);
         PhotonFlux flux;
+        flux.wants_inner = true;
         flux.reset(image.visible_points.size(), 1, radii.probes.size());
         gather_probes(image, grid, radii, flux.probes);
         adaptive.after_pass(flux);
@@ -194,6 +196,56 @@ TEST(AdaptiveRadius, FindsTheOptimumOfAKnownDensity) {
     const std::size_t middle = kSize / 2 * kSize + kSize / 2;
     EXPECT_NEAR(adaptive.before_pass(photons_of(settings, kPasses), image).of(middle) / optimum, 1,
                 0.1);
+}
+
+/// Landings on the right half of a square alone, evenly.
+std::vector<Landing> edge_landings(double half, int count, std::uint64_t seed) {
+    std::vector<Landing> landings = quadratic_landings(0, half, count, seed);
+    for (Landing& landing : landings)
+        landing.position.x = std::abs(landing.position.x);
+    return landings;
+}
+
+/// Ratios of the radii of a row of pixels across an edge of light, with blur narrowing them and
+/// without.
+std::vector<double> narrowed_at_an_edge(int passes, int photons) {
+    const EyeImage image = plane_image();
+    Settings settings = settings_with(std::uint32_t(photons));
+    AdaptiveRadius narrowed = policy(settings);
+    settings.narrow_radii = false;
+    AdaptiveRadius plain = policy(settings);
+    const auto run = [&](AdaptiveRadius& policy, std::uint64_t pass) {
+        const SearchRadii radii = policy.before_pass(photons_of(settings, pass), image);
+        LandingGrid grid;
+        grid.build(edge_landings(1.5, photons, pass), std::max(radii.probe_radius, radii.largest));
+        PhotonFlux flux;
+        flux.wants_inner = true;
+        flux.reset(image.visible_points.size(), 1, radii.probes.size());
+        Refusals refusals;
+        gather_photons(image, grid, radii, refusals, flux);
+        gather_probes(image, grid, radii, flux.probes);
+        policy.after_pass(flux);
+        return std::vector<float>(radii.per_point.begin(), radii.per_point.end());
+    };
+    constexpr std::size_t kMiddle = std::size_t{kSize / 2} * kSize;
+    std::vector<double> ratios(kSize);
+    for (int pass = 0; pass < passes; ++pass) {
+        const std::vector<float> with = run(narrowed, std::uint64_t(pass));
+        const std::vector<float> without = run(plain, std::uint64_t(pass));
+        for (std::size_t x = 0; x < kSize; ++x)
+            ratios[x] = double(with[kMiddle + x]) / double(without[kMiddle + x]);
+    }
+    return ratios;
+}
+
+/// Where light ends the probes, which are wider than the discs, tell no curvature that would narrow
+/// them enough: pixels in the dark beside it take light from across. Far from the edge, and at its
+/// middle, where both halves of a disc tell the same, radii stay.
+TEST(AdaptiveRadius, BlurNarrowsRadiiBesideAnEdge) {
+    const std::vector<double> ratio = narrowed_at_an_edge(60, 60000);
+    EXPECT_LT(*std::min_element(ratio.begin(), ratio.end()), 0.5);
+    for (const std::size_t far : {0u, 1u, kSize - 2, kSize - 1})
+        EXPECT_EQ(ratio[far], 1) << far;
 }
 
 TEST(AdaptiveRadius, ProbesTakeWhatTheGatherTakes) {
@@ -232,7 +284,7 @@ TEST(AdaptiveRadius, MemoryIsFlatAndWithinItsBound) {
     }
     EXPECT_EQ(adaptive.memory_bytes(), bytes);
     constexpr std::size_t kPixels = std::size_t{kSize} * kSize;
-    EXPECT_LE(bytes, AdaptiveRadius::memory_bound_bytes(kPixels, kPixels));
+    EXPECT_LE(bytes, AdaptiveRadius::memory_bound_bytes(kPixels, kPixels, true));
 }
 
 TEST(AdaptiveRadius, EngineStaysBelowItsBoundAndFlat) {

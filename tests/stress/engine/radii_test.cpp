@@ -158,6 +158,7 @@ TEST(StressRadius, OfProbesStaysWithinBounds) {
             sums.curvature.fill(kind % 2 ? -odd[kind % 7] : odd[kind % 7]);
             sums.uncertainty.fill(odd[kind % 7]);
             PhotonFlux flux;
+            flux.wants_inner = true;
             flux.reset(kPixels, 1);
             flux.probes.assign(radii.probes.size(), sums);
             policy.after_pass(flux);
@@ -165,6 +166,41 @@ TEST(StressRadius, OfProbesStaysWithinBounds) {
     }
     record("adaptive: 49 pairs of probe sums of 0, denormal, 1e-300 to 1e300",
            "between an eighth and twice the schedule");
+}
+
+/// What the inner half of discs tells of blur, and the whole; both ways and by turns.
+TEST(StressRadius, OfBlurStaysWithinBounds) {
+    Settings settings = settings_of(Mode::Progressive, 0.7);
+    settings.radius = RadiusKind::Adaptive;
+    const EyeImage image = eye_image();
+    const float odd[] = {0, 1e-45f, 1e-30f, 1, 1e30f, 3e38f};
+    for (int kind = 0; kind < 36; ++kind) {
+        AdaptiveRadius policy(settings, scene(), kSize, kSize);
+        PassPhotons photons{0, 1000000};
+        const int passes = sized(128, kPasses);
+        for (int pass = 0; pass < passes; ++pass, photons.before += photons.paths) {
+            const SearchRadii radii = policy.before_pass(photons, image);
+            ASSERT_NO_FATAL_FAILURE(expect_usable(radii));
+            const double schedule = double(
+                scheduled_radius(settings, 4 * kFootprint, double(photons.before), floor_radius()));
+            for (std::size_t i = 0; i < kPixels; ++i) {
+                ASSERT_GE(double(radii.of(i)), kLeastNarrowing * schedule * (1 - 1e-6));
+                ASSERT_LE(double(radii.of(i)), schedule * (1 + 1e-6));
+            }
+            PhotonFlux flux;
+            flux.wants_inner = true;
+            flux.reset(kPixels, 1, radii.probes.size());
+            // Even pixels see the same in each pass, the others by turns.
+            for (std::size_t i = 0; i < kPixels; ++i) {
+                const bool turned = i % 2 && pass % 2;
+                flux.flux[i] = kWhite * odd[turned ? kind % 6 : kind / 6];
+                flux.inner[i] = kWhite * odd[turned ? kind / 6 : kind % 6];
+            }
+            policy.after_pass(flux);
+        }
+    }
+    record("adaptive: 36 pairs of what discs and their inner halves bring, 0 to 3e38",
+           "between " + std::to_string(kLeastNarrowing) + " of the schedule and the schedule");
 }
 
 }  // namespace

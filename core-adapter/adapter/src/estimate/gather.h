@@ -45,6 +45,7 @@ struct PhotonFlux {
     std::size_t most_points = 0;   ///< visible points of any pass, if that is known
     bool wants_parts = false;      ///< whether gathers fill `parts`
     bool wants_inner = false;      ///< whether gathers fill `inner`
+    bool wants_bias = false;       ///< and those in media the inner half of beams' sections
     bool wants_shareable = false;  ///< whether gathers fill `shareable`
 
     void reset(std::size_t visible_points, std::uint32_t groups, std::size_t probe_count = 0) {

@@ -49,7 +49,7 @@ void PhotonPass::shoot(std::uint64_t pass, const PassPhotons& photons, float tim
                        const EyeImage& image, const SearchRadii& radii, Refusals& refusals,
                        PhotonFlux& flux) {
     flux.reset(image.visible_points.size(), image.groups, radii.probes.size());
-    begin_pass(pass, photons, time, image, radii, {flux.wants_parts, flux.wants_inner});
+    begin_pass(pass, photons, time, image, radii, {flux.wants_parts, flux.wants_bias});
     pass_light_.clear();
     std::uint64_t iteration = 0;
     for (std::uint32_t first = 0; first < photons.paths; ++iteration) {

@@ -131,9 +131,10 @@ std::size_t photon_memory_bound(const Scene& scene, const Needs& needs, std::uin
     std::size_t radii = ScheduledRadius::memory_bound_bytes(eye_paths);
     if (settings.mode == Mode::Ppm) radii = PpmRadius::memory_bound_bytes(eye_paths);
     if (adapts_radius(settings)) {
-        // And the flux's probes.
-        radii =
-            AdaptiveRadius::memory_bound_bytes(pixels, eye_paths) + eye_paths * sizeof(ProbeSums);
+        // And the flux's probes and inner halves of discs.
+        const std::size_t inner = settings.narrow_radii ? sizeof(Rgb) : 0;
+        radii = AdaptiveRadius::memory_bound_bytes(pixels, eye_paths, settings.narrow_radii) +
+                eye_paths * (sizeof(ProbeSums) + inner);
     }
     // What the photons per pass and the adaptive guide go by.
     const std::size_t plan = PixelImportance::memory_bound_bytes(pixels) +

@@ -35,6 +35,7 @@ void drop_photons(Needs& needs, const std::string& reason) {
     needs.photons = false;
     needs.settings.photon_sampler = PhotonSampler::Sequence;
     needs.settings.radius = RadiusKind::Schedule;
+    needs.settings.narrow_radii = false;
     skip(needs, "photon pass", reason);
 }
 
@@ -169,6 +170,7 @@ Needs analyse(const Scene& scene, const Settings& settings) {
     needs.settings = settings;
     // Decided once, by what is asked for: parts that are left out below change no radius.
     needs.settings.radius = adapts_radius(settings) ? RadiusKind::Adaptive : RadiusKind::Schedule;
+    needs.settings.narrow_radii &= adapts_radius(settings);
     const SceneFacts facts = scene.facts();
     const auto lights = scene.lights();
     const auto dead = std::size_t(std::count_if(lights.begin(), lights.end(),

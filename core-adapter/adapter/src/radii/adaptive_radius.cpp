@@ -58,7 +58,9 @@ AdaptiveRadius::AdaptiveRadius(const Settings& settings, const Scene& scene, std
     : settings_(settings),
       floor_(scene),
       map_(width, height),
-      of_one_path_(std::size_t{width} * height) {}
+      of_one_path_(std::size_t{width} * height) {
+    if (settings.narrow_radii) blur_.emplace(of_one_path_.size());
+}
 
 SearchRadii AdaptiveRadius::before_pass(const PassPhotons& photons, const EyeImage& image) {
     if (!(initial_ > 0)) {
@@ -84,7 +86,9 @@ SearchRadii AdaptiveRadius::before_pass(const PassPhotons& photons, const EyeIma
             const VisiblePoint& point = image.visible_points[i];
             pixels_[i] = map_.pixel(image.positions[point.sample]);
             const double radius = optimum * double(of_one_path_[pixels_[i]]);
-            radii_[i] = std::max(in_range_of(schedule, radius), floor_.at(point.position));
+            const float narrowing = blur_ ? blur_->narrowing(pixels_[i]) : 1;
+            radii_[i] =
+                std::max(narrowing * in_range_of(schedule, radius), floor_.at(point.position));
             first[begin / kItemsPerJob + 1] += has_turn(pixels_[i]) ? 1 : 0;
         }
     });
@@ -124,6 +128,7 @@ void AdaptiveRadius::renew() {
 // With lengths in units of the first probes' radius contributions are about as large as radiance
 // whatever the scene's scale, and their fourth powers within range.
 void AdaptiveRadius::after_pass(const PhotonFlux& flux) {
+    if (blur_) learn_blur(flux);
     in_disjoint_ranges(
         probes_.size(), [&](std::size_t i) { return pixels_[probes_[i]]; },
         [&](std::size_t first, std::size_t last) {
@@ -135,25 +140,49 @@ void AdaptiveRadius::after_pass(const PhotonFlux& flux) {
         });
 }
 
+/// In the same units, as far as they are the same for all of a pixel: what the surface and the eye
+/// path take is left out.
+void AdaptiveRadius::learn_blur(const PhotonFlux& flux) {
+    const std::size_t groups = flux.flux.size() / radii_.size();
+    in_disjoint_ranges(
+        radii_.size(), [&](std::size_t i) { return pixels_[i]; },
+        [&](std::size_t first, std::size_t last) {
+            for (std::size_t i = first; i < last; ++i) {
+                const double radius = double(radii_[i]) / unit_;
+                const double scale = 1 / (radius * radius * pass_paths_);
+                double whole = 0;
+                for (const Rgb& group : std::span(flux.flux).subspan(i * groups, groups))
+                    whole += double(luminance(group));
+                const double half = 2 * double(luminance(flux.inner[i]));
+                const double variance = double(flux.squares[i]) * scale * scale;
+                blur_->add(pixels_[i], {whole * scale, half * scale, variance});
+            }
+        });
+}
+
 // The rest is of one pass.
 void AdaptiveRadius::state(StateArchive& archive, const EyeImage& /*image*/) {
     state_of_initial_radius(archive, initial_, floor_.least());
     unit_ = kProbeRadius * initial_;
     archive.value(passes_);
     map_.state(archive);
+    if (blur_) blur_->state(archive);
     for (float& radius : of_one_path_)
         archive.value(radius);
 }
 
 std::size_t AdaptiveRadius::memory_bytes() const {
-    return map_.memory_bytes() + of_one_path_.capacity() * sizeof(float) +
+    return map_.memory_bytes() + (blur_ ? blur_->memory_bytes() : 0) +
+           of_one_path_.capacity() * sizeof(float) +
            (pixels_.capacity() + probes_.capacity()) * sizeof(std::uint32_t) +
            radii_.capacity() * sizeof(float);
 }
 
-std::size_t AdaptiveRadius::memory_bound_bytes(std::size_t pixels, std::size_t visible_points) {
+std::size_t AdaptiveRadius::memory_bound_bytes(std::size_t pixels, std::size_t visible_points,
+                                               bool narrows) {
     const std::size_t point = kVectorGrowth * (sizeof(float) + 2 * sizeof(std::uint32_t));
-    return CurvatureMap::memory_bound_bytes(pixels) + pixels * sizeof(float) +
+    const std::size_t blur = narrows ? BlurMap::memory_bound_bytes(pixels) : 0;
+    return CurvatureMap::memory_bound_bytes(pixels) + blur + pixels * sizeof(float) +
            visible_points * point;
 }
 

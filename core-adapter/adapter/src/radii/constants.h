@@ -61,6 +61,66 @@ inline constexpr std::uint64_t kRadiiRenewedIn = 4;
 /// Supported by: no measurement (the greatest was varied, not the least).
 inline constexpr double kLeastOfSchedule = 0.125;
 
+/// Share of what is known of a pixel's blur that each visible point there makes forgotten: radii
+/// change meanwhile. Unit: share.
+/// Balances: noise of what is known against blur of radii that are no more.
+/// Chosen by: docs/notebook/2026-11-28-radii-that-blur-narrows.md.
+/// Supported by: prism, glass-ball, ring (0.02 in its place).
+inline constexpr double kBlurForgotten = 0.05;
+
+/// Visible points of a pixel from which on they are compared with each other, to tell how noisy
+/// what they tell of blur is. Unit: visible points.
+/// Balances: radii that adapt soon against radii that shrink on noise alone.
+/// Chosen by: docs/notebook/2026-11-28-radii-that-blur-narrows.md.
+/// Supported by: no measurement.
+inline constexpr std::uint32_t kBlurComparedFrom = 4;
+
+/// Share of what visible points of a pixel differ by that is taken for noise of their blur; eye
+/// paths have some of it, which go to other places each. Unit: share.
+/// Balances: blur against radii that shrink on photons that come together.
+/// Chosen by: docs/notebook/2026-11-28-radii-that-blur-narrows.md.
+/// Supported by: prism, glass-ball, sun-window, hall (0 and 1 in its place).
+inline constexpr double kBlurApart = 0.5;
+
+/// Blur narrows a pixel's radii only where it is sure: squared, it is more than so many times its
+/// variance. Unit: ratio.
+/// Balances: blur against radii that shrink on noise alone.
+/// Chosen by: docs/notebook/2026-11-28-radii-that-blur-narrows.md.
+/// Supported by: prism, glass-ball, ring, hall, sun-window (16 in its place).
+inline constexpr double kSureOfBlur = 9;
+
+/// Blur narrows a pixel's radii where, squared, it is more than so many times the variance of the
+/// mean over passes; half as large is best for a bias as of a disc. Unit: ratio.
+/// Balances: blur against noise.
+/// Chosen by: docs/notebook/2026-11-28-radii-that-blur-narrows.md.
+/// Supported by: prism, glass-ball, ring (4 in its place).
+inline constexpr double kBlurTooLarge = 2;
+
+/// And widens them again where it is less than so many times that variance. Unit: ratio.
+/// Balances: blur against noise.
+/// Chosen by: docs/notebook/2026-11-28-radii-that-blur-narrows.md.
+/// Supported by: no measurement.
+inline constexpr double kBlurSmall = 0.5;
+
+/// Factor of a pixel's radii for each visible point whose blur is too large. Unit: factor.
+/// Balances: how soon blur goes against radii that are narrowed for nothing.
+/// Chosen by: docs/notebook/2026-11-28-radii-that-blur-narrows.md.
+/// Supported by: no measurement.
+inline constexpr double kNarrowingStep = 0.93;
+
+/// And where it is small. Unit: factor.
+/// Balances: as that of narrowing, more slowly, as noise comes and goes.
+/// Chosen by: docs/notebook/2026-11-28-radii-that-blur-narrows.md.
+/// Supported by: no measurement.
+inline constexpr double kWideningStep = 1.021;
+
+/// Least factor of a pixel's radii for its blur: within a constant factor of the schedule. Unit:
+/// factor.
+/// Balances: edges of caustics against noise.
+/// Chosen by: docs/notebook/2026-11-28-radii-that-blur-narrows.md.
+/// Supported by: no measurement.
+inline constexpr double kLeastNarrowing = 0.08;
+
 /// Greatest radius that adapts. Wider ones brighten the rims of balls that scatter most at grazing
 /// angles (velvet), by 20 % at 2, 120 % at 4. Unit: scheduled radii.
 /// Balances: noise of even light against rims and blur.

@@ -85,6 +85,7 @@ std::string describe(const Settings& s) {
         out << ", startradius = automatic";
     }
     if (adapts_radius(s)) out << ", radius = adaptive";
+    if (adapts_radius(s) && !s.narrow_radii) out << ", narrowradii = false";
     out << ", alpha = " << s.alpha << ", seed = " << s.seed;
     if (s.photon_sampler == PhotonSampler::AdaptiveChains) out << ", photonsampler = amc";
     if (s.debug_layers) out << ", debuglayers = true";

@@ -38,7 +38,8 @@ PhotonStrategy::PhotonStrategy(const Host& host, Plan& plan, std::uint32_t eye_p
     flux_.most_points = eye_paths;
     flux_.wants_shareable = shared_.has_value();
     flux_.wants_parts = film_.layers_wanted().parts;
-    flux_.wants_inner = film_.layers_wanted().bias && plan_.needs.photons;
+    flux_.wants_bias = film_.layers_wanted().bias && plan_.needs.photons;
+    flux_.wants_inner = flux_.wants_bias || settings_.narrow_radii;
     if (wants_noise()) noise_.emplace(film_.width(), film_.height());
     if (settings_.correct_edges) edges_.emplace(scene_, settings_, film_.width(), film_.height());
     if (settings_.debug_layers) layers_.emplace(film_, guide_.get());
@@ -176,7 +177,7 @@ const std::vector<Rgb>& PhotonStrategy::counted() const {
 
 void PhotonStrategy::end_pass(const StrategyPass& pass, const FilmPass& film_pass) {
     if (layers_) show_layers(pass.image, film_pass);
-    if (flux_.wants_inner && in_turn_) show_bias(pass.image, film_pass);
+    if (flux_.wants_bias && in_turn_) show_bias(pass.image, film_pass);
     const PassNoise noise = learn_noise(pass.image);
     const PhotonPassTotals& after = photon_pass_.totals();
     const PassWork work = pass_work(pass.eye_paths, pass.eye_rays, before_, after);
@@ -288,7 +289,7 @@ std::size_t PhotonStrategy::memory_bound_bytes() const {
     // Of paths, of visible points, and of beams, kept and estimated.
     const std::size_t parts =
         flux_.wants_parts ? sizeof(Rgb) * eye_paths_ * (kImageParts + 3 * kPhotonParts) : 0;
-    const std::size_t discs = flux_.wants_inner ? 4 * sizeof(Rgb) * eye_paths_ : 0;
+    const std::size_t discs = flux_.wants_bias ? 4 * sizeof(Rgb) * eye_paths_ : 0;
     const std::size_t photons =
         parts + discs + photon_memory_bound(scene_, plan_.needs, eye_paths_, pixels());
     if (!layers_) return photons;

@@ -71,6 +71,8 @@ struct Settings {
     bool guide_lamps = true;
     /// Density estimates count the part of a search disc that is surface, not all of it.
     bool correct_edges = true;
+    /// Where radii adapt: those of pixels that are surely blurred are narrower.
+    bool narrow_radii = true;
     bool store_glossy = false;  ///< glossy lobes receive photons instead of bouncing
     bool debug_layers = false;  ///< extra layers of the film: docs/reference/layers.md
 

@@ -50,8 +50,8 @@ inline constexpr std::uint32_t kFrozenPathsPerPixel = 4;
 /// Surfaces beyond the visible point from which on Russian roulette may end a continued path. Unit:
 /// surfaces.
 /// Balances: rays for light of many bounces against its noise.
-/// Chosen by: reasoning: path tracers of this kind start at two or three.
-/// Supported by: no measurement.
+/// Chosen by: docs/notebook/2026-11-28-when-continued-paths-end.md.
+/// Supported by: one scene only: summerhouse (1, 3 and 4 in its place).
 inline constexpr std::uint32_t kContinuedRouletteFrom = 2;
 
 /// Surfaces that a first ray passes straight, at most, beyond those that photons may meet. Unit:

@@ -2,6 +2,7 @@
 #include "eye/continued_path.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "eye/constants.h"
 #include "refusal/meet_surface.h"
@@ -101,9 +102,12 @@ class ContinuedPath {
         if (light == start_.asked) result_.of_asked += luminance(value);
     }
 
+    /// By the root of what is left of the throughput: by all of it, paths would end where what they
+    /// bring still is a good part of the noise.
     bool survives(std::uint32_t n, float before, float u) {
         if (n < kContinuedRouletteFrom) return true;
-        const float probability = std::min(1.0f, max_component(tip_.throughput) / before);
+        const float left = std::min(1.0f, max_component(tip_.throughput) / before);
+        const float probability = std::sqrt(left);
         if (!(u < probability)) return false;
         tip_.throughput *= 1 / probability;
         return true;

@@ -45,6 +45,8 @@ mock::Rendering rendering_of_many_jobs(unsigned threads, GuideKind guide) {
     const mock::View view = mock::half_mirror_view(kWidth, kHeight);
     Settings settings = mock::small_settings(13, 0);
     settings.guide = guide;
+    // Where eye paths carry what they can, as few photons as at first may be the choice.
+    settings.continue_eye_paths = guide != GuideKind::None;
     // One more than it takes to choose, with a guide and without.
     const std::uint32_t passes = 9;
     return concurrency::run_on(threads, [&] {

@@ -239,8 +239,7 @@ std::vector<double> narrowed_at_an_edge(int passes, int photons) {
 }
 
 /// Where light ends the probes, which are wider than the discs, tell no curvature that would narrow
-/// them enough: pixels in the dark beside it take light from across. Far from the edge, and at its
-/// middle, where both halves of a disc tell the same, radii stay.
+/// them enough: pixels in the dark beside it take light from across. Far from the edge radii stay.
 TEST(AdaptiveRadius, BlurNarrowsRadiiBesideAnEdge) {
     const std::vector<double> ratio = narrowed_at_an_edge(60, 60000);
     EXPECT_LT(*std::min_element(ratio.begin(), ratio.end()), 0.5);

@@ -35,7 +35,6 @@ void drop_photons(Needs& needs, const std::string& reason) {
     needs.photons = false;
     needs.settings.photon_sampler = PhotonSampler::Sequence;
     needs.settings.radius = RadiusKind::Schedule;
-    needs.settings.narrow_radii = false;
     skip(needs, "photon pass", reason);
 }
 
@@ -170,13 +169,13 @@ Needs analyse(const Scene& scene, const Settings& settings) {
     needs.settings = settings;
     // Decided once, by what is asked for: parts that are left out below change no radius.
     needs.settings.radius = adapts_radius(settings) ? RadiusKind::Adaptive : RadiusKind::Schedule;
-    needs.settings.narrow_radii &= adapts_radius(settings);
     const SceneFacts facts = scene.facts();
     const auto lights = scene.lights();
     const auto dead = std::size_t(std::count_if(lights.begin(), lights.end(),
                                                 [](const Light* light) { return !emits(*light); }));
     const std::string reason = why_no_photons(settings, scene, dead < lights.size());
     if (!reason.empty()) drop_photons(needs, reason);
+    needs.settings.narrow_radii &= adapts_radius(needs.settings);
     if (dead > 0) {
         skip(needs, std::to_string(dead) + (dead == 1 ? " light" : " lights"),
              "no power, so neither photons nor shadow rays go there");

@@ -213,9 +213,10 @@ constexpr std::string_view kRadiusOfSppm =
 constexpr std::string_view kRadiusOfAips =
     "How the radius goes on in mode progressive: schedule, the same at all visible points, falling "
     "with the photons shot; adaptive, at each visible point the one that balances noise and bias, "
-    "between an eighth of the scheduled and twice it (after Kaplanyan and Dachsbacher 2013); "
-    "automatic, adaptive unless startradius or alpha ask for a schedule of their own, or guide is "
-    "paper. The other modes have radii of their own: no effect there.";
+    "between an eighth of the scheduled and twice it (after Kaplanyan and Dachsbacher 2013), and "
+    "less where narrowradii says so; automatic, adaptive unless startradius or alpha ask for a "
+    "schedule of their own, or guide is paper. The other modes have radii of their own: no effect "
+    "there.";
 
 /// Of plugins that have mode progressive.
 ParameterDeclaration radius_declaration(PluginKind kind) {

@@ -99,6 +99,7 @@ Settings defaults_of(PluginKind kind) {
     settings.continue_eye_paths = false;
     settings.guide_lamps = false;
     settings.correct_edges = false;
+    settings.narrow_radii = false;
     settings.photons_per_pass = kUsualPhotonsPerPass;
     settings.radius = RadiusKind::Schedule;
     if (kind == PluginKind::Ppm) settings.mode = Mode::Ppm;

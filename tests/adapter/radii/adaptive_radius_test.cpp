@@ -206,9 +206,12 @@ std::vector<Landing> edge_landings(double half, int count, std::uint64_t seed) {
     return landings;
 }
 
-/// Ratios of the radii of a row of pixels across an edge of light, with blur narrowing them and
-/// without.
-std::vector<double> narrowed_at_an_edge(int passes, int photons) {
+/// Radii of the pixels of a row across an edge of light in the last of so many passes, in pixels.
+struct RowOfRadii {
+    std::vector<double> narrowed, plain;
+};
+
+RowOfRadii radii_across_an_edge(int passes, int photons) {
     const EyeImage image = plane_image();
     Settings settings = settings_with(std::uint32_t(photons));
     AdaptiveRadius narrowed = policy(settings);
@@ -225,26 +228,28 @@ std::vector<double> narrowed_at_an_edge(int passes, int photons) {
         gather_photons(image, grid, radii, refusals, flux);
         gather_probes(image, grid, radii, flux.probes);
         policy.after_pass(flux);
-        return std::vector<float>(radii.per_point.begin(), radii.per_point.end());
-    };
-    constexpr std::size_t kMiddle = std::size_t{kSize / 2} * kSize;
-    std::vector<double> ratios(kSize);
-    for (int pass = 0; pass < passes; ++pass) {
-        const std::vector<float> with = run(narrowed, std::uint64_t(pass));
-        const std::vector<float> without = run(plain, std::uint64_t(pass));
+        std::vector<double> row;
         for (std::size_t x = 0; x < kSize; ++x)
-            ratios[x] = double(with[kMiddle + x]) / double(without[kMiddle + x]);
-    }
-    return ratios;
+            row.push_back(double(radii.of(kSize / 2 * kSize + x)) / double(kPixel));
+        return row;
+    };
+    RowOfRadii row;
+    for (int pass = 0; pass < passes; ++pass)
+        row = {run(narrowed, std::uint64_t(pass)), run(plain, std::uint64_t(pass))};
+    return row;
 }
 
 /// Where light ends the probes, which are wider than the discs, tell no curvature that would narrow
-/// them enough: pixels in the dark beside it take light from across. Far from the edge radii stay.
+/// them enough: the dark pixel beside it, half a pixel away, takes light from across. Far from the
+/// edge radii stay.
 TEST(AdaptiveRadius, BlurNarrowsRadiiBesideAnEdge) {
-    const std::vector<double> ratio = narrowed_at_an_edge(60, 60000);
-    EXPECT_LT(*std::min_element(ratio.begin(), ratio.end()), 0.5);
+    constexpr std::size_t kBeside = kSize / 2 - 1;
+    const RowOfRadii after = radii_across_an_edge(20, 60000);
+    EXPECT_GT(after.plain[kBeside], 0.55);
+    EXPECT_LT(after.narrowed[kBeside], 0.48) << "clear of the light";
     for (const std::size_t far : {0u, 1u, kSize - 2, kSize - 1})
-        EXPECT_EQ(ratio[far], 1) << far;
+        EXPECT_EQ(after.narrowed[far], after.plain[far]) << far;
+    EXPECT_GT(radii_across_an_edge(50, 60000).narrowed[kBeside], 0.25) << "and narrow no further";
 }
 
 TEST(AdaptiveRadius, ProbesTakeWhatTheGatherTakes) {

@@ -4,11 +4,14 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
+#include <vector>
 
 #include "aips/core/sampling/random.h"
 #include "radii/constants.h"
+#include "render_mock.h"
 
 namespace aips::blur_map_test {
 namespace {
@@ -26,12 +29,14 @@ DiscDensities densities(double bias, double share, RandomStream& random, double 
     return {(half + rest + bias) / 2, half, told * share * share * 1.5};
 }
 
-/// A pixel's narrowing after so many of them.
-float narrowing(double bias, double share, int points, std::uint64_t seed, double told = 1) {
+/// A pixel's narrowing after so many passes with one each.
+float narrowing(double bias, double share, int passes, std::uint64_t seed, double told = 1) {
     BlurMap map(1);
     RandomStream random(seed, 0, 0, RandomDomain::Photon);
-    for (int i = 0; i < points; ++i)
+    for (int i = 0; i < passes; ++i) {
         map.add(0, densities(bias, share, random, told));
+        map.end_pass();
+    }
     return map.narrowing(0);
 }
 
@@ -80,27 +85,97 @@ TEST(BlurMap, NarrowsNoMoreThanNoiseAllows) {
 TEST(BlurMap, WidensAgainWhereNoiseIsLeft) {
     BlurMap map(2);
     RandomStream random(1, 0, 0, RandomDomain::Photon);
+    const auto pass = [&](double bias, double share) {
+        map.add(1, densities(bias, share, random));
+        map.end_pass();
+    };
     for (int i = 0; i < 60; ++i)
-        map.add(1, densities(1, 0.1, random));
+        pass(1, 0.1);
     EXPECT_LT(map.narrowing(1), 0.1f);
     EXPECT_EQ(map.narrowing(0), 1);
     for (int i = 0; i < 400; ++i)
-        map.add(1, densities(0, 1, random));
+        pass(0, 1);
     EXPECT_GT(map.narrowing(1), 0.9f);
 }
 
+/// A disc that is half as wide is clear of the bright light beside it, whose dark side is a
+/// hundredth as bright: it does not go on to narrow by what wider ones saw.
+TEST(BlurMap, StopsWhereDiscsAreClearOfWhatBlurs) {
+    BlurMap map(1);
+    RandomStream random(3, 0, 0, RandomDomain::Photon);
+    float least = 1;
+    for (int i = 0; i < 200; ++i) {
+        map.add(0, densities(map.narrowing(0) > 0.5f ? 50 : 0, 1, random));
+        map.end_pass();
+        least = std::min(least, map.narrowing(0));
+    }
+    EXPECT_GT(least, 0.3f);
+    EXPECT_LT(least, 0.5f);
+}
+
+/// Many points of a pass that see the same photons tell no more than one.
+TEST(BlurMap, PointsOfAPassAreNotIndependent) {
+    double mean = 0;
+    for (int pixel = 0; pixel < 500; ++pixel) {
+        BlurMap map(1);
+        RandomStream random(std::uint64_t(pixel), 0, 0, RandomDomain::Photon);
+        for (int pass = 0; pass < 100; ++pass) {
+            const DiscDensities seen = densities(0, 1, random);
+            for (int point = 0; point < 16; ++point)
+                map.add(0, seen);
+            map.end_pass();
+        }
+        mean += double(map.narrowing(0)) / 500;
+    }
+    EXPECT_GT(mean, 0.99);
+}
+
+TEST(BlurMap, GoesOnWhereItsStateWasSaved) {
+    BlurMap map(2);
+    RandomStream random(5, 0, 0, RandomDomain::Photon);
+    std::vector<DiscDensities> seen;
+    for (int i = 0; i < 80; ++i)
+        seen.push_back(densities(i < 20 ? 1 : 0, i < 20 ? 0.2 : 1, random));
+    const auto run = [&](BlurMap& to, std::size_t first, std::size_t last) {
+        for (std::size_t i = first; i < last; ++i) {
+            to.add(1, seen[i]);
+            to.end_pass();
+        }
+    };
+    run(map, 0, 30);
+    mock::Saving saving;
+    map.state(saving);
+    BlurMap restored(2);
+    mock::Restoring restoring(saving.saved());
+    restored.state(restoring);
+    EXPECT_LT(restored.narrowing(1), 0.5f);
+    run(map, 30, 80);
+    run(restored, 30, 80);
+    EXPECT_EQ(restored.narrowing(1), map.narrowing(1));
+    EXPECT_EQ(restored.narrowing(0), 1);
+}
+
+/// Sums over a pass of what is finite by itself may be no numbers.
 TEST(BlurMap, LeavesOutWhatIsNotANumber) {
     BlurMap map(1);
     const double infinity = std::numeric_limits<double>::infinity();
     for (int i = 0; i < 100; ++i) {
-        map.add(0, {infinity, 1, 1});
-        map.add(0, {infinity, infinity, 1});
-        map.add(0, {1e300, 0, 1});
-        map.add(0, {2, 1, infinity});
+        for (const DiscDensities& odd : {DiscDensities{infinity, 1, 1},
+                                         {infinity, infinity, 1},
+                                         {1e300, 0, 1},
+                                         {2, 1, infinity}}) {
+            map.add(0, odd);
+            map.end_pass();
+        }
+        for (int point = 0; point < 1000; ++point)
+            map.add(0, {1e153, 0, 1e307});
+        map.end_pass();
     }
     EXPECT_EQ(map.narrowing(0), 1);
-    for (int i = 0; i < 30; ++i)
+    for (int i = 0; i < 30; ++i) {
         map.add(0, {2, 1, 0.01});
+        map.end_pass();
+    }
     EXPECT_LT(map.narrowing(0), 0.5f);
 }
 

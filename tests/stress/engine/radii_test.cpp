@@ -195,12 +195,14 @@ TEST(StressRadius, OfBlurStaysWithinBounds) {
                 const bool turned = i % 2 && pass % 2;
                 flux.flux[i] = kWhite * odd[turned ? kind % 6 : kind / 6];
                 flux.inner[i] = kWhite * odd[turned ? kind / 6 : kind % 6];
+                flux.squares[i] = odd[(i + std::size_t(pass)) % 6];
             }
             policy.after_pass(flux);
         }
     }
-    record("adaptive: 36 pairs of what discs and their inner halves bring, 0 to 3e38",
-           "between " + std::to_string(kLeastNarrowing) + " of the schedule and the schedule");
+    record(
+        "adaptive: 36 pairs of what discs and their inner halves bring, and its squares, 0 to 3e38",
+        "between " + std::to_string(kLeastNarrowing) + " of the schedule and the schedule");
 }
 
 }  // namespace

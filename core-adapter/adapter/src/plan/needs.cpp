@@ -108,6 +108,15 @@ void drop_edge_correction(Needs& needs) {
     skip(needs, "correction of edges", reason);
 }
 
+/// Blur narrows radii that adapt.
+void drop_narrowing(Needs& needs) {
+    Settings& s = needs.settings;
+    if (!s.narrow_radii || adapts_radius(s)) return;
+    s.narrow_radii = false;
+    skip(needs, "radii that blur narrows",
+         needs.photons ? "radii do not adapt" : "no photons to gather");
+}
+
 /// Lamp paths meet lamps behind smooth surfaces, in each pass anew.
 void drop_lamp_paths(Needs& needs, const SceneFacts& facts, bool any_light) {
     Settings& s = needs.settings;
@@ -175,7 +184,6 @@ Needs analyse(const Scene& scene, const Settings& settings) {
                                                 [](const Light* light) { return !emits(*light); }));
     const std::string reason = why_no_photons(settings, scene, dead < lights.size());
     if (!reason.empty()) drop_photons(needs, reason);
-    needs.settings.narrow_radii &= adapts_radius(needs.settings);
     if (dead > 0) {
         skip(needs, std::to_string(dead) + (dead == 1 ? " light" : " lights"),
              "no power, so neither photons nor shadow rays go there");
@@ -186,6 +194,7 @@ Needs analyse(const Scene& scene, const Settings& settings) {
     drop_learned_lights(needs, lights.size() - dead, facts);
     drop_continued_paths(needs, scene);
     drop_edge_correction(needs);
+    drop_narrowing(needs);
     drop_lamp_paths(needs, facts, dead < lights.size());
     if (scene.media()) drop_parts_for_surfaces(needs, facts);
     drop_guides(needs, facts);

@@ -158,6 +158,7 @@ void AdaptiveRadius::learn_blur(const PhotonFlux& flux) {
                 blur_->add(pixels_[i], {whole * scale, half * scale, variance});
             }
         });
+    blur_->end_pass();
 }
 
 // The rest is of one pass.

@@ -23,10 +23,13 @@ class BlurMap {
   public:
     explicit BlurMap(std::size_t pixels);
 
-    /// Takes note of a visible point; what is not finite is left out.
+    /// Takes note of a visible point of the pass. Points of different pixels may be added at once.
     void add(std::uint32_t pixel, const DiscDensities& densities);
-    /// Factor of a pixel's radii, [kLeastNarrowing, 1]: by at most kNarrowingStep less for each
-    /// visible point that was added, and more again where noise is what is left.
+    /// Judges the pixels that had points in the pass, on all threads. What is not finite is left
+    /// out.
+    void end_pass();
+    /// Factor of a pixel's radii, [kLeastNarrowing, 1]: by at most kNarrowingStep less after each
+    /// pass, and more again where noise is what is left.
     float narrowing(std::uint32_t pixel) const { return pixels_[pixel].narrowing; }
 
     /// Saves the sums, or restores them into a new map of the same size.
@@ -36,18 +39,22 @@ class BlurMap {
     static std::size_t memory_bound_bytes(std::size_t pixels) { return pixels * sizeof(Pixel); }
 
   private:
-    /// Sums over visible points, each of which takes a share from those before.
+    struct Weights;
+
+    /// Sums over passes, each of which takes a share from those before, and what this one brings.
     struct Pixel {
         double difference = 0;  // whole less half
         double squares = 0;     // of these
         double variance = 0;    // of the sum, by single photons
-        float weights = 0;
-        float squared_weights = 0;
-        std::uint32_t points = 0;  // all of them, the last 2^32 - 1
+        float of_pass = 0;      // differences, summed over its visible points
+        float variance_of_pass = 0;
+        std::uint32_t points = 0;  // of this pass
+        std::uint32_t passes = 0;  // with visible points, the last 2^32 - 1
         float narrowing = 1;
 
-        void add(double difference, double variance);
-        double noise() const;
+        void end_pass();
+        double noise(const Weights& weights) const;
+        void judge(double now);
     };
 
     std::vector<Pixel> pixels_;

@@ -61,22 +61,22 @@ inline constexpr std::uint64_t kRadiiRenewedIn = 4;
 /// Supported by: no measurement (the greatest was varied, not the least).
 inline constexpr double kLeastOfSchedule = 0.125;
 
-/// Share of what is known of a pixel's blur that each visible point there makes forgotten: radii
-/// change meanwhile. Unit: share.
+/// Share of what is known of a pixel's blur that each pass makes forgotten: radii change meanwhile.
+/// Unit: share.
 /// Balances: noise of what is known against blur of radii that are no more.
 /// Chosen by: docs/notebook/2026-11-28-radii-that-blur-narrows.md.
 /// Supported by: prism, glass-ball, ring (0.02 in its place).
 inline constexpr double kBlurForgotten = 0.05;
 
-/// Visible points of a pixel from which on they are compared with each other, to tell how noisy
-/// what they tell of blur is. Unit: visible points.
+/// Passes that saw a pixel from which on they are compared with each other, to tell how noisy what
+/// they tell of its blur is. Unit: passes.
 /// Balances: radii that adapt soon against radii that shrink on noise alone.
 /// Chosen by: docs/notebook/2026-11-28-radii-that-blur-narrows.md.
 /// Supported by: no measurement.
 inline constexpr std::uint32_t kBlurComparedFrom = 4;
 
-/// Share of what visible points of a pixel differ by that is taken for noise of their blur; eye
-/// paths have some of it, which go to other places each. Unit: share.
+/// Share of what passes differ by in a pixel that is taken for noise of its blur; eye paths have
+/// some of it, which go to other places each. Unit: share.
 /// Balances: blur against radii that shrink on photons that come together.
 /// Chosen by: docs/notebook/2026-11-28-radii-that-blur-narrows.md.
 /// Supported by: prism, glass-ball, sun-window, hall (0 and 1 in its place).
@@ -86,7 +86,7 @@ inline constexpr double kBlurApart = 0.5;
 /// variance. Unit: ratio.
 /// Balances: blur against radii that shrink on noise alone.
 /// Chosen by: docs/notebook/2026-11-28-radii-that-blur-narrows.md.
-/// Supported by: prism, glass-ball, ring, hall, sun-window (16 in its place).
+/// Supported by: prism, glass-ball, hall, sun-window (16 in its place).
 inline constexpr double kSureOfBlur = 9;
 
 /// Blur narrows a pixel's radii where, squared, it is more than so many times the variance of the
@@ -96,13 +96,19 @@ inline constexpr double kSureOfBlur = 9;
 /// Supported by: prism, glass-ball, ring (4 in its place).
 inline constexpr double kBlurTooLarge = 2;
 
+/// And where the pass itself shows more than this share of it. Unit: share.
+/// Balances: blur that noise hides in single passes against discs that narrow past its end.
+/// Chosen by: docs/notebook/2026-11-28-radii-that-blur-narrows.md.
+/// Supported by: prism, sun-window (0.25 in its place).
+inline constexpr double kBlurStillSeen = 0.5;
+
 /// And widens them again where it is less than so many times that variance. Unit: ratio.
 /// Balances: blur against noise.
 /// Chosen by: docs/notebook/2026-11-28-radii-that-blur-narrows.md.
 /// Supported by: no measurement.
 inline constexpr double kBlurSmall = 0.5;
 
-/// Factor of a pixel's radii for each visible point whose blur is too large. Unit: factor.
+/// Factor of a pixel's radii for each pass whose blur is too large. Unit: factor.
 /// Balances: how soon blur goes against radii that are narrowed for nothing.
 /// Chosen by: docs/notebook/2026-11-28-radii-that-blur-narrows.md.
 /// Supported by: no measurement.

@@ -212,6 +212,7 @@ struct RowOfRadii {
 };
 
 RowOfRadii radii_across_an_edge(int passes, int photons) {
+    constexpr std::size_t kMiddle = std::size_t{kSize / 2} * kSize;
     const EyeImage image = plane_image();
     Settings settings = settings_with(std::uint32_t(photons));
     AdaptiveRadius narrowed = policy(settings);
@@ -230,7 +231,7 @@ RowOfRadii radii_across_an_edge(int passes, int photons) {
         policy.after_pass(flux);
         std::vector<double> row;
         for (std::size_t x = 0; x < kSize; ++x)
-            row.push_back(double(radii.of(kSize / 2 * kSize + x)) / double(kPixel));
+            row.push_back(double(radii.of(kMiddle + x)) / double(kPixel));
         return row;
     };
     RowOfRadii row;

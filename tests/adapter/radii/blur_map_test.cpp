@@ -11,7 +11,7 @@
 
 #include "aips/core/sampling/random.h"
 #include "radii/constants.h"
-#include "render_mock.h"
+#include "state/memory_archive.h"
 
 namespace aips::blur_map_test {
 namespace {
@@ -134,6 +134,7 @@ TEST(BlurMap, GoesOnWhereItsStateWasSaved) {
     BlurMap map(2);
     RandomStream random(5, 0, 0, RandomDomain::Photon);
     std::vector<DiscDensities> seen;
+    seen.reserve(80);
     for (int i = 0; i < 80; ++i)
         seen.push_back(densities(i < 20 ? 1 : 0, i < 20 ? 0.2 : 1, random));
     const auto run = [&](BlurMap& to, std::size_t first, std::size_t last) {

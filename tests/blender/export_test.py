@@ -182,6 +182,22 @@ class Volumes(unittest.TestCase):
         self.assertEqual(left_out, ['light of volumes is left out: fog',
                                     'volumes of meshes that are not closed are left out: sheet'])
 
+    def test_volumes_that_the_scene_language_has_not_are_told(self):
+        scene = scenes.stage()
+        fog = scenes.volume('fog', 'ShaderNodeVolumePrincipled', Density=2)
+        half = scenes.with_material(scenes.box('half', 1, fog, (0, 0, 1)), scenes.grey())
+        half.data.polygons[0].material_index = 1
+        cloud = scenes.box('cloud', 1, fog, (2, 0, 1))
+        for frame, x in ((0, 2), (2, 3)):
+            cloud.location.x = x
+            cloud.keyframe_insert('location', frame=frame)
+        scene.render.use_motion_blur = True
+        scene.frame_set(1)
+        _, left_out = exported('odd', frame_set=lambda at, sub: scene.frame_set(at, subframe=sub))
+        self.assertEqual(left_out, [
+            'volumes of some faces of a mesh lie behind these alone: half',
+            'volumes that move hold what is in them as the shutter opens: cloud'])
+
     def test_what_has_no_inside_surrounds_nothing(self):
         scenes.stage()
         fog = scenes.volume('fog', 'ShaderNodeVolumePrincipled', Density=2)

@@ -19,9 +19,9 @@ def enable(program=LXSRENDER):
     bpy.context.preferences.addons[ADD_ON].preferences.program = program
 
 
-def exported(name, film=Film(32, 32, passes=1)):
+def exported(name, film=Film(32, 32, passes=1), frame_set=None):
     """Text of the present scene's export, and what is left out."""
     path = os.path.join(FOLDER, name + '.lxs')
-    result = export(path, bpy.context.evaluated_depsgraph_get(), film)
+    result = export(path, bpy.context.evaluated_depsgraph_get(), film, frame_set)
     with open(path, encoding='utf-8') as file:
         return file.read(), result.left_out

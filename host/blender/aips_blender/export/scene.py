@@ -188,9 +188,19 @@ class _SceneExport:
         for placed in self._placed:
             mesh = self._meshes[placed.mesh]
             if mesh.parts.triangles is not None and is_solid(placed.matrices[0]):
-                medium = next(s.medium for s in mesh.shaders.values() if s.medium != CLEAR)
+                media = [s.medium for s in mesh.shaders.values()]
+                self._tell_medium(placed, media)
+                medium = next(m for m in media if m != CLEAR)
                 spaces.add(Space(placed, medium, mesh.parts.triangles, placed.matrices[0]))
         return spaces
+
+    def _tell_medium(self, placed, media):
+        if len(set(media)) > 1:
+            self.left_out.add('volumes of some faces of a mesh lie behind these alone',
+                              placed.name)
+        if len(placed.matrices) > 1:
+            self.left_out.add('volumes that move hold what is in them as the shutter opens',
+                              placed.name)
 
     def _write_things(self, world, media, spaces, names_apart):
         """Lights and shapes, with the media that they stand in."""

@@ -29,14 +29,18 @@ DiscDensities densities(double bias, double share, RandomStream& random, double 
     return {(half + rest + bias) / 2, half, told * share * share * 1.5};
 }
 
+/// A pass that sees one point.
+void one_pass(BlurMap& map, std::uint32_t pixel, const DiscDensities& seen) {
+    map.add(pixel, seen);
+    map.end_pass();
+}
+
 /// A pixel's narrowing after so many passes with one each.
 float narrowing(double bias, double share, int passes, std::uint64_t seed, double told = 1) {
     BlurMap map(1);
     RandomStream random(seed, 0, 0, RandomDomain::Photon);
-    for (int i = 0; i < passes; ++i) {
-        map.add(0, densities(bias, share, random, told));
-        map.end_pass();
-    }
+    for (int i = 0; i < passes; ++i)
+        one_pass(map, 0, densities(bias, share, random, told));
     return map.narrowing(0);
 }
 
@@ -85,16 +89,12 @@ TEST(BlurMap, NarrowsNoMoreThanNoiseAllows) {
 TEST(BlurMap, WidensAgainWhereNoiseIsLeft) {
     BlurMap map(2);
     RandomStream random(1, 0, 0, RandomDomain::Photon);
-    const auto pass = [&](double bias, double share) {
-        map.add(1, densities(bias, share, random));
-        map.end_pass();
-    };
     for (int i = 0; i < 60; ++i)
-        pass(1, 0.1);
+        one_pass(map, 1, densities(1, 0.1, random));
     EXPECT_LT(map.narrowing(1), 0.1f);
     EXPECT_EQ(map.narrowing(0), 1);
     for (int i = 0; i < 400; ++i)
-        pass(0, 1);
+        one_pass(map, 1, densities(0, 1, random));
     EXPECT_GT(map.narrowing(1), 0.9f);
 }
 
@@ -105,8 +105,7 @@ TEST(BlurMap, StopsWhereDiscsAreClearOfWhatBlurs) {
     RandomStream random(3, 0, 0, RandomDomain::Photon);
     float least = 1;
     for (int i = 0; i < 200; ++i) {
-        map.add(0, densities(map.narrowing(0) > 0.5f ? 50 : 0, 1, random));
-        map.end_pass();
+        one_pass(map, 0, densities(map.narrowing(0) > 0.5f ? 50 : 0, 1, random));
         least = std::min(least, map.narrowing(0));
     }
     EXPECT_GT(least, 0.3f);
@@ -138,10 +137,8 @@ TEST(BlurMap, GoesOnWhereItsStateWasSaved) {
     for (int i = 0; i < 80; ++i)
         seen.push_back(densities(i < 20 ? 1 : 0, i < 20 ? 0.2 : 1, random));
     const auto run = [&](BlurMap& to, std::size_t first, std::size_t last) {
-        for (std::size_t i = first; i < last; ++i) {
-            to.add(1, seen[i]);
-            to.end_pass();
-        }
+        for (std::size_t i = first; i < last; ++i)
+            one_pass(to, 1, seen[i]);
     };
     run(map, 0, 30);
     mock::Saving saving;
@@ -164,19 +161,15 @@ TEST(BlurMap, LeavesOutWhatIsNotANumber) {
         for (const DiscDensities& odd : {DiscDensities{infinity, 1, 1},
                                          {infinity, infinity, 1},
                                          {1e300, 0, 1},
-                                         {2, 1, infinity}}) {
-            map.add(0, odd);
-            map.end_pass();
-        }
+                                         {2, 1, infinity}})
+            one_pass(map, 0, odd);
         for (int point = 0; point < 1000; ++point)
-            map.add(0, {1e153, 0, 1e307});
+            map.add(0, {3e38, 0, 3e38});
         map.end_pass();
     }
     EXPECT_EQ(map.narrowing(0), 1);
-    for (int i = 0; i < 30; ++i) {
-        map.add(0, {2, 1, 0.01});
-        map.end_pass();
-    }
+    for (int i = 0; i < 30; ++i)
+        one_pass(map, 0, {2, 1, 0.01});
     EXPECT_LT(map.narrowing(0), 0.5f);
 }
 

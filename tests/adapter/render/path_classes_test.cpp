@@ -155,6 +155,25 @@ TEST(PathClasses, Environment) {
     EXPECT_NEAR(mean_of(scene, up, true, false), 2, 1e-5);
 }
 
+/// A sky that is hidden from camera and mirrors still lights gloss, by whatever strategy.
+TEST(PathClasses, HiddenEnvironmentOnGlossy) {
+    mock::Scene scene;
+    mock::Surface ground;
+    ground.shape = mock::Quad{{-1, -1, 0}, {2, 0, 0}, {0, 2, 0}};
+    ground.material.kind = Kind::Phong;
+    ground.material.exponent = 8;
+    scene.add(ground);
+    scene.add_environment({2, 2, 2});
+    scene.finish();
+    Settings settings = mock::small_settings(31, 1000);
+    settings.include_environment = false;
+    const auto mean = [&](bool direct) {
+        settings.direct_light_sampling = direct;
+        return mock::render(scene, camera_down(), kSize, kSize, settings, 20).film.mean();
+    };
+    EXPECT_NEAR(mean(false) / mean(true), 1, 0.03);
+}
+
 /// Row "delta lights": a point light is never met by eye paths and counted once.
 TEST(PathClasses, PointLight) {
     mock::Scene scene;

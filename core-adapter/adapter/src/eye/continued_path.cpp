@@ -30,10 +30,12 @@ class ContinuedPath {
         for (std::uint32_t n = 1; may_meet(n); ++n) {
             const auto mark = arena_.mark();
             const VertexNumbers numbers = numbers_.vertex(start_.depth + n);
+            const std::uint32_t scatterings = tip_.scatterings;
             const bool goes_on = meet(numbers, n) && (!start_.first_ray || straight()) &&
                                  survives(n, before, numbers.end());
             arena_.rewind(mark);
             if (!goes_on) break;
+            if (tip_.scatterings > scatterings) owes_light_ = photons_meet(n + 1);
         }
         return result_;
     }
@@ -42,9 +44,9 @@ class ContinuedPath {
     /// A photon that lands at the visible point after n surfaces met the n - 1 others here.
     bool photons_meet(std::uint32_t n) const { return n < in_.settings.max_photon_depth; }
 
-    /// Beyond these a first ray still brings what shadow rays have left to it.
+    /// Beyond these a ray that flies straight on still brings what shadow rays have left to it.
     bool may_meet(std::uint32_t n) const {
-        return photons_meet(n) || (straight() && n < kMostStraightSurfaces);
+        return photons_meet(n) || (owes_light_ && n < kMostStraightSurfaces);
     }
 
     /// Surface number n: its light, what lights send there, and the way on; false at the path's
@@ -90,7 +92,7 @@ class ContinuedPath {
     /// Light that the path's ray meets, coming straight from the visible point, or from a surface
     /// beyond that scattered it.
     void add_light(LightIndex light, const Rgb& seen, const SurfacePoint* at) {
-        if (!straight() && tip_.last_was_specular) return;
+        if (!straight() && tip_.counts_in_full) return;
         const LightTarget sums =
             straight() ? output_.direct.of(tip_.seen_by.met()) : LightTarget{output_.continued};
         const Rgb value = tip_.throughput * seen * emission_weight(in_, tip_, light, at);
@@ -120,6 +122,7 @@ class ContinuedPath {
     Arena& arena_;
     const ContinuedOutput& output_;
     PathTip tip_;
+    bool owes_light_ = true;  // its ray leaves a surface whose shadow ray counts on it
     ContinuedResult result_;
 };
 

@@ -50,7 +50,7 @@ class EyePath {
   private:
     /// From vertex number `depth` on.
     void follow(std::uint32_t depth) {
-        for (; depth <= in_.settings.max_eye_depth; ++depth) {
+        for (; may_meet(depth); ++depth) {
             const auto mark = arena_.mark();
             SurfacePoint point;
             ++result_.rays;
@@ -76,6 +76,21 @@ class EyePath {
             arena_.rewind(mark);
             if (!go_on) break;
         }
+    }
+
+    /// Beyond the last surface that counts a ray that flies straight on still brings what the
+    /// shadow ray of a glossy lobe has left to it.
+    bool may_meet(std::uint32_t depth) const {
+        const std::uint32_t most = in_.settings.max_eye_depth;
+        return depth <= most || (!tip_.counts_in_full && depth - most < kMostStraightSurfaces);
+    }
+
+    /// At the last surface that counts, or beyond: the way straight on, for a ray that owes light.
+    bool pass_on(const SurfacePoint& point, Vec3 wo, LobeMask lobes, const VertexNumbers& numbers) {
+        if (tip_.counts_in_full || !(lobes & kSpecular)) return false;
+        const std::uint32_t scatterings = tip_.scatterings;
+        const BounceDraw draw{kSpecular, 1, numbers.direction(), numbers.lobe()};
+        return bounce(in_, point, wo, draw, refusals_, tip_) && tip_.scatterings == scatterings;
     }
 
     /// Light that the medium scatters into the ray: of lights by a shadow ray, else by photons.
@@ -122,7 +137,7 @@ class EyePath {
     }
 
     void add_escaped() {
-        if (tip_.last_was_specular && !in_.settings.include_environment) return;
+        if (tip_.from_smooth && !in_.settings.include_environment) return;
         for_each_escaped(in_, tip_, refusals_, [&](LightIndex light, const Rgb& seen) {
             const float weight = lamp_share_ * emission_weight(in_, tip_, light, nullptr);
             add(tip_.throughput * seen * weight, light);
@@ -131,13 +146,16 @@ class EyePath {
 
     /// Direct light, then either a visible point or a bounce. False when the path ends.
     bool scatter(const SurfacePoint& point, std::uint32_t depth) {
-        const bool last = depth == in_.settings.max_eye_depth;
+        const bool last = depth >= in_.settings.max_eye_depth;
         const VertexNumbers numbers = numbers_.vertex(depth);
         const Vec3 wo = -tip_.ray.direction;
         const LobeMask lobes = point.bsdf->lobes();
+        if (depth > in_.settings.max_eye_depth || (last && lobes == kSpecular)) {
+            const bool passes = pass_on(point, wo, lobes, numbers);
+            result_.cut = !passes && lobes == kSpecular;
+            return passes;
+        }
         if (lobes == kSpecular) {
-            result_.cut = last;
-            if (last) return false;
             behind_smooth_ = true;
             const Vec2 u = numbers.direction();
             const float u_lobe = choose_way(point, wo, numbers, depth);
@@ -150,7 +168,9 @@ class EyePath {
         lamp_light_ = output_.light;
         const LobeMask receiving = lobes & receiving_lobes(in_.settings);
         const LobeMask bouncing = lobes & ~receiving;
-        const float store_pdf = store_probability(*point.bsdf, wo, receiving, last ? 0 : bouncing);
+        const LobeMask onward =
+            last ? tip_.counts_in_full ? LobeMask{} : LobeMask(bouncing & kSpecular) : bouncing;
+        const float store_pdf = store_probability(*point.bsdf, wo, receiving, onward);
         const bool may = receiving && in_.shares && in_.keep_visible_points;
         EyeShare eye;
         if (may) eye = in_.shares->at(point.position, normal_towards(wo, point));
@@ -175,8 +195,9 @@ class EyePath {
             }
             return false;
         }
-        if (last || !bouncing) return false;
+        if (!onward) return false;
         tip_.throughput *= 1 / (1 - store_pdf);
+        if (last) return pass_on(point, wo, onward, numbers);
         const BounceDraw draw{bouncing, 1 - store_pdf, numbers.direction(), numbers.lobe()};
         return bounce(in_, point, wo, draw, refusals_, tip_);
     }

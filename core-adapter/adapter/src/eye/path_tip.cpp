@@ -17,9 +17,10 @@ bool bounce(const EyePassInput& in, const SurfacePoint& point, Vec3 wo, const Bo
         return false;
     }
     if (!sample.straight) {
-        tip.last_was_specular = sample.lobe == kSpecular || !in.settings.direct_light_sampling;
+        tip.from_smooth = sample.lobe == kSpecular;
+        tip.counts_in_full = tip.from_smooth || !in.settings.direct_light_sampling;
         tip.bounce_pdf = draw.choice_pdf * sample.pdf;
-        if (!tip.last_was_specular) {
+        if (!tip.counts_in_full) {
             tip.last_vertex = point;
             tip.last_vertex.bsdf = nullptr;
         }
@@ -33,7 +34,7 @@ bool bounce(const EyePassInput& in, const SurfacePoint& point, Vec3 wo, const Bo
 float emission_weight(const EyePassInput& in, const PathTip& tip, LightIndex light,
                       const SurfacePoint* at) {
     if (tip.scatterings == 0 && in.scene.lights()[light]->hidden_from_camera()) return 0;
-    if (tip.last_was_specular) return 1;
+    if (tip.counts_in_full) return 1;
     const float pdf_light = in.direct_light.pdf(light, tip.last_vertex, tip.ray.direction, at);
     // No density: what it weighs is refused, and counted against the light.
     if (!(pdf_light >= 0)) return std::numeric_limits<float>::quiet_NaN();

@@ -9,7 +9,8 @@ namespace aips {
 struct PathTip {
     Ray ray;
     Rgb throughput = kWhite;
-    bool last_was_specular = true;  ///< the camera counts as specular: no shadow rays from it
+    bool from_smooth = true;        ///< it leaves the camera or a specular lobe
+    bool counts_in_full = true;     ///< likewise, or no shadow rays are sent: lights count in full
     float bounce_pdf = 0;           ///< of the last scattering that was not straight
     SurfacePoint last_vertex;       ///< where that was; kept only if it was not specular
     std::uint32_t scatterings = 0;  ///< that were not straight

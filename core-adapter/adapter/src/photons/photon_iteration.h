@@ -12,6 +12,12 @@
 
 namespace aips {
 
+/// Most surfaces that a photon path meets: those that count for its bound, and the first that it
+/// passes straight, as the shadow ray passes them that may take its place.
+inline std::uint32_t most_surfaces(const Settings& settings) {
+    return settings.max_photon_depth + kMostFreeSurfaces;
+}
+
 /// Landings in a block from which on no photon is split: as many as whole paths may leave at most.
 inline std::size_t split_landings(const Settings& settings) {
     return std::size_t{kPathsPerBlock} * settings.max_photon_depth;
@@ -21,7 +27,7 @@ inline std::size_t split_landings(const Settings& settings) {
 /// other paths, and those of photons that wait.
 inline std::size_t most_landings(const Settings& settings, std::size_t paths) {
     const bool splits = settings.guide == GuideKind::Adaptive && settings.guide_survival;
-    return paths * settings.max_photon_depth * (splits ? 3 : 1);
+    return paths * most_surfaces(settings) * (splits ? 3 : 1);
 }
 
 /// The landings of photon paths, in the order of the paths.

@@ -107,7 +107,8 @@ class PhotonTrace {
         if (!met) return false;
         const bool lives = point.bsdf && !is_black(photon.power);
         const PhotonFate fate = lives ? take(point, photon) : PhotonFate::Black;
-        const bool cut = lives && photon.depth >= in_.settings.max_photon_depth;
+        const bool cut = lives && photon.at_end(in_.settings) &&
+                         !(photon.passes_free() && (point.bsdf->lobes() & kSpecular));
         if (in_.settings.account) counts_.tally.hit(point.material, fate, cut);
         return lives && !cut;
     }
@@ -147,7 +148,7 @@ class PhotonTrace {
             collisions_->push_back(
                 {position, -photon.ray.direction, photon.power, medium, photon.group, photon.part});
         }
-        if (photon.depth >= in_.settings.max_photon_depth) return false;
+        if (photon.at_end(in_.settings)) return false;
         photon.power *= media_->scattering(medium);
         const float survival = std::min(1.0f, max_component(photon.power) / photon.emitted_power);
         if (!(random.next() < survival)) return false;
@@ -159,7 +160,7 @@ class PhotonTrace {
         photon.part = ImagePart::Indirect;
         photon.previous = position;
         photon.ray = {position, sample.direction, in_.time, medium, photon.ray.component};
-        ++photon.depth;
+        photon.pass();
         return true;
     }
 
@@ -211,7 +212,7 @@ class PhotonTrace {
         if (in_.bounces && counts_.bounces > bounces) {
             in_.bounces->count(point.position, counts_.guided_bounces > guided_bounces);
         }
-        if (!left) return false;
+        if (!left || (!scattered.straight && photon.at_end(in_.settings))) return false;
         if (entry) entry->set_direction(point, wo, scattered);
         if (in_.unguided_roulette && scattered.pdf > 0) {
             photon.emitted_power =
@@ -228,7 +229,7 @@ class PhotonTrace {
         photon.previous = point.position;
         photon.ray =
             continue_ray(in_.scene, point, scattered.direction, scattered.component, photon.ray);
-        ++photon.depth;
+        photon.pass();
         return true;
     }
 

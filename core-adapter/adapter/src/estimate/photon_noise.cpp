@@ -1,6 +1,7 @@
 // Sums by cells of the film.
 #include "estimate/photon_noise.h"
 
+#include <cmath>
 #include <limits>
 
 #include "base/disjoint_ranges.h"
@@ -36,10 +37,14 @@ void PhotonNoise::add_pass(const EyeImage& image, const PhotonFlux& flux) {
         [&](std::size_t i) { return std::uint32_t(cell_at(i) / columns); },
         [&](std::size_t first, std::size_t last) {
             for (std::size_t i = first; i < last; ++i) {
-                if (flux.accepted[i] == 0) continue;
+                const auto sum = double(luminance_over_groups(flux.flux, i, image.groups));
+                const auto squares = double(flux.squares[i]);
+                // Of a single point whose square overflows the cell would know nothing ever after.
+                if (flux.accepted[i] == 0 || !std::isfinite(sum) || !std::isfinite(squares))
+                    continue;
                 Cell& cell = cells_[cell_at(i)];
-                cell.sum += double(luminance_over_groups(flux.flux, i, image.groups));
-                cell.squares += double(flux.squares[i]);
+                cell.sum += sum;
+                cell.squares += squares;
             }
         });
 }

@@ -1,6 +1,7 @@
 // From which visible points eye paths go on, and for which share of the light there.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 
 #include "aips/core/tables/share_table.h"
@@ -13,12 +14,17 @@ struct EyeShares {
     explicit EyeShares(const Bounds& scene) : table(scene) {}
 
     /// Whether eye path `path` of pass `pass` goes on even where it has no share, to tell what it
-    /// would bring.
+    /// would bring beside photons.
     bool explores(std::uint64_t pass, std::uint32_t path) const {
         const std::uint64_t stride = pass < kFirstExploringPasses ? kFirstExplorers
                                      : pass < kExploringPasses    ? kExplorers
                                                                   : kLateExplorers;
-        return (pass + path) % stride == 0;
+        return shoots && is_one_of(stride, pass, path);
+    }
+    /// Whether it is one of so many eye paths of all passes, all of them in passes that shoot: one
+    /// of fewer there. What is one of a multiple of `stride` is one of these too.
+    bool is_one_of(std::uint64_t stride, std::uint64_t pass, std::uint32_t path) const {
+        return (pass / turns + path) % std::max<std::uint64_t>(1, stride / turns) == 0;
     }
     /// At a place on the side that `normal` shows.
     EyeShare at(Vec3 position, Vec3 normal) const {
@@ -30,6 +36,9 @@ struct EyeShares {
     /// anew there: points that keep away from those that were learned from are not independent of
     /// what was learned.
     std::uint64_t passes_before = 0;
+
+    std::uint32_t turns = 1;  ///< passes of which one shoots photons; a power of two
+    bool shoots = true;       ///< whether the pass does
 
     bool any = false;  ///< whether a ray leaves some place
 };

@@ -166,8 +166,11 @@ void PhotonSchedule::learned(LearnedParts& parts) {
             decided_ = true;
         }
     });
-    if (!parts.restoring()) return;
-    taught_ = (adapts_ || learns_) && !parts.taken().empty();
+    if (parts.restoring()) set_taught(!parts.taken().empty());
+}
+
+void PhotonSchedule::set_taught(bool taught) {
+    taught_ = (adapts_ || learns_) && taught;
     plan();
 }
 

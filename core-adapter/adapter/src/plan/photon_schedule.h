@@ -71,6 +71,9 @@ class PhotonSchedule {
     /// before the first pass: the number is chosen by then, and a guide has learned. Where
     /// this or any part before it is taken, another render has taught, and first passes count less.
     void learned(LearnedParts& parts);
+    /// Whether one has; a schedule that takes the place of another goes on as that one.
+    bool taught() const { return taught_; }
+    void set_taught(bool taught);
 
   private:
     void plan();

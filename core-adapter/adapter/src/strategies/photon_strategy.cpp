@@ -78,9 +78,13 @@ void PhotonStrategy::look_first(const StrategyPass& pass) {
 
 void PhotonStrategy::take_way(PhotonWay way) {
     plan_.way = way;
-    importance_ = make_importance();
+    // The brightness of pixels depends on no way.
+    std::optional<PixelImportance> importance = make_importance();
+    if (!(importance && importance_)) importance_ = std::move(importance);
     photon_pass_.take(make_pass_guide(), make_source());
+    const bool taught = schedule_.taught();
     schedule_ = make_schedule();
+    schedule_.set_taught(taught);
     radius_policy_ = make_radii();
     noise_.reset();
     if (wants_noise()) noise_.emplace(film_.width(), film_.height());
@@ -158,7 +162,7 @@ void PhotonStrategy::join_eye_share(const StrategyPass& pass, const PassPhotons&
         for_all(radiance_.size(),
                 [&](std::size_t i) { counted_[i] = radiance_[i] * float(turns - 1); });
     }
-    shared_->join({pass.number, photons.paths, turns}, pass.image, flux_, *importance_, radiance_);
+    shared_->join({pass.number, photons.paths}, pass.image, flux_, *importance_, radiance_);
     if (turns > 1) for_all(radiance_.size(), [&](std::size_t i) { counted_[i] += radiance_[i]; });
 }
 
@@ -214,6 +218,7 @@ void PhotonStrategy::share(const StrategyPass& pass, const PassWork& work, const
         schedule_.take(decided->photon_paths, decided->turns);
         skip_log_.shared(*decided);
     }
+    shared_->take_turns(schedule_.turns(), schedule_.shoots());
 }
 
 /// The pass's image is known.
@@ -235,7 +240,10 @@ void PhotonStrategy::state(StateArchive& archive, const EyeImage& image) {
     schedule_.state(archive);
     if (importance_) importance_->state(archive);
     if (noise_) noise_->state(archive);
-    if (shared_) shared_->state(archive);
+    if (shared_) {
+        shared_->state(archive);
+        shared_->take_turns(schedule_.turns(), schedule_.shoots());
+    }
     photon_pass_.state(archive);
     radius_policy_->state(archive, image);
     if (edges_) edges_->state(archive);

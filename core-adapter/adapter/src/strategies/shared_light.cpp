@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <utility>
 
 #include "base/film_pixel.h"
 #include "base/ordered_sum.h"
@@ -20,12 +21,6 @@ constexpr std::size_t kPointsPerSharingJob = 512, kSharingJobs = 128;
 /// stratified over passes start anew there, so that more often would cost what it brings.
 bool decides_before(std::uint64_t pass) {
     return pass > 1 && std::has_single_bit(pass);
-}
-
-/// Of fewer passes with photons the more points.
-bool learned_from(const ShotPass& pass, std::uint32_t path) {
-    return pass.number < kAllPointsUntil ||
-           (pass.number / pass.turns + path) % (kSharePointsOneOf / pass.turns) == 0;
 }
 
 /// Of eye paths that went on from visible points.
@@ -119,7 +114,9 @@ void SharedLight::learn(const ShotPass& pass, const EyeImage& image, const Photo
         into.clear();
         for (std::size_t i = first; i < last; ++i) {
             const VisiblePoint& point = image.visible_points[i];
-            if (!learned_from(pass, point.sample)) continue;
+            if (pass.number >= kAllPointsUntil &&
+                !shares_.is_one_of(kSharePointsOneOf, pass.number, point.sample))
+                continue;
             const std::uint32_t pixel = film_pixel(image.positions[point.sample], width_, height_);
             const auto weight = double(importance.weight_of_sharing(pixel));
             into.push_back(sample_of(image, flux, i, weight, double(pass.photon_paths), radiance));
@@ -147,9 +144,9 @@ std::optional<SharePlan> SharedLight::end_pass(const SharedPass& pass, bool shot
 }
 
 void SharedLight::count(const SharedPass& pass) {
-    const double continued = eye_ray_work(rays_);
+    const double continued = eye_ray_work(std::exchange(rays_, 0));
     sums_.passes += 1;
-    sums_.points += points_;
+    sums_.points += std::exchange(points_, 0);
     sums_.eye_cost += std::max(0.0, pass.work.eye - continued);
     sums_.photon_cost += pass.work.photons;
     sums_.photon_paths += double(pass.photon_paths);
@@ -192,6 +189,11 @@ SharePlan SharedLight::decide(const SharedPass& pass, const PixelImportance& imp
     shares_.passes_before = pass.number + 1;
     sums_ = {};
     return plan;
+}
+
+void SharedLight::take_turns(std::uint32_t turns, bool shoots) {
+    shares_.turns = turns;
+    shares_.shoots = shoots;
 }
 
 void SharedLight::set_any() {

@@ -31,7 +31,6 @@ struct SharedPass {
 struct ShotPass {
     std::uint64_t number = 0;
     std::uint64_t photon_paths = 0;
-    std::uint32_t turns = 1;  ///< it is one of so many passes, which the others are without
 };
 
 class SharedLight {
@@ -54,6 +53,9 @@ class SharedLight {
               const PixelImportance& importance, std::span<Rgb> radiance);
     /// Of a pass that shot no photons, in its turn: adds the eye's share.
     void go_on_alone(const EyeImage& image, std::span<Rgb> radiance);
+
+    /// The next pass is one of so many of which one shoots photons, and does so or not.
+    void take_turns(std::uint32_t turns, bool shoots);
 
     /// A pass has ended, `shot` if it had photons. Before passes that are fixed it is decided anew
     /// who carries what; the plan then tells how many photon paths, within `limits`, go with it.
@@ -93,9 +95,10 @@ class SharedLight {
     OwnLightNoise own_noise_;
     PhotonSquare photon_square_;
     std::uint32_t width_, height_, eye_paths_;
-    double points_ = 0, rays_ = 0;  // visible points, and rays that went on from them, of a pass
-    std::uint64_t continued_ = 0;   // eye paths that went on, of all passes
-    double eye_part_ = 0;           // of what is shared, by the last decision
+    // Visible points, and rays that went on from them, of a pass that is under way.
+    double points_ = 0, rays_ = 0;
+    std::uint64_t continued_ = 0;  // eye paths that went on, of all passes
+    double eye_part_ = 0;          // of what is shared, by the last decision
     Sums sums_;
 };
 

@@ -52,6 +52,14 @@ std::string check_layers(const std::string& text) {
         text, [](const std::string& names) { return layers_named(split_layer_names(names)); });
 }
 
+/// Puts the number of its meaning in place of the value of --denoise, which is "true" where none is
+/// given.
+std::string read_denoising(std::string& text) {
+    if (text != "true" && text != "last") return "expected last, found " + in_quotes(text);
+    text = std::to_string(static_cast<int>(text == "last" ? Denoising::Last : Denoising::All));
+    return "";
+}
+
 std::string check_page(const std::string& text) {
     std::uint16_t port = 0;
     const char* const end = text.data() + text.size();
@@ -104,10 +112,10 @@ void add_output_options(CLI::App& app, CommandLine& command) {
                    "EXR stays as it is")
         ->type_name("STOPS")
         ->check(CLI::Validator(check_stops, ""));
-    app.add_flag(
-        "--denoise", command.denoise,
-        "denoise the PNG, and write the layer \"denoised\" into the EXR, whose image stays "
-        "as it is");
+    app.add_flag("--denoise", command.denoise,
+                 "denoise the PNG, and write the layer \"denoised\" into the EXR, whose image "
+                 "stays as it is; --denoise=last: at the end alone, not in the images so far")
+        ->transform(CLI::Validator(read_denoising, ""));
     app.add_option("--write-every", command.write_every,
                    "seconds after which the image so far is written anew, first after the first "
                    "pass; 0: at the end alone (default: the film's writeinterval, for the PNG its "

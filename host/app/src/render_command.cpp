@@ -144,7 +144,7 @@ ExitCode render(const CommandLine& command, const PluginLibrary& plugins, Consol
 
     if (known) session.fingerprint.set_learned(*known);
     session.film->estimate_errors(command.error_estimate);
-    session.film->keep_for_denoising(command.denoise);
+    session.film->keep_for_denoising(command.denoise != Denoising::None);
     auto found = find_checkpoint(command, session, log);
 
     Interruption interruption;  // a rank that helps leaves it to the first to heed one

@@ -81,7 +81,7 @@ void Snapshots::finish(const RenderTotals& totals) {
 void Snapshots::write_exr(const RenderTotals& totals) {
     const double took = write_timed(log_, [&] {
         session_.film->write_exr(session_.files.exr, image_metadata(command_, session_, totals),
-                                 session_.film->denoised());
+                                 denoised());
     });
     session_.times["write"] += took;
     exr_.written(totals.seconds, took);
@@ -89,7 +89,7 @@ void Snapshots::write_exr(const RenderTotals& totals) {
 
 void Snapshots::write_png(const RenderTotals& totals) {
     const double took = write_timed(log_, [&] {
-        session_.film->write_png(session_.files.png, session_.film->denoised());
+        session_.film->write_png(session_.files.png, denoised());
         say_where();
     });
     session_.times["write"] += took;
@@ -110,6 +110,11 @@ void Snapshots::show(const RenderTotals& totals) {
     const double took = seconds_since(start);
     session_.times["write"] += took;
     viewer_.written(totals.seconds, took);
+}
+
+std::vector<Rgb> Snapshots::denoised() const {
+    if (command_.denoise == Denoising::Last) return {};
+    return session_.film->denoised();
 }
 
 void Snapshots::say_where() {

@@ -68,6 +68,7 @@ TEST_F(CommandLineTest, MistakesExitWithTwoAndSayWhatIsWrong) {
         {{"a.lxs", "--exposure", "nan"}, "--exposure"},
         {{"a.lxs", "--exposure", "65"}, "--exposure"},
         {{"a.lxs", "--layers", "depth,albdo"}, "\"albdo\"; did you mean \"albedo\"? Known: "},
+        {{"a.lxs", "--denoise=first"}, "--denoise: expected last, found \"first\""},
         {{"a.lxs", "--quiet", "--verbose"}, "excludes"},
         {{"--markdown"}, "--describe"},
         {{"--describe", "pth"}, "unknown plugin \"pth\"; did you mean \"path\"?"},

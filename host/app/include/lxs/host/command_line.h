@@ -18,6 +18,13 @@ enum class MpiSplit : std::uint8_t {
     Passes    ///< passes: each renders some with a seed of its own, and the images are merged
 };
 
+/// Which images are denoised.
+enum class Denoising : std::uint8_t {
+    None,
+    All,
+    Last  ///< that at the end; those before it are written as they are, at no such cost
+};
+
 struct CommandLine {
     std::string scene;                    ///< file, "-" for standard input
     std::optional<std::string> output;    ///< EXR file, the PNG beside it; or PNG file alone
@@ -25,9 +32,9 @@ struct CommandLine {
     unsigned threads = 0;                 ///< 0: all processors
     std::optional<std::uint64_t> passes;  ///< budget; at most one of passes and seconds is given
     std::optional<double> seconds;
-    std::optional<double> target_error;  ///< budget: square root of relMSE
-    bool error_estimate = true;          ///< the film estimates its error
-    bool denoise = false;                ///< the PNG is denoised, the EXR has a layer of it
+    std::optional<double> target_error;   ///< budget: square root of relMSE
+    bool error_estimate = true;           ///< the film estimates its error
+    Denoising denoise = Denoising::None;  ///< of the PNG; the EXR has a layer of it
     std::optional<std::uint64_t> seed;
     std::vector<std::string> overrides;     ///< plugin.parameter=value, of integrator or sampler
     std::optional<std::string> integrator;  ///< instead of the scene's

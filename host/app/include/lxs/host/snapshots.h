@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <vector>
 
 #include "lxs/host/budget.h"
 #include "lxs/host/command_line.h"
@@ -32,6 +33,8 @@ class Snapshots {
     void write_exr(const RenderTotals& totals);
     void write_png(const RenderTotals& totals);
     void show(const RenderTotals& totals);
+    /// The denoised image for the files; empty if they have none so far.
+    std::vector<Rgb> denoised() const;
     void say_where();
 
     const CommandLine& command_;

@@ -91,6 +91,9 @@ class Lights(Agreement):
         lamp.scale.x = -1  # mirrored, it still shines outwards
         self.agrees('mesh', scene)
 
+    def test_shining_within_a_room(self):
+        """Black bodies, backs of closed and of open meshes, and what shines and is transparent."""
+        self.agrees('room', scenes.room())
 
     def test_open_mesh_shines_on_both_sides(self):
         scene = scenes.stage()
@@ -199,14 +202,19 @@ class Cameras(Agreement):
     def test_sensor_fit(self):
         self.seen('fit', sensor_fit='VERTICAL')
 
-    def test_orthographic(self):
-        self.seen('orthographic', type='ORTHO', ortho_scale=5)
-
-    def test_depth_of_field(self):
+    def out_of_focus(self, name, fstop, **settings):
         scene = scenes.lit_stage()
         dof = scene.camera.data.dof
-        dof.use_dof, dof.focus_distance, dof.aperture_fstop = True, 4, 0.2
-        self.agrees('depth of field', scene)
+        dof.use_dof, dof.focus_distance, dof.aperture_fstop = True, 4, fstop
+        for key, value in settings.items():
+            setattr(scene.camera.data, key, value)
+        self.agrees(name, scene)
+
+    def test_orthographic(self):
+        self.out_of_focus('orthographic', 2.0, type='ORTHO', ortho_scale=5)
+
+    def test_depth_of_field(self):
+        self.out_of_focus('depth of field', 0.2)
 
     def test_motion_blur(self):
         scene = scenes.lit_stage()

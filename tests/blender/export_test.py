@@ -7,29 +7,17 @@ import unittest
 import bpy
 
 import small_scenes as scenes
+from aips_blender.export.camera import View
 from aips_blender.export.film import Film
 from aips_blender.export.scene import ExportError, export
+from exported_files import lines_of, render, vertices_of
 from fixture import FOLDER, exported
 
 
-def vertices_of(text):
-    """Sizes of the vertex lists of an export's PLY files."""
-    found = []
-    for path in re.findall(r'"string filename" \["([^"]+\.ply)"\]', text):
-        with open(os.path.join(FOLDER, path), 'rb') as file:
-            found.append(int(re.search(rb'element vertex (\d+)', file.read(400)).group(1)))
-    return found
-
-
-def boxes_of_a_collection(name, *places):
-    """Instances of a box, which is seen nowhere else, at places along x."""
-    part = bpy.data.collections.new('part')
-    box = scenes.box(name, 1, scenes.grey(), (0, 0, 0))
-    bpy.context.collection.objects.unlink(box)
-    part.objects.link(box)
-    for x in places:
-        empty = scenes.add('place', None, (x, 0, 0))
-        empty.instance_type, empty.instance_collection = 'COLLECTION', part
+def load_tests(loader, tests, _pattern):
+    """Those of the other modules about exports, too."""
+    tests.addTests(loader.loadTestsFromNames(['export_volumes_test', 'export_materials_test']))
+    return tests
 
 
 class Meshes(unittest.TestCase):
@@ -63,7 +51,7 @@ class Meshes(unittest.TestCase):
         self.assertEqual(text.count('ObjectInstance'), 3)
 
     def test_instances_of_a_collection(self):
-        boxes_of_a_collection('box', 0, 3)
+        scenes.boxes_of_a_collection('box', 0, 3)
         self.assertEqual(exported('collection')[0].count('ObjectInstance'), 2)
 
     def test_one_file_for_each_material(self):
@@ -76,6 +64,81 @@ class Meshes(unittest.TestCase):
         scenes.add('nothing', bpy.data.meshes.new('nothing'))
         scenes.box('hidden', 1, scenes.grey(), (0, 0, 0)).hide_set(True)
         self.assertNotIn('plymesh', exported('empty')[0])
+
+
+class Curves(unittest.TestCase):
+    """Blender yields texts and the like as themselves, and again as instances of their meshes."""
+
+    def setUp(self):
+        scenes.clear()
+        scenes.camera()
+        scenes.light('POINT', 100, shadow_soft_size=0)
+
+    def test_each_kind_appears_once(self):
+        scenes.text('a', (0, 0, 0))
+        bpy.ops.curve.primitive_bezier_curve_add()  # without a bevel there is nothing to see
+        for x in (2, 3):
+            bpy.ops.object.metaball_add(location=(x, 0, 0))  # both make one mesh
+        bpy.ops.surface.primitive_nurbs_surface_sphere_add(location=(6, 0, 0))
+        bpy.ops.curve.primitive_bezier_circle_add(location=(9, 0, 0))
+        bpy.context.object.data.bevel_depth = 0.1
+        text, left_out = exported('kinds')
+        self.assertEqual(re.findall(r'"string name" \["(.*?)"\]', text),
+                         ['text a', 'Mball', 'SurfSphere', 'BezierCircle'])
+        self.assertEqual(left_out, [])
+
+    def test_texts_of_a_collection_have_their_own_shapes(self):
+        scene = bpy.context.scene
+        texts = [scenes.text(body, (x, 0, 0)) for x, body in enumerate('i8%')]
+        texts[2].keyframe_insert('location', frame=0)
+        texts[2].location.x += 1
+        texts[2].keyframe_insert('location', frame=2)
+        scenes.instances(texts, 0, 5)
+        scene.render.use_motion_blur = True
+        scene.frame_set(1)
+        text, _ = exported('texts', frame_set=lambda at, part: scene.frame_set(at, subframe=part))
+        self.assertEqual(len(set(vertices_of(text))), 3)
+        self.assertEqual(text.count('ObjectInstance'), 6)
+        self.assertEqual(text.count('MotionBegin'), 2)  # of one text at both places
+
+
+POINTS = {kind: {'shadow_soft_size': 0} for kind in ('POINT', 'SPOT')}
+
+
+class Flattened(unittest.TestCase):
+    def setUp(self):
+        self.scene = scenes.clear()
+        scenes.background(self.scene, (1, 1, 1), 1)
+        scenes.camera((0, 0, 5), (0, 0, 0), lens=36)  # sees two and a half to either side
+
+    def test_what_is_flat_is_seen_and_what_is_a_line_is_not(self):
+        black = scenes.grey(0)
+        for x, y, scale in ((0, 0, (1, 1, 0)), (2, 0, (0, 0, 0)), (0, 2, (2, 0, 0))):
+            scenes.box('box', 1, black, (x, y, 0), (0, 0, 0.3)).scale = scale
+        grows = scenes.box('grows', 1, black, (-2, 0, 0))
+        for frame, size in ((0, (1, 1, 0)), (2, (0, 0, 0))):
+            grows.scale = size
+            grows.keyframe_insert('scale', frame=frame)
+        self.scene.render.use_motion_blur, self.scene.render.motion_blur_shutter = True, 2
+        self.scene.frame_set(1)
+        text, _ = exported('flat', Film(40, 40, passes=16, integrator='path'), frame_set=lambda
+                           at, part: self.scene.frame_set(at, subframe=part))
+        self.assertEqual(text.count('plymesh'), 2)
+        image = render('flat').mean(-1)
+        self.assertLess(image[18:22, 18:22].max(), 0.01)
+        self.assertEqual([float(image[rows, columns].min().round(3)) for rows, columns in
+                          ((slice(0, 13), slice(40)), (slice(40), slice(27, 40)))], [1, 1])
+        self.assertTrue(0.1 < image[20, 4] < 0.9)  # there for a part of the time
+
+    def test_lights(self):
+        for kind in ('POINT', 'SPOT', 'SUN', 'AREA'):
+            for scale in ((0, 0, 0), (1, 1, 0), (0, 0, 1), (-1, 2, 3)):
+                scenes.light(kind, 10, **POINTS.get(kind, {})).scale = scale
+        scenes.plane('floor', 4, scenes.grey())
+        text, _ = exported('lamps', Film(8, 8, passes=1))
+        self.assertEqual([text.count(f'LightSource "{kind}"') for kind in
+                          ('point', 'goniometric', 'distant', 'area')], [4, 2, 2, 2])
+        render('lamps')
 
 
 class Lights(unittest.TestCase):
@@ -107,13 +170,19 @@ class LeftOut(unittest.TestCase):
         bpy.data.objects['box'].visible_camera = False
         bpy.data.objects['wall'].is_holdout = True
         lamps[0].visible_glossy = False
+        scenes.move_to_collection(scenes.box('cut out', 1, None, (3, 0, 0)), holdout=True)
+        scenes.move_to_collection(scenes.box('mirrored', 1, None, (3, 0, 2)), indirect_only=True)
         ball = scenes.ball('furry', 0.3, scenes.grey(), (0, 0, 0))
         ball.modifiers.new('hair', 'PARTICLE_SYSTEM').particle_system.settings.type = 'HAIR'
         scenes.add('curls', bpy.data.hair_curves.new('curls'))
-        _, lines = exported('left out')
-        for line in ('hair is left out: furry, curls',
-                     'what is hidden from some rays is seen by all: box',
-                     'holdouts and shadow catchers are shown as objects: wall',
+        lens = bpy.context.scene.camera.data
+        lens.type, lens.dof.use_dof, lens.dof.aperture_blades = 'ORTHO', True, 6
+        text, lines = exported('left out')
+        self.assertNotIn('blades', text)
+        for line in ('blades of orthographic cameras are left out: Camera',
+                     'hair is left out: furry, curls',
+                     'what is hidden from some rays is seen by all: mirrored, box',
+                     'holdouts and shadow catchers are shown as objects: cut out, wall',
                      'lights hidden from some rays shine on all: AREA'):
             self.assertIn(line, lines)
         self.assertIn('spreads of area lights are left out: AREA, AREA.001', lines)
@@ -135,114 +204,6 @@ class LeftOut(unittest.TestCase):
             exported('no camera')
 
 
-class Volumes(unittest.TestCase):
-    def test_masks_of_one_object_within_a_volume_and_outside(self):
-        scenes.clear()
-        scenes.camera()
-        fog = scenes.volume('fog', 'ShaderNodeVolumeScatter', Density=1)
-        scenes.box('around', 3, fog, (0, 0, 0))
-        boxes_of_a_collection('box', 0, 5)
-        text, left_out = exported('masks', Film(8, 8, layers=('objects',)))
-        self.assertEqual(text.count('ObjectInstance'), 2)
-        self.assertEqual(left_out, ['masks tell objects of one name apart by a number: box 2'])
-        self.assertEqual(exported('no masks')[1], [])
-
-    def test_what_lies_in_a_volume_has_it_around(self):
-        scene = scenes.stage()
-        scenes.world_volume(scene, 'ShaderNodeVolumeScatter', Density=0.25, Anisotropy=0.5,
-                            Color=(0.4, 0.8, 1, 1))
-        fog = scenes.volume('fog', 'ShaderNodeVolumePrincipled', Density=2,
-                            Color=(0.5, 0.5, 0.5, 1), Absorption_Color=(0.25, 0.25, 1, 1))
-        scenes.box('fog', 3, fog, (2.5, 0, 1.5))
-        glass = scenes.material('glass', 'ShaderNodeBsdfGlass', Roughness=0)
-        scenes.add_volume(glass, 'ShaderNodeVolumeAbsorption', Density=2, Color=(1, 0.5, 0, 1))
-        scenes.ball('inner', 0.5, glass, (2.5, 0, 1))
-        scenes.light('POINT', 100, (2.5, 0, 2), shadow_soft_size=0)
-        text, left_out = exported('volumes')
-        self.assertEqual(left_out, [])
-        self.assertIn('VolumeIntegrator "multi"', text)
-        found = {name: tuple(float(x) for x in numbers.split()) for name, numbers in re.findall(
-            r'MakeNamedVolume "(.*?)" .*?"color sigma_a" \[(.*?)\]', text)}
-        self.assertEqual(len(found), 3)
-        shapes = re.findall(r'Interior "(.*?)"\nExterior "(.*?)"\n(?:Shape|Light).*?"'
-                            r'(?:string name|point from)" \[(.*?)\]', text)
-        sides = {name.strip('"'): (found[i], found[e]) for i, e, name in shapes}
-        self.assertEqual(sides['wall'], ((0, 0, 0), (0, 0, 0)))
-        self.assertEqual(sides['fog'], ((0.5, 0.5, 0), (0, 0, 0)))
-        self.assertEqual(sides['inner'], ((0.5, 1.5, 2), (0.5, 0.5, 0)))
-        self.assertEqual(sides['2.5 0 2'], ((0.5, 0.5, 0), (0.5, 0.5, 0)))
-        self.assertRegex(text, r'"color sigma_s" \[0.1\d* 0.2\d* 0.25\] "color g" \[0.5 0.5 0.5\]')
-        self.assertTrue(text.endswith('Exterior "volume 1"\nWorldEnd\n'))  # around the camera
-
-    def test_what_is_not_carried_over_is_told(self):
-        scenes.stage()
-        fog = scenes.volume('fog', 'ShaderNodeVolumePrincipled', Emission_Strength=1.0)
-        scenes.plane('sheet', 1, fog, (0, 0, 1))
-        _, left_out = exported('told')
-        self.assertEqual(left_out, ['light of volumes is left out: fog',
-                                    'volumes of meshes that are not closed are left out: sheet'])
-
-    def test_volumes_that_the_scene_language_has_not_are_told(self):
-        scene = scenes.stage()
-        fog = scenes.volume('fog', 'ShaderNodeVolumePrincipled', Density=2)
-        half = scenes.with_material(scenes.box('half', 1, fog, (0, 0, 1)), scenes.grey())
-        half.data.polygons[0].material_index = 1
-        cloud = scenes.box('cloud', 1, fog, (2, 0, 1))
-        for frame, x in ((0, 2), (2, 3)):
-            cloud.location.x = x
-            cloud.keyframe_insert('location', frame=frame)
-        scene.render.use_motion_blur = True
-        scene.frame_set(1)
-        _, left_out = exported('odd', frame_set=lambda at, sub: scene.frame_set(at, subframe=sub))
-        self.assertEqual(left_out, [
-            'volumes of some faces of a mesh lie behind these alone: half',
-            'volumes that move hold what is in them as the shutter opens: cloud'])
-
-    def test_what_has_no_inside_surrounds_nothing(self):
-        scenes.stage()
-        fog = scenes.volume('fog', 'ShaderNodeVolumePrincipled', Density=2)
-        scenes.box('flat', 1, fog, (0, 0, 1)).scale = (1, 1, 0)
-        clear = scenes.volume('clear', 'ShaderNodeVolumeScatter', Density=0, Anisotropy=0.5)
-        scenes.box('empty', 1, clear, (2, 0, 1))
-        edge = bpy.data.meshes.new('edge')
-        edge.from_pydata([(0, 0, 0), (1, 0, 0)], [], [(0, 1)])
-        scenes.add('edge', edge, (0, 0, 2), (0, 0, 0))
-        text, left_out = exported('no inside')
-        self.assertEqual(left_out, [])
-        self.assertNotIn('empty', ' '.join(re.findall(r'Interior.*', text)))
-
-
-class Materials(unittest.TestCase):
-    def test_groups_and_reroutes_are_looked_through(self):
-        scenes.stage()
-        group = bpy.data.node_groups.new('paint', 'ShaderNodeTree')
-        group.inputs.new('NodeSocketColor', 'Tint')
-        group.outputs.new('NodeSocketShader', 'Surface')
-        inside, out = group.nodes.new('NodeGroupInput'), group.nodes.new('NodeGroupOutput')
-        diffuse = group.nodes.new('ShaderNodeBsdfDiffuse')
-        group.links.new(inside.outputs[0], diffuse.inputs['Color'])
-        group.links.new(diffuse.outputs[0], out.inputs[0])
-        made = bpy.data.materials.new('grouped')
-        made.use_nodes = True
-        tree = made.node_tree
-        node, reroute = tree.nodes.new('ShaderNodeGroup'), tree.nodes.new('NodeReroute')
-        node.node_tree = group
-        node.inputs['Tint'].default_value = (0.25, 0.25, 0.25, 1)
-        tree.links.new(node.outputs[0], reroute.inputs[0])
-        tree.links.new(reroute.outputs[0], tree.nodes['Material Output'].inputs['Surface'])
-        scenes.box('grouped', 1, made, (2, 0, 0))
-        text, left_out = exported('grouped')
-        self.assertIn('"grouped" "string type" ["matte"] "color Kd" [0.25 0.25 0.25]', text)
-        self.assertEqual(left_out, [])
-
-    def test_emission_of_principled_shines(self):
-        scenes.stage()
-        made = scenes.material('glows', 'ShaderNodeBsdfPrincipled', Emission=(1, 1, 1, 1),
-                               Emission_Strength=3.0)
-        scenes.box('glows', 1, made, (2, 0, 0))
-        self.assertRegex(exported('glows')[0], r'AreaLightSource "area" "color L" \[3 3 3\]')
-
-
 class Cameras(unittest.TestCase):
     def test_field_of_view_is_that_of_the_shorter_axis(self):
         scenes.stage()
@@ -250,6 +211,26 @@ class Cameras(unittest.TestCase):
         found = float(re.search(r'"float fov" \[([\d.]+)\]', text).group(1))
         expected = 2 * math.atan(36 / 40 / 2 / 2)
         self.assertAlmostEqual(math.radians(found), expected, places=5)
+        self.assertIn('Renderer "aips"\nSurfaceIntegrator "aips"', text)
+
+    def test_another_look_at_what_is_written(self):
+        scenes.lit_stage()
+        for density, z in ((1, 2.5), (2, 3.5)):
+            fog = scenes.volume('fog', 'ShaderNodeVolumeAbsorption', Density=density)
+            scenes.box('fog', 2, fog, (0, 0, z))
+        path = os.path.join(FOLDER, 'look.lxs')
+        result = export(path, bpy.context.evaluated_depsgraph_get(), Film(32, 32))
+        before = lines_of(path)
+        scenes.clear()  # what Blender has now is not looked at
+        place = [[1, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, 3], [0, 0, 0, 1]]
+        view = View('orthographic', (-2, 2, -1, 1), near=0.1, far=100)
+        result.look(Film(16, 8, passes=1), (view, place))
+        after = lines_of(path)
+        # In both fogs at once is the camera alone.
+        self.assertEqual(after[-2:], ['Exterior "volume 3"', 'WorldEnd'])
+        self.assertEqual([line for line in before if line not in after and 'Film' not in line],
+                         [line for line in before if line.startswith(('LookAt', 'Camera'))])
+        render('look')
 
     def test_light_groups(self):
         scene = scenes.stage()

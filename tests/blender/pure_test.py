@@ -167,15 +167,35 @@ class Status(unittest.TestCase):
         self.assertEqual(status.text(Film(1, 1, error=0.05), {'passes': '5', 'relMSE': '0.01'}, 63),
                          'aips: pass 5, error 10 %, 5 % wanted, 1:03 gone')
 
+    def test_progress_is_told_where_it_is_newer_than_the_image(self):
+        image = {'passes': '5', 'relMSE': '0.01', 'seed': '1'}
+        for line in ('', 'pass 5 of 9, 0:11 gone, about 0:15 left, error 2 %', 'wrote a.exr',
+                     'pass 4, 1:00:11 gone'):
+            self.assertEqual(status.newer(image, line), image)
+        for line in ('pass 46 of 110, 0:11 gone, about 0:15 left, error 13.5 %',
+                     'pass 46, 1:02:11 gone, about 9:49 left, error 13.5 %, 5 % in about 2:03',
+                     'pass 46, 0:11 gone, error 13.5 %, 1.2 M rays/s, memory 90 MB'):
+            told = status.newer(image, line)
+            self.assertEqual((told['passes'], told['seed']), ('46', '1'))
+            self.assertAlmostEqual(status.error_of(told), 0.135)
+        self.assertEqual(status.newer({}, 'pass 1, 0:01 gone'), {'passes': '1'})
+        huge = status.newer({}, 'pass 3, 0:01 gone, about 9:59 left, error 1.2e+03 %')
+        self.assertAlmostEqual(status.error_of(huge), 12)
+
     def test_writing_takes_a_small_share(self):
-        self.assertEqual(command.write_every(100, False, 2), 2)
-        self.assertGreater(command.write_every(2_000_000, True, 2), 60)
+        self.assertEqual(command.write_every(100, 2), 2)
+        self.assertAlmostEqual(command.write_every(1920 * 1080, 2), 20.7, places=1)
+
+    def test_the_last_image_alone_is_denoised(self):
+        self.assertIn('--denoise=last', command.arguments('lxsrender', 'a', 'b', denoise=True))
 
     def test_combined_is_denoised_where_the_image_is(self):
         one = np.ones((1, 1), np.float32)
         image = exr.Image({'R': one, 'G': one, 'B': one, 'denoised.R': 2 * one}, {})
         self.assertEqual(list(passes.pixels(image, passes.COMBINED)[0]), [2, 0, 0, 1])
         self.assertEqual(list(passes.pixels(image, passes.NOISY)[0]), [1, 1, 1])
+        del image.channels['denoised.R']
+        self.assertEqual(list(passes.pixels(image, passes.COMBINED)[0]), [1, 1, 1, 1])
 
 
 class Processes(unittest.TestCase):
@@ -188,11 +208,34 @@ class Processes(unittest.TestCase):
         self.assertEqual(process.failure(2, ['error: no such option']),
                          'lxsrender ended with exit code 2: no such option')
 
+    def test_a_long_render_loses_no_warning_and_no_error(self):
+        log = process.Log()
+        said = [f'warning: {i}' for i in range(200)]
+        for line in ['scene: 3 triangles', *said, 'error: first']:
+            log.add(line)
+        for i in range(10_000):
+            log.add(f'pass {i}, 0:11 gone')
+            log.add('warning: cannot write a.exr; rendering goes on')
+        self.assertEqual(log.warnings(), said + ['warning: cannot write a.exr; rendering goes on'])
+        self.assertEqual(log.lines(), ['scene: 3 triangles', 'error: first'])
+        self.assertEqual(log.progress, 'pass 9999, 0:11 gone')
+
+    def test_logs_are_bounded(self):
+        log = process.Log()
+        for i in range(10_000):
+            log.add(f'warning: {i}')
+            log.add(f'line {i}')
+        self.assertEqual(len(log.lines()), process.LINES_KEPT)
+        self.assertEqual(log.lines()[-1], 'line 9999')
+        left = 10_000 - process.WARNINGS_KEPT
+        self.assertEqual(log.warnings()[-2:], [f'warning: {process.WARNINGS_KEPT - 1}',
+                                               f'warning: and {left} more'])
+
     def test_an_interrupt_ends_it(self):
         program = 'import sys, time; print("ready", file=sys.stderr, flush=True); time.sleep(60)'
         running = process.Process([sys.executable, '-c', program], FOLDER)
-        while running.running() and not running.lines():
+        while running.running() and not running.log.lines():
             time.sleep(0.05)
         running.interrupt()
         self.assertNotEqual(running.wait(), 0)
-        self.assertTrue(any('KeyboardInterrupt' in line for line in running.lines()))
+        self.assertTrue(any('KeyboardInterrupt' in line for line in running.log.lines()))

@@ -1,35 +1,21 @@
 """Protects F12: the image and its passes in Blender, cancelling, borders, messages of failures."""
-import os
+import sys
+import tempfile
 import time
 import unittest
+from unittest import mock
 
 import bpy
 import numpy as np
 
 import fixture
 import small_scenes as scenes
-from aips_blender import engine, exr, murmur
+from aips_blender import command, engine, exr, murmur
 from fixture import FOLDER
-
-
-def render(name, file_format='OPEN_EXR_MULTILAYER'):
-    scene = bpy.context.scene
-    scene.render.engine = 'AIPS'
-    scene.render.image_settings.file_format = file_format
-    scene.render.image_settings.color_depth = '32' if 'EXR' in file_format else '8'
-    scene.render.image_settings.exr_codec = 'ZIP'
-    scene.render.filepath = os.path.join(FOLDER, name)
-    bpy.ops.render.render(write_still=True)
-    return scene.render.filepath
-
-
-def small_scene(passes=4):
-    scene = scenes.lit_stage()
-    fixture.enable()
-    scene.render.resolution_x, scene.render.resolution_y = 48, 32
-    scene.render.resolution_percentage = 100
-    scene.aips.until, scene.aips.passes = 'PASSES', passes
-    return scene
+# Parts of these tests, which are run with them.
+from menu_test import Exports  # noqa: F401
+from small_render import render, small_scene
+from viewport_test import Previews, Views  # noqa: F401
 
 
 def matte(image, layer, name):
@@ -111,36 +97,27 @@ class Renders(unittest.TestCase):
         for found, expected in zip(np.array_split(part, 4), np.array_split(same, 4)):
             self.assertAlmostEqual(float(found.mean() / expected.mean()), 1, delta=0.05)
 
+    def has_no_black_edge(self, size):
+        image = exr.read(render('edges.exr', 'OPEN_EXR')).stack('RGB')
+        self.assertEqual(image.shape[:2], (size, size))
+        self.assertTrue(image[:, -1].any() and image[0].any())
+
+    def test_sizes_and_borders_are_blenders_own(self):
+        scene = small_scene(1)
+        scene.render.resolution_x = scene.render.resolution_y = 100
+        scene.render.resolution_percentage = 29
+        self.has_no_black_edge(29)
+        scene.render.resolution_percentage = 100
+        scene.render.use_border = scene.render.use_crop_to_border = True
+        for share in (0.7, 0.9):
+            scene.render.border_min_x = scene.render.border_min_y = share - 0.2
+            scene.render.border_max_x = scene.render.border_max_y = share
+            self.has_no_black_edge(20)
+
     def test_two_view_layers(self):
         scene = small_scene()
         scene.view_layers.new('second')
         self.assertIn('second.Combined.R', exr.read(render('two.exr')).channels)
-
-    def test_export_by_the_menu_uses_settings_for_renders(self):
-        scene = small_scene()
-        modifier = bpy.data.objects['box'].modifiers.new('subdivided', 'SUBSURF')
-        modifier.levels, modifier.render_levels = 0, 3
-        scene.render.engine = 'CYCLES'
-        path = os.path.join(FOLDER, 'menu.lxs')
-        bpy.ops.export_scene.aips_lxs(filepath=path)
-        self.assertEqual(scene.render.engine, 'CYCLES')
-        sizes = [os.path.getsize(os.path.join(FOLDER, 'menu-files', f))
-                 for f in os.listdir(os.path.join(FOLDER, 'menu-files')) if 'box' in f]
-        self.assertGreater(sizes[0], 10000)
-
-
-    def test_motion_blur_is_exported(self):
-        scene = small_scene()
-        for name, frame, x in (('box', 0, -2), ('box', 2, 0), ('Camera', 0, 0), ('Camera', 2, 1)):
-            bpy.data.objects[name].location.x = x
-            bpy.data.objects[name].keyframe_insert('location', index=0, frame=frame)
-        scene.render.use_motion_blur = True
-        bpy.data.objects['box'].modifiers.new('bones', 'ARMATURE')
-        scene.frame_set(1)
-        path = os.path.join(FOLDER, 'moving.lxs')
-        bpy.ops.export_scene.aips_lxs(filepath=path)
-        with open(path, encoding='utf-8') as file:
-            self.assertEqual(file.read().count('MotionBegin'), 2)
 
 
 class Fails(unittest.TestCase):
@@ -162,6 +139,11 @@ class Fails(unittest.TestCase):
         scene = small_scene()
         scene.aips.extra = '"open'
         self.fails('More options')
+
+    def test_another_size_than_blenders(self):
+        scene = small_scene()
+        scene.aips.extra = '--width 24'
+        self.fails("lxsrender's image has 24 x 16 pixels, Blender's 48 x 32")
 
     def test_no_camera(self):
         scene = small_scene()
@@ -205,6 +187,7 @@ class Result:
     class Layer:
         passes = ()
     layers = [Layer()]
+    resolution_x, resolution_y = 48, 32
 
 
 class Cancels(unittest.TestCase):
@@ -217,3 +200,49 @@ class Cancels(unittest.TestCase):
         self.assertGreaterEqual(asked.images, 1)
         self.assertEqual(asked.said[-1], 'ended')
         self.assertFalse([s for s in asked.said if 'ERROR' in s])
+
+
+PRINTS = '''
+import sys, time
+print('pass 46 of 110, 0:11 gone, about 0:15 left, error 13.5 %', file=sys.stderr, flush=True)
+time.sleep(1)
+'''
+
+
+class Patient(Asked):
+    """Waits for the end."""
+
+    def test_break(self):
+        return False
+
+
+class Tells(unittest.TestCase):
+    def rendered(self, arguments=None):
+        """A render with a folder of its own, which has ended; what it told."""
+        asked = Patient()
+        with tempfile.TemporaryDirectory(dir=FOLDER) as folder:
+            found = engine.Render(asked, bpy.context.evaluated_depsgraph_get(), folder)
+            with mock.patch.object(found, '_arguments', arguments or found._arguments):
+                found.run()
+        return asked.said
+
+    def test_progress_comes_without_images(self):
+        small_scene(110)
+        said = self.rendered(lambda _path: [sys.executable, '-c', PRINTS])
+        self.assertTrue([s for s in said if 'pass 46 of 110, error 14 %' in s], said)
+
+    def test_images_so_far_are_not_denoised(self):
+        small_scene(100).aips.denoise = True
+        seen = []
+
+        def fill(_result, image, _found):
+            seen.append(image)
+
+        with mock.patch.object(engine, '_fill', fill), \
+                mock.patch.object(command, 'write_every', return_value=1e-9):
+            self.rendered()
+        self.assertEqual(seen[-1].texts['passes'], '100')
+        self.assertIn('denoised.R', seen[-1].channels)
+        so_far = [image for image in seen if int(image.texts['passes']) in range(4, 100)]
+        self.assertTrue(so_far)
+        self.assertFalse([image for image in so_far if 'denoised.R' in image.channels])

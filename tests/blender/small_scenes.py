@@ -2,7 +2,10 @@
 import math
 
 import bpy
-import numpy as np
+
+from small_materials import (  # some for the tests, which find all here
+    add_volume, blackbody_material, bumpy_material, checker_material, grey, half_transparent, image,
+    image_material, link_volume, mapping, material, volume)
 
 
 def clear():
@@ -28,48 +31,9 @@ def add(name, data, place=(0, 0, 0), turn=(0, 0, 0)):
     return thing
 
 
-def material(name, node_type, **inputs):
-    """A material of one shader node, with values of its inputs by name (_ for a space)."""
-    made = bpy.data.materials.new(name)
-    made.use_nodes = True
-    nodes = made.node_tree.nodes
-    nodes.clear()
-    shader, output = nodes.new(node_type), nodes.new('ShaderNodeOutputMaterial')
-    made.node_tree.links.new(shader.outputs[0], output.inputs['Surface'])
-    for key, value in inputs.items():
-        shader.inputs[key.replace('_', ' ')].default_value = value
-    return made
-
-
-def volume(name, node_type, **inputs):
-    """A material without a surface, filled as one volume shader has it."""
-    made = bpy.data.materials.new(name)
-    made.use_nodes = True
-    nodes = made.node_tree.nodes
-    nodes.clear()
-    nodes.new('ShaderNodeOutputMaterial')
-    return add_volume(made, node_type, **inputs)
-
-
-def add_volume(made, node_type, **inputs):
-    _link_volume(made.node_tree, made.node_tree.nodes['Material Output'], node_type, inputs)
-    return made
-
-
 def world_volume(scene, node_type, **inputs):
     tree = scene.world.node_tree
-    _link_volume(tree, tree.nodes['World Output'], node_type, inputs)
-
-
-def _link_volume(tree, output, node_type, inputs):
-    shader = tree.nodes.new(node_type)
-    tree.links.new(shader.outputs[0], output.inputs['Volume'])
-    for key, value in inputs.items():
-        shader.inputs[key.replace('_', ' ')].default_value = value
-
-
-def grey(value=0.6):
-    return material('grey', 'ShaderNodeBsdfDiffuse', Color=(value, value, value, 1))
+    link_volume(tree, tree.nodes['World Output'], node_type, inputs)
 
 
 def with_material(thing, made):
@@ -92,6 +56,38 @@ def ball(name, radius, made, place, smooth=True):
 def box(name, size, made, place, turn=(0, 0, 0)):
     bpy.ops.mesh.primitive_cube_add(size=size, location=place, rotation=turn)
     return _named(name, made)
+
+
+def text(body, place):
+    thing = add(f'text {body}', bpy.data.curves.new(body, 'FONT'), place)
+    thing.data.body = body
+    return thing
+
+
+def instances(things, *places):
+    """Lets things be seen at places along x alone, as instances of a collection."""
+    part = bpy.data.collections.new('part')
+    for thing in things:
+        bpy.context.collection.objects.unlink(thing)
+        part.objects.link(thing)
+    for x in places:
+        empty = add('place', None, (x, 0, 0))
+        empty.instance_type, empty.instance_collection = 'COLLECTION', part
+
+
+def move_to_collection(thing, **settings):
+    """Into a new one, with settings of the view layer for it."""
+    collection = bpy.data.collections.new(thing.name)
+    bpy.context.scene.collection.children.link(collection)
+    bpy.context.collection.objects.unlink(thing)
+    collection.objects.link(thing)
+    layer = bpy.context.view_layer.layer_collection.children[collection.name]
+    for key, value in settings.items():
+        setattr(layer, key, value)
+
+
+def boxes_of_a_collection(name, *places):
+    instances([box(name, 1, grey(), (0, 0, 0))], *places)
 
 
 def _named(name, made):
@@ -135,11 +131,21 @@ def lit_stage():
     return scene
 
 
-def image(name, values, linear):
-    """An image of rows x columns x 4 values, the first row at the bottom."""
-    made = bpy.data.images.new(name, values.shape[1], values.shape[0], float_buffer=linear)
-    made.pixels.foreach_set(values.ravel())
-    return made
+def room():
+    """A closed box around the camera, whose ceiling shines as a black body does; in it a sheet
+    that shines and is half transparent, and a ball that shines and is partly there."""
+    scene = clear()
+    walls = box('room', 4, grey(0.5), (0, 0, 2))
+    walls.data.materials.append(blackbody_material(2700, 1.5))
+    ceiling = max(walls.data.polygons, key=lambda face: face.center.z)
+    ceiling.material_index = 1
+    sheet = half_transparent(0.5, 'ShaderNodeEmission', Color=(0.3, 0.6, 0.9, 1), Strength=1.2)
+    plane('sheet', 1.2, sheet, (-0.6, 0.6, 1.2), (1.2, 0, 0.5))
+    fades = material('fades', 'ShaderNodeBsdfPrincipled', Base_Color=(0.3, 0.3, 0.3, 1), Alpha=0.3,
+                     Specular=0, Emission=(1, 0.6, 0.3, 1), Emission_Strength=1.5)
+    ball('ball', 0.5, fades, (0.8, 0.5, 0.7))
+    camera((0, -1.9, 1.6), (math.radians(85), 0, 0), lens=22)
+    return scene
 
 
 def world_image(scene, values, turn):
@@ -148,7 +154,7 @@ def world_image(scene, values, turn):
     texture = tree.nodes.new('ShaderNodeTexEnvironment')
     texture.image = image('sky', values, True)
     tree.links.new(texture.outputs[0], background(scene, (1, 1, 1), 1).inputs['Color'])
-    _mapping(tree, texture, 'Generated').inputs['Rotation'].default_value = (0, 0, turn)
+    mapping(tree, texture, 'Generated').inputs['Rotation'].default_value = (0, 0, turn)
 
 
 def preetham_sky(scene, towards, turbidity, strength):
@@ -157,63 +163,3 @@ def preetham_sky(scene, towards, turbidity, strength):
     sky = tree.nodes.new('ShaderNodeTexSky')
     sky.sky_type, sky.sun_direction, sky.turbidity = 'PREETHAM', towards, turbidity
     tree.links.new(sky.outputs[0], background(scene, (1, 1, 1), strength).inputs['Color'])
-
-
-def image_material(values, scale, shift):
-    """A diffuse material of sRGB values, looked up by a node Mapping of the uv."""
-    made = material('picture', 'ShaderNodeBsdfDiffuse')
-    tree = made.node_tree
-    texture = tree.nodes.new('ShaderNodeTexImage')
-    texture.image = image('picture', values, False)
-    tree.links.new(texture.outputs['Color'], tree.nodes['Diffuse BSDF'].inputs['Color'])
-    mapping = _mapping(tree, texture, 'UV')
-    mapping.inputs['Scale'].default_value, mapping.inputs['Location'].default_value = scale, shift
-    return made
-
-
-def checker_material():
-    """Squares of two greys, looked up by a node Mapping of the uv."""
-    made = material('checker', 'ShaderNodeBsdfDiffuse')
-    tree = made.node_tree
-    texture = tree.nodes.new('ShaderNodeTexChecker')
-    texture.inputs['Color1'].default_value = (0.7, 0.7, 0.7, 1)
-    texture.inputs['Color2'].default_value = (0.2, 0.2, 0.2, 1)
-    texture.inputs['Scale'].default_value = 3
-    tree.links.new(texture.outputs['Color'], tree.nodes['Diffuse BSDF'].inputs['Color'])
-    mapping = _mapping(tree, texture, 'UV')
-    mapping.inputs['Scale'].default_value = (1, 2, 1)
-    mapping.inputs['Location'].default_value = (0.1, 0, 0)
-    return made
-
-
-def bumpy_material(heights, distance):
-    """Grey with a bump of the given heights, 0 to 1, times a distance."""
-    made = grey()
-    tree = made.node_tree
-    values = np.repeat(heights[:, :, None], 4, axis=2).astype(np.float32)
-    texture, bump = tree.nodes.new('ShaderNodeTexImage'), tree.nodes.new('ShaderNodeBump')
-    texture.image = bpy.data.images.new('heights', *heights.shape, float_buffer=True, is_data=True)
-    texture.image.pixels.foreach_set(values.ravel())
-    bump.inputs['Strength'].default_value, bump.inputs['Distance'].default_value = 1, distance
-    tree.links.new(texture.outputs['Color'], bump.inputs['Height'])
-    tree.links.new(bump.outputs[0], tree.nodes['Diffuse BSDF'].inputs['Normal'])
-    return made
-
-
-def _mapping(tree, texture, coordinates):
-    mapping, source = tree.nodes.new('ShaderNodeMapping'), tree.nodes.new('ShaderNodeTexCoord')
-    tree.links.new(source.outputs[coordinates], mapping.inputs['Vector'])
-    tree.links.new(mapping.outputs[0], texture.inputs['Vector'])
-    return mapping
-
-
-def half_transparent(share):
-    """A mix of diffuse and, by the share, transparent."""
-    made = material('mix', 'ShaderNodeMixShader', Fac=share)
-    tree = made.node_tree
-    mix = tree.nodes['Mix Shader']
-    diffuse = tree.nodes.new('ShaderNodeBsdfDiffuse')
-    diffuse.inputs['Color'].default_value = (0.2, 0.5, 0.2, 1)
-    tree.links.new(diffuse.outputs[0], mix.inputs[1])
-    tree.links.new(tree.nodes.new('ShaderNodeBsdfTransparent').outputs[0], mix.inputs[2])
-    return made

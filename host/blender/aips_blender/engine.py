@@ -16,6 +16,11 @@ SECONDS_BETWEEN_LOOKS = 0.1
 class Pending:
     """Path of an export that a render is to make in place of an image, or None."""
     path = None
+    written = False  # it has been made
+
+
+class WrongSize(Exception):
+    """lxsrender's image has another size than Blender's; the text names both."""
 
 
 class AipsRenderEngine(bpy.types.RenderEngine):
@@ -44,12 +49,13 @@ class AipsRenderEngine(bpy.types.RenderEngine):
                 Render(self, depsgraph, folder).run()
             finally:
                 shutil.rmtree(folder, ignore_errors=True)
-        except (ExportError, process.NotFound, exr.ExrError, OSError) as error:
+        except (ExportError, process.NotFound, exr.ExrError, WrongSize, OSError) as error:
             self.report({'ERROR'}, f'aips: {error}')
 
     def _export(self, depsgraph, path):
         film = settings.film_of(depsgraph.scene, depsgraph.view_layer)
         exported = export(path, depsgraph, film, self.frame_set)
+        Pending.written = True
         tell_left_out(self, exported.left_out)
         self.report({'INFO'}, f'aips: {path} is written')
 
@@ -105,7 +111,7 @@ class Render:
                 whole.stamp_data_add_field(key, text)
 
     def _arguments(self, path):
-        every = command.write_every(self._film.width * self._film.height, self._options.denoise,
+        every = command.write_every(self._film.width * self._film.height,
                                     self._options.update_interval)
         found = command.arguments(
             self._program, path, self._image, preferences.of(bpy.context).threads,
@@ -119,27 +125,28 @@ class Render:
                 if self._engine.test_break():
                     running.interrupt()
                     break
-                self._show(time.monotonic() - begun)
+                self._show(time.monotonic() - begun, running.log.progress)
                 time.sleep(SECONDS_BETWEEN_LOOKS)
             code = running.wait()
         except BaseException:
             running.kill()
             raise
-        said = process.failure(code, running.lines())
+        said = process.failure(code, running.log.lines())
         self._load()
         if said:
             self._engine.report({'ERROR'}, f'aips: {said}')
-        for line in process.warnings(running.lines()):
+        for line in running.log.warnings():
             self._engine.report({'WARNING'}, f'aips: {line}')
         if self._options.explain:
-            _keep_text('aips explains', running.lines())
+            _keep_text('aips explains', running.log.warnings() + running.log.lines())
 
-    def _show(self, seconds):
+    def _show(self, seconds, progress):
         self._load()
-        said = status.text(self._film, self._header, seconds)
+        known = status.newer(self._header, progress)
+        said = status.text(self._film, known, seconds)
         if said != self._said:
             self._said = said
-            self._engine.update_progress(status.share(self._film, self._header, seconds))
+            self._engine.update_progress(status.share(self._film, known, seconds))
             self._engine.update_stats('', said)
 
     def _load(self):
@@ -170,14 +177,15 @@ def _begin_result(engine, render, view_layer):
 
 
 def _fill(result, image, found):
+    rows, columns = image.channels['R'].shape
+    width, height = result.resolution_x, result.resolution_y
+    if (columns, rows) != (width, height):
+        raise WrongSize(f"lxsrender's image has {columns} x {rows} pixels, Blender's "
+                        f'{width} x {height}: see "More options" for what changes the size')
     layer = result.layers[0]
-    combined = passes.COMBINED
-    for each in [combined, *found]:
+    for each in [passes.COMBINED, *found]:
         if each.name in layer.passes:
-            target = layer.passes[each.name]
-            values = passes.pixels(image, each)
-            if len(values) == len(target.rect):
-                target.rect.foreach_set(values)
+            layer.passes[each.name].rect.foreach_set(passes.pixels(image, each))
 
 
 def _keep_text(name, lines):

@@ -2,13 +2,17 @@
 import collections
 import ctypes
 import os
+import re
 import shutil
 import signal
 import subprocess
 import sys
 import threading
 
-LINES_KEPT = 200
+LINES_KEPT = 1000      # the latest; errors and the account of --explain come at the end
+WARNINGS_KEPT = 500    # the first; of the scene there are a hundred kinds at most
+# Of a line of progress: passes, and from the third the error in percent.
+PROGRESS = re.compile(r'pass (\d+)(?: of \d+)?, [\d:]+ gone(?:.*?, error ([\d.e+-]+) %)?')
 SECONDS_TO_END = 60   # after an interrupt; a pass may take that long
 INTERRUPTED = 130     # lxsrender's exit code after an interrupt, with the image written
 
@@ -39,8 +43,41 @@ def _end_with_blender():
     ctypes.CDLL(None).prctl(DEATH_OF_PARENT, signal.SIGINT)
 
 
+class Log:
+    """What lxsrender has said, in little memory however long it renders.
+
+    Lines of progress come without end, the scene's warnings before them: neither is to push the
+    other out.
+    """
+
+    def __init__(self):
+        self._lines = collections.deque(maxlen=LINES_KEPT)
+        self._warnings = {}  # in their order; some are repeated with each image
+        self._more = 0
+        self.progress = ''   # the latest line of it
+
+    def add(self, line):
+        if PROGRESS.match(line):
+            self.progress = line
+        elif 'warning:' not in line:
+            self._lines.append(line)
+        elif len(self._warnings) < WARNINGS_KEPT:
+            self._warnings[line] = None
+        elif line not in self._warnings:
+            self._more += 1
+
+    def lines(self):
+        """All but warnings and progress."""
+        return list(self._lines)
+
+    def warnings(self):
+        """Each of them once."""
+        more = [f'warning: and {self._more} more'] if self._more else []
+        return list(self._warnings) + more
+
+
 class Process:
-    """A render that goes on; lines of its log are kept, and told as they come."""
+    """A render that goes on, and its log."""
 
     def __init__(self, arguments, folder):
         on_linux = _end_with_blender if sys.platform.startswith('linux') else None
@@ -49,19 +86,16 @@ class Process:
                                          stdout=subprocess.DEVNULL, stderr=subprocess.PIPE,
                                          text=True, errors='replace', start_new_session=True,
                                          preexec_fn=on_linux)
-        self._lines = collections.deque(maxlen=LINES_KEPT)
+        self.log = Log()
         self._reader = threading.Thread(target=self._read, daemon=True)
         self._reader.start()
 
     def _read(self):
         for line in self._process.stderr:
-            self._lines.append(line.rstrip('\n'))
+            self.log.add(line.rstrip('\n'))
 
     def running(self):
         return self._process.poll() is None
-
-    def lines(self):
-        return list(self._lines)
 
     def interrupt(self):
         """Asks it to end after the pass, with the image written."""
@@ -86,14 +120,10 @@ class Process:
 
 
 def failure(code, lines):
-    """What went wrong, from an exit code and the log; None where the image is written."""
+    """What went wrong, from an exit code and the log's lines; None where the image is written."""
     if code in (0, INTERRUPTED):
         return None
     errors = [line for line in lines if 'error:' in line]
     first = (lines or ['no word of why'])[0]
     said = '; '.join(e.split('error: ', 1)[-1] for e in errors[:3]) or first
     return f'lxsrender ended with exit code {code}: {said}'
-
-
-def warnings(lines):
-    return [line for line in lines if 'warning:' in line]

@@ -1,4 +1,5 @@
-"""What the status line tells of a render, by the header of its latest image and the clock."""
+"""What the status line tells of a render: by its latest image, its log and the clock."""
+from .process import PROGRESS
 
 
 def clock(seconds):
@@ -11,6 +12,20 @@ def error_of(texts):
     """Estimated relative error in an image's header, or None before the third pass."""
     relmse = float(texts.get('relMSE', 'nan'))
     return relmse ** 0.5 if relmse >= 0 else None
+
+
+def newer(texts, line):
+    """An image's header, or in its place what a line of progress tells if that is of more passes.
+
+    Images come seldom where writing one takes long, lines every ten seconds.
+    """
+    found = PROGRESS.match(line)
+    if found is None or int(found[1]) <= int(texts.get('passes', 0)):
+        return texts
+    told = {'passes': found[1]}
+    if found[2]:
+        told['relMSE'] = str((float(found[2]) / 100) ** 2)
+    return {**texts, **told}
 
 
 def share(film, texts, seconds):

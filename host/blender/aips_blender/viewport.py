@@ -9,8 +9,9 @@ import bpy
 import gpu
 import numpy as np
 from gpu_extras.presets import draw_texture_2d
+from mathutils import Matrix
 
-from . import command, exr, passes, preferences, process, status
+from . import command, exr, passes, preferences, process, settings, status
 from .export.camera import View, window_of
 from .export.film import Film
 from .export.scene import ExportError, export
@@ -27,25 +28,31 @@ class Preview:
         self._state = _State()
         # The engine that holds this goes without notice, or Blender does.
         weakref.finalize(self, self._state.end)
-        self._count = 0
-        self._view = None
-        self._changed = None  # when scene or view changed, until the render for that has begun
+        self._exported = None  # the scene as it is now
+        self._wanted = None    # film and view
+        self._changed = None   # when scene or view changed, until the render for that has begun
         self._seen, self._header, self._begun = 0, {}, 0.0
         self._texture = None
-        self._image, self._film = '', Film(1, 1)
+        self._image = ''
 
     def change(self):
-        """The scene has changed: what goes on is ended, and a new render begins soon."""
+        """The scene has changed: it is to be exported anew."""
+        self._exported = None
+        self._end_soon()
+
+    def _end_soon(self):
+        """What goes on is ended, and a new render begins soon."""
         self._state.stop()
         self._changed = time.monotonic()
 
     def draw(self, engine, context, depsgraph):
-        if _view_key(context) != self._view:
-            self._view = _view_key(context)
-            self.change()
+        wanted = film_of(context, depsgraph.scene.aips), seen_by(context)
+        if wanted != self._wanted:
+            self._wanted = wanted
+            self._end_soon()
         if self._changed is not None:
             if time.monotonic() - self._changed > SECONDS_OF_PEACE:
-                self._start(engine, context, depsgraph)
+                self._start(engine, depsgraph)
             engine.tag_redraw()
         self._look()
         if self._texture is not None:
@@ -54,20 +61,29 @@ class Preview:
             engine.unbind_display_space_shader()
         self._tell(engine)
 
-    def _start(self, engine, context, depsgraph):
+    def _start(self, engine, depsgraph):
         self._changed = None
-        self._count += 1
-        folder = self._state.new_folder(self._count)
-        self._image = os.path.join(folder, 'image.exr')
-        self._film, self._header, self._begun = _film(context), {}, time.monotonic()
+        self._header, self._begun = {}, time.monotonic()
         try:
-            program = process.find(preferences.of(bpy.context).program)
-            exported = export(os.path.join(folder, 'scene.lxs'), depsgraph, self._film,
-                              view=_seen_by(context))
+            chosen = preferences.of(bpy.context)
+            program = process.find(chosen.program)
+            self._export(depsgraph)
+            folder = self._state.new_folder('image')
+            self._image = os.path.join(folder, 'image.exr')
             self._state.running = process.Process(
-                command.arguments(program, exported.path, self._image), folder)
+                command.arguments(program, self._exported.path, self._image, chosen.threads),
+                folder)
         except (ExportError, process.NotFound, OSError) as error:
             engine.update_stats('', f'aips: {error}')
+
+    def _export(self, depsgraph):
+        """Meshes and images are written where the scene has changed, not for another view."""
+        film, view = self._wanted
+        if self._exported is not None:
+            self._exported.look(film, view)
+            return
+        path = os.path.join(self._state.new_folder('scene'), 'scene.lxs')
+        self._exported = export(path, depsgraph, film, view=view)
 
     def _look(self):
         try:
@@ -85,11 +101,12 @@ class Preview:
         if running is None:
             return
         if running.running():
-            engine.update_stats('', status.text(self._film, self._header,
+            known = status.newer(self._header, running.log.progress)
+            engine.update_stats('', status.text(self._wanted[0], known,
                                                 time.monotonic() - self._begun))
             engine.tag_redraw()
             return
-        said = process.failure(running.wait(), running.lines())
+        said = process.failure(running.wait(), running.log.lines())
         self._look()
         self._state.running = None
         engine.update_stats('', f'aips: {said}' if said else status.done(self._header))
@@ -97,18 +114,21 @@ class Preview:
 
 
 class _State:
-    """The render that goes on, and the folder of its files."""
+    """The render that goes on, and folders of files: the scene's, and its image's."""
 
     def __init__(self):
-        self._folder = tempfile.mkdtemp(prefix='aips-preview-')
+        self._root = tempfile.mkdtemp(prefix='aips-preview-')
+        self._folders, self._count = {}, 0
         self.running = None
 
-    def new_folder(self, count):
-        """A folder for one render; that of the one before goes."""
-        shutil.rmtree(os.path.join(self._folder, str(count - 1)), ignore_errors=True)
-        folder = os.path.join(self._folder, str(count))
-        os.makedirs(folder)
-        return folder
+    def new_folder(self, kind):
+        """An empty folder; the one of that kind before it goes."""
+        if kind in self._folders:
+            shutil.rmtree(self._folders[kind], ignore_errors=True)
+        self._count += 1
+        self._folders[kind] = os.path.join(self._root, f'{kind}-{self._count}')
+        os.makedirs(self._folders[kind])
+        return self._folders[kind]
 
     def stop(self):
         if self.running:
@@ -117,7 +137,7 @@ class _State:
 
     def end(self):
         self.stop()
-        shutil.rmtree(self._folder, ignore_errors=True)
+        shutil.rmtree(self._root, ignore_errors=True)
 
 
 def _texture(image):
@@ -127,24 +147,29 @@ def _texture(image):
     return gpu.types.GPUTexture((columns, rows), format='RGBA16F', data=buffer)
 
 
-def _view_key(context):
-    region = context.region_data
-    matrices = (region.view_matrix, region.window_matrix)
-    return (tuple(tuple(row) for matrix in matrices for row in matrix),
-            context.region.width, context.region.height)
-
-
-def _film(context):
+def film_of(context, scene_settings):
+    """The preview's film; `scene_settings` choose its integrator."""
     width, height = context.region.width, context.region.height
     scale = min(1.0, LONGEST_SIDE / max(width, height))
-    return Film(max(int(width * scale), 1), max(int(height * scale), 1), seconds=SECONDS)
+    return Film(max(int(width * scale), 1), max(int(height * scale), 1), seconds=SECONDS,
+                integrator=scene_settings.integrator,
+                options=settings.integrator_options(scene_settings))
 
 
-def _seen_by(context):
+def seen_by(context):
     """View and matrix of the viewport."""
-    region = context.region_data
-    matrix = region.window_matrix
-    kind = 'perspective' if region.is_perspective else 'orthographic'
-    space = context.space_data
-    return (View(kind, window_of(matrix, not region.is_perspective), near=space.clip_start,
-                 far=space.clip_end), region.view_matrix.inverted())
+    region, space = context.region_data, context.space_data
+    matrix, place = region.window_matrix, region.view_matrix.inverted()
+    window = window_of(matrix, not region.is_perspective)
+    if region.is_perspective:
+        return View('perspective', window, near=space.clip_start, far=space.clip_end), place
+    # Blender shows what is behind the eye too, by half of the viewport's clip_end.
+    near, far = depths_of(matrix)
+    back = max(-near, 0.0)
+    return (View('orthographic', window, near=near + back, far=far + back),
+            place @ Matrix.Translation((0, 0, back)))
+
+
+def depths_of(matrix):
+    """Nearest and farthest depth of an orthographic projection, below 0 behind the eye."""
+    return tuple((matrix[2][3] - sign) / matrix[2][2] for sign in (-1, 1))

@@ -28,8 +28,9 @@ class View:
         if window:
             found.append(parameter('float', 'screenwindow', window))
         if self.lens_radius > 0:
-            found += [factor('lensradius', self.lens_radius), factor('focaldistance', self.focus),
-                      parameter('integer', 'blades', self.blades)]
+            found += [factor('lensradius', self.lens_radius), factor('focaldistance', self.focus)]
+        if self.lens_radius > 0 and self.kind == 'perspective':
+            found.append(parameter('integer', 'blades', self.blades))
         return found
 
 
@@ -61,11 +62,14 @@ def _focus(view, camera_object, left_out):
     camera = camera_object.data
     if not camera.dof.use_dof or camera.dof.aperture_fstop <= 0:
         return
-    # Blender's focal length is in millimetres, scene units are metres; orthographic: of the scale.
-    length = camera.ortho_scale / 2 if camera.type == 'ORTHO' else camera.lens * 1e-3
+    # Blender's focal length is in millimetres, scene units are metres; Cycles takes 1 for one that
+    # orthographic cameras have not.
+    length = 1.0 if camera.type == 'ORTHO' else camera.lens * 1e-3
     view.lens_radius = length / (2 * camera.dof.aperture_fstop)
     view.blades = camera.dof.aperture_blades if camera.dof.aperture_blades >= 3 else 0
     view.focus = focus_distance(camera_object)
+    if view.blades and camera.type == 'ORTHO':
+        left_out.add('blades of orthographic cameras are left out', camera_object.name)
     if camera.dof.aperture_ratio != 1 or (view.blades and camera.dof.aperture_rotation):
         left_out.add("the aperture's ratio and rotation are left out", camera_object.name)
 
@@ -78,6 +82,18 @@ def focus_distance(camera_object):
     to = dof.focus_object.matrix_world.translation - matrix.translation
     axis = -matrix.to_3x3().col[2].normalized()
     return max(to.dot(axis), 1e-3)
+
+
+def write(text, view, matrices):
+    """The camera at its places: one matrix, or one at either end of the shutter's time."""
+    if len(matrices) > 1:
+        text.lines.append('MotionBegin [0 1]')
+    for matrix in matrices:
+        text.statement('LookAt', *map(float, look_at(matrix)))
+    if len(matrices) > 1:
+        text.lines.append('MotionEnd')
+    shutter = [parameter('float', 'shutteropen', 0.0), parameter('float', 'shutterclose', 1.0)]
+    text.statement('Camera', view.kind, parameters=view.parameters() + shutter)
 
 
 def look_at(matrix):

@@ -48,11 +48,14 @@ def light_color(wanted):
     return tuple(float(c) for c in written(wanted, LIGHTS, np.inf))
 
 
-def surface_color(wanted):
-    """Of a surface that reflects or transmits `wanted`, three numbers; a texture's name stays."""
+def surface_color(wanted, most=1):
+    """Of a surface that reflects or transmits `wanted`, three numbers; a texture's name stays.
+
+    Textures that shine are taken for surfaces, too, of any brightness.
+    """
     if isinstance(wanted, str) or wanted[0] == wanted[1] == wanted[2]:
         return wanted
-    return tuple(float(c) for c in written(wanted, SURFACES, 1))
+    return tuple(float(c) for c in written(wanted, SURFACES, most))
 
 
 def surface_image(values):

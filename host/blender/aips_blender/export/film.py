@@ -7,6 +7,7 @@ from .lxs_text import factor, parameter
 # went in; Rec. 709, and the white of a light of L 1 1 1 (docs/understand/colours.md).
 COLOR_SPACE = (('red', (0.64, 0.33)), ('green', (0.30, 0.60)), ('blue', (0.15, 0.06)),
                ('white', (0.3133, 0.3292)))
+RENDERERS = {'path': 'sampler'}  # by integrator, where its name is another
 CYCLES_FILTER = 1.5  # pixels: radius of Cycles' Blackman-Harris filter, which it calls a width
 
 
@@ -45,5 +46,5 @@ def write(text, film, name):
     text.statement('PixelFilter', 'blackmanharris',
                    parameters=[factor('xwidth', radius), factor('ywidth', radius)])
     text.statement('Sampler', 'lowdiscrepancy')
-    text.statement('Renderer', 'sampler' if film.integrator == 'path' else 'sppm')
+    text.statement('Renderer', RENDERERS.get(film.integrator, film.integrator))
     text.statement('SurfaceIntegrator', film.integrator, parameters=film.options)

@@ -25,11 +25,19 @@ class Source:
         return None
 
 
+def link_to(socket):
+    """The link that feeds a socket, or None; Cycles passes over the same ones."""
+    for link in socket.links:
+        if link.is_valid and not link.is_muted and link.from_socket.enabled \
+                and link.to_socket.enabled:
+            return link
+    return None
+
+
 def source(place):
     """What feeds a place, or None where nothing does."""
     socket, groups = place.socket, place.groups
-    while socket.is_linked and socket.links:
-        link = socket.links[0]
+    while link := link_to(socket):
         node, output = link.from_node, link.from_socket
         if node.type == 'REROUTE':
             socket = node.inputs[0]
@@ -53,8 +61,8 @@ def source(place):
 def constant(place):
     """The value that a place has where nothing feeds it: of the outermost group's socket."""
     socket, groups = place.socket, place.groups
-    while socket.is_linked and socket.links:
-        node, output = socket.links[0].from_node, socket.links[0].from_socket
+    while link := link_to(socket):
+        node, output = link.from_node, link.from_socket
         if node.type == 'REROUTE':
             socket = node.inputs[0]
         elif node.type == 'GROUP_INPUT' and groups:

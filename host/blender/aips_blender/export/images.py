@@ -1,5 +1,6 @@
-"""Gives each Blender image a file that lxsrender reads, with the exponent of its values."""
+"""Gives each Blender image a file of linear values that lxsrender reads, beside the scene."""
 import os
+import shutil
 
 import numpy as np
 
@@ -10,7 +11,7 @@ READ_AS_THEY_ARE = ('.exr', '.hdr')  # linear floats
 
 
 class Images:
-    """Files of images; those not linear are written as linear EXR beside the scene, once each."""
+    """Files of images, once each: linear ones are copied, others written as linear EXR."""
 
     def __init__(self, folder, left_out):
         self._folder = folder
@@ -19,9 +20,10 @@ class Images:
 
     def file(self, image):
         """Path of a file of linear values, or None where the image cannot be had."""
-        if image.name not in self._files:
-            self._files[image.name] = self._find(image)
-        return self._files[image.name]
+        key = image.name_full  # libraries may have images of one name
+        if key not in self._files:
+            self._files[key] = self._find(image)
+        return self._files[key]
 
     def _find(self, image):
         if image.source not in ('FILE', 'GENERATED'):
@@ -31,14 +33,15 @@ class Images:
         path = image.filepath_from_user() if image.source == 'FILE' else ''
         # Linear ones are heights, normals and the like, or light, and stay as they are.
         linear = image.colorspace_settings.name in ('Linear', 'Raw', 'Non-Color')
+        stem = os.path.join(self._folder, f'{safe_name(image.name)}-{len(self._files)}')
         if linear and path.lower().endswith(READ_AS_THEY_ARE) and os.path.isfile(path) \
                 and not image.is_dirty:
-            return path
+            return shutil.copyfile(path, stem + os.path.splitext(path)[1])
         rgba = pixels(image)
         if rgba is None:
             self._left_out.add('images without data are left out', image.name)
             return None
-        target = os.path.join(self._folder, f'{safe_name(image.name)}-{len(self._files)}.exr')
+        target = stem + '.exr'
         rgb = np.nan_to_num(rgba[:, :, :3])
         exr.write(target, rgb if linear else surface_image(rgb))
         return target

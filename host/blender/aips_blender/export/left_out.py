@@ -6,9 +6,11 @@ MOST_NAMES = 5
 class LeftOut:
     def __init__(self):
         self._names = {}
+        self.reading = ''  # the material, light or world whose nodes are being read
 
-    def add(self, what, name):
+    def add(self, what, name=None):
         """`what` says what is missing and what stands in its place."""
+        name = self.reading if name is None else name
         names = self._names.setdefault(what, [])
         if name not in names:
             names.append(name)

@@ -11,7 +11,7 @@ import os
 import numpy as np
 
 from .. import exr
-from . import graph
+from . import graph, transforms
 from .colours import light_color
 from .lxs_text import color, factor, parameter
 
@@ -38,6 +38,7 @@ class Lights:
 
     def _node_factor(self, light):
         """What the nodes of a light multiply its colour by."""
+        self._left_out.reading = light.name
         output = graph.output_node(light.node_tree, 'OUTPUT_LIGHT') if light.use_nodes else None
         if output is None:
             return (1.0, 1.0, 1.0)
@@ -76,12 +77,16 @@ class Lights:
         """A map of intensity by direction, as light "spot" has another falloff than Cycles."""
         if light.shadow_soft_size > 0:
             self._left_out.add('radii of spot lights are left out, shadows are hard', name)
+        frame = transforms.around_axis(matrix)
+        if frame is None:
+            return
         profile = spot_profile(math.cos(light.spot_size / 2), light.spot_blend, SPOT_ROWS)
         stem = self._text.free_name('spot').replace(' ', '-')
         path = os.path.join(self._folder, stem + '.exr')
         exr.write(path, np.repeat(profile[:, None, None], 3, axis=2).repeat(2, axis=1))
         # "goniometric" sends 4 pi L however narrow the map; the map's top is +z, a spot's axis -z.
-        self._text.matrix('ConcatTransform', _unscaled(matrix, flipped=True))
+        self._text.matrix('ConcatTransform', frame)
+        self._text.statement('Rotate', 180.0, 1.0, 0.0, 0.0)
         self._text.statement('LightSource', 'goniometric', parameters=[
             color('L', rgb), factor('gain', light.energy / (4 * math.pi) * sphere_mean(profile)),
             self._text.file(path, 'mapname')])
@@ -92,6 +97,8 @@ class Lights:
         parallel = theta < LEAST_SUN_ANGLE
         cone = 2 * math.pi * (PARALLEL if parallel else 1 - math.cos(theta))
         towards = tuple(-matrix[row][2] for row in range(3))
+        if not any(towards):
+            return
         self._text.statement('LightSource', 'distant', parameters=[
             color('L', rgb), factor('gain', light.energy * cone),
             factor('theta', 0.0 if parallel else math.degrees(theta)),
@@ -107,9 +114,9 @@ class Lights:
         flat = light.shape in ('DISK', 'ELLIPSE')
         edges = [math.sqrt(sum(matrix[row][axis] ** 2 for row in range(3))) for axis in (0, 1)]
         area = light.size * height * edges[0] * edges[1] * (math.pi / 4 if flat else 1)
-        if area <= 0:
+        if area <= 0 or not transforms.is_seen(matrix):
             return
-        self._text.matrix('ConcatTransform', matrix)
+        self._text.matrix('ConcatTransform', transforms.placeable((matrix,), (1.0, 1.0, 0.0))[0])
         # Lights shine along -z, shapes along +z.
         self._text.statement('Rotate', 180.0, 1.0, 0.0, 0.0)
         self._text.statement('Scale', light.size / 2, height / 2, 1.0)
@@ -144,17 +151,3 @@ def sphere_mean(profile):
     """Mean over the sphere of values by polar angle, at the middles of rows."""
     angles = np.pi * (np.arange(len(profile)) + 0.5) / len(profile)
     return float((profile * np.sin(angles)).sum() / np.sin(angles).sum())
-
-
-def _unscaled(matrix, flipped):
-    """Rotation and place of a matrix; flipped: turned by half about x."""
-    sign = (1, -1, -1) if flipped else (1, 1, 1)
-    rows = [[0.0] * 4 for _ in range(4)]
-    for axis in range(3):
-        length = math.sqrt(sum(matrix[row][axis] ** 2 for row in range(3))) or 1.0
-        for row in range(3):
-            rows[row][axis] = sign[axis] * matrix[row][axis] / length
-    for row in range(3):
-        rows[row][3] = matrix[row][3]
-    rows[3][3] = 1.0
-    return rows

@@ -73,5 +73,7 @@ class LxsText:
         self._taken.add((kind, name))
         return name
 
-    def text(self):
-        return '\n'.join(self.lines) + '\n'
+    def taken(self):
+        """The lines so far, to be put elsewhere."""
+        lines, self.lines[:] = list(self.lines), []
+        return lines

@@ -10,7 +10,10 @@ DEFAULT_GREY = (0.8, 0.8, 0.8)  # Cycles' surface without a material
 
 
 class Materials:
-    def __init__(self, text, textures, left_out):
+    """`override`: a material that stands for all of them, or None."""
+
+    def __init__(self, text, textures, left_out, override=None):
+        self._override = override
         self._shaders = Shaders(text, textures, left_out)
         self._textures = textures
         self._media = MediumNodes(textures, left_out)
@@ -28,9 +31,12 @@ class Materials:
 
     def shader(self, material):
         """The Shader of a material, which may be None."""
+        material = self._override or material
         key = material.name_full if material else None
         if key not in self._known:
-            self._known[key] = self._made(material)
+            self._left_out.reading = material.name if material else ''
+            made = self._made(material)
+            self._known[key] = dataclasses.replace(made, layers=self._textures.read.taken())
         return self._known[key]
 
     def _made(self, material):
@@ -41,14 +47,14 @@ class Materials:
         output = graph.output_node(material.node_tree, 'OUTPUT_MATERIAL')
         if output is None:
             return Shader(self._shaders.black(material.name))
-        if output.inputs['Displacement'].is_linked:
+        if graph.source(graph.Place(output.inputs['Displacement'])):
             self._left_out.add('displacement of materials is left out', material.name)
         surface, volume = (graph.Place(output.inputs[what]) for what in ('Surface', 'Volume'))
         if graph.source(volume) is None:
             return self._of(surface, material.name)
         # Without a surface a volume has a border that is not seen.
         shader = self._of(surface, material.name) if graph.source(surface) else \
-            Shader(self._shaders.null(material.name))
+            Shader(self._shaders.null(material.name), opaque=False)
         return dataclasses.replace(shader, medium=self._media.of(volume, material.name))
 
     def _matte(self, name, rgb):
@@ -76,9 +82,9 @@ class Materials:
         if share == 1.0:
             return self._of(second, name)
         a, b = self._of(first, f'{name}: 1'), self._of(second, f'{name}: 2')
-        emission = self._sum(self._part(a, share, True, name), self._part(b, share, False, name),
-                             name)
-        return Shader(mix(self._shaders, name, a.name, b.name, share), emission)
+        emission = self._sum(self._part(a, share, True), self._part(b, share, False), name)
+        return Shader(mix(self._shaders, name, a.name, b.name, share), emission,
+                      opaque=a.opaque and b.opaque)
 
     def _share(self, found, name):
         place = found.input('Fac')
@@ -101,14 +107,11 @@ class Materials:
             return 0.0
         return ((index - 1) / (index + 1)) ** 2
 
-    def _part(self, shader, share, first, name):
+    def _part(self, shader, share, first):
         """Emission of one side of a mix, times its share."""
         if shader.emission is None:
             return None
-        if isinstance(share, str):
-            self._left_out.add('emission mixed by a texture shines with half its strength', name)
-            share = 0.5
-        return self._textures.product(shader.emission, 1 - share if first else share)
+        return self._textures.share(shader.emission, share, first)
 
     def _sum(self, a, b, name):
         if a is None or b is None:
@@ -129,4 +132,4 @@ class Materials:
             self._left_out.add('sums of two surfaces show the first', name)
             return self._of(first, name)
         base, light = self._of(first, name), self._of(second, f'{name}: light')
-        return Shader(base.name, self._sum(base.emission, light.emission, name))
+        return dataclasses.replace(base, emission=self._sum(base.emission, light.emission, name))

@@ -51,6 +51,7 @@ class MediumNodes:
 
     def of(self, place, name):
         """The Medium of what feeds a socket Volume; `name` is that of the material or world."""
+        self._left_out.reading = name
         found = graph.source(place)
         if found is None:
             return CLEAR

@@ -4,86 +4,76 @@ import os
 import numpy as np
 
 from . import ply
+from .corners import Corners, array
 from .media import CLEAR
 
 BACK = 1e-4  # of the mesh's extent: how far the back of what shines lies behind its front
 
 
 class MeshParts:
-    """Files of a mesh by material slot; of open parts that shine, also those of their backs."""
+    """Files of a mesh by material slot; of parts that shine also those of their backs."""
 
     def __init__(self, bounds, closed):
         self.files = {}
         self.backs = {}
         self.bounds = bounds    # least and greatest coordinates
         self.closed = closed
+        self.shines_outwards = False  # alone: no back can be seen, but from within
         self.triangles = None   # their corners, where something fills the mesh
-
-
-def _array(collection, attribute, kind, width):
-    values = np.empty(len(collection) * width, kind)
-    collection.foreach_get(attribute, values)
-    return values.reshape(-1, width)
-
-
-def _corners(mesh):
-    """Position, normal and, where there are any, uv and colour of each triangle's corners."""
-    mesh.calc_loop_triangles()
-    mesh.calc_normals_split()
-    triangles = mesh.loop_triangles
-    positions = _array(mesh.vertices, 'co', np.float32, 3)
-    loops = _array(triangles, 'loops', np.int32, 3).ravel()
-    vertices = _array(triangles, 'vertices', np.int32, 3).ravel()
-    normals = _array(triangles, 'split_normals', np.float32, 9).reshape(-1, 3)
-    columns = [positions[vertices], normals]
-    uv = mesh.uv_layers.active
-    if uv:
-        columns.append(_array(uv.data, 'uv', np.float32, 2)[loops])
-    colors = _corner_colors(mesh, loops, vertices)
-    if colors is not None:
-        columns.append(colors)
-    return np.hstack(columns), uv is not None, colors is not None
-
-
-def _corner_colors(mesh, loops, vertices):
-    attribute = mesh.color_attributes.active_color
-    if attribute is None or attribute.domain not in ('POINT', 'CORNER'):
-        return None
-    colors = _array(attribute.data, 'color', np.float32, 4)[:, :3]
-    return colors[loops if attribute.domain == 'CORNER' else vertices]
 
 
 def is_closed(mesh):
     """Whether each edge has two faces."""
-    edges = _array(mesh.loops, 'edge_index', np.int32, 1).ravel()
+    edges = array(mesh.loops, 'edge_index', np.int32, 1).ravel()
     counts = np.bincount(edges, minlength=len(mesh.edges))
     return len(counts) > 0 and bool((counts == 2).all())
 
 
-def write_parts(mesh, folder, stem, shader):
+def _turns_one_way(mesh):
+    """Whether the normals of neighbouring faces, two an edge, lie on one side."""
+    edges = array(mesh.loops, 'edge_index', np.int32, 1).ravel()
+    begins = array(mesh.loops, 'vertex_index', np.int32, 1).ravel()
+    forwards = begins == array(mesh.edges, 'vertices', np.int32, 2)[edges, 0]
+    return bool((np.bincount(edges, forwards, len(mesh.edges)) == 1).all())
+
+
+def _shines_outwards(mesh, shaders, positions):
+    """Whether a closed mesh does so alone: all of it shines, and nothing is seen through it."""
+    if not all(made.emission is not None and made.opaque for made in shaders):
+        return False
+    return _turns_one_way(mesh) and _signed_volume(positions) > 0
+
+
+def _signed_volume(positions):
+    """Volume of a closed mesh by its triangles' corners, below 0 where normals turn inwards."""
+    a, b, c = np.moveaxis(positions.reshape(-1, 3, 3).astype(float) - positions[0], 1, 0)
+    return float((a * np.cross(b, c)).sum() / 6)
+
+
+def write_parts(mesh, folder, stem, shader, tell):
     """Writes the mesh's parts as `folder/stem-SLOT.ply`; None where it has no triangle.
 
-    `shader(slot)` is the Shader of a part. Cycles' meshes shine on both sides, LuxRender's on that
-    of their normals: open parts get a back.
+    `shader(slot)` is the Shader of a part; `tell(what)` says what of the mesh is left out.
+    Cycles' meshes shine on both sides, LuxRender's on that of their normals: what shines gets a
+    back.
     """
-    if not mesh.polygons:
+    corners = Corners(mesh) if mesh.polygons else None
+    if corners is None or not len(corners.slots):
         return None
-    corners, has_uv, has_color = _corners(mesh)
-    slots = _array(mesh.loop_triangles, 'material_index', np.int32, 1).ravel()
-    if not len(slots):
-        return None
-    positions = corners[:, :3]
+    positions = corners.positions
     parts = MeshParts((positions.min(axis=0), positions.max(axis=0)), is_closed(mesh))
-    for slot in map(int, np.unique(slots)):
-        chosen = corners.reshape(len(slots), 3, -1)[slots == slot].reshape(-1, corners.shape[1])
-        rows, triangles = ply.welded(chosen)
+    used = {slot: shader(slot) for slot in map(int, np.unique(corners.slots))}
+    for slot, made in used.items():
+        chosen, has_uv, has_color = corners.rows(slot, made.layers, tell)
+        rows, faces = ply.welded(chosen)
         parts.files[slot] = os.path.join(folder, f'{stem}-{slot}.ply')
-        _write(parts.files[slot], rows, triangles, has_uv, has_color)
-        if shader(slot).medium != CLEAR:
+        _write(parts.files[slot], rows, faces, has_uv, has_color)
+        if made.medium != CLEAR:
             parts.triangles = positions.reshape(-1, 3, 3).astype(float)
-        if not parts.closed and shader(slot).emission is not None:
+        if made.emission is not None:
             parts.backs[slot] = os.path.join(folder, f'{stem}-{slot}-back.ply')
-            _write(parts.backs[slot], _turned(rows), triangles[:, ::-1], has_uv, has_color)
+            _write(parts.backs[slot], _turned(rows), faces[:, ::-1], has_uv, has_color)
+    parts.shines_outwards = parts.closed and _shines_outwards(mesh, used.values(), positions)
     return parts
 
 

@@ -18,7 +18,9 @@ def principled(shaders, found, name):
     else:
         opaque = _mixed(shaders, found, f'{name}: opaque')
         material = mix(shaders, name, shaders.null(f'{name}: null'), opaque, alpha)
-    return Shader(material, _emission(shaders, found))
+    through = textures.number(found.input('Transmission')) != 0.0 and \
+        textures.number(found.input('Metallic')) != 1.0
+    return Shader(material, _emission(shaders, found, alpha), opaque=alpha == 1.0 and not through)
 
 
 def _mixed(shaders, found, name):
@@ -68,8 +70,11 @@ def _coated(shaders, found, name, base, width, bump):
                                           *shaders.roughness(width), *bump])
 
 
-def _emission(shaders, found):
+def _emission(shaders, found, alpha):
+    """What is partly there shines as much less."""
     textures = shaders.textures
     strength = textures.constant_number(found.input('Emission Strength'), 'strengths of emission')
     light = textures.product(textures.color(found.input('Emission')), strength)
-    return None if light == BLACK else light
+    if BLACK in (light, (alpha,) * 3):
+        return None
+    return textures.product(light, alpha)

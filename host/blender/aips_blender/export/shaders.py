@@ -7,6 +7,7 @@ import dataclasses
 
 from . import graph
 from .colours import surface_color
+from .layers import Layers
 from .lxs_text import color as color_as_written, factor, parameter
 from .media import CLEAR, Medium
 
@@ -21,11 +22,12 @@ def color(name, value):
 
 @dataclasses.dataclass
 class Shader:
-    """A named material of the scene language, the radiance that it emits, or None, and what fills
-    meshes that have it all over."""
+    """A named material of the scene language, with what else Blender's material says."""
     name: str
-    emission: object = None
-    medium: Medium = CLEAR
+    emission: object = None   # radiance, if there is any
+    medium: Medium = CLEAR    # fills meshes that have it all over
+    opaque: bool = True       # no light comes through
+    layers: Layers = Layers()
 
 
 class Shaders:
@@ -60,14 +62,15 @@ class Shaders:
             return self._normal_map(before)
         if before.node.type == 'BUMP':
             return self._bump_map(before)
-        self.left_out.add(f'normals by node {before.node.bl_label} are left out',
-                          before.node.id_data.name)
+        self.left_out.add(f'normals by node {before.node.bl_label} are left out')
         return []
 
     def _bump_map(self, before):
         height = self.textures.number(before.input('Height'))
         if not isinstance(height, str):
-            return []
+            return self.bump(before)  # the normals that it hands on
+        if graph.source(before.input('Normal')):
+            self.left_out.add('normals that a node Bump is given are left out')
         scale = self.textures.constant_number(before.input('Strength'), 'strengths of bumps') * \
             self.textures.constant_number(before.input('Distance'), 'distances of bumps')
         name = self.text.free_name('bump')
@@ -81,11 +84,11 @@ class Shaders:
         if found and found.node.type == 'TEX_IMAGE' and found.node.image:
             path = self.textures.image_file(found.node.image)
         if before.node.space != 'TANGENT' or path is None:
-            self.left_out.add('normal maps not of an image in tangent space are left out',
-                              before.node.id_data.name)
+            self.left_out.add('normal maps not of an image in tangent space are left out')
             return []
         if self.textures.number(before.input('Strength')) != 1.0:
-            self.left_out.add('strengths of normal maps are taken for 1', before.node.id_data.name)
+            self.left_out.add('strengths of normal maps are taken for 1')
+        self.textures.read.uv.add(before.node.uv_map)  # along which its tangents lie
         name = self.text.free_name('normal map')
         self.text.statement('Texture', name, 'float', 'normalmap', parameters=[
             self.text.file(path), *self.textures.mapping(found)])
@@ -103,6 +106,9 @@ class Shaders:
 
     def glossy(self, found, name):
         tint = self.textures.color(found.input('Color'))
+        along = found.input('Anisotropy')  # of Anisotropic BSDF
+        if along and self.textures.number(along) != 0:
+            self.left_out.add('anisotropy of glossy surfaces is left out', name)
         width = 0.0 if found.node.distribution == 'SHARP' else self.width(found)
         return Shader(self.metal(name, tint, width, self.bump(found)))
 
@@ -125,7 +131,7 @@ class Shaders:
         reflected = BLACK if found.node.type == 'BSDF_REFRACTION' else tint
         width = 0.0 if found.node.distribution == 'SHARP' else self.width(found)
         return Shader(self.dielectric(name, reflected, tint, self._index(found), width,
-                                      self.bump(found)))
+                                      self.bump(found)), opaque=False)
 
     def _index(self, found):
         return self.textures.constant_number(found.input('IOR'), 'index of refraction')
@@ -139,11 +145,11 @@ class Shaders:
     def transparent(self, found, name):
         tint = self.textures.color(found.input('Color'))
         if tint == WHITE:
-            return Shader(self.null(name))
+            return Shader(self.null(name), opaque=False)
         # Of index 1 nothing is reflected, and light goes straight on.
         return Shader(self.named(name, 'glass', [
             color('Kr', BLACK), color('Kt', tint), factor('index', 1.0),
-            parameter('bool', 'architectural', True)]))
+            parameter('bool', 'architectural', True)]), opaque=False)
 
     def null(self, name):
         return self.named(name, 'null')
@@ -151,7 +157,7 @@ class Shaders:
     def translucent(self, found, name):
         return Shader(self.named(name, 'mattetranslucent', [
             color('Kr', BLACK), color('Kt', self.textures.color(found.input('Color'))),
-            *self.bump(found)]))
+            *self.bump(found)]), opaque=False)
 
     def velvet(self, found, name):
         self.left_out.add("velvet is approximated by LuxRender's", name)

@@ -1,9 +1,12 @@
 """Writes meshes with their materials: once each, in place, or as instances of an object."""
 import dataclasses
 
+import numpy as np
+
 from .colours import light_color
 from .lxs_text import color, factor, parameter
 from .media import both
+from .spaces import LEAST_OVERLAP, box_of, corners_of, transformed
 
 
 @dataclasses.dataclass
@@ -13,6 +16,7 @@ class Placed:
     mesh: object         # key of the mesh and its materials
     matrices: tuple
     light_group: str = ''
+    flat: bool = False   # whether it is flattened, and has no inside
 
 
 @dataclasses.dataclass
@@ -41,11 +45,15 @@ class Shapes:
         for each in placed:
             counts[each.mesh] = counts.get(each.mesh, 0) + len(each.matrices)
         named = {}
-        for each in placed:
+        boxes = None
+        for i, each in enumerate(placed):
             mesh = meshes[each.mesh]
             around = self._spaces.around(each, mesh.parts.bounds)
             if mesh.emits() or counts[each.mesh] == 1:
-                self._in_place(mesh, each, around)
+                if mesh.parts.shines_outwards and boxes is None:
+                    boxes = np.array([_box(meshes[other.mesh], other) for other in placed])
+                both_sides = not mesh.parts.shines_outwards or _holds_another(boxes, i)
+                self._in_place(mesh, each, around, both_sides)
                 continue
             key = (each.mesh, around)
             if key not in named:
@@ -66,7 +74,7 @@ class Shapes:
             self._left_out.add('masks tell objects of one name apart by a number', named[own])
         return named[own]
 
-    def _in_place(self, mesh, placed, around):
+    def _in_place(self, mesh, placed, around, both_sides):
         if len(placed.matrices) > 1:
             self._left_out.add('motion of what shines is left out', placed.name)
         self._text.statement('AttributeBegin')
@@ -77,14 +85,21 @@ class Shapes:
             shader = mesh.shaders[slot]
             self._text.statement('AttributeBegin')
             self._text.statement('NamedMaterial', shader.name)
-            self._media.sides(both(shader.medium, around), around)
+            within = both(shader.medium, around)
+            self._media.sides(within, around)
             if shader.emission is not None:
                 self._emission(shader.emission)
             self._plymesh(path, placed.name)
-            if slot in mesh.parts.backs:
-                self._plymesh(mesh.parts.backs[slot], placed.name)
+            if shader.emission is not None and both_sides:
+                self._back(mesh.parts.backs[slot], placed.name, within)
             self._text.statement('AttributeEnd')
         self._text.statement('AttributeEnd')
+
+    def _back(self, path, name, within):
+        """What shines on the other side, and is else not there."""
+        self._text.statement('Material', 'null')
+        self._media.sides(within, within)
+        self._plymesh(path, name)
 
     def _emission(self, light):
         if isinstance(light, tuple):
@@ -119,3 +134,15 @@ class Shapes:
             self._text.lines.append('MotionEnd')
         self._text.statement('ObjectInstance', name)
         self._text.statement('AttributeEnd')
+
+
+def _box(mesh, placed):
+    return box_of(transformed(corners_of(mesh.parts.bounds), placed.matrices[0]))
+
+
+def _holds_another(boxes, i):
+    """Whether the box of what is placed as number i holds another's."""
+    least, most = boxes[:, 0], boxes[:, 1]
+    slack = LEAST_OVERLAP * (most[i] - least[i]).max()
+    held = (least >= least[i] - slack).all(axis=1) & (most <= most[i] + slack).all(axis=1)
+    return held.sum() > 1

@@ -12,11 +12,6 @@ LEAST_OVERLAP = 1e-5  # of the extent, below which boxes only touch
 SHRUNK = 1e-3         # share by which boxes are made smaller before they are looked for
 
 
-def is_solid(matrix):
-    """Whether something placed so has an inside: it has none if it is flattened."""
-    return abs(np.linalg.det(np.array(matrix, float))) > 0
-
-
 class Space:
     """The inside of a closed mesh at its place."""
 
@@ -68,7 +63,7 @@ class Spaces:
         """The medium around something placed; `bounds` are least and greatest of its mesh."""
         if not self._spaces:
             return self.world
-        corners = transformed(_corners(bounds), np.array(placed.matrices[0], float))
+        corners = transformed(corners_of(bounds), np.array(placed.matrices[0], float))
         box, holding = box_of(corners), []
         for space in self._spaces:
             if space.placed is placed:
@@ -96,7 +91,7 @@ def box_of(points):
     return points.min(axis=0), points.max(axis=0)
 
 
-def _corners(bounds):
+def corners_of(bounds):
     """Corners of a box, a little within it: what stands on a volume's floor lies in it."""
     corners = np.array([[bounds[i][0], bounds[j][1], bounds[k][2]]
                         for i in (0, 1) for j in (0, 1) for k in (0, 1)], float)

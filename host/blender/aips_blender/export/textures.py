@@ -3,8 +3,13 @@
 A value is a tuple of three numbers or a number where it is constant, and a texture's name where
 it is not. Nodes without a counterpart give their mean guess, and are told as left out.
 """
+import math
+
 from . import graph
+from .blackbody import blackbody
 from .colours import surface_color
+from .coordinates import Coordinates, uv_parameters
+from .layers import Read
 from .lxs_text import color as color_as_written, factor, parameter
 
 GREY = (0.5, 0.5, 0.5)
@@ -26,6 +31,8 @@ class Textures:
         self._text = text
         self._images = images
         self._left_out = left_out
+        self.read = Read()
+        self.coordinates = Coordinates(self.read, left_out)
         self._known = {}
 
     def image_file(self, image):
@@ -52,7 +59,7 @@ class Textures:
         """A number where the scene language takes no texture; `what` is told where there is one."""
         value = self.number(place)
         if isinstance(value, str):
-            self._left_out.add(f'textures of {what} are left out', place.socket.node.name)
+            self._left_out.add(f'textures of {what} are left out')
             return float(place.socket.default_value)
         return value
 
@@ -72,8 +79,7 @@ class Textures:
         }.get(found.node.type)
         value = make(found, kind) if make else None
         if value is None:
-            self._left_out.add(f'nodes {found.node.bl_label} are replaced by grey',
-                               found.node.id_data.name)
+            self._left_out.add(f'nodes {found.node.bl_label} are replaced by grey')
             value = GREY
         if kind == 'float' and isinstance(value, tuple):
             return luminance(value)
@@ -92,16 +98,25 @@ class Textures:
     def _number(self, found, _kind):
         return float(found.output.default_value)
 
-    def _blackbody(self, found, kind):
-        kelvin = self.constant_number(found.input('Temperature'), 'temperatures')
-        if kind == 'float':
-            return 1.0
-        return self._texture('blackbody', 'color', 'blackbody',
-                             [parameter('float', 'temperature', kelvin)])
+    def _blackbody(self, found, _kind):
+        return blackbody(self.constant_number(found.input('Temperature'), 'temperatures'))
 
-    def _vertex_color(self, _found, kind):
+    def _vertex_color(self, found, kind):
+        node = found.node
+        if node.type == 'ATTRIBUTE' and node.attribute_type != 'GEOMETRY':
+            return None
+        name = node.attribute_name if node.type == 'ATTRIBUTE' else node.layer_name
+        if node.type == 'ATTRIBUTE' and not name:
+            return (0.0, 0.0, 0.0)
+        if found.output.name == 'Alpha':
+            return self._alpha()
+        self.read.colors.add(name)
         return self._texture('vertex color', kind,
                              'hitpointcolor' if kind == 'color' else 'hitpointgrey', [])
+
+    def _alpha(self):
+        self._left_out.add('alpha of images and colours is taken for 1')
+        return 1.0
 
     def _image(self, found, kind):
         node = found.node
@@ -110,13 +125,9 @@ class Textures:
             return None
         if node.projection != 'FLAT':
             self._left_out.add('projections of images are left out, uv is used', node.image.name)
-        channel = []
-        if kind == 'float':
-            alpha = found.output.name == 'Alpha'
-            if alpha:
-                self._left_out.add('alpha of images is taken for 1', node.image.name)
-                return 1.0
-            channel = [parameter('string', 'channel', 'mean')]
+        if found.output.name == 'Alpha':
+            return self._alpha()
+        channel = [parameter('string', 'channel', 'mean')] if kind == 'float' else []
         return self._texture(node.image.name, kind, 'imagemap', [
             self._text.file(path), parameter('float', 'gamma', 1.0),
             parameter('string', 'wrap', WRAP.get(node.extension, 'repeat')),
@@ -126,45 +137,17 @@ class Textures:
 
     def mapping(self, found):
         """Parameters of an image's uv mapping, that of a node Mapping before `found`."""
-        scale, shift = self._uv(found)
+        scale, shift = self.coordinates.uv(found)
         # Images of the scene language begin at the top, uv of Blender at the bottom.
-        return _uv_parameters((scale[0], -scale[1]), (shift[0], 1 - shift[1]))
-
-    def _uv(self, found):
-        """Scale and shift of the uv that a texture node is looked up by."""
-        scale, shift = (1.0, 1.0), (0.0, 0.0)
-        place = found.input('Vector')
-        before = graph.source(place) if place else None
-        if before and before.node.type == 'MAPPING':
-            scale, shift = self._mapped(before)
-            before = graph.source(before.input('Vector'))
-        by_uv = before and (before.node.type == 'UVMAP' or (before.node.type == 'TEX_COORD' and
-                                                            before.output.name == 'UV'))
-        # Images are looked up by uv where nothing is said, other textures by generated coordinates.
-        if not by_uv and (before or found.node.type != 'TEX_IMAGE'):
-            self._left_out.add('texture coordinates other than uv are replaced by uv',
-                               found.node.name)
-        return scale, shift
-
-    def _mapped(self, before):
-        """Scale and shift of a node Mapping."""
-        scale, turn = (graph.constant(before.input(n)) for n in ('Scale', 'Rotation'))
-        if any(turn):
-            self._left_out.add('rotations of node Mapping are left out', before.node.name)
-        place = before.input('Location')
-        shift = graph.constant(place) if place else (0.0, 0.0, 0.0)
-        if before.node.vector_type == 'TEXTURE':
-            shift = tuple(-m / s if s else 0.0 for m, s in zip(shift, scale))
-            scale = tuple(1 / s if s else 1.0 for s in scale)
-        return scale, shift
+        return uv_parameters((scale[0], -scale[1]), (shift[0], 1 - shift[1]))
 
     def _checker(self, found, kind):
         first, second = self.color(found.input('Color1')), self.color(found.input('Color2'))
         scale = self.constant_number(found.input('Scale'), 'scales')
-        (x, y, *_), shift = self._uv(found)
+        (x, y, *_), shift = self.coordinates.uv(found)
         # Blender begins with the second colour.
         pattern = self._texture('checker', 'float', 'checkerboard', [
-            *_uv_parameters((x * scale, y * scale), (shift[0] * scale, shift[1] * scale)),
+            *uv_parameters((x * scale, y * scale), (shift[0] * scale, shift[1] * scale)),
             parameter('float', 'tex1', 0.0), parameter('float', 'tex2', 1.0)])
         if kind == 'float':
             return pattern
@@ -196,20 +179,28 @@ class Textures:
         return self._texture('mixed colors', 'color', 'mix',
                              [color('tex1', a), color('tex2', b), factor('amount', amount)])
 
-    def product(self, value, gain):
-        """A colour value times a number or a value of numbers."""
-        if isinstance(value, tuple) and isinstance(gain, (int, float)):
-            return tuple(c * gain for c in value)
+    def product(self, light, gain):
+        """A colour value of light times a number or a value of numbers."""
+        if isinstance(gain, str):
+            return self._faded(light, gain, 'tex2', 'tex1')
+        if isinstance(light, tuple):
+            return tuple(c * gain for c in light)
         if gain == 1:
-            return value
-        if isinstance(gain, (int, float)):
-            gain = (gain,) * 3
-        return self._texture('gain', 'color', 'scale', [color('tex1', value), color('tex2', gain)])
+            return light
+        return self._texture('gain', 'color', 'scale', [
+            color('tex1', light), color('tex2', (gain,) * 3)])
 
+    def share(self, light, share, first):
+        """What the first or the second side of a mix contributes to its light."""
+        if isinstance(share, str) and first:
+            return self._faded(light, share, 'tex1', 'tex2')
+        return self.product(light, 1 - share if first else share)
 
-def _uv_parameters(scale, shift):
-    return [parameter('float', 'uscale', scale[0]), parameter('float', 'vscale', scale[1]),
-            parameter('float', 'udelta', shift[0]), parameter('float', 'vdelta', shift[1])]
+    def _faded(self, light, amount, where, other):
+        """A mix of light and darkness by a texture."""
+        return self._texture('faded', 'color', 'mix', [
+            color_as_written(where, surface_color(light, math.inf)),
+            color_as_written(other, (0.0, 0.0, 0.0)), factor('amount', amount)])
 
 
 def _blended_constants(blend, a, b, amount):

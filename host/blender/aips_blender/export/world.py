@@ -41,6 +41,7 @@ class World:
         """The light of the world, which comes through its medium."""
         if world is None:
             return
+        self._left_out.reading = world.name
         found = None
         if world.use_nodes:
             output = graph.output_node(world.node_tree, 'OUTPUT_WORLD')
@@ -73,7 +74,7 @@ class World:
         if by and by.node.type == 'TEX_ENVIRONMENT':
             return self._image(world, by, strength)
         if by and by.node.type == 'TEX_SKY':
-            return self._sky(world, by.node, strength)
+            return self._sky(world, by, strength)
         rgb = self._textures.color(found.input('Color'))
         if isinstance(rgb, str):
             self._left_out.add('textures of the world other than image and sky are left out',
@@ -105,13 +106,24 @@ class World:
         """Rotation about z by a node Mapping, radians."""
         before = graph.source(found.input('Vector'))
         if before is None or before.node.type != 'MAPPING':
+            self._tell_directions(before, world)
             return 0.0
-        x, y, turn = graph.constant(before.input('Rotation'))
-        if x or y or tuple(graph.constant(before.input('Scale'))) != (1.0, 1.0, 1.0):
+        self._tell_directions(graph.source(before.input('Vector')), world)
+        (x, y, turn), scale, shift = (self._textures.coordinates.vector(before, what)
+                                      for what in ('Rotation', 'Scale', 'Location'))
+        if x or y or any(shift) or tuple(scale) != (1.0, 1.0, 1.0):
             self._left_out.add("the world's mapping is left out but for turns about z", world.name)
         return -turn if before.node.vector_type == 'TEXTURE' else turn
 
-    def _sky(self, world, node, strength):
+    def _tell_directions(self, before, world):
+        """Of what feeds the coordinates of the world, which should be directions as they are."""
+        if before and not (before.node.type == 'TEX_COORD' and before.output.name == 'Generated'):
+            self._left_out.add("the world's coordinates by nodes are left out", world.name)
+
+    def _sky(self, world, found, strength):
+        node = found.node
+        place = found.input('Vector')  # Nishita's with a sun has none
+        self._tell_directions(graph.source(place) if place else None, world)
         if node.sky_type == 'PREETHAM':
             return self._sky_light('sky', node.sun_direction, node.turbidity, strength, node)
         self._left_out.add("skies are approximated by LuxRender's", world.name)

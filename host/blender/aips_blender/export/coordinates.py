@@ -1,0 +1,55 @@
+"""Tells where textures are looked up: by uv, which node Mapping scales and shifts."""
+from . import graph
+from .layers import RENDERED
+from .lxs_text import parameter
+
+
+class Coordinates:
+    def __init__(self, read, left_out):
+        self._read = read  # layers.Read
+        self._left_out = left_out
+
+    def uv(self, found):
+        """Scale and shift of the uv that a texture node is looked up by."""
+        scale, shift = (1.0, 1.0), (0.0, 0.0)
+        place = found.input('Vector')
+        before = graph.source(place) if place else None
+        if before and before.node.type == 'MAPPING':
+            scale, shift = self._mapped(before)
+            before = graph.source(before.input('Vector'))
+        named = before and before.node.type == 'UVMAP'
+        by_uv = named or (before and before.node.type == 'TEX_COORD' and
+                          before.output.name == 'UV')
+        # Images are looked up by uv where nothing is said, other textures by generated coordinates.
+        if not by_uv and (before or found.node.type != 'TEX_IMAGE'):
+            self._left_out.add('texture coordinates other than uv are replaced by uv')
+        self._read.uv.add(before.node.uv_map if named else RENDERED)
+        return scale, shift
+
+    def _mapped(self, before):
+        """Scale and shift of a node Mapping."""
+        scale, turn, shift = (self.vector(before, what) for what in
+                              ('Scale', 'Rotation', 'Location'))
+        if any(turn):
+            self._left_out.add('rotations of node Mapping are left out')
+        if before.node.vector_type == 'TEXTURE':
+            shift = tuple(-m / s if s else 0.0 for m, s in zip(shift, scale))
+            scale = tuple(1 / s if s else 1.0 for s in scale)
+        return scale, shift
+
+    def vector(self, before, what):
+        """Three constants of a node Mapping; those that its type has not are 0."""
+        place = before.input(what)
+        if place is None:
+            return (0.0, 0.0, 0.0)
+        found = graph.source(place)
+        if found and found.node.type == 'VALUE':
+            return (float(found.output.default_value),) * 3
+        if found:
+            self._left_out.add('linked inputs of node Mapping are taken as they are set')
+        return graph.constant(place)
+
+
+def uv_parameters(scale, shift):
+    return [parameter('float', 'uscale', scale[0]), parameter('float', 'vscale', scale[1]),
+            parameter('float', 'udelta', shift[0]), parameter('float', 'vdelta', shift[1])]

@@ -1,0 +1,60 @@
+"""Reads what a mesh has at the corners of its triangles: place, normal, uv and colour."""
+import numpy as np
+
+from .layers import chosen
+
+
+def array(collection, attribute, kind, width):
+    """Values of an attribute of all items, one row each."""
+    values = np.empty(len(collection) * width, kind)
+    collection.foreach_get(attribute, values)
+    return values.reshape(-1, width)
+
+
+class Corners:
+    def __init__(self, mesh):
+        mesh.calc_loop_triangles()
+        mesh.calc_normals_split()
+        self._mesh = mesh
+        triangles = mesh.loop_triangles
+        self._loops = array(triangles, 'loops', np.int32, 3).ravel()
+        self._vertices = array(triangles, 'vertices', np.int32, 3).ravel()
+        self._normals = array(triangles, 'split_normals', np.float32, 9).reshape(-1, 3)
+        self.positions = array(mesh.vertices, 'co', np.float32, 3)[self._vertices]
+        self.slots = array(triangles, 'material_index', np.int32, 1).ravel()
+
+    def rows(self, slot, layers, tell):
+        """Rows of a material slot's corners, with the Layers that its material reads, if there
+        are; and whether these hold uv and colours."""
+        there = np.repeat(self.slots == slot, 3)
+        columns = [self.positions[there], self._normals[there]]
+        uv = self._uv(layers.uv, tell)
+        if uv is not None:
+            columns.append(array(uv.data, 'uv', np.float32, 2)[self._loops[there]])
+        colors = self._colors(layers.colors, there, tell) if layers.colors else None
+        if colors is not None:
+            columns.append(colors)
+        return np.hstack(columns), uv is not None, colors is not None
+
+    def _uv(self, read, tell):
+        maps = self._mesh.uv_layers
+        rendered = next((m.name for m in maps if m.active_render), '')
+        name, others = chosen(read, rendered)
+        if others or name not in maps and name != rendered:
+            tell('of the uv maps that a material reads one is taken')
+        return maps.get(name) or maps.get(rendered)
+
+    def _colors(self, read, there, tell):
+        layers = self._mesh.color_attributes
+        at = layers.render_color_index
+        name, others = chosen(read, layers[at].name if 0 <= at < len(layers) else '')
+        if others:
+            tell('of the colours that a material reads one layer is taken')
+        found = layers.get(name)
+        if found is None and name not in self._mesh.attributes:
+            return np.zeros((there.sum(), 3), np.float32)  # as Cycles has it
+        if found is None or found.domain not in ('POINT', 'CORNER'):
+            tell('attributes that are no colours are taken for white')
+            return None
+        rows = (self._loops if found.domain == 'CORNER' else self._vertices)[there]
+        return array(found.data, 'color', np.float32, 4)[rows, :3]

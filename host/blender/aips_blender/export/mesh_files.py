@@ -1,0 +1,56 @@
+"""Keeps the meshes of an export: each with its materials is written once."""
+import dataclasses
+
+from . import meshes
+from .images import safe_name
+from .media import CLEAR
+from .shapes import Mesh
+
+
+class MeshFiles:
+    def __init__(self, folder, materials, left_out):
+        self._folder = folder
+        self._materials = materials
+        self._left_out = left_out
+        self.known = {}  # Mesh by key; None where there is no triangle
+
+    def of(self, thing):
+        """Key of an object's mesh with its materials, written where it is new; or None."""
+        slots = tuple(s.material.name_full if s.material else '' for s in thing.material_slots)
+        key = (thing.data.as_pointer(), slots)
+        if key not in self.known:
+            self.known[key] = self._written(thing)
+        return key if self.known[key] else None
+
+    def _written(self, thing):
+        materials = [s.material for s in thing.material_slots] or [None]
+
+        def shader(slot):
+            return self._materials.shader(materials[min(slot, len(materials) - 1)])
+
+        def tell(what):
+            self._left_out.add(what, thing.name)
+
+        mesh = thing.to_mesh()
+        try:
+            stem = f'{len(self.known)}-{safe_name(thing.name)}'
+            parts = mesh and meshes.write_parts(mesh, self._folder, stem, shader, tell)
+        finally:
+            thing.to_mesh_clear()
+        if parts is None:
+            return None
+        shaders = {slot: shader(slot) for slot in parts.files}
+        if parts.triangles is not None and not self._may_be_filled(thing, parts):
+            parts.triangles = None
+            shaders = {slot: dataclasses.replace(s, medium=CLEAR) for slot, s in shaders.items()}
+        return Mesh(thing.name, parts, shaders)
+
+    def _may_be_filled(self, thing, parts):
+        """Whether the volume of a mesh's material can be carried over."""
+        if not parts.closed:
+            self._left_out.add('volumes of meshes that are not closed are left out', thing.name)
+            return False
+        if any(m.type == 'FLUID' and m.fluid_type == 'DOMAIN' for m in thing.modifiers):
+            self._left_out.add('smoke and fire are left out', thing.name)
+            return False
+        return True

@@ -1,0 +1,229 @@
+"""Protects materials, textures and images of an export, and what shines."""
+import os
+import re
+import unittest
+
+import bpy
+import numpy as np
+
+import small_scenes as scenes
+from aips_blender import exr
+from aips_blender.export.film import Film
+from exported_files import meshes_of, render
+from fixture import FOLDER, exported
+
+
+class Materials(unittest.TestCase):
+    def test_groups_and_reroutes_are_looked_through(self):
+        scenes.stage()
+        group = bpy.data.node_groups.new('paint', 'ShaderNodeTree')
+        group.inputs.new('NodeSocketColor', 'Tint')
+        group.outputs.new('NodeSocketShader', 'Surface')
+        inside, out = group.nodes.new('NodeGroupInput'), group.nodes.new('NodeGroupOutput')
+        diffuse = group.nodes.new('ShaderNodeBsdfDiffuse')
+        group.links.new(inside.outputs[0], diffuse.inputs['Color'])
+        group.links.new(diffuse.outputs[0], out.inputs[0])
+        made = bpy.data.materials.new('grouped')
+        made.use_nodes = True
+        tree = made.node_tree
+        node, reroute = tree.nodes.new('ShaderNodeGroup'), tree.nodes.new('NodeReroute')
+        node.node_tree = group
+        node.inputs['Tint'].default_value = (0.25, 0.25, 0.25, 1)
+        tree.links.new(node.outputs[0], reroute.inputs[0])
+        tree.links.new(reroute.outputs[0], tree.nodes['Material Output'].inputs['Surface'])
+        scenes.box('grouped', 1, made, (2, 0, 0))
+        text, left_out = exported('grouped')
+        self.assertIn('"grouped" "string type" ["matte"] "color Kd" [0.25 0.25 0.25]', text)
+        self.assertEqual(left_out, [])
+
+    def test_muted_links_are_none(self):
+        scenes.stage()
+        made = scenes.material('muted', 'ShaderNodeBsdfDiffuse', Color=(0.25, 0.25, 0.25, 1))
+        feed(made, 'Diffuse BSDF', 'Color', 'ShaderNodeTexNoise').is_muted = True
+        scenes.box('muted', 1, made, (2, 0, 0))
+        text, left_out = exported('muted')
+        self.assertIn('"muted" "string type" ["matte"] "color Kd" [0.25 0.25 0.25]', text)
+        self.assertEqual(left_out, [])
+
+    def test_view_layers_without_sky_and_with_one_material(self):
+        scene = scenes.stage()
+        scenes.background(scene, (1, 1, 1), 1)
+        scenes.world_volume(scene, 'ShaderNodeVolumeScatter', Density=0.25)
+        layer = bpy.context.view_layer
+        layer.use_sky, layer.material_override = False, scenes.material(
+            'all', 'ShaderNodeEmission')
+        text, left_out = exported('override', Film(8, 8, passes=1))
+        self.assertEqual((text.count('LightSource "infinite"'), text.count('Volume')), (0, 0))
+        self.assertEqual(set(re.findall('NamedMaterial "(.*?)"', text)), {'all'})
+        self.assertEqual(left_out, [])
+        self.assertGreater(render('override').min(), 0.9)
+
+    def test_what_is_not_carried_over_is_told(self):
+        scenes.stage()
+        odd = scenes.material('odd', 'ShaderNodeBsdfAnisotropic', Anisotropy=0.5)
+        bump = feed(odd, 'Anisotropic BSDF', 'Normal', 'ShaderNodeBump').from_node
+        heights = feed(odd, bump.name, 'Height', 'ShaderNodeTexImage').from_node
+        heights.image = bpy.data.images.new('heights', 4, 4, float_buffer=True)
+        feed(odd, bump.name, 'Normal', 'ShaderNodeNormalMap')
+        mapping = feed(odd, heights.name, 'Vector', 'ShaderNodeMapping').from_node
+        feed(odd, mapping.name, 'Vector', 'ShaderNodeUVMap')
+        feed(odd, mapping.name, 'Rotation', 'ShaderNodeCombineXYZ')
+        feed(odd, mapping.name, 'Scale', 'ShaderNodeValue').from_node.outputs[0].default_value = 3
+        color = feed(odd, 'Anisotropic BSDF', 'Color', 'ShaderNodeAttribute').from_node
+        color.attribute_type, color.attribute_name = 'OBJECT', 'color'
+        scenes.box('odd', 1, odd, (2, 0, 0))
+        scenes.preetham_sky(bpy.context.scene, (0, 0, 1), 3, 1)
+        world = bpy.context.scene.world
+        feed(world, 'Sky Texture', 'Vector', 'ShaderNodeMapping')
+        text, left_out = exported('odd')
+        self.assertIn('"float uscale" [3]', text)
+        self.assertEqual(left_out, [
+            'anisotropy of glossy surfaces is left out: odd',
+            'linked inputs of node Mapping are taken as they are set: odd',
+            'nodes Attribute are replaced by grey: odd',
+            'normals that a node Bump is given are left out: odd',
+            "the world's coordinates by nodes are left out: World"])
+
+
+class Shining(unittest.TestCase):
+    def shapes(self, name):
+        """Shapes that shine, and their materials."""
+        text, left_out = exported(name)
+        self.assertEqual(left_out, [])
+        return re.findall(r'\n(?:Named)?Material "(.*?)"\n(?:Area.*\n)?Shape', text)
+
+    def test_emission_of_principled_shines(self):
+        scenes.stage()
+        made = scenes.material('glows', 'ShaderNodeBsdfPrincipled', Emission=(1, 1, 1, 1),
+                               Emission_Strength=3.0, Alpha=0.5)
+        scenes.box('glows', 1, made, (2, 0, 0))
+        self.assertRegex(exported('glows')[0], r'AreaLightSource "area" "color L" \[1.5 1.5 1.5\]')
+
+    def test_black_bodies_shine_as_cycles_ones(self):
+        scenes.stage()
+        scenes.box('hot', 1, scenes.blackbody_material(3500, 2), (2, 0, 0))
+        lamp = scenes.light('POINT', 10, shadow_soft_size=0).data
+        lamp.use_nodes = True
+        node = lamp.node_tree.nodes.new('ShaderNodeBlackbody')
+        node.inputs[0].default_value = 3500
+        lamp.node_tree.links.new(node.outputs[0], lamp.node_tree.nodes['Emission'].inputs['Color'])
+        text, left_out = exported('hot')
+        self.assertEqual(left_out, [])
+        shines = re.findall(r'LightSource "(?:area|point)" "color L" \[(.*?)\]', text)
+        once, twice = sorted([float(x) for x in rgb.split()] for rgb in shines)
+        np.testing.assert_allclose(twice, np.multiply(once, 2), rtol=1e-4)
+        # Cycles has 1.564, 0.893, 0.406; of red lxsrender shows less than is written.
+        np.testing.assert_allclose(once, (1.6, 0.89, 0.406), atol=0.02)
+
+    def test_closed_meshes_have_a_back_only_where_it_can_be_seen(self):
+        scenes.stage()
+        shines = scenes.material('lamp', 'ShaderNodeEmission')
+        lamp = scenes.box('lamp', 0.8, shines, (2, 0, 3))
+        self.assertEqual(self.shapes('outwards').count('null'), 0)
+        lamp.data.flip_normals()
+        self.assertEqual(self.shapes('inwards').count('null'), 1)
+        lamp.data.flip_normals()
+        inner = scenes.box('inner', 0.2, scenes.grey(), (2, 0, 3))
+        self.assertEqual(self.shapes('around').count('null'), 1)
+        inner.location.x = 0
+        lamp.data.materials.append(scenes.grey())
+        lamp.data.polygons[0].material_index = 1
+        self.assertEqual(self.shapes('partly').count('null'), 1)
+        lamp.data.polygons[0].material_index = 0
+        lamp.data.materials[0] = scenes.half_transparent(0.5, 'ShaderNodeEmission')
+        self.assertEqual(self.shapes('through').count('null'), 1)
+
+
+class Layers(unittest.TestCase):
+    def setUp(self):
+        scenes.clear()
+        scenes.camera()
+        scenes.light('POINT', 100, shadow_soft_size=0)
+        self.box = scenes.box('box', 1, scenes.grey(), (0, 0, 0))
+        data = self.box.data
+        data.uv_layers.new(name='second').data.foreach_set('uv', [0.25] * 48)
+        data.uv_layers['second'].active_render = True
+        for name, value in (('first', 0.25), ('second', 0.5)):
+            data.color_attributes.new(name, 'FLOAT_COLOR', 'POINT').data.foreach_set(
+                'color', [value] * 32)
+        data.color_attributes.active_color_index = 0
+        data.color_attributes.render_color_index = 1
+
+    def mesh(self, name, *told):
+        text, left_out = exported(name)
+        self.assertEqual(left_out, list(told))
+        return meshes_of(text)[0]
+
+    def reads(self, socket, node_type, **settings):
+        """Lets the box's material read something."""
+        node = feed(self.box.data.materials[0], 'Diffuse BSDF', socket, node_type).from_node
+        for key, value in settings.items():
+            setattr(node, key, value)
+        return node
+
+    def test_uv_maps(self):
+        self.assertEqual(set(self.mesh('rendered')['s']), {0.25})
+        picture = self.reads('Color', 'ShaderNodeTexImage',
+                             image=bpy.data.images.new('picture', 4, 4))
+        named = feed(self.box.data.materials[0], picture.name, 'Vector', 'ShaderNodeUVMap')
+        named.from_node.uv_map = 'UVMap'
+        self.assertNotEqual(set(self.mesh('named')['s']), {0.25})
+        bump = self.reads('Normal', 'ShaderNodeNormalMap', uv_map='second')
+        normals = feed(self.box.data.materials[0], bump.name, 'Color', 'ShaderNodeTexImage')
+        normals.from_node.image = picture.image
+        told = 'of the uv maps that a material reads one is taken: box'
+        self.assertEqual(set(self.mesh('both', told)['s']), {0.25})
+
+    def test_colours(self):
+        self.assertNotIn('red', self.mesh('unread'))
+        node = self.reads('Color', 'ShaderNodeVertexColor')
+        self.assertEqual(set(self.mesh('rendered')['red']), {0.5})
+        node.layer_name = 'first'
+        self.assertEqual(set(self.mesh('named')['red']), {0.25})
+        node.layer_name = 'third'
+        self.assertEqual(set(self.mesh('none')['red']), {0})
+        self.box.data.attributes.new('third', 'FLOAT', 'POINT')
+        told = 'attributes that are no colours are taken for white: box'
+        self.assertNotIn('red', self.mesh('no colour', told))
+
+
+class Images(unittest.TestCase):
+    def test_linear_files_go_with_the_scene(self):
+        scenes.stage()
+        values = np.full((4, 4, 3), 0.25, np.float32)
+        path = os.path.join(FOLDER, 'elsewhere', 'heights.exr')
+        os.makedirs(os.path.dirname(path))
+        exr.write(path, values)
+        made = scenes.grey()
+        node = feed(made, 'Diffuse BSDF', 'Color', 'ShaderNodeTexImage').from_node
+        node.image = bpy.data.images.load(path)
+        scenes.box('box', 1, made, (2, 0, 0))
+        text, _ = exported('linear')
+        name = re.search(r'"string filename" \["(.*?exr)"\]', text).group(1)
+        self.assertRegex(name, '^linear-files/heights.exr-0.exr$')
+        np.testing.assert_array_equal(exr.read(os.path.join(FOLDER, name)).stack('RGB'), values)
+
+    def test_images_of_one_name_in_two_libraries(self):
+        scenes.stage()
+        for shade in (0.25, 0.5):
+            picture = bpy.data.images.new('picture', 4, 4, float_buffer=True)
+            picture.pixels.foreach_set([shade] * 64)
+            picture.pack()
+            path = os.path.join(FOLDER, f'{shade}.blend')
+            bpy.data.libraries.write(path, {picture})
+            bpy.data.images.remove(picture)
+            with bpy.data.libraries.load(path, link=True) as (_, linked):
+                linked.images = ['picture']
+            made = scenes.grey()
+            feed(made, 'Diffuse BSDF', 'Color', 'ShaderNodeTexImage').from_node.image = \
+                linked.images[0]
+            scenes.box('box', 1, made, (2, 0, 0))
+        names = re.findall(r'"string filename" \["(.*?exr)"\]', exported('libraries')[0])
+        shades = [exr.read(os.path.join(FOLDER, name)).channels['R'][0, 0] for name in names]
+        self.assertEqual(shades, [0.25, 0.5])
+
+
+def feed(made, node, socket, node_type):
+    """The link from a new node's first output to a socket of a node of a material or world."""
+    tree = made.node_tree
+    return tree.links.new(tree.nodes.new(node_type).outputs[0], tree.nodes[node].inputs[socket])

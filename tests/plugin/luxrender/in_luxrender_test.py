@@ -47,6 +47,8 @@ MakeNamedVolume "haze" "homogeneous" "float fresnel" [1] "color sigma_a" [0 0 0]
   "color sigma_s" [0.1 0.1 0.1] "color g" [0 0 0]
 Exterior "haze"
 ''')
+CLOUD = HAZE.replace('"homogeneous"', '"heterogeneous" "float stepsize" [0.5]').replace(
+    '"color sigma_s" [0.1 0.1 0.1]', '"color sigma_s" [0 0 0]')
 
 
 class InLuxRender(unittest.TestCase):
@@ -108,6 +110,12 @@ class InLuxRender(unittest.TestCase):
         haze = self.lux.render(HAZE, 'aips', 4, WIDTH, name='haze', volumes='multi')
         self.assertIn('volumes that scatter', haze.text)
         self.assertIsNone(haze.image, haze.text)
+        # It might scatter anywhere, and is not asked.
+        cloud = self.lux.render(CLOUD, 'aips', 4, WIDTH, name='cloud', volumes='multi')
+        self.assertIn('heterogeneous', cloud.text)
+        self.assertIsNone(cloud.image, cloud.text)
+        clear = self.lux.render(CLOUD, 'aips', 4, WIDTH, name='clear', volumes='emission')
+        self.assertIsNotNone(clear.image, clear.text)
         alone = self.lux.render(GROUPS, 'aips', 4, WIDTH, name='alone',
                                 integrator_text='Renderer "aips" SurfaceIntegrator "path"')
         self.assertIn('Renderer "aips" needs SurfaceIntegrator "aips"', alone.text)

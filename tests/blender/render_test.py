@@ -12,10 +12,13 @@ import fixture
 import small_scenes as scenes
 from aips_blender import command, engine, exr, murmur
 from fixture import FOLDER
-# Parts of these tests, which are run with them.
-from menu_test import Exports  # noqa: F401
 from small_render import render, small_scene
-from viewport_test import Previews, Views  # noqa: F401
+
+
+def load_tests(loader, tests, _pattern):
+    """Those of the menu and of the viewport, too."""
+    tests.addTests(loader.loadTestsFromNames(['menu_test', 'viewport_test']))
+    return tests
 
 
 def matte(image, layer, name):

@@ -50,7 +50,7 @@ class EyePath {
   private:
     /// From vertex number `depth` on.
     void follow(std::uint32_t depth) {
-        for (; may_meet(depth); ++depth) {
+        for (; may_meet(in_.settings, tip_, depth); ++depth) {
             const auto mark = arena_.mark();
             SurfacePoint point;
             ++result_.rays;
@@ -76,21 +76,6 @@ class EyePath {
             arena_.rewind(mark);
             if (!go_on) break;
         }
-    }
-
-    /// Beyond the last surface that counts a ray that flies straight on still brings what the
-    /// shadow ray of a glossy lobe has left to it.
-    bool may_meet(std::uint32_t depth) const {
-        const std::uint32_t most = in_.settings.max_eye_depth;
-        return depth <= most || (!tip_.counts_in_full && depth - most < kMostStraightSurfaces);
-    }
-
-    /// At the last surface that counts, or beyond: the way straight on, for a ray that owes light.
-    bool pass_on(const SurfacePoint& point, Vec3 wo, LobeMask lobes, const VertexNumbers& numbers) {
-        if (tip_.counts_in_full || !(lobes & kSpecular)) return false;
-        const std::uint32_t scatterings = tip_.scatterings;
-        const BounceDraw draw{kSpecular, 1, numbers.direction(), numbers.lobe()};
-        return bounce(in_, point, wo, draw, refusals_, tip_) && tip_.scatterings == scatterings;
     }
 
     /// Light that the medium scatters into the ray: of lights by a shadow ray, else by photons.
@@ -151,7 +136,7 @@ class EyePath {
         const Vec3 wo = -tip_.ray.direction;
         const LobeMask lobes = point.bsdf->lobes();
         if (depth > in_.settings.max_eye_depth || (last && lobes == kSpecular)) {
-            const bool passes = pass_on(point, wo, lobes, numbers);
+            const bool passes = pass_straight(in_, point, wo, numbers, refusals_, tip_);
             result_.cut = !passes && lobes == kSpecular;
             return passes;
         }
@@ -197,7 +182,7 @@ class EyePath {
         }
         if (!onward) return false;
         tip_.throughput *= 1 / (1 - store_pdf);
-        if (last) return pass_on(point, wo, onward, numbers);
+        if (last) return pass_straight(in_, point, wo, numbers, refusals_, tip_);
         const BounceDraw draw{bouncing, 1 - store_pdf, numbers.direction(), numbers.lobe()};
         return bounce(in_, point, wo, draw, refusals_, tip_);
     }
@@ -266,15 +251,7 @@ class EyePath {
 
     void store(const SurfacePoint& point, Vec3 wo, LobeMask receiving, float store_pdf) {
         VisiblePoint& v = result_.visible_point;
-        v.position = point.position;
-        v.geometric_normal = point.geometric_normal;
-        v.shading_normal = point.shading_normal;
-        v.wo = wo;
-        v.throughput = tip_.throughput * (1 / store_pdf);
-        v.receiving = receiving;
-        v.material = point.material;
-        v.scatterings = tip_.seen_by;
-        v.bsdf = point.bsdf->lambertian(v.kd) ? nullptr : point.bsdf;
+        v = visible_point(point, wo, receiving, tip_.throughput * (1 / store_pdf), tip_.seen_by);
         result_.footprint = camera_ray_.width + camera_ray_.spread * travelled_;
         result_.has_visible_point = refusals_.accept(v.throughput, point.material) &&
                                     refusals_.accept(v.kd, point.material);

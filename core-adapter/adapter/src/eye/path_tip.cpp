@@ -31,6 +31,29 @@ bool bounce(const EyePassInput& in, const SurfacePoint& point, Vec3 wo, const Bo
     return true;
 }
 
+bool pass_straight(const EyePassInput& in, const SurfacePoint& point, Vec3 wo,
+                   const VertexNumbers& numbers, Refusals& refusals, PathTip& tip) {
+    if (tip.counts_in_full || !(point.bsdf->lobes() & kSpecular)) return false;
+    const std::uint32_t scatterings = tip.scatterings;
+    const BounceDraw draw{kSpecular, 1, numbers.direction(), numbers.lobe()};
+    return bounce(in, point, wo, draw, refusals, tip) && tip.scatterings == scatterings;
+}
+
+VisiblePoint visible_point(const SurfacePoint& point, Vec3 wo, LobeMask receiving,
+                           const Rgb& throughput, const EyeScatterings& seen_by) {
+    VisiblePoint v;
+    v.position = point.position;
+    v.geometric_normal = point.geometric_normal;
+    v.shading_normal = point.shading_normal;
+    v.wo = wo;
+    v.throughput = throughput;
+    v.receiving = receiving;
+    v.material = point.material;
+    v.scatterings = seen_by;
+    v.bsdf = point.bsdf->lambertian(v.kd) ? nullptr : point.bsdf;
+    return v;
+}
+
 float emission_weight(const EyePassInput& in, const PathTip& tip, LightIndex light,
                       const SurfacePoint* at) {
     if (tip.scatterings == 0 && in.scene.lights()[light]->hidden_from_camera()) return 0;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "aips/core/base/image_part.h"
+#include "eye/constants.h"
 #include "eye/eye_pass.h"
 
 namespace aips {
@@ -29,6 +30,23 @@ struct BounceDraw {
 /// Sends the path on from `point`, where it arrived from `wo`; false if it ends there.
 bool bounce(const EyePassInput& input, const SurfacePoint& point, Vec3 wo, const BounceDraw& draw,
             Refusals& refusals, PathTip& tip);
+
+/// Whether an eye path meets surface number `depth`: beyond the last that counts a ray that flies
+/// straight on still brings what the shadow ray of a glossy lobe has left to it.
+inline bool may_meet(const Settings& settings, const PathTip& tip, std::uint32_t depth) {
+    const std::uint32_t most = settings.max_eye_depth;
+    return depth <= most || (!tip.counts_in_full && depth - most < kMostStraightSurfaces);
+}
+
+/// At the last surface that counts, or beyond: the way straight on, for a ray that owes light to
+/// the shadow ray of its last surface; false if it ends there.
+bool pass_straight(const EyePassInput& input, const SurfacePoint& point, Vec3 wo,
+                   const VertexNumbers& numbers, Refusals& refusals, PathTip& tip);
+
+/// Where a path ends: lobes `receiving` of `point` take photons, seen from `wo`. The rest of it is
+/// the eye path's to fill in.
+VisiblePoint visible_point(const SurfacePoint& point, Vec3 wo, LobeMask receiving,
+                           const Rgb& throughput, const EyeScatterings& seen_by);
 
 /// Share of the light met by the path's ray, at `at` or at infinity, that shadow rays from the last
 /// vertex leave to it; nothing of a light that is hidden from the camera before the path has

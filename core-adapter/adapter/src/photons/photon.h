@@ -29,9 +29,9 @@ struct Photon {
     }
     /// Whether it would pass one more surface free.
     bool passes_free() const { return straight && free < kMostFreeSurfaces; }
-    /// Whether the next surface is its last, unless it passes it free.
-    bool at_end(const Settings& settings) const {
-        return depth - free >= settings.max_photon_depth;
+    /// Whether a surface with such lobes is its last: not if it may pass it free.
+    bool at_end(const Settings& settings, LobeMask lobes = 0) const {
+        return depth - free >= settings.max_photon_depth && !(passes_free() && lobes & kSpecular);
     }
 };
 

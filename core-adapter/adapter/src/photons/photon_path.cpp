@@ -107,8 +107,7 @@ class PhotonTrace {
         if (!met) return false;
         const bool lives = point.bsdf && !is_black(photon.power);
         const PhotonFate fate = lives ? take(point, photon) : PhotonFate::Black;
-        const bool cut = lives && photon.at_end(in_.settings) &&
-                         !(photon.passes_free() && (point.bsdf->lobes() & kSpecular));
+        const bool cut = lives && photon.at_end(in_.settings, point.bsdf->lobes());
         if (in_.settings.account) counts_.tally.hit(point.material, fate, cut);
         return lives && !cut;
     }

@@ -169,6 +169,12 @@ void PhotonSchedule::learned(LearnedParts& parts) {
     if (parts.restoring()) set_taught(!parts.taken().empty());
 }
 
+void PhotonSchedule::begin_anew(const PhotonSchedule& fresh) {
+    const bool taught = taught_;
+    *this = fresh;
+    set_taught(taught);
+}
+
 void PhotonSchedule::set_taught(bool taught) {
     taught_ = (adapts_ || learns_) && taught;
     plan();

@@ -71,11 +71,11 @@ class PhotonSchedule {
     /// before the first pass: the number is chosen by then, and a guide has learned. Where
     /// this or any part before it is taken, another render has taught, and first passes count less.
     void learned(LearnedParts& parts);
-    /// Whether one has; a schedule that takes the place of another goes on as that one.
-    bool taught() const { return taught_; }
-    void set_taught(bool taught);
+    /// Takes the settings and state of a new schedule, but what another render has taught.
+    void begin_anew(const PhotonSchedule& fresh);
 
   private:
+    void set_taught(bool taught);
     void plan();
     /// Photon paths that cost as much as a pass's eye paths; 0 if that is not known.
     double even_paths() const;

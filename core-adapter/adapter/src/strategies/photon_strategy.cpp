@@ -57,8 +57,7 @@ std::unique_ptr<RadiusPolicy> PhotonStrategy::make_radii() const {
 }
 
 std::optional<PixelImportance> PhotonStrategy::make_importance() const {
-    const bool scores = guide_ && guide_->needs_scores();
-    if (!plan_.learns() && !wants_noise() && !scores) return {};
+    if (!plan_.learns() && !wants_noise() && !(guide_ && guide_->needs_scores())) return {};
     return PixelImportance(film_.width(), film_.height());
 }
 
@@ -79,12 +78,9 @@ void PhotonStrategy::look_first(const StrategyPass& pass) {
 void PhotonStrategy::take_way(PhotonWay way) {
     plan_.way = way;
     // The brightness of pixels depends on no way.
-    std::optional<PixelImportance> importance = make_importance();
-    if (!(importance && importance_)) importance_ = std::move(importance);
+    if (auto made = make_importance(); !made || !importance_) importance_ = std::move(made);
     photon_pass_.take(make_pass_guide(), make_source());
-    const bool taught = schedule_.taught();
-    schedule_ = make_schedule();
-    schedule_.set_taught(taught);
+    schedule_.begin_anew(make_schedule());
     radius_policy_ = make_radii();
     noise_.reset();
     if (wants_noise()) noise_.emplace(film_.width(), film_.height());
@@ -211,14 +207,13 @@ void PhotonStrategy::show_bias(const EyeImage& image, const FilmPass& film_pass)
 
 void PhotonStrategy::share(const StrategyPass& pass, const PassWork& work, const PassNoise& noise) {
     const double squared_error = adapts_radius(settings_) ? kErrorOverVariance : 1;
-    const bool independent = !plan_.chains();
-    const SharedPass ended{pass.number,       work,        noise,        shot_,
-                           schedule_.turns(), independent, squared_error};
+    const SharedPass ended{pass.number,     work,         noise, shot_, schedule_.turns(),
+                           !plan_.chains(), squared_error};
     if (const auto decided = shared_->end_pass(ended, in_turn_, *importance_, schedule_.limits())) {
         schedule_.take(decided->photon_paths, decided->turns);
         skip_log_.shared(*decided);
     }
-    shared_->take_turns(schedule_.turns(), schedule_.shoots());
+    shared_->take_turns(schedule_);
 }
 
 /// The pass's image is known.
@@ -240,10 +235,7 @@ void PhotonStrategy::state(StateArchive& archive, const EyeImage& image) {
     schedule_.state(archive);
     if (importance_) importance_->state(archive);
     if (noise_) noise_->state(archive);
-    if (shared_) {
-        shared_->state(archive);
-        shared_->take_turns(schedule_.turns(), schedule_.shoots());
-    }
+    if (shared_) shared_->state(archive, schedule_);
     photon_pass_.state(archive);
     radius_policy_->state(archive, image);
     if (edges_) edges_->state(archive);

@@ -191,9 +191,9 @@ SharePlan SharedLight::decide(const SharedPass& pass, const PixelImportance& imp
     return plan;
 }
 
-void SharedLight::take_turns(std::uint32_t turns, bool shoots) {
-    shares_.turns = turns;
-    shares_.shoots = shoots;
+void SharedLight::take_turns(const PhotonSchedule& schedule) {
+    shares_.turns = schedule.turns();
+    shares_.shoots = schedule.shoots();
 }
 
 void SharedLight::set_any() {
@@ -205,9 +205,10 @@ void SharedLight::add_to(EngineStatistics& s) const {
     s.eye_share = eye_part_;
 }
 
-void SharedLight::state(StateArchive& archive) {
+void SharedLight::state(StateArchive& archive, const PhotonSchedule& schedule) {
     shares_.table.state(archive);
     set_any();
+    take_turns(schedule);
     own_noise_.state(archive);
     photon_square_.state(archive);
     archive.value(shares_.passes_before);

@@ -54,10 +54,11 @@ inline constexpr std::uint32_t kFrozenPathsPerPixel = 4;
 /// Supported by: one scene only: summerhouse (1, 3 and 4 in its place).
 inline constexpr std::uint32_t kContinuedRouletteFrom = 2;
 
-/// Surfaces that a ray passes straight, at most, beyond those that its path may meet: it brings
-/// what a shadow ray has left to it. Unit: surfaces. Balances: direct light through many null
-/// surfaces against rays without end. Chosen by: reasoning: as many as shadow rays of the host
-/// pass. Supported by: no measurement.
+/// Surfaces that a ray passes straight, at most, to bring what a shadow ray has left to it.
+/// Unit: surfaces.
+/// Balances: direct light through many null surfaces against rays without end.
+/// Chosen by: reasoning: as many as shadow rays of the host pass.
+/// Supported by: no measurement.
 inline constexpr std::uint32_t kMostStraightSurfaces = 256;
 
 /// Passes in which one eye path of kFirstExplorers goes on where it has no share, to learn what it

@@ -27,15 +27,14 @@ class ContinuedPath {
         const float before = max_component(tip_.throughput);
         const BounceDraw draw{start_.receiving, start_.choice_pdf, first.direction(), first.lobe()};
         if (!bounce(in_, start_.point, start_.wo, draw, refusals_, tip_)) return result_;
-        for (std::uint32_t n = 1; may_meet(n); ++n) {
+        for (std::uint32_t n = 1;; ++n) {
             const auto mark = arena_.mark();
             const VertexNumbers numbers = numbers_.vertex(start_.depth + n);
             const std::uint32_t scatterings = tip_.scatterings;
             const bool goes_on = meet(numbers, n) && (!start_.first_ray || straight()) &&
                                  survives(n, before, numbers.end());
             arena_.rewind(mark);
-            if (!goes_on) break;
-            if (tip_.scatterings > scatterings) owes_light_ = photons_meet(n + 1);
+            if (!goes_on || !may_meet(n + 1, tip_.scatterings == scatterings)) break;
         }
         return result_;
     }
@@ -44,9 +43,10 @@ class ContinuedPath {
     /// A photon that lands at the visible point after n surfaces met the n - 1 others here.
     bool photons_meet(std::uint32_t n) const { return n < in_.settings.max_photon_depth; }
 
-    /// Beyond these a ray that flies straight on still brings what shadow rays have left to it.
-    bool may_meet(std::uint32_t n) const {
-        return photons_meet(n) || (owes_light_ && n < kMostStraightSurfaces);
+    /// Beyond these a ray that flies straight on still brings what shadow rays have left to it, as
+    /// the first one does.
+    bool may_meet(std::uint32_t n, bool flies_on) const {
+        return photons_meet(n) || (flies_on && n < kMostStraightSurfaces);
     }
 
     /// Surface number n: its light, what lights send there, and the way on; false at the path's
@@ -122,7 +122,6 @@ class ContinuedPath {
     Arena& arena_;
     const ContinuedOutput& output_;
     PathTip tip_;
-    bool owes_light_ = true;  // its ray leaves a surface whose shadow ray counts on it
     ContinuedResult result_;
 };
 

@@ -153,8 +153,8 @@ class EyePath {
         lamp_light_ = output_.light;
         const LobeMask receiving = lobes & receiving_lobes(in_.settings);
         const LobeMask bouncing = lobes & ~receiving;
-        const LobeMask onward =
-            last ? tip_.counts_in_full ? LobeMask{} : LobeMask(bouncing & kSpecular) : bouncing;
+        LobeMask onward = bouncing;
+        if (last) onward &= tip_.counts_in_full ? LobeMask{} : kSpecular;
         const float store_pdf = store_probability(*point.bsdf, wo, receiving, onward);
         const bool may = receiving && in_.shares && in_.keep_visible_points;
         EyeShare eye;

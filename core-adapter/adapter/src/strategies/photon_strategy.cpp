@@ -213,7 +213,6 @@ void PhotonStrategy::share(const StrategyPass& pass, const PassWork& work, const
         schedule_.take(decided->photon_paths, decided->turns);
         skip_log_.shared(*decided);
     }
-    shared_->take_turns(schedule_);
 }
 
 /// The pass's image is known.
@@ -235,7 +234,7 @@ void PhotonStrategy::state(StateArchive& archive, const EyeImage& image) {
     schedule_.state(archive);
     if (importance_) importance_->state(archive);
     if (noise_) noise_->state(archive);
-    if (shared_) shared_->state(archive, schedule_);
+    if (shared_) shared_->state(archive);
     photon_pass_.state(archive);
     radius_policy_->state(archive, image);
     if (edges_) edges_->state(archive);

@@ -27,6 +27,10 @@ class PhotonStrategy : public LightStrategy {
     PhotonStrategy(const Host& host, Plan& plan, std::uint32_t eye_paths);
 
     const EyeShares* eye_shares() const override { return shared_ ? &shared_->shares() : nullptr; }
+    std::uint64_t begin_pass(const ComingPass& /*pass*/) override {
+        if (shared_) shared_->begin_pass(schedule_.turns(), schedule_.shoots());
+        return 0;
+    }
     CarriedLight carry(const StrategyPass& pass, PassReport& report) override;
     void end_pass(const StrategyPass& pass, const FilmPass& film_pass) override;
     void state(StateArchive& archive, const EyeImage& image) override;

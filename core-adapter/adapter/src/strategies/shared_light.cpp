@@ -191,11 +191,6 @@ SharePlan SharedLight::decide(const SharedPass& pass, const PixelImportance& imp
     return plan;
 }
 
-void SharedLight::take_turns(const PhotonSchedule& schedule) {
-    shares_.turns = schedule.turns();
-    shares_.shoots = schedule.shoots();
-}
-
 void SharedLight::set_any() {
     shares_.any = std::ranges::any_of(shares_.table.shares(), &EyeShare::any);
 }
@@ -205,10 +200,9 @@ void SharedLight::add_to(EngineStatistics& s) const {
     s.eye_share = eye_part_;
 }
 
-void SharedLight::state(StateArchive& archive, const PhotonSchedule& schedule) {
+void SharedLight::state(StateArchive& archive) {
     shares_.table.state(archive);
     set_any();
-    take_turns(schedule);
     own_noise_.state(archive);
     photon_square_.state(archive);
     archive.value(shares_.passes_before);

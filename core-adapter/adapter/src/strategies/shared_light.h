@@ -8,7 +8,6 @@
 #include "estimate/gather.h"
 #include "eye/eye_shares.h"
 #include "plan/pass_work.h"
-#include "plan/photon_schedule.h"
 #include "plan/share_plan.h"
 #include "worth/own_light_noise.h"
 #include "worth/pass_noise.h"
@@ -55,8 +54,11 @@ class SharedLight {
     /// Of a pass that shot no photons, in its turn: adds the eye's share.
     void go_on_alone(const EyeImage& image, std::span<Rgb> radiance);
 
-    /// The next pass is one of the schedule's, which shoots photons or not.
-    void take_turns(const PhotonSchedule& schedule);
+    /// Before the eye paths of a pass, one of so many of which one shoots photons: whether it does.
+    void begin_pass(std::uint32_t turns, bool shoots) {
+        shares_.turns = turns;
+        shares_.shoots = shoots;
+    }
 
     /// A pass has ended, `shot` if it had photons. Before passes that are fixed it is decided anew
     /// who carries what; the plan then tells how many photon paths, within `limits`, go with it.
@@ -66,8 +68,8 @@ class SharedLight {
 
     void add_to(EngineStatistics& statistics) const;
 
-    /// Saves what later passes go on from, or restores it, with the schedule as it then is.
-    void state(StateArchive& archive, const PhotonSchedule& schedule);
+    /// Saves what later passes go on from, or restores it.
+    void state(StateArchive& archive);
     /// The same for another render, from before the first pass on: shares stay until the first
     /// decision, what they rest on fades.
     void learned(LearnedParts& parts);

@@ -150,7 +150,7 @@ std::string room_seen_from_inside_glass() {
            "WorldEnd\n";
 }
 
-/// What a comparison takes to find differences of the mean of 2 to 4 %.
+/// What a comparison takes to find differences of the mean of 1 to 5 %.
 struct Effort {
     std::string photons, radius;  ///< photon paths a pass; radius in footprints
 };

@@ -65,6 +65,15 @@ std::vector<GivenParameter> parameters_of(const lux::ParamSet& set) {
     return given;
 }
 
+/// Writes the image and ends the render: LuxRender would ask its nodes for their samples first, and
+/// wait for ever for one that doesn't know aips.
+void leave_nodes(lux::Film& film) {
+    LOG(LUX_SEVERE, LUX_CONSISTENCY)
+        << "\"aips\" renders on one machine: the render ends as network nodes join";
+    film.WriteImage(lux::ImageType(lux::IMAGE_FINAL | lux::IMAGE_ALL));
+    lux::Context::GetActive()->Abort();
+}
+
 }  // namespace
 
 void LuxIntegrator::Preprocess(const lux::RandomGenerator&, const lux::Scene&) {
@@ -172,6 +181,7 @@ void LuxRenderer::Render(lux::Scene* scene) {
         view.warning("values that are not finite or negative were left out: " + line);
     film.contribPool->Flush();
     film.contribPool->Delete();
+    if (statistics_->has_slave_nodes()) leave_nodes(film);
 }
 
 void LuxRenderer::render_passes(lux::Scene& scene, EngineRun& run) {
@@ -191,11 +201,7 @@ void LuxRenderer::render_passes(lux::Scene& scene, EngineRun& run) {
         ++statistics_->passes;
         statistics_->photon_paths = run.photon_paths();
         film.CheckWriteOuputInterval();
-        if (statistics_->has_slave_nodes()) {
-            LOG(LUX_SEVERE, LUX_CONSISTENCY)
-                << "\"aips\" renders on one machine: the render ends as network nodes join";
-            break;
-        }
+        if (statistics_->has_slave_nodes()) break;
         if (!film.enoughSamplesPerPixel) continue;
         if (!suspend_when_done_) break;
         Pause();

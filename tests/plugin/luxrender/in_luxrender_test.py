@@ -128,20 +128,28 @@ class InLuxRender(unittest.TestCase):
         self.assertIn('photonmap', mode.text)
         self.assertIsNone(mode.image, mode.text)
 
-    def test_network(self):
-        """Protects users: a node of LuxRender's network is refused, not waited for."""
+    def with_node(self, **of_node):
+        """A render of which a node of LuxRender's network wants a part."""
         with socket.socket() as free:
             free.bind(('127.0.0.1', 0))
             port = free.getsockname()[1]
-        node = self.lux.node(port)
+        node = self.lux.node(port, **of_node)
         try:
-            refused = self.lux.render(GROUPS, 'aips', 4, WIDTH, name='network',
-                                      arguments=['-u', f'127.0.0.1:{port}'])
+            return self.lux.render(GROUPS, 'aips', 4, WIDTH, name='network',
+                                   arguments=['-u', f'127.0.0.1:{port}'])
         finally:
             node.kill()
             node.communicate()
-        self.assertIn('renders on one machine', refused.text)
-        self.assertIsNone(refused.image, refused.text)
+
+    def test_network(self):
+        """Protects users: a node of LuxRender's network is refused, not waited for. It may join
+        before the first pass or later; what was rendered by then is kept, and is all."""
+        for with_aips in (True, False):
+            refused = self.with_node(with_aips=with_aips)
+            self.assertIn('renders on one machine', refused.text)
+            self.assertNotIn('Getting samples', refused.text)
+            nothing = 'nothing is rendered' in refused.text
+            self.assertEqual(refused.image is None, nothing, refused.text)
 
 
 if __name__ == '__main__':

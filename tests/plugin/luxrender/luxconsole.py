@@ -50,7 +50,8 @@ class LuxConsole:
     """`program` is LuxRender's luxconsole, `module` the shared object to preload."""
 
     def __init__(self, program, module, folder):
-        self.program, self.module, self.folder = program, module, pathlib.Path(folder)
+        self.program, self.module = (pathlib.Path(file).resolve() for file in (program, module))
+        self.folder = pathlib.Path(folder)
 
     def render(self, scene, integrator, samples, width, parameters='', film_parameters='',
                name='image', threads=2, integrator_text=None,
@@ -75,11 +76,11 @@ class LuxConsole:
     def environment(self):
         return {**os.environ, 'LD_PRELOAD': str(self.module)}
 
-    def node(self, port):
+    def node(self, port, with_aips=True):
         """A node of LuxRender's network on this machine, to be ended by who asked for it."""
         process = subprocess.Popen([self.program, '-s', '-p', str(port)], cwd=self.folder, text=True,
                                    stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
-                                   env=self.environment())
+                                   env=self.environment() if with_aips else None)
         while 'listening' not in (line := process.stdout.readline()) and line:
             pass
         return process

@@ -97,7 +97,7 @@ void gather_photons(const EyeImage& image, const LandingGrid& grid, const Search
                         inner.add(0, value);
                     const auto square = double(luminance(value) * luminance(value));
                     squares += square;
-                    if (landing.shareable) {
+                    if (result.wants_shareable && landing.shareable) {
                         shareable += double(luminance(value));
                         shareable_squares += square;
                     }
@@ -108,7 +108,7 @@ void gather_photons(const EyeImage& image, const LandingGrid& grid, const Search
                 result.squares[i] += float(squares);
                 if (result.wants_parts) parts.move_to(&result.parts[i * kPhotonParts]);
                 if (result.wants_inner) inner.move_to(&result.inner[i]);
-                if (!result.shareable.empty()) {
+                if (result.wants_shareable) {
                     result.shareable[i].sum += float(shareable);
                     result.shareable[i].squares += float(shareable_squares);
                 }

@@ -56,8 +56,10 @@ std::string prefix(const ParameterSet& set) {
 
 std::string quoted_list(const std::vector<std::string_view>& names) {
     std::string text;
-    for (const std::string_view name : names)
-        text += (text.empty() ? "" : ", ") + in_quotes(name);
+    for (const std::string_view name : names) {
+        text += text.empty() ? "" : ", ";
+        text += in_quotes(name);
+    }
     return text;
 }
 

@@ -9,7 +9,7 @@ import numpy as np
 from luxconsole import LuxConsole, block_differences, errors
 
 WIDTH = 160  # pixels
-LONG, SHORT = 2000, 100  # passes of aips: of the reference, of what is measured
+LONG = 2000  # passes of the reference by aips
 SAMPLES = 400  # a pixel, bidirectional
 REFERENCE_SEED, SEEDS = 7, (1, 2, 3)
 
@@ -27,9 +27,10 @@ def agreement(name, reference, theirs):
             f'{np.quantile(np.abs(difference), 0.9):.2f} %', f'{whole:+.2f} %']
 
 
-def equal_time(name, lux, scene, reference):
+def equal_time(name, lux, scene, reference, short):
     """Means over the seeds, and as many renders by sppm, which knows no seeds: no two are alike."""
-    ours = [lux.render(scene, 'aips', SHORT, WIDTH, f'"integer seed" [{seed}]', threads=1) for seed in SEEDS]
+    ours = [lux.render(scene, 'aips', short, WIDTH, f'"integer seed" [{seed}]', threads=1)
+            for seed in SEEDS]
     passes = sppm_passes(lux, scene, np.mean([rendered.seconds for rendered in ours]))
     theirs = [lux.render(scene, 'sppm', passes, WIDTH, threads=1) for _ in SEEDS]
     cells, left = [name], []
@@ -52,6 +53,7 @@ def main():
     parser.add_argument('luxconsole')
     parser.add_argument('module')
     parser.add_argument('scenes', nargs='*', default=['glass-ball', 'ring', 'hall'])
+    parser.add_argument('--passes', type=int, default=100, help='of aips, of what is measured')
     arguments = parser.parse_args()
     agree, error = [], []
     with tempfile.TemporaryDirectory(prefix='aips-luxrender-') as folder:
@@ -62,7 +64,7 @@ def main():
             reference = lux.render(scene, 'aips', LONG, WIDTH, f'"integer seed" [{REFERENCE_SEED}]').image
             theirs = lux.render(scene, 'bidirectional', SAMPLES, WIDTH).image
             agree.append(agreement(name, reference, theirs))
-            error.append(equal_time(name, lux, scene, reference))
+            error.append(equal_time(name, lux, scene, reference, arguments.passes))
     print_table(['scene', 'blocks: median', 'signed', '90 % within', 'whole image'], agree)
     print_table(['scene', 'aips: CPU seconds', 'whole', 'rest', 'sppm: CPU seconds', 'whole', 'rest', 'ratio, whole',
                  'rest'], error)

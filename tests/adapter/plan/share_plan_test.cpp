@@ -169,6 +169,22 @@ TEST(SharePlan, LightThatPhotonsLoseIsAnError) {
     EXPECT_NEAR(share_after(256, 1.2), best_share(1, 0.8), 1e-6) << "paths miss light, or seem to";
 }
 
+/// Grass loses a third of its light, the wall behind it none: the loss of all is not that of each.
+TEST(SharePlan, ALeafThatLosesLightIsToldFromOthers) {
+    std::vector<ShareMoments> leaves{leaf(kPaths, 1), leaf(kPaths, 1)};
+    leaves[0].x = leaves[0].xy = 600;
+    leaves[0].population = 10;
+    const std::vector<EyeShare> shares(2);
+    ShareFacts facts = facts_of(leaves, shares, 0.01);
+    facts.passes_until = 64;
+    const SharePlan plan = plan_shares(facts, kFixed);
+    // As much as its own samples are sure of: three standard errors of 1000 pairs.
+    const double square = (leaves[0].xx + leaves[0].yy - 2 * leaves[0].xy) / 1000;
+    const double sure = 0.4 - kCertainlyMissing * std::sqrt(square / 1000);
+    EXPECT_NEAR(plan.shares[0].share, best_share(1 + 64 * sure * sure, 1.4), 1e-6);
+    EXPECT_NEAR(plan.shares[1].share, best_share(1, 1), 1e-6);
+}
+
 /// A leaf of which a single path is known says nothing of light that photons lose.
 TEST(SharePlan, OneBrightPathIsNoLightThatPhotonsLose) {
     std::vector<ShareMoments> leaves{leaf(kPaths, 1), leaf(kPaths, 1)};

@@ -105,6 +105,16 @@ class Search {
         return lost > kCertainlyMissing * std::sqrt(variance) ? lost / eye : 0;
     }
 
+    /// How much of the light of one leaf photons miss, beyond chance: where surfaces are smaller
+    /// than the radius they lose far more than elsewhere. Not what they bring too much: light that
+    /// paths seldom meet looks the same.
+    static double bias_of(const ShareMoments& m) {
+        if (!(m.continued > 0)) return 0;
+        const double square = std::max(0.0, mean(m.xx + m.yy - 2 * m.xy, m.continued));
+        const double difference = (m.y - m.x) / m.continued;
+        return std::max(0.0, difference - kCertainlyMissing * std::sqrt(square / m.continued));
+    }
+
     /// Variance of a single photon path's worth of light that both carry. What is seldom found at
     /// all is found together by a whole pass.
     double photon_variance(const ShareMoments& m) const {
@@ -156,15 +166,16 @@ class Search {
         if (now.any()) saved_ += direct;
         own_ += weight * own * facts_.squared_error;
         const double ray_cost = points * facts_.ray_cost;
-        terms_.push_back({.photons = weight * photons * facts_.squared_error,
-                          .lost = weight * facts_.points_per_pixel * facts_.passes_until *
-                                  sq(lost_) * std::max(0.0, mean(m.xy, m.continued)),
-                          .eye = weight * kStratifiedPaths * eye,
-                          .cost = ray_cost * mean(m.rays, m.continued),
-                          .first_cost = ray_cost * kFirstRays,
-                          .direct = direct,
-                          .shares_direct = now.any(),
-                          .leaf = i});
+        terms_.push_back(
+            {.photons = weight * photons * facts_.squared_error,
+             .lost = weight * facts_.points_per_pixel * facts_.passes_until *
+                     std::max(sq(lost_) * std::max(0.0, mean(m.xy, m.continued)), sq(bias_of(m))),
+             .eye = weight * kStratifiedPaths * eye,
+             .cost = ray_cost * mean(m.rays, m.continued),
+             .first_cost = ray_cost * kFirstRays,
+             .direct = direct,
+             .shares_direct = now.any(),
+             .leaf = i});
     }
 
     /// What a leaf's eye paths could do more, and what that saves and costs.

@@ -98,6 +98,12 @@ std::vector<ParameterDeclaration> common_declarations() {
     };
 }
 
+ParameterDeclaration occlusion_declaration(PluginKind kind) {
+    return boolean("photonocclusion", defaults_of(kind).photon_occlusion,
+                   "Photons count only where nothing separates them from what is seen, such as a "
+                   "wall thinner than the radius (docs/understand/edges.md).");
+}
+
 ParameterDeclaration photons_declaration(PluginKind kind) {
     return integer("photonperpass", defaults_of(kind).photons_per_pass,
                    "Photon paths shot in each pass; 0: in mode progressive as many as the noise of "
@@ -282,6 +288,7 @@ std::vector<ParameterDeclaration> declarations_of(PluginKind kind) {
     }
     append(all, common_declarations());
     all.push_back(photons_declaration(kind));
+    all.push_back(occlusion_declaration(kind));
     if (kind == PluginKind::Aips || kind == PluginKind::Sppm) {
         all.push_back(radius_declaration(kind));
     }

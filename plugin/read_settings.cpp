@@ -18,6 +18,7 @@ void read_common(const lxs::ParameterReader& in, Settings& s) {
     s.alpha = in.number("alpha", s.alpha);
     s.include_environment = in.boolean("includeenvironment", s.include_environment);
     s.direct_light_sampling = in.boolean("directlightsampling", s.direct_light_sampling);
+    s.photon_occlusion = in.boolean("photonocclusion", s.photon_occlusion);
     s.learn_lights = in.boolean("learnlights", s.learn_lights);
     s.store_glossy = in.boolean("storeglossy", s.store_glossy);
     s.debug_layers = in.boolean("debuglayers", s.debug_layers);
@@ -99,6 +100,7 @@ Settings defaults_of(PluginKind kind) {
     settings.continue_eye_paths = false;
     settings.guide_lamps = false;
     settings.correct_edges = false;
+    settings.photon_occlusion = false;
     settings.narrow_radii = false;
     settings.photons_per_pass = kUsualPhotonsPerPass;
     settings.radius = RadiusKind::Schedule;

@@ -212,6 +212,17 @@ Rgb SceneShim::visibility(const SurfacePoint& point, const DirectSample& light, 
     return from(scene_.transmittance(lxs::shadow_ray(to_hit(point), to(light), time)));
 }
 
+bool SceneShim::blocked(Vec3 from, Vec3 to, float time) const {
+    lxs::Ray ray;
+    ray.origin = lxs::Vec3(from.x, from.y, from.z);
+    ray.direction = lxs::Vec3(to.x, to.y, to.z) - ray.origin;
+    ray.t_max = ray.direction.length();
+    if (!(ray.t_max > 0)) return false;
+    ray.direction /= ray.t_max;
+    ray.time = time;
+    return lxs::is_black(scene_.transmittance(ray));
+}
+
 Bounds SceneShim::bounds() const {
     const lxs::Bounds b = scene_.bounds();
     return b.isEmpty() ? Bounds{} : Bounds{from(b.min), from(b.max)};

@@ -25,6 +25,7 @@ class SceneShim final : public Scene {
                           std::pmr::memory_resource& memory) const override;
     Ray spawn(const SurfacePoint& point, Vec3 direction, float time) const override;
     Rgb visibility(const SurfacePoint& point, const DirectSample& light, float time) const override;
+    bool blocked(Vec3 from, Vec3 to, float time) const override;
     std::span<const Light* const> lights() const override { return light_pointers_; }
     std::span<const std::string> material_names() const override { return scene_.material_names(); }
     std::uint32_t light_groups() const override {

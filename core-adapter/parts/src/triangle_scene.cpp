@@ -204,6 +204,13 @@ Rgb TriangleScene::visibility(const SurfacePoint& point, const DirectSample& lig
     return tree_->nearest(ray.origin, to / distance, end, hit) ? Rgb{} : kWhite;
 }
 
+bool TriangleScene::blocked(Vec3 from, Vec3 to, float /*time*/) const {
+    const Vec3 way = to - from;
+    const float distance = length(way);
+    TriangleTree::Hit hit;
+    return distance > 0 && tree_->nearest(from, way / distance, double(distance), hit);
+}
+
 SceneFacts TriangleScene::facts() const {
     SceneFacts facts;
     facts.lobes = 0;

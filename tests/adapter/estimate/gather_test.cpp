@@ -95,7 +95,7 @@ TEST(Gather, CountsTheAcceptedPhotonsOfEachPoint) {
                                         dark,
                                         good};
     EXPECT_EQ(flux_at_origin(landings, 0.1f).accepted[0], 2u);
-    EXPECT_EQ(flux_at_origin(landings, 0.1f).gathered, 2u);
+    EXPECT_EQ(flux_at_origin(landings, 0.1f).counts.photons, 2u);
     // A wall that absorbs what the photon carries.
     Landing green = good;
     green.power = {0, 1, 0};

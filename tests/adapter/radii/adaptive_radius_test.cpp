@@ -184,7 +184,7 @@ TEST(AdaptiveRadius, FindsTheOptimumOfAKnownDensity) {
         PhotonFlux flux;
         flux.wants_inner = true;
         flux.reset(image.visible_points.size(), 1, radii.probes.size());
-        gather_probes(image, grid, radii, flux.probes);
+        gather_probes(image, grid, radii, nullptr, flux.probes);
         adaptive.after_pass(flux);
     }
     const double area = 4 * kHalf * kHalf;
@@ -228,7 +228,7 @@ std::vector<RowOfRadii> radii_across_an_edge(std::size_t passes, int photons) {
         flux.reset(image.visible_points.size(), 1, radii.probes.size());
         Refusals refusals;
         gather_photons(image, grid, radii, refusals, flux);
-        gather_probes(image, grid, radii, flux.probes);
+        gather_probes(image, grid, radii, nullptr, flux.probes);
         policy.after_pass(flux);
         std::vector<double> row;
         for (std::size_t x = 0; x < kSize; ++x)
@@ -272,7 +272,7 @@ TEST(AdaptiveRadius, ProbesTakeWhatTheGatherTakes) {
     radii.probes = {&only, 1};
     radii.probe_radius = 0.5f;
     std::vector<ProbeSums> sums(1);
-    gather_probes(image, grid, radii, sums);
+    gather_probes(image, grid, radii, nullptr, sums);
     const double value = double(luminance(Rgb{0, 1, 0})) / std::numbers::pi;
     EXPECT_NEAR(sums[0].squares, value * value, 1e-6);
     for (const double curvature : sums[0].curvature)

@@ -83,12 +83,12 @@ void range_gather(benchmark::State& state) {
     flux.reset(image.visible_points.size(), image.groups);
     tbb::task_arena one_thread(1);
     for ([[maybe_unused]] auto _ : state) {
-        flux.gathered = 0;
+        flux.counts = {};
         one_thread.execute([&] { gather_photons(image, grid, radius, refusals, flux); });
         benchmark::ClobberMemory();
     }
     const auto points = image.visible_points.size();
-    const auto accepted = std::size_t(flux.gathered);
+    const auto accepted = std::size_t(flux.counts.photons);
     state.SetItemsProcessed(state.iterations() * std::int64_t(accepted));
     state.counters["photons_per_point"] = double(accepted) / double(points);
     report_bytes(state,

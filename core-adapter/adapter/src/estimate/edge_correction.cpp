@@ -38,12 +38,17 @@ EdgeCorrection::EdgeCorrection(const Scene& scene, const Settings& settings, std
       height_(height),
       noise_(width, height),
       edges_(std::size_t{width} * height),
-      found_(edges_.size()) {}
+      found_(edges_.size()),
+      walls_(settings.photon_occlusion ? edges_.size() : 0),
+      found_walls_(walls_.size()) {}
 
 std::uint64_t EdgeCorrection::correct(std::uint64_t pass, float time, const EyeImage& image,
-                                      const SearchRadii& radii, PhotonFlux& flux) {
+                                      const SearchRadii& radii, PhotonFlux& flux,
+                                      const PhotonOcclusion* occlusion) {
     std::atomic<std::uint64_t> rays{0};
     assign_all(factors_, image.visible_points.size(), 1.0f, image.positions.size());
+    assign_all(met_walls_, walls_.empty() ? 0 : image.visible_points.size(), std::uint8_t{0},
+               image.positions.size());
     const PointOwners& owners = image.owners;
     SharedWork work = work_on_points(owners, nullptr);
     tbb::parallel_for(
@@ -56,10 +61,16 @@ std::uint64_t EdgeCorrection::correct(std::uint64_t pass, float time, const EyeI
                 const VisiblePoint& point = image.visible_points[i];
                 const std::uint32_t pixel =
                     film_pixel(image.positions[point.sample], width_, height_);
-                const SurfaceQuestion question{edges_[pixel] ? kEdgeGrid : 1, believed(pixel)};
+                SurfaceQuestion question{edges_[pixel] ? kEdgeGrid : 1, believed(pixel)};
+                if (occlusion) {
+                    const bool wall =
+                        walls_[pixel] || occlusion->asks_all(image.positions[point.sample]);
+                    question.occlusion = wall ? 1 : kOcclusionAsked;
+                }
                 if (question.believed >= 1) continue;
                 RandomStream random(settings_.seed, pass, point.sample, RandomDomain::Edge);
                 const float missing = surface.missing(point, radii.of(i), question, random);
+                if (surface.met_separated()) met_walls_[i] = 1;
                 if (flux.wants_inner && (edges_[pixel] || missing > 0)) {
                     const float radius = radii.of(i) * std::numbers::sqrt2_v<float> / 2;
                     flux.inner[i] *= 1 + surface.missing(point, radius, question, random);
@@ -71,6 +82,7 @@ std::uint64_t EdgeCorrection::correct(std::uint64_t pass, float time, const EyeI
     std::uint64_t all_rays = rays.load();
     work.exchange([&, own = all_rays](std::uint32_t rank, StateArchive& archive) {
         plain_of_points(archive, owners, rank, factors_);
+        plain_of_points(archive, owners, rank, met_walls_);
         plain_of_points(archive, owners, rank, flux.inner);
         std::uint64_t of_rank = own;
         archive.value(of_rank);
@@ -116,28 +128,38 @@ void EdgeCorrection::remember(const EyeImage& image) {
         for (std::size_t i = first; i < last; ++i) {
             if (factors_[i] == 1) continue;
             const Vec2 place = image.positions[image.visible_points[i].sample];
+            const std::uint32_t pixel = film_pixel(place, width_, height_);
             // Several visible points may be in one pixel: all say the same.
-            std::atomic_ref(found_[film_pixel(place, width_, height_)])
-                .store(1, std::memory_order_relaxed);
+            std::atomic_ref(found_[pixel]).store(1, std::memory_order_relaxed);
+            if (!met_walls_.empty() && met_walls_[i])
+                std::atomic_ref(found_walls_[pixel]).store(1, std::memory_order_relaxed);
         }
     });
-    in_chunks(edges_.size(), kItemsPerJob, tbb_for, [&](std::size_t first, std::size_t last) {
+    age(edges_, found_);
+    age(walls_, found_walls_);
+}
+
+/// Sets or lowers the `passes` for which pixels count as what they were found to be.
+void EdgeCorrection::age(std::vector<std::uint8_t>& passes, std::vector<std::uint8_t>& found) {
+    in_chunks(passes.size(), kItemsPerJob, tbb_for, [&](std::size_t first, std::size_t last) {
         for (std::size_t i = first; i < last; ++i) {
-            if (found_[i]) {
-                edges_[i] = kEdgePasses;
-            } else if (edges_[i]) {
-                --edges_[i];
+            if (found[i]) {
+                passes[i] = kEdgePasses;
+            } else if (passes[i]) {
+                --passes[i];
             }
-            found_[i] = 0;
+            found[i] = 0;
         }
     });
 }
 
 void EdgeCorrection::state(StateArchive& archive) {
     noise_.state(archive);
-    archive.fixed(edges_);
-    for (const std::uint8_t passes : edges_)
-        StateArchive::check(passes <= kEdgePasses, "pixels at edges");
+    for (std::vector<std::uint8_t>* pixels : {&edges_, &walls_}) {
+        archive.fixed(*pixels);
+        for (const std::uint8_t passes : *pixels)
+            StateArchive::check(passes <= kEdgePasses, "pixels at edges");
+    }
 }
 
 }  // namespace aips

@@ -28,10 +28,12 @@ class EdgeCorrection {
 
     /// Corrects what the photons of a pass have brought; returns the rays traced for it. `radii`
     /// are those that `flux` was gathered within. What the inner halves of discs brought is
-    /// corrected by rays of its own, at edges that are known, and changes nothing else. Bits do not
-    /// depend on the number of threads.
+    /// corrected by rays of its own, at edges that are known, and changes nothing else. With
+    /// `occlusion` surface counts for none where something separates it from the point; null: it
+    /// always counts. Bits do not depend on the number of threads.
     std::uint64_t correct(std::uint64_t pass, float time, const EyeImage& image,
-                          const SearchRadii& radii, PhotonFlux& flux);
+                          const SearchRadii& radii, PhotonFlux& flux,
+                          const PhotonOcclusion* occlusion = nullptr);
 
     /// Luminance that the photons of the last pass brought to all eye paths, over what it was
     /// without correction; 1 if nothing came.
@@ -41,18 +43,20 @@ class EdgeCorrection {
     void state(StateArchive& archive);
 
     std::size_t memory_bytes() const {
-        return noise_.memory_bytes() + edges_.capacity() + found_.capacity() +
+        return noise_.memory_bytes() + edges_.capacity() + found_.capacity() + walls_.capacity() +
+               found_walls_.capacity() + met_walls_.capacity() +
                factors_.capacity() * sizeof(float);
     }
     static std::size_t memory_bound_bytes(std::size_t pixels, std::size_t visible_points) {
-        return PhotonNoise::memory_bound_bytes(pixels) + 2 * pixels +
-               visible_points * sizeof(float);
+        return PhotonNoise::memory_bound_bytes(pixels) + 4 * pixels +
+               visible_points * (1 + sizeof(float));
     }
 
   private:
     float believed(std::uint32_t pixel) const;
     void apply(const EyeImage& image, PhotonFlux& flux);
     void remember(const EyeImage& image);
+    static void age(std::vector<std::uint8_t>& passes, std::vector<std::uint8_t>& found);
 
     const Scene& scene_;
     const Settings& settings_;
@@ -60,8 +64,11 @@ class EdgeCorrection {
     PhotonNoise noise_;                // if radii are adaptive
     std::vector<std::uint8_t> edges_;  // [pixel]: passes for which it counts as one at an edge
     std::vector<std::uint8_t> found_;  // [pixel]: whether this pass has found one there
-    std::vector<float> factors_;       // [visible point], of the last pass
-    double brightened_ = 1;            // by these
+    // The same for surface that something separates from a visible point; of occlusion alone.
+    std::vector<std::uint8_t> walls_, found_walls_;
+    std::vector<float> factors_;           // [visible point], of the last pass
+    std::vector<std::uint8_t> met_walls_;  // [visible point]: surface that is separated from it
+    double brightened_ = 1;                // by these
 };
 
 }  // namespace aips

@@ -39,6 +39,148 @@ void scale_each(std::vector<T>& values, const Scale& scale) {
     });
 }
 
+/// Gathers visible points one after the other. Not for many threads at once.
+class PointGather {
+  public:
+    PointGather(const EyeImage& image, const LandingGrid& grid, const SearchRadii& radii,
+                Refusals& refusals, PhotonFlux& result, PhotonOcclusion* occlusion)
+        : image_(image),
+          grid_(grid),
+          radii_(radii),
+          refusals_(refusals),
+          result_(result),
+          occlusion_(occlusion),
+          sums_(image.groups),
+          parts_(kPhotonParts),
+          inner_(1) {}
+
+    void gather(std::size_t i) {
+        const VisiblePoint& point = image_.visible_points[i];
+        const float radius = radii_.of(i);
+        // Left out of the flux, but what it absorbs is no contribution.
+        const Rgb f = point.bsdf ? kWhite : point.kd;
+        const auto for_each_accepted = [&](const auto& take) {
+            grid_.for_each_in_radius(point.position, radius, [&](const GridPhoton& landing) {
+                const Rgb value = contribution(point, landing, radius);
+                if (is_black(value * f) || !refusals_.accept(value, point.material)) return;
+                take(landing, value);
+            });
+        };
+        count_ = 0;
+        squares_ = shareable_ = shareable_squares_ = 0;
+        const OcclusionTest test =
+            occlusion_ ? occlusion_->test_of(point, i, image_.positions[point.sample])
+                       : OcclusionTest::None;
+        if (test == OcclusionTest::None) {
+            for_each_accepted([&](const GridPhoton& landing, const Rgb& value) {
+                add(point, landing, value, radius);
+            });
+        } else {
+            candidates_.clear();
+            for_each_accepted([&](const GridPhoton& landing, const Rgb& value) {
+                candidates_.push_back({&landing, value, luminance(value)});
+            });
+            const bool all = test == OcclusionTest::All || finds_blocked(point, radius);
+            if (all) drop_blocked(point, i, radius);
+            for (const Candidate& photon : candidates_)
+                add(point, *photon.landing, photon.value, radius);
+        }
+        move_to_result(i);
+    }
+
+    const GatherCounts& counts() const { return counts_; }
+
+  private:
+    /// A photon that the point accepts, unless something separates the two.
+    struct Candidate {
+        const GridPhoton* landing;
+        Rgb value;
+        float luminance;
+    };
+
+    bool blocks(const VisiblePoint& point, const GridPhoton& landing, float radius) {
+        ++counts_.rays;
+        return occlusion_->blocks(point, landing, radius);
+    }
+
+    /// Asks for a few of the candidates, by what they bring.
+    bool finds_blocked(const VisiblePoint& point, float radius) {
+        double sum = 0;
+        for (const Candidate& photon : candidates_)
+            sum += double(photon.luminance);
+        if (!(sum > 0)) return false;
+        RandomStream random = occlusion_->numbers(point);
+        const std::size_t asks = std::min<std::size_t>(occlusion_->some(), candidates_.size());
+        for (std::size_t ask = 0; ask < asks; ++ask) {
+            double left = double(random.next()) * sum;
+            std::size_t chosen = 0;
+            while (chosen + 1 < candidates_.size() &&
+                   (left -= double(candidates_[chosen].luminance)) >= 0)
+                ++chosen;
+            if (blocks(point, *candidates_[chosen].landing, radius)) return true;
+        }
+        return false;
+    }
+
+    void drop_blocked(const VisiblePoint& point, std::size_t i, float radius) {
+        double all = 0, reached = 0;
+        const std::size_t before = candidates_.size();
+        std::erase_if(candidates_, [&](const Candidate& photon) {
+            const auto square = double(photon.luminance) * double(photon.luminance);
+            all += square;
+            if (blocks(point, *photon.landing, radius)) return true;
+            reached += square;
+            return false;
+        });
+        if (candidates_.size() < before) occlusion_->found(i);
+        occlusion_->add_squares(i, all, reached);
+    }
+
+    void add(const VisiblePoint& point, const GridPhoton& landing, const Rgb& value, float radius) {
+        sums_.add(landing.light_group, value);
+        if (result_.wants_parts) {
+            const ImagePart part =
+                point.scatterings.scattered_in(static_cast<ImagePart>(landing.part));
+            if (part != ImagePart::Indirect) parts_.add(std::uint32_t(part), value);
+        }
+        if (result_.wants_inner &&
+            length_squared(landing.position - point.position) <= radius * radius / 2)
+            inner_.add(0, value);
+        const auto square = double(luminance(value) * luminance(value));
+        squares_ += square;
+        if (result_.wants_shareable && landing.shareable) {
+            shareable_ += double(luminance(value));
+            shareable_squares_ += square;
+        }
+        ++count_;
+    }
+
+    void move_to_result(std::size_t i) {
+        sums_.move_to(&result_.flux[i * image_.groups]);
+        result_.accepted[i] = saturated_sum(result_.accepted[i], count_);
+        result_.squares[i] += float(squares_);
+        if (result_.wants_parts) parts_.move_to(&result_.parts[i * kPhotonParts]);
+        if (result_.wants_inner) inner_.move_to(&result_.inner[i]);
+        if (result_.wants_shareable) {
+            result_.shareable[i].sum += float(shareable_);
+            result_.shareable[i].squares += float(shareable_squares_);
+        }
+        counts_.photons += count_;
+    }
+
+    const EyeImage& image_;
+    const LandingGrid& grid_;
+    const SearchRadii& radii_;
+    Refusals& refusals_;
+    PhotonFlux& result_;
+    PhotonOcclusion* occlusion_;
+    GroupSums sums_, parts_, inner_;
+    std::uint32_t count_ = 0;
+    double squares_ = 0, shareable_ = 0, shareable_squares_ = 0;
+    std::vector<Candidate> candidates_;
+    GatherCounts counts_;
+};
+
 }  // namespace
 
 void PhotonFlux::scale(double factor) {
@@ -66,62 +208,25 @@ Rgb contribution(const VisiblePoint& point, const GridPhoton& landing, float rad
 }
 
 void gather_photons(const EyeImage& image, const LandingGrid& grid, const SearchRadii& radii,
-                    Refusals& refusals, PhotonFlux& result) {
-    const std::uint32_t groups = image.groups;
-    std::atomic<std::uint64_t> gathered{0};
+                    Refusals& refusals, PhotonFlux& result, PhotonOcclusion* occlusion) {
+    std::atomic<std::uint64_t> photons{0}, rays{0};
     tbb::parallel_for(
         tbb::blocked_range<std::size_t>(image.owners.first(image.visible_points.size()),
                                         image.owners.last(image.visible_points.size()), 64),
         [&](const tbb::blocked_range<std::size_t>& range) {
-            std::uint64_t total = 0;
-            GroupSums sums(groups), parts(kPhotonParts), inner(1);
-            for (std::size_t i = range.begin(); i < range.end(); ++i) {
-                const VisiblePoint& point = image.visible_points[i];
-                const float radius = radii.of(i);
-                const float inner_square = radius * radius / 2;
-                // Left out of the flux, but what it absorbs is no contribution.
-                const Rgb f = point.bsdf ? kWhite : point.kd;
-                std::uint32_t count = 0;
-                double squares = 0, shareable = 0, shareable_squares = 0;
-                grid.for_each_in_radius(point.position, radius, [&](const GridPhoton& landing) {
-                    const Rgb value = contribution(point, landing, radius);
-                    if (is_black(value * f) || !refusals.accept(value, point.material)) return;
-                    sums.add(landing.light_group, value);
-                    if (result.wants_parts) {
-                        const ImagePart part =
-                            point.scatterings.scattered_in(static_cast<ImagePart>(landing.part));
-                        if (part != ImagePart::Indirect) parts.add(std::uint32_t(part), value);
-                    }
-                    if (result.wants_inner &&
-                        length_squared(landing.position - point.position) <= inner_square)
-                        inner.add(0, value);
-                    const auto square = double(luminance(value) * luminance(value));
-                    squares += square;
-                    if (result.wants_shareable && landing.shareable) {
-                        shareable += double(luminance(value));
-                        shareable_squares += square;
-                    }
-                    ++count;
-                });
-                sums.move_to(&result.flux[i * groups]);
-                result.accepted[i] = saturated_sum(result.accepted[i], count);
-                result.squares[i] += float(squares);
-                if (result.wants_parts) parts.move_to(&result.parts[i * kPhotonParts]);
-                if (result.wants_inner) inner.move_to(&result.inner[i]);
-                if (result.wants_shareable) {
-                    result.shareable[i].sum += float(shareable);
-                    result.shareable[i].squares += float(shareable_squares);
-                }
-                total += count;
-            }
-            gathered.fetch_add(total, std::memory_order_relaxed);
+            PointGather point(image, grid, radii, refusals, result, occlusion);
+            for (std::size_t i = range.begin(); i < range.end(); ++i)
+                point.gather(i);
+            photons.fetch_add(point.counts().photons, std::memory_order_relaxed);
+            rays.fetch_add(point.counts().rays, std::memory_order_relaxed);
         });
-    result.gathered += gathered.load();
+    result.counts.photons += photons.load();
+    result.counts.rays += rays.load();
 }
 
-void exchange_flux(const EyeImage& image, std::uint64_t gathered_before, SharedWork& work,
-                   PhotonFlux& flux) {
-    const std::uint64_t own = flux.gathered - gathered_before;
+void exchange_flux(const EyeImage& image, const GatherCounts& before, SharedWork& work,
+                   PhotonFlux& flux, PhotonOcclusion* occlusion) {
+    const GatherCounts own{flux.counts.photons - before.photons, flux.counts.rays - before.rays};
     work.exchange([&](std::uint32_t rank, StateArchive& archive) {
         plain_of_points(archive, image.owners, rank, flux.flux, image.groups);
         plain_of_points(archive, image.owners, rank, flux.accepted);
@@ -129,9 +234,13 @@ void exchange_flux(const EyeImage& image, std::uint64_t gathered_before, SharedW
         plain_of_points(archive, image.owners, rank, flux.shareable);
         plain_of_points(archive, image.owners, rank, flux.parts, kPhotonParts);
         plain_of_points(archive, image.owners, rank, flux.inner);
-        std::uint64_t gathered = own;
-        archive.value(gathered);
-        if (archive.restoring()) flux.gathered += gathered;
+        if (occlusion) occlusion->exchange(rank, archive, image.owners);
+        GatherCounts of_rank = own;
+        archive.value(of_rank.photons);
+        archive.value(of_rank.rays);
+        if (!archive.restoring()) return;
+        flux.counts.photons += of_rank.photons;
+        flux.counts.rays += of_rank.rays;
     });
 }
 

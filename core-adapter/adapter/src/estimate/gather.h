@@ -8,6 +8,7 @@
 #include "aips/core/radii/optimal_radius.h"
 #include "aips/core/sampling/sampling.h"
 #include "base/assign_all.h"
+#include "estimate/photon_occlusion.h"
 #include "estimate/search_radii.h"
 #include "eye/eye_pass.h"
 #include "ranks/shared_work.h"
@@ -20,6 +21,12 @@ namespace aips {
 struct ShareableFlux {
     float sum = 0;
     float squares = 0;  ///< of single photons'
+};
+
+/// What gathers have done so far.
+struct GatherCounts {
+    std::uint64_t photons = 0;  ///< accepted, over all visible points
+    std::uint64_t rays = 0;     ///< that asked what separates them
 };
 
 /// What photons have brought to the visible points of a pass so far.
@@ -40,7 +47,7 @@ struct PhotonFlux {
     /// brought; empty if not wanted. Edges have a factor of their own there.
     std::vector<Rgb> inner;
     std::vector<ProbeSums> probes;  ///< [number in SearchRadii::probes]
-    std::uint64_t gathered = 0;     ///< photons accepted, over all visible points
+    GatherCounts counts;
 
     std::size_t most_points = 0;   ///< visible points of any pass, if that is known
     bool wants_parts = false;      ///< whether gathers fill `parts`
@@ -57,7 +64,7 @@ struct PhotonFlux {
                    most_points * kPhotonParts);
         assign_all(inner, wants_inner ? visible_points : 0, Rgb{}, most_points);
         assign_all(probes, probe_count, ProbeSums{}, most_points);
-        gathered = 0;
+        counts = {};
     }
     /// Multiplies all that was brought.
     void scale(double factor);
@@ -91,14 +98,15 @@ inline Rgb left_out_f(const VisiblePoint& point) {
 /// Adds the landings in `grid` within its radius of each visible point. Landings on a surface that
 /// faces elsewhere, or on the other side of the visible point's, are left out. Every point sums
 /// its photons in the grid's order, so the result does not depend on the number of threads. Of the
-/// points of other ranks nothing is gathered here.
+/// points of other ranks nothing is gathered here. `occlusion` says which photons are asked for
+/// whether something separates them from the point, and is told of those; null: none.
 void gather_photons(const EyeImage& image, const LandingGrid& grid, const SearchRadii& radii,
-                    Refusals& refusals, PhotonFlux& flux);
+                    Refusals& refusals, PhotonFlux& flux, PhotonOcclusion* occlusion = nullptr);
 
 /// After a gather: tells the other ranks what it brought to this one's points, and takes theirs.
-/// `gathered_before`: PhotonFlux::gathered before it; `work` began then.
-void exchange_flux(const EyeImage& image, std::uint64_t gathered_before, SharedWork& work,
-                   PhotonFlux& flux);
+/// `before`: PhotonFlux::counts before it; `work` began then.
+void exchange_flux(const EyeImage& image, const GatherCounts& before, SharedWork& work,
+                   PhotonFlux& flux, PhotonOcclusion* occlusion = nullptr);
 
 /// Whether a landing is on the visible point's own surface: similar normals, whose cosine is
 /// `agreement` up to its sign, and within a slab around the point's tangent plane, which keeps

@@ -13,7 +13,7 @@ namespace aips {
 
 void add_photon_energy(const EyeImage& image, const LandingGrid& grid,
                        std::span<const Landing> landings, const SearchRadii& radii,
-                       LuminanceByLight& sums) {
+                       const PhotonOcclusion* occlusion, LuminanceByLight& sums) {
     constexpr std::size_t kChunks = 256;  // a fixed number: their sums are joined in order
     std::array<LuminanceByLight, kChunks> chunks;
     const std::size_t points = image.visible_points.size();
@@ -28,9 +28,11 @@ void add_photon_energy(const EyeImage& image, const LandingGrid& grid,
             grid.for_each_in_radius(point.position, radius, [&](const GridPhoton& photon) {
                 const auto value = double(luminance(scale * contribution(point, photon, radius)));
                 // What is no light is refused, and counted, by the gather itself.
-                if (value > 0 && std::isfinite(value)) {
-                    chunks[c].add(landings[photon.index].light, value);
-                }
+                if (!(value > 0) || !std::isfinite(value)) return;
+                if (occlusion && occlusion->blocks_if_asked(point, image.positions[point.sample],
+                                                            photon, radius))
+                    return;
+                chunks[c].add(landings[photon.index].light, value);
             });
         }
     });

@@ -8,6 +8,7 @@
 #include "aips/core/sampling/sampling.h"
 #include "estimate/constants.h"
 #include "estimate/gather.h"
+#include "estimate/photon_occlusion.h"
 #include "eye/surface_normals.h"
 
 namespace aips {
@@ -24,6 +25,8 @@ class Disc {
         const Vec2 d = square_to_concentric_disk(u);
         return point_.position + (frame_.s * d.x + frame_.t * d.y) * radius_;
     }
+    /// Unit, towards the eye.
+    Vec3 normal() const { return frame_.n; }
     /// From above a place straight down.
     void aim(Vec3 place, Ray& ray) const {
         ray.origin = place + frame_.n * (kSlab * radius_);
@@ -56,10 +59,17 @@ float SurfaceShare::missing(const VisiblePoint& point, float radius,
         ++rays_;
         SurfacePoint met;
         const auto mark = arena_.mark();
-        const bool found = scene_.intersect_shape(ray_, met, arena_);
+        const bool found = scene_.intersect_shape(ray_, met, arena_) && disc.has(met);
         arena_.rewind(mark);
-        return found && disc.has(met);
+        if (!found || !(question.occlusion > 0)) return found;
+        if (question.occlusion < 1 && !(random.next() < question.occlusion)) return true;
+        ++rays_;
+        const Vec3 normal = normal_towards(disc.normal(), met);
+        if (!separated(scene_, point, met.position, normal, radius, ray_.time)) return true;
+        met_separated_ = true;
+        return false;
     };
+    met_separated_ = false;
     std::uint32_t trials = 0;
     for (std::uint32_t cell = 0; cell < side * side; ++cell) {
         const std::uint32_t column = cell % side, row = cell / side;

@@ -13,6 +13,7 @@ namespace aips {
 struct SurfaceQuestion {
     std::uint32_t side = 1;  ///< one place in each cell of side x side is tried first
     float believed = 0;      ///< chance of a place to pass for surface unasked, below 1
+    float occlusion = 0;     ///< chance of surface to be asked whether something separates it
 };
 
 /// Asks for places of search discs whether there is surface. Not for many threads at once.
@@ -25,17 +26,21 @@ class SurfaceShare {
     /// surface in part: in the mean (1 - p) (1 - (1 - p)^kMostTrials) / p, which is 1 / p - 1 but
     /// for its bound. p is the share of places that pass for surface: those believed unasked, and
     /// those where a ray along the normal finds surface that gather_photons() takes photons from,
-    /// turned alike and within the slab. Exactly 0 where all is surface.
+    /// turned alike, within the slab, and not separated from the point as far as that is asked.
+    /// Exactly 0 where all is surface.
     float missing(const VisiblePoint& point, float radius, const SurfaceQuestion& question,
                   RandomStream& random);
 
     std::uint64_t rays() const { return rays_; }
+    /// Whether the last call met surface that something separates from the point.
+    bool met_separated() const { return met_separated_; }
 
   private:
     const Scene& scene_;
     Arena arena_;
     Ray ray_;
     std::uint64_t rays_ = 0;
+    bool met_separated_ = false;
 };
 
 }  // namespace aips

@@ -47,7 +47,7 @@ void PhotonPass::mark_reach(float radius) {
 
 void PhotonPass::shoot(std::uint64_t pass, const PassPhotons& photons, float time,
                        const EyeImage& image, const SearchRadii& radii, Refusals& refusals,
-                       PhotonFlux& flux) {
+                       PhotonFlux& flux, PhotonOcclusion* occlusion) {
     flux.reset(image.visible_points.size(), image.groups, radii.probes.size());
     begin_pass(pass, photons, time, image, radii, {flux.wants_parts, flux.wants_bias});
     pass_light_.clear();
@@ -58,15 +58,17 @@ void PhotonPass::shoot(std::uint64_t pass, const PassPhotons& photons, float tim
         PhotonInput input = input_of(pass, time, iteration);
         input.ranks = image.owners.ranks;
         run_iteration(input, paths, refusals);
-        if (waiting_.landings().size() > kWaitingPhotons) gather(image, radii, refusals, flux);
+        if (waiting_.landings().size() > kWaitingPhotons)
+            gather(image, radii, refusals, flux, occlusion);
         if (volume_ && volume_->full()) gather_in_media(image, refusals);
         first += paths.count;
     }
-    end_iterations(image, radii, refusals, flux);
+    end_iterations(image, radii, refusals, flux, occlusion);
     const double factor = source_->end_pass();
     if (factor != 1) flux.scale(factor);
     flux_factor_ = factor * scale_to_counted(photons, flux);
-    totals_.gathered += flux.gathered;
+    totals_.gathered += flux.counts.photons;
+    totals_.counts.rays += flux.counts.rays;
 }
 
 void PhotonPass::account(const PassPhotons& photons, std::uint32_t passes, const EyeImage& image,
@@ -128,10 +130,10 @@ void PhotonPass::study_beside(Ranks* ranks, const Work& work) {
 }
 
 void PhotonPass::end_iterations(const EyeImage& image, const SearchRadii& radii, Refusals& refusals,
-                                PhotonFlux& flux) {
+                                PhotonFlux& flux, PhotonOcclusion* occlusion) {
     study_beside(image.owners.ranks, [&] {
         gather_in_media(image, refusals);
-        gather(image, radii, refusals, flux);
+        gather(image, radii, refusals, flux, occlusion);
     });
     const Stopwatch watch(totals_.guide_seconds);
     totals_.learned += guide_->end_pass();
@@ -146,18 +148,19 @@ double PhotonPass::scale_to_counted(const PassPhotons& photons, PhotonFlux& flux
 }
 
 void PhotonPass::gather(const EyeImage& image, const SearchRadii& radii, Refusals& refusals,
-                        PhotonFlux& flux) {
+                        PhotonFlux& flux, PhotonOcclusion* occlusion) {
     const Stopwatch watch(totals_.gather_seconds);
     grid_.build(waiting_.landings(), radii.largest, tbb_for, image.visible_points.size());
-    const std::uint64_t gathered = flux.gathered;
+    const GatherCounts before = flux.counts;
     SharedWork work = work_on_points(image.owners, &refusals);
-    gather_photons(image, grid_, radii, refusals, flux);
-    exchange_flux(image, gathered, work, flux);
-    if (settings_.account) add_photon_energy(image, grid_, waiting_.landings(), radii, pass_light_);
+    gather_photons(image, grid_, radii, refusals, flux, occlusion);
+    exchange_flux(image, before, work, flux, occlusion);
+    if (settings_.account)
+        add_photon_energy(image, grid_, waiting_.landings(), radii, occlusion, pass_light_);
     if (!radii.probes.empty()) {
         // A grid of their own: one for radii so much wider would slow the gather.
         grid_.build(waiting_.landings(), radii.probe_radius, tbb_for);
-        gather_probes(image, grid_, radii, flux.probes);
+        gather_probes(image, grid_, radii, occlusion, flux.probes);
     }
     waiting_.clear();
 }

@@ -40,9 +40,11 @@ class PhotonPass {
     }
 
     /// Shoots `photons` and fills `flux` for the visible points in `image`. In modes that freeze
-    /// the eye pass the visible points must be the same in each pass.
+    /// the eye pass the visible points must be the same in each pass. `occlusion` as for
+    /// gather_photons().
     void shoot(std::uint64_t pass, const PassPhotons& photons, float time, const EyeImage& image,
-               const SearchRadii& radii, Refusals& refusals, PhotonFlux& flux);
+               const SearchRadii& radii, Refusals& refusals, PhotonFlux& flux,
+               PhotonOcclusion* occlusion = nullptr);
 
     /// What the photons of the pass brought to the image by light, if the settings ask for it;
     /// they were shot for so many `passes`. `brightened`: by what factor its flux as a whole was
@@ -95,10 +97,10 @@ class PhotonPass {
     void study_beside(Ranks* ranks, const Work& work);
     /// The last gather, beside the guide's studies of the last iteration.
     void end_iterations(const EyeImage& image, const SearchRadii& radii, Refusals& refusals,
-                        PhotonFlux& flux);
+                        PhotonFlux& flux, PhotonOcclusion* occlusion);
     void gather_in_media(const EyeImage& image, Refusals& refusals);
     void gather(const EyeImage& image, const SearchRadii& radii, Refusals& refusals,
-                PhotonFlux& flux);
+                PhotonFlux& flux, PhotonOcclusion* occlusion);
     /// What it shot stands for as many paths as it counts.
     /// Returns by what it scales the flux.
     double scale_to_counted(const PassPhotons& photons, PhotonFlux& flux);

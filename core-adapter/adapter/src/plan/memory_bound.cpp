@@ -142,7 +142,9 @@ std::size_t photon_memory_bound(const Scene& scene, const Needs& needs, std::uin
                              eye_paths * (sizeof(PixelLuminance) + sizeof(float));
     const std::size_t edges =
         settings.correct_edges ? EdgeCorrection::memory_bound_bytes(pixels, eye_paths) : 0;
-    return visible_point_bytes(scene, eye_paths) + plan + edges +
+    const std::size_t occlusion =
+        settings.photon_occlusion ? PhotonOcclusion::memory_bound_bytes(pixels, eye_paths) : 0;
+    return visible_point_bytes(scene, eye_paths) + plan + edges + occlusion +
            OccupancyGrid::memory_bound_bytes(eye_paths) + photon_bytes(scene, settings, eye_paths) +
            thread_bytes(scene) + guide + radii +
            ShareTable::memory_bound_bytes(ShareTableSettings()) +

@@ -108,6 +108,13 @@ void drop_edge_correction(Needs& needs) {
     skip(needs, "correction of edges", reason);
 }
 
+/// Photons that are not gathered are not asked for.
+void drop_occlusion(Needs& needs) {
+    if (!needs.settings.photon_occlusion || needs.photons) return;
+    needs.settings.photon_occlusion = false;
+    skip(needs, "rays between photons and visible points", "no photons to gather");
+}
+
 /// Blur narrows radii that adapt.
 void drop_narrowing(Needs& needs) {
     Settings& s = needs.settings;
@@ -194,6 +201,7 @@ Needs analyse(const Scene& scene, const Settings& settings) {
     drop_learned_lights(needs, lights.size() - dead, facts);
     drop_continued_paths(needs, scene);
     drop_edge_correction(needs);
+    drop_occlusion(needs);
     drop_narrowing(needs);
     drop_lamp_paths(needs, facts, dead < lights.size());
     if (scene.media()) drop_parts_for_surfaces(needs, facts);

@@ -10,9 +10,10 @@ namespace aips {
 
 /// Adds the landings in `grid` to the probes that `radii` asks for: sums[i] belongs to visible
 /// point radii.probes[i]. A landing contributes the luminance of what it brings to the eye path,
-/// before division by disc and paths; it is taken as gather_photons takes it. Every probe sums its
+/// before division by disc and paths; it is taken as gather_photons takes it with
+/// `occlusion`. Every probe sums its
 /// photons in the grid's order, so the result does not depend on the number of threads.
 void gather_probes(const EyeImage& image, const LandingGrid& grid, const SearchRadii& radii,
-                   std::span<ProbeSums> sums);
+                   const PhotonOcclusion* occlusion, std::span<ProbeSums> sums);
 
 }  // namespace aips

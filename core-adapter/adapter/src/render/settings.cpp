@@ -94,6 +94,7 @@ std::string describe(const Settings& s) {
     if (!s.photon_turns) out << ", photonturns = false";
     if (!s.guide_lamps) out << ", guidelamps = false";
     if (!s.correct_edges) out << ", correctedges = false";
+    if (!s.photon_occlusion) out << ", photonocclusion = false";
     if (s.guide == GuideKind::Paper) {
         out << ", guideshare = " << s.guide_share << ", iterationphotons = " << s.iteration_photons
             << " paths, nodephotons = " << s.node_photons << ", treedepth = " << s.tree_depth

@@ -42,6 +42,8 @@ PhotonStrategy::PhotonStrategy(const Host& host, Plan& plan, std::uint32_t eye_p
     flux_.wants_inner = flux_.wants_bias || settings_.narrow_radii;
     if (wants_noise()) noise_.emplace(film_.width(), film_.height());
     if (settings_.correct_edges) edges_.emplace(scene_, settings_, film_.width(), film_.height());
+    if (settings_.photon_occlusion)
+        occlusion_.emplace(scene_, settings_.seed, film_.width(), film_.height());
     if (settings_.debug_layers) layers_.emplace(film_, guide_.get());
 }
 
@@ -132,11 +134,18 @@ void PhotonStrategy::shoot(const StrategyPass& pass, const PassPhotons& photons,
     const bool any_points = !image.visible_points.empty();
     shot_ = photons.paths;
     if (any_points) radii_ = radius_policy_->before_pass(photons, image);
-    photon_pass_.shoot(pass.number, photons, pass.time, image, radii_, pass.refusals, flux_);
+    PhotonOcclusion* const occlusion = occlusion_ ? &*occlusion_ : nullptr;
+    if (occlusion) {
+        occlusion->begin_pass(pass.number, pass.time, image);
+        if (importance_) importance_->set_occlusion(*occlusion);
+    }
+    photon_pass_.shoot(pass.number, photons, pass.time, image, radii_, pass.refusals, flux_,
+                       occlusion);
     if (edges_ && any_points) {
         const Stopwatch watch(edge_seconds_);
-        report.rays += edges_->correct(pass.number, pass.time, image, radii_, flux_);
+        report.rays += edges_->correct(pass.number, pass.time, image, radii_, flux_, occlusion);
     }
+    if (occlusion) occlusion->end_pass(image);
     photon_pass_.account(photons, schedule_.turns(), image, edges_ ? edges_->brightened() : 1);
     photon_pass_.estimate(image, flux_, radii_, photons.paths, pass.refusals, radiance_,
                           noise_ ? &variances_ : nullptr);
@@ -238,6 +247,7 @@ void PhotonStrategy::state(StateArchive& archive, const EyeImage& image) {
     photon_pass_.state(archive);
     radius_policy_->state(archive, image);
     if (edges_) edges_->state(archive);
+    if (occlusion_) occlusion_->state(archive);
     if (layers_) layers_->state(archive);
 }
 
@@ -279,9 +289,9 @@ std::size_t PhotonStrategy::memory_bytes() const {
                sizeof(Rgb) +
            variances_.capacity() * sizeof(float) + seen_.capacity() * sizeof(PixelLuminance) +
            photon_pass_.memory_bytes() + radius_policy_->memory_bytes() +
-           (edges_ ? edges_->memory_bytes() : 0) + (importance_ ? importance_->memory_bytes() : 0) +
-           (noise_ ? noise_->memory_bytes() : 0) + (shared_ ? shared_->memory_bytes() : 0) +
-           (layers_ ? layers_->memory_bytes() : 0);
+           (edges_ ? edges_->memory_bytes() : 0) + (occlusion_ ? occlusion_->memory_bytes() : 0) +
+           (importance_ ? importance_->memory_bytes() : 0) + (noise_ ? noise_->memory_bytes() : 0) +
+           (shared_ ? shared_->memory_bytes() : 0) + (layers_ ? layers_->memory_bytes() : 0);
 }
 
 std::size_t PhotonStrategy::memory_bound_bytes() const {

@@ -73,10 +73,11 @@ class PhotonStrategy : public LightStrategy {
     std::optional<SharedLight> shared_;          // if eye paths go on from visible points
     PhotonPass photon_pass_;
     std::unique_ptr<RadiusPolicy> radius_policy_;
-    std::optional<EdgeCorrection> edges_;  // if search discs are asked for edges
-    SearchRadii radii_;                    // of the last pass
-    std::uint32_t shot_ = 0;               // photon paths in it
-    bool in_turn_ = true;                  // whether it was one that shoots
+    std::optional<EdgeCorrection> edges_;       // if search discs are asked for edges
+    std::optional<PhotonOcclusion> occlusion_;  // if photons are asked for what separates them
+    SearchRadii radii_;                         // of the last pass
+    std::uint32_t shot_ = 0;                    // photon paths in it
+    bool in_turn_ = true;                       // whether it was one that shoots
     PhotonFlux flux_;
     PhotonPassTotals before_;       // the last pass
     std::vector<Rgb> radiance_;     // [eye path * groups + group]; empty if none is needed

@@ -137,8 +137,11 @@ double PixelImportance::weigh(const EyeImage& image, std::vector<float>& weights
         return sum;
     };
     const double mean = ordered_sum<double>(weights.size(), weigh_points) / double(weights.size());
-    for_all(weights.size(),
-            [&](std::size_t i) { weights[i] = within_floats(double(weights[i]) / mean); });
+    for_all(weights.size(), [&](std::size_t i) {
+        const Vec2 position = image.positions[image.visible_points[i].sample];
+        const float reached = occlusion_ ? occlusion_->reached_share(position) : 1;
+        weights[i] = within_floats(double(weights[i]) / mean * double(reached));
+    });
     return mean;
 }
 

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "aips/core/base/learned_parts.h"
+#include "estimate/photon_occlusion.h"
 #include "eye/eye_pass.h"
 #include "worth/constants.h"
 #include "worth/pixel_luminance.h"
@@ -28,6 +29,9 @@ class PixelImportance {
     /// was when they were given. Before the first pass all are kUnknownWeight. Returns the mean, by
     /// which they were divided.
     double weigh(const EyeImage& image, std::vector<float>& weights) const;
+
+    /// The weights of weigh() are then for what reaches visible points: `occlusion` outlives this.
+    void set_occlusion(const PhotonOcclusion& occlusion) { occlusion_ = &occlusion; }
 
     /// Weight of a squared error of luminance in the pixel of this number (film_pixel.h), eps being
     /// this share of the mean luminance; 1 before the first pass.
@@ -57,6 +61,7 @@ class PixelImportance {
     std::vector<double> sum_, count_;      // [pixel]: of luminance, of eye paths
     std::vector<float> blurred_;           // [pixel]: mean luminance
     std::vector<double> column_, window_;  // [pixel]: scratch
+    const PhotonOcclusion* occlusion_ = nullptr;
     double mean_ = 0;
     std::uint64_t passes_ = 0;
 };

@@ -131,6 +131,9 @@ class Scene {
     /// null surfaces and architectural glass, and is dimmed by media.
     virtual Rgb visibility(const SurfacePoint& point, const DirectSample& light,
                            float time) const = 0;
+    /// Whether something stands on the straight way between two places that are not on a surface;
+    /// what passes light straight on need not count.
+    virtual bool blocked(Vec3 from, Vec3 to, float time) const;
     virtual std::span<const Light* const> lights() const = 0;
     virtual std::span<const std::string> material_names() const = 0;
     virtual std::uint32_t light_groups() const = 0;  ///< at least 1
@@ -139,6 +142,19 @@ class Scene {
     /// Media that scatter light; null if none does, and nothing of it costs anything.
     virtual const Media* media() const { return nullptr; }
 };
+
+inline bool Scene::blocked(Vec3 from, Vec3 to, float time) const {
+    const Vec3 way = to - from;
+    const float distance = length(way);
+    if (!(distance > 0)) return false;
+    Ray ray;
+    ray.origin = from;
+    ray.direction = way / distance;
+    ray.time = time;
+    std::pmr::monotonic_buffer_resource memory;
+    SurfacePoint met;
+    return intersect_shape(ray, met, memory) && met.distance < distance;
+}
 
 /// The ray that carries a path on along `direction`, from a point that `arriving` met. `component`
 /// as in BsdfSample.

@@ -71,6 +71,8 @@ struct Settings {
     bool guide_lamps = true;
     /// Density estimates count the part of a search disc that is surface, not all of it.
     bool correct_edges = true;
+    /// Photons count only where nothing separates them from the visible point.
+    bool photon_occlusion = true;
     /// Where radii adapt: those of pixels that are surely blurred are narrower.
     bool narrow_radii = true;
     bool store_glossy = false;  ///< glossy lobes receive photons instead of bouncing

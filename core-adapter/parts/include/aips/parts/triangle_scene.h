@@ -53,6 +53,7 @@ class TriangleScene final : public Scene {
                    std::pmr::memory_resource& memory) const override;
     Ray spawn(const SurfacePoint& point, Vec3 direction, float time) const override;
     Rgb visibility(const SurfacePoint& point, const DirectSample& light, float time) const override;
+    bool blocked(Vec3 from, Vec3 to, float time) const override;
     std::span<const Light* const> lights() const override { return light_pointers_; }
     std::span<const std::string> material_names() const override { return names_; }
     std::uint32_t light_groups() const override { return light_groups_; }

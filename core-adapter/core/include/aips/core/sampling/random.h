@@ -27,7 +27,8 @@ enum class RandomDomain : std::uint8_t {
     ChainStart = 11,    ///< which visible paths chains start from; index: the choice in the pass
     Edge = 12,          ///< places of search discs; index: the eye path
     PhotonTurn = 13,    ///< which pass of several shoots photons; index: of these several
-    LightsAhead = 14    ///< eye paths before the first pass; index: the path
+    LightsAhead = 14,   ///< eye paths before the first pass; index: the path
+    Occlusion = 15      ///< photons that a visible point asks for; index: the eye path
 };
 
 /// The top 24 bits as a number in [0, 1); never 1, all 2^24 values equally likely.

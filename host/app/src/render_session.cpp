@@ -14,6 +14,7 @@
 #include "lxs/host/seconds_since.h"
 #include "lxs/host/statement_override.h"
 #include "lxs/host/written_files.h"
+#include "lxs/language/asset_finder.h"
 #include "lxs/language/read_scene.h"
 
 namespace lxs {
@@ -102,9 +103,9 @@ void complete_fingerprint(RenderSession& session, const CommandLine& command,
 
 /// Finds the files that lights and the film name, and adds them to `files`.
 auto file_resolver(const SceneContents& contents, ReadFiles& files, Diagnostics& diagnostics) {
-    return [directory = contents.directory, &files, &diagnostics](const std::string& name,
-                                                                  const SourceLocation& where) {
-        return files.assets.emplace_back(resolve_asset(name, directory, where, diagnostics));
+    const auto finder = std::make_shared<AssetFinder>(contents.directory);
+    return [finder, &files, &diagnostics](const std::string& name, const SourceLocation& where) {
+        return files.assets.emplace_back(finder->find(name, where, diagnostics));
     };
 }
 

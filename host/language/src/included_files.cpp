@@ -8,7 +8,6 @@
 #include <limits>
 #include <system_error>
 
-#include "lxs/language/read_scene.h"
 #include "lxs/scene/registry.h"
 
 namespace lxs {
@@ -93,11 +92,11 @@ std::string read_text(const std::string& path) {
     return text;
 }
 
-std::shared_ptr<const SourceFile> open_include(const Name& file, const std::string& main_directory,
+std::shared_ptr<const SourceFile> open_include(const Name& file, AssetFinder& finder,
                                                IncludedSum& sum, Diagnostics& diagnostics) {
     std::string path;
     try {
-        path = resolve_asset(file.text, main_directory, file.where, diagnostics);
+        path = finder.find(file.text, file.where, diagnostics);
     } catch (const InputError& error) {
         throw IgnoredStatement(error.where(), error.message());
     }

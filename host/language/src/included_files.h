@@ -7,6 +7,7 @@
 #include <string>
 
 #include "arguments.h"
+#include "lxs/language/asset_finder.h"
 
 namespace lxs {
 
@@ -23,7 +24,7 @@ struct IncludedSum {
 /// The file that an Include names, added to `sum`. Throws IgnoredStatement if it is missing or
 /// can't be read; InputError if it includes itself or nests too deep; EndOfReading if the sum grows
 /// beyond all scenes.
-std::shared_ptr<const SourceFile> open_include(const Name& file, const std::string& main_directory,
+std::shared_ptr<const SourceFile> open_include(const Name& file, AssetFinder& finder,
                                                IncludedSum& sum, Diagnostics& diagnostics);
 
 }  // namespace lxs

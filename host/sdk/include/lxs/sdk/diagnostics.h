@@ -77,6 +77,9 @@ std::string printable(std::string_view text);
 /// bytes.
 std::string in_quotes(std::string_view text);
 
+/// "unknown <kind> "<name>"".
+std::string unknown_name(std::string_view kind, std::string_view name);
+
 /// "unknown <kind> "<name>"; did you mean "<nearest>"? Known: a, b, c": the nearest of `known`
 /// first, the rest in the order given; of a long list, its first names and how many more there are.
 std::string unknown_name_message(std::string_view kind, const std::string& name,

@@ -8,6 +8,7 @@
 #include <limits>
 #include <system_error>
 
+#include "grammar.h"
 #include "lxs/scene/registry.h"
 
 namespace lxs {
@@ -118,6 +119,18 @@ std::shared_ptr<const SourceFile> open_include(const Name& file, AssetFinder& fi
                                            "included");
     }
     return source;
+}
+
+std::optional<std::string_view> first_word(std::string_view scene) {
+    namespace peg = tao::pegtl;
+    struct Beginning : peg::seq<peg::opt<peg::utf8::bom>, grammar::Gap> {};
+    peg::memory_input<peg::tracking_mode::lazy, peg::eol::lf> in(scene.data(),
+                                                                 scene.data() + scene.size(), "");
+    peg::parse<Beginning>(in);
+    if (in.empty()) return std::nullopt;
+    const char* const begin = in.current();
+    peg::parse<grammar::Word>(in);
+    return std::string_view(begin, static_cast<std::size_t>(in.current() - begin));
 }
 
 }  // namespace lxs

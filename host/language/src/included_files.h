@@ -4,7 +4,9 @@
 #include <filesystem>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
+#include <string_view>
 
 #include "arguments.h"
 #include "lxs/language/asset_finder.h"
@@ -26,5 +28,8 @@ struct IncludedSum {
 /// beyond all scenes.
 std::shared_ptr<const SourceFile> open_include(const Name& file, AssetFinder& finder,
                                                IncludedSum& sum, Diagnostics& diagnostics);
+
+/// Its first word; empty if it begins with none, but null if there is nothing but comments.
+std::optional<std::string_view> first_word(std::string_view scene);
 
 }  // namespace lxs

@@ -188,7 +188,14 @@ void SceneReader::close_world(const SourceLocation& where) {
 
 void SceneReader::include(Statement& statement) {
     const Name file = take_only_name(statement);
-    read(open_include(file, finder_, included_, diagnostics_));
+    const auto source = open_include(file, finder_, included_, diagnostics_);
+    // Messages show lines of scenes, but a scene may name any file of whoever renders it.
+    const auto word = first_word(*source->text);
+    if (word && !rules().contains(std::string(*word))) {
+        throw InputError(file.where, in_quotes(source->name) +
+                                         " is no scene file: it does not begin with a statement");
+    }
+    read(source);
 }
 
 void SceneReader::search_path(Statement& statement) {

@@ -69,12 +69,12 @@ class Diagnostics {
 /// The nearest of `known` to `name` by edit distance, empty if none is near.
 std::string nearest_name(const std::string& name, const std::vector<std::string>& known);
 
-/// `text` with '?' for control characters other than tabs and line ends: names from files reach
-/// terminals.
+/// `text` fit for a terminal, which names from files reach: '?' for control characters other than
+/// tabs and line ends, for what turns the direction of text, and for what is no UTF-8.
 std::string printable(std::string_view text);
 
-/// `text` in double quotes, fit for a message: control characters shown as '?', cut after 120
-/// bytes.
+/// `text` in double quotes, fit for a message: as printable() has it, without tabs and line ends,
+/// and cut after 120 bytes.
 std::string in_quotes(std::string_view text);
 
 /// "unknown <kind> "<name>"".

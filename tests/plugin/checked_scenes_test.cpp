@@ -7,6 +7,7 @@
 #include <regex>
 
 #include "aips/adapter/check_host.h"
+#include "lxs/language/asset_finder.h"
 #include "lxs/language/read_scene.h"
 #include "lxs/tracing/trace_scene.h"
 #include "scene_shim.h"
@@ -40,11 +41,11 @@ TEST_P(CheckedScenes, AreSoundHosts) {
     lxs::register_shapes(registry);
     lxs::register_shading(registry);
     lxs::SceneContents contents = lxs::read_scene(path, registry, silent);
-    const std::string directory = contents.directory;
+    lxs::AssetFinder finder(contents.directory);
     const auto scene = lxs::make_trace_scene(
         std::move(contents),
         [&](const std::string& name, const lxs::SourceLocation& where) {
-            return lxs::resolve_asset(name, directory, where, silent);
+            return finder.find(name, where, silent);
         },
         silent);
     const aips::shim::SceneShim shim(*scene);

@@ -45,17 +45,6 @@ auto reading(const std::string& path, Function function) {
     }
 }
 
-void check_apart(const std::string& path, const OutputFiles& files) {
-    const auto place = [](const std::string& name) {
-        std::error_code ignored;
-        return fs::weakly_canonical(fs::absolute(name, ignored), ignored);
-    };
-    for (const std::string& output : {files.exr, files.png, files.statistics}) {
-        if (!output.empty() && place(output) == place(path))
-            throw CheckpointFailure(fmt::format("'{}' can't be checkpoint and output", path));
-    }
-}
-
 /// All that passes leave for later ones.
 void render_state(StateArchive& archive, RenderTotals& totals, RenderSession& session) {
     totals.state(archive);
@@ -67,7 +56,7 @@ void render_state(StateArchive& archive, RenderTotals& totals, RenderSession& se
 
 }  // namespace
 
-void check_checkpoint_place(const CommandLine& command) {
+void check_checkpoint_place(const CommandLine& command, ConsoleLog& log) {
     if (!command.checkpoint) return;
     const std::string& path = *command.checkpoint;
     std::error_code ignored;
@@ -77,7 +66,7 @@ void check_checkpoint_place(const CommandLine& command) {
                         "not would replace it; remove it to begin anew",
                         path));
     }
-    check_writable(path);
+    check_writable(path, log);
 }
 
 std::optional<FoundCheckpoint> find_checkpoint(const CommandLine& command,
@@ -129,7 +118,6 @@ CheckpointSchedule::CheckpointSchedule(const CommandLine& command, RenderSession
       saved_passes_(totals.passes),
       saved_seconds_(totals.seconds) {
     if (!command.checkpoint) return;
-    check_apart(*command.checkpoint, session.files);
     StateSize size;
     RenderTotals counted = totals;
     try {

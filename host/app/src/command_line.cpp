@@ -17,6 +17,7 @@
 #include "lxs/host/output_files.h"
 #include "lxs/imaging/layer_names.h"
 #include "lxs/sdk/diagnostics.h"
+#include "lxs/serve/live_server.h"
 #include "lxs/serve/page.h"
 #include "mpi_options.h"
 
@@ -66,6 +67,11 @@ std::string check_page(const std::string& text) {
     const auto [rest, error] = std::from_chars(text.data(), end, port);
     if (error != std::errc() || rest != end)
         return "expected a port from 0 to 65535, found " + in_quotes(text);
+    if (!serve::browsers_open(port)) {
+        return fmt::format(
+            "browsers open no page at port {}, which belongs to another service; give another port",
+            port);
+    }
     if (!serve::page_text().empty()) return "";
     return "this lxsrender has no page: build it where npm is installed, with -DAIPS_SERVE=ON";
 }

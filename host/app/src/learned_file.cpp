@@ -48,15 +48,10 @@ bool is_name(const std::string& text) {
     });
 }
 
-fs::path place_of(const std::string& name) {
-    std::error_code ignored;
-    return fs::weakly_canonical(fs::absolute(name, ignored), ignored);
-}
-
 }  // namespace
 
-void check_learned_place(const CommandLine& command) {
-    if (command.learned_out) check_writable(*command.learned_out);
+void check_learned_place(const CommandLine& command, ConsoleLog& log) {
+    if (command.learned_out) check_writable(*command.learned_out, log);
 }
 
 std::optional<LearnedFile> read_learned(const CommandLine& command) {
@@ -103,24 +98,12 @@ void take_learned(const LearnedFile& file, const CommandLine& command, RenderSes
 
 void check_learns(const CommandLine& command, RenderSession& session) {
     if (!command.learned_out) return;
-    const std::string& path = *command.learned_out;
-    const OutputFiles& files = session.files;
-    // A checkpoint is resumed with what the render began with.
-    const std::string needed = command.checkpoint ? command.learned_in.value_or("") : "";
-    for (const std::string& other :
-         {files.exr, files.png, files.statistics, command.checkpoint.value_or(""), needed}) {
-        if (!other.empty() && place_of(other) == place_of(path))
-            throw LearnedFailure(
-                fmt::format("'{}' can't hold what is learned and be another of this "
-                            "render's files too",
-                            path));
-    }
     try {
         NoArchive nowhere;
         session.integrator->learned(nowhere);
     } catch (const std::runtime_error& error) {
         throw LearnedFailure(fmt::format("\"{}\" has nothing for '{}': {}", session.integrator_name,
-                                         path, error.what()));
+                                         *command.learned_out, error.what()));
     }
 }
 

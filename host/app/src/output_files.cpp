@@ -2,10 +2,9 @@
 #include "lxs/host/output_files.h"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
+#include <algorithm>
 #include <boost/algorithm/string/predicate.hpp>
-#include <cerrno>
 #include <filesystem>
 #include <locale>
 #include <new>
@@ -14,26 +13,44 @@
 #include "lxs/host/failure.h"
 #include "lxs/host/rescue.h"
 #include "lxs/imaging/atomic_file.h"
+#include "lxs/imaging/file_name.h"
+#include "lxs/sdk/diagnostics.h"
 
 namespace lxs {
 namespace {
 
 namespace fs = std::filesystem;
 
-[[noreturn]] void fail(const std::string& path, int error) {
-    throw OutputFailure(
-        fmt::format("cannot write '{}': {}", path, std::generic_category().message(error)));
+/// A scene says what its image is called, and whoever renders it where files go: `name` without its
+/// folder, if that is not below the current one.
+std::string below_current_folder(const std::string& name, ConsoleLog& log) {
+    std::string forward = name;
+    std::ranges::replace(forward, '\\', '/');  // written on Windows
+    const bool has_drive = forward.size() > 1 && forward[1] == ':';
+    const fs::path path = fs::path(forward).lexically_normal();
+    if (!has_drive && path.is_relative() && *path.begin() != "..") return path.string();
+    std::string last = path.filename().string();
+    if (last.empty() || last == "..") last = "luxout";
+    log.warning(
+        fmt::format("the film's filename {} is not below the current folder: {} is written there; "
+                    "-o names any other place",
+                    in_quotes(name), in_quotes(last)));
+    return last;
 }
 
-/// Permissions alone don't tell (read-only mounts, root): only a file that was made does.
-void check_folder_of(const std::string& path) {
-    if (fs::is_directory(path)) fail(path, EISDIR);
-    const fs::path folder = fs::path(path).parent_path();
-    std::string probe = ((folder.empty() ? "." : folder) / ".lxsrender-XXXXXX").string();
-    const int descriptor = ::mkstemp(probe.data());
-    if (descriptor < 0) fail(path, errno);
-    ::close(descriptor);
-    ::unlink(probe.c_str());
+/// The same of links: a folder may come with the scene, and links in it.
+void check_below_current_folder(const std::string& path) {
+    std::error_code error;
+    const fs::path target = follow_links(path, error);
+    const fs::path folder =
+        fs::canonical(target.has_parent_path() ? target.parent_path() : ".", error);
+    if (error) return;  // as writing will tell
+    const fs::path current = fs::canonical(".", error);
+    if (std::ranges::mismatch(current, folder).in1 == current.end()) return;
+    throw OutputFailure(
+        fmt::format("cannot write '{}', which the film names: links lead from there to '{}', out "
+                    "of the current folder; -o names any place",
+                    path, (folder / target.filename()).string()));
 }
 
 }  // namespace
@@ -42,28 +59,38 @@ bool has_suffix(const std::string& name, const std::string& suffix) {
     return boost::iequals(fs::path(name).extension().string(), suffix, std::locale::classic());
 }
 
-OutputFiles choose_output_files(const CommandLine& command, const FileFilm& film) {
+OutputFiles choose_output_files(const CommandLine& command, const FileFilm& film, ConsoleLog& log) {
     OutputFiles files;
-    const std::string name = command.output ? *command.output : film.base_name() + ".exr";
+    const std::string name =
+        command.output ? *command.output : below_current_folder(film.base_name(), log) + ".exr";
     if (has_suffix(name, ".png")) {
         files.png = name;
     } else {
         files.exr = name;
         files.png = fs::path(name).replace_extension(".png").string();
     }
+    if (!command.output) {
+        check_below_current_folder(files.exr);
+        check_below_current_folder(files.png);
+    }
     files.statistics = command.statistics.value_or("");
     return files;
 }
 
-void check_writable(const std::string& path) {
-    check_folder_of(path);
-    remove_abandoned_temporaries(path);
-}
-
-void check_writable(const OutputFiles& files) {
-    for (const std::string& path : {files.exr, files.png, files.statistics}) {
-        if (!path.empty()) check_writable(path);
+void check_writable(const std::string& path, ConsoleLog& log) {
+    if (path.empty()) return;
+    try {
+        // Permissions alone don't tell (read-only mounts, root): only a file that was made does.
+        if (const std::error_code no_lock = probe_atomic_file(path)) {
+            log.warning(
+                fmt::format("files beside '{}' can't be locked: {}; what a killed process leaves "
+                            "of its writing will stay there",
+                            path, no_lock.message()));
+        }
+    } catch (const std::runtime_error& error) {
+        throw OutputFailure(error.what());
     }
+    remove_abandoned_temporaries(path);
 }
 
 std::string names_of_images(const OutputFiles& files) {

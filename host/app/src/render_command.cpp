@@ -129,8 +129,8 @@ void print(const std::string& text) {
 ExitCode render(const CommandLine& command, const PluginLibrary& plugins, ConsoleLog& log,
                 RankJob* job) {
     if (!command.helps) {
-        check_checkpoint_place(command);
-        check_learned_place(command);
+        check_checkpoint_place(command, log);
+        check_learned_place(command, log);
     }
     const auto known = read_learned(command);
     InputDiagnostics diagnostics(log, command.strict);

@@ -3,12 +3,18 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <chrono>
+#include <optional>
+#include <span>
 #include <system_error>
+#include <vector>
 
 #include "lxs/host/failure.h"
 #include "lxs/host/seconds_since.h"
 #include "lxs/host/statement_override.h"
+#include "lxs/host/written_files.h"
+#include "lxs/language/asset_finder.h"
 #include "lxs/language/read_scene.h"
 
 namespace lxs {
@@ -97,10 +103,41 @@ void complete_fingerprint(RenderSession& session, const CommandLine& command,
 
 /// Finds the files that lights and the film name, and adds them to `files`.
 auto file_resolver(const SceneContents& contents, ReadFiles& files, Diagnostics& diagnostics) {
-    return [directory = contents.directory, &files, &diagnostics](const std::string& name,
-                                                                  const SourceLocation& where) {
-        return files.assets.emplace_back(resolve_asset(name, directory, where, diagnostics));
+    const auto finder = std::make_shared<AssetFinder>(contents.directory);
+    return [finder, &files, &diagnostics](const std::string& name, const SourceLocation& where) {
+        return files.assets.emplace_back(finder->find(name, where, diagnostics));
     };
+}
+
+/// Throws OutputFailure if a file of the scene's is written.
+void check_reads(const WrittenFiles& written, std::span<const std::string> files) {
+    for (const std::string& file : files)
+        written.check_read({"the scene's file", file});
+}
+
+/// The files that the render writes. Throws OutputFailure if one can't be written, or would replace
+/// another one or what the render reads. `sources`: the scene and what it includes.
+WrittenFiles check_outputs(const CommandLine& command, const OutputFiles& files,
+                           std::span<const std::string> sources, const LoadedIntegrator& integrator,
+                           ConsoleLog& log) {
+    const std::string merged = command.merged_output.value_or("");
+    for (const std::string& path : {files.exr, files.png, files.statistics, merged})
+        check_writable(path, log);
+    WrittenFiles written({{"the image", files.exr},
+                          {"the PNG", files.png},
+                          {"the statistics", files.statistics},
+                          {"the checkpoint", command.checkpoint.value_or("")},
+                          {"what is learned", command.learned_out.value_or("")},
+                          {"the merged image", merged}});
+    if (command.scene != "-") written.check_read({"the scene", command.scene});
+    check_reads(written, sources.subspan(std::min<std::size_t>(1, sources.size())));
+    written.check_read({"the plugin module", integrator.file.string()});
+    if (command.learned_in) {
+        // It is read by now; but a checkpoint is resumed with it.
+        written.check_read({"that of --learned-in,", *command.learned_in},
+                           command.checkpoint ? "" : "what is learned");
+    }
+    return written;
 }
 
 /// `whole`: all of the world was read. What was not may have been its lights.
@@ -206,26 +243,35 @@ RenderSession prepare(const CommandLine& command, const PluginLibrary& plugins,
     RenderSession session;
     SceneContents contents;
     ReadFiles files;
+    std::vector<std::string> sources;
     {
         const PhaseTimer timer(session.times, "load");
         contents = load(command.scene, diagnostics, files);
         apply_statement_overrides(command, contents, log);
         session.fingerprint.set_sources(files);
+        for (const auto& source : files.sources)
+            sources.push_back(source->name);
         forget_sources(files);
     }
     const bool whole = diagnostics.errors() == 0;
     const PhaseTimer timer(session.times, "build");
+    std::optional<WrittenFiles> written;
     const IntegratorChoice choice =
         make_from_options(session, command, contents, files, plugins, diagnostics, log);
     if (diagnostics.errors() == 0) {  // before the scene takes its time to build
-        session.files = choose_output_files(command, *session.film);
-        if (!command.helps) check_writable(session.files);
+        session.files = choose_output_files(command, *session.film, log);
+        if (!command.helps) {
+            written = check_outputs(command, session.files, sources, *choice.integrator, log);
+            check_reads(*written, files.assets);
+        }
     }
+    const std::size_t known = files.assets.size();
     const bool has_world = contents.end.line > 0;
     gather(diagnostics, [&] {
         if (has_world) build_scene(session, std::move(contents), whole, files, diagnostics);
     });
     diagnostics.refuse_errors();
+    if (written) check_reads(*written, std::span(files.assets).subspan(known));
     complete_fingerprint(session, command, choice, files);
     choose_spectral(session, log);
     if (session.spectral) begin_spectral_pass(session, 0);

@@ -9,6 +9,8 @@
 #include <system_error>
 #include <vector>
 
+#include "lxs/imaging/file_name.h"
+
 namespace lxs {
 namespace {
 
@@ -38,12 +40,17 @@ std::vector<fs::path> rescue_folders(const fs::path& path) {
 
 /// A name that is not taken: nothing is overwritten that nobody asked to replace.
 fs::path free_name(const fs::path& folder, const fs::path& path) {
-    const std::string stem = path.stem().string() + ".rescued";
     const std::string suffix = path.extension().string();
-    fs::path name = folder / (stem + suffix);
+    const auto named = [&](const std::string& rescued) {
+        const std::string end = rescued + suffix;
+        const std::size_t longest = longest_name(folder);
+        const std::size_t room = longest - std::min(longest, end.size());
+        return folder / (cut_name(path.stem().string(), room) + end);
+    };
+    fs::path name = named(".rescued");
     std::error_code error;
     for (int number = 2; fs::exists(fs::symlink_status(name, error)); ++number)
-        name = folder / fmt::format("{}-{}{}", stem, number, suffix);
+        name = named(fmt::format(".rescued-{}", number));
     return name;
 }
 

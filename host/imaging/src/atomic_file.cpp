@@ -10,20 +10,26 @@
 #include <algorithm>
 #include <cerrno>
 #include <filesystem>
+#include <optional>
+#include <random>
 #include <stdexcept>
 #include <system_error>
+
+#include "lxs/imaging/file_name.h"
 
 namespace lxs {
 
 namespace fs = std::filesystem;
 
-/// An open file descriptor that closes itself. Its functions return errno, 0 for success.
+/// An open file that closes itself. Its functions return errno, 0 for success.
 class AtomicFile::OpenFile {
   public:
     OpenFile(const std::string& path, int flags)
         : descriptor_(::open(path.c_str(), flags | O_CLOEXEC, 0666)),
           open_error_(descriptor_ < 0 ? errno : 0) {}
-    ~OpenFile() { close(); }
+    ~OpenFile() {
+        if (descriptor_ >= 0) ::close(descriptor_);
+    }
     OpenFile(const OpenFile&) = delete;
     OpenFile& operator=(const OpenFile&) = delete;
 
@@ -42,20 +48,19 @@ class AtomicFile::OpenFile {
     /// Devices and pipes know no flushing (EINVAL): nothing is lost there.
     int flush() const { return ::fsync(descriptor_) != 0 && errno != EINVAL ? errno : 0; }
 
-    /// Says as long as the file is open that it has a writer; some file systems know no locks.
-    void lock() const {
-        [[maybe_unused]] const int ignored = ::flock(descriptor_, LOCK_EX | LOCK_NB);
+    /// Says as long as the file is open that it has a writer.
+    int lock() const { return ::flock(descriptor_, LOCK_EX | LOCK_NB) != 0 ? errno : 0; }
+
+    /// Some file systems tell first when a file is closed that what was written is lost. The lock
+    /// stays, as the file is closed by another name.
+    int close_copy() const {
+        const int copy = ::dup(descriptor_);
+        return copy < 0 || ::close(copy) != 0 ? errno : 0;
     }
 
     void copy_mode_of(const struct stat& older) const {
         // A failure leaves the mode that the umask gives, which is no reason to lose an image.
         [[maybe_unused]] const int ignored = ::fchmod(descriptor_, older.st_mode & 07777);
-    }
-
-    int close() {
-        const int descriptor = descriptor_;
-        descriptor_ = -1;
-        return descriptor >= 0 && ::close(descriptor) != 0 ? errno : 0;
     }
 
   private:
@@ -65,18 +70,24 @@ class AtomicFile::OpenFile {
 
 namespace {
 
-/// Where a symbolic link leads, so that the rename replaces the file and not the link.
-std::string real_target(const std::string& path) {
-    std::error_code error;
-    if (!fs::is_symlink(fs::symlink_status(path, error))) return path;
-    const fs::path target = fs::weakly_canonical(path, error);
-    return error ? path : target.string();
+constexpr std::string_view kTemporarySuffix = ".tmp";
+constexpr std::size_t kRandomDigits = 16;
+
+/// What names of temporary files beside `target` begin with. A name that is as long as names can
+/// be leaves no room for more, and is cut.
+std::string temporary_prefix(const fs::path& target) {
+    const std::size_t added = 2 + kRandomDigits + kTemporarySuffix.size();  // with two dots
+    const std::size_t longest = longest_name(target.parent_path());
+    const std::size_t room = longest - std::min(longest, added);
+    return fmt::format(".{}.", cut_name(target.filename().string(), room));
 }
 
-constexpr std::string_view kTemporarySuffix = ".tmp";
-
-std::string temporary_prefix(const fs::path& target) {
-    return fmt::format(".{}.", target.filename().string());
+/// A name that no other writer has, in whatever process or container of whatever machine.
+fs::path temporary_name(const fs::path& target) {
+    std::random_device random;
+    const std::uint64_t number = (std::uint64_t{random()} << 32) + random();
+    return target.parent_path() / fmt::format("{}{:0{}x}{}", temporary_prefix(target), number,
+                                              kRandomDigits, kTemporarySuffix);
 }
 
 /// Whether `name` is that of a temporary file of any process.
@@ -84,29 +95,59 @@ bool is_temporary(std::string_view name, std::string_view prefix) {
     if (!name.starts_with(prefix) || !name.ends_with(kTemporarySuffix)) return false;
     if (name.size() <= prefix.size() + kTemporarySuffix.size()) return false;
     name = name.substr(prefix.size(), name.size() - prefix.size() - kTemporarySuffix.size());
-    return std::all_of(name.begin(), name.end(), [](char c) { return c >= '0' && c <= '9'; });
+    return name.find_first_not_of("0123456789abcdef") == std::string_view::npos;
+}
+
+/// What is at `path`, links followed; nothing if there is none. Else `error` says why that is not
+/// known.
+std::optional<struct stat> status_of(const fs::path& path, int& error) {
+    struct stat status {};
+    error = ::stat(path.c_str(), &status) != 0 ? errno : 0;
+    if (error == 0) return status;
+    if (error == ENOENT) error = 0;
+    return std::nullopt;
 }
 
 }  // namespace
 
-AtomicFile::AtomicFile(const std::string& path) : path_(path), target_(real_target(path)) {
-    struct stat older {};
-    const bool exists = ::stat(target_.c_str(), &older) == 0;
-    if (exists && S_ISDIR(older.st_mode)) check(EISDIR);
-    if (exists && !S_ISREG(older.st_mode)) {
-        file_ = std::make_unique<OpenFile>(target_, O_WRONLY);
+AtomicFile::AtomicFile(const std::string& path) : path_(path), target_(path) {
+    int error = 0;
+    const auto older = status_of(path, error);
+    check(error);
+    if (older && S_ISDIR(older->st_mode)) check(EISDIR);
+    if (older && !S_ISREG(older->st_mode)) {
+        file_ = std::make_unique<OpenFile>(path, O_WRONLY);
         check(file_->open_error());
         return;
     }
-    const fs::path target(target_);
-    temporary_ = (target.parent_path() /
-                  fmt::format("{}{}{}", temporary_prefix(target), ::getpid(), kTemporarySuffix))
-                     .string();
-    file_ = std::make_unique<OpenFile>(temporary_, O_WRONLY | O_CREAT | O_TRUNC | O_NOFOLLOW);
-    if (file_->open_error() != 0) temporary_.clear();  // none of ours
+    std::error_code circle;
+    target_ = follow_links(path, circle).string();  // so that the rename replaces no link
+    check(circle.value());
+    constexpr int kMostTries = 100;
+    for (int tries = 1; !open_temporary(); ++tries) {
+        if (tries == kMostTries) check(EEXIST);
+    }
+    if (older) file_->copy_mode_of(*older);
+}
+
+bool AtomicFile::open_temporary() {
+    const std::string name = temporary_name(target_).string();
+    file_ = std::make_unique<OpenFile>(name, O_WRONLY | O_CREAT | O_EXCL);
+    if (file_->open_error() == EEXIST) return false;
     check(file_->open_error());
-    file_->lock();
-    if (exists) file_->copy_mode_of(older);
+    lock_error_ = file_->lock();
+    // Whoever removes what was abandoned may have come between opening and locking.
+    std::error_code ignored;
+    if (lock_error_ == EWOULDBLOCK || !fs::exists(name, ignored)) {
+        ::unlink(name.c_str());
+        return false;
+    }
+    temporary_ = name;
+    return true;
+}
+
+std::error_code AtomicFile::lock_error() const {
+    return {lock_error_, std::generic_category()};
 }
 
 AtomicFile::~AtomicFile() {
@@ -125,7 +166,7 @@ void AtomicFile::write(std::span<const std::byte> bytes) {
 
 void AtomicFile::commit() {
     check(file_->flush());
-    check(file_->close());
+    check(file_->close_copy());
     if (temporary_.empty()) return;
     if (::rename(temporary_.c_str(), target_.c_str()) != 0) check(errno);
     temporary_.clear();
@@ -142,11 +183,20 @@ void write_file_atomically(const std::string& path, std::span<const std::byte> b
     file.commit();
 }
 
+std::error_code probe_atomic_file(const std::string& path) {
+    int error = 0;
+    const auto older = status_of(path, error);
+    const bool in_place = older && !S_ISREG(older->st_mode) && !S_ISDIR(older->st_mode);
+    // To open a pipe or a device is to use it.
+    if (in_place && ::access(path.c_str(), W_OK) == 0) return {};
+    return AtomicFile(path).lock_error();
+}
+
 void remove_abandoned_temporaries(const std::string& path) {
-    const fs::path target(real_target(path));
+    std::error_code ignored;
+    const fs::path target = follow_links(path, ignored);
     const fs::path folder = target.has_parent_path() ? target.parent_path() : ".";
     const std::string prefix = temporary_prefix(target);
-    std::error_code ignored;
     for (const auto& entry : fs::directory_iterator(folder, ignored)) {
         if (!is_temporary(entry.path().filename().string(), prefix)) continue;
         const int file = ::open(entry.path().c_str(), O_RDWR | O_NOFOLLOW | O_CLOEXEC);

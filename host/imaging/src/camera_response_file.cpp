@@ -113,6 +113,17 @@ ResponseCurve read_curve(Words& words) {
     return curve;
 }
 
+/// Messages show the line of a file of curves; what is none may be any file of whoever renders the
+/// scene that names it.
+void expect_curves(const Words& words) {
+    if (words.word() == "graph") return;
+    SourceFile unshown = *words.where().file;
+    unshown.text = std::make_shared<const std::string>();
+    throw ResponseFileError(
+        {std::make_shared<const SourceFile>(unshown), words.where().line, words.where().column},
+        "it is no file of curves: expected \"graph\" after the name of the first");
+}
+
 constexpr std::string_view kChannels[] = {"Red", "Green", "Blue"};
 
 /// Splits "Gold_100CDRed"; a name without a channel is that of a black and white film.
@@ -134,6 +145,7 @@ CameraResponse read_camera_response(const std::shared_ptr<const SourceFile>& fil
     while (!words.at_end()) {
         const SourceLocation where = words.where();
         std::string_view name = words.take();
+        if (!film) expect_curves(words);
         const std::size_t channel = take_channel(name);
         ResponseCurve curve = read_curve(words);
         if (film && *film != name) {

@@ -7,8 +7,6 @@
 #include <set>
 #include <variant>
 
-#include "lxs/language/read_scene.h"
-
 namespace lxs {
 namespace {
 
@@ -71,7 +69,7 @@ std::vector<FilesAhead::Job> FilesAhead::jobs_of(const std::vector<Statement>& s
         const ReadFile* const read = name != nullptr ? reader_of(statement, *plugin) : nullptr;
         if (read == nullptr) continue;
         try {
-            std::string path = resolve_asset(*name, directory_, statement.where, silent);
+            std::string path = finder_.find(*name, statement.where, silent);
             if (known.emplace(*plugin, path).second) jobs.push_back({*plugin, path, read});
         } catch (const InputError&) {
             continue;  // the statement says so in its turn

@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "lxs/language/asset_finder.h"
 #include "lxs/scene/registry.h"
 #include "statement.h"
 
@@ -14,9 +15,9 @@ namespace lxs {
 
 class FilesAhead {
   public:
-    /// `directory`: where file names in the scene are looked up. `registry` must outlive it.
-    FilesAhead(const Registry& registry, std::string directory)
-        : registry_(registry), directory_(std::move(directory)) {}
+    /// Both must outlive it.
+    FilesAhead(const Registry& registry, AssetFinder& finder)
+        : registry_(registry), finder_(finder) {}
 
     /// Reads the files of shapes and textures among these, several at a time. Says nothing: a file
     /// that is missing or can't be read is met again, and reported, by the statement that names it.
@@ -38,7 +39,7 @@ class FilesAhead {
     std::vector<Job> jobs_of(const std::vector<Statement>& statements) const;
 
     const Registry& registry_;
-    std::string directory_;
+    AssetFinder& finder_;
     std::map<std::pair<std::string, std::string>, std::any> read_;  ///< by plugin and path
 };
 

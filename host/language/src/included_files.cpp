@@ -8,7 +8,7 @@
 #include <limits>
 #include <system_error>
 
-#include "lxs/language/read_scene.h"
+#include "grammar.h"
 #include "lxs/scene/registry.h"
 
 namespace lxs {
@@ -93,11 +93,11 @@ std::string read_text(const std::string& path) {
     return text;
 }
 
-std::shared_ptr<const SourceFile> open_include(const Name& file, const std::string& main_directory,
+std::shared_ptr<const SourceFile> open_include(const Name& file, AssetFinder& finder,
                                                IncludedSum& sum, Diagnostics& diagnostics) {
     std::string path;
     try {
-        path = resolve_asset(file.text, main_directory, file.where, diagnostics);
+        path = finder.find(file.text, file.where, diagnostics);
     } catch (const InputError& error) {
         throw IgnoredStatement(error.where(), error.message());
     }
@@ -119,6 +119,18 @@ std::shared_ptr<const SourceFile> open_include(const Name& file, const std::stri
                                            "included");
     }
     return source;
+}
+
+std::optional<std::string_view> first_word(std::string_view scene) {
+    namespace peg = tao::pegtl;
+    struct Beginning : peg::seq<peg::opt<peg::utf8::bom>, grammar::Gap> {};
+    peg::memory_input<peg::tracking_mode::lazy, peg::eol::lf> in(scene.data(),
+                                                                 scene.data() + scene.size(), "");
+    peg::parse<Beginning>(in);
+    if (in.empty()) return std::nullopt;
+    const char* const begin = in.current();
+    peg::parse<grammar::Word>(in);
+    return std::string_view(begin, static_cast<std::size_t>(in.current() - begin));
 }
 
 }  // namespace lxs

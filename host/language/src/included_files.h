@@ -4,9 +4,12 @@
 #include <filesystem>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
+#include <string_view>
 
 #include "arguments.h"
+#include "lxs/language/asset_finder.h"
 
 namespace lxs {
 
@@ -23,7 +26,10 @@ struct IncludedSum {
 /// The file that an Include names, added to `sum`. Throws IgnoredStatement if it is missing or
 /// can't be read; InputError if it includes itself or nests too deep; EndOfReading if the sum grows
 /// beyond all scenes.
-std::shared_ptr<const SourceFile> open_include(const Name& file, const std::string& main_directory,
+std::shared_ptr<const SourceFile> open_include(const Name& file, AssetFinder& finder,
                                                IncludedSum& sum, Diagnostics& diagnostics);
+
+/// Its first word; empty if it begins with none, but null if there is nothing but comments.
+std::optional<std::string_view> first_word(std::string_view scene);
 
 }  // namespace lxs

@@ -1,8 +1,6 @@
 // Look-up of named textures, materials and volumes.
 #include "named_assets.h"
 
-#include "lxs/language/read_scene.h"
-
 namespace lxs {
 namespace {
 
@@ -16,7 +14,7 @@ bool is_made(const IndexedMaterial& named) {
 
 /// Names that a message may propose.
 template <class Map>
-std::vector<std::string> names_of(const Map& map) {
+std::vector<std::string> names_made(const Map& map) {
     std::vector<std::string> names;
     names.reserve(map.size());
     for (const auto& [name, thing] : map) {
@@ -28,7 +26,7 @@ std::vector<std::string> names_of(const Map& map) {
 }  // namespace
 
 std::string NamedAssets::resolve(const std::string& name, const SourceLocation& where) const {
-    return files_.emplace_back(resolve_asset(name, directory_, where, diagnostics_));
+    return files_.emplace_back(finder_.find(name, where, diagnostics_));
 }
 
 template <class Texture>
@@ -37,7 +35,12 @@ std::shared_ptr<const Texture> NamedAssets::find_in(const Textures<Texture>& tex
                                                     const SourceLocation& where) const {
     const auto found = textures.find(name);
     if (found != textures.end()) return found->second;
-    report_missing(type, name, names_of(textures), where);
+    std::string message = other_type(type, name);
+    if (message.empty()) {
+        message = unknown_.message(std::string(type) + " texture", name,
+                                   [&] { return names_made(textures); });
+    }
+    diagnostics_.fallback(where, message, "the parameter's default is used");
     return nullptr;
 }
 
@@ -64,29 +67,25 @@ std::shared_ptr<const Material> NamedAssets::material(const std::string& name,
 const IndexedMaterial& NamedAssets::indexed_material(const Name& name) const {
     const auto found = materials_.find(name.text);
     if (found != materials_.end()) return found->second;
-    throw IgnoredStatement(name.where,
-                           unknown_name_message("named material", name.text, names_of(materials_)));
+    throw IgnoredStatement(name.where, unknown_.message("named material", name.text,
+                                                        [this] { return names_made(materials_); }));
 }
 
 std::shared_ptr<const Medium> NamedAssets::medium(const Name& name) const {
     const auto found = media_.find(name.text);
     if (found != media_.end()) return found->second;
-    throw IgnoredStatement(name.where,
-                           unknown_name_message("named volume", name.text, names_of(media_)));
+    throw IgnoredStatement(name.where, unknown_.message("named volume", name.text,
+                                                        [this] { return names_made(media_); }));
 }
 
-void NamedAssets::report_missing(const std::string& wanted_type, const std::string& name,
-                                 const std::vector<std::string>& known,
-                                 const SourceLocation& where) const {
+std::string NamedAssets::other_type(const std::string& wanted_type, const std::string& name) const {
     std::string found_type;
     if (float_textures_.count(name) > 0) found_type = "float";
     if (color_textures_.count(name) > 0) found_type = "color";
     if (fresnel_textures_.count(name) > 0) found_type = "fresnel";
-    const std::string message = found_type.empty()
-                                    ? unknown_name_message(wanted_type + " texture", name, known)
-                                    : "texture " + in_quotes(name) + " is of type " + found_type +
-                                          ", expected type " + wanted_type;
-    diagnostics_.fallback(where, message, "the parameter's default is used");
+    if (found_type.empty()) return {};
+    return "texture " + in_quotes(name) + " is of type " + found_type + ", expected type " +
+           wanted_type;
 }
 
 }  // namespace lxs

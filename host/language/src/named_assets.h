@@ -9,6 +9,7 @@
 #include "arguments.h"
 #include "files_ahead.h"
 #include "lxs/scene/registry.h"
+#include "unknown_names.h"
 
 namespace lxs {
 
@@ -23,14 +24,14 @@ struct IndexedMaterial {
 class NamedAssets final : public AssetContext {
   public:
     /// Appends to `files` the path of every asset that it resolves.
-    NamedAssets(std::string directory, std::vector<std::string>& files, FilesAhead& ahead,
-                Diagnostics& diagnostics)
-        : directory_(std::move(directory)),
+    NamedAssets(AssetFinder& finder, std::vector<std::string>& files, FilesAhead& ahead,
+                UnknownNames& unknown, Diagnostics& diagnostics)
+        : finder_(finder),
           files_(files),
           ahead_(ahead),
+          unknown_(unknown),
           diagnostics_(diagnostics) {}
 
-    const std::string& directory() const { return directory_; }
     std::string resolve(const std::string& name, const SourceLocation& where) const override;
     std::shared_ptr<const FloatTexture> float_texture(const std::string& name,
                                                       const SourceLocation& where) const override;
@@ -86,12 +87,13 @@ class NamedAssets final : public AssetContext {
     std::shared_ptr<const Texture> find_in(const Textures<Texture>& textures, const char* type,
                                            const std::string& name,
                                            const SourceLocation& where) const;
-    void report_missing(const std::string& wanted_type, const std::string& name,
-                        const std::vector<std::string>& known, const SourceLocation& where) const;
+    /// "texture "NAME" is of type float, expected type color"; empty if it is of no type.
+    std::string other_type(const std::string& wanted_type, const std::string& name) const;
 
-    std::string directory_;
+    AssetFinder& finder_;
     std::vector<std::string>& files_;
     FilesAhead& ahead_;
+    UnknownNames& unknown_;
     Diagnostics& diagnostics_;
     Textures<FloatTexture> float_textures_;
     Textures<ColorTexture> color_textures_;

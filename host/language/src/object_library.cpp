@@ -77,10 +77,8 @@ std::size_t ObjectLibrary::find(const Name& name) const {
     }
     const auto found = by_name_.find(name.text);
     if (found != by_name_.end()) return found->second;
-    std::vector<std::string> known;
-    for (const auto& entry : by_name_)
-        known.push_back(entry.first);
-    throw IgnoredStatement(name.where, unknown_name_message("object", name.text, known));
+    throw IgnoredStatement(
+        name.where, unknown_.message("object", name.text, [this] { return names_of(by_name_); }));
 }
 
 void ObjectLibrary::place(const Name& name, const MovingTransform& transform,

@@ -8,6 +8,7 @@
 
 #include "arguments.h"
 #include "lxs/scene/contents.h"
+#include "unknown_names.h"
 
 namespace lxs {
 
@@ -23,7 +24,8 @@ struct Inheritance {
 /// of an ObjectDefinition. Objects of which no instance is placed are left out.
 class ObjectLibrary {
   public:
-    explicit ObjectLibrary(Diagnostics& diagnostics) : diagnostics_(diagnostics) {}
+    ObjectLibrary(UnknownNames& unknown, Diagnostics& diagnostics)
+        : unknown_(unknown), diagnostics_(diagnostics) {}
 
     /// Throws InputError inside of another object.
     void begin(const Name& name);
@@ -82,6 +84,7 @@ class ObjectLibrary {
     MovingTransform placed(const Object& object, const MovingTransform& transform) const;
     std::size_t variant(std::size_t object, Inheritance inherited);
 
+    UnknownNames& unknown_;
     Diagnostics& diagnostics_;
     std::vector<Object> objects_;
     std::map<std::string, std::size_t> by_name_;

@@ -69,10 +69,11 @@ const std::map<std::string, SceneReader::Rule>& SceneReader::rules() {
 SceneReader::SceneReader(const std::string& directory, const Registry& registry,
                          Diagnostics& diagnostics)
     : diagnostics_(diagnostics),
-      ahead_(registry, directory),
-      assets_(directory, files_.assets, ahead_, diagnostics),
+      finder_(directory),
+      ahead_(registry, finder_),
+      assets_(finder_, files_.assets, ahead_, unknown_, diagnostics),
       factory_(registry, assets_, diagnostics_),
-      objects_(diagnostics_) {
+      objects_(unknown_, diagnostics_) {
     contents_.directory = directory;
     coordinate_systems_["world"] = Matrix();
 }
@@ -132,10 +133,7 @@ void SceneReader::interpret(Statement& statement) {
     const auto rule = rules().find(statement.name);
     if (rule == rules().end()) {
         const std::string message = "unknown statement " + in_quotes(statement.name);
-        std::vector<std::string> known;
-        for (const auto& entry : rules())
-            known.push_back(entry.first);
-        const std::string nearest = nearest_name(statement.name, known);
+        const std::string nearest = nearest_name(statement.name, names_of(rules()));
         throw InputError(statement.where,
                          nearest.empty() ? message : message + "; did you mean " + nearest + "?");
     }
@@ -190,7 +188,14 @@ void SceneReader::close_world(const SourceLocation& where) {
 
 void SceneReader::include(Statement& statement) {
     const Name file = take_only_name(statement);
-    read(open_include(file, contents_.directory, included_, diagnostics_));
+    const auto source = open_include(file, finder_, included_, diagnostics_);
+    // Messages show lines of scenes, but a scene may name any file of whoever renders it.
+    const auto word = first_word(*source->text);
+    if (word && !rules().contains(std::string(*word))) {
+        throw InputError(file.where, in_quotes(source->name) +
+                                         " is no scene file: it does not begin with a statement");
+    }
+    read(source);
 }
 
 void SceneReader::search_path(Statement& statement) {

@@ -76,7 +76,7 @@ class SceneReader {
     void set_transform(const Matrix& matrix, const SourceLocation& where);
     void concatenate(const Matrix& matrix, const SourceLocation& where);
     /// Throws InputError for an unknown name.
-    const Matrix& coordinate_system_of(const Name& name) const;
+    const Matrix& coordinate_system_of(const Name& name);
     void add_motion_key(const Matrix& matrix, const SourceLocation& where);
     MovingTransform current_transform() const { return {scopes_.transform, scopes_.motion}; }
     /// Where shapes and lights stand, which do not move; a moving transform is warned of.
@@ -121,6 +121,8 @@ class SceneReader {
 
     ReadFiles files_;
     Diagnostics& diagnostics_;
+    AssetFinder finder_;
+    UnknownNames unknown_;
     FilesAhead ahead_;
     NamedAssets assets_;
     PluginFactory factory_;

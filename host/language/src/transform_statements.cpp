@@ -85,14 +85,12 @@ void SceneReader::coordinate_system(Statement& statement) {
     coordinate_systems_[take_only_name(statement).text] = scopes_.transform;
 }
 
-const Matrix& SceneReader::coordinate_system_of(const Name& name) const {
+const Matrix& SceneReader::coordinate_system_of(const Name& name) {
     const auto found = coordinate_systems_.find(name.text);
     if (found == coordinate_systems_.end()) {
-        std::vector<std::string> known;
-        for (const auto& entry : coordinate_systems_)
-            known.push_back(entry.first);
-        throw IgnoredStatement(name.where,
-                               unknown_name_message("coordinate system", name.text, known));
+        throw IgnoredStatement(name.where, unknown_.message("coordinate system", name.text, [this] {
+            return names_of(coordinate_systems_);
+        }));
     }
     return found->second;
 }

@@ -19,6 +19,7 @@
 #include "lxs/host/error_json.h"
 #include "lxs/host/failure.h"
 #include "lxs/host/output_files.h"
+#include "lxs/host/written_files.h"
 #include "lxs/imaging/atomic_file.h"
 #include "lxs/imaging/image_header.h"
 #include "lxs/merge/merger.h"
@@ -116,10 +117,19 @@ std::optional<StatisticsSums> sum_statistics(const MergeLine& line, const Merger
     return sums;
 }
 
+/// Throws OutputFailure if the result can't be written, or would replace what it is made from.
+void check_outputs(const MergeLine& line, ConsoleLog& log) {
+    for (const std::string& path : {line.output, line.statistics})
+        check_writable(path, log);
+    const WrittenFiles written({{"the image", line.output}, {"the statistics", line.statistics}});
+    for (const std::string& image : line.inputs)
+        written.check_read({"the image to merge", image});
+    for (const std::string& statistics : line.statistics_of_inputs)
+        written.check_read({"the statistics to sum up", statistics});
+}
+
 void merge_files(const MergeLine& line, ConsoleLog& log) {
-    for (const std::string& path : {line.output, line.statistics}) {
-        if (!path.empty()) check_writable(path);
-    }
+    check_outputs(line, log);
     const Merger merger = merge(line.inputs);
     const std::optional<StatisticsSums> renders = sum_statistics(line, merger);
     const std::optional<ErrorEstimate> error = merger.error();

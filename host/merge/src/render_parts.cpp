@@ -31,7 +31,10 @@ CommandLine part_of_render(const CommandLine& asked, std::uint32_t rank, std::ui
     part.seeds_above = rank;
     part.output = part_name(*asked.output, rank + 1);
     if (part.checkpoint) part.checkpoint = part_name(*asked.checkpoint, rank + 1);
-    if (rank == 0) return part;
+    if (rank == 0) {
+        part.merged_output = asked.output;
+        return part;
+    }
     part.learned_out.reset();
     part.statistics.reset();
     part.display_server.reset();

@@ -2,6 +2,7 @@
 #include "lxs/sdk/diagnostics.h"
 
 #include <algorithm>
+#include <boost/locale/utf.hpp>
 #include <mutex>
 
 namespace lxs {
@@ -14,8 +15,36 @@ constexpr std::size_t kQuotedBytes = 120;
 bool is_continuation(char c) {
     return (static_cast<unsigned char>(c) & 0xC0) == 0x80;
 }
-bool is_control(char c) {
-    return static_cast<unsigned char>(c) < 0x20 || c == 0x7F;
+
+/// What moves a terminal's cursor or colours, what orders text from right to left, and ends of
+/// lines that a terminal may take for such.
+bool commands_terminal(char32_t c) {
+    const auto within = [c](char32_t first, char32_t last) { return first <= c && c <= last; };
+    return c < 0x20 || within(0x7F, 0x9F) || c == 0x61C || within(0x200E, 0x200F) ||
+           within(0x2028, 0x202E) || within(0x2066, 0x2069) || within(0xFFF9, 0xFFFB);
+}
+
+/// `text` with '?' for such characters, but for those in `kept`, and for bytes that are no UTF-8.
+std::string shown(std::string_view text, std::string_view kept) {
+    namespace utf = boost::locale::utf;
+    std::string result;
+    result.reserve(text.size());
+    for (const char* at = text.data(); at != text.data() + text.size();) {
+        const char* next = at;
+        const auto c = utf::utf_traits<char>::decode(next, text.data() + text.size());
+        if (c == utf::illegal || c == utf::incomplete) {
+            result += '?';
+            ++at;
+            continue;
+        }
+        if (commands_terminal(c) && kept.find(*at) == std::string_view::npos) {
+            result += '?';
+        } else {
+            result.append(at, next);
+        }
+        at = next;
+    }
+    return result;
 }
 
 /// Line number `line` (from 1) of `text` without its line end; empty if there is no such line.
@@ -54,9 +83,9 @@ std::string excerpt(std::string_view line, std::uint32_t column) {
         source += "...";
         marker += "   ";
     }
-    source += line.substr(begin, end - begin);
+    source += shown(line.substr(begin, end - begin), "\t");
     if (end < line.size()) source += "...";
-    for (const char c : line.substr(begin, caret - begin)) {
+    for (const char c : shown(line.substr(begin, caret - begin), "\t")) {
         if (!is_continuation(c)) marker += c == '\t' ? '\t' : ' ';
     }
     return source + '\n' + marker + "^";
@@ -65,11 +94,7 @@ std::string excerpt(std::string_view line, std::uint32_t column) {
 }  // namespace
 
 std::string printable(std::string_view text) {
-    std::string result(text);
-    std::replace_if(
-        result.begin(), result.end(),
-        [](char c) { return c != '\t' && c != '\n' && is_control(c); }, '?');
-    return result;
+    return shown(text, "\t\n");
 }
 
 std::string format_message(const SourceLocation& where, const std::string& severity,
@@ -130,9 +155,8 @@ void Diagnostics::error(const InputError& error) {
 
 std::string in_quotes(std::string_view text) {
     const bool cut = text.size() > kQuotedBytes;
-    std::string shown(cut ? text.substr(0, character_start(text, kQuotedBytes)) : text);
-    std::ranges::replace_if(shown, is_control, '?');
-    return '"' + shown + (cut ? "..." : "") + '"';
+    if (cut) text = text.substr(0, character_start(text, kQuotedBytes));
+    return '"' + shown(text, "") + (cut ? "..." : "") + '"';
 }
 
 }  // namespace lxs

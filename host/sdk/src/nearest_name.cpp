@@ -1,6 +1,8 @@
 // Suggestions for misspelt names, by edit distance.
 #include <algorithm>
+#include <array>
 #include <cctype>
+#include <utility>
 
 #include "lxs/sdk/diagnostics.h"
 
@@ -17,25 +19,33 @@ std::string lower_case(std::string text) {
 }
 
 /// Optimal string alignment distance: insertions, deletions, substitutions and swaps of two
-/// neighbouring characters cost 1 each.
-std::size_t edit_distance(const std::string& a, const std::string& b) {
-    std::vector<std::size_t> before_last(b.size() + 1);
-    std::vector<std::size_t> last(b.size() + 1);
-    std::vector<std::size_t> row(b.size() + 1);
+/// neighbouring characters cost 1 each. `bound` if it is no less: most names are far from most
+/// others, which shows in the first characters. Names have at most kLongestName characters.
+std::size_t edit_distance(std::string_view a, std::string_view b, std::size_t bound) {
+    const std::size_t difference = std::max(a.size(), b.size()) - std::min(a.size(), b.size());
+    if (difference >= bound) return bound;
+    std::array<std::array<std::size_t, kLongestName + 1>, 3> rows{};
+    auto *row = &rows[0], *last = &rows[1], *before_last = &rows[2];
     for (std::size_t j = 0; j <= b.size(); ++j)
-        row[j] = j;
+        (*row)[j] = j;
+    std::size_t least = 0, least_of_last = 0;
     for (std::size_t i = 1; i <= a.size(); ++i) {
-        before_last.swap(last);
-        last.swap(row);
-        row[0] = i;
+        std::swap(last, before_last);
+        std::swap(row, last);
+        (*row)[0] = i;
+        least_of_last = std::exchange(least, i);
         for (std::size_t j = 1; j <= b.size(); ++j) {
-            const std::size_t substitution = last[j - 1] + (a[i - 1] == b[j - 1] ? 0 : 1);
-            row[j] = std::min({last[j] + 1, row[j - 1] + 1, substitution});
+            const std::size_t substitution = (*last)[j - 1] + (a[i - 1] == b[j - 1] ? 0 : 1);
+            std::size_t distance = std::min({(*last)[j] + 1, (*row)[j - 1] + 1, substitution});
             const bool swapped = i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1];
-            if (swapped) row[j] = std::min(row[j], before_last[j - 2] + 1);
+            if (swapped) distance = std::min(distance, (*before_last)[j - 2] + 1);
+            (*row)[j] = distance;
+            least = std::min(least, distance);
         }
+        // A swap leads over one row.
+        if (std::min(least, least_of_last + 1) >= bound) return bound;
     }
-    return row[b.size()];
+    return std::min((*row)[b.size()], bound);
 }
 
 /// "a, b, c", `first` before the others, if there is one; of many the first few and their number.
@@ -63,7 +73,7 @@ std::string nearest_name(const std::string& name, const std::vector<std::string>
     std::string best;
     for (const std::string& candidate : known) {
         if (candidate.size() > kLongestName) continue;
-        const std::size_t distance = edit_distance(wanted, lower_case(candidate));
+        const std::size_t distance = edit_distance(wanted, lower_case(candidate), best_distance);
         if (distance < best_distance) {
             best_distance = distance;
             best = candidate;
@@ -72,9 +82,13 @@ std::string nearest_name(const std::string& name, const std::vector<std::string>
     return best;
 }
 
+std::string unknown_name(std::string_view kind, std::string_view name) {
+    return "unknown " + std::string(kind) + " " + in_quotes(name);
+}
+
 std::string unknown_name_message(std::string_view kind, const std::string& name,
                                  const std::vector<std::string>& known) {
-    std::string message = "unknown " + std::string(kind) + " " + in_quotes(name);
+    std::string message = unknown_name(kind, name);
     const std::string nearest = nearest_name(name, known);
     if (!nearest.empty()) message += "; did you mean \"" + nearest + "\"?";
     if (known.empty()) return message + "; none is known";

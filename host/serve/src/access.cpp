@@ -3,6 +3,7 @@
 
 #include <sys/random.h>
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <system_error>
@@ -14,11 +15,10 @@ std::string_view text_of(boost::beast::string_view text) {
     return {text.data(), text.size()};
 }
 
-/// Whether the field `name` stands once at most: two of one name are understood differently by
-/// different readers.
-bool at_most_once(const Request& request, boost::beast::http::field name) {
-    return request.count(name) <= 1;
-}
+constexpr const char* kFetchSite = "Sec-Fetch-Site";
+
+/// Browsers leave it out of Host and Origin.
+constexpr std::uint16_t kPortOfHttp = 80;
 
 }  // namespace
 
@@ -43,13 +43,16 @@ bool equal_in_constant_time(std::string_view a, std::string_view b) {
     return difference == 0;
 }
 
-Access::Access(std::string token, std::uint16_t port)
-    : token_(std::move(token)),
-      number_("127.0.0.1:" + std::to_string(port)),
-      name_("localhost:" + std::to_string(port)) {}
+Access::Access(std::string token, std::uint16_t port) : token_(std::move(token)) {
+    const std::string behind = ":" + std::to_string(port);
+    for (const char* host : {"127.0.0.1", "localhost"}) {
+        hosts_.push_back(host + behind);
+        if (port == kPortOfHttp) hosts_.emplace_back(host);
+    }
+}
 
 bool Access::own_host(std::string_view host) const {
-    return host == number_ || host == name_;
+    return std::ranges::find(hosts_, host) != hosts_.end();
 }
 
 bool Access::own_origin(std::string_view origin) const {
@@ -59,14 +62,15 @@ bool Access::own_origin(std::string_view origin) const {
 
 std::optional<std::string_view> Access::admitted(const Request& request) const {
     using boost::beast::http::field;
-    if (!at_most_once(request, field::host) || !at_most_once(request, field::origin))
-        return std::nullopt;
+    for (const char* name : {"Host", "Origin", kFetchSite}) {
+        if (request.count(name) > 1) return std::nullopt;
+    }
     if (!own_host(text_of(request[field::host]))) return std::nullopt;
     const auto origin = request.find(field::origin);
     if (origin != request.end() && !own_origin(text_of(origin->value()))) return std::nullopt;
     const bool orders = request.method() != boost::beast::http::verb::get;
     if (orders && origin == request.end()) return std::nullopt;
-    const auto site = request.find("Sec-Fetch-Site");
+    const auto site = request.find(kFetchSite);
     if (site != request.end() && site->value() != "same-origin" && site->value() != "none")
         return std::nullopt;
     std::string_view target = text_of(request.target());
@@ -79,7 +83,7 @@ std::optional<std::string_view> Access::admitted(const Request& request) const {
 }
 
 std::string Access::link() const {
-    return "http://" + number_ + "/" + token_ + "/";
+    return "http://" + hosts_.front() + "/" + token_ + "/";
 }
 
 }  // namespace lxs::serve

@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "request.h"
 
@@ -24,7 +25,8 @@ class Access {
     /// - the token is wrong;
     /// - Host is not this server's: a name of another site was made to point here (DNS rebinding);
     /// - Origin, or Sec-Fetch-Site, says that a page of another site asks;
-    /// - it orders something (POST) and does not say where it comes from.
+    /// - it orders something (POST) and does not say where it comes from;
+    /// - one of these stands twice: different readers would heed different ones.
     std::optional<std::string_view> admitted(const Request& request) const;
     /// The page's address.
     std::string link() const;
@@ -34,7 +36,7 @@ class Access {
     bool own_origin(std::string_view origin) const;
 
     std::string token_;
-    std::string number_, name_;  ///< what Host may say: address or name, and port
+    std::vector<std::string> hosts_;  ///< what Host may say: address or name, and port
 };
 
 }  // namespace lxs::serve

@@ -3,7 +3,6 @@
 
 #include <boost/beast/http/read.hpp>
 #include <boost/beast/http/write.hpp>
-#include <chrono>
 
 #include "lxs/serve/page.h"
 
@@ -12,9 +11,6 @@ namespace {
 
 namespace http = boost::beast::http;
 using http::field;
-
-/// A page asks twice a second; what is silent for longer is closed.
-constexpr std::chrono::seconds kPatience{15};
 
 /// Until whoever has got the last answer hangs up.
 constexpr std::chrono::seconds kPatienceAtTheEnd{2};
@@ -40,21 +36,22 @@ void set_rules(http::fields& fields) {
 
 }  // namespace
 
-Connection::Connection(boost::asio::ip::tcp::socket socket, Answer answer,
-                       std::function<void()> ended)
+Connection::Connection(boost::asio::ip::tcp::socket socket, std::chrono::milliseconds patience,
+                       Answer answer, std::function<void(Connection*)> ended)
     : stream_(std::move(socket)),
+      patience_(patience),
       answer_(std::move(answer)),
       ended_(std::move(ended)),
       buffer_(std::size_t{2} * kLongestHeader) {}
 
 Connection::~Connection() {
-    ended_();
+    ended_(this);
 }
 
 void Connection::read() {
     parser_.emplace();
     bound(*parser_);
-    stream_.expires_after(kPatience);
+    stream_.expires_after(patience_);
     http::async_read(stream_, buffer_, *parser_,
                      [self = shared_from_this()](const auto& error, std::size_t) {
                          self->reply_to_request(error);
@@ -73,7 +70,9 @@ void Connection::unreadable(const boost::system::error_code& error) {
 void Connection::reply_to_request(const boost::system::error_code& error) try {
     if (error) return unreadable(error);
     const Request& request = parser_->get();
-    send(answer_(request), request.keep_alive());
+    Reply reply = answer_(request);
+    admitted_ |= reply.status != http::status::forbidden;
+    send(std::move(reply), admitted_ && request.keep_alive());
 } catch (const std::exception&) {
     close();  // no memory: the render matters more
 }
@@ -89,12 +88,19 @@ void Connection::send(Reply reply, bool keep_alive) {
         response_.body() = {reply_.body->data(), reply_.body->size()};
         response_.prepare_payload();
     }
-    stream_.expires_after(kPatience);
-    http::async_write(stream_, response_,
-                      [self = shared_from_this(), keep_alive](const auto& error, std::size_t) {
-                          if (error) return self->close();
-                          keep_alive ? self->read() : self->finish();
-                      });
+    unsent_.emplace(response_);
+    send_more();
+}
+
+/// Part by part: whoever reads slowly gets all of it, whoever reads nothing is left.
+void Connection::send_more() {
+    stream_.expires_after(patience_);
+    http::async_write_some(stream_, *unsent_,
+                           [self = shared_from_this()](const auto& error, std::size_t) {
+                               if (error) return self->close();
+                               if (!self->unsent_->is_done()) return self->send_more();
+                               self->response_.keep_alive() ? self->read() : self->finish();
+                           });
 }
 
 /// What is closed with something unread is reset, and the answer may be lost with it.

@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "eye/light_choice.h"
+#include "lxs/language/asset_finder.h"
 #include "lxs/language/read_scene.h"
 #include "lxs/tracing/trace_scene.h"
 #include "photons/photon_iteration.h"
@@ -57,9 +58,9 @@ void read(PhotonWorkload& work) {
     lxs::SceneContents contents = lxs::read_scene(SCENES "/cornell-box.lxs", registry, diagnostics);
     for (const lxs::Primitive& primitive : contents.primitives)
         work.geometry.push_back(primitive.geometry);
-    const std::string directory = contents.directory;
+    lxs::AssetFinder finder(contents.directory);
     const auto resolve = [&](const std::string& name, const lxs::SourceLocation& where) {
-        return lxs::resolve_asset(name, directory, where, diagnostics);
+        return finder.find(name, where, diagnostics);
     };
     work.host_scene = lxs::make_trace_scene(std::move(contents), resolve, diagnostics);
     work.scene = std::make_unique<shim::SceneShim>(*work.host_scene);

@@ -117,10 +117,14 @@ TEST_F(LearnedFileTest, PlacesAreLookedAtBeforeRendering) {
     expect_refusal({"--learned-out", "nowhere/a"}, "cannot write 'nowhere/a': ", "aips", 5);
     expect_refusal(
         {"--learned-out", "out.exr"},
-        "'out.exr' can't hold what is learned and be another of this render's files too");
+        "cannot write what is learned to 'out.exr': it is the same file as the image 'out.exr'",
+        "aips", 5);
     image("frame_1.lxs", {"--learned-out", "a"});
     expect_refusal({"--learned-in", "a", "--learned-out", "a", "--checkpoint", "c"},
-                   "'a' can't hold what is learned and be another of this render's files too");
+                   "cannot write what is learned to 'a': it is the same file as that of "
+                   "--learned-in, 'a'",
+                   "aips", 5);
+    image("frame_2.lxs", {"--learned-in", "a", "--learned-out", "a"});
 }
 
 /// What a render would know before its first pass must not come from that pass's own numbers.

@@ -4,11 +4,28 @@
 
 #include <gtest/gtest.h>
 #include <signal.h>
+#include <sys/file.h>
 #include <sys/resource.h>
 #include <sys/stat.h>
+#include <sys/syscall.h>
 #include <unistd.h>
 
+#include <atomic>
+#include <thread>
+
 #include "scene_options.h"
+
+namespace {
+/// What locking fails with: a file system without locks.
+int no_lock = 0;
+}  // namespace
+
+/// Takes the place of the system's.
+extern "C" int flock(int file, int operation) noexcept {
+    if (no_lock == 0) return static_cast<int>(::syscall(SYS_flock, file, operation));
+    errno = no_lock;
+    return -1;
+}
 
 namespace lxs::test::atomic_file_test {
 namespace {
@@ -119,6 +136,91 @@ TEST(AtomicFile, ASymbolicLinkStaysALink) {
     write_file_atomically(folder / "link", bytes_of("newer"));
     EXPECT_TRUE(fs::is_symlink(folder / "link"));
     EXPECT_EQ(folder.read("target"), "newer");
+}
+
+TEST(AtomicFile, ASymbolicLinkToNothingIsFollowedToo) {
+    const TemporaryFolder folder;
+    fs::create_directory(folder / "inner");
+    fs::create_symlink("inner/second", folder / "first");
+    fs::create_symlink("target", folder / "inner/second");
+    write_file_atomically(folder / "first", bytes_of("text"));
+    EXPECT_TRUE(fs::is_symlink(folder / "first"));
+    EXPECT_TRUE(fs::is_symlink(folder / "inner/second"));
+    EXPECT_EQ(folder.read("inner/target"), "text");
+}
+
+TEST(AtomicFile, LinksInACircle) {
+    const TemporaryFolder folder;
+    const std::string path = folder / "a";
+    fs::create_symlink("b", folder / "a");
+    fs::create_symlink("a", folder / "b");
+    const std::string message = "cannot write '" + path + "': Too many levels of symbolic links";
+    EXPECT_EQ(write_error(path, "text"), message);
+    EXPECT_THROW(probe_atomic_file(path), std::runtime_error);
+    EXPECT_TRUE(fs::is_symlink(folder / "a"));
+    EXPECT_EQ(folder.entries(), 2u);
+}
+
+/// Names of temporary files are no longer than names may be.
+TEST(AtomicFile, ANameMayBeAsLongAsNamesCanBe) {
+    const TemporaryFolder folder;
+    const std::string two_bytes = "\xC3\xA4";
+    std::string odd = "x";
+    for (int i = 0; i < 127; ++i)
+        odd += two_bytes;
+    for (const std::string& name : {std::string(233, 'a'), std::string(234, 'b'),
+                                    std::string(245, 'c'), std::string(255, 'd'), odd}) {
+        probe_atomic_file(folder / name);
+        write_file_atomically(folder / name, bytes_of(name));
+        write_file_atomically(folder / name, bytes_of(name));
+        EXPECT_EQ(folder.read(name), name);
+    }
+    EXPECT_EQ(folder.entries(), 5u);
+    const std::string path = folder / std::string(256, 'e');
+    EXPECT_EQ(write_error(path, "text"), "cannot write '" + path + "': File name too long");
+    EXPECT_THROW(probe_atomic_file(path), std::runtime_error);
+}
+
+/// As two processes of one number do, in containers that share a folder.
+TEST(AtomicFile, WritersOfOneNumberDoNotMeet) {
+    const TemporaryFolder folder;
+    AtomicFile first(folder / "image"), second(folder / "image");
+    first.write(bytes_of("first"));
+    second.write(bytes_of("the second"));
+    first.commit();
+    EXPECT_EQ(folder.read("image"), "first");
+    second.commit();
+    EXPECT_EQ(folder.read("image"), "the second");
+    EXPECT_EQ(folder.entries(), 1u);
+}
+
+TEST(AtomicFile, WithoutLocksWritingGoesOnAndTells) {
+    const TemporaryFolder folder;
+    EXPECT_FALSE(probe_atomic_file(folder / "image"));
+    no_lock = ENOLCK;
+    EXPECT_EQ(probe_atomic_file(folder / "image").message(), "No locks available");
+    EXPECT_EQ(write_error(folder / "image", "text"), "");
+    folder.write(".image.12ab.tmp", "may be in use");
+    remove_abandoned_temporaries(folder / "image");
+    no_lock = 0;
+    EXPECT_EQ(folder.read("image"), "text");
+    EXPECT_TRUE(folder.has(".image.12ab.tmp"));
+}
+
+/// A render that begins removes what others have left, not what they are writing.
+TEST(AtomicFile, NoWriterLosesItsFileToWhoeverRemovesAbandonedOnes) {
+    const TemporaryFolder folder;
+    std::atomic<bool> written = false;
+    std::thread remover([&] {
+        while (!written)
+            remove_abandoned_temporaries(folder / "image");
+    });
+    std::string error;
+    for (int i = 0; i < 300 && error.empty(); ++i)
+        error = write_error(folder / "image", "text");
+    written = true;
+    remover.join();
+    EXPECT_EQ(error, "");
 }
 
 TEST(AtomicFile, WhatIsNotCommittedLeavesNothing) {

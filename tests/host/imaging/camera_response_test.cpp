@@ -83,7 +83,10 @@ TEST(CameraResponse, WhatFollowsThreeChannelsIsNotRead) {
 TEST(CameraResponse, ErrorsNameTheirPlace) {
     const std::pair<std::string, std::string> cases[] = {
         {"", "1:1: expected a curve whose name ends in Red, found the end of the file"},
-        {"a\nI = 0 1\n", "2:1: expected \"graph\" after the name of a curve, found \"I\""},
+        {"a\nI = 0 1\n",
+         "2:1: it is no file of curves: expected \"graph\" after the name of the first"},
+        {"a\ngraph x\nI = 0 1\nB = 0 1\nb\nI = 0",
+         "6:1: expected \"graph\" after the name of a curve, found \"I\""},
         {"a\ngraph x\nI = 0 x\n", "3:7: expected a number from 0 to 1, found \"x\""},
         {"a\ngraph x\nI = 0 1\nB 0 1", "4:3: expected \"=\" after \"B\", found \"0\""},
         {"a\ngraph x\nI = 0 1\nB = 0 -1", "4:7: expected a number from 0 to 1, found \"-1\""},
@@ -106,6 +109,18 @@ TEST(CameraResponse, ErrorsNameTheirPlace) {
                 fmt::format("{}:{}: {}", error.where().line, error.where().column, error.what()),
                 message);
         }
+    }
+}
+
+/// A scene may name any file of whoever renders it.
+TEST(CameraResponse, MessagesShowNothingOfAnotherFile) {
+    try {
+        read_camera_response(file_of("root:x:0:0 secret\n"));
+        ADD_FAILURE();
+    } catch (const ResponseFileError& error) {
+        const std::string told = format_message(error.where(), "warning", error.what());
+        EXPECT_EQ(told.find("secret"), std::string::npos) << told;
+        EXPECT_EQ(told.find("root"), std::string::npos) << told;
     }
 }
 

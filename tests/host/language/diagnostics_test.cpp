@@ -3,6 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <random>
+
 namespace lxs::diagnostics_test {
 namespace {
 
@@ -73,6 +76,40 @@ TEST(FormatMessage, ShowsNoControlCharacters) {
     EXPECT_EQ(message.find('\x07'), std::string::npos);
 }
 
+TEST(FormatMessage, TheCaretStandsBelowWhatIsShown) {
+    EXPECT_EQ(format_message(place("\xFF\x80\xE2\x80\xAE\"x\" y", 1, 10), "error", "bad"),
+              "a.lxs:1:10: error: bad\n"
+              "  ???\"x\" y\n"
+              "         ^");
+}
+
+/// Control characters, what is no UTF-8, and what turns the direction of text.
+TEST(Printable, CommandsNoTerminal) {
+    const std::pair<const char*, const char*> cases[] = {
+        {"plain\ttext\n", "plain\ttext\n"},
+        {"\xC3\xA4 \xE6\x97\xA5 \xF0\x9F\x8E\xA8", "\xC3\xA4 \xE6\x97\xA5 \xF0\x9F\x8E\xA8"},
+        {"\x1b[31m\x07\r\x7f", "?[31m???"},
+        {"a\xC2\x9B"
+         "31m",
+         "a?31m"},
+        {"\xC2\x80\xC2\x9F\xC2\xA0", "??\xC2\xA0"},
+        {"\xFF\xFE\x80", "???"},
+        {"\xC3", "?"},
+        {"\xE2\x80", "??"},
+        {"\xC0\x9B", "??"},            // longer than it need be
+        {"\xED\xA0\x80", "???"},       // half of a surrogate pair
+        {"\xF4\x90\x80\x80", "????"},  // beyond Unicode
+        {"\xD8\x9C\xE2\x80\x8E\xE2\x80\x8F", "???"},
+        {"\xE2\x80\xAA\xE2\x80\xAB\xE2\x80\xAC\xE2\x80\xAD\xE2\x80\xAE", "?????"},
+        {"\xE2\x81\xA6\xE2\x81\xA7\xE2\x81\xA8\xE2\x81\xA9", "????"},
+        {"\xE2\x80\xA8\xE2\x80\xA9\xEF\xBF\xB9", "???"},
+        {"\xD7\xA9\xD7\x9C\xD7\x95\xD7\x9D", "\xD7\xA9\xD7\x9C\xD7\x95\xD7\x9D"},
+    };
+    for (const auto& [text, shown] : cases)
+        EXPECT_EQ(printable(text), shown);
+    EXPECT_EQ(in_quotes("\t\n\xE2\x80\xAE\xFF"), "\"????\"");
+}
+
 TEST(FormatMessage, SurvivesPositionsBeyondTheText) {
     EXPECT_EQ(format_message(place("a\n", 9, 9), "error", "bad"), "a.lxs:9:9: error: bad\n  \n  ^");
     EXPECT_EQ(format_message(place("\n", 1, 1), "error", "bad"), "a.lxs:1:1: error: bad\n  \n  ^");
@@ -89,6 +126,51 @@ TEST(NearestName, IsEmptyWhenNothingIsNear) {
     EXPECT_EQ(nearest_name("cloth", {"matte", "mirror"}), "");
     EXPECT_EQ(nearest_name("", {"a"}), "");
     EXPECT_EQ(nearest_name(std::string(1000000, 'x'), {"a"}), "");
+}
+
+/// Optimal string alignment distance by its definition.
+std::size_t distance(const std::string& a, const std::string& b) {
+    std::vector<std::vector<std::size_t>> d(a.size() + 1, std::vector<std::size_t>(b.size() + 1));
+    for (std::size_t i = 0; i <= a.size(); ++i) {
+        for (std::size_t j = 0; j <= b.size(); ++j) {
+            d[i][j] = std::max(i, j);
+            if (i == 0 || j == 0) continue;
+            const std::size_t other = a[i - 1] == b[j - 1] ? 0 : 1;
+            d[i][j] = std::min({d[i - 1][j] + 1, d[i][j - 1] + 1, d[i - 1][j - 1] + other});
+            if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1])
+                d[i][j] = std::min(d[i][j], d[i - 2][j - 2] + 1);
+        }
+    }
+    return d[a.size()][b.size()];
+}
+
+TEST(NearestName, IsTheFirstOfTheLeastDistance) {
+    std::mt19937 random(7);
+    const auto word = [&](std::size_t longest) {
+        std::string text(1 + random() % longest, ' ');
+        for (char& c : text)
+            c = static_cast<char>('a' + random() % 3);
+        return text;
+    };
+    int found = 0;
+    for (int i = 0; i < 3000; ++i) {
+        const std::size_t longest = i % 3 == 0 ? 64 : 9;
+        const std::string name = word(longest);
+        std::vector<std::string> known(1 + random() % 12);
+        for (std::string& other : known)
+            other = word(longest);
+        std::string nearest;
+        std::size_t least = std::max<std::size_t>(1, name.size() / 3) + 1;
+        for (const std::string& other : known) {
+            if (distance(name, other) >= least) continue;
+            least = distance(name, other);
+            nearest = other;
+        }
+        EXPECT_EQ(nearest_name(name, known), nearest) << name;
+        found += nearest.empty() ? 0 : 1;
+    }
+    EXPECT_GT(found, 500);
+    EXPECT_LT(found, 2500);
 }
 
 TEST(UnknownNameMessage, ListsTheNearestFirst) {

@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "lxs/language/asset_finder.h"
 #include "scene_fakes.h"
 #include "temporary_folder.h"
 
@@ -244,7 +245,7 @@ TEST(Fallback, VeryManyErrorsEndTheReading) {
 std::string found(const files::TemporaryFolder& folder, const std::string& name) {
     LenientDiagnostics diagnostics;
     try {
-        const std::string path = resolve_asset(name, folder.path().string(), {}, diagnostics);
+        const std::string path = AssetFinder(folder.path().string()).find(name, {}, diagnostics);
         return path.substr(folder.path().string().size() + 1);
     } catch (const InputError&) {
         return "";

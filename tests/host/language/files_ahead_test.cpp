@@ -81,7 +81,8 @@ TEST_F(FilesAhead, AFileThatIsNamedTwiceIsReadTwice) {
 /// Shapes before WorldBegin are no shapes: their files are kept for nobody.
 TEST_F(FilesAhead, WhatNobodyTakesIsForgotten) {
     const Registry known = registry();
-    lxs::FilesAhead ahead(known, folder_.path().string());
+    AssetFinder finder(folder_.path().string());
+    lxs::FilesAhead ahead(known, finder);
     const auto text = [](const std::string& value) {
         Argument argument;
         argument.values = std::vector<std::string>{value};

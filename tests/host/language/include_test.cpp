@@ -72,6 +72,27 @@ TEST_F(Include, AssetsAreFoundLikeIncludes) {
     EXPECT_EQ(error_of("main.lxs"), "");
 }
 
+/// A scene may name any file of whoever renders it, and messages show lines of scenes.
+TEST_F(Include, WhatIsNoSceneIsNotShown) {
+    write("main.lxs", "WorldBegin Include \"a.txt\" WorldEnd");
+    for (const char* text : {"root:x:0:0:root", "# comment\n\nsecret = 1", "{", "\"Shape\"", "[1",
+                             "1 2", "shape \"sphere\"",
+                             "\x7f"
+                             "ELF"}) {
+        write("a.txt", text);
+        EXPECT_EQ(error_of("main.lxs"),
+                  "@/main.lxs:1:20: error: \"@/a.txt\" is no scene file: it does not begin with a "
+                  "statement\n"
+                  "  WorldBegin Include \"a.txt\" WorldEnd\n"
+                  "                     ^");
+    }
+    for (const char* text :
+         {"", "# comment", "\n", "\xEF\xBB\xBF# mark\nShape \"sphere\"", "Shape \"sphere\""}) {
+        write("a.txt", text);
+        EXPECT_EQ(error_of("main.lxs"), "");
+    }
+}
+
 TEST_F(Include, SyntaxErrorsShowTheChain) {
     write("main.lxs", "WorldBegin\nInclude \"a.lxo\"\nWorldEnd\n");
     write("a.lxo", "\n\nInclude \"b.lxm\"");

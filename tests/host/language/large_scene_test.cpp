@@ -1,4 +1,5 @@
 // Inline arrays of millions of numbers: read right; the time is reported, not judged.
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <chrono>
@@ -45,6 +46,99 @@ TEST(LargeScene, MillionsOfInlineNumbers) {
     const auto count = static_cast<double>(mesh.positions.size() * 3 + mesh.indices.size());
     std::cout << "[  report  ] " << count / 1e6 << " million numbers in " << elapsed.count()
               << " s\n";
+}
+
+/// Keeps what is said without its place, which takes time to find.
+class Said final : public Diagnostics {
+  public:
+    void warning(const SourceLocation&, const std::string& message) override {
+        messages.push_back(message);
+    }
+    void unknown_parameter(const SourceLocation&, const std::string& message) override {
+        messages.push_back(message);
+    }
+    void fallback(const SourceLocation&, const std::string& message, const std::string&) override {
+        messages.push_back(message);
+    }
+    std::vector<std::string> messages;
+};
+
+/// Time that grows with the product of both numbers would be minutes.
+TEST(LargeScene, ThousandsOfUnknownNamesBesideThousandsOfKnownOnes) {
+    constexpr int kNames = 12000;
+    constexpr double kSeconds = 5;
+    const struct {
+        std::string noun, define, use;
+    } cases[] = {
+        {"named material", "MakeNamedMaterial \"KNOWN\" \"string type\" [\"matte\"]",
+         "NamedMaterial \"NAME\""},
+        {"named volume", "MakeNamedVolume \"KNOWN\" \"clear\"", "Interior \"NAME\""},
+        {"object", "ObjectBegin \"KNOWN\" ObjectEnd", "ObjectInstance \"NAME\""},
+        {"coordinate system", "CoordinateSystem \"KNOWN\"", "CoordSysTransform \"NAME\""},
+        {"color texture", "Texture \"KNOWN\" \"color\" \"constant\"",
+         "Material \"matte\" \"texture Kd\" [\"NAME\"]"},
+    };
+    for (const auto& [noun, define, use] : cases) {
+        const auto named = [](std::string text, const char* place, const std::string& name) {
+            return text.replace(text.find(place), std::string(place).size(), name) + "\n";
+        };
+        std::string world;
+        for (int i = 0; i < kNames; ++i)
+            world += named(define, "KNOWN", "known_material_" + std::to_string(100000 + i));
+        for (int i = 0; i < kNames; ++i)
+            world += named(use, "NAME", "unknown_stuff_" + std::to_string(100000 + i));
+        Said said;
+        const auto begin = std::chrono::steady_clock::now();
+        read_scene_text("WorldBegin\n" + world + "WorldEnd\n", "test.lxs", ".", fake_registry(),
+                        said);
+        const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - begin;
+        EXPECT_LT(elapsed.count(), kSeconds) << noun;
+        ASSERT_EQ(said.messages.size(), std::size_t{kNames}) << noun;
+        EXPECT_THAT(said.messages.front(),
+                    testing::AllOf(testing::HasSubstr("unknown " + noun +
+                                                      " \"unknown_stuff_100000\"; known: "),
+                                   testing::HasSubstr("known_material_100000, ")));
+    }
+}
+
+/// What is told of many is told by the first.
+TEST(LargeScene, TheFirstUnknownNamesAreToldWithTheNearest) {
+    std::string world;
+    for (int i = 0; i < 30; ++i)
+        world +=
+            "MakeNamedMaterial \"m" + std::to_string(100 + i) + "\" \"string type\" [\"matte\"]\n";
+    for (int i = 0; i < 30; ++i)
+        world += "NamedMaterial \"n" + std::to_string(100 + i) + "\"\n";
+    world += "Interior \"m100\"\n";
+    LenientDiagnostics diagnostics;
+    read_world(world, diagnostics);
+    EXPECT_THAT(diagnostics.messages.front(), testing::HasSubstr("did you mean \"m100\"?"));
+    EXPECT_THAT(diagnostics.messages[7], testing::HasSubstr("did you mean \"m107\"?"));
+    EXPECT_THAT(diagnostics.messages[29],
+                testing::HasSubstr("unknown named material \"n129\"; it is ignored"));
+    EXPECT_THAT(diagnostics.messages[30],
+                testing::HasSubstr("unknown named volume \"m100\"; none is known"));
+}
+
+/// Listing the folder for each of them would take half a minute.
+TEST(LargeScene, ThousandsOfMissingFilesInAFolderOfThousands) {
+    constexpr int kFiles = 3000;
+    const files::TemporaryFolder folder;
+    std::string text = "WorldBegin\n";
+    for (int i = 0; i < kFiles; ++i)
+        folder.write("maps/here_" + std::to_string(i), "");
+    folder.write("maps/There_7.png", "");
+    for (int i = 0; i < kFiles; ++i)
+        text += "Texture \"t\" \"color\" \"imagemap\" \"string filename\" [\"maps/there_" +
+                std::to_string(i) + ".png\"]\n";
+    const std::string path = folder.write("scene.lxs", text + "WorldEnd\n");
+    LenientDiagnostics diagnostics;
+    const auto begin = std::chrono::steady_clock::now();
+    read_scene(path, fake_registry(), diagnostics);
+    const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - begin;
+    EXPECT_LT(elapsed.count(), 8);
+    EXPECT_THAT(diagnostics.messages,
+                testing::Contains(testing::HasSubstr("of other letter case; that one is read")));
 }
 
 TEST(LargeScene, TheTextOfLargeFilesAloneIsGivenUp) {

@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
 
@@ -113,6 +114,40 @@ TEST_F(LxsMerge, StatisticsThatDoNotBelong) {
     EXPECT_EQ(merge({path("a.exr"), path("b.exr"), "-o", path("o.exr"), "--stats-of",
                      path("a.exr.json")}),
               ExitCode::Usage);
+}
+
+TEST_F(LxsMerge, NothingThatIsReadIsWritten) {
+    render("a.exr", "1", "4");
+    render("b.exr", "2", "4");
+    std::filesystem::create_hard_link(path("b.exr"), path("twin.exr"));
+    std::filesystem::create_symlink("loop.exr", path("loop.exr"));
+    const std::string a = folder_.read("a.exr"), b = folder_.read("b.exr"),
+                      json = folder_.read("a.exr.json");
+    const auto refused = [&](std::vector<std::string> more, const std::string& why) {
+        std::vector<std::string> words{path("a.exr"), path("b.exr")};
+        words.insert(words.end(), more.begin(), more.end());
+        EXPECT_EQ(merge(words), ExitCode::OutputFailure);
+        EXPECT_THAT(said_, HasSubstr("error: cannot write " + why));
+        EXPECT_EQ(folder_.read("a.exr"), a);
+        EXPECT_EQ(folder_.read("b.exr"), b);
+        EXPECT_EQ(folder_.read("a.exr.json"), json);
+    };
+    refused({"-o", path("a.exr")}, "the image to '" + path("a.exr") +
+                                       "': it is the same file as "
+                                       "the image to merge '" +
+                                       path("a.exr") + "'");
+    refused({"-o", path("twin.exr")}, "the image to ");
+    refused({"-o", path("c.exr"), "--stats", path("./c.exr")},
+            "the statistics to '" + path("./c.exr") + "': it is the same file as the image");
+    refused({"-o", path("c.exr"), "--stats", path("b.exr")}, "the statistics to ");
+    refused({"-o", path("c.exr"), "--stats", path("a.exr.json"), "--stats-of", path("a.exr.json"),
+             path("b.exr.json")},
+            "the statistics to '" + path("a.exr.json") +
+                "': it is the same file as the "
+                "statistics to sum up");
+    refused({"-o", path(std::string(300, 'x') + ".exr")}, "'" + path(std::string(300, 'x')));
+    refused({"-o", path("loop.exr")}, "'" + path("loop.exr") + "': Too many levels");
+    EXPECT_FALSE(folder_.has("c.exr"));
 }
 
 TEST_F(LxsMerge, RefusesTheSamePathsTwice) {

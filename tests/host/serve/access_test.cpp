@@ -82,10 +82,32 @@ TEST(Access, RefusesOtherOrigins) {
     Request twice = test::post("stop");
     twice.insert("Origin", "http://127.0.0.1:8080");
     EXPECT_FALSE(kAccess.admitted(twice));
+    Request of_two_sites = test::get("state");
+    of_two_sites.set("Sec-Fetch-Site", "same-origin");
+    EXPECT_TRUE(kAccess.admitted(of_two_sites));
+    of_two_sites.insert("sec-fetch-site", "cross-site");
+    EXPECT_FALSE(kAccess.admitted(of_two_sites));
     for (const char* site : {"cross-site", "same-site", ""}) {
         Request request = test::get("state");
         request.set("Sec-Fetch-Site", site);
         EXPECT_FALSE(kAccess.admitted(request)) << site;
+    }
+}
+
+/// Browsers leave port 80 out.
+TEST(Access, PortsOfHttpNeedNotBeSaid) {
+    const Access access(test::kToken, 80);
+    EXPECT_EQ(access.link(), std::string("http://127.0.0.1:80/") + test::kToken + "/");
+    for (const char* host : {"127.0.0.1", "localhost", "127.0.0.1:80", "localhost:80"}) {
+        Request request = test::post("stop");
+        request.set("Host", host);
+        request.set("Origin", std::string("http://") + host);
+        EXPECT_TRUE(access.admitted(request)) << host;
+    }
+    for (const char* host : {"evil.example", "127.0.0.1:8080", ""}) {
+        Request request = test::get("state");
+        request.set("Host", host);
+        EXPECT_FALSE(access.admitted(request)) << host;
     }
 }
 

@@ -48,6 +48,17 @@ TEST(StressOutput, FullDeviceSavesBeside) {
     stress::record("output to a full device", "saved beside, exit code 5");
 }
 
+TEST(StressOutput, ANameWithoutRoomForMoreIsSavedBesideToo) {
+    SabotagedRender render;
+    render.folder.write("scene.lxs", small_scene());
+    const std::string stem(251, 'x');
+    fs::create_symlink("/dev/full", render.folder / (stem + ".exr"));
+    const RunResult result = render.run("none", "", {"--passes", "2", "-o", stem + ".exr"});
+    EXPECT_EQ(result.exit_code, 5) << result.err;
+    EXPECT_TRUE(render.folder.has(stem.substr(0, 243) + ".rescued.exr")) << result.err;
+    EXPECT_TRUE(render.folder.has(stem + ".png"));
+}
+
 TEST(StressOutput, FileSizeLimitsLeaveWholeFilesOnly) {
     SabotagedRender render;
     render.folder.write("scene.lxs", eager_scene());

@@ -23,8 +23,7 @@ using Row = std::vector<double>;
 
 struct NumberFile {
     std::vector<Row> rows;
-    std::string bad_line;  ///< the first one that holds no numbers
-    std::size_t bad_line_number = 0;
+    std::size_t bad_line = 0;  ///< the first one that holds no numbers, from 1; 0: none
 };
 
 /// Lines of numbers. Empty lines and comments are left out.
@@ -43,10 +42,7 @@ NumberFile read_numbers(std::istream& file) {
         const bool rest = !words.eof();
         if (row.empty() && !rest) continue;
         if (rest || row.empty()) {
-            if (result.bad_line.empty()) {
-                result.bad_line = line;
-                result.bad_line_number = number;
-            }
+            if (result.bad_line == 0) result.bad_line = number;
             continue;
         }
         result.rows.push_back(std::move(row));
@@ -106,10 +102,8 @@ OpticalTable read_optical_table(const std::string& path, OpticalFormat format,
     std::ifstream file(path);
     if (!file) throw InputError(where, fmt::format("\"{}\" can't be read", path));
     const NumberFile numbers = read_numbers(file);
-    if (!numbers.bad_line.empty()) {
-        throw InputError(where, fmt::format("{}:{}: expected numbers, found {}", path,
-                                            numbers.bad_line_number, in_quotes(numbers.bad_line)));
-    }
+    if (numbers.bad_line > 0)
+        throw InputError(where, fmt::format("{}:{}: expected numbers", path, numbers.bad_line));
     const bool sopra = format == OpticalFormat::Sopra ||
                        (format == OpticalFormat::Any && has_sopra_header(numbers.rows));
     OpticalTable table;

@@ -14,7 +14,7 @@ namespace lxs {
 
 /// Throws CheckpointFailure if a file is there already that would be replaced, as a render replaces
 /// only the checkpoint that it has gone on from; OutputFailure if none can be written there.
-void check_checkpoint_place(const CommandLine& command);
+void check_checkpoint_place(const CommandLine& command, ConsoleLog& log);
 
 /// A checkpoint of this very render, whole but not restored yet; its bytes.
 using FoundCheckpoint = std::vector<std::byte>;
@@ -34,7 +34,7 @@ RenderTotals restore(FoundCheckpoint found, const CommandLine& command, RenderSe
 class CheckpointSchedule {
   public:
     /// `totals` are those that the render begins with. Throws CheckpointFailure if the integrator
-    /// has no state to save, or the file is to hold another output too.
+    /// has no state to save.
     CheckpointSchedule(const CommandLine& command, RenderSession& session, ConsoleLog& log,
                        const RenderTotals& totals);
 

@@ -12,7 +12,7 @@
 namespace lxs {
 
 /// Throws OutputFailure if nothing can be written where --learned-out says.
-void check_learned_place(const CommandLine& command);
+void check_learned_place(const CommandLine& command, ConsoleLog& log);
 
 /// A whole file of what was learned; its bytes.
 using LearnedFile = std::vector<std::byte>;
@@ -26,8 +26,7 @@ std::optional<LearnedFile> read_learned(const CommandLine& command);
 void take_learned(const LearnedFile& file, const CommandLine& command, RenderSession& session,
                   ConsoleLog& log);
 
-/// Before the first pass: throws LearnedFailure if the integrator has nothing for --learned-out, or
-/// if the file is to hold another output too.
+/// Before the first pass: throws LearnedFailure if the integrator has nothing for --learned-out.
 void check_learns(const CommandLine& command, RenderSession& session);
 
 /// Writes what --learned-out asks for. False, and an error, if it can't be written.

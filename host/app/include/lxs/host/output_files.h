@@ -19,15 +19,15 @@ struct OutputFiles {
 /// Whether a file's name ends in `suffix` (".png"), in letters of either case.
 bool has_suffix(const std::string& name, const std::string& suffix);
 
-/// `-o`, else the film's file name, in the current folder. NAME.png means the PNG alone, any other
-/// name the EXR and a PNG beside it.
-OutputFiles choose_output_files(const CommandLine& command, const FileFilm& film);
+/// `-o`, else the film's file name, in the current folder or below: what else it says is left out,
+/// with a warning. NAME.png means the PNG alone, any other name the EXR and a PNG beside it. Throws
+/// OutputFailure if links lead from the film's name out of the current folder.
+OutputFiles choose_output_files(const CommandLine& command, const FileFilm& film, ConsoleLog& log);
 
-/// Throws OutputFailure unless a file can be written there, found out by writing one beside it;
-/// removes what a killed process has left beside it.
-void check_writable(const std::string& path);
-/// Throws OutputFailure unless all files can be written, found out by writing a file beside them.
-void check_writable(const OutputFiles& files);
+/// Throws OutputFailure unless a file can be written there, found out by making one beside it as
+/// writing will; warns if that can't be locked. Removes what a killed process has left beside it.
+/// Nothing, if `path` is empty.
+void check_writable(const std::string& path, ConsoleLog& log);
 
 /// "a.exr and a.png", those that are written.
 std::string names_of_images(const OutputFiles& files);

@@ -22,12 +22,6 @@ SceneContents read_scene_text(const std::string& text, const std::string& name,
                               const std::string& directory, const Registry& registry,
                               Diagnostics& diagnostics);
 
-/// Path of an asset named in a scene: against the main scene's folder, then its basename there,
-/// then the including file's folder; then the same, whatever the letter case, which is reported.
-/// Throws InputError at `where` if none exists.
-std::string resolve_asset(const std::string& name, const std::string& main_directory,
-                          const SourceLocation& where, Diagnostics& diagnostics);
-
 /// Every plugin name of LuxRender 1.9 by statement ("Material", "Shape", ...), rendered or not:
 /// a name in here that the host does not render yet is reported as such, any other as unknown.
 const std::map<std::string, std::vector<std::string>>& known_plugin_names();

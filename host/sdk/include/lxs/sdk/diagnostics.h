@@ -69,13 +69,16 @@ class Diagnostics {
 /// The nearest of `known` to `name` by edit distance, empty if none is near.
 std::string nearest_name(const std::string& name, const std::vector<std::string>& known);
 
-/// `text` with '?' for control characters other than tabs and line ends: names from files reach
-/// terminals.
+/// `text` fit for a terminal, which names from files reach: '?' for control characters other than
+/// tabs and line ends, for what turns the direction of text, and for what is no UTF-8.
 std::string printable(std::string_view text);
 
-/// `text` in double quotes, fit for a message: control characters shown as '?', cut after 120
-/// bytes.
+/// `text` in double quotes, fit for a message: as printable() has it, without tabs and line ends,
+/// and cut after 120 bytes.
 std::string in_quotes(std::string_view text);
+
+/// "unknown <kind> "<name>"".
+std::string unknown_name(std::string_view kind, std::string_view name);
 
 /// "unknown <kind> "<name>"; did you mean "<nearest>"? Known: a, b, c": the nearest of `known`
 /// first, the rest in the order given; of a long list, its first names and how many more there are.

@@ -1,9 +1,8 @@
-// Where the files that a scene names are looked for.
+// Where the files that a scene names are.
+#include "lxs/language/asset_finder.h"
+
 #include <algorithm>
 #include <cctype>
-#include <filesystem>
-
-#include "lxs/language/read_scene.h"
 
 namespace lxs {
 namespace {
@@ -15,31 +14,15 @@ bool is_file(const fs::path& path) {
     return fs::exists(path, ignored) && !fs::is_directory(path, ignored);
 }
 
-bool same_but_for_case(const std::string& a, const std::string& b) {
-    return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](unsigned char x, unsigned char y) {
-        return std::tolower(x) == std::tolower(y);
-    });
+std::string lower_case(std::string text) {
+    std::ranges::transform(text, text.begin(),
+                           [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    return text;
 }
 
 bool is_regular(const fs::path& path) {
     std::error_code ignored;
     return fs::is_regular_file(path, ignored);
-}
-
-/// What `folder` holds by the name `part`, then by names that differ from it in upper and lower
-/// case, sorted.
-std::vector<fs::path> entries_like(const fs::path& folder, const fs::path& part) {
-    std::vector<fs::path> found;
-    std::error_code error;
-    fs::directory_iterator entry(folder.empty() ? "." : folder, error);
-    for (; !error && entry != fs::directory_iterator(); entry.increment(error)) {
-        const fs::path name = entry->path().filename();
-        if (name != part && same_but_for_case(name.string(), part.string()))
-            found.push_back(folder / name);
-    }
-    std::sort(found.begin(), found.end());
-    if (fs::exists(folder / part, error)) found.insert(found.begin(), folder / part);
-    return found;
 }
 
 /// A file name and where it is looked for, unless it is absolute.
@@ -51,8 +34,9 @@ struct Candidate {
 /// Looks for a file whose name is right but for upper and lower case.
 class CaseSearch {
   public:
-    explicit CaseSearch(const Candidate& wanted)
-        : parts_(parts_of(wanted.name.relative_path())),
+    CaseSearch(const Candidate& wanted, FolderListings& listings)
+        : listings_(listings),
+          parts_(parts_of(wanted.name.relative_path())),
           found_(look_in(wanted.name.is_absolute() ? wanted.name.root_path() : wanted.folder, 0)) {}
 
     /// The first file found; empty if there is none.
@@ -68,13 +52,19 @@ class CaseSearch {
     fs::path look_in(const fs::path& folder, std::size_t part) {
         if (part == parts_.size()) return is_regular(folder) ? folder : fs::path();
         if (++folders_ > kMostFolders) return {};
-        for (const fs::path& entry : entries_like(folder, parts_[part])) {
-            fs::path file = look_in(entry, part + 1);
+        std::error_code ignored;
+        if (fs::exists(folder / parts_[part], ignored)) {
+            fs::path file = look_in(folder / parts_[part], part + 1);
+            if (!file.empty()) return file;
+        }
+        for (const std::string& name : listings_.like(folder, parts_[part].string())) {
+            fs::path file = look_in(folder / name, part + 1);
             if (!file.empty()) return file;
         }
         return {};
     }
 
+    FolderListings& listings_;
     std::vector<fs::path> parts_;
     int folders_ = 0;  ///< looked into
     fs::path found_;
@@ -98,14 +88,43 @@ std::vector<Candidate> candidates(const fs::path& name, const fs::path& main_dir
 
 }  // namespace
 
-std::string resolve_asset(const std::string& name, const std::string& main_directory,
-                          const SourceLocation& where, Diagnostics& diagnostics) {
+const FolderListings::Names& FolderListings::names_in(const fs::path& folder) {
+    constexpr std::size_t kMostNames = 1'000'000;  // that are kept
+    if (names_ > kMostNames) {
+        folders_.clear();
+        names_ = 0;
+    }
+    const auto [known, is_new] = folders_.try_emplace(folder.string());
+    if (!is_new) return known->second;
+    std::error_code error;
+    fs::directory_iterator entry(folder.empty() ? "." : folder, error);
+    for (; !error && entry != fs::directory_iterator(); entry.increment(error)) {
+        const std::string name = entry->path().filename().string();
+        known->second[lower_case(name)].push_back(name);
+        ++names_;
+    }
+    for (auto& [lower, names] : known->second)
+        std::ranges::sort(names);
+    return known->second;
+}
+
+std::vector<std::string> FolderListings::like(const fs::path& folder, const std::string& name) {
+    const Names& names = names_in(folder);
+    const auto found = names.find(lower_case(name));
+    if (found == names.end()) return {};
+    std::vector<std::string> others = found->second;
+    std::erase(others, name);
+    return others;
+}
+
+std::string AssetFinder::find(const std::string& name, const SourceLocation& where,
+                              Diagnostics& diagnostics) {
     if (name.empty()) throw InputError(where, "the file name is empty");
-    std::vector<Candidate> wanted = candidates(name, main_directory, where);
+    std::vector<Candidate> wanted = candidates(name, main_directory_, where);
     if (name.find('\\') != std::string::npos) {  // written on Windows
         std::string forward = name;
         std::replace(forward.begin(), forward.end(), '\\', '/');
-        const std::vector<Candidate> more = candidates(forward, main_directory, where);
+        const std::vector<Candidate> more = candidates(forward, main_directory_, where);
         wanted.insert(wanted.end(), more.begin(), more.end());
     }
     for (const Candidate& candidate : wanted) {
@@ -116,7 +135,7 @@ std::string resolve_asset(const std::string& name, const std::string& main_direc
         return tidy(path);
     }
     for (const Candidate& candidate : wanted) {
-        const CaseSearch search(candidate);
+        const CaseSearch search(candidate, listings_);
         if (search.found().empty()) continue;
         std::string like = tidy(search.found());
         diagnostics.fallback(
@@ -125,7 +144,7 @@ std::string resolve_asset(const std::string& name, const std::string& main_direc
             "that one is read");
         return like;
     }
-    const std::string folder = main_directory.empty() ? "." : main_directory;
+    const std::string folder = main_directory_.empty() ? "." : main_directory_;
     throw InputError(where, "no file " + in_quotes(name) + "; looked in " + in_quotes(folder) +
                                 " and beside the file that names it");
 }

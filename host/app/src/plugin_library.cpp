@@ -5,11 +5,11 @@
 
 #include <algorithm>
 #include <boost/dll/runtime_symbol_info.hpp>
-#include <boost/dll/shared_library.hpp>
 #include <system_error>
 
 #include "guarded_integrator.h"
 #include "lxs/host/plugin_check.h"
+#include "lxs/modules/load_module.h"
 #include "plugin_call.h"
 
 namespace lxs {
@@ -42,7 +42,7 @@ class PluginLibrary::Module {
     explicit Module(const fs::path& file) : file_(file) {
         std::error_code error;
         try {
-            library_.load(file);
+            load_module(library_, file);
         } catch (const std::exception& cause) {
             fail_module(file, fmt::format("can't be loaded: {}", cause.what()));
         }

@@ -1,11 +1,11 @@
 // An image file as OpenImageIO is to cache it.
 #include "cleaned_input.h"
 
-#include <cerrno>
 #include <cmath>
-#include <filesystem>
-#include <system_error>
+#include <stdexcept>
 #include <vector>
+
+#include "checked_input.h"
 
 namespace lxs {
 namespace {
@@ -30,22 +30,15 @@ bool CleanedInput::open(const std::string& /*name*/, OIIO::ImageSpec& spec,
     OIIO::ImageSpec reading;
     reading.attribute("oiio:UnassociatedAlpha", 1);
     const std::string path(configuration.get_string_attribute(kPathAttribute));
-    file_ = OIIO::ImageInput::open(path, &reading);
-    if (!file_) {
-        std::string reason = OIIO::geterror();
-        std::error_code unknown;
-        if (reason.empty() && !std::filesystem::exists(path, unknown))
-            reason = std::generic_category().message(ENOENT);
-        errorfmt("{}", reason);
+    try {
+        file_ = open_checked(path, reading);
+    } catch (const std::runtime_error& error) {
+        errorfmt("{}", error.what());
         return false;
     }
     m_spec = file_->spec();
     m_spec.set_format(OIIO::TypeDesc::FLOAT);
     m_spec.channelformats.clear();
-    if (m_spec.depth > 1 || m_spec.width < 1 || m_spec.height < 1 || m_spec.nchannels < 1) {
-        errorfmt("not a two-dimensional image");
-        return false;
-    }
     spec = m_spec;
     return true;
 }
@@ -60,7 +53,7 @@ bool CleanedInput::close() {
 bool CleanedInput::forward_error() {
     if (file_) failure_ = file_->geterror();
     file_.reset();
-    errorfmt("{}", failure_.empty() ? std::string("reading failed") : failure_);
+    errorfmt("{}", first_line(failure_));
     return false;
 }
 

@@ -1,8 +1,8 @@
 // The image library of programs that load it with the first image.
-#include <boost/dll/shared_library.hpp>
 #include <filesystem>
 
 #include "lxs/images/image_library.h"
+#include "lxs/modules/load_module.h"
 #include "lxs/modules/module_file.h"
 
 namespace lxs {
@@ -19,8 +19,8 @@ class LoadedLibrary {
                                       " is missing from the installation");
         }
         try {
-            module_.load(file);
-            library_ = module_.get<const ImageLibrary*()>("lxs_image_library")();
+            load_module(module_, file);
+            library_ = module_function<const ImageLibrary*()>(module_, "lxs_image_library")();
         } catch (const std::exception& cause) {
             throw ImageLibraryFailure("images can't be read: '" + file.string() +
                                       "' can't be loaded: " + cause.what());

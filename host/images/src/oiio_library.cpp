@@ -1,8 +1,11 @@
 // Image files read by OpenImageIO.
 #include <OpenImageIO/imageio.h>
+#include <fmt/format.h>
 
 #include <stdexcept>
+#include <string_view>
 
+#include "checked_input.h"
 #include "lxs/images/image_library.h"
 #include "texture_system.h"
 
@@ -16,16 +19,28 @@ class OiioLibrary final : public ImageLibrary {
 };
 
 FloatImage OiioLibrary::read(const std::string& path) const {
-    const auto file = OIIO::ImageInput::open(path);
-    if (!file) throw std::runtime_error(OIIO::geterror());
+    const auto file = open_checked(path, OIIO::ImageSpec());
     const OIIO::ImageSpec& spec = file->spec();
+    const ImageClaim claim = claim_of(spec);
+    if (claim.width * claim.height * claim.channels > kMostValuesAtOnce) {
+        throw std::runtime_error(fmt::format("it has {} x {} x {} values, more than {}",
+                                             claim.width, claim.height, claim.channels,
+                                             kMostValuesAtOnce));
+    }
     FloatImage image{static_cast<std::size_t>(spec.width),
                      static_cast<std::size_t>(spec.height),
                      static_cast<std::size_t>(spec.nchannels),
                      {}};
     image.values.resize(image.width * image.height * image.channels);
-    if (!file->read_image(0, 0, 0, spec.nchannels, OIIO::TypeDesc::FLOAT, image.values.data()))
-        throw std::runtime_error(file->geterror());
+    const bool read = with_reasons([&] {
+        return file->read_image(0, 0, 0, spec.nchannels, OIIO::TypeDesc::FLOAT,
+                                image.values.data());
+    });
+    // Of a TIFF file that is cut short it says that all went well; JPEG's warnings are errors to
+    // it.
+    const bool tiff = file->format_name() == std::string_view("tiff");
+    if (!read || (tiff && file->has_error()))
+        throw std::runtime_error(first_line(file->geterror()));
     return image;
 }
 

@@ -6,6 +6,7 @@
 
 #include <stdexcept>
 
+#include "checked_input.h"
 #include "cleaned_input.h"
 
 namespace lxs {
@@ -13,14 +14,6 @@ namespace {
 
 constexpr float kCacheMegabytes = 512;
 constexpr int kTileSize = 64;
-
-/// First line of an OpenImageIO message without its full stop.
-std::string first_line(const std::string& text) {
-    std::string line = text.substr(0, text.find('\n'));
-    while (!line.empty() && (line.back() == '.' || line.back() == ' '))
-        line.pop_back();
-    return line.empty() ? "unknown reason" : line;
-}
 
 [[noreturn]] void fail(const std::string& text) {
     throw std::runtime_error(first_line(text));
@@ -98,7 +91,9 @@ std::unique_ptr<const CachedImage> TextureSystemImages::open(const std::string& 
     CleanedInput input;
     OIIO::ImageSpec spec;
     const OIIO::ImageSpec configuration = CleanedInput::configuration(path);
-    if (!input.open(path, spec, configuration) || !input.read_through()) fail(input.geterror());
+    const bool good =
+        with_reasons([&] { return input.open(path, spec, configuration) && input.read_through(); });
+    if (!good) fail(input.geterror());
     const std::lock_guard lock(mutex_);
     const OIIO::ustring name(own_name(path));
     system_->imagecache()->add_file(name, &CleanedInput::create, &configuration);

@@ -24,9 +24,13 @@ namespace fs = std::filesystem;
 /// An open file that closes itself. Its functions return errno, 0 for success.
 class AtomicFile::OpenFile {
   public:
+    /// Does not wait for a reader of a pipe, which may never come: without one the error is ENXIO.
     OpenFile(const std::string& path, int flags)
-        : descriptor_(::open(path.c_str(), flags | O_CLOEXEC, 0666)),
-          open_error_(descriptor_ < 0 ? errno : 0) {}
+        : descriptor_(::open(path.c_str(), flags | O_CLOEXEC | O_NONBLOCK, 0666)),
+          open_error_(descriptor_ < 0 ? errno : 0) {
+        // A reader that is there may take its time.
+        if (descriptor_ >= 0) ::fcntl(descriptor_, F_SETFL, flags & O_ACCMODE);
+    }
     ~OpenFile() {
         if (descriptor_ >= 0) ::close(descriptor_);
     }
@@ -117,6 +121,9 @@ AtomicFile::AtomicFile(const std::string& path) : path_(path), target_(path) {
     if (older && S_ISDIR(older->st_mode)) check(EISDIR);
     if (older && !S_ISREG(older->st_mode)) {
         file_ = std::make_unique<OpenFile>(path, O_WRONLY);
+        if (S_ISFIFO(older->st_mode) && file_->open_error() == ENXIO)
+            throw std::runtime_error(
+                fmt::format("cannot write '{}': nobody reads from this pipe", path_));
         check(file_->open_error());
         return;
     }
@@ -199,7 +206,7 @@ void remove_abandoned_temporaries(const std::string& path) {
     const std::string prefix = temporary_prefix(target);
     for (const auto& entry : fs::directory_iterator(folder, ignored)) {
         if (!is_temporary(entry.path().filename().string(), prefix)) continue;
-        const int file = ::open(entry.path().c_str(), O_RDWR | O_NOFOLLOW | O_CLOEXEC);
+        const int file = ::open(entry.path().c_str(), O_RDWR | O_NOFOLLOW | O_CLOEXEC | O_NONBLOCK);
         if (file < 0) continue;
         if (::flock(file, LOCK_EX | LOCK_NB) == 0) fs::remove(entry.path(), ignored);
         ::close(file);

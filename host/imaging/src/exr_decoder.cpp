@@ -9,7 +9,6 @@
 #include <OpenEXR/ImfXdr.h>
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
@@ -17,10 +16,9 @@
 #include <iterator>
 #include <new>
 #include <stdexcept>
-#include <string_view>
 #include <system_error>
-#include <utility>
 
+#include "lxs/images/exr_header.h"
 #include "lxs/imaging/exr_image.h"
 
 namespace lxs {
@@ -97,88 +95,14 @@ void check_size(const FilmFrame& frame, std::size_t channels, std::size_t file_b
         throw std::runtime_error("the file is too short for its pixels");
 }
 
-/// Bytes of the values of a type; OpenEXR reads as many whatever the attribute's size says, and
-/// would go on elsewhere than the walk below.
-constexpr std::pair<std::string_view, std::uint32_t> kSizes[] = {{"box2f", 16},
-                                                                 {"box2i", 16},
-                                                                 {"chromaticities", 32},
-                                                                 {"compression", 1},
-                                                                 {"deepImageState", 1},
-                                                                 {"double", 8},
-                                                                 {"envmap", 1},
-                                                                 {"float", 4},
-                                                                 {"int", 4},
-                                                                 {"keycode", 28},
-                                                                 {"lineOrder", 1},
-                                                                 {"m33d", 72},
-                                                                 {"m33f", 36},
-                                                                 {"m44d", 128},
-                                                                 {"m44f", 64},
-                                                                 {"rational", 8},
-                                                                 {"tiledesc", 9},
-                                                                 {"timecode", 8},
-                                                                 {"v2d", 16},
-                                                                 {"v2f", 8},
-                                                                 {"v2i", 8},
-                                                                 {"v3d", 24},
-                                                                 {"v3f", 12},
-                                                                 {"v3i", 12}};
-
-/// Lists of channels end with an empty name, and must do so where their size says.
-bool ends_as_told(std::span<const std::byte> channels) {
-    constexpr std::size_t kAfterName = 16;
-    std::size_t at = 0;
-    while (at < channels.size() && channels[at] != std::byte{0}) {
-        while (at < channels.size() && channels[at] != std::byte{0})
-            ++at;
-        at += 1 + kAfterName;
-    }
-    return at + 1 == channels.size();
-}
-
-void check_value(std::string_view type, std::span<const std::byte> value) {
-    const auto* const known =
-        std::ranges::find(kSizes, type, &std::pair<std::string_view, std::uint32_t>::first);
-    bool sound = type != "preview" && type != "stringvector";  // they make room for sizes within
-    if (known != std::end(kSizes)) sound = value.size() == known->second;
-    if (type == "chlist") sound = ends_as_told(value);
-    if (!sound) throw std::runtime_error("a value of its header has another size than it says");
-}
-
-/// Walks over the header's attributes (name, type, size, value): OpenEXR makes room for what a size
-/// claims before it reads.
-void check_attributes(BytesStream& stream, std::span<const std::byte> file) {
-    const auto next = [&] {
-        char c = 0;
-        stream.read(&c, 1);
-        return c;
-    };
-    while (next() != 0) {  // a name; no name ends the header
-        while (next() != 0)
-            continue;
-        std::string type;
-        while (const char c = next())
-            type += c;
-        std::uint32_t size = 0;
-        for (int shift = 0; shift < 32; shift += 8)
-            size |= std::uint32_t{static_cast<unsigned char>(next())} << shift;
-        const auto begin = static_cast<std::size_t>(stream.tellg());
-        if (size > file.size()) throw std::runtime_error("the file ends too early");
-        stream.seekg(begin + size);
-        check_value(type, file.subspan(begin, size));
-    }
-}
-
 /// What the header claims, before OpenEXR believes it.
 void check_header(std::span<const std::byte> bytes) {
     BytesStream stream(bytes);
+    (void)exr_claims(stream, bytes.size());
     stream.seekg(4);  // the magic number
     int version = 0;
     Imf::Xdr::read<Imf::StreamIO>(stream, version);
     if (Imf::isMultiPart(version)) throw std::runtime_error("it has several parts");
-    const std::uint64_t begin = stream.tellg();
-    check_attributes(stream, bytes);
-    stream.seekg(begin);
     Imf::Header header;
     header.readFrom(stream, version);
     check_size(frame_of(header.displayWindow(), header.dataWindow()), channels_of(header).size(),
@@ -186,8 +110,6 @@ void check_header(std::span<const std::byte> bytes) {
 }
 
 ExrImage decode(std::span<const std::byte> bytes) {
-    if (bytes.size() < 4 || !Imf::isImfMagic(reinterpret_cast<const char*>(bytes.data())))
-        throw std::runtime_error("it is no OpenEXR file");
     check_header(bytes);
     BytesStream stream(bytes);
     Imf::InputFile file(stream, 1);

@@ -6,11 +6,13 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <new>
 #include <numbers>
 #include <stdexcept>
 
 #include "emitted_radiance.h"
 #include "lxs/images/image_library.h"
+#include "lxs/scene/registry.h"
 #include "lxs/spectrum/rgb_spectra.h"
 
 namespace lxs {
@@ -25,12 +27,15 @@ LatLongMap LatLongMap::read(const std::string& path, float gamma, const SourceLo
                             Diagnostics& diagnostics) {
     const ImageLibrary& library = image_library();
     FloatImage file;
+    std::vector<Rgb> pixels;
     try {
         file = library.read(path);
+        pixels.resize(file.width * file.height);
+    } catch (const std::bad_alloc&) {
+        throw EndOfReading(where, fmt::format("not enough memory for the image in \"{}\"", path));
     } catch (const std::runtime_error& error) {
         throw InputError(where, fmt::format("cannot read image \"{}\": {}", path, error.what()));
     }
-    std::vector<Rgb> pixels(file.width * file.height);
     const bool grey = file.channels < 3;
     std::size_t refused = 0;
     for (std::size_t i = 0; i < pixels.size(); ++i) {

@@ -176,6 +176,8 @@ Lights make_without_damaged_files(LightDescription description, const LightPlugi
             Lights lights;
             make_by_name({reader, description, sphere, resolve}, lights);
             return lights;
+        } catch (const EndOfReading&) {
+            throw;
         } catch (const InputError& error) {
             if (!drop_file_at(error.where(), description, plugin)) throw;
             diagnostics.fallback(error.where(), error.message(), kShinesWithout);

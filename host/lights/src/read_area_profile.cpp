@@ -1,6 +1,7 @@
 // The profile of intensities that an area light's statement names.
 #include "front_profile.h"
 #include "lxs/lights/lights.h"
+#include "lxs/scene/registry.h"
 #include "profile_map.h"
 
 namespace lxs {
@@ -16,6 +17,8 @@ std::shared_ptr<const FrontProfile> read_area_profile(const ParameterReader& rea
             "over");
     }
     return profile;
+} catch (const EndOfReading&) {
+    throw;
 } catch (const InputError& error) {
     reader.diagnostics().fallback(error.where(), error.message(), "the light shines without it");
     return nullptr;

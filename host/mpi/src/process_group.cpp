@@ -1,9 +1,9 @@
 // Loads the module with MPI.
 #include "lxs/mpi/process_group.h"
 
-#include <boost/dll/shared_library.hpp>
 #include <filesystem>
 
+#include "lxs/modules/load_module.h"
 #include "lxs/modules/module_file.h"
 
 namespace lxs {
@@ -24,8 +24,9 @@ ProcessGroup& process_group() {
     const std::filesystem::path file = mpi_module();
     try {
         // Open MPI loads parts of its own, which look for its symbols among those of all.
-        module.load(file, boost::dll::load_mode::rtld_now | boost::dll::load_mode::rtld_global);
-        return *module.get<ProcessGroup*()>("lxs_process_group")();
+        load_module(module, file,
+                    boost::dll::load_mode::rtld_now | boost::dll::load_mode::rtld_global);
+        return *module_function<ProcessGroup*()>(module, "lxs_process_group")();
     } catch (const std::exception& cause) {
         throw ProcessGroupFailure("MPI can't be used: '" + file.string() +
                                   "' can't be loaded: " + cause.what());

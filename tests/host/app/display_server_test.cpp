@@ -5,8 +5,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <atomic>
 #include <boost/asio/ip/tcp.hpp>
 #include <chrono>
+#include <future>
 #include <thread>
 
 #include "lxs/imaging/exr_image.h"
@@ -70,6 +72,35 @@ TEST(DisplayServer, AViewerThatHangsIsGivenUp) {
     EXPECT_THAT([&] { server.show(4000, 1000, pixels); },
                 testing::ThrowsMessage<std::runtime_error>(HasSubstr("it does not answer")));
     EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(30));
+}
+
+/// A name server that does not answer takes as long as the system's patience, 10 s by default.
+TEST(DisplayServer, ASearchForItsNameThatHangsIsGivenUpAndUsedLater) {
+    TevViewer viewer;
+    const std::string port = viewer.address().substr(viewer.address().find(':') + 1);
+    std::promise<void> answer;
+    std::atomic<int> searches = 0;
+    DisplayServer server(ViewerAddress::parse("viewer.example:" + port), "late",
+                         [&, answered = answer.get_future().share()](const std::string& host) {
+                             EXPECT_EQ(host, "viewer.example");
+                             ++searches;
+                             answered.wait();
+                             return std::vector<std::string>{"127.0.0.1"};
+                         });
+    const std::vector<Rgb> pixels(6, Rgb(0.5f));
+    const auto start = std::chrono::steady_clock::now();
+    EXPECT_THAT(
+        [&] { server.show(3, 2, pixels); },
+        testing::ThrowsMessage<std::runtime_error>(HasSubstr(
+            "cannot show the image at viewer.example:" + port + ": no name server answers")));
+    const auto took = std::chrono::steady_clock::now() - start;
+    EXPECT_GT(took, std::chrono::seconds(1));
+    EXPECT_LT(took, std::chrono::seconds(5));
+    answer.set_value();
+    server.show(3, 2, pixels);
+    EXPECT_EQ(searches, 1);
+    server = DisplayServer(ViewerAddress::parse("127.0.0.1"), "hangs up");
+    EXPECT_EQ(viewer.images().at("late").created, 1);
 }
 
 TEST(DisplayServer, NoViewerIsAWarning) {

@@ -2,6 +2,9 @@
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <sys/stat.h>
+
+#include <filesystem>
 
 #include "lxs/sdk/plugin.h"
 #include "lxsrender_process.h"
@@ -9,6 +12,7 @@
 namespace lxs::test::plugin_module_test {
 namespace {
 
+using testing::AnyOf;
 using testing::HasSubstr;
 
 constexpr const char* kTroublesome = TEST_MODULES "/troublesome";
@@ -60,7 +64,30 @@ TEST_F(PluginModuleTest, FileThatIsNoSharedLibrary) {
     folder_.write("broken.so", "this is no shared library");
     const RunResult result = list(folder_.path().string());
     EXPECT_EQ(result.exit_code, 4);
-    EXPECT_THAT(result.err, HasSubstr("broken.so': can't be loaded: "));
+    EXPECT_THAT(result.err, HasSubstr("broken.so': can't be loaded: file too short\n"));
+}
+
+/// The loader maps what is not there, and the process would end with SIGBUS at its first use.
+TEST_F(PluginModuleTest, FileThatIsCutShort) {
+    const std::string module = TEST_MODULES "/no_entry/no_entry.so";
+    const auto size = std::filesystem::file_size(module);
+    std::filesystem::copy_file(module, folder_ / "cut.so");
+    for (int part = 15; part > 0; --part) {
+        std::filesystem::resize_file(folder_ / "cut.so", size * part / 16);
+        const RunResult result = list(folder_.path().string());
+        EXPECT_EQ(result.exit_code, 4) << part;
+        EXPECT_THAT(result.err, AnyOf(HasSubstr("cut.so': can't be loaded: it is cut short\n"),
+                                      HasSubstr("cut.so': no plugin of lxsrender: ")))
+            << part;  // what is behind the segments is for debuggers
+    }
+}
+
+/// To open it would be to wait for whoever writes to it.
+TEST_F(PluginModuleTest, FileThatIsAPipe) {
+    ASSERT_EQ(::mkfifo((folder_ / "pipe.so").c_str(), 0600), 0);
+    const RunResult result = list(folder_.path().string());
+    EXPECT_EQ(result.exit_code, 4);
+    EXPECT_THAT(result.err, HasSubstr("pipe.so': can't be loaded: it is no regular file\n"));
 }
 
 TEST_F(PluginModuleTest, FolderThatIsMissing) {

@@ -2,6 +2,7 @@
 // it, and says which file and why.
 #include "lxs/imaging/atomic_file.h"
 
+#include <fcntl.h>
 #include <gtest/gtest.h>
 #include <signal.h>
 #include <sys/file.h>
@@ -248,6 +249,35 @@ TEST(AtomicFile, AbandonedTemporariesGoAndThoseInUseStay) {
     EXPECT_TRUE(folder.has(".image2.4194305.tmp"));
     file.commit();
     EXPECT_EQ(folder.read("image"), "new");
+}
+
+/// To wait for a reader could take for ever.
+TEST(AtomicFile, APipeIsWrittenIfItHasAReader) {
+    const TemporaryFolder folder;
+    const std::string path = folder / "pipe";
+    ASSERT_EQ(::mkfifo(path.c_str(), 0600), 0);
+    EXPECT_EQ(write_error(path, "text"),
+              "cannot write '" + path + "': nobody reads from this pipe");
+    remove_abandoned_temporaries(path);
+    std::string read(1 << 20, '\0');  // more than a pipe holds
+    std::thread reader([&] {
+        const int pipe = ::open(path.c_str(), O_RDONLY);
+        std::size_t size = 0;
+        while (size < read.size()) {
+            ::usleep(100);
+            const ssize_t got = ::read(pipe, read.data() + size, read.size() - size);
+            if (got <= 0) break;
+            size += static_cast<std::size_t>(got);
+        }
+        ::close(pipe);
+    });
+    const std::string text(read.size(), 'x');
+    std::string error = "not tried";
+    while (!error.empty())  // the reader comes in its time
+        error = write_error(path, text);
+    reader.join();
+    EXPECT_EQ(read, text);
+    EXPECT_EQ(folder.entries(), 1u);
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <new>
 #include <stdexcept>
 
 namespace lxs::shading {
@@ -21,6 +22,9 @@ ImageCache::Image ImageCache::open(const std::string& path, const ParameterReade
         const std::any ahead = assets.take_ahead(std::string(reader.plugin()), path);
         const auto* known = std::any_cast<Texels>(&ahead);
         texels = known ? *known : Texels(cache.open(path));
+    } catch (const std::bad_alloc&) {
+        throw EndOfReading(reader.where("filename"),
+                           fmt::format("not enough memory for the image in \"{}\"", path));
     } catch (const std::runtime_error& error) {
         reader.fail("filename", fmt::format("cannot read image \"{}\": {}", path, error.what()));
     }

@@ -138,6 +138,8 @@ std::shared_ptr<const Product> or_ones(const ParameterReader& reader, const auto
                                        std::shared_ptr<const Product> ones) {
     try {
         return create();
+    } catch (const EndOfReading&) {
+        throw;
     } catch (const InputError& error) {
         reader.diagnostics().fallback(error.where(), error.message(), "1 is used everywhere");
         return ones;

@@ -1,10 +1,13 @@
 // Shows the image so far in the viewer tev, over its protocol.
 #pragma once
 
+#include <chrono>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "lxs/sdk/types.h"
 
@@ -26,20 +29,29 @@ struct ViewerAddress {
 /// The protocol is tev's (https://github.com/Tom94/tev), packets CreateImage and UpdateImageV3.
 class DisplayServer {
   public:
-    /// `name`: of the image, in the viewer.
-    DisplayServer(ViewerAddress address, std::string name);
+    /// The addresses of a host, as numbers; throws std::runtime_error if there are none.
+    using FindAddresses = std::function<std::vector<std::string>(const std::string& host)>;
+
+    /// `name`: of the image, in the viewer. `find`: the system's if empty; it may take its time.
+    DisplayServer(ViewerAddress address, std::string name, FindAddresses find = {});
     ~DisplayServer();
     DisplayServer(DisplayServer&&) noexcept;
     DisplayServer& operator=(DisplayServer&&) noexcept;
 
     /// Sends all pixels, row by row: width * height values of linear radiance. Throws
-    /// std::runtime_error if that is not done within a few seconds.
+    /// std::runtime_error if that is not done within two seconds.
     void show(std::uint32_t width, std::uint32_t height, std::span<const Rgb> pixels);
 
   private:
+    using Clock = std::chrono::steady_clock;
     class Connection;
+    class Search;
+    void connect(std::uint32_t width, std::uint32_t height, Clock::time_point deadline);
+
     ViewerAddress address_;
     std::string name_;
+    FindAddresses find_;
+    std::unique_ptr<Search> search_;          ///< null: none is under way
     std::unique_ptr<Connection> connection_;  ///< null: none now
 };
 

@@ -10,10 +10,11 @@
 namespace lxs {
 
 /// A file in the making: what is written goes to a temporary file beside `path`, which commit()
-/// flushes to the device and renames to `path`; a symbolic link is followed, and a device or pipe
-/// is written in place. The temporary file's name is the writer's own, and it is locked while it is
-/// written. All throw std::runtime_error with the path and the system's reason. Without
-/// commit() the temporary file goes with the object, and an older file at `path` stays untouched.
+/// flushes to the device and renames to `path`; a symbolic link is followed, and a device, or a
+/// pipe that has a reader, is written in place. The temporary file's name is the writer's own, and
+/// it is locked while it is written. All throw std::runtime_error with the path and the system's
+/// reason. Without commit() the temporary file goes with the object, and an older file at `path`
+/// stays untouched.
 class AtomicFile {
   public:
     explicit AtomicFile(const std::string& path);

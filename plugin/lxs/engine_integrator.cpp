@@ -7,7 +7,7 @@
 namespace aips::shim {
 
 void EngineIntegrator::prepare(const lxs::RenderContext& context) {
-    if (context.settings.seed != 0) settings_.seed = context.settings.seed;
+    settings_.seed = context.settings.seed;  // chosen by the host, from the parameter too
     settings_.account = context.settings.account;
     shims_ = std::make_unique<Shims>(context);
     pixels_ = double(context.film.width()) * double(context.film.height());

@@ -16,8 +16,10 @@ AreaEmission make_area_emission(const ParameterSet& set, const AssetContext& ass
     }
     const ParameterReader parameters(set, area_light_parameters(), diagnostics);
     AreaEmission emission;
-    if (const auto texture = parameters.texture_name("L"))
+    if (const auto texture = parameters.texture_name("L")) {
         emission.radiance = assets.color_texture(*texture, parameters.where("L"));
+        emission.radiance_texture = *texture;
+    }
     if (!emission.radiance) {
         const Rgb radiance = parameters.color("L", Rgb(1.0f));
         if (std::min({radiance.x, radiance.y, radiance.z}) < 0) {

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace lxs {
 namespace {
@@ -33,6 +34,17 @@ void expect_count(const Statement& statement, std::size_t count) {
     const Argument& extra = statement.arguments[count];
     throw InputError(extra.where,
                      fmt::format("{} takes no more, found {}", statement.name, kind_of(extra)));
+}
+
+/// Numbers that no declaration checks must be finite.
+const Numbers& finite_numbers(const Statement& statement, const Argument& argument) {
+    const Numbers& numbers = std::get<Numbers>(argument.values);
+    for (std::size_t i = 0; i < numbers.size(); ++i) {
+        if (std::isfinite(numbers[i])) continue;
+        throw InputError(i < argument.value_where.size() ? argument.value_where[i] : argument.where,
+                         fmt::format("{} takes finite numbers, at most 3.4e38", statement.name));
+    }
+    return numbers;
 }
 
 /// "type name" split at blanks.
@@ -98,11 +110,10 @@ void expect_no_arguments(const Statement& statement) {
 
 std::vector<double> take_number_list(const Statement& statement) {
     expect_count(statement, 1);
-    const auto* numbers = statement.arguments.empty()
-                              ? nullptr
-                              : std::get_if<Numbers>(&statement.arguments[0].values);
-    if (!numbers) throw InputError(statement.where, statement.name + " takes numbers");
-    return *numbers;
+    if (statement.arguments.empty() ||
+        !std::holds_alternative<Numbers>(statement.arguments[0].values))
+        throw InputError(statement.where, statement.name + " takes numbers");
+    return finite_numbers(statement, statement.arguments[0]);
 }
 
 std::vector<double> take_numbers(const Statement& statement, std::size_t count) {
@@ -115,7 +126,7 @@ std::vector<double> take_numbers(const Statement& statement, std::size_t count) 
                                      numeric || statement.arguments.empty() ? std::to_string(found)
                                                                             : "other arguments"));
     }
-    return std::get<Numbers>(statement.arguments[0].values);
+    return finite_numbers(statement, statement.arguments[0]);
 }
 
 Name take_name(const Statement& statement, std::size_t index) {

@@ -24,13 +24,19 @@ struct Number : peg::seq<peg::opt<Sign>, Mantissa, peg::opt<Exponent>> {};
 struct Microsoft  // what follows "1." where an old Microsoft library prints infinity or NaN
     : peg::seq<peg::one<'#'>, peg::sor<TAO_PEGTL_ISTRING("inf"), TAO_PEGTL_ISTRING("ind"),
                                        TAO_PEGTL_ISTRING("qnan"), TAO_PEGTL_ISTRING("snan")>> {};
-struct NumberEnd : peg::not_at<peg::sor<WordCharacter, peg::one<'.', '+', '-'>, Microsoft>> {};
-struct NotFinite : peg::seq<peg::sor<TAO_PEGTL_ISTRING("nan"), TAO_PEGTL_ISTRING("infinity"),
-                                     TAO_PEGTL_ISTRING("inf")>,
-                            peg::not_at<WordCharacter>> {};
-struct NumberStart : peg::at<peg::sor<Sign, peg::one<'.'>, peg::digit, NotFinite>> {};
+struct FiniteNumber : peg::seq<Number, peg::not_at<Microsoft>> {};
+struct NumberEnd : peg::not_at<peg::sor<WordCharacter, peg::one<'.', '+', '-'>>> {};
+/// As programs print it: "nan", "-inf", "-nan(ind)", "1.#QNAN0".
+struct NotFinite
+    : peg::seq<peg::opt<Sign>,
+               peg::sor<peg::seq<TAO_PEGTL_ISTRING("nan"),
+                                 peg::opt<peg::one<'('>, peg::star<WordCharacter>, peg::one<')'>>>,
+                        TAO_PEGTL_ISTRING("infinity"), TAO_PEGTL_ISTRING("inf"),
+                        peg::seq<Digits, peg::one<'.'>, Microsoft, peg::star<peg::digit>>>,
+               peg::not_at<WordCharacter>> {};
+struct NumberStart : peg::at<peg::sor<Sign, peg::one<'.'>, peg::digit>> {};
 struct NotANumber {};  // names the error, see Control::raise
-struct NumberToken : peg::sor<peg::seq<Number, peg::must<NumberEnd>>,
+struct NumberToken : peg::sor<peg::seq<FiniteNumber, peg::must<NumberEnd>>, NotFinite,
                               peg::seq<NumberStart, peg::raise<NotANumber>>> {};
 
 /// No control characters but the tab; a backslash takes the next character along.

@@ -38,10 +38,18 @@ struct Action<grammar::ListEnd> {
 };
 
 template <>
-struct Action<grammar::Number> {
+struct Action<grammar::FiniteNumber> {
     template <class Input>
     static void apply(const Input& in, StatementBuilder& builder) {
         builder.add_number(in.begin(), in.string_view());
+    }
+};
+
+template <>
+struct Action<grammar::NotFinite> {
+    template <class Input>
+    static void apply(const Input& in, StatementBuilder& builder) {
+        builder.add_not_finite(in.begin());
     }
 };
 

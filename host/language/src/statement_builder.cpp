@@ -3,9 +3,8 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cctype>
 #include <cstring>
+#include <limits>
 
 #include "number.h"
 #include "number_run.h"
@@ -14,16 +13,6 @@ namespace lxs {
 namespace {
 
 constexpr std::size_t kLocatedValues = 16;  // of one list; longer lists get one location
-
-/// True for the spellings of NaN and infinity that programs print.
-bool is_not_finite(std::string_view word) {
-    if (!word.empty() && (word.front() == '+' || word.front() == '-')) word.remove_prefix(1);
-    std::string lower(word.substr(0, 8));
-    std::transform(lower.begin(), lower.end(), lower.begin(),
-                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    return lower == "inf" || lower == "infinity" || lower == "nan" || lower.starts_with("nan(") ||
-           lower.starts_with("1.#");
-}
 
 /// A backslash escapes a quote or a backslash; any other is part of the text (Windows paths).
 std::string unescaped(std::string_view text) {
@@ -89,12 +78,11 @@ void StatementBuilder::add(const char* at, Value value) {
 
 void StatementBuilder::add_number(const char* at, std::string_view text) {
     number_begin_ = at;
-    const std::optional<double> value = parse_number(text);
-    if (!value) {
-        throw InputError(locate(at),
-                         fmt::format("{} is too large; numbers reach 3.4e38", in_quotes(text)));
-    }
-    add(at, *value);
+    add(at, parse_number(text).value_or(std::numeric_limits<double>::infinity()));
+}
+
+void StatementBuilder::add_not_finite(const char* at) {
+    add(at, std::numeric_limits<double>::quiet_NaN());
 }
 
 const char* StatementBuilder::add_number_run(const char* at, const char* end) {
@@ -112,9 +100,7 @@ void StatementBuilder::add_bool(const char* at, bool value) {
 }
 
 void StatementBuilder::fail_number(const char* at) {
-    const std::string_view word = token(at);
-    throw InputError(locate(at), in_quotes(word) + (is_not_finite(word) ? " is not a finite number"
-                                                                        : " is not a number"));
+    throw InputError(locate(at), in_quotes(token(at)) + " is not a number");
 }
 
 void StatementBuilder::fail_string(const char* at) {

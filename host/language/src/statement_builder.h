@@ -21,7 +21,9 @@ class StatementBuilder {
     void begin_list(const char* at);
     void end_list() { in_list_ = false; }
     void begin_string(const char* at) { string_begin_ = at; }
+    /// One that is too large counts as infinite.
     void add_number(const char* at, std::string_view text);
+    void add_not_finite(const char* at);
     /// Numbers of the open list from `at` on, if it is long enough that they need no locations;
     /// returns where they end.
     const char* add_number_run(const char* at, const char* end);

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <string>
 
 #include "lxs/scene/refused_values.h"
 #include "lxs/scene/texture.h"
@@ -11,7 +12,8 @@ namespace lxs {
 
 class EmittedRadiance {
   public:
-    explicit EmittedRadiance(std::shared_ptr<const ColorTexture> texture);
+    /// `name`: of the texture, for the count of what is refused.
+    EmittedRadiance(std::shared_ptr<const ColorTexture> texture, std::string name);
     void scale_by(float factor) { scale_ *= factor; }
     bool is_constant() const { return constant_; }
     /// The spectrum of which the radiance has the colour, if it is a constant given as one; else
@@ -33,6 +35,7 @@ class EmittedRadiance {
     Rgb colour(const Vec3& p, const Vec3& n, const Vec2& uv) const;  ///< of the texture
 
     std::shared_ptr<const ColorTexture> texture_;
+    std::string name_;
     std::unique_ptr<RefusedValues> refused_ = std::make_unique<RefusedValues>();
     Rgb value_{0.0f};
     float scale_ = 1;

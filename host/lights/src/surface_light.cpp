@@ -18,7 +18,7 @@ Vec3 segment_end(const SurfacePoint& s, const Vec3& wi, float distance) {
 SurfaceLight::SurfaceLight(const Primitive& primitive, const AreaEmission& emission,
                            const Matrix& object_to_world)
     : placement_{emission.group, primitive.exterior, emission.hidden},
-      radiance_(emission.radiance) {
+      radiance_(emission.radiance, emission.radiance_texture) {
     if (emission.profile) profile_.emplace(emission.profile, primitive.to_world * object_to_world);
 }
 

@@ -124,12 +124,15 @@ void Check::check_numbers(const Numbers& numbers) const {
     const bool whole = declaration_.type == Type::Integer;
     for (std::size_t i = 0; i < numbers.size(); ++i) {
         const double number = numbers[i];
+        if (!std::isfinite(number)) {
+            if (declaration_.holds_any_number) continue;
+            fail_at(where_value(i), "takes finite numbers, at most 3.4e38");
+        }
         if (whole && (number != std::trunc(number) || std::abs(number) > kLargestInteger)) {
             fail_at(where_value(i),
                     "takes a whole number of at most 2^53, found " + number_text(number));
         }
-        // Written so that a NaN, which no file can hold but a caller could pass, fails too.
-        if (!(number >= declaration_.minimum && number <= declaration_.maximum)) {
+        if (number < declaration_.minimum || number > declaration_.maximum) {
             fail_at(where_value(i), "is out of range: " + number_text(number) + " is not " +
                                         range_text(declaration_));
         }

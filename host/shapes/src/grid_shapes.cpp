@@ -9,12 +9,6 @@
 namespace lxs {
 namespace {
 
-ParameterDeclaration list(std::string_view name, ParameterType type, std::string_view doc) {
-    ParameterDeclaration declaration{name, type, "", doc};
-    declaration.array = true;
-    return declaration;
-}
-
 std::size_t grid_side(const ParameterReader& reader, std::string_view name) {
     const std::int64_t side = reader.integer(name, 0);
     if (side < 2)
@@ -40,7 +34,6 @@ Geometry create_heightfield(const ParameterReader& reader, const AssetContext& a
             mesh.positions.emplace_back(uv.x, uv.y, static_cast<float>(heights[v * nu + u]));
         }
     }
-    check_vectors(mesh.positions, "vertex", {reader, "Pz", "\"Pz\""});
     for (std::size_t v = 0; v + 1 < nv; ++v) {
         for (std::size_t u = 0; u + 1 < nu; ++u) {
             const auto corner = static_cast<std::uint32_t>(v * nu + u);
@@ -49,6 +42,7 @@ Geometry create_heightfield(const ParameterReader& reader, const AssetContext& a
                                 {corner, corner + 1, above + 1, corner, above + 1, above});
         }
     }
+    mend_positions(mesh, {reader, "Pz", "\"Pz\""});
     return finish_mesh(refine(std::move(mesh), reader, assets, to_world, "nsubdivlevels", 0),
                        to_world, reader);
 }
@@ -69,7 +63,11 @@ ShapeFactory make_heightfield_factory() {
     std::vector<ParameterDeclaration> parameters = {
         {"nu", Integer, "", "Heights along x, at least 2.", 2},
         {"nv", Integer, "", "Heights along y, at least 2.", 2},
-        list("Pz", Float, "Heights over the unit square, nu * nv of them, those along x first."),
+        {.name = "Pz",
+         .type = Float,
+         .doc = "Heights over the unit square, nu * nv of them, those along x first.",
+         .array = true,
+         .holds_any_number = true},
         {"name", String, "", "Name of the shape in messages."},
     };
     for (const ParameterDeclaration& more : refinement_parameters("nsubdivlevels", "0"))

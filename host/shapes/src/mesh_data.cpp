@@ -14,10 +14,49 @@ namespace {
 
 using Imath::V3d;
 
+bool is_finite(float v) {
+    return std::isfinite(v);
+}
+bool is_finite(const Vec2& v) {
+    return std::isfinite(v.x) && std::isfinite(v.y);
+}
+bool is_finite(const Vec3& v) {
+    return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
+}
+
 bool in_range(const Vec3& v) {
     // Negated comparisons catch NaN too.
     return !(!(std::abs(v.x) <= kLargestCoordinate) || !(std::abs(v.y) <= kLargestCoordinate) ||
              !(std::abs(v.z) <= kLargestCoordinate));
+}
+
+/// What is wrong with a vector that isn't in_range().
+std::string out_of_range(const Vec3& v) {
+    return fmt::format("is {}: ({}, {}, {})",
+                       is_finite(v) ? fmt::format("beyond {:g}", kLargestCoordinate) : "not finite",
+                       v.x, v.y, v.z);
+}
+
+void report(const MeshSource& source, const std::string& fault, const std::string& instead) {
+    source.reader.diagnostics().fallback(source.reader.where(source.parameter), fault, instead);
+}
+
+/// Replaces values that are not finite, value i by instead(i), with one message.
+template <class T, class Instead>
+void mend_values(std::vector<T>& values, const Instead& instead, std::string_view noun,
+                 const std::string& instead_text, const MeshSource& source) {
+    const std::size_t first =
+        first_where(values.size(), [&](std::size_t i) { return !is_finite(values[i]); });
+    if (first == values.size()) return;
+    std::size_t count = 0;
+    for (std::size_t i = first; i < values.size(); ++i) {
+        if (is_finite(values[i])) continue;
+        values[i] = instead(i);
+        ++count;
+    }
+    const std::string others = count == 1 ? "is" : fmt::format("and {} more are", count - 1);
+    report(source, fmt::format("{} {} of {} {} not finite", noun, first, source.label, others),
+           instead_text);
 }
 
 V3d cross_product(const std::vector<Vec3>& positions, const std::uint32_t* corner) {
@@ -105,27 +144,79 @@ void transform_normals(TriangleMesh& mesh, const Matrix& to_world) {
 
 }  // namespace
 
-void check_vectors(const std::vector<Vec3>& vectors, std::string_view noun,
-                   const MeshSource& source) {
-    const std::size_t bad =
-        first_where(vectors.size(), [&](std::size_t i) { return !in_range(vectors[i]); });
-    if (bad == vectors.size()) return;
-    const Vec3& v = vectors[bad];
-    const bool finite = std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
-    source.reader.fail(
-        source.parameter,
-        fmt::format("{} {} of {} is {}: ({}, {}, {})", noun, bad, source.label,
-                    finite ? fmt::format("beyond {:g}", kLargestCoordinate) : "not finite", v.x,
-                    v.y, v.z));
+void check_position(const Vec3& position, const MeshSource& source) {
+    if (in_range(position)) return;
+    source.reader.fail(source.parameter, source.label + " " + out_of_range(position));
 }
 
-void check_coordinates(const std::vector<Vec2>& uvs, const MeshSource& source) {
-    const std::size_t bad = first_where(uvs.size(), [&](std::size_t i) {
-        return !std::isfinite(uvs[i].x) || !std::isfinite(uvs[i].y);
-    });
-    if (bad == uvs.size()) return;
-    source.reader.fail(source.parameter, fmt::format("pair {} of {} is not finite: ({}, {})", bad,
-                                                     source.label, uvs[bad].x, uvs[bad].y));
+void mend_positions(TriangleMesh& mesh, const MeshSource& source) {
+    const auto is_bad = [&](std::size_t i) { return !in_range(mesh.positions[i]); };
+    if (first_where(mesh.positions.size(), is_bad) == mesh.positions.size()) return;
+    std::size_t kept = 0, first = mesh.positions.size();
+    for (std::size_t i = 0; i < mesh.indices.size(); i += 3) {
+        const auto corners = mesh.indices.begin() + static_cast<std::ptrdiff_t>(i);
+        const auto bad = std::find_if(corners, corners + 3, is_bad);
+        if (bad != corners + 3) {
+            first = std::min<std::size_t>(first, *bad);
+            continue;
+        }
+        std::copy_n(corners, 3, mesh.indices.begin() + static_cast<std::ptrdiff_t>(kept));
+        kept += 3;
+    }
+    if (first < mesh.positions.size()) {
+        const std::string fault = fmt::format("vertex {} of {} {}", first, source.label,
+                                              out_of_range(mesh.positions[first]));
+        if (kept == 0) source.reader.fail(source.parameter, fault);
+        const std::size_t dropped = (mesh.indices.size() - kept) / 3;
+        report(source, fault,
+               fmt::format("{} triangle{} with such a vertex {} left out", dropped,
+                           dropped == 1 ? "" : "s", dropped == 1 ? "is" : "are"));
+        mesh.indices.resize(kept);
+    }
+    // No triangle uses them any more, but transforms and boxes go over all vertices.
+    const Vec3 anywhere = mesh.positions[mesh.indices.front()];
+    for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
+        if (is_bad(i)) mesh.positions[i] = anywhere;
+    }
+}
+
+void mend_normals(TriangleMesh& mesh, const MeshSource& source) {
+    const auto is_usable = [&](std::size_t i) {
+        return is_finite(mesh.normals[i]) && mesh.normals[i] != Vec3(0.0f);
+    };
+    const std::size_t first =
+        first_where(mesh.normals.size(), [&](std::size_t i) { return !is_usable(i); });
+    if (first == mesh.normals.size()) return;
+    const std::vector<Vec3> geometric = smooth_normals(mesh.positions, mesh.indices);
+    mend_values(
+        mesh.normals, [&](std::size_t i) { return geometric[i]; }, "normal",
+        "the mean of the triangles there is used", source);
+    for (std::size_t i = first; i < mesh.normals.size(); ++i) {
+        if (!is_usable(i)) mesh.normals[i] = geometric[i];
+    }
+}
+
+void mend_coordinates(TriangleMesh& mesh, const MeshSource& source) {
+    mend_values(
+        mesh.uvs, [](std::size_t) { return Vec2(0.0f); }, "pair", "0 0 is used", source);
+}
+
+void mend_colors(TriangleMesh& mesh, const MeshSource& source) {
+    mend_values(
+        mesh.colors, [](std::size_t) { return Rgb(1.0f); }, "colour", "white is used", source);
+}
+
+void mend_alphas(TriangleMesh& mesh, const MeshSource& source) {
+    mend_values(
+        mesh.alphas, [](std::size_t) { return 1.0f; }, "opacity", "1 is used", source);
+}
+
+void apply_gamma(std::vector<Rgb>& colors, float gamma) {
+    if (gamma == 1) return;
+    for (Rgb& color : colors) {
+        for (int k = 0; k < 3; ++k)
+            color[k] = std::pow(std::max(color[k], 0.0f), gamma);
+    }
 }
 
 TriangleMesh finish_mesh(TriangleMesh mesh, const Matrix& to_world, const ParameterReader& reader) {

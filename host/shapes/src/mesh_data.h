@@ -22,13 +22,29 @@ struct MeshSource {
     std::string label;
 };
 
-/// Throws InputError for a vector that isn't finite or is beyond kLargestCoordinate; `noun` is what
-/// one of them is called ("vertex", "normal").
-void check_vectors(const std::vector<Vec3>& vectors, std::string_view noun,
-                   const MeshSource& source);
+/// Throws InputError for a position that is not finite or beyond kLargestCoordinate.
+void check_position(const Vec3& position, const MeshSource& source);
 
-/// Throws InputError for texture coordinates that aren't finite.
-void check_coordinates(const std::vector<Vec2>& uvs, const MeshSource& source);
+/// Leaves out triangles with a vertex that is not finite or beyond kLargestCoordinate, with one
+/// message for all of them; vertices that no triangle uses do not matter. Throws InputError if that
+/// leaves no triangle. To be called before the other mend functions.
+void mend_positions(TriangleMesh& mesh, const MeshSource& source);
+
+/// Gives vertices whose normal is zero or not finite that of their triangles, with one message for
+/// those that are not finite.
+void mend_normals(TriangleMesh& mesh, const MeshSource& source);
+
+/// Makes texture coordinates that are not finite 0, with one message.
+void mend_coordinates(TriangleMesh& mesh, const MeshSource& source);
+
+/// Makes vertex colours that are not finite white, with one message.
+void mend_colors(TriangleMesh& mesh, const MeshSource& source);
+
+/// Makes vertex opacities that are not finite 1, with one message.
+void mend_alphas(TriangleMesh& mesh, const MeshSource& source);
+
+/// Raises vertex colours to this power, negative ones taken as 0.
+void apply_gamma(std::vector<Rgb>& colors, float gamma);
 
 /// Per vertex, the mean of the unit normals of its triangles (all alike, as LuxRender does); +z
 /// where there are none.

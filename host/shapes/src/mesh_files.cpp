@@ -49,9 +49,14 @@ std::any read_ahead(const std::string& path) {
     return std::make_shared<TriangleMesh>(kRead(whole_file(path).view()));
 }
 
-/// The file that the statement names, read by `read` and checked.
+constexpr std::string_view kFile = "filename";
+
+MeshSource file_source(const ParameterReader& reader) {
+    return {reader, kFile, fmt::format("\"{}\"", reader.string(kFile, ""))};
+}
+
+/// The file that the statement names, read by `read`, with positions that can be used.
 TriangleMesh read_mesh(const ParameterReader& reader, const AssetContext& assets, ReadMesh read) {
-    constexpr std::string_view kFile = "filename";
     const std::string name = reader.string(kFile, "");
     if (name.empty()) {
         reader.fail(kFile,
@@ -74,35 +79,21 @@ TriangleMesh read_mesh(const ParameterReader& reader, const AssetContext& assets
     }
     if (mesh.indices.empty())
         fail_empty(reader, kFile, fmt::format("\"{}\" holds a mesh without triangles", name));
-    const MeshSource source{reader, kFile, fmt::format("\"{}\"", name)};
-    check_vectors(mesh.positions, "vertex", source);
-    check_vectors(mesh.normals, "normal", source);
-    check_coordinates(mesh.uvs, source);
-    for (const Rgb& color : mesh.colors) {
-        if (!std::isfinite(color.x + color.y + color.z))
-            reader.fail(kFile, fmt::format("\"{}\" has a vertex colour that is not finite", name));
-    }
-    for (const float alpha : mesh.alphas) {
-        if (!std::isfinite(alpha))
-            reader.fail(kFile, fmt::format("\"{}\" has an opacity that is not finite", name));
-    }
+    mend_positions(mesh, file_source(reader));
     return mesh;
-}
-
-void apply_gamma(std::vector<Rgb>& colors, float gamma) {
-    if (gamma == 1) return;
-    for (Rgb& color : colors) {
-        for (int k = 0; k < 3; ++k)
-            color[k] = std::pow(std::max(color[k], 0.0f), gamma);
-    }
 }
 
 Geometry create_ply(const ParameterReader& reader, const AssetContext& assets,
                     const Matrix& to_world) {
     TriangleMesh mesh = read_mesh(reader, assets, read_ply_mesh);
     if (!reader.boolean("usecolor", true)) mesh.colors.clear();
-    apply_gamma(mesh.colors, static_cast<float>(reader.number("gamma", 1)));
     if (reader.boolean("discardmeshnormals", false)) mesh.normals.clear();
+    const MeshSource source = file_source(reader);
+    mend_normals(mesh, source);
+    mend_coordinates(mesh, source);
+    mend_colors(mesh, source);
+    mend_alphas(mesh, source);
+    apply_gamma(mesh.colors, static_cast<float>(reader.number("gamma", 1)));
     mesh = refine(std::move(mesh), reader, assets, to_world, "nsubdivlevels", 0);
     const bool refined = reader.integer("nsubdivlevels", 0) > 0 || reader.given("displacementmap");
     if (!refined && (mesh.normals.empty() || reader.boolean("smooth", false)))

@@ -18,42 +18,36 @@ void check_multiple(const ParameterReader& reader, std::string_view name, std::s
                                   count, group));
 }
 
-std::vector<Vec3> read_vectors(const ParameterReader& reader, std::string_view name) {
-    const std::span<const double> numbers = reader.numbers(name);
-    check_multiple(reader, name, numbers.size(), 3);
-    std::vector<Vec3> vectors;
-    vectors.reserve(numbers.size() / 3 + 1);
-    for (std::size_t i = 0; i < numbers.size(); i += 3) {
-        vectors.emplace_back(static_cast<float>(numbers[i]), static_cast<float>(numbers[i + 1]),
-                             static_cast<float>(numbers[i + 2]));
-    }
-    return vectors;
+Vec3 vector_at(std::span<const double> numbers, std::size_t i) {
+    return {static_cast<float>(numbers[i]), static_cast<float>(numbers[i + 1]),
+            static_cast<float>(numbers[i + 2])};
 }
 
-std::vector<Vec2> read_coordinates(const ParameterReader& reader, std::string_view name,
-                                   std::size_t vertex_count) {
-    const std::span<const double> numbers = reader.numbers(name);
-    if (numbers.size() != 2 * vertex_count) {
-        reader.fail(
-            name, fmt::format("\"{}\" has {} values, but \"P\" has {} vertices: expected {}", name,
-                              numbers.size(), vertex_count, 2 * vertex_count));
-    }
-    std::vector<Vec2> uvs;
-    uvs.reserve(vertex_count);
-    for (std::size_t i = 0; i < numbers.size(); i += 2)
-        uvs.emplace_back(static_cast<float>(numbers[i]), static_cast<float>(numbers[i + 1]));
-    check_coordinates(uvs, {reader, name, fmt::format("\"{}\"", name)});
-    return uvs;
+std::vector<Vec3> read_positions(const ParameterReader& reader) {
+    const std::span<const double> numbers = reader.numbers("P");
+    std::vector<Vec3> positions;
+    positions.reserve(numbers.size() / 3 + 1);  // for one more, which the kernel may read
+    for (std::size_t i = 0; i < numbers.size(); i += 3)
+        positions.push_back(vector_at(numbers, i));
+    return positions;
 }
 
-std::vector<Vec3> read_normals(const ParameterReader& reader, std::size_t vertex_count) {
-    std::vector<Vec3> normals = read_vectors(reader, "N");
-    if (normals.size() != vertex_count) {
-        reader.fail("N", fmt::format("\"N\" has {} normals, but \"P\" has {} vertices",
-                                     normals.size(), vertex_count));
-    }
-    check_vectors(normals, "normal", {reader, "N", "\"N\""});
-    return normals;
+/// Numbers of a list that has `each` a vertex; none, with a message, if their number is another: as
+/// in LuxRender the mesh does without them.
+std::span<const double> vertex_values(const ParameterReader& reader, std::string_view name,
+                                      std::size_t each, std::size_t vertex_count) {
+    const std::span<const double> numbers = reader.numbers(name);
+    if (numbers.empty() || numbers.size() == each * vertex_count) return numbers;
+    reader.diagnostics().fallback(
+        reader.where(name),
+        fmt::format("\"{}\" has {} values, but \"P\" has {} vertices: expected {}",
+                    reader.spelling(name), numbers.size(), vertex_count, each * vertex_count),
+        "it is left out");
+    return {};
+}
+
+MeshSource list_source(const ParameterReader& reader, std::string_view name) {
+    return {reader, name, fmt::format("\"{}\"", reader.spelling(name))};
 }
 
 /// The list `name`, `corners` vertices a face, cut into triangles (0, k, k + 1) and appended.
@@ -80,28 +74,25 @@ void append_faces(const ParameterReader& reader, std::string_view name, std::siz
     }
 }
 
-/// One value per vertex and channel.
-void check_count(const ParameterReader& reader, std::string_view name, std::size_t count,
-                 std::size_t expected) {
-    if (count == expected) return;
-    reader.fail(name, fmt::format("\"{}\" has {} values, expected {}", name, count, expected));
-}
-
-void read_colors(const ParameterReader& reader, TriangleMesh& mesh) {
-    const auto gamma = static_cast<float>(reader.number("gamma", 1));
-    const std::span<const double> colors = reader.numbers("C");
-    if (!colors.empty()) check_count(reader, "C", colors.size(), 3 * mesh.positions.size());
-    for (std::size_t i = 0; i < colors.size(); i += 3) {
-        Rgb color;
-        for (std::size_t k = 0; k < 3; ++k)
-            color[static_cast<int>(k)] =
-                std::pow(std::max(0.0f, static_cast<float>(colors[i + k])), gamma);
-        mesh.colors.push_back(color);
-    }
-    const std::span<const double> alphas = reader.numbers("alpha");
-    if (!alphas.empty()) check_count(reader, "alpha", alphas.size(), mesh.positions.size());
-    for (const double alpha : alphas)
+/// What the vertices have beside their positions.
+void read_attributes(const ParameterReader& reader, TriangleMesh& mesh) {
+    const std::size_t count = mesh.positions.size();
+    const std::span<const double> normals = vertex_values(reader, "N", 3, count);
+    for (std::size_t i = 0; i < normals.size(); i += 3)
+        mesh.normals.push_back(vector_at(normals, i));
+    const std::span<const double> uvs = vertex_values(reader, "uv", 2, count);
+    for (std::size_t i = 0; i < uvs.size(); i += 2)
+        mesh.uvs.emplace_back(static_cast<float>(uvs[i]), static_cast<float>(uvs[i + 1]));
+    const std::span<const double> colors = vertex_values(reader, "C", 3, count);
+    for (std::size_t i = 0; i < colors.size(); i += 3)
+        mesh.colors.push_back(vector_at(colors, i));
+    for (const double alpha : vertex_values(reader, "alpha", 1, count))
         mesh.alphas.push_back(static_cast<float>(alpha));
+    mend_normals(mesh, list_source(reader, "N"));
+    mend_coordinates(mesh, list_source(reader, "uv"));
+    mend_colors(mesh, list_source(reader, "C"));
+    mend_alphas(mesh, list_source(reader, "alpha"));
+    apply_gamma(mesh.colors, static_cast<float>(reader.number("gamma", 1)));
 }
 
 }  // namespace
@@ -122,15 +113,19 @@ std::vector<ParameterDeclaration> list_parameters() {
         declaration.older_name = older_name;
         return declaration;
     };
+    const auto any = [](ParameterDeclaration declaration) {
+        declaration.holds_any_number = true;
+        return declaration;
+    };
     return {
-        list("P", Point, "Vertex positions."),
+        any(list("P", Point, "Vertex positions.")),
         renamed(list("triindices", Integer, "Vertices of the triangles, three each, from 0."),
                 "indices"),
         list("quadindices", Integer, "Vertices of quadrilaterals, four each, from 0."),
-        list("N", Normal, "Vertex normals, one for each position."),
-        renamed(list("uv", Float, "Texture coordinates, a pair for each position."), "st"),
-        list("C", Color, "Vertex colours, which hitpointcolor and hitpointgrey read."),
-        list("alpha", Float, "Vertex opacities, which hitpointalpha reads."),
+        any(list("N", Normal, "Vertex normals, one for each position.")),
+        any(renamed(list("uv", Float, "Texture coordinates, a pair for each position."), "st")),
+        any(list("C", Color, "Vertex colours, which hitpointcolor and hitpointgrey read.")),
+        any(renamed(list("alpha", Float, "Vertex opacities, which hitpointalpha reads."), "A")),
         {"gamma", Float, "1", "Exponent of the vertex colours.", 0},
         past("ntris", Integer, "Number of triangles; the list tells it."),
         past("nvertices", Integer, "Number of vertices; the list tells it."),
@@ -139,10 +134,9 @@ std::vector<ParameterDeclaration> list_parameters() {
 
 TriangleMesh read_lists(const ParameterReader& reader) {
     TriangleMesh mesh;
-    mesh.positions = read_vectors(reader, "P");
+    mesh.positions = read_positions(reader);
     if (!reader.given("P")) reader.fail("P", "a mesh needs vertex positions: \"point P\" [...]");
     if (mesh.positions.empty()) fail_empty(reader, "P", "the mesh has no vertices");
-    check_vectors(mesh.positions, "vertex", {reader, "P", "\"P\""});
     const std::size_t vertex_count = mesh.positions.size();
     const std::string_view triangles = reader.spelling("triindices");
     append_faces(reader, triangles, 3, vertex_count, mesh.indices);
@@ -150,10 +144,8 @@ TriangleMesh read_lists(const ParameterReader& reader) {
     if (!reader.given(triangles) && !reader.given("quadindices"))
         reader.fail(triangles, "a mesh needs triangles: \"integer triindices\" [...]");
     if (mesh.indices.empty()) fail_empty(reader, triangles, "the mesh has no triangles");
-    if (reader.given("N")) mesh.normals = read_normals(reader, vertex_count);
-    if (reader.given("uv"))
-        mesh.uvs = read_coordinates(reader, reader.spelling("uv"), vertex_count);
-    read_colors(reader, mesh);
+    mend_positions(mesh, list_source(reader, "P"));
+    read_attributes(reader, mesh);
     return mesh;
 }
 

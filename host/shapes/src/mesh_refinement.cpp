@@ -122,7 +122,7 @@ TriangleMesh refine(TriangleMesh mesh, const ParameterReader& reader, const Asse
     if (!map) return mesh;
     if (mesh.normals.empty()) mesh.normals = merged_normals(mesh, rules.merge);
     for (Vec3& normal : mesh.normals)
-        normal.normalize();
+        normal = Vec3(Imath::V3d(normal).normalized());
     displace(mesh, *map, reader.number("dmscale", 0.1), reader.number("dmoffset", 0), to_world);
     const bool smooth = reader.boolean("dmnormalsmooth", true);
     mesh.normals = smooth ? merged_normals(mesh, rules.merge) : std::vector<Vec3>();

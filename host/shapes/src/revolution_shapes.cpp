@@ -36,8 +36,8 @@ Geometry create_hyperboloid(const ParameterReader& reader, const AssetContext& /
                             const Matrix& to_world) {
     check_transform(to_world, reader);
     const Vec3 start = reader.vector("p1", Vec3(0.0f)), end = reader.vector("p2", Vec3(1.0f));
-    check_vectors({start}, "end", {reader, "p1", "\"p1\""});
-    check_vectors({end}, "end", {reader, "p2", "\"p2\""});
+    check_position(start, {reader, "p1", "\"p1\""});
+    check_position(end, {reader, "p2", "\"p2\""});
     if (start.z == end.z) {
         fail_empty(reader, "p2",
                    fmt::format("\"p1\" and \"p2\" are both at z = {}: a flat ring is a disk "

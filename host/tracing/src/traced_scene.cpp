@@ -2,6 +2,7 @@
 #include "traced_scene.h"
 
 #include <cmath>
+#include <tuple>
 
 #include "area_lights.h"
 #include "lxs/tracing/trace_scene.h"
@@ -257,30 +258,39 @@ bool TracedScene::complete(const Ray& ray, const RawHit& raw, SurfaceHit& hit,
 
 RefusalList TracedScene::refused_values() const {
     RefusalList list;
-    for (std::size_t i = 0; i < contents_.material_names.size(); ++i) {
-        if (const std::uint64_t count = refused_[i].total())
-            list.push_back({"material \"" + contents_.material_names[i] + '"', count});
-    }
-    for (std::size_t i = 0; i < area_lights_.size(); ++i) {
-        if (const std::uint64_t count = area_lights_[i]->refused_values().total())
-            list.push_back({"light " + std::to_string(i) + " (area)", count});
-    }
+    const auto add = [&](const std::string& user, const RefusedValues& refused) {
+        for (const auto& [texture, count] : refused.totals()) {
+            list.push_back(
+                {texture.empty() ? user : "texture " + in_quotes(texture) + " of " + user, count});
+        }
+    };
+    for (std::size_t i = 0; i < contents_.material_names.size(); ++i)
+        add("material " + in_quotes(contents_.material_names[i]), refused_[i]);
+    for (std::size_t i = 0; i < area_lights_.size(); ++i)
+        add("light " + std::to_string(i) + " (area)", area_lights_[i]->refused_values());
     return list;
 }
 
 void TracedScene::state(StateArchive& archive) {
-    std::vector<RefusedValues*> counters;
+    const auto refused_state = [&](RefusedValues& refused) {
+        const RefusedValues::Totals known = refused.totals();
+        RefusedValues::Totals totals;
+        auto next = known.begin();
+        const std::size_t count = archive.count(known.size(), sizeof(std::uint64_t));
+        for (std::size_t i = 0; i < count; ++i) {
+            std::string texture;
+            std::uint64_t total = 0;
+            if (!archive.restoring()) std::tie(texture, total) = *next++;
+            archive.text(texture);
+            archive.value(total);
+            totals[texture] = total;
+        }
+        refused.set_totals(totals);
+    };
     for (std::size_t i = 0; i < contents_.material_names.size(); ++i)
-        counters.push_back(&refused_[i]);
+        refused_state(refused_[i]);
     for (const auto& light : area_lights_)
-        counters.push_back(&light->refused_values());
-    std::vector<std::uint64_t> totals;
-    totals.reserve(counters.size());
-    for (const RefusedValues* counter : counters)
-        totals.push_back(counter->total());
-    archive.fixed(totals);
-    for (std::size_t i = 0; i < counters.size(); ++i)
-        counters[i]->set_total(totals[i]);
+        refused_state(light->refused_values());
 }
 
 std::unique_ptr<TraceScene> make_trace_scene(SceneContents contents, const AssetResolver& resolve,

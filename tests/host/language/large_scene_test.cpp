@@ -176,9 +176,9 @@ TEST(LargeScene, LongListsReadAsShortOnesDo) {
     const auto error = [&](const std::string& more) {
         return error_of_world("Shape \"trianglemesh\" \"point P\" [" + twenty + "\n" + more + "]");
     };
+    EXPECT_NE(error("1 2 nan 4").find("trianglemesh: \"P\" takes finite numbers"),
+              std::string::npos);
     EXPECT_EQ(error("1 2 3x"), "test.lxs:3:5: error: \"3x\" is not a number");
-    EXPECT_EQ(error("1 1e39"), "test.lxs:3:3: error: \"1e39\" is too large; numbers reach 3.4e38");
-    EXPECT_EQ(error("1 nan"), "test.lxs:3:3: error: \"nan\" is not a finite number");
     EXPECT_EQ(error("1 -"), "test.lxs:3:3: error: \"-\" is not a number");
     EXPECT_EQ(
         error("1 \"two\""),

@@ -188,7 +188,7 @@ TEST(Motion, ChecksItsForm) {
     EXPECT_EQ(error_of_world("MotionBegin []"),
               "test.lxs:2:1: error: MotionBegin takes at least one time");
     EXPECT_EQ(error_of_world("MotionBegin [0 1] Identity Translate nan 0 0"),
-              "test.lxs:2:38: error: \"nan\" is not a finite number");
+              "test.lxs:2:38: error: Translate takes finite numbers, at most 3.4e38");
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 
 #include "bsdf_statistics.h"
 #include "bsdfs/fresnel.h"
+#include "lxs/scene/constant_texture.h"
 #include "lxs/spectrum/reflectance_colour.h"
 #include "shading_fixture.h"
 
@@ -141,7 +142,11 @@ TEST_F(MaterialTest, CompositingFlagsAreWarnedOfWhereTheyWouldShow) {
 
 TEST_F(MaterialTest, WhatIsNotRenderedIsWarnedOf) {
     scene_.make_material("matte", {color("Kd", {1.5f, 0, 0})});
-    const std::vector<std::string> expected{"\"Kd\" is limited to 0 to 1"};
+    std::vector<std::string> expected{"\"Kd\" is limited to 0 to 1"};
+    EXPECT_EQ(scene_.diagnostics.warnings, expected);
+    scene_.colors["bright"] = std::make_shared<ConstantTexture<Rgb>>(Rgb(2.0f));
+    scene_.make_material("matte", {texture("Kd", "bright")});
+    expected.emplace_back("\"Kd\" is limited to 0 to 1, and texture \"bright\" goes beyond");
     EXPECT_EQ(scene_.diagnostics.warnings, expected);
 }
 

@@ -1,6 +1,7 @@
 // Textures that are deterministic patterns, against closed forms.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <random>
 
@@ -100,12 +101,30 @@ TEST_F(PatternTextureTest, DotsShowWhatIsNamedOutside) {
     EXPECT_NEAR(in_dots / double(kSteps * kSteps), 0.375 * 3.14159265 * 0.35 * 0.35, 0.02);
 }
 
-TEST_F(PatternTextureTest, HarlequinGivesEachFaceItsColour) {
+// LuxRender's palette: radical inverses of 1, 7, 13, ... 91 in bases 2, 3 and 5.
+TEST_F(PatternTextureTest, HarlequinGivesEachFaceOneOfLuxRendersColours) {
     const auto texture = scene_.make_color("harlequin");
-    TexturePoint first, second;
-    second.face = 1;
-    EXPECT_EQ(texture->evaluate(first), texture->evaluate(first));
-    EXPECT_NE(texture->evaluate(first), texture->evaluate(second));
+    std::vector<Vec3> colours;
+    for (std::uint32_t face = 0; face < 16; ++face) {
+        TexturePoint point;
+        point.face = face;
+        colours.push_back(texture->evaluate(point));
+        point.face += 48;
+        EXPECT_EQ(texture->evaluate(point), colours.back()) << "the palette repeats";
+    }
+    const auto holds = [&](const Vec3& colour) {
+        return std::any_of(colours.begin(), colours.end(),
+                           [&](const Vec3& c) { return c.equalWithAbsError(colour, 1e-6f); });
+    };
+    EXPECT_TRUE(holds(Vec3(1 / 2.0f, 1 / 3.0f, 1 / 5.0f))) << "of 1";
+    EXPECT_TRUE(holds(Vec3(7 / 8.0f, 5 / 9.0f, 11 / 25.0f))) << "of 7";
+    EXPECT_TRUE(holds(Vec3(11 / 16.0f, 13 / 27.0f, 17 / 25.0f))) << "of 13: 1101, 111, 23";
+    EXPECT_TRUE(holds(Vec3(109 / 128.0f, 91 / 243.0f, 43 / 125.0f)))
+        << "of 91: 1011011, 10101, 331";
+    for (std::size_t i = 0; i < colours.size(); ++i) {
+        for (std::size_t k = 0; k < i; ++k)
+            EXPECT_NE(colours[i], colours[k]) << i << " and " << k;
+    }
 }
 
 TEST_F(PatternTextureTest, RunningBondsShiftRows) {

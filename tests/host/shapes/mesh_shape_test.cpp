@@ -117,8 +117,6 @@ TEST(MeshShape, VertexColoursAndOpacities) {
     EXPECT_EQ(mesh.colors.at(2), Rgb(0, 0, 1));
     EXPECT_EQ(mesh.colors.at(3), Rgb(0.25f));
     EXPECT_EQ(mesh.alphas.at(1), 0.5f);
-    EXPECT_THAT(error_of("mesh", {kSquare, kTwoTriangles, numbers("color", "C", {1, 0, 0})}),
-                HasSubstr("\"C\" has 3 values, expected 12"));
 }
 
 TEST(HeightField, CoversTheUnitSquare) {
@@ -169,10 +167,101 @@ TEST(MeshShapeErrors, IndexOutOfRange) {
 TEST(MeshShapeErrors, CountsThatDoNotFit) {
     EXPECT_THAT(error_of("mesh", {kSquare, numbers("integer", "triindices", {0, 1, 2, 0})}),
                 HasSubstr("\"triindices\" has 4 values, which is not a multiple of 3"));
-    EXPECT_THAT(error_of("mesh", {kSquare, kTwoTriangles, numbers("normal", "N", {0, 0, 1})}),
-                HasSubstr("\"N\" has 1 normals, but \"P\" has 4 vertices"));
-    EXPECT_THAT(error_of("mesh", {kSquare, kTwoTriangles, numbers("float", "uv", {0, 0, 1})}),
-                HasSubstr("\"uv\" has 3 values, but \"P\" has 4 vertices: expected 8"));
+}
+
+// As in LuxRender: the attribute goes, the mesh stays.
+TEST(MeshShape, AttributesThatDoNotFitTheVerticesAreLeftOut) {
+    struct Case {
+        ParameterValue attribute;
+        std::string message;
+    };
+    const std::vector<Case> cases = {
+        {numbers("normal", "N", {0, 0, 1}),
+         "\"N\" has 3 values, but \"P\" has 4 vertices: expected 12"},
+        {numbers("float", "uv", {0, 0, 1}),
+         "\"uv\" has 3 values, but \"P\" has 4 vertices: expected 8"},
+        {numbers("float", "st", {0, 0, 1, 1}),
+         "\"st\" has 4 values, but \"P\" has 4 vertices: expected 8"},
+        {numbers("color", "C", {1, 0, 0}),
+         "\"C\" has 3 values, but \"P\" has 4 vertices: expected 12"},
+        {numbers("float", "alpha", {1, 1, 1, 1, 1}),
+         "\"alpha\" has 5 values, but \"P\" has 4 vertices: expected 4"},
+        {numbers("float", "A", {1}), "\"A\" has 1 values, but \"P\" has 4 vertices: expected 4"}};
+    for (const char* plugin : {"mesh", "trianglemesh", "barytrianglemesh", "waldtrianglemesh"}) {
+        for (const Case& wrong : cases) {
+            RecordedDiagnostics diagnostics;
+            diagnostics.lenient = true;
+            const auto mesh = std::get<TriangleMesh>(
+                make_shape(plugin, {kSquare, kTwoTriangles, wrong.attribute}, diagnostics));
+            EXPECT_EQ(mesh.indices.size(), 6u) << plugin;
+            EXPECT_TRUE(mesh.normals.empty() && mesh.uvs.empty() && mesh.colors.empty() &&
+                        mesh.alphas.empty());
+            EXPECT_THAT(diagnostics.warnings, ElementsAre(wrong.message + "; it is left out"));
+            EXPECT_THAT(diagnostics.lines, ElementsAre(4u)) << "at the attribute";
+        }
+    }
+    for (const Case& wrong : cases) {
+        RecordedDiagnostics diagnostics;
+        diagnostics.lenient = true;
+        const auto mesh = std::get<TriangleMesh>(
+            make_shape("loopsubdiv", {kSquare, kTwoTriangles, wrong.attribute}, diagnostics));
+        EXPECT_EQ(mesh.indices.size(), 6u * 64) << "three levels of subdivision";
+        EXPECT_THAT(diagnostics.warnings, ElementsAre(wrong.message + "; it is left out"));
+    }
+}
+
+TEST(MeshShape, ValuesThatAreNoNumbersAreReplaced) {
+    constexpr double kInfinity = std::numeric_limits<double>::infinity();
+    RecordedDiagnostics diagnostics;
+    diagnostics.lenient = true;
+    const auto mesh = std::get<TriangleMesh>(make_shape(
+        "mesh",
+        {kSquare, kTwoTriangles,
+         numbers("normal", "N", {1, 0, 0, 0, kInfinity, 0, std::nan(""), 0, 0, 0, 1e30, 0}),
+         numbers("float", "uv", {1, 1, 0, kInfinity, 1, 0, 0, 1}),
+         numbers("color", "C", {1, 0, 0, 0, 1, 0, 0, 0, 1, 0.5, 0.5, 1e99}),
+         numbers("float", "alpha", {0, 0.5, kInfinity, 0.25})},
+        diagnostics));
+    EXPECT_THAT(mesh.normals,
+                ElementsAre(Vec3(1, 0, 0), Vec3(0, 0, 1), Vec3(0, 0, 1), Vec3(0, 1, 0)));
+    EXPECT_THAT(mesh.uvs, ElementsAre(Vec2(1, 1), Vec2(0, 0), Vec2(1, 0), Vec2(0, 1)));
+    EXPECT_THAT(mesh.colors, ElementsAre(Rgb(1, 0, 0), Rgb(0, 1, 0), Rgb(0, 0, 1), Rgb(1, 1, 1)));
+    EXPECT_THAT(mesh.alphas, ElementsAre(0, 0.5f, 1, 0.25f));
+    EXPECT_THAT(
+        diagnostics.warnings,
+        ElementsAre("normal 1 of \"N\" and 1 more are not finite; the mean of the triangles "
+                    "there is used",
+                    "pair 1 of \"uv\" is not finite; 0 0 is used",
+                    "colour 3 of \"C\" is not finite; white is used",
+                    "opacity 2 of \"alpha\" is not finite; 1 is used"));
+    EXPECT_THAT(diagnostics.lines, ElementsAre(4u, 5u, 6u, 7u));
+}
+
+TEST(MeshShape, TrianglesWithAVertexThatIsNoPlaceAreLeftOut) {
+    const ParameterValue points = numbers("point", "P", {0, 0, 0, 1, 0, 0, 1, 1, 0, 2e18, 1, 0});
+    RecordedDiagnostics diagnostics;
+    diagnostics.lenient = true;
+    const auto mesh =
+        std::get<TriangleMesh>(make_shape("mesh", {points, kTwoTriangles}, diagnostics));
+    EXPECT_THAT(mesh.indices, ElementsAre(0, 1, 2));
+    EXPECT_LE(mesh.positions.at(3).x, 1) << "boxes around all vertices stay small";
+    EXPECT_THAT(
+        diagnostics.warnings,
+        ElementsAre("vertex 3 of \"P\" is beyond 1e+18: (2e+18, 1, 0); 1 triangle with such "
+                    "a vertex is left out"));
+    RecordedDiagnostics silent;
+    silent.lenient = true;
+    make_shape("mesh", {points, numbers("integer", "triindices", {0, 1, 2})}, silent);
+    EXPECT_THAT(silent.warnings, testing::IsEmpty()) << "no triangle uses it";
+    RecordedDiagnostics heights;
+    heights.lenient = true;
+    const auto field = std::get<TriangleMesh>(
+        make_shape("heightfield",
+                   {numbers("integer", "nu", {3}), numbers("integer", "nv", {2}),
+                    numbers("float", "Pz", {0, 1, 1e99, 3, 4, 5})},
+                   heights));
+    EXPECT_EQ(field.indices.size(), 9u) << "the corner touches one triangle of four";
+    EXPECT_EQ(heights.warnings.size(), 1u);
 }
 
 TEST(MeshShapeErrors, NumbersThatAreNone) {
@@ -184,16 +273,9 @@ TEST(MeshShapeErrors, NumbersThatAreNone) {
                 HasSubstr("vertex 1 of \"P\" is not finite: (1, inf, 0)"));
     EXPECT_THAT(error_of("mesh", {numbers("point", "P", {0, 0, 0, 1, 2e18, 0, 0, 1, 0}), one}),
                 HasSubstr("vertex 1 of \"P\" is beyond 1e+18"));
-    EXPECT_THAT(error_of("mesh", {kSquare, kTwoTriangles,
-                                  numbers("float", "uv", {0, 0, 0, infinity, 0, 0, 0, 0})}),
-                HasSubstr("pair 1 of \"uv\" is not finite: (0, inf)"));
-    EXPECT_THAT(error_of("mesh", {kSquare, kTwoTriangles,
-                                  numbers("normal", "N", {0, 0, 1, 0, 0, 1, 0, 0, 1, 0, 0, 1e99})}),
-                HasSubstr("normal 3 of \"N\" is not finite"));
-    // The parameter reader refuses NaN before the mesh sees it.
-    const double nan = std::nan("");
-    EXPECT_THAT(error_of("mesh", {numbers("point", "P", {0, 0, 0, 1, nan, 0, 0, 1, 0}), one}),
-                HasSubstr("\"P\""));
+    EXPECT_THAT(
+        error_of("mesh", {numbers("point", "P", {0, 0, 0, 1, std::nan(""), 0, 0, 1, 0}), one}),
+        HasSubstr("vertex 1 of \"P\" is not finite: (1, nan, 0)"));
 }
 
 TEST(MeshShapeErrors, TransformOutOfRange) {

@@ -96,6 +96,40 @@ TEST_F(PlyShape, ErrorsNameFileFaceAndVertex) {
                 HasSubstr("plymesh needs a file: \"string filename\" [\"...\"]"));
 }
 
+/// A square of two triangles whose middle vertex no face uses, with normals and coordinates.
+std::string square_with(const std::string& middle, const std::string& corner) {
+    return middle + "\n-1 -1 0 " + corner + "\n1 -1 0 0 0 1 1 0\n1 1 0 0 0 1 1 1\n" +
+           "-1 1 0 0 0 1 0 1\n4 1 2 3 4\n";
+}
+
+TEST_F(PlyShape, ValuesThatAreNoNumbersAreReplaced) {
+    const auto read = [&](const std::string& middle, const std::string& corner,
+                          RecordedDiagnostics& diagnostics, std::vector<ParameterValue> more = {}) {
+        more.push_back(text("filename", write(header("ascii", 5, kNormalsAndCoordinates, 1) +
+                                              square_with(middle, corner))));
+        return std::get<TriangleMesh>(make_shape("plymesh", more, diagnostics));
+    };
+    RecordedDiagnostics unused;
+    unused.lenient = true;
+    EXPECT_EQ(read("nan nan 0 0 0 0 0 0", "0 0 1 0 0", unused).indices.size(), 6u);
+    EXPECT_THAT(unused.warnings, testing::IsEmpty());
+    RecordedDiagnostics normals;
+    normals.lenient = true;
+    const TriangleMesh mesh = read("0 0 0 nan nan nan 0 0", "nan 0 1 0 nan", normals);
+    EXPECT_EQ(mesh.indices.size(), 6u);
+    EXPECT_EQ(mesh.normals.at(1), Vec3(0, 0, 1));
+    EXPECT_EQ(mesh.uvs.at(1), Vec2(0, 0));
+    ASSERT_EQ(normals.warnings.size(), 2u);
+    EXPECT_THAT(normals.warnings[0],
+                testing::AllOf(HasSubstr("normal 0 of "), HasSubstr("mesh.ply\" and 1 more are not "
+                                                                    "finite; the mean of the ")));
+    EXPECT_THAT(normals.warnings[1], HasSubstr("mesh.ply\" is not finite; 0 0 is used"));
+    RecordedDiagnostics discarded;
+    discarded.lenient = true;
+    read("0 0 0 nan nan nan 0 0", "0 0 1 0 0", discarded, {flag("discardmeshnormals", true)});
+    EXPECT_THAT(discarded.warnings, testing::IsEmpty());
+}
+
 TEST_F(PlyShape, TruncatedFilesAreErrors) {
     EXPECT_NE(error_of("plymesh",
                        {text("filename", write(header("ascii", 3, "", 1) + "0 0 0\n1 0 0\n"))}),

@@ -56,6 +56,12 @@ void RecordedDiagnostics::unknown_parameter(const SourceLocation& where,
     warning(where, message);
 }
 
+void RecordedDiagnostics::fallback(const SourceLocation& where, const std::string& message,
+                                   const std::string& instead) {
+    if (!lenient) return Diagnostics::fallback(where, message, instead);
+    warning(where, message + "; " + instead);
+}
+
 Geometry make_shape(const std::string& plugin, std::vector<ParameterValue> values,
                     RecordedDiagnostics& diagnostics, const Matrix& to_world) {
     Registry registry;

@@ -18,6 +18,9 @@ class RecordedDiagnostics : public Diagnostics {
   public:
     void warning(const SourceLocation& where, const std::string& message) override;
     void unknown_parameter(const SourceLocation& where, const std::string& message) override;
+    void fallback(const SourceLocation& where, const std::string& message,
+                  const std::string& instead) override;
+    bool lenient = false;  ///< goes on where LuxRender does
     std::vector<std::string> warnings;
     std::vector<std::uint32_t> lines;  ///< of each warning
 };

@@ -87,8 +87,10 @@ TEST(StressRefusedLight, TexturesByTheirMaterial) {
             const Outcome outcome = stress::render_scene(
                 stress::room(textured_ball(squares + texture)), way, folder, 4);
             expect_sane(outcome, clean, outcome.messages);
-            EXPECT_THAT(outcome.origins("texture values"), ElementsAre(R"(material "spoiled")"));
-            EXPECT_THAT(outcome.messages, HasSubstr(R"(texture values of material "spoiled")"));
+            EXPECT_THAT(outcome.origins("texture values"),
+                        ElementsAre(R"(texture "bad" of material "spoiled")"));
+            EXPECT_THAT(outcome.messages,
+                        HasSubstr(R"(texture values of texture "bad" of material "spoiled")"));
             ++renders;
         }
     }
@@ -112,8 +114,10 @@ TEST(StressRefusedLight, TexturesOfLampsByTheirLight) {
         SCOPED_TRACE(way.name);
         const Outcome outcome = stress::render_scene(stress::room(lamp, false), way, folder, 8);
         expect_sane(outcome, clean_mean(way, folder), outcome.messages);
-        EXPECT_THAT(outcome.origins("texture values"), ElementsAre("light 0 (area)"));
-        EXPECT_THAT(outcome.messages, HasSubstr("texture values of light 0 (area)"));
+        EXPECT_THAT(outcome.origins("texture values"),
+                    ElementsAre(R"(texture "L" of light 0 (area))"));
+        EXPECT_THAT(outcome.messages,
+                    HasSubstr(R"(texture values of texture "L" of light 0 (area))"));
     }
     stress::record("a lamp's texture below 0 in half of its squares", "counted by light");
 }
@@ -163,7 +167,8 @@ TEST(StressRefusedLight, AnImageThatItsGammaSpoils) {
         const Outcome outcome =
             stress::render_scene(stress::room(textured_ball(texture("2.2"))), way, folder, 4);
         expect_sane(outcome, clean_mean(way, folder), outcome.messages);
-        EXPECT_THAT(outcome.origins("texture values"), ElementsAre(R"(material "spoiled")"));
+        EXPECT_THAT(outcome.origins("texture values"),
+                    ElementsAre(R"(texture "bad" of material "spoiled")"));
     }
     const Outcome divided = stress::render_scene(stress::room(textured_ball(texture("-1"))),
                                                  stress::strict_way(), folder, 1);

@@ -47,11 +47,14 @@ Vec3 above_surface(const Vec3& n, const Vec3& ng) {
 class BumpedMaterial final : public Material {
   public:
     BumpedMaterial(std::shared_ptr<const Material> material,
-                   std::shared_ptr<const FloatTexture> height, float step)
-        : material_(std::move(material)), height_(std::move(height)), step_(step) {}
+                   std::shared_ptr<const FloatTexture> height, std::string height_name, float step)
+        : material_(std::move(material)),
+          height_(std::move(height)),
+          height_name_(std::move(height_name)),
+          step_(step) {}
 
     void bend(ShadingPoint& point) const override {
-        point.ns = bumped_normal(*height_, step_, point);
+        point.ns = bumped_normal(*height_, step_, point, height_name_);
         point.bent = true;
     }
     const Bsdf* scatter(const ShadingPoint& point,
@@ -82,12 +85,14 @@ class BumpedMaterial final : public Material {
 
     std::shared_ptr<const Material> material_;
     std::shared_ptr<const FloatTexture> height_;
+    std::string height_name_;
     float step_;
 };
 
 }  // namespace
 
-Vec3 bumped_normal(const FloatTexture& height, float step, const ShadingPoint& point) {
+Vec3 bumped_normal(const FloatTexture& height, float step, const ShadingPoint& point,
+                   std::string_view name) {
     const Frame frame(point.ns, point.dpdu);
     // The second tangent runs along v, whichever way round the texture lies on the surface.
     const Vec3 along_v = frame.t.dot(point.dpdv) < 0 ? -frame.t : frame.t;
@@ -97,7 +102,7 @@ Vec3 bumped_normal(const FloatTexture& height, float step, const ShadingPoint& p
     const Vec3 normal = point.ns - frame.s * du - along_v * dv;
     const float length = normal.length();
     if (!std::isfinite(length)) {
-        if (point.texture.refused) point.texture.refused->count();
+        if (point.texture.refused) point.texture.refused->count(name);
         return point.ns;
     }
     return above_surface(normal / length, point.ng);
@@ -119,7 +124,8 @@ MaterialFactory with_bump_map(MaterialFactory factory) {
         auto height = read_float_texture(reader, assets, "bumpmap", 0);
         if (height->constant()) return material;  // no slope anywhere
         const auto step = static_cast<float>(reader.number("bumpmapsampledistance", kDefaultStep));
-        return std::make_shared<BumpedMaterial>(std::move(material), std::move(height), step);
+        return std::make_shared<BumpedMaterial>(std::move(material), std::move(height),
+                                                reader.texture_name("bumpmap").value_or(""), step);
     };
     return factory;
 }

@@ -8,8 +8,10 @@ namespace lxs::shading {
 
 /// Unit normal of the surface displaced by `height` (scene units) along its shading normal: the
 /// slope comes from central differences over `step` (scene units), normal maps add theirs. Always
-/// in the hemisphere of point.ng.
-Vec3 bumped_normal(const FloatTexture& height, float step, const ShadingPoint& point);
+/// in the hemisphere of point.ng. What is not finite is counted for the texture `name`, and leaves
+/// the normal as it is.
+Vec3 bumped_normal(const FloatTexture& height, float step, const ShadingPoint& point,
+                   std::string_view name = {});
 
 /// Declarations of "bumpmap" and the step of its slope.
 std::vector<ParameterDeclaration> bump_map_parameters();

@@ -16,8 +16,10 @@ void warn_of_limit(const ParameterReader& reader, std::string_view name, float l
                    float highest) {
     const std::string range = highest < kUnlimited ? fmt::format("{} to {}", lowest, highest)
                                                    : fmt::format("{} and above", lowest);
-    reader.diagnostics().warning(
-        reader.where(name), fmt::format("\"{}\" is limited to {}", reader.spelling(name), range));
+    std::string message = fmt::format("\"{}\" is limited to {}", reader.spelling(name), range);
+    if (const auto texture = reader.texture_name(name))
+        message += fmt::format(", and texture {} goes beyond", in_quotes(*texture));
+    reader.diagnostics().warning(reader.where(name), message);
 }
 
 PreparedColor read_color(const ParameterReader& reader, const AssetContext& assets,
@@ -26,7 +28,7 @@ PreparedColor read_color(const ParameterReader& reader, const AssetContext& asse
     auto texture = read_color_texture(reader, assets, name, fallback);
     const std::optional<Rgb> value = texture->constant();
     if (value && limited(*value, 0, kHighest) != *value) warn_of_limit(reader, name, 0, kHighest);
-    return {std::move(texture), 0, kHighest, of};
+    return {std::move(texture), 0, kHighest, of, reader.texture_name(name).value_or("")};
 }
 
 }  // namespace
@@ -51,7 +53,8 @@ PreparedFloat read_limited(const ParameterReader& reader, const AssetContext& as
     const std::optional<float> value = texture->constant();
     if (value && reader.given(name) && std::clamp(*value, lowest, highest) != *value)
         warn_of_limit(reader, name, lowest, highest);
-    return {std::move(texture), lowest, highest};
+    return {std::move(texture), lowest, highest, ColourOf::Quantity,
+            reader.texture_name(name).value_or("")};
 }
 
 PreparedFresnel::PreparedFresnel(std::shared_ptr<const FresnelTexture> texture) {

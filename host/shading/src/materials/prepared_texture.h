@@ -3,6 +3,7 @@
 
 #include <limits>
 #include <memory>
+#include <string>
 #include <string_view>
 #include <type_traits>
 
@@ -33,9 +34,10 @@ enum class ColourOf : std::uint8_t {
 template <class T>
 class PreparedTexture {
   public:
+    /// `name`: of the texture, for the count of what is refused.
     PreparedTexture(std::shared_ptr<const Texture<T>> texture, float lowest, float highest,
-                    ColourOf of = ColourOf::Quantity)
-        : lowest_(lowest), highest_(highest), of_(of) {
+                    ColourOf of = ColourOf::Quantity, std::string name = {})
+        : lowest_(lowest), highest_(highest), of_(of), name_(std::move(name)) {
         if (const std::optional<T> value = texture->constant()) {
             spectrum_ = texture->spectrum();
             constant_ = spectrum_ ? limited(*value, lowest, highest) : seen(*value);
@@ -81,7 +83,7 @@ class PreparedTexture {
         const T value = texture_->evaluate(point);
         bool usable = is_finite(value);
         if constexpr (std::is_same_v<T, Rgb>) usable &= lowest_ < 0 || !is_negative(value);
-        if (!usable && point.refused) point.refused->count();
+        if (!usable && point.refused) point.refused->count(name_);
         return seen(is_finite(value) ? value : T(0.0f));
     }
 
@@ -89,6 +91,7 @@ class PreparedTexture {
     CurvePointer spectrum_;  ///< of a constant colour that was given as one; else null
     float lowest_, highest_;
     ColourOf of_;
+    std::string name_;
     std::shared_ptr<const Texture<T>> texture_;  ///< null for a constant
 };
 
@@ -96,7 +99,7 @@ using PreparedFloat = PreparedTexture<float>;
 using PreparedColor = PreparedTexture<Rgb>;
 
 /// A reflectance or transmittance in LuxRender's colour of it: limited to [0, 1] per channel, with
-/// a warning at the parameter if a constant lies outside.
+/// a warning at the parameter, which names the texture, if a constant lies outside.
 PreparedColor read_reflectance(const ParameterReader& reader, const AssetContext& assets,
                                std::string_view name, const Rgb& fallback);
 /// The same that is `value` everywhere.

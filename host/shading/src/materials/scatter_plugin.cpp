@@ -42,7 +42,7 @@ std::shared_ptr<const Material> create_scatter(const ParameterReader& reader,
     return std::make_shared<ScatterMaterial>(
         read_reflectance(reader, assets, "Kd", Rgb(0.9f)),
         PreparedColor(read_color_texture(reader, assets, "g", Rgb(0.0f)), -kMostForward,
-                      kMostForward));
+                      kMostForward, ColourOf::Quantity, reader.texture_name("g").value_or("")));
 }
 
 }  // namespace

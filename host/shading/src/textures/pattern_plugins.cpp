@@ -3,7 +3,6 @@
 
 #include "formula_texture.h"
 #include "fresnel_arithmetic.h"
-#include "hashed_bits.h"
 #include "perlin_noise.h"
 #include "texture_parameters.h"
 #include "texture_plugins.h"
@@ -95,14 +94,23 @@ bool in_dot(const Vec2& st) {
     return (st - cell - shift * kMostShift).length2() < kRadius * kRadius;
 }
 
-/// A random colour for every face, neither dark nor quite white.
+/// The digits of `n` in `base`, mirrored at the point (van der Corput).
+constexpr float radical_inverse(unsigned n, unsigned base) {
+    float value = 0, digit = 1;
+    for (; n > 0; n /= base) {
+        digit /= static_cast<float>(base);
+        value += digit * static_cast<float>(n % base);
+    }
+    return value;
+}
+
+/// One of LuxRender's 16 colours for every face. LuxRender takes bits 4 to 7 of a triangle's
+/// address in memory, so that which face has which differs between its builds; on 64-bit Linux the
+/// triangles of a mesh lie 144 bytes apart, and each is nine colours on from the one before.
 Rgb harlequin(const TexturePoint& point) {
-    constexpr float kDarkest = 0.3f, kRange = 0.6f;
-    const std::uint32_t bits = hashed(point.face);
-    const auto channel = [&](unsigned shift) {
-        return kDarkest + kRange * static_cast<float>((bits >> shift) & 0xff) / 255;
-    };
-    return Rgb(channel(0), channel(8), channel(16));
+    constexpr unsigned kColours = 16, kNext = 9;
+    const unsigned n = 6 * (point.face % kColours * kNext % kColours) + 1;
+    return {radical_inverse(n, 2), radical_inverse(n, 3), radical_inverse(n, 5)};
 }
 
 }  // namespace

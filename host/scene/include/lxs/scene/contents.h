@@ -23,6 +23,7 @@ class FrontProfile;  // host/lights
 /// Emission of a shape (AreaLightSource "area").
 struct AreaEmission {
     std::shared_ptr<const ColorTexture> radiance;  ///< L, without gain
+    std::string radiance_texture = {};             ///< its name, if it has one
     float gain = 1;
     float power = 0;     ///< electrical watts; with efficacy > 0 it sets the emitted flux
     float efficacy = 0;  ///< lumens per watt

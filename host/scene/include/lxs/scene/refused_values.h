@@ -4,21 +4,47 @@
 #include <atomic>
 #include <cmath>
 #include <cstdint>
+#include <map>
+#include <mutex>
+#include <shared_mutex>
+#include <string>
+#include <string_view>
 
 #include "lxs/sdk/types.h"
 
 namespace lxs {
 
-/// Counts from many threads. Counting is rare.
+/// Counts from many threads, by the name of the texture that gave the value ("": none has a name).
 class RefusedValues {
   public:
-    void count() { count_.fetch_add(1, std::memory_order_relaxed); }
-    std::uint64_t total() const { return count_.load(std::memory_order_relaxed); }
+    using Totals = std::map<std::string, std::uint64_t, std::less<>>;
+
+    void count(std::string_view texture) {
+        {
+            const std::shared_lock lock(mutex_);
+            const auto known = counts_.find(texture);
+            if (known != counts_.end()) {
+                known->second.fetch_add(1, std::memory_order_relaxed);
+                return;
+            }
+        }
+        const std::unique_lock lock(mutex_);
+        ++counts_[std::string(texture)];
+    }
+    Totals totals() const {
+        const std::shared_lock lock(mutex_);
+        return {counts_.begin(), counts_.end()};
+    }
     /// Only while nobody counts.
-    void set_total(std::uint64_t total) { count_.store(total, std::memory_order_relaxed); }
+    void set_totals(const Totals& totals) {
+        counts_.clear();
+        for (const auto& [texture, total] : totals)
+            counts_[texture] = total;
+    }
 
   private:
-    std::atomic<std::uint64_t> count_{0};
+    mutable std::shared_mutex mutex_;
+    std::map<std::string, std::atomic<std::uint64_t>, std::less<>> counts_;
 };
 
 inline bool is_finite(float v) {

@@ -40,6 +40,8 @@ struct ParameterDeclaration {
     std::span<const std::string_view> choices = {};             ///< allowed strings; empty = any
     bool array = false;                                         ///< takes any number of values
     bool no_effect = false;  ///< accepted for compatibility; said once when a scene sets it
+    /// Numbers need not be finite: whoever reads them deals with those that aren't.
+    bool holds_any_number = false;
     /// Another name of the same, which counts where `name` isn't given; several declarations may
     /// share one.
     std::string_view older_name = {};

@@ -36,8 +36,10 @@ void check_opened(const OIIO::ImageSpec& spec, std::uint64_t bytes) {
 std::unique_ptr<OIIO::ImageInput> open_as(std::string_view format, const std::string& path,
                                           const OIIO::ImageSpec& reading, std::string& reason) {
     auto file = OIIO::ImageInput::create(std::string(format));
-    OIIO::ImageSpec spec;
-    if (file && file->open(path, spec, reading)) return file;
+    OIIO::ImageSpec spec, configuration = reading;
+    // Of a grey BMP file with run lengths it would write three channels where it says one.
+    configuration.attribute("bmp:monochrome_detect", 0);
+    if (file && file->open(path, spec, configuration)) return file;
     if (file) reason = file->geterror();
     return nullptr;
 }
@@ -94,6 +96,9 @@ std::string first_line(const std::string& text) {
     std::string line = text.substr(0, text.find('\n'));
     while (!line.empty() && (line.back() == '.' || line.back() == ' '))
         line.pop_back();
+    // It may hold names from the file, and goes to terminals.
+    std::ranges::replace_if(
+        line, [](unsigned char c) { return c < 0x20 || c == 0x7F; }, '?');
     return line.empty() ? "reading failed" : line;
 }
 

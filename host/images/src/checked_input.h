@@ -20,7 +20,7 @@ namespace lxs {
 std::unique_ptr<OIIO::ImageInput> open_checked(const std::string& path,
                                                const OIIO::ImageSpec& reading);
 
-/// First line of an OpenImageIO message, without its full stop; never empty.
+/// First line of an OpenImageIO message, printable and without its full stop; never empty.
 std::string first_line(const std::string& text);
 
 /// What `read` returns; whatever it throws becomes a std::runtime_error, but for lack of memory:

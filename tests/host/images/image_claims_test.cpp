@@ -165,6 +165,21 @@ TEST_F(ImageClaims, GifOfNoVersion) {
     EXPECT_THAT(refusal_of({"a.gif", gif}), HasSubstr("can't hold"));
 }
 
+/// OpenImageIO's reader says one channel, as all colours of the table are grey, and writes three.
+TEST_F(ImageClaims, GreyBitmapOfRunLengths) {
+    const std::string path = folder_.write("a.bmp", test::made_bmp({}));
+    EXPECT_EQ(image_library().read(path).channels, 3u);
+    EXPECT_EQ(textures_->open(path)->channels(), 3);
+}
+
+TEST_F(ImageClaims, MessagesHoldNoControlCharacters) {
+    std::string exr = test::made_exr({8, 4, 1, 1, 0, 0, 0});
+    const std::size_t channel = exr.find("chlist") + 11;
+    exr[channel] = '\x1B';      // its name
+    exr[channel + 2] = '\x4D';  // its type, which is none
+    EXPECT_THAT(refusal_of({"a.exr", exr}), HasSubstr("\"?\""));
+}
+
 TEST_F(ImageClaims, TilesThatHaveNoSize) {
     for (const std::uint32_t layers : {0u, 0xFFFFFFFFu}) {
         std::string tiff = test::made_tiff({8, 4, 1, 3, 16, 16, 0x12345678});

@@ -2,9 +2,11 @@
 #include "lxs/host/catalogue.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
+#include <map>
 
 #include "lxs/imaging/imaging.h"
 #include "lxs/language/read_scene.h"
@@ -59,11 +61,33 @@ std::vector<Declared> own_declarations() {
     return all;
 }
 
+/// What LuxRender calls a plugin of a statement that this program chooses by itself.
+std::vector<Declared> chosen_by_itself() {
+    std::vector<Declared> all;
+    for (const char* statement :
+         {"Accelerator", "PixelSampler", "Renderer", "ToneMap", "Volume", "VolumeIntegrator"}) {
+        for (const std::string& name : known_plugin_names().at(statement))
+            all.push_back({statement, name, {}});
+    }
+    return all;
+}
+
+/// Names by kind of statement.
+std::map<std::string, std::vector<std::string>> names_by_kind(const PluginLibrary& plugins) {
+    std::map<std::string, std::vector<std::string>> kinds{{"SurfaceIntegrator", plugins.names()}};
+    for (const auto& some : {own_declarations(), chosen_by_itself()}) {
+        for (const Declared& declared : some)
+            kinds[declared.statement].push_back(declared.name);
+    }
+    return kinds;
+}
+
 std::string description(const Declared& declared, std::string_view doc, bool markdown) {
     std::string text =
         fmt::format("{}{} \"{}\"\n", markdown ? "## " : "", declared.statement, declared.name);
     if (!doc.empty()) text += fmt::format("{}\n", doc);
     text += '\n';
+    if (declared.parameters.empty()) return text + "  no parameters are read\n";
     return text +
            (markdown ? describe_markdown(declared.parameters) : describe_text(declared.parameters));
 }
@@ -86,16 +110,40 @@ std::string describe_plugin(const std::string& name, const PluginLibrary& plugin
         text = description({"SurfaceIntegrator", name, {parameters.begin(), parameters.end()}},
                            loaded->plugin->doc, markdown);
     }
-    for (const Declared& declared : own_declarations()) {
-        if (declared.name == name) text += description(declared, "", markdown);
+    const auto add = [&](const std::vector<Declared>& some) {
+        for (const Declared& declared : some) {
+            if (declared.name == name) text += description(declared, "", markdown);
+        }
+    };
+    add(own_declarations());
+    if (text.empty()) add(chosen_by_itself());
+    for (const auto& [statement, names] : known_plugin_names()) {
+        if (text.empty() && std::find(names.begin(), names.end(), name) != names.end())
+            text = fmt::format(
+                "{} \"{}\"\n\n  LuxRender's, not rendered here: a warning says what "
+                "stands in for it\n",
+                statement, name);
+    }
+    for (const auto& [kind, names] : names_by_kind(plugins)) {
+        if (kind == name || kind.starts_with(name + ' '))
+            text += fmt::format("{}: {}\n", kind, fmt::join(names, ", "));
     }
     return text;
 }
 
+std::vector<std::string> described_kinds(const PluginLibrary& plugins) {
+    std::vector<std::string> kinds;
+    for (const auto& [kind, names] : names_by_kind(plugins))
+        kinds.push_back(kind);
+    return kinds;
+}
+
 std::vector<std::string> describable_names(const PluginLibrary& plugins) {
     std::vector<std::string> names = plugins.names();
-    for (const Declared& declared : own_declarations())
-        names.push_back(declared.name);
+    for (const auto& [kind, of_kind] : names_by_kind(plugins)) {
+        names.push_back(kind);
+        names.insert(names.end(), of_kind.begin(), of_kind.end());
+    }
     std::sort(names.begin(), names.end());
     names.erase(std::unique(names.begin(), names.end()), names.end());
     return names;

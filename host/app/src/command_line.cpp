@@ -7,12 +7,16 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <charconv>
+#include <cmath>
+#include <memory>
 #include <stdexcept>
 #include <string_view>
 
+#include "lxs/host/budget.h"
 #include "lxs/host/command_line_mistake.h"
 #include "lxs/host/display_server.h"
 #include "lxs/host/frame_number.h"
+#include "lxs/host/help_layout.h"
 #include "lxs/host/option_checks.h"
 #include "lxs/host/output_files.h"
 #include "lxs/imaging/layer_names.h"
@@ -51,6 +55,26 @@ std::string check_viewer(const std::string& text) {
 std::string check_layers(const std::string& text) {
     return mistake_in(
         text, [](const std::string& names) { return layers_named(split_layer_names(names)); });
+}
+
+/// Puts the share that it is in place of a value in per cent.
+std::string read_target_error(std::string& text) {
+    std::string number = text;
+    const bool percent = number.ends_with('%');
+    if (percent) number.pop_back();
+    double value = 0;
+    const bool read = CLI::detail::lexical_cast(number, value) && std::isfinite(value);
+    const double share = percent ? value / 100 : value;
+    if (!read || !(share > 0 && share <= 1)) {
+        std::string wrong =
+            "expected an error above 0 and at most 1, as 0.05, or in per cent, as 5%; found " +
+            in_quotes(text);
+        if (read && !percent && value > 1 && value <= 100)
+            wrong += fmt::format("; did you mean {}%?", number);
+        return wrong;
+    }
+    text = fmt::format("{}", share);
+    return "";
 }
 
 /// Puts the number of its meaning in place of the value of --denoise, which is "true" where none is
@@ -101,147 +125,229 @@ std::uint32_t frame_of(const std::string& scene) {
                                    scene);
 }
 
-void add_output_options(CLI::App& app, CommandLine& command) {
-    app.add_option("-o,--output", command.output,
-                   "image to write: of FILE.exr the EXR and a PNG beside it, of FILE.png the PNG "
-                   "alone (default: an EXR and a PNG with the film's file name, in the current "
-                   "folder)")
-        ->check(CLI::Validator(check_image_name, "FILE"));
-    app.add_option("--layers", command.layers,
-                   fmt::format("layers that the EXR has beside the image, instead of the scene's; "
-                               "separated by commas, of {}",
-                               fmt::join(layer_names(), ", ")))
-        ->type_name("NAMES")
-        ->check(CLI::Validator(check_layers, ""));
-    app.add_option("--exposure", command.exposure_stops,
-                   "stops by which the PNG is brighter (2 to this power), or darker below 0; the "
-                   "EXR stays as it is")
-        ->type_name("STOPS")
-        ->check(CLI::Validator(check_stops, ""));
-    app.add_flag("--denoise", command.denoise,
-                 "denoise the PNG, and write the layer \"denoised\" into the EXR, whose image "
-                 "stays as it is; --denoise=last: at the end alone, not in the images so far")
-        ->transform(CLI::Validator(read_denoising, ""));
-    app.add_option("--write-every", command.write_every,
-                   "seconds after which the image so far is written anew, first after the first "
-                   "pass; 0: at the end alone (default: the film's writeinterval, for the PNG its "
-                   "displayinterval; less often where writing would take 2 % of the time)")
-        ->type_name("SECONDS")
-        ->check(CLI::Validator(check_not_negative, ""));
-    app.add_option("--display-server", command.display_server,
-                   "viewer tev to show the image so far in, about every second and at the end; its "
-                   "port is 14158 unless given")
-        ->type_name("HOST[:PORT]")
-        ->check(CLI::Validator(check_viewer, ""));
-    app.add_option("--serve", command.serve,
-                   "serve a page for browsers of this machine that shows the image as it converges "
-                   "and lets the render pause or end; PORT: any that is free, unless given")
-        ->type_name("[PORT]")
-        ->check(CLI::Validator(check_page, ""));
-    app.add_option("--stats", command.statistics, "JSON file to write with settings, times, counts")
-        ->type_name("FILE.json");
-    auto* explain = app.add_flag("--explain", command.explain,
-                                 "say at the end what became of the light of each lamp and of the "
-                                 "photons that met each material, what was left out, where time "
-                                 "went");
-    app.add_flag("!--no-advice", command.advice,
-                 "look for nothing that is wrong with the render, and keep no account of it")
-        ->excludes(explain);
+/// Whole numbers of these alone.
+CLI::Validator within(unsigned least, unsigned most) {
+    return CLI::Range(least, most).description("");
 }
 
-void add_render_options(CLI::App& app, CommandLine& command) {
-    app.add_option("--threads", command.threads, "number of threads (default: all processors)")
-        ->check(CLI::Range(1u, 1024u));
+/// Values that stand for others until all options have been read.
+struct Switches {
+    bool seed_per_frame = false, no_error_estimate = false, no_advice = false;
+    bool quiet = false, verbose = false;
+};
+
+/// How long, by what, at which size.
+void add_render_options(CLI::App& app, CommandLine& command, Switches& switches) {
+    const std::string length =
+        fmt::format("When to stop (default: as the scene says, or {} passes)", kDefaultPasses);
     auto* passes = app.add_option("--passes", command.passes,
-                                  "passes to render (path: samples per pixel); overrides the "
-                                  "scene's haltspp, halttime and haltthreshold")
-                       ->check(CLI::Validator(check_positive, "COUNT"));
+                                  "Passes to render; for path these are samples per pixel.")
+                       ->group(length)
+                       ->type_name("COUNT")
+                       ->check(CLI::Validator(check_positive, ""));
     app.add_option("--time", command.seconds,
-                   "seconds to render, checked between passes; overrides haltspp, halttime and "
-                   "haltthreshold")
-        ->check(CLI::Validator(check_positive, "SECONDS"))
+                   "Seconds to render, checked between passes; not together with --passes.")
+        ->group(length)
+        ->type_name("SECONDS")
+        ->check(CLI::Validator(check_positive, ""))
         ->excludes(passes);
     auto* target = app.add_option("--target-error", command.target_error,
-                                  "estimated error to end at, the square root of relMSE: 0.05 is "
-                                  "5 % of a pixel; beside --passes or --time, whichever is first; "
-                                  "overrides haltspp, halttime and haltthreshold")
-                       ->check(CLI::Validator(check_positive, "ERROR"));
-    app.add_flag("!--no-error-estimate", command.error_estimate,
-                 "estimate no errors: none in progress, statistics and image file")
+                                  "Estimated error to end at, the square root of relMSE: 0.05, "
+                                  "or 5%. Beside --passes or --time, whichever is first.")
+                       ->group(length)
+                       ->type_name("ERROR")
+                       ->transform(CLI::Validator(read_target_error, ""));
+    app.add_flag("--no-error-estimate", switches.no_error_estimate,
+                 "Estimate no errors: none in progress, statistics and image file.")
+        ->group(length)
         ->excludes(target);
-    app.add_option("--seed", command.seed, "seed of all random numbers (default: 0)");
+
+    const char* const how = "How to render";
     app.add_option("--integrator", command.integrator,
-                   "surface integrator, instead of the scene's choice")
+                   "Surface integrator, instead of the scene's; --list-plugins names them.")
+        ->group(how)
+        ->type_name("NAME");
+    app.add_option("--sampler", command.sampler, "Sampler, instead of the scene's.")
+        ->group(how)
         ->type_name("NAME");
     app.add_option("--set", command.overrides,
-                   "give a parameter of an integrator or sampler; may be repeated")
-        ->type_name("plugin.parameter=value")
+                   "A parameter of the integrator or the sampler, as aips.guide=none; may be "
+                   "repeated. --describe aips lists them.")
+        ->group(how)
+        ->type_name("PLUGIN.PARAMETER=VALUE")
         ->expected(1)
         ->allow_extra_args(false)  // one value each: what follows is another argument
         ->take_all()
         ->check(CLI::Validator(check_override, ""));
+    app.add_option("--seed", command.seed,
+                   "Seed of all random numbers, instead of the integrator's (default: 0).")
+        ->group(how)
+        ->type_name("NUMBER");
+    app.add_option("--threads", command.threads,
+                   "Number of threads, 1 to 1024 (default: all processors). The image is the same "
+                   "for any number.")
+        ->group(how)
+        ->type_name("COUNT")
+        ->check(within(1, 1024));
     app.add_option("--width", command.width,
-                   "width of the image in pixels, instead of the scene's; the height follows")
+                   "Width of the image, 1 to 65536 pixels, instead of the scene's; the height "
+                   "follows.")
+        ->group(how)
         ->type_name("PIXELS")
-        ->check(CLI::Range(1u, 65536u));
+        ->check(within(1, 65536));
     app.add_option("--height", command.height,
-                   "height of the image in pixels, instead of the scene's or what follows --width")
+                   "Height of the image, 1 to 65536 pixels, instead of the scene's or of what "
+                   "follows --width.")
+        ->group(how)
         ->type_name("PIXELS")
-        ->check(CLI::Range(1u, 65536u));
-    app.add_option("--sampler", command.sampler, "sampler, instead of the scene's choice")
-        ->type_name("NAME");
+        ->check(within(1, 65536));
     app.add_flag("--strict", command.strict,
-                 "what LuxRender would only warn of is an error: unknown names and parameters, "
-                 "missing files");
+                 "What LuxRender would only warn of is an error: unknown names and parameters, "
+                 "missing files.")
+        ->group(how);
+}
+
+void add_output_options(CLI::App& app, CommandLine& command) {
+    const char* const files = "What to write";
+    app.add_option("-o,--output", command.output,
+                   "Image to write: of FILE.exr the EXR and a PNG beside it, of FILE.png the PNG "
+                   "alone (default: an EXR and a PNG with the film's file name, in the current "
+                   "folder).")
+        ->group(files)
+        ->type_name("FILE")
+        ->check(CLI::Validator(check_image_name, ""));
+    app.add_option("--layers", command.layers,
+                   fmt::format("Layers that the EXR has beside the image, instead of the scene's; "
+                               "separated by commas, of {}.",
+                               fmt::join(layer_names(), ", ")))
+        ->group(files)
+        ->type_name("NAMES")
+        ->check(CLI::Validator(check_layers, ""));
+    app.add_flag("--denoise", command.denoise,
+                 "Denoise the PNG, and write the layer \"denoised\" into the EXR, whose image "
+                 "stays as it is. --denoise=last: at the end alone, not in the images so far.")
+        ->group(files)
+        ->transform(CLI::Validator(read_denoising, ""));
+    app.add_option("--exposure", command.exposure_stops,
+                   "Stops by which the PNG is brighter (2 to this power), or darker below 0, -64 "
+                   "to 64; the EXR stays as it is.")
+        ->group(files)
+        ->type_name("STOPS")
+        ->check(CLI::Validator(check_stops, ""));
+    app.add_option("--write-every", command.write_every,
+                   "Seconds after which the image so far is written anew, first after the first "
+                   "pass; 0: at the end alone (default: the film's writeinterval, for the PNG its "
+                   "displayinterval; less often where writing would take 2 % of the time).")
+        ->group(files)
+        ->type_name("SECONDS")
+        ->check(CLI::Validator(check_not_negative, ""));
+    app.add_option("--stats", command.statistics,
+                   "JSON file to write, with settings, times and counts.")
+        ->group(files)
+        ->type_name("FILE.json");
+}
+
+void add_watching_options(CLI::App& app, CommandLine& command, Switches& switches) {
+    const char* const watching = "What to show and say";
+    app.add_option("--serve", command.serve,
+                   "Serve a page for browsers of this machine that shows the image as it converges "
+                   "and lets the render pause or end. PORT: any that is free, unless given.")
+        ->group(watching)
+        ->type_name("[PORT]")
+        ->check(CLI::Validator(check_page, ""));
+    app.add_option("--display-server", command.display_server,
+                   "Viewer tev to show the image so far in, about every second and at the end; its "
+                   "port is 14158 unless given.")
+        ->group(watching)
+        ->type_name("HOST[:PORT]")
+        ->check(CLI::Validator(check_viewer, ""));
+    auto* explain = app.add_flag("--explain", command.explain,
+                                 "Say at the end what became of the light of each lamp and of the "
+                                 "photons that met each material, what was left out, where time "
+                                 "went.")
+                        ->group(watching);
+    app.add_flag("--no-advice", switches.no_advice,
+                 "Look for nothing that is wrong with the render, and keep no account of it.")
+        ->group(watching)
+        ->excludes(explain);
+    auto* quiet =
+        app.add_flag("--quiet", switches.quiet, "Print warnings and errors only.")->group(watching);
+    app.add_flag("--verbose", switches.verbose, "Print more.")->group(watching)->excludes(quiet);
 }
 
 void add_checkpoint_options(CLI::App& app, CommandLine& command) {
+    const char* const pauses = "Renders that can be killed";
     auto* checkpoint = app.add_option("--checkpoint", command.checkpoint,
-                                      "file to save the state of the render in, now and then and "
-                                      "at its end")
+                                      "File to save the state of the render in, now and then and "
+                                      "at its end.")
+                           ->group(pauses)
                            ->type_name("FILE");
     app.add_option("--checkpoint-interval", command.checkpoint_interval,
-                   "least seconds from one checkpoint to the next, 0: after every pass "
-                   "(default: 300)")
+                   "Least seconds from one checkpoint to the next, 0: after every pass "
+                   "(default: 300).")
+        ->group(pauses)
+        ->type_name("SECONDS")
         ->check(CLI::Validator(check_not_negative, ""))
         ->needs(checkpoint);
     app.add_flag("--resume", command.resume,
-                 "go on from the checkpoint, if there is one: the image is the same as without a "
-                 "break; --passes and --time count from the very beginning")
+                 "Go on from the checkpoint, if there is one: the image is the same as without a "
+                 "break; --passes and --time count from the very beginning.")
+        ->group(pauses)
         ->needs(checkpoint);
 }
 
-void add_animation_options(CLI::App& app, CommandLine& command, bool& seed_per_frame) {
+void add_animation_options(CLI::App& app, CommandLine& command, Switches& switches) {
+    const char* const frames = "Frames of an animation";
     app.add_option("--learned-out", command.learned_out,
-                   "file for what the render learns: guide, choices of lights, plan of photons; "
-                   "written at its end, for the next frame of an animation")
+                   "File for what the render learns: guide, choices of lights, plan of photons; "
+                   "written at its end, for the next frame.")
+        ->group(frames)
         ->type_name("FILE");
     app.add_option("--learned-in", command.learned_in,
-                   "begin with what another render learned, of this scene or one that is much like "
-                   "it; it fades, and the image's expectation is the same")
+                   "Begin with what another render learned, of this scene or one that is much like "
+                   "it; it fades, and the image's expectation is the same.")
+        ->group(frames)
         ->type_name("FILE");
-    app.add_flag("--seed-per-frame", seed_per_frame,
-                 "noise of its own for each frame: adds 2^32 times the number in the scene's file "
-                 "name (7 in frame_0007.lxs) to the seed");
+    app.add_flag("--seed-per-frame", switches.seed_per_frame,
+                 "Noise of its own for each frame: adds 2^32 times the number in the scene's file "
+                 "name (7 in frame_0007.lxs) to the seed.")
+        ->group(frames);
 }
 
 void add_plugin_options(CLI::App& app, CommandLine& command) {
+    const char* const plugins = "What there is";
+    auto* list = app.add_flag("--list-plugins", command.list_plugins, "List the integrators.")
+                     ->group(plugins);
+    auto* describe = app.add_option("--describe", command.describe,
+                                    "List the parameters of an integrator, or of any material, "
+                                    "texture, shape, light, film and so on; of a kind of statement "
+                                    "(Material), its names.")
+                         ->group(plugins)
+                         ->type_name("NAME")
+                         ->excludes(list);
+    app.add_flag("--markdown", command.markdown, "--describe as a Markdown table.")
+        ->group(plugins)
+        ->needs(describe);
+    app.add_flag("--scene-language", command.scene_language,
+                 "Print the reference of the scene language as Markdown.")
+        ->group(plugins)
+        ->excludes(list)
+        ->excludes(describe);
     app.add_option("--plugin-path", command.plugin_paths,
-                   "folder with plugin modules, before the installed ones; may be repeated")
+                   "Folder with plugin modules, before the installed ones; may be repeated.")
+        ->group(plugins)
         ->type_name("DIR")
         ->expected(1)
         ->allow_extra_args(false)
         ->take_all();
-    auto* list = app.add_flag("--list-plugins", command.list_plugins, "list the integrators");
-    auto* describe = app.add_option("--describe", command.describe, "list a plugin's parameters")
-                         ->type_name("NAME")
-                         ->excludes(list);
-    app.add_flag("--scene-language", command.scene_language,
-                 "print the reference of the scene language as Markdown")
-        ->excludes(list)
-        ->excludes(describe);
-    app.add_flag("--markdown", command.markdown, "--describe as a Markdown table")->needs(describe);
 }
+
+constexpr const char* kExamples =
+    "Examples:\n"
+    "  lxsrender scene.lxs --integrator aips --time 60\n"
+    "  lxsrender scene.lxs --passes 64 -o image.exr --denoise --stats image.json\n"
+    "  lxsrender scene.lxs --target-error 5% --serve\n"
+    "  lxsrender --describe matte\n\n";
 
 }  // namespace
 
@@ -252,22 +358,21 @@ std::string version() {
 std::optional<ExitCode> parse_command_line(int argc, const char* const* argv,
                                            CommandLine& command) {
     CLI::App app("Renders a LuxRender scene file (.lxs) to OpenEXR and PNG.", "lxsrender");
-    app.set_version_flag("--version", version());
+    app.formatter(std::make_shared<HelpLayout>());
     app.failure_message(&mistake_message);
-    app.footer(exit_code_help(kExitCodes));
-    app.add_option("scene", command.scene, "scene file, - for standard input")
+    app.footer(kExamples + exit_code_help(kExitCodes));
+    app.add_option("scene", command.scene, "Scene file; - reads standard input.")
         ->type_name("SCENE.lxs");
+    Switches switches;
+    add_render_options(app, command, switches);
     add_output_options(app, command);
-    add_render_options(app, command);
+    add_watching_options(app, command, switches);
     add_checkpoint_options(app, command);
     add_mpi_options(app, command);
-    bool seed_per_frame = false;
-    add_animation_options(app, command, seed_per_frame);
+    add_animation_options(app, command, switches);
     add_plugin_options(app, command);
-    bool quiet = false;
-    bool verbose = false;
-    auto* quiet_flag = app.add_flag("--quiet", quiet, "print warnings and errors only");
-    app.add_flag("--verbose", verbose, "print more")->excludes(quiet_flag);
+    app.set_help_flag("-h,--help", "Print this.")->group("What there is");
+    app.set_version_flag("--version", version(), "Print the version.")->group("What there is");
     try {
         app.parse(arguments_from(argc, argv));
         if (command.scene.empty() && !command.list_plugins && !command.describe &&
@@ -275,13 +380,14 @@ std::optional<ExitCode> parse_command_line(int argc, const char* const* argv,
             throw CLI::RequiredError("SCENE.lxs");
         }
         check_mpi(command);
-        if (seed_per_frame) command.frame = frame_of(command.scene);
+        if (switches.seed_per_frame) command.frame = frame_of(command.scene);
     } catch (const CLI::ParseError& error) {
         return app.exit(error) == 0 ? ExitCode::Success : ExitCode::Usage;
     }
-    if (command.mpi) command.advice = false;  // each rank would have to do all of the work
-    if (quiet) command.verbosity = Verbosity::Quiet;
-    if (verbose) command.verbosity = Verbosity::Verbose;
+    command.error_estimate = !switches.no_error_estimate;
+    command.advice = !switches.no_advice && !command.mpi;  // each rank would do all of its work
+    if (switches.quiet) command.verbosity = Verbosity::Quiet;
+    if (switches.verbose) command.verbosity = Verbosity::Verbose;
     return std::nullopt;
 }
 

@@ -99,7 +99,12 @@ std::string material_table(const RenderSession& session, const RenderAccount& ac
     for (std::size_t row = 0; row < std::min(names.size(), kMostRows); ++row) {
         const MaterialAccount& material = materials[order[row]];
         const std::string& name = names[order[row]];
-        text += fmt::format("  {}: ", name.empty() ? "without a name" : in_quotes(name));
+        const bool implied = session.implied_material == order[row];
+        // A lamp's own shape has it as a rule, and nobody asks what became of photons there.
+        if (implied && material.hits == 0) continue;
+        text += fmt::format("  {}: ", implied        ? "shapes without a Material, matte"
+                                      : name.empty() ? "without a name"
+                                                     : in_quotes(name));
         text += material.hits > 0
                     ? fmt::format("met by {} photons: {}\n", amount(material.hits), fates(material))
                     : "met by no photon\n";

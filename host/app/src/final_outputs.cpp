@@ -11,6 +11,7 @@
 #include "lxs/host/counted.h"
 #include "lxs/host/explanation.h"
 #include "lxs/host/failure.h"
+#include "lxs/host/process_usage.h"
 #include "lxs/host/rescue.h"
 #include "lxs/host/seconds_since.h"
 #include "lxs/host/statistics_file.h"
@@ -104,6 +105,8 @@ ExitCode write_final_outputs(const CommandLine& command, RenderSession& session,
     warn_of_refusals(figures.refused, log);
     warn_of_empty_image(*figures.image, log);
     if (figures.account) explain(command, session, figures, log);
+    if (const std::uint64_t bytes = peak_resident_bytes())
+        log.debug(fmt::format("memory: at most {} MB were in use", bytes / 1'000'000));
     if (interrupted) log.warning("interrupted after " + counted(totals.passes, "pass", "passes"));
     if (!in_place) return ExitCode::OutputFailure;
     if (failed) return ExitCode::PluginFailure;

@@ -136,7 +136,7 @@ class LiveView::Show {
 
     void put_image(const RenderTotals& totals) {
         const FileFilm& film = *session_.film;
-        const std::vector<Rgb> image = film.image();
+        const std::vector<Rgb> image = film.shown();
         static_assert(sizeof(Rgb) == 3 * sizeof(float));
         const std::span<const float> values(&image.data()->x, 3 * image.size());
         ++number_;

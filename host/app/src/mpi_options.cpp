@@ -10,21 +10,24 @@
 namespace lxs {
 
 void add_mpi_options(CLI::App& app, CommandLine& command) {
+    const char* const processes = "Several processes";
     app.add_flag("--mpi", command.mpi,
-                 "render together with the other processes that mpirun has started: they share the "
-                 "work of each pass, and the image has the same bits with any number of them")
+                 "Render together with the other processes that mpirun has started: they share the "
+                 "work of each pass, and the image has the same bits with any number of them.")
+        ->group(processes)
         ->disable_flag_override()  // the processes meet before options are read
         ->excludes(app.get_option("--explain"));
-    app.add_option(
-           "--mpi-split", command.mpi_split,
-           "what the processes share: photons, and the eye paths of each pass with them; or "
-           "passes, each process with a seed of its own, which are merged (default: "
-           "photons)")
+    app.add_option("--mpi-split", command.mpi_split,
+                   "What the processes share: photons, and the eye paths of each pass with them; "
+                   "or passes, each process with a seed of its own, which are merged (default: "
+                   "photons).")
+        ->group(processes)
         ->type_name("photons|passes")
         ->transform(
             CLI::CheckedTransformer(std::map<std::string, MpiSplit>{{"photons", MpiSplit::Photons},
                                                                     {"passes", MpiSplit::Passes}},
-                                    CLI::ignore_case))
+                                    CLI::ignore_case)
+                .description(""))
         ->needs(app.get_option("--mpi"));
 }
 

@@ -195,10 +195,13 @@ ExitCode describe(const CommandLine& command, const PluginLibrary& plugins, Cons
     const std::string text = describe_plugin(*command.describe, plugins, command.markdown);
     if (text.empty()) {
         const std::string nearest = nearest_name(*command.describe, describable_names(plugins));
-        log.error(nearest.empty()
-                      ? unknown_name_message("plugin", *command.describe, plugins.names())
-                      : fmt::format("unknown plugin {}; did you mean \"{}\"?",
-                                    in_quotes(*command.describe), nearest));
+        log.error(fmt::format(
+            "unknown plugin {}; {}", in_quotes(*command.describe),
+            nearest.empty()
+                ? fmt::format("--describe knows the names that {} have here, and lists them: as "
+                              "in --describe Material",
+                              fmt::join(described_kinds(plugins), ", "))
+                : fmt::format("did you mean \"{}\"?", nearest)));
         return ExitCode::Usage;
     }
     print(text);

@@ -144,6 +144,11 @@ WrittenFiles check_outputs(const CommandLine& command, const OutputFiles& files,
 void build_scene(RenderSession& session, SceneContents contents, bool whole, ReadFiles& files,
                  Diagnostics& diagnostics) {
     const SourceLocation end = contents.end;
+    session.implied_material = contents.implied_material;
+    if (session.film && session.film->hides_background()) {
+        for (LightDescription& light : contents.lights)
+            light.hidden = true;
+    }
     const auto resolve = file_resolver(contents, files, diagnostics);
     session.scene = make_trace_scene(std::move(contents), resolve, diagnostics);
     if (whole && session.scene->lights().empty()) {

@@ -100,7 +100,7 @@ void Snapshots::show(const RenderTotals& totals) {
     const auto start = std::chrono::steady_clock::now();
     try {
         const FileFilm& film = *session_.film;
-        display_->show(film.width(), film.height(), film.image());
+        display_->show(film.width(), film.height(), film.shown());
     } catch (const std::exception& error) {
         if (!said_no_viewer_)
             log_.warning(fmt::format("{}; rendering goes on, and the viewer is tried again later",

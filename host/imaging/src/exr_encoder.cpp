@@ -86,7 +86,8 @@ std::vector<std::byte> encode_exr(const FilmFrame& frame, const FileLayers& laye
             channels.add(prefix + layer.channels[c], first + c, 3);
     }
     for (const FloatLayer& layer : layers.floats) {
-        channels.add(layer.name + "." + layer.channel, layer.values.data(), 1);
+        const std::string prefix = layer.name.empty() ? "" : layer.name + ".";
+        channels.add(prefix + layer.channel, layer.values.data(), 1);
     }
     return channels.encode();
 }

@@ -20,7 +20,7 @@ struct ColorLayer {
     std::array<char, 3> channels{'R', 'G', 'B'};
 };
 
-/// A layer of one channel, "name.Y".
+/// A layer of one channel, "name.Y"; without a name "Y".
 struct FloatLayer {
     std::string name;
     std::span<const float> values;

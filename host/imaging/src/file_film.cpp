@@ -43,6 +43,13 @@ void check_layer_name(std::string_view name) {
                     kLongest, in_quotes(name)));
 }
 
+/// Colours of what covers a pixel alone. Where so little does that 8 bits call it nothing, black.
+void divide_by_alpha(std::span<Rgb> colors, std::span<const float> alpha) {
+    constexpr float kLeast = 0.5f / 255;
+    for (std::size_t i = 0; i < colors.size(); ++i)
+        colors[i] = alpha[i] < kLeast ? Rgb(0.0f) : colors[i] / alpha[i];
+}
+
 }  // namespace
 
 void FlexImage::add_layer_pass(std::string_view name, const PassSamples& samples) {
@@ -72,15 +79,18 @@ void FlexImage::set_wavelengths(const Wavelengths& wavelengths) {
     if (bias_) bias_->set_conversion(wavelengths.to_rgb, wavelengths.white);
     if (asked_) asked_->set_wavelengths(wavelengths);
     if (denoise_) denoise_->set_wavelengths(wavelengths);
+    if (display_) display_->set_conversion(wavelengths.to_rgb);
 }
 
 void FlexImage::add_pass(const PassSamples& samples) {
     accumulator_.add(samples);
+    if (display_) display_->add(samples, accumulator_);
     if (error_) error_->add(samples);
 }
 
 void FlexImage::add_splats(const PassSplats& splats) {
     accumulator_.add_splats(splats);
+    if (display_) display_->add_splats(splats, accumulator_);
     if (error_) error_->add(splats);
 }
 
@@ -134,6 +144,7 @@ void FlexImage::clear() {
     if (bias_) bias_->clear();
     if (denoise_) denoise_->clear();
     if (asked_) asked_->clear();
+    if (display_) display_->clear();
     for (auto& [name, layer] : color_layers_) {
         layer.clear();
     }
@@ -191,11 +202,28 @@ std::size_t FlexImage::memory_bytes() const {
     if (denoise_) bytes += denoise_->memory_bytes();
     if (bias_) bytes += bias_->memory_bytes();
     if (asked_) bytes += asked_->memory_bytes();
+    if (display_) bytes += display_->memory_bytes();
     return bytes;
 }
 
 std::vector<Rgb> FlexImage::image() const {
     return film_colors([this](std::span<Rgb> values) { accumulator_.resolve_total(values); });
+}
+
+std::vector<Rgb> FlexImage::shown() const {
+    return shown({});
+}
+
+/// Of the image, or of `denoised` if there is one.
+std::vector<Rgb> FlexImage::shown(std::span<const Rgb> denoised) const {
+    std::vector<Rgb> values(denoised.begin(), denoised.end());
+    if (!display_) return values.empty() ? image() : values;
+    const std::vector<Rgb> measured = image();
+    if (values.empty()) values = measured;
+    std::vector<Rgb> lobe_free = display_->image(accumulator_);
+    to_film_colors(lobe_free);
+    show_without_lobes(values, measured, lobe_free);
+    return values;
 }
 
 std::vector<Rgb> FlexImage::denoised() const {
@@ -258,10 +286,13 @@ std::vector<Rgb> FlexImage::bias_colors() const {
 }
 
 void FlexImage::write_png(const std::string& path, std::span<const Rgb> denoised) const {
-    const std::vector<std::uint8_t> rgb =
-        denoised.empty() ? tone_mapped() : tone_map(denoised, settings_.tone_map);
+    std::vector<Rgb> colors = shown(denoised);
+    const std::vector<float> alpha = asked_ ? asked_->alpha() : std::vector<float>();
+    if (hides_background()) divide_by_alpha(colors, alpha);
+    const std::vector<std::uint8_t> rgb = tone_map(colors, settings_.tone_map);
     write_file_atomically(path, encode_for(path, [&] {
-                              return encode_png(width(), height(), settings_.tone_map.gamma, rgb);
+                              return encode_png(width(), height(), settings_.tone_map.gamma, rgb,
+                                                alpha);
                           }));
 }
 

@@ -67,6 +67,10 @@ class FilmAccumulator {
     /// filter's lobes make dark (see keep_dark_beside_bright).
     void settle_denoised(std::span<Rgb> image) const;
     bool has_second() const { return !second_.sums.empty(); }
+    /// What a white of 1 is in the mean of the first or the second part (see set_conversion).
+    Imath::V3d white(std::size_t part) const;
+    /// The samples or splats that were added last.
+    const SampleCells& cells() const { return cells_; }
 
     /// Saves or restores all sums and counts; of the same image size, groups and filter.
     void state(StateArchive& archive);

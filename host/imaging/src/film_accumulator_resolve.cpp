@@ -40,19 +40,23 @@ Imath::V3d white_of(const Imath::V3d& white_sum, double weight_sum) {
 
 }  // namespace
 
+Imath::V3d FilmAccumulator::white(std::size_t part) const {
+    const Mean& mean = part == 0 ? first_ : second_;
+    return white_of(mean.white_sum, mean.weight_sum);
+}
+
 Imath::V3d FilmAccumulator::mean_value(const Mean& mean, std::size_t pixel,
                                        LightGroups groups) const {
     if (mean.sums.empty()) return Imath::V3d(0.0);
     const double* const sums = &mean.sums[pixel * (1 + 3 * std::size_t{groups_})];
     if (!(*sums > 0)) return Imath::V3d(0.0);
-    return sum_over(sums + 1, groups) / (*sums * white_of(mean.white_sum, mean.weight_sum));
+    return sum_over(sums + 1, groups) / (*sums * white(&mean == &second_ ? 1 : 0));
 }
 
 Imath::V3d FilmAccumulator::splat_value(std::size_t pixel, LightGroups groups) const {
     if (!(splat_samples_ > 0)) return Imath::V3d(0.0);
     const double pixels = static_cast<double>(width_) * height_;
-    return sum_over(&splats_[pixel * 3 * groups_], groups) * pixels /
-           (splat_samples_ * white_of(first_.white_sum, first_.weight_sum));
+    return sum_over(&splats_[pixel * 3 * groups_], groups) * pixels / (splat_samples_ * white(0));
 }
 
 /// A pixel's value summed over light groups: the means of samples, and the splats. Below zero where

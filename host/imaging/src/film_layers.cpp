@@ -35,6 +35,7 @@ FilmLayers::FilmLayers(const LayersWanted& wanted, std::uint32_t width, std::uin
     if (wanted.parts()) parts_.emplace(width, height, kImageParts, filter);
     if (wanted.albedo) albedo_.emplace(width, height, 1, filter);
     if (wanted.normal) normal_.emplace(width, height, 1, filter);
+    if (wanted.alpha) alpha_.emplace(width, height, 1, filter);
     if (wanted.objects || wanted.materials) cells_.emplace(width, height, 1);
     if (wanted.objects) objects_.emplace(Mattes{IdMattes(width, height, filter), {}});
     if (wanted.materials) materials_.emplace(Mattes{IdMattes(width, height, filter), {}});
@@ -71,6 +72,11 @@ void FilmLayers::add_surfaces(std::span<const Vec2> positions,
                        0.5f + 0.5f * seen.normal.z);
         });
     }
+    if (alpha_) {
+        add(*alpha_,
+            [](const SeenSurface& seen) { return Rgb(std::isfinite(seen.depth) ? 1.0f : 0.0f); });
+    }
+    told_of_surfaces_ = true;
     if (!depth_.empty()) add_depths(positions, surfaces);
     if (cells_) add_mattes(positions, surfaces);
 }
@@ -118,6 +124,7 @@ void FilmLayers::clear() {
     if (parts_) parts_->clear();
     if (albedo_) albedo_->clear();
     if (normal_) normal_->clear();
+    if (alpha_) alpha_->clear();
     for (std::optional<Mattes>* masks : {&objects_, &materials_}) {
         if (*masks) (*masks)->mattes.clear();
     }
@@ -136,6 +143,15 @@ std::vector<Rgb> FilmLayers::mean_normals() const {
         if (means.weight[0] > 0) normals[i] = Rgb(means.value[0] * 2.0 - Imath::V3d(1.0));
     }
     return normals;
+}
+
+std::vector<float> FilmLayers::alpha() const {
+    if (!alpha_) return {};
+    std::vector<float> alpha(pixels(), 1.0f);
+    if (!told_of_surfaces_) return alpha;
+    for (std::size_t i = 0; i < alpha.size(); ++i)
+        alpha[i] = static_cast<float>(std::clamp(alpha_->means(i).value[0].x, 0.0, 1.0));
+    return alpha;
 }
 
 void FilmLayers::append_parts(std::vector<ColorLayer>& colors,
@@ -165,6 +181,10 @@ void FilmLayers::append_to(FileLayers& layers,
     }
     if (normal_) colors.push_back({std::string(kNormal), mean_normals(), {'X', 'Y', 'Z'}});
     if (!depth_.empty()) layers.floats.push_back({std::string(kDepth), depth_, 'Z'});
+    if (alpha_) {
+        layers.values.push_back(alpha());
+        layers.floats.push_back({"", layers.values.back(), 'A'});
+    }
     const auto append = [&](const std::string& layer, const std::optional<Mattes>& masks) {
         if (!masks) return;
         for (std::size_t rank = 0; rank < kMatteRanks; ++rank) {
@@ -185,6 +205,8 @@ void FilmLayers::state(StateArchive& archive) {
     if (parts_) parts_->state(archive);
     if (albedo_) albedo_->state(archive);
     if (normal_) normal_->state(archive);
+    if (alpha_) alpha_->state(archive);
+    archive.value(told_of_surfaces_);
     for (std::optional<Mattes>* masks : {&objects_, &materials_}) {
         if (*masks) (*masks)->mattes.state(archive);
     }
@@ -212,7 +234,7 @@ RefusalList FilmLayers::refusals() const {
 
 std::size_t FilmLayers::memory_bytes() const {
     return (parts_ ? parts_->memory_bytes() : 0) + (albedo_ ? albedo_->memory_bytes() : 0) +
-           (normal_ ? normal_->memory_bytes() : 0) +
+           (normal_ ? normal_->memory_bytes() : 0) + (alpha_ ? alpha_->memory_bytes() : 0) +
            (objects_ ? objects_->mattes.memory_bytes() : 0) +
            (materials_ ? materials_->mattes.memory_bytes() : 0) +
            (cells_ ? cells_->memory_bytes() : 0) + depth_.capacity() * sizeof(float) +

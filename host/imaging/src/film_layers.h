@@ -54,6 +54,9 @@ class FilmLayers {
     const FilmAccumulator* normal() const { return normal_ ? &*normal_ : nullptr; }
     /// [pixel]; empty if it isn't wanted.
     std::span<const float> depth() const { return depth_; }
+    /// [pixel]: the part that surfaces cover, 1 everywhere if nobody has told of surfaces; empty if
+    /// it isn't wanted.
+    std::vector<float> alpha() const;
 
     void state(StateArchive& archive);
     RefusalList refusals() const;
@@ -72,6 +75,8 @@ class FilmLayers {
     std::optional<FilmAccumulator> parts_;  ///< with an ImagePart for a light group
     std::optional<FilmAccumulator> albedo_;
     std::optional<FilmAccumulator> normal_;  ///< of (1 + n) / 2, which is never negative
+    std::optional<FilmAccumulator> alpha_;   ///< of 1 where there is a surface
+    bool told_of_surfaces_ = false;
     /// Masks of objects or of materials.
     struct Mattes {
         IdMattes mattes;

@@ -14,6 +14,7 @@ using enum ParameterType;
 constexpr std::array<std::string_view, 7> kToneMapKernels{
     "autolinear", "linear", "reinhard", "contrast", "maxwhite", "nonlinear", "falsecolors"};
 constexpr std::array<std::string_view, 4> kClampMethods{"lum", "hue", "cut", "darken"};
+constexpr std::array<std::string_view, 4> kChannels{"RGB", "RGBA", "Y", "YA"};
 constexpr double kTiny = 1e-6;
 constexpr double kHuge = 1e12;
 
@@ -82,6 +83,21 @@ constexpr ParameterDeclaration kPicture[] = {
             "depth, objects, materials, bias; cryptomatte for objects and materials, all for every "
             "one.",
      .array = true},
+    {"premultiplyalpha", Bool, "false",
+     "An alpha channel: that of EXR and PNG. Lights at infinity are not seen behind it."},
+    {.name = "write_exr_channels",
+     .type = String,
+     .default_text = "RGB",
+     .doc = "With A: an alpha channel, as with premultiplyalpha.",
+     .choices = kChannels},
+    {.name = "write_png_channels",
+     .type = String,
+     .default_text = "RGB",
+     .doc = "Likewise.",
+     .choices = kChannels},
+    {"write_exr_straightcolors", Bool, "false",
+     "Beside an alpha channel, unless premultiplyalpha is given: colours are not multiplied by it, "
+     "and show lights at infinity."},
     {"cameraresponse", String, "",
      "File of the response curves of a camera or film, as in Grossberg and Nayar's database, "
      "applied to the PNG after the kernel."},
@@ -91,16 +107,13 @@ constexpr ParameterDeclaration kPicture[] = {
 /// warn_of_ignored_film_parameters speaks when their value matters.
 constexpr ParameterDeclaration kAccepted[] = {
     {"write_exr", Bool, "false", "Ignored: the EXR is always written."},
-    {"write_exr_channels", String, "RGB", "Ignored: the EXR holds RGB."},
     {"write_exr_halftype", Bool, "true", "Ignored: the EXR holds 32-bit floats."},
     {"write_exr_compressiontype", String, "PIZ (lossless)", "Ignored: always lossless (ZIP)."},
     {"write_exr_applyimaging", Bool, "true", "Ignored: the EXR holds raw radiance."},
     {"write_exr_gamutclamp", Bool, "true", "Ignored: the EXR holds raw radiance."},
     {"write_exr_ZBuf", Bool, "false", "Ignored: no depth channel is written."},
     {"write_exr_zbuf_normalizationtype", String, "None", "Ignored: no depth channel is written."},
-    {"write_exr_straightcolors", Bool, "false", "Ignored: there is no alpha channel."},
     {"write_png", Bool, "true", "Ignored: the PNG is always written."},
-    {"write_png_channels", String, "RGB", "Ignored: the PNG holds RGB."},
     {"write_png_16bit", Bool, "false", "Ignored: the PNG has 8 bits per channel."},
     {"write_png_gamutclamp", Bool, "true", "Ignored: colours are clamped by ldr_clamp_method."},
     {"write_png_ZBuf", Bool, "false", "Ignored: no depth image is written."},
@@ -119,7 +132,6 @@ constexpr ParameterDeclaration kAccepted[] = {
      "Ignored: the error is compared whenever the passes have grown by an eighth."},
     {"disable_noisemap_update", Bool, "false", "Ignored: there is no noise map."},
     {"usersamplingmap_filename", String, "", "Ignored: all pixels get as many samples."},
-    {"premultiplyalpha", Bool, "false", "Ignored: there is no alpha channel."},
     {"outlierrejection_k", Integer, "0", "Ignored: no sample is rejected as an outlier."},
     {"reject_warmup", Integer, "64", "Ignored: no sample is rejected as an outlier."},
     {"filterquality", Integer, "", "Ignored: the pixel filter's table has one size."},
@@ -197,7 +209,6 @@ constexpr IgnoredFlag kIgnoredFlags[] = {
     {"write_resume_flm", "no FLM file is written"},
     {"restart_resume_flm", "no FLM file is read"},
     {"write_flm_direct", "no FLM file is written"},
-    {"premultiplyalpha", "there is no alpha channel"},
     {"bloom_enabled", "no lens effects are applied"},
     {"vignetting_enabled", "no lens effects are applied"},
     {"abberation_enabled", "no lens effects are applied"},
@@ -209,8 +220,6 @@ struct IgnoredText {
 };
 
 constexpr IgnoredText kIgnoredTexts[] = {
-    {"write_exr_channels", "RGB", "the EXR holds RGB"},
-    {"write_png_channels", "RGB", "the PNG holds RGB"},
     {"usersamplingmap_filename", "", "all pixels get as many samples"},
 };
 

@@ -13,6 +13,7 @@
 #include "film_layers.h"
 #include "film_parameters.h"
 #include "lxs/imaging/layer_names.h"
+#include "no_effect.h"
 #include "option_choice.h"
 
 namespace lxs {
@@ -94,6 +95,35 @@ std::string without_image_suffix(const std::string& name) {
     const std::string suffix = path.extension().string();
     const bool image = std::find(kSuffixes.begin(), kSuffixes.end(), suffix) != kSuffixes.end();
     return image ? name.substr(0, name.size() - suffix.size()) : name;
+}
+
+/// An error of more than 100 % would end any render at once.
+double read_halt_error(const ParameterReader& reader) {
+    constexpr std::string_view kName = "haltthreshold";
+    const double error = reader.number(kName, -1);
+    if (error <= 1) return std::max(0.0, error);
+    reader.diagnostics().warning(
+        reader.where(kName), fmt::format("\"{}\" is {}, an error of {:.0f} %, and ends nothing: "
+                                         "0.05 is 5 %",
+                                         kName, error, 100 * error));
+    return 0;
+}
+
+/// As LuxRender's premultiplyalpha forces alpha into all files, whoever asks for it in one gets it
+/// in all: the colours of a pixel are the same in each.
+void read_alpha(const ParameterReader& reader, FilmSettings& settings) {
+    const bool premultiplied = reader.boolean("premultiplyalpha", false);
+    settings.layers.alpha = premultiplied;
+    for (const std::string_view name : {"write_exr_channels", "write_png_channels"}) {
+        const std::string channels = reader.string(name, "RGB");
+        const bool alpha = channels.ends_with('A');
+        settings.layers.alpha |= alpha;
+        if (channels.starts_with('Y'))
+            warn_of_no_effect(reader, name, alpha ? "the file holds RGBA" : "the file holds RGB");
+    }
+    settings.hides_background =
+        settings.layers.alpha &&
+        (premultiplied || !reader.boolean("write_exr_straightcolors", false));
 }
 
 ToneMapSettings::Kernel read_kernel(const ParameterReader& reader) {
@@ -197,13 +227,14 @@ FilmSettings read(const SceneContents& contents, Diagnostics& diagnostics) {
     settings.halt_time_seconds = std::max(0.0, reader.number("halttime", 0));
     settings.halt_passes =
         static_cast<std::uint64_t>(std::max<std::int64_t>(0, reader.integer("haltspp", 0)));
-    settings.halt_error = std::max(0.0, reader.number("haltthreshold", -1));
+    settings.halt_error = read_halt_error(reader);
     settings.write_interval_seconds =
         std::max(0.0, reader.number("writeinterval", settings.write_interval_seconds));
     settings.display_interval_seconds =
         std::max(0.0, reader.number("displayinterval", settings.display_interval_seconds));
     settings.tone_map = read_tone_map(reader);
     settings.layers = read_layers(reader, contents);
+    read_alpha(reader, settings);
     settings.response_file = reader.string("cameraresponse", "");
     settings.response_where = reader.where("cameraresponse");
     settings.to_film_colors = read_color_space(reader);

@@ -29,7 +29,10 @@ struct FilmSettings {
     /// File of a film's response curves, not read yet; empty for none.
     std::string response_file;
     SourceLocation response_where;
-    LayersWanted layers;
+    LayersWanted layers;  ///< with `alpha`, the EXR and the PNG have an alpha channel
+    /// The camera does not see lights at infinity, so that colours are those before the background,
+    /// multiplied by alpha.
+    bool hides_background = false;
     /// From the scene's colours to the film's, if those differ (colorspace_red ...).
     std::optional<ColorConversion> to_film_colors;
 };

@@ -11,6 +11,7 @@
 #include "film_accumulator.h"
 #include "film_bias.h"
 #include "film_denoise.h"
+#include "film_display.h"
 #include "film_error.h"
 #include "film_layers.h"
 #include "film_settings.h"
@@ -31,6 +32,7 @@ class FlexImage final : public FileFilm {
         if (settings_.layers != LayersWanted{})
             asked_.emplace(settings_.layers, width(), height(), filter);
         if (settings_.layers.bias) bias_.emplace(width(), height());
+        if (filter.has_negative_weights()) display_.emplace(width(), height(), filter);
     }
 
     std::uint32_t width() const override { return settings_.frame.width; }
@@ -79,13 +81,15 @@ class FlexImage final : public FileFilm {
                    std::span<const std::string> materials) override {
         if (asked_) asked_->set_names(objects, materials);
     }
+    bool hides_background() const override { return settings_.hides_background; }
     void set_exposure(double stops) override { settings_.tone_map.exposure_stops = stops; }
     std::vector<Rgb> image() const override;
     std::vector<std::string> held_layers() const override;
     HeldLayer held_layer(std::string_view name) const override;
     std::vector<Rgb> denoised() const override;
+    std::vector<Rgb> shown() const override;
     std::vector<std::uint8_t> tone_mapped() const override {
-        return tone_map(image(), settings_.tone_map);
+        return tone_map(shown(), settings_.tone_map);
     }
     std::string_view tone_map_kernel() const override { return name(settings_.tone_map.kernel); }
     void write_exr(const std::string& path, const ImageMetadata& metadata,
@@ -111,6 +115,7 @@ class FlexImage final : public FileFilm {
         return values;
     }
     std::vector<Rgb> bias_colors() const;
+    std::vector<Rgb> shown(std::span<const Rgb> denoised) const;
     void to_film_colors(std::span<Rgb> values) const {
         if (!settings_.to_film_colors) return;
         for (Rgb& c : values)
@@ -130,6 +135,7 @@ class FlexImage final : public FileFilm {
     std::optional<FilmBias> bias_;                               ///< none: not wanted
     std::optional<FilmLayers> asked_;                            ///< none: no layers are wanted
     std::optional<FilmDenoise> denoise_;                         ///< none: not to be denoised
+    std::optional<FilmDisplay> display_;                         ///< none: shown as it is
 };
 
 }  // namespace lxs

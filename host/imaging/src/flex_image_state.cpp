@@ -18,6 +18,7 @@ void FlexImage::state(StateArchive& archive) {
     if (error_) error_->state(archive);
     if (bias_) bias_->state(archive);
     if (asked_) asked_->state(archive);
+    if (display_) display_->state(archive);
     bool denoises = denoise_.has_value();
     archive.value(denoises);
     if (denoises != denoise_.has_value())

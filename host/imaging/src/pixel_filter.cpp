@@ -138,6 +138,38 @@ PixelFilter::PixelFilter(double radius_x, double radius_y,
     negative_ = std::any_of(table_.begin(), table_.end(), [](float w) { return w < 0; });
 }
 
+PixelFilter PixelFilter::central_lobe() const {
+    if (!negative_) return *this;
+    // Cells that are reached from the centre without crossing zero; within a quadrant a lobe is
+    // monotone along both axes.
+    std::vector<bool> inside(table_.size());
+    PixelFilter lobe;
+    for (std::size_t iy = 0; iy < rows_; ++iy) {
+        for (std::size_t ix = 0; ix < columns_; ++ix) {
+            const std::size_t i = iy * columns_ + ix;
+            const bool first = ix == 0 && iy == 0;
+            const bool next = (ix > 0 && inside[i - 1]) || (iy > 0 && inside[i - columns_]);
+            inside[i] = table_[i] > 0 && (first || next);
+            if (!inside[i]) continue;
+            lobe.columns_ = std::max(lobe.columns_, ix + 1);
+            lobe.rows_ = std::max(lobe.rows_, iy + 1);
+        }
+    }
+    if (lobe.columns_ == 0) return {0.5, 0.5, [](double, double) { return 1.0; }};
+    lobe.scale_x_ = scale_x_;
+    lobe.scale_y_ = scale_y_;
+    lobe.radius_x_ = std::min(radius_x_, static_cast<float>(lobe.columns_) / scale_x_);
+    lobe.radius_y_ = std::min(radius_y_, static_cast<float>(lobe.rows_) / scale_y_);
+    for (std::size_t iy = 0; iy < lobe.rows_; ++iy) {
+        for (std::size_t ix = 0; ix < lobe.columns_; ++ix) {
+            const std::size_t i = iy * columns_ + ix;
+            lobe.table_.push_back(inside[i] ? table_[i] : 0);
+        }
+    }
+    lobe.sum_to_one();
+    return lobe;
+}
+
 /// Divides by what a sample weighs in all pixels together. Where that is little, as between the
 /// pixels of a cubic narrower than they are, a part of the filter's peak is taken for it, lest
 /// single samples outshine all others.

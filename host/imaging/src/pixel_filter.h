@@ -49,13 +49,17 @@ class PixelFilter {
     }
 
     bool has_negative_weights() const { return negative_; }
+    /// The part of it around its centre that is above zero, with radii no larger than it needs; the
+    /// weights that one sample has for all pixels sum to 1 again.
+    PixelFilter central_lobe() const;
 
   private:
+    PixelFilter() = default;
     void sum_to_one();
 
-    float radius_x_, radius_y_;
-    float scale_x_, scale_y_;  ///< cells per pixel
-    std::size_t columns_, rows_;
+    float radius_x_ = 0, radius_y_ = 0;
+    float scale_x_ = 1, scale_y_ = 1;  ///< cells per pixel
+    std::size_t columns_ = 0, rows_ = 0;
     std::vector<float> table_;  ///< some 16 KB, which the L1 cache holds
     bool negative_ = false;
 };

@@ -3,6 +3,7 @@
 
 #include <png.h>
 
+#include <algorithm>
 #include <cmath>
 #include <new>
 #include <stdexcept>
@@ -46,12 +47,13 @@ class Writer {
 }  // namespace
 
 std::vector<std::byte> encode_png(std::uint32_t width, std::uint32_t height, double gamma,
-                                  std::span<const std::uint8_t> rgb) {
+                                  std::span<const std::uint8_t> rgb, std::span<const float> alpha) {
     std::vector<std::byte> bytes;
     const Writer writer;
     const png_structp png = writer.png();
     png_set_write_fn(png, &bytes, &append, &flush);
-    png_set_IHDR(png, writer.info(), width, height, 8, PNG_COLOR_TYPE_RGB, PNG_INTERLACE_NONE,
+    png_set_IHDR(png, writer.info(), width, height, 8,
+                 alpha.empty() ? PNG_COLOR_TYPE_RGB : PNG_COLOR_TYPE_RGBA, PNG_INTERLACE_NONE,
                  PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
     if (std::abs(gamma - 2.2) < 0.01) {
         png_set_sRGB_gAMA_and_cHRM(png, writer.info(), PNG_sRGB_INTENT_ABSOLUTE);
@@ -59,8 +61,16 @@ std::vector<std::byte> encode_png(std::uint32_t width, std::uint32_t height, dou
         png_set_gAMA(png, writer.info(), 1 / gamma);
     }
     png_write_info(png, writer.info());
-    for (std::uint32_t y = 0; y < height; ++y)
-        png_write_row(png, rgb.data() + std::size_t{3} * width * y);
+    std::vector<std::uint8_t> row(alpha.empty() ? 0 : std::size_t{4} * width);
+    for (std::uint32_t y = 0; y < height; ++y) {
+        const std::uint8_t* const colors = rgb.data() + std::size_t{3} * width * y;
+        for (std::size_t x = 0; x < row.size() / 4; ++x) {
+            std::copy_n(colors + 3 * x, 3, &row[4 * x]);
+            row[4 * x + 3] =
+                static_cast<std::uint8_t>(std::lround(255 * alpha[std::size_t{y} * width + x]));
+        }
+        png_write_row(png, row.empty() ? colors : row.data());
+    }
     png_write_end(png, writer.info());
     return bytes;
 }

@@ -26,13 +26,20 @@ void PathIntegrator::prepare(const RenderContext& context) {
     context.log.debug("path: " + settings_.text());
     if (const MetropolisSettings* metropolis = context.sampler.metropolis()) {
         metropolis_.emplace(context, *tracer_, *metropolis);
-        if (context.film.layers_wanted() != LayersWanted{})
+        const LayersWanted wanted = context.film.layers_wanted();
+        if (wanted.alpha) resize_pixels();
+        if (wanted != LayersWanted{.alpha = wanted.alpha})
             context.log.warning(
                 "path: layers for compositing stay empty, as Markov chains don't look at all "
                 "pixels alike");
         context.log.debug("path: " + metropolis_->text());
         return;
     }
+    resize_pixels();
+}
+
+void PathIntegrator::resize_pixels() {
+    const RenderContext& context = *context_;
     const std::size_t pixels = std::size_t{context.film.width()} * context.film.height();
     positions_.resize(pixels);
     radiance_.resize(pixels * context.film.light_groups());
@@ -45,6 +52,11 @@ PassReport PathIntegrator::render_pass(std::uint64_t pass) {
     PathCounts counts;
     if (metropolis_) {
         counts = metropolis_->render_pass();
+        // Chains don't look at all pixels alike: what covers them is looked at beside.
+        if (!seen_.empty()) {
+            counts += trace_pixels(pass);
+            context_->film.add_surfaces(positions_, seen_);
+        }
     } else {
         counts.rays = learn_lights_ahead(*context_, settings_, tracer_->lights());
         counts += render_pixels(pass);
@@ -56,6 +68,20 @@ PassReport PathIntegrator::render_pass(std::uint64_t pass) {
 }
 
 PathCounts PathIntegrator::render_pixels(std::uint64_t pass) {
+    const PathCounts counts = trace_pixels(pass);
+    context_->film.add_pass({.positions = positions_,
+                             .radiance = radiance_,
+                             .groups = context_->film.light_groups(),
+                             .weight = 1});
+    if (!parts_.empty())
+        context_->film.add_parts(
+            {.positions = positions_, .radiance = parts_, .groups = kImageParts});
+    if (!seen_.empty()) context_->film.add_surfaces(positions_, seen_);
+    learn_lights(pass);
+    return counts;
+}
+
+PathCounts PathIntegrator::trace_pixels(std::uint64_t pass) {
     const std::uint32_t height = context_->film.height();
     std::fill(radiance_.begin(), radiance_.end(), Rgb(0.0f));
     std::fill(parts_.begin(), parts_.end(), Rgb(0.0f));
@@ -69,15 +95,6 @@ PathCounts PathIntegrator::render_pixels(std::uint64_t pass) {
             counts[y] = render_row(pass, y, memory);
         }
     });
-    context_->film.add_pass({.positions = positions_,
-                             .radiance = radiance_,
-                             .groups = context_->film.light_groups(),
-                             .weight = 1});
-    if (!parts_.empty())
-        context_->film.add_parts(
-            {.positions = positions_, .radiance = parts_, .groups = kImageParts});
-    if (!seen_.empty()) context_->film.add_surfaces(positions_, seen_);
-    learn_lights(pass);
     PathCounts sum;
     for (const PathCounts& row : counts)
         sum += row;

@@ -25,7 +25,10 @@ class PathIntegrator : public Integrator {
     RefusalList refusals() const override;
 
   private:
+    void resize_pixels();
     PathCounts render_pixels(std::uint64_t pass);
+    /// One path a pixel, into the members below.
+    PathCounts trace_pixels(std::uint64_t pass);
     PathCounts render_row(std::uint64_t pass, std::uint32_t y,
                           std::pmr::monotonic_buffer_resource& memory);
     void learn_lights(std::uint64_t pass);

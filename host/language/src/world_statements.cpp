@@ -117,6 +117,7 @@ const IndexedMaterial& SceneReader::default_material() {
         ParameterSet matte;
         matte.plugin = "matte";
         default_material_ = add_material(matte, "default");
+        contents_.implied_material = default_material_.index;
     }
     return default_material_;
 }

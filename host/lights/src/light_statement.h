@@ -23,7 +23,8 @@ struct LightStatement {
     const AssetResolver& resolve;
 
     LightPlacement placement() const {
-        return {description.group, description.medium, reader.boolean("hidden", false)};
+        return {description.group, description.medium,
+                description.hidden || reader.boolean("hidden", false)};
     }
     float number(std::string_view name, double fallback) const {
         return static_cast<float>(reader.number(name, fallback));

@@ -42,6 +42,25 @@ TEST(Plan, SaysWhatRuns) {
     EXPECT_EQ(describe(plan_of(s)), "new eye paths in each pass; no photons");
 }
 
+// What is left out for the film's sake is not planned beside it.
+TEST(Plan, FitsToTheFilm) {
+    struct WithoutSplats final : ImageFilm {
+        using ImageFilm::ImageFilm;
+        bool takes_splats() const override { return false; }
+    };
+    Plan plan = plan_of({});
+    plan.needs.settings.guide_lamps = true;
+    plan.fit_to(mock::Film(4, 4, 1));
+    EXPECT_THAT(describe(plan), HasSubstr("new eye paths and lamp paths in each pass"));
+    Plan odd = plan;
+    odd.needs.settings.hit_points_per_pass = 24;
+    odd.fit_to(mock::Film(4, 4, 1));
+    EXPECT_THAT(odd.needs.skipped.back(), HasSubstr("lamp paths: passes do not have the same"));
+    plan.fit_to(WithoutSplats(4, 4, 1));
+    EXPECT_THAT(describe(plan), HasSubstr("new eye paths in each pass;"));
+    EXPECT_EQ(plan.needs.skipped.back(), "lamp paths: the film takes no splats");
+}
+
 TEST(Plan, ChainsInTheGuidesPlaceTakeAllThatItHad) {
     Plan plan = plan_of({});
     EXPECT_TRUE(plan.learns());

@@ -5,6 +5,7 @@
 #include <regex>
 #include <sstream>
 
+#include "lxs/language/read_scene.h"
 #include "lxsrender_process.h"
 
 namespace lxs::test::command_line_test {
@@ -73,7 +74,8 @@ TEST_F(CommandLineTest, MistakesExitWithTwoAndSayWhatIsWrong) {
         {{"--markdown"}, "--describe"},
         {{"--describe", "pth"}, "unknown plugin \"pth\"; did you mean \"path\"?"},
         {{"--describe", "carpiant"}, "unknown plugin \"carpiant\"; did you mean \"carpaint\"?"},
-        {{"--describe", "no-such"}, "unknown plugin \"no-such\"; known: aips, "},
+        {{"--describe", "no-such"},
+         "unknown plugin \"no-such\"; --describe knows the names that Accelerator, "},
     };
     for (const auto& [arguments, message] : cases) {
         const RunResult result = run(arguments);
@@ -102,6 +104,51 @@ TEST_F(CommandLineTest, DescribeListsParametersOfIntegratorsAndOfTheHostsOwnPlug
     EXPECT_THAT(matte.out, HasSubstr("sigma"));
     EXPECT_THAT(run({"--describe", "fleximage"}).out, HasSubstr("Film \"fleximage\""));
     EXPECT_THAT(run({"--describe", "perspective"}).out, HasSubstr("screenwindow"));
+    EXPECT_THAT(run({"--describe", "multi"}).out,
+                HasSubstr("VolumeIntegrator \"multi\"\n\n  no parameters are read"));
+}
+
+TEST_F(CommandLineTest, DescribeKnowsEveryKindOfStatement) {
+    for (const auto& [kind, names] : known_plugin_names()) {
+        const RunResult result = run({"--describe", kind == "MakeNamedVolume" ? "Volume" : kind});
+        EXPECT_EQ(result.exit_code, 0) << kind << result.err;
+        const RunResult first = run({"--describe", names.back()});
+        EXPECT_EQ(first.exit_code, 0) << kind << " " << names.back();
+    }
+    EXPECT_THAT(run({"--describe", "Texture"}).out,
+                testing::AllOf(HasSubstr("Texture color: "), HasSubstr("Texture fresnel: ")));
+    EXPECT_THAT(run({"--describe", "Material"}).out, HasSubstr("matte, mattetranslucent"));
+    EXPECT_THAT(run({"--describe", "Materail"}).err, HasSubstr("did you mean \"Material\"?"));
+}
+
+// Each option stands in a group, with words for its value, in lines that a terminal shows whole.
+TEST_F(CommandLineTest, HelpIsForReaders) {
+    const std::string help = run({"--help"}).out;
+    for (const char* text : {"When to stop (default: as the scene says, or 16 passes):",
+                             "What to write:", "--threads COUNT\n", "1 to 1024",
+                             "Examples:", "lxsrender scene.lxs --integrator aips --time 60"}) {
+        EXPECT_THAT(help, HasSubstr(text));
+    }
+    for (const char* text : {"Options:", "value in", "->", "{false}", " in [", "e+"})
+        EXPECT_THAT(help, testing::Not(HasSubstr(text)));
+    std::istringstream lines(help);
+    for (std::string line; std::getline(lines, line) && line != "Exit codes:";)
+        EXPECT_LE(line.size(), 79u) << line;
+}
+
+TEST_F(CommandLineTest, TargetErrorsAreSharesOrPerCent) {
+    folder_.write("scene.lxs", small_scene());
+    for (const char* error : {"5", "0", "-0.05", "105%", "inf", "x", "5 %%"}) {
+        const RunResult result = run({"scene.lxs", "--target-error", error});
+        EXPECT_EQ(result.exit_code, 2) << error;
+        EXPECT_THAT(result.err, HasSubstr("as 0.05, or in per cent, as 5%; found \"")) << error;
+    }
+    EXPECT_THAT(run({"scene.lxs", "--target-error", "5"}).err, HasSubstr("did you mean 5%?"));
+    for (const char* error : {"0.9", "90%"}) {
+        EXPECT_THAT(run({"scene.lxs", "--target-error", error, "--passes", "4"}).err,
+                    HasSubstr("until the error is 90 %"))
+            << error;
+    }
 }
 
 TEST_F(CommandLineTest, SceneComesFromStandardInputForADash) {
@@ -216,8 +263,9 @@ TEST_F(CommandLineTest, VerboseAddsWhatTheEngineDoes) {
     folder_.write("a.lxs", small_scene());
     const RunResult result =
         run({"a.lxs", "--passes", "1", "--integrator", "aips", "--seed", "5", "--verbose"});
-    for (const char* text : {"engine: mode = ", "plan: ", "engine memory: at most ", "skipped ",
-                             "seed 5\n", " rays/s, memory "})
+    for (const char* text :
+         {"engine: mode = ", "plan: ", "engine memory: its settings bound it by ",
+          "memory: at most ", "skipped ", "seed 5\n", " rays/s, memory "})
         EXPECT_THAT(result.err, HasSubstr(text));
 }
 

@@ -21,12 +21,13 @@ namespace {
 using test::TevViewer;
 using testing::HasSubstr;
 
+// The filter has no lobes, whose rings would not be shown.
 TEST(DisplayServer, ShowsTheImageAsItIsInTheFile) {
     const test::TemporaryFolder folder;
     TevViewer viewer;
     const test::RunResult result = test::run_lxsrender(
         folder, {"-", "--passes", "8", "-o", "x.exr", "--display-server", viewer.address()},
-        test::small_scene());
+        test::small_scene("PixelFilter \"box\""));
     ASSERT_EQ(result.exit_code, 0) << result.err;
     const auto images = viewer.images();
     ASSERT_EQ(images.size(), 1u);

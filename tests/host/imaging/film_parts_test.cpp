@@ -88,8 +88,9 @@ TEST(FilmParts, MemoryDoesNotGrowWithPassesAndIsNotTakenWithoutASecondPart) {
     const std::size_t without = film->memory_bytes();
     film->add_pass(parts.both());
     const std::size_t with = film->memory_bytes();
-    // Sums of weights and colours of all pixels, and a pixel's for each row.
-    constexpr std::size_t kSums = std::size_t{kWidth} * kHeight * 7 * sizeof(double);
+    // Sums of weights and colours of all pixels, and a pixel's for each row; and what is displayed.
+    constexpr std::size_t kSums =
+        std::size_t{kWidth} * kHeight * (7 * sizeof(double) + 4 * sizeof(float));
     EXPECT_GE(with - without, kSums);
     EXPECT_LE(with - without, kSums + std::size_t{kHeight} * 13 * sizeof(double));
     for (int pass = 0; pass < 20; ++pass)

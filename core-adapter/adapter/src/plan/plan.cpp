@@ -1,6 +1,7 @@
 // What runs in a render.
 #include "plan/plan.h"
 
+#include "eye/eye_source.h"
 #include "plan/photon_schedule.h"
 #include "radii/radius_policy.h"
 
@@ -52,12 +53,19 @@ bool Plan::measures_noise() const {
     return needs.photons && follows_noise(settings()) && !chains_for_guide();
 }
 
-std::string Plan::why_no_lamp_paths(const Film& film, std::uint32_t eye_paths) const {
-    if (!film.takes_splats()) return "the film takes no splats";
-    // A pass that sees some pixels alone would weigh lamps by the paths of that pass.
-    if (eye_paths % (std::uint64_t{film.width()} * film.height()) != 0)
-        return "passes do not have the same number of eye paths in each pixel";
-    return {};
+void Plan::fit_to(const Film& film) {
+    if (!settings().guide_lamps) return;
+    const std::uint64_t pixels = std::uint64_t{film.width()} * film.height();
+    std::string reason;
+    if (!film.takes_splats()) {
+        reason = "the film takes no splats";
+    } else if (eye_paths_per_pass(settings(), pixels) % pixels != 0) {
+        // A pass that sees some pixels alone would weigh lamps by the paths of that pass.
+        reason = "passes do not have the same number of eye paths in each pixel";
+    }
+    if (reason.empty()) return;
+    needs.settings.guide_lamps = false;
+    needs.skipped.push_back("lamp paths: " + reason);
 }
 
 Settings Plan::radius_settings() const {

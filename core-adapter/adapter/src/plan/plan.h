@@ -37,8 +37,8 @@ struct Plan {
     bool looks_first() const;
     /// Whether the photons per pass follow the noise that passes tell.
     bool measures_noise() const;
-    /// Why lamp paths are not drawn onto this film although the settings ask for them, or nothing.
-    std::string why_no_lamp_paths(const Film& film, std::uint32_t eye_paths) const;
+    /// Leaves out lamp paths if they are not drawn onto this film, whatever the settings ask for.
+    void fit_to(const Film& film);
     /// Settings of the radius policy.
     Settings radius_settings() const;
 

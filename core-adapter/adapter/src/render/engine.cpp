@@ -12,11 +12,12 @@ namespace aips {
 class Engine::State {
   public:
     State(const Host& host, const Settings& settings)
-        : plan_(make_plan(host.scene, settings)), loop_(make_loop(host)) {
+        : plan_(planned(host, settings)), loop_(make_loop(host)) {
         host.log.info("engine: " + describe(settings));
         host.log.info("plan: " + describe(plan_));
-        host.log.info("engine memory: at most " +
-                      std::to_string((loop_.statistics().memory_bound_bytes >> 20) + 1) + " MiB");
+        host.log.info("engine memory: its settings bound it by " +
+                      std::to_string((loop_.statistics().memory_bound_bytes >> 20) + 1) +
+                      " MiB, whatever the scene makes of them");
         log_skipped(plan_.needs, host.log);
     }
 
@@ -29,6 +30,11 @@ class Engine::State {
     }
 
   private:
+    static Plan planned(const Host& host, const Settings& settings) {
+        Plan plan = make_plan(host.scene, settings);
+        plan.fit_to(host.film);
+        return plan;
+    }
     PassLoop make_loop(const Host& host) {
         const std::uint32_t eye_paths = eye_paths_per_pass(
             plan_.settings(), std::uint64_t{host.film.width()} * host.film.height());

@@ -7,13 +7,8 @@ namespace aips {
 LightStrategies make_strategies(const Host& host, Plan& plan, std::uint32_t eye_paths) {
     LightStrategies strategies;
     strategies.push_back(std::make_unique<PhotonStrategy>(host, plan, eye_paths));
-    if (!plan.settings().guide_lamps) return strategies;
-    const std::string reason = plan.why_no_lamp_paths(host.film, eye_paths);
-    if (reason.empty()) {
+    if (plan.settings().guide_lamps)
         strategies.push_back(std::make_unique<LampStrategy>(host, eye_paths));
-    } else {
-        host.log.info("skipped lamp paths: " + reason);
-    }
     return strategies;
 }
 

@@ -30,6 +30,7 @@ struct RenderSession {
     std::unique_ptr<Film> no_film;  ///< what the integrator is given by a rank that helps
     std::unique_ptr<Integrator> integrator;
     std::string integrator_name;
+    std::optional<std::uint32_t> implied_material;  ///< as SceneContents has it
     std::uint64_t seed = 0;
     OutputFiles files;
     PhaseTimes times;

@@ -69,6 +69,9 @@ class FileFilm : public Film {
     /// Names that SeenSurface tells objects and materials by; before the first pass.
     virtual void set_names(std::span<const std::string> objects,
                            std::span<const std::string> materials) = 0;
+    /// Whether the camera is not to see lights at infinity, as the film has an alpha channel in
+    /// their place.
+    virtual bool hides_background() const = 0;
     /// From now on the PNG is brighter by this many stops (factors of 2), whatever the kernel.
     virtual void set_exposure(double stops) = 0;
     /// The mean image over passes and light groups: width * height, row by row, linear radiance.
@@ -76,7 +79,10 @@ class FileFilm : public Film {
     /// Likewise, denoised (see denoise.h); empty if that wasn't asked for, or before the fourth
     /// pass. Takes some 15 us of processor time a pixel.
     virtual std::vector<Rgb> denoised() const = 0;
-    /// The image as the PNG shows it: 8 bits of red, green and blue per pixel.
+    /// The image as it is to be displayed: where the filter's negative lobes have made a ring
+    /// beside what is bright, what its central lobe alone shows.
+    virtual std::vector<Rgb> shown() const = 0;
+    /// That as the PNG has it: 8 bits of red, green and blue per pixel.
     virtual std::vector<std::uint8_t> tone_mapped() const = 0;
     virtual std::string_view tone_map_kernel() const = 0;  ///< as the Film statement names it
     /// Names of the layers that it has so far beside the image, as the EXR names them: of light
@@ -90,8 +96,8 @@ class FileFilm : public Film {
     /// renamed; throws std::runtime_error with the path and the cause, leaving an older file whole.
     virtual void write_exr(const std::string& path, const ImageMetadata& metadata,
                            std::span<const Rgb> denoised = {}) const = 0;
-    /// Writes the tonemapped 8-bit sRGB image, or that of `denoised` if there is one; written
-    /// beside and renamed likewise.
+    /// Writes the tonemapped 8-bit sRGB image of what is shown, or of `denoised` if there is one,
+    /// likewise without rings; written beside and renamed likewise.
     virtual void write_png(const std::string& path, std::span<const Rgb> denoised = {}) const = 0;
 };
 

@@ -70,6 +70,7 @@ struct LightDescription {
     Matrix to_world;
     std::uint32_t group = 0;
     std::shared_ptr<const Medium> medium;  ///< Exterior in force: photons start in it
+    bool hidden = false;                   ///< the camera does not see it, whatever the scene says
 };
 
 /// Plugin choice of one option statement (Camera, Film, Sampler, ...).
@@ -91,6 +92,8 @@ struct SceneContents {
     std::vector<SceneMedium> media;         ///< all that were named
     std::vector<std::string> light_groups;  ///< at least "default"
     std::vector<std::string> material_names;
+    /// Of these, the matte that shapes without a Material have, if there are such shapes.
+    std::optional<std::uint32_t> implied_material;
     std::shared_ptr<const Medium> camera_medium;  ///< Exterior in force at WorldEnd
     std::string directory;  ///< of the main scene file: asset names resolve against it
     SourceLocation end;     ///< of WorldEnd, for messages about what is missing

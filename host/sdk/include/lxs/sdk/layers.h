@@ -18,13 +18,14 @@ struct LayersWanted {
     bool depth = false;
     bool objects = false;    ///< masks of them
     bool materials = false;  ///< likewise
+    bool alpha = false;      ///< the part of each pixel that surfaces cover
     bool bias = false;       ///< whether Film::add_bias is to be called with each pass
 
     bool operator==(const LayersWanted&) const = default;
     /// Whether Film::add_parts is to be called with each pass.
     bool parts() const { return direct || indirect || caustics; }
     /// Whether Film::add_surfaces is to be called with each pass.
-    bool surfaces() const { return albedo || normal || depth || objects || materials; }
+    bool surfaces() const { return albedo || normal || depth || objects || materials || alpha; }
 };
 
 /// Parts that the image is the sum of, by the scatterings of a light path that are diffuse, glossy

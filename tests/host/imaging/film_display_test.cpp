@@ -1,0 +1,176 @@
+// Protects what is displayed: no dark dots beside what is bright, whatever brings the light there;
+// the image itself stays as measured, and what is no ring is shown as it is.
+#include "film_display.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "film_samples.h"
+#include "memory_archive.h"
+#include "run_on_threads.h"
+
+namespace lxs::test::film_display_test {
+namespace {
+
+constexpr int kSize = 24, kPasses = 8;
+constexpr float kGround = 0.1f, kHighlight = 1000;
+
+std::unique_ptr<FileFilm> film(const std::string& filter, std::vector<std::string> groups = {}) {
+    SceneContents contents = scene_of_size(kSize, kSize);
+    set_option(contents, "PixelFilter", filter, {});
+    if (!groups.empty()) contents.light_groups = std::move(groups);
+    return make(contents);
+}
+
+bool in_highlight(const Vec2& p) {
+    return std::abs(p.x - 12.3f) < 0.4f && std::abs(p.y - 11.8f) < 0.4f;
+}
+
+/// What brings the highlight.
+enum class Bringer : std::uint8_t { Samples, SecondPart, Splats, OneGroup };
+
+/// Passes over an even ground with a highlight of less than a pixel.
+void render(FileFilm& film, Bringer bringer, bool wavelengths = false) {
+    for (unsigned pass = 0; pass < kPasses; ++pass) {
+        if (wavelengths) film.set_wavelengths(wavelengths_of_pass(3, pass));
+        const std::uint32_t groups = film.light_groups();
+        Samples samples = random_samples(film, std::size_t{16} * kSize * kSize, pass,
+                                         [&](float) { return Rgb(kGround); });
+        std::vector<Rgb> bright(samples.radiance.size(), Rgb(0.0f));
+        for (std::size_t i = 0; i < samples.positions.size(); ++i) {
+            if (in_highlight(samples.positions[i]))
+                bright[i * groups + groups - 1] = Rgb(kHighlight);
+        }
+        PassSamples brought = samples.pass(1, groups);
+        if (bringer == Bringer::SecondPart) brought.second_radiance = bright;
+        if (bringer == Bringer::Splats) {
+            film.add_splats(
+                {samples.positions, bright, groups, static_cast<double>(samples.positions.size())});
+        } else if (bringer != Bringer::SecondPart) {
+            for (std::size_t i = 0; i < bright.size(); ++i)
+                samples.radiance[i] += bright[i];
+        }
+        film.add_pass(brought);
+    }
+}
+
+float least_green(const std::vector<Rgb>& image) {
+    return std::min_element(image.begin(), image.end(),
+                            [](const Rgb& a, const Rgb& b) { return a.y < b.y; })
+        ->y;
+}
+
+TEST(FilmDisplay, HasNoRingsAroundHighlights) {
+    for (const char* filter : {"mitchell", "catmullrom", "sinc"}) {
+        for (const Bringer bringer : {Bringer::Samples, Bringer::SecondPart, Bringer::Splats}) {
+            SCOPED_TRACE(std::string(filter) + " " + std::to_string(static_cast<int>(bringer)));
+            const auto shown = film(filter);
+            render(*shown, bringer);
+            EXPECT_EQ(least_green(shown->image()), 0) << "what was measured has them";
+            EXPECT_GT(least_green(shown->shown()), 0.7f * kGround);
+        }
+        const auto grouped = film(filter, {"one", "two"});
+        render(*grouped, Bringer::OneGroup);
+        EXPECT_EQ(least_green(grouped->image()), 0);
+        EXPECT_GT(least_green(grouped->shown()), 0.7f * 2 * kGround);
+        const auto spectral = film(filter);
+        render(*spectral, Bringer::Splats, true);
+        EXPECT_EQ(least_green(spectral->image()), 0);
+        EXPECT_GT(least_green(spectral->shown()), 0.5f * kGround);
+    }
+}
+
+TEST(FilmDisplay, ShowsWhatWasMeasuredElsewhere) {
+    for (const char* filter : {"mitchell", "box", "gaussian"}) {
+        const auto even = film(filter);
+        even->add_pass(random_samples(*even, std::size_t{32} * kSize * kSize, 5, [](float u) {
+                           return Rgb(0.8f + 0.4f * u);
+                       }).pass());
+        EXPECT_EQ(even->shown(), even->image()) << filter;
+    }
+    const auto bright = film("mitchell");
+    render(*bright, Bringer::Samples);
+    const auto measured = bright->image(), shown = bright->shown();
+    for (std::uint32_t y = 0; y < kSize; ++y) {
+        for (std::uint32_t x = 0; x < kSize; ++x) {
+            const std::size_t i = std::size_t{y} * kSize + x;
+            EXPECT_GE(shown[i].x, measured[i].x) << "at no pixel's cost";
+            if (std::max(std::abs(int(x) - 12), std::abs(int(y) - 11)) > 3) {
+                EXPECT_NEAR(shown[i].x, measured[i].x, 0.3f * kGround) << x << " " << y;
+            }
+        }
+    }
+}
+
+// A ring may be filled, a line may not be: its own samples are dark.
+TEST(FilmDisplay, DarkLinesStayDark) {
+    const auto lined = film("mitchell");
+    Samples samples =
+        random_samples(*lined, std::size_t{64} * kSize * kSize, 9, [](float) { return Rgb(1.0f); });
+    for (std::size_t i = 0; i < samples.positions.size(); ++i) {
+        if (std::floor(samples.positions[i].x) == 12) samples.radiance[i] = Rgb(0.01f);
+    }
+    lined->add_pass(samples.pass());
+    const auto shown = lined->shown();
+    for (std::size_t y = 4; y < 20; ++y)
+        EXPECT_LT(shown[y * kSize + 12].x, 0.3f);
+}
+
+TEST(FilmDisplay, DenoisedImagesAreMadeNoDarker) {
+    std::vector<Rgb> denoised{Rgb(0.0f), Rgb(0.2f), Rgb(3.0f), Rgb(0.9f)};
+    const std::vector<Rgb> image{Rgb(0.0f), Rgb(0.6f), Rgb(0.0f), Rgb(0.9f)};
+    const std::vector<Rgb> lobe_free(4, Rgb(1.0f));
+    show_without_lobes(denoised, image, lobe_free);
+    EXPECT_EQ(denoised[0].x, 1.0f);
+    EXPECT_NEAR(denoised[1].x, 0.68f, 1e-6f) << "three fifths of the way";
+    EXPECT_EQ(denoised[2].x, 3.0f);
+    EXPECT_EQ(denoised[3].x, 0.9f) << "no ring";
+}
+
+TEST(FilmDisplay, SurvivesAPauseAndAnyNumberOfThreads) {
+    const auto rendered = [](unsigned threads) {
+        auto result = film("mitchell");
+        concurrency::run_on(threads, [&] {
+            render(*result, Bringer::Splats);
+            render(*result, Bringer::SecondPart);
+            return 0;
+        });
+        return result;
+    };
+    const auto whole = rendered(1);
+    EXPECT_EQ(rendered(7)->shown(), whole->shown());
+    MemoryArchive archive;
+    const auto first = film("mitchell");
+    render(*first, Bringer::Splats);
+    first->state(archive);
+    archive.restore();
+    const auto second = film("mitchell");
+    render(*second, Bringer::Samples);  // is forgotten
+    second->state(archive);
+    render(*second, Bringer::SecondPart);
+    EXPECT_EQ(second->shown(), whole->shown());
+}
+
+TEST(FilmDisplay, KeepsTheFiltersCentralLobe) {
+    for (const char* name : {"mitchell", "catmullrom", "sinc", "gaussian"}) {
+        SceneContents contents = empty_scene();
+        set_option(contents, "PixelFilter", name, {real("xwidth", 3), real("ywidth", 2)});
+        RecordedDiagnostics diagnostics;
+        const PixelFilter filter = make_pixel_filter(contents, diagnostics);
+        const PixelFilter lobe = filter.central_lobe();
+        EXPECT_LE(lobe.radius_x(), filter.radius_x());
+        EXPECT_FALSE(lobe.has_negative_weights());
+        double sum = 0;
+        for (int x = -3; x <= 3; ++x) {
+            for (int y = -3; y <= 3; ++y)
+                sum += double{
+                    lobe.weight(static_cast<float>(x) + 0.31f, static_cast<float>(y) - 0.17f)};
+        }
+        EXPECT_NEAR(sum, 1, 1e-5) << name;
+        EXPECT_GT(lobe.weight(0, 0), 0) << name;
+    }
+}
+
+}  // namespace
+}  // namespace lxs::test::film_display_test

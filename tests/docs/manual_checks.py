@@ -203,6 +203,40 @@ def notebook(manual):
         yield 'docs/notebook/index.md: not current: run scripts/notebook-index'
 
 
+def tables_of(text):
+    """The tables of a page: of each, a dictionary from the first cell of a row, without emphasis
+    and what stands behind a comma, to those by column."""
+    rows = [[cell.strip(' *\\') for cell in line.strip().strip('|').split('|')]
+            if line.startswith('|') else None for line in text.split('\n')]
+    tables, head = [], None
+    for row in rows:
+        if row is None:
+            head = None
+        elif head is None:
+            head = row
+            tables.append({})
+        elif set(''.join(row)) - set('-: '):
+            tables[-1][row[0].split(',')[0]] = dict(zip(head[1:], row[1:]))
+    return tables
+
+
+def figures(manual):
+    """Every figure of README.md's table is the one of its scene and method in the first table of
+    docs/measured/results.md."""
+    results = manual.pages.get(manual.docs / 'measured/results.md')
+    readme = manual.all_pages.get(manual.root / 'README.md')
+    measured = (tables_of(results.text) if results else []) or [{}]
+    for table in tables_of(readme.text) if readme else []:
+        for scene, cells in table.items():
+            for method, figure in cells.items():
+                if method not in ('path', 'sppm', 'aips'):
+                    continue
+                known = measured[0].get(scene, {}).get(method)
+                if figure != known:
+                    yield (f'README.md: {scene}, {method}: {figure}, but {known} in '
+                           'docs/measured/results.md')
+
+
 CHECKS = {check.__name__: check
           for check in (links, reach, length, titles, diary, leftovers, commands, changing,
-                        named, notebook)}
+                        named, notebook, figures)}

@@ -16,7 +16,8 @@ from manual_pages import notebook_index, slug  # noqa: E402
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 
 HEALTHY = {
-    'README.md': '# It\n\n[the manual](docs/index.md)\n',
+    'README.md': '# It\n\n[the manual](docs/index.md)\n\n| scene | sppm |\n| --- | --- |\n'
+                 '| ball, big | **0.2** |\n',
     'scenes/README.md': '# Scenes\n\n![ball](../docs/images/ball.png)\n',
     'docs/images/ball.png': '',
     'docs/index.md': '# Manual\n\n[light](understand/light.md#what--where-it-is), '
@@ -63,6 +64,10 @@ PLANTED = [
     ('changing', 'docs/build-on/changing.md', '# C\n`tests/NAME_test.cpp`', 'tests/NAME_test.cpp'),
     ('changing', 'docs/build-on/changing.md', None, 'changing.md: there is no such page'),
     ('named', 'host/it.h', '// (docs/it.md)', 'host/it.h:1: docs/it.md: there is no such page'),
+    ('figures', 'README.md', '| scene | sppm |\n| --- | --- |\n| ball, big | **0.1** |\n',
+     'README.md: ball, sppm: 0.1, but 0.2 in docs/measured/results.md'),
+    ('figures', 'README.md', '| scene | path |\n| --- | --- |\n| cube | 0.1 |\n',
+     'README.md: cube, path: 0.1, but None in'),
     ('notebook', 'docs/notebook/2026-01-03-again.md', '# Again', 'index.md: not current'),
     ('notebook', 'docs/notebook/index.md', None, 'index.md: not current'),
 ]
@@ -86,7 +91,10 @@ def faults_with(name, planted):
         (root / 'lxsrender').chmod(0o755)
         write(root, {'docs/notebook/index.md': notebook_index(root / 'docs/notebook')})
         (root / 'docs/measured').mkdir()
-        write(root, {'docs/measured/index.md': '# Measured\n\n[notes](../notebook/index.md)\n',
+        write(root, {'docs/measured/index.md': '# Measured\n\n[notes](../notebook/index.md)\n'
+                                               '[results](results.md)\n',
+                     'docs/measured/results.md': '# R\n\n| scene | sppm |\n| --- | --- |\n'
+                                                 '| ball \\* | 0.2 |\n',
                      'docs/index.md': HEALTHY['docs/index.md'] + '[m](measured/index.md)\n'})
         write(root, planted)
         return list(CHECKS[name](Manual(root, root / 'lxsrender')))

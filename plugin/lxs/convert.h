@@ -1,6 +1,9 @@
 // Conversions between the engine's and the host's vocabulary types.
 #pragma once
 
+#include <bit>
+#include <cstdint>
+
 #include "aips/adapter/layers.h"
 #include "aips/adapter/scene.h"
 #include "lxs/sdk/layers.h"
@@ -27,8 +30,16 @@ inline lxs::Transport to(Transport t) {
     return t == Transport::Radiance ? lxs::Transport::Radiance : lxs::Transport::Power;
 }
 
+/// The engine's mark of what a ray is in: the host's list of media. Empty, it is null: vacuum.
+inline const void* mark_of(const lxs::EnteredMedia& media) {
+    return std::bit_cast<const void*>(media.bits());
+}
+inline lxs::EnteredMedia media_of(const void* mark) {
+    return lxs::EnteredMedia::from_bits(std::bit_cast<std::uint64_t>(mark));
+}
+
 inline Ray from(const lxs::Ray& ray) {
-    return {from(ray.origin), from(ray.direction), ray.time, ray.medium, ray.component};
+    return {from(ray.origin), from(ray.direction), ray.time, mark_of(ray.media), ray.component};
 }
 inline lxs::Ray to(const Ray& ray) {
     lxs::Ray r;
@@ -36,7 +47,7 @@ inline lxs::Ray to(const Ray& ray) {
     r.direction = to(ray.direction);
     r.time = ray.time;
     r.component = ray.component;
-    r.medium = static_cast<const lxs::Medium*>(ray.medium);
+    r.media = media_of(ray.medium);
     return r;
 }
 
@@ -60,8 +71,8 @@ inline lxs::SurfaceHit to_hit(const SurfacePoint& point) {
     hit.p = to(point.position);
     hit.p_error = to(point.position_error);
     hit.ng = to(point.geometric_normal);
-    hit.interior = static_cast<const lxs::Medium*>(point.interior);
-    hit.exterior = static_cast<const lxs::Medium*>(point.exterior);
+    hit.interior = media_of(point.interior);
+    hit.exterior = media_of(point.exterior);
     return hit;
 }
 

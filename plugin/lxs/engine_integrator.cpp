@@ -111,6 +111,7 @@ lxs::RenderAccount EngineIntegrator::account() const {
     account.eye_paths = s.account.eye_paths;
     account.cut_eye_paths = s.account.cut_eye_paths;
     account.radius = double(s.radius);
+    account.without_photons = settings_.store_glossy ? lxs::LobeMask{0} : lxs::kGlossy;
     account.skipped = s.account.skipped;
     account.seconds = {{"eye paths", s.eye_seconds},
                        {"photon paths", s.photon_seconds},

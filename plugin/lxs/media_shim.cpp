@@ -8,17 +8,15 @@
 namespace aips::shim {
 namespace {
 
-/// The engine's marks of media are the host's media.
-const lxs::Medium& medium_of(const void* mark) {
-    return *static_cast<const lxs::Medium*>(mark);
-}
-
 class MediaShim final : public Media {
   public:
     explicit MediaShim(const lxs::Scene& scene) : scene_(scene) {}
 
     bool scatters(const void* medium) const override {
         return medium && medium_of(medium).scatters();
+    }
+    const void* alone(const void* medium) const override {
+        return mark_of(lxs::EnteredMedia().entered(media_of(medium).innermost()));
     }
     Rgb extinction(const void* medium) const override {
         return from(medium_of(medium).extinction());
@@ -41,10 +39,13 @@ class MediaShim final : public Media {
     Rgb visibility(const void* medium, Vec3 origin, const DirectSample& light,
                    float time) const override {
         return from(scene_.transmittance(
-            lxs::shadow_ray_from_medium(to(origin), to(light), time, &medium_of(medium))));
+            lxs::shadow_ray_from_medium(to(origin), to(light), time, media_of(medium))));
     }
 
   private:
+    /// That a ray with this mark, which is none of vacuum, travels in.
+    const lxs::Medium& medium_of(const void* mark) const { return *scene_.medium(media_of(mark)); }
+
     const lxs::Scene& scene_;
 };
 

@@ -188,6 +188,7 @@ bool SceneShim::take(bool met, const lxs::SurfaceHit& hit, SurfacePoint& point,
                      std::pmr::memory_resource& memory) const {
     point.distance = hit.distance;
     point.transmittance = from(hit.transmittance);
+    point.crossed = mark_of(hit.crossed);
     if (!met) return false;
     point.position = from(hit.p);
     point.geometric_normal = from(hit.ng);
@@ -198,8 +199,8 @@ bool SceneShim::take(bool met, const lxs::SurfaceHit& hit, SurfacePoint& point,
     point.object = hit.object;
     point.primitive = hit.primitive;
     point.position_error = from(hit.p_error);
-    point.interior = hit.interior;
-    point.exterior = hit.exterior;
+    point.interior = mark_of(hit.interior);
+    point.exterior = mark_of(hit.exterior);
     if (hit.bsdf) point.bsdf = shim(hit, memory);
     return true;
 }

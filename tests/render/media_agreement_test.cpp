@@ -1,5 +1,6 @@
 // Protects: a lamp in a box of fog looks the same by `path`, whose free flights are tested
-// against closed forms, and by photons with the beam estimate: on the fog and on the walls.
+// against closed forms, and by photons with the beam estimate: on the fog and on the walls. And
+// both take rays to be in the same media where statements leave out what is around a body.
 #include <gtest/gtest.h>
 
 #include <string>
@@ -64,6 +65,103 @@ TEST(MediaAgreement, LampInABoxOfFog) {
             << "directlightsampling " << strategy << ": " << same.describe();
         EXPECT_LT(same.detectable, statistics::sized(0.06, 0.04)) << same.describe();
     }
+}
+
+constexpr const char* kFilm = R"(PixelFilter "box" "float xwidth" [0.5] "float ywidth" [0.5]
+Film "fleximage" "integer xresolution" [16] "integer yresolution" [16]
+)";
+
+/// Open water over a ground that names no medium, with a ball half in it, under a wide lamp.
+std::string open_pool() {
+    return std::string(kFilm) + R"(LookAt 0 -4 3  0 0 -0.5  0 0 1
+Camera "perspective" "float fov" [40]
+WorldBegin
+MakeNamedVolume "water" "clear" "float fresnel" [1.33] "color absorption" [0.5 0.15 0.08]
+AttributeBegin
+Material "glass2"
+Interior "water"
+Shape "trianglemesh" "integer indices" [0 1 2 0 2 3] "point P" [-2 -2 0  2 -2 0  2 2 0  -2 2 0]
+AttributeEnd
+Material "matte" "color Kd" [0.6 0.6 0.6]
+Shape "trianglemesh" "integer indices" [0 1 2 0 2 3] "point P" [-2 -2 -1  2 -2 -1  2 2 -1  -2 2 -1]
+AttributeBegin
+Translate 0.5 0.2 0
+Shape "sphere" "float radius" [0.5]
+AttributeEnd
+AreaLightSource "area" "color L" [3 3 3]
+Shape "trianglemesh" "integer indices" [0 2 1 0 3 2] "point P" [-4 -4 5  4 -4 5  4 4 5  -4 4 5]
+WorldEnd
+)";
+}
+
+/// A lamp in water in glass, none of which names what is around it.
+std::string lamp_in_a_vessel() {
+    return std::string(kFilm) + R"(LookAt 0 -4 0.6  0 0 -0.2  0 0 1
+Camera "perspective" "float fov" [45]
+WorldBegin
+MakeNamedVolume "glass" "clear" "float fresnel" [1.5] "color absorption" [0.2 0.5 0.3]
+MakeNamedVolume "water" "clear" "float fresnel" [1.33] "color absorption" [0.6 0.2 0.1]
+AttributeBegin
+Material "glass2"
+Interior "glass"
+Shape "sphere" "float radius" [1]
+Interior "water"
+Shape "sphere" "float radius" [0.85]
+AttributeEnd
+AttributeBegin
+AreaLightSource "area" "color L" [3 3 3]
+Material "matte" "color Kd" [0.5 0.5 0.5]
+Shape "sphere" "float radius" [0.35]
+AttributeEnd
+Material "matte" "color Kd" [0.6 0.6 0.6]
+Shape "trianglemesh" "integer indices" [0 1 2 0 2 3] "point P" [-3 -5 -1.2  3 -5 -1.2  3 3 -1.2  -3 3 -1.2]
+Shape "trianglemesh" "integer indices" [0 1 2 0 2 3] "point P" [-3 3 -1.2  3 3 -1.2  3 3 3  -3 3 3]
+WorldEnd
+)";
+}
+
+/// The fog of LampInABoxOfFog as the inside of a ball around everything, the camera too.
+std::string ball_of_fog(const render::Folder& folder) {
+    std::string text = folder.read(fog_box(folder).filename());
+    const std::string statement = "Exterior \"fog\"\n";
+    return text.replace(text.find(statement), statement.size(),
+                        "AttributeBegin\nInterior \"fog\"\nMaterial \"null\"\n"
+                        "Shape \"sphere\" \"float radius\" [3]\nAttributeEnd\n");
+}
+
+/// `allowed`: a known relative bias of photons.
+void expect_agreement(const std::string& scene, const std::string& path_options,
+                      const std::string& photon_options, double allowed) {
+    const render::Folder folder;
+    const auto file = folder.write("scene.lxs", scene);
+    const auto path = render::seeded_block_means(
+        file, "--integrator path --set path.maxdepth=32 --passes " + path_options, folder,
+        {.first = 1, .count = seeds()}, kBlock);
+    const auto photons = render::seeded_block_means(
+        file,
+        "--integrator aips --set aips.maxphotondepth=32 --set aips.maxeyedepth=32 --passes " +
+            photon_options,
+        folder, {.first = 100, .count = seeds()}, kBlock);
+    const auto same = statistics::compare(path, photons, 0.01, allowed);
+    EXPECT_FALSE(same.differs()) << same.describe();
+    EXPECT_NEAR(same.mean_ratio, 1, allowed + 2 * same.standard_error) << same.describe();
+    EXPECT_LT(same.standard_error, 0.005) << same.describe();
+}
+
+TEST(MediaAgreement, OpenWaterOverAGroundWithoutExterior) {
+    expect_agreement(open_pool(), "1500", "24", 0.005);
+}
+
+TEST(MediaAgreement, LampInAVesselWithoutExterior) {
+    expect_agreement(lamp_in_a_vessel(), "800", "24", 0.005);
+}
+
+TEST(MediaAgreement, CameraAndLampInFogWithoutExterior) {
+    const render::Folder folder;
+    expect_agreement(ball_of_fog(folder), "60",
+                     "6 --set aips.guide=none --set aips.startradius=0.7 "
+                     "--set aips.photonperpass=100000",
+                     0.01);
 }
 
 }  // namespace

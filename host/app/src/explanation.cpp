@@ -112,6 +112,15 @@ std::string material_table(const RenderSession& session, const RenderAccount& ac
     return text + rest_of(names.size(), "materials");
 }
 
+std::string media_list(const RenderSession& session) {
+    const std::vector<std::string> notes = session.scene->media_notes();
+    if (notes.empty()) return {};
+    std::string text = "media:\n";
+    for (const std::string& note : notes)
+        text += fmt::format("  {}\n", note);
+    return text;
+}
+
 std::string times(const RenderSession& session, const RenderAccount& account) {
     std::string text = "seconds:";
     for (const auto& [phase, seconds] : session.times)
@@ -159,6 +168,7 @@ std::string explanation(const RenderSession& session, const RenderAccount& accou
     } else {
         text += fmt::format("photons: \"{}\" shot none\n", session.integrator_name);
     }
+    text += media_list(session);
     for (const std::string& skipped : account.skipped)
         text += fmt::format("left out {}\n", skipped);
     return text + times(session, account);

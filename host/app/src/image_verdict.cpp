@@ -8,7 +8,8 @@
 #include <memory_resource>
 #include <numbers>
 
-#include "lxs/sdk/offset_origin.h"
+#include "lxs/sdk/rays.h"
+#include "lxs/sdk/warp.h"
 
 namespace lxs {
 namespace {
@@ -97,16 +98,7 @@ class Survey {
         if (!light.sample_direct(hit.p, hit.ng, u, sample) || !(sample.pdf > 0)) return;
         ++tried_;
         if (is_black(sample.radiance) || !may_scatter(hit, wo, sample.wi)) return;
-        Ray ray;
-        ray.origin = offset_origin(hit.p, hit.p_error, hit.ng, sample.wi);
-        ray.direction = sample.wi;
-        ray.time = time_;
-        ray.medium = sample.wi.dot(hit.ng) > 0 ? hit.exterior : hit.interior;
-        if (std::isfinite(sample.distance)) {
-            const Vec3 segment = sample.segment_end - ray.origin;
-            ray.t_max = segment.length();
-            ray.direction = segment.normalized();
-        }
+        const Ray ray = shadow_ray(hit, sample, time_);
         if (max_component(scene_.transmittance(ray)) > 0) {
             ++reached_;
         } else {
@@ -142,14 +134,9 @@ class Survey {
     bool is_enclosed() const {
         constexpr int kDirections = 256;
         for (int i = 0; i < kDirections; ++i) {
-            // Points of a spiral over the sphere, evenly dense.
-            const double z = 1 - (2 * i + 1.0) / kDirections;
-            const double phi = i * std::numbers::pi * (3 - std::sqrt(5.0));
-            const double r = std::sqrt(1 - z * z);
             Ray ray;
             ray.origin = origin_;
-            ray.direction = Vec3(static_cast<float>(r * std::cos(phi)),
-                                 static_cast<float>(r * std::sin(phi)), static_cast<float>(z));
+            ray.direction = direction_on_sphere(i, kDirections);
             ray.time = time_;
             if (!meet(scene_, ray, [](const SurfaceHit&) {})) return false;
         }

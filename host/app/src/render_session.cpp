@@ -282,6 +282,7 @@ RenderSession prepare(const CommandLine& command, const PluginLibrary& plugins,
     if (session.spectral) begin_spectral_pass(session, 0);
     session.film->set_names(session.scene->object_names(), session.scene->material_names());
     session.camera->focus(*session.scene);
+    session.camera->set_media(session.scene->camera_media());
     return session;
 }
 

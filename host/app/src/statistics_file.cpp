@@ -117,6 +117,7 @@ Json account_of(const RenderSession& session, const RenderAccount& account) {
         materials[names[i]] = of_material(account.materials[i]);
     json["eye paths"] = account.eye_paths;
     json["eye paths ended by depth"] = account.cut_eye_paths;
+    json["media"] = session.scene->media_notes();
     json["left out"] = account.skipped;
     for (const auto& [stage, seconds] : account.seconds)
         json["seconds"][stage] = seconds;

@@ -38,7 +38,7 @@ class Screen {
 /// What all cameras share: the frame of camera space in the world, depths, shutter, medium.
 class LensCamera : public SceneCamera {
   public:
-    LensCamera(const CameraSettings& settings, const FilmFrame& frame, const Medium* medium)
+    LensCamera(const CameraSettings& settings, const FilmFrame& frame)
         : settings_(settings),
           x_axis_(axis(settings.to_world, 0)),
           y_axis_(axis(settings.to_world, 1)),
@@ -46,13 +46,13 @@ class LensCamera : public SceneCamera {
           position_(axis(settings.to_world, 3)),
           forward_(z_axis_.normalized()),
           middle_(0.5f * static_cast<float>(frame.x_resolution) - static_cast<float>(frame.x),
-                  0.5f * static_cast<float>(frame.y_resolution) - static_cast<float>(frame.y)),
-          medium_(medium) {}
+                  0.5f * static_cast<float>(frame.y_resolution) - static_cast<float>(frame.y)) {}
 
     float shutter_open() const override { return settings_.shutter_open; }
     float shutter_close() const override { return settings_.shutter_close; }
     double focal_distance() const override { return settings_.focal_distance; }
     bool has_lens() const override { return settings_.lens_radius != 0; }
+    void set_media(const EnteredMedia& media) override { media_ = media; }
 
     void focus(const Scene& scene) override {
         if (!settings_.autofocus) return;
@@ -84,7 +84,7 @@ class LensCamera : public SceneCamera {
         result.ray.origin = Vec3(origin + step * settings_.hither);
         result.ray.direction = Vec3(step / length);
         result.ray.time = time;
-        result.ray.medium = medium_;
+        result.ray.media = media_;
         if (settings_.yon < 1e30) {
             result.ray.t_max = static_cast<float>((settings_.yon - settings_.hither) * length);
         }
@@ -108,13 +108,13 @@ class LensCamera : public SceneCamera {
     Vec3d x_axis_, y_axis_, z_axis_, position_;
     Vec3d forward_;  ///< the camera's axis, unit
     Vec2 middle_;    ///< of the whole image, pixels of the window
-    const Medium* medium_;
+    EnteredMedia media_;
 };
 
 class PerspectiveCamera final : public LensCamera {
   public:
-    PerspectiveCamera(const CameraSettings& settings, const FilmFrame& frame, const Medium* medium)
-        : LensCamera(settings, frame, medium),
+    PerspectiveCamera(const CameraSettings& settings, const FilmFrame& frame)
+        : LensCamera(settings, frame),
           screen_(settings, frame),
           tangent_(std::tan(settings.fov / 360 * std::numbers::pi)),
           pixel_volume_(screen_.pixel_area() * tangent_ * tangent_ *
@@ -145,8 +145,8 @@ class PerspectiveCamera final : public LensCamera {
 
 class OrthographicCamera final : public LensCamera {
   public:
-    OrthographicCamera(const CameraSettings& settings, const FilmFrame& frame, const Medium* medium)
-        : LensCamera(settings, frame, medium),
+    OrthographicCamera(const CameraSettings& settings, const FilmFrame& frame)
+        : LensCamera(settings, frame),
           screen_(settings, frame),
           pixel_volume_(screen_.pixel_area() * std::abs(x_axis().cross(y_axis()).dot(z_axis()))) {}
 
@@ -170,8 +170,8 @@ class OrthographicCamera final : public LensCamera {
 /// Longitude to the right over the image's width, its centre forward; latitude from +y (top) to -y.
 class EnvironmentCamera final : public LensCamera {
   public:
-    EnvironmentCamera(const CameraSettings& settings, const FilmFrame& frame, const Medium* medium)
-        : LensCamera(settings, frame, medium),
+    EnvironmentCamera(const CameraSettings& settings, const FilmFrame& frame)
+        : LensCamera(settings, frame),
           frame_(frame),
           longitude_step_(2 * std::numbers::pi / frame.x_resolution),
           latitude_step_(std::numbers::pi / frame.y_resolution) {}
@@ -200,40 +200,41 @@ class EnvironmentCamera final : public LensCamera {
 };
 
 std::unique_ptr<SceneCamera> make_still_camera(const CameraSettings& settings,
-                                               const FilmFrame& frame, const Medium* medium) {
+                                               const FilmFrame& frame) {
     switch (settings.projection) {
         case Projection::Orthographic:
-            return std::make_unique<OrthographicCamera>(settings, frame, medium);
+            return std::make_unique<OrthographicCamera>(settings, frame);
         case Projection::Environment:
-            return std::make_unique<EnvironmentCamera>(settings, frame, medium);
+            return std::make_unique<EnvironmentCamera>(settings, frame);
         case Projection::Perspective:
             break;
     }
-    return std::make_unique<PerspectiveCamera>(settings, frame, medium);
+    return std::make_unique<PerspectiveCamera>(settings, frame);
 }
 
 /// A camera that stands in its own space, and that space's way through the world.
 class MovingCamera final : public SceneCamera {
   public:
-    MovingCamera(const CameraSettings& settings, const FilmFrame& frame, const Medium* medium)
-        : settings_(settings), frame_(frame), medium_(medium), path_(settings.motion) {
+    MovingCamera(const CameraSettings& settings, const FilmFrame& frame)
+        : settings_(settings), frame_(frame), path_(settings.motion) {
         settings_.to_world = Matrix();
-        camera_ = make_still_camera(settings_, frame_, medium_);
+        camera_ = make_still_camera(settings_, frame_);
     }
 
     float shutter_open() const override { return camera_->shutter_open(); }
     float shutter_close() const override { return camera_->shutter_close(); }
     double focal_distance() const override { return camera_->focal_distance(); }
     bool has_lens() const override { return camera_->has_lens(); }
+    void set_media(const EnteredMedia& media) override { camera_->set_media(media); }
 
     /// Where the camera stands when the shutter opens.
     void focus(const Scene& scene) override {
         CameraSettings opening = settings_;
         opening.to_world = path_.at(shutter_open());
-        const auto still = make_still_camera(opening, frame_, medium_);
+        const auto still = make_still_camera(opening, frame_);
         still->focus(scene);
         settings_.focal_distance = still->focal_distance();
-        camera_ = make_still_camera(settings_, frame_, medium_);
+        camera_ = make_still_camera(settings_, frame_);
     }
 
     CameraRay generate(const CameraSample& sample, float time) const override {
@@ -254,7 +255,6 @@ class MovingCamera final : public SceneCamera {
   private:
     CameraSettings settings_;
     FilmFrame frame_;
-    const Medium* medium_;
     MotionPath path_;
     std::unique_ptr<SceneCamera> camera_;
 };
@@ -267,9 +267,8 @@ std::unique_ptr<SceneCamera> make_camera(const SceneContents& contents, const Fi
     frame.width = film.width();
     frame.height = film.height();
     const CameraSettings settings = read_camera_settings(contents, frame, diagnostics);
-    const Medium* medium = contents.camera_medium.get();
-    if (settings.motion.empty()) return make_still_camera(settings, frame, medium);
-    return std::make_unique<MovingCamera>(settings, frame, medium);
+    if (settings.motion.empty()) return make_still_camera(settings, frame);
+    return std::make_unique<MovingCamera>(settings, frame);
 }
 
 }  // namespace lxs

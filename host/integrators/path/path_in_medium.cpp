@@ -8,23 +8,23 @@ namespace lxs {
 
 /// Flies along the ray until a collision or the end of the segment; true for a collision, at which
 /// the ray's origin then is.
-bool PathTracer::fly(State& state, float segment) const {
+bool PathTracer::fly(State& state, const Medium& medium, float segment) const {
     const float u_channel = state.random.next();
-    const Flight flight = state.ray.medium->sample_flight(segment, state.throughput,
-                                                          Vec2(u_channel, state.random.next()));
+    const Flight flight =
+        medium.sample_flight(segment, state.throughput, Vec2(u_channel, state.random.next()));
     state.throughput *= flight.weight;
     if (!flight.collides) return false;
-    state.throughput *= state.ray.medium->scattering();
+    state.throughput *= medium.scattering();
     state.ray.origin += state.ray.direction * flight.distance;
     return true;
 }
 
 /// Direct light at the ray's origin, then a new direction; false when the path ends.
-bool PathTracer::scatter_in_medium(State& state) const {
+bool PathTracer::scatter_in_medium(State& state, const Medium& medium) const {
     if (is_black(state.throughput) || state.bounces >= settings_.max_depth) return false;
-    if (settings_.direct_light_sampling) add_direct_in_medium(state);
-    const PhaseSample sample = state.ray.medium->sample_phase(state.ray.direction, state.throughput,
-                                                              state.random.next_2d());
+    if (settings_.direct_light_sampling) add_direct_in_medium(state, medium);
+    const PhaseSample sample =
+        medium.sample_phase(state.ray.direction, state.throughput, state.random.next_2d());
     state.left = {state.ray.origin, Vec3(0.0f), sample.pdf};
     state.throughput *= sample.weight;
     if (!refusals_.accept_of_passage(valid(state.throughput))) return false;
@@ -35,17 +35,17 @@ bool PathTracer::scatter_in_medium(State& state) const {
     return survives_roulette(state);
 }
 
-void PathTracer::add_direct_in_medium(State& state) const {
+void PathTracer::add_direct_in_medium(State& state, const Medium& medium) const {
     for (std::size_t i = 0; i < lights_.choices(); ++i) {
         const float u = state.random.next();
         const LightChoice choice = lights_.choose(i, u);
-        const Rgb light = direct_light_in_medium(state, choice, state.random.next_2d());
+        const Rgb light = direct_light_in_medium(state, medium, choice, state.random.next_2d());
         add(state, state.throughput * light, *choice.light, state.scatterings.scattered_in());
     }
 }
 
-Rgb PathTracer::direct_light_in_medium(State& state, const LightChoice& choice,
-                                       const Vec2& u) const {
+Rgb PathTracer::direct_light_in_medium(State& state, const Medium& medium,
+                                       const LightChoice& choice, const Vec2& u) const {
     const Ray& ray = state.ray;
     DirectSample sample;
     if (!choice.light->sample_direct(ray.origin, Vec3(0.0f), u, sample) ||
@@ -54,13 +54,13 @@ Rgb PathTracer::direct_light_in_medium(State& state, const LightChoice& choice,
     }
     ++state.result.rays;
     const Rgb passed =
-        scene_.transmittance(shadow_ray_from_medium(ray.origin, sample, ray.time, ray.medium));
+        scene_.transmittance(shadow_ray_from_medium(ray.origin, sample, ray.time, ray.media));
     if (is_black(passed) || !refusals_.accept_of_passage(valid(passed))) return Rgb(0.0f);
     const float cosine = ray.direction.dot(sample.wi);
     const float pdf = sample.pdf * choice.probability;
     const float weight =
-        sample.delta ? 1.0f : power_heuristic(pdf, ray.medium->phase_pdf(cosine, state.throughput));
-    return ray.medium->phase(cosine) * sample.radiance * passed * (weight / pdf);
+        sample.delta ? 1.0f : power_heuristic(pdf, medium.phase_pdf(cosine, state.throughput));
+    return medium.phase(cosine) * sample.radiance * passed * (weight / pdf);
 }
 
 }  // namespace lxs

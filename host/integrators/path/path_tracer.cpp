@@ -49,9 +49,11 @@ void PathTracer::trace(const Ray& camera_ray, PrimarySample& random,
         SurfaceHit hit;
         ++result.rays;
         const bool met = meet(state, hit, memory);
-        if (media_scatter_ && state.ray.medium && state.ray.medium->scatters()) {
-            if (fly(state, hit.distance)) {
-                if (!scatter_in_medium(state)) break;
+        state.ray.media = hit.crossed;
+        const Medium* const medium = media_scatter_ ? scene_.medium(hit.crossed) : nullptr;
+        if (medium && medium->scatters()) {
+            if (fly(state, *medium, hit.distance)) {
+                if (!scatter_in_medium(state, *medium)) break;
                 view.scattered();
                 continue;
             }

@@ -76,10 +76,11 @@ class PathTracer {
     void add_escaped(State& state) const;
     void add_direct(State& state, const SurfaceHit& hit) const;
     void tell(State& state, const SurfaceHit& hit, const LightChoice& choice, float value) const;
-    bool fly(State& state, float segment) const;
-    bool scatter_in_medium(State& state) const;
-    void add_direct_in_medium(State& state) const;
-    Rgb direct_light_in_medium(State& state, const LightChoice& choice, const Vec2& u) const;
+    bool fly(State& state, const Medium& medium, float segment) const;
+    bool scatter_in_medium(State& state, const Medium& medium) const;
+    void add_direct_in_medium(State& state, const Medium& medium) const;
+    Rgb direct_light_in_medium(State& state, const Medium& medium, const LightChoice& choice,
+                               const Vec2& u) const;
     Rgb direct_light(State& state, const SurfaceHit& hit, const LightChoice& choice,
                      const Vec2& u) const;
     float light_weight(const State& state, const Light& light, const Vec3& light_p,

@@ -127,7 +127,10 @@ void SceneReader::make_named_volume(Statement& statement) {
     const ParameterSet set = take_parameters(statement, 2, take_name(statement, 1));
     std::optional<SceneMedium> made = factory_.medium(set, scopes_.transform);
     const bool is_new = assets_.define(name.text, made ? made->medium : nullptr);
-    if (made) contents_.media.push_back(std::move(*made));
+    if (made) {
+        made->name = name.text;
+        contents_.media.push_back(std::move(*made));
+    }
     warn_redefined(is_new, "volume", name);
 }
 

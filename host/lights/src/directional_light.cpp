@@ -5,9 +5,9 @@
 
 namespace lxs {
 
-ParallelLight::ParallelLight(LightPlacement placement, const SceneSphere& sphere, const Vec3& wi,
-                             const Rgb& irradiance)
-    : EnvironmentLight(std::move(placement), "distant", sphere), wi_(wi), irradiance_(irradiance) {
+ParallelLight::ParallelLight(const LightPlacement& placement, const SceneSphere& sphere,
+                             const Vec3& wi, const Rgb& irradiance)
+    : EnvironmentLight(placement, "distant", sphere), wi_(wi), irradiance_(irradiance) {
     set_fluence(irradiance_, wi_);
 }
 
@@ -16,9 +16,10 @@ bool ParallelLight::sample_direction(const Vec2& /*u*/, SkyDirection& direction)
     return !is_black(irradiance_);
 }
 
-ConeLight::ConeLight(LightPlacement placement, std::string_view kind, const SceneSphere& sphere,
-                     const Vec3& axis, float sin_max, const Rgb& radiance)
-    : EnvironmentLight(std::move(placement), kind, sphere),
+ConeLight::ConeLight(const LightPlacement& placement, std::string_view kind,
+                     const SceneSphere& sphere, const Vec3& axis, float sin_max,
+                     const Rgb& radiance)
+    : EnvironmentLight(placement, kind, sphere),
       frame_(axis),
       extent_(solid_angle(sin_max) / (2 * kPi)),
       radiance_(radiance) {

@@ -10,7 +10,7 @@ namespace lxs {
 class ParallelLight final : public EnvironmentLight {
   public:
     /// `wi` towards the light, `irradiance` on a surface facing it.
-    ParallelLight(LightPlacement placement, const SceneSphere& sphere, const Vec3& wi,
+    ParallelLight(const LightPlacement& placement, const SceneSphere& sphere, const Vec3& wi,
                   const Rgb& irradiance);
     bool at_infinity() const override { return false; }
 
@@ -27,7 +27,7 @@ class ParallelLight final : public EnvironmentLight {
 class ConeLight final : public EnvironmentLight {
   public:
     /// `sin_max` is the sine of the cone's half angle, at most 90 degrees.
-    ConeLight(LightPlacement placement, std::string_view kind, const SceneSphere& sphere,
+    ConeLight(const LightPlacement& placement, std::string_view kind, const SceneSphere& sphere,
               const Vec3& axis, float sin_max, const Rgb& radiance);
     Rgb escaped(const Vec3& direction) const override {
         return inside(direction) ? radiance_ : Rgb(0.0f);

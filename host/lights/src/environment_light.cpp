@@ -12,9 +12,9 @@ namespace lxs {
 using Imath::V2d;
 using Imath::V3d;
 
-EnvironmentLight::EnvironmentLight(LightPlacement placement, std::string_view kind,
+EnvironmentLight::EnvironmentLight(const LightPlacement& placement, std::string_view kind,
                                    const SceneSphere& sphere)
-    : placement_(std::move(placement)), kind_(kind), sphere_(sphere) {
+    : PlacedLight(placement), kind_(kind), sphere_(sphere) {
     if (!(sphere_.radius > 0) || !std::isfinite(sphere_.radius)) sphere_ = SceneSphere{};
     if (sphere_.surfaces.isEmpty()) return;
     const Bounds& box = sphere_.surfaces;
@@ -25,19 +25,19 @@ EnvironmentLight::EnvironmentLight(LightPlacement placement, std::string_view ki
 }
 
 void EnvironmentLight::set_fluence(const Rgb& fluence) {
-    power_ = luminance(fluence) * crossed_area(Vec3(0.5f));
+    fluence_ = luminance(fluence);
 }
 
 void EnvironmentLight::set_fluence(const Rgb& fluence, const Vec3& from) {
-    power_ =
-        luminance(fluence) * crossed_area({std::abs(from.x), std::abs(from.y), std::abs(from.z)});
+    fluence_ = luminance(fluence);
+    facing_ = {std::abs(from.x), std::abs(from.y), std::abs(from.z)};
 }
 
-float EnvironmentLight::crossed_area(const Vec3& facing) const {
+float EnvironmentLight::crossed_area() const {
     const float disc = kPi * sphere_.radius * sphere_.radius;
-    if (placement_.medium || sphere_.surfaces.isEmpty()) return disc;
+    if (in_medium() || sphere_.surfaces.isEmpty()) return disc;
     const Vec3 size = sphere_.surfaces.size() + Vec3(static_cast<float>(margin_));
-    return std::min(disc, facing.dot({size.y * size.z, size.z * size.x, size.x * size.y}));
+    return std::min(disc, facing_.dot({size.y * size.z, size.z * size.x, size.x * size.y}));
 }
 
 // A ray's origin is of single precision: at 10 km its coordinates are a millimetre apart, and
@@ -76,8 +76,7 @@ bool EnvironmentLight::sample_emission(const PrimaryPoint& u, EmissionSample& sa
     // A little beyond the sphere, so that rounding puts no surface behind the origin.
     constexpr double kBeyond = 1.01;
     std::optional<double> ahead = kBeyond * radius;
-    if (placement_.medium) {
-        // A medium begins on the sphere.
+    if (in_medium()) {
         ahead = std::sqrt(std::max(0.0, 1 - d.length2())) * radius;
     } else if (!sphere_.surfaces.isEmpty()) {
         ahead = start_ahead(foot, wi, u[2]);
@@ -86,7 +85,7 @@ bool EnvironmentLight::sample_emission(const PrimaryPoint& u, EmissionSample& sa
     sample.ray = Ray{};
     sample.ray.origin = Vec3(foot + wi * *ahead);
     sample.ray.direction = -sky.wi;
-    sample.ray.medium = placement_.medium.get();
+    sample.ray.media = media();
     sample.power = sky.radiance * (kPi * sphere_.radius * sphere_.radius / sky.pdf);
     sample.normal = Vec3(0.0f);
     return !is_black(sample.power);

@@ -3,7 +3,6 @@
 
 #include <optional>
 
-#include "light_placement.h"
 #include "lxs/lights/lights.h"
 
 namespace lxs {
@@ -16,13 +15,11 @@ struct SkyDirection {
     bool delta = false;
 };
 
-class EnvironmentLight : public Light {
+class EnvironmentLight : public PlacedLight {
   public:
     std::string_view kind() const override { return kind_; }
-    std::uint32_t group() const override { return placement_.group; }
-    float power() const override { return power_; }
+    float power() const override { return fluence_ * crossed_area(); }
     bool at_infinity() const override { return true; }
-    bool hidden_from_camera() const override { return placement_.hidden; }
 
     bool sample_emission(const PrimaryPoint& u, EmissionSample& sample) const override;
     bool sample_direct(const Vec3& p, const Vec3& n, const Vec2& u,
@@ -36,7 +33,8 @@ class EnvironmentLight : public Light {
 
   protected:
     /// `kind` must outlive the light (a literal).
-    EnvironmentLight(LightPlacement placement, std::string_view kind, const SceneSphere& sphere);
+    EnvironmentLight(const LightPlacement& placement, std::string_view kind,
+                     const SceneSphere& sphere);
 
     virtual bool sample_direction(const Vec2& u, SkyDirection& direction) const = 0;
     virtual float direction_density(const Vec3& wi) const = 0;
@@ -50,19 +48,21 @@ class EnvironmentLight : public Light {
     void set_fluence(const Rgb& fluence, const Vec3& from);
 
   private:
-    /// Area across its direction of the light that meets the box around all surfaces, where the
-    /// box's faces across x, y and z see the light under mean cosines of `facing`.
-    float crossed_area(const Vec3& facing) const;
+    /// Area across its direction of the light that is emitted.
+    float crossed_area() const;
     /// How far from the disc through the sphere's centre, towards the light, a photon starts that
     /// passes `foot` there; nothing if it misses all surfaces. `spread` in [0, 1) moves the start.
     std::optional<double> start_ahead(const Imath::V3d& foot, const Imath::V3d& wi,
                                       double spread) const;
 
-    LightPlacement placement_;
+    /// Its light then starts on the sphere, where that begins.
+    bool in_medium() const { return media() != EnteredMedia(); }
+
     std::string_view kind_;
     SceneSphere sphere_;
     double margin_ = 0;  ///< between the surfaces' box and where photons start
-    float power_ = 0;
+    float fluence_ = 0;  ///< luminance
+    Vec3 facing_{0.5f};  ///< mean cosines under which faces across x, y and z see the light
 };
 
 }  // namespace lxs

@@ -5,9 +5,9 @@
 #include "warp.h"
 
 namespace lxs {
-ConstantEnvironment::ConstantEnvironment(LightPlacement placement, const SceneSphere& sphere,
+ConstantEnvironment::ConstantEnvironment(const LightPlacement& placement, const SceneSphere& sphere,
                                          const Rgb& radiance)
-    : EnvironmentLight(std::move(placement), "infinite", sphere), radiance_(radiance) {
+    : EnvironmentLight(placement, "infinite", sphere), radiance_(radiance) {
     set_fluence(radiance_ * (4 * kPi));
 }
 
@@ -25,9 +25,9 @@ bool ConstantEnvironment::direction_coordinates(const Vec3& wi, Vec2& u) const {
     return true;
 }
 
-MappedEnvironment::MappedEnvironment(LightPlacement placement, const SceneSphere& sphere,
+MappedEnvironment::MappedEnvironment(const LightPlacement& placement, const SceneSphere& sphere,
                                      const Rotation& rotation, LatLongMap map, const Rgb& scale)
-    : EnvironmentLight(std::move(placement), "infinite", sphere),
+    : EnvironmentLight(placement, "infinite", sphere),
       rotation_(rotation),
       map_(std::move(map)),
       importance_(map_.importance()),

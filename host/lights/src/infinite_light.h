@@ -10,7 +10,8 @@ namespace lxs {
 /// The same radiance from everywhere.
 class ConstantEnvironment final : public EnvironmentLight {
   public:
-    ConstantEnvironment(LightPlacement placement, const SceneSphere& sphere, const Rgb& radiance);
+    ConstantEnvironment(const LightPlacement& placement, const SceneSphere& sphere,
+                        const Rgb& radiance);
     Rgb escaped(const Vec3& /*direction*/) const override { return radiance_; }
 
   private:
@@ -24,8 +25,8 @@ class ConstantEnvironment final : public EnvironmentLight {
 /// Latitude-longitude image times a colour. In the light's space +z is the image's top row.
 class MappedEnvironment final : public EnvironmentLight {
   public:
-    MappedEnvironment(LightPlacement placement, const SceneSphere& sphere, const Rotation& rotation,
-                      LatLongMap map, const Rgb& scale);
+    MappedEnvironment(const LightPlacement& placement, const SceneSphere& sphere,
+                      const Rotation& rotation, LatLongMap map, const Rgb& scale);
     Rgb escaped(const Vec3& direction) const override;
 
   private:

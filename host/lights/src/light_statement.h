@@ -6,14 +6,11 @@
 #include <cmath>
 
 #include "emitted_radiance.h"
-#include "light_placement.h"
 #include "lxs/lights/lights.h"
 #include "lxs/spectrum/rgb_spectra.h"
 #include "rotation.h"
 
 namespace lxs {
-
-using Lights = std::vector<std::unique_ptr<Light>>;
 
 /// One light statement while its lights are made.
 struct LightStatement {
@@ -23,8 +20,7 @@ struct LightStatement {
     const AssetResolver& resolve;
 
     LightPlacement placement() const {
-        return {description.group, description.medium,
-                description.hidden || reader.boolean("hidden", false)};
+        return {description.group, description.hidden || reader.boolean("hidden", false)};
     }
     float number(std::string_view name, double fallback) const {
         return static_cast<float>(reader.number(name, fallback));

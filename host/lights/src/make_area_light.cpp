@@ -28,8 +28,8 @@ bool is_whole(const Sphere& s) {
 
 }  // namespace
 
-std::unique_ptr<Light> make_area_light(const Primitive& primitive,
-                                       const Matrix& instance_to_world) {
+std::unique_ptr<AreaLight> make_area_light(const Primitive& primitive,
+                                           const Matrix& instance_to_world) {
     const AreaEmission& emission = primitive.emission.value();
     if (const TriangleMesh* mesh = std::get_if<TriangleMesh>(&primitive.geometry))
         return std::make_unique<MeshLight>(primitive, emission, *mesh, instance_to_world);

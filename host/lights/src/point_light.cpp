@@ -21,7 +21,7 @@ bool PointLight::sample_emission(const PrimaryPoint& u, EmissionSample& sample) 
     sample.ray.origin = position_;
     const Vec2 at = rounded_pair(u, 2);
     sample.ray.direction = sample_direction(at.x, at.y);
-    sample.ray.medium = placement_.medium.get();
+    sample.ray.media = media();
     return !is_black(sample.power);
 }
 
@@ -48,9 +48,9 @@ bool PointLight::emission_coordinates(const Vec3& p, const DirectSample& /*sampl
     return true;
 }
 
-SpotLight::SpotLight(LightPlacement placement, const Vec3& position, const Vec3& axis,
+SpotLight::SpotLight(const LightPlacement& placement, const Vec3& position, const Vec3& axis,
                      const Rgb& intensity, const SpotCone& cone)
-    : PointLight(std::move(placement), position, intensity),
+    : PointLight(placement, position, intensity),
       frame_(axis),
       inner_(one_minus_cos(cone.inner)),
       outer_(one_minus_cos(cone.outer)) {}

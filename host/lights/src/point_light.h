@@ -1,21 +1,19 @@
 // Lights at a point: isotropic, and spot with a falloff.
 #pragma once
 
-#include "light_placement.h"
-#include "lxs/sdk/light.h"
+#include "lxs/lights/lights.h"
 #include "warp.h"
 
 namespace lxs {
 
 /// Isotropic light at a point.
-class PointLight : public Light {
+class PointLight : public PlacedLight {
   public:
     /// `intensity` in W/sr.
-    PointLight(LightPlacement placement, const Vec3& position, const Rgb& intensity)
-        : placement_(std::move(placement)), position_(position), intensity_(intensity) {}
+    PointLight(const LightPlacement& placement, const Vec3& position, const Rgb& intensity)
+        : PlacedLight(placement), position_(position), intensity_(intensity) {}
 
     std::string_view kind() const override { return "point"; }
-    std::uint32_t group() const override { return placement_.group; }
     float power() const override { return 4 * kPi * luminance(intensity_); }
     bool sample_emission(const PrimaryPoint& u, EmissionSample& sample) const override;
     bool sample_direct(const Vec3& p, const Vec3& n, const Vec2& u,
@@ -39,7 +37,6 @@ class PointLight : public Light {
     virtual float falloff_integral() const { return 4 * kPi; }
 
   private:
-    LightPlacement placement_;
     Vec3 position_;
     Rgb intensity_;
 };
@@ -54,7 +51,7 @@ struct SpotCone {
 /// share (Pharr & Humphreys 2010, section 12.2.1, the law of LuxRender's spot).
 class SpotLight final : public PointLight {
   public:
-    SpotLight(LightPlacement placement, const Vec3& position, const Vec3& axis,
+    SpotLight(const LightPlacement& placement, const Vec3& position, const Vec3& axis,
               const Rgb& intensity, const SpotCone& cone);
 
     std::string_view kind() const override { return "spot"; }

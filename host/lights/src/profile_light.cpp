@@ -7,9 +7,10 @@
 
 namespace lxs {
 
-ProfileLight::ProfileLight(LightPlacement placement, std::string_view kind, const Vec3& position,
-                           const Rgb& intensity, std::unique_ptr<const EmissionProfile> profile)
-    : placement_(std::move(placement)),
+ProfileLight::ProfileLight(const LightPlacement& placement, std::string_view kind,
+                           const Vec3& position, const Rgb& intensity,
+                           std::unique_ptr<const EmissionProfile> profile)
+    : PlacedLight(placement),
       kind_(kind),
       position_(position),
       intensity_(intensity),
@@ -20,7 +21,7 @@ bool ProfileLight::sample_emission(const PrimaryPoint& u, EmissionSample& sample
     sample.normal = Vec3(0.0f);
     sample.ray = Ray{};
     sample.ray.origin = position_;
-    sample.ray.medium = placement_.medium.get();
+    sample.ray.media = media();
     const float density = profile_->sample(rounded_pair(u, 2), sample.ray.direction);
     if (!(density > 0)) return false;
     sample.power = intensity_ * profile_->at(sample.ray.direction) / density;

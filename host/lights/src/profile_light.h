@@ -2,19 +2,17 @@
 #pragma once
 
 #include "emission_profile.h"
-#include "light_placement.h"
-#include "lxs/sdk/light.h"
+#include "lxs/lights/lights.h"
 
 namespace lxs {
 
-class ProfileLight final : public Light {
+class ProfileLight final : public PlacedLight {
   public:
     /// `kind` must outlive the light (a literal); `intensity` in W/sr where the profile is 1.
-    ProfileLight(LightPlacement placement, std::string_view kind, const Vec3& position,
+    ProfileLight(const LightPlacement& placement, std::string_view kind, const Vec3& position,
                  const Rgb& intensity, std::unique_ptr<const EmissionProfile> profile);
 
     std::string_view kind() const override { return kind_; }
-    std::uint32_t group() const override { return placement_.group; }
     float power() const override { return power_; }
     bool sample_emission(const PrimaryPoint& u, EmissionSample& sample) const override;
     bool sample_direct(const Vec3& p, const Vec3& n, const Vec2& u,
@@ -27,7 +25,6 @@ class ProfileLight final : public Light {
                               PrimaryPoint& u) const override;
 
   private:
-    LightPlacement placement_;
     std::string_view kind_;
     Vec3 position_;
     Rgb intensity_;

@@ -26,12 +26,9 @@ Vec2 sky_coordinates(const Vec3& w) {
 
 }  // namespace
 
-SkyLight::SkyLight(LightPlacement placement, const SceneSphere& sphere, const Rotation& rotation,
-                   const AnySky& model, float gain)
-    : EnvironmentLight(std::move(placement), "sky", sphere),
-      rotation_(rotation),
-      model_(model),
-      gain_(gain) {
+SkyLight::SkyLight(const LightPlacement& placement, const SceneSphere& sphere,
+                   const Rotation& rotation, const AnySky& model, float gain)
+    : EnvironmentLight(placement, "sky", sphere), rotation_(rotation), model_(model), gain_(gain) {
     constexpr std::size_t kSub = 4;  // points a cell, each way
     std::vector<float> weights(kSide * kSide);
     Rgb fluence(0.0f);

@@ -17,7 +17,7 @@ using AnySky = std::variant<SkyModel, HosekWilkieSky>;
 /// Directions below the horizon shine like the horizon above them, as in LuxRender 1.9.
 class SkyLight final : public EnvironmentLight {
   public:
-    SkyLight(LightPlacement placement, const SceneSphere& sphere, const Rotation& rotation,
+    SkyLight(const LightPlacement& placement, const SceneSphere& sphere, const Rotation& rotation,
              const AnySky& model, float gain);
     Rgb escaped(const Vec3& direction) const override;
 

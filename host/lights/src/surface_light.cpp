@@ -17,7 +17,7 @@ Vec3 segment_end(const SurfacePoint& s, const Vec3& wi, float distance) {
 
 SurfaceLight::SurfaceLight(const Primitive& primitive, const AreaEmission& emission,
                            const Matrix& object_to_world)
-    : placement_{emission.group, primitive.exterior, emission.hidden},
+    : AreaLight({.group = emission.group, .hidden = emission.hidden}),
       radiance_(emission.radiance, emission.radiance_texture) {
     if (emission.profile) profile_.emplace(emission.profile, primitive.to_world * object_to_world);
 }
@@ -78,7 +78,7 @@ bool SurfaceLight::sample_emission(const PrimaryPoint& u, EmissionSample& sample
     sample.ray = Ray{};
     sample.ray.origin = offset_origin(s.p, s.p_error, s.n, direction);
     sample.ray.direction = direction;
-    sample.ray.medium = placement_.medium.get();
+    sample.ray.media = media();
     return !is_black(sample.power);
 }
 

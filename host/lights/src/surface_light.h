@@ -5,7 +5,6 @@
 #include <optional>
 
 #include "emitted_radiance.h"
-#include "light_placement.h"
 #include "lxs/lights/lights.h"
 #include "surface_profile.h"
 
@@ -29,10 +28,8 @@ Vec3 segment_end(const SurfacePoint& s, const Vec3& wi, float distance);
 class SurfaceLight : public AreaLight {
   public:
     std::string_view kind() const override { return "area"; }
-    std::uint32_t group() const override { return placement_.group; }
     float power() const override { return power_; }
     bool has_area() const override { return has_area_; }
-    bool hidden_from_camera() const override { return placement_.hidden; }
 
     bool sample_emission(const PrimaryPoint& u, EmissionSample& sample) const override;
     bool sample_direct(const Vec3& p, const Vec3& n, const Vec2& u,
@@ -77,7 +74,6 @@ class SurfaceLight : public AreaLight {
     /// Direction and power of a photon that leaves `s`; false if none does.
     bool emit(const SurfacePoint& s, const Vec2& u, Vec3& direction, Rgb& power) const;
 
-    LightPlacement placement_;
     EmittedRadiance radiance_;
     std::optional<SurfaceProfile> profile_;  ///< none: diffuse
     float power_ = 0;

@@ -13,7 +13,7 @@ namespace lxs {
 /// to `table`, which hits look up by Surface::emissive_index. A dark one, for want
 /// of an area, is warned of.
 void append_area_lights(const std::vector<Primitive>& primitives, const Matrix& instance_to_world,
-                        std::vector<std::unique_ptr<Light>>& lights,
+                        std::vector<std::unique_ptr<PlacedLight>>& lights,
                         std::vector<const AreaLight*>& table, Diagnostics& diagnostics);
 
 }  // namespace lxs

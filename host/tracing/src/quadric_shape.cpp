@@ -10,7 +10,7 @@ namespace {
 
 using Imath::V3d;
 
-constexpr double kPi = std::numbers::pi;
+constexpr double kHalfTurn = std::numbers::pi;  // radians
 constexpr double kDoubleRoundoff = 0x1p-53;
 
 double length(const V3d& v) {
@@ -19,12 +19,12 @@ double length(const V3d& v) {
 
 double azimuth(const V3d& p) {
     const double phi = std::atan2(p.y, p.x);
-    return phi < 0 ? phi + 2 * kPi : phi;
+    return phi < 0 ? phi + 2 * kHalfTurn : phi;
 }
 
 double sweep(double degrees) {
     constexpr double kSmallestAngle = 1e-9;  // keeps u finite
-    return std::clamp(degrees * (kPi / 180), kSmallestAngle, 2 * kPi);
+    return std::clamp(degrees * (kHalfTurn / 180), kSmallestAngle, 2 * kHalfTurn);
 }
 
 double polar_angle(double z, double radius) {
@@ -108,7 +108,8 @@ bool QuadricShape::keeps(const V3d& p) const {
         const double slack = 1e3 * kMargin * (z_max_ - z_min_);
         if (p.z < z_min_ - slack || p.z > z_max_ + slack) return false;  // a cone's other half
         const Imath::V2d at = revolution_->coordinates(p);
-        return at.y >= -kMargin && at.y <= 1 + kMargin && (phi_max_ >= 2 * kPi || at.x <= phi_max_);
+        return at.y >= -kMargin && at.y <= 1 + kMargin &&
+               (phi_max_ >= 2 * kHalfTurn || at.x <= phi_max_);
     }
     if (is_sphere_) {
         // Sections of the sphere at its poles keep the poles in spite of rounding.
@@ -118,7 +119,7 @@ bool QuadricShape::keeps(const V3d& p) const {
         const double r2 = p.x * p.x + p.y * p.y;
         if (r2 > radius_ * radius_ || r2 < inner_radius_ * inner_radius_) return false;
     }
-    return phi_max_ >= 2 * kPi || azimuth(p) <= phi_max_;
+    return phi_max_ >= 2 * kHalfTurn || azimuth(p) <= phi_max_;
 }
 
 bool QuadricShape::intersect(const Vec3& origin, const Vec3& direction, float t_min, float t_max,

@@ -16,14 +16,23 @@ SceneSphere enclosing_sphere(const Bounds& box) {
 
 }  // namespace
 
+std::vector<Vec3> camera_places(const SceneContents& contents) {
+    const auto camera = contents.options.find("Camera");
+    if (camera == contents.options.end()) return {};
+    const auto place = [](const Matrix& to_camera) {
+        return Vec3(Imath::V3d(to_camera.inverse().translation()));
+    };
+    std::vector<Vec3> places = {place(camera->second.transform)};
+    for (const MotionKey& key : camera->second.motion)
+        places.push_back(place(key.matrix));
+    return places;
+}
+
 SceneSphere unbounded_media_end(const SceneContents& contents, const Bounds& bounds) {
     Bounds box = bounds;
-    const auto camera = contents.options.find("Camera");
-    if (contents.camera_medium && camera != contents.options.end()) {
-        const Imath::V3d eye = camera->second.transform.inverse().translation();
-        box.extendBy(Vec3(eye));
-        for (const MotionKey& key : camera->second.motion)
-            box.extendBy(Vec3(Imath::V3d(key.matrix.inverse().translation())));
+    if (contents.camera_medium) {
+        for (const Vec3& place : camera_places(contents))
+            box.extendBy(place);
     }
     SceneSphere sphere = enclosing_sphere(box);
     sphere.surfaces = bounds;

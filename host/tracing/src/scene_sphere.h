@@ -6,6 +6,9 @@
 
 namespace lxs {
 
+/// Where the scene's Camera statement and its motion put the camera; empty without a statement.
+std::vector<Vec3> camera_places(const SceneContents& contents);
+
 /// Around all surfaces within `bounds`; if the camera stands in a medium, around the camera too, as
 /// in LuxRender.
 SceneSphere unbounded_media_end(const SceneContents& contents, const Bounds& bounds);

@@ -18,7 +18,7 @@ SpectralMedia::SpectralMedia(const std::vector<SceneMedium>& media) {
 
 void SpectralMedia::set_wavelengths(const Wavelengths& wavelengths) {
     for (const Coloured& coloured : media_) {
-        const auto& [medium, spectra] = coloured.scene;
+        const auto& [medium, spectra, name] = coloured.scene;
         const MediumCoefficients& rgb = coloured.rgb;
         medium->set_coefficients({at(wavelengths, spectra.absorption, rgb.absorption),
                                   at(wavelengths, spectra.scattering, rgb.scattering),

@@ -8,16 +8,20 @@
 namespace lxs {
 namespace {
 
-Surface describe(const Primitive& primitive) {
+Surface describe(const Primitive& primitive, const MediaTable& media) {
     Surface surface;
     surface.object_to_shape = primitive.to_world.inverse();
     surface.material = primitive.material.get();
     surface.material_index = primitive.material_index;
-    surface.interior = primitive.interior.get();
-    surface.exterior = primitive.exterior.get();
+    surface.primitive = &primitive;
+    surface.interior = media.number_of(primitive.interior.get());
+    surface.exterior = media.number_of(primitive.exterior.get());
     surface.reversed = primitive.reverse_orientation;
     const MaterialFacts facts = primitive.material ? primitive.material->facts() : MaterialFacts{};
     surface.straight = facts.straight;
+    surface.transmits = facts.transmits || facts.straight;
+    surface.index_of_media = facts.index_of_media;
+    surface.own_index = facts.own_index;
     surface.may_be_smooth = (facts.lobes & kSpecular) != 0;
     surface.bends = facts.bends;
     surface.reads_dpdv = facts.bends || facts.reads_dpdv;
@@ -53,11 +57,12 @@ void refer_to_mesh(Surface& surface, const TriangleMesh& mesh, bool tabulates_pl
 }  // namespace
 
 SurfaceGroup make_surface_group(std::vector<Primitive>& primitives, const std::string& object,
-                                ObjectNames& names, bool tabulates_planes) {
+                                ObjectNames& names, const MediaTable& media,
+                                bool tabulates_planes) {
     SurfaceGroup group;
     group.surfaces.reserve(primitives.size());
     for (Primitive& primitive : primitives) {
-        Surface surface = describe(primitive);
+        Surface surface = describe(primitive, media);
         surface.object_index = names.index_of(object.empty() ? primitive.name : object);
         if (auto* mesh = std::get_if<TriangleMesh>(&primitive.geometry)) {
             mesh->positions.reserve(mesh->positions.size() + 1);

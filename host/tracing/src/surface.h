@@ -9,6 +9,7 @@
 
 #include "embree_scene.h"
 #include "lxs/scene/contents.h"
+#include "media_table.h"
 #include "quadric_shape.h"
 #include "triangle_plane.h"
 
@@ -28,17 +29,23 @@ struct Surface {
     std::unique_ptr<const QuadricShape> quadric;
     Matrix object_to_shape;  ///< identity if the shape's transform has no inverse
     const Material* material = nullptr;
-    const Medium* interior = nullptr;
-    const Medium* exterior = nullptr;
+    const Primitive* primitive = nullptr;
+    MediumNumber interior = kNoMedium;  ///< as declared
+    MediumNumber exterior = kNoMedium;
     std::uint32_t material_index = 0;
     std::uint32_t object_index = 0;               ///< of its name (ObjectNames)
     std::uint32_t emissive_index = kNotEmissive;  ///< among the emissive surfaces of its group
     bool reversed = false;                        ///< the front is the other side
     bool straight = false;                        ///< may pass light undeviated
+    bool transmits = false;                       ///< may pass light at all
+    bool index_of_media = false;                  ///< MaterialFacts::index_of_media
+    bool own_index = false;                       ///< MaterialFacts::own_index
     bool bends = false;                           ///< the material has a bump map
     bool reads_dpdv = false;                      ///< the material needs the tangent along v
     bool may_be_smooth = false;                   ///< the material may have a specular lobe
     bool reads_uv = true;  ///< material or emission need texture coordinates or a tangent
+
+    bool declares_medium() const { return interior != kNoMedium || exterior != kNoMedium; }
 };
 
 /// Names of objects, each once.
@@ -74,7 +81,7 @@ inline constexpr std::size_t kMostTabulatedPlanes = 1 << 24;
 /// They are named as the object that they are of, or each by itself if `object` is empty.
 /// `tabulates_planes`: whether planes of triangles are kept.
 SurfaceGroup make_surface_group(std::vector<Primitive>& primitives, const std::string& object,
-                                ObjectNames& names, bool tabulates_planes);
+                                ObjectNames& names, const MediaTable& media, bool tabulates_planes);
 
 /// Adds the group's geometry to `scene`, ids from 0. Empty meshes are left out.
 void add_surfaces(EmbreeScene& scene, const SurfaceGroup& group,

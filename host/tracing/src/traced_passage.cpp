@@ -17,7 +17,7 @@ Rgb TracedScene::transmittance(const Ray& ray) const {
     }
     // Light that passes no surface stays in the ray's medium: any hit at all decides.
     if (world_scene_.occluded(ray, SurfaceClass::Any)) return Rgb(0.0f);
-    return medium_transmittance(ray, ray.medium, 0, ray.t_max);
+    return medium_transmittance(ray, medium(ray.media), 0, ray.t_max);
 }
 
 /// Of the part [from, to] of a ray, which lies in `medium`; an endless one ends with the scene.
@@ -33,22 +33,22 @@ Rgb TracedScene::medium_transmittance(const Ray& ray, const Medium* medium, floa
 // passed and leaves it out, and the segment's end doesn't drift.
 Rgb TracedScene::walk_transmittance(const Ray& ray) const {
     Rgb share(1.0f);
-    const Medium* medium = ray.medium;
+    Ray passing = ray;  // in the media that it is in beyond what it has passed
     float start = kSmallestDistance, passed = 0;
     for (int i = 0; i < kMaxStraightSurfaces; ++i) {
         RawHit raw;
         if (!world_scene_.intersect(ray, start, SurfaceClass::Straight, raw))
-            return share * medium_transmittance(ray, medium, passed, ray.t_max);
+            return share * medium_transmittance(ray, medium(passing.media), passed, ray.t_max);
         const Placement& placement = placement_of(raw);
         const Surface& surface = placement.surfaces[raw.geometry];
         if (!surface.straight) return Rgb(0.0f);
         SurfaceHit hit;
         ShadingPoint point;
-        locate_hit(ray, raw, hit, point);
-        share *= medium_transmittance(ray, medium, passed, raw.distance) *
+        locate_hit(passing, raw, hit, point);
+        share *= medium_transmittance(ray, medium(hit.crossed), passed, raw.distance) *
                  surface.material->straight_transmittance(point, ray.direction);
         if (is_black(share)) return share;
-        medium = ray.direction.dot(hit.ng) > 0 ? hit.exterior : hit.interior;
+        passing.media = ray.direction.dot(hit.ng) > 0 ? hit.exterior : hit.interior;
         passed = raw.distance;
         start = std::nextafter(raw.distance, std::numeric_limits<float>::infinity());
     }

@@ -39,6 +39,7 @@ TracedScene::TracedScene(SceneContents contents, const AssetResolver& resolve,
                          Diagnostics& diagnostics)
     : contents_(std::move(contents)),
       refused_(std::make_unique<RefusedValues[]>(contents_.material_names.size() + 1)),
+      media_(contents_),
       survey_(survey(contents_, diagnostics)),
       world_scene_(device_),
       spectral_media_(contents_.media),
@@ -46,20 +47,29 @@ TracedScene::TracedScene(SceneContents contents, const AssetResolver& resolve,
     build_geometry();
     place_instances();
     warn_of_lost_precision(bounds_, contents_.end, diagnostics);
-    make_all_lights(resolve, diagnostics);
+    make_area_lights(diagnostics);
+    find_boundaries();
     // Placements have what is still needed of instances: room for the hierarchy.
     std::vector<Instance>().swap(contents_.instances);
     world_scene_.commit();
+    make_other_lights(resolve, diagnostics);
+    for (const auto& light : lights_)
+        light_pointers_.push_back(light.get());
+    if (media_.empty()) return;
+    find_camera_media(diagnostics);
+    find_light_media(diagnostics);
+    warn_of_media(diagnostics);
 }
 
 void TracedScene::build_geometry() {
     const bool tabulates_planes = survey_.facts.triangles <= kMostTabulatedPlanes;
-    world_surfaces_ = make_surface_group(contents_.primitives, "", object_names_, tabulates_planes);
+    world_surfaces_ =
+        make_surface_group(contents_.primitives, "", object_names_, media_, tabulates_planes);
     add_surfaces(world_scene_, world_surfaces_, contents_.primitives);
     bounds_ = world_surfaces_.bounds;
     for (ObjectDefinition& object : contents_.objects) {
-        object_surfaces_.push_back(
-            make_surface_group(object.primitives, object.name, object_names_, tabulates_planes));
+        object_surfaces_.push_back(make_surface_group(object.primitives, object.name, object_names_,
+                                                      media_, tabulates_planes));
         EmbreeScene& scene = object_scenes_.emplace_back(device_);
         add_surfaces(scene, object_surfaces_.back(), object.primitives);
         scene.commit();
@@ -106,28 +116,33 @@ void TracedScene::place_moving(const Instance& instance, std::uint32_t id, const
     placement.moving = &moving_.emplace_back(std::move(steps), times.begin, times.end);
 }
 
-void TracedScene::make_all_lights(const AssetResolver& resolve, Diagnostics& diagnostics) {
+void TracedScene::make_area_lights(Diagnostics& diagnostics) {
     const auto append_area = [&](const std::vector<Primitive>& primitives, const Matrix& placed) {
         append_area_lights(primitives, placed, lights_, area_lights_, diagnostics);
         for (const Primitive& primitive : primitives) {
-            if (primitive.emission) light_places_.push_back(primitive.emission->where);
+            if (!primitive.emission) continue;
+            light_places_.push_back(primitive.emission->where);
+            declared_media_.push_back(media_.number_of(primitive.exterior.get()));
         }
     };
     append_area(contents_.primitives, Matrix());
     for (const Instance& instance : contents_.instances)
         append_area(contents_.objects[instance.object].primitives, instance.to_world);
     sphere_ = unbounded_media_end(contents_, bounds_);
+}
+
+void TracedScene::make_other_lights(const AssetResolver& resolve, Diagnostics& diagnostics) {
     for (const LightDescription& description : contents_.lights) {
+        const MediumNumber declared = media_.number_of(description.medium.get());
         try {
             for (auto& light : make_lights(description, sphere_, resolve, diagnostics))
                 lights_.push_back(std::move(light));
             light_places_.resize(lights_.size(), description.parameters.where);
+            declared_media_.resize(lights_.size(), declared);
         } catch (const InputError& error) {
             diagnostics.fallback(error.where(), error.message(), "the light is left out");
         }
     }
-    for (const auto& light : lights_)
-        light_pointers_.push_back(light.get());
 }
 
 void TracedScene::set_wavelengths(const Wavelengths& wavelengths) {
@@ -169,8 +184,14 @@ const Surface& TracedScene::locate_hit(const Ray& ray, RawHit raw, SurfaceHit& h
     if (placement.moving) moved.emplace(placement.moving->at(ray.time));
     const InstanceTransform* const transform = moved ? &*moved : placement.transform;
     locate(surface, transform, ray, raw, hit);
-    hit.interior = surface.interior;
-    hit.exterior = surface.exterior;
+    const bool behind = ray.direction.dot(hit.ng) > 0;
+    const MediumNumber near = behind ? surface.interior : surface.exterior;
+    const MediumNumber far = behind ? surface.exterior : surface.interior;
+    // A lamp stands in what other surfaces bound: shadow rays, which end before it, go by that.
+    const bool tells = surface.emissive_index == Surface::kNotEmissive;
+    hit.crossed = tells ? ray.media.up_to(near) : ray.media;
+    (behind ? hit.interior : hit.exterior) = tells ? ray.media.back_from(near) : ray.media.known();
+    (behind ? hit.exterior : hit.interior) = ray.media.beyond(near, far);
     if (!surface.material) return surface;
     point.texture.p = hit.p;
     point.texture.n = hit.ns;
@@ -186,22 +207,32 @@ const Surface& TracedScene::locate_hit(const Ray& ray, RawHit raw, SurfaceHit& h
     point.ns = hit.ns;
     point.dpdu = hit.dpdu;
     if (surface.reads_dpdv) point.dpdv = tangent_along_v(surface, transform, raw, hit);
-    point.interior = hit.interior;
-    point.exterior = hit.exterior;
+    // What is declared decides on the index, as in LuxRender, even if the ray is in another medium.
+    const auto on_side = [&](MediumNumber declared, const EnteredMedia& entered) {
+        return media_.medium(declared != kNoMedium ? declared : entered.innermost());
+    };
+    point.interior = on_side(surface.interior, hit.interior);
+    point.exterior = on_side(surface.exterior, hit.exterior);
     point.component = ray.component;
     return surface;
 }
 
 bool TracedScene::find(const Ray& ray, RawHit& raw, SurfaceHit& hit) const {
     if (!world_scene_.intersect(ray, kSmallestDistance, SurfaceClass::Any, raw)) {
-        if (!ray.medium) return false;
+        hit.crossed = ray.media;
+        const Medium* const endless = medium(ray.media);
+        if (!endless) return false;
         hit.distance = std::min(ray.t_max, distance_to_end(sphere_, ray));
-        hit.transmittance = ray.medium->transmittance(hit.distance);
+        hit.transmittance = endless->transmittance(hit.distance);
         return false;
     }
     hit.distance = raw.distance;
-    hit.transmittance = ray.medium ? ray.medium->transmittance(raw.distance) : Rgb(1.0f);
     return true;
+}
+
+void TracedScene::add_transmittance(SurfaceHit& hit) const {
+    const Medium* const crossed = medium(hit.crossed);
+    hit.transmittance = crossed ? crossed->transmittance(hit.distance) : Rgb(1.0f);
 }
 
 bool TracedScene::intersect_smooth(const Ray& ray, SurfaceHit& hit,
@@ -213,6 +244,12 @@ bool TracedScene::intersect_smooth(const Ray& ray, SurfaceHit& hit,
         return complete(ray, raw, hit, memory);
     hit.bsdf = nullptr;
     hit.light = nullptr;
+    hit.crossed = ray.media;
+    if (ray.media.known() == EnteredMedia() && surface.declares_medium()) {
+        ShadingPoint point;
+        locate_hit(ray, raw, hit, point);
+    }
+    add_transmittance(hit);
     return true;
 }
 
@@ -229,6 +266,7 @@ bool TracedScene::complete(const Ray& ray, const RawHit& raw, SurfaceHit& hit,
                            std::pmr::memory_resource& memory) const {
     ShadingPoint point;
     const Surface& surface = locate_hit(ray, raw, hit, point);
+    add_transmittance(hit);
     hit.primitive = raw.primitive;
     hit.material = surface.material_index;
     const std::uint32_t outer = placement_of(raw).object;

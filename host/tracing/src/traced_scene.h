@@ -10,6 +10,8 @@
 #include "lxs/scene/contents.h"
 #include "lxs/scene/refused_values.h"
 #include "lxs/tracing/trace_scene.h"
+#include "media_review.h"
+#include "media_table.h"
 #include "placement.h"
 #include "scene_survey.h"
 #include "spectral_lamps.h"
@@ -51,9 +53,14 @@ class TracedScene : public TraceScene {
     WavelengthDensity wavelength_density() const override;
     RefusalList refused_values() const override;
     std::span<const SourceLocation> light_places() const override { return light_places_; }
+    const EnteredMedia& camera_media() const override { return camera_media_; }
+    std::vector<std::string> media_notes() const override;
     void state(StateArchive& archive) override;
     Bounds bounds() const override { return bounds_; }
     SceneFacts facts() const override { return survey_.facts; }
+    const Medium* medium(const EnteredMedia& media) const override {
+        return media_.medium(media.innermost());
+    }
 
     /// Most straight surfaces that `transmittance` passes; what lies behind more counts as blocked.
     static constexpr int kMaxStraightSurfaces = 256;
@@ -76,10 +83,24 @@ class TracedScene : public TraceScene {
     void place_instances();
     void place_moving(const Instance& instance, std::uint32_t id, const TimeSpan& times,
                       Placement& placement);
-    void make_all_lights(const AssetResolver& resolve, Diagnostics& diagnostics);
+    void make_area_lights(Diagnostics& diagnostics);
+    /// Points of surfaces that bound media or are of glass.
+    void find_boundaries();
+    /// In which media the camera stands, and what no surface bounds.
+    void find_camera_media(Diagnostics& diagnostics);
+    void make_other_lights(const AssetResolver& resolve, Diagnostics& diagnostics);
+    /// Of the first light at infinity that has such a declaration.
+    MediumNumber declared_at_infinity() const;
+    void find_light_media(Diagnostics& diagnostics);
+    /// Of a light or the camera that stands in `media`, by the statement at `where`.
+    void warn_if_not(MediumNumber declared, const EnteredMedia& media, const SourceLocation& where,
+                     Diagnostics& diagnostics) const;
+    void warn_of_media(Diagnostics& diagnostics) const;
+    std::vector<MediaStart> media_starts() const;
+    MeetSurface meet_surface() const;
     void make_spectral_lights();
     const Placement& placement_of(const RawHit& raw) const;
-    /// What `intersect` tells whatever surface is met: distance and transmittance.
+    /// Whether there is a surface, and its distance; else all that `intersect` tells then.
     bool find(const Ray& ray, RawHit& raw, SurfaceHit& hit) const;
     /// All the rest. Returns true.
     bool complete(const Ray& ray, const RawHit& raw, SurfaceHit& hit,
@@ -88,11 +109,14 @@ class TracedScene : public TraceScene {
     /// read of it.
     const Surface& locate_hit(const Ray& ray, RawHit raw, SurfaceHit& hit,
                               ShadingPoint& point) const;
+    /// Of what was crossed over the distance, which both stand in `hit`.
+    void add_transmittance(SurfaceHit& hit) const;
     Rgb walk_transmittance(const Ray& ray) const;
     Rgb medium_transmittance(const Ray& ray, const Medium* medium, float from, float to) const;
 
     SceneContents contents_;
     std::unique_ptr<RefusedValues[]> refused_;  ///< by material
+    MediaTable media_;
     SceneSurvey survey_;
     EmbreeDevice device_;
     ObjectNames object_names_;
@@ -103,7 +127,8 @@ class TracedScene : public TraceScene {
     std::vector<InstanceTransform> transforms_;  ///< by instance
     std::vector<MovingPlacement> moving_;        ///< those that move, in the same order
     std::vector<Placement> placements_;          ///< the world, then the instances
-    std::vector<std::unique_ptr<Light>> lights_;
+    std::vector<std::unique_ptr<PlacedLight>> lights_;
+    std::vector<MediumNumber> declared_media_;                     ///< of the lights
     std::vector<std::unique_ptr<SpectralLight>> spectral_lights_;  ///< by light, if asked for
     std::vector<const Light*> light_pointers_;                     ///< what lights() shows
     std::vector<SourceLocation> light_places_;                     ///< by light
@@ -113,6 +138,8 @@ class TracedScene : public TraceScene {
     SpectralMedia spectral_media_;
     SpectralLamps spectral_lamps_;
     SpectralNeed spectral_need_;
+    EnteredMedia camera_media_, outside_;  ///< outside_: of what no surface bounds
+    std::vector<Vec3> boundaries_;         ///< points on some of what bounds media
     SceneSphere sphere_;  ///< around all surfaces: where media end that no surface bounds
 };
 

@@ -15,7 +15,8 @@ struct Spoils {
     std::function<void(aips::SurfacePoint&, std::pmr::memory_resource&)> point;
     std::function<void(aips::Ray&)> spawned;
     std::function<void(aips::SceneFacts&)> facts;
-    std::optional<aips::Rgb> visibility;
+    /// In place of the scene's own.
+    std::function<aips::Rgb(const aips::SurfacePoint&, const aips::DirectSample&)> visibility;
     std::optional<aips::Bounds> bounds;
 };
 
@@ -42,7 +43,8 @@ class FaultyScene final : public aips::Scene {
     }
     aips::Rgb visibility(const aips::SurfacePoint& point, const aips::DirectSample& light,
                          float time) const override {
-        return spoils_.visibility ? *spoils_.visibility : scene_.visibility(point, light, time);
+        return spoils_.visibility ? spoils_.visibility(point, light)
+                                  : scene_.visibility(point, light, time);
     }
     std::span<const aips::Light* const> lights() const override { return lights_; }
     std::span<const std::string> material_names() const override { return scene_.material_names(); }

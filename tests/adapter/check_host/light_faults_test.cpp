@@ -149,10 +149,68 @@ TEST(LightFaults, NoneInSoundOnes) {
 TEST(LightFaults, VisibilityThroughWalls) {
     const mock::Scene scene = mock::lamp_box({}, {});
     mock::Spoils spoils;
-    spoils.visibility = kWhite;
+    spoils.visibility = [](const auto&, const auto&) { return kWhite; };
     const auto findings = check_host(mock::FaultyScene(scene, spoils), mock::quick_check());
     ASSERT_EQ(findings.size(), 1u) << mock::lines(findings);
     EXPECT_EQ(findings[0].check, "visibility");
+}
+
+/// The lamp's room, with a ball of this kind.
+mock::Scene room_with(mock::Material::Kind kind) {
+    mock::Material ball;
+    ball.kind = kind;
+    return mock::lamp_box({}, ball);
+}
+
+// What bends light lets none pass straight, whatever lobes it has.
+TEST(LightFaults, VisibilityThroughGlass) {
+    const mock::Scene with = room_with(mock::Material::Kind::Glass);
+    const mock::Scene without = room_with(mock::Material::Kind::Null);
+    const auto sound = check_host(with, mock::quick_check());
+    EXPECT_TRUE(sound.empty()) << mock::lines(sound);
+    mock::Spoils spoils;
+    spoils.visibility = [&](const SurfacePoint& point, const DirectSample& light) {
+        return without.visibility(point, light, 0);
+    };
+    const auto findings = check_host(mock::FaultyScene(with, spoils), mock::quick_check());
+    ASSERT_EQ(findings.size(), 1u) << mock::lines(findings);
+    EXPECT_EQ(findings[0].check, "visibility");
+    EXPECT_NE(findings[0].found.find("through material"), std::string::npos) << findings[0].found;
+}
+
+TEST(LightFaults, NoVisibilityThroughWhatPassesStraight) {
+    const mock::Scene scene = room_with(mock::Material::Kind::Null);
+    const auto sound = check_host(scene, mock::quick_check());
+    EXPECT_TRUE(sound.empty()) << mock::lines(sound);
+    for (const float share : {0.0f, 0.5f}) {
+        mock::Spoils spoils;
+        spoils.visibility = [&](const SurfacePoint& point, const DirectSample& light) {
+            const Rgb passed = scene.visibility(point, light, 0);
+            const Vec3 to_ball = Vec3{0.35f, 0.3f, -0.6f} - point.position;
+            const float along = dot(to_ball, light.wi);
+            const bool by =
+                along > 0 && along < light.distance && length(to_ball - light.wi * along) < 0.4f;
+            return by ? passed * share : passed;
+        };
+        const auto findings = check_host(mock::FaultyScene(scene, spoils), mock::quick_check());
+        ASSERT_EQ(findings.size(), 1u) << mock::lines(findings);
+        EXPECT_EQ(findings[0].check, "visibility");
+    }
+}
+
+// Rays see the back of the lamp, and neither shadow rays nor photons know of it.
+TEST(LightFaults, LampSeenFromBehind) {
+    const mock::Scene scene = lit_room(false);
+    mock::Spoils spoils;
+    spoils.point = [](SurfacePoint& point, auto&) {
+        if (point.material != 2) return;
+        point.light = 0;
+        point.emitted = {3, 2, 1};
+    };
+    const auto findings = check_host(mock::FaultyScene(scene, spoils), mock::quick_check());
+    ASSERT_EQ(findings.size(), 1u) << mock::lines(findings);
+    EXPECT_EQ(findings[0].subject.substr(0, 7), "light 0");
+    EXPECT_EQ(findings[0].check, "missing directions");
 }
 
 }  // namespace

@@ -23,15 +23,15 @@ struct Scene {
     std::string light =
         "AttributeBegin AreaLightSource \"area\" \"color L\" [20 20 20] Translate 0 0 3 "
         "Rotate 180 1 0 0 Shape \"disk\" \"float radius\" [0.3] AttributeEnd";
+    std::string floor = "Material \"matte\" \"color Kd\" [0.7 0.7 0.7]";
     std::string world;
 
     std::string text() const {
         return camera + "\n" + integrator +
                "\nFilm \"fleximage\" \"integer xresolution\" [32] \"integer yresolution\" [24] "
                "\"string filename\" [\"out\"] \"string tonemapkernel\" [\"linear\"] " +
-               film + "\nPixelFilter \"box\"\nWorldBegin\n" + light +
-               "\nAttributeBegin Material \"matte\" \"color Kd\" [0.7 0.7 0.7] "
-               "Shape \"trianglemesh\" \"point P\" [-4 -4 0  4 -4 0  4 4 0  -4 4 0] "
+               film + "\nPixelFilter \"box\"\nWorldBegin\n" + light + "\nAttributeBegin " + floor +
+               " Shape \"trianglemesh\" \"point P\" [-4 -4 0  4 -4 0  4 4 0  -4 4 0] "
                "\"integer indices\" [0 1 2  0 2 3] AttributeEnd\n" +
                world + "\nWorldEnd\n";
     }
@@ -260,6 +260,32 @@ TEST_F(AdviceTest, PathFindsCausticsOfSmallLampsByChance) {
     scene.world = kGlass + kGlassBall;
     expect_advice(scene, "path misses caustics", "finds it by chance alone",
                   {"--integrator", "path"});
+}
+
+const std::string kRoughMetal =
+    "Material \"metal\" \"float uroughness\" [0.25] \"float vroughness\" [0.25]";
+
+TEST_F(AdviceTest, PathDoesNotSendGlossWherePhotonsMissIt) {
+    Scene scene;
+    scene.light = kPoint;
+    scene.floor = kRoughMetal;
+    scene.world = kGlass + kGlassBall;
+    expect_advice(scene, "path misses caustics", "with \"bool storeglossy\" [\"true\"]",
+                  {"--integrator", "path"});
+}
+
+// Light that nobody carries: photons do not land on gloss, and no ray meets a point.
+TEST_F(AdviceTest, GlossMissesCausticsOfPoints) {
+    Scene scene;
+    scene.light = kPoint;
+    scene.floor = kRoughMetal;
+    scene.world = kGlass + kGlassBall;
+    expect_advice(scene, "gloss misses caustics", "is missing there");
+    expect_none(scene, {"--set", "aips.storeglossy=true"});
+    scene.floor =
+        "Material \"glossy\" \"color Kd\" [0.3 0.3 0.3] \"color Ks\" [0.3 0.3 0.3] "
+        "\"float uroughness\" [0.25] \"float vroughness\" [0.25]";
+    expect_advice(scene, "gloss misses caustics", "is missing there");
 }
 
 TEST_F(AdviceTest, PathIsRightWhereNothingIsSmooth) {

@@ -199,15 +199,16 @@ TEST(EnvironmentCamera, CoversTheSphereWithForwardInTheCentre) {
     EXPECT_NEAR(sum, 4 * std::numbers::pi, 0.01);
 }
 
-TEST(Camera, GivesTimeShutterAndMedium) {
+TEST(Camera, GivesTimeShutterAndMedia) {
     CameraScene scene("perspective", {real("shutteropen", 0.25), real("shutterclose", 0.5)});
-    scene.contents.camera_medium = std::make_shared<const Medium>(Rgb(1.0f), 1.3f);
     const auto camera = scene.camera();
     EXPECT_EQ(camera->shutter_open(), 0.25f);
     EXPECT_EQ(camera->shutter_close(), 0.5f);
     const CameraRay ray = camera->generate({Vec2(3, 4), Vec2(0.1f)}, 0.375f);
     EXPECT_EQ(ray.ray.time, 0.375f);
-    EXPECT_EQ(ray.ray.medium, scene.contents.camera_medium.get());
+    EXPECT_EQ(ray.ray.media, EnteredMedia());
+    camera->set_media(EnteredMedia().entered(2));
+    EXPECT_EQ(camera->generate({Vec2(3, 4), Vec2(0.1f)}, 0).ray.media, EnteredMedia().entered(2));
 }
 
 }  // namespace

@@ -54,6 +54,7 @@ class Wall final : public Scene {
         return t > 0 && hit.p.x >= x0_ && hit.p.x <= x1_;
     }
     Rgb transmittance(const Ray&) const override { return Rgb(1.0f); }
+    const Medium* medium(const EnteredMedia&) const override { return nullptr; }
     std::span<const Light* const> lights() const override { return {}; }
     std::span<const std::string> light_groups() const override { return {}; }
     std::span<const std::string> material_names() const override { return {}; }

@@ -136,6 +136,7 @@ class SpoiledScene final : public Scene {
         if (spoil_.part == Part::Transmittance) passed.x = spoil_.value;
         return passed;
     }
+    const Medium* medium(const EnteredMedia& media) const override { return scene_.medium(media); }
     std::span<const Light* const> lights() const override { return pointers_; }
     std::span<const std::string> light_groups() const override { return scene_.light_groups(); }
     std::span<const std::string> material_names() const override { return scene_.material_names(); }

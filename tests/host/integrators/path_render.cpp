@@ -50,6 +50,7 @@ class Render {
         camera_ = make_camera(contents, *film_, messages_);
         sampler_ = make_sampler(contents, seed, messages_, true);
         scene_ = make_trace_scene(std::move(contents), {}, messages_);
+        camera_->set_media(scene_->camera_media());
         integrator_.prepare({*scene_, *camera_, *sampler_, *film_, messages_, {0, seed}});
     }
 
@@ -64,9 +65,9 @@ class Render {
   private:
     NoWarnings messages_;
     std::unique_ptr<FileFilm> film_;
-    std::unique_ptr<Camera> camera_;
+    std::unique_ptr<SceneCamera> camera_;
     std::unique_ptr<Sampler> sampler_;
-    std::unique_ptr<Scene> scene_;
+    std::unique_ptr<TraceScene> scene_;
     PathIntegrator integrator_;
     std::uint64_t next_pass_ = 0;
 };

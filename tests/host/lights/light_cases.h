@@ -25,8 +25,6 @@ ParameterValue numbers(const std::string& type, const std::string& name,
                        const std::vector<double>& values);
 ParameterValue text(const std::string& name, const std::string& value);
 
-using Lights = std::vector<std::unique_ptr<Light>>;
-
 /// The sphere around the scene in all tests.
 SceneSphere scene_sphere();
 /// make_lights with asset names as paths.

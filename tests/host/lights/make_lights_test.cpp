@@ -106,17 +106,19 @@ TEST(MakeLights, AFileIsLookedForOnce) {
     EXPECT_EQ(asked, 1);
 }
 
-TEST(MakeLights, GroupAndMediumGoWithTheLight) {
+TEST(MakeLights, GroupAndMediaGoWithTheLight) {
     LightDescription description;
     description.parameters.plugin = "point";
     description.group = 3;
-    description.medium = std::make_shared<const Medium>(Rgb(1.0f), 1.3f);
     RecordedDiagnostics diagnostics;
     const Lights lights = make_lights(description, scene_sphere(), {}, diagnostics);
     EXPECT_EQ(lights[0]->group(), 3u);
     EmissionSample s;
     ASSERT_TRUE(lights[0]->sample_emission({0.5f, 0.5f, 0.5f, 0.5f}, s));
-    EXPECT_EQ(s.ray.medium, description.medium.get());
+    EXPECT_EQ(s.ray.media, EnteredMedia());
+    lights[0]->set_media(EnteredMedia().entered(2));
+    ASSERT_TRUE(lights[0]->sample_emission({0.5f, 0.5f, 0.5f, 0.5f}, s));
+    EXPECT_EQ(s.ray.media, EnteredMedia().entered(2));
 }
 
 TEST(MakeLights, ParametersOfRealScenesAreKnown) {

@@ -100,7 +100,7 @@ Matrix rotation(const Imath::V3d& axis, double angle) {
     return Matrix().setAxisAngle(axis.normalized(), angle);
 }
 
-std::unique_ptr<Scene> trace(SceneContents contents) {
+std::unique_ptr<TraceScene> trace(SceneContents contents) {
     if (contents.light_groups.empty()) contents.light_groups = {"default"};
     const AssetResolver resolve = [](const std::string& name, const SourceLocation&) {
         return name;
@@ -109,9 +109,17 @@ std::unique_ptr<Scene> trace(SceneContents contents) {
     return make_trace_scene(std::move(contents), resolve, diagnostics);
 }
 
-std::unique_ptr<Scene> trace(std::vector<Primitive> primitives) {
+std::unique_ptr<TraceScene> trace(std::vector<Primitive> primitives) {
     SceneContents contents;
     contents.primitives = std::move(primitives);
+    return trace(std::move(contents));
+}
+
+std::unique_ptr<TraceScene> trace_within(std::vector<Primitive> primitives,
+                                         std::shared_ptr<const Medium> medium) {
+    SceneContents contents;
+    contents.primitives = std::move(primitives);
+    contents.camera_medium = std::move(medium);
     return trace(std::move(contents));
 }
 

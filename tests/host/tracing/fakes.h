@@ -28,8 +28,11 @@ AreaEmission emission(const Rgb& radiance);
 Matrix rotation(const Imath::V3d& axis, double angle);
 
 /// `contents` with at least the default group, traced. Warnings are dropped.
-std::unique_ptr<Scene> trace(SceneContents contents);
-std::unique_ptr<Scene> trace(std::vector<Primitive> primitives);
+std::unique_ptr<TraceScene> trace(SceneContents contents);
+std::unique_ptr<TraceScene> trace(std::vector<Primitive> primitives);
+/// The same within a medium that no surface bounds, TraceScene::camera_media().
+std::unique_ptr<TraceScene> trace_within(std::vector<Primitive> primitives,
+                                         std::shared_ptr<const Medium> medium);
 /// One object made of `primitives` and an instance of it per transform.
 SceneContents instanced(std::vector<Primitive> primitives, const std::vector<Matrix>& transforms);
 

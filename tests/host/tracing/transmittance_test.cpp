@@ -24,10 +24,9 @@ TEST(Transmittance, OpaqueBlocksUpToTheSegmentsEnd) {
 }
 
 TEST(Transmittance, MediumAbsorbsOverTheSegment) {
-    const auto scene = trace({pane(9, matte())});
-    const Medium medium(Rgb(1, 0, 2), 1);
+    const auto scene = trace_within({pane(9, matte())}, std::make_shared<Medium>(Rgb(1, 0, 2), 1));
     Ray segment = kUpwards;
-    segment.medium = &medium;
+    segment.media = scene->camera_media();
     segment.t_max = 0.5f;
     const Rgb share = scene->transmittance(segment);
     EXPECT_NEAR(share.x, std::exp(-0.5f), 1e-6f);
@@ -38,10 +37,10 @@ TEST(Transmittance, MediumAbsorbsOverTheSegment) {
 /// A medium that no surface bounds ends at the sphere around the scene, here of radius sqrt(3);
 /// shadow rays and rays that leave the scene agree on it.
 TEST(Transmittance, EndlessRayEndsWithTheScene) {
-    const auto scene = trace({pane(-1, matte()), pane(1, matte())});
-    const Medium medium(Rgb(1, 0, 2), 1);
+    const auto scene = trace_within({pane(-1, matte()), pane(1, matte())},
+                                    std::make_shared<Medium>(Rgb(1, 0, 2), 1));
     Ray sideways = ray(Vec3(0.5f, 0, 0), Vec3(1, 0, 0));
-    sideways.medium = &medium;
+    sideways.media = scene->camera_media();
     const double length = std::sqrt(3.0) - 0.5;
     const Rgb share = scene->transmittance(sideways);
     EXPECT_NEAR(share.x, std::exp(-length), 1e-4);
@@ -93,10 +92,9 @@ TEST(Transmittance, SwitchesMediumAtSurfaces) {
     Primitive ball = primitive(sphere(1, translation(0, 0, 3)), straight(Rgb(1.0f)));
     ball.interior = std::make_shared<Medium>(Rgb(1, 0.5f, 0), 1);
     ball.exterior = std::make_shared<Medium>(Rgb(0, 0, 0.25f), 1);
-    const Medium* outside = ball.exterior.get();
-    const auto scene = trace({ball});
+    const auto scene = trace_within({ball}, ball.exterior);
     Ray segment = ray(Vec3(0), Vec3(0, 0, 1));
-    segment.medium = outside;
+    segment.media = scene->camera_media();
     segment.t_max = 6;
     const Rgb share = scene->transmittance(segment);
     EXPECT_NEAR(share.x, std::exp(-2.0f), 1e-6f);

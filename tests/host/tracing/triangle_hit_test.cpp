@@ -88,13 +88,13 @@ TEST(TriangleHit, TellsTriangleMaterialAndMedia) {
     ASSERT_TRUE(hit(*scene, ray(Vec3(5.2f, 0.8f, 1), kDown), result));
     EXPECT_EQ(result.primitive, 1u);
     EXPECT_EQ(result.material, 3u);
-    EXPECT_EQ(result.interior, interior);
-    EXPECT_EQ(result.exterior, exterior);
+    EXPECT_EQ(scene->medium(result.interior), interior);
+    EXPECT_EQ(scene->medium(result.exterior), exterior);
     EXPECT_NE(result.bsdf, nullptr);
     EXPECT_EQ(result.light, nullptr);
     ASSERT_TRUE(hit(*scene, ray(Vec3(0.8f, 0.2f, 1), kDown), result));
     EXPECT_EQ(result.primitive, 0u);
-    EXPECT_EQ(result.interior, nullptr);
+    EXPECT_EQ(result.interior, EnteredMedia());
 }
 
 TEST(TriangleHit, InstancePutsEverythingInTheWorld) {
@@ -149,10 +149,11 @@ TEST(TriangleHit, RespectsTheEndOfTheSegment) {
 }
 
 TEST(TriangleHit, MediumOfTheRayAttenuates) {
-    const auto scene = trace({primitive(parallelogram(Vec3(0), Vec3(1, 0, 0), Vec3(0, 1, 0)))});
-    const Medium medium(Rgb(1, 0.5f, 0), 1);
+    const auto scene =
+        trace_within({primitive(parallelogram(Vec3(0), Vec3(1, 0, 0), Vec3(0, 1, 0)))},
+                     std::make_shared<Medium>(Rgb(1, 0.5f, 0), 1));
     Ray r = ray(Vec3(0.25f, 0.5f, 2), kDown);
-    r.medium = &medium;
+    r.media = scene->camera_media();
     SurfaceHit result;
     ASSERT_TRUE(hit(*scene, r, result));
     EXPECT_NEAR(result.transmittance.x, std::exp(-2.0f), 1e-6f);

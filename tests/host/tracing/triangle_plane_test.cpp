@@ -30,8 +30,9 @@ TEST(TrianglePlane, HitsAreTheSameWithAndWithoutTheTable) {
         one.reverse_orientation = reversed;
         std::vector<Primitive> primitives{one};
         ObjectNames names;
-        const SurfaceGroup with = make_surface_group(primitives, "", names, true);
-        const SurfaceGroup without = make_surface_group(primitives, "", names, false);
+        const MediaTable media{SceneContents()};
+        const SurfaceGroup with = make_surface_group(primitives, "", names, media, true);
+        const SurfaceGroup without = make_surface_group(primitives, "", names, media, false);
         EXPECT_EQ(with.surfaces[0].planes.size(), std::size_t{kTriangles});
         EXPECT_TRUE(without.surfaces[0].planes.empty());
         for (std::uint32_t i = 0; i < kTriangles; ++i) {

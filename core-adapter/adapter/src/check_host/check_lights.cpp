@@ -70,7 +70,11 @@ class LightCheck {
     /// Whether what sample_direct() brings is in doubt.
     bool report_direct(const DirectLightTally& direct) {
         any(direct.blocked, kRareAtLight, "visibility", "none through what lets nothing pass");
-        any(direct.open, kRareAtLight, "visibility", "light, where nothing is in its way");
+        any(direct.open, kRareAtLight, "visibility", "light, where nothing stops it");
+        any(direct.shares, kRareAtLight, "visibility",
+            "the share that surfaces and media let pass");
+        any(direct.behind, kRareAtLight, "missing directions",
+            "samples wherever the light is seen from");
         const bool missed =
             any(direct.missed, kRareAtLight, "light point", "the light's surface there");
         const bool radiance =
@@ -159,6 +163,7 @@ void check_lights(const Scene& scene, const HostCheckSettings& settings,
         const LightFlux flux =
             measure_flux(scene, *scene.lights()[i], 2 * settings.samples * settings.places, random);
         DirectLightTally direct;
+        look_from_behind(scene, number, settings.time, random, direct.behind);
         const std::size_t tried = std::min(kPlacesTried, surfaces.anywhere().size());
         for (std::size_t k = 0; k < tried; ++k) {
             const auto at = std::size_t(random.next() * float(surfaces.anywhere().size()));

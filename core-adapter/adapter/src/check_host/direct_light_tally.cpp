@@ -32,9 +32,7 @@ class Place {
             DirectSample s;
             if (!draw(s)) continue;
             found.push_back(s.wi);
-            SurfacePoint met;
-            const bool hit = trace(s.wi, met);
-            look_at_visibility(s, hit, met);
+            look_at_visibility(s);
             reached = reached ||
                       (!is_black(s.radiance) && !is_black(scene_.visibility(point_, s, time_)));
         }
@@ -102,21 +100,76 @@ class Place {
         return there;
     }
 
-    void look_at_visibility(const DirectSample& s, bool hit, const SurfacePoint& met) {
-        if (is_black(met.transmittance)) return;
-        const bool before = hit && met.distance < s.distance * (1 - kSame);
-        const bool free = !hit || (met.light == number_ && near(met.distance, s.distance));
-        if (!before && !free) return;
-        if (before && met.bsdf && (met.bsdf->lobes() & kSpecular)) return;  // may be passed
-        const bool visible = !is_black(scene_.visibility(point_, s, time_));
-        if (before) {
-            tally_.blocked.look(!visible, [&] {
-                return "light from distance " + figure(s.distance) + " through " +
-                       material_subject(scene_, met.material) + " at " + figure(met.distance);
-            });
-        } else {
-            tally_.open.look(visible, [&] { return "no light, and nothing in its way"; });
+    /// What of light that goes on along `direction` passes the surface straight, by its Bsdf.
+    static Rgb straight_share(const SurfacePoint& met, Vec3 direction) {
+        Rgb share;
+        if (!met.bsdf || !(met.bsdf->lobes() & kSpecular)) return share;
+        for (int i = 0; i < kStraightDraws; ++i) {
+            BsdfSample s;
+            const float u_lobe = (float(i) + 0.5f) / kStraightDraws;
+            if (met.bsdf->sample(-direction, {0.5f, 0.5f}, u_lobe, Transport::Power, kSpecular,
+                                 s) &&
+                s.straight)
+                share += s.weight * (1.0f / kStraightDraws);
         }
+        return share;
+    }
+
+    /// What stands between the place and a light point.
+    struct Way {
+        bool known = false;  ///< it is not too near to the light to tell
+        Rgb share = kWhite;  ///< of light that passes it straight, media included
+        bool free = true;    ///< there is no surface
+        SurfacePoint last;   ///< the last of them
+    };
+    Way way_to(const DirectSample& s) {
+        Way way;
+        Ray ray = scene_.spawn(point_, s.wi, time_);
+        float gone = 0;
+        for (int i = 0; i < kMostPassed; ++i) {
+            arena_.reset();
+            SurfacePoint met;
+            const bool hit = scene_.intersect(ray, met, arena_);
+            way.share *= met.transmittance;
+            if (is_black(way.share)) return way;  // a medium lets nothing pass
+            gone += met.distance;
+            const bool before = hit && gone < s.distance * (1 - kSame);
+            if (!before) {
+                way.known = !hit || (met.light == number_ && near(gone, s.distance));
+                return way;
+            }
+            way.free = false;
+            way.last = met;
+            way.share *= straight_share(met, s.wi);
+            way.known = is_black(way.share);
+            if (way.known) return way;
+            ray = scene_.spawn(met, s.wi, time_);
+        }
+        return way;
+    }
+
+    void look_at_visibility(const DirectSample& s) {
+        const Way way = way_to(s);
+        if (!way.known) return;
+        const Rgb visible = scene_.visibility(point_, s, time_);
+        if (is_black(way.share)) {
+            tally_.blocked.look(is_black(visible), [&] {
+                return "light from distance " + figure(s.distance) + " through " +
+                       material_subject(scene_, way.last.material);
+            });
+            return;
+        }
+        tally_.open.look(!is_black(visible), [&] {
+            return way.free ? "no light, and nothing in its way"
+                            : "no light through " + material_subject(scene_, way.last.material);
+        });
+        if (is_black(visible)) return;
+        const float found = luminance(visible), expected = luminance(way.share);
+        const float larger = std::max(found, expected);
+        tally_.shares.look(std::abs(found - expected) <= kSameShare * larger, [&] {
+            return "a share of " + figure(found) + " where " + figure(expected) + " passes" +
+                   (way.free ? std::string() : " " + material_subject(scene_, way.last.material));
+        });
     }
 
     void coordinates(const DirectSample& s) {
@@ -165,7 +218,38 @@ class Place {
     Arena arena_;
 };
 
+/// A place of no surface.
+SurfacePoint point_at(Vec3 position) {
+    SurfacePoint point;
+    point.position = position;
+    return point;
+}
+
 }  // namespace
+
+void look_from_behind(const Scene& scene, LightIndex number, float time, RandomStream& random,
+                      Tally& tally) {
+    const Light& light = *scene.lights()[number];
+    if (light.at_infinity()) return;
+    const float step = kBehind * scene.bounds().diagonal();
+    for (int i = 0; i < kBehindDraws; ++i) {
+        Emission emission;
+        if (!emit_at_random(light, random, emission)) continue;
+        const Vec3 direction = emission.ray.direction;
+        Ray ray = emission.ray;
+        ray.time = time;
+        ray.origin = ray.origin - direction * step;
+        Arena arena;
+        SurfacePoint met;
+        if (!scene.intersect(ray, met, arena) || met.light != number || met.distance > 2 * step ||
+            dot(direction, met.geometric_normal) <= 0 || is_black(met.emitted))
+            continue;
+        tally.look(light.pdf_direct(point_at(ray.origin), direction, &met) > 0, [&] {
+            return "radiance " + figure(luminance(met.emitted)) +
+                   " behind it, where pdf_direct() is 0";
+        });
+    }
+}
 
 void ask_direct_light(const Scene& scene, LightIndex light, const Ray& ray, std::uint32_t samples,
                       std::uint32_t places, RandomStream& random, DirectLightTally& tally) {

@@ -8,11 +8,16 @@
 namespace aips {
 
 struct DirectLightTally {
-    Tally values, pdfs, radiances, missed, unasked, blocked, open, coordinates;
+    Tally values, pdfs, radiances, missed, unasked, blocked, open, shares, behind, coordinates;
     /// Integrals of p q / (p + q) as in ask_bsdf.cpp: by samples, and by directions of density q.
     Estimate by_samples, by_density;
     std::uint32_t places = 0;  ///< that the light reaches
 };
+
+/// Looks at a lamp from behind, close to where its photons start: what rays see there, shadow rays
+/// must bring. A lamp that sends light from its front alone is not seen by them.
+void look_from_behind(const Scene& scene, LightIndex light, float time, RandomStream& random,
+                      Tally& tally);
 
 /// Asks from the place that `ray` meets: by a few shadow rays for visibility, and if they reach the
 /// light and `places` have not been asked yet, by `samples` for all else.

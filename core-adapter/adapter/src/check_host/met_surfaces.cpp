@@ -209,7 +209,8 @@ void MetSurfaces::keep(const Ray& ray, std::vector<Ray>& rays, std::uint64_t& me
 void MetSurfaces::report(HostFindings& findings) {
     const std::string scene = "scene";
     findings.add_if_over(memory_, 0, scene, "memory",
-                         "at most max_bsdf_bytes, " + std::to_string(facts_.max_bsdf_bytes));
+                         "at most max_bsdf_bytes, " + std::to_string(facts_.max_bsdf_bytes) +
+                             ", alignment less 1 included");
     findings.add_if_over(
         lobes_, 0, scene, "lobes",
         "no lobe that SceneFacts::lobes, " + std::to_string(facts_.lobes) + ", lacks");

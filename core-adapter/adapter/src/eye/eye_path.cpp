@@ -102,6 +102,7 @@ class EyePath {
         if (!beam_choice_.takes(weight, [&] { return random_.next(); })) return;
         result_.has_beam = true;
         result_.beam = beam;
+        result_.beam.medium = media_->alone(beam.medium);
         result_.beam_footprint =
             camera_ray_.width + camera_ray_.spread * (travelled_ + 0.5f * beam.length);
     }

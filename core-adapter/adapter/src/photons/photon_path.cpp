@@ -144,8 +144,8 @@ class PhotonTrace {
         const Vec3 position = photon.ray.origin + photon.ray.direction * distance;
         if (!refusals_.accept(photon.power, kPassageOrigin)) return false;
         if (!photon.straight || !in_.settings.direct_light_sampling) {
-            collisions_->push_back(
-                {position, -photon.ray.direction, photon.power, medium, photon.group, photon.part});
+            collisions_->push_back({position, -photon.ray.direction, photon.power,
+                                    media_->alone(medium), photon.group, photon.part});
         }
         if (photon.at_end(in_.settings)) return false;
         photon.power *= media_->scattering(medium);

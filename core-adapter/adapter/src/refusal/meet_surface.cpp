@@ -3,10 +3,11 @@
 
 namespace aips {
 
-bool meet_surface(const Scene& scene, const Ray& ray, SurfacePoint& point,
+bool meet_surface(const Scene& scene, Ray& ray, SurfacePoint& point,
                   std::pmr::memory_resource& memory, Refusals& refusals, Sought sought) {
     const bool met = sought == Sought::Smooth ? scene.intersect_smooth(ray, point, memory)
                                               : scene.intersect(ray, point, memory);
+    if (point.crossed) ray.medium = point.crossed;
     if (!refusals.accept(point.transmittance, kPassageOrigin)) point.transmittance = {};
     if (!met) return false;
     const bool is_place = is_finite(point.position) && is_finite(point.geometric_normal) &&

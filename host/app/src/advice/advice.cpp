@@ -25,6 +25,7 @@ constexpr Rule kRules[] = {
     {"glass inside out", &glass_is_inside_out},
     {"architectural glass", &architectural_glass_is_curved},
     {"path misses caustics", &path_misses_caustics},
+    {"gloss misses caustics", &gloss_misses_caustics},
     {"radius too wide", &radius_is_wider_than_objects},
 };
 

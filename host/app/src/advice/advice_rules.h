@@ -43,6 +43,7 @@ AdviceText architectural_glass_is_curved(const AdviceFacts& facts);
 
 // light_rules.cpp: by rays that ask where light goes.
 AdviceText path_misses_caustics(const AdviceFacts& facts);
+AdviceText gloss_misses_caustics(const AdviceFacts& facts);
 AdviceText radius_is_wider_than_objects(const AdviceFacts& facts);
 
 }  // namespace lxs

@@ -19,17 +19,22 @@ constexpr int kSent = 256;               ///< rays from each
 constexpr std::size_t kMostPlaces = 48;  ///< on smooth surfaces in view that each is asked from
 constexpr int kMostBends = 8;            ///< on each ray
 constexpr double kBentShare = 0.01;      ///< of a light's own light, from which on it is missed
+constexpr double kLobeShare = 0.1;       ///< of what is scattered, below which a lobe is left alone
 constexpr int kLeastWays = 3;            ///< from places in view that count, few being chance
 constexpr double kLeastChance = 0.005;   ///< of a ray to meet the light, below which dots show
 constexpr double kLeastSupport = 0.5;
 constexpr int kSupports = 8;
+/// Added to the name of an integrator that shoots photons.
+constexpr const char* kGlossTakesPhotons =
+    " with \"bool storeglossy\" [\"true\"], so that glossy surfaces take photons";
 
 /// Of the light of one lamp that lands where the eye sees it.
 struct LandedLight {
-    double all = 0, bent = 0;  ///< in the lamp's own units; through glass or by mirrors
-    int from_view = 0;         ///< ways by smooth surfaces that are in view
-    int ways = 0;              ///< those, and ways that the lamp's own rays took
-    double chances = 0;        ///< over these, of a ray from where they land to meet the lamp
+    double all = 0;      ///< that is scattered towards the eye, in the lamp's own units
+    double bent = 0;     ///< of this, by lobes that are asked for, come through glass or by mirrors
+    int from_view = 0;   ///< such ways by smooth surfaces that are in view
+    int ways = 0;        ///< those, and ways that the lamp's own rays took
+    double chances = 0;  ///< over these, of a ray from where they land to meet the lamp
 
     bool is_found_by_chance() const {
         return (bent > kBentShare * all || from_view >= kLeastWays) && ways > 0 &&
@@ -68,8 +73,16 @@ bool land(SceneProbe& probe, ProbeNumbers& numbers, LightRay& light) {
     return false;
 }
 
-/// Where the rays of a light go.
-void send_rays(SceneProbe& probe, const Light& light, ProbeNumbers& numbers, LandedLight& landed) {
+/// What lobes of the surface scatter towards the eye, of light as it came.
+double towards_eye(const SceneProbe& probe, const MetSurface& met, LobeMask lobes) {
+    const Vec3 wo = (probe.eye() - met.hit.p).normalized();
+    const Rgb f = met.hit.bsdf->evaluate(wo, -met.ray.direction, Transport::Radiance, lobes);
+    return static_cast<double>(luminance(f));
+}
+
+/// Where the rays of a light go, and what `lobes` do with them.
+void send_rays(SceneProbe& probe, const Light& light, LobeMask lobes, ProbeNumbers& numbers,
+               LandedLight& landed) {
     for (int k = 0; k < kSent; ++k) {
         const PrimaryPoint u{numbers.next(), numbers.next(), numbers.next(), numbers.next()};
         EmissionSample emission;
@@ -77,17 +90,18 @@ void send_rays(SceneProbe& probe, const Light& light, ProbeNumbers& numbers, Lan
         emission.ray.time = probe.time();
         LightRay ray{probe.meet(emission.ray), static_cast<double>(luminance(emission.power))};
         if (!land(probe, numbers, ray)) continue;
-        landed.all += ray.power;
-        if (!ray.bent) continue;
-        landed.bent += ray.power;
+        landed.all += ray.power * towards_eye(probe, *ray.met, kDiffuse | kGlossy);
+        const double scattered = ray.power * towards_eye(probe, *ray.met, lobes);
+        if (!ray.bent || !(scattered > 0)) continue;
+        landed.bent += scattered;
         ++landed.ways;
         landed.chances += chance_to_meet(light, ray.met->hit);
     }
 }
 
 /// Where light goes on from the smooth surfaces in view: its own rays seldom meet small ones.
-void send_by_what_is_seen(SceneProbe& probe, const Light& light, ProbeNumbers& numbers,
-                          LandedLight& landed) {
+void send_by_what_is_seen(SceneProbe& probe, const Light& light, LobeMask lobes,
+                          ProbeNumbers& numbers, LandedLight& landed) {
     const auto& smooth = probe.smooth();
     for (std::size_t i = 0; i < smooth.size(); i += smooth.size() / kMostPlaces + 1) {
         DirectSample sample;
@@ -99,10 +113,21 @@ void send_by_what_is_seen(SceneProbe& probe, const Light& light, ProbeNumbers& n
         LightRay ray{smooth[i]};
         ray.met->ray.direction = -sample.wi;
         if (!land(probe, numbers, ray) || !ray.bent) continue;
+        const double all = towards_eye(probe, *ray.met, kDiffuse | kGlossy);
+        if (!(towards_eye(probe, *ray.met, lobes) > kLobeShare * all)) continue;
         ++landed.from_view;
         ++landed.ways;
         landed.chances += chance_to_meet(light, ray.met->hit);
     }
+}
+
+/// What `lobes` scatter of the light of a lamp.
+LandedLight light_on(SceneProbe& probe, const Light& light, LobeMask lobes) {
+    LandedLight landed;
+    ProbeNumbers numbers(2);
+    send_rays(probe, light, lobes, numbers, landed);
+    send_by_what_is_seen(probe, light, lobes, numbers, landed);
+    return landed;
 }
 
 /// Share of the disc of `radius` around what is seen there that is of the same surface.
@@ -134,17 +159,35 @@ AdviceText path_misses_caustics(const AdviceFacts& facts) {
     const auto lights = facts.probe.scene().lights();
     for (std::size_t i = 0; i < std::min(lights.size(), kMostAskedLights); ++i) {
         if (!(lights[i]->power() > 0)) continue;
-        LandedLight landed;
-        ProbeNumbers numbers(2);
-        send_rays(facts.probe, *lights[i], numbers, landed);
-        send_by_what_is_seen(facts.probe, *lights[i], numbers, landed);
-        if (!landed.is_found_by_chance()) continue;
+        const LandedLight matte = light_on(facts.probe, *lights[i], kDiffuse);
+        const LandedLight glossy = light_on(facts.probe, *lights[i], kGlossy);
+        if (!matte.is_found_by_chance() && !glossy.is_found_by_chance()) continue;
+        const LandedLight& landed = matte.is_found_by_chance() ? matte : glossy;
         return fmt::format(
             "light of {} comes through glass or by mirrors onto what is seen, where \"path\" {}. "
-            "Use SurfaceIntegrator \"aips\" (--integrator aips).",
+            "Use SurfaceIntegrator \"aips\" (--integrator aips){}.",
             light_name(facts.session, i),
             landed.chances == 0 ? "misses it altogether"
-                                : "finds it by chance alone, as bright dots");
+                                : "finds it by chance alone, as bright dots",
+            glossy.is_found_by_chance() ? kGlossTakesPhotons : "");
+    }
+    return {};
+}
+
+AdviceText gloss_misses_caustics(const AdviceFacts& facts) {
+    const LobeMask lobes = facts.account.without_photons;
+    if (lobes == 0 || !facts.session.scene->facts().has_specular) return {};
+    const auto lights = facts.probe.scene().lights();
+    for (std::size_t i = 0; i < std::min(lights.size(), kMostAskedLights); ++i) {
+        if (!(lights[i]->power() > 0)) continue;
+        const LandedLight landed = light_on(facts.probe, *lights[i], lobes);
+        // What some rays find is noise; what none can find is lost.
+        if (!landed.is_found_by_chance() || landed.chances > 0) continue;
+        return fmt::format(
+            "light of {} comes through glass or by mirrors onto glossy surfaces, which take no "
+            "photons, and is missing there, as no ray meets a lamp without extent. Take "
+            "SurfaceIntegrator \"{}\"{}; or give the lamp some extent.",
+            light_name(facts.session, i), facts.session.integrator_name, kGlossTakesPhotons);
     }
     return {};
 }

@@ -2,9 +2,9 @@
 #include "advice/scene_probe.h"
 
 #include <cmath>
-#include <numbers>
 
 #include "lxs/sdk/rays.h"
+#include "lxs/sdk/warp.h"
 
 namespace lxs {
 namespace {
@@ -22,14 +22,6 @@ float ProbeNumbers::next() {
     z = (z ^ (z >> 30)) * 0xBF58476D1CE4E5B9u;
     z = (z ^ (z >> 27)) * 0x94D049BB133111EBu;
     return static_cast<float>((z ^ (z >> 31)) >> 40) * 0x1p-24f;
-}
-
-Vec3 direction_on_sphere(int i, int count) {
-    const double z = 1 - (2 * i + 1.0) / count;
-    const double phi = i * std::numbers::pi * (3 - std::sqrt(5.0));
-    const double r = std::sqrt(1 - z * z);
-    return {static_cast<float>(r * std::cos(phi)), static_cast<float>(r * std::sin(phi)),
-            static_cast<float>(z)};
 }
 
 SmoothSurface smooth_surface(const MetSurface& met) {

@@ -38,9 +38,6 @@ struct SmoothSurface {
     bool passes_straight = false;  ///< lets it through as it came: architectural glass, null
 };
 
-/// Point number `i` of `count` on the unit sphere, evenly spread.
-Vec3 direction_on_sphere(int i, int count);
-
 /// Whether the ray came to the surface from behind.
 inline bool from_behind(const Ray& ray, const SurfaceHit& hit) {
     return ray.direction.dot(hit.ng) > 0;

@@ -31,7 +31,11 @@ class Glass2Material final : public Material {
                         std::pmr::memory_resource& memory) const override {
         return scatter_glass(glass_at(point, disperses_), architectural_, point, memory);
     }
-    MaterialFacts facts() const override { return glass_facts(architectural_, disperses_); }
+    MaterialFacts facts() const override {
+        MaterialFacts facts = glass_facts(architectural_, disperses_);
+        facts.index_of_media = true;
+        return facts;
+    }
     Rgb straight_transmittance(const ShadingPoint& point, const Vec3& direction) const override {
         if (!architectural_) return Rgb(0.0f);
         const GlassPoint glass = glass_at(point, disperses_);

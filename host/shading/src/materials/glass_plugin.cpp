@@ -30,6 +30,7 @@ class GlassMaterial final : public Material {
     }
     MaterialFacts facts() const override {
         MaterialFacts facts = glass_facts(architectural_, !cauchy_b_.is(0));
+        facts.own_index = !architectural_;
         facts.reads_image = index_.reads_image() || cauchy_b_.reads_image() || film_.reads_image();
         facts.reads_uv =
             kr_.varies() || kt_.varies() || index_.varies() || cauchy_b_.varies() || film_.varies();

@@ -65,7 +65,7 @@ const Bsdf* RoughGlassMaterial::scatter(const ShadingPoint& point,
 MaterialFacts RoughGlassMaterial::facts() const {
     MaterialFacts facts;
     facts.lobes = kGlossy;
-    facts.transmits = true;
+    facts.transmits = facts.own_index = true;
     facts.reads_image = index_.reads_image() || cauchy_b_.reads_image() || surface_.reads_image();
     kr_.add_to(facts);
     kt_.add_to(facts);

@@ -26,6 +26,9 @@ class Media {
     virtual ~Media() = default;
     /// Whether a medium scatters; the other members are called for such media only.
     virtual bool scatters(const void* medium) const = 0;
+    /// Marks may tell more of a ray than the medium that it travels in, such as what lies around
+    /// that: the one mark by which rays in the same medium are known as such.
+    virtual const void* alone(const void* medium) const { return medium; }
     /// Of light by collisions: absorption and scattering together.
     virtual Rgb extinction(const void* medium) const = 0;
     virtual Rgb scattering(const void* medium) const = 0;

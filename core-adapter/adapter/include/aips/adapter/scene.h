@@ -37,13 +37,14 @@ struct SurfacePoint {
     Rgb transmittance{1, 1, 1};  ///< of the medium passed
     Rgb emitted;                 ///< radiance towards the ray's origin
     LightIndex light = kNoLight;
-    const Bsdf* bsdf = nullptr;      ///< null: absorbs everything
-    std::uint32_t material = 0;      ///< index of a name, for reports
-    std::uint32_t object = 0;        ///< likewise, for a film's masks alone
-    std::uint32_t primitive = 0;     ///< within the light's shape
-    Vec3 position_error;             ///< rounding error bound per coordinate
-    const void* interior = nullptr;  ///< medium behind the surface
-    const void* exterior = nullptr;  ///< medium before it
+    const Bsdf* bsdf = nullptr;     ///< null: absorbs everything
+    std::uint32_t material = 0;     ///< index of a name, for reports
+    std::uint32_t object = 0;       ///< likewise, for a film's masks alone
+    std::uint32_t primitive = 0;    ///< within the light's shape
+    Vec3 position_error;            ///< rounding error bound per coordinate
+    const void* crossed = nullptr;  ///< what the ray was in, if the host knows better than its mark
+    const void* interior = nullptr;  ///< mark of a ray that leaves the point behind the surface
+    const void* exterior = nullptr;  ///< likewise before it
 };
 
 /// A photon as it leaves a light.
@@ -102,7 +103,9 @@ class Media;
 struct SceneFacts {
     LobeMask lobes = kAllLobes;  ///< every kind that some surface may have
     bool has_media = false;
-    std::size_t max_bsdf_bytes = 0;  ///< most memory that one intersect() takes
+    /// Most memory that one intersect() takes: of each block its bytes and its alignment less 1, as
+    /// it may begin anywhere.
+    std::size_t max_bsdf_bytes = 0;
 };
 
 /// All const members may be called from many threads.

@@ -117,6 +117,8 @@ class SceneCamera : public Camera {
     /// Autofocus, if the statement asks for it: to the depth where the ray through the middle of
     /// the whole image meets the scene, if it does. To be called before rendering.
     virtual void focus(const Scene& scene) = 0;
+    /// What it stands in from now on; vacuum before.
+    virtual void set_media(const EnteredMedia& media) = 0;
     /// Whether rays depend on where on the lens they start.
     virtual bool has_lens() const = 0;
 };

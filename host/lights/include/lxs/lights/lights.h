@@ -23,24 +23,45 @@ struct SceneSphere {
 using AssetResolver =
     std::function<std::string(const std::string& name, const SourceLocation& where)>;
 
+/// What every light carries besides its emission.
+struct LightPlacement {
+    std::uint32_t group = 0;  ///< light group, index into the scene's names
+    bool hidden = false;      ///< the camera does not see it
+};
+
+/// A light of a scene.
+class PlacedLight : public Light {
+  public:
+    std::uint32_t group() const final { return placement_.group; }
+    bool hidden_from_camera() const final { return placement_.hidden; }
+    /// What emitted light starts in; vacuum, if it is not set.
+    const EnteredMedia& media() const { return media_; }
+    void set_media(const EnteredMedia& media) { media_ = media; }
+
+  protected:
+    explicit PlacedLight(const LightPlacement& placement) : placement_(placement) {}
+
+  private:
+    LightPlacement placement_;
+    EnteredMedia media_;
+};
+
+using Lights = std::vector<std::unique_ptr<PlacedLight>>;
+
 /// Lights without geometry: point, spot, distant, infinite, sun, sky; sunsky gives two. Throws
 /// InputError; an unknown name's message lists the known ones.
-std::vector<std::unique_ptr<Light>> make_lights(const LightDescription& description,
-                                                const SceneSphere& sphere,
-                                                const AssetResolver& resolve,
-                                                Diagnostics& diagnostics);
+Lights make_lights(const LightDescription& description, const SceneSphere& sphere,
+                   const AssetResolver& resolve, Diagnostics& diagnostics);
 
 /// The intensities by direction that an area light's statement names; null if it names none, then
 /// it is diffuse. Throws InputError for files that can't be read.
 std::shared_ptr<const FrontProfile> read_area_profile(const ParameterReader& reader,
                                                       const AssetResolver& resolve);
 
-/// The light of an emissive shape; `instance_to_world` is the identity outside of instances.
-std::unique_ptr<Light> make_area_light(const Primitive& primitive, const Matrix& instance_to_world);
-
 /// Radiance that an area light sends from its front; the tracer asks it at a hit.
-class AreaLight : public Light {
+class AreaLight : public PlacedLight {
   public:
+    using PlacedLight::PlacedLight;
     /// Whether its shape has an area that is neither zero nor infinite; else it sends no light.
     virtual bool has_area() const = 0;
     /// Radiance leaving point `p` with front normal `n` and texture coordinates `uv` towards `wo`.
@@ -51,6 +72,10 @@ class AreaLight : public Light {
     /// Counts values of its texture that were not finite or negative: taken for 0.
     virtual RefusedValues& refused_values() const = 0;
 };
+
+/// The light of an emissive shape; `instance_to_world` is the identity outside of instances.
+std::unique_ptr<AreaLight> make_area_light(const Primitive& primitive,
+                                           const Matrix& instance_to_world);
 
 /// Names that make_lights knows, with their declared parameters, for docs and messages.
 struct LightPlugin {

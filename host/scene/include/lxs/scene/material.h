@@ -28,7 +28,9 @@ struct ShadingPoint {
 struct MaterialFacts {
     LobeMask lobes = 0;  ///< all kinds that may occur
     bool transmits = false;
-    bool straight = false;  ///< may pass light undeviated (null, architectural glass, mixes)
+    bool straight = false;        ///< may pass light undeviated (null, architectural glass, mixes)
+    bool index_of_media = false;  ///< bends light by the indices of the media on its sides
+    bool own_index = false;       ///< bends light by an index of its own, in vacuum
     bool reads_image = false;
     bool disperses = false;   ///< bends each wavelength its own way
     bool bends = false;       ///< has a bump or normal map, itself or in a part of it

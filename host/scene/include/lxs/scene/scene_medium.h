@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <string>
 
 #include "lxs/sdk/medium.h"
 #include "lxs/spectrum/spectral_curve.h"
@@ -16,6 +17,7 @@ struct MediumSpectra {
 struct SceneMedium {
     std::shared_ptr<Medium> medium;
     MediumSpectra spectra;
+    std::string name = {};  ///< as the scene calls it
 
     SceneMedium(std::shared_ptr<Medium> plain, MediumSpectra given = {})
         : medium(std::move(plain)), spectra(std::move(given)) {}

@@ -7,6 +7,8 @@
 #include <utility>
 #include <vector>
 
+#include "lxs/sdk/bsdf.h"
+
 namespace lxs {
 
 /// Of one light. Luminances are means over the image, as far as they can be told apart by light.
@@ -33,8 +35,11 @@ struct RenderAccount {
     std::vector<LightAccount> lights;        ///< [light]; may end before the last
     std::vector<MaterialAccount> materials;  ///< [material]; may end before the last
     std::uint64_t eye_paths = 0;
-    std::uint64_t cut_eye_paths = 0;   ///< ended by the depth limit at glass or mirrors
-    double radius = 0;                 ///< photons are gathered within, scene units; 0: none are
+    std::uint64_t cut_eye_paths = 0;  ///< ended by the depth limit at glass or mirrors
+    double radius = 0;                ///< photons are gathered within, scene units; 0: none are
+    /// Lobes that take no photons, of an integrator that shoots some: light that comes to them
+    /// through glass or by mirrors is there only if a ray meets the lamp.
+    LobeMask without_photons = 0;
     std::vector<std::string> skipped;  ///< parts left out: "media: none in the scene"
     std::vector<std::pair<std::string, double>> seconds;  ///< by stage, of wall time
 };

@@ -9,13 +9,13 @@
 
 namespace lxs {
 
-/// The ray from a hit along `direction`, in the medium on that side of the surface.
+/// The ray from a hit along `direction`, in the media on that side of the surface.
 inline Ray spawn_ray(const SurfaceHit& hit, const Vec3& direction, float time) {
     Ray ray;
     ray.origin = offset_origin(hit.p, hit.p_error, hit.ng, direction);
     ray.direction = direction;
     ray.time = time;
-    ray.medium = direction.dot(hit.ng) > 0 ? hit.exterior : hit.interior;
+    ray.media = direction.dot(hit.ng) > 0 ? hit.exterior : hit.interior;
     return ray;
 }
 
@@ -38,20 +38,21 @@ inline Ray shadow_ray(const SurfaceHit& hit, const DirectSample& light, float ti
     return ray;
 }
 
-/// The ray that leaves a point within `medium` along `direction`.
-inline Ray ray_from_medium(const Vec3& p, const Vec3& direction, float time, const Medium* medium) {
+/// The ray that leaves a point within `media` along `direction`.
+inline Ray ray_from_medium(const Vec3& p, const Vec3& direction, float time,
+                           const EnteredMedia& media) {
     Ray ray;
     ray.origin = p;
     ray.direction = direction;
     ray.time = time;
-    ray.medium = medium;
+    ray.media = media;
     return ray;
 }
 
-/// The segment from a point within `medium` to a sampled light point.
+/// The segment from a point within `media` to a sampled light point.
 inline Ray shadow_ray_from_medium(const Vec3& p, const DirectSample& light, float time,
-                                  const Medium* medium) {
-    Ray ray = ray_from_medium(p, light.wi, time, medium);
+                                  const EnteredMedia& media) {
+    Ray ray = ray_from_medium(p, light.wi, time, media);
     if (!std::isfinite(light.distance)) return ray;
     const Vec3 to_end = light.segment_end - p;
     ray.t_max = to_end.length();

@@ -13,6 +13,8 @@
 
 namespace lxs {
 
+class Medium;
+
 /// Where a ray meets a surface.
 struct SurfaceHit {
     Vec3 p{0.0f};                  ///< position, world space
@@ -22,15 +24,16 @@ struct SurfaceHit {
     Vec2 uv{0.0f};                 ///< texture coordinates, where the surface's looks need them
     Vec3 dpdu{0.0f};               ///< tangent along u, likewise; zero when unknown
     float distance = 0;            ///< along the ray
-    Rgb transmittance{1.0f};       ///< of the ray's medium over `distance`
+    Rgb transmittance{1.0f};       ///< of that medium over `distance`
     const Bsdf* bsdf = nullptr;    ///< null: scatters nothing
     const Light* light = nullptr;  ///< emissive surface's light, else null
     Rgb emitted{0.0f};             ///< radiance it sends towards the ray's origin
-    const Medium* interior = nullptr;  ///< medium behind the surface (-ng)
-    const Medium* exterior = nullptr;  ///< medium before it (+ng)
-    std::uint32_t primitive = 0;       ///< triangle within the light's shape (Light::pdf_direct)
-    std::uint32_t material = 0;        ///< index into Scene::material_names()
-    std::uint32_t object = 0;          ///< index into Scene::object_names()
+    EnteredMedia crossed = {};     ///< what the ray travelled in, which the surface may know better
+    EnteredMedia interior = {};   ///< what a ray that leaves the hit behind the surface (-ng) is in
+    EnteredMedia exterior = {};   ///< likewise before it (+ng)
+    std::uint32_t primitive = 0;  ///< triangle within the light's shape (Light::pdf_direct)
+    std::uint32_t material = 0;   ///< index into Scene::material_names()
+    std::uint32_t object = 0;     ///< index into Scene::object_names()
 };
 
 /// Facts about a scene that let an integrator leave out what the scene doesn't need.
@@ -45,8 +48,10 @@ struct SceneFacts {
     bool disperses = false;  ///< some surface bends each wavelength its own way
     bool has_image_textures = false;
     std::size_t triangles = 0;
-    std::size_t quadrics = 0;        ///< spheres, disks, cones and the like, which are no triangles
-    std::size_t max_bsdf_bytes = 0;  ///< most memory that one `intersect` takes from its resource
+    std::size_t quadrics = 0;  ///< spheres, disks, cones and the like, which are no triangles
+    /// Most memory that one `intersect` takes from its resource: of each block its bytes and its
+    /// alignment less 1.
+    std::size_t max_bsdf_bytes = 0;
 };
 
 /// A loaded scene. All const members may be called from many threads at once.
@@ -75,6 +80,8 @@ class Scene {
     /// caller has shortened to stop before the light: 0 when blocked. Null materials and
     /// architectural glass let it pass undeviated; media absorb.
     virtual Rgb transmittance(const Ray& ray) const = 0;
+    /// The medium in which a ray within these media travels; null for vacuum.
+    virtual const Medium* medium(const EnteredMedia& media) const = 0;
 
     virtual std::span<const Light* const> lights() const = 0;
     /// Names of the light groups, by index; at least one ("default").

@@ -9,6 +9,8 @@
 #include <cstdint>
 #include <limits>
 
+#include "lxs/sdk/entered_media.h"
+
 namespace lxs {
 
 using Vec2 = Imath::V2f;
@@ -19,8 +21,6 @@ using Matrix = Imath::M44d;
 /// Linear RGB, Rec. 709 primaries; radiance in W sr^-1 m^-2 up to the scene's own scale.
 using Rgb = Imath::C3f;
 
-class Medium;
-
 /// Ray::component of a path that has not been dispersed.
 inline constexpr std::int8_t kAllComponents = -1;
 
@@ -29,8 +29,8 @@ struct Ray {
     Vec3 origin{0.0f};
     Vec3 direction{0.0f, 0.0f, 1.0f};
     float t_max = std::numeric_limits<float>::infinity();
-    float time = 0;                  ///< in shutter units of the scene file
-    const Medium* medium = nullptr;  ///< the medium the ray travels in, null for vacuum
+    float time = 0;           ///< in shutter units of the scene file
+    EnteredMedia media = {};  ///< that the ray is in (Scene::medium)
     /// The one component of an Rgb that the path still carries, since a surface that disperses
     /// light sent the others elsewhere; kAllComponents for all.
     std::int8_t component = kAllComponents;

@@ -30,6 +30,15 @@ Imath::Vec2<Real> square_to_concentric_disk(const Imath::Vec2<Real>& u) {
                    : Imath::Vec2<Real>{r * angle.sine, r * angle.cosine};
 }
 
+/// Point number `i` of `count` on the unit sphere, on a spiral and evenly spread.
+inline Vec3 direction_on_sphere(int i, int count) {
+    const double z = 1 - (2 * i + 1.0) / count;
+    const double phi = i * std::numbers::pi * (3 - std::sqrt(5.0));
+    const double r = std::sqrt(1 - z * z);
+    return {static_cast<float>(r * std::cos(phi)), static_cast<float>(r * std::sin(phi)),
+            static_cast<float>(z)};
+}
+
 /// Direction about +z with density cos / pi (Malley's method).
 inline Vec3 square_to_cosine_hemisphere(const Vec2& u) {
     const Vec2 d = square_to_concentric_disk(u);

@@ -35,6 +35,11 @@ class TraceScene : public Scene {
     virtual RefusalList refused_values() const = 0;
     /// Where each light stands in the scene's text, by its index in lights().
     virtual std::span<const SourceLocation> light_places() const = 0;
+    /// In what the camera stands: the Exterior at WorldEnd, and the bodies around it.
+    virtual const EnteredMedia& camera_media() const = 0;
+    /// What an author may want to know of the scene's media, each with its place: where lights and
+    /// camera stand, and declarations that do not fit or are missing.
+    virtual std::vector<std::string> media_notes() const = 0;
     /// Saves or restores their counts, which are all that passes leave in a scene. Throws
     /// StateError if what is restored is of another scene.
     virtual void state(StateArchive& archive) = 0;

@@ -163,13 +163,13 @@ void check_lights(const Scene& scene, const HostCheckSettings& settings,
         const LightFlux flux =
             measure_flux(scene, *scene.lights()[i], 2 * settings.samples * settings.places, random);
         DirectLightTally direct;
-        look_from_behind(scene, number, settings.time, random, direct.behind);
         const std::size_t tried = std::min(kPlacesTried, surfaces.anywhere().size());
         for (std::size_t k = 0; k < tried; ++k) {
             const auto at = std::size_t(random.next() * float(surfaces.anywhere().size()));
             ask_direct_light(scene, number, surfaces.anywhere()[at], settings.samples,
                              settings.places, random, direct);
         }
+        look_from_behind(scene, number, settings.time, random, direct.behind);
         LightCheck(scene, number, findings).report(flux, direct);
     }
 }

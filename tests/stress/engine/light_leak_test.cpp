@@ -2,7 +2,7 @@
 // density estimation (docs/measured/stress-scenes.md): none through a wall, however thin; none to
 // a parallel surface more than half a radius off; none to a surface turned by more than 45 degrees;
 // and along the foot of an infinitely thin wall no more than the share of the search disc that lies
-// beyond.
+// beyond, and none where photons are asked for what separates them (photonocclusion).
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -53,14 +53,17 @@ mock::Surface lamp_at(float x, float y, bool facing_up) {
 }
 
 /// Mean radiance between columns of the image of x in [0, 1] at y = 0, seen from before the lamp at
-/// y = -1.
-double seen(const mock::Scene& scene, GuideKind guide, Mode mode, std::uint32_t to_column) {
+/// y = -1. `occlusion`: photons are asked for what separates them; without it the other checks are
+/// all that keeps light back.
+double seen(const mock::Scene& scene, GuideKind guide, Mode mode, std::uint32_t to_column,
+            bool occlusion = false) {
     const mock::Camera camera({0.5f, -0.9f, 0}, {0, 1, 0}, {0.5f / 0.9f, 0, 0},
                               {0, 0, -0.125f / 0.9f}, kWidth, kHeight);
     Settings settings = mock::small_settings(23, 20000);
     settings.guide = guide;
     settings.mode = mode;
     settings.direct_light_sampling = false;
+    settings.photon_occlusion = occlusion;
     settings.start_radius = 1;
     const float footprint =
         mock::render(scene, camera, kWidth, kHeight, settings, 1).statistics.radius;
@@ -186,6 +189,9 @@ TEST(StressLightLeak, AtTheFootOfAWallTheDiscBeyondIt) {
         EXPECT_LT(strip / lit, kDiscBeyond) << mock::name(guide);
         EXPECT_GT(strip / lit, 0.6 * kDiscBeyond) << mock::name(guide);
         EXPECT_NEAR(all, strip / 4, 0.02 * strip) << "beyond the radius there is none";
+        const double asked =
+            seen(lit_neighbour(0, 0, true), guide, Mode::Progressive, kWidth / 4, true);
+        EXPECT_LT(asked / lit, 1e-3) << mock::name(guide);
         stress::record("a strip one radius wide at the foot of a wall without thickness",
                        "leak " + number(strip / lit) + " of at most 0.212");
     }

@@ -199,11 +199,15 @@ TEST(StressRefusedLight, LightsWithColoursThatAreNone) {
         }
     }
     for (const char* number : {"nan", "inf", "1e39", "-1e400"}) {
-        const Outcome outcome = stress::render_scene(
-            stress::room("LightSource \"point\" \"color L\" [" + std::string(number) + " 1 1]\n"),
-            stress::main_ways().front(), folder, 2);
-        EXPECT_EQ(outcome.exit_code, 3) << number;
+        const std::string world =
+            stress::room("LightSource \"point\" \"color L\" [" + std::string(number) + " 1 1]\n");
+        const Outcome outcome = stress::render_scene(world, stress::main_ways().front(), folder, 2);
+        EXPECT_EQ(outcome.exit_code, 0) << number << ": the default in its place";
+        EXPECT_EQ(outcome.bad_pixels(), 0u) << number;
         EXPECT_THAT(outcome.messages, HasSubstr("scene.lxs:")) << number;
+        const Outcome strict = stress::render_scene(world, stress::strict_way(), folder, 1);
+        EXPECT_EQ(strict.exit_code, 3) << number;
+        EXPECT_THAT(strict.messages, HasSubstr("scene.lxs:")) << number;
     }
     stress::record("L below 0 and beyond 3.4e38, nan and inf in the file",
                    "located warning or error");

@@ -94,7 +94,7 @@ inline constexpr std::uint64_t kFirstOcclusionPasses = 4;
 
 /// Photons that a visible point asks for in these. Unit: photons.
 /// Balances: rays of the first passes against light that leaks in them.
-/// Chosen by: reasoning: of light of which a share q is separated at most q (1 - q)^3, a tenth of
+/// Chosen by: reasoning: of light of which a share q is separated at most q (1 - q), a quarter of
 /// what is left, stays.
 /// Supported by: no measurement.
 inline constexpr std::uint32_t kFirstOcclusionAsks = 2;

@@ -104,6 +104,11 @@ ExitCode write_final_outputs(const CommandLine& command, RenderSession& session,
     }
     warn_of_refusals(figures.refused, log);
     warn_of_empty_image(*figures.image, log);
+    if (const auto share = session.film->outliers_left_out())
+        log.info(
+            fmt::format("outlierrejection_k leaves {:.2g} % of the light out of what is "
+                        "displayed; the EXR has all of it",
+                        100 * *share));
     if (figures.account) explain(command, session, figures, log);
     if (const std::uint64_t bytes = peak_resident_bytes())
         log.debug(fmt::format("memory: at most {} MB were in use", bytes / 1'000'000));

@@ -159,6 +159,8 @@ std::string statistics_json(const CommandLine& command, const RenderSession& ses
     json["render CPU seconds"] = totals.cpu_seconds;
     json["counts"] = counts(totals);
     if (session.job) json["mpi"] = traffic_of(*session.job);
+    if (const auto share = session.film->outliers_left_out())
+        json["share of light left out of the display"] = *share;
     json["peak memory bytes"] = peak_resident_bytes();
     json["film memory bytes"] = session.film->memory_bytes();
     json["refused film samples"] = session.film->refused_samples();

@@ -43,6 +43,10 @@ void check_layer_name(std::string_view name) {
                     kLongest, in_quotes(name)));
 }
 
+void copy_to(std::span<Rgb> values, const std::vector<Rgb>& from) {
+    std::copy(from.begin(), from.end(), values.begin());
+}
+
 /// Colours of what covers a pixel alone. Where so little does that 8 bits call it nothing, black.
 void divide_by_alpha(std::span<Rgb> colors, std::span<const float> alpha) {
     constexpr float kLeast = 0.5f / 255;
@@ -214,16 +218,33 @@ std::vector<Rgb> FlexImage::shown() const {
     return shown({});
 }
 
-/// Of the image, or of `denoised` if there is one.
-std::vector<Rgb> FlexImage::shown(std::span<const Rgb> denoised) const {
+/// Of the image, or of `denoised` if there is one. `with_outliers`, unless null: the same before
+/// they are left out.
+std::vector<Rgb> FlexImage::shown(std::span<const Rgb> denoised,
+                                  std::vector<Rgb>* with_outliers) const {
     std::vector<Rgb> values(denoised.begin(), denoised.end());
     if (!display_) return values.empty() ? image() : values;
     const std::vector<Rgb> measured = image();
     if (values.empty()) values = measured;
-    std::vector<Rgb> lobe_free = display_->image(accumulator_);
-    to_film_colors(lobe_free);
-    show_without_lobes(values, measured, lobe_free);
+    const std::vector<Rgb> all =
+        film_colors([this](std::span<Rgb> v) { copy_to(v, display_->image(accumulator_)); });
+    if (filter_.has_negative_weights()) show_without_lobes(values, measured, all);
+    if (with_outliers) *with_outliers = values;
+    // Denoising has a way of its own with them.
+    if (!display_->rejects() || !denoised.empty()) return values;
+    const std::vector<Rgb> kept = film_colors(
+        [this](std::span<Rgb> v) { copy_to(v, display_->image_without_outliers(accumulator_)); });
+    const float radius = std::max(filter_.radius_x(), filter_.radius_y());
+    show_without_outliers(values,
+                          {all, kept, width(), static_cast<std::uint32_t>(std::ceil(radius))});
     return values;
+}
+
+std::optional<double> FlexImage::outliers_left_out() const {
+    if (!display_ || !display_->rejects()) return std::nullopt;
+    std::vector<Rgb> all;
+    const std::vector<Rgb> kept = shown({}, &all);
+    return share_left_out(all, kept);
 }
 
 std::vector<Rgb> FlexImage::denoised() const {

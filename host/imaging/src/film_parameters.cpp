@@ -98,6 +98,10 @@ constexpr ParameterDeclaration kPicture[] = {
     {"write_exr_straightcolors", Bool, "false",
      "Beside an alpha channel, unless premultiplyalpha is given: colours are not multiplied by it, "
      "and show lights at infinity."},
+    {"outlierrejection_k", Integer, "0",
+     "Samples of a brightness that a pixel needs around it to show it in full; one alone is not "
+     "shown. 0: all are. The EXR has all.",
+     0, 1000},
     {"cameraresponse", String, "",
      "File of the response curves of a camera or film, as in Grossberg and Nayar's database, "
      "applied to the PNG after the kernel."},
@@ -132,8 +136,7 @@ constexpr ParameterDeclaration kAccepted[] = {
      "Ignored: the error is compared whenever the passes have grown by an eighth."},
     {"disable_noisemap_update", Bool, "false", "Ignored: there is no noise map."},
     {"usersamplingmap_filename", String, "", "Ignored: all pixels get as many samples."},
-    {"outlierrejection_k", Integer, "0", "Ignored: no sample is rejected as an outlier."},
-    {"reject_warmup", Integer, "64", "Ignored: no sample is rejected as an outlier."},
+    {"reject_warmup", Integer, "64", "Ignored: outliers are told by all samples so far."},
     {"filterquality", Integer, "", "Ignored: the pixel filter's table has one size."},
     {"debug", Bool, "false", "Ignored."},
     {.name = "colorspace_red",
@@ -243,9 +246,6 @@ void warn_of_ignored_film_parameters(const ParameterReader& reader) {
         if (reader.string(text.name, text.neutral) != text.neutral) {
             warn_of_no_effect(reader, text.name, text.consequence);
         }
-    }
-    if (reader.integer("outlierrejection_k", 0) > 0) {
-        warn_of_no_effect(reader, "outlierrejection_k", "no sample is rejected as an outlier");
     }
 }
 

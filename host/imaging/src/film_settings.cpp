@@ -228,6 +228,8 @@ FilmSettings read(const SceneContents& contents, Diagnostics& diagnostics) {
     settings.halt_passes =
         static_cast<std::uint64_t>(std::max<std::int64_t>(0, reader.integer("haltspp", 0)));
     settings.halt_error = read_halt_error(reader);
+    settings.outlier_neighbours =
+        static_cast<std::uint32_t>(reader.integer("outlierrejection_k", 0));
     settings.write_interval_seconds =
         std::max(0.0, reader.number("writeinterval", settings.write_interval_seconds));
     settings.display_interval_seconds =

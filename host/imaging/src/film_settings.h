@@ -23,6 +23,8 @@ struct FilmSettings {
     double halt_time_seconds = 0;
     std::uint64_t halt_passes = 0;
     double halt_error = 0;
+    /// Others of its kind that a sample needs to count in full in what is displayed; 0: none.
+    std::uint32_t outlier_neighbours = 0;
     double write_interval_seconds = 60;
     double display_interval_seconds = 12;
     ToneMapSettings tone_map;

@@ -32,7 +32,8 @@ class FlexImage final : public FileFilm {
         if (settings_.layers != LayersWanted{})
             asked_.emplace(settings_.layers, width(), height(), filter);
         if (settings_.layers.bias) bias_.emplace(width(), height());
-        if (filter.has_negative_weights()) display_.emplace(width(), height(), filter);
+        if (filter.has_negative_weights() || settings_.outlier_neighbours > 0)
+            display_.emplace(width(), height(), filter, settings_.outlier_neighbours);
     }
 
     std::uint32_t width() const override { return settings_.frame.width; }
@@ -88,6 +89,7 @@ class FlexImage final : public FileFilm {
     HeldLayer held_layer(std::string_view name) const override;
     std::vector<Rgb> denoised() const override;
     std::vector<Rgb> shown() const override;
+    std::optional<double> outliers_left_out() const override;
     std::vector<std::uint8_t> tone_mapped() const override {
         return tone_map(shown(), settings_.tone_map);
     }
@@ -115,7 +117,8 @@ class FlexImage final : public FileFilm {
         return values;
     }
     std::vector<Rgb> bias_colors() const;
-    std::vector<Rgb> shown(std::span<const Rgb> denoised) const;
+    std::vector<Rgb> shown(std::span<const Rgb> denoised,
+                           std::vector<Rgb>* with_outliers = nullptr) const;
     void to_film_colors(std::span<Rgb> values) const {
         if (!settings_.to_film_colors) return;
         for (Rgb& c : values)

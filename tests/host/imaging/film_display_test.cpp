@@ -128,6 +128,96 @@ TEST(FilmDisplay, DenoisedImagesAreMadeNoDarker) {
     EXPECT_EQ(denoised[3].x, 0.9f) << "no ring";
 }
 
+/// A film that leaves outliers out unless they have `neighbours`.
+std::unique_ptr<FileFilm> rejecting(const std::string& filter, int neighbours,
+                                    std::vector<std::string> groups = {}) {
+    SceneContents contents = scene_of_size(kSize, kSize);
+    set_option(contents, "PixelFilter", filter, {});
+    contents.options.at("Film").parameters.values.push_back(
+        integer("outlierrejection_k", neighbours));
+    if (!groups.empty()) contents.light_groups = std::move(groups);
+    return make(contents);
+}
+
+/// Noise around kGround with a small lamp that all passes see, and one firefly of the fourth pass.
+void render_with_firefly(FileFilm& film, Bringer bringer, int passes = kPasses) {
+    const std::uint32_t groups = film.light_groups();
+    for (int pass = 0; pass < passes; ++pass) {
+        Samples samples =
+            random_samples(film, std::size_t{kSize} * kSize, static_cast<unsigned>(pass),
+                           [](float u) { return Rgb(2 * kGround * u); });
+        samples.positions[0] = Vec2(5.4f, 6.7f);
+        std::vector<Rgb> bright(samples.radiance.size(), Rgb(0.0f));
+        if (pass == 3) bright[groups - 1] = Rgb(kHighlight, 0, 0);
+        for (std::size_t i = 1; i < samples.positions.size(); ++i) {
+            const Vec2& p = samples.positions[i];
+            if (std::abs(p.x - 17) < 1.5f && std::abs(p.y - 17) < 1.5f)
+                bright[i * groups + groups - 1] = Rgb(kHighlight / 20);
+        }
+        PassSamples brought = samples.pass(1, groups);
+        if (bringer == Bringer::SecondPart) brought.second_radiance = bright;
+        if (bringer == Bringer::Splats) {
+            film.add_splats(
+                {samples.positions, bright, groups, static_cast<double>(samples.positions.size())});
+        } else if (bringer != Bringer::SecondPart) {
+            for (std::size_t i = 0; i < bright.size(); ++i)
+                samples.radiance[i] += bright[i];
+        }
+        film.add_pass(brought);
+    }
+}
+
+TEST(FilmDisplay, LeavesOutliersOut) {
+    for (const char* filter : {"mitchell", "box", "gaussian"}) {
+        for (const Bringer bringer : {Bringer::Samples, Bringer::SecondPart, Bringer::Splats}) {
+            SCOPED_TRACE(std::string(filter) + " " + std::to_string(static_cast<int>(bringer)));
+            const auto plain = rejecting(filter, 0);
+            const auto careful = rejecting(filter, 4);
+            render_with_firefly(*plain, bringer);
+            render_with_firefly(*careful, bringer);
+            EXPECT_EQ(careful->image(), plain->image()) << "what was measured stays";
+            EXPECT_FALSE(plain->outliers_left_out());
+            const std::size_t firefly = 6 * kSize + 5, lamp = 17 * kSize + 17;
+            const auto shown = careful->shown(), all = plain->shown();
+            EXPECT_GT(all[firefly].x, 20);
+            for (int y = -3; y <= 3; ++y) {
+                for (int x = -3; x <= 3; ++x) {
+                    const std::size_t i = firefly + static_cast<std::size_t>(y * kSize + x);
+                    EXPECT_LT(shown[i].x, 6 * kGround) << x << " " << y;
+                }
+            }
+            EXPECT_NEAR(shown[lamp].x / all[lamp].x, 1, 0.05f) << "a lamp is none";
+            double whole = 0, left = 0;
+            for (std::size_t i = 0; i < all.size(); ++i) {
+                for (int c = 0; c < 3; ++c) {
+                    whole += double{all[i][c]};
+                    left += double{shown[i][c]};
+                }
+            }
+            EXPECT_NEAR(*careful->outliers_left_out() / (1 - left / whole), 1, 0.02)
+                << "what is left out is stated";
+        }
+    }
+    const auto grouped = rejecting("mitchell", 4, {"one", "two"});
+    render_with_firefly(*grouped, Bringer::OneGroup);
+    EXPECT_LT(grouped->shown()[6 * kSize + 5].x, 12 * kGround);
+}
+
+TEST(FilmDisplay, LeavesOutliersOutAfterAPauseAlike) {
+    const auto whole = rejecting("mitchell", 4), first = rejecting("mitchell", 4);
+    render_with_firefly(*whole, Bringer::Splats);
+    render_with_firefly(*whole, Bringer::SecondPart);
+    render_with_firefly(*first, Bringer::Splats);
+    MemoryArchive archive;
+    first->state(archive);
+    archive.restore();
+    const auto second = rejecting("mitchell", 4);
+    second->state(archive);
+    render_with_firefly(*second, Bringer::SecondPart);
+    EXPECT_EQ(second->shown(), whole->shown());
+    EXPECT_EQ(second->outliers_left_out(), whole->outliers_left_out());
+}
+
 TEST(FilmDisplay, SurvivesAPauseAndAnyNumberOfThreads) {
     const auto rendered = [](unsigned threads) {
         auto result = film("mitchell");

@@ -82,6 +82,8 @@ class FileFilm : public Film {
     /// The image as it is to be displayed: where the filter's negative lobes have made a ring
     /// beside what is bright, what its central lobe alone shows.
     virtual std::vector<Rgb> shown() const = 0;
+    /// Share of the light that is left out of it as outliers; nothing if none are to be.
+    virtual std::optional<double> outliers_left_out() const = 0;
     /// That as the PNG has it: 8 bits of red, green and blue per pixel.
     virtual std::vector<std::uint8_t> tone_mapped() const = 0;
     virtual std::string_view tone_map_kernel() const = 0;  ///< as the Film statement names it

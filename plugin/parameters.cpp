@@ -74,7 +74,7 @@ std::vector<ParameterDeclaration> common_declarations() {
         number("startradius", kDefaults.start_radius,
                "Radius of the first density estimate, the same at all visible points, in their "
                "mean pixel footprints (widths; those beyond eight medians count as eight); 0: "
-               "automatic (2; 1 where chains take the place of guide adaptive).",
+               "automatic (2).",
                0, 1e6),
         number("alpha", kDefaults.alpha,
                "Share of the variance reduction in the radius schedule (Knaus and Zwicker 2011), "
@@ -195,16 +195,12 @@ std::vector<ParameterDeclaration> adaptive_guide_declarations() {
         boolean(
             "guidesurvival", kDefaults.guide_survival,
             "With guide adaptive: photons go on by what they may still bring, where that pays."),
-        boolean(
-            "guidechains", kDefaults.guide_chains,
-            "With guide adaptive: adaptive Markov chains (as photonsampler amc) take the guide's "
-            "place where the first look shows that next to no photon path reaches what is seen."),
-        boolean("guidechainstarts", kDefaults.guide_chain_starts,
-                "With guidechains: the chains' independent paths start where visible ones were "
-                "found before."),
+        boolean("guidechains", kDefaults.guide_chains,
+                "With guide adaptive: before the first pass Markov chains explore where photons "
+                "start that are seen, where the first look shows that next to none are."),
         boolean("guidescout", kDefaults.guide_scout,
                 "With guide adaptive: a first look decides whether it guides; it is left out where "
-                "many photon paths reach what is seen without it, and where next to none do."),
+                "many photon paths reach what is seen without it."),
     };
 }
 

@@ -61,7 +61,6 @@ void read_guide(const lxs::ParameterReader& in, Settings& s) {
     s.guide_bounces = in.boolean("guidebounces", s.guide_bounces);
     s.guide_survival = in.boolean("guidesurvival", s.guide_survival);
     s.guide_chains = in.boolean("guidechains", s.guide_chains);
-    s.guide_chain_starts = in.boolean("guidechainstarts", s.guide_chain_starts);
     s.guide_scout = in.boolean("guidescout", s.guide_scout);
 }
 

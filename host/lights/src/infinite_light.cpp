@@ -12,7 +12,7 @@ ConstantEnvironment::ConstantEnvironment(const LightPlacement& placement, const 
 }
 
 bool ConstantEnvironment::sample_direction(const Vec2& u, SkyDirection& direction) const {
-    direction = {uniform_sphere(u.x, u.y), radiance_, 1 / (4 * kPi), false};
+    direction = {uniform_sphere(double(u.x), u.y), radiance_, 1 / (4 * kPi), false};
     return !is_black(radiance_);
 }
 
@@ -21,7 +21,8 @@ float ConstantEnvironment::direction_density(const Vec3& /*wi*/) const {
 }
 
 bool ConstantEnvironment::direction_coordinates(const Vec3& wi, Vec2& u) const {
-    u = from_uniform_sphere(wi);
+    const Vec2 found(from_uniform_sphere(wi));
+    u = Vec2(clamp_to_unit(found.x), found.y);
     return true;
 }
 

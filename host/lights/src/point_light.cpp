@@ -19,8 +19,7 @@ bool PointLight::sample_emission(const PrimaryPoint& u, EmissionSample& sample) 
     sample.normal = Vec3(0.0f);
     sample.ray = Ray{};
     sample.ray.origin = position_;
-    const Vec2 at = rounded_pair(u, 2);
-    sample.ray.direction = sample_direction(at.x, at.y);
+    sample.ray.direction = sample_direction(u[2], rounded_pair(u, 2).y);
     sample.ray.media = media();
     return !is_black(sample.power);
 }
@@ -44,7 +43,12 @@ bool PointLight::emission_coordinates(const Vec3& p, const DirectSample& /*sampl
                                       PrimaryPoint& u) const {
     const Vec3 w = (p - position_).normalized();
     if (is_black(intensity_) || !(w.length2() > 0) || !(falloff(w) > 0)) return false;
-    set_rounded_pair(u, 2, direction_coordinates(w));
+    const Imath::V2d found = direction_coordinates(w);
+    const double before = u[2];
+    set_rounded_pair(u, 2, Vec2(found));
+    // Finer there, see uniform_sphere().
+    if (found.x > 0.5)
+        u[2] = clamp_to_unit(1.0 - (1.0 - found.x) * (1.0 + 0x1p-24 * (before - 0.5)));
     return true;
 }
 
@@ -67,9 +71,9 @@ float SpotLight::falloff_integral() const {
     return 2 * kPi * (inner_ + (outer_ - inner_) / 5);
 }
 
-Vec3 SpotLight::sample_direction(float u0, float u1) const {
+Vec3 SpotLight::sample_direction(double u0, float u1) const {
     const float fade = (outer_ - inner_) / 5;
-    const float target = u0 * (inner_ + fade);
+    const float target = static_cast<float>(u0) * (inner_ + fade);
     float x = target;
     if (target > inner_) {
         const float rest = std::clamp(1.0f - (target - inner_) / fade, 0.0f, 1.0f);
@@ -78,7 +82,7 @@ Vec3 SpotLight::sample_direction(float u0, float u1) const {
     return frame_.to_world(around_z(x, u1)).normalized();
 }
 
-Vec2 SpotLight::direction_coordinates(const Vec3& w) const {
+Imath::V2d SpotLight::direction_coordinates(const Vec3& w) const {
     const Vec2 polar = from_around_z(frame_.to_local(w));
     const float fade = (outer_ - inner_) / 5;
     float target = polar.x;
@@ -86,7 +90,7 @@ Vec2 SpotLight::direction_coordinates(const Vec3& w) const {
         const float rest = std::clamp((outer_ - target) / (outer_ - inner_), 0.0f, 1.0f);
         target = inner_ + fade * (1.0f - std::pow(rest, 5.0f));
     }
-    return Vec2(clamp_to_unit(target / (inner_ + fade)), polar.y);
+    return Imath::V2d(Vec2(clamp_to_unit(target / (inner_ + fade)), polar.y));
 }
 
 }  // namespace lxs

@@ -30,9 +30,9 @@ class PointLight : public PlacedLight {
     /// Share of `intensity` sent along the unit vector `w`.
     virtual float falloff(const Vec3& /*w*/) const { return 1; }
     /// Direction drawn in proportion to the falloff.
-    virtual Vec3 sample_direction(float u0, float u1) const { return uniform_sphere(u0, u1); }
+    virtual Vec3 sample_direction(double u0, float u1) const { return uniform_sphere(u0, u1); }
     /// Inverse of sample_direction in [0, 1)^2 for a unit direction where the falloff is positive.
-    virtual Vec2 direction_coordinates(const Vec3& w) const { return from_uniform_sphere(w); }
+    virtual Imath::V2d direction_coordinates(const Vec3& w) const { return from_uniform_sphere(w); }
     /// Integral of the falloff over the sphere of directions.
     virtual float falloff_integral() const { return 4 * kPi; }
 
@@ -59,8 +59,8 @@ class SpotLight final : public PointLight {
 
   private:
     float falloff(const Vec3& w) const override;
-    Vec3 sample_direction(float u0, float u1) const override;
-    Vec2 direction_coordinates(const Vec3& w) const override;
+    Vec3 sample_direction(double u0, float u1) const override;
+    Imath::V2d direction_coordinates(const Vec3& w) const override;
     float falloff_integral() const override;
 
     Frame frame_;

@@ -42,11 +42,12 @@ SurfacePoint SphereLight::point_at(const Vec3& n) const {
 }
 
 SurfacePoint SphereLight::sample_surface(const Vec2& u) const {
-    return point_at(uniform_sphere(u.x, u.y));
+    return point_at(uniform_sphere(double(u.x), u.y));
 }
 
 bool SphereLight::surface_coordinates(const Vec3& p, std::uint32_t /*primitive*/, Vec2& u) const {
-    u = from_uniform_sphere((p - center_).normalized());
+    const Vec2 found(from_uniform_sphere((p - center_).normalized()));
+    u = Vec2(clamp_to_unit(found.x), found.y);
     return true;
 }
 

@@ -34,15 +34,19 @@ inline Vec2 from_around_z(const Vec3& w) {
     return Vec2(one_minus_cos, clamp_to_unit(turn_about_z(w.x, w.y)));
 }
 
-/// Direction with density 1 / (4 pi).
-inline Vec3 uniform_sphere(float u0, float u1) {
-    return around_z(2.0f * u0, u1);
+/// Direction with density 1 / (4 pi). `u0` in double precision is as fine at -z as at +z: a float
+/// just below 1 has so few bits left that what lies 30 m straight below a light met rings of
+/// photons, millimetres wide.
+inline Vec3 uniform_sphere(double u0, float u1) {
+    const Vec3 w = around_z(static_cast<float>(2.0 * std::min(u0, 1.0 - u0)), u1);
+    return u0 < 0.5 ? w : Vec3(w.x, w.y, -w.z);
 }
 
 /// Inverse of uniform_sphere for a unit direction, in [0, 1)^2.
-inline Vec2 from_uniform_sphere(const Vec3& w) {
-    const Vec2 u = from_around_z(w);
-    return Vec2(clamp_to_unit(u.x * 0.5f), u.y);
+inline Imath::V2d from_uniform_sphere(const Vec3& w) {
+    const Vec2 u = from_around_z(Vec3(w.x, w.y, std::abs(w.z)));
+    const double u0 = 0.5 * double(u.x);
+    return Imath::V2d(clamp_to_unit(w.z < 0 ? 1.0 - u0 : u0), double(u.y));
 }
 
 /// Barycentric coordinates (of the second and third vertex) uniform over a triangle, without the

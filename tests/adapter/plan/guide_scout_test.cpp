@@ -1,6 +1,6 @@
 // Protects the first look at a scene: the share of photon paths that are seen is what it ought to
-// be, it is looked for longer where it is small, and where it is large guide=adaptive gives the
-// bits of guide=none. Chains, where it is small: guide_chains_test.cpp.
+// be, and where it is large guide=adaptive gives the bits of guide=none. What comes where it is
+// small: exploration_test.cpp.
 #include "plan/guide_scout.h"
 
 #include <gtest/gtest.h>
@@ -43,25 +43,6 @@ TEST(SeenShare, IsThatOfTheWallThatIsSeen) {
     EXPECT_NEAR(scout_photons(scene, settings, 0, image, 0.02f).seen_share(), 1.0 / 6, 0.02);
 }
 
-TEST(SeenShare, IsLookedForLongerWhereItIsSmall) {
-    constexpr std::uint32_t kSize = 16;
-    const mock::View view = mock::wide_view(20, kSize, kSize);
-    Settings settings = mock::small_settings(8, 1);
-    settings.direct_light_sampling = false;
-    const EyeImage image =
-        mock::traced_eye_image(view.scene, view.camera, kSize, kSize * kSize, settings);
-    const auto counts = [&](bool chains) {
-        settings.guide_chains = chains;
-        return scout_photons(view.scene, settings, 0, image, 0.05f);
-    };
-    const SeenPaths first = counts(false), longer = counts(true);
-    EXPECT_EQ(first.traced, 16384u);
-    EXPECT_LT(first.seen, 32u);
-    EXPECT_GT(longer.traced, first.traced);
-    EXPECT_TRUE(longer.seen >= 32 || longer.traced == 16 * first.traced);
-    EXPECT_GE(longer.seen, first.seen);
-}
-
 /// Small radii leave gaps between visible points, which the share that comes near does not have.
 TEST(SeenShare, IsLessThanWhatComesNear) {
     constexpr std::uint32_t kSize = 32;
@@ -77,20 +58,14 @@ TEST(SeenShare, IsLessThanWhatComesNear) {
     EXPECT_GT(narrow.near_share(), narrow.seen_share());
 }
 
-TEST(PhotonWay, GoesByTheShareThatIsSeen) {
-    Settings settings;
-    const auto way = [&](std::uint64_t near, std::uint64_t seen) {
-        return photon_way(settings, {near, seen, 240'000});
-    };
-    EXPECT_EQ(way(240'000, 240'000), PhotonWay::Unguided);
-    EXPECT_EQ(way(80'000, 50'000), PhotonWay::Unguided);
-    EXPECT_EQ(way(79'999, 50'000), PhotonWay::Guided);
-    EXPECT_EQ(way(200, 120), PhotonWay::Guided);
-    EXPECT_EQ(way(200, 119), PhotonWay::Chains);
-    EXPECT_EQ(way(200, 2), PhotonWay::Chains);
-    EXPECT_EQ(way(200, 1), PhotonWay::Guided) << "chains might find none in most passes";
-    settings.guide_chains = false;
-    EXPECT_EQ(way(200, 119), PhotonWay::Guided);
+TEST(PhotonWay, GoesByTheShareThatComesNear) {
+    const auto way = [](std::uint64_t near) { return photon_way({near, near / 2, 240'000}); };
+    EXPECT_EQ(way(240'000), PhotonWay::Unguided);
+    EXPECT_EQ(way(80'000), PhotonWay::Unguided);
+    EXPECT_EQ(way(79'999), PhotonWay::Guided);
+    EXPECT_EQ(way(0), PhotonWay::Guided);
+    EXPECT_TRUE(seen_too_seldom({200, 31, 16384}));
+    EXPECT_FALSE(seen_too_seldom({200, 32, 16384}));
 }
 
 /// With a number of photons that is given, and with one that follows the noise.

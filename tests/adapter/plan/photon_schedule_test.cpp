@@ -28,8 +28,8 @@ struct Model {
 
 /// The passes that follow one another in such a scene.
 std::vector<PassPhotons> passes(const Settings& settings, bool learns, const Model& model,
-                                int count, bool chains = false) {
-    PhotonSchedule schedule(settings, kEyePaths, true, learns, chains);
+                                int count) {
+    PhotonSchedule schedule(settings, kEyePaths, true, learns);
     std::vector<PassPhotons> all;
     for (int i = 0; i < count; ++i) {
         all.push_back(schedule.next());
@@ -157,21 +157,18 @@ TEST(PhotonSchedule, AMillionWhereNoiseIsNotFollowed) {
     }
 }
 
-// Whatever their noise seems to be; and what passes count for goes by their number alone.
-TEST(PhotonSchedule, ChainsTakeAFixedShareOfTime) {
-    const auto unchained = passes({}, false, {1, 1e6, 1e5}, 70);
-    for (const double noise : {-1.0, 1.0, 1e9}) {
-        const auto chained = passes({}, false, {1, noise, 1e5}, 70, true);
-        EXPECT_NEAR(chained.back().paths, 5 * 1e5, 1);
-        for (std::size_t i = 0; i < chained.size(); ++i)
-            EXPECT_EQ(chained[i].weight, unchained[i].weight);
-    }
-}
-
-// They find their paths anew in each pass.
-TEST(PhotonSchedule, PassesOfChainsAreNeverShort) {
-    for (const PassPhotons& pass : passes({}, false, {1, 1, 1e3}, 70, true))
-        EXPECT_EQ(pass.paths, 65536u);
+// As if they had been shot: the first passes have fewer, and they count for more.
+TEST(PhotonSchedule, PathsThatExploredCountAsLearnedFrom) {
+    PhotonSchedule plain({}, 100, true, true), explored({}, 100, true, true);
+    explored.explored(100'000);
+    EXPECT_EQ(plain.next().paths, 62'500u);
+    EXPECT_EQ(explored.next().paths, 50'000u);
+    EXPECT_GT(explored.next().weight, plain.next().weight);
+    PhotonSchedule unguided({}, 100, true, false);
+    const PassPhotons before = unguided.next();
+    unguided.explored(100'000);
+    EXPECT_EQ(unguided.next().paths, before.paths);
+    EXPECT_EQ(unguided.next().weight, before.weight);
 }
 
 // Of a render that was taught by another: whatever noise passes have, the first count for less, by

@@ -61,17 +61,14 @@ TEST(Plan, FitsToTheFilm) {
     EXPECT_EQ(plan.needs.skipped.back(), "lamp paths: the film takes no splats");
 }
 
-TEST(Plan, ChainsInTheGuidesPlaceTakeAllThatItHad) {
+TEST(Plan, AGuideThatIsLeftOutDoesNotLearn) {
     Plan plan = plan_of({});
     EXPECT_TRUE(plan.learns());
-    EXPECT_TRUE(plan.measures_noise());
-    plan.way = PhotonWay::Chains;
+    plan.way = PhotonWay::Unguided;
     EXPECT_FALSE(plan.learns());
-    EXPECT_FALSE(plan.measures_noise());
+    EXPECT_TRUE(plan.measures_noise());
     EXPECT_TRUE(plan.looks_first()) << "a way that another render took is judged anew";
     EXPECT_EQ(plan.guide(), GuideKind::None);
-    EXPECT_GT(plan.radius_settings().start_radius, 0);
-    EXPECT_THAT(describe(plan), HasSubstr("Markov chains"));
 }
 
 TEST(Plan, LooksFirstOnlyWhereTheLookDecides) {
@@ -96,10 +93,7 @@ Plan restored(PhotonWay saved, const Settings& settings) {
 
 TEST(Plan, RestoresWhatTheLookDecidedAndNothingThatItCannotHave) {
     Settings s;
-    EXPECT_EQ(restored(PhotonWay::Chains, s).way, PhotonWay::Chains);
-    s.guide_chains = false;
     EXPECT_EQ(restored(PhotonWay::Unguided, s).way, PhotonWay::Unguided);
-    EXPECT_THROW(restored(PhotonWay::Chains, s), StateError);
     s.guide = GuideKind::None;
     EXPECT_THROW(restored(PhotonWay::Unguided, s), StateError);
     EXPECT_THROW(restored(PhotonWay(7), {}), StateError);

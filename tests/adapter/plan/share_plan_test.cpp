@@ -105,6 +105,21 @@ TEST(SharePlan, LightThatPathsMissIsNotTheirs) {
     EXPECT_EQ(plan_shares(facts_of(leaves, shares, 0.1), kFixed).shares[0].share, 0);
 }
 
+/// Their variance is not known at all then, and that of the eye's, by a single path, roughly is.
+TEST(SharePlan, LightThatNoPhotonFoundIsTheEyes) {
+    std::vector<ShareMoments> leaves{leaf(0, 1)};
+    const std::vector<EyeShare> shares(1);
+    leaves[0].x = leaves[0].xx = leaves[0].xy = leaves[0].spread = 0;
+    leaves[0].y = 100;  // one path of a thousand
+    leaves[0].yy = 1e4;
+    ShareFacts facts = facts_of(leaves, shares, 0);
+    EXPECT_GT(plan_shares(facts, kFree).shares[0].share, 0.96f);
+    leaves[0].squares = 1e-3;  // and where some came, it is known
+    EXPECT_EQ(plan_shares(facts, kFree).shares[0].share, 0);
+    leaves[0].squares = leaves[0].y = leaves[0].yy = 0;  // neither found any
+    EXPECT_EQ(plan_shares(facts, kFree).shares[0].share, 0);
+}
+
 /// Photons of chains come in clusters, which squares of single ones do not tell.
 TEST(SharePlan, ClusteredPhotonsAreTakenAsNoisyAsTheyAre) {
     std::vector<ShareMoments> leaves{leaf(kPaths, 1)};

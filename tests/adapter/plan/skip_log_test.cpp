@@ -104,14 +104,20 @@ TEST(SkipLog, NamesWhatIsSwitchedOffOnce) {
 TEST(SkipLog, TellsWhyTheGuideIsLeftOut) {
     mock::Log log;
     SkipLog skip_log(log);
-    skip_log.left_out_guide(PhotonWay::Unguided, {8000, 7000, 16384});
-    skip_log.left_out_guide(PhotonWay::Chains, {50, 32, 100'000});
-    ASSERT_EQ(log.lines.size(), 2u);
+    skip_log.left_out_guide({8000, 7000, 16384});
+    ASSERT_EQ(log.lines.size(), 1u);
     EXPECT_EQ(log.lines[0],
               "skipped the guide: 49 % of the photon paths come near what is seen without it");
-    EXPECT_EQ(log.lines[1],
-              "skipped the guide: Markov chains take its place, as one photon path in 3125 is seen "
-              "without it");
+}
+
+TEST(SkipLog, TellsWhatWasExplored) {
+    mock::Log log;
+    SkipLog skip_log(log);
+    skip_log.explored({{}, 262'144});
+    skip_log.explored({{EmissionSeed{}}, 65'536});
+    ASSERT_EQ(log.lines.size(), 2u);
+    EXPECT_EQ(log.lines[0], "explored: none of 262144 photon paths is seen");
+    EXPECT_EQ(log.lines[1], "explored: 65536 photon paths told where those start that are seen");
 }
 
 /// What nobody asked for was not tried.

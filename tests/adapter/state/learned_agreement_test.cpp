@@ -90,8 +90,8 @@ ResumableCase shared(ResumableCase what) {
 std::vector<ResumableCase> learning_cases() {
     std::vector<ResumableCase> cases;
     for (ResumableCase what : mock::resumable_cases()) {
-        const bool wanted = what.name == "progressive_adaptive" || what.name == "lights" ||
-                            what.name == "chains_for_guide";
+        const bool wanted =
+            what.name == "progressive_adaptive" || what.name == "lights" || what.name == "explored";
         if (!wanted) continue;
         what.settings.alpha = 1;  // the same radius for both
         what.settings.continue_eye_paths = false;

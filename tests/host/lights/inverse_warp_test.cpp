@@ -52,12 +52,25 @@ TEST(InverseWarp, CosineHemisphere) {
 /// Compared as directions: the azimuth means nothing at the poles, and wraps around.
 TEST(InverseWarp, Sphere) {
     over_unit_square([](const Vec2& u) {
-        const Vec3 w = uniform_sphere(u.x, u.y);
-        const Vec2 back = from_uniform_sphere(w);
+        const Vec3 w = uniform_sphere(double(u.x), u.y);
+        const Vec2 back(from_uniform_sphere(w));
         expect_in_unit_square(back);
         EXPECT_NEAR(back.x, u.x, 1e-6f);
-        EXPECT_LT((uniform_sphere(back.x, back.y) - w).length(), 1e-3f) << u;
+        EXPECT_LT((uniform_sphere(double(back.x), back.y) - w).length(), 1e-3f) << u;
     });
+}
+
+/// At both poles: directions closer than floats below 1 tell apart.
+TEST(InverseWarp, PolesOfTheSphere) {
+    for (const float z : {1.0f, -1.0f}) {
+        for (float sine = 1e-6f; sine < 1e-2f; sine *= 1.3f) {
+            const Vec3 w(sine, 0, z * std::sqrt(1 - sine * sine));
+            const Imath::V2d u = from_uniform_sphere(w);
+            const Vec3 back = uniform_sphere(u.x, static_cast<float>(u.y));
+            EXPECT_NEAR(back.x / sine, 1, 1e-5f) << sine;
+            EXPECT_EQ(back.z, w.z);
+        }
+    }
 }
 
 /// A cone of the sun's size, in which cosines have no digits left.

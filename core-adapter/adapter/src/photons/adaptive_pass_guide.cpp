@@ -15,6 +15,7 @@ class AdaptivePassGuide : public PassGuide {
         : settings_(settings), guide_(scene, settings, light_choice, importance) {}
 
     bool wants_points() const override { return true; }
+    void begin_with(std::span<const EmissionSeed> starts) override { guide_.begin_with(starts); }
     std::uint64_t begin_pass(const GuidedPass& pass) override {
         return guide_.begin_pass(pass.number, pass.time, pass.image, pass.positions, pass.radii);
     }

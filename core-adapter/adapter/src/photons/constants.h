@@ -50,18 +50,31 @@ inline constexpr std::uint32_t kMostChains = 512;
 /// Supported by: no measurement.
 inline constexpr std::uint32_t kPathsPerChain = 2048;
 
-/// Steps of a chain from one start to the next, at least, where chains start at paths that were
-/// drawn before. Unit: steps.
+/// Steps of a chain from one start to the next, at least, where chains explore. Unit: steps.
 /// Balances: many starts against the paths around each.
-/// Chosen by: reasoning: at an acceptance of a quarter, four paths of a start are recorded.
+/// Chosen by: reasoning: at an acceptance of a quarter, four paths of a start are visited.
 /// Supported by: no measurement.
-inline constexpr std::uint64_t kShortestSegment = 16;
+inline constexpr std::uint32_t kShortestSegment = 16;
 
-/// Visible paths of a pass that chains may start from; more are thinned. Unit: paths.
-/// Balances: starts that are left out against memory.
-/// Chosen by: reasoning: 2 MiB, and more paths than a pass of two million has segments for.
+/// Rounds of photon paths that explore before the first pass, at most. Unit: rounds.
+/// Balances: time before the first pass against scenes of which next to nothing is seen.
+/// Chosen by: reasoning: they then take a few tenths of a second.
 /// Supported by: no measurement.
-inline constexpr std::size_t kMostPooledPaths = std::size_t{1} << 17;
+inline constexpr std::uint32_t kMostExploringRounds = 16;
+
+/// Visible paths among the independent ones that explore, in effect, that are enough. Unit: photon
+/// paths.
+/// Balances: time before the first pass against starts that are still to be found.
+/// Chosen by: reasoning: as many as a guide takes for enough learned.
+/// Supported by: no measurement.
+inline constexpr double kExploredEnough = 256;
+
+/// Share of the independent paths that explore which start by the plain density. Unit: share of 1.
+/// Balances: what a path weighs that starts where none was found before, up to the inverse, against
+///   paths that are not visible.
+/// Chosen by: docs/notebook/2026-11-26-chains-from-emission-trees.md.
+/// Supported by: car, daylight, summerhouse (0.15 and 0.5 in its place).
+inline constexpr double kPlainExplorers = 0.25;
 
 /// How far from a visible point photons count as visible to a chain. Discs that just touch, or do
 /// not, are islands to a chain, which stays on one for long. Unit: mean radii.

@@ -14,6 +14,7 @@
 namespace aips {
 
 class AdaptiveGuide;
+struct EmissionSeed;
 
 /// A pass that begins; all of it stays until the pass ends.
 struct GuidedPass {
@@ -30,6 +31,9 @@ class PassGuide {
     virtual ~PassGuide() = default;
     /// Whether begin_pass() wants to know where the visible points of each pass are.
     virtual bool wants_points() const { return false; }
+    /// Before the first pass: starts of photon paths that are seen, those of one light in
+    /// succession.
+    virtual void begin_with(std::span<const EmissionSeed> /*starts*/) {}
     /// Returns the rays that it traced.
     virtual std::uint64_t begin_pass(const GuidedPass& /*pass*/) { return 0; }
     /// Says in `input`, which is that of an unguided pass, what the iteration's photons follow.

@@ -1,5 +1,4 @@
-// photonsampler=amc, and guide=adaptive where next to nothing is seen: photon paths from adaptive
-// Markov chains (Hachisuka & Jensen 2011).
+// photonsampler=amc: photon paths from adaptive Markov chains (Hachisuka & Jensen 2011).
 #pragma once
 
 #include <algorithm>
@@ -14,8 +13,7 @@ namespace aips {
 
 /// Whether some pass may take its photon paths from chains.
 inline bool may_use_chains(const Settings& s) {
-    return s.photon_sampler == PhotonSampler::AdaptiveChains ||
-           (s.guide == GuideKind::Adaptive && s.guide_scout && s.guide_chains);
+    return s.photon_sampler == PhotonSampler::AdaptiveChains;
 }
 
 /// Chains of a pass of so many paths.

@@ -34,7 +34,7 @@ void PhotonPass::begin_pass(std::uint64_t pass, const PassPhotons& photons, floa
         const Stopwatch watch(totals_.guide_seconds);
         totals_.counts.rays += guide_->begin_pass({pass, time, image, positions_, radii});
     }
-    totals_.counts.rays += source_->begin_pass(photons, {pass, time, image, positions_, radii});
+    source_->begin_pass(photons);
     waiting_.clear();
     if (volume_) volume_->begin_pass(pass, photons, image, wants);
 }
@@ -213,7 +213,6 @@ void PhotonPass::state(StateArchive& archive) {
 }
 
 void PhotonPass::learned(LearnedParts& parts) {
-    source_->learned(parts);
     guide_->learned(parts);
 }
 

@@ -33,11 +33,10 @@ class PhotonPass {
                const DiscreteDistribution& light_choice, std::unique_ptr<PassGuide> guide,
                std::unique_ptr<PhotonSource> source);
 
-    /// Before the first pass, or one that is restored: other ways for the photons, for good.
-    void take(std::unique_ptr<PassGuide> guide, std::unique_ptr<PhotonSource> source) {
-        guide_ = std::move(guide);
-        source_ = std::move(source);
-    }
+    /// Before the first pass, or one that is restored: another guide, for good.
+    void take(std::unique_ptr<PassGuide> guide) { guide_ = std::move(guide); }
+    /// Before the first pass: where photon paths start that are seen, as PassGuide takes it.
+    void begin_with(std::span<const EmissionSeed> starts) { guide_->begin_with(starts); }
 
     /// Shoots `photons` and fills `flux` for the visible points in `image`. In modes that freeze
     /// the eye pass the visible points must be the same in each pass. `occlusion` as for

@@ -10,9 +10,7 @@ class IndependentPaths : public PhotonSource {
   public:
     float reach(const SearchRadii& radii) const override { return radii.reach(); }
     void mark_reach(std::span<const Vec3> /*visible_points*/, float /*radius*/) override {}
-    std::uint64_t begin_pass(const PassPhotons& /*photons*/, const GuidedPass& /*pass*/) override {
-        return 0;
-    }
+    void begin_pass(const PassPhotons& /*photons*/) override {}
     std::uint32_t iteration_paths() const override { return kPlainIterationPaths; }
     PhotonCounts trace(const PhotonInput& input, const IterationPaths& paths, Refusals& refusals,
                        const PathTraces& traces) override {
@@ -34,10 +32,7 @@ class PathsOfChains : public PhotonSource {
     void mark_reach(std::span<const Vec3> visible_points, float radius) override {
         chains_.mark_reach(visible_points, radius);
     }
-    std::uint64_t begin_pass(const PassPhotons& photons, const GuidedPass& /*pass*/) override {
-        chains_.begin_pass(photons.paths);
-        return 0;
-    }
+    void begin_pass(const PassPhotons& photons) override { chains_.begin_pass(photons.paths); }
     std::uint32_t iteration_paths() const override { return chains_.round_paths(); }
     PhotonCounts trace(const PhotonInput& input, const IterationPaths& paths, Refusals& refusals,
                        const PathTraces& traces) override {

@@ -32,8 +32,7 @@ class PhotonSource {
     virtual float reach(const SearchRadii& radii) const = 0;
     /// Where paths have to land to be of use, from the next pass until it is told anew.
     virtual void mark_reach(std::span<const Vec3> visible_points, float radius) = 0;
-    /// Returns the rays that it traced.
-    virtual std::uint64_t begin_pass(const PassPhotons& photons, const GuidedPass& pass) = 0;
+    virtual void begin_pass(const PassPhotons& photons) = 0;
     /// Photon paths of the next iteration, if no guide asks for others.
     virtual std::uint32_t iteration_paths() const = 0;
     /// Traces exactly so many paths. The result does not depend on the number of threads.
@@ -44,16 +43,11 @@ class PhotonSource {
     virtual double end_pass() = 0;
     /// Between passes: saves what later ones go on from, or restores it.
     virtual void state(StateArchive& archive) = 0;
-    /// The same for another render, from before the first pass on: old knowledge fades.
-    virtual void learned(LearnedParts& /*parts*/) {}
     virtual void add_to(EngineStatistics& statistics) const = 0;
     virtual std::size_t memory_bytes() const = 0;
 };
 
 /// Independent paths, or those of chains that search for visible ones by chance.
 std::unique_ptr<PhotonSource> make_photon_source(bool chains);
-/// Chains that start where visible paths were found before. `light_choice` (by power) outlives it.
-std::unique_ptr<PhotonSource> make_guided_chains(const Scene& scene, const Settings& settings,
-                                                 const DiscreteDistribution& light_choice);
 
 }  // namespace aips

@@ -19,31 +19,12 @@ inline constexpr std::uint64_t kPruningPaths = 1'000'000;
 /// Supported by: magic-lamp, room, cornell-box, ajar-door, summerhouse, eight more.
 inline constexpr double kNearWithoutGuide = 1.0 / 3;
 
-/// Share of unguided photon paths that are seen below which chains do better than the guide. Unit:
-/// share of 1.
-/// Balances: fireflies of a guide that has nothing to learn from against unstratified chains.
-/// Chosen by: docs/notebook/2026-11-23-guide-or-chains.md.
-/// Supported by: summerhouse with grounds of five sizes, hall, sun-window.
-inline constexpr double kSeenForChains = 5e-4;
-
-/// Paths seen that tell that share from more. Unit: photon paths.
-/// Balances: time of the first look against verdicts by chance.
-/// Chosen by: reasoning: the eight that one in 2000 leaves of one iteration are too few.
+/// Paths of the first look that are seen, below which chains explore before the first pass. Unit:
+/// photon paths.
+/// Balances: time before the first pass against guides that have next to nothing to learn from.
+/// Chosen by: reasoning: a leaf of a light's tree is split by as many.
 /// Supported by: no measurement.
 inline constexpr std::uint64_t kSeenEnough = 32;
-
-/// Paths seen below which chains are not tried: they need to find a visible path now and then.
-/// Unit: photon paths.
-/// Balances: passes of chains that find nothing against scenes that a guide cannot do.
-/// Chosen by: reasoning: chains have to find a visible path by chance in each pass.
-/// Supported by: no measurement.
-inline constexpr std::uint64_t kSeenAtLeast = 2;
-
-/// Iterations of the first look at most. Unit: iterations.
-/// Balances: time of the first look against scenes of which next to nothing is seen.
-/// Chosen by: reasoning: the look then takes a few tenths of a second.
-/// Supported by: no measurement.
-inline constexpr std::uint64_t kMostLooks = 16;
 
 /// Fewest photon paths of a pass that is chosen. Unit: photon paths.
 /// Balances: passes of the eye against iterations that keep no thread busy.
@@ -56,13 +37,6 @@ inline constexpr std::uint32_t kFewestPerPass = 1u << 12;
 /// Chosen by: reasoning: none on record.
 /// Supported by: no measurement.
 inline constexpr std::uint32_t kMostPerPass = 1u << 22;
-
-/// The same of chains, which find their paths anew in each pass: short ones find none where they
-/// are rare. Unit: photon paths.
-/// Balances: passes of the eye against chains that find nothing.
-/// Chosen by: docs/notebook/2026-11-23-photons-of-chains.md.
-/// Supported by: no measurement (summerhouse wants long passes; the number was not varied).
-inline constexpr std::uint32_t kFewestOfChains = 1u << 16;
 
 /// Passes before the first choice of the photons per pass; others follow whenever there are a
 /// quarter more. Unit: passes.
@@ -132,12 +106,6 @@ inline constexpr double kLeastRatio = 1.5;
 /// ratio. Balances: the eye's noise against that of photons. Chosen by: reasoning: what is left to
 /// gain beyond it. Supported by: no measurement.
 inline constexpr double kGreatestRatio = 10;
-
-/// What photons from chains cost over the eye: of 10, 5 and 3 the best for the image, and as good
-/// as 10 for their own light. Unit: ratio. Balances: the eye's noise against that of photons.
-/// Chosen by: docs/notebook/2026-11-23-photons-of-chains.md. Supported by: one scene only:
-/// summerhouse (10 and 3 in its place).
-inline constexpr double kChainRatio = 5;
 
 /// Work of an eye ray. Unit: about 0.3 us. Balances: the choice of the photons per pass: time of
 /// the eye against that of photons. Chosen by: docs/notebook/2026-11-23-costs-of-a-pass.md.
@@ -255,13 +223,6 @@ inline constexpr std::uint32_t kMostTurns = 8;
 /// Balances: as that of a point's work. Chosen by: reasoning: passes before every decision are then
 /// a multiple of the turns. Supported by: no measurement.
 inline constexpr std::uint64_t kTurnsFrom = 8;
-
-/// Passes from which on more photons of chains are planned where eye paths share their light.
-/// Unit: passes.
-/// Balances: soon at the best number against what few passes of chains tell by chance.
-/// Chosen by: docs/notebook/2026-11-25-who-carries-what.md.
-/// Supported by: summerhouse, car, daylight (none in its place).
-inline constexpr std::uint64_t kChainsJudgedFrom = 16;
 
 /// Steps of a root of two by which fewer photon paths a pass are tried. Unit: steps. Balances:
 /// photons that nobody needs against jumps by chance. Chosen by: reasoning: the bound of a planned

@@ -15,7 +15,6 @@ namespace {
 /// Number of the pass and of the first path in the render: none that brings light has them.
 constexpr std::uint64_t kNoPass = std::numeric_limits<std::uint64_t>::max();
 constexpr std::uint64_t kFirstPath = std::uint64_t{1} << 62;
-constexpr std::uint64_t kMostPaths = kMostLooks * kRoundPaths;
 
 }  // namespace
 
@@ -41,27 +40,24 @@ SeenPaths scout_photons(const Scene& scene, const Settings& settings, float time
     PathLog log;
     PhotonTracer tracer;
     SeenPaths counts;
-    do {
-        tracer.trace(input, kFirstPath, std::uint32_t(counts.traced), kRoundPaths, refusals,
-                     landings, &log);
-        counts.traced += kRoundPaths;
-        for (const PathRecord& path : log.paths) {
-            const auto landed = std::span(log.landings).subspan(path.first_landing, path.landings);
-            counts.near += !landed.empty();
-            counts.seen += std::ranges::any_of(landed, [&](const Landing& landing) {
-                return reach.any_within_radius(landing.position);
-            });
-        }
-        log.clear();
-        landings.clear();
-    } while (settings.guide_chains && counts.seen < kSeenEnough && counts.traced < kMostPaths);
+    tracer.trace(input, kFirstPath, 0, kRoundPaths, refusals, landings, &log);
+    counts.traced = kRoundPaths;
+    for (const PathRecord& path : log.paths) {
+        const auto landed = std::span(log.landings).subspan(path.first_landing, path.landings);
+        counts.near += !landed.empty();
+        counts.seen += std::ranges::any_of(landed, [&](const Landing& landing) {
+            return reach.any_within_radius(landing.position);
+        });
+    }
     return counts;
 }
 
-PhotonWay photon_way(const Settings& settings, const SeenPaths& seen) {
-    if (seen.near_share() >= kNearWithoutGuide) return PhotonWay::Unguided;
-    const bool chains = settings.guide_chains && seen.seen >= kSeenAtLeast;
-    return chains && seen.seen_share() < kSeenForChains ? PhotonWay::Chains : PhotonWay::Guided;
+PhotonWay photon_way(const SeenPaths& seen) {
+    return seen.near_share() >= kNearWithoutGuide ? PhotonWay::Unguided : PhotonWay::Guided;
+}
+
+bool seen_too_seldom(const SeenPaths& seen) {
+    return seen.seen < kSeenEnough;
 }
 
 }  // namespace aips

@@ -1,9 +1,7 @@
 // How photons of guide=adaptive find their way in a scene, found out before its first pass.
 //
 // A guide sends photons where the image sees them. Where most are seen anyway there is nothing to
-// gain, and what learning costs, and photons that count for less while it learns, would be lost.
-// Where next to none is seen, a guide that learns from those is blind for long, and what few of its
-// first photons carry stays in the image as fireflies; Markov chains on the visible paths do better
+// gain, and what learning costs, and photons that count for less while it learns, would be lost
 // (docs/understand/first-look.md).
 #pragma once
 
@@ -26,18 +24,19 @@ struct SeenPaths {
 /// Follows unguided photon paths and counts those that land within `radius` (scene units, > 0) of a
 /// visible point of `image`. The paths have numbers of their own and bring nothing into the image:
 /// its expectation does not depend on what is made of the counts, but for what the photons' part of
-/// the first pass, one of many, has to do with them by its eye paths. Where chains are allowed
-/// (`guide_chains`) and few are seen, more paths are followed.
+/// the first pass, one of many, has to do with them by its eye paths.
 SeenPaths scout_photons(const Scene& scene, const Settings& settings, float time,
                         const EyeImage& image, float radius);
 
 /// What takes photons through the scene under guide=adaptive.
 enum class PhotonWay : std::uint8_t {
     Guided,
-    Unguided,  ///< the guide is left out: a third of the photon paths comes near what is seen
-    Chains     ///< Markov chains in its place: fewer than one in 2000 is seen, but at least two
+    Unguided  ///< the guide is left out: a third of the photon paths comes near what is seen
 };
 
-PhotonWay photon_way(const Settings& settings, const SeenPaths& seen);
+PhotonWay photon_way(const SeenPaths& seen);
+
+/// Whether so few are seen that a guide would have next to nothing to learn from.
+bool seen_too_seldom(const SeenPaths& seen);
 
 }  // namespace aips

@@ -9,7 +9,7 @@
 #include "eye/eye_pass.h"
 #include "guides/adaptive/adaptive_guide.h"
 #include "guides/paper/paper_guide.h"
-#include "photons/guided_chains.h"
+#include "photons/exploration.h"
 #include "photons/photon_chains.h"
 #include "photons/photon_pass.h"
 #include "radii/adaptive_radius.h"
@@ -72,9 +72,9 @@ std::size_t iteration_landings(const Settings& s) {
     return std::max(guided, std::size_t{kPlainIterationPaths} * most_surfaces(s));
 }
 
-/// Of one kind at most.
+/// Of chains that photon paths come from, or that explore.
 std::size_t chain_bytes(const Scene& scene, const Settings& s, std::uint32_t eye_paths) {
-    if (may_guide_chains(s)) return GuidedChains::memory_bound_bytes(scene, s, eye_paths);
+    if (may_explore(s)) return exploration_memory_bound(scene, s, eye_paths);
     return may_use_chains(s) ? PhotonChains::memory_bound_bytes(s, eye_paths) : 0;
 }
 

@@ -16,10 +16,10 @@ constexpr auto kLearningPass = std::uint32_t(kLearningPaths / kFirstPassesOfAGui
 
 /// Before anything is known: as many as eye paths, and at least what a guide has to learn from.
 std::uint32_t first_paths(const Settings& settings, std::uint32_t eye_paths, bool adapts,
-                          bool learns, bool chains) {
+                          bool learns) {
     if (!adapts)
         return settings.photons_per_pass ? settings.photons_per_pass : kUsualPhotonsPerPass;
-    const std::uint32_t fewest = learns ? kLearningPass : chains ? kFewestOfChains : kFewestPerPass;
+    const std::uint32_t fewest = learns ? kLearningPass : kFewestPerPass;
     return std::clamp(eye_paths, fewest, kUsualPhotonsPerPass);
 }
 
@@ -45,14 +45,13 @@ bool follows_noise(const Settings& settings) {
 }
 
 PhotonSchedule::PhotonSchedule(const Settings& settings, std::uint32_t eye_paths, bool shoots,
-                               bool learns, bool chains, bool may_take_turns)
+                               bool learns, bool may_take_turns)
     : seed_(settings.seed),
       adapts_(shoots && follows_noise(settings)),
       learns_(learns),
-      chains_(chains),
       may_take_turns_(may_take_turns),
       eye_paths_(eye_paths),
-      paths_(first_paths(settings, eye_paths, adapts_, learns, chains)),
+      paths_(first_paths(settings, eye_paths, adapts_, learns)),
       chosen_weight_(chosen_weight(paths_, learns)),
       decide_at_(learns ? kFirstPassesOfAGuide : kFirstPasses) {
     plan();
@@ -110,12 +109,11 @@ void PhotonSchedule::take(double paths, std::uint32_t every) {
 
 PhotonLimits PhotonSchedule::limits() const {
     const double present = paths_ / double(turns_.every);
-    // A guide is still learning; chains, which do not, only make passes short as early as this.
-    if (!adapts_ || (pass_ < decide_at_ && !chains_)) return {present, present, turns_.every};
-    const double rise = chains_ && pass_ < kChainsJudgedFrom ? 1 : kGreatestPlannedRise;
+    // A guide is still learning.
+    if (!adapts_ || pass_ < decide_at_) return {present, present, turns_.every};
     const std::uint32_t turns = pass_ < kTurnsFrom || !may_take_turns_ ? 1 : kMostTurns;
     return {std::max(double(kFewestPerPass), present / kGreatestPlannedFall),
-            std::min(double(kMostPerPass), present * rise), turns, kMostPerPass};
+            std::min(double(kMostPerPass), present * kGreatestPlannedRise), turns, kMostPerPass};
 }
 
 void PhotonSchedule::state(StateArchive& archive) {
@@ -149,7 +147,7 @@ void PhotonSchedule::state(StateArchive& archive) {
 }
 
 void PhotonSchedule::learned(LearnedParts& parts) {
-    const std::uint64_t kind = (adapts_ ? 1u : 0u) + (learns_ ? 2u : 0u) + (chains_ ? 4u : 0u);
+    const std::uint64_t kind = (adapts_ ? 1u : 0u) + (learns_ ? 2u : 0u);
     parts.part("photons per pass", kind << 32 | eye_paths_, [&](StateArchive& archive) {
         bool chosen = decided_ || planned_;
         std::uint32_t paths = paths_ / turns_.every;
@@ -167,6 +165,18 @@ void PhotonSchedule::learned(LearnedParts& parts) {
         }
     });
     if (parts.restoring()) set_taught(!parts.taken().empty());
+}
+
+void PhotonSchedule::explored(std::uint64_t paths) {
+    if (!learns_) return;
+    next_.known = std::max(next_.known, paths);
+    if (adapts_ && !decided_) {
+        const double left = std::max(0.0, kLearningPaths - double(next_.known));
+        paths_ = std::clamp(eye_paths_,
+                            std::max(kFewestPerPass, std::uint32_t(left / kFirstPassesOfAGuide)),
+                            kUsualPhotonsPerPass);
+    }
+    plan();
 }
 
 void PhotonSchedule::begin_anew(const PhotonSchedule& fresh) {
@@ -188,7 +198,6 @@ double PhotonSchedule::even_paths() const {
 }
 
 double PhotonSchedule::best_ratio() const {
-    if (chains_) return kChainRatio;
     // Noise that photons explain altogether leaves less than none to the eye, by chance.
     if (!(noise_.eye > 0)) return kGreatestRatio;
     const double ratio = std::sqrt(std::max(0.0, noise_.photon_path) / (noise_.eye * even_paths()));
@@ -204,8 +213,8 @@ std::uint32_t PhotonSchedule::best_paths() const {
         const double rise = decided_ ? kGreatestRise : 1;
         paths = std::clamp(paths, paths_ / kGreatestFall, paths_ * rise);
     }
-    const double fewest = chains_ ? kFewestOfChains : kFewestPerPass;
-    return static_cast<std::uint32_t>(std::clamp(paths, fewest, double(kMostPerPass)));
+    return static_cast<std::uint32_t>(
+        std::clamp(paths, double(kFewestPerPass), double(kMostPerPass)));
 }
 
 }  // namespace aips

@@ -40,11 +40,9 @@ bool follows_noise(const Settings& settings);
 class PhotonSchedule {
   public:
     /// `shoots`: photons are needed at all; `learns`: the first photon paths count for less
-    /// (learning_weight.h); `chains`: they come from Markov chains in a guide's place, whose
-    /// landings come in clusters and do not tell their noise. Photons then take a fixed share of
-    /// the time. `may_take_turns`: some passes may be without.
+    /// (learning_weight.h); `may_take_turns`: some passes may be without.
     PhotonSchedule(const Settings& settings, std::uint32_t eye_paths, bool shoots, bool learns,
-                   bool chains = false, bool may_take_turns = true);
+                   bool may_take_turns = true);
 
     /// The pass that comes next, if it shoots.
     const PassPhotons& next() const { return next_; }
@@ -54,8 +52,7 @@ class PhotonSchedule {
     std::uint32_t turns() const { return turns_.every; }
     /// A pass has ended that shot no photons, in its turn.
     void skip_pass() { ++pass_; }
-    /// Whether numbers follow what passes tell; `noise`, which end_pass() then wants to know, says
-    /// nothing of chains.
+    /// Whether numbers follow what passes tell: end_pass() then wants to know the noise.
     bool adapts() const { return adapts_; }
     void end_pass(const PassWork& work, const PassNoise& noise);
     /// Instead of what end_pass() decides, from the first call on: after it, so many photon paths
@@ -71,6 +68,9 @@ class PhotonSchedule {
     /// before the first pass: the number is chosen by then, and a guide has learned. Where
     /// this or any part before it is taken, another render has taught, and first passes count less.
     void learned(LearnedParts& parts);
+    /// Before the first pass: so many photon paths have told the guide where to start. They count
+    /// as shot, and the guide's first passes have fewer.
+    void explored(std::uint64_t paths);
     /// Takes the settings and state of a new schedule, but what another render has taught.
     void begin_anew(const PhotonSchedule& fresh);
 
@@ -84,7 +84,7 @@ class PhotonSchedule {
     std::uint32_t best_paths() const;
 
     std::uint64_t seed_;
-    bool adapts_, learns_, chains_, may_take_turns_;
+    bool adapts_, learns_, may_take_turns_;
     std::uint32_t eye_paths_;
     std::uint32_t paths_;  // of a pass that shoots
     PhotonTurns turns_;

@@ -49,8 +49,7 @@ bool Plan::looks_first() const {
 }
 
 bool Plan::measures_noise() const {
-    // Landings of chains come in clusters, whose noise their squares do not tell.
-    return needs.photons && follows_noise(settings()) && !chains_for_guide();
+    return needs.photons && follows_noise(settings());
 }
 
 void Plan::fit_to(const Film& film) {
@@ -68,23 +67,15 @@ void Plan::fit_to(const Film& film) {
     needs.skipped.push_back("lamp paths: " + reason);
 }
 
-Settings Plan::radius_settings() const {
-    Settings radii = settings();
-    const bool automatic = !(radii.start_radius > 0);
-    if (automatic && chains_for_guide()) radii.start_radius = kChainAutomaticRadius;
-    return radii;
-}
-
 void Plan::state(StateArchive& archive) {
     archive.value(way);
-    StateArchive::check(way <= PhotonWay::Chains && allows(way),
+    StateArchive::check(way <= PhotonWay::Unguided && allows(way),
                         "a guide left out that was not asked for");
 }
 
 bool Plan::allows(PhotonWay other) const {
     if (other == PhotonWay::Guided) return true;
-    const bool may_be_left_out = settings().guide == GuideKind::Adaptive && settings().guide_scout;
-    return may_be_left_out && (other != PhotonWay::Chains || settings().guide_chains);
+    return settings().guide == GuideKind::Adaptive && settings().guide_scout;
 }
 
 Plan make_plan(const Scene& scene, const Settings& settings) {

@@ -22,14 +22,8 @@ struct Plan {
     const Settings& settings() const { return needs.settings; }
     /// What guides photons: the settings' guide, unless the first look left it out.
     GuideKind guide() const;
-    /// Whether photon paths come from Markov chains in the guide's place.
-    bool chains_for_guide() const { return way == PhotonWay::Chains; }
-    /// Whether these start where visible paths were found before.
-    bool guides_chains() const { return chains_for_guide() && settings().guide_chain_starts; }
-    /// From chains in the guide's place, or as asked for.
-    bool chains() const {
-        return chains_for_guide() || settings().photon_sampler == PhotonSampler::AdaptiveChains;
-    }
+    /// Whether photon paths come from Markov chains.
+    bool chains() const { return settings().photon_sampler == PhotonSampler::AdaptiveChains; }
     /// Whether a guide learns that lessens the weight of the first photon paths.
     bool learns() const { return guide() == GuideKind::Adaptive; }
     /// Whether photons are looked at before the first pass shoots any. In media scores know

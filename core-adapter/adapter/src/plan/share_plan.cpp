@@ -35,8 +35,9 @@ double missing(double found, double met, const ShareMoments& m) {
 
 double eye_variance(const ShareMoments& m) {
     // Effective paths that found light: where there are none, their variance is not known at all.
-    const double found = m.yy > 0 ? m.y * m.y / m.yy : 0;
-    if (found < kFoundByPaths) return std::numeric_limits<double>::infinity();
+    // One is enough where photons found nothing.
+    if (!(m.yy > 0) || (m.squares > 0 && m.y * m.y < kFoundByPaths * m.yy))
+        return std::numeric_limits<double>::infinity();
     const double second = mean(m.yy, m.continued);
     const double variance = second - std::max(0.0, mean(m.xy, m.continued));
     const double missed = missing(m.x, m.y, m);
@@ -118,6 +119,9 @@ class Search {
     /// Variance of a single photon path's worth of light that both carry. What is seldom found at
     /// all is found together by a whole pass.
     double photon_variance(const ShareMoments& m) const {
+        // No photon came: their variance is not known at all, and the eye is to carry all it may.
+        if (!(m.squares > 0) && m.yy > 0)
+            return facts_.photon_paths * eye_variance(m) / (1 - double(kMostEyeShare));
         const double missed = missing(m.y, m.x, m);
         return std::max(clusters_ * mean(m.squares, m.points),
                         facts_.photon_paths * facts_.passes * missed * missed);

@@ -45,15 +45,15 @@ void SkipLog::no_visible_points(bool for_good) {
                    "so in each pass where none does");
 }
 
-void SkipLog::left_out_guide(PhotonWay way, const SeenPaths& seen, bool its_trees) {
-    if (way == PhotonWay::Chains) {
-        say("skipped the guide: Markov chains take its place, as one photon path in " +
-            std::to_string(std::lround(1 / seen.seen_share())) + " is seen without it" +
-            (its_trees ? "; its trees tell where they start" : ""));
-        return;
-    }
+void SkipLog::left_out_guide(const SeenPaths& seen) {
     say("skipped the guide: " + percent(seen.near_share()) +
         " of the photon paths come near what is seen without it");
+}
+
+void SkipLog::explored(const Exploration& exploration) {
+    const std::string paths = std::to_string(exploration.paths) + " photon paths ";
+    say(exploration.starts.empty() ? "explored: none of " + paths + "is seen"
+                                   : "explored: " + paths + "told where those start that are seen");
 }
 
 void SkipLog::say_switch(bool off, bool& was_off, const std::string& part, double gain) {

@@ -7,6 +7,7 @@
 
 #include "aips/adapter/camera.h"
 #include "guides/adaptive/adaptive_guide.h"
+#include "photons/exploration.h"
 #include "photons/photon_path.h"
 #include "plan/guide_scout.h"
 #include "plan/needs.h"
@@ -25,9 +26,10 @@ class SkipLog {
 
     /// A pass shot no photons, for lack of visible points; `for_good` if all passes see the same.
     void no_visible_points(bool for_good);
-    /// The adaptive guide is left out for `way`, as so many unguided photon paths are seen.
-    /// `its_trees`: they tell chains where to start.
-    void left_out_guide(PhotonWay way, const SeenPaths& seen, bool its_trees = false);
+    /// The adaptive guide is left out, as so many unguided photon paths are seen.
+    void left_out_guide(const SeenPaths& seen);
+    /// Before the first pass chains looked for visible paths.
+    void explored(const Exploration& exploration);
     /// It was decided who carries the light that eye paths and photons both can; said where it has
     /// changed.
     void shared(const SharePlan& plan);

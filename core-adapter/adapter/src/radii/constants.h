@@ -14,13 +14,6 @@ namespace aips {
 ///   by).
 inline constexpr double kAutomaticRadius = 2;
 
-/// The same where chains take the guide's place: next to none of other photons would be seen, all
-/// of theirs are, and bias is most of the error that is left. Unit: footprints.
-/// Balances: noise against blur.
-/// Chosen by: docs/notebook/2026-11-23-radius-of-chains.md.
-/// Supported by: one scene only: summerhouse (2, 0.7 and 0.5 in its place).
-inline constexpr double kChainAutomaticRadius = 1;
-
 /// Photon paths after which the radius schedule has made one step of Knaus and Zwicker (2011), and
 /// probes have begun to shrink: a constant, so that methods with other numbers of photons per pass
 /// keep equal radii at equal work. Unit: photon paths.

@@ -5,7 +5,7 @@ namespace aips {
 namespace {
 
 /// To be raised whenever the content of states changes.
-constexpr std::uint32_t kStateVersion = 21;
+constexpr std::uint32_t kStateVersion = 22;
 
 void state_of_settings(StateArchive& archive, const Settings& s) {
     archive.same(s.mode, "mode");
@@ -21,11 +21,10 @@ void state_of_settings(StateArchive& archive, const Settings& s) {
     for (const double share : {s.start_radius, s.alpha, s.guide_share, s.error_alpha})
         archive.same(share, "radii or shares in its settings");
     for (const bool on :
-         {s.include_environment, s.direct_light_sampling, s.store_glossy,   s.debug_layers,
-          s.learn_lights,        s.continue_eye_paths,    s.photon_turns,   s.guide_lamps,
-          s.correct_edges,       s.photon_occlusion,      s.narrow_radii,   s.guide_emission,
-          s.eye_seeding,         s.guide_bounces,         s.guide_survival, s.guide_chains,
-          s.guide_chain_starts,  s.guide_scout,           s.present_errors, s.first_landings})
+         {s.include_environment, s.direct_light_sampling, s.store_glossy, s.debug_layers,
+          s.learn_lights, s.continue_eye_paths, s.photon_turns, s.guide_lamps, s.correct_edges,
+          s.photon_occlusion, s.narrow_radii, s.guide_emission, s.eye_seeding, s.guide_bounces,
+          s.guide_survival, s.guide_chains, s.guide_scout, s.present_errors, s.first_landings})
         archive.same(std::uint8_t(on), "switches in its settings");
 }
 

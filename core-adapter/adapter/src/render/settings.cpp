@@ -110,7 +110,6 @@ std::string describe(const Settings& s) {
             << ", guidebounces = " << (s.guide_bounces ? "true" : "false")
             << ", guidesurvival = " << (s.guide_survival ? "true" : "false")
             << ", guidechains = " << (s.guide_chains ? "true" : "false")
-            << ", guidechainstarts = " << (s.guide_chain_starts ? "true" : "false")
             << ", guidescout = " << (s.guide_scout ? "true" : "false");
     }
     return out.str();

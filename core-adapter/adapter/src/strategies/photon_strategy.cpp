@@ -6,6 +6,7 @@
 #include "eye/light_choice.h"
 #include "guides/adaptive/adaptive_guide.h"
 #include "guides/paper/paper_guide.h"
+#include "photons/exploration.h"
 #include "plan/memory_bound.h"
 #include "plan/pass_work.h"
 #include "strategies/constants.h"
@@ -50,12 +51,11 @@ PhotonStrategy::PhotonStrategy(const Host& host, Plan& plan, std::uint32_t eye_p
 PhotonSchedule PhotonStrategy::make_schedule() const {
     // What photons bring to media is kept from pass to pass.
     const bool turns = settings_.photon_turns && settings_.continue_eye_paths && !scene_.media();
-    return {settings_, eye_paths_, plan_.needs.photons, plan_.learns(), plan_.chains_for_guide(),
-            turns};
+    return {settings_, eye_paths_, plan_.needs.photons, plan_.learns(), turns};
 }
 
 std::unique_ptr<RadiusPolicy> PhotonStrategy::make_radii() const {
-    return make_radius_policy(plan_.radius_settings(), scene_, film_.width(), film_.height());
+    return make_radius_policy(settings_, scene_, film_.width(), film_.height());
 }
 
 std::optional<PixelImportance> PhotonStrategy::make_importance() const {
@@ -71,17 +71,22 @@ void PhotonStrategy::look_first(const StrategyPass& pass) {
     const SeenPaths seen =
         scout_photons(scene_, settings_, pass.time, pass.image, static_cast<float>(radius));
     // What another render learned may have chosen a way already.
-    const PhotonWay way = photon_way(settings_, seen);
+    const PhotonWay way = photon_way(seen);
     if (way != plan_.way) take_way(way);
-    if (plan_.way == PhotonWay::Guided) return;
-    skip_log_.left_out_guide(plan_.way, seen, plan_.guides_chains());
+    if (plan_.way == PhotonWay::Unguided) return skip_log_.left_out_guide(seen);
+    if (!settings_.guide_chains || !seen_too_seldom(seen)) return;
+    const Exploration exploration = explore_starts(scene_, settings_, light_choice_, pass.time,
+                                                   pass.image, static_cast<float>(radius));
+    photon_pass_.begin_with(exploration.starts);
+    if (!exploration.starts.empty()) schedule_.explored(exploration.paths);
+    skip_log_.explored(exploration);
 }
 
 void PhotonStrategy::take_way(PhotonWay way) {
     plan_.way = way;
     // The brightness of pixels depends on no way.
     if (auto made = make_importance(); !made || !importance_) importance_ = std::move(made);
-    photon_pass_.take(make_pass_guide(), make_source());
+    photon_pass_.take(make_pass_guide());
     schedule_.begin_anew(make_schedule());
     radius_policy_ = make_radii();
     noise_.reset();
@@ -98,7 +103,6 @@ std::unique_ptr<PassGuide> PhotonStrategy::make_pass_guide() const {
 }
 
 std::unique_ptr<PhotonSource> PhotonStrategy::make_source() const {
-    if (plan_.guides_chains()) return make_guided_chains(scene_, settings_, light_choice_);
     return make_photon_source(plan_.chains());
 }
 
@@ -256,7 +260,7 @@ void PhotonStrategy::learned(LearnedParts& parts) {
     // First, as it decides on what others are parts of.
     parts.part("way of photons", 0, [&](StateArchive& archive) {
         PhotonWay way = plan_.way;
-        archive.value(way, PhotonWay::Chains);
+        archive.value(way, PhotonWay::Unguided);
         // A first look judges it anew; without one nothing would.
         if (way != plan_.way && plan_.allows(way) && plan_.looks_first()) take_way(way);
     });

@@ -64,11 +64,12 @@ ShareSample sample_of(const EyeImage& image, const PhotonFlux& flux, std::size_t
     const double rest = 1 - double(point.eye_share);
     const ShareableFlux& part = flux.shareable[i];
     sample.photons = scale * double(part.sum) / rest;
-    sample.squares = paths * scale * scale * double(part.squares) / (rest * rest);
-    // Trimmed as the noise of a pass is: single pixels are not to decide on the photons of all.
-    const double others =
-        scale * scale * std::max(0.0, double(flux.squares[i]) - double(part.squares));
-    sample.others = paths * trimmed(others, weight);
+    // Trimmed as the noise of a pass is: single photons are not to decide who carries all light.
+    const auto of_photons = [&](double squares) {
+        return paths * trimmed(scale * scale * std::max(0.0, squares), weight);
+    };
+    sample.squares = of_photons(double(part.squares) / (rest * rest));
+    sample.others = of_photons(double(flux.squares[i]) - double(part.squares));
     return sample;
 }
 
@@ -139,7 +140,7 @@ std::optional<SharePlan> SharedLight::end_pass(const SharedPass& pass, bool shot
                                                const PixelImportance& importance,
                                                const PhotonLimits& limits) {
     if (shot) count(pass);
-    if (!decides_before(pass.number + 1) || !(sums_.noisy_passes > 0)) return {};
+    if (!decides_before(pass.number + 1) || !(sums_.passes > 0)) return {};
     return decide(pass, importance, limits);
 }
 
@@ -170,7 +171,8 @@ SharePlan SharedLight::decide(const SharedPass& pass, const PixelImportance& imp
     facts.points = sums_.points / sums_.passes;
     facts.point_weight = 1 / (seen * per_pixel * per_pixel);
     facts.points_per_pixel = per_pixel;
-    facts.variance = sums_.variance / sums_.noisy_passes;
+    // No pass has any while all is black: photons found nothing. Eye paths may have.
+    facts.variance = sums_.variance / std::max(1.0, sums_.noisy_passes);
     facts.own_variance = own_noise_.take();
     facts.photon_paths = sums_.photon_paths / sums_.passes;
     facts.turns = pass.turns;

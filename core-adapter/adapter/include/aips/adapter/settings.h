@@ -95,8 +95,7 @@ struct Settings {
     bool guide_bounces = true;  ///< guide=adaptive guides where photons go on to
     bool guide_survival = true;  ///< guide=adaptive decides which photons go on
     bool guide_scout = true;   ///< guide=adaptive is left out where a first look tells it can't pay
-    bool guide_chains = true;  ///< then chains take its place where next to nothing is seen
-    bool guide_chain_starts = true;  ///< and start where visible paths were found before
+    bool guide_chains = true;  ///< then chains explore where next to nothing is seen
 
     bool account = false;  ///< tells what each light and material did: EngineStatistics::account
 

@@ -41,6 +41,13 @@ AdaptiveGuide::AdaptiveGuide(const Scene& scene, const Settings& settings,
     if (settings.guide_bounces) bounces_.emplace(scene.bounds(), kMemoryPaths);
 }
 
+void AdaptiveGuide::begin_with(std::span<const EmissionSeed> starts) {
+    if (starts.empty()) return;
+    emission_.add_seeds(starts);
+    emission_.update(0);
+    seeds_.end();
+}
+
 std::uint64_t AdaptiveGuide::begin_pass(std::uint64_t pass, float time, const EyeImage& image,
                                         std::span<const Vec3> positions, const SearchRadii& radii) {
     rest_or_wake();

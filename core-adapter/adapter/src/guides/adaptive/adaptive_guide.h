@@ -32,6 +32,9 @@ class AdaptiveGuide {
     AdaptiveGuide(const AdaptiveGuide&) = delete;
     AdaptiveGuide& operator=(const AdaptiveGuide&) = delete;
 
+    /// Before the first pass: starts of visible paths that were found, those of one light in
+    /// succession. If there are any, none are looked for from the eye.
+    void begin_with(std::span<const EmissionSeed> starts);
     /// A pass with these visible points (and their positions) begins; `image` and `radii` stay
     /// until it ends. Returns the rays that seeding traced.
     std::uint64_t begin_pass(std::uint64_t pass, float time, const EyeImage& image,

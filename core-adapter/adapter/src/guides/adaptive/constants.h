@@ -56,13 +56,6 @@ inline constexpr double kLearnedSeedStarts = 0.05;
 /// Supported by: no measurement.
 inline constexpr std::uint32_t kLearnedScores = 256;
 
-/// Share of the independent paths of chains that start by the plain density. Unit: share of 1.
-/// Balances: what a path weighs that starts where none was found before, up to the inverse, against
-///   paths that are not visible.
-/// Chosen by: docs/notebook/2026-11-26-chains-from-emission-trees.md.
-/// Supported by: car, daylight, summerhouse (0.15 and 0.5 in its place).
-inline constexpr double kPlainChainStarts = 0.25;
-
 /// Photon paths after which photons count in full, and of the first trial of a part. Unit: photon
 /// paths.
 /// Balances: fireflies of a guide that knows little against the photons that count for less.

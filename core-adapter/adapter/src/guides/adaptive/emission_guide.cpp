@@ -71,28 +71,37 @@ void EmissionGuide::add_part(const EmissionStart& start, double part, double cos
     trees_[start.light].add(start.point, part * part, cost);
 }
 
-void EmissionGuide::add_seeds(std::span<const EmissionSeed> seeds) {
+/// Calls visit(light, seeds) for each light that emits, with its seeds.
+template <class Visit>
+void EmissionGuide::for_each_light(std::span<const EmissionSeed> seeds, const Visit& visit) const {
     while (!seeds.empty()) {
         const LightIndex light = seeds.front().light;
         const auto end = std::ranges::find_if_not(
             seeds, [light](const EmissionSeed& seed) { return seed.light == light; });
         const auto count = static_cast<std::size_t>(end - seeds.begin());
-        if (light < trees_.size() && plain_pdf(light) > 0) add_seeds_of_a_light(seeds.first(count));
+        if (light < trees_.size() && plain_pdf(light) > 0) visit(light, seeds.first(count));
         seeds = seeds.subspan(count);
     }
 }
 
-void EmissionGuide::add_seeds_of_a_light(std::span<const EmissionSeed> seeds) {
-    const LightIndex light = seeds.front().light;
-    std::vector<PrimaryPoint> points;
-    points.reserve(seeds.size());
-    for (const EmissionSeed& seed : seeds)
-        points.push_back(seed.point);
-    trees_[light].focus(points);
-    for (const EmissionSeed& seed : seeds) {
-        trees_[light].add_seed(seed.point, double(seed.weight));
-        seeds_[light] += double(seed.weight);
-    }
+void EmissionGuide::focus(std::span<const EmissionSeed> starts) {
+    for_each_light(starts, [&](LightIndex light, std::span<const EmissionSeed> of_light) {
+        std::vector<PrimaryPoint> points;
+        points.reserve(of_light.size());
+        for (const EmissionSeed& start : of_light)
+            points.push_back(start.point);
+        trees_[light].focus(points);
+    });
+}
+
+void EmissionGuide::add_seeds(std::span<const EmissionSeed> seeds) {
+    focus(seeds);
+    for_each_light(seeds, [&](LightIndex light, std::span<const EmissionSeed> of_light) {
+        for (const EmissionSeed& seed : of_light) {
+            trees_[light].add_seed(seed.point, double(seed.weight));
+            seeds_[light] += double(seed.weight);
+        }
+    });
 }
 
 void EmissionGuide::update(double paths) {

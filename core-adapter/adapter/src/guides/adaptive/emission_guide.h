@@ -67,8 +67,11 @@ class EmissionGuide {
     /// A photon that was not drawn by the guide, and stands for `part` >= 0 of the integral of
     /// abs(f) times the paths of the next update(). It tells nothing of whether guiding pays.
     void add_part(const EmissionStart& start, double part, double cost);
-    /// Starts found from the eye, those of one light in succession. Of lights that do not emit, or
-    /// do not exist, they are passed over.
+    /// Halves leaves in which many of these starts, those of one light in succession, lie close
+    /// together.
+    void focus(std::span<const EmissionSeed> starts);
+    /// Starts found from the eye, or by chains, those of one light in succession. Of lights that do
+    /// not emit, or do not exist, they are passed over.
     void add_seeds(std::span<const EmissionSeed> seeds);
     /// After `paths` further photon paths: forgets, splits, decides whether guiding pays, and sets
     /// the density of the next iterations.
@@ -104,7 +107,8 @@ class EmissionGuide {
     double guided_pdf(const EmissionStart& start) const;
     void judge();
     void set_densities();
-    void add_seeds_of_a_light(std::span<const EmissionSeed> seeds);
+    template <class Visit>
+    void for_each_light(std::span<const EmissionSeed> seeds, const Visit& visit) const;
 
     const DiscreteDistribution* plain_choice_;
     EmissionGuideSettings settings_;

@@ -11,7 +11,7 @@ std::uint64_t SeedSearch::search(const Scene& scene, const Settings& settings,
                                  const DiscreteDistribution& light_choice, std::uint64_t pass,
                                  float time, const EyeImage& image, std::uint64_t paths,
                                  EmissionGuide& guide) {
-    if (!settings.eye_seeding || paths >= kSeededPaths || given_up()) return 0;
+    if (!settings.eye_seeding || paths >= kSeededPaths || ended_ || given_up()) return 0;
     SeedCounts counts;
     find_emission_seeds(scene, settings, light_choice, pass, time, image, seeds_, counts);
     walks_ += counts.walks;
@@ -25,6 +25,7 @@ std::uint64_t SeedSearch::search(const Scene& scene, const Settings& settings,
 void SeedSearch::state(StateArchive& archive) {
     archive.value(walks_);
     archive.value(found_);
+    archive.value(ended_);
 }
 
 std::size_t SeedSearch::memory_bound_bytes(std::size_t eye_paths) {

@@ -17,6 +17,8 @@ class SeedSearch {
                          const DiscreteDistribution& light_choice, std::uint64_t pass, float time,
                          const EyeImage& image, std::uint64_t paths, EmissionGuide& guide);
 
+    /// No more walks are done.
+    void end() { ended_ = true; }
     /// Whether walks found no way to start a photon, and are no longer done.
     bool given_up() const { return walks_ >= kSeedTrialWalks && found_ == 0; }
 
@@ -28,6 +30,7 @@ class SeedSearch {
   private:
     std::vector<EmissionSeed> seeds_;  // of the last search
     std::uint64_t walks_ = 0, found_ = 0;
+    bool ended_ = false;
 };
 
 }  // namespace aips

@@ -46,9 +46,6 @@ class MutationSize {
         steps_ += steps;
     }
 
-    /// No more than so many steps count as learned from: the size moves again.
-    void fade(std::uint64_t steps) { steps_ = std::min(steps_, steps); }
-
     /// Saves or restores what was learned.
     void state(StateArchive& archive) {
         archive.value(size_);

@@ -119,7 +119,7 @@ Material "glass" "float index" [1.01]
         const auto image = render::render(scene, "--integrator " + integrator, folder);
         return image.block_means(16).at(0);
     };
-    for (const std::string way : {"path --passes 200", "aips --passes 12", "sppm --passes 3"}) {
+    for (const std::string way : {"path --passes 400", "aips --passes 30", "sppm --passes 5"}) {
         const double bare = mean(0, way);
         EXPECT_NEAR(mean(12, way) / bare, 1, 0.02) << way;
     }

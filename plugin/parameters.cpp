@@ -63,10 +63,14 @@ constexpr ParameterDeclaration no_effect(std::string_view name, ParameterType ty
 /// What all plugins take.
 std::vector<ParameterDeclaration> common_declarations() {
     return {
-        integer("maxeyedepth", kDefaults.max_eye_depth, "Most surfaces that an eye path meets.", 1,
-                1024),
-        integer("maxphotondepth", kDefaults.max_photon_depth,
-                "Most surfaces that a photon path meets.", 1, 1024),
+        integer("maxeyedepth", kUsualDepth,
+                "Most surfaces that an eye path meets. Unless it is given, the first 64 smooth "
+                "ones do not count.",
+                1, 1024),
+        integer("maxphotondepth", kUsualDepth,
+                "Most surfaces that a photon path meets. Unless it is given, the first 64 smooth "
+                "ones do not count.",
+                1, 1024),
         integer("hitpointperpass", kDefaults.hit_points_per_pass,
                 "Eye paths traced in each pass; 0: one per pixel (modes photonmap and ppm, whose "
                 "one eye pass is kept: four).",
@@ -110,6 +114,17 @@ ParameterDeclaration photons_declaration(PluginKind kind) {
                    "photons and eye paths asks for (docs/understand/photons-per-pass.md), else "
                    "1000000.",
                    0);
+}
+
+/// Not of exphotonmap: LuxRender's bounds the eye path by that name.
+ParameterDeclaration whole_depth_declaration() {
+    return {"maxdepth",
+            ParameterType::Integer,
+            "-1",
+            "Most bounces of a whole path, from the camera to the light, counted as maxdepth of "
+            "path; -1: what the depths of eye and photon path allow together.",
+            -1,
+            1e6};
 }
 
 /// Who carries light, and what decides where photons go.
@@ -283,6 +298,7 @@ std::vector<ParameterDeclaration> declarations_of(PluginKind kind) {
         append(all, adaptive_guide_declarations());
     }
     append(all, common_declarations());
+    if (kind != PluginKind::ExPhotonMap) all.push_back(whole_depth_declaration());
     all.push_back(photons_declaration(kind));
     all.push_back(occlusion_declaration(kind));
     if (kind == PluginKind::Aips || kind == PluginKind::Sppm) {

@@ -10,8 +10,9 @@ void read_common(const lxs::ParameterReader& in, Settings& s) {
     const auto count = [&](std::string_view name, std::uint32_t value) {
         return static_cast<std::uint32_t>(in.integer(name, value));
     };
-    s.max_eye_depth = count("maxeyedepth", s.max_eye_depth);
-    s.max_photon_depth = count("maxphotondepth", s.max_photon_depth);
+    // Who gives a depth wants that one, even if it is the default's.
+    if (in.given("maxeyedepth")) s.max_eye_depth = count("maxeyedepth", kUsualDepth);
+    if (in.given("maxphotondepth")) s.max_photon_depth = count("maxphotondepth", kUsualDepth);
     s.photons_per_pass = count("photonperpass", s.photons_per_pass);
     s.hit_points_per_pass = count("hitpointperpass", s.hit_points_per_pass);
     s.start_radius = in.number("startradius", s.start_radius);
@@ -64,6 +65,11 @@ void read_guide(const lxs::ParameterReader& in, Settings& s) {
     s.guide_scout = in.boolean("guidescout", s.guide_scout);
 }
 
+void read_whole_depth(const lxs::ParameterReader& in, Settings& s) {
+    const std::int64_t bounces = in.integer("maxdepth", -1);
+    if (bounces >= 0) s.max_bounces = static_cast<std::uint32_t>(bounces);
+}
+
 void read_radius(const lxs::ParameterReader& in, Settings& s) {
     s.radius = chosen(in, "radius", kRadii, s.radius);
     // Who gives a radius, or how it falls, wants that one, even if it is the default's.
@@ -112,6 +118,7 @@ Settings read_settings(PluginKind kind, const lxs::ParameterReader& parameters) 
     Settings settings = defaults_of(kind);
     read_common(parameters, settings);
     if (kind == PluginKind::Aips) read_guide(parameters, settings);
+    if (kind != PluginKind::ExPhotonMap) read_whole_depth(parameters, settings);
     if (kind != PluginKind::ExPhotonMap) read_photon_sampler(parameters, settings);
     if (kind == PluginKind::Aips || kind == PluginKind::Sppm) read_radius(parameters, settings);
     return settings;

@@ -58,12 +58,17 @@ class AipsSceneSettings(bpy.types.PropertyGroup):
                           description='Options of lxsrender, as on the command line')
 
 
+def _depth(name, depth):
+    """Unless a depth is given, smooth surfaces do not count."""
+    return () if depth == 16 else (parameter('integer', name, depth),)
+
+
 def integrator_options(settings):
     """Parameters of the integrator as text; those that have their defaults are left out."""
     if settings.integrator == 'path':
-        return (parameter('integer', 'maxdepth', settings.eye_depth),)
-    options = [parameter('integer', 'maxeyedepth', settings.eye_depth),
-               parameter('integer', 'maxphotondepth', settings.photon_depth)]
+        return _depth('maxdepth', settings.eye_depth)
+    options = [*_depth('maxeyedepth', settings.eye_depth),
+               *_depth('maxphotondepth', settings.photon_depth)]
     if settings.photons:
         options.append(parameter('integer', 'photonperpass', settings.photons))
     if settings.integrator == 'aips' and settings.guide != 'adaptive':

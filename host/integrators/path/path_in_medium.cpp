@@ -21,7 +21,7 @@ bool PathTracer::fly(State& state, const Medium& medium, float segment) const {
 
 /// Direct light at the ray's origin, then a new direction; false when the path ends.
 bool PathTracer::scatter_in_medium(State& state, const Medium& medium) const {
-    if (is_black(state.throughput) || state.bounces >= settings_.max_depth) return false;
+    if (is_black(state.throughput) || is_spent(state)) return false;
     if (settings_.direct_light_sampling) add_direct_in_medium(state, medium);
     const PhaseSample sample =
         medium.sample_phase(state.ray.direction, state.throughput, state.random.next_2d());

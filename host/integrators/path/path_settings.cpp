@@ -9,6 +9,9 @@
 namespace lxs {
 namespace {
 
+/// Without maxdepth: what light needs through thirty panes.
+constexpr std::uint32_t kUsualSmoothBounces = 64;
+
 /// A value and what the scene language calls it.
 template <class Value>
 struct Named {
@@ -66,9 +69,9 @@ constexpr std::array kDeclarations = {
     ParameterDeclaration{.name = "maxdepth",
                          .type = ParameterType::Integer,
                          .default_text = "16",
-                         .doc =
-                             "Most bounces of a path; passing straight through null materials or "
-                             "architectural glass is no bounce.",
+                         .doc = "Most bounces of a path; passing straight through null materials "
+                                "or architectural glass is no bounce. Unless it is given, the "
+                                "first 64 at smooth surfaces do not count.",
                          .minimum = 0,
                          .maximum = 1'000'000},
     ParameterDeclaration{.name = "rrstrategy",
@@ -119,6 +122,8 @@ PathSettings PathSettings::read(const ParameterReader& parameters) {
     PathSettings settings;
     settings.max_depth =
         static_cast<std::uint32_t>(parameters.integer("maxdepth", settings.max_depth));
+    // Who gives a depth wants that one, even if it is the default's.
+    settings.smooth_bounces = parameters.given("maxdepth") ? 0 : kUsualSmoothBounces;
     settings.roulette =
         value_of(kRouletteStrategies, parameters.string("rrstrategy", "efficiency"));
     settings.continue_probability =
@@ -132,10 +137,12 @@ PathSettings PathSettings::read(const ParameterReader& parameters) {
 }
 
 std::string PathSettings::text() const {
+    const std::string smooth =
+        smooth_bounces ? fmt::format(" beside {} at smooth surfaces", smooth_bounces) : "";
     return fmt::format(
-        "maxdepth {} bounces, rrstrategy {}, rrcontinueprob {}, includeenvironment {}, "
+        "maxdepth {} bounces{}, rrstrategy {}, rrcontinueprob {}, includeenvironment {}, "
         "directlightsampling {}, lightstrategy {}",
-        max_depth, name_of(kRouletteStrategies, roulette), continue_probability,
+        max_depth, smooth, name_of(kRouletteStrategies, roulette), continue_probability,
         include_environment, direct_light_sampling, name_of(kLightStrategies, lights));
 }
 

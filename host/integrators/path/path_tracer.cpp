@@ -67,7 +67,7 @@ void PathTracer::trace(const Ray& camera_ray, PrimarySample& random,
         if (view.wanted()) view.meet(hit, state.ray.direction, state.throughput);
         add_emitted(state, hit);
         if (hit.bsdf == nullptr) break;
-        if (state.bounces < settings_.max_depth) add_direct(state, hit);
+        if (!is_spent(state)) add_direct(state, hit);
         if (!scatter(state, hit)) break;
         if (view.wanted()) view.leave(state.ray.direction, state.throughput);
     }
@@ -182,10 +182,16 @@ Rgb PathTracer::direct_light(State& state, const SurfaceHit& hit, const LightCho
     return f * sample.radiance * passed * (cosine * weight / pdf);
 }
 
+/// Whether the path has had all the bounces that count.
+bool PathTracer::is_spent(const State& state) const {
+    return state.bounces - state.smooth >= settings_.max_depth;
+}
+
 /// Draws the next direction; false when the path ends here.
 bool PathTracer::scatter(State& state, const SurfaceHit& hit) const {
     // A path at its last bounce may still pass straight to a light, as its shadow rays may.
-    const bool last = state.bounces >= settings_.max_depth;
+    const bool smooth = hit.bsdf->lobes() == kSpecular && state.smooth < settings_.smooth_bounces;
+    const bool last = is_spent(state) && !smooth;
     if (last && (hit.bsdf->lobes() & kSpecular) == 0) return false;
 
     const Vec2 u = state.random.next_2d();
@@ -203,6 +209,7 @@ bool PathTracer::scatter(State& state, const SurfaceHit& hit) const {
     if (sample.straight) return ++state.straight < kMaxStraight;
 
     ++state.bounces;
+    if (smooth) ++state.smooth;
     state.scatterings.add((sample.lobe & kSpecular) != 0);
     state.left = {hit.p, hit.ns, (sample.lobe & kSpecular) != 0 ? 0.0f : sample.pdf, state.lights};
     return survives_roulette(state);

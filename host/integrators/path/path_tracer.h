@@ -85,6 +85,7 @@ class PathTracer {
                      const Vec2& u) const;
     float light_weight(const State& state, const Light& light, const Vec3& light_p,
                        const Vec3& light_n, std::uint32_t primitive) const;
+    bool is_spent(const State& state) const;
     bool scatter(State& state, const SurfaceHit& hit) const;
     bool survives_roulette(State& state) const;
 

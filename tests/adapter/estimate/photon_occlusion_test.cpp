@@ -137,5 +137,32 @@ TEST(PhotonOcclusion, LightOfTheNextRoomDoesNotCount) {
     }
 }
 
+/// A lamp inside a closed ball smaller than the radius, seen from outside: photons on the far wall
+/// face the way of the near one. With every engine that has photons, the published ones if they are
+/// asked to.
+TEST(PhotonOcclusion, LightStaysInsideAClosedBall) {
+    mock::Scene scene;
+    mock::Surface ball;
+    ball.shape = mock::Ball{{0, 2, 0}, 0.1f, false};
+    scene.add(ball);
+    scene.add_point_light({0, 2, 0}, {1, 1, 1});
+    scene.finish();
+    const auto mean = [&](Mode mode, GuideKind guide, bool occlusion) {
+        Settings settings = mock::small_settings(3, 20000);
+        settings.mode = mode;
+        settings.guide = guide;
+        settings.continue_eye_paths = settings.correct_edges = false;
+        settings.photon_occlusion = occlusion;
+        settings.start_radius = 16;  // several balls wide
+        const auto camera = mock::camera_along_y({0, 0, 0}, 0.2f, 24, 16);
+        return mock::render(scene, camera, 24, 16, settings, 3).film.mean();
+    };
+    EXPECT_GT(mean(Mode::Progressive, GuideKind::None, false), 0) << "nothing leaks";
+    for (const Mode mode : {Mode::Progressive, Mode::PhotonMap, Mode::Ppm}) {
+        for (const GuideKind guide : {GuideKind::None, GuideKind::Paper, GuideKind::Adaptive})
+            EXPECT_EQ(mean(mode, guide, true), 0) << int(mode) << ", guide " << mock::name(guide);
+    }
+}
+
 }  // namespace
 }  // namespace aips::photon_occlusion_test

@@ -201,6 +201,7 @@ bool on_same_surface(const VisiblePoint& point, Vec3 position, float agreement, 
 }
 
 Rgb contribution(const VisiblePoint& point, const GridPhoton& landing, float radius) {
+    if (landing.bounces > point.photon_bounces) return {};
     const float agreement = dot(landing.normal, point.geometric_normal);
     if (!on_same_surface(point, landing.position, agreement, radius)) return {};
     const Rgb value = reflected(point, landing, agreement > 0);

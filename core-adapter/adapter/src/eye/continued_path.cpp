@@ -31,27 +31,28 @@ class ContinuedPath {
             const auto mark = arena_.mark();
             const VertexNumbers numbers = numbers_.vertex(start_.depth + n);
             const std::uint32_t scatterings = tip_.scatterings;
-            const bool goes_on = meet(numbers, n) && (!start_.first_ray || straight()) &&
+            const bool goes_on = meet(numbers) && (!start_.first_ray || straight()) &&
                                  survives(n, before, numbers.end());
             arena_.rewind(mark);
-            if (!goes_on || !may_meet(n + 1, tip_.scatterings == scatterings)) break;
+            if (!goes_on || !may_meet_next(n, tip_.scatterings == scatterings)) break;
         }
         return result_;
     }
 
   private:
-    /// A photon that lands at the visible point after n surfaces met the n - 1 others here.
-    bool photons_meet(std::uint32_t n) const { return n < in_.settings.max_photon_depth; }
+    /// A photon that lands at the visible point after n surfaces that count met the n - 1 others
+    /// here.
+    bool photons_meet(std::uint32_t n) const { return n < limit_.surfaces; }
 
-    /// Beyond these a ray that flies straight on still brings what shadow rays have left to it, as
-    /// the first one does.
-    bool may_meet(std::uint32_t n, bool flies_on) const {
-        return photons_meet(n) || (flies_on && n < kMostStraightSurfaces);
+    /// After n surfaces. Beyond those that photons meet a ray that flies straight on still brings
+    /// what shadow rays have left to it, as the first one does.
+    bool may_meet_next(std::uint32_t n, bool flies_on) const {
+        return photons_meet(counted_ + 1) || (flies_on && n + 1 < kMostStraightSurfaces);
     }
 
-    /// Surface number n: its light, what lights send there, and the way on; false at the path's
+    /// The next surface: its light, what lights send there, and the way on; false at the path's
     /// end.
-    bool meet(const VertexNumbers& numbers, std::uint32_t n) {
+    bool meet(const VertexNumbers& numbers) {
         SurfacePoint point;
         ++result_.rays;
         const bool met = meet_surface(in_.scene, tip_.ray, point, arena_, refusals_);
@@ -67,12 +68,19 @@ class ContinuedPath {
         if (!point.bsdf) return false;
         const Vec3 wo = -tip_.ray.direction;
         const LobeMask lobes = point.bsdf->lobes();
-        const bool asks = photons_meet(n) && !start_.first_ray;
+        if (lobes == kSpecular && smooth_ < limit_.smooth) {
+            ++smooth_;
+        } else {
+            ++counted_;
+        }
+        if (is_spent(in_.settings, tip_))
+            return go_straight(in_, point, wo, numbers, refusals_, tip_);
+        const bool asks = photons_meet(counted_) && !start_.first_ray;
         if (const LobeMask shared = asks ? lobes & kNonSpecular : 0) {
             DirectLightQuery query{point, wo, tip_.ray.time, tip_.throughput};
             query.shared = shared;
             query.bounce = lobes;
-            query.continue_pdf = photons_meet(n + 1) ? 1.0f : 0.0f;
+            query.continue_pdf = photons_meet(counted_ + 1) ? 1.0f : 0.0f;
             const DirectLightResult direct =
                 in_.direct_light.estimate(query, numbers, refusals_, {output_.continued});
             result_.rays += direct.rays;
@@ -121,7 +129,10 @@ class ContinuedPath {
     Refusals& refusals_;
     Arena& arena_;
     const ContinuedOutput& output_;
+    const DepthLimit limit_ = photon_depth(in_.settings);
     PathTip tip_;
+    std::uint32_t counted_ = 0;  // surfaces met that count for the depth
+    std::uint32_t smooth_ = 0;   // those that do not, being smooth
     ContinuedResult result_;
 };
 

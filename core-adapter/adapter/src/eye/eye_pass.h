@@ -7,6 +7,7 @@
 #include "aips/adapter/camera.h"
 #include "aips/adapter/settings.h"
 #include "aips/core/base/arena.h"
+#include "aips/core/photon_map/landing.h"
 #include "base/luminance_by_light.h"
 #include "eye/direct_light.h"
 #include "eye/eye_shares.h"
@@ -30,6 +31,8 @@ struct VisiblePoint {
     std::uint32_t sample = 0;    ///< index of the eye path in its pass
     std::uint32_t material = 0;
     EyeScatterings scatterings;  ///< of the eye path before it
+    /// Photons of more bounces do not count: Settings::max_bounces bounds the whole path.
+    std::uint16_t photon_bounces = kMostLandingBounces;
     /// Share of the light that both may carry which the eye path brings by going on, in [0, 1).
     float eye_share = 0;
     float eye_rays = 0;         ///< traced from there, to learn what that would bring too

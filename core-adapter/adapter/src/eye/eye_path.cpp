@@ -50,7 +50,7 @@ class EyePath {
   private:
     /// From vertex number `depth` on.
     void follow(std::uint32_t depth) {
-        for (; may_meet(in_.settings, tip_, depth); ++depth) {
+        for (; may_meet(in_.settings, tip_, depth - smooth_); ++depth) {
             const auto mark = arena_.mark();
             SurfacePoint point;
             ++result_.rays;
@@ -81,12 +81,14 @@ class EyePath {
     /// Light that the medium scatters into the ray: of lights by a shadow ray, else by photons.
     void cross_medium(float length) {
         if (!media_ || !media_->scatters(tip_.ray.medium) || !(length > 0)) return;
+        if (is_spent(in_.settings, tip_)) return;
         const VolumeBeam beam{.origin = tip_.ray.origin,
                               .direction = tip_.ray.direction,
                               .length = length,
                               .medium = tip_.ray.medium,
                               .throughput = tip_.throughput,
-                              .scatterings = tip_.seen_by};
+                              .scatterings = tip_.seen_by,
+                              .photon_bounces = photon_bounces(in_.settings, tip_)};
         if (in_.settings.direct_light_sampling)
             result_.rays += estimate_scattered_light(
                 in_.scene, in_.direct_light, beam, tip_.ray.time, random_, refusals_,
@@ -132,11 +134,17 @@ class EyePath {
 
     /// Direct light, then either a visible point or a bounce. False when the path ends.
     bool scatter(const SurfacePoint& point, std::uint32_t depth) {
-        const bool last = depth >= in_.settings.max_eye_depth;
+        const DepthLimit limit = eye_depth(in_.settings);
         const VertexNumbers numbers = numbers_.vertex(depth);
         const Vec3 wo = -tip_.ray.direction;
         const LobeMask lobes = point.bsdf->lobes();
-        if (depth > in_.settings.max_eye_depth || (last && lobes == kSpecular)) {
+        const std::uint32_t counted = depth - smooth_;
+        const bool passes_smooth = lobes == kSpecular && smooth_ < limit.smooth;
+        if (passes_smooth) ++smooth_;
+        if (is_spent(in_.settings, tip_))
+            return go_straight(in_, point, wo, numbers, refusals_, tip_);
+        const bool last = counted >= limit.surfaces && !passes_smooth;
+        if (counted > limit.surfaces || (last && lobes == kSpecular)) {
             const bool passes = pass_straight(in_, point, wo, numbers, refusals_, tip_);
             result_.cut = !passes && lobes == kSpecular;
             return passes;
@@ -253,6 +261,7 @@ class EyePath {
     void store(const SurfacePoint& point, Vec3 wo, LobeMask receiving, float store_pdf) {
         VisiblePoint& v = result_.visible_point;
         v = visible_point(point, wo, receiving, tip_.throughput * (1 / store_pdf), tip_.seen_by);
+        v.photon_bounces = photon_bounces(in_.settings, tip_);
         result_.footprint = camera_ray_.width + camera_ray_.spread * travelled_;
         result_.has_visible_point = refusals_.accept(v.throughput, point.material) &&
                                     refusals_.accept(v.kd, point.material);
@@ -275,6 +284,7 @@ class EyePath {
     bool lamps_only_ = false;     // nothing else is collected
     bool behind_smooth_ = false;  // some surface was smooth
     float lamp_share_ = 1;        // of lamps met, as other ways from smooth surfaces tell too
+    std::uint32_t smooth_ = 0;    // surfaces met that do not count for the depth, being smooth
     std::uint32_t branches_ = 0;  // vertices from which that was so
     std::size_t choices_ = 0;     // used at smooth surfaces beyond these
     BeamChoice beam_choice_;

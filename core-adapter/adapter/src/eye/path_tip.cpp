@@ -33,7 +33,12 @@ bool bounce(const EyePassInput& in, const SurfacePoint& point, Vec3 wo, const Bo
 
 bool pass_straight(const EyePassInput& in, const SurfacePoint& point, Vec3 wo,
                    const VertexNumbers& numbers, Refusals& refusals, PathTip& tip) {
-    if (tip.counts_in_full || !(point.bsdf->lobes() & kSpecular)) return false;
+    return !tip.counts_in_full && go_straight(in, point, wo, numbers, refusals, tip);
+}
+
+bool go_straight(const EyePassInput& in, const SurfacePoint& point, Vec3 wo,
+                 const VertexNumbers& numbers, Refusals& refusals, PathTip& tip) {
+    if (!(point.bsdf->lobes() & kSpecular)) return false;
     const std::uint32_t scatterings = tip.scatterings;
     const BounceDraw draw{kSpecular, 1, numbers.direction(), numbers.lobe()};
     return bounce(in, point, wo, draw, refusals, tip) && tip.scatterings == scatterings;

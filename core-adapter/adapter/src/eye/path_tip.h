@@ -1,7 +1,10 @@
 // The tip of an eye path: what its next surface has to know of the last.
 #pragma once
 
+#include <algorithm>
+
 #include "aips/core/base/image_part.h"
+#include "aips/core/photon_map/landing.h"
 #include "eye/constants.h"
 #include "eye/eye_pass.h"
 
@@ -31,10 +34,10 @@ struct BounceDraw {
 bool bounce(const EyePassInput& input, const SurfacePoint& point, Vec3 wo, const BounceDraw& draw,
             Refusals& refusals, PathTip& tip);
 
-/// Whether an eye path meets surface number `depth`: beyond the last that counts a ray that flies
-/// straight on still brings what the shadow ray of a glossy lobe has left to it.
+/// Whether an eye path meets surface number `depth` of those that count: beyond the last of them a
+/// ray that flies straight on still brings what the shadow ray of a glossy lobe has left to it.
 inline bool may_meet(const Settings& settings, const PathTip& tip, std::uint32_t depth) {
-    const std::uint32_t most = settings.max_eye_depth;
+    const std::uint32_t most = eye_depth(settings).surfaces;
     return depth <= most || (!tip.counts_in_full && depth - most < kMostStraightSurfaces);
 }
 
@@ -43,10 +46,25 @@ inline bool may_meet(const Settings& settings, const PathTip& tip, std::uint32_t
 bool pass_straight(const EyePassInput& input, const SurfacePoint& point, Vec3 wo,
                    const VertexNumbers& numbers, Refusals& refusals, PathTip& tip);
 
+/// Whether the path has had all its bounces: then it may go straight on, no more.
+inline bool is_spent(const Settings& settings, const PathTip& tip) {
+    return tip.scatterings >= settings.max_bounces;
+}
+
+/// The way straight on for a path that is spent; false if it ends there.
+bool go_straight(const EyePassInput& input, const SurfacePoint& point, Vec3 wo,
+                 const VertexNumbers& numbers, Refusals& refusals, PathTip& tip);
+
 /// Where a path ends: lobes `receiving` of `point` take photons, seen from `wo`. The rest of it is
 /// the eye path's to fill in.
 VisiblePoint visible_point(const SurfacePoint& point, Vec3 wo, LobeMask receiving,
                            const Rgb& throughput, const EyeScatterings& seen_by);
+
+/// Most bounces of photons that may join the path where it is, by one scattering more.
+inline std::uint16_t photon_bounces(const Settings& settings, const PathTip& tip) {
+    if (is_spent(settings, tip)) return 0;
+    return std::uint16_t(std::min(settings.max_bounces - tip.scatterings - 1, kMostLandingBounces));
+}
 
 /// Share of the light met by the path's ray, at `at` or at infinity, that shadow rays from the last
 /// vertex leave to it; nothing of a light that is hidden from the camera before the path has

@@ -39,7 +39,8 @@ unsigned ChainTracer::trace(Vec2 film, unsigned most, ChainVertices& vertices, c
 
 SmoothChain ChainTracer::explore(Vec2 film, RandomStream& random, ChainVertices& vertices) {
     SmoothChain chain;
-    const unsigned most = std::min(SmoothChain::kMost, in_.settings.max_eye_depth - 1);
+    const DepthLimit limit = eye_depth(in_.settings);
+    const unsigned most = std::min(SmoothChain::kMost, limit.surfaces + limit.smooth - 1);
     chain.length = trace(film, most, vertices,
                          [&](unsigned i, std::uint32_t material, float first, bool& takes_first) {
                              // Nearly by chance: seldom ways show lamps as well.

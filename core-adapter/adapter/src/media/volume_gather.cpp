@@ -87,6 +87,7 @@ std::uint64_t VolumeGather::gather_beam(const VolumeBeam& beam, Refusals& refusa
             const VolumePhoton& photon = photons_[slot];
             const Vec3 to_photon = photon.position - beam.origin;
             const float t = dot(to_photon, beam.direction);
+            if (photon.bounces > beam.photon_bounces) return;
             if (photon.medium != beam.medium || !(t >= piece.from && t < piece.to)) return;
             const float off_square = length_squared(to_photon - beam.direction * t);
             if (off_square > radius_ * radius_) return;

@@ -27,6 +27,7 @@ struct VolumePhoton {
     const void* medium = nullptr;
     std::uint32_t light_group = 0;
     ImagePart part = ImagePart::Direct;  ///< as Landing::part
+    std::uint32_t bounces = 0;           ///< before it, as Landing::bounces
 };
 
 /// What is to be known of the flux beside its sum by light group.

@@ -11,27 +11,43 @@ namespace aips {
 struct Photon {
     Ray ray;
     Rgb power;
-    Vec3 previous;            ///< where it last left a surface or the light
-    float emitted_power = 0;  ///< largest component; roulette by power compares with it
-    std::uint32_t group = 0;  ///< of its light
-    std::uint32_t depth = 1;  ///< number of the surface that it meets next
-    std::uint32_t free = 0;   ///< of those met, passed straight, and of no count for its bound
-    bool straight = true;     ///< has met nothing but null surfaces and architectural glass
+    Vec3 previous;                      ///< where it last left a surface or the light
+    float emitted_power = 0;            ///< largest component; roulette by power compares with it
+    std::uint32_t group = 0;            ///< of its light
+    std::uint32_t depth = 1;            ///< number of the surface that it meets next
+    std::uint32_t passed_straight = 0;  ///< of those met, next to the light, of no count for that
+    std::uint32_t smooth = 0;           ///< likewise, of those whose lobes all are specular
+    std::uint32_t bounces = 0;          ///< scatterings that were not straight
+    bool straight = true;  ///< has met nothing but null surfaces and architectural glass
     /// The first surface that did more than let it pass straight sent it on diffusely or glossily.
     bool shareable = false;
     ImagePart part = ImagePart::Direct;  ///< Landing::part where it lands next
     EmissionStart start;
 
-    /// Goes on to the next surface; `straight` tells of the way from the light up to there.
-    void pass() {
-        if (passes_free()) ++free;
+    /// Goes on from a surface with such lobes to the next, `straight` telling of the way from the
+    /// light up to there.
+    void pass(const Settings& settings, LobeMask lobes) {
+        if (passes_straight()) {
+            ++passed_straight;
+        } else if (passes_smooth(settings, lobes)) {
+            ++smooth;
+        }
         ++depth;
     }
-    /// Whether it would pass one more surface free.
-    bool passes_free() const { return straight && free < kMostFreeSurfaces; }
-    /// Whether a surface with such lobes is its last: not if it may pass it free.
-    bool at_end(const Settings& settings, LobeMask lobes = 0) const {
-        return depth - free >= settings.max_photon_depth && !(passes_free() && lobes & kSpecular);
+    /// Whether a surface with such lobes, which it passes straight or not, is its last: not if that
+    /// one does not count.
+    bool at_end(const Settings& settings, LobeMask lobes, bool straight_on) const {
+        return depth - passed_straight - smooth >= photon_depth(settings).surfaces &&
+               !(straight_on && passes_straight()) && !passes_smooth(settings, lobes);
+    }
+    /// Whether what one more scattering sends on would have too many before the eye: one is the
+    /// visible point's.
+    bool is_spent(const Settings& settings) const { return bounces + 2 > settings.max_bounces; }
+
+  private:
+    bool passes_straight() const { return straight && passed_straight < kMostFreeSurfaces; }
+    bool passes_smooth(const Settings& settings, LobeMask lobes) const {
+        return lobes == kSpecular && smooth < photon_depth(settings).smooth;
     }
 };
 

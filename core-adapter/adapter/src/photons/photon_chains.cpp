@@ -132,9 +132,9 @@ std::size_t PhotonChains::memory_bytes() const {
 
 std::size_t PhotonChains::memory_bound_bytes(const Settings& settings, std::uint32_t eye_paths) {
     const std::size_t state = max_coordinates(most_surfaces(settings)) * sizeof(Coordinate) +
-                              most_surfaces(settings) * sizeof(Landing);
+                              most_landing_surfaces(settings) * sizeof(Landing);
     // A current and a proposed state; what lasts from the last round is recorded in this one too.
-    const std::size_t carried = 2 * sizeof(Landing) * most_surfaces(settings);
+    const std::size_t carried = 2 * sizeof(Landing) * most_landing_surfaces(settings);
     return PointGrid::memory_bound_bytes(eye_paths) +
            kMostChains * (sizeof(Chain) + kVectorGrowth * (2 * state + carried));
 }

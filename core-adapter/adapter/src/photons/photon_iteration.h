@@ -12,22 +12,27 @@
 
 namespace aips {
 
-/// Most surfaces that a photon path meets: those that count for its bound, and the first that it
-/// passes straight, as the shadow ray passes them that may take its place.
+/// Most surfaces at which a photon path may leave a landing: those that count for its bound, and
+/// the first that it passes straight, as the shadow ray passes them that may take its place.
+inline std::uint32_t most_landing_surfaces(const Settings& settings) {
+    return photon_depth(settings).surfaces + kMostFreeSurfaces;
+}
+
+/// Most surfaces that a photon path meets: smooth ones take no landing.
 inline std::uint32_t most_surfaces(const Settings& settings) {
-    return settings.max_photon_depth + kMostFreeSurfaces;
+    return most_landing_surfaces(settings) + photon_depth(settings).smooth;
 }
 
 /// Landings in a block from which on no photon is split: as many as whole paths may leave at most.
 inline std::size_t split_landings(const Settings& settings) {
-    return std::size_t{kPathsPerBlock} * settings.max_photon_depth;
+    return std::size_t{kPathsPerBlock} * photon_depth(settings).surfaces;
 }
 
 /// Most landings of blocks with so many paths: with splitting, those up to the limit, those of all
 /// other paths, and those of photons that wait.
 inline std::size_t most_landings(const Settings& settings, std::size_t paths) {
     const bool splits = settings.guide == GuideKind::Adaptive && settings.guide_survival;
-    return paths * most_surfaces(settings) * (splits ? 3 : 1);
+    return paths * most_landing_surfaces(settings) * (splits ? 3 : 1);
 }
 
 /// The landings of photon paths, in the order of the paths.

@@ -107,9 +107,10 @@ class PhotonTrace {
         if (!met) return false;
         const bool lives = point.bsdf && !is_black(photon.power);
         const PhotonFate fate = lives ? take(point, photon) : PhotonFate::Black;
-        const bool cut = lives && photon.at_end(in_.settings, point.bsdf->lobes());
+        const LobeMask lobes = lives ? point.bsdf->lobes() : LobeMask{};
+        const bool cut = lives && photon.at_end(in_.settings, lobes, lobes & kSpecular);
         if (in_.settings.account) counts_.tally.hit(point.material, fate, cut);
-        return lives && !cut;
+        return lives && !cut && (!photon.is_spent(in_.settings) || lobes & kSpecular);
     }
 
     /// Leaves a landing where the surface takes one.
@@ -145,9 +146,10 @@ class PhotonTrace {
         if (!refusals_.accept(photon.power, kPassageOrigin)) return false;
         if (!photon.straight || !in_.settings.direct_light_sampling) {
             collisions_->push_back({position, -photon.ray.direction, photon.power,
-                                    media_->alone(medium), photon.group, photon.part});
+                                    media_->alone(medium), photon.group, photon.part,
+                                    std::min(photon.bounces, kMostLandingBounces)});
         }
-        if (photon.at_end(in_.settings)) return false;
+        if (photon.at_end(in_.settings, {}, false) || photon.is_spent(in_.settings)) return false;
         photon.power *= media_->scattering(medium);
         const float survival = std::min(1.0f, max_component(photon.power) / photon.emitted_power);
         if (!(random.next() < survival)) return false;
@@ -159,7 +161,8 @@ class PhotonTrace {
         photon.part = ImagePart::Indirect;
         photon.previous = position;
         photon.ray = {position, sample.direction, in_.time, medium, photon.ray.component};
-        photon.pass();
+        ++photon.bounces;
+        photon.pass(in_.settings, {});
         return true;
     }
 
@@ -175,7 +178,8 @@ class PhotonTrace {
         landing.normal = point.geometric_normal;
         landing.depth = static_cast<std::uint16_t>(std::min(photon.depth, kDeepestLanding));
         landing.light_group = static_cast<std::uint16_t>(photon.group);
-        landing.light = photon.start.light;
+        landing.light = std::min<std::uint32_t>(photon.start.light, kLastLight);
+        landing.bounces = std::min(photon.bounces, kMostLandingBounces);
         landing.path = index_;
         landing.owned_by_shadow_rays = owned_by_shadow_rays;
         landing.shareable = photon.shareable;
@@ -211,7 +215,11 @@ class PhotonTrace {
         if (in_.bounces && counts_.bounces > bounces) {
             in_.bounces->count(point.position, counts_.guided_bounces > guided_bounces);
         }
-        if (!left || (!scattered.straight && photon.at_end(in_.settings))) return false;
+        if (!left) return false;
+        const LobeMask lobes = point.bsdf->lobes();
+        if (!scattered.straight &&
+            (photon.at_end(in_.settings, lobes, false) || photon.is_spent(in_.settings)))
+            return false;
         if (entry) entry->set_direction(point, wo, scattered);
         if (in_.unguided_roulette && scattered.pdf > 0) {
             photon.emitted_power =
@@ -223,12 +231,14 @@ class PhotonTrace {
         if (!refusals_.accept_direction(scattered.direction, point.material)) return false;
         if (photon.straight && !scattered.straight) photon.shareable = scattered.lobe != kSpecular;
         photon.straight = photon.straight && scattered.straight;
-        if (!scattered.straight)
+        if (!scattered.straight) {
             photon.part = scattered_on(photon.part, scattered.lobe == kSpecular);
+            ++photon.bounces;
+        }
         photon.previous = point.position;
         photon.ray =
             continue_ray(in_.scene, point, scattered.direction, scattered.component, photon.ray);
-        photon.pass();
+        photon.pass(in_.settings, lobes);
         return true;
     }
 

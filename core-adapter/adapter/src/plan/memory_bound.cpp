@@ -69,7 +69,7 @@ std::size_t iteration_landings(const Settings& s) {
         return most_landings(s, std::max(s.iteration_photons, s.initial_photons));
     const std::size_t guided =
         s.guide == GuideKind::Adaptive ? most_landings(s, kSettledIterationPaths) : 0;
-    return std::max(guided, std::size_t{kPlainIterationPaths} * most_surfaces(s));
+    return std::max(guided, std::size_t{kPlainIterationPaths} * most_landing_surfaces(s));
 }
 
 /// Of chains that photon paths come from, or that explore.
@@ -93,7 +93,7 @@ std::size_t photon_bytes(const Scene& scene, const Settings& s, std::uint32_t ey
 std::size_t log_bytes(const Settings& s, std::size_t paths) {
     const std::size_t path = sizeof(PathRecord) + most_surfaces(s) * sizeof(PathVertex);
     // Of the first photon of each path.
-    const std::size_t landings = most_surfaces(s) * (2 * sizeof(Landing) + sizeof(double));
+    const std::size_t landings = most_landing_surfaces(s) * (2 * sizeof(Landing) + sizeof(double));
     return paths * kVectorGrowth * (3 * path + landings) +
            PathWorths::memory_bound_bytes(paths, most_surfaces(s));
 }

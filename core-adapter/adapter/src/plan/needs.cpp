@@ -19,7 +19,7 @@ std::string why_no_photons(const Settings& settings, const Scene& scene, bool an
     if (!(scene.facts().lobes & receiving_lobes(settings)) && !scene.media()) {
         return "no surface takes photons";
     }
-    if (settings.direct_light_sampling && settings.max_photon_depth < 2) {
+    if (settings.direct_light_sampling && !photons_may_scatter(settings)) {
         return "shadow rays carry all light at this photon depth";
     }
     return {};
@@ -41,7 +41,7 @@ void drop_photons(Needs& needs, const std::string& reason) {
 /// Parts of guide=adaptive that nothing would ever ask.
 void drop_adaptive_parts(Needs& needs, const SceneFacts& facts) {
     Settings& s = needs.settings;
-    const bool bounce = s.max_photon_depth > 1;
+    const bool bounce = photons_may_scatter(s);
     if (s.guide_survival && !bounce) {
         s.guide_survival = false;
         skip(needs, "survival by score", "no photon goes on at this photon depth");
@@ -133,7 +133,7 @@ void drop_lamp_paths(Needs& needs, const SceneFacts& facts, bool any_light) {
         reason = "no light emits";
     } else if (!(facts.lobes & kSpecular)) {
         reason = "no surface is smooth";
-    } else if (s.max_eye_depth < 2) {
+    } else if (eye_depth(s).surfaces < 2) {
         reason = "eye paths end at the first surface";
     } else if (freezes_eye_pass(s.mode)) {
         reason = "eye paths belong to one pass";
@@ -153,7 +153,7 @@ void drop_guides(Needs& needs, const SceneFacts& facts) {
         drop_guide(needs, "no photons to guide");
     } else if (s.guide == GuideKind::Adaptive) {
         drop_adaptive_parts(needs, facts);
-    } else if (s.max_photon_depth < 2) {
+    } else if (!photons_may_scatter(s)) {
         drop_guide(needs, "no photon goes on at this photon depth");
     }
 }

@@ -14,9 +14,10 @@ void state_of_settings(StateArchive& archive, const Settings& s) {
     archive.same(std::uint8_t(adapts_radius(s)), "radius");
     archive.same(s.error_criterion, "errorcriterion");
     archive.same(s.seed, "seed");
-    for (const std::uint32_t count : {s.max_eye_depth, s.max_photon_depth, s.photons_per_pass,
-                                      s.hit_points_per_pass, s.iteration_photons, s.initial_photons,
-                                      s.node_photons, s.tree_depth, s.max_nodes, s.cdf_resolution})
+    for (const std::uint32_t count :
+         {s.max_eye_depth, s.max_photon_depth, s.max_bounces, s.photons_per_pass,
+          s.hit_points_per_pass, s.iteration_photons, s.initial_photons, s.node_photons,
+          s.tree_depth, s.max_nodes, s.cdf_resolution})
         archive.same(count, "counts in its settings");
     for (const double share : {s.start_radius, s.alpha, s.guide_share, s.error_alpha})
         archive.same(share, "radii or shares in its settings");

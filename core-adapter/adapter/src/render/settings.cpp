@@ -8,7 +8,6 @@
 namespace aips {
 
 void validate(const Settings& s) {
-    if (s.max_eye_depth == 0) throw std::invalid_argument("maxeyedepth must be at least 1");
     if (!(s.guide_share >= 0 && s.guide_share < 1)) {
         throw std::invalid_argument(
             "guideshare must be in [0, 1): without a share of BSDF sampling the guide could miss "
@@ -71,8 +70,13 @@ bool uses_first_landings(const Settings& s) {
 std::string describe(const Settings& s) {
     std::ostringstream out;
     out.imbue(std::locale::classic());
+    const auto depth = [](std::uint32_t asked) {
+        return asked ? std::to_string(asked) : std::string("automatic");
+    };
     out << "mode = " << name(s.mode) << ", guide = " << name(s.guide)
-        << ", maxeyedepth = " << s.max_eye_depth << ", maxphotondepth = " << s.max_photon_depth;
+        << ", maxeyedepth = " << depth(s.max_eye_depth)
+        << ", maxphotondepth = " << depth(s.max_photon_depth);
+    if (s.max_bounces != kAnyBounces) out << ", maxdepth = " << s.max_bounces << " bounces";
     if (s.photons_per_pass) {
         out << ", photonperpass = " << s.photons_per_pass << " paths";
     } else {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <string>
 
 namespace aips {
@@ -46,6 +47,20 @@ enum class PhotonSampler : std::uint8_t {
 /// asked for.
 inline constexpr std::uint32_t kUsualPhotonsPerPass = 1'000'000;
 
+/// Surfaces that a path meets at most where no bound was asked for, and those beside them that
+/// count for nothing, being smooth: light goes through a dozen panes of glass.
+inline constexpr std::uint32_t kUsualDepth = 16;
+inline constexpr std::uint32_t kUsualSmoothSurfaces = 64;
+
+/// How far a path goes.
+struct DepthLimit {
+    std::uint32_t surfaces = 0;  ///< met at most, but for the smooth ones that do not count
+    std::uint32_t smooth = 0;    ///< the first so many surfaces whose lobes all are specular
+};
+
+/// Settings::max_bounces that bounds nothing.
+inline constexpr std::uint32_t kAnyBounces = std::numeric_limits<std::uint32_t>::max();
+
 /// Everything that a user may set, with its default: the plugin's parameters (names and ranges:
 /// plugin/parameters.cpp) take theirs from here.
 struct Settings {
@@ -54,9 +69,11 @@ struct Settings {
     PhotonSampler photon_sampler = PhotonSampler::Sequence;  ///< AdaptiveChains: guide none only
     std::uint64_t seed = 0;
 
-    std::uint32_t max_eye_depth = 16;     ///< surfaces that an eye path may meet
-    std::uint32_t max_photon_depth = 16;  ///< surfaces that a photon path may meet
-    std::uint32_t photons_per_pass = 0;   ///< 0: by the noise (docs/understand/photons-per-pass.md)
+    std::uint32_t max_eye_depth = 0;     ///< surfaces that an eye path may meet; 0: the usual limit
+    std::uint32_t max_photon_depth = 0;  ///< of a photon path, likewise
+    /// Bounces that an eye path and the photon or shadow ray that it meets may have together.
+    std::uint32_t max_bounces = kAnyBounces;
+    std::uint32_t photons_per_pass = 0;  ///< 0: by the noise (docs/understand/photons-per-pass.md)
     std::uint32_t hit_points_per_pass = 0;  ///< eye paths a pass; 0: one a pixel (frozen: four)
     double start_radius = 0;  ///< in mean pixel footprints at the visible points; 0: automatic
     double alpha = 0.7;       ///< how slowly the radius shrinks: 1 keeps it
@@ -103,6 +120,21 @@ struct Settings {
 
     bool operator==(const Settings&) const = default;
 };
+
+constexpr DepthLimit depth_limit(std::uint32_t asked) {
+    return asked ? DepthLimit{asked, 0} : DepthLimit{kUsualDepth, kUsualSmoothSurfaces};
+}
+constexpr DepthLimit eye_depth(const Settings& settings) {
+    return depth_limit(settings.max_eye_depth);
+}
+constexpr DepthLimit photon_depth(const Settings& settings) {
+    return depth_limit(settings.max_photon_depth);
+}
+
+/// Whether photons may bring light that shadow rays do not, as far as depths tell.
+constexpr bool photons_may_scatter(const Settings& settings) {
+    return photon_depth(settings).surfaces > 1 && settings.max_bounces > 1;
+}
 
 /// Whether visible points' radii follow noise and bias around them. By radius=automatic they do in
 /// mode=progressive, unless start_radius or alpha ask for a schedule of their own: who gives a

@@ -27,11 +27,16 @@ struct Landing {
     /// ones.
     std::uint16_t part : 2 = 0;
     std::uint16_t light_group = 0;  ///< group of the light that emitted the path
-    std::uint32_t light = 0;        ///< number of that light, for accounts alone
+    /// Number of that light, for accounts alone; kLastLight stands for those beyond.
+    std::uint32_t light : 22 = 0;
+    /// Scatterings before it landed that were not straight; kMostLandingBounces stands for more.
+    std::uint32_t bounces : 10 = 0;
 };
 /// A million of them wait for a gather.
 static_assert(sizeof(Landing) == 72);
 
 inline constexpr std::uint32_t kDeepestLanding = (1u << 12) - 1;
+inline constexpr std::uint32_t kLastLight = (1u << 22) - 1;
+inline constexpr std::uint32_t kMostLandingBounces = (1u << 10) - 1;
 
 }  // namespace aips

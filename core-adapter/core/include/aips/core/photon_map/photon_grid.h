@@ -20,16 +20,18 @@ struct GridPhoton {
     Rgb power;       ///< watts, not divided by the number of photon paths
     Vec3 normal;     ///< unit geometric normal of the surface, of the side the photon came from
     std::uint16_t light_group = 0;
-    bool shareable = false;   ///< Landing::shareable
-    std::uint8_t part = 0;    ///< Landing::part
-    std::uint32_t index = 0;  ///< number of the landing among those that were sorted
+    std::uint16_t shareable : 1 = 0;  ///< Landing::shareable
+    std::uint16_t part : 2 = 0;       ///< Landing::part
+    std::uint16_t bounces : 10 = 0;   ///< Landing::bounces
+    std::uint32_t index = 0;          ///< number of the landing among those that were sorted
 };
 
 /// The landing with number `index`, with its normal turned to the photon's side.
 inline GridPhoton grid_photon(const Landing& l, std::uint32_t index) {
     const Vec3 normal = dot(l.direction, l.normal) > 0 ? l.normal : -l.normal;
-    return {l.position,        l.direction,          l.power, normal, l.light_group,
-            bool(l.shareable), std::uint8_t(l.part), index};
+    return {l.position,    l.direction, l.power, normal,
+            l.light_group, l.shareable, l.part,  std::uint16_t(l.bounces),
+            index};
 }
 
 /// Landings as a CellSort has them. Buffers are reused; queries are const and may run on many

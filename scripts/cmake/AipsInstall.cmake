@@ -6,24 +6,19 @@ include(CMakePackageConfigHelpers)
 set(aips_cmake_dir ${CMAKE_INSTALL_LIBDIR}/cmake/aips)
 set(aips_plugin_dir ${CMAKE_INSTALL_LIBDIR}/aips/plugins)
 
-# Installed archives must also serve a linker that knows nothing of GCC's link-time optimisation.
-function(aips_keep_object_code)
-  foreach(target ${ARGN})
-    get_target_property(type ${target} TYPE)
-    if(AIPS_IPO AND CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND NOT type STREQUAL "INTERFACE_LIBRARY")
-      target_compile_options(${target} PRIVATE -ffat-lto-objects)
-    endif()
-  endforeach()
-endfunction()
-
-aips_keep_object_code(aips_core aips_adapter aips_parts)
-install(TARGETS aips_core aips_adapter aips_parts EXPORT aipsTargets)
-install(EXPORT aipsTargets NAMESPACE aips:: DESTINATION ${aips_cmake_dir})
-install(DIRECTORY
-  ${PROJECT_SOURCE_DIR}/core-adapter/core/include/
-  ${PROJECT_SOURCE_DIR}/core-adapter/adapter/include/
-  ${PROJECT_SOURCE_DIR}/core-adapter/parts/include/
-  DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} FILES_MATCHING PATTERN "*.h")
+if(NOT AIPS_BUILD STREQUAL sdk)
+  install(TARGETS aips_core aips_adapter aips_parts EXPORT aipsTargets)
+  install(EXPORT aipsTargets NAMESPACE aips:: DESTINATION ${aips_cmake_dir})
+  install(DIRECTORY
+    ${PROJECT_SOURCE_DIR}/core-adapter/core/include/
+    ${PROJECT_SOURCE_DIR}/core-adapter/adapter/include/
+    ${PROJECT_SOURCE_DIR}/core-adapter/parts/include/
+    DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} FILES_MATCHING PATTERN "*.h")
+  file(RELATIVE_PATH aips_prefix_from_pc
+    /${CMAKE_INSTALL_LIBDIR}/pkgconfig /)
+  configure_file(${CMAKE_CURRENT_LIST_DIR}/aips.pc.in ${PROJECT_BINARY_DIR}/aips.pc @ONLY)
+  install(FILES ${PROJECT_BINARY_DIR}/aips.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
+endif()
 
 # The manual keeps its place beside README.md, which links to it.
 install(FILES ${PROJECT_SOURCE_DIR}/LICENSE ${PROJECT_SOURCE_DIR}/README.md
@@ -33,12 +28,13 @@ install(FILES ${PROJECT_SOURCE_DIR}/scenes/README.md DESTINATION ${CMAKE_INSTALL
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/tests/install/consumer/
   DESTINATION ${CMAKE_INSTALL_DOCDIR}/example)
 
-if(AIPS_BUILD_HOST)
-  aips_keep_object_code(lxs_sdk)
+if(TARGET lxs_sdk)
   install(TARGETS lxs_sdk EXPORT lxsTargets)
   install(EXPORT lxsTargets NAMESPACE lxs:: DESTINATION ${aips_cmake_dir})
   install(DIRECTORY ${PROJECT_SOURCE_DIR}/host/sdk/include/
     DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
+endif()
+if(AIPS_BUILD STREQUAL all)
   install(TARGETS lxs_path aips LIBRARY DESTINATION ${aips_plugin_dir})
   install(TARGETS lxs_images_module LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}/aips/images)
   if(AIPS_MPI)
@@ -58,8 +54,3 @@ write_basic_package_version_file(
 install(FILES
   ${PROJECT_BINARY_DIR}/aipsConfig.cmake ${PROJECT_BINARY_DIR}/aipsConfigVersion.cmake
   DESTINATION ${aips_cmake_dir})
-
-file(RELATIVE_PATH aips_prefix_from_pc
-  /${CMAKE_INSTALL_LIBDIR}/pkgconfig /)
-configure_file(${CMAKE_CURRENT_LIST_DIR}/aips.pc.in ${PROJECT_BINARY_DIR}/aips.pc @ONLY)
-install(FILES ${PROJECT_BINARY_DIR}/aips.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)

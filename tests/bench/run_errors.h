@@ -1,6 +1,7 @@
 // The errors of a run's snapshots, put into its document.
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <map>
 #include <optional>

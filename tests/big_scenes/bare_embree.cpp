@@ -6,7 +6,6 @@
 //
 // THREADS: of the build; 0 are all. FRAMES: 12 floats an instance, images of the axes and the
 // origin.
-#include <embree3/rtcore.h>
 #include <sys/resource.h>
 #include <unistd.h>
 
@@ -19,6 +18,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "lxs/embree/queries.h"
 #include "ply_mesh.h"
 
 namespace {
@@ -77,9 +77,7 @@ int hits(RTCScene scene) {
         query.ray.tfar = std::numeric_limits<float>::infinity();
         query.ray.mask = ~0u;
         query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
-        RTCIntersectContext context;
-        rtcInitIntersectContext(&context);
-        rtcIntersect1(scene, &context, &query);
+        lxs::embree::intersect(scene, query);
         met += query.hit.geomID != RTC_INVALID_GEOMETRY_ID;
     }
     return met;

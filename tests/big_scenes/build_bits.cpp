@@ -6,7 +6,6 @@
 //     build-bits [TRIANGLES [RAYS]]
 //
 // Exit code 1 if they differ.
-#include <embree3/rtcore.h>
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
@@ -23,6 +22,7 @@
 #include <string>
 #include <vector>
 
+#include "lxs/embree/queries.h"
 #include "run_on_threads.h"
 
 namespace {
@@ -112,7 +112,7 @@ void add_instance(RTCDevice device, RTCScene scene, RTCScene object, float raise
 
 RTCScene new_scene(RTCDevice device) {
     const RTCScene scene = rtcNewScene(device);
-    rtcSetSceneFlags(scene, RTC_SCENE_FLAG_ROBUST | RTC_SCENE_FLAG_CONTEXT_FILTER_FUNCTION);
+    rtcSetSceneFlags(scene, RTC_SCENE_FLAG_ROBUST | lxs::embree::kFilteredByQueries);
     return scene;
 }
 
@@ -126,7 +126,7 @@ std::uint64_t with_hit(std::uint64_t hash, const RTCHit& hit, float distance) {
 }
 
 struct Recorder {
-    RTCIntersectContext context;  // first: Embree hands out a pointer to it
+    lxs::embree::QueryContext context;  // first: Embree hands out a pointer to it
     std::uint64_t hash = 0;
 };
 
@@ -164,13 +164,9 @@ std::uint64_t hash_of_hits(RTCScene scene, std::uint64_t rays) {
         std::uint64_t own = 0;
         for (std::uint64_t i = range.begin(); i != range.end(); ++i) {
             Recorder recorder;
-            rtcInitIntersectContext(&recorder.context);
-            recorder.context.filter = record;
             RTCRayHit all = random_ray(i), closest = all;
-            rtcIntersect1(scene, &recorder.context, &all);
-            RTCIntersectContext plain;
-            rtcInitIntersectContext(&plain);
-            rtcIntersect1(scene, &plain, &closest);
+            lxs::embree::intersect_filtered(scene, all, record, recorder.context);
+            lxs::embree::intersect(scene, closest);
             own += mixed(with_hit(recorder.hash, closest.hit, closest.ray.tfar), i);
         }
         sum += own;

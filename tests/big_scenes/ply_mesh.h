@@ -1,10 +1,10 @@
 // Triangles of a PLY file as scripts/big-scenes writes it, and Embree's hierarchy of them.
 #pragma once
 
-#include <embree3/rtcore.h>
-
 #include <cstdint>
 #include <vector>
+
+#include "lxs/embree/queries.h"
 
 namespace big_scenes {
 

@@ -3,7 +3,7 @@
 
     run_in_blender.py --lxsrender build/release/bin/lxsrender export_test render_test
 
-Ends with 77, which ctest takes for skipped, where there is no Blender: scripts/setup --blender.
+Ends with 77, which ctest takes for skipped, where there is no Blender: scripts/setup blender.
 """
 import argparse
 import os
@@ -34,7 +34,7 @@ def main():
     arguments = parser.parse_args()
     blender = shutil.which(arguments.blender)
     if blender is None:
-        print('skipped: there is no Blender; scripts/setup --blender installs it')
+        print('skipped: there is no Blender; scripts/setup blender installs it')
         return SKIPPED
     with tempfile.TemporaryDirectory(prefix='aips-blender-') as folder:
         return subprocess.run(

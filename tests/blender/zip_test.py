@@ -31,7 +31,7 @@ def main():
     lxsrender = parser.parse_args().lxsrender.resolve()
     blender = shutil.which('blender')
     if blender is None:
-        print('skipped: there is no Blender; scripts/setup --blender installs it')
+        print('skipped: there is no Blender; scripts/setup blender installs it')
         return SKIPPED
     with tempfile.TemporaryDirectory(prefix='aips-blender-') as name:
         folder = pathlib.Path(name)

@@ -5,6 +5,10 @@ set(flags)
 if(sanitize)
   set(flags -fsanitize=${sanitize})
 endif()
+set(host OFF)
+if(built STREQUAL all)
+  set(host ON)
+endif()
 
 # run(COMMAND...): the test fails if the command does; its output is left in `output`.
 function(run)
@@ -45,12 +49,25 @@ foreach(file LICENSE README.md docs/build-on/host-adapter.md docs/images/glass-b
   endif()
 endforeach()
 
-# What is built is the example as it is installed.
+# Code for the link-time optimiser would be optimised anew in each program that links the library.
+find_program(readelf NAMES readelf REQUIRED)
+file(GLOB libraries ${prefix}/${libdir}/*.a)
+foreach(library ${libraries})
+  run(${readelf} --wide --section-headers ${library})
+  if(output MATCHES "gnu\\.lto_")
+    message(FATAL_ERROR "${library} has sections for link-time optimisation")
+  endif()
+endforeach()
+
+# build_consumer(PREFIX FOLDER OPTIONS...): builds the example, as it is installed, in the folder.
 set(consumer_dir ${prefix}/${docdir}/example)
-run(${CMAKE_COMMAND} -S ${consumer_dir} -B ${work_dir}/build -G Ninja -DCMAKE_BUILD_TYPE=Release
-  -DCMAKE_CXX_COMPILER=${compiler} -DCMAKE_CXX_FLAGS=${flags} -DCMAKE_PREFIX_PATH=${prefix}
-  -DWITH_SDK=${host})
-run(${CMAKE_COMMAND} --build ${work_dir}/build)
+function(build_consumer package folder)
+  run(${CMAKE_COMMAND} -S ${consumer_dir} -B ${folder} -G Ninja -DCMAKE_BUILD_TYPE=Release
+    -DCMAKE_CXX_COMPILER=${compiler} -DCMAKE_CXX_FLAGS=${flags} -DCMAKE_PREFIX_PATH=${package}
+    ${ARGN})
+  run(${CMAKE_COMMAND} --build ${folder})
+endfunction()
+build_consumer(${prefix} ${work_dir}/build -DWITH_SDK=${host})
 run_example(${work_dir}/build/consumer)
 
 find_program(pkg_config NAMES pkg-config pkgconf REQUIRED)
@@ -61,13 +78,34 @@ run(${compiler} ${flags} ${consumer_dir}/consumer.cpp -o ${work_dir}/pkg_config_
   ${package_flags})
 run_example(${work_dir}/pkg_config_consumer)
 
-if(host)
-  # The installed renderer finds the installed plugins, also after the move, and a module that was
-  # built against the installed SDK.
-  run(${prefix}/${bindir}/lxsrender --list-plugins --plugin-path ${work_dir}/build/plugins)
+if(NOT host)
+  return()
+endif()
+# The installed renderer finds the installed plugins, also after the move, and a module that was
+# built against the installed SDK: where that is told, and where its project installs it.
+function(expect_plugins)
+  run(${prefix}/${bindir}/lxsrender --list-plugins ${ARGN})
   foreach(name aips path consumer)
     if(NOT output MATCHES "(^|\n)${name} ")
-      message(FATAL_ERROR "lxsrender --list-plugins does not list '${name}':\n${output}")
+      message(FATAL_ERROR "lxsrender --list-plugins ${ARGN} does not list '${name}':\n${output}")
     endif()
   endforeach()
-endif()
+endfunction()
+expect_plugins(--plugin-path ${work_dir}/build/plugins)
+run(${CMAKE_COMMAND} --install ${work_dir}/build)
+expect_plugins()
+file(GLOB installed ${prefix}/${libdir}/aips/plugins/*consumer*)
+file(REMOVE ${installed})
+
+# The SDK alone, built where nothing of the engine and of the renderer is.
+set(absent)
+foreach(package TBB embree OpenEXR fmt spdlog CLI11 pegtl nlohmann_json GTest)
+  list(APPEND absent -DCMAKE_DISABLE_FIND_PACKAGE_${package}=ON)
+endforeach()
+run(${CMAKE_COMMAND} -S ${source_dir} -B ${work_dir}/sdk_build -G Ninja -DAIPS_BUILD=sdk
+  -DCMAKE_BUILD_TYPE=Release -DCMAKE_CXX_COMPILER=${compiler} -DCMAKE_CXX_FLAGS=${flags} ${absent}
+  -DCMAKE_INSTALL_LIBDIR=${libdir})
+run(${CMAKE_COMMAND} --build ${work_dir}/sdk_build)
+run(${CMAKE_COMMAND} --install ${work_dir}/sdk_build --prefix ${work_dir}/sdk)
+build_consumer(${work_dir}/sdk ${work_dir}/sdk_consumer -DWITH_ENGINE=OFF -DWITH_SDK=ON)
+expect_plugins(--plugin-path ${work_dir}/sdk_consumer/plugins)

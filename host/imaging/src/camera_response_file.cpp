@@ -1,8 +1,10 @@
 // Reads curves of cameras and films from text.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <iterator>
 #include <optional>
 
 #include "camera_response.h"

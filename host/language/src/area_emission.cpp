@@ -1,6 +1,8 @@
 // AreaLightSource "area".
 #include "area_emission.h"
 
+#include <algorithm>
+
 #include "lxs/language/read_scene.h"
 #include "lxs/lights/lights.h"
 #include "lxs/scene/constant_texture.h"

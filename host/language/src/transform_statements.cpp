@@ -1,4 +1,6 @@
 // Statements that change the current transform.
+#include <algorithm>
+
 #include <fmt/format.h>
 
 #include "scene_reader.h"

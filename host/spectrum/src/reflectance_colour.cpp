@@ -2,6 +2,7 @@
 #include "lxs/spectrum/reflectance_colour.h"
 
 #include <array>
+#include <utility>
 
 #include "lxs/spectrum/colour_matching.h"
 #include "lxs/spectrum/rgb_spectra.h"

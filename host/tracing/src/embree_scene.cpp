@@ -1,4 +1,4 @@
-// Embree 3.13 behind EmbreeScene. For Embree 4: headers under embree4/, contexts become arguments.
+// Embree behind EmbreeScene.
 //
 // Determinism. Hierarchies are built on all threads, and are the same for any number of them, in
 // this version of Embree: its SAH builder for static scenes splits sets of triangles by sums and
@@ -15,7 +15,6 @@
 // left alone here: it belongs to a thread, and bits must not depend on which thread runs a path.
 #include "embree_scene.h"
 
-#include <embree3/rtcore.h>
 #include <tbb/task_arena.h>
 
 #include <algorithm>
@@ -24,6 +23,8 @@
 #include <stdexcept>
 #include <string>
 #include <utility>
+
+#include "lxs/embree/queries.h"
 
 namespace lxs {
 
@@ -232,9 +233,7 @@ bool EmbreeScene::intersect(const Ray& ray, float t_min, SurfaceClass seen, RawH
     query.ray = kernel_ray(ray, t_min, seen, (ray.time - time_begin_) * time_scale_);
     query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
     query.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
-    RTCIntersectContext context;
-    rtcInitIntersectContext(&context);
-    rtcIntersect1(handle_->scene, &context, &query);
+    embree::intersect(handle_->scene, query);
     if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID) return false;
     static_assert(kNoInstance == RTC_INVALID_GEOMETRY_ID);
     hit = {query.ray.tfar,   query.hit.u,      query.hit.v,
@@ -244,9 +243,7 @@ bool EmbreeScene::intersect(const Ray& ray, float t_min, SurfaceClass seen, RawH
 
 bool EmbreeScene::occluded(const Ray& ray, SurfaceClass seen) const {
     RTCRay query = kernel_ray(ray, kSmallestDistance, seen, (ray.time - time_begin_) * time_scale_);
-    RTCIntersectContext context;
-    rtcInitIntersectContext(&context);
-    rtcOccluded1(handle_->scene, &context, &query);
+    embree::occluded(handle_->scene, query);
     return query.tfar < 0;
 }
 

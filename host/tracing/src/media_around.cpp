@@ -2,6 +2,7 @@
 #include "media_around.h"
 
 #include <algorithm>
+#include <iterator>
 #include <map>
 #include <optional>
 #include <vector>

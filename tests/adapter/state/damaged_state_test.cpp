@@ -2,6 +2,8 @@
 // within its memory bound and gives numbers that an image may hold.
 #include <gtest/gtest.h>
 
+#include <bit>
+#include <iterator>
 #include <limits>
 
 #include "aips/core/sampling/random.h"

@@ -2,6 +2,7 @@
 #include "memory_floor.h"
 
 #include <algorithm>
+#include <cstdint>
 #include <cstring>
 #include <ctime>
 #include <vector>

@@ -1,9 +1,9 @@
 // Photon rays through the engine's scene, and its floor: Embree alone on the same rays and shapes.
 #include <benchmark/benchmark.h>
-#include <embree3/rtcore.h>
 #include <tbb/task_arena.h>
 
 #include "aips/core/base/arena.h"
+#include "lxs/embree/queries.h"
 #include "photon_workload.h"
 
 namespace aips::bench {
@@ -75,9 +75,7 @@ void trace_bare_kernel(benchmark::State& state) {
         query.ray.tfar = std::numeric_limits<float>::infinity();
         query.ray.mask = ~0u;
         query.hit.geomID = query.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
-        RTCIntersectContext context;
-        rtcInitIntersectContext(&context);
-        rtcIntersect1(scene.handle(), &context, &query);
+        lxs::embree::intersect(scene.handle(), query);
         benchmark::DoNotOptimize(query);
     }
     state.SetItemsProcessed(state.iterations());

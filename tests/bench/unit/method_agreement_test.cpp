@@ -1,6 +1,8 @@
 // Protects what `aips-bench agreement` says: equal expectations pass however often one looks, an
 // error of 3 % is found, bias is forgiven as far as it is claimed, and too much noise is no
 // agreement.
+#include <cmath>
+
 #include "method_agreement.h"
 
 #include <gtest/gtest.h>

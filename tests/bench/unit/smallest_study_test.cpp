@@ -1,5 +1,7 @@
 // Protects the whole command, in its smallest form and for function only: references that grow, a
 // study, its resumption, failure of a run, the table. No time is tested.
+#include <cstdint>
+
 #include <OpenImageIO/imagebufalgo.h>
 #include <fmt/format.h>
 #include <gmock/gmock.h>

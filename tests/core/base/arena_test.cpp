@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <cstring>
 #include <memory_resource>
+#include <utility>
 #include <vector>
 
 namespace aips::arena_test {

@@ -38,7 +38,7 @@ TEST(ImageModule, IsNotLoadedAtTheStart) {
     const TemporaryFolder folder;
     const auto list_libraries = [] { ::setenv("LD_TRACE_LOADED_OBJECTS", "1", 1); };
     const RunResult result = LxsrenderProcess(folder, {}, "", list_libraries).wait();
-    EXPECT_THAT(result.out, HasSubstr("libembree3"));
+    EXPECT_THAT(result.out, HasSubstr("libembree"));
     EXPECT_THAT(result.out, Not(HasSubstr("libOpenImageIO")));
 }
 

@@ -1,4 +1,6 @@
 // Protects the film's colour space: matrices against published ones, and that images follow it.
+#include <algorithm>
+
 #include "color_space.h"
 
 #include <gtest/gtest.h>

@@ -1,6 +1,7 @@
 // Scenes written for LuxRender by others are read without error.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <filesystem>
 
 #include "scene_fakes.h"

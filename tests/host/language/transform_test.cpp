@@ -1,4 +1,6 @@
 // Transform statements: conventions, scopes, coordinate systems, motion, singular matrices.
+#include <cmath>
+
 #include <gtest/gtest.h>
 
 #include "scene_fakes.h"

@@ -1,6 +1,7 @@
 // Sun and skies against the formulas that LuxRender 1.9 evaluates, at ten settings each.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <numbers>
 

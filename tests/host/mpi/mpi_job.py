@@ -29,7 +29,7 @@ class Jobs:
             expect(done.returncode == 2 and NO_MPI in done.stderr, done.stderr)
         if built.exists() and shutil.which('mpirun'):
             return
-        print('skipped: no MPI in this build, or no mpirun (scripts/setup --mpi, -DAIPS_MPI=ON)')
+        print('skipped: no MPI in this build, or no mpirun (scripts/setup mpi, -DAIPS_MPI=ON)')
         sys.exit(77)
 
     def command(self, scene, name, *options):

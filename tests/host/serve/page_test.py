@@ -35,6 +35,6 @@ if __name__ == '__main__':
     NODE = shutil.which('node')
     CHROMIUM = next(filter(None, map(shutil.which, CHROMIUMS)), None)
     if not NODE or not CHROMIUM:
-        print('skipped: this test needs node and Chromium (scripts/setup installs both)')
+        print('skipped: this test needs node and Chromium (scripts/setup page installs both)')
         sys.exit(SKIPPED)
     main()

@@ -2,6 +2,7 @@
 // by, and weights stay bounded where channels differ.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <boost/math/distributions/chi_squared.hpp>
 #include <cmath>

@@ -1,6 +1,7 @@
 // Interference colours against direct integration over the spectrum, in all materials with films.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "bsdf_statistics.h"

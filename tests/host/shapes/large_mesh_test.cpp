@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <limits>
+#include <sstream>
 
 #include "run_on_threads.h"
 #include "shape_fixture.h"

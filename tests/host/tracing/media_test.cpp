@@ -2,6 +2,7 @@
 // is said of declarations that do not fit.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "fakes.h"

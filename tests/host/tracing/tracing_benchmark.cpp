@@ -1,6 +1,5 @@
 // Rays per second of Scene::intersect against the bare kernel, and the time to build a scene.
 #include <benchmark/benchmark.h>
-#include <embree3/rtcore.h>
 #include <tbb/task_arena.h>
 
 #include <array>
@@ -8,6 +7,7 @@
 #include <random>
 
 #include "fakes.h"
+#include "lxs/embree/queries.h"
 
 namespace lxs::test {
 namespace {
@@ -73,9 +73,7 @@ void bare_kernel(benchmark::State& state) {
         query.ray.tfar = r.t_max;
         query.ray.mask = ~0u;
         query.hit.geomID = query.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
-        RTCIntersectContext context;
-        rtcInitIntersectContext(&context);
-        rtcIntersect1(scene, &context, &query);
+        embree::intersect(scene, query);
         benchmark::DoNotOptimize(query);
     }
     state.SetItemsProcessed(state.iterations());

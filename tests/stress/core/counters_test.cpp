@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <limits>
+#include <string>
 
 #include "aips/core/chains/mutation.h"
 #include "aips/core/chains/visibility_chain.h"

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <sstream>
+#include <string>
 
 #include "aips/core/sampling/random.h"
 #include "aips/core/tables/bounce_tables.h"

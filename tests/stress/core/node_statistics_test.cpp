@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <limits>
+#include <string>
 
 #include "aips/core/tables/paper_tables.h"
 #include "aips/core/trees/kd_tree.h"

@@ -5,8 +5,10 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <iterator>
 #include <limits>
 #include <numeric>
+#include <string>
 
 #include "aips/core/sampling/random.h"
 #include "aips/core/tables/directional_table.h"

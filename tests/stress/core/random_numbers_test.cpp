@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <string>
 
 #include "aips/core/sampling/low_discrepancy.h"
 #include "aips/core/sampling/random.h"

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <string>
 
 #include "aips/core/sampling/random.h"
 #include "aips/core/tables/bounce_tables.h"

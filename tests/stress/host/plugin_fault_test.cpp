@@ -1,6 +1,8 @@
 // Protects the host from its plugins: whatever one throws, in whatever step and on whatever thread,
 // or hands to the film, ends with a message that names it and a documented exit code, and the
 // passes that were finished are saved.
+#include <utility>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

@@ -2,6 +2,8 @@
 // chose it, and what supports it. docs/build-on/constants.md is made from these comments.
 #pragma once
 
+#include <cstdint>
+
 namespace aips {
 
 /// Most photons that one is split into. Unit: photons.

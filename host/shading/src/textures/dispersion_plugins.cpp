@@ -1,4 +1,5 @@
 // Fresnel textures from formulas and files: "cauchy", "sellmeier", "abbe", "sopra", "luxpop".
+#include <algorithm>
 #include <array>
 #include <cmath>
 

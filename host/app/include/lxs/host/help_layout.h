@@ -1,6 +1,8 @@
 // How `--help` looks: options by group, each with its value and a sentence, lines of 79 characters.
 #pragma once
 
+#include <string>
+
 #include <CLI/CLI.hpp>
 
 namespace lxs {

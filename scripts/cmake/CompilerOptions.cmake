@@ -1,6 +1,5 @@
-# Options that every target of the project shares: standard, warnings, sanitizers, IPO, host tuning.
+# Options that every target of the project shares: standard, warnings, sanitizers, host tuning.
 option(AIPS_WERROR "Treat warnings as errors (CI does)" OFF)
-option(AIPS_IPO "Inter-procedural optimisation" OFF)
 option(AIPS_FUZZ "Build for coverage-guided fuzzing, with the sanitizers (docs/build-on/fuzzing.md; needs clang)" OFF)
 option(AIPS_NATIVE "Tune for this machine's processor (-march=native)" OFF)
 option(AIPS_UNITY "Compile files in batches (docs/build-on/building.md)" OFF)
@@ -24,9 +23,6 @@ set(CMAKE_POSITION_INDEPENDENT_CODE ON)
 set(CMAKE_CXX_VISIBILITY_PRESET hidden)
 set(CMAKE_VISIBILITY_INLINES_HIDDEN ON)
 
-if(AIPS_IPO)
-  set(CMAKE_INTERPROCEDURAL_OPTIMIZATION ON)
-endif()
 if(AIPS_SANITIZE)
   # GCC's warning of uninitialised values is at fault in instrumented code (std::regex).
   add_compile_options(-fsanitize=${AIPS_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=all

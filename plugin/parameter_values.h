@@ -9,10 +9,11 @@
 
 namespace aips {
 
-/// By number of Mode, GuideKind, CriterionKind, RadiusKind and PhotonSampler.
+/// By number of Mode, GuideKind, CriterionKind, NeighbourKind, RadiusKind and PhotonSampler.
 inline constexpr std::array<std::string_view, 3> kModes{"progressive", "photonmap", "ppm"};
 inline constexpr std::array<std::string_view, 3> kGuides{"none", "paper", "adaptive"};
 inline constexpr std::array<std::string_view, 2> kCriteria{"paper", "image"};
+inline constexpr std::array<std::string_view, 3> kNeighbours{"reached", "last", "both"};
 /// The first is of aips alone; LuxRender's plugins have the others.
 inline constexpr std::array<std::string_view, 3> kRadii{"automatic", "schedule", "adaptive"};
 inline constexpr std::array<std::string_view, 2> kPhotonSamplers{"halton", "amc"};

@@ -187,6 +187,12 @@ std::vector<ParameterDeclaration> paper_guide_declarations() {
             "4); or, beyond the paper, what they are worth to the image "
             "(docs/understand/paper-guide.md).",
             kCriteria),
+        choice("neighbours", kDefaults.neighbours,
+               "With guide paper: of two nodes between which a photon flew, the one that it left "
+               "knows the one that it reached; or, section 5.2 to the letter, the one where it "
+               "landed knows the one where it was last; or both "
+               "(docs/understand/paper-guide.md).",
+               kNeighbours),
         boolean(
             "presenterrors", kDefaults.present_errors,
             "With guide paper: a table is made of the errors that neighbouring nodes have by then "

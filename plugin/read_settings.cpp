@@ -55,6 +55,7 @@ void read_guide(const lxs::ParameterReader& in, Settings& s) {
     s.cdf_resolution = count("cdfresolution", s.cdf_resolution);
     s.error_alpha = in.number("erroralpha", s.error_alpha);
     s.error_criterion = chosen(in, "errorcriterion", kCriteria, s.error_criterion);
+    s.neighbours = chosen(in, "neighbours", kNeighbours, s.neighbours);
     s.present_errors = in.boolean("presenterrors", s.present_errors);
     s.first_landings = in.boolean("firstlandings", s.first_landings);
     s.guide_emission = in.boolean("guideemission", s.guide_emission);

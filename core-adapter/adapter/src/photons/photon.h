@@ -18,6 +18,7 @@ struct Photon {
     std::uint32_t passed_straight = 0;  ///< of those met, next to the light, of no count for that
     std::uint32_t smooth = 0;           ///< likewise, of those whose lobes all are specular
     std::uint32_t bounces = 0;          ///< scatterings that were not straight
+    bool from_smooth = false;           ///< a specular lobe of the last surface sent it on
     bool straight = true;  ///< has met nothing but null surfaces and architectural glass
     /// The first surface that did more than let it pass straight sent it on diffusely or glossily.
     bool shareable = false;

@@ -159,6 +159,7 @@ class PhotonTrace {
         if (!refusals_.accept(photon.power, kPassageOrigin)) return false;
         photon.straight = false;
         photon.part = ImagePart::Indirect;
+        photon.from_smooth = false;
         photon.previous = position;
         photon.ray = {position, sample.direction, in_.time, medium, photon.ray.component};
         ++photon.bounces;
@@ -182,6 +183,7 @@ class PhotonTrace {
         landing.bounces = std::min(photon.bounces, kMostLandingBounces);
         landing.path = index_;
         landing.owned_by_shadow_rays = owned_by_shadow_rays;
+        landing.from_smooth = photon.from_smooth;
         landing.shareable = photon.shareable;
         landing.part = static_cast<std::uint16_t>(photon.part);
         landings_.push_back(landing);
@@ -235,6 +237,7 @@ class PhotonTrace {
             photon.part = scattered_on(photon.part, scattered.lobe == kSpecular);
             ++photon.bounces;
         }
+        photon.from_smooth = scattered.lobe == kSpecular;
         photon.previous = point.position;
         photon.ray =
             continue_ray(in_.scene, point, scattered.direction, scattered.component, photon.ray);

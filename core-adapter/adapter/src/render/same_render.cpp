@@ -13,6 +13,7 @@ void state_of_settings(StateArchive& archive, const Settings& s) {
     archive.same(s.photon_sampler, "photonsampler");
     archive.same(std::uint8_t(adapts_radius(s)), "radius");
     archive.same(s.error_criterion, "errorcriterion");
+    archive.same(s.neighbours, "neighbours");
     archive.same(s.seed, "seed");
     for (const std::uint32_t count :
          {s.max_eye_depth, s.max_photon_depth, s.max_bounces, s.photons_per_pass,

@@ -59,6 +59,18 @@ const char* name(CriterionKind criterion) {
     return "";
 }
 
+const char* name(NeighbourKind neighbours) {
+    switch (neighbours) {
+        case NeighbourKind::Reached:
+            return "reached";
+        case NeighbourKind::Last:
+            return "last";
+        case NeighbourKind::Both:
+            return "both";
+    }
+    return "";
+}
+
 /// Landings that shadow rays own are all first landings, and only the paper's criterion learns from
 /// them: the other one goes by the image, to which they bring nothing.
 bool uses_first_landings(const Settings& s) {
@@ -105,6 +117,7 @@ std::string describe(const Settings& s) {
             << ", maxnodes = " << s.max_nodes << ", cdfresolution = " << s.cdf_resolution << "x"
             << s.cdf_resolution << ", erroralpha = " << s.error_alpha
             << ", errorcriterion = " << name(s.error_criterion)
+            << ", neighbours = " << name(s.neighbours)
             << ", presenterrors = " << (s.present_errors ? "true" : "false")
             << ", firstlandings = " << (uses_first_landings(s) ? "true" : "false");
     }

@@ -9,7 +9,8 @@
 namespace aips {
 namespace {
 
-/// A photon's light is no node: only segments between two surfaces make neighbours.
+/// A photon's light is no node, nor is glass or a mirror: only segments between two surfaces that
+/// take photons make neighbours.
 constexpr std::uint16_t kFirstSegmentDepth = 2;
 
 /// A table takes about a quarter of a microsecond.
@@ -41,12 +42,15 @@ void PaperTables::update(const NodeTree& tree, std::span<const Landing> landings
     add_nodes(tree);
     tree.region_errors(errors_);
     for (const Landing& landing : landings) {
-        if (landing.depth < kFirstSegmentDepth || !is_finite(landing.position) ||
-            !is_finite(landing.previous) || !is_finite(landing.direction)) {
+        if (landing.depth < kFirstSegmentDepth || landing.from_smooth ||
+            !is_finite(landing.position) || !is_finite(landing.previous) ||
+            !is_finite(landing.direction)) {
             continue;
         }
-        see(tree.locate(landing.previous), -landing.direction, tree.region(landing.position));
-        if (settings_.both_ends) {
+        if (settings_.earlier_learns) {
+            see(tree.locate(landing.previous), -landing.direction, tree.region(landing.position));
+        }
+        if (settings_.later_learns) {
             see(tree.locate(landing.position), landing.direction, tree.region(landing.previous));
         }
     }

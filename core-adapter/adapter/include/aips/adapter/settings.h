@@ -37,6 +37,13 @@ enum class CriterionKind : std::uint8_t {
     Image   ///< what its photons are worth to the image
 };
 
+/// Which node guide=paper tells of the other, of two between which a photon flew.
+enum class NeighbourKind : std::uint8_t {
+    Reached,  ///< the one that it left: where its photons go is its neighbour
+    Last,     ///< the one where it landed: where its photons were last (the paper's words)
+    Both
+};
+
 /// Where the random numbers of unguided photon paths come from.
 enum class PhotonSampler : std::uint8_t {
     Sequence,       ///< emission from an Owen-scrambled Sobol' sequence
@@ -104,6 +111,7 @@ struct Settings {
     std::uint32_t cdf_resolution = 8;  ///< cells per side of a directional table
     double error_alpha = 0.4;          ///< weight of the last pass's error (eq. 8)
     CriterionKind error_criterion = CriterionKind::Paper;
+    NeighbourKind neighbours = NeighbourKind::Reached;  ///< guide=paper: section 5.2
     bool present_errors = true;  ///< guide=paper: eq. 5 takes neighbours' errors of now
     bool first_landings = true;  ///< guide=paper learns from light that shadow rays own
 

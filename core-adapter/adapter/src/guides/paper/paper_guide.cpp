@@ -40,6 +40,8 @@ PaperTableSettings table_settings(const Settings& s) {
     PaperTableSettings table;
     table.resolution = static_cast<int>(s.cdf_resolution);
     table.present_errors = s.present_errors;
+    table.earlier_learns = s.neighbours != NeighbourKind::Last;
+    table.later_learns = s.neighbours != NeighbourKind::Reached;
     return table;
 }
 

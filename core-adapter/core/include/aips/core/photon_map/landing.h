@@ -17,7 +17,9 @@ struct Landing {
     Vec3 normal;             ///< unit geometric normal of the surface, of either side
     std::uint32_t path = 0;  ///< number of the photon path in its pass
     /// Surfaces met so far, this one included: 1 from the light; kDeepestLanding stands for more.
-    std::uint16_t depth : 12 = 0;
+    std::uint16_t depth : 11 = 0;
+    /// Its last surface let it go by a specular lobe: there is no node of a guide.
+    std::uint16_t from_smooth : 1 = 0;
     /// Light that eye paths may carry as well: the first surface that turned it away scattered it
     /// diffusely or glossily.
     std::uint16_t shareable : 1 = 0;
@@ -35,7 +37,7 @@ struct Landing {
 /// A million of them wait for a gather.
 static_assert(sizeof(Landing) == 72);
 
-inline constexpr std::uint32_t kDeepestLanding = (1u << 12) - 1;
+inline constexpr std::uint32_t kDeepestLanding = (1u << 11) - 1;
 inline constexpr std::uint32_t kLastLight = (1u << 22) - 1;
 inline constexpr std::uint32_t kMostLandingBounces = (1u << 10) - 1;
 

@@ -24,8 +24,10 @@ struct PaperTableSettings {
     /// Whether eq. 5 takes the errors that neighbours have when a table is made, by the last few
     /// seen in each direction; else those that they had when each photon landed, of all photons.
     bool present_errors = true;
-    /// Departure: a segment tells both of its ends of each other, not only the earlier one.
-    bool both_ends = false;
+    /// Which end of a segment takes the other for its neighbour: the earlier one learns where its
+    /// photons go, the later one (the paper read literally) where those that it got were last.
+    bool earlier_learns = true;
+    bool later_learns = false;
 };
 
 /// One table of p(w) = e_w / mean e (eq. 5) a node, on the cylindrical equal-area square of world

@@ -72,6 +72,10 @@ TEST(Defaults, AreWhatIsDeclaredOfEachParameter) {
             Settings given = read(kind, {written(d, std::string(d.default_text))});
             // Who gives these wants a schedule of radii, even if it is the default's.
             if (d.name == "startradius" || d.name == "alpha") given.radius = read(kind, {}).radius;
+            // Who gives a depth wants smooth surfaces counted, even if it is the default's.
+            if (d.name == "maxeyedepth") given.max_eye_depth = read(kind, {}).max_eye_depth;
+            if (d.name == "maxphotondepth")
+                given.max_photon_depth = read(kind, {}).max_photon_depth;
             EXPECT_EQ(given, read(kind, {}))
                 << "plugin " << int(kind) << ": " << d.name << " " << d.default_text;
         }

@@ -68,7 +68,7 @@ void add_parts(std::vector<ResumableCase>& cases) {
     // Long enough for passes without photons.
     Settings turns = settings_of(GuideKind::None);
     turns.photons_per_pass = 0;
-    ResumableCase in_turns{"photon_turns", turns, false, 40, 48, 48};
+    ResumableCase in_turns{"photon_turns", turns, false, 13, 48, 48};
     in_turns.open = true;
     cases.push_back(in_turns);
     cases.push_back({"fog_photonmap", settings_of(GuideKind::Adaptive, Mode::PhotonMap), true, 3});

@@ -80,39 +80,6 @@ TEST(ShareTable, PlacesKnowTheirOwnVariances) {
     EXPECT_NEAR(told[1], 0.25, 0.2);
 }
 
-/// One eye path in 2000 brings nearly all that squares are: a place that has met none of them does
-/// not take itself for a calm one. Where bright ones are frequent, each place goes by its own.
-TEST(ShareTable, RareBrightPathsAreEverywhereUntilAPlaceKnowsBetter) {
-    const auto least_over_mean = [](double chance) {
-        ShareTable table(kScene);
-        for (int round = 0; round < 10; ++round) {
-            RandomStream random(5, std::uint64_t(round), 0, RandomDomain::Eye);
-            for (int i = 0; i < 2000; ++i) {
-                ShareSample s;
-                s.position = {random.next(), random.next(), 0};
-                s.normal = kUp;
-                s.weight = 1;
-                s.continued = true;
-                s.eye = random.next() < chance ? 1 / chance : 0;
-                s.photons = 1;
-                s.photon_paths = 1;
-                table.add(s);
-            }
-            table.update(2000);
-        }
-        double least = 1e300, sum = 0, all = 0;
-        for (const ShareMoments& leaf : table.moments()) {
-            least = std::min(least, leaf.yy / leaf.continued);
-            sum += leaf.population * leaf.yy / leaf.continued;
-            all += leaf.population;
-        }
-        EXPECT_GT(table.leaf_count(), 16u);
-        return least / (sum / all);
-    };
-    EXPECT_GT(least_over_mean(1.0 / 2000), 0.5);
-    EXPECT_GT(least_over_mean(1.0 / 4), 0.5);
-}
-
 TEST(ShareTable, SplitsKeepWhatSeldomPathsTold) {
     ShareTable table(kScene);
     for (int round = 0; round < 40; ++round) {

@@ -26,8 +26,9 @@ void expect_sane(const mock::Rendering& r, const Settings& settings, const std::
     EXPECT_TRUE(r.statistics.refused.empty()) << what;
     EXPECT_LE(r.statistics.memory_bytes, r.statistics.memory_bound_bytes) << what;
     // A path may split into 17 photons; an adaptive guide walks from visible points as well.
-    EXPECT_LE(r.statistics.photon_rays,
-              17 * (r.statistics.photon_paths + r.statistics.eye_paths) * settings.max_photon_depth)
+    const DepthLimit depth = photon_depth(settings);
+    EXPECT_LE(r.statistics.photon_rays, 17 * (r.statistics.photon_paths + r.statistics.eye_paths) *
+                                            (depth.surfaces + depth.smooth))
         << what;
     for (const Rgb& pixel : r.film.image()) {
         EXPECT_TRUE(std::isfinite(luminance(pixel)) && pixel.r >= 0 && pixel.g >= 0 && pixel.b >= 0)

@@ -64,12 +64,11 @@ ShareSample sample_of(const EyeImage& image, const PhotonFlux& flux, std::size_t
     const double rest = 1 - double(point.eye_share);
     const ShareableFlux& part = flux.shareable[i];
     sample.photons = scale * double(part.sum) / rest;
-    // Trimmed as the noise of a pass is: single photons are not to decide who carries all light.
-    const auto of_photons = [&](double squares) {
-        return paths * trimmed(scale * scale * std::max(0.0, squares), weight);
-    };
-    sample.squares = of_photons(double(part.squares) / (rest * rest));
-    sample.others = of_photons(double(flux.squares[i]) - double(part.squares));
+    sample.squares = paths * scale * scale * double(part.squares) / (rest * rest);
+    // Trimmed as the noise of a pass is: single pixels are not to decide on the photons of all.
+    const double others =
+        scale * scale * std::max(0.0, double(flux.squares[i]) - double(part.squares));
+    sample.others = paths * trimmed(others, weight);
     return sample;
 }
 

@@ -38,7 +38,6 @@ ShareMoments moments_of(const ShareSample& s) {
     m.xy = s.weight * s.photons * s.eye;
     m.spread = s.weight * s.photons * (s.photons - s.eye) * s.photon_paths;
     m.yy = s.weight * s.eye * s.eye;
-    m.yyyy = m.yy * m.yy;
     m.x = root * s.photons;
     m.y = root * s.eye;
     m.rays = s.rays;
@@ -60,7 +59,6 @@ void ShareMoments::add(const ShareMoments& o) {
     spread += o.spread;
     x += o.x;
     y += o.y;
-    yyyy += o.yyyy;
     rays += o.rays;
     direct_saved += o.direct_saved;
 }
@@ -71,7 +69,7 @@ void ShareMoments::scale_points(double factor) {
 }
 
 void ShareMoments::scale_continued(double factor) {
-    for (double* sum : {&continued, &xx, &xy, &yy, &yyyy, &spread, &x, &y, &rays, &direct_saved})
+    for (double* sum : {&continued, &xx, &xy, &yy, &spread, &x, &y, &rays, &direct_saved})
         *sum *= factor;
 }
 
@@ -82,7 +80,7 @@ void ShareMoments::scale(double factor) {
 
 void ShareMoments::state(StateArchive& archive) {
     for (double* sum :
-         {&population, &points, &squares, &others, &continued, &xx, &xy, &yy, &yyyy, &x, &y, &rays})
+         {&population, &points, &squares, &others, &continued, &xx, &xy, &yy, &x, &y, &rays})
         archive.amount(*sum);
     for (double* sum : {&spread, &direct_saved}) {
         archive.value(*sum);
@@ -197,11 +195,7 @@ std::vector<ShareMoments> ShareTable::moments() const {
     if (!(everywhere_.points > 0)) return result;
     ShareMoments prior = everywhere_;
     prior.population = 0;
-    prior.scale_points(std::min(1.0, settings_.prior_count / prior.points));
-    if (prior.continued > 0) {
-        const double count = std::max(settings_.prior_count, prior.continued_for_a_bright_one());
-        prior.scale_continued(std::min(1.0, count / prior.continued));
-    }
+    prior.scale(std::min(1.0, settings_.prior_count / everywhere_.points));
     for (ShareMoments& leaf : result)
         leaf.add(prior);
     return result;

@@ -63,14 +63,8 @@ struct ShareMoments {
     double xx = 0, xy = 0, yy = 0;   ///< weighed sums over those
     double spread = 0;               ///< weighed sum of X (X - Y) times photon paths
     double x = 0, y = 0;             ///< sums over those, each times the root of its weight
-    double yyyy = 0;                 ///< sum of squares of what `yy` sums up
     double rays = 0;
     double direct_saved = 0;  ///< weighed sum
-
-    /// Eye paths that went on for each that brings, in effect, a part of `yy`. Where few bright
-    /// ones bring most of it, fewer than this tell nothing of how large it is: it looks small
-    /// wherever none has come yet.
-    double continued_for_a_bright_one() const { return yy > 0 ? continued * yyyy / (yy * yy) : 0; }
 
     void add(const ShareMoments& other);
     void scale(double factor);

@@ -58,11 +58,17 @@ inline constexpr std::uint32_t kShortestSegment = 16;
 
 /// Rounds of photon paths that explore before the first pass, at most. Unit: rounds.
 /// Balances: time before the first pass against scenes of which next to nothing is seen.
+/// Chosen by: reasoning: they then take a few tenths of a second.
+/// Supported by: no measurement.
+inline constexpr std::uint32_t kMostExploringRounds = 16;
+
+/// Those of them that found visible paths, at most. Unit: rounds.
+/// Balances: time before the first pass against what a guide would learn by itself from then on.
 /// Chosen by: docs/measured/choices.md.
 /// Supported by: a public classroom, summerhouse, car, jewellery, daylight (16 in its place:
 /// variance
 ///   times time after 32 passes of 120 pixels 1.4, 1.4, 1.1, 1.0 and 0.65 times as much).
-inline constexpr std::uint32_t kMostExploringRounds = 8;
+inline constexpr std::uint32_t kRoundsWithFinds = 8;
 
 /// Visible paths among the independent ones that explore, in effect, that are enough. Unit: photon
 /// paths.

@@ -107,9 +107,11 @@ class Explorer {
     }
 
     Exploration run() {
-        std::uint32_t rounds = 0;
+        std::uint32_t rounds = 0, with_finds = 0;
         double found = 0;
-        for (; rounds < kMostExploringRounds && found < kExploredEnough; --input_.pass) {
+        for (; rounds < kMostExploringRounds && with_finds < kRoundsWithFinds &&
+               found < kExploredEnough;
+             --input_.pass) {
             seeds_.search(scene_, settings_, light_choice_, input_.pass, input_.time, image_,
                           result_.paths, guide_);
             draw();
@@ -117,6 +119,7 @@ class Explorer {
             if (!pool_.empty()) {
                 walk();
                 ++rounds;
+                with_finds += 2;
                 found += effective_;
             }
             guide_.update(kRoundPaths);

@@ -337,7 +337,7 @@ std::size_t exploration_memory_bound(const Scene& scene, const Settings& setting
            OccupancyGrid::memory_bound_bytes(eye_paths) + PointGrid::memory_bound_bytes(eye_paths) +
            kJobs * (sizeof(Chain) + kVectorGrowth * 2 * coordinates) +
            kVectorGrowth * kRoundPaths *
-               (path + kMostExploringRounds / 2 * 2 * sizeof(EmissionSeed));
+               (path + std::size_t{kRoundsWithFinds} * sizeof(EmissionSeed));
 }
 
 }  // namespace aips

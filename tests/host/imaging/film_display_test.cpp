@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <span>
 
 #include "film_samples.h"
 #include "memory_archive.h"
@@ -30,6 +31,21 @@ bool in_highlight(const Vec2& p) {
 /// What brings the highlight.
 enum class Bringer : std::uint8_t { Samples, SecondPart, Splats, OneGroup };
 
+/// A pass of `samples`, to which `bright` comes as the bringer has it.
+void add_pass(FileFilm& film, Samples& samples, std::span<const Rgb> bright, Bringer bringer) {
+    const std::uint32_t groups = film.light_groups();
+    PassSamples brought = samples.pass(1, groups);
+    if (bringer == Bringer::SecondPart) brought.second_radiance = bright;
+    if (bringer == Bringer::Splats) {
+        film.add_splats(
+            {samples.positions, bright, groups, static_cast<double>(samples.positions.size())});
+    } else if (bringer != Bringer::SecondPart) {
+        for (std::size_t i = 0; i < bright.size(); ++i)
+            samples.radiance[i] += bright[i];
+    }
+    film.add_pass(brought);
+}
+
 /// Passes over an even ground with a highlight of less than a pixel.
 void render(FileFilm& film, Bringer bringer, bool wavelengths = false) {
     for (unsigned pass = 0; pass < kPasses; ++pass) {
@@ -42,16 +58,7 @@ void render(FileFilm& film, Bringer bringer, bool wavelengths = false) {
             if (in_highlight(samples.positions[i]))
                 bright[i * groups + groups - 1] = Rgb(kHighlight);
         }
-        PassSamples brought = samples.pass(1, groups);
-        if (bringer == Bringer::SecondPart) brought.second_radiance = bright;
-        if (bringer == Bringer::Splats) {
-            film.add_splats(
-                {samples.positions, bright, groups, static_cast<double>(samples.positions.size())});
-        } else if (bringer != Bringer::SecondPart) {
-            for (std::size_t i = 0; i < bright.size(); ++i)
-                samples.radiance[i] += bright[i];
-        }
-        film.add_pass(brought);
+        add_pass(film, samples, bright, bringer);
     }
 }
 
@@ -154,16 +161,7 @@ void render_with_firefly(FileFilm& film, Bringer bringer, int passes = kPasses) 
             if (std::abs(p.x - 17) < 1.5f && std::abs(p.y - 17) < 1.5f)
                 bright[i * groups + groups - 1] = Rgb(kHighlight / 20);
         }
-        PassSamples brought = samples.pass(1, groups);
-        if (bringer == Bringer::SecondPart) brought.second_radiance = bright;
-        if (bringer == Bringer::Splats) {
-            film.add_splats(
-                {samples.positions, bright, groups, static_cast<double>(samples.positions.size())});
-        } else if (bringer != Bringer::SecondPart) {
-            for (std::size_t i = 0; i < bright.size(); ++i)
-                samples.radiance[i] += bright[i];
-        }
-        film.add_pass(brought);
+        add_pass(film, samples, bright, bringer);
     }
 }
 

@@ -116,12 +116,12 @@ class Search {
         return std::max(0.0, difference - kCertainlyMissing * std::sqrt(square / m.continued));
     }
 
-    /// Variance of a single photon path's worth of light that both carry. What is seldom found at
-    /// all is found together by a whole pass.
-    double photon_variance(const ShareMoments& m) const {
+    /// Variance of a single photon path's worth of light that both carry, `eye` being that of eye
+    /// paths. What is seldom found at all is found together by a whole pass.
+    double photon_variance(const ShareMoments& m, double eye) const {
         // No photon came: their variance is not known at all, and the eye is to carry all it may.
         if (!(m.squares > 0) && m.yy > 0)
-            return facts_.photon_paths * eye_variance(m) / (1 - double(kMostEyeShare));
+            return facts_.photon_paths * eye / (1 - double(kMostEyeShare));
         const double missed = missing(m.y, m.x, m);
         return std::max(clusters_ * mean(m.squares, m.points),
                         facts_.photon_paths * facts_.passes * missed * missed);
@@ -159,7 +159,7 @@ class Search {
         const double points = population * facts_.points;
         const double weight = points * facts_.point_weight;
         const double eye = eye_variance(m);
-        const double photons = photon_variance(m);
+        const double photons = photon_variance(m, eye);
         const double own = clusters_ * mean(m.others, m.points);
         const EyeShare& now = facts_.shares[i];
         const auto share = double(now.share);

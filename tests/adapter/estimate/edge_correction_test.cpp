@@ -55,7 +55,8 @@ struct Moments {
 Moments missing_at(const mock::Scene& scene, const VisiblePoint& point,
                    const SurfaceQuestion& question) {
     constexpr int kDraws = 20000;
-    SurfaceShare surface(scene, 0);
+    Arena arena;
+    SurfaceShare surface(scene, 0, arena);
     double sum = 0, squares = 0;
     for (int i = 0; i < kDraws; ++i) {
         RandomStream random(5, 0, std::uint64_t(i), RandomDomain::Edge);
@@ -78,6 +79,30 @@ TEST(EdgeCorrection, MakesUpForWhatTheDiscLacksInTheMean) {
             EXPECT_NEAR(all.mean, expected_missing(share), 5 * all.error) << distance;
             const Moments some = missing_at(scene, point, {side, 0.5f});
             EXPECT_NEAR(some.mean, expected_missing(0.5 + 0.5 * share), 5 * some.error);
+        }
+    }
+}
+
+/// What the factor brings too little: at five standard errors.
+TEST(EdgeCorrection, LosesWhatTheFactorDoesNotMakeUpFor) {
+    const mock::Scene scene = step();
+    constexpr int kDraws = 20000;
+    for (const float distance : {0.0f, 0.8f, -0.8f}) {
+        const VisiblePoint point = point_at({1 - distance * kRadius, 0, 0});
+        const double share =
+            distance < 0 ? 1 - share_beside(-double(distance)) : share_beside(double(distance));
+        for (const float believed : {0.0f, 0.5f, 1.0f}) {
+            Arena arena;
+            SurfaceShare surface(scene, 0, arena);
+            int lost = 0;
+            for (int i = 0; i < kDraws; ++i) {
+                RandomStream random(6, 0, std::uint64_t(i), RandomDomain::Edge);
+                lost += surface.loses(point, kRadius, {2, believed}, random);
+            }
+            const double passes = double(believed) + (1 - double(believed)) * share;
+            const double expected = 1 - share * (1 + expected_missing(passes));
+            const double error = std::sqrt(expected * (1 - expected) / kDraws);
+            EXPECT_NEAR(double(lost) / kDraws, expected, 5 * error) << distance << ' ' << believed;
         }
     }
 }

@@ -257,6 +257,24 @@ TEST(SharePlan, NothingKnownIsNothingShared) {
 
 /// Where the eye does nearly all, shooting in one of several passes saves what it costs in itself;
 /// not where photons bring a part of the image that would then come and go.
+/// From a share m of L on with M m^2 L^2 > m (E[Y^2] + E / C cost), here L = 1.
+TEST(SharePlan, EyePathsBringWhatPhotonsLoseAtEdgesWherePassesAverageTheirNoise) {
+    const std::vector<ShareMoments> leaves{leaf(kPaths / 1e5, 3), leaf(kPaths / 1e5, 100)};
+    const std::vector<EyeShare> shares(2);
+    ShareFacts facts = facts_of(leaves, shares, 0);
+    facts.passes_to_come = 40;
+    facts.ray_cost = 0;
+    SharePlan plan = plan_shares(facts, kFixed);
+    EXPECT_NEAR(plan.shares[0].fills_from, 4.0 / 40, 1e-5);
+    EXPECT_FALSE(plan.shares[1].may_fill()) << "too noisy for so few passes";
+    facts.passes_to_come = 4000;
+    facts.ray_cost = 1;
+    plan = plan_shares(facts, kFixed);
+    const double cost = plan.error / plan.cost / facts.point_weight * 4;
+    EXPECT_NEAR(plan.shares[0].fills_from, (4 + cost) / 4000, 1e-5);
+    EXPECT_NEAR(plan.shares[1].fills_from, (101 + cost) / 4000, 1e-5);
+}
+
 TEST(SharePlan, OnePassShootsForSeveralWherePhotonsBringLittle) {
     const std::vector<ShareMoments> leaves{leaf(kPaths, 0.1)};
     const std::vector<EyeShare> shares(1);

@@ -31,20 +31,46 @@ struct Brightening {
 }  // namespace
 
 EdgeCorrection::EdgeCorrection(const Scene& scene, const Settings& settings, std::uint32_t width,
-                               std::uint32_t height)
+                               std::uint32_t height, const PhotonOcclusion* occlusion)
     : scene_(scene),
       settings_(settings),
       width_(width),
       height_(height),
+      occlusion_(occlusion),
       noise_(width, height),
       edges_(std::size_t{width} * height),
       found_(edges_.size()),
       walls_(settings.photon_occlusion ? edges_.size() : 0),
-      found_walls_(walls_.size()) {}
+      found_walls_(walls_.size()),
+      gaps_(settings.continue_eye_paths ? edges_.size() : 0) {}
+
+SurfaceQuestion EdgeCorrection::question(std::uint32_t pixel, Vec2 film) const {
+    SurfaceQuestion question{edges_[pixel] ? kEdgeGrid : 1, believed(pixel)};
+    if (occlusion_) {
+        const bool wall = walls_[pixel] || occlusion_->asks_all(film);
+        question.occlusion = wall ? 1 : kOcclusionAsked;
+    }
+    return question;
+}
+
+float EdgeCorrection::lost_share(Vec2 film) const {
+    const std::uint32_t pixel = film_pixel(film, width_, height_);
+    if (gaps_.empty() || !edges_[pixel]) return -1;
+    const Gap& gap = gaps_[pixel];
+    return gap.lost / (gap.asked + 1);
+}
+
+bool EdgeCorrection::loses(const VisiblePoint& point, Vec2 film, float time, RandomStream& random,
+                           Arena& arena, std::uint32_t& rays) const {
+    const std::uint32_t pixel = film_pixel(film, width_, height_);
+    SurfaceShare surface(scene_, time, arena);
+    const bool lost = surface.loses(point, gaps_[pixel].radius, question(pixel, film), random);
+    rays += std::uint32_t(surface.rays());
+    return lost;
+}
 
 std::uint64_t EdgeCorrection::correct(std::uint64_t pass, float time, const EyeImage& image,
-                                      const SearchRadii& radii, PhotonFlux& flux,
-                                      const PhotonOcclusion* occlusion) {
+                                      const SearchRadii& radii, PhotonFlux& flux) {
     std::atomic<std::uint64_t> rays{0};
     assign_all(factors_, image.visible_points.size(), 1.0f, image.positions.size());
     assign_all(met_walls_, walls_.empty() ? 0 : image.visible_points.size(), std::uint8_t{0},
@@ -55,18 +81,15 @@ std::uint64_t EdgeCorrection::correct(std::uint64_t pass, float time, const EyeI
         tbb::blocked_range<std::size_t>(owners.first(factors_.size()), owners.last(factors_.size()),
                                         256),
         [&](const tbb::blocked_range<std::size_t>& range) {
-            SurfaceShare surface(scene_, time);
+            Arena arena;
+            SurfaceShare surface(scene_, time, arena);
             for (std::size_t i = range.begin(); i < range.end(); ++i) {
                 if (flux.accepted[i] == 0) continue;
                 const VisiblePoint& point = image.visible_points[i];
                 const std::uint32_t pixel =
                     film_pixel(image.positions[point.sample], width_, height_);
-                SurfaceQuestion question{edges_[pixel] ? kEdgeGrid : 1, believed(pixel)};
-                if (occlusion) {
-                    const bool wall =
-                        walls_[pixel] || occlusion->asks_all(image.positions[point.sample]);
-                    question.occlusion = wall ? 1 : kOcclusionAsked;
-                }
+                const SurfaceQuestion question =
+                    this->question(pixel, image.positions[point.sample]);
                 if (question.believed >= 1) continue;
                 RandomStream random(settings_.seed, pass, point.sample, RandomDomain::Edge);
                 const float missing = surface.missing(point, radii.of(i), question, random);
@@ -91,7 +114,7 @@ std::uint64_t EdgeCorrection::correct(std::uint64_t pass, float time, const EyeI
     // Noise is that of photons as they came.
     if (adapts_radius(settings_)) noise_.add_pass(image, flux);
     apply(image, flux);
-    remember(image);
+    remember(image, radii);
     return all_rays;
 }
 
@@ -123,7 +146,7 @@ float EdgeCorrection::believed(std::uint32_t pixel) const {
 }
 
 /// What this pass has found steers the next ones.
-void EdgeCorrection::remember(const EyeImage& image) {
+void EdgeCorrection::remember(const EyeImage& image, const SearchRadii& radii) {
     in_chunks(factors_.size(), kItemsPerJob, tbb_for, [&](std::size_t first, std::size_t last) {
         for (std::size_t i = first; i < last; ++i) {
             if (factors_[i] == 1) continue;
@@ -131,12 +154,28 @@ void EdgeCorrection::remember(const EyeImage& image) {
             const std::uint32_t pixel = film_pixel(place, width_, height_);
             // Several visible points may be in one pixel: all say the same.
             std::atomic_ref(found_[pixel]).store(1, std::memory_order_relaxed);
+            if (!gaps_.empty())
+                std::atomic_ref(gaps_[pixel].radius).store(radii.of(i), std::memory_order_relaxed);
             if (!met_walls_.empty() && met_walls_[i])
                 std::atomic_ref(found_walls_[pixel]).store(1, std::memory_order_relaxed);
         }
     });
+    if (!gaps_.empty()) learn_gaps(image);
     age(edges_, found_);
     age(walls_, found_walls_);
+}
+
+void EdgeCorrection::learn_gaps(const EyeImage& image) {
+    for (const VisiblePoint& point : image.visible_points) {
+        if (point.place == DiscPlace::NotAsked) continue;
+        Gap& gap = gaps_[film_pixel(image.positions[point.sample], width_, height_)];
+        if (gap.asked >= kEdgePasses) {
+            gap.asked /= 2;
+            gap.lost /= 2;
+        }
+        gap.asked += 1;
+        if (point.place == DiscPlace::Gap) gap.lost += 1;
+    }
 }
 
 /// Sets or lowers the `passes` for which pixels count as what they were found to be.
@@ -159,6 +198,12 @@ void EdgeCorrection::state(StateArchive& archive) {
         archive.fixed(*pixels);
         for (const std::uint8_t passes : *pixels)
             StateArchive::check(passes <= kEdgePasses, "pixels at edges");
+    }
+    for (Gap& gap : gaps_) {
+        for (float* value : {&gap.radius, &gap.asked, &gap.lost})
+            archive.amount(*value);
+        StateArchive::check(gap.lost <= gap.asked && gap.asked <= kEdgePasses + 1,
+                            "light lost at edges");
     }
 }
 

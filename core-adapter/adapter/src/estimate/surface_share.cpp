@@ -12,10 +12,9 @@
 #include "eye/surface_normals.h"
 
 namespace aips {
-namespace {
 
 /// The search disc of a visible point, on the eye's side.
-class Disc {
+class SurfaceShare::Disc {
   public:
     Disc(const VisiblePoint& point, float radius)
         : point_(point), radius_(radius), frame_(normal_towards(point.wo, point)) {}
@@ -37,53 +36,76 @@ class Disc {
                                dot(met.geometric_normal, point_.geometric_normal), radius_);
     }
 
+    const VisiblePoint& point() const { return point_; }
+    float radius() const { return radius_; }
+
   private:
     const VisiblePoint& point_;
     float radius_;
     Frame frame_;
 };
 
-}  // namespace
-
-SurfaceShare::SurfaceShare(const Scene& scene, float time) : scene_(scene) {
+SurfaceShare::SurfaceShare(const Scene& scene, float time, Arena& arena)
+    : scene_(scene), arena_(arena) {
     ray_.time = time;
+}
+
+/// Whether photons that land at a place of the disc count, as a ray shows.
+bool SurfaceShare::finds(const Disc& disc, Vec2 u, const SurfaceQuestion& question,
+                         RandomStream& random) {
+    disc.aim(disc.place(u), ray_);
+    ++rays_;
+    SurfacePoint met;
+    const auto mark = arena_.mark();
+    const bool found = scene_.intersect_shape(ray_, met, arena_) && disc.has(met);
+    arena_.rewind(mark);
+    if (!found || !(question.occlusion > 0)) return found;
+    if (question.occlusion < 1 && !(random.next() < question.occlusion)) return true;
+    ++rays_;
+    const Vec3 normal = normal_towards(disc.normal(), met);
+    if (!separated(scene_, disc.point(), met.position, normal, disc.radius(), ray_.time))
+        return true;
+    met_separated_ = true;
+    return false;
 }
 
 float SurfaceShare::missing(const VisiblePoint& point, float radius,
                             const SurfaceQuestion& question, RandomStream& random) {
     const std::uint32_t side = question.side;
     const Disc disc(point, radius);
-    const auto finds = [&](Vec2 u) {
+    const auto passes = [&](Vec2 u) {
         if (question.believed > 0 && random.next() < question.believed) return true;
-        disc.aim(disc.place(u), ray_);
-        ++rays_;
-        SurfacePoint met;
-        const auto mark = arena_.mark();
-        const bool found = scene_.intersect_shape(ray_, met, arena_) && disc.has(met);
-        arena_.rewind(mark);
-        if (!found || !(question.occlusion > 0)) return found;
-        if (question.occlusion < 1 && !(random.next() < question.occlusion)) return true;
-        ++rays_;
-        const Vec3 normal = normal_towards(disc.normal(), met);
-        if (!separated(scene_, point, met.position, normal, radius, ray_.time)) return true;
-        met_separated_ = true;
-        return false;
+        return finds(disc, u, question, random);
     };
     met_separated_ = false;
     std::uint32_t trials = 0;
     for (std::uint32_t cell = 0; cell < side * side; ++cell) {
         const std::uint32_t column = cell % side, row = cell / side;
         const Vec2 within = random.next2();
-        if (finds(
+        if (passes(
                 {(float(column) + within.x) / float(side), (float(row) + within.y) / float(side)}))
             continue;
         // Its own trials, all over the disc: as many as 1 / p in the mean.
         for (std::uint32_t trial = 1; trial <= kMostTrials; ++trial) {
             ++trials;
-            if (finds(random.next2())) break;
+            if (passes(random.next2())) break;
         }
     }
     return float(trials) / float(side * side);
+}
+
+// With p places of surface and p' that pass, missing() makes photons bring
+// p (1 - (1 - p')^(kMostTrials + 1)) / p' of the light. That is the chance that one of so many
+// places passes, and that the first that does is surface, whether it was asked or not.
+bool SurfaceShare::loses(const VisiblePoint& point, float radius, const SurfaceQuestion& question,
+                         RandomStream& random) {
+    const Disc disc(point, radius);
+    for (std::uint32_t trial = 0; trial <= kMostTrials; ++trial) {
+        const bool believed = question.believed > 0 && random.next() < question.believed;
+        const bool found = finds(disc, random.next2(), question, random);
+        if (found || believed) return !found;
+    }
+    return true;
 }
 
 }  // namespace aips

@@ -19,8 +19,8 @@ struct SurfaceQuestion {
 /// Asks for places of search discs whether there is surface. Not for many threads at once.
 class SurfaceShare {
   public:
-    /// `scene` outlives it; rays travel at `time`.
-    SurfaceShare(const Scene& scene, float time);
+    /// `scene` and `arena` outlive it; rays travel at `time`. The arena is left as it was.
+    SurfaceShare(const Scene& scene, float time, Arena& arena);
 
     /// By how much photons around `point` have to count for more, the disc of `radius` being no
     /// surface in part: in the mean (1 - p) (1 - (1 - p)^kMostTrials) / p, which is 1 / p - 1 but
@@ -31,13 +31,22 @@ class SurfaceShare {
     float missing(const VisiblePoint& point, float radius, const SurfaceQuestion& question,
                   RandomStream& random);
 
+    /// Whether light at `point` counts as lost: with the probability of what photons bring too
+    /// little of it in the mean, corrected by missing(). One place is tried first, whatever
+    /// question.side is.
+    bool loses(const VisiblePoint& point, float radius, const SurfaceQuestion& question,
+               RandomStream& random);
+
     std::uint64_t rays() const { return rays_; }
     /// Whether the last call met surface that something separates from the point.
     bool met_separated() const { return met_separated_; }
 
   private:
+    class Disc;
+    bool finds(const Disc& disc, Vec2 u, const SurfaceQuestion& question, RandomStream& random);
+
     const Scene& scene_;
-    Arena arena_;
+    Arena& arena_;
     Ray ray_;
     std::uint64_t rays_ = 0;
     bool met_separated_ = false;

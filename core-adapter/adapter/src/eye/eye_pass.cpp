@@ -48,6 +48,7 @@ EyePathOutput output_of(const EyePassInput& in, std::uint64_t pass, std::uint32_
                         EyeImage& image, EyeBlock& block) {
     const std::size_t first = std::size_t(path) * image.groups;
     EyePathOutput output;
+    output.film = image.positions[path];
     output.radiance.groups = std::span(image.radiance).subspan(first, image.groups);
     if (in.layers.parts)
         output.radiance.parts =

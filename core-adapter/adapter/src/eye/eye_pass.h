@@ -18,6 +18,9 @@
 
 namespace aips {
 
+/// A place in a search disc that was asked for.
+enum class DiscPlace : std::uint8_t { NotAsked, Surface, Gap };
+
 /// Where an eye path first met a surface that takes photons.
 struct VisiblePoint {
     Vec3 position;
@@ -35,10 +38,18 @@ struct VisiblePoint {
     std::uint16_t photon_bounces = kMostLandingBounces;
     /// Share of the light that both may carry which the eye path brings by going on, in [0, 1).
     float eye_share = 0;
-    float eye_rays = 0;         ///< traced from there, to learn what that would bring too
-    bool continued = false;     ///< whether it went on, beyond a first ray
+    DiscPlace place = DiscPlace::NotAsked;  ///< one in its search disc
+    /// Whether the path that goes on brings all of the light here, photons having lost it.
+    bool fills = false;
+    float eye_rays = 0;  ///< traced from there, to learn what that would bring too
+    /// Whether it went on, beyond a first ray, for no reason of this point alone: only such are
+    /// learned from.
+    bool continued = false;
     bool tells_lights = false;  ///< it is told which light's photons bring it what
     SharedDirect direct;        ///< where a first ray left it
+
+    /// Share of what a path that goes on brings that counts.
+    float continued_share() const { return fills ? 1 : eye_share; }
 };
 
 /// Luminance of lamps behind smooth surfaces that an eye path met and left to lamp paths.
@@ -93,6 +104,8 @@ inline float luminance_over_groups(std::span<const Rgb> values, std::size_t path
     return sum;
 }
 
+class DiscGaps;
+
 /// The parts that an eye pass works with.
 struct EyePassInput {
     const Scene& scene;
@@ -106,7 +119,8 @@ struct EyePassInput {
     const EyeShares* shares = nullptr;  ///< null: no eye path goes on from its visible point
     const LampImages* lamps = nullptr;  ///< null: eye paths alone meet lamps
     LayersWanted layers = {};
-    Ranks* ranks = nullptr;  ///< that share the eye paths; null: none do
+    Ranks* ranks = nullptr;          ///< that share the eye paths; null: none do
+    const DiscGaps* gaps = nullptr;  ///< null: none are known
 };
 
 /// Lobes that take photons under these settings; the others bounce the eye path on.

@@ -6,6 +6,7 @@
 
 #include "eye/constants.h"
 #include "eye/continued_path.h"
+#include "eye/disc_gaps.h"
 #include "eye/store_probability.h"
 #include "eye/surface_normals.h"
 #include "eye/two_ways.h"
@@ -169,7 +170,10 @@ class EyePath {
         EyeShare eye;
         if (may) eye = in_.shares->at(point.position, normal_towards(wo, point));
         // The first ray from the visible point shares the lights with shadow rays.
-        const bool goes_on = may && (eye.any() || output_.explores);
+        const DiscPlace place = may ? ask_disc(point, wo, receiving, eye) : DiscPlace::NotAsked;
+        const bool fills =
+            place == DiscPlace::Gap && in_.gaps->lost_share(output_.film) >= eye.fills_from;
+        const bool goes_on = may && (eye.any() || output_.explores || fills);
         DirectLightResult direct;
         if (in_.settings.direct_light_sampling && (lobes & kNonSpecular)) {
             DirectLightQuery query{point, wo, tip_.ray.time, tip_.throughput};
@@ -183,6 +187,8 @@ class EyePath {
         if (receiving && (store_pdf == 1 || numbers.end() < store_pdf)) {
             if (!in_.keep_visible_points) return false;
             store(point, wo, receiving, store_pdf);
+            result_.visible_point.place = place;
+            result_.visible_point.fills = fills;
             if (result_.has_visible_point && goes_on) {
                 result_.visible_point.eye_share = eye.share;
                 go_on_from({point, wo, receiving, depth, store_pdf, tip_}, direct);
@@ -245,17 +251,28 @@ class EyePath {
     void go_on_from(ContinuedStart start, const DirectLightResult& direct) {
         VisiblePoint& v = result_.visible_point;
         start.tip.throughput = v.throughput;
-        start.first_ray = !(v.eye_share > 0 || output_.explores);
+        start.first_ray = !(v.eye_share > 0 || output_.explores || v.fills);
         const bool asks = direct.sample.pdf > 0;
         if (asks) start.asked = direct.sample.light;
-        const ContinuedResult went =
-            trace_continued_path(in_, start, numbers_, refusals_, arena_,
-                                 {radiance_, output_.continued, output_.light, v.eye_share});
-        v.continued = !start.first_ray;
+        const ContinuedResult went = trace_continued_path(
+            in_, start, numbers_, refusals_, arena_,
+            {radiance_, output_.continued, output_.light, v.continued_share()});
+        v.continued = v.eye_share > 0 || output_.explores;
         v.eye_rays = float(went.rays);
         result_.rays += went.rays;
         v.direct = {direct.alone, direct.brought, went.straight,
                     asks ? went.of_asked / direct.sample.pdf : 0, start.choice_pdf};
+    }
+
+    /// A place in the search disc, where photons are known to lose light and it may be filled.
+    DiscPlace ask_disc(const SurfacePoint& point, Vec3 wo, LobeMask receiving,
+                       const EyeShare& eye) {
+        if (!in_.gaps || !eye.may_fill() || in_.gaps->lost_share(output_.film) < 0)
+            return DiscPlace::NotAsked;
+        const VisiblePoint there = visible_point(point, wo, receiving, kWhite, {});
+        const bool lost =
+            in_.gaps->loses(there, output_.film, tip_.ray.time, random_, arena_, result_.rays);
+        return lost ? DiscPlace::Gap : DiscPlace::Surface;
     }
 
     void store(const SurfacePoint& point, Vec3 wo, LobeMask receiving, float store_pdf) {
@@ -302,7 +319,8 @@ EyePathResult trace_eye_path(const EyePassInput& input, const CameraRay& camera_
 std::uint32_t trace_lamp_path(const EyePassInput& input, const CameraRay& camera_ray,
                               const EyeNumbers& numbers, RandomStream& random, Refusals& refusals,
                               Arena& arena, std::span<Rgb> lamps, LuminanceByLight* light) {
-    return EyePath(input, camera_ray, numbers, random, refusals, arena, {{}, lamps, {}, light})
+    return EyePath(input, camera_ray, numbers, random, refusals, arena,
+                   {.lamps = lamps, .lamp_light = light})
         .look_for_lamps();
 }
 

@@ -24,12 +24,13 @@ struct EyePathResult {
 
 /// Where an eye path's light goes.
 struct EyePathOutput {
-    LightSums radiance;        ///< emission and direct light
-    std::span<Rgb> lamps;      ///< [light group]: lamps behind smooth surfaces; empty: in radiance
-    std::span<Rgb> continued;  ///< [light group]: EyeImage::continued; empty without shares
+    LightSums radiance = {};    ///< emission and direct light
+    std::span<Rgb> lamps = {};  ///< [light group]: lamps behind smooth surfaces; empty: in radiance
+    std::span<Rgb> continued = {};  ///< [light group]: EyeImage::continued; empty without shares
     LuminanceByLight* lamp_light = nullptr;  ///< the same of `lamps`, or of all
     /// Takes luminances by light, without shares; null: not asked for.
     LuminanceByLight* light = nullptr;
+    Vec2 film = {};                  ///< where it comes from
     bool explores = false;           ///< goes on from its visible point even where it has no share
     SeenSurface* surface = nullptr;  ///< null: not wanted
 };

@@ -40,7 +40,7 @@ struct EyeShares {
     std::uint32_t turns = 1;  ///< passes of which one shoots photons; a power of two
     bool shoots = true;       ///< whether the pass does
 
-    bool any = false;  ///< whether a ray leaves some place
+    bool any = false;  ///< whether a ray leaves some place, or may
 };
 
 /// Direct light of a visible point that a first ray left: luminances. A shadow ray and the

@@ -70,7 +70,7 @@ class Search {
         eye_ = kStratifiedEye * (eye + saved_);
     }
 
-    SharePlan best(const PhotonLimits& limits) {
+    SharePlan best(const PhotonLimits& limits) const {
         const double present = facts_.photon_paths / facts_.turns;
         SharePlan best = with(std::clamp(present, limits.fewest, limits.most));
         double least = std::numeric_limits<double>::infinity();
@@ -87,6 +87,23 @@ class Search {
             }
         }
         return best;
+    }
+
+    /// Where eye paths bring what photons lose at edges. Let photons lose a share m of the light L
+    /// of a point. To bring it by eye paths takes m of them, whose squares add m E[Y^2] to the
+    /// error, and saves (m L)^2 in as many passes as there will be, M. E C falls by all points
+    /// with
+    ///     M m^2 L^2 > m (E[Y^2] + E / C cost of a path).
+    void fill(SharePlan& plan) const {
+        const double error_of_cost = mean(plan.error, plan.cost) / facts_.point_weight;
+        for (std::size_t i = 0; i < facts_.leaves.size(); ++i) {
+            const ShareMoments& m = facts_.leaves[i];
+            const double light = std::max(0.0, mean(m.xy, m.continued));
+            const double eye = eye_variance(m);
+            const double cost = facts_.ray_cost * mean(m.rays, m.continued) * error_of_cost;
+            const double from = (eye + light + cost) / (facts_.passes_to_come * light);
+            if (from < 1) plan.shares[i].fills_from = float(from);
+        }
     }
 
   private:
@@ -204,7 +221,7 @@ class Search {
     }
 
     /// The best leaves for so many photon paths: those first whose paths save most for their cost.
-    SharePlan with(double paths) {
+    SharePlan with(double paths) const {
         std::vector<Gain> gains;
         SharePlan plan;
         plan.photon_paths = paths;
@@ -252,7 +269,9 @@ class Search {
 }  // namespace
 
 SharePlan plan_shares(const ShareFacts& facts, const PhotonLimits& limits) {
-    SharePlan plan = Search(facts).best(limits);
+    const Search search(facts);
+    SharePlan plan = search.best(limits);
+    search.fill(plan);
     double all = 0, sum = 0;
     for (std::size_t i = 0; i < facts.leaves.size(); ++i) {
         const double population = facts.leaves[i].population;

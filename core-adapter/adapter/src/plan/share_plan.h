@@ -31,6 +31,7 @@ struct ShareFacts {
     double passes = 1;                     ///< so many
     double passes_until = 0;               ///< of the render, when the next decision comes; 0:
                                            ///< what photons lose does not count yet
+    double passes_to_come = 1;             ///< of the render, when the next decision comes; > 0
     double points = 0;                     ///< visible points in one of them
     double point_weight = 0;      ///< of one visible point's variance in the mean over pixels
     double points_per_pixel = 1;  ///< in a pass: what they all lose does not average out

@@ -63,7 +63,8 @@ PassLoop::PassLoop(const Host& host, const Settings& settings, std::uint32_t eye
                             host.film.width(), host.film.height(), eye_paths, needs_points,
                             shared_by(strategies, &LightStrategy::eye_shares),
                             shared_by(strategies, &LightStrategy::lamp_images),
-                            host.film.layers_wanted(), sharing_ranks(host, settings)})),
+                            host.film.layers_wanted(), sharing_ranks(host, settings),
+                            shared_by(strategies, &LightStrategy::disc_gaps)})),
       strategies_(std::move(strategies)) {
     statistics_.memory_bound_bytes = eye_memory_bound(host.scene, settings, eye_paths);
     // Parts of eye paths, and of as many splats, of which there may be more while vectors grow.

@@ -5,7 +5,7 @@ namespace aips {
 namespace {
 
 /// To be raised whenever the content of states changes.
-constexpr std::uint32_t kStateVersion = 22;
+constexpr std::uint32_t kStateVersion = 23;
 
 void state_of_settings(StateArchive& archive, const Settings& s) {
     archive.same(s.mode, "mode");

@@ -58,6 +58,8 @@ class LightStrategy {
     /// From which visible points eye paths go on, for light that the strategy shares with them;
     /// null: from none. At most one strategy has such. Stays as long as the strategy does.
     virtual const EyeShares* eye_shares() const { return nullptr; }
+    /// Where its photons lose light at the edges of surfaces; null: nowhere. As above.
+    virtual const DiscGaps* disc_gaps() const { return nullptr; }
     /// Images of lamps that the strategy draws paths through; null: none. As above.
     virtual const LampImages* lamp_images() const { return nullptr; }
     /// Before the eye paths of each pass are traced; returns the rays that it took beside theirs.

@@ -42,9 +42,11 @@ PhotonStrategy::PhotonStrategy(const Host& host, Plan& plan, std::uint32_t eye_p
     flux_.wants_bias = film_.layers_wanted().bias && plan_.needs.photons;
     flux_.wants_inner = flux_.wants_bias || settings_.narrow_radii;
     if (wants_noise()) noise_.emplace(film_.width(), film_.height());
-    if (settings_.correct_edges) edges_.emplace(scene_, settings_, film_.width(), film_.height());
     if (settings_.photon_occlusion)
         occlusion_.emplace(scene_, settings_.seed, film_.width(), film_.height());
+    if (settings_.correct_edges)
+        edges_.emplace(scene_, settings_, film_.width(), film_.height(),
+                       occlusion_ ? &*occlusion_ : nullptr);
     if (settings_.debug_layers) layers_.emplace(film_, guide_.get());
 }
 
@@ -147,7 +149,7 @@ void PhotonStrategy::shoot(const StrategyPass& pass, const PassPhotons& photons,
                        occlusion);
     if (edges_ && any_points) {
         const Stopwatch watch(edge_seconds_);
-        report.rays += edges_->correct(pass.number, pass.time, image, radii_, flux_, occlusion);
+        report.rays += edges_->correct(pass.number, pass.time, image, radii_, flux_);
     }
     if (occlusion) occlusion->end_pass(image);
     photon_pass_.account(photons, schedule_.turns(), image, edges_ ? edges_->brightened() : 1);

@@ -27,6 +27,7 @@ class PhotonStrategy : public LightStrategy {
     PhotonStrategy(const Host& host, Plan& plan, std::uint32_t eye_paths);
 
     const EyeShares* eye_shares() const override { return shared_ ? &shared_->shares() : nullptr; }
+    const DiscGaps* disc_gaps() const override { return edges_ ? &*edges_ : nullptr; }
     std::uint64_t begin_pass(const ComingPass& /*pass*/) override {
         if (shared_) shared_->begin_pass(schedule_.turns(), schedule_.shoots());
         return 0;

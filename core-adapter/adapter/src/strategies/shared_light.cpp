@@ -39,7 +39,7 @@ WentOn went_on(std::span<const VisiblePoint> points) {
     return ordered_sum<WentOn>(points.size(), [&](std::size_t first, std::size_t last) {
         WentOn sum;
         for (const VisiblePoint& point : points.subspan(first, last - first))
-            sum += {double(point.eye_rays), std::uint64_t{point.continued}};
+            sum += {double(point.eye_rays), std::uint64_t{point.continued || point.fills}};
         return sum;
     });
 }
@@ -64,6 +64,7 @@ ShareSample sample_of(const EyeImage& image, const PhotonFlux& flux, std::size_t
     const double rest = 1 - double(point.eye_share);
     const ShareableFlux& part = flux.shareable[i];
     sample.photons = scale * double(part.sum) / rest;
+    if (point.fills) sample.filled = sample.eye;
     sample.squares = paths * scale * scale * double(part.squares) / (rest * rest);
     // Trimmed as the noise of a pass is: single pixels are not to decide on the photons of all.
     const double others =
@@ -97,10 +98,11 @@ void SharedLight::add_eye_share(const EyeImage& image, std::span<Rgb> radiance) 
               [&](std::size_t first, std::size_t last) {
                   for (std::size_t i = first; i < last; ++i) {
                       const VisiblePoint& point = image.visible_points[i];
-                      if (!(point.eye_share > 0)) continue;
+                      const float share = point.continued_share();
+                      if (!(share > 0)) continue;
                       const std::size_t at = std::size_t(point.sample) * image.groups;
                       for (std::size_t g = at; g < at + image.groups; ++g)
-                          radiance[g] += image.continued[g] * point.eye_share;
+                          radiance[g] += image.continued[g] * share;
                   }
               });
 }
@@ -167,6 +169,7 @@ SharePlan SharedLight::decide(const SharedPass& pass, const PixelImportance& imp
     facts.passes = sums_.passes;
     // Early ones count little in the end, and chains may just not have found what there is.
     if (pass.number + 1 >= kLossJudgedFrom) facts.passes_until = 2.0 * double(pass.number + 1);
+    facts.passes_to_come = 2.0 * double(pass.number + 1);
     facts.points = sums_.points / sums_.passes;
     facts.point_weight = 1 / (seen * per_pixel * per_pixel);
     facts.points_per_pixel = per_pixel;
@@ -193,7 +196,8 @@ SharePlan SharedLight::decide(const SharedPass& pass, const PixelImportance& imp
 }
 
 void SharedLight::set_any() {
-    shares_.any = std::ranges::any_of(shares_.table.shares(), &EyeShare::any);
+    shares_.any = std::ranges::any_of(
+        shares_.table.shares(), [](const EyeShare& eye) { return eye.any() || eye.may_fill(); });
 }
 
 void SharedLight::add_to(EngineStatistics& s) const {

@@ -15,7 +15,7 @@ constexpr std::uint32_t kNoBranch = std::numeric_limits<std::uint32_t>::max();
 bool usable(const ShareSample& s) {
     const auto amount = [](double x) { return x >= 0 && std::isfinite(x); };
     return amount(s.weight) && amount(s.photons) && amount(s.squares) && amount(s.others) &&
-           amount(s.eye) && amount(s.rays) && amount(s.photon_paths) &&
+           amount(s.eye) && amount(s.filled) && amount(s.rays) && amount(s.photon_paths) &&
            std::isfinite(s.weight * s.photons * s.photons * s.photon_paths) &&
            std::isfinite(s.weight * s.squares) && std::isfinite(s.weight * s.others) &&
            std::isfinite(s.weight * s.eye * s.eye) && std::isfinite(s.weight * s.direct_saved);
@@ -38,7 +38,7 @@ ShareMoments moments_of(const ShareSample& s) {
     m.xy = s.weight * s.photons * s.eye;
     m.spread = s.weight * s.photons * (s.photons - s.eye) * s.photon_paths;
     m.yy = s.weight * s.eye * s.eye;
-    m.x = root * s.photons;
+    m.x = root * (s.photons + s.filled);
     m.y = root * s.eye;
     m.rays = s.rays;
     m.direct_saved = s.weight * s.direct_saved;
@@ -230,7 +230,9 @@ void ShareTable::state(StateArchive& archive) {
     for (EyeShare& eye : shares_) {
         archive.value(eye.share);
         archive.value(eye.first_ray);
-        StateArchive::check(eye.share >= 0 && eye.share < 1, "a share of light that is none");
+        archive.value(eye.fills_from);
+        StateArchive::check(eye.share >= 0 && eye.share < 1 && eye.fills_from > 0,
+                            "a share of light that is none");
     }
 }
 

@@ -10,6 +10,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -31,10 +32,15 @@ struct ShareTableSettings {
 struct EyeShare {
     float share = 0;         ///< of the light that both can carry, in [0, 1): above 0 they go on
     bool first_ray = false;  ///< where it is 0: they send one ray, for direct light alone
+    /// Least share of their light that photons lose in a search disc which is not all surface, from
+    /// which on eye paths bring what is lost; above 0.
+    float fills_from = std::numeric_limits<float>::infinity();
 
     bool operator==(const EyeShare&) const = default;
     /// Whether a ray leaves the place.
     bool any() const { return share > 0 || first_ray; }
+    /// Whether eye paths bring what photons lose, where that is most of the light at least.
+    bool may_fill() const { return fills_from < 1; }
 };
 
 /// What a visible point told of light that both can carry: luminances, as if nothing were shared.
@@ -43,6 +49,7 @@ struct ShareSample {
     Vec3 normal;              ///< any length but 0
     double weight = 0;        ///< of a squared error there, >= 0
     double photons = 0;       ///< X
+    double filled = 0;        ///< what the eye path brings as photons have lost it
     double photon_paths = 0;  ///< that X comes from
     double squares = 0;       ///< of what single photons brought to X, times photon paths
     double others = 0;        ///< the same of light that photons alone carry

@@ -76,7 +76,7 @@ configure_package_config_file(
   INSTALL_DESTINATION ${aips_cmake_dir}
   PATH_VARS aips_plugin_dir)
 write_basic_package_version_file(
-  ${PROJECT_BINARY_DIR}/aipsConfigVersion.cmake COMPATIBILITY SameMinorVersion)
+  ${PROJECT_BINARY_DIR}/aipsConfigVersion.cmake COMPATIBILITY SameMajorVersion)
 install(FILES
   ${PROJECT_BINARY_DIR}/aipsConfig.cmake ${PROJECT_BINARY_DIR}/aipsConfigVersion.cmake
   DESTINATION ${aips_cmake_dir} COMPONENT dev)

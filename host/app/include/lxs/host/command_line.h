@@ -73,7 +73,7 @@ struct CommandLine {
 /// (printed on standard output), and after a mistake (printed on standard error).
 std::optional<ExitCode> parse_command_line(int argc, const char* const* argv, CommandLine& command);
 
-/// Version of the project, e.g. "0.1.0".
+/// Version of the project, e.g. "1.0.0".
 std::string version();
 
 }  // namespace lxs

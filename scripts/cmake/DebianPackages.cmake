@@ -43,7 +43,7 @@ endif()
 add_package(dev libaips-dev libdevel
   "Engine of guided photons, and what plugins of lxsrender compile against"
   "Static libraries, headers, CMake and pkg-config files for renderers that link\nthe engine of adaptive importance photon shooting by its adapter, the SDK of\nlxsrender's plugins, and the manual.")
-set(CPACK_DEBIAN_DEV_PACKAGE_DEPENDS "libtbb-dev, libimath-dev")
+set(CPACK_DEBIAN_DEV_PACKAGE_DEPENDS "libboost-dev, libimath-dev, librandom123-dev, libtbb-dev")
 set(CPACK_DEBIAN_DEV_PACKAGE_SHLIBDEPS OFF)
 
 if(TARGET blender_addon)

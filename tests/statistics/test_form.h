@@ -7,7 +7,7 @@
 namespace statistics {
 
 /// Whether the long form was asked for (environment variable AIPS_TEST_FORM is "long"), as
-/// `scripts/test --long` and scripts/stress do. The short form is what every test run has.
+/// `scripts/test --thorough` and scripts/stress do. The short form is what every test run has.
 inline bool long_form() {
     const char* form = std::getenv("AIPS_TEST_FORM");
     return form && std::string_view(form) == "long";

@@ -68,7 +68,7 @@ class SystemImage final : public CachedImage {
 
 TextureSystemImages::TextureSystemImages() : system_(OIIO::TextureSystem::create(true)) {
     system_->attribute("gray_to_rgb", 1);
-    OIIO::ImageCache* cache = system_->imagecache();
+    const auto cache = system_->imagecache();
     cache->attribute("max_memory_MB", kCacheMegabytes);
     cache->attribute("autotile", kTileSize);
     cache->attribute("automip", 0);
@@ -101,7 +101,7 @@ std::unique_ptr<const CachedImage> TextureSystemImages::open(const std::string& 
     names_.push_back(name);
     auto* handle = system_->get_texture_handle(name);
     if (!handle || !system_->good(handle)) fail(system_->geterror());
-    return std::make_unique<SystemImage>(system_, handle, input);
+    return std::make_unique<SystemImage>(&*system_, handle, input);
 }
 
 }  // namespace lxs

@@ -27,7 +27,8 @@ class TextureSystemImages final : public CachedImages {
     std::string own_name(const std::string& path) const;
 
     std::mutex mutex_;
-    OIIO::TextureSystem* system_;
+    /// A pointer, which OpenImageIO 3 counts.
+    decltype(OIIO::TextureSystem::create(true)) system_;
     std::vector<OIIO::ustring> names_;  ///< of the virtual files opened, given back at the end
 };
 

@@ -1,5 +1,4 @@
-// The integrator's parameters: declared once; parsing, validation, help and the reference page
-// (docs/reference/parameters.md) are made from here.
+// The integrators' parameters, made from the table of settings (aips/adapter/settings_table.h).
 #pragma once
 
 #include <span>
@@ -11,6 +10,10 @@ namespace aips {
 
 /// Which plugin name is being set up.
 enum class PluginKind { Aips, Sppm, Ppm, ExPhotonMap };
+
+/// What a plugin takes where a scene says nothing: LuxRender's plugins have its values where ours
+/// decides itself.
+Settings defaults_of(PluginKind kind);
 
 /// Declared parameters of the plugin.
 std::span<const lxs::ParameterDeclaration> parameter_declarations(PluginKind kind);

@@ -60,7 +60,7 @@ GrowingReference read_reference(const fs::path& folder, const Json& metadata,
                                 const std::string& name) {
     const Json& facts = metadata.at("images").at(name);
     const fs::path file = folder / facts.at("file").get<std::string>();
-    if (sha1_of_file(file) != facts.at("sha1")) {
+    if (sha1_of_file(file) != facts.at("sha1").get<std::string>()) {
         throw StudyError(fmt::format("'{}' is damaged: its SHA-1 is not the one in reference.json",
                                      file.string()));
     }

@@ -68,7 +68,7 @@ TEST(Defaults, OfThePluginAreThoseOfTheSettings) {
 TEST(Defaults, AreWhatIsDeclaredOfEachParameter) {
     for (const PluginKind kind : kKinds) {
         for (const ParameterDeclaration& d : parameter_declarations(kind)) {
-            if (d.no_effect) continue;
+            if (d.no_effect || d.array) continue;
             Settings given = read(kind, {written(d, std::string(d.default_text))});
             // Who gives these wants a schedule of radii, even if it is the default's.
             if (d.name == "startradius" || d.name == "alpha") given.radius = read(kind, {}).radius;
@@ -97,6 +97,16 @@ TEST(Defaults, EachParameterHasItsPlaceInTheSettings) {
             EXPECT_NE(read(kind, values), without) << "plugin " << int(kind) << ": " << d.name;
         }
     }
+}
+
+TEST(Defaults, DisabledPartsAreThoseThatEachOneSwitchesOff) {
+    lxs::ParameterValue disabled;
+    disabled.name = "disable";
+    disabled.type = "string";
+    disabled.values = std::vector<std::string>{"guidechains", "learnlights"};
+    Settings expected;
+    expected.guide_chains = expected.learn_lights = false;
+    EXPECT_EQ(read(PluginKind::Aips, {disabled}), expected);
 }
 
 TEST(Defaults, ARadiusOfOnesOwnHasItsSchedule) {

@@ -31,6 +31,18 @@ std::vector<double> read_numbers(const std::string& text, const SourceLocation& 
     return numbers;
 }
 
+/// As numbers are listed: by spaces or commas.
+std::vector<std::string> read_words(const std::string& text) {
+    std::vector<std::string> words;
+    std::size_t begin = 0;
+    while ((begin = text.find_first_not_of(" ,", begin)) != std::string::npos) {
+        const std::size_t end = std::min(text.find_first_of(" ,", begin), text.size());
+        words.push_back(text.substr(begin, end - begin));
+        begin = end;
+    }
+    return words;
+}
+
 /// Type name as a scene file would write it.
 std::string written_type(ParameterType type) {
     switch (type) {
@@ -63,7 +75,9 @@ ParameterValue read_value(const ParameterDeclaration& declaration, const std::st
     value.type = written_type(declaration.type);
     value.name = declaration.name;
     value.where = where;
-    if (declaration.type == ParameterType::String) {
+    if (declaration.type == ParameterType::String && declaration.array) {
+        value.values = read_words(text);
+    } else if (declaration.type == ParameterType::String) {
         value.values = std::vector<std::string>{text};
     } else if (declaration.type == ParameterType::Bool) {
         if (text != "true" && text != "false") {

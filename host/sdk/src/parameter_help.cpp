@@ -71,8 +71,13 @@ std::string describe_text(std::span<const ParameterDeclaration> declarations) {
         return text;
     };
     std::string text;
+    std::string_view group;
     for (const ParameterDeclaration& declaration : declarations) {
         const auto [name, type, fallback, allowed, doc] = columns(declaration);
+        if (declaration.group != group) {
+            group = declaration.group;
+            text += (text.empty() ? "" : "\n") + std::string(group) + ":\n";
+        }
         text += "  " + padded(name, name_width) + padded(type, type_width) +
                 padded(fallback, default_width) + doc;
         if (!allowed.empty()) text += " (" + allowed + ")";
@@ -84,7 +89,12 @@ std::string describe_text(std::span<const ParameterDeclaration> declarations) {
 std::string describe_markdown(std::span<const ParameterDeclaration> declarations) {
     std::string text = "| name | type | default | allowed | meaning |\n";
     text += "| --- | --- | --- | --- | --- |\n";
+    std::string_view group;
     for (const ParameterDeclaration& declaration : declarations) {
+        if (declaration.group != group) {
+            group = declaration.group;
+            text += "| **" + markdown_cell(std::string(group)) + "** | | | | |\n";
+        }
         text += "|";
         for (const std::string& cell : columns(declaration)) {
             if (!cell.empty()) text += ' ';

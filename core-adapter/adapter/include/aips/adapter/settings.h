@@ -68,8 +68,8 @@ struct DepthLimit {
 /// Settings::max_bounces that bounds nothing.
 inline constexpr std::uint32_t kAnyBounces = std::numeric_limits<std::uint32_t>::max();
 
-/// Everything that a user may set, with its default: the plugin's parameters (names and ranges:
-/// plugin/parameters.cpp) take theirs from here.
+/// Everything that a user may set, with its default. Names, ranges and what is said of each stand
+/// in settings_table.h.
 struct Settings {
     Mode mode = Mode::Progressive;
     GuideKind guide = GuideKind::Adaptive;
@@ -155,7 +155,8 @@ constexpr bool adapts_radius(const Settings& settings) {
            settings.photon_sampler == PhotonSampler::Sequence;
 }
 
-/// Checks what no single range can: throws std::invalid_argument with one clear message.
+/// Throws std::invalid_argument, with one clear message, where a setting is out of its range or two
+/// do not go together.
 void validate(const Settings& settings);
 
 /// The settings in effect, one "name = value" each, for the log at the start of a render.

@@ -45,6 +45,8 @@ struct ParameterDeclaration {
     /// Another name of the same, which counts where `name` isn't given; several declarations may
     /// share one.
     std::string_view older_name = {};
+    /// Heading above it and those of the same group that follow, in help; "" = none.
+    std::string_view group = {};
 };
 
 /// One parameter as a scene file gives it.

@@ -49,16 +49,6 @@ foreach(file LICENSE README.md docs/build-on/host-adapter.md docs/images/glass-b
   endif()
 endforeach()
 
-# Code for the link-time optimiser would be optimised anew in each program that links the library.
-find_program(readelf NAMES readelf REQUIRED)
-file(GLOB libraries ${prefix}/${libdir}/*.a)
-foreach(library ${libraries})
-  run(${readelf} --wide --section-headers ${library})
-  if(output MATCHES "gnu\\.lto_")
-    message(FATAL_ERROR "${library} has sections for link-time optimisation")
-  endif()
-endforeach()
-
 # build_consumer(PREFIX FOLDER OPTIONS...): builds the example, as it is installed, in the folder.
 set(consumer_dir ${prefix}/${docdir}/example)
 function(build_consumer package folder)

@@ -11,6 +11,9 @@
 namespace aips {
 namespace {
 
+/// Of these, places from which a light is looked at.
+constexpr std::size_t kPlacesTried = 64;
+
 /// "0.0796 times (1 / (4 pi))": factors that are easily forgotten have names.
 std::string factor(double ratio) {
     constexpr double kDoublePi = std::numbers::pi;

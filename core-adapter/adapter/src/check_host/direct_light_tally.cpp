@@ -8,6 +8,18 @@
 namespace aips {
 namespace {
 
+/// Draws of that mean.
+constexpr int kStraightDraws = 64;
+
+/// Surfaces that light passes straight on the way to a light, beyond which nothing is compared.
+constexpr int kMostPassed = 16;
+
+/// How far behind a lamp it is looked at from (diagonals of the scene).
+constexpr float kBehind = 1e-3f;
+
+/// Looks from there (draws).
+constexpr int kBehindDraws = 64;
+
 bool near(float a, float b) {
     return std::abs(a - b) <= kSame * std::max(std::abs(a), std::abs(b));
 }

@@ -2,6 +2,12 @@
 #include "direction_proposal.h"
 
 namespace aips {
+namespace {
+
+/// Sizes of the caps around a pilot.
+constexpr int kCapSizes = 6;
+
+}  // namespace
 
 double DirectionProposal::extent(int size) {
     return 0.2 * std::pow(10.0, -size);

@@ -1,11 +1,17 @@
 // Test surfaces: the scene's box for lights at infinity, a sphere around the others.
 #include "light_flux.h"
 
-#include "constants.h"
 #include "emit_at_random.h"
 
 namespace aips {
 namespace {
+
+/// Emissions that tell where a light's photons go (draws).
+constexpr std::size_t kFluxPilots = 32;
+
+/// Radius of the sphere around a light's photons' origins: far enough for irradiance to be bounded
+/// by a few times its mean (extents of the origins).
+constexpr float kSphereExtents = 2.5f;
 
 const Frame kWorldAxes({1, 0, 0}, {0, 1, 0}, {0, 0, 1});
 

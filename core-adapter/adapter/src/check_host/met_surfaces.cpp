@@ -7,6 +7,12 @@
 namespace aips {
 namespace {
 
+/// Bounces of a path on which surfaces are met.
+constexpr int kMostBounces = 6;
+
+/// Places that are kept of all surfaces met.
+constexpr std::size_t kPlacesAnywhere = 256;
+
 /// Counts what one intersect() takes of an arena.
 class CountedMemory final : public std::pmr::memory_resource {
   public:

@@ -60,31 +60,12 @@ inline constexpr double kBeliefOfNoise = 4;
 /// Supported by: no measurement.
 inline constexpr std::uint32_t kNoiseCell = 8;
 
-/// Height of the ray between a photon and a visible point above their surfaces: what is thinner
-/// does not separate them. Unit: radii. Balances: walls and sheets that are missed against surfaces
-/// that are not quite smooth. Chosen by: reasoning: a thousandth is far below what the estimate
-/// resolves. Supported by: no measurement.
-inline constexpr float kOcclusionClearance = 1e-3f;
-
-/// The same for rounding: 16 steps between floats at the greatest coordinate. Unit: ratio.
-/// Balances: thin walls of small things far from the origin against surfaces that shadow
-/// themselves. Chosen by: reasoning: both ends are off by a few steps, and so is where the ray
-/// meets a surface. Supported by: no measurement.
-inline constexpr float kOcclusionRounding = 16 * 0x1p-23f;
-
 /// Side of the parts of the image in which all photons are asked for, once one was separated from a
 /// visible point. Unit: pixels.
 /// Balances: rays where nothing separates against passes until a wall is known everywhere.
 /// Chosen by: reasoning: 16 visible points of a pass find what separates a twentieth of the light.
 /// Supported by: no measurement.
 inline constexpr std::uint32_t kOcclusionCell = 4;
-
-/// Passes for which photons are asked for after the last one was separated. Unit: passes.
-/// Balances: rays where radii have shrunk away from a wall against light that leaks until it is
-/// found again.
-/// Chosen by: reasoning: as kEdgePasses.
-/// Supported by: no measurement.
-inline constexpr std::uint8_t kOcclusionPasses = kEdgePasses;
 
 /// First passes, in which all visible points ask for photons. Unit: passes.
 /// Balances: rays against single bright photons that leak before the wall is known.
@@ -104,12 +85,6 @@ inline constexpr std::uint32_t kFirstOcclusionAsks = 2;
 /// Chosen by: reasoning: no more than a few rays in a hundred.
 /// Supported by: no measurement.
 inline constexpr std::uint64_t kOcclusionAsksOneOf = 16;
-
-/// Chance of a place in a search disc to be asked for likewise where no edge is known. Unit: ratio.
-/// Balances: rays against passes until an edge is found.
-/// Chosen by: reasoning: as kOcclusionAsksOneOf.
-/// Supported by: no measurement.
-inline constexpr float kOcclusionAsked = 1.0f / float(kOcclusionAsksOneOf);
 
 /// Weight of earlier passes in the share of photons that reach a part of the image. Unit: ratio.
 /// Balances: noise of the share against passes until it follows the radius.

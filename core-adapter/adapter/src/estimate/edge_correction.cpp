@@ -17,6 +17,9 @@
 namespace aips {
 namespace {
 
+/// Chance of a place in a search disc to be asked for likewise where no edge is known.
+constexpr float kOcclusionAsked = 1.0f / float(kOcclusionAsksOneOf);
+
 /// Luminance that photons brought to visible points, and what they bring more by their factors.
 struct Brightening {
     double before = 0, added = 0;

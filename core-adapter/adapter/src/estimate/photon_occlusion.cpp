@@ -11,6 +11,16 @@
 namespace aips {
 namespace {
 
+/// Height of the ray between a photon and a visible point above their surfaces: what is thinner
+/// does not separate them (radii).
+constexpr float kOcclusionClearance = 1e-3f;
+
+/// The same for rounding: 16 steps between floats at the greatest coordinate.
+constexpr float kOcclusionRounding = 16 * 0x1p-23f;
+
+/// Passes for which photons are asked for after the last one was separated.
+constexpr std::uint8_t kOcclusionPasses = kEdgePasses;
+
 /// By how much the ray stands off two surfaces: a share of the radius, and what rounding takes.
 float clearance(Vec3 a, Vec3 b, float radius) {
     const float largest = std::max(

@@ -6,14 +6,6 @@
 
 namespace aips {
 
-/// Of the visible points of so many eye paths one tells what the photons of each light bring it.
-/// Unit: eye paths.
-/// Balances: time, as photons are gathered there a second time, against noise in what is told.
-/// Chosen by: reasoning: a share of well below a hundredth of a pass; with 40000 eye paths a pass,
-///   16 passes tell by 20000.
-/// Supported by: no measurement.
-inline constexpr std::uint32_t kTellingOneOf = 32;
-
 /// Footprints beyond so many medians count as so many. Unit: medians of the footprints.
 /// Balances: a few pixels that see the horizon against scenes whose pixels do differ.
 /// Chosen by: docs/notebook/2026-11-24-stress-scale-and-energy.md.
@@ -25,20 +17,6 @@ inline constexpr float kMostMedians = 8;
 /// Chosen by: docs/notebook/2026-11-23-lamps-behind-glass.md.
 /// Supported by: glass-ball, room, chess, pool (1 and 4 in its place).
 inline constexpr std::uint32_t kMostBranches = 2;
-
-/// Least distance of a light from a beam whose points are drawn by the angle at which the light
-/// sees them. Unit: share of the beam's length.
-/// Balances: light that stands on the beam against a density that draws nothing but one point.
-/// Chosen by: reasoning: a point on the segment itself would draw nothing but itself.
-/// Supported by: no measurement.
-inline constexpr float kLeastPivotShare = 1e-4f;
-
-/// Distance of a light from which on all of a beam is seen alike, and angles cancel in rounding.
-/// Unit: lengths of the beam.
-/// Balances: drawing by angle where it helps against rounding.
-/// Chosen by: reasoning: from there on angles tell nothing that lengths do not.
-/// Supported by: no measurement.
-inline constexpr float kFarLengths = 64;
 
 /// Eye paths of a pixel in a frozen eye pass unless hitpointperpass says otherwise. Unit: eye
 /// paths.

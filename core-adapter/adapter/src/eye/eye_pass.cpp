@@ -10,13 +10,15 @@
 #include "aips/core/sampling/low_discrepancy.h"
 #include "base/assign_all.h"
 #include "base/parallel_for.h"
-#include "eye/constants.h"
 #include "eye/eye_path.h"
 #include "eye/footprints.h"
 #include "ranks/foreign_bsdf.h"
 
 namespace aips {
 namespace {
+
+/// Of the visible points of so many eye paths one tells what the photons of each light bring it.
+constexpr std::uint32_t kTellingOneOf = 32;
 
 constexpr std::uint32_t kEyePathsPerBlock = 1024;
 

@@ -5,10 +5,16 @@
 #include <cmath>
 #include <optional>
 
-#include "eye/constants.h"
-
 namespace aips {
 namespace {
+
+/// Least distance of a light from a beam whose points are drawn by the angle at which the light
+/// sees them (share of the beam's length).
+constexpr float kLeastPivotShare = 1e-4f;
+
+/// Distance of a light from which on all of a beam is seen alike, and angles cancel in rounding
+/// (lengths of the beam).
+constexpr float kFarLengths = 64;
 
 /// Density of distances by the angle at which a segment is seen from a point beside it (Kulla &
 /// Fajardo 2012, eq. 5-7).

@@ -6,9 +6,17 @@
 
 #include "aips/core/sampling/low_discrepancy.h"
 #include "aips/core/sampling/random.h"
-#include "lamp_paths/constants.h"
 
 namespace aips {
+namespace {
+
+/// Points of a lamp that tell how large its image is.
+constexpr unsigned kLampPoints = 16;
+
+/// Half axes of an image (standard deviations of the points of the lamp).
+constexpr double kImageSize = 2.7;
+
+}  // namespace
 
 bool sample_lamp(const Scene& scene, LightIndex light, const SurfacePoint& from, Vec2 u,
                  DirectSample& sample) {

@@ -17,6 +17,43 @@
 namespace aips {
 namespace {
 
+/// First step by which derivatives are taken (pixels).
+constexpr double kFirstDifference = 0.01;
+
+/// Most steps of a search.
+constexpr int kMostSearchSteps = 8;
+
+/// Longest step (pixels).
+constexpr double kLongestStep = 2;
+
+/// Most that a step is tried, half as long each time.
+constexpr int kMostHalvedSteps = 4;
+
+/// A step counts if what it misses the lamp by has come down to this share.
+constexpr double kNearerBy = 0.9;
+
+/// Farthest that a search goes from where it started (pixels).
+constexpr double kFarthestRoot = 6;
+
+/// Farthest that the first derivative may tell a lamp to be (pixels).
+constexpr double kFarthestStart = 3;
+
+/// Most searches from one place, through different surfaces or for different lamps.
+constexpr std::size_t kMostTries = 4;
+
+/// Most lamps that one place is asked for.
+constexpr std::size_t kMostLampsOfPlace = 4;
+
+/// A lamp is reached where its point is missed by less (radii of the lamp as seen from there).
+constexpr double kLampReached = 0.5;
+
+/// What choices that show an image are widened by, as probabilities of ways differ over it
+/// (probability).
+constexpr float kChoiceMargin = 0.02f;
+
+/// Paths that look through an image before it is taken.
+constexpr unsigned kImageLooks = 4;
+
 /// Numbers of paths that look through images: a sequence that no other paths have.
 constexpr std::uint64_t kLookSequence = ~std::uint64_t{1};
 

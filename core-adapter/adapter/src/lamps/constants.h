@@ -38,25 +38,6 @@ inline constexpr double kMostPathsPerImage = 256;
 /// Supported by: no measurement.
 inline constexpr double kLargestImage = 0.5;
 
-/// Farthest that an image may reach from its middle along x or y. Unit: pixels.
-/// Balances: long images against lists of pixels.
-/// Chosen by: reasoning: on curved surfaces longer ones are no ellipses.
-/// Supported by: no measurement.
-inline constexpr float kFarthestReach = 4;
-
-/// An image is known if its middle lies in one that is about as large, so much of it. Unit: share
-/// of the known one's size.
-/// Balances: gaps along long images against images that lie upon each other.
-/// Chosen by: reasoning: neighbours still overlap.
-/// Supported by: no measurement.
-inline constexpr float kKnownWithin = 0.5f;
-
-/// Images are alike up to this ratio. Unit: ratio of areas.
-/// Balances: as that of known images.
-/// Chosen by: reasoning: of different ones both have to be sampled.
-/// Supported by: no measurement.
-inline constexpr double kAlikeArea = 4;
-
 /// The darkest that a pixel is taken for where paths are sent by relative error. Unit: mean
 /// luminances of the image.
 /// Balances: relative error against absolute error.

@@ -13,6 +13,16 @@
 namespace aips {
 namespace {
 
+/// Farthest that an image may reach from its middle along x or y (pixels).
+constexpr float kFarthestReach = 4;
+
+/// An image is known if its middle lies in one that is about as large, so much of it (share of the
+/// known one's size).
+constexpr float kKnownWithin = 0.5f;
+
+/// Images are alike up to this ratio.
+constexpr double kAlikeArea = 4;
+
 constexpr std::uint32_t kNoEntry = ~std::uint32_t{0};
 
 }  // namespace

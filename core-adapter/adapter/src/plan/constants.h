@@ -6,12 +6,6 @@
 
 namespace aips {
 
-/// Photon paths after which the log says what the adaptive guide prunes. Unit: photon paths.
-/// Balances: a figure that is certain against one that comes early.
-/// Chosen by: reasoning: none on record.
-/// Supported by: no measurement.
-inline constexpr std::uint64_t kPruningPaths = 1'000'000;
-
 /// Share of unguided photon paths that come near what is seen from which on photons go without the
 /// adaptive guide. Unit: share of 1.
 /// Balances: the cost of learning in lit rooms against what a guide gains elsewhere.
@@ -84,12 +78,6 @@ inline constexpr double kChosenWeightOfAGuide = 2;
 /// Supported by: hall, sun-window, glass-ball, prism, ajar-door (2 in its place).
 inline constexpr double kChosenWeightInSmallImages = 1;
 
-/// Most of the photon paths of a guide's learning that count as shot where it begins with what
-/// another render learned. Unit: share of kLearningPaths. Balances: the first passes of a guide
-/// that is still right against fireflies of one that is not. Chosen by: reasoning: none on record.
-/// Supported by: no measurement.
-inline constexpr double kRememberedLearning = 1.0;
-
 /// Passes of a render that was taught before its photons count in full. Unit: passes. Balances:
 /// photons by what was true of another scene, and radii that know nothing yet, against photons that
 /// count for less. Chosen by: docs/notebook/2026-11-27-frames-of-glass-ball.md. Supported by: one
@@ -160,11 +148,6 @@ inline constexpr double kLeastEyeShare = 0x1p-10;
 /// Supported by: no measurement.
 inline constexpr double kFirstRays = 1;
 
-/// Least variance of continued paths over their second moment: few samples, or a noisy mean of X Y,
-/// may say less. Unit: share of 1. Balances: places lit evenly against decisions by chance. Chosen
-/// by: reasoning: a path that scatters anywhere has more. Supported by: no measurement.
-inline constexpr double kLeastEyeVariance = 0.05;
-
 /// Where continued paths brought less than this share of what photons did, they missed what is
 /// rare, and what is missing tells their variance. Unit: share of 1. Balances: light that paths
 /// seldom meet against the bias of radii. Chosen by: reasoning: radii are off by less. Supported
@@ -184,17 +167,6 @@ inline constexpr double kCertainlyMissing = 3;
 /// Supported by: car, daylight (8 and 4 in its place); no difference beyond chance in open-ground,
 ///   sun-window, ajar-door, hall, pool, magic-lamp, summerhouse.
 inline constexpr double kFoundByPaths = 2;
-
-/// What is certain to be left of the measured variance by eye paths up to their visible points.
-/// Unit: share of 1. Balances: photons without end against photons that are needed. Chosen by:
-/// reasoning: estimates of the rest may exceed the whole. Supported by: no measurement.
-inline constexpr double kLeastEyeNoise = 0.02;
-
-/// Most of the eye's variance that first rays are taken to save. Unit: share of 1.
-/// Balances: photons that are needed then against estimates that exceed all there is.
-/// Chosen by: reasoning: of ten parts one is left, as in a furnace.
-/// Supported by: no measurement.
-inline constexpr double kMostSaved = 0.9;
 
 /// What is left of the eye's variance between two passes when many are joined, as eye paths are
 /// stratified from pass to pass. Unit: share of 1.
@@ -223,28 +195,6 @@ inline constexpr std::uint32_t kMostTurns = 8;
 /// Balances: as that of a point's work. Chosen by: reasoning: passes before every decision are then
 /// a multiple of the turns. Supported by: no measurement.
 inline constexpr std::uint64_t kTurnsFrom = 8;
-
-/// Steps of a root of two by which fewer photon paths a pass are tried. Unit: steps. Balances:
-/// photons that nobody needs against jumps by chance. Chosen by: reasoning: the bound of a planned
-/// fall. Supported by: no measurement.
-inline constexpr int kStepsOfFewerPhotons = 10;
-
-/// The same for more. Unit: steps.
-/// Balances: as that of fewer.
-/// Chosen by: reasoning: the bound of a planned rise.
-/// Supported by: no measurement.
-inline constexpr int kStepsOfMorePhotons = 4;
-
-/// Photons of chains that come together at most, in what is foretold. Unit: photons.
-/// Balances: the noise of chains against an estimate that has no bound.
-/// Chosen by: reasoning: none on record.
-/// Supported by: no measurement.
-inline constexpr double kMostClusteredPhotons = 64;
-
-/// Change of what eye paths carry of the light that both can that the log tells of. Unit: share
-/// of 1. Balances: a log that is true against one that nobody reads. Chosen by: reasoning: ten
-/// steps from nothing to all. Supported by: no measurement.
-inline constexpr double kSaidChange = 0.1;
 
 /// Most that photons of a pass rise by where they are chosen with who carries light. Unit: ratio.
 /// Balances: soon at the best number against what few passes tell by chance.

@@ -11,6 +11,10 @@
 namespace aips {
 namespace {
 
+/// Most of the photon paths of a guide's learning that count as shot where it begins with what
+/// another render learned (share of kLearningPaths).
+constexpr double kRememberedLearning = 1.0;
+
 /// Least photon paths of a guide's first passes.
 constexpr auto kLearningPass = std::uint32_t(kLearningPaths / kFirstPassesOfAGuide);
 

@@ -10,6 +10,25 @@
 namespace aips {
 namespace {
 
+/// Least variance of continued paths over their second moment: few samples, or a noisy mean of X Y,
+/// may say less.
+constexpr double kLeastEyeVariance = 0.05;
+
+/// What is certain to be left of the measured variance by eye paths up to their visible points.
+constexpr double kLeastEyeNoise = 0.02;
+
+/// Most of the eye's variance that first rays are taken to save.
+constexpr double kMostSaved = 0.9;
+
+/// Steps of a root of two by which fewer photon paths a pass are tried.
+constexpr int kStepsOfFewerPhotons = 10;
+
+/// The same for more (steps).
+constexpr int kStepsOfMorePhotons = 4;
+
+/// Photons of chains that come together at most, in what is foretold.
+constexpr double kMostClusteredPhotons = 64;
+
 /// A leaf's contribution to E and C.
 struct LeafTerms {
     double photons = 0;  // V: relative variance times photon paths, times all its weight

@@ -6,10 +6,14 @@
 #include <locale>
 #include <sstream>
 
-#include "plan/constants.h"
-
 namespace aips {
 namespace {
+
+/// Photon paths after which the log says what the adaptive guide prunes.
+constexpr std::uint64_t kPruningPaths = 1'000'000;
+
+/// Change of what eye paths carry of the light that both can that the log tells of.
+constexpr double kSaidChange = 0.1;
 
 std::string percent(double share) {
     return std::to_string(std::lround(100 * share)) + " %";

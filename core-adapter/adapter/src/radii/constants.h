@@ -22,12 +22,6 @@ inline constexpr double kAutomaticRadius = 2;
 /// Supported by: no measurement.
 inline constexpr double kReferencePaths = 1e6;
 
-/// Smallest radius that is the same for all of a pass. Unit: share of the scene's diagonal.
-/// Balances: sharpness in wide scenes against radii that single precision does not resolve.
-/// Chosen by: reasoning: none on record.
-/// Supported by: no measurement.
-inline constexpr double kMinRadiusShare = 1e-7;
-
 /// Smallest radius of any visible point, beside that of its own coordinates. Unit: share of the
 /// scene's diagonal.
 /// Balances: sharpness near the origin of wide scenes against radii of nothing.

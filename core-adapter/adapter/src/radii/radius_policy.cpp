@@ -10,6 +10,12 @@
 #include "radii/scheduled_radius.h"
 
 namespace aips {
+namespace {
+
+/// Smallest radius that is the same for all of a pass (share of the scene's diagonal).
+constexpr double kMinRadiusShare = 1e-7;
+
+}  // namespace
 
 std::unique_ptr<RadiusPolicy> make_radius_policy(const Settings& settings, const Scene& scene,
                                                  std::uint32_t width, std::uint32_t height) {

@@ -10,6 +10,9 @@
 namespace aips {
 namespace {
 
+/// Part of a pixel to which positions may be rounded at what is seen before the log warns of it.
+constexpr double kMostOfPixel = 0.25;
+
 double mean_step(const std::vector<VisiblePoint>& points) {
     double sum = 0;
     for (const VisiblePoint& point : points) {

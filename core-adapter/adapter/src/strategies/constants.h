@@ -24,13 +24,6 @@ inline constexpr std::uint64_t kSharePointsOneOf = 16;
 /// Supported by: no measurement.
 inline constexpr double kShareMemory = 0.5;
 
-/// Visible points that what another render learned of shared light counts for. Unit: visible
-/// points.
-/// Balances: what is still true of the scene against what moved.
-/// Chosen by: reasoning: one pass of a small image.
-/// Supported by: no measurement.
-inline constexpr double kRememberedPoints = 1e4;
-
 /// Squared error of photons over their variance where radii follow noise and bias. Unit: ratio.
 /// Balances: eye paths, which have no bias, against photons.
 /// Chosen by: reasoning: where the sum of noise in r^-2 and squared bias in r^4 is least, the
@@ -82,17 +75,5 @@ inline constexpr double kEasyImage = 4000;
 /// Chosen by: reasoning: some ten passes.
 /// Supported by: no measurement.
 inline constexpr double kSearchMemory = 0.9;
-
-/// Brightest that a sample counts in the image's usual luminance. Unit: mean luminances.
-/// Balances: fireflies against highlights.
-/// Chosen by: reasoning: none on record.
-/// Supported by: no measurement.
-inline constexpr double kBrightSample = 4;
-
-/// Rounds in which bright samples are cut to that. Unit: rounds.
-/// Balances: one firefly that is most of the mean against time.
-/// Chosen by: reasoning: none on record.
-/// Supported by: no measurement.
-inline constexpr int kCutRounds = 5;
 
 }  // namespace aips

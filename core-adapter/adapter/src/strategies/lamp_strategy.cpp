@@ -14,6 +14,12 @@
 namespace aips {
 namespace {
 
+/// Brightest that a sample counts in the image's usual luminance (mean luminances).
+constexpr double kBrightSample = 4;
+
+/// Rounds in which bright samples are cut to that.
+constexpr int kCutRounds = 5;
+
 /// Mean luminance of a pass, single bright samples left out.
 double usual_luminance(const FilmPass& pass) {
     double mean = 0;

@@ -14,6 +14,9 @@
 namespace aips {
 namespace {
 
+/// Visible points that what another render learned of shared light counts for.
+constexpr double kRememberedPoints = 1e4;
+
 /// Visible points of a job, and jobs whose samples are kept at once: 8 MiB of them.
 constexpr std::size_t kPointsPerSharingJob = 512, kSharingJobs = 128;
 

@@ -83,11 +83,4 @@ inline constexpr double kMostOfOwnLight = 16;
 /// Supported by: chess, room, hall, glass-ball (0.5 in its place).
 inline constexpr double kDarkestShareOfSharing = 0.1;
 
-/// Passes that the image of another render counts for in the estimate of pixels' luminance.
-/// Unit: passes.
-/// Balances: what is still true of the image against what moved.
-/// Chosen by: reasoning: none on record.
-/// Supported by: no measurement.
-inline constexpr std::uint64_t kRememberedPasses = 4;
-
 }  // namespace aips

@@ -15,6 +15,9 @@
 namespace aips {
 namespace {
 
+/// Passes that the image of another render counts for in the estimate of pixels' luminance.
+constexpr std::uint64_t kRememberedPasses = 4;
+
 /// Rows or columns that one job blurs over.
 constexpr std::size_t kLinesPerJob = 8;
 

@@ -10,6 +10,9 @@
 namespace aips {
 namespace {
 
+/// Most parts that points are dealt out to before each part is sorted (partitions).
+constexpr std::uint32_t kMaxPartitions = 256;
+
 constexpr std::uint32_t kNoBucket = 0xFFFFFFFFu;
 /// Keeps bucket numbers in 31 bits.
 constexpr std::size_t kMaxBucketCount = std::size_t(1) << 30;

@@ -9,6 +9,9 @@
 namespace aips {
 namespace {
 
+/// Bits of the occupancy for each visible point.
+constexpr std::size_t kBitsPerPoint = 16;
+
 constexpr std::size_t kBlockBits = 512;
 constexpr std::size_t kMinBits = 2 * kBlockBits;
 constexpr std::size_t kMaxBits = std::size_t(1) << 31;

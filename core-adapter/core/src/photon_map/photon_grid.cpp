@@ -6,6 +6,9 @@
 namespace aips {
 namespace {
 
+/// Queries for each landing from which on the filter is asked first.
+constexpr std::size_t kQueriesOfFewLandings = 8;
+
 constexpr std::size_t kChunk = std::size_t(1) << 12;
 
 }  // namespace

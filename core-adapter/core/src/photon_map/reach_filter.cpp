@@ -10,6 +10,9 @@
 namespace aips {
 namespace {
 
+/// Bits of the filter for each landing, where there are few.
+constexpr std::size_t kFilterBitsPerPoint = 64;
+
 constexpr std::size_t kFilterChunkPoints = std::size_t(1) << 9;
 
 std::size_t filter_words(std::size_t points) {

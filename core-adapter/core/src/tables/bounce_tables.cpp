@@ -10,6 +10,12 @@
 namespace aips {
 namespace {
 
+/// Photons that a leaf must have met before it has a density of directions (effective photons).
+constexpr double kLeastKnown = 8;
+
+/// Share of a leaf's sum that must be new before its density is made anew.
+constexpr double kFreshShare = 0.125;
+
 void check(const BounceTableSettings& s) {
     if (!(s.prior_count > 0)) throw std::invalid_argument("BounceTables: prior_count must be > 0");
     if (!(s.moment_paths > 0))

@@ -9,6 +9,13 @@
 namespace aips {
 namespace {
 
+/// Numbers that all tables of lights together hold at most, a sum and a probability for each light
+/// and leaf (entries).
+constexpr std::size_t kMostLightEntries = std::size_t{1} << 18;
+
+/// What the halves of a leaf start with at most: what it knew is a prior for them (shadow rays).
+constexpr double kInheritedRays = 16;
+
 constexpr std::uint32_t kFewestLeaves = 6;
 
 double sum(const std::vector<double>& values) {

@@ -9,6 +9,10 @@
 namespace aips {
 namespace {
 
+/// What the halves of a leaf keep of what it knew at most: of its points, and, apart from that, of
+/// those from which eye paths went on (visible points).
+constexpr double kInheritedPoints = 256;
+
 /// Of samples that are left out.
 constexpr std::uint32_t kNoBranch = std::numeric_limits<std::uint32_t>::max();
 

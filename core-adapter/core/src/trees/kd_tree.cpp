@@ -5,13 +5,16 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "aips/core/trees/constants.h"
 #include "base/bounded_growth.h"
 #include "trees/split_order.h"
 #include "trees/usable_bounds.h"
 
 namespace aips {
 namespace {
+
+/// Least side of a paper's node in eq. 2. The plain volume is zero for a node that holds a flat
+/// piece of an axis-aligned surface (share of the scene's diagonal).
+constexpr double kMinSideShare = 1e-3;
 
 constexpr std::uint32_t kMaxNodes = 1u << 28;
 constexpr std::uint32_t kMaxNodePhotons = 1u << 20;

@@ -7,6 +7,9 @@
 namespace aips {
 namespace {
 
+/// One seed in so many may lie apart at either end, so that three quarters count.
+constexpr std::size_t kFocusApart = 8;
+
 /// Length that holds the points along the axis, without those apart; reorders `scratch`.
 double extent_of(std::span<const PrimaryPoint> points, unsigned axis,
                  std::vector<double>& scratch) {

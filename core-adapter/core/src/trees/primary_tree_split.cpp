@@ -7,6 +7,10 @@
 namespace aips {
 namespace {
 
+/// Share of its history that a new leaf of a light's tree keeps: how the score lay within the half
+/// is a guess.
+constexpr double kInheritedHistory = 0.1;
+
 /// How far a sum spreads over its leaf: falls when it lies in one half. For a density proportional
 /// to the sum in each leaf, it is the volume that the density is spread over that falls.
 double spread_of(double sum, double volume) {

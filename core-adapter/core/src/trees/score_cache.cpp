@@ -12,6 +12,9 @@
 namespace aips {
 namespace {
 
+/// Least side of a leaf of places (share of the scene's longest side).
+constexpr float kLeastSideShare = 0x1p-12f;
+
 void check(const ScoreCacheSettings& s) {
     if (s.max_leaves < 6 || s.max_leaves > kMostLeaves) {
         throw std::invalid_argument("ScoreCache: max_leaves must be in [6, 2^24]");

@@ -12,6 +12,9 @@
 namespace aips {
 namespace {
 
+/// Scored photon paths that what was learned in another render counts for.
+constexpr double kRememberedPaths = 1e5;
+
 ScoreCacheSettings cache_settings() {
     ScoreCacheSettings settings;
     settings.memory_paths = kMemoryPaths;

@@ -77,18 +77,6 @@ inline constexpr double kFirstWeight = 1.0 / 64;
 /// Supported by: sun-window, hall (half and twice as many).
 inline constexpr double kMemoryPaths = 5e5;
 
-/// Scored photon paths that what was learned in another render counts for. Unit: photon paths.
-/// Balances: what is still true of the scene against what moved.
-/// Chosen by: reasoning: a fifth of what a guide remembers of its own.
-/// Supported by: no measurement.
-inline constexpr double kRememberedPaths = 1e5;
-
-/// What seeds found from the eye in another render count for. Unit: share of 1.
-/// Balances: as that of photon paths.
-/// Chosen by: reasoning: as much as the seeds that the first pass finds.
-/// Supported by: no measurement.
-inline constexpr double kRememberedSeeds = 1.0 / 16;
-
 /// Photon paths until which many are scored, each iteration before the next. Unit: photon paths.
 /// Balances: time of learning against how soon much is known.
 /// Chosen by: docs/notebook/2026-11-23-one-scale-for-scores.md.

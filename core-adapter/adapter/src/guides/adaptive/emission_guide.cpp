@@ -8,6 +8,9 @@
 namespace aips {
 namespace {
 
+/// What seeds found from the eye in another render count for.
+constexpr double kRememberedSeeds = 1.0 / 16;
+
 /// Of the trees of all lights: those that emit share the leaves, dead ones have one each.
 std::vector<PrimaryTreeSettings> tree_settings(const DiscreteDistribution& plain_choice,
                                                const EmissionGuideSettings& s) {

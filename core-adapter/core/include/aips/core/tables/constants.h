@@ -9,13 +9,6 @@
 
 namespace aips {
 
-/// Numbers that all tables of lights together hold at most, a sum and a probability for each light
-/// and leaf. Unit: entries.
-/// Balances: memory against places in scenes of many lights.
-/// Chosen by: reasoning: 4 MiB.
-/// Supported by: no measurement.
-inline constexpr std::size_t kMostLightEntries = std::size_t{1} << 18;
-
 /// Most leaves with a table of lights. Unit: leaves.
 /// Balances: places that see other lights against shadow rays to learn from.
 /// Chosen by: reasoning: none on record.
@@ -40,13 +33,6 @@ inline constexpr double kPlainLights = 0.125;
 /// Chosen by: reasoning: none on record.
 /// Supported by: no measurement.
 inline constexpr double kLightPrior = 4;
-
-/// What the halves of a leaf start with at most: what it knew is a prior for them. Unit: shadow
-/// rays.
-/// Balances: what the leaf knew against what its halves see.
-/// Chosen by: reasoning: none on record.
-/// Supported by: no measurement.
-inline constexpr double kInheritedRays = 16;
 
 /// Of so many shadow rays one tells what it found, while lights are learned from. Unit: shadow
 /// rays. Balances: time of learning against how soon lights are known. Chosen by: reasoning: none
@@ -145,25 +131,12 @@ inline constexpr std::array<double, 4> kTableShares{0, 0.25, 0.5, 0.75};
 /// Supported by: no measurement.
 inline constexpr int kTableResolution = 8;
 
-/// Photons that a leaf must have met before it has a density of directions. Unit: effective
-/// photons.
-/// Balances: gain from the first photons on against tables made of chance.
-/// Chosen by: reasoning: none on record.
-/// Supported by: no measurement.
-inline constexpr double kLeastKnown = 8;
-
 /// Of directions worth nothing one in so many is learned from, and counts as so many: they only
 /// tell what directions cost, and they are most. Unit: directions.
 /// Balances: time of learning against noise of the cost.
 /// Chosen by: docs/notebook/2026-11-21-directions-at-bounces.md.
 /// Supported by: ajar-door, hall, chess, glass-ball.
 inline constexpr unsigned kWorthlessOneOf = 8;
-
-/// Share of a leaf's sum that must be new before its density is made anew. Unit: share of 1.
-/// Balances: time of making tables against tables that lag behind.
-/// Chosen by: reasoning: none on record.
-/// Supported by: no measurement.
-inline constexpr double kFreshShare = 0.125;
 
 /// Visible points with light that a leaf of shared light must have met before it is split. Unit:
 /// visible points.
@@ -183,12 +156,5 @@ inline constexpr std::uint32_t kShareLeaves = kLightLeaves;
 /// Chosen by: reasoning: a quarter of what a leaf has before it is split.
 /// Supported by: no measurement.
 inline constexpr double kSharePrior = 64;
-
-/// What the halves of a leaf keep of what it knew at most: of its points, and, apart from that, of
-/// those from which eye paths went on. Unit: visible points.
-/// Balances: a guess for the half against what it meets itself.
-/// Chosen by: reasoning: as many as a leaf has met before it is split.
-/// Supported by: no measurement.
-inline constexpr double kInheritedPoints = 256;
 
 }  // namespace aips

@@ -7,14 +7,6 @@
 
 namespace aips {
 
-/// Least side of a paper's node in eq. 2. The plain volume is zero for a node that holds a flat
-/// piece of an axis-aligned surface. Unit: share of the scene's diagonal.
-/// Balances: nodes of flat surfaces that have an error at all against the size of thin ones.
-/// Chosen by: reasoning: why there is a floor is in docs/understand/paper-departures.md, why this
-///   one is not on record.
-/// Supported by: no measurement.
-inline constexpr double kMinSideShare = 1e-3;
-
 /// Most leaves over which one thing is learned: the worth of places, or of starts over all lights.
 /// Unit: leaves.
 /// Balances: detail against memory, look-ups and photons to learn from.
@@ -48,24 +40,11 @@ inline constexpr double kStartPower = 0.75;
 /// Supported by: one scene only: sun-window (1 against 4; elsewhere varied with the power alone).
 inline constexpr double kStartPrior = 1;
 
-/// Share of its history that a new leaf of a light's tree keeps: how the score lay within the half
-/// is a guess. Unit: share of 1.
-/// Balances: a guess against knowing nothing.
-/// Chosen by: reasoning: how the score lay within the half is a guess.
-/// Supported by: no measurement.
-inline constexpr double kInheritedHistory = 0.1;
-
 /// Fewer seeds than this do not say how narrow the region is that they come from. Unit: seeds.
 /// Balances: starts found in a few passes against halving on chance.
 /// Chosen by: docs/notebook/2026-11-23-seeds-of-rare-starts.md.
 /// Supported by: open-ground, sun-window (8 in its place).
 inline constexpr std::size_t kFocusPoints = 16;
-
-/// One seed in so many may lie apart at either end, so that three quarters count. Unit: seeds.
-/// Balances: leaves that a stray seed keeps wide against starts that are cut off.
-/// Chosen by: docs/notebook/2026-11-23-seeds-of-rare-starts.md.
-/// Supported by: no measurement (the rule was measured, this share was not varied).
-inline constexpr std::size_t kFocusApart = 8;
 
 /// A leaf is halved at once where its seeds take less of it than this, along any axis: however they
 /// lie about its middle, where a greedy split gains nothing, each half then has them at one end.
@@ -98,12 +77,6 @@ inline constexpr double kSplitMass = 1.0 / 256;
 /// Chosen by: reasoning: none on record.
 /// Supported by: no measurement.
 inline constexpr double kPlacePrior = 4;
-
-/// Least side of a leaf of places. Unit: share of the scene's longest side.
-/// Balances: detail against leaves spent on one bright spot.
-/// Chosen by: reasoning: none on record.
-/// Supported by: no measurement.
-inline constexpr float kLeastSideShare = 0x1p-12f;
 
 /// Standard errors by which the mean root scores of two halves must differ. Roots, because their
 /// tails are lighter, and because the roulette takes the root. Unit: standard errors.

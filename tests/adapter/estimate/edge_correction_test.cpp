@@ -135,6 +135,21 @@ TEST(EdgeCorrection, WhatStandsOnASurfaceHidesNoneOfIt) {
     EXPECT_EQ(missing_at(finished(std::move(scene)), point_at({}), {2, 0}).mean, 0);
 }
 
+/// The first surface below is then the ball's, which the floor's points are separated from by
+/// itself.
+TEST(EdgeCorrection, TheFloorUnderABallOfGlassIsThere) {
+    mock::Scene scene;
+    mock::Surface surface;
+    surface.shape = mock::Quad{{-1, -1, 0}, {2, 0, 0}, {0, 2, 0}};
+    scene.add(surface);
+    surface.shape = mock::Ball{{0, 0, 0.31f}, 0.3f, false};
+    scene.add(surface);
+    const SurfaceQuestion reached{.side = 2, .occlusion = 1};
+    const mock::Scene all = finished(std::move(scene));
+    for (const float x : {0.0f, 0.03f, 0.1f})
+        EXPECT_EQ(missing_at(all, point_at({x, 0, 0}), reached).mean, 0) << x;
+}
+
 /// A closed box of albedo 1/2 that emits 1 everywhere shows 2 everywhere, in its edges too.
 double seen_in_edges(bool correct, double start_radius) {
     mock::Scene scene;

@@ -21,14 +21,13 @@ constexpr float kOcclusionRounding = 16 * 0x1p-23f;
 /// Passes for which photons are asked for after the last one was separated.
 constexpr std::uint8_t kOcclusionPasses = kEdgePasses;
 
-/// By how much the ray stands off two surfaces: a share of the radius, and what rounding takes.
-float clearance(Vec3 a, Vec3 b, float radius) {
+}  // namespace
+
+float occlusion_clearance(Vec3 a, Vec3 b, float radius) {
     const float largest = std::max(
         {std::abs(a.x), std::abs(a.y), std::abs(a.z), std::abs(b.x), std::abs(b.y), std::abs(b.z)});
     return kOcclusionClearance * radius + kOcclusionRounding * largest;
 }
-
-}  // namespace
 
 // Where a smooth surface curves away between the two points, each lies below the tangent plane of
 // the other, and the surface between them below both planes. At distances a and b from the line
@@ -43,7 +42,8 @@ bool separated(const Scene& scene, const VisiblePoint& point, Vec3 position, Vec
     const Vec3 between = position - point.position;
     const float drop = std::min(-dot(between, own), dot(between, normal));
     const float bulge = drop / std::max(dot(own, normal), kMinNormalAgreement);
-    const float lift = std::max(bulge, 0.0f) + clearance(point.position, position, radius);
+    const float lift =
+        std::max(bulge, 0.0f) + occlusion_clearance(point.position, position, radius);
     if (length_squared(between) <= 4 * lift * lift) return false;
     return scene.blocked(point.position + own * lift, position + normal * lift, time);
 }

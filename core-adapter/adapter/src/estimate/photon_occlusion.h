@@ -24,6 +24,10 @@
 
 namespace aips {
 
+/// By how much such rays stand off two surfaces at `a` and `b`: a share of the radius, and what
+/// rounding takes.
+float occlusion_clearance(Vec3 a, Vec3 b, float radius);
+
 /// Whether something stands between a visible point and a place in its search disc, on a surface
 /// with the unit normal `normal` there, turned to the side that the light comes from. The ray runs
 /// just above both, and over the bulge of a surface that curves away; what is thinner than a

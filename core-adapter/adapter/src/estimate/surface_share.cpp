@@ -12,6 +12,12 @@
 #include "eye/surface_normals.h"
 
 namespace aips {
+namespace {
+
+/// Surfaces above each other that a place is looked for on.
+constexpr int kMostSurfaces = 4;
+
+}  // namespace
 
 /// The search disc of a visible point, on the eye's side.
 class SurfaceShare::Disc {
@@ -30,6 +36,13 @@ class SurfaceShare::Disc {
     void aim(Vec3 place, Ray& ray) const {
         ray.origin = place + frame_.n * (kSlab * radius_);
         ray.direction = -frame_.n;
+    }
+    bool within_slab(Vec3 position) const {
+        return abs_dot(position - point_.position, frame_.n) <= kSlab * radius_;
+    }
+    /// Goes on beyond a surface.
+    void go_below(Vec3 met, Ray& ray) const {
+        ray.origin = met - frame_.n * occlusion_clearance(met, point_.position, radius_);
     }
     bool has(const SurfacePoint& met) const {
         return on_same_surface(point_, met.position,
@@ -50,23 +63,33 @@ SurfaceShare::SurfaceShare(const Scene& scene, float time, Arena& arena)
     ray_.time = time;
 }
 
-/// Whether photons that land at a place of the disc count, as a ray shows.
+// All surfaces within the slab are looked at: below glass that stands on a floor, where photons
+// land, the first one is the glass.
 bool SurfaceShare::finds(const Disc& disc, Vec2 u, const SurfaceQuestion& question,
                          RandomStream& random) {
     disc.aim(disc.place(u), ray_);
-    ++rays_;
-    SurfacePoint met;
-    const auto mark = arena_.mark();
-    const bool found = scene_.intersect_shape(ray_, met, arena_) && disc.has(met);
-    arena_.rewind(mark);
-    if (!found || !(question.occlusion > 0)) return found;
-    if (question.occlusion < 1 && !(random.next() < question.occlusion)) return true;
+    const bool asks_reach =
+        question.occlusion >= 1 || (question.occlusion > 0 && random.next() < question.occlusion);
+    for (int surface = 0; surface < kMostSurfaces; ++surface) {
+        ++rays_;
+        SurfacePoint met;
+        const auto mark = arena_.mark();
+        const bool any = scene_.intersect_shape(ray_, met, arena_);
+        arena_.rewind(mark);
+        if (!any || !disc.within_slab(met.position)) return false;
+        if (disc.has(met)) {
+            if (!asks_reach || reaches(disc, met)) return true;
+            met_separated_ = true;
+        }
+        disc.go_below(met.position, ray_);
+    }
+    return false;
+}
+
+bool SurfaceShare::reaches(const Disc& disc, const SurfacePoint& met) {
     ++rays_;
     const Vec3 normal = normal_towards(disc.normal(), met);
-    if (!separated(scene_, disc.point(), met.position, normal, disc.radius(), ray_.time))
-        return true;
-    met_separated_ = true;
-    return false;
+    return !separated(scene_, disc.point(), met.position, normal, disc.radius(), ray_.time);
 }
 
 float SurfaceShare::missing(const VisiblePoint& point, float radius,

@@ -43,7 +43,9 @@ class SurfaceShare {
 
   private:
     class Disc;
+    /// Whether photons that land at a place of the disc count.
     bool finds(const Disc& disc, Vec2 u, const SurfaceQuestion& question, RandomStream& random);
+    bool reaches(const Disc& disc, const SurfacePoint& met);
 
     const Scene& scene_;
     Arena& arena_;

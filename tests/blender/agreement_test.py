@@ -186,7 +186,7 @@ class Volumes(Agreement):
         scenes.add_volume(glass, 'ShaderNodeVolumeAbsorption', Density=0.8,
                           Color=(0.3, 0.6, 0.9, 1))
         scenes.ball('ball', 0.7, glass, (0.8, 0.2, 0.7))
-        self.agrees('tinted', scene)
+        self.agrees('tinted', scene, integrator='path')
 
 
 class Cameras(Agreement):

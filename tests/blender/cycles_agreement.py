@@ -12,7 +12,7 @@ from fixture import FOLDER, LXSRENDER
 
 WIDTH, HEIGHT, BLOCK = 96, 64, 16  # pixels
 DARK = 0.1    # share of the image's mean below which a block counts as if it were that bright
-SAMPLES, PASSES = 100, 160
+SAMPLES, PASSES = 256, 160
 MAP_ROWS = 256  # of the map that steers samples of the world; Cycles' own choice takes long to make
 
 

@@ -17,8 +17,8 @@ class Materials(unittest.TestCase):
     def test_groups_and_reroutes_are_looked_through(self):
         scenes.stage()
         group = bpy.data.node_groups.new('paint', 'ShaderNodeTree')
-        group.inputs.new('NodeSocketColor', 'Tint')
-        group.outputs.new('NodeSocketShader', 'Surface')
+        scenes.add_group_socket(group, 'Tint', 'NodeSocketColor')
+        scenes.add_group_socket(group, 'Surface', 'NodeSocketShader', output=True)
         inside, out = group.nodes.new('NodeGroupInput'), group.nodes.new('NodeGroupOutput')
         diffuse = group.nodes.new('ShaderNodeBsdfDiffuse')
         group.links.new(inside.outputs[0], diffuse.inputs['Color'])
@@ -35,6 +35,18 @@ class Materials(unittest.TestCase):
         text, left_out = exported('grouped')
         self.assertIn('"grouped" "string type" ["matte"] "color Kd" [0.25 0.25 0.25]', text)
         self.assertEqual(left_out, [])
+
+    def test_principled_by_its_sockets_of_either_version(self):
+        """What shines back straight on: by Specular alone in Blender 3, by index too from 4 on."""
+        scenes.stage()
+        made = scenes.material('coated', 'ShaderNodeBsdfPrincipled', Specular=0.25, IOR=2.0)
+        scenes.box('coated', 1, made, (2, 0, 0))
+        by_index = 'Specular IOR Level' in made.node_tree.nodes[0].inputs
+        share = 2 * 0.25 / 9 if by_index else 0.02
+        text, left_out = exported('coated')
+        self.assertEqual(left_out, [])
+        found = re.search(r'"coated" "string type" \["glossy"\].*"color Ks" \[(.*?)\]', text)
+        np.testing.assert_allclose([float(c) for c in found.group(1).split()], share, rtol=1e-5)
 
     def test_muted_links_are_none(self):
         scenes.stage()
@@ -61,7 +73,8 @@ class Materials(unittest.TestCase):
     def test_what_is_not_carried_over_is_told(self):
         scenes.stage()
         odd = scenes.material('odd', 'ShaderNodeBsdfAnisotropic', Anisotropy=0.5)
-        bump = feed(odd, 'Anisotropic BSDF', 'Normal', 'ShaderNodeBump').from_node
+        shader = odd.node_tree.nodes[0].name
+        bump = feed(odd, shader, 'Normal', 'ShaderNodeBump').from_node
         heights = feed(odd, bump.name, 'Height', 'ShaderNodeTexImage').from_node
         heights.image = bpy.data.images.new('heights', 4, 4, float_buffer=True)
         feed(odd, bump.name, 'Normal', 'ShaderNodeNormalMap')
@@ -69,7 +82,7 @@ class Materials(unittest.TestCase):
         feed(odd, mapping.name, 'Vector', 'ShaderNodeUVMap')
         feed(odd, mapping.name, 'Rotation', 'ShaderNodeCombineXYZ')
         feed(odd, mapping.name, 'Scale', 'ShaderNodeValue').from_node.outputs[0].default_value = 3
-        color = feed(odd, 'Anisotropic BSDF', 'Color', 'ShaderNodeAttribute').from_node
+        color = feed(odd, shader, 'Color', 'ShaderNodeAttribute').from_node
         color.attribute_type, color.attribute_name = 'OBJECT', 'color'
         scenes.box('odd', 1, odd, (2, 0, 0))
         scenes.preetham_sky(bpy.context.scene, (0, 0, 1), 3, 1)

@@ -82,9 +82,10 @@ class Curves(unittest.TestCase):
         bpy.ops.surface.primitive_nurbs_surface_sphere_add(location=(6, 0, 0))
         bpy.ops.curve.primitive_bezier_circle_add(location=(9, 0, 0))
         bpy.context.object.data.bevel_depth = 0.1
+        bpy.context.object.name = 'circle'
         text, left_out = exported('kinds')
         self.assertEqual(re.findall(r'"string name" \["(.*?)"\]', text),
-                         ['text a', 'Mball', 'SurfSphere', 'BezierCircle'])
+                         ['text a', 'Mball', 'SurfSphere', 'circle'])
         self.assertEqual(left_out, [])
 
     def test_texts_of_a_collection_have_their_own_shapes(self):
@@ -146,7 +147,11 @@ class Lights(unittest.TestCase):
         scene = scenes.stage()
         scenes.background(scene, (1, 1, 1), 1)
         scenes.light('SUN', 2, angle=0.1)
-        scenes.light('AREA', 10).data.cycles.cast_shadow = False
+        area = scenes.light('AREA', 10).data
+        if hasattr(area.cycles, 'cast_shadow'):
+            area.cycles.cast_shadow = False
+        else:  # from Blender 4.2 on
+            area.use_shadow = False
         scenes.light('POINT', 10, shadow_soft_size=0.1).visible_camera = True
         scene.world.cycles_visibility.camera = False
         text, left_out = exported('hidden')
@@ -215,9 +220,9 @@ class Cameras(unittest.TestCase):
 
     def test_another_look_at_what_is_written(self):
         scenes.lit_stage()
-        for density, z in ((1, 2.5), (2, 3.5)):
+        for density, size in ((1, 4), (2, 2)):
             fog = scenes.volume('fog', 'ShaderNodeVolumeAbsorption', Density=density)
-            scenes.box('fog', 2, fog, (0, 0, z))
+            scenes.box('fog', size, fog, (0, 0, 3.5))
         path = os.path.join(FOLDER, 'look.lxs')
         result = export(path, bpy.context.evaluated_depsgraph_get(), Film(32, 32))
         before = lines_of(path)
@@ -226,8 +231,7 @@ class Cameras(unittest.TestCase):
         view = View('orthographic', (-2, 2, -1, 1), near=0.1, far=100)
         result.look(Film(16, 8, passes=1), (view, place))
         after = lines_of(path)
-        # In both fogs at once is the camera alone.
-        self.assertEqual(after[-2:], ['Exterior "volume 3"', 'WorldEnd'])
+        self.assertRegex(' '.join(after[-2:]), 'Exterior "volume [12]" WorldEnd')
         self.assertEqual([line for line in before if line not in after and 'Film' not in line],
                          [line for line in before if line.startswith(('LookAt', 'Camera'))])
         render('look')

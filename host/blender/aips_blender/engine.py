@@ -9,6 +9,8 @@ import bpy
 
 from . import command, exr, passes, preferences, process, settings, status, viewport
 from .export.scene import ExportError, export
+from .export.versions import set_pixels
+from .reasons import Told, reason
 
 SECONDS_BETWEEN_LOOKS = 0.1
 
@@ -19,7 +21,7 @@ class Pending:
     written = False  # it has been made
 
 
-class WrongSize(Exception):
+class WrongSize(Told):
     """lxsrender's image has another size than Blender's; the text names both."""
 
 
@@ -30,7 +32,8 @@ class AipsRenderEngine(bpy.types.RenderEngine):
     bl_use_shading_nodes_custom = False
     bl_use_eevee_viewport = True
 
-    def __init__(self):
+    def __init__(self, *args, **kwargs):
+        super().__init__(*args, **kwargs)  # Blender passes arguments from 4.4 on
         self._preview = None
 
     def update_render_passes(self, scene=None, renderlayer=None):
@@ -49,8 +52,8 @@ class AipsRenderEngine(bpy.types.RenderEngine):
                 Render(self, depsgraph, folder).run()
             finally:
                 shutil.rmtree(folder, ignore_errors=True)
-        except (ExportError, process.NotFound, exr.ExrError, WrongSize, OSError) as error:
-            self.report({'ERROR'}, f'aips: {error}')
+        except Exception as error:  # whatever it is, the user sees it where the image would be
+            self.report({'ERROR'}, f'aips: {reason(error)}')
 
     def _export(self, depsgraph, path):
         film = settings.film_of(depsgraph.scene, depsgraph.view_layer)
@@ -185,7 +188,7 @@ def _fill(result, image, found):
     layer = result.layers[0]
     for each in [passes.COMBINED, *found]:
         if each.name in layer.passes:
-            layer.passes[each.name].rect.foreach_set(passes.pixels(image, each))
+            set_pixels(layer.passes[each.name], passes.pixels(image, each))
 
 
 def _keep_text(name, lines):

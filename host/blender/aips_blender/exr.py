@@ -8,13 +8,15 @@ import zlib
 
 import numpy as np
 
+from .reasons import Told
+
 MAGIC = 20000630
 VERSION = 2
 TYPES = {1: np.dtype('<f2'), 2: np.dtype('<f4')}
 LINES_PER_BLOCK = {0: 1, 2: 1, 3: 16}  # none, ZIPS, ZIP
 
 
-class ExrError(Exception):
+class ExrError(Told):
     """The file is not one that this module reads."""
 
 

@@ -14,7 +14,8 @@ from mathutils import Matrix
 from . import command, exr, passes, preferences, process, settings, status
 from .export.camera import View, window_of
 from .export.film import Film
-from .export.scene import ExportError, export
+from .export.scene import export
+from .reasons import reason
 
 LONGEST_SIDE = 480       # pixels of the preview's image
 SECONDS = 60             # for which a preview converges
@@ -73,8 +74,8 @@ class Preview:
             self._state.running = process.Process(
                 command.arguments(program, self._exported.path, self._image, chosen.threads),
                 folder)
-        except (ExportError, process.NotFound, OSError) as error:
-            engine.update_stats('', f'aips: {error}')
+        except Exception as error:  # whatever it is, the user sees it in the viewport
+            engine.update_stats('', f'aips: {reason(error)}')
 
     def _export(self, depsgraph):
         """Meshes and images are written where the scene has changed, not for another view."""

@@ -13,8 +13,9 @@ def array(collection, attribute, kind, width):
 
 class Corners:
     def __init__(self, mesh):
+        if hasattr(mesh, 'calc_normals_split'):  # from 4.1 on normals are there unasked
+            mesh.calc_normals_split()
         mesh.calc_loop_triangles()
-        mesh.calc_normals_split()
         self._mesh = mesh
         triangles = mesh.loop_triangles
         self._loops = array(triangles, 'loops', np.int32, 3).ravel()

@@ -1,7 +1,7 @@
 """Turns Blender's materials into named materials of the scene language, each once."""
 import dataclasses
 
-from . import graph
+from . import graph, versions
 from .media import MediumNodes
 from .principled import mix, principled
 from .shaders import Shader, Shaders, color
@@ -24,6 +24,7 @@ class Materials:
             'BSDF_ANISOTROPIC': self._shaders.glossy, 'BSDF_GLASS': self._shaders.glass,
             'BSDF_REFRACTION': self._shaders.glass, 'BSDF_TRANSPARENT': self._shaders.transparent,
             'BSDF_TRANSLUCENT': self._shaders.translucent, 'BSDF_VELVET': self._shaders.velvet,
+            'BSDF_SHEEN': self._shaders.velvet, 'BSDF_METALLIC': self._shaders.metallic,
             'SUBSURFACE_SCATTERING': self._shaders.scattering, 'EMISSION': self._shaders.emission,
             'BSDF_PRINCIPLED': lambda found, name: principled(self._shaders, found, name),
             'MIX_SHADER': self._mix, 'ADD_SHADER': self._add,
@@ -42,7 +43,7 @@ class Materials:
     def _made(self, material):
         if material is None:
             return self._matte('no material', DEFAULT_GREY)
-        if not material.use_nodes:
+        if not versions.uses_nodes(material):
             return self._matte(material.name, tuple(material.diffuse_color[:3]))
         output = graph.output_node(material.node_tree, 'OUTPUT_MATERIAL')
         if output is None:

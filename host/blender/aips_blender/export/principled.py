@@ -1,24 +1,32 @@
-"""Turns node Principled BSDF into LuxRender's glossy, metal2, glass and mixes of these."""
+"""Turns node Principled BSDF into LuxRender's glossy, metal2, glass and mixes of these.
+
+Sockets have the names of Blender 4 here, and those of Blender 3 behind them.
+"""
 from .lxs_text import factor
 from .shaders import BLACK, WHITE, Shader, color
 
-REFLECTANCE_OF_SPECULAR = 0.08  # at normal incidence, where Specular is 1 (Cycles' manual)
-APPROXIMATED = (('Subsurface', 0.0), ('Specular Tint', 0.0), ('Anisotropic', 0.0), ('Sheen', 0.0),
-                ('Clearcoat', 0.0))
+REFLECTANCE_OF_SPECULAR = 0.08  # at normal incidence, where Blender 3's Specular is 1
+SPECULAR = ('Specular IOR Level', 'Specular')
+TRANSMISSION = ('Transmission Weight', 'Transmission')
+EMISSION = ('Emission Color', 'Emission')
+SUBSURFACE = ('Subsurface Weight', 'Subsurface')
+LEFT_OUT = (('Anisotropic',), ('Sheen Weight', 'Sheen'), ('Coat Weight', 'Clearcoat'),
+            ('Transmission Roughness',), ('Diffuse Roughness',), ('Thin Film Thickness',))
 
 
 def principled(shaders, found, name):
     textures = shaders.textures
-    for what, neutral in APPROXIMATED:
-        if textures.number(found.input(what)) != neutral:
-            shaders.left_out.add(f"{what} of node Principled BSDF is left out", name)
+    for names in LEFT_OUT:
+        place = found.input(*names)
+        if place and textures.number(place) != 0.0:
+            shaders.left_out.add(f'{place.socket.name} of node Principled BSDF is left out', name)
     alpha = textures.number(found.input('Alpha'))
     if alpha == 1.0:
         material = _mixed(shaders, found, name)
     else:
         opaque = _mixed(shaders, found, f'{name}: opaque')
         material = mix(shaders, name, shaders.null(f'{name}: null'), opaque, alpha)
-    through = textures.number(found.input('Transmission')) != 0.0 and \
+    through = textures.number(found.input(*TRANSMISSION)) != 0.0 and \
         textures.number(found.input('Metallic')) != 1.0
     return Shader(material, _emission(shaders, found, alpha), opaque=alpha == 1.0 and not through)
 
@@ -26,19 +34,26 @@ def principled(shaders, found, name):
 def _mixed(shaders, found, name):
     """Metal over glass over the coated diffuse base, by their shares."""
     metallic = shaders.textures.number(found.input('Metallic'))
-    transmission = shaders.textures.number(found.input('Transmission'))
+    transmission = shaders.textures.number(found.input(*TRANSMISSION))
     base = shaders.textures.color(found.input('Base Color'))
     width, bump = shaders.width(found), shaders.bump(found)
 
     def metal(part):
+        edge = found.input('Specular Tint')
+        if _is_of_blender_4(found) and shaders.textures.color(edge) != WHITE:
+            shaders.left_out.add('tinted edges of metals are left out', name)
         return shaders.metal(part, base, width, bump)
 
     def glass(part):
         index = shaders.textures.constant_number(found.input('IOR'), 'index of refraction')
-        return shaders.dielectric(part, WHITE, base, index, width, bump)
+        tint = base
+        if _is_of_blender_4(found):  # light takes the colour as it enters and leaves, half each
+            tint = shaders.textures.root(base)
+        return shaders.dielectric(part, WHITE, tint, index, width, bump)
 
     def coated(part):
-        return _coated(shaders, found, part, base, width, bump)
+        return _coated(shaders, found, part, _with_subsurface(shaders, found, base, name), width,
+                       bump)
 
     def dielectric(part):
         return _by_share(shaders, part, ('base', coated), ('glass', glass), transmission)
@@ -61,11 +76,42 @@ def mix(shaders, name, first, second, share):
     return shaders.named(name, 'mix', from_names + [factor('amount', share)])
 
 
+def _is_of_blender_4(found):
+    return found.input(SPECULAR[0]) is not None
+
+
+def _with_subsurface(shaders, found, base, name):
+    """Scattering below the surface is taken for diffuse of the colour that it has as a whole."""
+    weight = shaders.textures.number(found.input(*SUBSURFACE))
+    if weight == 0.0:
+        return base
+    shaders.left_out.add('scattering below the surface is replaced by diffuse', name)
+    other = found.input('Subsurface Color')  # until Blender 4
+    if other is None:
+        return base
+    return shaders.textures.mixed(base, shaders.textures.color(other), weight)
+
+
+def _reflectance(shaders, found, name):
+    """Of the surface of the base at normal incidence, three numbers."""
+    level = shaders.textures.constant_number(found.input(*SPECULAR), 'specular')
+    tint = shaders.textures.color(found.input('Specular Tint'))
+    if not _is_of_blender_4(found):
+        if tint != BLACK:  # a number here
+            shaders.left_out.add('Specular Tint of node Principled BSDF is left out', name)
+        return (REFLECTANCE_OF_SPECULAR * level,) * 3
+    if isinstance(tint, str):
+        shaders.left_out.add('textures of Specular Tint are left out', name)
+        tint = WHITE
+    index = shaders.textures.constant_number(found.input('IOR'), 'index of refraction')
+    whole = 2 * level * ((index - 1) / (index + 1)) ** 2
+    return tuple(min(whole * c, 1.0) for c in tint)
+
+
 def _coated(shaders, found, name, base, width, bump):
-    specular = shaders.textures.constant_number(found.input('Specular'), 'specular')
-    if specular == 0.0:
+    coat = _reflectance(shaders, found, name)
+    if coat == BLACK:
         return shaders.named(name, 'matte', [color('Kd', base), *bump])
-    coat = (REFLECTANCE_OF_SPECULAR * specular,) * 3
     return shaders.named(name, 'glossy', [color('Kd', base), color('Ks', coat),
                                           *shaders.roughness(width), *bump])
 
@@ -74,7 +120,7 @@ def _emission(shaders, found, alpha):
     """What is partly there shines as much less."""
     textures = shaders.textures
     strength = textures.constant_number(found.input('Emission Strength'), 'strengths of emission')
-    light = textures.product(textures.color(found.input('Emission')), strength)
+    light = textures.product(textures.color(found.input(*EMISSION)), strength)
     if BLACK in (light, (alpha,) * 3):
         return None
     return textures.product(light, alpha)

@@ -5,6 +5,7 @@ import os
 
 import bpy
 
+from ..reasons import Told
 from . import camera
 from .images import Images
 from .left_out import LeftOut
@@ -23,7 +24,7 @@ from .transforms import is_seen, is_singular, placeable
 from .world import World
 
 
-class ExportError(Exception):
+class ExportError(Told):
     """The scene cannot be exported; the text says why."""
 
 

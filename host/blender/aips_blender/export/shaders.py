@@ -164,6 +164,22 @@ class Shaders:
         return Shader(self.named(name, 'velvet',
                                  [color('Kd', self.textures.color(found.input('Color')))]))
 
+    def metallic(self, found, name):
+        """Node Metallic BSDF of Blender 4.3, by its colour at normal incidence."""
+        if found.node.fresnel_type == 'F82':
+            tint, neutral = self.textures.color(found.input('Base Color')), WHITE
+        else:
+            index, extinction = (graph.constant(found.input(what)) for what in
+                                 ('IOR', 'Extinction'))
+            tint, neutral = tuple(((n - 1) ** 2 + k * k) / ((n + 1) ** 2 + k * k)
+                                  for n, k in zip(index, extinction)), None
+        edge = found.input('Edge Tint')
+        if edge and self.textures.color(edge) != neutral:
+            self.left_out.add('tinted edges of metals are left out', name)
+        if self.textures.number(found.input('Anisotropy')) != 0:
+            self.left_out.add('anisotropy of glossy surfaces is left out', name)
+        return Shader(self.metal(name, tint, self.width(found), self.bump(found)))
+
     def scattering(self, found, name):
         self.left_out.add('scattering below the surface is replaced by diffuse', name)
         return Shader(self.named(name, 'matte',

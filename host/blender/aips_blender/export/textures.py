@@ -179,6 +179,17 @@ class Textures:
         return self._texture('mixed colors', 'color', 'mix',
                              [color('tex1', a), color('tex2', b), factor('amount', amount)])
 
+    def mixed(self, a, b, amount):
+        """Of two colour values the one by `amount` on the way from the first to the second."""
+        return self._blended('MIX', a, b, amount)
+
+    def root(self, value):
+        """Square root of a colour value."""
+        if isinstance(value, tuple):
+            return tuple(max(c, 0.0) ** 0.5 for c in value)
+        self._left_out.add('glass of node Principled BSDF is tinted twice by textures')
+        return value
+
     def product(self, light, gain):
         """A colour value of light times a number or a value of numbers."""
         if isinstance(gain, str):

@@ -5,7 +5,7 @@ import os
 import numpy as np
 
 from .. import exr
-from . import graph
+from . import graph, versions
 from .colours import light_color
 from .images import pixels
 from .lights import hidden
@@ -17,6 +17,7 @@ CLEAR_SKY = 2.2  # turbidity that stands for a dust density of 1
 # Radiance of Cycles' skies over that of LuxRender's models, and of its sun: measured with the sun
 # at 15, 45 and 80 degrees. Preetham's is the same model; of Hosek's and Nishita's see the manual.
 SKY_GAIN = {'PREETHAM': 5.99e-5, 'HOSEK_WILKIE': 1.65e-5, 'NISHITA': 7.0e-4}
+RENAMED_SKIES = {'SINGLE_SCATTERING': 'NISHITA', 'MULTIPLE_SCATTERING': 'NISHITA'}  # 5.0
 SUN_GAIN = 1.33e-3
 SUN_DEGREES = 0.545  # width of the sun's disk that a relsize of 1 stands for
 
@@ -31,7 +32,8 @@ class World:
 
     def medium(self, world):
         """The Medium that fills the world."""
-        output = world and world.use_nodes and graph.output_node(world.node_tree, 'OUTPUT_WORLD')
+        output = world and versions.uses_nodes(world) and \
+            graph.output_node(world.node_tree, 'OUTPUT_WORLD')
         if not output:
             return CLEAR
         return MediumNodes(self._textures, self._left_out).of(
@@ -43,7 +45,7 @@ class World:
             return
         self._left_out.reading = world.name
         found = None
-        if world.use_nodes:
+        if versions.uses_nodes(world):
             output = graph.output_node(world.node_tree, 'OUTPUT_WORLD')
             if output is None:
                 return
@@ -124,24 +126,26 @@ class World:
         node = found.node
         place = found.input('Vector')  # Nishita's with a sun has none
         self._tell_directions(graph.source(place) if place else None, world)
-        if node.sky_type == 'PREETHAM':
-            return self._sky_light('sky', node.sun_direction, node.turbidity, strength, node)
+        kind = RENAMED_SKIES.get(node.sky_type, node.sky_type)
+        gain = strength * SKY_GAIN[kind]
+        if kind == 'PREETHAM':
+            return self._sky_light('sky', node.sun_direction, node.turbidity, gain)
         self._left_out.add("skies are approximated by LuxRender's", world.name)
-        if node.sky_type == 'HOSEK_WILKIE':
-            return self._sky_light('sky2', node.sun_direction, node.turbidity, strength, node)
+        if kind == 'HOSEK_WILKIE':
+            return self._sky_light('sky2', node.sun_direction, node.turbidity, gain)
         height, turn = node.sun_elevation, node.sun_rotation
         towards = (math.sin(turn) * math.cos(height), math.cos(turn) * math.cos(height),
                    math.sin(height))
-        haze = CLEAR_SKY * max(node.dust_density, 0.5)
-        self._sky_light('sky2', towards, haze, strength, node)
+        dust = versions.setting(1.0, (node, 'aerosol_density'), (node, 'dust_density'))
+        haze = CLEAR_SKY * max(dust, 0.5)
+        self._sky_light('sky2', towards, haze, gain)
         if node.sun_disc:
             self._text.statement('LightSource', 'sun', parameters=[
                 factor('gain', strength * node.sun_intensity * SUN_GAIN),
                 parameter('vector', 'sundir', towards), factor('turbidity', haze),
                 factor('relsize', math.degrees(node.sun_size) / SUN_DEGREES), *self._hidden])
 
-    def _sky_light(self, plugin, towards, turbidity, strength, node):
+    def _sky_light(self, plugin, towards, turbidity, gain):
         self._text.statement('LightSource', plugin, parameters=[
-            factor('gain', strength * SKY_GAIN[node.sky_type]),
-            parameter('vector', 'sundir', tuple(towards)), factor('turbidity', turbidity),
-            *self._hidden])
+            factor('gain', gain), parameter('vector', 'sundir', tuple(towards)),
+            factor('turbidity', turbidity), *self._hidden])

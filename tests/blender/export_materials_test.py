@@ -201,23 +201,95 @@ class Layers(unittest.TestCase):
 
 
 class Images(unittest.TestCase):
-    def test_linear_files_go_with_the_scene(self):
-        scenes.stage()
-        values = np.full((4, 4, 3), 0.25, np.float32)
-        path = os.path.join(FOLDER, 'elsewhere', 'heights.exr')
-        os.makedirs(os.path.dirname(path))
-        exr.write(path, values)
+    def shown(self, picture, output='Color', socket='Color'):
+        """A diffuse box with an image, which a node shows."""
+        scenes.lit_stage()
         made = scenes.grey()
-        node = feed(made, 'Diffuse BSDF', 'Color', 'ShaderNodeTexImage').from_node
-        node.image = bpy.data.images.load(path)
+        link = feed(made, 'Diffuse BSDF', socket, 'ShaderNodeTexImage')
+        node = link.from_node
+        made.node_tree.links.new(node.outputs[output], link.to_socket)
+        node.image = picture() if callable(picture) else picture
         scenes.box('box', 1, made, (2, 0, 0))
-        text, _ = exported('linear')
-        name = re.search(r'"string filename" \["(.*?exr)"\]', text).group(1)
-        self.assertRegex(name, '^linear-files/heights.exr-0.exr$')
-        np.testing.assert_array_equal(exr.read(os.path.join(FOLDER, name)).stack('RGB'), values)
+        return node.image
+
+    def texture(self, name):
+        """The line of the image's texture, and its file."""
+        text, left_out = exported(name)
+        self.assertEqual(left_out, [])
+        line = next(t for t in text.splitlines() if '"imagemap"' in t)
+        return line, os.path.join(FOLDER, re.search(r'filename" \["(.*?)"\]', line).group(1))
+
+    def on_disk(self, name):
+        """Path of a PNG file that lies elsewhere."""
+        path = os.path.join(FOLDER, 'elsewhere', name)
+        made = scenes.image(name, np.full((4, 4, 4), 0.5, np.float32), False)
+        made.filepath_raw, made.file_format = path, 'PNG'
+        made.save()
+        bpy.data.images.remove(made)
+        return path
+
+    def test_files_on_disk_are_read_where_they_lie(self):
+        for name in ('paint.png', 'what "they" call it.png'):
+            path = self.on_disk(name)
+            self.shown(lambda: bpy.data.images.load(path))
+            line, file = self.texture('disk')
+            self.assertIn('"string colorspace" ["srgb"] "bool plaincolors" ["true"]', line)
+            self.assertEqual(file == path, '"' not in name)
+            with open(path, 'rb') as given, open(file, 'rb') as found:
+                self.assertEqual(given.read(), found.read())
+            self.assertIsNotNone(render('disk'))
+
+    def test_packed_files_are_written_once_as_they_are_stored(self):
+        path = self.on_disk('packed.png')
+        picture = self.shown(lambda: bpy.data.images.load(path))
+        picture.pack()
+        os.remove(path)
+        _, file = self.texture('packed')
+        self.assertEqual(os.path.dirname(file), os.path.join(FOLDER, 'packed-files'))
+        written = os.stat(file).st_mtime_ns
+        self.assertEqual(self.texture('packed')[1], file)
+        self.assertEqual(os.stat(file).st_mtime_ns, written)
+        render('packed')
+
+    def test_data_and_linear_files_are_linear(self):
+        path = self.on_disk('data.png')
+        self.shown(lambda: bpy.data.images.load(path)).colorspace_settings.name = 'Non-Color'
+        self.assertIn('"float gamma" [1]', self.texture('data')[0])
+
+    def test_pixels_that_are_in_no_file(self):
+        values = np.full((2, 4, 4), 0.5, np.float32)
+        values[0, 0] = (1, 0, 0.2, 0.4)
+        self.shown(lambda: scenes.image('made', values, False))
+        line, file = self.texture('made')
+        self.assertTrue(file.endswith('.tga'))
+        with open(file, 'rb') as data:
+            self.assertEqual(data.read()[-16:-12], bytes((51, 0, 255, 102)))  # the last row begins
+        self.assertIn('"srgb"', line)
+        self.shown(lambda: scenes.image('floats', values, True))
+        image = exr.read(self.texture('floats')[1]).stack('RGBA')
+        np.testing.assert_allclose(image[1, 0], values[0, 0], atol=1e-6)
+
+    def test_alpha_is_a_channel(self):
+        for socket, kind in (('Roughness', 'float'), ('Color', 'color')):
+            picture = self.shown(lambda: scenes.image(
+                'made', np.full((2, 2, 4), 0.25, np.float32), False), 'Alpha', socket)
+            text, _ = exported('alpha')
+            self.assertRegex(text, r'"float" "imagemap".*"string channel" \["alpha"\]')
+            self.assertEqual('"grey" "color" "mix" "texture amount" ["made"]' in text,
+                             kind == 'color')
+        picture.alpha_mode = 'NONE'
+        self.assertNotIn('imagemap', exported('opaque')[0])
+
+    def test_missing_images_are_magenta_and_told(self):
+        path = self.on_disk('gone.png')
+        self.shown(lambda: bpy.data.images.load(path))
+        os.remove(path)
+        text, left_out = exported('gone')
+        self.assertEqual(left_out, ['images that cannot be read are magenta: gone.png'])
+        self.assertRegex(text, r'"color Kd" \[0\.9\d* 0\.01\d* 1\]')  # which is shown as magenta
 
     def test_images_of_one_name_in_two_libraries(self):
-        scenes.stage()
+        scenes.lit_stage()
         for shade in (0.25, 0.5):
             picture = bpy.data.images.new('picture', 4, 4, float_buffer=True)
             picture.pixels.foreach_set([shade] * 64)
@@ -231,9 +303,10 @@ class Images(unittest.TestCase):
             feed(made, 'Diffuse BSDF', 'Color', 'ShaderNodeTexImage').from_node.image = \
                 linked.images[0]
             scenes.box('box', 1, made, (2, 0, 0))
-        names = re.findall(r'"string filename" \["(.*?exr)"\]', exported('libraries')[0])
-        shades = [exr.read(os.path.join(FOLDER, name)).channels['R'][0, 0] for name in names]
-        self.assertEqual(shades, [0.25, 0.5])
+        text, _ = exported('libraries', Film(8, 8, passes=1))
+        names = re.findall(r'"imagemap" "string filename" \["(.*?)"\]', text)
+        self.assertEqual(len(set(names)), 2)
+        render('libraries')
 
 
 def feed(made, node, socket, node_type):

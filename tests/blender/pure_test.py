@@ -123,7 +123,7 @@ class Formulas(unittest.TestCase):
 
     def test_images_have_the_colours_of_surfaces(self):
         values = np.array([[[0.8, 0.3, 0.2], [0.2, 0.2, 0.2]], [[0.1, 0.5, 0.9], [0.3, 0.6, 0.3]]])
-        image = colours.surface_image(values)
+        image = colours.written(values, colours.SURFACES, np.inf)
         np.testing.assert_allclose(colours.shown(image, colours.SURFACES), values, atol=1e-5)
         np.testing.assert_allclose(image[0, 0], colours.surface_color(values[0, 0]), atol=1e-6)
 

@@ -80,10 +80,10 @@ class Shaders:
 
     def _normal_map(self, before):
         found = graph.source(before.input('Color'))
-        path = None
+        file = None
         if found and found.node.type == 'TEX_IMAGE' and found.node.image:
-            path = self.textures.image_file(found.node.image)
-        if before.node.space != 'TANGENT' or path is None:
+            file = self.textures.image_file(found.node)
+        if before.node.space != 'TANGENT' or file is None:
             self.left_out.add('normal maps not of an image in tangent space are left out')
             return []
         if self.textures.number(before.input('Strength')) != 1.0:
@@ -91,7 +91,7 @@ class Shaders:
         self.textures.read.uv.add(before.node.uv_map)  # along which its tangents lie
         name = self.text.free_name('normal map')
         self.text.statement('Texture', name, 'float', 'normalmap', parameters=[
-            self.text.file(path), *self.textures.mapping(found)])
+            self.text.file(file.path), file.color_space(), *self.textures.mapping(found)])
         return [factor('bumpmap', name)]
 
     def diffuse(self, found, name):

@@ -13,6 +13,7 @@ from .layers import Read
 from .lxs_text import color as color_as_written, factor, parameter
 
 GREY = (0.5, 0.5, 0.5)
+MAGENTA = (1.0, 0.0, 1.0)  # where an image is missing, as in Cycles
 WRAP = {'REPEAT': 'repeat', 'EXTEND': 'clamp', 'CLIP': 'black'}
 LUMINANCE = (0.2126, 0.7152, 0.0722)  # Rec. 709
 
@@ -35,9 +36,9 @@ class Textures:
         self.coordinates = Coordinates(self.read, left_out)
         self._known = {}
 
-    def image_file(self, image):
-        """Path of a file of an image's linear values, or None."""
-        return self._images.file(image)
+    def image_file(self, node):
+        """The ImageFile of a node's image, or None."""
+        return self._images.file(node.image, node.image_user)
 
     def color(self, place):
         """Value of a colour place."""
@@ -109,31 +110,40 @@ class Textures:
         if node.type == 'ATTRIBUTE' and not name:
             return (0.0, 0.0, 0.0)
         if found.output.name == 'Alpha':
-            return self._alpha()
+            self._left_out.add('alpha of colours is taken for 1')
+            return 1.0
         self.read.colors.add(name)
         return self._texture('vertex color', kind,
                              'hitpointcolor' if kind == 'color' else 'hitpointgrey', [])
 
-    def _alpha(self):
-        self._left_out.add('alpha of images and colours is taken for 1')
-        return 1.0
-
     def _image(self, found, kind):
         node = found.node
-        path = self._images.file(node.image) if node.image else None
-        if path is None:
-            return None
+        file = self.image_file(node) if node.image else None
+        if file is None:
+            return MAGENTA if node.image else (0.0, 0.0, 0.0)
         if node.projection != 'FLAT':
             self._left_out.add('projections of images are left out, uv is used', node.image.name)
-        if found.output.name == 'Alpha':
-            return self._alpha()
-        channel = [parameter('string', 'channel', 'mean')] if kind == 'float' else []
+        if found.output.name != 'Alpha':
+            return self._image_channel(node, file, found, kind, parameter(
+                'string', 'channel', 'colored_mean') if kind == 'float' else parameter(
+                    'bool', 'plaincolors', True))
+        if node.image.alpha_mode == 'NONE':
+            return 1.0
+        alpha = self._image_channel(node, file, found, 'float',
+                                    parameter('string', 'channel', 'alpha'))
+        return alpha if kind == 'float' else self._grey(alpha)
+
+    def _grey(self, amount):
+        """A colour texture of a float one."""
+        return self._texture('grey', 'color', 'mix', [factor('amount', amount)])
+
+    def _image_channel(self, node, file, found, kind, what):
         return self._texture(node.image.name, kind, 'imagemap', [
-            self._text.file(path), parameter('float', 'gamma', 1.0),
+            self._text.file(file.path), file.color_space(), what,
             parameter('string', 'wrap', WRAP.get(node.extension, 'repeat')),
             parameter('string', 'filtertype',
                       'nearest' if node.interpolation == 'Closest' else 'bilinear'),
-            *channel, *self.mapping(found)])
+            *self.mapping(found)])
 
     def mapping(self, found):
         """Parameters of an image's uv mapping, that of a node Mapping before `found`."""

@@ -1,18 +1,14 @@
 """Writes the world: a colour, an image of all directions, or sun and sky."""
 import math
-import os
 
-import numpy as np
-
-from .. import exr
 from . import graph, versions
 from .colours import light_color
-from .images import pixels
 from .lights import hidden
 from .lxs_text import color, factor, parameter
 from .media import CLEAR, MediumNodes
 
 KINDS_OF_RAYS = ('diffuse', 'glossy', 'transmission', 'scatter')
+SRGB_GAMMA = 2.2  # of the scene language, which has no sRGB curve for lights
 CLEAR_SKY = 2.2  # turbidity that stands for a dust density of 1
 # Radiance of Cycles' skies over that of LuxRender's models, and of its sun: measured with the sun
 # at 15, 45 and 80 degrees. Preetham's is the same model; of Hosek's and Nishita's see the manual.
@@ -92,17 +88,17 @@ class World:
 
     def _image(self, world, found, strength):
         node = found.node
-        values = pixels(node.image) if node.image else None
-        if values is None or node.projection != 'EQUIRECTANGULAR':
+        file = self._textures.image_file(node) if node.image else None
+        if file is None or node.projection != 'EQUIRECTANGULAR':
             self._left_out.add('worlds without an equirectangular image are left out', world.name)
             return
-        path = os.path.join(self._folder, 'world.exr')
-        # In the scene language azimuths run the other way round, and begin at +x in place of -x.
-        exr.write(path, np.maximum(np.nan_to_num(values[:, ::-1, :3]), 0))
         turn = 180 - math.degrees(self._turn(world, found))
         self._text.statement('Rotate', turn, 0.0, 0.0, 1.0)
+        # In the scene language azimuths run the other way round, and begin at +x in place of -x.
+        self._text.statement('Scale', 1.0, -1.0, 1.0)
         self._text.statement('LightSource', 'infinite', parameters=[
-            self._text.file(path, 'mapname'), factor('gain', strength), *self._hidden])
+            self._text.file(file.path, 'mapname'), factor('gain', strength),
+            factor('gamma', SRGB_GAMMA if file.srgb else 1.0), *self._hidden])
 
     def _turn(self, world, found):
         """Rotation about z by a node Mapping, radians."""

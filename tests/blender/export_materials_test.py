@@ -89,10 +89,10 @@ class Materials(unittest.TestCase):
         world = bpy.context.scene.world
         feed(world, 'Sky Texture', 'Vector', 'ShaderNodeMapping')
         text, left_out = exported('odd')
-        self.assertIn('"float uscale" [3]', text)
+        self.assertIn('vector multiply r0 3', text)
         self.assertEqual(left_out, [
             'anisotropy of glossy surfaces is left out: odd',
-            'linked inputs of node Mapping are taken as they are set: odd',
+            'linked rotations of node Mapping are taken as they are set: odd',
             'nodes Attribute are replaced by grey: odd',
             'normals that a node Bump is given are left out: odd',
             "the world's coordinates by nodes are left out: World"])

@@ -168,7 +168,7 @@ class LeftOut(unittest.TestCase):
         for lamp in lamps:
             lamp.visible_camera = True
         made = scenes.material('bumpy', 'ShaderNodeBsdfDiffuse')
-        noise = made.node_tree.nodes.new('ShaderNodeTexNoise')
+        noise = made.node_tree.nodes.new('ShaderNodeWavelength')
         made.node_tree.links.new(noise.outputs['Color'],
                                  made.node_tree.nodes['Diffuse BSDF'].inputs['Color'])
         scenes.box('noisy', 1, made, (2, 0, 0))
@@ -191,7 +191,7 @@ class LeftOut(unittest.TestCase):
                      'lights hidden from some rays shine on all: AREA'):
             self.assertIn(line, lines)
         self.assertIn('spreads of area lights are left out: AREA, AREA.001', lines)
-        self.assertTrue(any(line.startswith('nodes Noise Texture are replaced by grey')
+        self.assertTrue(any(line.startswith('nodes Wavelength are replaced by grey')
                             for line in lines))
 
     def test_a_folder_that_cannot_be_written(self):

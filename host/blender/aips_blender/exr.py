@@ -114,7 +114,7 @@ def _fill(pixels, channels, rows, width, block):
 
 
 def write(path, values):
-    """Writes rows (from the top) x columns x 3 or 4 floats, as 32-bit floats without compression."""
+    """Writes rows (from the top) x columns x 3 or 4 as 32-bit floats without compression."""
     height, width, count = values.shape
     window = struct.pack('<4i', 0, 0, width - 1, height - 1)
     names = (b'A', b'B', b'G', b'R')[4 - count:]

@@ -94,6 +94,9 @@ TEST_F(ImagemapTest, StoredAsSrgb) {
     const auto alpha = scene_.make_float(
         "imagemap", {text("filename", path), text("colorspace", "srgb"), text("channel", "alpha")});
     EXPECT_NEAR(alpha->evaluate({}), 128 / 255.0f, 1e-3f);
+    const auto dimmed = scene_.make_color(
+        "imagemap", {text("filename", path), number("gamma", 1), flag("timesalpha", true)});
+    expect_near(look(*dimmed, 0.25f, 0.5f), Rgb(0.5f, 5 / 255.0f, 1) * (128 / 255.0f));
     EXPECT_THROW(
         scene_.make_color("imagemap", {text("filename", path), text("colorspace", "rec2020")}),
         InputError);

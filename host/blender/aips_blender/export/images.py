@@ -1,7 +1,7 @@
 """Says in which file lxsrender finds each of Blender's images, and how it is to read it.
 
-Files on disk are read where they lie. What is packed is written as it is stored, and pixels that are
-in no file as they are; files of one content have one name, and are written once.
+Files on disk are read where they lie. What is packed is written as it is stored, and pixels that
+are in no file as they are; files of one content have one name, and are written once.
 """
 import dataclasses
 import hashlib
@@ -16,7 +16,8 @@ from .targa import write_targa
 # Endings of the formats that lxsrender and Blender read alike.
 READ_AS_THEY_ARE = {'.exr', '.hdr', '.png', '.jpg', '.jpeg', '.tif', '.tiff', '.bmp', '.tga',
                     '.webp', '.jp2', '.sgi'}
-LINEAR = {'Linear', 'Linear Rec.709', 'Raw', 'Non-Color', 'Generic Data'}  # the first of Blender 3
+DATA = {'Raw', 'Non-Color', 'Generic Data'}
+LINEAR = DATA | {'Linear', 'Linear Rec.709'}  # the first of Blender 3
 SRGB = 'sRGB'
 
 
@@ -24,6 +25,7 @@ SRGB = 'sRGB'
 class ImageFile:
     path: str
     srgb: bool  # whether its values are stored by sRGB's curve, in place of linearly
+    times_alpha: bool = False  # whether its colours count by its alpha, unless that is used apart
 
     def color_space(self):
         return parameter('string', 'colorspace', 'srgb') if self.srgb else \
@@ -58,7 +60,7 @@ class Images:
         if image.source in ('FILE', 'SEQUENCE', 'TILED') and known and not image.is_dirty:
             found = self._stored(image, user)
             if found:
-                return ImageFile(found, space == SRGB)
+                return ImageFile(found, space == SRGB, _is_straight(image, space))
         return self._pixels(image, space)
 
     def _stored(self, image, user):
@@ -91,15 +93,20 @@ class Images:
             self._left_out.add(f'images of the colour space {space} are taken for sRGB', image.name)
         stored = np.rint(np.clip(values, 0, 1) * 255).astype(np.uint8)
         path = self._once(image.name, '.tga', stored, lambda to: write_targa(to, stored))
-        return ImageFile(path, space not in LINEAR)
+        return ImageFile(path, space not in LINEAR, _is_straight(image, space))
 
     def _once(self, name, ending, data, write):
         digest = hashlib.blake2b(data, digest_size=8).hexdigest()
-        path = os.path.join(self._folder, f'{safe_name(os.path.splitext(name)[0])}-{digest}{ending}')
+        stem = safe_name(os.path.splitext(name)[0])
+        path = os.path.join(self._folder, f'{stem}-{digest}{ending}')
         if not os.path.exists(path):
             write(path + '.part')
             os.replace(path + '.part', path)
         return path
+
+
+def _is_straight(image, space):
+    return image.alpha_mode == 'STRAIGHT' and space not in DATA
 
 
 def _write(path, data):

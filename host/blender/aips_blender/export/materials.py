@@ -18,7 +18,8 @@ class Materials:
         self._textures = textures
         self._media = MediumNodes(textures, left_out)
         self._left_out = left_out
-        self._known = {}
+        self._known = {}   # Shaders by material
+        self._by_box = {}  # of those that differ by mesh
         self._leaves = {
             'BSDF_DIFFUSE': self._shaders.diffuse, 'BSDF_GLOSSY': self._shaders.glossy,
             'BSDF_ANISOTROPIC': self._shaders.glossy, 'BSDF_GLASS': self._shaders.glass,
@@ -30,15 +31,23 @@ class Materials:
             'MIX_SHADER': self._mix, 'ADD_SHADER': self._add,
         }
 
-    def shader(self, material):
-        """The Shader of a material, which may be None."""
+    def shader(self, material, box=None):
+        """The Shader of a material, which may be None, on a mesh of this box: its least corner and
+        size, by which generated coordinates go."""
         material = self._override or material
         key = material.name_full if material else None
-        if key not in self._known:
+        if key in self._known:
+            return self._known[key]
+        if (key, box) not in self._by_box:
             self._left_out.reading = material.name if material else ''
+            self._textures.box = box
             made = self._made(material)
-            self._known[key] = dataclasses.replace(made, layers=self._textures.read.taken())
-        return self._known[key]
+            self._textures.box = None
+            known, own = (self._by_box, (key, box)) if self._textures.read.generated else \
+                (self._known, key)
+            known[own] = dataclasses.replace(made, layers=self._textures.read.taken())
+            return known[own]
+        return self._by_box[key, box]
 
     def _made(self, material):
         if material is None:

@@ -7,6 +7,12 @@ from .media import CLEAR
 from .shapes import Mesh
 
 
+def box_of(mesh):
+    """Least corner and size of the box that generated coordinates span."""
+    place, half = mesh.texspace_location, mesh.texspace_size
+    return tuple(p - h for p, h in zip(place, half)), tuple(2 * h or 1.0 for h in half)
+
+
 class MeshFiles:
     def __init__(self, folder, materials, left_out):
         self._folder = folder
@@ -25,8 +31,10 @@ class MeshFiles:
     def _written(self, thing):
         materials = [s.material for s in thing.material_slots] or [None]
 
+        box = box_of(thing.data)
+
         def shader(slot):
-            return self._materials.shader(materials[min(slot, len(materials) - 1)])
+            return self._materials.shader(materials[min(slot, len(materials) - 1)], box)
 
         def tell(what):
             self._left_out.add(what, thing.name)

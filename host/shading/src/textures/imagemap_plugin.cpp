@@ -51,7 +51,7 @@ class ImageLookup {
     TexelLookup how_;
     UvMapping mapping_;
     float gain_, gamma_;
-    bool srgb_, plain_colors_, white_outside_;
+    bool srgb_, plain_colors_, times_alpha_, white_outside_;
 };
 
 ImageLookup::ImageLookup(const ParameterReader& reader, const AssetContext& assets,
@@ -65,6 +65,7 @@ ImageLookup::ImageLookup(const ParameterReader& reader, const AssetContext& asse
     gain_ = static_cast<float>(reader.number("gain", 1));
     srgb_ = reader.string("colorspace", "gamma") == "srgb";
     plain_colors_ = reader.boolean("plaincolors", false);
+    times_alpha_ = reader.boolean("timesalpha", false) && image_.texels->alpha_channel() == 3;
     const Wrap wrap = read_wrap(reader);
     white_outside_ = wrap == Wrap::White;
     how_.outside = wrap == Wrap::Repeat  ? TexelLookup::Outside::Repeat
@@ -91,6 +92,10 @@ void ImageLookup::read(const TexturePoint& point, int first, int count, float* v
         throw InputError(image_.where,
                          "image \"" + image_.path + "\" can't be read any more: " + error.what());
     }
+    if (times_alpha_ && count == 4) {
+        for (int c = 0; c < 3; ++c)
+            values[c] *= values[3];
+    }
     // Texels are interpolated as they are stored, then the gamma is undone: LuxRender's image of a
     // fine pattern is darker by what that makes (5 % in the blue of texture-imagemap's squares).
     if (gamma_ == 1 && !srgb_) return;
@@ -105,10 +110,10 @@ float ImageLookup::linear(float stored) const {
 }
 
 Rgb ImageLookup::color(const TexturePoint& point) const {
-    Rgb value(1.0f);
-    const int count = image_.texels->channels() >= 3 ? 3 : 1;
-    read(point, 0, count, &value.x);
-    if (count == 1) value = Rgb(value.x);
+    std::array<float, 4> values;
+    const int count = times_alpha_ ? 4 : image_.texels->channels() >= 3 ? 3 : 1;
+    read(point, 0, count, values.data());
+    const Rgb value = count == 1 ? Rgb(values[0]) : Rgb(values[0], values[1], values[2]);
     return value * gain_;
 }
 
@@ -193,6 +198,8 @@ std::vector<ParameterDeclaration> imagemap_parameters() {
         choice("colorspace", "gamma",
                "how stored values become linear: by gamma, or by sRGB's curve. Not LuxRender's.",
                kColorSpaces),
+        {"timesalpha", ParameterType::Bool, "false",
+         "stored colours are multiplied by the image's alpha. Not LuxRender's."},
         {"plaincolors", ParameterType::Bool, "false",
          "surfaces show the image's colours as they are, where LuxRender turns saturated ones a "
          "little. Not LuxRender's."},

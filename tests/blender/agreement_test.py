@@ -13,7 +13,6 @@ import small_scenes as scenes
 from cycles_agreement import differences
 
 FACETS = 0.04    # LuxRender's facets shadow each other by another formula than Cycles'
-PRINCIPLED = 0.05  # Cycles' diffuse base is Burley's, which darkens and brightens by angle
 DISC = 0.04      # Cycles' balls of light are discs turned to what they light
 FOG = 0.04       # leaves room for noise, which fades slowly there
 STEEP = 0.04     # bumps so steep that normals turn away from eye or light, by other rules
@@ -119,7 +118,7 @@ class Materials(Agreement):
         self.ball('glossy', 'ShaderNodeBsdfGlossy', FACETS, Color=(0.8, 0.8, 0.8, 1), Roughness=0.4)
 
     def test_principled_metal(self):
-        self.ball('metal', 'ShaderNodeBsdfPrincipled', FACETS, Base_Color=(0.9, 0.7, 0.4, 1),
+        self.ball('metal', 'ShaderNodeBsdfPrincipled', Base_Color=(0.9, 0.7, 0.4, 1),
                   Roughness=0.4, Metallic=1)
 
     def test_principled_glass(self):
@@ -127,8 +126,18 @@ class Materials(Agreement):
                   Roughness=0, Transmission=1)
 
     def test_principled_plastic(self):
-        self.ball('plastic', 'ShaderNodeBsdfPrincipled', PRINCIPLED, Base_Color=(0.6, 0.3, 0.2, 1),
+        self.ball('plastic', 'ShaderNodeBsdfPrincipled', Base_Color=(0.6, 0.3, 0.2, 1),
                   Roughness=0.4)
+
+    def test_principled_seen_from_behind(self):
+        """Its coat is on both sides: of a floor that turns its back, black below the coat."""
+        scene = scenes.stage()
+        floor = bpy.data.objects['floor']
+        floor.data.flip_normals()
+        floor.data.materials[0] = scenes.material(
+            'coated', 'ShaderNodeBsdfPrincipled', Base_Color=(0, 0, 0, 1), Roughness=0.3)
+        scenes.light('AREA', 300, (0.5, -0.5, 4), (0.2, 0.1, 0), size=1.5)
+        self.agrees('behind', scene)
 
     def test_mix(self):
         scene = scenes.lit_stage()

@@ -1,15 +1,19 @@
-"""Turns node Principled BSDF into LuxRender's glossy, metal2, glass and mixes of these.
+"""Turns node Principled BSDF into LuxRender's glossy, glass and mixes of these.
 
 Sockets have the names of Blender 4 here, and those of Blender 3 behind them.
 """
-from .lxs_text import factor
-from .shaders import BLACK, WHITE, Shader, color
+from .lxs_text import factor, parameter
+from .shaders import BLACK, SMOOTH, WHITE, Shader, color
+from .versions import BLENDER_3
 
 REFLECTANCE_OF_SPECULAR = 0.08  # at normal incidence, where Blender 3's Specular is 1
 SPECULAR = ('Specular IOR Level', 'Specular')
 TRANSMISSION = ('Transmission Weight', 'Transmission')
 EMISSION = ('Emission Color', 'Emission')
 SUBSURFACE = ('Subsurface Weight', 'Subsurface')
+# Both sides are coated, and white loses nothing between the facets and under the coating.
+CONSERVING = (parameter('bool', 'conserving', True),)
+DIELECTRIC = parameter('string', 'fresnel', 'dielectric')
 LEFT_OUT = (('Anisotropic',), ('Sheen Weight', 'Sheen'), ('Coat Weight', 'Clearcoat'),
             ('Transmission Roughness',), ('Diffuse Roughness',), ('Thin Film Thickness',))
 
@@ -42,7 +46,11 @@ def _mixed(shaders, found, name):
         edge = found.input('Specular Tint')
         if _is_of_blender_4(found) and shaders.textures.color(edge) != WHITE:
             shaders.left_out.add('tinted edges of metals are left out', name)
-        return shaders.metal(part, base, width, bump)
+        smooth = not isinstance(width, str) and width < SMOOTH
+        if smooth or found.node.distribution != 'MULTI_GGX':  # facets of GGX alone lose light
+            return shaders.metal(part, base, width, bump)
+        return shaders.named(part, 'glossy', [color('Kd', BLACK), color('Ks', base), *CONSERVING,
+                                              *shaders.roughness(width), *bump])
 
     def glass(part):
         index = shaders.textures.constant_number(found.input('IOR'), 'index of refraction')
@@ -112,8 +120,13 @@ def _coated(shaders, found, name, base, width, bump):
     coat = _reflectance(shaders, found, name)
     if coat == BLACK:
         return shaders.named(name, 'matte', [color('Kd', base), *bump])
-    return shaders.named(name, 'glossy', [color('Kd', base), color('Ks', coat),
-                                          *shaders.roughness(width), *bump])
+    if BLENDER_3:  # in which what the surface reflects is not taken from the base
+        base = shaders.textures.product(base, 1 / (1 - max(coat)))
+        if isinstance(base, tuple):
+            base = tuple(min(c, 1.0) for c in base)
+    return shaders.named(name, 'glossy', [
+        color('Kd', base), color('Ks', coat), *CONSERVING, DIELECTRIC, *shaders.roughness(width),
+        *bump])
 
 
 def _emission(shaders, found, alpha):

@@ -70,6 +70,25 @@ class Materials(unittest.TestCase):
         self.assertEqual(left_out, [])
         self.assertGreater(render('override').min(), 0.9)
 
+    def test_worlds_of_mixed_shaders_and_patterns(self):
+        """What lights most is taken, and a night sky stays dark."""
+        scene = scenes.stage()
+        night = scenes.background(scene, (1, 1, 1), 2)
+        tree = scene.world.node_tree
+        ramp = feed(scene.world, 'Background', 'Color', 'ShaderNodeValToRGB').from_node
+        ramp.color_ramp.elements[0].color = (0.25, 0.25, 0.25, 1)
+        feed(scene.world, ramp.name, 'Fac', 'ShaderNodeTexNoise')
+        mix, seen = tree.nodes.new('ShaderNodeMixShader'), tree.nodes.new('ShaderNodeBackground')
+        for output, place in ((tree.nodes.new('ShaderNodeLightPath').outputs[0], mix.inputs[0]),
+                              (night.outputs[0], mix.inputs[1]), (seen.outputs[0], mix.inputs[2]),
+                              (mix.outputs[0], tree.nodes['World Output'].inputs['Surface'])):
+            tree.links.new(output, place)
+        text, left_out = exported('night')
+        self.assertIn('LightSource "infinite" "color L" [0.25 0.25 0.25] "float gain" [2]', text)
+        self.assertEqual(left_out, [
+            'of mixed shaders of the world one is taken: World',
+            'of textures of the world other than image and sky the darker colour is taken: World'])
+
     def test_what_is_not_carried_over_is_told(self):
         scenes.stage()
         odd = scenes.material('odd', 'ShaderNodeBsdfAnisotropic', Anisotropy=0.5)

@@ -45,7 +45,7 @@ class World:
             output = graph.output_node(world.node_tree, 'OUTPUT_WORLD')
             if output is None:
                 return
-            found = graph.source(graph.Place(output.inputs['Surface']))
+            found = self._lit_by(graph.Place(output.inputs['Surface']), world)
             if found is None:
                 return
             if found.node.type != 'BACKGROUND':
@@ -64,20 +64,42 @@ class World:
         self._background(world, found)
         self._text.statement('AttributeEnd')
 
+    def _lit_by(self, place, world):
+        """The node that lights the world: of mixes and sums that which does so most."""
+        found = graph.source(place)
+        while found and found.node.type in ('MIX_SHADER', 'ADD_SHADER'):
+            self._left_out.add('of mixed shaders of the world one is taken', world.name)
+            parts = [graph.source(graph.Place(s, found.groups)) for s in found.node.inputs
+                     if s.type == 'SHADER']
+            second = found.node.type == 'MIX_SHADER' and self._is_second(found.input('Fac'))
+            found = parts[second] or parts[not second]
+        return found
+
+    def _is_second(self, place):
+        """Whether the second of a mix lights the scene; what the camera sees does not."""
+        by = graph.source(place)
+        if by and by.node.type == 'LIGHT_PATH':
+            return by.output.name != 'Is Camera Ray'
+        share = self._textures.number(place)
+        return not isinstance(share, str) and share > 0.5
+
     def _background(self, world, found):
         if found is None:
             return self._constant(tuple(world.color), 1.0)
         strength = self._textures.constant_number(found.input('Strength'), 'strengths of the world')
         by = graph.source(found.input('Color'))
-        if by and by.node.type == 'TEX_ENVIRONMENT':
-            return self._image(world, by, strength)
-        if by and by.node.type == 'TEX_SKY':
-            return self._sky(world, by, strength)
+        seen = by and graph.first_before(by, ('TEX_ENVIRONMENT', 'TEX_SKY'))
+        if seen:
+            if seen.node != by.node:
+                self._left_out.add('nodes behind the image or sky of the world are left out',
+                                   world.name)
+            write = self._image if seen.node.type == 'TEX_ENVIRONMENT' else self._sky
+            return write(world, seen, strength)
         rgb = self._textures.color(found.input('Color'))
         if isinstance(rgb, str):
-            self._left_out.add('textures of the world other than image and sky are left out',
-                               world.name)
-            rgb = (0.5, 0.5, 0.5)
+            self._left_out.add('of textures of the world other than image and sky the darker colour '
+                               'is taken', world.name)
+            rgb = graph.darkest(by)
         return self._constant(rgb, strength)
 
     def _constant(self, rgb, strength):

@@ -129,6 +129,10 @@ class Materials(Agreement):
         self.ball('plastic', 'ShaderNodeBsdfPrincipled', Base_Color=(0.6, 0.3, 0.2, 1),
                   Roughness=0.4)
 
+    def test_principled_with_a_second_coat(self):
+        self.ball('coat', 'ShaderNodeBsdfPrincipled', FACETS, Base_Color=(0.5, 0.1, 0.1, 1),
+                  Roughness=0.7, Clearcoat=1, Clearcoat_Roughness=0.1)
+
     def test_principled_seen_from_behind(self):
         """Its coat is on both sides: of a floor that turns its back, black below the coat."""
         scene = scenes.stage()

@@ -10,12 +10,15 @@ REFLECTANCE_OF_SPECULAR = 0.08  # at normal incidence, where Blender 3's Specula
 SPECULAR = ('Specular IOR Level', 'Specular')
 TRANSMISSION = ('Transmission Weight', 'Transmission')
 EMISSION = ('Emission Color', 'Emission')
+COAT = ('Coat Weight', 'Clearcoat')
+COAT_ROUGHNESS = ('Coat Roughness', 'Clearcoat Roughness')
+CLEARCOAT = 0.25 * 0.04  # reflectance of Blender 3's clearcoat of 1
 SUBSURFACE = ('Subsurface Weight', 'Subsurface')
 # Both sides are coated, and white loses nothing between the facets and under the coating.
 CONSERVING = (parameter('bool', 'conserving', True),)
 DIELECTRIC = parameter('string', 'fresnel', 'dielectric')
-LEFT_OUT = (('Anisotropic',), ('Sheen Weight', 'Sheen'), ('Coat Weight', 'Clearcoat'),
-            ('Transmission Roughness',), ('Diffuse Roughness',), ('Thin Film Thickness',))
+LEFT_OUT = (('Anisotropic',), ('Sheen Weight', 'Sheen'), ('Transmission Roughness',),
+            ('Diffuse Roughness',), ('Thin Film Thickness',))
 
 
 def principled(shaders, found, name):
@@ -26,13 +29,33 @@ def principled(shaders, found, name):
             shaders.left_out.add(f'{place.socket.name} of node Principled BSDF is left out', name)
     alpha = textures.number(found.input('Alpha'))
     if alpha == 1.0:
-        material = _mixed(shaders, found, name)
+        material = _below_coat(shaders, found, name)
     else:
-        opaque = _mixed(shaders, found, f'{name}: opaque')
+        opaque = _below_coat(shaders, found, f'{name}: opaque')
         material = mix(shaders, name, shaders.null(f'{name}: null'), opaque, alpha)
     through = textures.number(found.input(*TRANSMISSION)) != 0.0 and \
         textures.number(found.input('Metallic')) != 1.0
     return Shader(material, _emission(shaders, found, alpha), opaque=alpha == 1.0 and not through)
+
+
+def _below_coat(shaders, found, name):
+    """The whole with its second coat, by LuxRender's coating of the same index."""
+    weight = shaders.textures.constant_number(found.input(*COAT), 'weights of coats')
+    if weight == 0.0:
+        return _mixed(shaders, found, name)
+    base = _mixed(shaders, found, f'{name}: base')
+    if _is_of_blender_4(found):
+        index = shaders.textures.constant_number(found.input('Coat IOR'), 'index of refraction')
+        tint = shaders.textures.color(found.input('Coat Tint'))
+        if tint != WHITE:
+            shaders.left_out.add('Coat Tint of node Principled BSDF is left out', name)
+        reflects = weight * ((index - 1) / (index + 1)) ** 2
+    else:
+        reflects = CLEARCOAT * weight
+    rough = shaders.textures.constant_number(found.input(*COAT_ROUGHNESS), 'roughness of coats')
+    return shaders.named(name, 'glossycoating', [
+        parameter('string', 'basematerial', base), color('Ks', (reflects,) * 3),
+        *shaders.roughness(rough * rough)])
 
 
 def _mixed(shaders, found, name):

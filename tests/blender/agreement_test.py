@@ -129,6 +129,21 @@ class Materials(Agreement):
         self.ball('plastic', 'ShaderNodeBsdfPrincipled', Base_Color=(0.6, 0.3, 0.2, 1),
                   Roughness=0.4)
 
+    def test_glossy_over_diffuse_by_fresnel(self):
+        scene = scenes.lit_stage()
+        made = scenes.material('varnish', 'ShaderNodeMixShader')
+        tree = made.node_tree
+        mix = tree.nodes['Mix Shader']
+        for i, kind, inputs in ((0, 'Fresnel', {'IOR': 1.6}),
+                                (1, 'BsdfDiffuse', {'Color': (0.5, 0.3, 0.1, 1)}),
+                                (2, 'BsdfGlossy', {'Roughness': 0.3})):
+            node = tree.nodes.new(f'ShaderNode{kind}')
+            for key, value in inputs.items():
+                node.inputs[key].default_value = value
+            tree.links.new(node.outputs[0], mix.inputs[i])
+        scenes.ball('ball', 0.7, made, (0.8, 0.2, 0.7))
+        self.agrees('varnish', scene, FACETS)
+
     def test_principled_with_a_second_coat(self):
         self.ball('coat', 'ShaderNodeBsdfPrincipled', FACETS, Base_Color=(0.5, 0.1, 0.1, 1),
                   Roughness=0.7, Clearcoat=1, Clearcoat_Roughness=0.1)

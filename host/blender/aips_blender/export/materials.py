@@ -9,6 +9,15 @@ from .shaders import Shader, Shaders, color
 DEFAULT_GREY = (0.8, 0.8, 0.8)  # Cycles' surface without a material
 
 
+GLOSSY = ('BSDF_GLOSSY', 'BSDF_ANISOTROPIC')
+
+
+def is_fresnel(by):
+    """Whether a node's output is the share that a dielectric reflects."""
+    return by.node.type == 'FRESNEL' or (by.node.type == 'LAYER_WEIGHT' and
+                                         by.output.name == 'Fresnel')
+
+
 class Materials:
     """`override`: a material that stands for all of them, or None."""
 
@@ -86,6 +95,11 @@ class Materials:
 
     def _mix(self, found, name):
         first, second = self._inputs(found)
+        by, over = graph.source(found.input('Fac')), graph.source(second)
+        if over and over.node.type in GLOSSY and by and is_fresnel(by):
+            base = self._of(first, f'{name}: base')
+            coat = self._shaders.coat(over, name, base.name, self._normal_incidence(by))
+            return dataclasses.replace(base, name=coat)
         share = self._share(found, name)
         if share == 0.0:
             return self._of(first, name)

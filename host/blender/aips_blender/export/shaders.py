@@ -112,6 +112,13 @@ class Shaders:
         width = 0.0 if found.node.distribution == 'SHARP' else self.width(found)
         return Shader(self.metal(name, tint, width, self.bump(found)))
 
+    def coat(self, found, name, base, reflectance):
+        """A glossy node over a material, by a dielectric's share of this at normal incidence."""
+        tint = self.textures.product(self.textures.color(found.input('Color')), reflectance)
+        return self.named(name, 'glossycoating', [
+            parameter('string', 'basematerial', base), color('Ks', tint),
+            *self.roughness(self.width(found)), *self.bump(found)])
+
     def metal(self, name, tint, width, bump):
         """A mirror where it is smooth, else facets that reflect tint at normal incidence."""
         if not isinstance(width, str) and width < SMOOTH:

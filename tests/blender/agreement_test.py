@@ -187,6 +187,21 @@ class Materials(Agreement):
             bpy.data.objects[name].data.materials[0] = waves
         self.agrees('bump', scene, STEEP)
 
+    def test_bump_of_noise(self):
+        scene = scenes.stage()
+        scenes.background(scene, (1, 1, 1), 0.2)
+        scenes.light('SUN', 3, turn=(0.9, 0.5, 0), angle=0.05)
+        made = scenes.grey()
+        tree = made.node_tree
+        noise, bump = tree.nodes.new('ShaderNodeTexNoise'), tree.nodes.new('ShaderNodeBump')
+        noise.inputs['Scale'].default_value, noise.inputs['Detail'].default_value = 4, 0
+        bump.inputs['Distance'].default_value, bump.inputs['Strength'].default_value = 0.5, 1
+        tree.links.new(noise.outputs['Fac'], bump.inputs['Height'])
+        tree.links.new(bump.outputs[0], tree.nodes['Diffuse BSDF'].inputs['Normal'])
+        for name in ('wall', 'floor'):
+            bpy.data.objects[name].data.materials[0] = made
+        self.agrees('noisy bump', scene, STEEP)
+
     def test_principled_alpha(self):
         self.ball('alpha', 'ShaderNodeBsdfPrincipled', Base_Color=(0.5, 0.4, 0.3, 1), Specular=0,
                   Roughness=0.5, Alpha=0.4)

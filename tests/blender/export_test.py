@@ -16,7 +16,8 @@ from fixture import FOLDER, exported
 
 def load_tests(loader, tests, _pattern):
     """Those of the other modules about exports, too."""
-    tests.addTests(loader.loadTestsFromNames(['export_volumes_test', 'export_materials_test']))
+    tests.addTests(loader.loadTestsFromNames(['export_volumes_test', 'export_materials_test',
+                                             'kept_test']))
     return tests
 
 

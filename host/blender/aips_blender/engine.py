@@ -8,11 +8,13 @@ import time
 import bpy
 
 from . import command, exr, passes, preferences, process, settings, status, viewport
+from .export.kept import Kept
 from .export.scene import ExportError, export
 from .export.versions import set_pixels
 from .reasons import Told, reason
 
 SECONDS_BETWEEN_LOOKS = 0.1
+_KEPT = {}
 
 
 class Pending:
@@ -99,7 +101,7 @@ class Render:
         self._engine.update_stats('', 'aips: exporting the scene')
         self._film = settings.film_of(scene, view_layer)
         exported = export(os.path.join(self._folder, 'scene.lxs'), self._depsgraph, self._film,
-                          self._engine.frame_set)
+                          self._engine.frame_set, kept=kept_between_renders())
         tell_left_out(self._engine, exported.left_out)
         self._result = _begin_result(self._engine, scene.render, view_layer)
         try:
@@ -167,6 +169,13 @@ class Render:
         self._engine.update_result(self._result)
 
 
+def kept_between_renders():
+    """The Kept of all renders of this session: frames of an animation share meshes."""
+    if 'renders' not in _KEPT:
+        _KEPT['renders'] = Kept()
+    return _KEPT['renders']
+
+
 def _options(text):
     try:
         return shlex.split(text)
@@ -209,3 +218,5 @@ def register():
 
 def unregister():
     bpy.utils.unregister_class(AipsRenderEngine)
+    while _KEPT:
+        _KEPT.popitem()[1].end()

@@ -14,6 +14,7 @@ from mathutils import Matrix
 from . import command, exr, passes, preferences, process, settings, status
 from .export.camera import View, window_of
 from .export.film import Film
+from .export.kept import Kept
 from .export.scene import export
 from .reasons import reason
 
@@ -84,7 +85,7 @@ class Preview:
             self._exported.look(film, view)
             return
         path = os.path.join(self._state.new_folder('scene'), 'scene.lxs')
-        self._exported = export(path, depsgraph, film, view=view)
+        self._exported = export(path, depsgraph, film, view=view, kept=self._state.kept)
 
     def _look(self):
         try:
@@ -120,6 +121,7 @@ class _State:
     def __init__(self):
         self._root = tempfile.mkdtemp(prefix='aips-preview-')
         self._folders, self._count = {}, 0
+        self.kept = Kept()
         self.running = None
 
     def new_folder(self, kind):
@@ -138,6 +140,7 @@ class _State:
 
     def end(self):
         self.stop()
+        self.kept.end()
         shutil.rmtree(self._root, ignore_errors=True)
 
 

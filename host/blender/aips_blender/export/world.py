@@ -97,8 +97,8 @@ class World:
             return write(world, seen, strength)
         rgb = self._textures.color(found.input('Color'))
         if isinstance(rgb, str):
-            self._left_out.add('of textures of the world other than image and sky the darker colour '
-                               'is taken', world.name)
+            self._left_out.add('of textures of the world other than image and sky the darker '
+                               'colour is taken', world.name)
             rgb = graph.darkest(by)
         return self._constant(rgb, strength)
 

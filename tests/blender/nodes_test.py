@@ -95,6 +95,70 @@ class Nodes(unittest.TestCase):
         self.agrees(self.node('ShaderNodeTexGradient',
                               settings={'gradient_type': 'EASING'}).outputs['Color'])
 
+    def mean(self, outputs):
+        """A graph's mean of outputs."""
+        last = outputs[0]
+        for count, each in enumerate(outputs[1:], 2):
+            last = self.node('ShaderNodeMixRGB', {'Color1': last, 'Color2': each},
+                             Fac=1 / count).outputs[0]
+        return last
+
+    def test_all_gradients(self):
+        place = self.node('ShaderNodeTexCoord').outputs['Object']
+        self.agrees(self.mean([
+            self.node('ShaderNodeTexGradient', {'Vector': place}, {'gradient_type': kind})
+            .outputs['Color'] for kind in ('LINEAR', 'QUADRATIC', 'DIAGONAL', 'RADIAL',
+                                           'QUADRATIC_SPHERE', 'SPHERICAL')]))
+
+    def test_all_waves(self):
+        waves = []
+        for kind, at in (('BANDS', 'X'), ('BANDS', 'DIAGONAL'), ('RINGS', 'Z'),
+                         ('RINGS', 'SPHERICAL')):
+            for profile in ('SAW', 'TRI'):
+                waves.append(self.node('ShaderNodeTexWave', settings={
+                    'wave_type': kind, f'{kind.lower()}_direction': at, 'wave_profile': profile},
+                    Scale=1.0, Phase_Offset=1.5).outputs['Color'])
+        self.agrees(self.mean(waves))
+
+    def test_other_cells(self):
+        smooth = self.node('ShaderNodeTexVoronoi', settings={'feature': 'SMOOTH_F1'}, Scale=3.0,
+                           Smoothness=0.7)
+        second = self.node('ShaderNodeTexVoronoi', settings={
+            'feature': 'F2', 'distance': 'MINKOWSKI'}, Scale=3.0, Exponent=1.5)
+        cubes = self.node('ShaderNodeTexVoronoi', settings={'distance': 'CHEBYCHEV'}, Scale=3.0)
+        self.agrees(self.mean([smooth.outputs['Distance'], smooth.outputs['Color'],
+                               second.outputs['Distance'], second.outputs['Color'],
+                               cubes.outputs['Position']]))
+
+    def test_white_noise_of_snapped_places(self):
+        moved = self.node('ShaderNodeVectorMath', {
+            0: self.node('ShaderNodeTexCoord').outputs['Generated']})
+        moved.inputs[1].default_value = (0.11, 0.12, 0.13)  # planes lie in no border
+        snapped = self.node('ShaderNodeVectorMath', {0: moved.outputs[0]}, {'operation': 'SNAP'})
+        snapped.inputs[1].default_value = (0.25, 0.25, 0.25)
+        self.agrees(self.node('ShaderNodeTexWhiteNoise', {
+            'Vector': snapped.outputs[0]}).outputs['Color'])
+
+    def test_parts_of_colours(self):
+        parts = self.node('ShaderNodeSeparateColor', {'Color': self.noise().outputs['Color']},
+                          {'mode': 'HSV'})
+        hue = self.node('ShaderNodeClamp', {'Value': parts.outputs[0]}, {'clamp_type': 'RANGE'},
+                        Min=0.7, Max=0.3)
+        value = self.node('ShaderNodeMapRange', {'Value': parts.outputs[2]}, {'clamp': True},
+                          From_Min=0.3, From_Max=0.7, To_Min=0.8, To_Max=0.2)
+        self.agrees(self.node('ShaderNodeCombineColor', {
+            0: hue.outputs[0], 1: parts.outputs[1], 2: value.outputs[0]}, {'mode': 'HSV'})
+            .outputs[0])
+
+    def test_curves_of_vectors_and_numbers(self):
+        place = self.node('ShaderNodeVectorMath', {
+            0: self.node('ShaderNodeTexCoord').outputs['Object']}, {'operation': 'ABSOLUTE'})
+        vector = self.node('ShaderNodeVectorCurve', {'Vector': place.outputs[0]})
+        vector.mapping.curves[0].points.new(0.2, 0.6)
+        number = self.node('ShaderNodeFloatCurve', {'Value': vector.outputs[0]})
+        number.mapping.curves[0].points.new(0.4, 0.8)
+        self.agrees(self.mean([vector.outputs[0], number.outputs[0]]))
+
     def test_waves(self):
         wave = self.node('ShaderNodeTexWave', settings={'wave_type': 'RINGS'}, Scale=2.0,
                          Distortion=2.0)

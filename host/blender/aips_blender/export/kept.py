@@ -9,7 +9,7 @@ import tempfile
 
 import numpy as np
 
-from .corners import array
+from .corners import array, uv_of
 
 
 class Kept:
@@ -71,7 +71,7 @@ def _arrays(mesh):
             yield array(mesh.edges, 'vertices', np.int32, 2)
     for layer in mesh.uv_layers:
         yield (layer.name, layer.active_render)
-        yield array(layer.data, 'uv', np.float32, 2)
+        yield uv_of(layer)
     for layer in mesh.color_attributes:
         yield (layer.name, layer.domain, layer.data_type)
         yield array(layer.data, 'color', np.float32, 4)

@@ -51,6 +51,8 @@ class Materials:
             self._left_out.reading = material.name if material else ''
             self._textures.box = box
             made = self._made(material)
+            if isinstance(made.emission, str) and self._textures.read.colors:
+                self._left_out.add('what shines has white in place of colours of vertices')
             self._textures.box = None
             known, own = (self._by_box, (key, box)) if self._textures.read.generated else \
                 (self._known, key)

@@ -65,6 +65,13 @@ class Nodes(unittest.TestCase):
     def test_noise(self):
         self.agrees(self.noise(Distortion=0.7, Detail=2.5).outputs['Color'])
 
+    def test_noise_of_other_dimensions(self):
+        place = self.node('ShaderNodeTexCoord').outputs['Generated']
+        self.agrees(self.mean([self.node(
+            'ShaderNodeTexNoise', {'Vector': place, 'W': self.noise().outputs['Fac']},
+            {'noise_dimensions': kind}, Scale=4.0, Distortion=0.5).outputs['Color']
+            for kind in ('1D', '2D', '4D')]))
+
     def test_noise_by_object_coordinates_that_are_mapped(self):
         mapping = self.node('ShaderNodeMapping', {
             'Vector': self.node('ShaderNodeTexCoord').outputs['Object']},

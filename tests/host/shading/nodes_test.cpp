@@ -93,7 +93,8 @@ TEST_F(NodesTest, ValuesAreFinite) {
     TexturePoint far;
     far.p = Vec3(3e38f);
     for (const char* pattern :
-         {"noise color r0 1e9 15 1 2 5", "voronoi smooth_f1 minkowski position r0 1e9 1 1 1e-9",
+         {"noise color 4d r0 1e30 1e9 15 1 2 5",
+          "voronoi smooth_f1 minkowski position r0 1e9 1 1 1e-9",
           "brick color r0 1e9 1 0 0 .1 .1 0 1e-9 1e-9 .5 2 1 2", "magic color r0 1e9 10 1e9",
           "wave rings diagonal saw r0 1e9 5 15 3 1 0", "checker r0 1e9 1 0"}) {
         const Rgb found = value({"position", pattern}, far);
@@ -104,9 +105,9 @@ TEST_F(NodesTest, ValuesAreFinite) {
 TEST_F(NodesTest, NoiseIsThatOfCycles) {
     TexturePoint point;
     point.p = {0.3f, 1.7f, -2.4f};
-    EXPECT_NEAR(value({"position", "noise fac r0 1 0 0.5 2 0"}, point).x,
-                value({"position", "noise fac r0 1 0 0.9 3 0"}, point).x, 1e-6f);
-    EXPECT_FLOAT_EQ(value({"noise fac 3 1 4 0.5 2 0"}).x, 0.5f);  // at corners of the lattice
+    EXPECT_NEAR(value({"position", "noise fac 3d r0 0 1 0 0.5 2 0"}, point).x,
+                value({"position", "noise fac 3d r0 0 1 0 0.9 3 0"}, point).x, 1e-6f);
+    EXPECT_FLOAT_EQ(value({"noise fac 3d 3 0 1 4 0.5 2 0"}).x, 0.5f);  // at corners of the lattice
 }
 
 TEST_F(NodesTest, PlainColorsAreSeenAsTheyAre) {

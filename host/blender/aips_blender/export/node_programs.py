@@ -408,27 +408,26 @@ def _kind(found):
     return 'color' if found.output.name == 'Color' else 'fac'
 
 
-def _three_dimensions(program, found):
-    dimensions = setting('3D', (found.node, 'noise_dimensions'),
-                         (found.node, 'voronoi_dimensions'))
-    if dimensions != '3D':
-        program.tell(f'patterns of {dimensions} are replaced by those of 3D')
+def node_dimensions(found):
+    return setting('3D', (found.node, 'noise_dimensions'), (found.node, 'musgrave_dimensions'),
+                   (found.node, 'voronoi_dimensions')).lower()
 
 
 def _noise(program, found):
     node = found.node
-    _three_dimensions(program, found)
     if getattr(node, 'noise_type', 'FBM') != 'FBM' or not getattr(node, 'normalize', True):
         program.tell('noises of other kinds are replaced by normalized sums of octaves')
     lacunarity = program.float(found, 'Lacunarity') if found.input('Lacunarity') else '2'
-    return program.emit('noise', _kind(found), program.place(found), program.float(found, 'Scale'),
+    return program.emit('noise', _kind(found), node_dimensions(found), program.place(found),
+                        program.float(found, 'W'), program.float(found, 'Scale'),
                         program.float(found, 'Detail'), program.float(found, 'Roughness'),
                         lacunarity, program.float(found, 'Distortion'))
 
 
 def _voronoi(program, found):
     node = found.node
-    _three_dimensions(program, found)
+    if node_dimensions(found) != '3d':
+        program.tell('cells of other dimensions are replaced by those of three')
     feature = node.feature.lower()
     if feature == 'n_sphere_radius':
         return None
@@ -486,7 +485,8 @@ def _magic(program, found):
 
 def _musgrave(program, found):
     program.tell('noises of other kinds are replaced by normalized sums of octaves')
-    noise = program.emit('noise', 'fac', program.place(found), program.float(found, 'Scale'),
+    noise = program.emit('noise', 'fac', node_dimensions(found), program.place(found),
+                         program.float(found, 'W'), program.float(found, 'Scale'),
                          program.float(found, 'Detail'), '0.5',
                          program.float(found, 'Lacunarity'), '0')
     return program.emit('math', 'multiply_add', noise, '2', '-1')

@@ -2,6 +2,7 @@
 #include "cycles_noise.h"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
 #include <limits>
@@ -32,6 +33,11 @@ Bits finished(Bits a, Bits b, Bits c) {
 
 constexpr Bits start(Bits words) {
     return 0xdeadbeefu + (words << 2) + 13;
+}
+
+Bits hashed(Bits x) {
+    const Bits s = start(1);
+    return finished(s + x, s, s);
 }
 
 Bits hashed(Bits x, Bits y) {
@@ -79,24 +85,66 @@ float faded(float t) {
     return t * t * t * (t * (t * 6 - 15) + 10);
 }
 
-float gradient(Bits hash, float x, float y, float z) {
-    const Bits h = hash & 15;
-    const float u = h < 8 ? x : y;
-    const float v = h < 4 ? y : h == 12 || h == 14 ? x : z;
-    return (h & 1 ? -u : u) + (h & 2 ? -v : v);
+using Coordinates = std::array<float, 4>;
+
+/// Those that count, in the order that hashes take them.
+Coordinates coordinates_of(const Place& place) {
+    if (place.dimensions == 1) return {place.w, 0, 0, 0};
+    return {place.p.x, place.p.y, place.p.z, place.w};
+}
+
+float negated(float x, Bits if_any) {
+    return if_any ? -x : x;
+}
+
+float gradient(Bits hash, const Coordinates& c, int dimensions) {
+    const auto [x, y, z, w] = c;
+    if (dimensions == 1) {
+        const Bits h = hash & 15;
+        return negated(1 + static_cast<float>(h & 7), h & 8) * x;
+    }
+    if (dimensions == 2) {
+        const Bits h = hash & 7;
+        return negated(h < 4 ? x : y, h & 1) + negated(2 * (h < 4 ? y : x), h & 2);
+    }
+    if (dimensions == 3) {
+        const Bits h = hash & 15;
+        const float v = h < 4 ? y : h == 12 || h == 14 ? x : z;
+        return negated(h < 8 ? x : y, h & 1) + negated(v, h & 2);
+    }
+    const Bits h = hash & 31;
+    return negated(h < 24 ? x : y, h & 1) + negated(h < 16 ? y : z, h & 2) +
+           negated(h < 8 ? z : w, h & 4);
+}
+
+Bits hashed_cell(const std::array<Bits, 4>& c, int dimensions) {
+    switch (dimensions) {
+        case 1:
+            return hashed(c[0]);
+        case 2:
+            return hashed(c[0], c[1]);
+        case 3:
+            return hashed(c[0], c[1], c[2]);
+        default:
+            return hashed(c[0], c[1], c[2], c[3]);
+    }
 }
 
 /// Moves places apart, by a number that tells uses apart.
-Vec3 offset(float seed) {
-    const auto one = [&](float k) { return 100 + 100 * unit(hashed(bits(seed), bits(k))); };
-    return {one(0), one(1), one(2)};
+Place moved(const Place& place, float seed) {
+    const auto offset = [&](float k) { return 100 + 100 * unit(hashed(bits(seed), bits(k))); };
+    if (place.dimensions == 1) return {place.p, place.w + 100 + 100 * unit(hashed(bits(seed))), 1};
+    return {place.p + Vec3(offset(0), offset(1), offset(2)), place.w + offset(3), place.dimensions};
 }
 
-Vec3 distorted(const Vec3& p, float distortion) {
-    if (distortion == 0) return p;
-    return p + Vec3(signed_noise(p + offset(0)), signed_noise(p + offset(1)),
-                    signed_noise(p + offset(2))) *
-                   distortion;
+Place distorted(const Place& place, float by) {
+    if (by == 0) return place;
+    const auto shift = [&](float seed) { return signed_noise(moved(place, seed)) * by; };
+    if (place.dimensions == 1) return {place.p, place.w + shift(0), 1};
+    Place found = place;
+    found.p += Vec3(shift(0), shift(1), place.dimensions > 2 ? shift(2) : 0);
+    if (place.dimensions == 4) found.w += shift(3);
+    return found;
 }
 
 float distance(const Vec3& a, const Vec3& b, const CellShape& shape) {
@@ -145,50 +193,61 @@ Vec3 hash_color(const Vec3& p) {
     return {hash(p), unit(hashed(x, y, z, bits(1.0f))), unit(hashed(x, y, z, bits(2.0f)))};
 }
 
-float signed_noise(const Vec3& p) {
-    const Vec3 cell = floor_of(p), f = p - cell;
-    const auto corner = [&](int dx, int dy, int dz) {
-        const auto at = [](float c, int d) {
-            return static_cast<Bits>(static_cast<std::int64_t>(c) + d);
-        };
-        const Bits h = hashed(at(cell.x, dx), at(cell.y, dy), at(cell.z, dz));
-        return gradient(h, f.x - static_cast<float>(dx), f.y - static_cast<float>(dy),
-                        f.z - static_cast<float>(dz));
-    };
-    const float u = faded(f.x), v = faded(f.y), w = faded(f.z);
-    const auto row = [&](int dy, int dz) {
-        return (1 - u) * corner(0, dy, dz) + u * corner(1, dy, dz);
-    };
-    const auto sheet = [&](int dz) { return (1 - v) * row(0, dz) + v * row(1, dz); };
-    const float sum = (1 - w) * sheet(0) + w * sheet(1);
-    return std::isfinite(sum) ? 0.9820f * sum : 0;
+float signed_noise(const Place& place) {
+    constexpr std::array<float, 4> kScales{0.2500f, 0.6616f, 0.9820f, 0.8344f};
+    const int dimensions = place.dimensions;
+    const Coordinates c = coordinates_of(place);
+    std::array<std::int64_t, 4> cell{};
+    Coordinates fraction{}, share{};
+    for (int d = 0; d < dimensions; ++d) {
+        const float floor = std::floor(c[d]);
+        if (!(std::abs(floor) < 1e18f)) return 0;
+        cell[d] = static_cast<std::int64_t>(floor);
+        fraction[d] = c[d] - floor;
+        share[d] = faded(fraction[d]);
+    }
+    float sum = 0;
+    for (int corner = 0; corner < 1 << dimensions; ++corner) {
+        std::array<Bits, 4> at{};
+        Coordinates from{};
+        float weight = 1;
+        for (int d = 0; d < dimensions; ++d) {
+            const int up = corner >> d & 1;
+            at[d] = static_cast<Bits>(cell[d] + up);
+            from[d] = fraction[d] - static_cast<float>(up);
+            weight *= up ? share[d] : 1 - share[d];
+        }
+        sum += weight * gradient(hashed_cell(at, dimensions), from, dimensions);
+    }
+    return kScales[dimensions - 1] * sum;
 }
 
-float noise(const Vec3& p, const Octaves& octaves) {
+float noise(const Place& place, const Octaves& octaves) {
     constexpr float kMostOctaves = 15;
     const float detail = std::clamp(octaves.detail, 0.0f, kMostOctaves);
     const float roughness = std::max(octaves.roughness, 0.0f);
     const float whole = std::floor(detail), rest = detail - whole;
     float sum = 0, amplitude = 1, most = 0, scale = 1;
     for (int i = 0; i <= static_cast<int>(whole); ++i) {
-        sum += signed_noise(p * scale) * amplitude;
+        sum += signed_noise(place * scale) * amplitude;
         most += amplitude;
         amplitude *= roughness;
         scale *= octaves.lacunarity;
     }
     const float first = 0.5f * sum / most + 0.5f;
     if (rest == 0) return first;
-    sum += signed_noise(p * scale) * amplitude;
+    sum += signed_noise(place * scale) * amplitude;
     return first + rest * (0.5f * sum / (most + amplitude) + 0.5f - first);
 }
 
-float distorted_noise(Vec3 p, const Octaves& octaves, float distortion) {
-    return noise(distorted(p, distortion), octaves);
+float distorted_noise(const Place& place, const Octaves& octaves, float distortion) {
+    return noise(distorted(place, distortion), octaves);
 }
 
-Vec3 distorted_noise_color(Vec3 p, const Octaves& octaves, float distortion) {
-    p = distorted(p, distortion);
-    return {noise(p, octaves), noise(p + offset(3), octaves), noise(p + offset(4), octaves)};
+Vec3 distorted_noise_color(const Place& place, const Octaves& octaves, float distortion) {
+    const Place p = distorted(place, distortion);
+    const auto own = static_cast<float>(place.dimensions);  // seeds below are those of distortion
+    return {noise(p, octaves), noise(moved(p, own), octaves), noise(moved(p, own + 1), octaves)};
 }
 
 Cell nearest_cell(const Vec3& p, const CellShape& shape) {

@@ -14,8 +14,17 @@ namespace lxs::shading::cycles {
 float hash(const Vec3& p);
 Vec3 hash_color(const Vec3& p);
 
+/// A place of one to four dimensions: w, xy, xyz, or xyz and w.
+struct Place {
+    Vec3 p{0.0f};
+    float w = 0;
+    int dimensions = 3;
+
+    Place operator*(float scale) const { return {p * scale, w * scale, dimensions}; }
+};
+
 /// Perlin's noise, about -1 to 1.
-float signed_noise(const Vec3& p);
+float signed_noise(const Place& place);
 
 /// How octaves add up; `detail` is their number less one, and may have a fraction.
 struct Octaves {
@@ -23,10 +32,10 @@ struct Octaves {
 };
 
 /// Fractional Brownian motion, 0 to 1.
-float noise(const Vec3& p, const Octaves& octaves);
-/// The same with its place moved by noise, as node Noise Texture has it; `color`: three of them.
-float distorted_noise(Vec3 p, const Octaves& octaves, float distortion);
-Vec3 distorted_noise_color(Vec3 p, const Octaves& octaves, float distortion);
+float noise(const Place& place, const Octaves& octaves);
+/// The same with its place moved by noise, as node Noise Texture has it; three of them as a colour.
+float distorted_noise(const Place& place, const Octaves& octaves, float distortion);
+Vec3 distorted_noise_color(const Place& place, const Octaves& octaves, float distortion);
 
 enum class Metric : std::uint8_t { Euclidean, Manhattan, Chebychev, Minkowski };
 

@@ -178,6 +178,7 @@ constexpr std::array<std::string_view, 2> kRamps{"linear", "constant"};
 constexpr std::array<std::string_view, 4> kRanges{"linear", "stepped", "smoothstep",
                                                   "smootherstep"};
 constexpr std::array<std::string_view, 2> kKinds{"fac", "color"};
+constexpr std::array<std::string_view, 4> kDimensions{"1d", "2d", "3d", "4d"};
 constexpr std::array<std::string_view, 4> kFeatures{"f1", "f2", "smooth_f1", "distance_to_edge"};
 constexpr std::array<std::string_view, 4> kMetrics{"euclidean", "manhattan", "chebychev",
                                                    "minkowski"};
@@ -226,7 +227,7 @@ const std::vector<Grammar>& grammar() {
                                           {"gamma", {}, 2},
                                           {"invert", {}, 2},
                                           {"maprange", {kRanges}, 6},
-                                          {"noise", {kKinds}, 6},
+                                          {"noise", {kKinds, kDimensions}, 7},
                                           {"voronoi", {kFeatures, kMetrics, kCells}, 5},
                                           {"white", {kKinds}, 1},
                                           {"checker", {}, 4},
@@ -740,7 +741,7 @@ float wave(std::span<const std::uint8_t> modes, std::span<const Vec3> in) {
     }
     n += in[5].x;
     if (in[1].x != 0) {
-        n += in[1].x * (cycles::noise(p * in[3].x, {in[2].x, saturated(in[4].x), 2}) * 2 - 1);
+        n += in[1].x * (cycles::noise({p * in[3].x}, {in[2].x, saturated(in[4].x), 2}) * 2 - 1);
     }
     if (modes[2] == 0) return 0.5f + 0.5f * std::sin(n - std::numbers::pi_v<float> / 2);
     n /= 2 * std::numbers::pi_v<float>;
@@ -815,10 +816,10 @@ using Modes = std::span<const std::uint8_t>;
 Vec3 pattern(Name name, Modes modes, std::span<const Vec3> in) {
     switch (name) {
         case Name::Noise: {
-            const cycles::Octaves octaves{in[2].x, in[3].x, in[4].x};
-            const Vec3 p = in[0] * in[1].x;
-            if (modes[0] == 1) return cycles::distorted_noise_color(p, octaves, in[5].x);
-            return Vec3(cycles::distorted_noise(p, octaves, in[5].x));
+            const cycles::Octaves octaves{in[3].x, in[4].x, in[5].x};
+            const cycles::Place place = cycles::Place{in[0], in[1].x, modes[1] + 1} * in[2].x;
+            if (modes[0] == 1) return cycles::distorted_noise_color(place, octaves, in[6].x);
+            return Vec3(cycles::distorted_noise(place, octaves, in[6].x));
         }
         case Name::Voronoi:
             return voronoi(modes, in);

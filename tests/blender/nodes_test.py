@@ -89,6 +89,14 @@ class Nodes(unittest.TestCase):
         self.agrees(self.node('ShaderNodeTexVoronoi', settings={'feature': 'DISTANCE_TO_EDGE'},
                               Scale=4.0).outputs['Distance'])
 
+    def test_flat_cells(self):
+        uv = self.node('ShaderNodeTexCoord').outputs['UV']
+        cells = [self.node('ShaderNodeTexVoronoi', {'Vector': uv}, {
+            'voronoi_dimensions': '2D', 'feature': feature}, Scale=5.0)
+            for feature in ('F1', 'DISTANCE_TO_EDGE', 'SMOOTH_F1')]
+        self.agrees(self.mean([cells[0].outputs['Color'], cells[1].outputs['Distance'],
+                               cells[2].outputs['Distance']]))
+
     def test_checker(self):
         self.agrees(self.node('ShaderNodeTexChecker', Scale=3.0, Color1=(0.9, 0.5, 0.1, 1),
                               Color2=(0.1, 0.2, 0.3, 1)).outputs['Color'])

@@ -94,7 +94,7 @@ TEST_F(NodesTest, ValuesAreFinite) {
     far.p = Vec3(3e38f);
     for (const char* pattern :
          {"noise color 4d r0 1e30 1e9 15 1 2 5",
-          "voronoi smooth_f1 minkowski position r0 1e9 1 1 1e-9",
+          "voronoi 3d smooth_f1 minkowski position r0 1e9 1 1 1e-9",
           "brick color r0 1e9 1 0 0 .1 .1 0 1e-9 1e-9 .5 2 1 2", "magic color r0 1e9 10 1e9",
           "wave rings diagonal saw r0 1e9 5 15 3 1 0", "checker r0 1e9 1 0"}) {
         const Rgb found = value({"position", pattern}, far);

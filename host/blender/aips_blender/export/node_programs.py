@@ -426,15 +426,17 @@ def _noise(program, found):
 
 def _voronoi(program, found):
     node = found.node
-    if node_dimensions(found) != '3d':
-        program.tell('cells of other dimensions are replaced by those of three')
+    dimensions = node_dimensions(found)
+    if dimensions not in ('2d', '3d'):
+        program.tell('cells of one or four dimensions are replaced by those of three')
+        dimensions = '3d'
     feature = node.feature.lower()
     if feature == 'n_sphere_radius':
         return None
     if found.input('Detail') and program.float(found, 'Detail') != '0':
         program.tell('details of node Voronoi Texture are left out')
     made = program.emit(
-        'voronoi', feature, node.distance.lower(), found.output.name.lower(),
+        'voronoi', dimensions, feature, node.distance.lower(), found.output.name.lower(),
         program.place(found), program.float(found, 'Scale'), program.share(found, 'Randomness'),
         program.share(found, 'Smoothness') if found.input('Smoothness') else '1',
         program.float(found, 'Exponent') if found.input('Exponent') else '0.5')

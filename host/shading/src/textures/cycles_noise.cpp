@@ -168,15 +168,27 @@ Vec3 floor_of(const Vec3& p) {
     return {std::floor(p.x), std::floor(p.y), std::floor(p.z)};
 }
 
+Vec3 hash_flat(const Vec3& p) {
+    const Bits x = bits(p.x), y = bits(p.y);
+    return {unit(hashed(x, y)), unit(hashed(x, y, bits(1.0f))), unit(hashed(x, y, bits(2.0f)))};
+}
+
+Vec3 color_of_cell(const Vec3& cell, const CellShape& shape) {
+    return shape.flat ? hash_flat(cell) : hash_color(cell);
+}
+
 /// Calls `visit`(cell's offset, its point from the cell of `p`) for cells up to `reach` away.
 template <class Visit>
-void visit_cells(const Vec3& cell, float randomness, int reach, Visit visit) {
-    for (int k = -reach; k <= reach; ++k) {
+void visit_cells(const Vec3& cell, const CellShape& shape, int reach, Visit visit) {
+    const int up = shape.flat ? 0 : reach;
+    for (int k = -up; k <= up; ++k) {
         for (int j = -reach; j <= reach; ++j) {
             for (int i = -reach; i <= reach; ++i) {
                 const Vec3 step(static_cast<float>(i), static_cast<float>(j),
                                 static_cast<float>(k));
-                visit(step, step + hash_color(cell + step) * randomness);
+                Vec3 within = color_of_cell(cell + step, shape);
+                if (shape.flat) within.z = 0;
+                visit(step, step + within * shape.randomness);
             }
         }
     }
@@ -255,14 +267,14 @@ Cell nearest_cell(const Vec3& p, const CellShape& shape) {
     Cell found;
     found.distance = std::numeric_limits<float>::max();
     Vec3 of(0.0f);
-    visit_cells(cell, shape.randomness, 1, [&](const Vec3& step, const Vec3& point) {
+    visit_cells(cell, shape, 1, [&](const Vec3& step, const Vec3& point) {
         const float d = distance(point, local, shape);
         if (d >= found.distance) return;
         found.distance = d;
         found.position = point + cell;
         of = step;
     });
-    found.color = hash_color(cell + of);
+    found.color = color_of_cell(cell + of, shape);
     return found;
 }
 
@@ -271,7 +283,7 @@ Cell second_cell(const Vec3& p, const CellShape& shape) {
     Cell first, second;
     first.distance = second.distance = std::numeric_limits<float>::max();
     Vec3 of_first(0.0f), of_second(0.0f);
-    visit_cells(cell, shape.randomness, 1, [&](const Vec3& step, const Vec3& point) {
+    visit_cells(cell, shape, 1, [&](const Vec3& step, const Vec3& point) {
         const float d = distance(point, local, shape);
         if (d < first.distance) {
             second = first;
@@ -285,7 +297,7 @@ Cell second_cell(const Vec3& p, const CellShape& shape) {
             of_second = step;
         }
     });
-    second.color = hash_color(cell + of_second);
+    second.color = color_of_cell(cell + of_second, shape);
     return second;
 }
 
@@ -295,14 +307,14 @@ Cell smooth_cell(const Vec3& p, const CellShape& shape) {
     const float smoothness = std::clamp(shape.smoothness / 2, 1e-5f, 0.5f);
     Cell sum;
     float smooth = 8;
-    visit_cells(cell, shape.randomness, 2, [&](const Vec3& step, const Vec3& point) {
+    visit_cells(cell, shape, 2, [&](const Vec3& step, const Vec3& point) {
         const float d = distance(point, local, shape);
         const float t = std::clamp(0.5f + 0.5f * (smooth - d) / smoothness, 0.0f, 1.0f);
         const float h = t * t * (3 - 2 * t);
         float bend = smoothness * h * (1 - h);
         smooth += (d - smooth) * h - bend;
         bend /= 1 + 3 * smoothness;
-        sum.color += (hash_color(cell + step) - sum.color) * h - Vec3(bend);
+        sum.color += (color_of_cell(cell + step, shape) - sum.color) * h - Vec3(bend);
         sum.position += (point - sum.position) * h - Vec3(bend);
     });
     sum.distance = smooth;
@@ -314,14 +326,14 @@ float distance_to_edge(const Vec3& p, const CellShape& shape) {
     const Vec3 cell = floor_of(p), local = p - cell;
     Vec3 nearest(0.0f);
     float least = std::numeric_limits<float>::max();
-    visit_cells(cell, shape.randomness, 1, [&](const Vec3&, const Vec3& point) {
+    visit_cells(cell, shape, 1, [&](const Vec3&, const Vec3& point) {
         const Vec3 to = point - local;
         if (to.dot(to) >= least) return;
         least = to.dot(to);
         nearest = to;
     });
     least = std::numeric_limits<float>::max();
-    visit_cells(cell, shape.randomness, 1, [&](const Vec3&, const Vec3& point) {
+    visit_cells(cell, shape, 1, [&](const Vec3&, const Vec3& point) {
         const Vec3 to = point - local, across = to - nearest;
         if (across.dot(across) <= 1e-4f) return;
         least = std::min(least, ((nearest + to) / 2).dot(across.normalized()));

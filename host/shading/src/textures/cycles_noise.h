@@ -46,6 +46,7 @@ struct Cell {
 struct CellShape {
     float randomness = 1, exponent = 0.5f, smoothness = 1;
     Metric metric = Metric::Euclidean;
+    bool flat = false;  ///< of two dimensions: places have a z of 0
 };
 
 Cell nearest_cell(const Vec3& p, const CellShape& shape);

@@ -178,6 +178,7 @@ constexpr std::array<std::string_view, 2> kRamps{"linear", "constant"};
 constexpr std::array<std::string_view, 4> kRanges{"linear", "stepped", "smoothstep",
                                                   "smootherstep"};
 constexpr std::array<std::string_view, 2> kKinds{"fac", "color"};
+constexpr std::array<std::string_view, 2> kCellDimensions{"2d", "3d"};
 constexpr std::array<std::string_view, 4> kDimensions{"1d", "2d", "3d", "4d"};
 constexpr std::array<std::string_view, 4> kFeatures{"f1", "f2", "smooth_f1", "distance_to_edge"};
 constexpr std::array<std::string_view, 4> kMetrics{"euclidean", "manhattan", "chebychev",
@@ -199,42 +200,43 @@ struct Grammar {
 
 /// In the order of Name.
 const std::vector<Grammar>& grammar() {
-    static const std::vector<Grammar> all{{"value", {}, 3},
-                                          {"position", {}, 0, false, true},
-                                          {"local", {}, 0, false, true},
-                                          {"uv", {}, 0, false, true},
-                                          {"normal", {}, 0, false, true},
-                                          {"localnormal", {}, 0, false, true},
-                                          {"color", {}, 0, false, true},
-                                          {"alpha", {}, 0, false, true},
-                                          {"texture", {}, 1, false, true},
-                                          {"textureat", {}, 2, false, true},
-                                          {"affine", {}, 1, true},
-                                          {"luminance", {}, 1},
-                                          {"average", {}, 1},
-                                          {"channel", {kAxes}, 1},
-                                          {"combine", {}, 3},
-                                          {"tohsv", {}, 1},
-                                          {"fromhsv", {}, 1},
-                                          {"math", {kMath}, 3},
-                                          {"vector", {kVectorMath}, 4},
-                                          {"mix", {kMix}, 3},
-                                          {"clamp", {}, 3},
-                                          {"ramp", {kRamps}, 1, true},
-                                          {"curves", {}, 1, true},
-                                          {"huesaturation", {}, 5},
-                                          {"brightcontrast", {}, 3},
-                                          {"gamma", {}, 2},
-                                          {"invert", {}, 2},
-                                          {"maprange", {kRanges}, 6},
-                                          {"noise", {kKinds, kDimensions}, 7},
-                                          {"voronoi", {kFeatures, kMetrics, kCells}, 5},
-                                          {"white", {kKinds}, 1},
-                                          {"checker", {}, 4},
-                                          {"brick", {kKinds}, 14},
-                                          {"gradient", {kGradients}, 1},
-                                          {"wave", {kWaves, kDirections, kProfiles}, 7},
-                                          {"magic", {kKinds}, 4}};
+    static const std::vector<Grammar> all{
+        {"value", {}, 3},
+        {"position", {}, 0, false, true},
+        {"local", {}, 0, false, true},
+        {"uv", {}, 0, false, true},
+        {"normal", {}, 0, false, true},
+        {"localnormal", {}, 0, false, true},
+        {"color", {}, 0, false, true},
+        {"alpha", {}, 0, false, true},
+        {"texture", {}, 1, false, true},
+        {"textureat", {}, 2, false, true},
+        {"affine", {}, 1, true},
+        {"luminance", {}, 1},
+        {"average", {}, 1},
+        {"channel", {kAxes}, 1},
+        {"combine", {}, 3},
+        {"tohsv", {}, 1},
+        {"fromhsv", {}, 1},
+        {"math", {kMath}, 3},
+        {"vector", {kVectorMath}, 4},
+        {"mix", {kMix}, 3},
+        {"clamp", {}, 3},
+        {"ramp", {kRamps}, 1, true},
+        {"curves", {}, 1, true},
+        {"huesaturation", {}, 5},
+        {"brightcontrast", {}, 3},
+        {"gamma", {}, 2},
+        {"invert", {}, 2},
+        {"maprange", {kRanges}, 6},
+        {"noise", {kKinds, kDimensions}, 7},
+        {"voronoi", {kCellDimensions, kFeatures, kMetrics, kCells}, 5},
+        {"white", {kKinds}, 1},
+        {"checker", {}, 4},
+        {"brick", {kKinds}, 14},
+        {"gradient", {kGradients}, 1},
+        {"wave", {kWaves, kDirections, kProfiles}, 7},
+        {"magic", {kKinds}, 4}};
     return all;
 }
 
@@ -776,15 +778,17 @@ Vec3 magic(const Vec3& place, int depth, float by) {
 /// Inputs: place, scale, randomness, smoothness, exponent.
 Vec3 voronoi(std::span<const std::uint8_t> modes, std::span<const Vec3> in) {
     const float scale = in[1].x;
+    const bool flat = modes[0] == 0;
     const cycles::CellShape shape{saturated(in[2].x), in[4].x, in[3].x,
-                                  static_cast<cycles::Metric>(modes[1])};
-    const Vec3 p = in[0] * scale;
-    if (modes[0] == 3) return Vec3(cycles::distance_to_edge(p, shape));
-    const cycles::Cell cell = modes[0] == 0   ? cycles::nearest_cell(p, shape)
-                              : modes[0] == 1 ? cycles::second_cell(p, shape)
+                                  static_cast<cycles::Metric>(modes[2]), flat};
+    Vec3 p = in[0] * scale;
+    if (flat) p.z = 0;
+    if (modes[1] == 3) return Vec3(cycles::distance_to_edge(p, shape));
+    const cycles::Cell cell = modes[1] == 0   ? cycles::nearest_cell(p, shape)
+                              : modes[1] == 1 ? cycles::second_cell(p, shape)
                                               : cycles::smooth_cell(p, shape);
-    if (modes[2] == 0) return Vec3(cell.distance);
-    if (modes[2] == 1) return cell.color;
+    if (modes[3] == 0) return Vec3(cell.distance);
+    if (modes[3] == 1) return cell.color;
     return scale == 0 ? Vec3(0.0f) : cell.position / scale;
 }
 

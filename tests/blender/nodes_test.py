@@ -66,11 +66,12 @@ class Nodes(unittest.TestCase):
         self.agrees(self.noise(Distortion=0.7, Detail=2.5).outputs['Color'])
 
     def test_noise_of_other_dimensions(self):
-        place = self.node('ShaderNodeTexCoord').outputs['Generated']
+        place = {'Vector': self.node('ShaderNodeTexCoord').outputs['Generated']}
+        fourth = {'W': self.noise().outputs['Fac']}
         self.agrees(self.mean([self.node(
-            'ShaderNodeTexNoise', {'Vector': place, 'W': self.noise().outputs['Fac']},
-            {'noise_dimensions': kind}, Scale=4.0, Distortion=0.5).outputs['Color']
-            for kind in ('1D', '2D', '4D')]))
+            'ShaderNodeTexNoise', links, {'noise_dimensions': kind}, Scale=4.0,
+            Distortion=0.5).outputs['Color']
+            for kind, links in (('1D', fourth), ('2D', place), ('4D', {**place, **fourth}))]))
 
     def test_noise_by_object_coordinates_that_are_mapped(self):
         mapping = self.node('ShaderNodeMapping', {

@@ -13,6 +13,7 @@ import small_scenes as scenes
 from cycles_agreement import differences
 
 FACETS = 0.04    # LuxRender's facets shadow each other by another formula than Cycles'
+TOUCH = 0.04     # photons below what lets light through and touches the floor
 DISC = 0.04      # Cycles' balls of light are discs turned to what they light
 FOG = 0.04       # leaves room for noise, which fades slowly there
 STEEP = 0.04     # bumps so steep that normals turn away from eye or light, by other rules
@@ -109,7 +110,7 @@ class Materials(Agreement):
         self.ball('glass', 'ShaderNodeBsdfGlass', Roughness=0, IOR=1.5)
 
     def test_translucent(self):
-        self.ball('translucent', 'ShaderNodeBsdfTranslucent', Color=(0.8, 0.8, 0.8, 1))
+        self.ball('translucent', 'ShaderNodeBsdfTranslucent', TOUCH, Color=(0.8, 0.8, 0.8, 1))
 
     def test_transparent(self):
         self.ball('transparent', 'ShaderNodeBsdfTransparent', Color=(0.8, 0.6, 0.8, 1))

@@ -13,7 +13,7 @@ import small_scenes as scenes
 from cycles_agreement import differences
 
 FACETS = 0.04    # LuxRender's facets shadow each other by another formula than Cycles'
-PRINCIPLED = 0.05  # Cycles' diffuse base is Burley's, which darkens and brightens by angle
+TOUCH = 0.04     # photons below what lets light through and touches the floor
 DISC = 0.04      # Cycles' balls of light are discs turned to what they light
 FOG = 0.04       # leaves room for noise, which fades slowly there
 STEEP = 0.04     # bumps so steep that normals turn away from eye or light, by other rules
@@ -110,7 +110,7 @@ class Materials(Agreement):
         self.ball('glass', 'ShaderNodeBsdfGlass', Roughness=0, IOR=1.5)
 
     def test_translucent(self):
-        self.ball('translucent', 'ShaderNodeBsdfTranslucent', Color=(0.8, 0.8, 0.8, 1))
+        self.ball('translucent', 'ShaderNodeBsdfTranslucent', TOUCH, Color=(0.8, 0.8, 0.8, 1))
 
     def test_transparent(self):
         self.ball('transparent', 'ShaderNodeBsdfTransparent', Color=(0.8, 0.6, 0.8, 1))
@@ -119,7 +119,7 @@ class Materials(Agreement):
         self.ball('glossy', 'ShaderNodeBsdfGlossy', FACETS, Color=(0.8, 0.8, 0.8, 1), Roughness=0.4)
 
     def test_principled_metal(self):
-        self.ball('metal', 'ShaderNodeBsdfPrincipled', FACETS, Base_Color=(0.9, 0.7, 0.4, 1),
+        self.ball('metal', 'ShaderNodeBsdfPrincipled', Base_Color=(0.9, 0.7, 0.4, 1),
                   Roughness=0.4, Metallic=1)
 
     def test_principled_glass(self):
@@ -127,8 +127,37 @@ class Materials(Agreement):
                   Roughness=0, Transmission=1)
 
     def test_principled_plastic(self):
-        self.ball('plastic', 'ShaderNodeBsdfPrincipled', PRINCIPLED, Base_Color=(0.6, 0.3, 0.2, 1),
+        self.ball('plastic', 'ShaderNodeBsdfPrincipled', Base_Color=(0.6, 0.3, 0.2, 1),
                   Roughness=0.4)
+
+    def test_glossy_over_diffuse_by_fresnel(self):
+        scene = scenes.lit_stage()
+        made = scenes.material('varnish', 'ShaderNodeMixShader')
+        tree = made.node_tree
+        mix = tree.nodes['Mix Shader']
+        for i, kind, inputs in ((0, 'Fresnel', {'IOR': 1.6}),
+                                (1, 'BsdfDiffuse', {'Color': (0.5, 0.3, 0.1, 1)}),
+                                (2, 'BsdfGlossy', {'Roughness': 0.3})):
+            node = tree.nodes.new(f'ShaderNode{kind}')
+            for key, value in inputs.items():
+                node.inputs[key].default_value = value
+            tree.links.new(node.outputs[0], mix.inputs[i])
+        scenes.ball('ball', 0.7, made, (0.8, 0.2, 0.7))
+        self.agrees('varnish', scene, FACETS)
+
+    def test_principled_with_a_second_coat(self):
+        self.ball('coat', 'ShaderNodeBsdfPrincipled', FACETS, Base_Color=(0.5, 0.1, 0.1, 1),
+                  Roughness=0.7, Clearcoat=1, Clearcoat_Roughness=0.1)
+
+    def test_principled_seen_from_behind(self):
+        """Its coat is on both sides: of a floor that turns its back, black below the coat."""
+        scene = scenes.stage()
+        floor = bpy.data.objects['floor']
+        floor.data.flip_normals()
+        floor.data.materials[0] = scenes.material(
+            'coated', 'ShaderNodeBsdfPrincipled', Base_Color=(0, 0, 0, 1), Roughness=0.3)
+        scenes.light('AREA', 300, (0.5, -0.5, 4), (0.2, 0.1, 0), size=1.5)
+        self.agrees('behind', scene)
 
     def test_mix(self):
         scene = scenes.lit_stage()
@@ -159,6 +188,21 @@ class Materials(Agreement):
             bpy.data.objects[name].data.materials[0] = waves
         self.agrees('bump', scene, STEEP)
 
+    def test_bump_of_noise(self):
+        scene = scenes.stage()
+        scenes.background(scene, (1, 1, 1), 0.2)
+        scenes.light('SUN', 3, turn=(0.9, 0.5, 0), angle=0.05)
+        made = scenes.grey()
+        tree = made.node_tree
+        noise, bump = tree.nodes.new('ShaderNodeTexNoise'), tree.nodes.new('ShaderNodeBump')
+        noise.inputs['Scale'].default_value, noise.inputs['Detail'].default_value = 4, 0
+        bump.inputs['Distance'].default_value, bump.inputs['Strength'].default_value = 0.5, 1
+        tree.links.new(noise.outputs['Fac'], bump.inputs['Height'])
+        tree.links.new(bump.outputs[0], tree.nodes['Diffuse BSDF'].inputs['Normal'])
+        for name in ('wall', 'floor'):
+            bpy.data.objects[name].data.materials[0] = made
+        self.agrees('noisy bump', scene, STEEP)
+
     def test_principled_alpha(self):
         self.ball('alpha', 'ShaderNodeBsdfPrincipled', Base_Color=(0.5, 0.4, 0.3, 1), Specular=0,
                   Roughness=0.5, Alpha=0.4)
@@ -186,7 +230,7 @@ class Volumes(Agreement):
         scenes.add_volume(glass, 'ShaderNodeVolumeAbsorption', Density=0.8,
                           Color=(0.3, 0.6, 0.9, 1))
         scenes.ball('ball', 0.7, glass, (0.8, 0.2, 0.7))
-        self.agrees('tinted', scene)
+        self.agrees('tinted', scene, integrator='path')
 
 
 class Cameras(Agreement):

@@ -12,11 +12,11 @@ from fixture import FOLDER, LXSRENDER
 
 WIDTH, HEIGHT, BLOCK = 96, 64, 16  # pixels
 DARK = 0.1    # share of the image's mean below which a block counts as if it were that bright
-SAMPLES, PASSES = 100, 160
+SAMPLES, PASSES = 256, 160
 MAP_ROWS = 256  # of the map that steers samples of the world; Cycles' own choice takes long to make
 
 
-def cycles_image(scene, path):
+def cycles_image(scene, path, samples=SAMPLES):
     scene.render.engine = 'CYCLES'
     scene.render.resolution_x, scene.render.resolution_y = WIDTH, HEIGHT
     scene.render.resolution_percentage = 100
@@ -24,7 +24,7 @@ def cycles_image(scene, path):
     settings.file_format, settings.color_mode = 'OPEN_EXR', 'RGB'
     settings.color_depth, settings.exr_codec = '32', 'ZIP'
     cycles = scene.cycles
-    cycles.device, cycles.samples, cycles.use_denoising = 'CPU', SAMPLES, False
+    cycles.device, cycles.samples, cycles.use_denoising = 'CPU', samples, False
     cycles.use_adaptive_sampling = False
     cycles.sample_clamp_indirect = cycles.blur_glossy = cycles.light_sampling_threshold = 0
     cycles.max_bounces = cycles.diffuse_bounces = cycles.glossy_bounces = 16

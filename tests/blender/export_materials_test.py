@@ -17,8 +17,8 @@ class Materials(unittest.TestCase):
     def test_groups_and_reroutes_are_looked_through(self):
         scenes.stage()
         group = bpy.data.node_groups.new('paint', 'ShaderNodeTree')
-        group.inputs.new('NodeSocketColor', 'Tint')
-        group.outputs.new('NodeSocketShader', 'Surface')
+        scenes.add_group_socket(group, 'Tint', 'NodeSocketColor')
+        scenes.add_group_socket(group, 'Surface', 'NodeSocketShader', output=True)
         inside, out = group.nodes.new('NodeGroupInput'), group.nodes.new('NodeGroupOutput')
         diffuse = group.nodes.new('ShaderNodeBsdfDiffuse')
         group.links.new(inside.outputs[0], diffuse.inputs['Color'])
@@ -35,6 +35,18 @@ class Materials(unittest.TestCase):
         text, left_out = exported('grouped')
         self.assertIn('"grouped" "string type" ["matte"] "color Kd" [0.25 0.25 0.25]', text)
         self.assertEqual(left_out, [])
+
+    def test_principled_by_its_sockets_of_either_version(self):
+        """What shines back straight on: by Specular alone in Blender 3, by index too from 4 on."""
+        scenes.stage()
+        made = scenes.material('coated', 'ShaderNodeBsdfPrincipled', Specular=0.25, IOR=2.0)
+        scenes.box('coated', 1, made, (2, 0, 0))
+        by_index = 'Specular IOR Level' in made.node_tree.nodes[0].inputs
+        share = 2 * 0.25 / 9 if by_index else 0.02
+        text, left_out = exported('coated')
+        self.assertEqual(left_out, [])
+        found = re.search(r'"coated" "string type" \["glossy"\].*"color Ks" \[(.*?)\]', text)
+        np.testing.assert_allclose([float(c) for c in found.group(1).split()], share, rtol=1e-5)
 
     def test_muted_links_are_none(self):
         scenes.stage()
@@ -58,10 +70,30 @@ class Materials(unittest.TestCase):
         self.assertEqual(left_out, [])
         self.assertGreater(render('override').min(), 0.9)
 
+    def test_worlds_of_mixed_shaders_and_patterns(self):
+        """What lights most is taken, and a night sky stays dark."""
+        scene = scenes.stage()
+        night = scenes.background(scene, (1, 1, 1), 2)
+        tree = scene.world.node_tree
+        ramp = feed(scene.world, 'Background', 'Color', 'ShaderNodeValToRGB').from_node
+        ramp.color_ramp.elements[0].color = (0.25, 0.25, 0.25, 1)
+        feed(scene.world, ramp.name, 'Fac', 'ShaderNodeTexNoise')
+        mix, seen = tree.nodes.new('ShaderNodeMixShader'), tree.nodes.new('ShaderNodeBackground')
+        for output, place in ((tree.nodes.new('ShaderNodeLightPath').outputs[0], mix.inputs[0]),
+                              (night.outputs[0], mix.inputs[1]), (seen.outputs[0], mix.inputs[2]),
+                              (mix.outputs[0], tree.nodes['World Output'].inputs['Surface'])):
+            tree.links.new(output, place)
+        text, left_out = exported('night')
+        self.assertIn('LightSource "infinite" "color L" [0.25 0.25 0.25] "float gain" [2]', text)
+        self.assertEqual(left_out, [
+            'of mixed shaders of the world one is taken: World',
+            'of textures of the world other than image and sky the darker colour is taken: World'])
+
     def test_what_is_not_carried_over_is_told(self):
         scenes.stage()
         odd = scenes.material('odd', 'ShaderNodeBsdfAnisotropic', Anisotropy=0.5)
-        bump = feed(odd, 'Anisotropic BSDF', 'Normal', 'ShaderNodeBump').from_node
+        shader = odd.node_tree.nodes[0].name
+        bump = feed(odd, shader, 'Normal', 'ShaderNodeBump').from_node
         heights = feed(odd, bump.name, 'Height', 'ShaderNodeTexImage').from_node
         heights.image = bpy.data.images.new('heights', 4, 4, float_buffer=True)
         feed(odd, bump.name, 'Normal', 'ShaderNodeNormalMap')
@@ -69,17 +101,17 @@ class Materials(unittest.TestCase):
         feed(odd, mapping.name, 'Vector', 'ShaderNodeUVMap')
         feed(odd, mapping.name, 'Rotation', 'ShaderNodeCombineXYZ')
         feed(odd, mapping.name, 'Scale', 'ShaderNodeValue').from_node.outputs[0].default_value = 3
-        color = feed(odd, 'Anisotropic BSDF', 'Color', 'ShaderNodeAttribute').from_node
+        color = feed(odd, shader, 'Color', 'ShaderNodeAttribute').from_node
         color.attribute_type, color.attribute_name = 'OBJECT', 'color'
         scenes.box('odd', 1, odd, (2, 0, 0))
         scenes.preetham_sky(bpy.context.scene, (0, 0, 1), 3, 1)
         world = bpy.context.scene.world
         feed(world, 'Sky Texture', 'Vector', 'ShaderNodeMapping')
         text, left_out = exported('odd')
-        self.assertIn('"float uscale" [3]', text)
+        self.assertIn('vector multiply r0 3', text)
         self.assertEqual(left_out, [
             'anisotropy of glossy surfaces is left out: odd',
-            'linked inputs of node Mapping are taken as they are set: odd',
+            'linked rotations of node Mapping are taken as they are set: odd',
             'nodes Attribute are replaced by grey: odd',
             'normals that a node Bump is given are left out: odd',
             "the world's coordinates by nodes are left out: World"])
@@ -188,23 +220,95 @@ class Layers(unittest.TestCase):
 
 
 class Images(unittest.TestCase):
-    def test_linear_files_go_with_the_scene(self):
-        scenes.stage()
-        values = np.full((4, 4, 3), 0.25, np.float32)
-        path = os.path.join(FOLDER, 'elsewhere', 'heights.exr')
-        os.makedirs(os.path.dirname(path))
-        exr.write(path, values)
+    def shown(self, picture, output='Color', socket='Color'):
+        """A diffuse box with an image, which a node shows."""
+        scenes.lit_stage()
         made = scenes.grey()
-        node = feed(made, 'Diffuse BSDF', 'Color', 'ShaderNodeTexImage').from_node
-        node.image = bpy.data.images.load(path)
+        link = feed(made, 'Diffuse BSDF', socket, 'ShaderNodeTexImage')
+        node = link.from_node
+        made.node_tree.links.new(node.outputs[output], link.to_socket)
+        node.image = picture() if callable(picture) else picture
         scenes.box('box', 1, made, (2, 0, 0))
-        text, _ = exported('linear')
-        name = re.search(r'"string filename" \["(.*?exr)"\]', text).group(1)
-        self.assertRegex(name, '^linear-files/heights.exr-0.exr$')
-        np.testing.assert_array_equal(exr.read(os.path.join(FOLDER, name)).stack('RGB'), values)
+        return node.image
+
+    def texture(self, name):
+        """The line of the image's texture, and its file."""
+        text, left_out = exported(name)
+        self.assertEqual(left_out, [])
+        line = next(t for t in text.splitlines() if '"imagemap"' in t)
+        return line, os.path.join(FOLDER, re.search(r'filename" \["(.*?)"\]', line).group(1))
+
+    def on_disk(self, name):
+        """Path of a PNG file that lies elsewhere."""
+        path = os.path.join(FOLDER, 'elsewhere', name)
+        made = scenes.image(name, np.full((4, 4, 4), 0.5, np.float32), False)
+        made.filepath_raw, made.file_format = path, 'PNG'
+        made.save()
+        bpy.data.images.remove(made)
+        return path
+
+    def test_files_on_disk_are_read_where_they_lie(self):
+        for name in ('paint.png', 'what "they" call it.png'):
+            path = self.on_disk(name)
+            self.shown(lambda: bpy.data.images.load(path))
+            line, file = self.texture('disk')
+            self.assertIn('"string colorspace" ["srgb"] "bool plaincolors" ["true"]', line)
+            self.assertEqual(file == path, '"' not in name)
+            with open(path, 'rb') as given, open(file, 'rb') as found:
+                self.assertEqual(given.read(), found.read())
+            self.assertIsNotNone(render('disk'))
+
+    def test_packed_files_are_written_once_as_they_are_stored(self):
+        path = self.on_disk('packed.png')
+        picture = self.shown(lambda: bpy.data.images.load(path))
+        picture.pack()
+        os.remove(path)
+        _, file = self.texture('packed')
+        self.assertEqual(os.path.dirname(file), os.path.join(FOLDER, 'packed-files'))
+        written = os.stat(file).st_mtime_ns
+        self.assertEqual(self.texture('packed')[1], file)
+        self.assertEqual(os.stat(file).st_mtime_ns, written)
+        render('packed')
+
+    def test_data_and_linear_files_are_linear(self):
+        path = self.on_disk('data.png')
+        self.shown(lambda: bpy.data.images.load(path)).colorspace_settings.name = 'Non-Color'
+        self.assertIn('"float gamma" [1]', self.texture('data')[0])
+
+    def test_pixels_that_are_in_no_file(self):
+        values = np.full((2, 4, 4), 0.5, np.float32)
+        values[0, 0] = (1, 0, 0.2, 0.4)
+        self.shown(lambda: scenes.image('made', values, False))
+        line, file = self.texture('made')
+        self.assertTrue(file.endswith('.tga'))
+        with open(file, 'rb') as data:
+            self.assertEqual(data.read()[-16:-12], bytes((51, 0, 255, 102)))  # the last row begins
+        self.assertIn('"srgb"', line)
+        self.shown(lambda: scenes.image('floats', values, True))
+        image = exr.read(self.texture('floats')[1]).stack('RGBA')
+        np.testing.assert_allclose(image[1, 0], values[0, 0], atol=1e-6)
+
+    def test_alpha_is_a_channel(self):
+        for socket, kind in (('Roughness', 'float'), ('Color', 'color')):
+            picture = self.shown(lambda: scenes.image(
+                'made', np.full((2, 2, 4), 0.25, np.float32), False), 'Alpha', socket)
+            text, _ = exported('alpha')
+            self.assertRegex(text, r'"float" "imagemap".*"string channel" \["alpha"\]')
+            self.assertEqual('"grey" "color" "mix" "texture amount" ["made"]' in text,
+                             kind == 'color')
+        picture.alpha_mode = 'NONE'
+        self.assertNotIn('imagemap', exported('opaque')[0])
+
+    def test_missing_images_are_magenta_and_told(self):
+        path = self.on_disk('gone.png')
+        self.shown(lambda: bpy.data.images.load(path))
+        os.remove(path)
+        text, left_out = exported('gone')
+        self.assertEqual(left_out, ['images that cannot be read are magenta: gone.png'])
+        self.assertRegex(text, r'"color Kd" \[0\.9\d* 0\.01\d* 1\]')  # which is shown as magenta
 
     def test_images_of_one_name_in_two_libraries(self):
-        scenes.stage()
+        scenes.lit_stage()
         for shade in (0.25, 0.5):
             picture = bpy.data.images.new('picture', 4, 4, float_buffer=True)
             picture.pixels.foreach_set([shade] * 64)
@@ -218,9 +322,10 @@ class Images(unittest.TestCase):
             feed(made, 'Diffuse BSDF', 'Color', 'ShaderNodeTexImage').from_node.image = \
                 linked.images[0]
             scenes.box('box', 1, made, (2, 0, 0))
-        names = re.findall(r'"string filename" \["(.*?exr)"\]', exported('libraries')[0])
-        shades = [exr.read(os.path.join(FOLDER, name)).channels['R'][0, 0] for name in names]
-        self.assertEqual(shades, [0.25, 0.5])
+        text, _ = exported('libraries', Film(8, 8, passes=1))
+        names = re.findall(r'"imagemap" "string filename" \["(.*?)"\]', text)
+        self.assertEqual(len(set(names)), 2)
+        render('libraries')
 
 
 def feed(made, node, socket, node_type):

@@ -3,11 +3,13 @@ import os
 import sys
 import time
 import unittest
+from types import SimpleNamespace
+from unittest import mock
 
 import numpy as np
 
-from aips_blender import command, exr, murmur, passes, process, status
-from aips_blender.export import colours, lights, ply
+from aips_blender import command, exr, murmur, passes, process, reasons, status
+from aips_blender.export import colours, lights, ply, versions
 from aips_blender.export.camera import View, window_of
 from aips_blender.export.film import Film
 from aips_blender.export.left_out import LeftOut
@@ -35,6 +37,58 @@ class Exr(unittest.TestCase):
                 file.write(data[:length])
             with self.assertRaisesRegex(exr.ExrError, 'damaged.exr is not an EXR file'):
                 exr.read(path)
+
+
+def has(**paths):
+    """Something with settings by their paths, in which __ stands for a dot."""
+    made = SimpleNamespace()
+    for path, value in paths.items():
+        *owners, name = path.split('__')
+        at = made
+        for owner in owners:
+            at.__dict__.setdefault(owner, SimpleNamespace())
+            at = getattr(at, owner)
+        setattr(at, name, value)
+    return made
+
+
+class Versions(unittest.TestCase):
+    """What Blender's versions keep in different places is found in each."""
+
+    def test_what_was_cycles_own_is_found_in_its_new_place_too(self):
+        for read, old, new, value in (
+                (versions.motion_blur_position, 'cycles__motion_blur_position',
+                 'render__motion_blur_position', 'START'),
+                (versions.panorama_type, 'cycles__panorama_type', 'panorama_type',
+                 'EQUIRECTANGULAR'),
+                (versions.casts_shadow, 'cycles__cast_shadow', 'use_shadow', False)):
+            for path in (old, new):
+                self.assertEqual(read(has(**{'render__engine': '', path: value})), value)
+        # Until it was Cycles' too, the second was Eevee's alone.
+        self.assertTrue(versions.casts_shadow(has(cycles__cast_shadow=True, use_shadow=False)))
+
+    def test_exposure_and_temperature_of_lights(self):
+        self.assertEqual(versions.light_scale(has()), (1, 1, 1))
+        bright = versions.light_scale(has(exposure=1.0, use_temperature=True, temperature=3500.0))
+        np.testing.assert_allclose(bright, (3.13, 1.79, 0.81), atol=0.02)
+        self.assertEqual(versions.light_scale(has(exposure=-1, use_temperature=False)), (0.5,) * 3)
+
+    def test_nodes_that_nobody_switches_on(self):
+        self.assertTrue(versions.uses_nodes(has(node_tree=1)))
+        self.assertFalse(versions.uses_nodes(has(node_tree=None)))
+        self.assertFalse(versions.uses_nodes(has(node_tree=1, use_nodes=False)))
+
+
+class Reasons(unittest.TestCase):
+    def test_one_line_whatever_was_raised(self):
+        self.assertEqual(reasons.reason(exr.ExrError('as it is')), 'as it is')
+        try:
+            raise KeyError('Specular')
+        except KeyError as error:
+            with mock.patch('traceback.print_exception') as printed:
+                said = reasons.reason(error)
+        self.assertRegex(said, r"^KeyError: 'Specular' \(test_one_line.*, line \d+\); the console")
+        printed.assert_called_once()
 
 
 class Text(unittest.TestCase):
@@ -69,13 +123,13 @@ class Formulas(unittest.TestCase):
 
     def test_images_have_the_colours_of_surfaces(self):
         values = np.array([[[0.8, 0.3, 0.2], [0.2, 0.2, 0.2]], [[0.1, 0.5, 0.9], [0.3, 0.6, 0.3]]])
-        image = colours.surface_image(values)
+        image = colours.written(values, colours.SURFACES, np.inf)
         np.testing.assert_allclose(colours.shown(image, colours.SURFACES), values, atol=1e-5)
         np.testing.assert_allclose(image[0, 0], colours.surface_color(values[0, 0]), atol=1e-6)
 
     def test_mean_of_a_narrow_spot(self):
         rim = np.cos(0.3)
-        flat = lights.sphere_mean(np.where(lights.spot_profile(rim, 0.0, 8192) > 0, 1.0, 0.0))
+        flat = lights.sphere_mean(np.where(lights.spot_profile(rim, 0.0, 8192, True) > 0, 1.0, 0.0))
         self.assertAlmostEqual(flat, (1 - rim) / 2, places=4)
 
     def test_welded_corners_give_the_same_triangles(self):

@@ -153,6 +153,11 @@ class Fails(unittest.TestCase):
         bpy.data.objects.remove(scene.camera)
         self.fails('camera')
 
+    def test_what_nobody_foresaw(self):
+        small_scene()
+        with mock.patch.object(engine, 'export', side_effect=KeyError('Specular')):
+            self.fails("aips: KeyError: 'Specular' .* the console has more")
+
 
 class Asked:
     """Stands for Blender's engine: asks to stop once there is an image, and keeps what comes."""

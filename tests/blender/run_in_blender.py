@@ -22,7 +22,7 @@ def environment(folder, blender):
     # Packaged Blenders look for their Python's library beside the first python3 on PATH.
     path = os.pathsep.join([str(pathlib.Path(blender).parent), os.environ.get('PATH', '')])
     return {**os.environ, 'PATH': path, 'BLENDER_USER_CONFIG': folder,
-            'BLENDER_USER_SCRIPTS': folder,
+            'BLENDER_USER_SCRIPTS': folder, 'BLENDER_USER_EXTENSIONS': folder,
             'TMPDIR': folder, 'AIPS_TEST_FOLDER': folder}
 
 

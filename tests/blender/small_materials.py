@@ -3,8 +3,29 @@ import bpy
 import numpy as np
 
 
+# Names of sockets in Blender 3, and from 4 on.
+RENAMED = {'Specular': 'Specular IOR Level', 'Transmission': 'Transmission Weight',
+           'Emission': 'Emission Color', 'Clearcoat': 'Coat Weight',
+           'Clearcoat Roughness': 'Coat Roughness', 'Subsurface': 'Subsurface Weight',
+           'Sheen': 'Sheen Weight'}
+
+
+def socket(node, name):
+    """An input by its name in Blender 3."""
+    return node.inputs[name if name in node.inputs else RENAMED[name]]
+
+
+def add_group_socket(group, name, kind, output=False):
+    """Gives a node group a socket."""
+    if hasattr(group, 'interface'):  # from Blender 4 on
+        group.interface.new_socket(name, in_out='OUTPUT' if output else 'INPUT', socket_type=kind)
+    else:
+        (group.outputs if output else group.inputs).new(kind, name)
+
+
 def material(name, node_type, **inputs):
-    """A material of one shader node, with values of its inputs by name (_ for a space)."""
+    """A material of one shader node, with values of its inputs by name (_ for a space), which are
+    those of Blender 3."""
     made = bpy.data.materials.new(name)
     made.use_nodes = True
     nodes = made.node_tree.nodes
@@ -12,7 +33,7 @@ def material(name, node_type, **inputs):
     shader, output = nodes.new(node_type), nodes.new('ShaderNodeOutputMaterial')
     made.node_tree.links.new(shader.outputs[0], output.inputs['Surface'])
     for key, value in inputs.items():
-        shader.inputs[key.replace('_', ' ')].default_value = value
+        socket(shader, key.replace('_', ' ')).default_value = value
     return made
 
 

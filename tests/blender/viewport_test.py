@@ -116,6 +116,12 @@ class Previews(unittest.TestCase):
             self.assertNotEqual(fourth[1], scene_file)
             self.assertFalse(os.path.exists(os.path.dirname(scene_file)))
 
+    def test_what_nobody_foresaw_is_told(self):
+        self.preview.change()
+        with mock.patch.object(viewport, 'export', side_effect=KeyError('Specular')):
+            self.preview.draw(self.engine, context(self.camera, self.window), self.depsgraph)
+        self.assertRegex(self.engine.said, "aips: KeyError: 'Specular'")
+
     def test_settings_are_heeded(self):
         self.scene.aips.integrator, self.scene.aips.eye_depth = 'path', 5
         bpy.context.preferences.addons[fixture.ADD_ON].preferences.threads = 1

@@ -10,6 +10,11 @@ bl_info = {
 
 
 def _modules():
+    try:
+        import numpy  # noqa: F401
+    except ImportError as error:
+        raise ImportError('aips needs numpy in the Python of Blender: install python3-numpy, or '
+                          "Blender as its makers pack it") from error
     from . import engine, export_operator, panels, preferences, settings
     return preferences, settings, engine, export_operator, panels
 

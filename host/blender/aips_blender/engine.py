@@ -8,9 +8,13 @@ import time
 import bpy
 
 from . import command, exr, passes, preferences, process, settings, status, viewport
+from .export.kept import Kept
 from .export.scene import ExportError, export
+from .export.versions import set_pixels
+from .reasons import Told, reason
 
 SECONDS_BETWEEN_LOOKS = 0.1
+_KEPT = {}
 
 
 class Pending:
@@ -19,7 +23,7 @@ class Pending:
     written = False  # it has been made
 
 
-class WrongSize(Exception):
+class WrongSize(Told):
     """lxsrender's image has another size than Blender's; the text names both."""
 
 
@@ -30,7 +34,8 @@ class AipsRenderEngine(bpy.types.RenderEngine):
     bl_use_shading_nodes_custom = False
     bl_use_eevee_viewport = True
 
-    def __init__(self):
+    def __init__(self, *args, **kwargs):
+        super().__init__(*args, **kwargs)  # Blender passes arguments from 4.4 on
         self._preview = None
 
     def update_render_passes(self, scene=None, renderlayer=None):
@@ -49,8 +54,8 @@ class AipsRenderEngine(bpy.types.RenderEngine):
                 Render(self, depsgraph, folder).run()
             finally:
                 shutil.rmtree(folder, ignore_errors=True)
-        except (ExportError, process.NotFound, exr.ExrError, WrongSize, OSError) as error:
-            self.report({'ERROR'}, f'aips: {error}')
+        except Exception as error:  # whatever it is, the user sees it where the image would be
+            self.report({'ERROR'}, f'aips: {reason(error)}')
 
     def _export(self, depsgraph, path):
         film = settings.film_of(depsgraph.scene, depsgraph.view_layer)
@@ -96,7 +101,7 @@ class Render:
         self._engine.update_stats('', 'aips: exporting the scene')
         self._film = settings.film_of(scene, view_layer)
         exported = export(os.path.join(self._folder, 'scene.lxs'), self._depsgraph, self._film,
-                          self._engine.frame_set)
+                          self._engine.frame_set, kept=kept_between_renders())
         tell_left_out(self._engine, exported.left_out)
         self._result = _begin_result(self._engine, scene.render, view_layer)
         try:
@@ -164,6 +169,13 @@ class Render:
         self._engine.update_result(self._result)
 
 
+def kept_between_renders():
+    """The Kept of all renders of this session: frames of an animation share meshes."""
+    if 'renders' not in _KEPT:
+        _KEPT['renders'] = Kept()
+    return _KEPT['renders']
+
+
 def _options(text):
     try:
         return shlex.split(text)
@@ -185,7 +197,7 @@ def _fill(result, image, found):
     layer = result.layers[0]
     for each in [passes.COMBINED, *found]:
         if each.name in layer.passes:
-            layer.passes[each.name].rect.foreach_set(passes.pixels(image, each))
+            set_pixels(layer.passes[each.name], passes.pixels(image, each))
 
 
 def _keep_text(name, lines):
@@ -206,3 +218,5 @@ def register():
 
 def unregister():
     bpy.utils.unregister_class(AipsRenderEngine)
+    while _KEPT:
+        _KEPT.popitem()[1].end()

@@ -8,13 +8,15 @@ import zlib
 
 import numpy as np
 
+from .reasons import Told
+
 MAGIC = 20000630
 VERSION = 2
 TYPES = {1: np.dtype('<f2'), 2: np.dtype('<f4')}
 LINES_PER_BLOCK = {0: 1, 2: 1, 3: 16}  # none, ZIPS, ZIP
 
 
-class ExrError(Exception):
+class ExrError(Told):
     """The file is not one that this module reads."""
 
 
@@ -111,11 +113,12 @@ def _fill(pixels, channels, rows, width, block):
             at += width * kind.itemsize
 
 
-def write(path, rgb):
-    """Writes rows (from the top) x columns x 3 floats, as 32-bit floats without compression."""
-    height, width, _ = rgb.shape
+def write(path, values):
+    """Writes rows (from the top) x columns x 3 or 4 as 32-bit floats without compression."""
+    height, width, count = values.shape
     window = struct.pack('<4i', 0, 0, width - 1, height - 1)
-    channels = b''.join(struct.pack('<2siB3xii', name, 2, 0, 1, 1) for name in (b'B', b'G', b'R'))
+    names = (b'A', b'B', b'G', b'R')[4 - count:]
+    channels = b''.join(struct.pack('<2siB3xii', name, 2, 0, 1, 1) for name in names)
     attributes = (('channels', 'chlist', channels + b'\0'), ('compression', 'compression', b'\0'),
                   ('dataWindow', 'box2i', window), ('displayWindow', 'box2i', window),
                   ('lineOrder', 'lineOrder', b'\0'),
@@ -126,10 +129,10 @@ def write(path, rgb):
     for name, kind, value in attributes:
         head += b'\0'.join((name.encode(), kind.encode(), struct.pack('<i', len(value)) + value))
     head += b'\0'
-    line = 12 * width
+    line = 4 * count * width
     first = len(head) + 8 * height
     offsets = first + (line + 8) * np.arange(height, dtype='<u8')
-    planes = np.ascontiguousarray(rgb[:, :, ::-1].transpose(0, 2, 1), '<f4')
+    planes = np.ascontiguousarray(values[:, :, ::-1].transpose(0, 2, 1), '<f4')
     with open(path, 'wb') as file:
         file.write(head + offsets.tobytes())
         for row in range(height):

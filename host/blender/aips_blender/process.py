@@ -9,6 +9,8 @@ import subprocess
 import sys
 import threading
 
+from .reasons import Told
+
 LINES_KEPT = 1000      # the latest; errors and the account of --explain come at the end
 WARNINGS_KEPT = 500    # the first; of the scene there are a hundred kinds at most
 # Of a line of progress: passes, and from the third the error in percent.
@@ -17,7 +19,7 @@ SECONDS_TO_END = 60   # after an interrupt; a pass may take that long
 INTERRUPTED = 130     # lxsrender's exit code after an interrupt, with the image written
 
 
-class NotFound(Exception):
+class NotFound(Told):
     """There is no lxsrender; the text says where it was looked for."""
 
 

@@ -5,8 +5,9 @@ from bpy.props import (BoolProperty, EnumProperty, FloatProperty, IntProperty, P
                        StringProperty)
 
 from . import passes
-from .export.film import Film
+from .export.film import CYCLES_FILTER, Film
 from .export.lxs_text import parameter
+from .export.versions import setting
 
 LAYERS = [(key, each.name, f'The pass {each.name}') for key, each in passes.BY_SETTING.items()]
 
@@ -125,8 +126,8 @@ def film_of(scene, view_layer):
                 settings.passes if by == 'PASSES' else 0,
                 {'TIME': settings.seconds, 'ERROR': settings.longest}.get(by, 0),
                 settings.target_error if by == 'ERROR' else 0.0,
-                settings.integrator, integrator_options(settings), scene.cycles.filter_width
-                if hasattr(scene, 'cycles') else 1.5)
+                settings.integrator, integrator_options(settings), setting(
+                    CYCLES_FILTER, (scene, 'cycles.filter_width')))
 
 
 def light_groups(view_layer):

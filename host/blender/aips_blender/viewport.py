@@ -14,7 +14,9 @@ from mathutils import Matrix
 from . import command, exr, passes, preferences, process, settings, status
 from .export.camera import View, window_of
 from .export.film import Film
-from .export.scene import ExportError, export
+from .export.kept import Kept
+from .export.scene import export
+from .reasons import reason
 
 LONGEST_SIDE = 480       # pixels of the preview's image
 SECONDS = 60             # for which a preview converges
@@ -73,8 +75,8 @@ class Preview:
             self._state.running = process.Process(
                 command.arguments(program, self._exported.path, self._image, chosen.threads),
                 folder)
-        except (ExportError, process.NotFound, OSError) as error:
-            engine.update_stats('', f'aips: {error}')
+        except Exception as error:  # whatever it is, the user sees it in the viewport
+            engine.update_stats('', f'aips: {reason(error)}')
 
     def _export(self, depsgraph):
         """Meshes and images are written where the scene has changed, not for another view."""
@@ -83,7 +85,7 @@ class Preview:
             self._exported.look(film, view)
             return
         path = os.path.join(self._state.new_folder('scene'), 'scene.lxs')
-        self._exported = export(path, depsgraph, film, view=view)
+        self._exported = export(path, depsgraph, film, view=view, kept=self._state.kept)
 
     def _look(self):
         try:
@@ -119,6 +121,7 @@ class _State:
     def __init__(self):
         self._root = tempfile.mkdtemp(prefix='aips-preview-')
         self._folders, self._count = {}, 0
+        self.kept = Kept()
         self.running = None
 
     def new_folder(self, kind):
@@ -137,6 +140,7 @@ class _State:
 
     def end(self):
         self.stop()
+        self.kept.end()
         shutil.rmtree(self._root, ignore_errors=True)
 
 

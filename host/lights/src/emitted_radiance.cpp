@@ -12,8 +12,9 @@ Rgb non_negative(const Rgb& c) {
     return Rgb(clean(c.x), clean(c.y), clean(c.z));
 }
 
-EmittedRadiance::EmittedRadiance(std::shared_ptr<const ColorTexture> texture, std::string name)
-    : texture_(std::move(texture)), name_(std::move(name)) {
+EmittedRadiance::EmittedRadiance(std::shared_ptr<const ColorTexture> texture, std::string name,
+                                 const Matrix& to_world)
+    : texture_(std::move(texture)), name_(std::move(name)), to_shape_(to_world.inverse()) {
     if (texture_ && texture_->reads_image()) given_as_ = Given::AsImage;
     if (texture_ && texture_->spectrum()) given_as_ = Given::AsSpectrum;
     constant_ = !texture_ || texture_->constant().has_value();
@@ -23,6 +24,7 @@ EmittedRadiance::EmittedRadiance(std::shared_ptr<const ColorTexture> texture, st
 Rgb EmittedRadiance::colour(const Vec3& p, const Vec3& n, const Vec2& uv) const {
     TexturePoint point{p, n, uv};
     point.use = ColourUse::Light;
+    point.object_to_shape = &to_shape_;
     const Rgb value = texture_->evaluate(point);
     if (!is_finite(value) || is_negative(value)) refused_->count(name_);
     return light_of(non_negative(value));

@@ -12,8 +12,10 @@ namespace lxs {
 
 class EmittedRadiance {
   public:
-    /// `name`: of the texture, for the count of what is refused.
-    EmittedRadiance(std::shared_ptr<const ColorTexture> texture, std::string name);
+    /// `name`: of the texture, for the count of what is refused. `to_world`: from the shape's own
+    /// space, where textures with "local" coordinates lie.
+    EmittedRadiance(std::shared_ptr<const ColorTexture> texture, std::string name,
+                    const Matrix& to_world);
     void scale_by(float factor) { scale_ *= factor; }
     bool is_constant() const { return constant_; }
     /// The spectrum of which the radiance has the colour, if it is a constant given as one; else
@@ -36,6 +38,7 @@ class EmittedRadiance {
 
     std::shared_ptr<const ColorTexture> texture_;
     std::string name_;
+    Matrix to_shape_;
     std::unique_ptr<RefusedValues> refused_ = std::make_unique<RefusedValues>();
     Rgb value_{0.0f};
     float scale_ = 1;

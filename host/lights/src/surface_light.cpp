@@ -18,7 +18,8 @@ Vec3 segment_end(const SurfacePoint& s, const Vec3& wi, float distance) {
 SurfaceLight::SurfaceLight(const Primitive& primitive, const AreaEmission& emission,
                            const Matrix& object_to_world)
     : AreaLight({.group = emission.group, .hidden = emission.hidden}),
-      radiance_(emission.radiance, emission.radiance_texture) {
+      radiance_(emission.radiance, emission.radiance_texture,
+                primitive.to_world * object_to_world) {
     if (emission.profile) profile_.emplace(emission.profile, primitive.to_world * object_to_world);
 }
 

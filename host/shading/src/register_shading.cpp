@@ -32,6 +32,7 @@ void register_textures(Registry& registry) {
     shading::register_pattern_textures(registry);
     shading::register_bricks(registry);
     shading::register_mixes(registry);
+    shading::register_nodes(registry);
     shading::register_sum_textures(registry);
     shading::register_spectral_textures(registry);
     shading::register_sampled_spectra(registry);

@@ -1,6 +1,7 @@
 // Colours of reflectances as LuxRender renders them under its white light.
 #include "lxs/spectrum/reflectance_colour.h"
 
+#include <algorithm>
 #include <array>
 #include <utility>
 
@@ -57,6 +58,18 @@ Rgb colour_of_reflectance(const Rgb& rgb) {
     const Rgb& pair = colours[1 + static_cast<std::size_t>(least)];
     const Rgb& pure = colours[4 + static_cast<std::size_t>(most)];
     return Rgb(rgb[least]) + pair * (rgb[middle] - rgb[least]) + pure * (rgb[most] - rgb[middle]);
+}
+
+Rgb reflectance_of_colour(const Rgb& seen) {
+    if (seen.x == seen.y && seen.y == seen.z) return seen;
+    constexpr int kSteps = 4;  // each leaves less than a tenth of the difference
+    Rgb written = seen;
+    for (int step = 0; step < kSteps; ++step) {
+        const Rgb miss = seen - colour_of_reflectance(written);
+        for (int c = 0; c < 3; ++c)
+            written[c] = std::max(written[c] + miss[c], 0.0f);
+    }
+    return written;
 }
 
 }  // namespace lxs

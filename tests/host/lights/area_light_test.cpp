@@ -122,6 +122,24 @@ TEST(AreaLight, TexturedRadiance) {
     EXPECT_NEAR(e.power.x, 2 * e.ray.origin.x * kPi, 1e-4);
 }
 
+/// Radiance that grows along x of the shape's own space.
+class LocalRamp final : public ColorTexture {
+  public:
+    Rgb evaluate(const TexturePoint& point) const override {
+        Vec3 local = point.p;
+        if (point.object_to_shape) local = local * *point.object_to_shape;
+        return Rgb(local.x);
+    }
+};
+
+TEST(AreaLight, TexturesLieInTheSpaceOfTheShape) {
+    Primitive primitive = emissive(placed(Disk{0, 2, 0, 360}, scaling(3, 3, 3)), Rgb(1.0f));
+    primitive.to_world = scaling(3, 3, 3);
+    primitive.emission->radiance = std::make_shared<LocalRamp>();
+    const auto light = make_area_light(primitive, Matrix());
+    EXPECT_NEAR(luminance(light->radiance({4.5f, 0, 0}, {0, 0, 1}, {0, 0}, {0, 0, 1})), 1.5, 1e-5);
+}
+
 TEST(AreaLight, ManyTrianglesAreChosenByArea) {
     TriangleMesh mesh = parallelogram(Vec3(0.0f), Vec3(1, 0, 0), Vec3(0, 1, 0));
     const TriangleMesh wide = parallelogram(Vec3(5, 0, 0), Vec3(3, 0, 0), Vec3(0, 1, 0));

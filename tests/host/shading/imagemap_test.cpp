@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "lxs/spectrum/reflectance_colour.h"
 #include "shading_fixture.h"
 #include "temporary_folder.h"
 
@@ -82,6 +83,37 @@ TEST_F(ImagemapTest, GammaIsUndoneAfterInterpolationAndBeforeGain) {
         "imagemap", {text("filename", path), number("gamma", 2), number("gain", 4)});
     expect_near(look(*map, 0.75f, 0.5f), Rgb(1.0f));
     expect_near(look(*map, 0.5f, 0.5f), Rgb(0.25f));
+}
+
+TEST_F(ImagemapTest, StoredAsSrgb) {
+    const std::string path = write("srgb.png", 2, 1, 4, {0.5f, 0.02f, 1, 0.5f, 0.5f, 0, 1, 0.5f});
+    const auto map = scene_.make_color(
+        "imagemap", {text("filename", path), text("colorspace", "srgb"), number("gain", 2)});
+    const float dark = 5 / 255.0f / 12.92f;
+    expect_near(look(*map, 0.25f, 0.5f), Rgb(0.2159f, dark, 1) * 2);  // 128 of 255
+    const auto alpha = scene_.make_float(
+        "imagemap", {text("filename", path), text("colorspace", "srgb"), text("channel", "alpha")});
+    EXPECT_NEAR(alpha->evaluate({}), 128 / 255.0f, 1e-3f);
+    const auto dimmed = scene_.make_color(
+        "imagemap", {text("filename", path), number("gamma", 1), flag("timesalpha", true)});
+    expect_near(look(*dimmed, 0.25f, 0.5f), Rgb(0.5f, 5 / 255.0f, 1) * (128 / 255.0f));
+    EXPECT_THROW(
+        scene_.make_color("imagemap", {text("filename", path), text("colorspace", "rec2020")}),
+        InputError);
+}
+
+TEST_F(ImagemapTest, PlainColorsAreSeenAsTheyAre) {
+    const std::string path = write("red.exr", 1, 1, 3, {0.7f, 0.2f, 0.1f});
+    for (const bool plain : {false, true}) {
+        const auto map = scene_.make_color(
+            "imagemap", {text("filename", path), number("gamma", 1), flag("plaincolors", plain)});
+        const Rgb seen = colour_of_reflectance(look(*map, 0.5f, 0.5f));
+        const float miss = (seen - Rgb(0.7f, 0.2f, 0.1f)).length();
+        if (plain)
+            EXPECT_LT(miss, 1e-4f);
+        else
+            EXPECT_GT(miss, 1e-3f);
+    }
 }
 
 TEST_F(ImagemapTest, ChannelsOfFloatMaps) {

@@ -38,6 +38,20 @@ TEST(ReflectanceColour, GreysStayAsTheyAre) {
         EXPECT_EQ(colour_of_reflectance(Rgb(grey)), Rgb(grey));
 }
 
+TEST(ReflectanceColour, IsUndone) {
+    for (const Rgb& seen : {Rgb(0.7f, 0.2f, 0.1f), Rgb(0.3f, 0.31f, 0.3f), Rgb(0.9f, 0.05f, 0.6f),
+                            Rgb(0.1f, 0.5f, 0.9f), Rgb(0.4f), Rgb(3, 2, 1)}) {
+        const Rgb written = reflectance_of_colour(seen);
+        EXPECT_LT((colour_of_reflectance(written) - seen).length(), 1e-4f) << seen;
+    }
+    // No reflectance has these; the nearest have no component below 0.
+    for (const Rgb& seen : {Rgb(1, 0, 0), Rgb(0, 1, 0), Rgb(0, 0, 1), Rgb(1, 0, 1)}) {
+        const Rgb written = reflectance_of_colour(seen);
+        EXPECT_LT((colour_of_reflectance(written) - seen).length(), 0.03f) << seen;
+        EXPECT_GE(std::min({written.x, written.y, written.z}), 0) << seen;
+    }
+}
+
 TEST(ReflectanceColour, ChangesSmoothlyFromOneOrderOfChannelsToTheNext) {
     for (const Rgb& tie : {Rgb(0.5f, 0.5f, 0.2f), Rgb(0.2f, 0.5f, 0.5f), Rgb(0.5f, 0.2f, 0.5f)}) {
         const Rgb at = colour_of_reflectance(tie);

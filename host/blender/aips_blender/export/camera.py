@@ -2,6 +2,7 @@
 import dataclasses
 import math
 
+from . import versions
 from .lxs_text import factor, parameter
 
 GREATEST_DISTANCE = 1e6  # scene units; beyond it all is sharp
@@ -38,7 +39,7 @@ def view_of(camera_object, depsgraph, width, height, aspect, left_out):
     """The View of an evaluated camera object, for an image of the given pixels."""
     camera = camera_object.data
     if camera.type == 'PANO':
-        if getattr(getattr(camera, 'cycles', None), 'panorama_type', '') != 'EQUIRECTANGULAR':
+        if versions.panorama_type(camera) != 'EQUIRECTANGULAR':
             left_out.add('panoramic cameras are taken for equirectangular', camera_object.name)
         return View('environment', near=camera.clip_start, far=camera.clip_end)
     matrix = camera_object.calc_matrix_camera(depsgraph, x=width, y=height, scale_x=aspect[0],

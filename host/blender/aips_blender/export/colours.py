@@ -56,8 +56,3 @@ def surface_color(wanted, most=1):
     if isinstance(wanted, str) or wanted[0] == wanted[1] == wanted[2]:
         return wanted
     return tuple(float(c) for c in written(wanted, SURFACES, most))
-
-
-def surface_image(values):
-    """Of an image of such colours, rows x columns x 3."""
-    return written(values, SURFACES, np.inf)

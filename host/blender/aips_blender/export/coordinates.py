@@ -9,8 +9,26 @@ class Coordinates:
         self._read = read  # layers.Read
         self._left_out = left_out
 
+    @staticmethod
+    def are_plain(found):
+        """Whether a texture node is looked up by uv, at most scaled and shifted by constants."""
+        place = found.input('Vector')
+        before = graph.source(place) if place else None
+        if before and before.node.type == 'MAPPING':
+            if any(graph.source(before.input(what)) for what in ('Scale', 'Rotation', 'Location')
+                   if before.input(what)):
+                return False
+            turn = before.input('Rotation')
+            if before.node.vector_type == 'NORMAL' or turn and any(graph.constant(turn)):
+                return False
+            before = graph.source(before.input('Vector'))
+            if before is None:
+                return False
+        return before is None or before.node.type == 'UVMAP' or (
+            before.node.type == 'TEX_COORD' and before.output.name == 'UV')
+
     def uv(self, found):
-        """Scale and shift of the uv that a texture node is looked up by."""
+        """Scale and shift of the uv that a texture node is looked up by, if these are all."""
         scale, shift = (1.0, 1.0), (0.0, 0.0)
         place = found.input('Vector')
         before = graph.source(place) if place else None
@@ -18,20 +36,12 @@ class Coordinates:
             scale, shift = self._mapped(before)
             before = graph.source(before.input('Vector'))
         named = before and before.node.type == 'UVMAP'
-        by_uv = named or (before and before.node.type == 'TEX_COORD' and
-                          before.output.name == 'UV')
-        # Images are looked up by uv where nothing is said, other textures by generated coordinates.
-        if not by_uv and (before or found.node.type != 'TEX_IMAGE'):
-            self._left_out.add('texture coordinates other than uv are replaced by uv')
         self._read.uv.add(before.node.uv_map if named else RENDERED)
         return scale, shift
 
     def _mapped(self, before):
         """Scale and shift of a node Mapping."""
-        scale, turn, shift = (self.vector(before, what) for what in
-                              ('Scale', 'Rotation', 'Location'))
-        if any(turn):
-            self._left_out.add('rotations of node Mapping are left out')
+        scale, shift = (self.vector(before, what) for what in ('Scale', 'Location'))
         if before.node.vector_type == 'TEXTURE':
             shift = tuple(-m / s if s else 0.0 for m, s in zip(shift, scale))
             scale = tuple(1 / s if s else 1.0 for s in scale)

@@ -11,10 +11,18 @@ def array(collection, attribute, kind, width):
     return values.reshape(-1, width)
 
 
+def uv_of(layer):
+    """Of a uv map, one row a loop."""
+    if hasattr(layer, 'uv'):  # from 3.5 on
+        return array(layer.uv, 'vector', np.float32, 2)
+    return array(layer.data, 'uv', np.float32, 2)
+
+
 class Corners:
     def __init__(self, mesh):
+        if hasattr(mesh, 'calc_normals_split'):  # from 4.1 on normals are there unasked
+            mesh.calc_normals_split()
         mesh.calc_loop_triangles()
-        mesh.calc_normals_split()
         self._mesh = mesh
         triangles = mesh.loop_triangles
         self._loops = array(triangles, 'loops', np.int32, 3).ravel()
@@ -30,7 +38,7 @@ class Corners:
         columns = [self.positions[there], self._normals[there]]
         uv = self._uv(layers.uv, tell)
         if uv is not None:
-            columns.append(array(uv.data, 'uv', np.float32, 2)[self._loops[there]])
+            columns.append(uv_of(uv)[self._loops[there]])
         colors = self._colors(layers.colors, there, tell) if layers.colors else None
         if colors is not None:
             columns.append(colors)

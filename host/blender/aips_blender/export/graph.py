@@ -58,6 +58,43 @@ def source(place):
     return None
 
 
+def before(found):
+    """What feeds the inputs of a node."""
+    sources = [source(Place(socket, found.groups)) for socket in found.node.inputs
+               if socket.enabled]
+    return [each for each in sources if each]
+
+
+def first_before(found, kinds):
+    """The nearest of these kinds of nodes: a node itself, or one that feeds it; or None."""
+    near, seen = [found], set()
+    while near:
+        at = near.pop(0)
+        if at.node.type in kinds:
+            return at
+        if at.node.as_pointer() not in seen:
+            seen.add(at.node.as_pointer())
+            near += before(at)
+    return None
+
+
+def darkest(found):
+    """Of the colours that a node or those before it are set to, the darkest; grey if there are
+    none."""
+    colors, near, seen = [], [found], set()
+    while near:
+        at = near.pop()
+        if at.node.as_pointer() in seen:
+            continue
+        seen.add(at.node.as_pointer())
+        ramp = getattr(at.node, 'color_ramp', None)
+        colors += [tuple(e.color[:3]) for e in ramp.elements] if ramp else []
+        colors += [tuple(s.default_value[:3]) for s in at.node.inputs
+                   if s.type == 'RGBA' and s.enabled and link_to(s) is None]
+        near += before(at)
+    return min(colors, key=sum, default=(0.5, 0.5, 0.5))
+
+
 def constant(place):
     """The value that a place has where nothing feeds it: of the outermost group's socket."""
     socket, groups = place.socket, place.groups

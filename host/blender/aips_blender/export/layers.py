@@ -16,12 +16,14 @@ class Read:
 
     def __init__(self):
         self.uv, self.colors = set(), set()
+        self.generated = False  # whether it depends on the mesh's box
 
     def taken(self):
         """The Layers so far, to begin anew."""
         found = Layers(frozenset(self.uv), frozenset(self.colors))
         self.uv.clear()
         self.colors.clear()
+        self.generated = False
         return found
 
 

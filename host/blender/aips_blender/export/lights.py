@@ -1,8 +1,9 @@
 """Writes Blender's lights, whose watts become intensity, radiance or irradiance.
 
-Units, as Cycles 3.4 has them and tests/blender compares: with power P a point or spot light has the
+Units, as Cycles has them and tests/blender compares: with power P a point or spot light has the
 intensity P / (4 pi) per steradian, a sphere of radius r the radiance P / (4 pi^2 r^2), an area
-light of area A the radiance P / (4 A), a sun of strength E the irradiance E. In the scene language
+light of area A the radiance P / (pi A), of Blender 3 P / (4 A), a sun of strength E the irradiance
+E; spots of Blender 3 fade by the cosine, too. In the scene language
 a colour L of 1 is a radiance, or an intensity, of 1; of light "distant" see _sun.
 """
 import math
@@ -11,7 +12,7 @@ import os
 import numpy as np
 
 from .. import exr
-from . import graph, transforms
+from . import graph, transforms, versions
 from .colours import light_color
 from .lxs_text import color, factor, parameter
 
@@ -31,7 +32,10 @@ class Lights:
         """One light, within the attributes of its own; `seen`: whether Cycles' camera sees it."""
         make = {'POINT': self._point, 'SPOT': self._spot, 'SUN': self._sun,
                 'AREA': self._area}[light.type]
-        rgb = light_color([c * f for c, f in zip(light.color, self._node_factor(light))])
+        if not versions.setting(True, (light, 'normalize')):
+            self._left_out.add('lights with Normalize off are taken as if it were on', name)
+        rgb = light_color([c * f * s for c, f, s in zip(
+            light.color, self._node_factor(light), versions.light_scale(light))])
         if group:
             self._text.statement('LightGroup', group)
         make(name, light, matrix, rgb, seen)
@@ -39,7 +43,9 @@ class Lights:
     def _node_factor(self, light):
         """What the nodes of a light multiply its colour by."""
         self._left_out.reading = light.name
-        output = graph.output_node(light.node_tree, 'OUTPUT_LIGHT') if light.use_nodes else None
+        output = None
+        if versions.uses_nodes(light):
+            output = graph.output_node(light.node_tree, 'OUTPUT_LIGHT')
         if output is None:
             return (1.0, 1.0, 1.0)
         found = graph.source(graph.Place(output.inputs['Surface']))
@@ -80,7 +86,8 @@ class Lights:
         frame = transforms.around_axis(matrix)
         if frame is None:
             return
-        profile = spot_profile(math.cos(light.spot_size / 2), light.spot_blend, SPOT_ROWS)
+        profile = spot_profile(math.cos(light.spot_size / 2), light.spot_blend, SPOT_ROWS,
+                               by_cosine=versions.BLENDER_3)
         stem = self._text.free_name('spot').replace(' ', '-')
         path = os.path.join(self._folder, stem + '.exr')
         exr.write(path, np.repeat(profile[:, None, None], 3, axis=2).repeat(2, axis=1))
@@ -106,7 +113,7 @@ class Lights:
             *hidden(not seen)])
 
     def _area(self, name, light, matrix, rgb, seen):
-        if getattr(getattr(light, 'cycles', None), 'is_portal', False):
+        if versions.setting(False, (light, 'cycles.is_portal')):
             return
         if light.spread < math.pi - 1e-3:
             self._left_out.add('spreads of area lights are left out', name)
@@ -120,7 +127,8 @@ class Lights:
         # Lights shine along -z, shapes along +z.
         self._text.statement('Rotate', 180.0, 1.0, 0.0, 0.0)
         self._text.statement('Scale', light.size / 2, height / 2, 1.0)
-        self._shape_emits(rgb, light.energy / (4 * area), seen)
+        share = 4 if versions.BLENDER_3 else math.pi
+        self._shape_emits(rgb, light.energy / (share * area), seen)
         if flat:
             self._text.statement('Shape', 'disk', parameters=[parameter('string', 'name', name)])
             return
@@ -136,15 +144,16 @@ def hidden(from_camera):
     return [parameter('bool', 'hidden', True)] if from_camera else []
 
 
-def spot_profile(rim, blend, rows):
+def spot_profile(rim, blend, rows, by_cosine):
     """Cycles' falloff by polar angle from the axis, at the middles of rows; `rim` is a cosine.
 
-    Within it the intensity goes by the cosine too, so that it is P / (4 pi) on the axis alone.
+    Where the intensity goes by the cosine too, it is P / (4 pi) on the axis alone.
     """
     cosine = np.cos(np.pi * (np.arange(rows) + 0.5) / rows)
     width = (1 - rim) * blend
     share = np.clip((cosine - rim) / width, 0, 1) if width > 0 else (cosine > rim).astype(float)
-    return np.where(cosine > rim, cosine * share * share * (3 - 2 * share), 0).astype(np.float32)
+    smooth = share * share * (3 - 2 * share)
+    return np.where(cosine > rim, smooth * (cosine if by_cosine else 1), 0).astype(np.float32)
 
 
 def sphere_mean(profile):

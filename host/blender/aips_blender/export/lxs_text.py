@@ -14,6 +14,11 @@ def quoted(text):
     return '"' + text.replace('\\', '/').replace('"', "'").replace('\n', ' ')[:LONGEST_STRING] + '"'
 
 
+def fits_string(text):
+    """Whether a string of the language holds a text as it is."""
+    return quoted(text) == f'"{text}"'
+
+
 def parameter(kind, name, value):
     """`"kind name" [value]`, where value is a number, a text, a bool, or a sequence of these."""
     values = [value] if isinstance(value, (str, bool, int, float)) else list(value)

@@ -1,12 +1,21 @@
 """Turns Blender's materials into named materials of the scene language, each once."""
 import dataclasses
 
-from . import graph
+from . import graph, versions
 from .media import MediumNodes
 from .principled import mix, principled
 from .shaders import Shader, Shaders, color
 
 DEFAULT_GREY = (0.8, 0.8, 0.8)  # Cycles' surface without a material
+
+
+GLOSSY = ('BSDF_GLOSSY', 'BSDF_ANISOTROPIC')
+
+
+def is_fresnel(by):
+    """Whether a node's output is the share that a dielectric reflects."""
+    return by.node.type == 'FRESNEL' or (by.node.type == 'LAYER_WEIGHT' and
+                                         by.output.name == 'Fresnel')
 
 
 class Materials:
@@ -18,31 +27,43 @@ class Materials:
         self._textures = textures
         self._media = MediumNodes(textures, left_out)
         self._left_out = left_out
-        self._known = {}
+        self._known = {}   # Shaders by material
+        self._by_box = {}  # of those that differ by mesh
         self._leaves = {
             'BSDF_DIFFUSE': self._shaders.diffuse, 'BSDF_GLOSSY': self._shaders.glossy,
             'BSDF_ANISOTROPIC': self._shaders.glossy, 'BSDF_GLASS': self._shaders.glass,
             'BSDF_REFRACTION': self._shaders.glass, 'BSDF_TRANSPARENT': self._shaders.transparent,
             'BSDF_TRANSLUCENT': self._shaders.translucent, 'BSDF_VELVET': self._shaders.velvet,
+            'BSDF_SHEEN': self._shaders.velvet, 'BSDF_METALLIC': self._shaders.metallic,
             'SUBSURFACE_SCATTERING': self._shaders.scattering, 'EMISSION': self._shaders.emission,
             'BSDF_PRINCIPLED': lambda found, name: principled(self._shaders, found, name),
             'MIX_SHADER': self._mix, 'ADD_SHADER': self._add,
         }
 
-    def shader(self, material):
-        """The Shader of a material, which may be None."""
+    def shader(self, material, box=None):
+        """The Shader of a material, which may be None, on a mesh of this box: its least corner and
+        size, by which generated coordinates go."""
         material = self._override or material
         key = material.name_full if material else None
-        if key not in self._known:
+        if key in self._known:
+            return self._known[key]
+        if (key, box) not in self._by_box:
             self._left_out.reading = material.name if material else ''
+            self._textures.box = box
             made = self._made(material)
-            self._known[key] = dataclasses.replace(made, layers=self._textures.read.taken())
-        return self._known[key]
+            if isinstance(made.emission, str) and self._textures.read.colors:
+                self._left_out.add('what shines has white in place of colours of vertices')
+            self._textures.box = None
+            known, own = (self._by_box, (key, box)) if self._textures.read.generated else \
+                (self._known, key)
+            known[own] = dataclasses.replace(made, layers=self._textures.read.taken())
+            return known[own]
+        return self._by_box[key, box]
 
     def _made(self, material):
         if material is None:
             return self._matte('no material', DEFAULT_GREY)
-        if not material.use_nodes:
+        if not versions.uses_nodes(material):
             return self._matte(material.name, tuple(material.diffuse_color[:3]))
         output = graph.output_node(material.node_tree, 'OUTPUT_MATERIAL')
         if output is None:
@@ -76,6 +97,11 @@ class Materials:
 
     def _mix(self, found, name):
         first, second = self._inputs(found)
+        by, over = graph.source(found.input('Fac')), graph.source(second)
+        if over and over.node.type in GLOSSY and by and is_fresnel(by):
+            base = self._of(first, f'{name}: base')
+            coat = self._shaders.coat(over, name, base.name, self._normal_incidence(by))
+            return dataclasses.replace(base, name=coat)
         share = self._share(found, name)
         if share == 0.0:
             return self._of(first, name)

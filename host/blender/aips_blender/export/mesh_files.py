@@ -1,15 +1,24 @@
 """Keeps the meshes of an export: each with its materials is written once."""
 import dataclasses
 
-from . import meshes
+from . import kept, meshes
 from .images import safe_name
 from .media import CLEAR
 from .shapes import Mesh
 
 
+def box_of(mesh):
+    """Least corner and size of the box that generated coordinates span."""
+    place, half = mesh.texspace_location, mesh.texspace_size
+    return tuple(p - h for p, h in zip(place, half)), tuple(2 * h or 1.0 for h in half)
+
+
 class MeshFiles:
-    def __init__(self, folder, materials, left_out):
+    """`kept`: a Kept that goes from one export to the next, or None."""
+
+    def __init__(self, folder, materials, left_out, kept=None):
         self._folder = folder
+        self._kept = kept
         self._materials = materials
         self._left_out = left_out
         self.known = {}  # Mesh by key; None where there is no triangle
@@ -25,16 +34,17 @@ class MeshFiles:
     def _written(self, thing):
         materials = [s.material for s in thing.material_slots] or [None]
 
+        box = box_of(thing.data)
+
         def shader(slot):
-            return self._materials.shader(materials[min(slot, len(materials) - 1)])
+            return self._materials.shader(materials[min(slot, len(materials) - 1)], box)
 
         def tell(what):
             self._left_out.add(what, thing.name)
 
         mesh = thing.to_mesh()
         try:
-            stem = f'{len(self.known)}-{safe_name(thing.name)}'
-            parts = mesh and meshes.write_parts(mesh, self._folder, stem, shader, tell)
+            parts = mesh and self._parts(mesh, safe_name(thing.name), shader, tell)
         finally:
             thing.to_mesh_clear()
         if parts is None:
@@ -44,6 +54,26 @@ class MeshFiles:
             parts.triangles = None
             shaders = {slot: dataclasses.replace(s, medium=CLEAR) for slot, s in shaders.items()}
         return Mesh(thing.name, parts, shaders)
+
+    def _parts(self, mesh, name, shader, tell):
+        """MeshParts, those of the export before where they are the same."""
+        content = self._kept and mesh.polygons and kept.content(mesh)
+        if not content:
+            return meshes.write_parts(mesh, self._folder, f'{len(self.known)}-{name}', shader, tell)
+        made = [(slot, shader(slot)) for slot in kept.used_slots(mesh)]
+        key = (content, tuple((slot, s.layers, s.emission is not None, s.opaque, s.medium != CLEAR)
+                              for slot, s in made))
+        known = self._kept.of(key)
+        if known is None:
+            told = []
+            stem = f'{content}-{len(self.known)}-{name}'
+            known = (meshes.write_parts(mesh, self._kept.folder, stem, shader, told.append), told)
+            if known[0] is None:
+                return None
+            self._kept.keep(key, *known)
+        for what in known[1]:
+            tell(what)
+        return dataclasses.replace(known[0])
 
     def _may_be_filled(self, thing, parts):
         """Whether the volume of a mesh's material can be carried over."""

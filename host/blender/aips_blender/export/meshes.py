@@ -1,4 +1,6 @@
 """Turns Blender's evaluated meshes into PLY files, one for each material slot that is used."""
+import contextlib
+import dataclasses
 import os
 
 import numpy as np
@@ -10,16 +12,21 @@ from .media import CLEAR
 BACK = 1e-4  # of the mesh's extent: how far the back of what shines lies behind its front
 
 
+@dataclasses.dataclass
 class MeshParts:
     """Files of a mesh by material slot; of parts that shine also those of their backs."""
+    bounds: tuple                 # least and greatest coordinates
+    closed: bool
+    files: dict = dataclasses.field(default_factory=dict)
+    backs: dict = dataclasses.field(default_factory=dict)
+    shines_outwards: bool = False  # alone: no back can be seen, but from within
+    triangles: object = None      # their corners, where something fills the mesh
 
-    def __init__(self, bounds, closed):
-        self.files = {}
-        self.backs = {}
-        self.bounds = bounds    # least and greatest coordinates
-        self.closed = closed
-        self.shines_outwards = False  # alone: no back can be seen, but from within
-        self.triangles = None   # their corners, where something fills the mesh
+    def remove(self):
+        """The files go."""
+        for path in [*self.files.values(), *self.backs.values()]:
+            with contextlib.suppress(OSError):
+                os.remove(path)
 
 
 def is_closed(mesh):

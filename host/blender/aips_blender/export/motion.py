@@ -1,4 +1,5 @@
 """Where objects and the camera are when the shutter opens and closes."""
+from . import versions
 
 LEAST_MOVE = 1e-6  # greatest difference of matrices that is no motion
 
@@ -22,8 +23,7 @@ def matrices_of(depsgraph):
 def shutter_times(scene):
     """Frames at which the shutter opens and closes, around the present one."""
     length = scene.render.motion_blur_shutter
-    position = getattr(getattr(scene, 'cycles', None), 'motion_blur_position', 'CENTER')
-    before = {'START': 0.0, 'CENTER': 0.5, 'END': 1.0}[position]
+    before = {'START': 0.0, 'CENTER': 0.5, 'END': 1.0}[versions.motion_blur_position(scene)]
     middle = scene.frame_current + scene.frame_subframe
     return middle - before * length, middle + (1 - before) * length
 

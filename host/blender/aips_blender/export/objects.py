@@ -1,4 +1,5 @@
 """Tells what of Blender's objects, beside their shapes and materials, is not carried over."""
+from . import versions
 
 GEOMETRY = {'MESH', 'CURVE', 'SURFACE', 'FONT', 'META'}
 # Modifiers that mostly change a mesh from frame to frame.
@@ -46,5 +47,5 @@ class Objects:
         """All but what is hidden from the camera, which is carried over."""
         if not all(getattr(thing, f'visible_{kind}') for kind in KINDS_OF_RAYS[1:]):
             self._left_out.add('lights hidden from some rays shine on all', thing.name)
-        if not getattr(getattr(thing.data, 'cycles', None), 'cast_shadow', True):
+        if not versions.casts_shadow(thing.data):
             self._left_out.add('lights without shadows cast them', thing.name)

@@ -5,6 +5,7 @@ import os
 
 import bpy
 
+from ..reasons import Told
 from . import camera
 from .images import Images
 from .left_out import LeftOut
@@ -23,7 +24,7 @@ from .transforms import is_seen, is_singular, placeable
 from .world import World
 
 
-class ExportError(Exception):
+class ExportError(Told):
     """The scene cannot be exported; the text says why."""
 
 
@@ -44,16 +45,19 @@ class Exported:
             file.write(self._text.of(film, name, shown, matrices))
 
 
-def export(path, depsgraph, film, frame_set=None, view=None):
+def export(path, depsgraph, film, frame_set=None, view=None, kept=None):
     """Writes `path` and the folder beside it.
 
     `frame_set(frame, subframe)` moves the dependency graph in time, for motion blur; `view` is a
-    (View, matrix) in place of the scene's camera.
+    (View, matrix) in place of the scene's camera; `kept` a Kept, in whose folder meshes and
+    images then lie.
     """
+    if kept:
+        kept.begin()
     folder = os.path.splitext(path)[0] + '-files'
     with _told_by_path(folder):
         os.makedirs(folder, exist_ok=True)
-        export_ = _SceneExport(os.path.dirname(path), folder, depsgraph)
+        export_ = _SceneExport(os.path.dirname(path), folder, depsgraph, kept)
         export_.collect(Motion(depsgraph, frame_set))
         shown, matrices = export_.view(film) if view is None else (view[0], (view[1],))
         text = export_.text('objects' in film.layers)
@@ -72,7 +76,7 @@ def _told_by_path(path):
 
 
 class _SceneExport:
-    def __init__(self, base, folder, depsgraph):
+    def __init__(self, base, folder, depsgraph, kept):
         self._folder = folder
         self._depsgraph = depsgraph
         layer = depsgraph.view_layer_eval
@@ -80,11 +84,12 @@ class _SceneExport:
         self._world = depsgraph.scene_eval.world if layer.use_sky else None
         self.left_out = LeftOut()
         self._text = LxsText(base)
-        self._textures = Textures(self._text, Images(folder, self.left_out), self.left_out)
+        images = Images(kept.folder if kept else folder, self.left_out)
+        self._textures = Textures(self._text, images, self.left_out)
         self._lights = Lights(self._text, folder, self._textures, self.left_out)
         self._objects = Objects(depsgraph.view_layer, self.left_out)
         self._meshes = MeshFiles(folder, Materials(
-            self._text, self._textures, self.left_out, layer.material_override), self.left_out)
+            self._text, self._textures, self.left_out, layer.material_override), self.left_out, kept)
         self._placed, self._lamps = [], []
         self._camera = None
 

@@ -80,10 +80,10 @@ class Shaders:
 
     def _normal_map(self, before):
         found = graph.source(before.input('Color'))
-        path = None
+        file = None
         if found and found.node.type == 'TEX_IMAGE' and found.node.image:
-            path = self.textures.image_file(found.node.image)
-        if before.node.space != 'TANGENT' or path is None:
+            file = self.textures.image_file(found.node)
+        if before.node.space != 'TANGENT' or file is None:
             self.left_out.add('normal maps not of an image in tangent space are left out')
             return []
         if self.textures.number(before.input('Strength')) != 1.0:
@@ -91,7 +91,7 @@ class Shaders:
         self.textures.read.uv.add(before.node.uv_map)  # along which its tangents lie
         name = self.text.free_name('normal map')
         self.text.statement('Texture', name, 'float', 'normalmap', parameters=[
-            self.text.file(path), *self.textures.mapping(found)])
+            self.text.file(file.path), file.color_space(), *self.textures.mapping(found)])
         return [factor('bumpmap', name)]
 
     def diffuse(self, found, name):
@@ -111,6 +111,13 @@ class Shaders:
             self.left_out.add('anisotropy of glossy surfaces is left out', name)
         width = 0.0 if found.node.distribution == 'SHARP' else self.width(found)
         return Shader(self.metal(name, tint, width, self.bump(found)))
+
+    def coat(self, found, name, base, reflectance):
+        """A glossy node over a material, by a dielectric's share of this at normal incidence."""
+        tint = self.textures.product(self.textures.color(found.input('Color')), reflectance)
+        return self.named(name, 'glossycoating', [
+            parameter('string', 'basematerial', base), color('Ks', tint),
+            *self.roughness(self.width(found)), *self.bump(found)])
 
     def metal(self, name, tint, width, bump):
         """A mirror where it is smooth, else facets that reflect tint at normal incidence."""
@@ -163,6 +170,22 @@ class Shaders:
         self.left_out.add("velvet is approximated by LuxRender's", name)
         return Shader(self.named(name, 'velvet',
                                  [color('Kd', self.textures.color(found.input('Color')))]))
+
+    def metallic(self, found, name):
+        """Node Metallic BSDF of Blender 4.3, by its colour at normal incidence."""
+        if found.node.fresnel_type == 'F82':
+            tint, neutral = self.textures.color(found.input('Base Color')), WHITE
+        else:
+            index, extinction = (graph.constant(found.input(what)) for what in
+                                 ('IOR', 'Extinction'))
+            tint, neutral = tuple(((n - 1) ** 2 + k * k) / ((n + 1) ** 2 + k * k)
+                                  for n, k in zip(index, extinction)), None
+        edge = found.input('Edge Tint')
+        if edge and self.textures.color(edge) != neutral:
+            self.left_out.add('tinted edges of metals are left out', name)
+        if self.textures.number(found.input('Anisotropy')) != 0:
+            self.left_out.add('anisotropy of glossy surfaces is left out', name)
+        return Shader(self.metal(name, tint, self.width(found), self.bump(found)))
 
     def scattering(self, found, name):
         self.left_out.add('scattering below the surface is replaced by diffuse', name)

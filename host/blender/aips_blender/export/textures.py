@@ -11,8 +11,10 @@ from .colours import surface_color
 from .coordinates import Coordinates, uv_parameters
 from .layers import Read
 from .lxs_text import color as color_as_written, factor, parameter
+from .node_programs import Program, TooLong
 
 GREY = (0.5, 0.5, 0.5)
+MAGENTA = (1.0, 0.0, 1.0)  # where an image is missing, as in Cycles
 WRAP = {'REPEAT': 'repeat', 'EXTEND': 'clamp', 'CLIP': 'black'}
 LUMINANCE = (0.2126, 0.7152, 0.0722)  # Rec. 709
 
@@ -34,10 +36,11 @@ class Textures:
         self.read = Read()
         self.coordinates = Coordinates(self.read, left_out)
         self._known = {}
+        self.box = None  # least corner and size of the mesh whose generated coordinates are meant
 
-    def image_file(self, image):
-        """Path of a file of an image's linear values, or None."""
-        return self._images.file(image)
+    def image_file(self, node):
+        """The ImageFile of a node's image, or None."""
+        return self._images.file(node.image, node.image_user)
 
     def color(self, place):
         """Value of a colour place."""
@@ -66,7 +69,7 @@ class Textures:
     def _once(self, found, kind):
         # Nodes are wrapped anew at each access; their addresses tell them apart.
         key = (found.node.as_pointer(), found.output.identifier, kind,
-               tuple(g.as_pointer() for g in found.groups))
+               tuple(g.as_pointer() for g in found.groups), self.box)
         if key not in self._known:
             self._known[key] = self._value(found, kind)
         return self._known[key]
@@ -75,17 +78,41 @@ class Textures:
         make = {
             'TEX_IMAGE': self._image, 'RGB': self._rgb, 'VALUE': self._number, 'MIX': self._mix,
             'MIX_RGB': self._mix, 'BLACKBODY': self._blackbody, 'VERTEX_COLOR': self._vertex_color,
-            'ATTRIBUTE': self._vertex_color, 'TEX_CHECKER': self._checker,
+            'ATTRIBUTE': self._vertex_color,
         }.get(found.node.type)
         value = make(found, kind) if make else None
         if value is None:
-            self._left_out.add(f'nodes {found.node.bl_label} are replaced by grey')
-            value = GREY
+            value = self._program(found, kind)
         if kind == 'float' and isinstance(value, tuple):
             return luminance(value)
-        if kind == 'color' and isinstance(value, (int, float)):
+        if kind != 'float' and isinstance(value, (int, float)):
             return (value,) * 3
         return value
+
+    def _program(self, found, kind):
+        """The value of a node and of those before it, by texture "nodes" where it varies."""
+        program = Program(self, self._left_out)
+        try:
+            last = program.of_node(found, kind)
+        except TooLong:
+            self._left_out.add('graphs of too many nodes are replaced by grey')
+            return GREY
+        if not last.startswith('r'):
+            return float(last)
+        if last != f'r{len(program.lines) - 1}':
+            program.lines.append(f'math add {last} 0 0' if kind == 'float' else
+                                 f'vector add {last} 0 0 0')
+        constant = program.constant()
+        if constant is not None:
+            return constant if kind == 'color' else constant[0]
+        return self._texture('nodes', kind, 'nodes', program.parameters(kind))
+
+    def plain(self, found):
+        """The colour texture of a node Image Texture, its colours as they are."""
+        return self._once(found, 'plain')
+
+    def blackbody(self, found):
+        return self._blackbody(found, 'color')
 
     def _texture(self, wanted, kind, plugin, parameters):
         name = self._text.free_name(wanted)
@@ -109,50 +136,58 @@ class Textures:
         if node.type == 'ATTRIBUTE' and not name:
             return (0.0, 0.0, 0.0)
         if found.output.name == 'Alpha':
-            return self._alpha()
+            self._left_out.add('alpha of colours is taken for 1')
+            return 1.0
         self.read.colors.add(name)
         return self._texture('vertex color', kind,
                              'hitpointcolor' if kind == 'color' else 'hitpointgrey', [])
 
-    def _alpha(self):
-        self._left_out.add('alpha of images and colours is taken for 1')
-        return 1.0
-
     def _image(self, found, kind):
         node = found.node
-        path = self._images.file(node.image) if node.image else None
-        if path is None:
+        if kind != 'plain' and not self.is_placed_by_uv(found):
             return None
+        file = self.image_file(node) if node.image else None
+        if file is None:
+            return MAGENTA if node.image else (0.0, 0.0, 0.0)
         if node.projection != 'FLAT':
             self._left_out.add('projections of images are left out, uv is used', node.image.name)
-        if found.output.name == 'Alpha':
-            return self._alpha()
-        channel = [parameter('string', 'channel', 'mean')] if kind == 'float' else []
+        if found.output.name != 'Alpha':
+            what = [parameter('string', 'channel', 'colored_mean')] if kind == 'float' else \
+                [parameter('bool', 'plaincolors', kind == 'color')]
+            if file.times_alpha and not node.outputs['Alpha'].is_linked:
+                what.append(parameter('bool', 'timesalpha', True))  # as Cycles, which is odd
+            return self._image_channel(node, file, found, 'float' if kind == 'float' else 'color',
+                                       what)
+        if node.image.alpha_mode == 'NONE':
+            return 1.0
+        alpha = self._image_channel(node, file, found, 'float',
+                                    [parameter('string', 'channel', 'alpha')])
+        return alpha if kind == 'float' else self._grey(alpha)
+
+    def _grey(self, amount):
+        """A colour texture of a float one."""
+        return self._texture('grey', 'color', 'mix', [factor('amount', amount)])
+
+    def _image_channel(self, node, file, found, kind, what):
         return self._texture(node.image.name, kind, 'imagemap', [
-            self._text.file(path), parameter('float', 'gamma', 1.0),
+            self._text.file(file.path), file.color_space(), *what,
             parameter('string', 'wrap', WRAP.get(node.extension, 'repeat')),
             parameter('string', 'filtertype',
                       'nearest' if node.interpolation == 'Closest' else 'bilinear'),
-            *channel, *self.mapping(found)])
+            *self.mapping(found)])
+
+    def is_placed_by_uv(self, found):
+        """Whether an image is looked up by uv, at most scaled and shifted."""
+        return self.coordinates.are_plain(found)
 
     def mapping(self, found):
-        """Parameters of an image's uv mapping, that of a node Mapping before `found`."""
-        scale, shift = self.coordinates.uv(found)
+        """Parameters of an image's uv mapping, that of a node Mapping before `found`; none where
+        the coordinates come by other nodes."""
+        scale, shift = (1.0, 1.0), (0.0, 0.0)
+        if self.is_placed_by_uv(found):
+            scale, shift = self.coordinates.uv(found)
         # Images of the scene language begin at the top, uv of Blender at the bottom.
         return uv_parameters((scale[0], -scale[1]), (shift[0], 1 - shift[1]))
-
-    def _checker(self, found, kind):
-        first, second = self.color(found.input('Color1')), self.color(found.input('Color2'))
-        scale = self.constant_number(found.input('Scale'), 'scales')
-        (x, y, *_), shift = self.coordinates.uv(found)
-        # Blender begins with the second colour.
-        pattern = self._texture('checker', 'float', 'checkerboard', [
-            *uv_parameters((x * scale, y * scale), (shift[0] * scale, shift[1] * scale)),
-            parameter('float', 'tex1', 0.0), parameter('float', 'tex2', 1.0)])
-        if kind == 'float':
-            return pattern
-        return self._texture('checker colors', 'color', 'mix', [
-            parameter('texture', 'amount', pattern), color('tex1', second), color('tex2', first)])
 
     def _mix(self, found, kind):
         node = found.node
@@ -178,6 +213,17 @@ class Textures:
             return None
         return self._texture('mixed colors', 'color', 'mix',
                              [color('tex1', a), color('tex2', b), factor('amount', amount)])
+
+    def mixed(self, a, b, amount):
+        """Of two colour values the one by `amount` on the way from the first to the second."""
+        return self._blended('MIX', a, b, amount)
+
+    def root(self, value):
+        """Square root of a colour value."""
+        if isinstance(value, tuple):
+            return tuple(max(c, 0.0) ** 0.5 for c in value)
+        self._left_out.add('glass of node Principled BSDF is tinted twice by textures')
+        return value
 
     def product(self, light, gain):
         """A colour value of light times a number or a value of numbers."""

@@ -20,9 +20,38 @@ Rgb Coating::transmittance(float cosine) const {
     return absorbed(optical_depth, 1 / std::max(cosine, kMinCosine));
 }
 
+float GlossyBsdf::dielectric_reflectance() const {
+    constexpr float kMost = 0.7f;  // of what DielectricRise has
+    return std::min(max_component(coating_.reflectance), kMost);
+}
+
+Rgb GlossyBsdf::fresnel(float cosine) const {
+    const Rgb& r0 = coating_.reflectance;
+    if (!coating_.dielectric) return fresnel_schlick(cosine, r0);
+    return r0 + (Rgb(1.0f) - r0) * DielectricRise::rise(cosine, dielectric_reflectance());
+}
+
 Rgb GlossyBsdf::bounce_color() const {
     constexpr float kMeanOfGrazing = 1.0f / 21;  // cosine-weighted mean of (1 - cos)^5
-    return coating_.reflectance + (Rgb(1.0f) - coating_.reflectance) * kMeanOfGrazing;
+    const float rise = coating_.dielectric ? DielectricRise::table().mean(dielectric_reflectance())
+                                           : kMeanOfGrazing;
+    const Rgb mean = coating_.reflectance + (Rgb(1.0f) - coating_.reflectance) * rise;
+    if (!coating_.conserving) return mean;
+    // Kulla & Conty 2017, slide 14: what goes on between facets meets the Fresnel term each time.
+    const float kept = MicrofacetAlbedo::table().average(facets_.roughness());
+    return mean * mean * kept / (Rgb(1.0f) - mean * (1 - kept));
+}
+
+/// Cosine-weighted mean of the coating's albedo over the hemisphere.
+Rgb GlossyBsdf::mean_coat() const {
+    constexpr float kMost = 0.9999f;
+    const float kept = MicrofacetAlbedo::table().average(facets_.roughness());
+    const float rise =
+        coating_.dielectric
+            ? DielectricRise::table().average(facets_.roughness(), dielectric_reflectance())
+            : MicrofacetAlbedo::table().average_grazing(facets_.roughness());
+    const Rgb& r0 = coating_.reflectance;
+    return min_of(r0 * kept + (Rgb(1.0f) - r0) * rise + bounce_color() * (1 - kept), Rgb(kMost));
 }
 
 GlossyBsdf::Side GlossyBsdf::side(const Vec3& w) const {
@@ -30,13 +59,21 @@ GlossyBsdf::Side GlossyBsdf::side(const Vec3& w) const {
     const MicrofacetAlbedo::Entry facets =
         MicrofacetAlbedo::table().at(cosine, facets_.roughness());
     const Rgb& r0 = coating_.reflectance;
-    Rgb coat = r0 * facets.constant + (Rgb(1.0f) - r0) * facets.grazing;
+    const float rise = coating_.dielectric ? DielectricRise::table().at(cosine, facets_.roughness(),
+                                                                        dielectric_reflectance())
+                                           : facets.grazing;
+    Rgb coat = r0 * facets.constant + (Rgb(1.0f) - r0) * rise;
     if (coating_.multibounce) coat += bounce_color() * (1 - facets.constant);
     return {cosine, facets, min_of(coat, Rgb(1.0f))};
 }
 
 Rgb GlossyBsdf::base(const Side& o, const Side& i, const Rgb& fresnel, float shape) const {
     const Rgb white(1.0f);
+    if (coating_.conserving) {
+        return kd_ * (white - o.coat) * (white - i.coat) / (white - mean_coat()) *
+               (kInvPi * shape) * coating_.transmittance(o.cosine) *
+               coating_.transmittance(i.cosine);
+    }
     const Rgb f =
         min_of(kd_ * (white - fresnel), min_of(white - o.coat, white - i.coat)) * (kInvPi * shape);
     return f * coating_.transmittance(o.cosine) * coating_.transmittance(i.cosine);
@@ -51,6 +88,7 @@ Rgb GlossyBsdf::coat_diffuse(const Side& o, const Side& i) const {
 }
 
 Rgb GlossyBsdf::base_albedo(const Side& o) const {
+    if (coating_.conserving) return kd_ * (Rgb(1.0f) - o.coat) * shape_.mean();
     return min_of(kd_ * (Rgb(1.0f) - coating_.reflectance), Rgb(1.0f) - o.coat) * shape_.mean();
 }
 
@@ -96,11 +134,12 @@ float GlossyBsdf::density(const Choice& choice, const HalfVector* half, float co
 
 Rgb GlossyBsdf::value(const Vec3& wo, const Vec3& wi, const Side& o, const Side& i,
                       const HalfVector* half, LobeMask mask) const {
-    const Rgb fresnel = fresnel_schlick(half_cosine(wo, wi), coating_.reflectance);
+    const Rgb reflected = fresnel(half_cosine(wo, wi));
     Rgb sum(0.0f);
-    if ((mask & kDiffuse) && !black_base_) sum += base(o, i, fresnel, shape_(wo, wi, facets_.ns()));
+    if ((mask & kDiffuse) && !black_base_)
+        sum += base(o, i, reflected, shape_(wo, wi, facets_.ns()));
     if (mask & kGlossy) {
-        if (half) sum += fresnel * facets_.value(*half);
+        if (half) sum += reflected * facets_.value(*half);
         if (coating_.multibounce) sum += coat_diffuse(o, i);
     }
     return sum;

@@ -17,6 +17,9 @@ struct Coating {
     Rgb optical_depth{0.0f};  ///< Ka * d: absorption along one perpendicular crossing
     bool multibounce =
         false;  ///< light that facets shadow comes out diffusely instead of being lost
+    /// The base has what the coating leaves, so that white loses nothing; with multibounce.
+    bool conserving = false;
+    bool dielectric = false;  ///< with conserving: by the exact Fresnel term, not Schlick's
 
     /// What absorption leaves on one way through under `cosine` >= 0.
     Rgb transmittance(float cosine) const;
@@ -32,7 +35,8 @@ enum class CoatedBack : std::uint8_t {
 /// f = S(u) D G / (4 cos_o cos_i) + (1 - S(u)) Kd O / pi, u being the half angle's cosine and O the
 /// base's shape by Oren & Nayar, 1 if it is smooth. The diffuse part is limited to what the coating
 /// leaves over on the way in and on the way out, which changes grazing angles and bright bases only
-/// but keeps the albedo at most 1.
+/// but keeps the albedo at most 1. A conserving coating's base is, with its albedo E and that one's
+/// mean, Kd (1 - E(o)) (1 - E(i)) / (pi (1 - mean)) (Kulla & Conty 2017, slide 26).
 class GlossyBsdf final : public Bsdf {
   public:
     GlossyBsdf(const Rgb& kd, const Coating& coating, const MicrofacetLobe& facets, CoatedBack back,
@@ -80,6 +84,10 @@ class GlossyBsdf final : public Bsdf {
     /// Multiple bounces between facets.
     Rgb coat_diffuse(const Side& o, const Side& i) const;
     Rgb bounce_color() const;
+    Rgb fresnel(float cosine) const;
+    /// Of a conserving coating: its greatest reflectance at normal incidence, as a dielectric's.
+    float dielectric_reflectance() const;
+    Rgb mean_coat() const;
     Choice choose(const Side& o, LobeMask mask) const;
     float density(const Choice& choice, const HalfVector* half, float cos_i) const;
     Rgb value(const Vec3& wo, const Vec3& wi, const Side& o, const Side& i, const HalfVector* half,

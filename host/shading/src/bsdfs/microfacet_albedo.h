@@ -22,6 +22,8 @@ class MicrofacetAlbedo {
     Entry at(float c, float roughness) const;
     /// Cosine-weighted mean of `constant` over the hemisphere.
     float average(float roughness) const;
+    /// Likewise of `grazing`.
+    float average_grazing(float roughness) const;
 
   private:
     static constexpr int kSize = 24;
@@ -29,7 +31,33 @@ class MicrofacetAlbedo {
     MicrofacetAlbedo();
 
     std::array<std::array<Entry, kSize>, kSize> entries_;  ///< by roughness, then cosine
-    std::array<float, kSize> averages_;
+    std::array<float, kSize> averages_, grazing_averages_;
+};
+
+/// The part that grazing angles add where facets are of a dielectric, by the exact Fresnel term: F
+/// is r0 + (1 - r0) rise, and the albedo that of `rise`.
+class DielectricRise {
+  public:
+    static const DielectricRise& table();
+
+    /// `r0`: reflectance at normal incidence, below 1.
+    static float rise(float cosine, float r0);
+    /// Albedo of facets that reflect `rise`.
+    float at(float c, float roughness, float r0) const;
+    /// Its cosine-weighted mean over the hemisphere.
+    float average(float roughness, float r0) const;
+    /// That of `rise` itself.
+    float mean(float r0) const;
+
+  private:
+    static constexpr int kSize = 24, kSteps = 8;  ///< of reflectances
+    using Steps = std::array<float, kSteps>;
+
+    DielectricRise();
+
+    std::array<std::array<Steps, kSize>, kSize> entries_;  ///< by roughness, then cosine
+    std::array<Steps, kSize> averages_;
+    Steps means_;
 };
 
 }  // namespace lxs::shading

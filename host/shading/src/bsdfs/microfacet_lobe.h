@@ -37,6 +37,7 @@ class MicrofacetLobe {
     const Vec3& ns() const { return frame_.n; }
     const Frame& frame() const { return frame_; }
     float roughness() const { return distribution_.roughness(); }
+    bool grained() const { return distribution_.grained(); }
     /// D(h) of the facets.
     float density(const Vec3& h) const { return distribution_.density(h); }
     /// G / (cos_o cos_i) of two positive cosines.

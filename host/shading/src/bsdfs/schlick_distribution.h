@@ -22,6 +22,7 @@ class SchlickDistribution {
     SchlickDistribution(float u_roughness, float v_roughness);
 
     float roughness() const { return roughness_; }
+    bool grained() const { return isotropy_ < 1; }
     /// D(h) for h.z > 0; integrates with h.z to 1.
     float density(const Vec3& h) const {
         return zenith(h) * kInvPi * (isotropy_ < 1 ? azimuth(h) : 1.0f);

@@ -7,6 +7,7 @@
 #include "ignored_parameter.h"
 #include "image_cache.h"
 #include "lxs/scene/constant_texture.h"
+#include "lxs/spectrum/reflectance_colour.h"
 #include "texture_parameters.h"
 #include "texture_plugins.h"
 #include "uv_mapping.h"
@@ -17,6 +18,7 @@ namespace {
 
 constexpr std::array<std::string_view, 4> kFilters{"bilinear", "nearest", "mipmap_trilinear",
                                                    "mipmap_ewa"};
+constexpr std::array<std::string_view, 2> kColorSpaces{"gamma", "srgb"};
 constexpr std::array<std::string_view, 6> kChannels{"mean", "red",   "green",
                                                     "blue", "alpha", "colored_mean"};
 
@@ -32,6 +34,8 @@ class ImageLookup {
     void read(const TexturePoint& point, int first, int count, float* values) const;
     /// Red, green, blue; grey images give three equal values.
     Rgb color(const TexturePoint& point) const;
+    /// The same, as it is to be handed to materials.
+    Rgb surface_color(const TexturePoint& point) const;
 
   private:
     /// The same place in a coordinate that doesn't overflow OpenImageIO's texel numbers.
@@ -40,12 +44,14 @@ class ImageLookup {
                                                             : std::clamp(x, -1.0f, 2.0f);
     }
 
+    float linear(float stored) const;
+
     std::shared_ptr<ImageCache> cache_;
     ImageCache::Image image_;
     TexelLookup how_;
     UvMapping mapping_;
     float gain_, gamma_;
-    bool white_outside_;
+    bool srgb_, plain_colors_, times_alpha_, white_outside_;
 };
 
 ImageLookup::ImageLookup(const ParameterReader& reader, const AssetContext& assets,
@@ -57,6 +63,9 @@ ImageLookup::ImageLookup(const ParameterReader& reader, const AssetContext& asse
     image_ = cache_->open(path, reader, assets);
     gamma_ = static_cast<float>(reader.number("gamma", 2.2));
     gain_ = static_cast<float>(reader.number("gain", 1));
+    srgb_ = reader.string("colorspace", "gamma") == "srgb";
+    plain_colors_ = reader.boolean("plaincolors", false);
+    times_alpha_ = reader.boolean("timesalpha", false) && image_.texels->alpha_channel() == 3;
     const Wrap wrap = read_wrap(reader);
     white_outside_ = wrap == Wrap::White;
     how_.outside = wrap == Wrap::Repeat  ? TexelLookup::Outside::Repeat
@@ -83,25 +92,40 @@ void ImageLookup::read(const TexturePoint& point, int first, int count, float* v
         throw InputError(image_.where,
                          "image \"" + image_.path + "\" can't be read any more: " + error.what());
     }
+    if (times_alpha_ && count == 4) {
+        for (int c = 0; c < 3; ++c)
+            values[c] *= values[3];
+    }
     // Texels are interpolated as they are stored, then the gamma is undone: LuxRender's image of a
     // fine pattern is darker by what that makes (5 % in the blue of texture-imagemap's squares).
-    if (gamma_ == 1) return;
+    if (gamma_ == 1 && !srgb_) return;
     for (int c = 0; c < count; ++c)
-        if (first + c != image_.texels->alpha_channel()) values[c] = std::pow(values[c], gamma_);
+        if (first + c != image_.texels->alpha_channel()) values[c] = linear(values[c]);
+}
+
+float ImageLookup::linear(float stored) const {
+    if (!srgb_) return std::pow(stored, gamma_);
+    // IEC 61966-2-1.
+    return stored <= 0.04045f ? stored / 12.92f : std::pow((stored + 0.055f) / 1.055f, 2.4f);
 }
 
 Rgb ImageLookup::color(const TexturePoint& point) const {
-    Rgb value(1.0f);
-    const int count = image_.texels->channels() >= 3 ? 3 : 1;
-    read(point, 0, count, &value.x);
-    if (count == 1) value = Rgb(value.x);
+    std::array<float, 4> values;
+    const int count = times_alpha_ ? 4 : image_.texels->channels() >= 3 ? 3 : 1;
+    read(point, 0, count, values.data());
+    const Rgb value = count == 1 ? Rgb(values[0]) : Rgb(values[0], values[1], values[2]);
     return value * gain_;
+}
+
+Rgb ImageLookup::surface_color(const TexturePoint& point) const {
+    const Rgb value = color(point);
+    return plain_colors_ ? reflectance_of_colour(value) : value;
 }
 
 class ColorImageTexture final : public ColorTexture {
   public:
     explicit ColorImageTexture(ImageLookup lookup) : lookup_(std::move(lookup)) {}
-    Rgb evaluate(const TexturePoint& point) const override { return lookup_.color(point); }
+    Rgb evaluate(const TexturePoint& point) const override { return lookup_.surface_color(point); }
     bool reads_image() const override { return true; }
 
   private:
@@ -171,6 +195,14 @@ std::vector<ParameterDeclaration> imagemap_parameters() {
         {"filename", ParameterType::String, "", "image file"},
         {"gamma", ParameterType::Float, "2.2", "values are raised to this power", 1e-3},
         {"gain", ParameterType::Float, "1", "factor on the linear values", 0},
+        choice("colorspace", "gamma",
+               "how stored values become linear: by gamma, or by sRGB's curve. Not LuxRender's.",
+               kColorSpaces),
+        {"timesalpha", ParameterType::Bool, "false",
+         "stored colours are multiplied by the image's alpha. Not LuxRender's."},
+        {"plaincolors", ParameterType::Bool, "false",
+         "surfaces show the image's colours as they are, where LuxRender turns saturated ones a "
+         "little. Not LuxRender's."},
         wrap_parameter("what lies outside the image"),
         choice("filtertype", "bilinear", "texels are interpolated unless \"nearest\"", kFilters),
         ignored("maxanisotropy", ParameterType::Float, "8", "limit of the mip-map filter"),

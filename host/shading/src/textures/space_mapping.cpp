@@ -30,18 +30,20 @@ Matrix own_placement(const ParameterReader& reader) {
     return placement * move;
 }
 
-Vec3 local_position(const TexturePoint& point) {
-    Vec3 p = point.p;
-    for (const Matrix* step : {point.world_to_object, point.object_to_shape})
-        if (step) p = p * *step;
-    return p;
-}
-
 /// Unit, or zero.
 Vec3 turned(const Vec3& normal, const Matrix& by) {
     Vec3 turned;
     by.multDirMatrix(normal, turned);
     return turned.normalized();
+}
+
+}  // namespace
+
+Vec3 local_position(const TexturePoint& point) {
+    Vec3 p = point.p;
+    for (const Matrix* step : {point.world_to_object, point.object_to_shape})
+        if (step) p = p * *step;
+    return p;
 }
 
 /// Normals go by the transpose of the inverse of the matrix that positions go by.
@@ -51,8 +53,6 @@ Vec3 local_normal(const TexturePoint& point) {
         if (step) n = turned(n, step->inverse().transposed());
     return n;
 }
-
-}  // namespace
 
 SpaceMapping::SpaceMapping(const ParameterReader& reader, const Matrix& to_world) {
     const Matrix placed = own_placement(reader) * to_world;

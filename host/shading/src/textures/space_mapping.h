@@ -8,6 +8,10 @@
 
 namespace lxs::shading {
 
+/// A point's position and unit normal in the space of its shape.
+Vec3 local_position(const TexturePoint& point);
+Vec3 local_normal(const TexturePoint& point);
+
 /// Position in a texture's own space.
 class SpaceMapping {
   public:

@@ -25,6 +25,7 @@ FloatTextureFactory normalmap_plugin(const ColorTextureFactory& imagemap);
 /// Adds "imagemap" for floats and colours, which share one image cache.
 void register_imagemaps(Registry& registry);
 void register_mixes(Registry& registry);             ///< mix
+void register_nodes(Registry& registry);             ///< nodes
 void register_noise_textures(Registry& registry);    ///< fbm, wrinkled, windy, marble
 void register_pattern_textures(Registry& registry);  ///< bilerp, uv, uvmask, dots, harlequin
 void register_bricks(Registry& registry);

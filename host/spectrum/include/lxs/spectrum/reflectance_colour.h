@@ -18,4 +18,8 @@ Imath::V3d white_lamp_response(double nm);
 /// and below 0. Linear where the order of the components stays the same.
 Rgb colour_of_reflectance(const Rgb& rgb);
 
+/// The reflectance to write so that its colour is `seen`, none of whose components is negative; as
+/// near as components of 0 or more come to it.
+Rgb reflectance_of_colour(const Rgb& seen);
+
 }  // namespace lxs

@@ -1,0 +1,78 @@
+"""Keeps what exports have written of meshes, so that the next one writes what has changed alone.
+
+Meshes are told apart by their content: nothing is to be said when one changes.
+"""
+import atexit
+import hashlib
+import shutil
+import tempfile
+
+import numpy as np
+
+from .corners import array, uv_of
+
+
+class Kept:
+    """Files of meshes by content; those that an export does not use go with the next one."""
+
+    def __init__(self):
+        self.folder = tempfile.mkdtemp(prefix='aips-meshes-')
+        self._parts, self._used = {}, {}
+        atexit.register(self.end)
+
+    def begin(self):
+        """An export begins: what the one before it has not used goes."""
+        for key in set(self._parts) - set(self._used):
+            self._parts.pop(key)[0].remove()
+        self._used = {}
+
+    def of(self, key):
+        """What was kept, or None."""
+        if key in self._parts:
+            self._used[key] = True
+        return self._parts.get(key)
+
+    def keep(self, key, parts, told):
+        self._parts[key], self._used[key] = (parts, told), True
+
+    def end(self):
+        shutil.rmtree(self.folder, ignore_errors=True)
+        atexit.unregister(self.end)
+
+
+def used_slots(mesh):
+    """Numbers of the material slots that a mesh has faces of."""
+    return list(map(int, np.unique(array(mesh.polygons, 'material_index', np.int32, 1))))
+
+
+def content(mesh):
+    """Text that tells meshes apart, or None where that would take long."""
+    if hasattr(mesh, 'calc_normals_split') and mesh.has_custom_normals:
+        return None
+    digest = hashlib.blake2b(digest_size=12)
+    for values in _arrays(mesh):
+        digest.update(repr(values).encode() if isinstance(values, tuple) else
+                      np.ascontiguousarray(values))
+    return digest.hexdigest()
+
+
+def _arrays(mesh):
+    yield array(mesh.vertices, 'co', np.float32, 3)
+    yield array(mesh.loops, 'vertex_index', np.int32, 1)
+    yield array(mesh.polygons, 'loop_start', np.int32, 1)
+    yield array(mesh.polygons, 'material_index', np.int32, 1)
+    if hasattr(mesh, 'corner_normals'):
+        yield array(mesh.corner_normals, 'vector', np.float32, 3)
+    else:
+        yield array(mesh.polygons, 'use_smooth', bool, 1)
+        yield (mesh.use_auto_smooth, mesh.auto_smooth_angle)
+        if mesh.use_auto_smooth:
+            yield array(mesh.edges, 'use_edge_sharp', bool, 1)
+            yield array(mesh.edges, 'vertices', np.int32, 2)
+    for layer in mesh.uv_layers:
+        yield (layer.name, layer.active_render)
+        yield uv_of(layer)
+    for layer in mesh.color_attributes:
+        yield (layer.name, layer.domain, layer.data_type)
+        yield array(layer.data, 'color', np.float32, 4)
+    yield (mesh.color_attributes.render_color_index, tuple(mesh.attributes.keys()))

@@ -2,7 +2,7 @@
 bl_info = {
     'name': 'aips',
     'description': 'Renders by lxsrender: photons guided to what the camera sees',
-    'version': (0, 1, 0),
+    'version': (1, 0, 0),
     'blender': (3, 4, 0),
     'category': 'Render',
     'location': 'Render properties > Render Engine; File > Export > LuxRender scene',

@@ -230,7 +230,7 @@ class Volumes(Agreement):
         scenes.add_volume(glass, 'ShaderNodeVolumeAbsorption', Density=0.8,
                           Color=(0.3, 0.6, 0.9, 1))
         scenes.ball('ball', 0.7, glass, (0.8, 0.2, 0.7))
-        self.agrees('tinted', scene, integrator='path')
+        self.agrees('tinted', scene)
 
 
 class Cameras(Agreement):

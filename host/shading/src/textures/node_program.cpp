@@ -799,7 +799,7 @@ float luminance_of(const Vec3& c) {
 Vec3 transformed(const Vec3& p, const std::vector<float>& rows) {
     Vec3 found;
     for (int i = 0; i < 3; ++i) {
-        const float* row = &rows[static_cast<std::size_t>(4 * i)];
+        const float* row = &rows[std::size_t{4} * static_cast<std::size_t>(i)];
         found[i] = row[0] * p.x + row[1] * p.y + row[2] * p.z + row[3];
     }
     return found;

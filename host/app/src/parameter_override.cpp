@@ -14,24 +14,7 @@ namespace {
 
 constexpr double kLargest = 3.4e38;  // as in scene files; no infinity and no NaN
 
-std::vector<double> read_numbers(const std::string& text, const SourceLocation& where) {
-    std::vector<double> numbers;
-    std::size_t begin = 0;
-    while ((begin = text.find_first_not_of(" ,", begin)) != std::string::npos) {
-        const std::size_t end = std::min(text.find_first_of(" ,", begin), text.size());
-        double number = 0;
-        const auto [rest, error] = std::from_chars(text.data() + begin, text.data() + end, number);
-        if (error != std::errc() || rest != text.data() + end || !(std::abs(number) <= kLargest)) {
-            throw InputError(
-                where, "expected a number, found " + in_quotes(text.substr(begin, end - begin)));
-        }
-        numbers.push_back(number);
-        begin = end;
-    }
-    return numbers;
-}
-
-/// As numbers are listed: by spaces or commas.
+/// Lists are parted by spaces or commas.
 std::vector<std::string> read_words(const std::string& text) {
     std::vector<std::string> words;
     std::size_t begin = 0;
@@ -41,6 +24,19 @@ std::vector<std::string> read_words(const std::string& text) {
         begin = end;
     }
     return words;
+}
+
+std::vector<double> read_numbers(const std::string& text, const SourceLocation& where) {
+    std::vector<double> numbers;
+    for (const std::string& word : read_words(text)) {
+        double number = 0;
+        const char* const end = word.data() + word.size();
+        const auto [rest, error] = std::from_chars(word.data(), end, number);
+        if (error != std::errc() || rest != end || !(std::abs(number) <= kLargest))
+            throw InputError(where, "expected a number, found " + in_quotes(word));
+        numbers.push_back(number);
+    }
+    return numbers;
 }
 
 /// Type name as a scene file would write it.

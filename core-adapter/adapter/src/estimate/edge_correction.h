@@ -65,8 +65,6 @@ class EdgeCorrection final : public DiscGaps {
         float radius = 0;  // of the last one that was not all surface; scene units
         float asked = 0;   // places, older ones fading
         float lost = 0;    // of these
-
-        bool operator==(const Gap&) const = default;
     };
 
     SurfaceQuestion question(std::uint32_t pixel, Vec2 film) const;

@@ -8,33 +8,25 @@
 namespace aips {
 namespace {
 
-/// Throws if a number that differs from the default is out of its range.
-void check_range(const SettingRow& row, const Settings& settings) {
-    constexpr Settings kDefaults;
-    const auto check = [&](auto member) {
+/// Whether a number is one that a user may give; other values always are.
+bool in_range(const SettingRow& row, const Settings& settings) {
+    const auto in_range = [&](auto member) {
         using Value = std::remove_cvref_t<decltype(settings.*member)>;
-        if constexpr (std::is_arithmetic_v<Value> && !std::is_same_v<Value, bool>) {
-            const Value value = settings.*member;
-            if (value == kDefaults.*member) return;
-            if (double(value) >= row.minimum && double(value) <= row.maximum) return;
-            throw std::invalid_argument(std::string(row.name) + " is " + text_of(row, settings) +
-                                        ": out of its range");
-        }
+        if constexpr (!std::is_arithmetic_v<Value> || std::is_same_v<Value, bool>) return true;
+        const auto value = static_cast<double>(settings.*member);
+        return value >= row.minimum && value <= row.maximum;
     };
-    std::visit(check, row.member);
-}
-
-bool is_default(const SettingRow& row, const Settings& settings) {
-    constexpr Settings kDefaults;
-    return std::visit([&](auto member) { return settings.*member == kDefaults.*member; },
-                      row.member);
+    return std::visit(in_range, row.member);
 }
 
 }  // namespace
 
 void validate(const Settings& s) {
-    for (const SettingRow& row : setting_rows())
-        check_range(row, s);
+    for (const SettingRow& row : setting_rows()) {
+        if (!is_default(row, s) && !in_range(row, s))
+            throw std::invalid_argument(std::string(row.name) + " is " + text_of(row, s) +
+                                        ": out of its range");
+    }
     if (s.photon_sampler == PhotonSampler::AdaptiveChains && s.guide != GuideKind::None) {
         throw std::invalid_argument("photonsampler amc needs guide none");
     }
@@ -43,11 +35,11 @@ void validate(const Settings& s) {
 std::string describe(const Settings& s) {
     std::string text;
     for (const SettingRow& row : setting_rows()) {
-        const bool automatic = !row.automatic.empty() && is_default(row, s);
         if (row.matters && !row.matters(s)) continue;
-        if (row.group != SettingGroup::First && row.group != SettingGroup::Paper &&
-            is_default(row, s))
-            continue;
+        const bool unchanged = is_default(row, s);
+        const bool always = row.group == SettingGroup::First || row.group == SettingGroup::Paper;
+        if (unchanged && !always) continue;
+        const bool automatic = unchanged && !row.automatic.empty();
         text += text.empty() ? "" : ", ";
         text += std::string(row.name) + " = " +
                 (automatic ? std::string(row.automatic) : text_of(row, s));

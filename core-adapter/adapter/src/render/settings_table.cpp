@@ -323,14 +323,16 @@ std::span<const SettingRow> setting_rows() {
     return kRows;
 }
 
-std::string text_of(const SettingRow& row, const Settings& settings) {
+bool is_default(const SettingRow& row, const Settings& settings) {
     constexpr Settings kDefaults;
-    const auto text = [&](auto member) {
-        const bool is_default = settings.*member == kDefaults.*member;
-        if (is_default && !row.default_text.empty()) return std::string(row.default_text);
-        return written(settings.*member, row);
-    };
-    return std::visit(text, row.member);
+    return std::visit([&](auto member) { return settings.*member == kDefaults.*member; },
+                      row.member);
+}
+
+std::string text_of(const SettingRow& row, const Settings& settings) {
+    if (!row.default_text.empty() && is_default(row, settings))
+        return std::string(row.default_text);
+    return std::visit([&](auto member) { return written(settings.*member, row); }, row.member);
 }
 
 }  // namespace aips

@@ -43,6 +43,8 @@ struct SettingRow {
 /// In the order in which a user reads them.
 std::span<const SettingRow> setting_rows();
 
+bool is_default(const SettingRow& row, const Settings& settings);
+
 /// The value as a scene file would write it.
 std::string text_of(const SettingRow& row, const Settings& settings);
 

@@ -10,7 +10,7 @@
 namespace lxs {
 namespace {
 
-constexpr double kFirstNm = 380, kStepNm = 10;
+constexpr double kTableFirstNm = 380, kTableStepNm = 10;
 
 // CIE 15:2004, table T.1: relative power from 380 to 780 nm, linear in between by definition.
 constexpr std::array<double, 41> kD65 = {
@@ -23,7 +23,7 @@ constexpr std::array<double, 41> kD65 = {
 /// At the table's ends their values hold: nobody sees beyond.
 double relative_power(double nm) {
     const double last = static_cast<double>(kD65.size() - 1);
-    const double place = std::clamp((nm - kFirstNm) / kStepNm, 0.0, last);
+    const double place = std::clamp((nm - kTableFirstNm) / kTableStepNm, 0.0, last);
     const auto below = static_cast<std::size_t>(std::min(std::floor(place), last - 1));
     const double share = place - static_cast<double>(below);
     return kD65[below] * (1 - share) + kD65[below + 1] * share;

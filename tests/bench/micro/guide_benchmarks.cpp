@@ -56,8 +56,10 @@ DirectionalTable filled_table(int resolution) {
 void read_positions(benchmark::State& state) {
     const std::vector<Vec3> positions = some_positions();
     std::size_t i = 0;
-    for ([[maybe_unused]] auto _ : state)
-        benchmark::DoNotOptimize(positions[i++ % positions.size()]);
+    for ([[maybe_unused]] auto _ : state) {
+        Vec3 position = positions[i++ % positions.size()];
+        benchmark::DoNotOptimize(position);
+    }
     state.SetItemsProcessed(state.iterations());
 }
 

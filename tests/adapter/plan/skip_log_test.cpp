@@ -135,20 +135,20 @@ TEST(SkipLog, SaysNothingOfPartsThatAreNotThere) {
 TEST(SkipLog, TellsWhoCarriesWhatWhereItChanges) {
     mock::Log log;
     SkipLog skip_log(log);
-    SharePlan plan;
+    PassPlan plan;
     plan.photon_paths = 5000;
-    skip_log.shared(plan);
+    skip_log.planned(plan);
     EXPECT_TRUE(log.lines.empty()) << "photons alone, as at the start";
     plan.going_on = 0.5;
     plan.eye_share = 0.75;
-    skip_log.shared(plan);
-    skip_log.shared(plan);
+    skip_log.planned(plan);
+    skip_log.planned(plan);
     ASSERT_EQ(log.lines.size(), 1u);
     EXPECT_EQ(log.lines[0],
               "eye paths go on from 50 % of the surfaces seen that take photons, and carry 75 % of "
               "the light there that both can; 5000 photon paths a pass");
     plan.going_on = 0;
-    skip_log.shared(plan);
+    skip_log.planned(plan);
     ASSERT_EQ(log.lines.size(), 2u);
     EXPECT_EQ(log.lines[1],
               "photons carry all indirect light to surfaces that take them; 5000 photon paths a "

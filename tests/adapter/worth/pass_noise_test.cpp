@@ -1,5 +1,5 @@
-// Protects the parts that a pass's noise is split into: each is found, whatever the other, and both
-// in images made of them.
+// Protects what is known of a pass's noise: all of it, the photons' part whatever the eye's is, and
+// both in images made of them.
 #include "worth/pass_noise.h"
 
 #include <gtest/gtest.h>
@@ -24,6 +24,10 @@ namespace {
 constexpr std::uint32_t kWidth = 64, kHeight = 48;
 constexpr double kLight = 3;
 constexpr double kThickFogRadius = 0.2;
+
+double sq(double x) {
+    return x * x;
+}
 
 EyeImage eye_image() {
     return mock::image_of_pixels(kWidth, kHeight, {});
@@ -69,16 +73,16 @@ PassNoise measured(double eye_variance, const std::vector<double>& per_pixel) {
         const PassNoise noise = meter.add_pass(mock::seen_pixels(image, brought, kWidth, kHeight),
                                                variances(image, brought, flux), paths, importance);
         importance.add_pass(mock::seen_pixels(image, brought, kWidth, kHeight));
-        mean.eye += noise.eye / double(per_pixel.size() - 1);
+        mean.all += noise.all / double(per_pixel.size() - 1);
         mean.photon_path += noise.photon_path / double(per_pixel.size() - 1);
         if (pass == 0) {
-            EXPECT_EQ(noise.eye, 0);
+            EXPECT_EQ(noise.all, 0);
             EXPECT_EQ(noise.photon_path, 0);
         }
     }
     // It is relative to L^2 + eps^2, as pixels weigh, all of which are alike.
-    mean.eye *= 1 + kDarkestShare * kDarkestShare;
-    mean.photon_path *= 1 + kDarkestShare * kDarkestShare;
+    mean.all *= 1 + sq(kDarkestShareOfSharing);
+    mean.photon_path *= 1 + sq(kDarkestShareOfSharing);
     return mean;
 }
 
@@ -88,14 +92,14 @@ TEST(PassNoise, FindsBothParts) {
     const std::vector<double> passes(9, 5.0);
     for (const double eye : {0.0, 0.1, 0.3}) {
         const PassNoise noise = measured(eye, passes);
-        EXPECT_NEAR(noise.eye, eye, 0.02) << eye;
+        EXPECT_NEAR(noise.all - noise.photon_path / 5000, eye, 0.02) << eye;
         EXPECT_NEAR(noise.photon_path / (1000 * (1 + eye)), 1, 0.03) << eye;
     }
 }
 
 TEST(PassNoise, PassesMayDifferInTheirPhotons) {
     const PassNoise noise = measured(0.2, {4, 12, 4, 12, 4, 12, 4, 12, 4});
-    EXPECT_NEAR(noise.eye, 0.2, 0.02);
+    EXPECT_NEAR(noise.all - noise.photon_path * (1.0 / 4000 + 1.0 / 12000) / 2, 0.2, 0.02);
     EXPECT_NEAR(noise.photon_path / (1000 * 1.2), 1, 0.03);
 }
 
@@ -120,11 +124,11 @@ TEST(PassNoise, WhatEyePathsSeeThemselvesIsTheEyes) {
         const PassNoise noise = meter.add_pass(mock::seen_pixels(image, brought, kWidth, kHeight),
                                                variances(image, brought, flux), 1000, importance);
         importance.add_pass(mock::seen_pixels(image, brought, kWidth, kHeight));
-        mean.eye += noise.eye / (kPasses - 1);
+        mean.all += noise.all / (kPasses - 1);
         mean.photon_path += noise.photon_path / (kPasses - 1);
     }
     // Relative to the square of what both are together, 2, and eps.
-    EXPECT_NEAR(mean.eye * (1 + kDarkestShare * kDarkestShare), 0.3 / 4, 0.005);
+    EXPECT_NEAR(mean.all * (1 + sq(kDarkestShareOfSharing)), 0.3 / 4, 0.005);
     EXPECT_EQ(mean.photon_path, 0);
 }
 
@@ -227,10 +231,26 @@ TEST(PassNoise, BlackPassesHaveNone) {
         const PassNoise noise =
             meter.add_pass(mock::seen_pixels(image, image.radiance, kWidth, kHeight),
                            variances(image, image.radiance, flux), 1000, importance);
-        EXPECT_EQ(noise.eye, 0);
+        EXPECT_EQ(noise.all, 0);
         EXPECT_EQ(noise.photon_path, 0);
         importance.add_pass(mock::seen_pixels(image, image.radiance, kWidth, kHeight));
     }
+}
+
+// A lamp in glass, seen by one path in 3072, is worth no more photons or eye paths than any pixel.
+TEST(PassNoise, ASinglePixelCountsForLittle) {
+    EyeImage image = eye_image();
+    PassNoiseMeter meter(kWidth, kHeight);
+    PixelImportance importance(kWidth, kHeight);
+    PassNoise noise;
+    for (int pass = 0; pass < 3; ++pass) {
+        std::vector<Rgb> brought(image.positions.size(), kWhite);
+        if (pass == 2) brought[100] = kWhite * 1e6f;
+        noise = meter.add_pass(mock::seen_pixels(image, brought, kWidth, kHeight), {}, 1000,
+                               importance);
+        if (pass < 2) importance.add_pass(mock::seen_pixels(image, brought, kWidth, kHeight));
+    }
+    EXPECT_NEAR(noise.all, kMostOfAPixel / (kWidth * kHeight), 1e-9);
 }
 
 TEST(PassNoise, MemoryIsBounded) {

@@ -9,6 +9,8 @@
 #include "guides/adaptive/learning_weight.h"
 #include "guides/adaptive/part_rest.h"
 #include "photons/photon_iteration.h"
+#include "plan/constants.h"
+#include "plan/pass_planner.h"
 #include "plan/photon_schedule.h"
 #include "render_mock.h"
 #include "stress_case.h"
@@ -86,7 +88,7 @@ TEST(StressCounters, OfTheSchedule) {
             }
             EXPECT_LE(photons.counted, double(kMost));
             EXPECT_GE(photons.counted, double(kMost) - 1e6);
-            schedule.end_pass({1, 1}, {1, 1});
+            schedule.end_pass();
         }
     }
     EXPECT_EQ(learning_weight(kOne << 53), 1);
@@ -103,20 +105,29 @@ TEST(StressCounters, OfTheSchedule) {
 
 /// The number asked for follows the noise however long the render.
 TEST(StressCounters, TheScheduleGoesOnChoosing) {
-    Settings settings;
-    PhotonSchedule schedule(settings, 20000, true, false);
-    const int passes = sized(10000, 1000000);
-    for (int pass = 0; pass < passes; ++pass) {
-        const double paths = schedule.next().paths;
-        schedule.end_pass({1e5, paths}, {1, pass < passes / 2 ? 1e6 : 1e7});
+    PhotonSchedule schedule(Settings(), 20000, true, false);
+    PassPlanner planner(20000, 20000);
+    const std::uint64_t passes = std::uint64_t(sized(1 << 14, 1 << 20));
+    for (std::uint64_t pass = 0; pass < passes; ++pass) {
+        const auto paths = double(schedule.next().paths);
+        const double photon_path = pass < passes / 64 ? 1e6 : 1e7;
+        planner.add({.number = pass,
+                     .work = {1e5, paths},
+                     .photon_paths = schedule.next().paths,
+                     .noise = {1 + photon_path / paths, photon_path}});
+        schedule.end_pass();
+        if (planner.plans_before(pass + 1))
+            schedule.take(plan_passes(planner.take(pass + 1), schedule.limits()));
         ASSERT_GE(schedule.next().paths, 1u << 12);
         ASSERT_LE(schedule.next().paths, 1u << 22);
     }
-    // sqrt(a B / (b A)), at most ten times the eye's cost.
-    EXPECT_NEAR(double(schedule.next().paths), 1e6, 1e3);
-    record(std::to_string(passes) +
-               " passes, the photons' noise ten times as large from the middle on",
-           std::to_string(schedule.next().paths) + " photon paths of 1,000,000");
+    // sqrt(a B / (b A)), less what eye paths gain by being stratified, at most ten times the eye's
+    // cost, in steps of a root of two.
+    const double best = std::min(std::sqrt(1e5 * 1e7 / kStratifiedEye), 10 * 1e5);
+    EXPECT_NEAR(double(schedule.next().paths) / best, 1, std::sqrt(2.0) - 1);
+    record(std::to_string(passes) + " passes, the photons' noise ten times as large soon",
+           std::to_string(schedule.next().paths) + " photon paths of " +
+               std::to_string(std::llround(best)));
 }
 
 }  // namespace

@@ -157,7 +157,7 @@ TEST(StressSums, EyePathsOfOnePass) {
     const double difference = double(luminance({kTerm * 1.01f, kTerm * 1.01f, kTerm * 1.01f})) -
                               double(luminance({kTerm, kTerm, kTerm}));
     record_error("noise between two passes that differ by 1 %", double(paths),
-                 std::abs(noise.eye / (difference * difference / 2) - 1),
+                 std::abs(noise.all / (difference * difference / 2) - 1),
                  // The difference of sums is a hundredth of them, and its square counts.
                  2 * 100 * double(paths) * 0x1p-53 + 0x1p-24);
 }

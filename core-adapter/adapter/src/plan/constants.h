@@ -32,31 +32,17 @@ inline constexpr std::uint32_t kFewestPerPass = 1u << 12;
 /// Supported by: no measurement.
 inline constexpr std::uint32_t kMostPerPass = 1u << 22;
 
-/// Passes before the first choice of the photons per pass; others follow whenever there are a
-/// quarter more. Unit: passes.
+/// Passes before the first choice of the photons per pass. Unit: passes, a power of two.
 /// Balances: a choice by chance against passes of a number that nothing has chosen.
 /// Chosen by: reasoning: none on record.
 /// Supported by: no measurement.
 inline constexpr std::uint64_t kFirstPasses = 4;
 
-/// The same where a guide learns. Unit: passes.
+/// The same where a guide learns. Unit: passes, a power of two.
 /// Balances: a choice by what a guide is not yet against passes of a number that none has chosen.
 /// Chosen by: docs/notebook/2026-11-23-weights-of-first-passes.md.
 /// Supported by: furnace, chess, prism (4 and 6 in its place).
 inline constexpr std::uint64_t kFirstPassesOfAGuide = 8;
-
-/// Factor by which a choice may raise the last one, but never the first of a guide: passes count
-/// alike, whatever they cost. Unit: ratio.
-/// Balances: the best number soon against passes of unequal noise that count alike.
-/// Chosen by: reasoning: passes count alike, so that their numbers may change slowly only.
-/// Supported by: no measurement.
-inline constexpr double kGreatestRise = 2;
-
-/// Factor by which a choice may lower the last one, and that of a guide the first. Unit: ratio.
-/// Balances: as that of the rise.
-/// Chosen by: reasoning: as that of the rise.
-/// Supported by: no measurement.
-inline constexpr double kGreatestFall = 4;
 
 /// What a pass after the first choice counts for, those before, of few photons, for 1. Unit: ratio.
 /// Balances: noise of the first passes against the photons that they bring.
@@ -83,12 +69,6 @@ inline constexpr double kChosenWeightInSmallImages = 1;
 /// count for less. Chosen by: docs/notebook/2026-11-27-frames-of-glass-ball.md. Supported by: one
 /// scene only: glass-ball (1 in its place).
 inline constexpr double kTaughtPasses = 8;
-
-/// Least cost of photons over the eye's. Eye paths are stratified from pass to pass, so that their
-/// noise falls faster than what two passes differ by tells: at least 60 % of the time goes to
-/// photons. Unit: ratio. Balances: the eye's noise against that of photons. Chosen by:
-/// docs/notebook/2026-11-23-costs-of-a-pass.md. Supported by: glass-ball, chess (without it).
-inline constexpr double kLeastRatio = 1.5;
 
 /// Greatest cost of photons over the eye's: beyond it no more than a tenth could be gained. Unit:
 /// ratio. Balances: the eye's noise against that of photons. Chosen by: reasoning: what is left to
@@ -196,16 +176,22 @@ inline constexpr std::uint32_t kMostTurns = 8;
 /// a multiple of the turns. Supported by: no measurement.
 inline constexpr std::uint64_t kTurnsFrom = 8;
 
-/// Most that photons of a pass rise by where they are chosen with who carries light. Unit: ratio.
+/// Factor by which a plan may raise the photon paths of a pass. Unit: ratio.
 /// Balances: soon at the best number against what few passes tell by chance.
-/// Chosen by: reasoning: that choice rests on more than the noise of a pass.
+/// Chosen by: reasoning: passes count alike, so that their numbers may change slowly only.
 /// Supported by: no measurement.
-inline constexpr double kGreatestPlannedRise = 2;
+inline constexpr double kGreatestRise = 2;
 
-/// Most that they fall by. Unit: ratio.
+/// Factor by which it may lower them. Unit: ratio.
 /// Balances: as that of the rise.
 /// Chosen by: reasoning: as that of the rise.
 /// Supported by: no measurement.
-inline constexpr double kGreatestPlannedFall = 32;
+inline constexpr double kGreatestFall = 32;
+
+/// Passes from which on light that photons lose counts in the plan. Unit: passes.
+/// Balances: shares that know of it early against few photons where chains have yet to find them.
+/// Chosen by: docs/notebook/2026-11-27-decisions-that-one-sample-spoils.md.
+/// Supported by: daylight, summerhouse, car (2 and 16 in its place).
+inline constexpr std::uint64_t kLossJudgedFrom = 8;
 
 }  // namespace aips

@@ -4,9 +4,15 @@
 #include <cstdint>
 
 #include "photons/photon_pass.h"
-#include "plan/photon_schedule.h"
 
 namespace aips {
+
+/// Work of a pass, counted and not measured: bits do not depend on clocks. Any unit.
+struct PassWork {
+    double eye = 0;  ///< independent of the number of photons
+    /// Proportional to it; what a guide learns from, a part of it, becomes less with time.
+    double photons = 0;
+};
 
 /// Work of a pass with so many eye paths, which traced `eye_rays`, and with the photons counted
 /// between `before` and `after`. Unit: about 0.3 us.

@@ -1,38 +1,20 @@
-// How many photon paths each pass shoots, and what they weigh in the image.
-//
-// An eye path and the photons that it gathers cost time, and both are noise: with A the variance
-// that eye paths leave and B that of a single photon path, a pass of N photon paths has a variance
-// of A + B / N and costs a + b N. Variance times cost is least at N = sqrt(a B / (b A)).
+// How many photon paths each pass shoots, as planned (pass_plan.h), and what they weigh in the
+// image.
 //
 // The photons' part of the image is a mean over passes with weights that depend on a pass's number
-// alone, so what N follows does not change its expectation. The first passes, with numbers chosen
-// blindly, count for little.
+// alone, so what their number follows does not change its expectation. The first passes, with
+// numbers chosen blindly, count for little.
 #pragma once
 
 #include <cstdint>
-#include <limits>
 
 #include "aips/adapter/settings.h"
 #include "aips/core/base/learned_parts.h"
 #include "estimate/pass_photons.h"
+#include "plan/pass_plan.h"
 #include "plan/photon_turns.h"
-#include "worth/pass_noise.h"
 
 namespace aips {
-
-/// Work of a pass, counted and not measured: bits do not depend on clocks. Any unit.
-struct PassWork {
-    double eye = 0;  ///< independent of the number of photons
-    /// Proportional to it; what a guide learns from, a part of it, becomes less with time.
-    double photons = 0;
-};
-
-/// Bounds of the photon paths of a pass.
-struct PhotonLimits {
-    double fewest = 0, most = 0;
-    std::uint32_t turns = 1;  ///< most passes of which one shoots
-    double most_shot = std::numeric_limits<double>::infinity();  ///< by it
-};
 
 /// Whether the photons per pass follow the noise that passes tell.
 bool follows_noise(const Settings& settings);
@@ -50,16 +32,14 @@ class PhotonSchedule {
     bool shoots() const { return turns_.shoots(seed_, pass_); }
     /// One of so many passes does; what its photons count for.
     std::uint32_t turns() const { return turns_.every; }
-    /// A pass has ended that shot no photons, in its turn.
-    void skip_pass() { ++pass_; }
-    /// Whether numbers follow what passes tell: end_pass() then wants to know the noise.
+    /// Whether numbers follow what passes tell.
     bool adapts() const { return adapts_; }
-    void end_pass(const PassWork& work, const PassNoise& noise);
-    /// Instead of what end_pass() decides, from the first call on: after it, so many photon paths
-    /// a pass in those that come, all of `every` passes shot in one of them; numbers that are
-    /// stratified over passes begin anew.
-    void take(double paths, std::uint32_t every);
-    /// What the next choice may be; where nothing adapts, what is.
+    /// A pass has ended, which shot photons or, in its turn, none.
+    void end_pass();
+    /// Between passes: what those that come shoot. Numbers that are stratified over passes begin
+    /// anew.
+    void take(const PassPlan& plan);
+    /// What the next plan may be; where nothing adapts, what is.
     PhotonLimits limits() const;
     /// Between passes: saves what is planned and what that rests on, or restores it into a new
     /// schedule with the same settings.
@@ -76,12 +56,9 @@ class PhotonSchedule {
 
   private:
     void set_taught(bool taught);
-    void plan();
-    /// Photon paths that cost as much as a pass's eye paths; 0 if that is not known.
-    double even_paths() const;
-    /// What photons should cost over what the eye does.
-    double best_ratio() const;
-    std::uint32_t best_paths() const;
+    void set_next();
+    /// Whether enough is known for the next plan to change the number: a guide has learned.
+    bool chooses() const;
 
     std::uint64_t seed_;
     bool adapts_, learns_, may_take_turns_;
@@ -90,15 +67,9 @@ class PhotonSchedule {
     PhotonTurns turns_;
     double chosen_weight_;  // of passes after the first choice
     std::uint64_t pass_ = 0;
-    std::uint64_t decide_at_;  // pass before which the number is chosen next
-    bool decided_ = false;
-    bool planned_ = false;  // elsewhere
-    bool taught_ = false;   // by another render
-    PassPhotons next_;      // `known` of it is that of all passes
-    // Since the last choice; at first, of the second half of all passes.
-    PassWork work_;
-    PassNoise noise_;
-    std::uint64_t shot_ = 0;
+    bool chosen_ = false;  // the number of photon paths
+    bool taught_ = false;  // by another render
+    PassPhotons next_;     // `known` of it is that of all passes
 };
 
 }  // namespace aips

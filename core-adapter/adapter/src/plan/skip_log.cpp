@@ -67,7 +67,7 @@ void SkipLog::say_switch(bool off, bool& was_off, const std::string& part, doubl
             : part + " is back: it gains " + two_decimals(gain));
 }
 
-void SkipLog::shared(const SharePlan& plan) {
+void SkipLog::planned(const PassPlan& plan) {
     const double part = plan.going_on * plan.eye_share;
     if (std::abs(part - said_eye_part_) < kSaidChange) return;
     said_eye_part_ = part;

@@ -11,7 +11,7 @@
 #include "photons/photon_path.h"
 #include "plan/guide_scout.h"
 #include "plan/needs.h"
-#include "plan/share_plan.h"
+#include "plan/pass_plan.h"
 
 namespace aips {
 
@@ -32,7 +32,7 @@ class SkipLog {
     void explored(const Exploration& exploration);
     /// It was decided who carries the light that eye paths and photons both can; said where it has
     /// changed.
-    void shared(const SharePlan& plan);
+    void planned(const PassPlan& plan);
     /// A pass has ended. `guide` is null but for guide=adaptive; `photons`: of all passes so far.
     void after_pass(const AdaptiveGuide* guide, const PhotonCounts& photons);
     /// What was left out since the start, as it was said.

@@ -32,12 +32,6 @@ inline constexpr double kShareMemory = 0.5;
 /// Supported by: no measurement.
 inline constexpr double kErrorOverVariance = 1.5;
 
-/// Passes from which on light that photons lose counts in the plan. Unit: passes.
-/// Balances: shares that know of it early against few photons where chains have yet to find them.
-/// Chosen by: docs/notebook/2026-11-27-decisions-that-one-sample-spoils.md.
-/// Supported by: daylight, summerhouse, car (2 and 16 in its place).
-inline constexpr std::uint64_t kLossJudgedFrom = 8;
-
 /// Searches for images of lamps before the first pass. Unit: pixels.
 /// Balances: time before the first pass against images that are yet unknown.
 /// Chosen by: docs/notebook/2026-11-25-images-of-lamps.md.

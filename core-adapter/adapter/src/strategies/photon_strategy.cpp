@@ -32,16 +32,16 @@ PhotonStrategy::PhotonStrategy(const Host& host, Plan& plan, std::uint32_t eye_p
       guide_(make_guide(host.scene, plan)),
       schedule_(make_schedule()),
       importance_(make_importance()),
+      planner_(pixels(), eye_paths),
       photon_pass_(host.scene, settings_, light_choice_, make_pass_guide(), make_source()),
       radius_policy_(make_radii()) {
-    if (settings_.continue_eye_paths)
-        shared_.emplace(scene_, film_.width(), film_.height(), eye_paths);
+    if (settings_.continue_eye_paths) shared_.emplace(scene_, film_.width(), film_.height());
     flux_.most_points = eye_paths;
     flux_.wants_shareable = shared_.has_value();
     flux_.wants_parts = film_.layers_wanted().parts;
     flux_.wants_bias = film_.layers_wanted().bias && plan_.needs.photons;
     flux_.wants_inner = flux_.wants_bias || settings_.narrow_radii;
-    if (wants_noise()) noise_.emplace(film_.width(), film_.height());
+    if (plans_passes()) noise_.emplace(film_.width(), film_.height());
     if (settings_.photon_occlusion)
         occlusion_.emplace(scene_, settings_.seed, film_.width(), film_.height());
     if (settings_.correct_edges)
@@ -61,7 +61,7 @@ std::unique_ptr<RadiusPolicy> PhotonStrategy::make_radii() const {
 }
 
 std::optional<PixelImportance> PhotonStrategy::make_importance() const {
-    if (!plan_.learns() && !wants_noise() && !(guide_ && guide_->needs_scores())) return {};
+    if (!plan_.learns() && !plans_passes() && !(guide_ && guide_->needs_scores())) return {};
     return PixelImportance(film_.width(), film_.height());
 }
 
@@ -92,7 +92,7 @@ void PhotonStrategy::take_way(PhotonWay way) {
     schedule_.begin_anew(make_schedule());
     radius_policy_ = make_radii();
     noise_.reset();
-    if (wants_noise()) noise_.emplace(film_.width(), film_.height());
+    if (plans_passes()) noise_.emplace(film_.width(), film_.height());
 }
 
 std::unique_ptr<PassGuide> PhotonStrategy::make_pass_guide() const {
@@ -154,7 +154,7 @@ void PhotonStrategy::shoot(const StrategyPass& pass, const PassPhotons& photons,
     if (occlusion) occlusion->end_pass(image);
     photon_pass_.account(photons, schedule_.turns(), image, edges_ ? edges_->brightened() : 1);
     photon_pass_.estimate(image, flux_, radii_, photons.paths, pass.refusals, radiance_,
-                          noise_ ? &variances_ : nullptr);
+                          noise_ && !shared_ ? &variances_ : nullptr);
     if (any_points) radius_policy_->after_pass(flux_);
     if (shared_) join_eye_share(pass, photons);
     if (flux_.wants_parts)
@@ -195,13 +195,16 @@ void PhotonStrategy::end_pass(const StrategyPass& pass, const FilmPass& film_pas
     if (flux_.wants_bias && in_turn_) show_bias(pass.image, film_pass);
     const PassNoise noise = learn_noise(pass.image);
     const PhotonPassTotals& after = photon_pass_.totals();
-    const PassWork work = pass_work(pass.eye_paths, pass.eye_rays, before_, after);
     if (in_turn_) {
-        schedule_.end_pass(work, noise);
-    } else {
-        schedule_.skip_pass();
+        planner_.add({.number = pass.number,
+                      .work = pass_work(pass.eye_paths, pass.eye_rays, before_, after),
+                      .continued_rays = shared_ && shot_ > 0 ? shared_->continued_rays() : 0,
+                      .points = double(pass.image.visible_points.size()),
+                      .photon_paths = shot_,
+                      .noise = noise});
     }
-    if (shared_) share(pass, work, noise);
+    schedule_.end_pass();
+    if (plans_passes() && planner_.plans_before(pass.number + 1)) plan_from(pass.number + 1);
     skip_log_.after_pass(photon_pass_.guide().adaptive(), after.counts);
 }
 
@@ -220,14 +223,17 @@ void PhotonStrategy::show_bias(const EyeImage& image, const FilmPass& film_pass)
                     .weight = film_pass.photon_weight * schedule_.turns()});
 }
 
-void PhotonStrategy::share(const StrategyPass& pass, const PassWork& work, const PassNoise& noise) {
-    const double squared_error = adapts_radius(settings_) ? kErrorOverVariance : 1;
-    const SharedPass ended{pass.number,     work,         noise, shot_, schedule_.turns(),
-                           !plan_.chains(), squared_error};
-    if (const auto decided = shared_->end_pass(ended, in_turn_, *importance_, schedule_.limits())) {
-        schedule_.take(decided->photon_paths, decided->turns);
-        skip_log_.shared(*decided);
-    }
+/// What pass `pass` and those that follow do.
+void PhotonStrategy::plan_from(std::uint64_t pass) {
+    PlanFacts facts = planner_.take(pass);
+    facts.turns = schedule_.turns();
+    facts.independent = !plan_.chains();
+    if (adapts_radius(settings_)) facts.squared_error = kErrorOverVariance;
+    if (shared_) shared_->add_to(facts, *importance_);
+    const PassPlan plan = plan_passes(facts, schedule_.limits());
+    if (shared_) shared_->take(plan, pass);
+    schedule_.take(plan);
+    skip_log_.planned(plan);
 }
 
 /// The pass's image is known.
@@ -249,6 +255,7 @@ void PhotonStrategy::state(StateArchive& archive, const EyeImage& image) {
     schedule_.state(archive);
     if (importance_) importance_->state(archive);
     if (noise_) noise_->state(archive);
+    planner_.state(archive);
     if (shared_) shared_->state(archive);
     photon_pass_.state(archive);
     radius_policy_->state(archive, image);

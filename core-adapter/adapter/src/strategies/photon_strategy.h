@@ -10,6 +10,7 @@
 #include "estimate/pixel_estimate.h"
 #include "layers/debug_layers.h"
 #include "photons/photon_pass.h"
+#include "plan/pass_planner.h"
 #include "plan/photon_schedule.h"
 #include "plan/skip_log.h"
 #include "radii/radius_policy.h"
@@ -55,9 +56,9 @@ class PhotonStrategy : public LightStrategy {
     const std::vector<Rgb>& counted() const;
     void show_layers(const EyeImage& image, const FilmPass& film_pass);
     void show_bias(const EyeImage& image, const FilmPass& film_pass);
-    void share(const StrategyPass& pass, const PassWork& work, const PassNoise& noise);
+    void plan_from(std::uint64_t pass);
     PassNoise learn_noise(const EyeImage& image);
-    bool wants_noise() const { return plan_.measures_noise() || settings_.continue_eye_paths; }
+    bool plans_passes() const { return plan_.measures_noise() || settings_.continue_eye_paths; }
     std::size_t pixels() const { return std::size_t{film_.width()} * film_.height(); }
 
     const Scene& scene_;
@@ -70,8 +71,9 @@ class PhotonStrategy : public LightStrategy {
     std::unique_ptr<Guide> guide_;       // guide=paper
     PhotonSchedule schedule_;
     std::optional<PixelImportance> importance_;  // if something steers by it
-    std::optional<PassNoiseMeter> noise_;        // if the photons per pass follow it
-    std::optional<SharedLight> shared_;          // if eye paths go on from visible points
+    std::optional<PassNoiseMeter> noise_;        // if passes are planned
+    PassPlanner planner_;
+    std::optional<SharedLight> shared_;  // if eye paths go on from visible points
     PhotonPass photon_pass_;
     std::unique_ptr<RadiusPolicy> radius_policy_;
     std::optional<EdgeCorrection> edges_;       // if search discs are asked for edges
@@ -85,7 +87,7 @@ class PhotonStrategy : public LightStrategy {
     std::vector<Rgb> counted_;      // that with photons as they count; where some passes have none
     std::vector<Rgb> parts_;        // [eye path * kImageParts + part]; empty if not wanted
     DiscEstimates discs_;           // if the film wants their bias
-    std::vector<float> variances_;  // [eye path]: of the luminance of that; with noise_
+    std::vector<float> variances_;  // [eye path]: of the luminance of that, if they are asked for
     std::vector<PixelLuminance> seen_;  // in the last pass that something steers by
     std::optional<DebugLayers> layers_;
     double plan_seconds_ = 0, edge_seconds_ = 0;

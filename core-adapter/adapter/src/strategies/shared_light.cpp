@@ -2,8 +2,6 @@
 #include "strategies/shared_light.h"
 
 #include <algorithm>
-#include <bit>
-#include <utility>
 
 #include "base/film_pixel.h"
 #include "base/ordered_sum.h"
@@ -19,12 +17,6 @@ constexpr double kRememberedPoints = 1e4;
 
 /// Visible points of a job, and jobs whose samples are kept at once: 8 MiB of them.
 constexpr std::size_t kPointsPerSharingJob = 512, kSharingJobs = 128;
-
-/// Before which passes it is decided anew: whenever there are twice as many. Numbers that are
-/// stratified over passes start anew there, so that more often would cost what it brings.
-bool decides_before(std::uint64_t pass) {
-    return pass > 1 && std::has_single_bit(pass);
-}
 
 /// Of eye paths that went on from visible points.
 struct WentOn {
@@ -80,7 +72,6 @@ ShareSample sample_of(const EyeImage& image, const PhotonFlux& flux, std::size_t
 
 void SharedLight::join(const ShotPass& pass, const EyeImage& image, const PhotonFlux& flux,
                        const PixelImportance& importance, std::span<Rgb> radiance) {
-    points_ = double(image.visible_points.size());
     const WentOn counted = went_on(image.visible_points);
     rays_ = counted.rays;
     continued_ += counted.paths;
@@ -140,62 +131,20 @@ void SharedLight::learn(const ShotPass& pass, const EyeImage& image, const Photo
     shares_.table.update(learned);
 }
 
-std::optional<SharePlan> SharedLight::end_pass(const SharedPass& pass, bool shot,
-                                               const PixelImportance& importance,
-                                               const PhotonLimits& limits) {
-    if (shot) count(pass);
-    if (!decides_before(pass.number + 1) || !(sums_.passes > 0)) return {};
-    return decide(pass, importance, limits);
-}
-
-void SharedLight::count(const SharedPass& pass) {
-    const double continued = eye_ray_work(std::exchange(rays_, 0));
-    sums_.passes += 1;
-    sums_.points += std::exchange(points_, 0);
-    sums_.eye_cost += std::max(0.0, pass.work.eye - continued);
-    sums_.photon_cost += pass.work.photons;
-    sums_.photon_paths += double(pass.photon_paths);
-    const double variance = pass.noise.trimmed;
-    if (variance > 0) {
-        sums_.variance += variance;
-        sums_.noisy_passes += 1;
-    }
-}
-
-SharePlan SharedLight::decide(const SharedPass& pass, const PixelImportance& importance,
-                              const PhotonLimits& limits) {
-    const std::vector<ShareMoments> moments = shares_.table.moments();
-    const double pixels = double(width_) * height_;
-    const double per_pixel = std::max(1.0, double(eye_paths_) / pixels);
-    const double seen = std::min(pixels, double(eye_paths_));
-    ShareFacts facts{moments, shares_.table.shares()};
-    facts.passes = sums_.passes;
-    // Early ones count little in the end, and chains may just not have found what there is.
-    if (pass.number + 1 >= kLossJudgedFrom) facts.passes_until = 2.0 * double(pass.number + 1);
-    facts.passes_to_come = 2.0 * double(pass.number + 1);
-    facts.points = sums_.points / sums_.passes;
-    facts.point_weight = 1 / (seen * per_pixel * per_pixel);
-    facts.points_per_pixel = per_pixel;
-    // No pass has any while all is black: photons found nothing. Eye paths may have.
-    facts.variance = sums_.variance / std::max(1.0, sums_.noisy_passes);
+void SharedLight::add_to(PlanFacts& facts, const PixelImportance& importance) {
+    facts.leaves = shares_.table.moments();
+    const auto shares = shares_.table.shares();
+    facts.shares.assign(shares.begin(), shares.end());
     facts.own_variance = own_noise_.take();
-    facts.photon_paths = sums_.photon_paths / sums_.passes;
-    facts.turns = pass.turns;
     facts.photon_square = photon_square_.take(importance);
-    facts.eye_cost = sums_.eye_cost / sums_.passes;
-    facts.shooting_cost = std::min(shooting_work(facts.points), facts.eye_cost / 2);
-    facts.photon_path_cost = sums_.photon_cost / std::max(1.0, sums_.photon_paths);
-    facts.ray_cost = eye_ray_work(1);
-    facts.independent = pass.independent;
-    facts.squared_error = pass.squared_error;
-    SharePlan plan = plan_shares(facts, limits);
+}
+
+void SharedLight::take(const PassPlan& plan, std::uint64_t pass) {
     shares_.table.set_shares(plan.shares);
     set_any();
     shares_.table.forget(kShareMemory);
     eye_part_ = plan.going_on * plan.eye_share;
-    shares_.passes_before = pass.number + 1;
-    sums_ = {};
-    return plan;
+    shares_.passes_before = pass;
 }
 
 void SharedLight::set_any() {
@@ -216,9 +165,6 @@ void SharedLight::state(StateArchive& archive) {
     archive.value(shares_.passes_before);
     archive.value(continued_);
     archive.amount(eye_part_);
-    for (double* sum : {&sums_.passes, &sums_.points, &sums_.eye_cost, &sums_.photon_cost,
-                        &sums_.photon_paths, &sums_.variance, &sums_.noisy_passes})
-        archive.amount(*sum);
 }
 
 void SharedLight::learned(LearnedParts& parts) {

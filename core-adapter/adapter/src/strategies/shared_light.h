@@ -1,31 +1,17 @@
 // Light that eye paths carry together with photons: what continued eye paths brought is joined to
-// what photons did, and both tell how the next passes share it.
+// what photons did, and both tell the planner how the next passes may share it.
 #pragma once
 
 #include <cstdint>
-#include <optional>
 
 #include "estimate/gather.h"
 #include "eye/eye_shares.h"
-#include "plan/pass_work.h"
-#include "plan/share_plan.h"
+#include "plan/pass_plan.h"
 #include "worth/own_light_noise.h"
-#include "worth/pass_noise.h"
 #include "worth/photon_square.h"
 #include "worth/pixel_importance.h"
 
 namespace aips {
-
-/// A pass that has ended.
-struct SharedPass {
-    std::uint64_t number = 0;
-    PassWork work;  ///< the eye's with that of continued paths
-    PassNoise noise;
-    std::uint64_t photon_paths = 0;
-    std::uint32_t turns = 1;   ///< passes of which one shoots
-    bool independent = true;   ///< squares of single photons tell their variance
-    double squared_error = 1;  ///< of photons, their bias included, over their variance
-};
 
 /// A pass under way that shot photons.
 struct ShotPass {
@@ -35,15 +21,13 @@ struct ShotPass {
 
 class SharedLight {
   public:
-    /// For a film of so many pixels and passes of so many eye paths.
-    SharedLight(const Scene& scene, std::uint32_t width, std::uint32_t height,
-                std::uint32_t eye_paths)
+    /// For a film of so many pixels.
+    SharedLight(const Scene& scene, std::uint32_t width, std::uint32_t height)
         : shares_(scene.bounds()),
           own_noise_(width, height),
           photon_square_(width, height),
           width_(width),
-          height_(height),
-          eye_paths_(eye_paths) {}
+          height_(height) {}
 
     const EyeShares& shares() const { return shares_; }
 
@@ -60,11 +44,12 @@ class SharedLight {
         shares_.shoots = shoots;
     }
 
-    /// A pass has ended, `shot` if it had photons. Before passes that are fixed it is decided anew
-    /// who carries what; the plan then tells how many photon paths, within `limits`, go with it.
-    std::optional<SharePlan> end_pass(const SharedPass& pass, bool shot,
-                                      const PixelImportance& importance,
-                                      const PhotonLimits& limits);
+    /// Rays that went on from visible points in the last pass that shot.
+    double continued_rays() const { return rays_; }
+    /// Adds what passes told of shared light since the last call.
+    void add_to(PlanFacts& facts, const PixelImportance& importance);
+    /// What the plan that was made of it says for pass `pass` and those that follow.
+    void take(const PassPlan& plan, std::uint64_t pass);
 
     void add_to(EngineStatistics& statistics) const;
 
@@ -83,26 +68,14 @@ class SharedLight {
     void learn(const ShotPass& pass, const EyeImage& image, const PhotonFlux& flux,
                const PixelImportance& importance, std::span<const Rgb> radiance);
     void set_any();
-    void count(const SharedPass& pass);
-    SharePlan decide(const SharedPass& pass, const PixelImportance& importance,
-                     const PhotonLimits& limits);
-
-    /// Sums since the last decision.
-    struct Sums {
-        double passes = 0, points = 0;
-        double eye_cost = 0, photon_cost = 0, photon_paths = 0;
-        double variance = 0, noisy_passes = 0;
-    };
 
     EyeShares shares_;
     OwnLightNoise own_noise_;
     PhotonSquare photon_square_;
-    std::uint32_t width_, height_, eye_paths_;
-    // Visible points, and rays that went on from them, of a pass that is under way.
-    double points_ = 0, rays_ = 0;
+    std::uint32_t width_, height_;
+    double rays_ = 0;              // that went on from visible points
     std::uint64_t continued_ = 0;  // eye paths that went on, of all passes
-    double eye_part_ = 0;          // of what is shared, by the last decision
-    Sums sums_;
+    double eye_part_ = 0;          // of what is shared, by the last plan
 };
 
 }  // namespace aips

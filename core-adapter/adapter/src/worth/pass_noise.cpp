@@ -40,8 +40,7 @@ PassNoise PassNoiseMeter::add_pass(std::span<const PixelLuminance> seen,
         });
     last_paths_ = photon_paths;
     if (!(sums.pixels > 0)) return {};
-    return {(sums.all - sums.of_photons) / sums.pixels, sums.photon_path / sums.pixels,
-            sums.trimmed / sums.pixels};
+    return {sums.all / sums.pixels, sums.photon_path / sums.pixels};
 }
 
 PassNoiseMeter::Differences PassNoiseMeter::compare(std::size_t first, std::size_t last,
@@ -51,18 +50,16 @@ PassNoiseMeter::Differences PassNoiseMeter::compare(std::size_t first, std::size
     for (std::size_t i = first; i < last; ++i) {
         const Pixel &now = pixels_[i], &before = last_[i];
         if (!(now.paths > 0 && before.paths > 0)) continue;
-        const double weight = double(importance.weight(i));
+        const auto weight = double(importance.weight_of_sharing(i));
         const double paths = now.paths, paths_before = before.paths;
         const double difference = now.sum / paths - before.sum / paths_before;
         const double of_before = double(before.variance) / (paths_before * paths_before);
         const double of_now = double(now.variance) / (paths * paths);
-        const double squared = difference * difference / 2;
-        const auto shared_weight = double(importance.weight_of_sharing(i));
-        sums.all += weight * squared;
-        sums.trimmed += shared_weight * trimmed(squared, shared_weight);
-        sums.of_photons += weight * (of_before + of_now) / 2;
-        sums.photon_path +=
-            weight * (of_before * double(last_paths_) + of_now * double(photon_paths)) / 2;
+        sums.all += weight * trimmed(difference * difference / 2, weight);
+        sums.photon_path += weight *
+                            (trimmed(of_before, weight) * double(last_paths_) +
+                             trimmed(of_now, weight) * double(photon_paths)) /
+                            2;
         sums.pixels += 1;
     }
     return sums;
@@ -77,7 +74,7 @@ void PassNoiseMeter::sum_pixels(std::span<const PixelLuminance> seen,
             for (std::size_t i = first; i < last; ++i) {
                 Pixel& pixel = pixels_[seen[i].pixel];
                 pixel.sum += seen[i].luminance;
-                pixel.variance += variances[i];
+                if (!variances.empty()) pixel.variance += variances[i];
                 ++pixel.paths;
             }
         });

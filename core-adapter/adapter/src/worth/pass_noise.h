@@ -1,4 +1,4 @@
-// How much of a pass's noise is the eye's and how much the photons'.
+// How much noise a pass has, and how much of it is its photons'.
 #pragma once
 
 #include <optional>
@@ -11,14 +11,11 @@
 
 namespace aips {
 
-/// Relative variances of pixels in a pass, averaged over the image: with N photon paths a pass has
-/// eye + photon_path / N. Estimates, which may be negative.
+/// Relative variances of pixels in a pass, averaged over the image. No pixel counts for more than
+/// kMostOfAPixel: few, with lamps in glass or metal, have most of the variance otherwise.
 struct PassNoise {
-    double eye = 0;          ///< what other eye paths would change
-    double photon_path = 0;  ///< of a single photon path
-    /// All that two passes differ by, no pixel counting for more than kMostOfAPixel: few pixels,
-    /// with lamps in glass or metal, have most of the variance otherwise.
-    double trimmed = 0;
+    double all = 0;          ///< what two passes differ by
+    double photon_path = 0;  ///< of a single photon path, of what photons bring
 };
 
 /// A pixel's variance, or what two passes differ by squared, no more than kMostOfAPixel by its
@@ -33,15 +30,16 @@ inline double trimmed(double squared, double weight) {
 void photon_variances(const EyeImage& image, std::span<const Rgb> photons, const PhotonFlux& flux,
                       std::vector<float>& variances);
 
-/// Compares each pass with the one before: pixels of both differ by both noises. The photons' is
-/// known from the squares of what they bring, as they come one by one.
+/// Compares each pass with the one before. The photons' noise is known from the squares of what
+/// they bring, as they come one by one.
 class PassNoiseMeter {
   public:
     PassNoiseMeter(std::uint32_t width, std::uint32_t height);
 
     /// Noise of this pass and the last together; all zero after the first. `seen`: what its eye
     /// paths saw; `variances`, of the same eye paths: those of what photons brought to that, light
-    /// in media as well as on surfaces; `importance`: of earlier passes.
+    /// in media as well as on surfaces, or none if nobody asks for the photons' part; `importance`:
+    /// of earlier passes.
     PassNoise add_pass(std::span<const PixelLuminance> seen, std::span<const float> variances,
                        std::uint64_t photon_paths, const PixelImportance& importance);
 
@@ -60,13 +58,11 @@ class PassNoiseMeter {
         std::uint32_t paths = 0;
     };
     struct Differences {
-        double all = 0, trimmed = 0, of_photons = 0, photon_path = 0;  // weighed
-        double pixels = 0;                                             // that were compared
+        double all = 0, photon_path = 0;  // weighed
+        double pixels = 0;                // that were compared
 
         Differences& operator+=(const Differences& other) {
             all += other.all;
-            trimmed += other.trimmed;
-            of_photons += other.of_photons;
             photon_path += other.photon_path;
             pixels += other.pixels;
             return *this;

@@ -1,12 +1,12 @@
-// Who carries the light that both eye paths and photons can, and how many photons are then shot:
-// one decision, from counted costs and measured moments.
+// The one planner: how many photons each pass shoots, which passes shoot, and who carries the light
+// that both eye paths and photons can. One decision, from counted costs and measured moments.
 //
 // With N photon paths a pass leaves, as a mean over pixels of relative variances,
 //     E = A + K / N + sum over leaves of e,   e = P, or 1 / (1 / P + 1 / W),   P = V / N + M B^2
-// where A is what eye paths leave up to their visible points, K the light that photons alone carry,
-// V and W what photons and continued eye paths leave of the rest, B what photons lose of it by
-// their radii, which is there in full after M passes. A is less by what direct light gains where
-// first rays share it with shadow rays. It costs
+// where A is what eye paths leave up to their visible points, K the light that photons alone carry
+// (all that they carry, where eye paths do not go on), V and W what photons and continued eye paths
+// leave of the rest, B what photons lose of it by their radii, which is there in full after M
+// passes. A is less by what direct light gains where first rays share it with shadow rays. It costs
 //     C = eye + photons N + what the first rays or continued paths of the leaves cost.
 // The leaves whose eye paths send a first ray or go on, and N, are chosen so that E C is least: of
 // an image that is a mean over passes that is the error at a given time. If one of k passes shoots
@@ -15,29 +15,36 @@
 #pragma once
 
 #include <cstdint>
-#include <span>
+#include <limits>
 #include <string>
 #include <vector>
 
 #include "aips/core/tables/share_table.h"
-#include "plan/photon_schedule.h"
 
 namespace aips {
 
-/// What passes told since the last decision.
-struct ShareFacts {
-    std::span<const ShareMoments> leaves;  ///< ShareTable::moments()
-    std::span<const EyeShare> shares;      ///< [leaf]: in those passes
-    double passes = 1;                     ///< so many
-    double passes_until = 0;               ///< of the render, when the next decision comes; 0:
-                                           ///< what photons lose does not count yet
-    double passes_to_come = 1;             ///< of the render, when the next decision comes; > 0
-    double points = 0;                     ///< visible points in one of them
-    double point_weight = 0;      ///< of one visible point's variance in the mean over pixels
-    double points_per_pixel = 1;  ///< in a pass: what they all lose does not average out
+/// Bounds of the photon paths of a pass.
+struct PhotonLimits {
+    double fewest = 0, most = 0;
+    std::uint32_t turns = 1;  ///< most passes of which one shoots
+    double most_shot = std::numeric_limits<double>::infinity();  ///< by it
+};
+
+/// What passes told since the last decision: all that the plan depends on.
+struct PlanFacts {
+    std::vector<ShareMoments> leaves;  ///< ShareTable::moments(); none where eye paths do not go on
+    std::vector<EyeShare> shares;      ///< [leaf]: in those passes
+    double passes = 1;                 ///< so many
+    double passes_until = 1;           ///< of the render, when the next decision comes; > 0
+    bool counts_loss = false;          ///< whether it is known what photons lose
+    double points = 0;                 ///< visible points in one of them
+    double point_weight = 0;           ///< of one visible point's variance in the mean over pixels
+    double points_per_pixel = 1;       ///< in a pass: what they all lose does not average out
     double variance = 0;  ///< mean over pixels of the relative variance in a pass, all in all
     /// The same of what eye paths bring by themselves; 0: not known.
     double own_variance = 0;
+    /// The same of a single photon path, of light that no leaf knows.
+    double photon_path_variance = 0;
     double photon_paths = 0;   ///< in a pass that shoots
     std::uint32_t turns = 1;   ///< passes of which one does
     double eye_cost = 0;       ///< of a pass, without continued paths
@@ -48,9 +55,12 @@ struct ShareFacts {
     double ray_cost = 0;          ///< of a continued path's ray
     bool independent = true;      ///< squares of single photons tell their variance
     double squared_error = 1;     ///< of photons, their bias included, over their variance
+
+    /// Saves them, or restores them into new ones: a decision can be made again elsewhere.
+    void state(StateArchive& archive);
 };
 
-struct SharePlan {
+struct PassPlan {
     std::vector<EyeShare> shares;  ///< [leaf]
     double photon_paths = 0;       ///< of a pass, as a mean over those that shoot and others
     std::uint32_t turns = 1;       ///< passes of which one shoots for all
@@ -61,9 +71,9 @@ struct SharePlan {
 };
 
 /// One sentence for the log: who carries what.
-std::string describe(const SharePlan& plan);
+std::string describe(const PassPlan& plan);
 
 /// Deterministic. Without use for the eye all shares are 0.
-SharePlan plan_shares(const ShareFacts& facts, const PhotonLimits& limits);
+PassPlan plan_passes(const PlanFacts& facts, const PhotonLimits& limits);
 
 }  // namespace aips

@@ -1,5 +1,5 @@
 // The search for the shares and the photon paths of least error times cost.
-#include "plan/share_plan.h"
+#include "plan/pass_plan.h"
 
 #include <algorithm>
 #include <cmath>
@@ -70,7 +70,7 @@ double joined(double photons, double eye) {
 
 class Search {
   public:
-    explicit Search(const ShareFacts& facts) : facts_(facts) {
+    explicit Search(const PlanFacts& facts) : facts_(facts) {
         double population = 0, spread = 0, squares = 0;
         for (const ShareMoments& leaf : facts.leaves) {
             population += leaf.population;
@@ -80,6 +80,8 @@ class Search {
         if (!facts.independent && squares > 0)
             clusters_ = std::clamp(spread / squares, 1.0, kMostClusteredPhotons);
         lost_ = lost_light();
+        own_ = facts.photon_path_variance * facts.squared_error;
+        if (facts.photon_paths > 0) present_ = facts.photon_path_variance / facts.photon_paths;
         for (std::size_t i = 0; i < facts.leaves.size(); ++i) {
             if (population > 0) add_leaf(i, facts.leaves[i].population / population);
         }
@@ -89,16 +91,16 @@ class Search {
         eye_ = kStratifiedEye * (eye + saved_);
     }
 
-    SharePlan best(const PhotonLimits& limits) const {
+    PassPlan best(const PhotonLimits& limits) const {
         const double present = facts_.photon_paths / facts_.turns;
-        SharePlan best = with(std::clamp(present, limits.fewest, limits.most));
+        PassPlan best = with(std::clamp(present, limits.fewest, limits.most));
         double least = std::numeric_limits<double>::infinity();
         for (int step = -kStepsOfFewerPhotons; step <= kStepsOfMorePhotons; ++step) {
             const double paths =
                 std::clamp(present * std::exp2(0.5 * step), limits.fewest, limits.most);
             if (step > 0 && paths * facts_.photon_path_cost > kGreatestRatio * facts_.eye_cost)
                 continue;
-            SharePlan plan = with(paths);
+            PassPlan plan = with(paths);
             take_turns(plan, limits);
             if (plan.error * plan.cost < least) {
                 least = plan.error * plan.cost;
@@ -113,14 +115,14 @@ class Search {
     /// error, and saves (m L)^2 in as many passes as there will be, M. E C falls by all points
     /// with
     ///     M m^2 L^2 > m (E[Y^2] + E / C cost of a path).
-    void fill(SharePlan& plan) const {
+    void fill(PassPlan& plan) const {
         const double error_of_cost = mean(plan.error, plan.cost) / facts_.point_weight;
         for (std::size_t i = 0; i < facts_.leaves.size(); ++i) {
             const ShareMoments& m = facts_.leaves[i];
             const double light = std::max(0.0, mean(m.xy, m.continued));
             const double eye = eye_variance(m);
             const double cost = facts_.ray_cost * mean(m.rays, m.continued) * error_of_cost;
-            const double from = (eye + light + cost) / (facts_.passes_to_come * light);
+            const double from = (eye + light + cost) / (facts_.passes_until * light);
             if (from < 1) plan.shares[i].fills_from = float(from);
         }
     }
@@ -164,7 +166,7 @@ class Search {
     }
 
     /// The best number of passes of which one shoots the photons of all.
-    void take_turns(SharePlan& plan, const PhotonLimits& limits) const {
+    void take_turns(PassPlan& plan, const PhotonLimits& limits) const {
         const double error = plan.error, cost = plan.cost;
         double least = std::numeric_limits<double>::infinity();
         for (std::uint32_t turns = 1;
@@ -205,17 +207,19 @@ class Search {
         const double direct = weight * std::max(0.0, mean(m.direct_saved, m.continued));
         if (now.any()) saved_ += direct;
         own_ += weight * own * facts_.squared_error;
+        const double lost =
+            std::max(sq(lost_) * std::max(0.0, mean(m.xy, m.continued)), sq(bias_of(m)));
         const double ray_cost = points * facts_.ray_cost;
-        terms_.push_back(
-            {.photons = weight * photons * facts_.squared_error,
-             .lost = weight * facts_.points_per_pixel * facts_.passes_until *
-                     std::max(sq(lost_) * std::max(0.0, mean(m.xy, m.continued)), sq(bias_of(m))),
-             .eye = weight * kStratifiedPaths * eye,
-             .cost = ray_cost * mean(m.rays, m.continued),
-             .first_cost = ray_cost * kFirstRays,
-             .direct = direct,
-             .shares_direct = now.any(),
-             .leaf = i});
+        terms_.push_back({.photons = weight * photons * facts_.squared_error,
+                          .lost = facts_.counts_loss ? weight * facts_.points_per_pixel *
+                                                           facts_.passes_until * lost
+                                                     : 0,
+                          .eye = weight * kStratifiedPaths * eye,
+                          .cost = ray_cost * mean(m.rays, m.continued),
+                          .first_cost = ray_cost * kFirstRays,
+                          .direct = direct,
+                          .shares_direct = now.any(),
+                          .leaf = i});
     }
 
     /// What a leaf's eye paths could do more, and what that saves and costs.
@@ -240,9 +244,9 @@ class Search {
     }
 
     /// The best leaves for so many photon paths: those first whose paths save most for their cost.
-    SharePlan with(double paths) const {
+    PassPlan with(double paths) const {
         std::vector<Gain> gains;
-        SharePlan plan;
+        PassPlan plan;
         plan.photon_paths = paths;
         plan.shares.assign(facts_.leaves.size(), {});
         plan.error = eye_ + own_ / paths;
@@ -275,7 +279,7 @@ class Search {
 
     static double sq(double x) { return x * x; }
 
-    const ShareFacts& facts_;
+    const PlanFacts& facts_;
     std::vector<LeafTerms> terms_;
     double clusters_ = 1;  // photons that come together as one
     double lost_ = 0;      // share of the light that photons lose
@@ -287,9 +291,29 @@ class Search {
 
 }  // namespace
 
-SharePlan plan_shares(const ShareFacts& facts, const PhotonLimits& limits) {
+void PlanFacts::state(StateArchive& archive) {
+    leaves.resize(archive.count(leaves.size(), sizeof(ShareMoments)));
+    for (ShareMoments& leaf : leaves)
+        leaf.state(archive);
+    shares.resize(leaves.size());
+    for (EyeShare& eye : shares) {
+        archive.value(eye.share);
+        archive.value(eye.first_ray);
+        archive.value(eye.fills_from);
+    }
+    for (double* fact :
+         {&passes, &passes_until, &points, &point_weight, &points_per_pixel, &variance,
+          &own_variance, &photon_path_variance, &photon_paths, &eye_cost, &shooting_cost,
+          &photon_square, &photon_path_cost, &ray_cost, &squared_error})
+        archive.value(*fact);
+    for (bool* fact : {&counts_loss, &independent})
+        archive.value(*fact);
+    archive.value(turns);
+}
+
+PassPlan plan_passes(const PlanFacts& facts, const PhotonLimits& limits) {
     const Search search(facts);
-    SharePlan plan = search.best(limits);
+    PassPlan plan = search.best(limits);
     search.fill(plan);
     double all = 0, sum = 0;
     for (std::size_t i = 0; i < facts.leaves.size(); ++i) {
@@ -305,7 +329,7 @@ SharePlan plan_shares(const ShareFacts& facts, const PhotonLimits& limits) {
     return plan;
 }
 
-std::string describe(const SharePlan& plan) {
+std::string describe(const PassPlan& plan) {
     const auto percent = [](double share) { return std::to_string(std::lround(100 * share)); };
     const std::string photons =
         std::to_string(std::llround(plan.photon_paths)) + " photon paths a pass";

@@ -34,7 +34,7 @@ inline constexpr double kErrorOverVariance = 1.5;
 
 /// Passes from which on light that photons lose counts in the plan. Unit: passes.
 /// Balances: shares that know of it early against few photons where chains have yet to find them.
-/// Chosen by: docs/notebook/2026-11-27-decisions-that-one-sample-spoils.md.
+/// Chosen by: measurement.
 /// Supported by: daylight, summerhouse, car (2 and 16 in its place).
 inline constexpr std::uint64_t kLossJudgedFrom = 8;
 

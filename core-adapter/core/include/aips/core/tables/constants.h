@@ -114,14 +114,14 @@ inline constexpr double kTableSharePrior = 16;
 
 /// Cost of drawing from a table and asking for its density. Unit: rays.
 /// Balances: tables against the rays that their time would buy.
-/// Chosen by: docs/notebook/2026-11-24-where-the-guides-time-goes.md.
-/// Supported by: no measurement (the page names the price beside times of whole phases).
+/// Chosen by: measurement.
+/// Supported by: no measurement (the price stands beside times of whole phases).
 inline constexpr double kTableLookUpCost = 0.3;
 
 /// Shares of a table that are compared; the first is no table at all. What the greatest leaves to
 /// the density without a table bounds weights: 1 / (1 - 3/4) of theirs. Unit: share of 1.
 /// Balances: what tables gain against the greatest weight, 4.
-/// Chosen by: docs/notebook/2026-11-22-guided-bounces.md.
+/// Chosen by: measurement.
 /// Supported by: glass-ball, chess, ajar-door, hall.
 inline constexpr std::array<double, 4> kTableShares{0, 0.25, 0.5, 0.75};
 

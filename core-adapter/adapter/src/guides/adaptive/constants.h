@@ -127,7 +127,7 @@ inline constexpr std::size_t kMomentGroups = 5;
 /// Gain from which on guided starts are switched on: moments are noisy, and learning has its price.
 /// Unit: ratio.
 /// Balances: gains that are missed against a part that flickers.
-/// Chosen by: reasoning: two thresholds keep a part from flickering (docs/understand/learning.md).
+/// Chosen by: reasoning: two thresholds keep a part from flickering (docs/understand/guides.md).
 /// Supported by: no measurement.
 inline constexpr double kEmissionOn = 1.4;
 

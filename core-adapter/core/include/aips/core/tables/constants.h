@@ -24,7 +24,7 @@ inline constexpr std::uint32_t kLightSplitRays = 64;
 /// Share of the choices of lights that is made without tables. Unit: share of 1.
 /// Balances: the greatest weight, its inverse, against noise where tables are right.
 /// Chosen by: reasoning: no light weighs more than eight times what it does without tables
-///   (docs/understand/learned-lights.md).
+///   (docs/understand/direct-light.md).
 /// Supported by: no measurement (tables were measured in five scenes, this share was not varied).
 inline constexpr double kPlainLights = 0.125;
 
@@ -102,7 +102,7 @@ inline constexpr double kShortMemoryPaths = 1e5;
 /// Least gain, second moment times cost without a table over that with one, at which a table comes
 /// into use; in use it stays as long as it gains anything. Unit: ratio.
 /// Balances: tables in use against the noise of the verdict.
-/// Chosen by: reasoning: it has to pay for the noise of the verdict (docs/understand/learning.md).
+/// Chosen by: reasoning: it has to pay for the noise of the verdict (docs/understand/guides.md).
 /// Supported by: no measurement.
 inline constexpr double kTableGain = 1.15;
 

@@ -64,7 +64,7 @@ inline constexpr std::uint32_t kMostExploringRounds = 16;
 
 /// Those of them that found visible paths, at most. Unit: rounds.
 /// Balances: time before the first pass against what a guide would learn by itself from then on.
-/// Chosen by: docs/measured/choices.md.
+/// Chosen by: docs/measured/parts.md.
 /// Supported by: a public classroom, summerhouse, car, jewellery, daylight (16 in its place:
 /// variance
 ///   times time after 32 passes of 120 pixels 1.4, 1.4, 1.1, 1.0 and 0.65 times as much).

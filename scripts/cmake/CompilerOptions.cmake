@@ -1,6 +1,6 @@
 # Options that every target of the project shares: standard, warnings, sanitizers, host tuning.
 option(AIPS_WERROR "Treat warnings as errors (CI does)" OFF)
-option(AIPS_FUZZ "Build for coverage-guided fuzzing, with the sanitizers (docs/build-on/fuzzing.md; needs clang)" OFF)
+option(AIPS_FUZZ "Build for coverage-guided fuzzing, with the sanitizers (docs/build-on/testing.md; needs clang)" OFF)
 option(AIPS_NATIVE "Tune for this machine's processor (-march=native)" OFF)
 option(AIPS_UNITY "Compile files in batches (docs/build-on/building.md)" OFF)
 option(AIPS_RECORD_WORK "Record parallel loops for scripts/scaling (docs/measured/scaling.md)" OFF)

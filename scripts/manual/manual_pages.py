@@ -1,11 +1,11 @@
 """The manual's pages (docs/): titles, headings' anchors, links, code. Used by its site
-(site_hooks.py), by scripts/notebook-index and by tests/docs.
+(site_hooks.py) and by tests/docs. The notebook (docs/notebook) is no part of the manual.
 """
 import os
 import pathlib
 import re
 
-PARTS = ('start', 'choose', 'understand', 'reference', 'build-on', 'measured', 'notebook')
+PARTS = ('start', 'choose', 'understand', 'reference', 'build-on', 'measured')
 FENCE = re.compile(r'^ {0,3}(```+|~~~+)(.*)$')
 LINK = re.compile(r'\]\(\s*<?([^()\s>]+)>?(?:\s+"[^"]*")?\s*\)|^\[[^\]]+\]:\s+(\S+)|'
                   r'<(?:a|img)\s[^>]*?(?:href|src)="([^"]+)"')
@@ -84,22 +84,7 @@ class Page:
 
 
 def pages_below(folder):
-    """Pages of a folder by path, in order of their paths."""
-    return {path: Page(path) for path in sorted(pathlib.Path(folder).rglob('*.md'))}
-
-
-def notebook_index(notebook):
-    """What docs/notebook/index.md holds: its pages by date, the latest first."""
-    dated = []
-    for path in pathlib.Path(notebook).glob('*.md'):
-        date = re.match(r'(\d{4}-\d\d-\d\d)-', path.name)
-        if date:
-            dated.append((date[1], path.name, Page(path).title))
-    lines = ['# Notebook: what was tried, and what it gave', '',
-             'One page an experiment: its question, set-up, result, and what was decided. Figures '
-             'are those of the version that was measured; what holds for the present one stands in '
-             '[measured](../measured/index.md). This list is written by `scripts/notebook-index`.']
-    for date in sorted({entry[0] for entry in dated}, reverse=True):
-        lines += ['', f'## {date}', '']
-        lines += [f'- [{title}]({name})' for day, name, title in sorted(dated) if day == date]
-    return '\n'.join(lines) + '\n'
+    """Pages of a folder by path, in order of their paths. Without the notebook below it."""
+    folder = pathlib.Path(folder)
+    return {path: Page(path) for path in sorted(folder.rglob('*.md'))
+            if not path.is_relative_to(folder / 'notebook')}

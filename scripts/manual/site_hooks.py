@@ -1,5 +1,6 @@
 """What MkDocs asks for while it makes the manual's site: navigation by parts, GitHub's anchors, and
-links that leave docs/. scenes/README.md becomes a page; of links to other files their text stays.
+links that leave docs/. scenes/README.md becomes a page; the notebook is left out; of links to
+other files their text stays.
 """
 import os
 import pathlib
@@ -15,7 +16,7 @@ from mkdocs.structure.files import File  # noqa: E402
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 DOCS = ROOT / 'docs'
 TITLES = {'start': 'Start', 'choose': 'Choose', 'understand': 'Understand', 'reference': 'Look up',
-          'build-on': 'Build on', 'measured': 'Measured', 'notebook': 'Notebook'}
+          'build-on': 'Build on', 'measured': 'Measured'}
 # Files outside of docs/ that are pages of the site: their names there.
 OTHER_PAGES = {ROOT / 'scenes/README.md': 'reference/scenes.md'}
 
@@ -45,10 +46,7 @@ def navigation():
         found = sorted((DOCS / part).rglob('*.md'))
         known = mentioned(first) + mentioned(DOCS / 'index.md')
         place = {path: number for number, path in reversed(list(enumerate(known)))}
-        if part == 'notebook':
-            found.sort(key=lambda path: path.name, reverse=True)
-        else:
-            found.sort(key=lambda path: (place.get(path, len(known)), path))
+        found.sort(key=lambda path: (place.get(path, len(known)), path))
         pages = [str(path.relative_to(DOCS)) for path in found if path != first]
         if part == 'reference':
             pages += OTHER_PAGES.values()
@@ -76,6 +74,8 @@ def grouped(pages):
 
 
 def on_files(files, config):
+    for page in [file for file in files if file.src_uri.startswith('notebook/')]:
+        files.remove(page)
     for path, name in OTHER_PAGES.items():
         page = File(name, str(path.parent), config['site_dir'], config['use_directory_urls'])
         page.abs_src_path = str(path)
@@ -92,7 +92,8 @@ def moved(link, source, name):
     target = pathlib.Path(os.path.normpath(source.parent / path))
     if target in OTHER_PAGES:
         place = OTHER_PAGES[target]
-    elif target.is_relative_to(DOCS) and not target.is_dir():
+    elif (target.is_relative_to(DOCS) and not target.is_dir() and
+          not target.is_relative_to(DOCS / 'notebook')):
         place = target.relative_to(DOCS)
     else:
         return None

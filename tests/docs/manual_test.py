@@ -3,6 +3,7 @@
 
     manual_test.py CHECK [--lxsrender PROGRAM]     one check, or `all`
     manual_test.py planted                         every check finds the faults that it is for
+    manual_test.py counts                          pages and words of the manual, by folder
 """
 import argparse
 import pathlib
@@ -10,8 +11,8 @@ import sys
 import tempfile
 
 sys.dont_write_bytecode = True
-from manual_checks import CHECKS, Manual  # noqa: E402
-from manual_pages import notebook_index, slug  # noqa: E402
+from manual_checks import CHECKS, Manual, counts  # noqa: E402
+from manual_pages import slug  # noqa: E402
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 
@@ -21,7 +22,7 @@ HEALTHY = {
     'scenes/README.md': '# Scenes\n\n![ball](../docs/images/ball.png)\n',
     'docs/images/ball.png': '',
     'docs/index.md': '# Manual\n\n[light](understand/light.md#what--where-it-is), '
-                     '[changing](build-on/changing.md "how"), [notes](notebook/index.md), '
+                     '[changing](build-on/changing.md "how"), '
                      '[outside](https://example.org/a/b)\n\n`[no](link.md)`\n',
     'docs/understand/light.md': '# Light\n\n## What & where it is\n\n```\n[no](link.md)\n```\n\n'
                                 '[below](#what--where-it-is-1)\n\n## What & where it is\n',
@@ -47,8 +48,9 @@ PLANTED = [
     ('links', 'docs/index.md', '[x](understand)', 'a folder, where a page'),
     ('reach', 'docs/index.md', '# Manual\n', 'docs/understand/light.md: no link leads here'),
     ('reach', 'docs/index.md', None, 'docs/index.md: there is no such page'),
-    ('length', 'docs/index.md', '# M ' + 'word ' * 1499, 'docs/index.md: 1501 words; at most 1500'),
-    ('length', 'docs/understand/light.md', '# L ' + 'word ' * 1199, '1201 words; at most 1200'),
+    ('length', 'docs/index.md', '# M ' + 'word ' * 1599, 'docs/index.md: 1601 words; at most 1600'),
+    ('size', 'docs/index.md', '# M ' + 'word ' * 200000, 'words written by hand; at most'),
+    ('size', 'docs/reference/gallery.md', '# G ' + 'word ' * 90000, 'words generated; at most'),
     ('titles', 'docs/index.md', 'Manual\n', 'docs/index.md: does not begin with a title'),
     ('diary', 'README.md', 'A third less (at 1a2b3c4).', 'README.md:1: "1a2b3c4" belongs'),
     ('diary', 'docs/index.md', '# M\n\nBefore, at last year', 'index.md:3: "Before, at"'),
@@ -68,8 +70,8 @@ PLANTED = [
      'README.md: ball, sppm: 0.1, but 0.2 in docs/measured/results.md'),
     ('figures', 'README.md', '| scene | path |\n| --- | --- |\n| cube | 0.1 |\n',
      'README.md: cube, path: 0.1, but None in'),
-    ('notebook', 'docs/notebook/2026-01-03-again.md', '# Again', 'index.md: not current'),
-    ('notebook', 'docs/notebook/index.md', None, 'index.md: not current'),
+    ('notebook', 'docs/notebook/again.md', '# Again', 'again.md: its name does not begin with'),
+    ('notebook', 'docs/index.md', '# M\n[n](notebook/2026-01-02-try.md)', 'index.md:2: notebook/2'),
 ]
 
 
@@ -89,10 +91,8 @@ def faults_with(name, planted):
         root = pathlib.Path(folder).resolve()
         write(root, HEALTHY)
         (root / 'lxsrender').chmod(0o755)
-        write(root, {'docs/notebook/index.md': notebook_index(root / 'docs/notebook')})
         (root / 'docs/measured').mkdir()
-        write(root, {'docs/measured/index.md': '# Measured\n\n[notes](../notebook/index.md)\n'
-                                               '[results](results.md)\n',
+        write(root, {'docs/measured/index.md': '# Measured\n\n[results](results.md)\n',
                      'docs/measured/results.md': '# R\n\n| scene | sppm |\n| --- | --- |\n'
                                                  '| ball \\* | 0.2 |\n',
                      'docs/index.md': HEALTHY['docs/index.md'] + '[m](measured/index.md)\n'})
@@ -122,9 +122,14 @@ def planted_faults():
 def main():
     options = argparse.ArgumentParser(description=__doc__,
                                       formatter_class=argparse.RawDescriptionHelpFormatter)
-    options.add_argument('check', choices=[*CHECKS, 'all', 'planted'])
+    options.add_argument('check', choices=[*CHECKS, 'all', 'planted', 'counts'])
     options.add_argument('--lxsrender', type=pathlib.Path)
     asked = options.parse_args()
+    if asked.check == 'counts':
+        print(f'{"folder":12}  pages  written  generated')
+        for folder, (pages, written, generated) in counts(Manual(ROOT)).items():
+            print(f'{folder:12} {pages:6} {written:8} {generated:10}')
+        return 0
     if asked.check == 'planted':
         faults = planted_faults()
     else:

@@ -1,6 +1,6 @@
 // What a fuzz target is: one function that reads its input as a user's and must come back from it.
 // libFuzzer calls it on inputs that it makes up; the replayer (replay.cpp) on those of the
-// repository. Bounds of time, memory and length stand in options.json (docs/build-on/fuzzing.md).
+// repository. Bounds of time, memory and length stand in options.json (docs/build-on/testing.md).
 #pragma once
 
 #include <cstddef>

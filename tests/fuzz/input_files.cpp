@@ -27,7 +27,7 @@ constexpr const char* kSpectrum = "380 0.1\n550 0.9\n720 0.4\n";
 constexpr double kMostLevels = 3;
 
 /// A shape's factory that splits triangles three times at most: ten million triangles are allowed,
-/// but one statement would then take seconds and a gigabyte (docs/build-on/fuzzing.md).
+/// but one statement would then take seconds and a gigabyte (docs/build-on/testing.md).
 lxs::ShapeFactory with_few_levels(const lxs::ShapeFactory& factory) {
     const auto create = [factory](const lxs::ParameterReader& reader,
                                   const lxs::AssetContext& assets, const lxs::Matrix& to_world) {

@@ -111,7 +111,7 @@ lxs::SceneContents contents_of(const std::string& statement, const ParameterSet&
 }
 
 /// Films that keep within this many pixels a side are made; larger ones would only take memory,
-/// which they may (docs/build-on/fuzzing.md); those beyond the film's own limit are refused by it.
+/// which they may (docs/build-on/testing.md); those beyond the film's own limit are refused by it.
 constexpr double kMostPixels = 64;
 
 ParameterSet with_small_film(ParameterSet set) {

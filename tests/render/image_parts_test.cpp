@@ -1,4 +1,4 @@
-// Protects the layers `direct`, `indirect` and `caustics` (docs/reference/compositing-layers.md):
+// Protects the layers `direct`, `indirect` and `caustics` (docs/reference/layers.md):
 // they and the light groups sum to the image, whatever carries the light, and photons and path
 // tracing mean the same light by them.
 #include <gtest/gtest.h>

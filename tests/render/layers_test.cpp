@@ -1,4 +1,4 @@
-// Protects the layers for compositing of whole renders (docs/reference/compositing-layers.md): what
+// Protects the layers for compositing of whole renders (docs/reference/layers.md): what
 // they show of a scene of known answers, by photons and by path tracing, and that the image stays
 // the same.
 #include <gtest/gtest.h>

@@ -6,8 +6,8 @@ comment says what it is, and then
 
     Unit: what it counts.
     Balances: what against what.
-    Chosen by: a page of docs, mostly of the notebook; or "reasoning: " and why, where it was
-      never measured.
+    Chosen by: a page of docs; or "measurement", of the scenes that support it; or "reasoning: "
+      and why, where it was never measured.
     Supported by: scenes; or "one scene only: SCENE"; or "no measurement".
 
 This test holds the comments against that: all labels, no page that is not there, no constant that
@@ -103,8 +103,9 @@ def wrong_comments(root):
                 if not c.labels.get(label):
                     yield f'{where}: its comment has no "{label}: "'
             chosen = c.labels.get('Chosen by', '')
-            if chosen and not chosen.startswith(('docs/', 'reasoning: ')):
-                yield f'{where}: Chosen by names neither a page of docs nor "reasoning: "'
+            if chosen and not chosen.startswith(('docs/', 'measurement', 'reasoning: ')):
+                yield (f'{where}: Chosen by names neither a page of docs nor "measurement" nor '
+                       '"reasoning: "')
             if chosen.startswith('reasoning: ') and len(chosen) < 15:
                 yield f'{where}: no reasoning'
             if c.support == 'one' and not re.match(r'one scene only: \S', c.labels['Supported by']):
@@ -192,7 +193,7 @@ def planted():
     return {
         **{f'has no "{label}: "': change(worth, f'{label}: ', '') for label in LABELS},
         'does not say what it is': change(worth, r'/// (?!Unit)[^:]*?Unit: ', '/// Unit: '),
-        'which does not exist': change(worth, r'where-the-time-goes\.md', 'no-such-page.md'),
+        'which does not exist': change(worth, r'where-photons-are-split\.md', 'no-such-page.md'),
         'neither a page of docs nor': change(worth, 'Chosen by: reasoning: ', 'Chosen by: '),
         'no reasoning': change(worth, r'reasoning: [^.]*\.', 'reasoning: so.'),
         'names no scene': change(worth, r'Supported by: [^.]*\.', 'Supported by: one scene only.'),

@@ -11,13 +11,12 @@ namespace {
 
 /// What counts as far darker in the image itself, as share of the bright pixel. Unit: 1. Balances:
 /// rings that are kept against dark noise that is. Chosen by: a lobe of "mitchell" takes up to a
-/// twentieth; relMSE in 19 scenes, 0.02 to 0.2. Supported by: docs/notebook/2026-11-26-denoise.md.
+/// twentieth; relMSE in 19 scenes, 0.02 to 0.2.
 constexpr float kDark = 0.1f;
 
 /// What is dimmer after denoising, likewise: means of few passes fill a ring with much of what is
 /// bright. Unit: 1. Balances: rings that are kept against pixels of what is bright that chance has
-/// left dark. Chosen by: relMSE in 19 scenes after 10 and 60 passes, 0.1 to 1. Supported by:
-/// docs/notebook/2026-11-26-denoise.md.
+/// left dark. Chosen by: relMSE in 19 scenes after 10 and 60 passes, 0.1 to 1.
 constexpr float kDim = 0.5f;
 
 float brightness(const Rgb& color) {

@@ -20,8 +20,7 @@ constexpr double kInterval = 1.96;
 
 /// What the estimate itself may be wrong by, beyond chance. Unit: standard deviation of the log of
 /// relMSE. Balances: intervals that hold the true error against intervals that say nothing. Chosen
-/// by: the table of ratios to true errors. Supported by:
-/// docs/notebook/2026-11-26-error-estimate.md.
+/// by: the table of ratios to true errors.
 constexpr double kModelError = 0.2;
 /// Pixels that err together: those that one sample reaches through the pixel filter, and a photon's
 /// search disk. Unit: pixels. Balances: as above. Chosen by: the filter of two pixels' width and

@@ -13,8 +13,7 @@ namespace {
 
 /// Differences of reflectance, of a normal's coordinate (from 0 to 1) and of the depth's logarithm
 /// that are none; see GuideChannel::least. Unit: 1, 1, 1, squared. Balances: noise of the guides
-/// themselves against edges that they alone know. Chosen by: relMSE in 19 scenes. Supported by:
-/// docs/notebook/2026-11-26-denoise.md.
+/// themselves against edges that they alone know. Chosen by: relMSE in 19 scenes.
 constexpr float kLeastAlbedo = 1e-3f, kLeastNormal = 2.5e-3f, kLeastDepth = 1e-3f;
 
 /// One channel of two halves' means, with the variance of their mean.

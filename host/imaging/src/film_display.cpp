@@ -15,7 +15,7 @@ namespace {
 /// Shares of the lobe-free mean below which a pixel begins to give way to it, and below which it
 /// has done so. Unit: 1. Balances: dark rings around highlights against the sharpness that the
 /// lobes are for, and against noise, by which the two differ too. Chosen by: dark dots in the PNG
-/// of six scenes. Supported by: docs/notebook/2026-11-29-dots-beside-highlights.md.
+/// of six scenes.
 constexpr float kGivesWay = 0.75f, kGone = 0.5f;
 
 /// Steps of brightness in which samples are kept apart, each this many times the one before; what

@@ -8,14 +8,13 @@ namespace {
 
 /// Passes of the first batch. Unit: passes. Balances: what is learnt of two passes against their
 /// having been sampled to complement each other, by which their difference overstates. Chosen by:
-/// the ratio to the true error after 10 passes, 1.21 with 1, 1.09 with 2, 1.01 with 4. Supported
-/// by: docs/notebook/2026-11-26-error-estimate.md.
+/// the ratio to the true error after 10 passes, 1.21 with 1, 1.09 with 2, 1.01 with 4.
 constexpr std::uint64_t kFirstBatch = 2;
 
 /// Least length of a later batch as share of the passes before it. Unit: 1. Balances: longer
 /// batches, in which stratified passes complement each other, against the number of batches, by
 /// which the variance of a pixel is known to sqrt(2 / 8). Chosen by: the same figures, 1/8, 1/4 and
-/// 1/2. Supported by: docs/notebook/2026-11-26-error-estimate.md.
+/// 1/2.
 constexpr double kBatchShare = 0.25;
 
 constexpr std::array<std::array<std::size_t, 2>, 3> kPairs{{{0, 0}, {0, 1}, {1, 1}}};

@@ -14,8 +14,7 @@ namespace {
 
 /// Length of a batch as share of the passes before it. Unit: 1. Balances: longer batches, whose
 /// passes complement each other as those of the whole render do, against their number, on which a
-/// variance rests. Chosen by: eight batches of each half after 30 passes, 16 after 300. Supported
-/// by: docs/notebook/2026-11-26-denoise.md.
+/// variance rests. Chosen by: eight batches of each half after 30 passes, 16 after 300.
 constexpr std::uint64_t kBatchesBefore = 8;
 
 }  // namespace

@@ -26,7 +26,7 @@ struct LightChoice {
 using LightTable = const aips::DiscreteDistribution*;
 
 /// A discrete distribution over the lights that have power; with LightStrategy::Learned one for
-/// each place, made of what shadow rays found there (docs/understand/learned-lights.md).
+/// each place, made of what shadow rays found there (docs/understand/direct-light.md).
 class LightSelector {
   public:
     /// `scene`: box around the places that are learned of.

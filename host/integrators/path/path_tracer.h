@@ -34,7 +34,7 @@ struct PathResult {
 
 /// Shadow rays of a path that tell of lights, if it is one that tells: fewer leave out places that
 /// are seen by way of others, more tell of one place after the other from fewer paths. 1, 4 and 16
-/// were compared (docs/notebook/2026-11-26-lights-of-path.md).
+/// were compared.
 inline constexpr std::uint32_t kToldRays = 4;
 
 /// Paths traced and what they took.

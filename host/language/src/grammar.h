@@ -57,7 +57,7 @@ struct Element : peg::sor<NumberToken, String, Bool> {};
 struct ListBegin : peg::one<'['> {};
 struct ListEnd : peg::one<']'> {};
 /// Many numbers at once, once a list has become long: the grammar's own way costs more than reading
-/// them (docs/measured/loading.md). Matches nothing that Element would not.
+/// them (docs/measured/big-scenes.md). Matches nothing that Element would not.
 struct NumberRun {
     using rule_t = NumberRun;
     using subs_t = peg::empty_list;

@@ -9,7 +9,7 @@ namespace lxs {
 /// Directions are in the surface's own frame, z along the normal. The map tells intensities, as
 /// photometric files do: a piece of area dA sends L * s * map * dA along a direction, so its
 /// radiance is L * s * map / cosine, s being what makes its flux that of a diffuse surface of the
-/// same L. docs/reference/light-profiles.md says why.
+/// same L. docs/reference/shading.md says why.
 class FrontProfile {
   public:
     /// `map` is of all directions, +z in its top row.

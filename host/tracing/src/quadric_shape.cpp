@@ -162,7 +162,7 @@ QuadricPoint QuadricShape::sphere_point(V3d p, Parts parts) const {
     point.normal = normal;
     if (parts == Parts::Place) return point;
     // Of u and v: LuxRender's image of a bump map on a ball has these (texture-bump,
-    // docs/measured/conformance-causes.md).
+    // docs/measured/conformance.md).
     point.dpdu = V3d(-p.y, p.x, 0) * phi_max_;
     const double rho = std::hypot(p.x, p.y);
     if (rho > 0) point.dpdv = V3d(p.z * p.x / rho, p.z * p.y / rho, -rho) * theta_range_;

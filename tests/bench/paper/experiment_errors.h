@@ -8,7 +8,7 @@
 
 namespace bench {
 
-/// "scenes" of an experiment in paper.json (docs/reference/benchmark-paper.md): for each of its
+/// "scenes" of an experiment in paper.json (docs/reference/benchmark-files.md): for each of its
 /// scenes the time at which runs are compared and a row for each case. `runs` are all of its runs,
 /// failed ones too.
 Json experiment_errors(const Experiment& experiment, const Json& runs, unsigned seeds);

@@ -19,7 +19,7 @@ struct DistributionInput {
     const References& references;
 };
 
-/// An entry of "distribution" in paper.json (docs/reference/benchmark-paper.md). Writes the photon
+/// An entry of "distribution" in paper.json (docs/reference/benchmark-files.md). Writes the photon
 /// density of the passes between snapshots of each case with the first seed as CASE.passes-A-B.png,
 /// all with one exposure. Throws StudyError if a layer is missing, lxs::OutputFailure.
 Json photon_distribution(const DistributionInput& input);

@@ -113,7 +113,7 @@ TEST_F(ClothTest, NoSampleOfTheFibresGainsLight) {
     EXPECT_GT(largest, 0.9f);
 }
 
-// What docs/reference/cloth.md says, and what strategies are chosen by.
+// What docs/reference/shading.md says, and what strategies are chosen by.
 TEST_F(ClothTest, SpecularAlbedoIsAboutAQuarterOfKs) {
     UniformSource u(3);
     for (const char* preset : kPresets) {

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""The tables of docs/measured/luxrender.md: see scripts/luxrender-benchmark."""
+"""The tables of docs/measured/other-renderers.md: see scripts/luxrender-benchmark."""
 import argparse
 import pathlib
 import tempfile

@@ -69,7 +69,7 @@ inline constexpr std::uint32_t kOcclusionCell = 4;
 
 /// First passes, in which all visible points ask for photons. Unit: passes.
 /// Balances: rays against single bright photons that leak before the wall is known.
-/// Chosen by: docs/understand/edges.md.
+/// Chosen by: docs/understand/radius.md.
 /// Supported by: one scene only: two rooms with a wall of 1 cm (1 in its place).
 inline constexpr std::uint64_t kFirstOcclusionPasses = 4;
 

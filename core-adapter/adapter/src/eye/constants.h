@@ -8,13 +8,13 @@ namespace aips {
 
 /// Footprints beyond so many medians count as so many. Unit: medians of the footprints.
 /// Balances: a few pixels that see the horizon against scenes whose pixels do differ.
-/// Chosen by: docs/notebook/2026-11-24-stress-scale-and-energy.md.
+/// Chosen by: measurement.
 /// Supported by: one scene only: a glass ball on a ground of 474 km.
 inline constexpr float kMostMedians = 8;
 
 /// Smooth surfaces of a path from which lamps are looked for along the other way. Unit: surfaces.
 /// Balances: noise of lamps seen in glass against rays for all other pixels.
-/// Chosen by: docs/notebook/2026-11-23-lamps-behind-glass.md.
+/// Chosen by: measurement.
 /// Supported by: glass-ball, room, chess, pool (1 and 4 in its place).
 inline constexpr std::uint32_t kMostBranches = 2;
 
@@ -28,7 +28,7 @@ inline constexpr std::uint32_t kFrozenPathsPerPixel = 4;
 /// Surfaces beyond the visible point from which on Russian roulette may end a continued path. Unit:
 /// surfaces.
 /// Balances: rays for light of many bounces against its noise.
-/// Chosen by: docs/notebook/2026-11-28-when-continued-paths-end.md.
+/// Chosen by: measurement.
 /// Supported by: one scene only: summerhouse (1, 3 and 4 in its place).
 inline constexpr std::uint32_t kContinuedRouletteFrom = 2;
 
@@ -74,7 +74,7 @@ inline constexpr std::uint64_t kLateExplorers = 256;
 /// photon's power. Unit: ratio.
 /// Balances: light lost along tilted surfaces, (wi.ns)^2 over this, against single photons that
 /// blot an image.
-/// Chosen by: docs/notebook/2026-11-26-what-tells-the-gain-of-first-rays.md.
+/// Chosen by: measurement.
 /// Supported by: one scene only: daylight (a photon of 9.8e5 in the 81st pass).
 inline constexpr float kMostNormalRatio = 100;
 

@@ -19,7 +19,7 @@ inline constexpr double kPathsPerImage = 8;
 
 /// Lamp paths of a pass that are drawn where images are few. Unit: eye paths.
 /// Balances: as that of an image.
-/// Chosen by: docs/notebook/2026-11-26-few-images-of-lamps.md.
+/// Chosen by: measurement.
 /// Supported by: glass-ball, sun-window.
 inline constexpr double kSpareLampPaths = 0.03;
 
@@ -48,7 +48,7 @@ inline constexpr double kDarkestLampPixel = 0.5;
 /// Relative variance of a pixel without an image from which on it is fully worth finding. Unit:
 /// ratio.
 /// Balances: searches for what no eye path meets against images that eye paths do well.
-/// Chosen by: docs/notebook/2026-11-26-images-worth-finding.md.
+/// Chosen by: measurement.
 /// Supported by: summerhouse, jewellery, chess, bathroom, car (every image alike in its place).
 inline constexpr double kNoisyImage = 64;
 

@@ -64,7 +64,7 @@ inline constexpr std::uint32_t kMostExploringRounds = 16;
 
 /// Those of them that found visible paths, at most. Unit: rounds.
 /// Balances: time before the first pass against what a guide would learn by itself from then on.
-/// Chosen by: docs/measured/choices.md.
+/// Chosen by: docs/measured/parts.md.
 /// Supported by: a public classroom, summerhouse, car, jewellery, daylight (16 in its place:
 /// variance
 ///   times time after 32 passes of 120 pixels 1.4, 1.4, 1.1, 1.0 and 0.65 times as much).
@@ -80,14 +80,14 @@ inline constexpr double kExploredEnough = 256;
 /// Share of the independent paths that explore which start by the plain density. Unit: share of 1.
 /// Balances: what a path weighs that starts where none was found before, up to the inverse, against
 ///   paths that are not visible.
-/// Chosen by: docs/notebook/2026-11-26-chains-from-emission-trees.md.
+/// Chosen by: measurement.
 /// Supported by: car, daylight, summerhouse (0.15 and 0.5 in its place).
 inline constexpr double kPlainExplorers = 0.25;
 
 /// How far from a visible point photons count as visible to a chain. Discs that just touch, or do
 /// not, are islands to a chain, which stays on one for long. Unit: mean radii.
 /// Balances: islands against paths that nothing gathers.
-/// Chosen by: docs/notebook/2026-11-23-reach-of-chains.md.
+/// Chosen by: measurement.
 /// Supported by: one scene only: summerhouse (1 to 4 in its place).
 inline constexpr float kChainReach = 2;
 

@@ -1,6 +1,6 @@
 // Before the first pass, where next to no photon path is seen: Markov chains look for those that
 // are, and tell a guide where they start. They bring no light into the image. See
-// docs/understand/exploration.md.
+// docs/understand/chains.md.
 #pragma once
 
 #include <cstdint>

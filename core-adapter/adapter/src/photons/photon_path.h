@@ -85,7 +85,7 @@ class SequencePath {
     /// shares nothing with those that begin elsewhere. One must begin wherever photons have decided
     /// where, or how many, the next ones go: points that keep away from those that decided, as a
     /// sequence's do, are not independent of the choice (a guide made the image brighter by 1 % at
-    /// one path a pass; docs/understand/photons-per-pass.md).
+    /// one path a pass; docs/understand/sharing-light.md).
     SequencePath(std::uint64_t seed, std::uint64_t pass, std::uint64_t begin)
         // Each 2^32 points are a net with a scramble of its own: that of the low half of `begin`.
         : SequencePath(seed, pass, (std::uint64_t{static_cast<std::uint32_t>(begin)} << 32) - begin,

@@ -9,7 +9,7 @@ namespace aips {
 /// Share of unguided photon paths that come near what is seen from which on photons go without the
 /// adaptive guide. Unit: share of 1.
 /// Balances: the cost of learning in lit rooms against what a guide gains elsewhere.
-/// Chosen by: docs/notebook/2026-11-23-first-look.md.
+/// Chosen by: measurement.
 /// Supported by: magic-lamp, room, cornell-box, ajar-door, summerhouse, eight more.
 inline constexpr double kNearWithoutGuide = 1.0 / 3;
 
@@ -40,13 +40,13 @@ inline constexpr std::uint64_t kFirstPasses = 4;
 
 /// The same where a guide learns. Unit: passes, a power of two.
 /// Balances: a choice by what a guide is not yet against passes of a number that none has chosen.
-/// Chosen by: docs/notebook/2026-11-23-weights-of-first-passes.md.
+/// Chosen by: measurement.
 /// Supported by: furnace, chess, prism (4 and 6 in its place).
 inline constexpr std::uint64_t kFirstPassesOfAGuide = 8;
 
 /// What a pass after the first choice counts for, those before, of few photons, for 1. Unit: ratio.
 /// Balances: noise of the first passes against the photons that they bring.
-/// Chosen by: docs/notebook/2026-11-23-weights-of-first-passes.md.
+/// Chosen by: measurement.
 /// Supported by: glass-ball, hall, summerhouse (2 and 64 in its place).
 inline constexpr double kChosenWeight = 8;
 
@@ -54,19 +54,19 @@ inline constexpr double kChosenWeight = 8;
 /// it is given more at first, and what it shoots while it learns counts for less anyway. Unit:
 /// ratio.
 /// Balances: noise of the first passes against the photons that they bring.
-/// Chosen by: docs/notebook/2026-11-23-weights-of-first-passes.md.
+/// Chosen by: measurement.
 /// Supported by: hall, glass-ball (1 and 8 in its place).
 inline constexpr double kChosenWeightOfAGuide = 2;
 
 /// The same of a guide in small images. Unit: ratio.
 /// Balances: noise of the first passes against the photons that they bring.
-/// Chosen by: docs/notebook/2026-11-23-weights-of-first-passes.md.
+/// Chosen by: measurement.
 /// Supported by: hall, sun-window, glass-ball, prism, ajar-door (2 in its place).
 inline constexpr double kChosenWeightInSmallImages = 1;
 
 /// Passes of a render that was taught before its photons count in full. Unit: passes. Balances:
 /// photons by what was true of another scene, and radii that know nothing yet, against photons that
-/// count for less. Chosen by: docs/notebook/2026-11-27-frames-of-glass-ball.md. Supported by: one
+/// count for less. Chosen by: measurement. Supported by: one
 /// scene only: glass-ball (1 in its place).
 inline constexpr double kTaughtPasses = 8;
 
@@ -142,7 +142,7 @@ inline constexpr double kCertainlyMissing = 3;
 
 /// Continued paths that found light, in effect, from which a leaf is judged. Unit: eye paths.
 /// Balances: decisions soon against places whose light paths have not met at all.
-/// Chosen by: docs/notebook/2026-11-26-what-tells-the-gain-of-first-rays.md; that there is such a
+/// Chosen by: measurement; that there is such a
 ///   number by docs/notebook/2026-11-25-who-carries-what.md.
 /// Supported by: car, daylight (8 and 4 in its place); no difference beyond chance in open-ground,
 ///   sun-window, ajar-door, hall, pool, magic-lamp, summerhouse.
@@ -164,7 +164,7 @@ inline constexpr double kStratifiedPaths = 0.5;
 /// Work of a pass that shoots for each of its visible points, however many photons there are: it is
 /// marked, has a radius, and is asked what lies around it. Unit: about 0.3 us. Balances: passes
 /// without photons against light that only some passes have. Chosen by:
-/// docs/notebook/2026-11-26-passes-without-photons.md. Supported by: summerhouse, car.
+/// measurement. Supported by: summerhouse, car.
 inline constexpr double kPointWork = 1.5;
 
 /// Most passes of which one shoots. Unit: passes, a power of two. Balances: as that of a point's
@@ -190,7 +190,7 @@ inline constexpr double kGreatestFall = 32;
 
 /// Passes from which on light that photons lose counts in the plan. Unit: passes.
 /// Balances: shares that know of it early against few photons where chains have yet to find them.
-/// Chosen by: docs/notebook/2026-11-27-decisions-that-one-sample-spoils.md.
+/// Chosen by: measurement.
 /// Supported by: daylight, summerhouse, car (2 and 16 in its place).
 inline constexpr std::uint64_t kLossJudgedFrom = 8;
 

@@ -2,7 +2,7 @@
 //
 // A guide sends photons where the image sees them. Where most are seen anyway there is nothing to
 // gain, and what learning costs, and photons that count for less while it learns, would be lost
-// (docs/understand/first-look.md).
+// (docs/understand/chains.md).
 #pragma once
 
 #include "aips/adapter/settings.h"

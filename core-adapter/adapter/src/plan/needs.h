@@ -1,7 +1,7 @@
 // What a scene requires of the engine; everything else is never run.
 //
 // Decided from the scene and the settings before any ray is traced. What only passes can tell is in
-// skip_log and in the parts themselves; docs/understand/needs.md lists all of it.
+// skip_log and in the parts themselves; docs/understand/costs.md lists all of it.
 #pragma once
 
 #include <string>

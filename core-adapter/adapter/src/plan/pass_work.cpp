@@ -1,4 +1,4 @@
-// Costs fitted to the phases' times in thirteen scenes (docs/understand/photons-per-pass.md): the
+// Costs fitted to the phases' times in thirteen scenes (docs/understand/costs.md): the
 // eye's rays are shaded and their film samples weighed, photons are scattered, stored, gathered and
 // guided. What is learned from them is fitted by itself, in nine scenes.
 #include "plan/pass_work.h"

@@ -8,7 +8,7 @@ namespace aips {
 
 /// Automatic start radius. Unit: footprints.
 /// Balances: noise against blur.
-/// Chosen by: docs/notebook/2026-11-23-radius-of-chains.md.
+/// Chosen by: measurement.
 /// Supported by: hall, glass-ball (1 in its place); ajar-door, hall, sun-window
 ///   (docs/notebook/2026-11-23-adaptive-radius-bounds.md, 1 in its place, which the last one gains
 ///   by).
@@ -37,7 +37,7 @@ inline constexpr std::uint64_t kRadiiRenewedUntil = 16;
 
 /// Passes that shoot in which they all do later. Unit: passes.
 /// Balances: as that of the first.
-/// Chosen by: docs/notebook/2026-11-26-passes-without-photons.md.
+/// Chosen by: measurement.
 /// Supported by: summerhouse, car, chess, glass-ball.
 inline constexpr std::uint64_t kRadiiRenewedIn = 4;
 

@@ -90,7 +90,7 @@ constexpr SettingRow kRows[] = {
      .group = SettingGroup::First,
      .doc =
          "Photon paths shot in each pass; 0: in mode progressive as many as the noise of photons "
-         "and eye paths asks for (docs/understand/photons-per-pass.md), else 1000000.",
+         "and eye paths asks for (docs/understand/sharing-light.md), else 1000000.",
      .automatic = "automatic"},
     {.name = "startradius",
      .member = &Settings::start_radius,
@@ -152,23 +152,23 @@ constexpr SettingRow kRows[] = {
      .member = &Settings::photon_occlusion,
      .group = SettingGroup::Study,
      .doc = "Photons count only where nothing separates them from what is seen, such as a wall "
-            "thinner than the radius (docs/understand/edges.md)."},
+            "thinner than the radius (docs/understand/radius.md)."},
     {.name = "correctedges",
      .member = &Settings::correct_edges,
      .group = SettingGroup::Study,
      .doc = "In mode progressive: at edges photons count by the part of their search disc that is "
-            "surface (docs/understand/edges.md)."},
+            "surface (docs/understand/radius.md)."},
     {.name = "narrowradii",
      .member = &Settings::narrow_radii,
      .group = SettingGroup::Study,
      .doc = "Where radii adapt: those of pixels that are surely blurred are narrower "
-            "(docs/understand/adaptive-radius.md).",
+            "(docs/understand/radius.md).",
      .matters = adapts_radius},
     {.name = "learnlights",
      .member = &Settings::learn_lights,
      .group = SettingGroup::Study,
      .doc = "Shadow rays choose the lights more often that were seen to light a place "
-            "(docs/understand/learned-lights.md)."},
+            "(docs/understand/direct-light.md)."},
     {.name = "continueeyepaths",
      .member = &Settings::continue_eye_paths,
      .group = SettingGroup::Study,
@@ -180,13 +180,13 @@ constexpr SettingRow kRows[] = {
      .member = &Settings::photon_turns,
      .group = SettingGroup::Study,
      .doc = "Where eye paths go on and photons bring little, one of up to eight passes shoots for "
-            "all (docs/understand/passes-without-photons.md)."},
+            "all (docs/understand/sharing-light.md)."},
     {.name = "guidelamps",
      .member = &Settings::guide_lamps,
      .group = SettingGroup::Study,
      .doc =
          "In mode progressive: paths are drawn for lamps behind glass and in mirrors, beside eye "
-         "paths; not with guide paper (docs/understand/lamp-paths.md)."},
+         "paths; not with guide paper (docs/understand/direct-light.md)."},
     {.name = "guideemission",
      .member = &Settings::guide_emission,
      .group = SettingGroup::Study,

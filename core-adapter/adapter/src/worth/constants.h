@@ -29,7 +29,7 @@ inline constexpr double kEmissionCost = 0.5;
 /// Cost of storing and gathering a landing: gather and grid take about a third of what tracing
 /// takes where landings are many. Unit: rays.
 /// Balances: paths that land often against those that do not.
-/// Chosen by: docs/notebook/2026-11-21-where-the-time-goes.md.
+/// Chosen by: measurement.
 /// Supported by: LuxRender's Cornell box, cornell-box, glass-ball.
 inline constexpr double kLandingCost = 0.3;
 
@@ -37,8 +37,7 @@ inline constexpr double kLandingCost = 0.3;
 /// darker ones nearly alike. With a fiftieth the few photons that the darkest get decide most of
 /// the scores, and the guide follows their noise for long. Unit: mean luminances of the image.
 /// Balances: relative error of dark pixels against scores that few photons decide.
-/// Chosen by: docs/notebook/2026-11-24-how-dark-a-pixel-may-be.md;
-///   docs/notebook/2026-11-24-where-photons-are-split.md.
+/// Chosen by: docs/notebook/2026-11-24-where-photons-are-split.md.
 /// Supported by: ajar-door, glass-ball, hall, sun-window, chess, ring, pool, prism.
 inline constexpr double kDarkestShare = 0.5;
 
@@ -71,7 +70,7 @@ inline constexpr double kMostOfAPixel = 4;
 /// What a pixel counts for at most in the noise of what eye paths bring by themselves, as a mean
 /// over passes. Unit: relative variance.
 /// Balances: light that few passes meet anywhere against pixels that no number of passes helps.
-/// Chosen by: docs/notebook/2026-11-26-first-rays-alone.md.
+/// Chosen by: measurement.
 /// Supported by: prism and daylight (4, 64 and no end in its place); no difference in car,
 /// bathroom,
 ///   summerhouse.

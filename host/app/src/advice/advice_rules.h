@@ -1,6 +1,6 @@
 // The rules of advice. A new one is a function declared here, its line in the list of advice.cpp, a
 // scene that provokes it in tests/host/app/advice_test.cpp, and its row in
-// docs/reference/explain.md.
+// docs/reference/statistics.md.
 #pragma once
 
 #include <cstdint>

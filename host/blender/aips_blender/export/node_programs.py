@@ -1,6 +1,6 @@
 """Turns graphs of shader nodes into programs of texture "nodes" of the scene language.
 
-A program has one line a node; docs/reference/nodes.md lists them. What it is made of are operands:
+A program has one line a node; docs/reference/shading.md lists them. What it is made of are operands:
 a number as text, or rN for the value of line N.
 """
 import numpy as np

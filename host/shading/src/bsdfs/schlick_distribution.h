@@ -14,7 +14,7 @@ namespace lxs::shading {
 /// the azimuths that his and LuxRender's way to draw facets gives. LuxRender weighs such facets as
 /// if they had his A, so that what it renders has the A here wherever it finds light by following
 /// reflected rays, which for grained surfaces is almost everywhere
-/// (docs/measured/conformance-causes.md). Both are 1 where p is. This one's mean over the azimuths
+/// (docs/measured/conformance.md). Both are 1 where p is. This one's mean over the azimuths
 /// is 1, so that no light is lost.
 class SchlickDistribution {
   public:

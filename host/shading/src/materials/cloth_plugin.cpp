@@ -97,7 +97,7 @@ MaterialFactory cloth_plugin() {
         with_common_parameters(
             {{"presetname", String, "denim",
               "denim, silk_charmeuse, cotton_twill, wool_gabardine, polyester_lining_cloth or "
-              "silk_shantung: weave and fibres (see docs/reference/cloth.md)"},
+              "silk_shantung: weave and fibres (see docs/reference/shading.md)"},
              {"warp_Kd", ColorTexture, "0 0 0",
               "diffuse reflectance of the warp, which runs along v, 0 to 1"},
              {"warp_Ks", ColorTexture, "0 0 0",

@@ -2,7 +2,7 @@
 //
 // Each instruction is a line of words: its name, its modes, its inputs, and for some a table of
 // numbers. An input is a number, or rN for the value of instruction N, from 0 on. Values are three
-// numbers; those of one number have it three times. docs/reference/nodes.md has the list.
+// numbers; those of one number have it three times. docs/reference/shading.md has the list.
 #pragma once
 
 #include <cstdint>

@@ -80,7 +80,7 @@ struct Settings {
     std::uint32_t max_photon_depth = 0;  ///< of a photon path, likewise
     /// Bounces that an eye path and the photon or shadow ray that it meets may have together.
     std::uint32_t max_bounces = kAnyBounces;
-    std::uint32_t photons_per_pass = 0;  ///< 0: by the noise (docs/understand/photons-per-pass.md)
+    std::uint32_t photons_per_pass = 0;     ///< 0: by the noise (docs/understand/sharing-light.md)
     std::uint32_t hit_points_per_pass = 0;  ///< eye paths a pass; 0: one a pixel (frozen: four)
     double start_radius = 0;  ///< in mean pixel footprints at the visible points; 0: automatic
     double alpha = 0.7;       ///< how slowly the radius shrinks: 1 keeps it

@@ -9,7 +9,7 @@ namespace aips {
 
 /// Visible points of which one is walked from. Unit: visible points.
 /// Balances: time of walks against starts that are found.
-/// Chosen by: docs/notebook/2026-11-23-seeds-of-rare-starts.md.
+/// Chosen by: measurement.
 /// Supported by: pool, hall, glass-ball, chess, prism, sun-window (4 in its place).
 inline constexpr std::uint32_t kSeedGroup = 16;
 
@@ -87,7 +87,7 @@ inline constexpr std::uint64_t kEagerPaths = 1'000'000;
 /// Unit: photon paths.
 /// Balances: work for all threads and little time between iterations against a guide that lags
 ///   behind.
-/// Chosen by: docs/notebook/2026-11-24-sequences-of-emissions.md.
+/// Chosen by: measurement.
 /// Supported by: cornell-box, glass-ball, chess (longer ones).
 inline constexpr std::uint32_t kLearningIterationPaths = 1u << 14;
 
@@ -113,36 +113,35 @@ inline constexpr std::uint32_t kLateOneOf = 16;
 /// gain when it has learned cannot be told while it learns, and it learns faster when it is on.
 /// Unit: scored photon paths.
 /// Balances: time lost with a part that does not pay against verdicts by chance.
-/// Chosen by: docs/notebook/2026-11-23-when-to-switch-emission.md.
+/// Chosen by: measurement.
 /// Supported by: prism, furnace, chess (twice as many, and never).
 inline constexpr double kTrialPaths = 1e5;
 
 /// Groups that paths are dealt out to, an odd number; the median of what they say is taken. Unit:
 /// groups.
 /// Balances: verdicts that one path decides against noise of each group.
-/// Chosen by: docs/notebook/2026-11-22-median-of-five-groups.md.
+/// Chosen by: measurement.
 /// Supported by: one scene only: a corridor with fog.
 inline constexpr std::size_t kMomentGroups = 5;
 
 /// Gain from which on guided starts are switched on: moments are noisy, and learning has its price.
 /// Unit: ratio.
 /// Balances: gains that are missed against a part that flickers.
-/// Chosen by: reasoning: two thresholds keep a part from flickering (docs/understand/learning.md).
+/// Chosen by: reasoning: two thresholds keep a part from flickering (docs/understand/guides.md).
 /// Supported by: no measurement.
 inline constexpr double kEmissionOn = 1.4;
 
 /// Gain below which guided starts are switched off: stratified plain starts do better than their
 /// moments tell. Unit: ratio.
 /// Balances: gains that are missed against stratification that is lost.
-/// Chosen by: reasoning: above what stratified starts bring, 1.05 to 1.23
-///   (docs/notebook/2026-11-24-sequences-of-emissions.md).
+/// Chosen by: reasoning: above what stratified starts bring, 1.05 to 1.23.
 /// Supported by: cornell-box, glass-ball, chess (what stratification brings; the threshold was not
 ///   varied).
 inline constexpr double kEmissionStay = 1.25;
 
 /// Cost of the way through a light's tree. Unit: rays.
 /// Balances: guided starts against the rays that their time would buy.
-/// Chosen by: docs/notebook/2026-11-24-where-the-guides-time-goes.md.
+/// Chosen by: measurement.
 /// Supported by: one scene only: cornell-box.
 inline constexpr double kEmissionLookUpCost = 0.5;
 
@@ -163,7 +162,7 @@ inline constexpr double kSurvivalStay = 1.0;
 
 /// Cost of looking up what a photon may still bring. Unit: rays.
 /// Balances: survival by score against the rays that its time would buy.
-/// Chosen by: docs/notebook/2026-11-24-where-the-guides-time-goes.md.
+/// Chosen by: measurement.
 /// Supported by: one scene only: cornell-box.
 inline constexpr double kScoreLookUpCost = 0.2;
 

@@ -1,7 +1,7 @@
 // guide=paper: the adaptive importance photon shooting of Liu & Zheng 2014.
 //
 // Where the text leaves room or is not exact, the choice made is marked "departure" at its place;
-// docs/understand/paper-departures.md lists them together.
+// docs/understand/paper-guide.md lists them together.
 #pragma once
 
 #include <memory>

@@ -7,7 +7,7 @@
 
 namespace lxs {
 
-/// docs/reference/statistics-file.md says what the keys mean.
+/// docs/reference/statistics.md says what the keys mean.
 inline nlohmann::ordered_json error_json(const ErrorEstimate& error) {
     nlohmann::ordered_json json;
     json["relative"] = error.relative();

@@ -6,7 +6,8 @@
 namespace lxs {
 
 /// Markdown: every plugin name of LuxRender 1.9 by statement, with its declared parameters if it is
-/// rendered, else with what stands in for it.
+/// rendered, else with what stands in for it. Parameters that several share stand once, above, and
+/// those without effect in one table at the end.
 std::string scene_language_page();
 
 }  // namespace lxs

@@ -12,7 +12,7 @@ namespace lxs {
 
 /// What renders of different seeds took and met, together. Counts and seconds are summed;
 /// luminances are means, each render weighing as many samples per pixel as it has; of memory the
-/// greatest is kept. docs/reference/lxsmerge.md has the keys.
+/// greatest is kept. docs/reference/command-line.md has the keys.
 class StatisticsSums {
   public:
     /// Of the statistics file `name`, of lxsrender or of lxsmerge, its text. Throws MergeRefusal,

@@ -9,14 +9,13 @@ namespace aips {
 /// A probe measures curvature in discs of this many radii, each half of the one before. Unit:
 /// discs.
 /// Balances: curvature of light that is small against memory and noise.
-/// Chosen by: docs/notebook/2026-11-21-variants-of-curvature.md.
-/// Supported by: glass-ball, room, chess
-///   (docs/notebook/2026-11-21-adaptive-radius-at-given-photons.md).
+/// Chosen by: measurement.
+/// Supported by: glass-ball, room, chess.
 inline constexpr std::size_t kProbeScales = 3;
 
 /// Standard errors of its Laplacian from which on a narrow disc is believed. Unit: standard errors.
 /// Balances: blur of small light against radii that shrink on noise.
-/// Chosen by: docs/notebook/2026-11-21-variants-of-curvature.md.
+/// Chosen by: measurement.
 /// Supported by: glass-ball, room.
 inline constexpr double kSureErrors = 2;
 

@@ -24,7 +24,7 @@ inline constexpr std::uint32_t kLightSplitRays = 64;
 /// Share of the choices of lights that is made without tables. Unit: share of 1.
 /// Balances: the greatest weight, its inverse, against noise where tables are right.
 /// Chosen by: reasoning: no light weighs more than eight times what it does without tables
-///   (docs/understand/learned-lights.md).
+///   (docs/understand/direct-light.md).
 /// Supported by: no measurement (tables were measured in five scenes, this share was not varied).
 inline constexpr double kPlainLights = 0.125;
 
@@ -102,7 +102,7 @@ inline constexpr double kShortMemoryPaths = 1e5;
 /// Least gain, second moment times cost without a table over that with one, at which a table comes
 /// into use; in use it stays as long as it gains anything. Unit: ratio.
 /// Balances: tables in use against the noise of the verdict.
-/// Chosen by: reasoning: it has to pay for the noise of the verdict (docs/understand/learning.md).
+/// Chosen by: reasoning: it has to pay for the noise of the verdict (docs/understand/guides.md).
 /// Supported by: no measurement.
 inline constexpr double kTableGain = 1.15;
 
@@ -114,14 +114,14 @@ inline constexpr double kTableSharePrior = 16;
 
 /// Cost of drawing from a table and asking for its density. Unit: rays.
 /// Balances: tables against the rays that their time would buy.
-/// Chosen by: docs/notebook/2026-11-24-where-the-guides-time-goes.md.
-/// Supported by: no measurement (the page names the price beside times of whole phases).
+/// Chosen by: measurement.
+/// Supported by: no measurement (the price stands beside times of whole phases).
 inline constexpr double kTableLookUpCost = 0.3;
 
 /// Shares of a table that are compared; the first is no table at all. What the greatest leaves to
 /// the density without a table bounds weights: 1 / (1 - 3/4) of theirs. Unit: share of 1.
 /// Balances: what tables gain against the greatest weight, 4.
-/// Chosen by: docs/notebook/2026-11-22-guided-bounces.md.
+/// Chosen by: measurement.
 /// Supported by: glass-ball, chess, ajar-door, hall.
 inline constexpr std::array<double, 4> kTableShares{0, 0.25, 0.5, 0.75};
 

@@ -23,26 +23,26 @@ inline constexpr double kLeastSplitGain = 1e-4;
 /// Photons with a score, or seeds, that a leaf of a light's tree must have met before it is split.
 /// Unit: scored photons.
 /// Balances: detail against halves that differ by chance.
-/// Chosen by: docs/notebook/2026-11-21-emission-density-and-survival.md.
+/// Chosen by: measurement.
 /// Supported by: sun-window, hall (8 in its place).
 inline constexpr std::uint32_t kStartSplitScores = 32;
 
 /// Power of |f| / sqrt(cost) that the density of starts follows. Unit: exponent.
 /// Balances: the best density if |f| were known against weights where it is wrong.
-/// Chosen by: docs/notebook/2026-11-21-emission-density-and-survival.md.
+/// Chosen by: measurement.
 /// Supported by: sun-window, summerhouse, chess, glass-ball, ajar-door, hall; sun-window again
 ///   (docs/notebook/2026-11-23-one-scale-for-scores.md).
 inline constexpr double kStartPower = 0.75;
 
 /// What the parent's mean weighs in each node of a light's tree. Unit: effective scored photons.
 /// Balances: places that had bad luck against photons sent where nothing is.
-/// Chosen by: docs/notebook/2026-11-21-emission-density-and-survival.md.
+/// Chosen by: measurement.
 /// Supported by: one scene only: sun-window (1 against 4; elsewhere varied with the power alone).
 inline constexpr double kStartPrior = 1;
 
 /// Fewer seeds than this do not say how narrow the region is that they come from. Unit: seeds.
 /// Balances: starts found in a few passes against halving on chance.
-/// Chosen by: docs/notebook/2026-11-23-seeds-of-rare-starts.md.
+/// Chosen by: measurement.
 /// Supported by: open-ground, sun-window (8 in its place).
 inline constexpr std::size_t kFocusPoints = 16;
 
@@ -50,7 +50,7 @@ inline constexpr std::size_t kFocusPoints = 16;
 /// lie about its middle, where a greedy split gains nothing, each half then has them at one end.
 /// Unit: share of the leaf's side.
 /// Balances: starts found in a few passes against leaves spent on wide groups.
-/// Chosen by: docs/notebook/2026-11-23-seeds-of-rare-starts.md.
+/// Chosen by: measurement.
 /// Supported by: open-ground (a tenth in its place), hall, prism (half).
 inline constexpr double kFocusNarrow = 0.25;
 

@@ -4,7 +4,7 @@
 // starts there (|f| / p is the root of a photon's score), and of what a photon costs. The density
 // that minimises variance times cost is proportional to |f| / sqrt(cost); `sharpness` flattens it.
 // Second moments in the leaves would be the exact measure, but scores have heavy tails, and the
-// root's mean is known long before the square's (docs/understand/emission-guide.md).
+// root's mean is known long before the square's (docs/understand/adaptive-guide.md).
 // Sources: Lepage 1978 (VEGAS: importance sampling by a learned piecewise constant density);
 // Rath et al. 2022 (the cost under the root);
 // Clarberg et al. 2005 (hierarchical warping); defensive mixture: Hesterberg 1995.

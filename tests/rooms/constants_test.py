@@ -12,7 +12,7 @@ comment says what it is, and then
 
 This test holds the comments against that: all labels, no page that is not there, no constant that
 nothing uses, none twice, and no other number of its own in a room than those of facts.txt, which
-says why they are no such constants. docs/build-on/constants.md shows the same in tables.
+says why they are no such constants. docs/build-on/constants.md lists them in short.
 
     constants_test.py            checks the repository
     constants_test.py --planted  plants one fault of each kind in a copy; all must be found
@@ -33,6 +33,8 @@ LABELS = ('Unit', 'Balances', 'Chosen by', 'Supported by')
 DECLARED = re.compile(r'((?:^///.*\n)*)^inline constexpr (.+?) (k\w+)(?: = |\{)((?:.|\n)*?)\}?;\n',
                       re.M)
 PAGES = re.compile(r'\bdocs/[\w/-]+\.md\b')
+# What the page says of a constant; the rest stands in its header.
+FIRST_CLAUSE = re.compile(r'(?:[^.:;,(]|\.(?=\d)|,(?! (?:so|as|those|which|and|but|for)))*')
 # A constexpr, and the names in it that are given a value of their own.
 CONSTEXPR = re.compile(r'\bconstexpr\b([^;]*);')
 GIVEN = re.compile(r'\b(k[A-Z]\w*)(?=\s*(=(?!=)|\{))([^,]*)')
@@ -161,11 +163,11 @@ def table(root):
     for storey in reversed(STOREYS):
         for place in [p for p in found if p.startswith(storey.name + '/')]:
             yield f'\n## {place.replace("/", ": ", 1)}\n'
-            yield '| constant | value | unit | balances | chosen by | supported by |'
-            yield '| --- | --- | --- | --- | --- | --- |'
+            yield '| constant | value | what | supported by |'
+            yield '| --- | --- | --- | --- |'
             for c in found[place]:
-                told = [linked(c.labels.get(label, '')) for label in LABELS]
-                yield f'| `{c.name}`: {linked(c.what)} | {c.value} | {" | ".join(told)} |'
+                told = linked(c.labels.get('Supported by', '')).split(' (')[0].split(';')[0]
+                yield f'| `{c.name}` | {c.value} | {linked(FIRST_CLAUSE.match(c.what)[0])} | {told} |'
 
 
 def page_text(root):

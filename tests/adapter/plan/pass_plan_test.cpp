@@ -144,7 +144,7 @@ TEST(PassPlan, AFirstRayIsSentForTheSakeOfDirectLight) {
     EXPECT_EQ(plan.shares[1], EyeShare{.first_ray = true});
     EXPECT_EQ(plan.going_on, 0);
     EXPECT_DOUBLE_EQ(plan.first_rays, 0.5);
-    EXPECT_DOUBLE_EQ(plan.cost, 3000 + kPaths + kPoints / 2 * kFirstRays);
+    EXPECT_DOUBLE_EQ(plan.cost, 3000 + kPaths + kPoints / 2);
     // The choice is the same once they do, and the noise is gone.
     EXPECT_EQ(plan_passes(facts_of(leaves, plan.shares, 5), kFixed).shares, plan.shares);
     // What is said to be gained is no more than there is.

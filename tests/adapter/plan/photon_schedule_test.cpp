@@ -217,7 +217,7 @@ TEST(PhotonSchedule, FirstPassesCountForLessWhereTheyWereTaught) {
         Render taught({}, kEyePaths, true);
         taught.schedule().learned(parts);
         for (int pass = 0; pass < 20; ++pass) {
-            const double known = std::min(1.0, (pass + 1) / kTaughtPasses);
+            const double known = std::min(1.0, (pass + 1) / double(kPilotPasses));
             EXPECT_DOUBLE_EQ(taught.next().weight, known * known) << pass;
             EXPECT_EQ(taught.next().counted, taught.next().paths);
             taught.pass({1, noise, 1e5});

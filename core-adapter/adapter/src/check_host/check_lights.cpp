@@ -4,9 +4,9 @@
 #include <array>
 #include <numbers>
 
-#include "constants.h"
 #include "direct_light_tally.h"
 #include "light_flux.h"
+#include "tolerances.h"
 
 namespace aips {
 namespace {

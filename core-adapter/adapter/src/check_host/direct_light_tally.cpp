@@ -2,8 +2,8 @@
 #include "direct_light_tally.h"
 
 #include "aips/core/base/arena.h"
-#include "constants.h"
 #include "emit_at_random.h"
+#include "tolerances.h"
 
 namespace aips {
 namespace {

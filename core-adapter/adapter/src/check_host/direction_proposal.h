@@ -6,7 +6,7 @@
 
 #include "aips/core/sampling/random.h"
 #include "aips/core/sampling/sampling.h"
-#include "constants.h"
+#include "tolerances.h"
 
 namespace aips {
 

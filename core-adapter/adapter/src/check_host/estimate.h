@@ -7,7 +7,7 @@
 #include <cmath>
 #include <cstdint>
 
-#include "constants.h"
+#include "tolerances.h"
 
 namespace aips {
 

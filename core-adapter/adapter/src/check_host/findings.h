@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "aips/adapter/check_host.h"
-#include "constants.h"
+#include "tolerances.h"
 
 namespace aips {
 

@@ -2,7 +2,7 @@
 #include "met_surfaces.h"
 
 #include "aips/core/sampling/sampling.h"
-#include "constants.h"
+#include "tolerances.h"
 
 namespace aips {
 namespace {

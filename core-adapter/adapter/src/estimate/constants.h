@@ -6,13 +6,6 @@
 
 namespace aips {
 
-/// Photons that wait for a gather, landings or collisions in media; one iteration may exceed it.
-/// Unit: photons.
-/// Balances: memory against gathers, each of which looks at all visible points.
-/// Chosen by: reasoning: none on record.
-/// Supported by: no measurement.
-inline constexpr std::uint32_t kWaitingPhotons = 1u << 20;
-
 /// Least cosine between the normals of a landing's surface and a visible point's: photons of
 /// surfaces turned by more belong to another one. Unit: cosine.
 /// Balances: light that leaks around corners against photons lost on curved surfaces.
@@ -67,13 +60,7 @@ inline constexpr std::uint32_t kNoiseCell = 8;
 /// Supported by: no measurement.
 inline constexpr std::uint32_t kOcclusionCell = 4;
 
-/// First passes, in which all visible points ask for photons. Unit: passes.
-/// Balances: rays against single bright photons that leak before the wall is known.
-/// Chosen by: docs/understand/radius.md.
-/// Supported by: one scene only: two rooms with a wall of 1 cm (1 in its place).
-inline constexpr std::uint64_t kFirstOcclusionPasses = 4;
-
-/// Photons that a visible point asks for in these. Unit: photons.
+/// Photons that a visible point asks for in pilot passes. Unit: photons.
 /// Balances: rays of the first passes against light that leaks in them.
 /// Chosen by: reasoning: of light of which a share q is separated at most q (1 - q), a quarter of
 /// what is left, stays.

@@ -5,6 +5,9 @@
 
 namespace aips {
 
+/// Photons that wait for a gather, stored or in media; one iteration may exceed it.
+inline constexpr std::size_t kWaitingPhotons = 1u << 20;
+
 /// The photon paths of one pass, known before it.
 struct PassPhotons {
     std::uint64_t before = 0;  ///< photon paths of all passes before

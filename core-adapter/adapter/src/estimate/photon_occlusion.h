@@ -19,6 +19,7 @@
 #include "aips/core/base/state_archive.h"
 #include "aips/core/photon_map/photon_grid.h"
 #include "aips/core/sampling/random.h"
+#include "base/constants.h"
 #include "estimate/constants.h"
 #include "eye/eye_pass.h"
 
@@ -53,7 +54,7 @@ class PhotonOcclusion {
     /// Whether all photons of this part of the image are asked for.
     bool asks_all(Vec2 film_position) const { return marks_[cell_of(film_position)] != 0; }
     /// Photons that OcclusionTest::Some asks for at most, and the numbers that choose them.
-    std::uint32_t some() const { return pass_ < kFirstOcclusionPasses ? kFirstOcclusionAsks : 1; }
+    std::uint32_t some() const { return pass_ < kPilotPasses ? kFirstOcclusionAsks : 1; }
     RandomStream numbers(const VisiblePoint& point) const;
     /// Whether a photon is separated from the point.
     bool blocks(const VisiblePoint& point, const GridPhoton& photon, float radius) const {

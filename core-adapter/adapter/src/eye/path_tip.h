@@ -34,6 +34,10 @@ struct BounceDraw {
 bool bounce(const EyePassInput& input, const SurfacePoint& point, Vec3 wo, const BounceDraw& draw,
             Refusals& refusals, PathTip& tip);
 
+/// Surfaces that a ray passes straight, at most, to bring what a shadow ray has left to it: as many
+/// as shadow rays of the host pass.
+inline constexpr std::uint32_t kMostStraightSurfaces = 256;
+
 /// Whether an eye path meets surface number `depth` of those that count: beyond the last of them a
 /// ray that flies straight on still brings what the shadow ray of a glossy lobe has left to it.
 inline bool may_meet(const Settings& settings, const PathTip& tip, std::uint32_t depth) {

@@ -58,16 +58,4 @@ inline constexpr double kNoisyImage = 64;
 /// Supported by: no measurement.
 inline constexpr double kLeastImagePart = 0.05;
 
-/// Most images. Unit: images.
-/// Balances: lamps seen often against memory.
-/// Chosen by: reasoning: some three Mbytes.
-/// Supported by: no measurement.
-inline constexpr std::size_t kMostImages = 1u << 15;
-
-/// Most entries of images in the lists of pixels. Unit: entries.
-/// Balances: as that of images.
-/// Chosen by: reasoning: eight for each image.
-/// Supported by: no measurement.
-inline constexpr std::size_t kMostEntries = 8 * kMostImages;
-
 }  // namespace aips

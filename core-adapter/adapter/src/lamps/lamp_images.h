@@ -18,6 +18,10 @@
 
 namespace aips {
 
+/// Most images that are known, some 3 MB, and most entries of them in the lists of pixels.
+inline constexpr std::size_t kMostImages = 1u << 15;
+inline constexpr std::size_t kMostEntries = 8 * kMostImages;
+
 /// Coordinates of a path through the image of a lamp.
 struct LampDraw {
     Vec2 film;  ///< pixels; may lie outside of the film, where it shows nothing

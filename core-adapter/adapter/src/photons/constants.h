@@ -6,12 +6,6 @@
 
 namespace aips {
 
-/// Photon paths of an iteration that no guide learns from. Unit: photon paths.
-/// Balances: work for all threads against memory.
-/// Chosen by: docs/notebook/2026-11-26-lagging-guide.md.
-/// Supported by: no measurement.
-inline constexpr std::uint32_t kPlainIterationPaths = 1u << 16;
-
 /// Photon paths of a round of chains, and of a first look. Unit: photon paths.
 /// Balances: work for all threads against memory, and against chains without a path for long.
 /// Chosen by: reasoning: none on record.
@@ -69,13 +63,6 @@ inline constexpr std::uint32_t kMostExploringRounds = 16;
 /// variance
 ///   times time after 32 passes of 120 pixels 1.4, 1.4, 1.1, 1.0 and 0.65 times as much).
 inline constexpr std::uint32_t kRoundsWithFinds = 8;
-
-/// Visible paths among the independent ones that explore, in effect, that are enough. Unit: photon
-/// paths.
-/// Balances: time before the first pass against starts that are still to be found.
-/// Chosen by: reasoning: as many as a guide takes for enough learned.
-/// Supported by: no measurement.
-inline constexpr double kExploredEnough = 256;
 
 /// Share of the independent paths that explore which start by the plain density. Unit: share of 1.
 /// Balances: what a path weighs that starts where none was found before, up to the inverse, against

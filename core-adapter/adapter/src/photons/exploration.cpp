@@ -110,7 +110,7 @@ class Explorer {
         std::uint32_t rounds = 0, with_finds = 0;
         double found = 0;
         for (; rounds < kMostExploringRounds && with_finds < kRoundsWithFinds &&
-               found < kExploredEnough;
+               found < kLearnedScores;
              --input_.pass) {
             seeds_.search(scene_, settings_, light_choice_, input_.pass, input_.time, image_,
                           result_.paths, guide_);

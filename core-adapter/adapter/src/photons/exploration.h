@@ -28,7 +28,7 @@ struct Exploration {
 /// A path is visible when it lands within kChainReach times `radius` (scene units, > 0) of a
 /// visible point of `image`. Rounds of independent paths, the first by seeds from the eye and by
 /// power, the later ones also by what was found, take turns with rounds of chains, which walk on
-/// from those that were visible; until kExploredEnough were, or kMostExploringRounds are done, or
+/// from those that were visible; until kLearnedScores were, or kMostExploringRounds are done, or
 /// kRoundsWithFinds that found some.
 /// `light_choice`: by power, not empty. The paths have numbers of their own. The result depends
 /// neither on the number of threads nor on that of ranks.

@@ -12,6 +12,9 @@
 
 namespace aips {
 
+/// Photon paths of an iteration that no guide learns from.
+inline constexpr std::uint32_t kPlainIterationPaths = 1u << 16;
+
 /// Most surfaces at which a photon path may leave a landing: those that count for its bound, and
 /// the first that it passes straight, as the shadow ray passes them that may take its place.
 inline std::uint32_t most_landing_surfaces(const Settings& settings) {

@@ -13,36 +13,11 @@ namespace aips {
 /// Supported by: magic-lamp, room, cornell-box, ajar-door, summerhouse, eight more.
 inline constexpr double kNearWithoutGuide = 1.0 / 3;
 
-/// Paths of the first look that are seen, below which chains explore before the first pass. Unit:
-/// photon paths.
-/// Balances: time before the first pass against guides that have next to nothing to learn from.
-/// Chosen by: reasoning: a leaf of a light's tree is split by as many.
-/// Supported by: no measurement.
-inline constexpr std::uint64_t kSeenEnough = 32;
-
 /// Fewest photon paths of a pass that is chosen. Unit: photon paths.
 /// Balances: passes of the eye against iterations that keep no thread busy.
 /// Chosen by: reasoning: none on record.
 /// Supported by: no measurement.
 inline constexpr std::uint32_t kFewestPerPass = 1u << 12;
-
-/// Most photon paths of a pass that is chosen. Unit: photon paths.
-/// Balances: photons where they are rare against passes that last for seconds.
-/// Chosen by: reasoning: none on record.
-/// Supported by: no measurement.
-inline constexpr std::uint32_t kMostPerPass = 1u << 22;
-
-/// Passes before the first choice of the photons per pass. Unit: passes, a power of two.
-/// Balances: a choice by chance against passes of a number that nothing has chosen.
-/// Chosen by: reasoning: none on record.
-/// Supported by: no measurement.
-inline constexpr std::uint64_t kFirstPasses = 4;
-
-/// The same where a guide learns. Unit: passes, a power of two.
-/// Balances: a choice by what a guide is not yet against passes of a number that none has chosen.
-/// Chosen by: measurement.
-/// Supported by: furnace, chess, prism (4 and 6 in its place).
-inline constexpr std::uint64_t kFirstPassesOfAGuide = 8;
 
 /// What a pass after the first choice counts for, those before, of few photons, for 1. Unit: ratio.
 /// Balances: noise of the first passes against the photons that they bring.
@@ -63,12 +38,6 @@ inline constexpr double kChosenWeightOfAGuide = 2;
 /// Chosen by: measurement.
 /// Supported by: hall, sun-window, glass-ball, prism, ajar-door (2 in its place).
 inline constexpr double kChosenWeightInSmallImages = 1;
-
-/// Passes of a render that was taught before its photons count in full. Unit: passes. Balances:
-/// photons by what was true of another scene, and radii that know nothing yet, against photons that
-/// count for less. Chosen by: measurement. Supported by: one
-/// scene only: glass-ball (1 in its place).
-inline constexpr double kTaughtPasses = 8;
 
 /// Greatest cost of photons over the eye's: beyond it no more than a tenth could be gained. Unit:
 /// ratio. Balances: the eye's noise against that of photons. Chosen by: reasoning: what is left to
@@ -115,19 +84,6 @@ inline constexpr double kLearnedWork = 0.65;
 /// by: no measurement.
 inline constexpr double kMostEyeShare = 0.96875;
 
-/// Least share of the eye where paths go on for the sake of direct light. Unit: share of 1.
-/// Balances: direct light that first rays share against noise of what they meet later.
-/// Chosen by: reasoning: squares of that light count a millionth.
-/// Supported by: no measurement.
-inline constexpr double kLeastEyeShare = 0x1p-10;
-
-/// Rays of an eye path that goes on for direct light alone; null surfaces seldom add one.
-/// Unit: rays.
-/// Balances: the cost of first rays against that of whole paths.
-/// Chosen by: reasoning: one, and what it meets is not shaded.
-/// Supported by: no measurement.
-inline constexpr double kFirstRays = 1;
-
 /// Where continued paths brought less than this share of what photons did, they missed what is
 /// rare, and what is missing tells their variance. Unit: share of 1. Balances: light that paths
 /// seldom meet against the bias of radii. Chosen by: reasoning: radii are off by less. Supported
@@ -171,11 +127,6 @@ inline constexpr double kPointWork = 1.5;
 /// work. Chosen by: reasoning: an eighth of that work is left. Supported by: no measurement.
 inline constexpr std::uint32_t kMostTurns = 8;
 
-/// Passes from which on some may be without photons. Unit: passes, at least the most turns.
-/// Balances: as that of a point's work. Chosen by: reasoning: passes before every decision are then
-/// a multiple of the turns. Supported by: no measurement.
-inline constexpr std::uint64_t kTurnsFrom = 8;
-
 /// Factor by which a plan may raise the photon paths of a pass. Unit: ratio.
 /// Balances: soon at the best number against what few passes tell by chance.
 /// Chosen by: reasoning: passes count alike, so that their numbers may change slowly only.
@@ -187,11 +138,5 @@ inline constexpr double kGreatestRise = 2;
 /// Chosen by: reasoning: as that of the rise.
 /// Supported by: no measurement.
 inline constexpr double kGreatestFall = 32;
-
-/// Passes from which on light that photons lose counts in the plan. Unit: passes.
-/// Balances: shares that know of it early against few photons where chains have yet to find them.
-/// Chosen by: measurement.
-/// Supported by: daylight, summerhouse, car (2 and 16 in its place).
-inline constexpr std::uint64_t kLossJudgedFrom = 8;
 
 }  // namespace aips

@@ -57,7 +57,7 @@ PhotonWay photon_way(const SeenPaths& seen) {
 }
 
 bool seen_too_seldom(const SeenPaths& seen) {
-    return seen.seen < kSeenEnough;
+    return seen.seen < kStartSplitScores;
 }
 
 }  // namespace aips

@@ -216,7 +216,7 @@ class Search {
                                                      : 0,
                           .eye = weight * kStratifiedPaths * eye,
                           .cost = ray_cost * mean(m.rays, m.continued),
-                          .first_cost = ray_cost * kFirstRays,
+                          .first_cost = ray_cost,
                           .direct = direct,
                           .shares_direct = now.any(),
                           .leaf = i});

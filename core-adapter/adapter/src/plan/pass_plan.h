@@ -23,6 +23,10 @@
 
 namespace aips {
 
+/// Share of the eye where paths go on for the sake of direct light alone: squares of the light
+/// that both carry count a millionth.
+inline constexpr double kLeastEyeShare = 0x1p-10;
+
 /// Bounds of the photon paths of a pass.
 struct PhotonLimits {
     double fewest = 0, most = 0;

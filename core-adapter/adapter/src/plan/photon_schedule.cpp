@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "base/constants.h"
 #include "guides/adaptive/learning_weight.h"
 #include "photons/photon_iteration.h"
 #include "plan/constants.h"
@@ -14,8 +15,11 @@ namespace {
 /// another render learned (share of kLearningPaths).
 constexpr double kRememberedLearning = 1.0;
 
+/// Most photon paths of a pass, which lasts for seconds then.
+constexpr std::uint32_t kMostPerPass = 1u << 22;
+
 /// Least photon paths of a guide's first passes.
-constexpr auto kLearningPass = std::uint32_t(kLearningPaths / kFirstPassesOfAGuide);
+constexpr auto kLearningPass = std::uint32_t(kLearningPaths / kPilotPasses);
 
 /// Before anything is known: as many as eye paths, and at least what a guide has to learn from.
 std::uint32_t first_paths(const Settings& settings, std::uint32_t eye_paths, bool adapts,
@@ -34,8 +38,7 @@ double chosen_weight(std::uint32_t first_paths, bool learns) {
 /// What a pass counts for, in (0, 1], of a render that was taught: what was learned may be wrong
 /// where things have moved, and the first radii are as blind as those of any render.
 double taught_weight(std::uint64_t pass) {
-    static_assert(kTurnsFrom >= kTaughtPasses, "passes without photons leave the weight as it is");
-    const double known = double(pass + 1) / kTaughtPasses;
+    const double known = double(pass + 1) / double(kPilotPasses);
     return std::min(known * known, 1.0);
 }
 
@@ -94,13 +97,13 @@ void PhotonSchedule::take(const PassPlan& plan) {
 PhotonLimits PhotonSchedule::limits() const {
     const double present = paths_ / double(turns_.every);
     if (!chooses()) return {present, present, turns_.every};
-    const std::uint32_t turns = pass_ < kTurnsFrom || !may_take_turns_ ? 1 : kMostTurns;
+    const std::uint32_t turns = may_take_turns_ ? kMostTurns : 1;
     return {std::max(double(kFewestPerPass), present / kGreatestFall),
             std::min(double(kMostPerPass), present * kGreatestRise), turns, kMostPerPass};
 }
 
 bool PhotonSchedule::chooses() const {
-    return adapts_ && pass_ >= (learns_ ? kFirstPassesOfAGuide : kFirstPasses);
+    return adapts_ && pass_ >= kPilotPasses;
 }
 
 void PhotonSchedule::state(StateArchive& archive) {
@@ -150,9 +153,9 @@ void PhotonSchedule::explored(std::uint64_t paths) {
     next_.known = std::max(next_.known, paths);
     if (adapts_ && !chosen_) {
         const double left = std::max(0.0, kLearningPaths - double(next_.known));
-        paths_ = std::clamp(eye_paths_,
-                            std::max(kFewestPerPass, std::uint32_t(left / kFirstPassesOfAGuide)),
-                            kUsualPhotonsPerPass);
+        paths_ =
+            std::clamp(eye_paths_, std::max(kFewestPerPass, std::uint32_t(left / kPilotPasses)),
+                       kUsualPhotonsPerPass);
     }
     set_next();
 }

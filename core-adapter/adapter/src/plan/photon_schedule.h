@@ -57,7 +57,7 @@ class PhotonSchedule {
   private:
     void set_taught(bool taught);
     void set_next();
-    /// Whether enough is known for the next plan to change the number: a guide has learned.
+    /// Whether enough is known for the next plan to change the number.
     bool chooses() const;
 
     std::uint64_t seed_;

@@ -13,6 +13,9 @@
 
 namespace aips {
 
+/// Least radius over the scene's diagonal, beside that of coordinates.
+inline constexpr double kLeastRadiusShare = 1e-9;
+
 /// The smallest radii of a scene. They follow the coordinates of the place, not the scene's extent:
 /// what stands near the origin of a wide ground can be sharp.
 class RadiusFloor {

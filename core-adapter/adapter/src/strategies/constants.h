@@ -6,12 +6,6 @@
 
 namespace aips {
 
-/// Passes of which every visible point tells how light is shared there. Unit: passes.
-/// Balances: time of learning against decisions by chance.
-/// Chosen by: reasoning: until the decision before pass 8.
-/// Supported by: no measurement.
-inline constexpr std::uint64_t kAllPointsUntil = 8;
-
 /// Of so many visible points one tells it later. Unit: visible points.
 /// Balances: time of learning against decisions by chance.
 /// Chosen by: reasoning: a multiple of it divides what explores.

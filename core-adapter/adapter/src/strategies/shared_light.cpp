@@ -3,10 +3,12 @@
 
 #include <algorithm>
 
+#include "base/constants.h"
 #include "base/film_pixel.h"
 #include "base/ordered_sum.h"
 #include "base/parallel_for.h"
 #include "eye/surface_normals.h"
+#include "plan/constants.h"
 #include "strategies/constants.h"
 
 namespace aips {
@@ -110,7 +112,7 @@ void SharedLight::learn(const ShotPass& pass, const EyeImage& image, const Photo
         into.clear();
         for (std::size_t i = first; i < last; ++i) {
             const VisiblePoint& point = image.visible_points[i];
-            if (pass.number >= kAllPointsUntil &&
+            if (pass.number >= kPilotPasses &&
                 !shares_.is_one_of(kSharePointsOneOf, pass.number, point.sample))
                 continue;
             const std::uint32_t pixel = film_pixel(image.positions[point.sample], width_, height_);

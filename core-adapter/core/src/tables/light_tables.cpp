@@ -33,7 +33,7 @@ LightTableSettings light_table_settings(std::size_t lights) {
     LightTableSettings settings;
     const std::size_t leaves = kMostLightEntries / std::max<std::size_t>(lights, 1);
     settings.places.max_leaves =
-        static_cast<std::uint32_t>(std::clamp<std::size_t>(leaves, kFewestLeaves, kLightLeaves));
+        static_cast<std::uint32_t>(std::clamp<std::size_t>(leaves, kFewestLeaves, kTableLeaves));
     return settings;
 }
 

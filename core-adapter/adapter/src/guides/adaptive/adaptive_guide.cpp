@@ -17,13 +17,13 @@ constexpr double kRememberedPaths = 1e5;
 
 ScoreCacheSettings cache_settings() {
     ScoreCacheSettings settings;
-    settings.memory_paths = kMemoryPaths;
+    settings.memory_paths = kLearningPaths;
     return settings;
 }
 
 EmissionGuideSettings emission_settings() {
     EmissionGuideSettings settings;
-    settings.memory_paths = kMemoryPaths;
+    settings.memory_paths = kLearningPaths;
     return settings;
 }
 
@@ -41,7 +41,7 @@ AdaptiveGuide::AdaptiveGuide(const Scene& scene, const Settings& settings,
         cache_.emplace(scene.bounds(), cache_settings());
         survival_.emplace(*cache_);
     }
-    if (settings.guide_bounces) bounces_.emplace(scene.bounds(), kMemoryPaths);
+    if (settings.guide_bounces) bounces_.emplace(scene.bounds(), kLearningPaths);
 }
 
 void AdaptiveGuide::begin_with(std::span<const EmissionSeed> starts) {
@@ -102,7 +102,7 @@ std::uint64_t AdaptiveGuide::update(std::uint32_t paths) {
         if (part == 2 && bounces()) bounces_->update(scored);
     });
     if (survival()) {
-        survival_switch_.update(scored, kMemoryPaths);
+        survival_switch_.update(scored, kLearningPaths);
         survival_->set_reference(path_means_.cost_over_score());
     }
     path_means_.update(scored);
@@ -225,7 +225,7 @@ std::size_t AdaptiveGuide::memory_bound_bytes(const Scene& scene, const Settings
     return IterationScores::memory_bound_bytes(eye_paths, 0) +
            SeedSearch::memory_bound_bytes(eye_paths) +
            (settings.guide_survival ? ScoreCache::memory_bound_bytes(cache_settings()) : 0) +
-           (settings.guide_bounces ? BounceGuide::memory_bound_bytes(kMemoryPaths) : 0) +
+           (settings.guide_bounces ? BounceGuide::memory_bound_bytes(kLearningPaths) : 0) +
            EmissionGuide::memory_bound_bytes(light_choice(scene), emission_settings());
 }
 

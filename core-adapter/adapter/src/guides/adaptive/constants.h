@@ -63,20 +63,6 @@ inline constexpr std::uint32_t kLearnedScores = 256;
 /// Supported by: no measurement.
 inline constexpr double kLearningPaths = 5e5;
 
-/// Weight of the very first photons, > 0: an image stopped early is made of them. Unit: share of
-/// the full weight.
-/// Balances: fireflies against noise of an image stopped early.
-/// Chosen by: reasoning: it must not be zero.
-/// Supported by: no measurement.
-inline constexpr double kFirstWeight = 1.0 / 64;
-
-/// Scored photon paths that count in full in what is learned; older ones fade. Unit: scored photon
-/// paths.
-/// Balances: noise against what was true of a guide that knew less.
-/// Chosen by: docs/notebook/2026-11-23-one-scale-for-scores.md.
-/// Supported by: sun-window, hall (half and twice as many).
-inline constexpr double kMemoryPaths = 5e5;
-
 /// Photon paths until which many are scored, each iteration before the next. Unit: photon paths.
 /// Balances: time of learning against how soon much is known.
 /// Chosen by: docs/notebook/2026-11-23-one-scale-for-scores.md.
@@ -109,14 +95,6 @@ inline constexpr std::uint32_t kEagerOneOf = 4;
 /// Supported by: no measurement.
 inline constexpr std::uint32_t kLateOneOf = 16;
 
-/// Scored paths before guided starts or survival by score may be switched off: what a part would
-/// gain when it has learned cannot be told while it learns, and it learns faster when it is on.
-/// Unit: scored photon paths.
-/// Balances: time lost with a part that does not pay against verdicts by chance.
-/// Chosen by: measurement.
-/// Supported by: prism, furnace, chess (twice as many, and never).
-inline constexpr double kTrialPaths = 1e5;
-
 /// Groups that paths are dealt out to, an odd number; the median of what they say is taken. Unit:
 /// groups.
 /// Balances: verdicts that one path decides against noise of each group.
@@ -124,41 +102,19 @@ inline constexpr double kTrialPaths = 1e5;
 /// Supported by: one scene only: a corridor with fog.
 inline constexpr std::size_t kMomentGroups = 5;
 
-/// Gain from which on guided starts are switched on: moments are noisy, and learning has its price.
+/// Gain from which on starts are guided: stratified plain starts do better than their moments tell.
 /// Unit: ratio.
-/// Balances: gains that are missed against a part that flickers.
-/// Chosen by: reasoning: two thresholds keep a part from flickering (docs/understand/guides.md).
-/// Supported by: no measurement.
-inline constexpr double kEmissionOn = 1.4;
-
-/// Gain below which guided starts are switched off: stratified plain starts do better than their
-/// moments tell. Unit: ratio.
 /// Balances: gains that are missed against stratification that is lost.
-/// Chosen by: reasoning: above what stratified starts bring, 1.05 to 1.23.
-/// Supported by: cornell-box, glass-ball, chess (what stratification brings; the threshold was not
-///   varied).
-inline constexpr double kEmissionStay = 1.25;
+/// Chosen by: measurement: what stratified starts bring, 1.05 to 1.23.
+/// Supported by: cornell-box, glass-ball, chess; glass-ball, hall, ajar-door, pool, chess,
+///   summerhouse, daylight, car (1.4 in its place: the same bits).
+inline constexpr double kEmissionGain = 1.25;
 
 /// Cost of the way through a light's tree. Unit: rays.
 /// Balances: guided starts against the rays that their time would buy.
 /// Chosen by: measurement.
 /// Supported by: one scene only: cornell-box.
 inline constexpr double kEmissionLookUpCost = 0.5;
-
-/// Gain over the way in use, by power or by score, from which on another way of deciding on
-/// survival replaces it. Unit: ratio.
-/// Balances: gains that are missed against a part that flickers.
-/// Chosen by: docs/notebook/2026-11-22-survival-by-score.md.
-/// Supported by: one scene only: sun-window (1.4 in its place).
-inline constexpr double kSurvivalChange = 1.1;
-
-/// Gain below which survival by score is switched off. Less than guided starts have to gain: paths
-/// of both ways start at the same points, none of whose stratification is lost. What is off while
-/// all else learns is found to pay far later. Unit: ratio.
-/// Balances: time lost with a part that does not pay against gains that are missed.
-/// Chosen by: docs/notebook/2026-11-22-survival-by-score.md.
-/// Supported by: one scene only: sun-window (1.25 in its place).
-inline constexpr double kSurvivalStay = 1.0;
 
 /// Cost of looking up what a photon may still bring. Unit: rays.
 /// Balances: survival by score against the rays that its time would buy.

@@ -152,7 +152,7 @@ void EmissionGuide::set_densities() {
 void EmissionGuide::judge() {
     const bool tried =
         moments_.paths() >= settings_.trial_paths && scored_ >= settings_.learned_scores;
-    on_ = !tried || moments_.pays(on_, kLeastGain);
+    on_ = !tried || moments_.gain() > kEmissionGain;
 }
 
 // Densities are made from what was learned; lights that emit nothing have learned nothing.

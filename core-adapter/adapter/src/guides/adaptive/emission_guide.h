@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "aips/adapter/scene.h"
+#include "aips/core/tables/constants.h"
 #include "aips/core/tables/discrete_distribution.h"
 #include "aips/core/trees/primary_tree.h"
 #include "guides/adaptive/constants.h"
@@ -25,8 +26,8 @@ struct EmissionGuideSettings {
     std::uint32_t learned_scores = kLearnedScores;   ///< scored photons that count as enough
     /// Over all lights that emit, but at least one for each.
     std::uint32_t max_leaves = kMostLearnedLeaves;
-    double memory_paths = 4e6;         ///< scored photon paths that count in full
-    double trial_paths = kTrialPaths;  ///< scored ones before the guide may be switched off
+    double memory_paths = 4e6;               ///< scored photon paths that count in full
+    double trial_paths = kShortMemoryPaths;  ///< scored ones before the guide may be switched off
 };
 
 /// Where one photon starts.
@@ -54,8 +55,6 @@ inline constexpr double kPrunedDensity = 0.25;
 /// probability (quantized_cdf.h), and a tree 1 - 124 * 2^-23 of its densities (PrimaryTree).
 class EmissionGuide {
   public:
-    static constexpr LeastGain kLeastGain{kEmissionOn, kEmissionStay};
-
     /// `plain_choice` chooses between `lights` by power and is not empty; it outlives this.
     EmissionGuide(std::size_t lights, const DiscreteDistribution& plain_choice,
                   const EmissionGuideSettings& settings = {});

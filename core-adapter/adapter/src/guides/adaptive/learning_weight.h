@@ -18,6 +18,9 @@
 
 namespace aips {
 
+/// Of the very first photons, not zero: an image that is stopped early is made of them.
+inline constexpr double kFirstWeight = 1.0 / 64;
+
 /// Weight in (0, 1] of photon paths before which `paths_before` others were shot.
 inline double learning_weight(std::uint64_t paths_before) {
     const double learned = double(paths_before) / kLearningPaths;

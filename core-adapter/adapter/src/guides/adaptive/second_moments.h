@@ -18,11 +18,6 @@
 
 namespace aips {
 
-/// Gain at which something is switched on, and at which it stays on.
-struct LeastGain {
-    double on, stay;
-};
-
 class SecondMoments {
   public:
     static constexpr std::size_t kGroups = kMomentGroups;
@@ -94,10 +89,6 @@ class SecondMoments {
         }
         std::nth_element(gains.begin(), gains.begin() + kGroups / 2, gains.end());
         return gains[kGroups / 2];
-    }
-    /// The switch after what it was before.
-    bool pays(bool on, const LeastGain& least) const {
-        return gain() > (on ? least.stay : least.on);
     }
 
   private:

@@ -11,6 +11,7 @@
 #include <cmath>
 #include <cstdint>
 
+#include "aips/core/tables/constants.h"
 #include "guides/adaptive/constants.h"
 #include "guides/adaptive/second_moments.h"
 #include "worth/path_log.h"
@@ -60,8 +61,6 @@ class SurvivalSwitch {
     double gain() const { return std::max(half_.gain(), quarters_.gain()); }
 
   private:
-    static constexpr LeastGain kLeastGain{kSurvivalChange, kSurvivalStay};
-
     SecondMoments half_, quarters_;  // against roulette by power
     ScoreMix mix_ = ScoreMix::Half;
 };
@@ -88,12 +87,9 @@ inline void SurvivalSwitch::add(const Path& path) {
 inline void SurvivalSwitch::update(double paths, double memory_paths) {
     half_.fade(paths, memory_paths);
     quarters_.fade(paths, memory_paths);
-    if (half_.paths() < kTrialPaths) return;
-    const bool on = mix_ != ScoreMix::None;
-    const double favour = mix_ == ScoreMix::Quarters ? 1 / kSurvivalChange : kSurvivalChange;
-    const bool more = quarters_.gain() > favour * half_.gain();
-    const bool pays = (more ? quarters_ : half_).pays(on, kLeastGain);
-    mix_ = !pays ? ScoreMix::None : more ? ScoreMix::Quarters : ScoreMix::Half;
+    if (half_.paths() < kShortMemoryPaths) return;
+    const bool more = quarters_.gain() > half_.gain();
+    mix_ = gain() <= 1 ? ScoreMix::None : more ? ScoreMix::Quarters : ScoreMix::Half;
 }
 
 }  // namespace aips

@@ -11,16 +11,4 @@ namespace aips {
 /// Supported by: no measurement.
 inline constexpr double kMutationAcceptance = 0.234;
 
-/// Least size of mutations. Unit: inverse of the power of a step, less 1.
-/// Balances: narrow peaks against a chain that freezes.
-/// Chosen by: reasoning: half of all steps are still above 2^-33 of the range.
-/// Supported by: no measurement.
-inline constexpr double kLeastMutation = 1.0 / 32;
-
-/// Greatest size of mutations. Unit: inverse of the power of a step, less 1.
-/// Balances: wide steps against steps that know nothing of where the chain is.
-/// Chosen by: reasoning: at this size mutations are close to independent draws.
-/// Supported by: no measurement.
-inline constexpr double kGreatestMutation = 8;
-
 }  // namespace aips

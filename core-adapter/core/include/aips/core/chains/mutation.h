@@ -29,7 +29,9 @@ inline Coordinate mutate(Coordinate x, std::uint32_t bits, float exponent) {
 class MutationSize {
   public:
     static constexpr double kGoal = kMutationAcceptance;
-    static constexpr double kFloor = kLeastMutation, kCap = kGreatestMutation;
+    /// At the floor half of all steps are still above 2^-33 of the range, at the cap steps are
+    /// close to independent draws.
+    static constexpr double kFloor = 1.0 / 32, kCap = 8;
 
     double size() const { return size_; }
     /// Exponent of `mutate`: 1 / size + 1.

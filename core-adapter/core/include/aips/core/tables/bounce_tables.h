@@ -28,11 +28,9 @@ namespace aips {
 
 struct BounceTableSettings {
     /// A table has to be filled before it pays to halve its place.
-    ScoreCacheSettings places{.max_leaves = kTableLeaves,
-                              .split_count = kTableSplitScores,
-                              .split_mass = kTableSplitMass};
+    ScoreCacheSettings places{.max_leaves = kTableLeaves, .split_count = kTableSplitScores};
     /// Effective photons that equal shares of a square's quarters weigh, at each level, > 0.
-    double prior_count = kTablePrior;
+    double prior_count = kPlacePrior;
     /// Scored paths that count in full for the choice of shares: fewer than for the tables, which
     /// become better all the time.
     double moment_paths = kShortMemoryPaths;

@@ -9,30 +9,12 @@
 
 namespace aips {
 
-/// Most leaves with a table of lights. Unit: leaves.
-/// Balances: places that see other lights against shadow rays to learn from.
-/// Chosen by: reasoning: none on record.
-/// Supported by: no measurement.
-inline constexpr std::uint32_t kLightLeaves = 1024;
-
-/// Shadow rays with light that a leaf must have met before it is split. Unit: shadow rays.
-/// Balances: places that see other lights against halves that differ by chance.
-/// Chosen by: reasoning: none on record.
-/// Supported by: no measurement.
-inline constexpr std::uint32_t kLightSplitRays = 64;
-
 /// Share of the choices of lights that is made without tables. Unit: share of 1.
 /// Balances: the greatest weight, its inverse, against noise where tables are right.
 /// Chosen by: reasoning: no light weighs more than eight times what it does without tables
 ///   (docs/understand/direct-light.md).
 /// Supported by: no measurement (tables were measured in five scenes, this share was not varied).
 inline constexpr double kPlainLights = 0.125;
-
-/// What the lights' shares over all leaves weigh in each. Unit: shadow rays.
-/// Balances: what a place has seen against chance.
-/// Chosen by: reasoning: none on record.
-/// Supported by: no measurement.
-inline constexpr double kLightPrior = 4;
 
 /// Of so many shadow rays one tells what it found, while lights are learned from. Unit: shadow
 /// rays. Balances: time of learning against how soon lights are known. Chosen by: reasoning: none
@@ -77,19 +59,6 @@ inline constexpr std::uint32_t kTableLeaves = 2048;
 ///   scored ones stand for.
 /// Supported by: one scene only: chess (16 and 8 effective photons in place of 64).
 inline constexpr std::uint32_t kTableSplitScores = 192;
-
-/// Share of the mass from which on a leaf with a table is halved even if its halves look alike.
-/// Unit: share of the whole mass.
-/// Balances: parallax where much is at stake against leaves.
-/// Chosen by: reasoning: none on record.
-/// Supported by: no measurement.
-inline constexpr double kTableSplitMass = 1.0 / 2048;
-
-/// What equal shares of a square's quarters weigh, at each level. Unit: effective photons.
-/// Balances: fine structure against what single photons make of it.
-/// Chosen by: docs/notebook/2026-11-21-directions-at-bounces.md.
-/// Supported by: ajar-door, hall (4 and 12 are alike).
-inline constexpr double kTablePrior = 8;
 
 /// Scored paths that count in full where things change faster than places do: the choice of tables'
 /// shares, and what a whole path is worth. Unit: scored photon paths.
@@ -137,24 +106,5 @@ inline constexpr int kTableResolution = 8;
 /// Chosen by: docs/notebook/2026-11-21-directions-at-bounces.md.
 /// Supported by: ajar-door, hall, chess, glass-ball.
 inline constexpr unsigned kWorthlessOneOf = 8;
-
-/// Visible points with light that a leaf of shared light must have met before it is split. Unit:
-/// visible points.
-/// Balances: places that share light differently against moments of few samples.
-/// Chosen by: reasoning: the variance of a variance takes some hundred samples.
-/// Supported by: no measurement.
-inline constexpr std::uint32_t kShareSplitPoints = 256;
-
-/// Most leaves that share light each in its own way. Unit: leaves.
-/// Balances: detail against memory and samples to learn from.
-/// Chosen by: reasoning: as many as have a table of lights.
-/// Supported by: no measurement.
-inline constexpr std::uint32_t kShareLeaves = kLightLeaves;
-
-/// What the mean over all leaves weighs in each. Unit: visible points.
-/// Balances: places that had bad luck against places unlike all others.
-/// Chosen by: reasoning: a quarter of what a leaf has before it is split.
-/// Supported by: no measurement.
-inline constexpr double kSharePrior = 64;
 
 }  // namespace aips

@@ -18,12 +18,11 @@
 namespace aips {
 
 struct LightTableSettings {
-    ScoreCacheSettings places{.max_leaves = kLightLeaves,
-                              .split_count = kLightSplitRays,
+    ScoreCacheSettings places{.max_leaves = kTableLeaves,
                               .memory_paths = 1e15};  // nothing that is learned grows old
     double plain_share = kPlainLights;                ///< of choices made without tables, in (0, 1]
     /// Shadow rays that the lights' shares over all leaves weigh in each, > 0.
-    double prior_count = kLightPrior;
+    double prior_count = kPlacePrior;
 };
 
 /// Settings for a number of lights: their tables take 4 MiB at most, up to 40,000 lights.

@@ -21,11 +21,10 @@
 namespace aips {
 
 struct ShareTableSettings {
-    ScoreCacheSettings places{.max_leaves = kShareLeaves,
-                              .split_count = kShareSplitPoints,
+    ScoreCacheSettings places{.max_leaves = kTableLeaves,
                               .memory_paths = 1e15};  // nothing that is learned grows old
     double prior_count =
-        kSharePrior;  ///< visible points that the mean over all leaves weighs in each, > 0
+        kPlacePrior;  ///< visible points that the mean over all leaves weighs in each, > 0
 };
 
 /// What eye paths do that end at a place.

@@ -14,12 +14,6 @@ namespace aips {
 /// Supported by: no measurement.
 inline constexpr std::uint32_t kMostLearnedLeaves = 8192;
 
-/// Least fall of a tree's mass by a split. Unit: share of the whole mass.
-/// Balances: detail against leaves spent where halves are alike.
-/// Chosen by: reasoning: none on record.
-/// Supported by: no measurement.
-inline constexpr double kLeastSplitGain = 1e-4;
-
 /// Photons with a score, or seeds, that a leaf of a light's tree must have met before it is split.
 /// Unit: scored photons.
 /// Balances: detail against halves that differ by chance.
@@ -54,14 +48,13 @@ inline constexpr std::size_t kFocusPoints = 16;
 /// Supported by: open-ground (a tenth in its place), hall, prism (half).
 inline constexpr double kFocusNarrow = 0.25;
 
-/// Vertices with a score that a leaf of places must have met since it came to be before it is
-/// split. Those without tell where others are not, however uneven scores may be. Unit: scored
-/// vertices.
+/// Samples with a score that a leaf of places must have met since it came to be before it is split,
+/// be it scores, lights or shares that are learned there. Those without a score tell where
+/// others are not, however uneven scores may be. Unit: scored samples.
 /// Balances: detail against halves that differ by chance.
-/// Chosen by: docs/notebook/2026-11-22-survival-by-score.md.
-/// Supported by: no measurement (that vertices are counted was measured, the number was not
-///   varied).
-inline constexpr std::uint32_t kPlaceSplitScores = 16;
+/// Chosen by: measurement: one number for all in place of 16, 64 and 256.
+/// Supported by: glass-ball, hall, ajar-door, pool, chess, summerhouse, daylight, car.
+inline constexpr std::uint32_t kPlaceSplitScores = 64;
 
 /// A leaf of places with more than this share of the mass is halved even if its halves look alike:
 /// a field that is symmetric about the plane shows its shape only in the quarters. Unit: share of
@@ -71,12 +64,12 @@ inline constexpr std::uint32_t kPlaceSplitScores = 16;
 /// Supported by: no measurement.
 inline constexpr double kSplitMass = 1.0 / 256;
 
-/// What the parent's mean weighs in each node of places: below it what a leaf met is not trusted.
-/// Unit: scored vertices.
-/// Balances: detail against what few vertices say.
-/// Chosen by: reasoning: none on record.
-/// Supported by: no measurement.
-inline constexpr double kPlacePrior = 4;
+/// What the mean of the parent, or of all places, weighs in each place, whatever is learned there:
+/// below it what a leaf met is not trusted. Unit: scored samples.
+/// Balances: detail against what few samples say.
+/// Chosen by: measurement: one number for all in place of 4, 4, 8 and 64.
+/// Supported by: glass-ball, hall, ajar-door, pool, chess, summerhouse, daylight, car.
+inline constexpr double kPlacePrior = 8;
 
 /// Standard errors by which the mean root scores of two halves must differ. Roots, because their
 /// tails are lighter, and because the roulette takes the root. Unit: standard errors.

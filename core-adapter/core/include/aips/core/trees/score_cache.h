@@ -19,6 +19,7 @@
 #include "aips/core/base/bounds.h"
 #include "aips/core/base/state_archive.h"
 #include "aips/core/trees/constants.h"
+#include "aips/core/trees/split_gain.h"
 
 namespace aips {
 

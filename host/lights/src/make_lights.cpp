@@ -70,12 +70,17 @@ void make_infinite(const LightStatement& s, Lights& lights) {
         return;
     }
     const SourceLocation& where = s.reader.where("mapname");
-    const LatLongMap map = as_latlong(LatLongMap::read(s.resolve(name, where), s.number("gamma", 1),
-                                                       where, s.reader.diagnostics()),
-                                      s.reader.string("mapping", "latlong"));
-    const Rgb gain = s.cleaned(Rgb(s.number("gain", 1)), "gain");
+    LatLongMap map = as_latlong(LatLongMap::read(s.resolve(name, where), s.number("gamma", 1),
+                                                 where, s.reader.diagnostics()),
+                                s.reader.string("mapping", "latlong"));
+    Rgb gain = s.cleaned(Rgb(s.number("gain", 1)), "gain");
+    if (s.reader.boolean("plaincolors", false)) {
+        gain *= s.color();
+    } else {
+        map = map.filtering(s.given_color());
+    }
     lights.push_back(std::make_unique<MappedEnvironment>(s.placement(), s.sphere, s.rotation(),
-                                                         map.filtering(s.given_color()), gain));
+                                                         std::move(map), gain));
 }
 
 void make_by_name(const LightStatement& s, Lights& lights) {

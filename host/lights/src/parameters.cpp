@@ -119,7 +119,7 @@ constexpr std::array kSkyCoefficients = {
                 "Factor on coefficient E of the sky's brightness and colours."),
 };
 
-constexpr std::array<std::string_view, 3> kMappings = {"latlong", "angular", "vcross"};
+constexpr std::array<std::string_view, 4> kMappings = {"latlong", "angular", "vcross", "equalarea"};
 
 using Declarations = std::vector<ParameterDeclaration>;
 
@@ -139,8 +139,14 @@ Declarations infinite_parameters() {
             {.name = "mapping",
              .type = Type::String,
              .default_text = "latlong",
-             .doc = "Layout of the image: latitude-longitude, angular map or vertical cross.",
+             .doc = "Layout of the image: latitude-longitude, angular map, vertical cross, or (not "
+                    "LuxRender's) pbrt's equal-area octahedral square.",
              .choices = kMappings},
+            {.name = "plaincolors",
+             .type = Type::Bool,
+             .default_text = "false",
+             .doc = "The image's colours shine as they are, where LuxRender turns saturated ones a "
+                    "little. Not LuxRender's."},
             kMapGamma,
             kMapResolution,
             kHidden,

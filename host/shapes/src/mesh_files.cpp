@@ -96,7 +96,8 @@ Geometry create_ply(const ParameterReader& reader, const AssetContext& assets,
     apply_gamma(mesh.colors, static_cast<float>(reader.number("gamma", 1)));
     mesh = refine(std::move(mesh), reader, assets, to_world, "nsubdivlevels", 0);
     const bool refined = reader.integer("nsubdivlevels", 0) > 0 || reader.given("displacementmap");
-    if (!refined && (mesh.normals.empty() || reader.boolean("smooth", false)))
+    const bool flat = reader.boolean("facesbynormals", false);
+    if (!refined && ((mesh.normals.empty() && !flat) || reader.boolean("smooth", false)))
         mesh.normals = smooth_normals(mesh.positions, mesh.indices);
     return finish_mesh(std::move(mesh), to_world, reader);
 }

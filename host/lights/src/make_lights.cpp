@@ -33,7 +33,8 @@ void make_spot(const LightStatement& s, Lights& lights) {
     const double outer = s.reader.number("coneangle", 30);
     if (!(outer > 0)) s.reader.fail("coneangle", "a spot light needs a cone angle above 0");
     const double inner = std::max(0.0, outer - s.reader.number("conedeltaangle", 5));
-    const SpotCone cone{static_cast<float>(inner * kRadians), static_cast<float>(outer * kRadians)};
+    const SpotCone cone{static_cast<float>(inner * kRadians), static_cast<float>(outer * kRadians),
+                        s.reader.string("falloff", "fourthpower") == "smoothstep"};
     const Vec3 axis = s.from_to_direction();
     const Rgb color = s.color();
     // LuxRender 1.9 rates the cone's rim as half lit; its falloff passes a fifth.

@@ -121,6 +121,8 @@ constexpr std::array kSkyCoefficients = {
 
 constexpr std::array<std::string_view, 4> kMappings = {"latlong", "angular", "vcross", "equalarea"};
 
+constexpr std::array<std::string_view, 2> kFalloffs = {"fourthpower", "smoothstep"};
+
 using Declarations = std::vector<ParameterDeclaration>;
 
 constexpr ParameterDeclaration kMapResolution{.name = "imapmaxresolution",
@@ -188,6 +190,12 @@ Declarations spot_parameters() {
              .doc = "Width of the falloff at the cone's rim, degrees.",
              .minimum = 0,
              .maximum = 180},
+            {.name = "falloff",
+             .type = Type::String,
+             .default_text = "fourthpower",
+             .doc = "Law of the falloff by the cosine's share: LuxRender's, or (not LuxRender's) "
+                    "pbrt-v4's smoothstep.",
+             .choices = kFalloffs},
             kSamples,
             kImportance};
 }

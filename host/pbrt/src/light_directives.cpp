@@ -41,7 +41,6 @@ void Translator::light_source(Statement& statement) {
     scale *= luminance(factor);
     const double power = p.number("power", -1), illuminance = p.number("illuminance", -1);
     NewStatement made("LightSource", at);
-    bool flip = false;
     if (type == "point") {
         made.name("point");
         set_emission(made, p, "I", scale * (power > 0 ? power / (4 * kPi) : 1));
@@ -53,10 +52,7 @@ void Translator::light_source(Statement& statement) {
         set_emission(made, p, "I", scale * (power > 0 && flux > 0 ? power / flux : 1));
         made.set("float coneangle", cone, &p.where("coneangle"));
         made.set("float conedeltaangle", delta, &p.where("conedeltaangle"));
-        if (delta > 0 && !version_3_)
-            tell_once(at,
-                      "the rim of a light \"spot\" falls off by the fourth power here, which is a "
-                      "little steeper than in pbrt");
+        if (!version_3_) made.set("string falloff", "smoothstep");
     } else if (type == "distant") {
         made.name("distant");
         // Ours gives L over a cone of 2 pi 2^-16 steradians.
@@ -79,13 +75,16 @@ void Translator::light_source(Statement& statement) {
         p.rename("mapname", "filename");
         if (!p.given("filename")) p.fail("filename", "light \"projection\" needs an image");
         if (power > 0) p.leave_out("power", "the image's values count");
-        set_emission(made, p, "I", scale);
+        const double fov = p.number("fov", version_3_ ? 45 : 90), side = std::tan(fov / 360 * kPi);
+        set_emission(made, p, "I", scale * 4 * side * side);
+        tell_once(
+            at,
+            "light \"projection\" shines evenly on a plane here, in all directions alike in pbrt");
         const std::string file = p.text("filename", "");
         made.set("string mapname", file, &p.where("filename"));
         made.set("float gamma",
                  file.ends_with("png") || file.ends_with("jpg") || file.ends_with("tga") ? 2.2 : 1);
-        made.set("float fov", p.number("fov", version_3_ ? 45 : 90), &p.where("fov"));
-        flip = !version_3_;
+        made.set("float fov", fov, &p.where("fov"));
     } else {
         throw InputError(p.where(), unknown_name_message("light", type,
                                                          {"distant", "goniometric", "infinite",
@@ -98,7 +97,10 @@ void Translator::light_source(Statement& statement) {
     p.report_unused("light");
     add("AttributeBegin", at);
     place(at, false, "light");
-    if (flip) add(NewStatement("Scale", at).list({1, -1, 1}));
+    // Our image's columns go along y, its rows along -x.
+    if (type == "projection")
+        add(NewStatement("ConcatTransform", at)
+                .list({0, 1, 0, 0, 1, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1}));
     if (!state_.outside.empty()) add(NewStatement("Exterior", at).name(state_.outside));
     add(std::move(made));
     add("AttributeEnd", at);
@@ -179,7 +181,6 @@ Translator::Emission Translator::area_emission(const SourceLocation& where) {
     }
     // Of lights with a power our gain is a factor on it, as pbrt's scale is.
     if (power > 0) {
-        const double share = emission.two_sided ? 0.5 : 1;
         const double y =
             file.empty() ? double(luminance(spectra_.colour(p, "L", ColourOf::Light, Rgb(1.0f))))
                          : 1;
@@ -189,7 +190,7 @@ Translator::Emission Translator::area_emission(const SourceLocation& where) {
             rated.set("color L",
                       illuminant_of_colour(spectra_.colour(p, "L", ColourOf::Light, Rgb(1.0f))));
         rated.set("float gain", scale * y);
-        rated.set("float power", power * share).set("float efficacy", 1);
+        rated.set("float power", power).set("float efficacy", 1);
         if (file.empty())
             made = std::move(rated);
         else

@@ -56,7 +56,11 @@ void Translator::rotate(Statement& statement) {
 }
 
 void Translator::look_at_directive(Statement& statement) {
-    concatenate(look_at(fixed_numbers<9>(statement), statement.where), statement.where);
+    // pbrt's world is left-handed: x goes to the right where up is turned onto the view, which is
+    // to the left in LuxRender's.
+    constexpr std::array<double, 3> kMirror{-1, 1, 1};
+    concatenate(look_at(fixed_numbers<9>(statement), statement.where) * scaling(kMirror),
+                statement.where);
 }
 
 void Translator::transform(Statement& statement) {

@@ -5,6 +5,7 @@
 //   (exposure time by ISO / 100). Lights carry that ratio.
 // - Colours of lights and reflectances are written so that the renderer's linear RGB are pbrt's
 //   (docs/understand/colours.md).
+// - LookAt is left-handed.
 // - Faces with normals look where the normals do; those without are flat. Emission is one-sided.
 // - v grows upwards in an image of pbrt, downwards in one of LuxRender.
 // - Roughness is GGX' alpha, by the root of what the scene gives unless "remaproughness" is false.

@@ -3,6 +3,7 @@
 
 #include "included_files.h"
 #include "lxs/language/parse_file.h"
+#include "no_messages.h"
 #include "waiting_statements.h"
 
 namespace lxs {
@@ -204,6 +205,15 @@ void SceneReader::include(Statement& statement) {
 
 std::shared_ptr<const SourceFile> SceneReader::open(const Name& file) {
     return open_include(file, finder_, included_, diagnostics_);
+}
+
+std::string SceneReader::find_quietly(const Name& file) {
+    NoMessages silent;
+    try {
+        return finder_.find(file.text, file.where, silent);
+    } catch (const InputError&) {
+        return {};
+    }
 }
 
 void SceneReader::search_path(Statement& statement) {

@@ -36,6 +36,8 @@ class SceneReader {
     void opened(const std::shared_ptr<const SourceFile>& file) { files_.sources.push_back(file); }
     /// Path of a file that the scene names. Throws InputError.
     std::string find(const Name& file) { return finder_.find(file.text, file.where, diagnostics_); }
+    /// The same without messages; empty if there is none.
+    std::string find_quietly(const Name& file);
     /// All files read so far; forgets them.
     ReadFiles take_files() { return std::exchange(files_, {}); }
     /// The scene, after the main file; that it has no world, or no end, is an error.

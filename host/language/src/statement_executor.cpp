@@ -45,6 +45,10 @@ std::string StatementExecutor::find(const Name& file) {
     return parts_->reader.find(file);
 }
 
+std::string StatementExecutor::find_quietly(const Name& file) {
+    return parts_->reader.find_quietly(file);
+}
+
 ReadFiles StatementExecutor::take_files() {
     return parts_->reader.take_files();
 }

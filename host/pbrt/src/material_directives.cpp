@@ -63,16 +63,6 @@ double diffusion_albedo(double absorption, double reduced_scattering, double eta
     return albedo / 2 * (1 + std::exp(-4.0 / 3 * a * root)) * std::exp(-root);
 }
 
-/// Normal reflectance of a conductor.
-Rgb conductor_reflectance(const Rgb& eta, const Rgb& k) {
-    Rgb r(0.0f);
-    for (int c = 0; c < 3; ++c) {
-        const float minus = (eta[c] - 1) * (eta[c] - 1), plus = (eta[c] + 1) * (eta[c] + 1);
-        r[c] = (minus + k[c] * k[c]) / (plus + k[c] * k[c]);
-    }
-    return r;
-}
-
 }  // namespace
 
 void Translator::material(Statement& statement) {
@@ -280,52 +270,33 @@ NewStatement Translator::conductor(const std::string& name, Parameters& p,
                                                                                 : "";
     };
     const auto preset = metal_preset(spectrum_name(eta)), other = metal_preset(spectrum_name(k));
-    if (!by_reflectance && !rough.smooth() && preset && preset == other) {
-        const std::string fresnel = fresh(name + "/fresnel");
-        add(NewStatement("Texture", p.where())
-                .name(fresnel)
-                .name("fresnel")
-                .name("preset")
-                .set("string name", *preset));
-        NewStatement made = begun(name, "metal2", p.where());
-        made.set("texture fresnel", fresnel);
-        set_roughness(made, rough, kLeastRoughness);
-        return made;
-    }
-    Rgb f0(1.0f);
-    std::string texture;
+    const std::string fresnel = fresh(name + "/fresnel");
+    NewStatement constants("Texture", p.where());
+    constants.name(fresnel).name("fresnel");
     if (by_reflectance) {
-        if (const auto named = p.texture("reflectance"))
-            texture = named->text;
-        else
-            f0 = spectra_.colour(p, "reflectance", ColourOf::Surface, Rgb(1.0f));
+        constants.name("fresnelcolor");
+        if (const auto named = p.texture("reflectance")) {
+            constants.set("texture Kr", named->text, &p.where("reflectance"));
+        } else {
+            const Rgb r = spectra_.colour(p, "reflectance", ColourOf::Surface, Rgb(1.0f));
+            constants.set("color Kr",
+                          reflectance_of_colour(
+                              Rgb(std::min(r.x, 1.0f), std::min(r.y, 1.0f), std::min(r.z, 1.0f))),
+                          &p.where("reflectance"));
+        }
+    } else if (preset && preset == other) {
+        constants.name("preset").set("string name", *preset);
     } else {
         if (p.texture(eta) || p.texture(k))
             p.fail(eta, "a texture of a metal's index is not rendered");
-        f0 = conductor_reflectance(
-            spectra_.colour(p, eta, ColourOf::Surface, Rgb(0.200f, 0.924f, 1.102f)),
-            spectra_.colour(p, k, ColourOf::Surface, Rgb(3.913f, 2.453f, 2.142f)));
+        constants.name("fresnelcolor")
+            .set("color n", spectra_.colour(p, eta, ColourOf::Surface, Rgb(0.200f, 0.924f, 1.102f)))
+            .set("color k", spectra_.colour(p, k, ColourOf::Surface, Rgb(3.913f, 2.453f, 2.142f)));
     }
-    const auto set_colour = [&](NewStatement& to) {
-        if (!texture.empty())
-            to.set("texture Kr", texture);
-        else
-            to.set("color Kr", reflectance_of_colour(Rgb(std::min(f0.x, 1.0f), std::min(f0.y, 1.0f),
-                                                         std::min(f0.z, 1.0f))));
-    };
-    if (rough.smooth()) {
-        NewStatement made = begun(name, "mirror", p.where());
-        set_colour(made);
-        return made;
-    }
-    const std::string fresnel = fresh(name + "/fresnel");
-    NewStatement colour("Texture", p.where());
-    colour.name(fresnel).name("fresnel").name("fresnelcolor");
-    set_colour(colour);
-    add(std::move(colour));
-    NewStatement made = begun(name, "metal2", p.where());
+    add(std::move(constants));
+    NewStatement made = begun(name, rough.smooth() ? "mirror" : "metal2", p.where());
     made.set("texture fresnel", fresnel);
-    set_roughness(made, rough, kLeastRoughness);
+    if (!rough.smooth()) set_roughness(made, rough, kLeastRoughness);
     return made;
 }
 

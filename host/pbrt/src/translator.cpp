@@ -4,6 +4,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <fstream>
+#include <iterator>
 
 #include "lxs/language/parse_file.h"
 #include "lxs/language/read_text.h"
@@ -12,6 +14,26 @@ namespace lxs::pbrt {
 namespace {
 
 constexpr std::size_t kMostScopes = 100'000;
+
+/// Whether a file begins with a parameter: a string of a type and a name. Messages show lines of
+/// scenes, but a scene may name any file of whoever renders it.
+bool begins_with_parameter(const std::string& path) {
+    static const std::vector<std::string_view> kTypes{
+        "blackbody", "bool",    "color",  "float",   "integer", "normal",
+        "normal3",   "point",   "point2", "point3",  "rgb",     "spectrum",
+        "string",    "texture", "vector", "vector2", "vector3", "xyz"};
+    std::ifstream file(path);
+    for (std::string line; std::getline(file, line);) {
+        const std::size_t first = line.find_first_not_of(" \t\r");
+        if (first == std::string::npos || line[first] == '#') continue;
+        if (line[first] != '"') return false;
+        const std::string_view rest = std::string_view(line).substr(first + 1);
+        const std::size_t blank = rest.find_first_of(" \t");
+        return blank != std::string_view::npos &&
+               std::find(kTypes.begin(), kTypes.end(), rest.substr(0, blank)) != kTypes.end();
+    }
+    return false;
+}
 
 std::vector<std::string> names_of(const auto& map) {
     std::vector<std::string> names;
@@ -81,7 +103,44 @@ Translator::Translator(StatementExecutor& executor, Diagnostics& diagnostics)
 void Translator::read(const std::shared_ptr<const SourceFile>& file) {
     if (last_.file == nullptr) last_ = {file, 1, 1};
     executor_.opened(file);
-    parse_file(file, [&](Statement& statement) { executor_.guard([&] { translate(statement); }); });
+    // One waits: an Include behind it may go on with its parameters.
+    std::optional<Statement> waiting;
+    const auto release = [&] {
+        if (!waiting) return;
+        Statement statement = std::move(*waiting);
+        waiting.reset();
+        executor_.guard([&] { translate(statement); });
+    };
+    parse_file(file, [&](Statement& statement) {
+        bool joined = false;
+        if (statement.name == "Include" && waiting)
+            executor_.guard([&] { joined = join(statement, *waiting); });
+        if (joined) return;
+        release();
+        waiting = std::move(statement);
+    });
+    release();
+}
+
+bool Translator::join(Statement& include, Statement& before) {
+    // Only what begins with parameters: of other files the directive itself takes care.
+    if (include.arguments.empty()) return false;
+    const Name file = take_name(include, 0);
+    const std::string path = executor_.find_quietly(file);
+    if (path.empty() || !begins_with_parameter(path)) return false;
+    const auto source = executor_.open(file);
+    executor_.opened(source);
+    auto parameters = std::make_shared<SourceFile>(*source);
+    parameters->text = std::make_shared<const std::string>("Parameters " + *source->text);
+    parse_file(parameters, [&](Statement& more) {
+        if (more.name != "Parameters")
+            throw InputError(more.where, "parameters and directives in one file");
+        std::move(more.arguments.begin(), more.arguments.end(),
+                  std::back_inserter(before.arguments));
+    });
+    std::move(include.arguments.begin() + 1, include.arguments.end(),
+              std::back_inserter(before.arguments));
+    return true;
 }
 
 void Translator::translate(Statement& statement) {

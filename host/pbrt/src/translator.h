@@ -65,6 +65,8 @@ class Translator {
     };
     static const std::map<std::string, Rule>& rules();
     void translate(Statement& statement);
+    /// Adds the parameters that a file in the middle of a directive holds; false if it holds none.
+    bool join(Statement& include, Statement& before);
 
     // translator.cpp: blocks, files, state
     void world_begin(Statement& statement);

@@ -145,6 +145,26 @@ TEST(PbrtDirectives, IncludeAndImport) {
         << "an import has a state of its own";
 }
 
+TEST(PbrtDirectives, IncludesGoOnWithParameters) {
+    const files::TemporaryFolder folder;
+    folder.write("radius.pbrt", "# a comment\n \"float radius\" 3 \"float zmin\" -1\n");
+    const Read scene = read(
+        "WorldBegin Shape \"sphere\" Include \"radius.pbrt\" \"float zmax\" 2 Shape \"sphere\"",
+        folder.path().string());
+    EXPECT_THAT(scene.messages, IsEmpty());
+    const auto sphere = [&](std::size_t i) {
+        return std::get<Sphere>(std::get<Quadric>(scene.contents.primitives.at(i).geometry).shape);
+    };
+    EXPECT_EQ(sphere(0).radius, 3);
+    EXPECT_EQ(sphere(0).z_min, -1);
+    EXPECT_EQ(sphere(0).z_max, 2);
+    EXPECT_EQ(sphere(1).radius, 1);
+    folder.write("radius.pbrt", "\"float radius\" 3 Shape \"sphere\"");
+    EXPECT_THAT(read("WorldBegin Shape \"sphere\" Include \"radius.pbrt\"", folder.path().string())
+                    .messages,
+                testing::Contains(HasSubstr("parameters and directives in one file")));
+}
+
 TEST(PbrtDirectives, WordsOfVersion3) {
     const Read scene = read(
         "Film \"image\" \"integer xresolution\" [40] \"integer yresolution\" [20]\n"

@@ -193,8 +193,18 @@ TEST(PbrtImage, SmoothGlassMetalAndTranslucence) {
                   our_ball));
     expect_same(pbrt_image(options() + sky +
                            "Material \"conductor\" \"rgb reflectance\" [0.9 0.6 0.3]\n" + ball),
-                our_image(our_sky + "Material \"mirror\" \"color Kr\" " +
-                          reflectance(0.9f, 0.6f, 0.3f) + "\n" + our_ball));
+                our_image(our_sky + "Texture \"f\" \"fresnel\" \"fresnelcolor\" \"color Kr\" " +
+                          reflectance(0.9f, 0.6f, 0.3f) +
+                          "\nMaterial \"mirror\" \"texture fresnel\" \"f\"\n" + our_ball));
+    expect_same(pbrt_image(options() + sky +
+                           "Material \"conductor\" \"rgb eta\" [0.2 0.9 1.1] \"rgb k\" [3.9 2.4 "
+                           "2.1] \"float roughness\" 0.25\n" +
+                           ball),
+                our_image(our_sky +
+                          "Texture \"f\" \"fresnel\" \"fresnelcolor\" \"color n\" [0.2 0.9 1.1] "
+                          "\"color k\" [3.9 2.4 2.1]\nMaterial \"metal2\" \"texture fresnel\" "
+                          "\"f\" \"float uroughness\" [0.5] \"float vroughness\" [0.5]\n" +
+                          our_ball));
     expect_same(
         pbrt_image(options() + sky +
                    "Material \"conductor\" \"spectrum eta\" \"metal-Au-eta\" "
@@ -212,6 +222,30 @@ TEST(PbrtImage, SmoothGlassMetalAndTranslucence) {
                 our_image(our_sky + "Material \"mattetranslucent\" \"color Kr\" " +
                           reflectance(0.1f, 0.2f, 0.3f) + " \"color Kt\" " +
                           reflectance(0.3f, 0.2f, 0.1f) + "\n" + our_ball));
+}
+
+TEST(PbrtImage, SmoothMetalReflectsByItsConstants) {
+    const auto image = pbrt_image(
+        options("LookAt 0 0 4  0 0 0  0 1 0\nCamera \"perspective\" \"float fov\" 0.1\n") +
+        "LightSource \"infinite\"\n" +
+        wall_of("Material \"conductor\" \"rgb eta\" [0.2 0.9 1.1] \"rgb k\" [3.9 2.4 2.1]\n"));
+    const auto normal = [](double n, double k) {
+        return ((n - 1) * (n - 1) + k * k) / ((n + 1) * (n + 1) + k * k);
+    };
+    EXPECT_NEAR(image.at(27).x, normal(0.2, 3.9), 1e-4);
+    EXPECT_NEAR(image.at(27).y, normal(0.9, 2.4), 1e-4);
+    EXPECT_NEAR(image.at(27).z, normal(1.1, 2.1), 1e-4);
+    // Under 80 degrees from the normal (Born & Wolf, section 14.2), n = 0.9, k = 2.4.
+    const auto grazing = pbrt_image(
+        options("LookAt 0 9.848 1.736  0 0 0  0 0 1\nCamera \"perspective\" \"float fov\" 0.1\n") +
+        "LightSource \"infinite\"\n" +
+        wall_of("Material \"conductor\" \"rgb eta\" [0.9 0.9 0.9] \"rgb k\" [2.4 2.4 2.4]\n"));
+    const double c = std::cos(80 * kPi / 180), s2 = 1 - c * c, d = 0.81 - 5.76 - s2;
+    const double ab = std::sqrt(d * d + 4 * 0.81 * 5.76), a = std::sqrt((ab + d) / 2);
+    const double rs = (ab + c * c - 2 * a * c) / (ab + c * c + 2 * a * c);
+    const double rp =
+        rs * (c * c * ab + s2 * s2 - 2 * a * c * s2) / (c * c * ab + s2 * s2 + 2 * a * c * s2);
+    EXPECT_NEAR(grazing.at(27).x, (rs + rp) / 2, 2e-3);
 }
 
 TEST(PbrtImage, CoatedWhiteLosesNothing) {

@@ -40,6 +40,8 @@ class StatementExecutor {
     void opened(const std::shared_ptr<const SourceFile>& file);
     /// Path of a file that a scene names. Throws InputError if there is none.
     std::string find(const Name& file);
+    /// The same without messages; empty if there is none.
+    std::string find_quietly(const Name& file);
 
     /// All files read so far; forgets them.
     ReadFiles take_files();

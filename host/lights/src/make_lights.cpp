@@ -10,6 +10,7 @@
 #include "environment_layout.h"
 #include "infinite_light.h"
 #include "light_statement.h"
+#include "lxs/scene/registry.h"
 #include "make_profile_lights.h"
 #include "make_sky_lights.h"
 #include "point_intensity.h"

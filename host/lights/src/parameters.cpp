@@ -123,6 +123,21 @@ constexpr std::array<std::string_view, 4> kMappings = {"latlong", "angular", "vc
 
 constexpr std::array<std::string_view, 2> kFalloffs = {"fourthpower", "smoothstep"};
 
+constexpr std::array<std::string_view, 2> kProfileMappings = {"latlong", "equalarea"};
+constexpr ParameterDeclaration kProfileMapping{
+    .name = "mapping",
+    .type = Type::String,
+    .default_text = "latlong",
+    .doc =
+        "Layout of the image: latitude-longitude, or (not LuxRender's) pbrt's equal-area "
+        "octahedral square.",
+    .choices = kProfileMappings};
+constexpr ParameterDeclaration kPlainValues{
+    .name = "plainvalues",
+    .type = Type::Bool,
+    .default_text = "false",
+    .doc = "The intensity is L times the image's values as they are. Not LuxRender's."};
+
 using Declarations = std::vector<ParameterDeclaration>;
 
 constexpr ParameterDeclaration kMapResolution{.name = "imapmaxresolution",
@@ -201,8 +216,9 @@ Declarations spot_parameters() {
 }
 
 Declarations point_parameters() {
-    return {kColor,      kGain,     power("0"), efficacy("0"), kFrom,      kIes,
-            kProfileMap, kMapGamma, kFlip,      kSamples,      kImportance};
+    return {kColor, kGain,       power("0"),      efficacy("0"), kFrom,
+            kIes,   kProfileMap, kProfileMapping, kPlainValues,  kMapGamma,
+            kFlip,  kSamples,    kImportance};
 }
 
 Declarations distant_parameters() {
@@ -239,6 +255,7 @@ Declarations projection_parameters() {
              .type = Type::String,
              .default_text = "",
              .doc = "Projected image; without it a square of light."},
+            kPlainValues,
             kMapGamma,
             {.name = "fov",
              .default_text = "45",

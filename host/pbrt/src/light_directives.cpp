@@ -62,29 +62,29 @@ void Translator::light_source(Statement& statement) {
         made.name("infinite");
         infinite_light(made, p, scale, illuminance);
     } else if (type == "goniometric") {
-        made.name("point");
-        set_emission(made, p, "I", scale * (power > 0 ? power / (4 * kPi) : 1));
-        if (p.given("mapname") || p.given("filename"))
-            warn(at,
-                 "the image of light \"goniometric\" is not rendered: it shines alike in all "
-                 "directions");
-        p.ignore("mapname");
-        p.ignore("filename");
+        made.name("goniometric");
+        set_emission(made, p, "I", scale);
+        const bool latlong = p.given("mapname");  // version 3
+        p.rename("mapname", "filename");
+        const std::string file = p.text("filename", "");
+        if (!file.empty()) {
+            if (power > 0) p.leave_out("power", "the image's values count");
+            made.set("string mapname", file, &p.where("filename"));
+            made.set("string mapping", latlong ? "latlong" : "equalarea");
+            made.set("bool plainvalues", "true").set("float gamma", is_eight_bit(file) ? 2.2 : 1);
+        } else if (power > 0) {
+            set_emission(made, p, "I", scale * power / (4 * kPi));
+        }
     } else if (type == "projection") {
         made.name("projection");
         p.rename("mapname", "filename");
         if (!p.given("filename")) p.fail("filename", "light \"projection\" needs an image");
         if (power > 0) p.leave_out("power", "the image's values count");
-        const double fov = p.number("fov", version_3_ ? 45 : 90), side = std::tan(fov / 360 * kPi);
-        set_emission(made, p, "I", scale * 4 * side * side);
-        tell_once(
-            at,
-            "light \"projection\" shines evenly on a plane here, in all directions alike in pbrt");
+        set_emission(made, p, "I", scale);
         const std::string file = p.text("filename", "");
         made.set("string mapname", file, &p.where("filename"));
-        made.set("float gamma",
-                 file.ends_with("png") || file.ends_with("jpg") || file.ends_with("tga") ? 2.2 : 1);
-        made.set("float fov", fov, &p.where("fov"));
+        made.set("bool plainvalues", "true").set("float gamma", is_eight_bit(file) ? 2.2 : 1);
+        made.set("float fov", p.number("fov", version_3_ ? 45 : 90), &p.where("fov"));
     } else {
         throw InputError(p.where(), unknown_name_message("light", type,
                                                          {"distant", "goniometric", "infinite",
@@ -97,10 +97,14 @@ void Translator::light_source(Statement& statement) {
     p.report_unused("light");
     add("AttributeBegin", at);
     place(at, false, "light");
-    // Our image's columns go along y, its rows along -x.
+    // Our image's columns go along y, its rows along -x; pbrt's map of a goniometric light has its
+    // pole along y.
     if (type == "projection")
         add(NewStatement("ConcatTransform", at)
                 .list({0, 1, 0, 0, 1, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1}));
+    if (type == "goniometric")
+        add(NewStatement("ConcatTransform", at)
+                .list({1, 0, 0, 0, 0, 0, 1, 0, 0, 1, 0, 0, 0, 0, 0, 1}));
     if (!state_.outside.empty()) add(NewStatement("Exterior", at).name(state_.outside));
     add(std::move(made));
     add("AttributeEnd", at);
@@ -131,7 +135,7 @@ void Translator::infinite_light(NewStatement& made, Parameters& p, double scale,
     }
     made.set("string mapname", file, &p.where("filename"));
     made.set("bool plaincolors", "true");
-    const bool eight_bit = file.ends_with("png") || file.ends_with("jpg") || file.ends_with("tga");
+    const bool eight_bit = is_eight_bit(file);
     made.set("float gamma", eight_bit ? 2.2 : 1);
 }
 
@@ -160,8 +164,7 @@ Translator::Emission Translator::area_emission(const SourceLocation& where) {
     if (!file.empty()) {
         if (p.given("L")) p.fail("L", "an area light takes either \"L\" or \"filename\"");
         const std::string texture = fresh("area light/" + file);
-        const bool eight_bit =
-            file.ends_with("png") || file.ends_with("jpg") || file.ends_with("tga");
+        const bool eight_bit = is_eight_bit(file);
         NewStatement image("Texture", where);
         image.name(texture)
             .name("color")

@@ -9,7 +9,12 @@
 namespace lxs::pbrt {
 namespace {
 
-/// Whether pbrt takes an image's values for sRGB unless told otherwise: those of eight bits.
+const char* type_of(bool is_float) {
+    return is_float ? "float" : "color";
+}
+
+}  // namespace
+
 bool is_eight_bit(const std::string& file) {
     const std::size_t dot = file.find_last_of('.');
     if (dot == std::string::npos) return false;
@@ -19,12 +24,6 @@ bool is_eight_bit(const std::string& file) {
     return end == "png" || end == "tga" || end == "jpg" || end == "jpeg" || end == "bmp" ||
            end == "gif";
 }
-
-const char* type_of(bool is_float) {
-    return is_float ? "float" : "color";
-}
-
-}  // namespace
 
 void Translator::texture(Statement& statement) {
     const Name name = take_name(statement, 0);

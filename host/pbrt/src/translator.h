@@ -29,6 +29,9 @@ namespace lxs::pbrt {
 /// The parameters of one directive, with what directives Attribute had set for it.
 using ParameterValues = std::vector<ParameterValue>;
 
+/// Whether pbrt takes an image's values for sRGB unless told otherwise: those of eight bits.
+bool is_eight_bit(const std::string& file);
+
 /// A material as shapes refer to it.
 struct MaterialUse {
     std::string name;        ///< of our MakeNamedMaterial

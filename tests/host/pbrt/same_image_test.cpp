@@ -398,6 +398,47 @@ TEST(PbrtImage, ProjectionStandsUpright) {
     EXPECT_LT(luminance(image.at(8 * 7 + 7)), 0.2 * luminance(image.at(8 * 1 + 6)));
 }
 
+TEST(PbrtImage, ProjectionAndGoniometricHaveTheImagesIntensity) {
+    files::TemporaryFolder folder;
+    folder.write("white.ppm", "P6\n2 2\n255\n" + std::string(12, '\xff'));
+    const std::string narrow =
+        "LookAt 0 0 0  0 0 1  0 1 0\nCamera \"perspective\" \"float fov\" 0.1\n";
+    const std::string wall =
+        "Translate 0 0 2 Material \"diffuse\" \"rgb reflectance\" [1 1 1]\n"
+        "Shape \"trianglemesh\" " +
+        kWall;
+    for (const std::string light :
+         {"projection\" \"float fov\" 40", "goniometric\" \"rgb I\" [1 1 1]"}) {
+        SCOPED_TRACE(light);
+        const auto image =
+            pbrt_image(options(narrow) + "LightSource \"" + light +
+                           " \"string filename\" \"white.ppm\" \"float scale\" 8\n" + wall,
+                       folder.path().string());
+        EXPECT_NEAR(luminance(image.at(27)), 8 / (4 * kPi), 2e-3);
+    }
+}
+
+TEST(PbrtImage, GoniometricMapsHaveTheirPoleAlongY) {
+    files::TemporaryFolder folder;
+    std::string pixels(4 * 4 * 3, '\0');
+    for (const int x : {1, 2})
+        for (const int y : {1, 2})
+            pixels[static_cast<std::size_t>((y * 4 + x) * 3)] = '\xff';
+    folder.write("up.ppm", "P6\n4 4\n255\n" + pixels);
+    const auto lit = [&](const std::string& where) {
+        return pbrt_image(options("LookAt 0 0 0  " + where +
+                                  "  1 2 3\nCamera \"perspective\" \"float fov\" 1\n") +
+                              "LightSource \"goniometric\" \"string filename\" \"up.ppm\"\n"
+                              "ReverseOrientation Shape \"sphere\" \"float radius\" 2\n",
+                          folder.path().string(), kPasses, 1)
+            .at(27)
+            .x;
+    };
+    EXPECT_NEAR(lit("0 1 0"), 0.5 / (4 * kPi), 3e-3);
+    EXPECT_LT(lit("0 -1 0"), 0.001f);
+    EXPECT_LT(lit("0 0 1"), 0.01f);
+}
+
 TEST(PbrtImage, CheckerboardBeginsWithItsFirstTexture) {
     const auto image = pbrt_image(
         options() +

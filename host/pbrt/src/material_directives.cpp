@@ -122,7 +122,7 @@ Translator::Roughness Translator::roughness(Parameters& p, const std::string& pr
                 number = remap ? remapped(constant->second, version_3_) : constant->second;
                 return;
             }
-            texture = named->text;
+            texture = float_texture(named->text);
             if (!remap) return;
             const auto image = float_images_.find(named->text);
             const std::string root = named->text + "/root";
@@ -337,7 +337,7 @@ NewStatement Translator::mix(const std::string& name, Parameters& p) {
                  &p.where("materials"));
     }
     if (const auto texture = p.texture("amount")) {
-        made.set("texture amount", texture->text, &p.where("amount"));
+        made.set("texture amount", float_texture(texture->text), &p.where("amount"));
     } else {
         const Rgb amount = spectra_.colour(p, "amount", ColourOf::Surface, Rgb(0.5f));
         made.set("float amount",
@@ -470,7 +470,7 @@ MaterialUse Translator::write_material(const std::string& name, Parameters& p) {
         made = begun(name, "matte", p.where());
         set_look(made, "Kd", p, "reflectance", Rgb(0.5f));
         if (const auto sigma = p.texture("sigma"))
-            made.set("texture sigma", sigma->text);
+            made.set("texture sigma", float_texture(sigma->text));
         else if (p.given("sigma"))
             made.set("float sigma", p.number("sigma", 0));
     } else if (type == "coateddiffuse") {
@@ -528,14 +528,48 @@ MaterialUse Translator::write_material(const std::string& name, Parameters& p) {
         made = begun(name, "null", p.where());
     }
     if (type != "interface") set_bump(made, name, p);
+    cut_by_opacity(made, name, p);
     p.report_unused("material");
     add(std::move(made));
     return {name, type == "interface"};
 }
 
+const std::string& Translator::nothing(const SourceLocation& where) {
+    if (nothing_.empty()) {
+        nothing_ = fresh("nothing");
+        add(NewStatement("MakeNamedMaterial", where).name(nothing_).set("string type", "null"));
+    }
+    return nothing_;
+}
+
+void Translator::cut_by_opacity(NewStatement& made, const std::string& name, Parameters& p) {
+    if (!p.given("opacity")) return;
+    const SourceLocation& at = p.where("opacity");
+    std::string texture;
+    double opacity = 1;
+    if (const auto named = p.texture("opacity")) {
+        texture = float_texture(named->text);
+    } else {
+        const Rgb colour = spectra_.colour(p, "opacity", ColourOf::Surface, Rgb(1.0f));
+        opacity = (double(colour.x) + double(colour.y) + double(colour.z)) / 3;
+        if (opacity >= 1) return;
+    }
+    const std::string whole = fresh(name + "/opaque");
+    Statement renamed = made.take();
+    renamed.arguments[0].values = Strings{whole};
+    executor_.add(std::move(renamed));
+    made = begun(name, "mix", at);
+    made.set("string namedmaterial1", nothing(at)).set("string namedmaterial2", whole);
+    if (texture.empty()) {
+        made.set("float amount", std::clamp(opacity, 0.0, 1.0));
+    } else {
+        made.set("texture amount", texture);
+    }
+}
+
 void Translator::set_bump(NewStatement& made, const std::string& name, Parameters& p) {
     if (const auto height = p.texture("displacement")) {
-        made.set("texture bumpmap", height->text, &p.where("displacement"));
+        made.set("texture bumpmap", float_texture(height->text), &p.where("displacement"));
     } else if (p.given("normalmap")) {
         const std::string map = fresh(name + "/normals");
         const SourceLocation& at = p.where("normalmap");

@@ -70,16 +70,12 @@ MaterialUse Translator::with_alpha(const MaterialUse& material, const Parameters
     const auto known = cut_materials_.find(key);
     if (known != cut_materials_.end()) return {known->second, false};
     const SourceLocation& at = p.where("alpha");
-    if (nothing_.empty()) {
-        nothing_ = fresh("nothing");
-        add(NewStatement("MakeNamedMaterial", at).name(nothing_).set("string type", "null"));
-    }
     const std::string name = fresh(material.name + "/cut out");
     NewStatement made("MakeNamedMaterial", at);
-    made.name(name).set("string type", "mix").set("string namedmaterial1", nothing_);
+    made.name(name).set("string type", "mix").set("string namedmaterial1", nothing(at));
     made.set("string namedmaterial2", material.name);
     if (varies)
-        made.set("texture amount", texture->text);
+        made.set("texture amount", float_texture(texture->text));
     else
         made.set("float amount", std::clamp(number, 0.0, 1.0));
     add(std::move(made));
@@ -93,7 +89,8 @@ void Translator::shape(Statement& statement) {
     MaterialUse material = state_.material ? *state_.material : default_material(at);
     bool gone = false;
     material = with_alpha(material, p, &gone);
-    p.ignore("shadowalpha");
+    for (const char* known : {"shadowalpha", "discarddegenerateUVs"})
+        p.ignore(known);
     std::optional<Emission> emission;
     if (state_.area_light) {
         if (in_object_) {

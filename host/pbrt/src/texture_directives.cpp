@@ -52,7 +52,8 @@ void Translator::texture(Statement& statement) {
 void Translator::set_term(NewStatement& made, const char* target, const Parameters& p,
                           std::string_view name, bool is_float, double fallback) {
     if (const auto texture = p.texture(name)) {
-        made.set(fmt::format("texture {}", target).c_str(), texture->text, &p.where(name));
+        made.set(fmt::format("texture {}", target).c_str(),
+                 is_float ? float_texture(texture->text) : texture->text, &p.where(name));
     } else if (is_float) {
         made.set(fmt::format("float {}", target).c_str(), p.number(name, fallback), &p.where(name));
     } else {
@@ -61,6 +62,24 @@ void Translator::set_term(NewStatement& made, const char* target, const Paramete
         made.set(fmt::format("color {}", target).c_str(), reflectance_of_colour(colour),
                  &p.where(name));
     }
+}
+
+std::string Translator::float_texture(const std::string& name) {
+    const auto image = colour_images_.find(name);
+    if (float_textures_.contains(name) || image == colour_images_.end()) return name;
+    std::string grey = name + "/grey";
+    if (!float_textures_.insert(grey).second) return grey;
+    Statement made = image->second;
+    made.arguments[0].values = Strings{grey};
+    made.arguments[1].values = Strings{"float"};
+    for (std::size_t i = 3; i + 1 < made.arguments.size(); i += 2) {
+        if (std::get<Strings>(made.arguments[i].values).front() != "bool plaincolors") continue;
+        made.arguments.erase(made.arguments.begin() + static_cast<std::ptrdiff_t>(i),
+                             made.arguments.begin() + static_cast<std::ptrdiff_t>(i) + 2);
+        break;
+    }
+    executor_.add(std::move(made));
+    return grey;
 }
 
 void Translator::set_mapping(NewStatement& made, Parameters& p, bool of_image) {
@@ -143,6 +162,7 @@ void Translator::image_texture(NewStatement& made, Parameters& p, bool is_float)
 void Translator::write_texture(const Name& name, bool is_float, Parameters& p) {
     const std::string type = p.plugin();
     const SourceLocation& at = p.where();
+    if (is_float) float_textures_.insert(name.text);
     NewStatement made("Texture", at);
     const auto begin = [&](const std::string& of, bool as_float, const char* plugin) {
         made = NewStatement("Texture", at);
@@ -167,7 +187,7 @@ void Translator::write_texture(const Name& name, bool is_float, Parameters& p) {
         image_texture(made, p, is_float);
         if (!p.flag("invert", false)) {
             Statement image = made.take();
-            if (is_float) float_images_.insert_or_assign(name.text, image);
+            (is_float ? float_images_ : colour_images_).insert_or_assign(name.text, image);
             executor_.add(std::move(image));
             return;
         }

@@ -145,6 +145,10 @@ class Translator {
     NewStatement subsurface(const std::string& name, Parameters& parameters);
     /// A material of version 3 under its name in version 4.
     void upgrade_material(Parameters& parameters, std::string& type);
+    /// Version 3's opacity of "uber": where the material is not, there is nothing.
+    void cut_by_opacity(NewStatement& made, const std::string& name, Parameters& parameters);
+    /// Our material of what is cut out.
+    const std::string& nothing(const SourceLocation& where);
     void set_bump(NewStatement& made, const std::string& name, Parameters& parameters);
     /// An image of numbers, again, as their roots.
     void write_root(const Statement& image, const std::string& name);
@@ -158,6 +162,9 @@ class Translator {
     void set_mapping(NewStatement& made, Parameters& parameters, bool of_image);
     void set_term(NewStatement& made, const char* target, const Parameters& parameters,
                   std::string_view name, bool is_float, double fallback);
+    /// The name of a texture of numbers: of `name` itself, or of one that reads the same image as
+    /// the texture of colours of that name does (version 3).
+    std::string float_texture(const std::string& name);
     /// A name that the scene does not use.
     std::string fresh(const std::string& stem);
 
@@ -221,6 +228,8 @@ class Translator {
     std::map<std::string, std::string> cut_materials_;  ///< by material and opacity
     std::map<std::string, double> float_constants_;     ///< textures of one number
     std::map<std::string, Statement> float_images_;     ///< textures of numbers, as written
+    std::map<std::string, Statement> colour_images_;    ///< textures of colours, as written
+    std::set<std::string> float_textures_;              ///< names of all textures of numbers
     std::set<std::string> float_roots_;                 ///< those that write_root() has written
     std::map<std::string, int> names_;                  ///< made by fresh()
     std::optional<MaterialUse> default_material_;

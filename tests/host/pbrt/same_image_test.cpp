@@ -295,6 +295,29 @@ TEST(PbrtImage, AlphaCutsOut) {
     EXPECT_NEAR(sum, 0.75, 0.02);
 }
 
+TEST(PbrtImage, OpacityOfVersion3CutsOut) {
+    files::TemporaryFolder folder;
+    folder.write("half.pgm", std::string("P5\n2 1\n255\n") + '\xff' + '\0');
+    const std::string world =
+        "LightSource \"infinite\" \"color L\" [1 1 1]\n"
+        "Texture \"t\" \"color\" \"imagemap\" \"string filename\" \"half.pgm\" "
+        "\"string filter\" \"point\"\n"
+        "Material \"uber\" \"color Kd\" [0 0 0] \"color Ks\" [0 0 0] ";
+    const auto by_texture =
+        pbrt_image(options() + world + "\"texture opacity\" \"t\"\nShape \"trianglemesh\" " + kWall,
+                   folder.path().string());
+    // u goes to the left: its lower half is white, where the black material is.
+    EXPECT_NEAR(luminance(by_texture.at(8 * 4 + 6)), 0, 1e-6);
+    EXPECT_NEAR(luminance(by_texture.at(8 * 4 + 1)), 1, 1e-3);
+    double sum = 0;
+    for (const Rgb& pixel : pbrt_image(
+             options("LookAt 0 0 4  0 0 0  0 1 0\nCamera \"perspective\" \"float fov\" 0.1\n") +
+                 world + "\"rgb opacity\" [0.3 0.3 0.3]\nShape \"trianglemesh\" " + kWall,
+             folder.path().string(), 256))
+        sum += double(luminance(pixel)) / 64;
+    EXPECT_NEAR(sum, 0.7, 0.02);
+}
+
 TEST(PbrtImage, LampsShineAlongTheirNormals) {
     const std::string camera =
         "LookAt 0 0 4  0 0 0  0 1 0\nCamera \"perspective\" \"float fov\" 10\n";

@@ -378,13 +378,15 @@ NewStatement Translator::hair(const std::string& name, Parameters& p) {
 }
 
 NewStatement Translator::subsurface(const std::string& name, Parameters& p) {
-    const double eta = std::max(p.number("eta", 1.33), 1.0);
+    const double eta = p.given("eta") ? std::max(index_of(p, "eta"), 1.0) : 1.33;
     const Roughness rough = roughness(p, "", 0);
-    Rgb albedo = spectra_.colour(p, "reflectance", ColourOf::Surface, Rgb(0.5f));
+    const auto coefficient = [&](const char* of, const Rgb& usual) {
+        return p.texture(of) ? usual : spectra_.colour(p, of, ColourOf::Surface, usual);
+    };
+    Rgb albedo(0.5f);
     if (!p.given("reflectance")) {
-        const Rgb a =
-            spectra_.colour(p, "sigma_a", ColourOf::Surface, Rgb(0.0011f, 0.0024f, 0.014f));
-        const Rgb s = spectra_.colour(p, "sigma_s", ColourOf::Surface, Rgb(2.55f, 3.21f, 3.77f));
+        const Rgb a = coefficient("sigma_a", Rgb(0.0011f, 0.0024f, 0.014f));
+        const Rgb s = coefficient("sigma_s", Rgb(2.55f, 3.21f, 3.77f));
         const double g = std::clamp(p.number("g", 0), -0.999, 0.999);
         for (int c = 0; c < 3; ++c)
             albedo[c] = static_cast<float>(diffusion_albedo(a[c], double(s[c]) * (1 - g), eta));
@@ -395,9 +397,8 @@ NewStatement Translator::subsurface(const std::string& name, Parameters& p) {
               "material \"subsurface\" is not rendered: a glossy surface of the colour that "
               "diffusion gives is used");
     NewStatement made = begun(name, "glossy", p.where());
-    made.set("color Kd", reflectance_of_colour(albedo))
-        .set("color Ks", Rgb(1.0f))
-        .set("float index", eta);
+    set_look(made, "Kd", p, "reflectance", albedo);
+    made.set("color Ks", Rgb(1.0f)).set("float index", eta);
     made.set("bool conserving", "true").set("string fresnel", "dielectric");
     set_roughness(made, rough, kLeastRoughness);
     return made;
@@ -463,8 +464,12 @@ MaterialUse Translator::write_material(const std::string& name, Parameters& p) {
     }
     upgrade_material(p, type);
     const std::vector<std::string>& known = known_materials();
-    if (std::find(known.begin(), known.end(), type) == known.end())
-        throw InputError(p.where(), unknown_name_message("material", type, known));
+    if (std::find(known.begin(), known.end(), type) == known.end()) {
+        diagnostics_.fallback(p.where(), unknown_name_message("material", type, known),
+                              "a grey of 0.5 is used");
+        p.rest();
+        type = "unknown";
+    }
     NewStatement made("", p.where());
     if (type == "diffuse") {
         made = begun(name, "matte", p.where());
@@ -518,6 +523,9 @@ MaterialUse Translator::write_material(const std::string& name, Parameters& p) {
         made = hair(name, p);
     } else if (type == "subsurface") {
         made = subsurface(name, p);
+    } else if (type == "unknown") {
+        made = begun(name, "matte", p.where());
+        made.set("color Kd", Rgb(0.5f));
     } else if (type == "measured") {
         for (const char* ignored : {"filename", "bsdffile"})
             p.ignore(ignored);

@@ -9,6 +9,7 @@
 namespace lxs::test::pbrt_directive_test {
 namespace {
 
+using testing::AllOf;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
@@ -230,8 +231,9 @@ TEST(PbrtDirectives, MistakesAreTold) {
     EXPECT_THAT(messages_of("Shape \"sphere\" \"float radios\" 1"),
                 ElementsAre(HasSubstr(
                     "test.pbrt:2:16: warning: unknown parameter \"radios\" of shape \"sphere\"")));
-    EXPECT_THAT(messages_of("Material \"mate\""),
-                ElementsAre(HasSubstr("unknown material \"mate\"")));
+    EXPECT_THAT(messages_of("Material \"mate\" Shape \"sphere\""),
+                ElementsAre(AllOf(HasSubstr("warning: unknown material \"mate\""),
+                                  HasSubstr("; a grey of 0.5 is used"))));
     EXPECT_THAT(messages_of("NamedMaterial \"no\""),
                 ElementsAre(HasSubstr("unknown material \"no\"; none is known; it is ignored")));
     EXPECT_THAT(messages_of("Material \"diffuse\" \"float reflectance\" \"a\""),

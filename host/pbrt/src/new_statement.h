@@ -59,6 +59,7 @@ class NewStatement {
         return *this;
     }
 
+    const SourceLocation& where() const { return statement_.where; }
     Statement take() { return std::move(statement_); }
 
   private:

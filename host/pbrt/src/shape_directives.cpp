@@ -2,9 +2,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
-#include <cmath>
-#include <numbers>
 
 #include "translator.h"
 
@@ -13,6 +10,8 @@ namespace {
 
 /// How far behind its front the back of a lamp that shines on both sides lies, of its extent.
 constexpr double kBack = 1e-4;
+
+constexpr const char* kTubes = "curves are tubes of three sides, with smooth normals";
 
 /// A mesh of quadrilaterals as two triangles each; pbrt's corners go 00, 10, 01, 11.
 Numbers triangles_of_patches(const Numbers& patches) {
@@ -29,24 +28,6 @@ Numbers counted(std::size_t count) {
     for (std::size_t i = 0; i < count; ++i)
         numbers[i] = static_cast<double>(i);
     return numbers;
-}
-
-using Point = std::array<double, 3>;
-
-Point mixed(const Point& a, const Point& b, double t) {
-    return {a[0] + (b[0] - a[0]) * t, a[1] + (b[1] - a[1]) * t, a[2] + (b[2] - a[2]) * t};
-}
-
-/// Point of a Bezier curve by de Casteljau's construction.
-Point on_bezier(std::vector<Point> points, double t) {
-    for (std::size_t n = points.size(); n > 1; --n)
-        for (std::size_t i = 0; i + 1 < n; ++i)
-            points[i] = mixed(points[i], points[i + 1], t);
-    return points[0];
-}
-
-Imath::V3d vector_of(const Point& p) {
-    return {p[0], p[1], p[2]};
 }
 
 }  // namespace
@@ -86,6 +67,17 @@ MaterialUse Translator::with_alpha(const MaterialUse& material, const Parameters
 void Translator::shape(Statement& statement) {
     Parameters p = take(statement, "shape");
     const SourceLocation& at = statement.where;
+    if (p.plugin() == "curve" && !p.given("alpha") && !state_.area_light) {
+        // Hairs of one state are one mesh.
+        constexpr std::size_t kMostNumbers = 1'000'000;
+        const Curve read = curve(p);
+        p.report_unused("shape");
+        tell_once(p.where(), kTubes);
+        if (curves_.empty()) curves_at_ = at;
+        curves_.add(read);
+        if (curves_.size() > kMostNumbers) write_curves();
+        return;
+    }
     MaterialUse material = state_.material ? *state_.material : default_material(at);
     bool gone = false;
     material = with_alpha(material, p, &gone);
@@ -111,6 +103,12 @@ void Translator::shape(Statement& statement) {
                       "alone");
     }
     p.report_unused("shape");
+    write_placed(std::move(made), material, std::move(emission));
+}
+
+void Translator::write_placed(NewStatement made, const MaterialUse& material,
+                              std::optional<Emission> emission) {
+    const SourceLocation at = made.where();
     // Shapes do not move, but instances of objects do.
     const bool moving = moves() && !in_object_ && !emission;
     const std::string object = moving ? fresh("moving shape") : "";
@@ -173,7 +171,11 @@ bool Translator::write_shape(NewStatement& made, Parameters& p) {
     } else if (type == "loopsubdiv") {
         loop_subdivision(made, p);
     } else if (type == "curve") {
-        curve(made, p);
+        is_mesh_ = true;
+        tell_once(p.where(), kTubes);
+        CurveTubes tubes;
+        tubes.add(curve(p));
+        tubes.move_to(made);
     } else {
         throw InputError(p.where(),
                          unknown_name_message("shape", type,
@@ -243,92 +245,36 @@ void Translator::loop_subdivision(NewStatement& made, Parameters& p) {
     p.ignore("scheme");
 }
 
-void Translator::curve(NewStatement& made, Parameters& p) {
-    constexpr int kSides = 4;  // of the tube: hair is thinner than a pixel
-    is_mesh_ = true;
+Curve Translator::curve(Parameters& p) {
     const std::string type = p.text("type", "flat"), basis = p.text("basis", "bezier");
-    const int degree = p.integer("degree", 3);
-    if (degree != 2 && degree != 3) p.fail("degree", "a curve's degree is 2 or 3");
+    Curve curve;
+    curve.degree = p.integer("degree", 3);
+    if (curve.degree != 2 && curve.degree != 3) p.fail("degree", "a curve's degree is 2 or 3");
     if (basis != "bezier" && basis != "bspline")
         p.fail("basis", unknown_name_message("basis", basis, {"bezier", "bspline"}));
-    const SourceLocation points_at = p.where("P");
-    const Numbers numbers = p.numbers("P");
-    std::vector<Point> points;
-    for (std::size_t i = 0; i + 2 < numbers.size(); i += 3)
-        points.push_back({numbers[i], numbers[i + 1], numbers[i + 2]});
-    const auto n = static_cast<std::size_t>(degree);
-    const bool spline = basis == "bspline";
-    const std::size_t segments =
-        spline ? (points.size() > n ? points.size() - n : 0)
-               : (points.size() > n && (points.size() - 1) % n == 0 ? (points.size() - 1) / n : 0);
-    if (segments == 0)
-        p.fail("P",
-               fmt::format("a curve of degree {} does not have {} points", degree, points.size()));
-    const double both = p.number("width", 1);
-    const double width0 = p.number("width0", both), width1 = p.number("width1", both);
     if (type != "flat" && type != "cylinder" && type != "ribbon")
         p.fail("type", unknown_name_message("type of curve", type, {"flat", "cylinder", "ribbon"}));
+    curve.spline = basis == "bspline";
+    const Numbers numbers = p.numbers("P");
+    for (std::size_t i = 0; i + 2 < numbers.size(); i += 3)
+        curve.points.push_back({numbers[i], numbers[i + 1], numbers[i + 2]});
+    if (curve.segments() == 0)
+        p.fail("P", fmt::format("a curve of degree {} does not have {} points", curve.degree,
+                                curve.points.size()));
+    const double both = p.number("width", 1);
+    curve.width0 = p.number("width0", both);
+    curve.width1 = p.number("width1", both);
     p.ignore("N");
     p.ignore("splitdepth");
-    tell_once(p.where(), "curves are tubes of four sides, or ribbons of their first normal's");
-    // Places along the curve.
-    const int steps = segments > 8 ? 2 : 4;
-    std::vector<Point> places;
-    for (std::size_t s = 0; s < segments; ++s) {
-        for (int k = s == 0 ? 0 : 1; k <= steps; ++k) {
-            const double t = static_cast<double>(k) / steps;
-            if (!spline) {
-                places.push_back(
-                    on_bezier({points.begin() + static_cast<std::ptrdiff_t>(s * n),
-                               points.begin() + static_cast<std::ptrdiff_t>(s * n + n + 1)},
-                              t));
-                continue;
-            }
-            // Uniform B-splines by their basis functions.
-            std::array<double, 4> w{};
-            if (degree == 2)
-                w = {0.5 * (1 - t) * (1 - t), 0.5 + t - t * t, 0.5 * t * t, 0};
-            else
-                w = {(1 - t) * (1 - t) * (1 - t) / 6, (3 * t * t * t - 6 * t * t + 4) / 6,
-                     (-3 * t * t * t + 3 * t * t + 3 * t + 1) / 6, t * t * t / 6};
-            Point sum{};
-            for (std::size_t i = 0; i <= n; ++i)
-                for (std::size_t axis = 0; axis < 3; ++axis)
-                    sum[axis] += w[i] * points[s + i][axis];
-            places.push_back(sum);
-        }
-    }
-    Numbers P, uv, triangles, N;
-    for (std::size_t i = 0; i < places.size(); ++i) {
-        const std::size_t before = i == 0 ? 0 : i - 1, after = std::min(i + 1, places.size() - 1);
-        Imath::V3d along = vector_of(places[after]) - vector_of(places[before]);
-        along = along.length() > 0 ? along.normalized() : Imath::V3d(0, 0, 1);
-        const Imath::V3d helper =
-            std::abs(along.x) < 0.7 ? Imath::V3d(1, 0, 0) : Imath::V3d(0, 1, 0);
-        const Imath::V3d side = (along % helper).normalized(), up = side % along;
-        const double v = static_cast<double>(i) / static_cast<double>(places.size() - 1);
-        const double radius = (width0 + (width1 - width0) * v) / 2;
-        for (int k = 0; k < kSides; ++k) {
-            const double angle = 2 * std::numbers::pi * k / kSides;
-            const Imath::V3d out = side * std::cos(angle) + up * std::sin(angle);
-            const Imath::V3d at = vector_of(places[i]) + out * radius;
-            P.insert(P.end(), {at.x, at.y, at.z});
-            N.insert(N.end(), {out.x, out.y, out.z});
-            uv.insert(uv.end(), {static_cast<double>(k) / kSides, v});
-            if (i + 1 == places.size()) continue;
-            const auto corner = [&](std::size_t ring, int of) {
-                return static_cast<double>(ring * kSides + static_cast<std::size_t>(of % kSides));
-            };
-            triangles.insert(triangles.end(),
-                             {corner(i, k), corner(i, k + 1), corner(i + 1, k + 1), corner(i, k),
-                              corner(i + 1, k + 1), corner(i + 1, k)});
-        }
-    }
-    made.name("trianglemesh");
-    made.set("integer triindices", std::move(triangles)).set("point P", std::move(P), &points_at);
-    made.set("normal N", std::move(N))
-        .set("float uv", std::move(uv))
-        .set("bool facesbynormals", "true");
+    return curve;
+}
+
+void Translator::write_curves() {
+    if (curves_.empty()) return;
+    NewStatement mesh("Shape", curves_at_);
+    curves_.move_to(mesh);
+    write_placed(std::move(mesh), state_.material ? *state_.material : default_material(curves_at_),
+                 std::nullopt);
 }
 
 void Translator::object_begin(Statement& statement) {

@@ -35,6 +35,12 @@ bool begins_with_parameter(const std::string& path) {
     return false;
 }
 
+bool is_curve(const Statement& statement) {
+    if (statement.name != "Shape" || statement.arguments.empty()) return false;
+    const auto* const type = std::get_if<Strings>(&statement.arguments[0].values);
+    return type != nullptr && type->size() == 1 && type->front() == "curve";
+}
+
 std::vector<std::string> names_of(const auto& map) {
     std::vector<std::string> names;
     for (const auto& entry : map)
@@ -161,6 +167,7 @@ void Translator::translate(Statement& statement) {
         throw InputError(statement.where, statement.name + " stands after WorldBegin only");
     if (rule->second.block == Block::Options && in_world_)
         throw InputError(statement.where, statement.name + " stands before WorldBegin only");
+    if (!is_curve(statement)) write_curves();
     (this->*rule->second.method)(statement);
 }
 
@@ -176,6 +183,7 @@ void Translator::world_begin(Statement& statement) {
 
 void Translator::world_end(Statement& statement) {
     expect_no_arguments(statement);
+    write_curves();
     for (const Scope& scope : scopes_) {
         const char* const word = scope.kind == Scope::Kind::Attribute   ? "AttributeBegin"
                                  : scope.kind == Scope::Kind::Transform ? "TransformBegin"
@@ -219,6 +227,7 @@ void Translator::import(Statement& statement) {
     // A file with a state of its own, which it leaves as it was.
     const GraphicsState kept = state_;
     read(source);
+    write_curves();
     state_ = kept;
 }
 

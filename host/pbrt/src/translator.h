@@ -20,6 +20,7 @@
 #include <utility>
 #include <vector>
 
+#include "curve_tubes.h"
 #include "lxs/language/statement_executor.h"
 #include "parameters.h"
 #include "spectra.h"
@@ -193,7 +194,12 @@ class Translator {
     void triangle_mesh(NewStatement& made, Parameters& parameters);
     void bilinear_mesh(NewStatement& made, Parameters& parameters);
     void loop_subdivision(NewStatement& made, Parameters& parameters);
-    void curve(NewStatement& made, Parameters& parameters);
+    Curve curve(Parameters& parameters);
+    /// The curves that wait, as a shape of the state in force.
+    void write_curves();
+    /// Puts a shape into the world.
+    void write_placed(NewStatement made, const MaterialUse& material,
+                      std::optional<Emission> emission);
     MaterialUse with_alpha(const MaterialUse& material, const Parameters& parameters, bool* gone);
 
     // medium_directives.cpp
@@ -233,6 +239,8 @@ class Translator {
     std::set<std::string> float_roots_;                 ///< those that write_root() has written
     std::map<std::string, int> names_;                  ///< made by fresh()
     std::optional<MaterialUse> default_material_;
+    CurveTubes curves_;  ///< of the state in force, until another directive comes
+    SourceLocation curves_at_;
     std::string nothing_;  ///< our material of what is cut out
     std::array<Matrix, 2> camera_transforms_;
     std::array<double, 2> times_{0, 1};

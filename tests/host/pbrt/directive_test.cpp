@@ -201,10 +201,42 @@ TEST(PbrtDirectives, EveryShape) {
         "Shape \"curve\" \"point3 P\" [0 0 0 1 0 0 2 1 0 3 1 0] \"float width\" 0.1\n"
         "Shape \"curve\" \"string basis\" \"bspline\" \"integer degree\" 2 \"point3 P\" [0 0 0 1 0 "
         "0 2 1 0 3 1 0]\n");
-    EXPECT_EQ(scene.contents.primitives.size(), 8u);
+    EXPECT_EQ(scene.contents.primitives.size(), 7u) << "two curves are one mesh";
     EXPECT_THAT(scene.messages,
                 ElementsAre(HasSubstr("patches of \"bilinearmesh\" are two triangles"),
                             HasSubstr("curves are tubes")));
+}
+
+TEST(PbrtDirectives, CurvesOfOneStateAreOneMesh) {
+    const std::string hair =
+        "Shape \"curve\" \"point3 P\" [0 0 0 1 0 0 2 1 0 3 1 0] \"float width\" 0.1\n";
+    const Read scene =
+        read_pbrt_world(hair + hair + "Translate 1 0 0\n" + hair +
+                        "Shape \"sphere\"\nMaterial \"diffuse\"\n" + hair + hair + hair);
+    const auto triangles = [&](std::size_t i) {
+        return std::get<TriangleMesh>(scene.contents.primitives.at(i).geometry).indices.size() / 3;
+    };
+    ASSERT_EQ(scene.contents.primitives.size(), 4u);
+    EXPECT_EQ(triangles(0), 2 * triangles(1));
+    EXPECT_EQ(triangles(3), 3 * triangles(1));
+    EXPECT_EQ(scene.contents.primitives[0].to_world[3][0], 0);
+    EXPECT_EQ(scene.contents.primitives[1].to_world[3][0], 1);
+    // A straight tube: its points lie half its width from its axis, its ends at the curve's.
+    const Read straight = read_pbrt_world(
+        "Shape \"curve\" \"point3 P\" [0 0 0 0 0 1 0 0 2 0 0 3] \"float width0\" 2 \"float "
+        "width1\" 1\n");
+    const auto& mesh = std::get<TriangleMesh>(straight.contents.primitives.at(0).geometry);
+    for (const Vec3& p : mesh.positions)
+        EXPECT_NEAR(std::hypot(p.x, p.y), 1 - p.z / 6, 1e-5);
+    EXPECT_NEAR(mesh.positions.back().z, 3, 1e-6);
+    const Read spline = read_pbrt_world(
+        "Shape \"curve\" \"string basis\" \"bspline\" \"integer degree\" 2 \"point3 P\" [0 0 0 0 0 "
+        "1 0 0 2] "
+        "\"float width\" 0.01\n");
+    const auto& middle =
+        std::get<TriangleMesh>(spline.contents.primitives.at(0).geometry).positions;
+    EXPECT_NEAR(middle.front().z, 0.5, 1e-6);
+    EXPECT_NEAR(middle.back().z, 1.5, 1e-6);
 }
 
 TEST(PbrtDirectives, EveryTextureOfBothTypes) {

@@ -95,6 +95,8 @@ void Translator::light_source(Statement& statement) {
     if (from && type != "infinite") made.set("point from", coordinates(*from), &p.where("from"));
     if (to && aimed) made.set("point to", coordinates(*to), &p.where("to"));
     p.report_unused("light");
+    // Lights are of the world, also those that stand in an object.
+    is_put_off_ = in_object_;
     add("AttributeBegin", at);
     place(at, false, "light");
     // Our image's columns go along y, its rows along -x; pbrt's map of a goniometric light has its
@@ -108,6 +110,7 @@ void Translator::light_source(Statement& statement) {
     if (!state_.outside.empty()) add(NewStatement("Exterior", at).name(state_.outside));
     add(std::move(made));
     add("AttributeEnd", at);
+    is_put_off_ = false;
 }
 
 void Translator::infinite_light(NewStatement& made, Parameters& p, double scale,

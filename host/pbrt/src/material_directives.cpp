@@ -158,7 +158,7 @@ void Translator::write_root(const Statement& image, const std::string& name) {
             value.values = Numbers{1.1};
         }
     }
-    executor_.add(std::move(root));
+    add(std::move(root));
 }
 
 void Translator::set_roughness(NewStatement& made, const Roughness& r, double least) const {
@@ -565,7 +565,7 @@ void Translator::cut_by_opacity(NewStatement& made, const std::string& name, Par
     const std::string whole = fresh(name + "/opaque");
     Statement renamed = made.take();
     renamed.arguments[0].values = Strings{whole};
-    executor_.add(std::move(renamed));
+    add(std::move(renamed));
     made = begun(name, "mix", at);
     made.set("string namedmaterial1", nothing(at)).set("string namedmaterial2", whole);
     if (texture.empty()) {

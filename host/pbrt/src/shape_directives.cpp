@@ -291,8 +291,14 @@ void Translator::object_end(Statement& statement) {
         throw InputError(statement.where, "ObjectEnd without ObjectBegin");
     state_ = std::move(scopes_.back().state);
     scopes_.pop_back();
+    end_object(statement.where);
+}
+
+void Translator::end_object(const SourceLocation& where) {
     in_object_ = false;
-    add("ObjectEnd", statement.where);
+    add("ObjectEnd", where);
+    for (Statement& statement : std::exchange(put_off_, {}))
+        add(std::move(statement));
 }
 
 void Translator::object_instance(Statement& statement) {

@@ -78,7 +78,7 @@ std::string Translator::float_texture(const std::string& name) {
                              made.arguments.begin() + static_cast<std::ptrdiff_t>(i) + 2);
         break;
     }
-    executor_.add(std::move(made));
+    add(std::move(made));
     return grey;
 }
 
@@ -188,7 +188,7 @@ void Translator::write_texture(const Name& name, bool is_float, Parameters& p) {
         if (!p.flag("invert", false)) {
             Statement image = made.take();
             (is_float ? float_images_ : colour_images_).insert_or_assign(name.text, image);
-            executor_.add(std::move(image));
+            add(std::move(image));
             return;
         }
         const std::string upright = fresh(name.text + "/not inverted");

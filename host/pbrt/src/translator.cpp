@@ -106,7 +106,7 @@ const std::map<std::string, Translator::Rule>& Translator::rules() {
 Translator::Translator(StatementExecutor& executor, Diagnostics& diagnostics)
     : executor_(executor), diagnostics_(diagnostics), spectra_(executor) {}
 
-void Translator::read(const std::shared_ptr<const SourceFile>& file) {
+void Translator::read(const std::shared_ptr<const SourceFile>& file, std::vector<Argument> more) {
     if (last_.file == nullptr) last_ = {file, 1, 1};
     executor_.opened(file);
     // One waits: an Include behind it may go on with its parameters.
@@ -125,6 +125,7 @@ void Translator::read(const std::shared_ptr<const SourceFile>& file) {
         release();
         waiting = std::move(statement);
     });
+    if (waiting) std::move(more.begin(), more.end(), std::back_inserter(waiting->arguments));
     release();
 }
 
@@ -190,7 +191,7 @@ void Translator::world_end(Statement& statement) {
                                                                         : "ObjectBegin";
         diagnostics_.error(InputError(scope.where, fmt::format("{} is not closed", word)));
     }
-    if (in_object_) add("ObjectEnd", statement.where);
+    if (in_object_) end_object(statement.where);
     if (!camera_medium_.empty())
         add(NewStatement("Exterior", statement.where).name(camera_medium_));
     add("WorldEnd", statement.where);
@@ -219,7 +220,15 @@ std::shared_ptr<const SourceFile> Translator::scene_file(Statement& statement) {
 }
 
 void Translator::include(Statement& statement) {
-    read(scene_file(statement));
+    // What stands behind the name goes on with the file's last directive.
+    std::vector<Argument> more;
+    if (statement.arguments.size() > 1) {
+        const auto behind = statement.arguments.begin() + 1;
+        more.assign(std::make_move_iterator(behind),
+                    std::make_move_iterator(statement.arguments.end()));
+        statement.arguments.resize(1);
+    }
+    read(scene_file(statement), std::move(more));
 }
 
 void Translator::import(Statement& statement) {

@@ -55,8 +55,9 @@ class Translator {
   public:
     Translator(StatementExecutor& executor, Diagnostics& diagnostics);
 
-    /// Reads a file and what it includes. Throws InputError on bad syntax.
-    void read(const std::shared_ptr<const SourceFile>& file);
+    /// Reads a file and what it includes; `more` is added to its last directive. Throws InputError
+    /// on bad syntax.
+    void read(const std::shared_ptr<const SourceFile>& file, std::vector<Argument> more = {});
     /// After the main file: ends the world.
     void finish();
 
@@ -188,6 +189,7 @@ class Translator {
     void shape(Statement& statement);
     void object_begin(Statement& statement);
     void object_end(Statement& statement);
+    void end_object(const SourceLocation& where);
     void object_instance(Statement& statement);
     /// Writes the shape; false if it is left out.
     bool write_shape(NewStatement& made, Parameters& parameters);
@@ -206,8 +208,14 @@ class Translator {
     void make_named_medium(Statement& statement);
     void medium_interface(Statement& statement);
 
-    void add(NewStatement statement) { executor_.add(statement.take()); }
-    void add(const char* word, const SourceLocation& where) { executor_.add({word, where, {}}); }
+    void add(Statement statement) {
+        if (is_put_off_)
+            put_off_.push_back(std::move(statement));
+        else
+            executor_.add(std::move(statement));
+    }
+    void add(NewStatement statement) { add(statement.take()); }
+    void add(const char* word, const SourceLocation& where) { add(Statement{word, where, {}}); }
     void warn(const SourceLocation& where, const std::string& message) {
         diagnostics_.warning(where, message);
     }
@@ -248,10 +256,12 @@ class Translator {
     SourceLocation last_;
     double imaging_ratio_ = 1;
     bool in_world_ = false, ended_ = false, in_object_ = false;
-    bool version_3_ = false;        ///< some word told so
-    bool is_mesh_ = false;          ///< what write_shape() wrote last
-    bool area_light_told_ = false;  ///< of its unknown parameters
-    bool version_3_words_ = false;  ///< the material's name is of version 3
+    bool version_3_ = false;          ///< some word told so
+    std::vector<Statement> put_off_;  ///< until the object ends
+    bool is_put_off_ = false;         ///< what is added now
+    bool is_mesh_ = false;            ///< what write_shape() wrote last
+    bool area_light_told_ = false;    ///< of its unknown parameters
+    bool version_3_words_ = false;    ///< the material's name is of version 3
     bool awaits_active_transform_ = false;
     std::map<std::string, bool> told_;  ///< what is said once a scene
 };

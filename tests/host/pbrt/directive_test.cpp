@@ -128,6 +128,18 @@ TEST(PbrtDirectives, ActiveTransformMovesShapesAndInstances) {
     EXPECT_EQ(scene.contents.primitives.size(), 1u);
 }
 
+TEST(PbrtDirectives, LightsInObjectsAreOfTheWorld) {
+    const Read scene = read_pbrt_world(
+        "ObjectBegin \"o\" Translate 1 0 0 LightSource \"point\" AreaLightSource \"diffuse\" Shape "
+        "\"sphere\" ObjectEnd\n"
+        "ObjectInstance \"o\" Translate 2 0 0 ObjectInstance \"o\"");
+    EXPECT_THAT(scene.messages,
+                ElementsAre(HasSubstr("area lights in objects do not shine, as in pbrt")));
+    ASSERT_EQ(scene.contents.lights.size(), 1u);
+    EXPECT_EQ(scene.contents.lights[0].to_world[3][0], 1);
+    EXPECT_EQ(scene.contents.instances.size(), 2u);
+}
+
 TEST(PbrtDirectives, IncludeAndImport) {
     const files::TemporaryFolder folder;
     folder.write("part.pbrt",
@@ -160,6 +172,13 @@ TEST(PbrtDirectives, IncludesGoOnWithParameters) {
     EXPECT_EQ(sphere(0).z_min, -1);
     EXPECT_EQ(sphere(0).z_max, 2);
     EXPECT_EQ(sphere(1).radius, 1);
+    folder.write("ball.pbrt", "Translate 1 0 0 Shape \"sphere\"");
+    const Read behind = read("WorldBegin Include \"ball.pbrt\" \"float radius\" 4 Shape \"sphere\"",
+                             folder.path().string());
+    EXPECT_THAT(behind.messages, IsEmpty());
+    EXPECT_EQ(
+        std::get<Sphere>(std::get<Quadric>(behind.contents.primitives.at(0).geometry).shape).radius,
+        4);
     folder.write("radius.pbrt", "\"float radius\" 3 Shape \"sphere\"");
     EXPECT_THAT(read("WorldBegin Shape \"sphere\" Include \"radius.pbrt\"", folder.path().string())
                     .messages,

@@ -38,8 +38,9 @@ struct NamedMetal {
 constexpr std::array<NamedMetal, 4> kMetals{
     {{"Ag", "silver"}, {"Al", "aluminium"}, {"Au", "gold"}, {"Cu", "copper"}}};
 
-/// Constants for R, G and B, where colours are asked for: brass after Querry 1985 (CuZn), crystals
-/// of periclase and rutile by their dispersion (both transparent).
+/// Constants for R, G and B, where colours are asked for: at the wavelengths of our metals; brass
+/// after Querry 1985 (CuZn), periclase after Stephens & Malitson 1952, rutile along its axis after
+/// DeVore 1951, both transparent.
 struct NamedConstants {
     std::string_view name;
     std::array<float, 3> rgb;
@@ -54,9 +55,9 @@ constexpr std::array<NamedConstants, 14> kConstants{{{"metal-Ag-eta", {0.155f, 0
                                                      {"metal-Cu-k", {3.913f, 2.453f, 2.142f}},
                                                      {"metal-CuZn-eta", {0.444f, 0.527f, 1.094f}},
                                                      {"metal-CuZn-k", {3.695f, 2.765f, 1.829f}},
-                                                     {"metal-MgO-eta", {1.735f, 1.741f, 1.751f}},
+                                                     {"metal-MgO-eta", {1.734f, 1.742f, 1.752f}},
                                                      {"metal-MgO-k", {0.0f, 0.0f, 0.0f}},
-                                                     {"metal-TiO2-eta", {2.580f, 2.676f, 2.877f}},
+                                                     {"metal-TiO2-eta", {2.860f, 2.978f, 3.163f}},
                                                      {"metal-TiO2-k", {0.0f, 0.0f, 0.0f}}}};
 
 /// Illuminants by the temperature of a black body of their colour, but those of daylight, whose

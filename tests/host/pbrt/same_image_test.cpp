@@ -267,6 +267,27 @@ TEST(PbrtImage, CoatedWhiteLosesNothing) {
     EXPECT_NEAR(middle(grey), 0.04 + 0.96 * 0.5 * (1 - 0.5963) / (1 - 0.5 * 0.5963), 0.02);
 }
 
+TEST(PbrtImage, CoatsOverTexturesAreThoseOverColours) {
+    for (const std::string k : {"[0.9 0.4 0.05]", "[0.2 0.2 0.7]", "[1 1 1]"}) {
+        SCOPED_TRACE(k);
+        const std::string sky = "LightSource \"infinite\"\n";
+        const std::string rest =
+            " \"float roughness\" 0.1\nShape \"sphere\" \"float radius\" 1.5\n";
+        const auto colour = pbrt_image(
+            options() + sky + "Material \"coateddiffuse\" \"rgb reflectance\" " + k + rest);
+        const auto texture =
+            pbrt_image(options() + sky + "Texture \"t\" \"spectrum\" \"constant\" \"rgb value\" " +
+                       k + "\nMaterial \"coateddiffuse\" \"texture reflectance\" \"t\"" + rest);
+        Rgb by_colour(0.0f), by_texture(0.0f);
+        for (std::size_t i = 0; i < colour.size(); ++i) {
+            by_colour += colour[i] / 64.0f;
+            by_texture += texture[i] / 64.0f;
+        }
+        for (int c = 0; c < 3; ++c)
+            EXPECT_NEAR(by_texture[c], by_colour[c], 0.004);
+    }
+}
+
 TEST(PbrtImage, MixTakesItsSecondMaterialByTheAmount) {
     const std::string two =
         "MakeNamedMaterial \"a\" \"string type\" \"diffuse\" \"rgb reflectance\" [1 1 1]\n"

@@ -278,11 +278,13 @@ NewStatement Translator::conductor(const std::string& name, Parameters& p,
         if (const auto named = p.texture("reflectance")) {
             constants.set("texture Kr", named->text, &p.where("reflectance"));
         } else {
-            const Rgb r = spectra_.colour(p, "reflectance", ColourOf::Surface, Rgb(1.0f));
-            constants.set("color Kr",
-                          reflectance_of_colour(
-                              Rgb(std::min(r.x, 1.0f), std::min(r.y, 1.0f), std::min(r.z, 1.0f))),
-                          &p.where("reflectance"));
+            // As pbrt: of index 1, with the extinction that reflects so much at normal incidence.
+            Rgb extinction = spectra_.colour(p, "reflectance", ColourOf::Surface, Rgb(1.0f));
+            for (int c = 0; c < 3; ++c) {
+                const float r = std::clamp(extinction[c], 0.0f, 0.9999f);
+                extinction[c] = 2 * std::sqrt(r / (1 - r));
+            }
+            constants.set("color n", Rgb(1.0f)).set("color k", extinction, &p.where("reflectance"));
         }
     } else if (preset && preset == other) {
         constants.name("preset").set("string name", *preset);

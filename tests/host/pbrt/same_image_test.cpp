@@ -191,11 +191,16 @@ TEST(PbrtImage, SmoothGlassMetalAndTranslucence) {
                   "Material \"glass\" \"float index\" [1.4] \"bool architectural\" "
                   "[\"true\"]\n" +
                   our_ball));
-    expect_same(pbrt_image(options() + sky +
-                           "Material \"conductor\" \"rgb reflectance\" [0.9 0.6 0.3]\n" + ball),
-                our_image(our_sky + "Texture \"f\" \"fresnel\" \"fresnelcolor\" \"color Kr\" " +
-                          reflectance(0.9f, 0.6f, 0.3f) +
-                          "\nMaterial \"mirror\" \"texture fresnel\" \"f\"\n" + our_ball));
+    const auto extinction = [](double r) { return 2 * std::sqrt(r / (1 - r)); };
+    expect_same(
+        pbrt_image(options() + sky + "Material \"conductor\" \"rgb reflectance\" [0.9 0.6 0.3]\n" +
+                   ball),
+        our_image(
+            our_sky +
+            fmt::format("Texture \"f\" \"fresnel\" \"fresnelcolor\" \"color n\" [1 1 1] \"color "
+                        "k\" [{} {} {}]\n",
+                        extinction(0.9), extinction(0.6), extinction(0.3)) +
+            "Material \"mirror\" \"texture fresnel\" \"f\"\n" + our_ball));
     expect_same(pbrt_image(options() + sky +
                            "Material \"conductor\" \"rgb eta\" [0.2 0.9 1.1] \"rgb k\" [3.9 2.4 "
                            "2.1] \"float roughness\" 0.25\n" +

@@ -166,4 +166,26 @@ void check_refusal(const std::exception& refusal) {
     check_message(refusal.what());
 }
 
+std::string take_files(std::string_view text, std::span<const std::string_view> names,
+                       std::vector<std::string>& written) {
+    constexpr std::string_view kMark = "\n#file ";
+    std::size_t at = text.find(kMark);
+    std::string main(text.substr(0, at));
+    while (at != std::string_view::npos) {
+        const std::size_t name = at + kMark.size();
+        const std::size_t line_end = std::min(text.find('\n', name), text.size());
+        const std::size_t next = text.find(kMark, line_end);
+        const std::size_t begin = std::min(line_end + 1, text.size());
+        for (const std::string_view known : names) {
+            if (text.substr(name, line_end - name) != known) continue;
+            const std::size_t end = std::min(next, text.size());
+            written.push_back(
+                folder().write(std::string(known),
+                               std::string(text.substr(begin, end < begin ? 0 : end - begin))));
+        }
+        at = next;
+    }
+    return main;
+}
+
 }  // namespace fuzz

@@ -1,8 +1,10 @@
 // A folder of files that the inputs of fuzz targets name, and what else targets share of a host.
 #pragma once
 
+#include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "lxs/scene/registry.h"
 #include "temporary_folder.h"
@@ -25,6 +27,11 @@ const lxs::Registry& registry();
 /// A folder of this process; removed at its end. Small good files of each kind lie in it: mesh.ply,
 /// mesh.stl, lamp.ies, metal.nk, light.spd, image.png.
 const files::TemporaryFolder& folder();
+
+/// The text before the first line "#file NAME"; what is behind such a line is written to folder(),
+/// if the name is one of `names`, and its path added to `written`.
+std::string take_files(std::string_view text, std::span<const std::string_view> names,
+                       std::vector<std::string>& written);
 
 /// Named textures and materials are constants, whatever their name; files are those of folder().
 class FuzzAssets final : public lxs::AssetContext {

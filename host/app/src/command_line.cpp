@@ -357,7 +357,8 @@ std::string version() {
 
 std::optional<ExitCode> parse_command_line(int argc, const char* const* argv,
                                            CommandLine& command) {
-    CLI::App app("Renders a LuxRender scene file (.lxs) to OpenEXR and PNG.", "lxsrender");
+    CLI::App app("Renders a scene file of LuxRender (.lxs) or pbrt (.pbrt) to OpenEXR and PNG.",
+                 "lxsrender");
     app.formatter(std::make_shared<HelpLayout>());
     app.failure_message(&mistake_message);
     app.footer(kExamples + exit_code_help(kExitCodes));

@@ -11,6 +11,7 @@
 
 #include "lxs/host/parameter_override.h"
 #include "lxs/language/read_scene.h"
+#include "lxs/pbrt/read_pbrt.h"
 
 namespace lxs {
 namespace {
@@ -160,6 +161,15 @@ void keep_declared(const IntegratorPlugin& plugin, ParameterSet& set, bool asked
     }
 }
 
+/// A scene of pbrt that asks for its sppm says how that begins; another integrator finds its own
+/// radius and number of photons.
+void forget_pbrts_start(ParameterSet& set, const SourceLocation& where) {
+    if (where.file == nullptr || !is_pbrt_file(where.file->name)) return;
+    std::erase_if(set.values, [](const ParameterValue& value) {
+        return value.name == "startradius" || value.name == "photonperpass";
+    });
+}
+
 }  // namespace
 
 IntegratorChoice choose_integrator(const CommandLine& command, const SceneContents& contents,
@@ -169,6 +179,7 @@ IntegratorChoice choose_integrator(const CommandLine& command, const SceneConten
     IntegratorChoice choice;
     choice.parameters = scene_choice(contents, diagnostics);
     const std::string named = choice.parameters.plugin;
+    const SourceLocation named_at = choice.parameters.where;
     choice.of_luxrender = contains(known_plugin_names().at("SurfaceIntegrator"), named) ||
                           contains(kRenderedByDefault, named);
     if (command.integrator) {
@@ -185,6 +196,7 @@ IntegratorChoice choose_integrator(const CommandLine& command, const SceneConten
             unknown_name_message("SurfaceIntegrator", choice.parameters.plugin, plugins.names()));
     }
     if (choice.parameters.plugin != named) {
+        forget_pbrts_start(choice.parameters, named_at);
         keep_declared(*choice.integrator->plugin, choice.parameters, command.integrator.has_value(),
                       diagnostics, log);
     }

@@ -16,6 +16,7 @@
 #include "lxs/host/written_files.h"
 #include "lxs/language/asset_finder.h"
 #include "lxs/language/read_scene.h"
+#include "lxs/pbrt/read_pbrt.h"
 
 namespace lxs {
 namespace {
@@ -39,7 +40,8 @@ SceneContents load(const std::string& path, Diagnostics& diagnostics, ReadFiles&
     register_shapes(registry);
     register_shading(registry);
     try {
-        return read_scene(path, registry, diagnostics, &files);
+        return is_pbrt_file(path) ? read_pbrt(path, registry, diagnostics, &files)
+                                  : read_scene(path, registry, diagnostics, &files);
     } catch (const std::system_error& error) {
         throw SceneFailure(error.what());
     }

@@ -1,5 +1,5 @@
 // Checks of statements' arguments.
-#include "arguments.h"
+#include "lxs/language/arguments.h"
 
 #include <fmt/format.h>
 

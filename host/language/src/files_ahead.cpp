@@ -1,6 +1,8 @@
 // Which files to read ahead, and the reading.
 #include "files_ahead.h"
 
+#include "no_messages.h"
+
 #include <tbb/parallel_for.h>
 
 #include <exception>
@@ -9,13 +11,6 @@
 
 namespace lxs {
 namespace {
-
-class NoMessages final : public Diagnostics {
-  public:
-    void warning(const SourceLocation& /*where*/, const std::string& /*message*/) override {}
-    void unknown_parameter(const SourceLocation& /*where*/,
-                           const std::string& /*message*/) override {}
-};
 
 /// The argument, if it is one string.
 const std::string* text_of(const Statement& statement, std::size_t index) {

@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "lxs/language/asset_finder.h"
+#include "lxs/language/statement.h"
 #include "lxs/scene/registry.h"
-#include "statement.h"
 
 namespace lxs {
 

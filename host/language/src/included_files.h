@@ -4,17 +4,13 @@
 #include <filesystem>
 #include <map>
 #include <memory>
-#include <optional>
 #include <string>
-#include <string_view>
 
-#include "arguments.h"
+#include "lxs/language/arguments.h"
 #include "lxs/language/asset_finder.h"
+#include "lxs/language/read_text.h"
 
 namespace lxs {
-
-/// Content of the file `path`, "-" for standard input. Throws std::system_error.
-std::string read_text(const std::string& path);
 
 /// What a scene's Includes have read so far; a file that is included twice counts twice.
 struct IncludedSum {
@@ -28,8 +24,5 @@ struct IncludedSum {
 /// beyond all scenes.
 std::shared_ptr<const SourceFile> open_include(const Name& file, AssetFinder& finder,
                                                IncludedSum& sum, Diagnostics& diagnostics);
-
-/// Its first word; empty if it begins with none, but null if there is nothing but comments.
-std::optional<std::string_view> first_word(std::string_view scene);
 
 }  // namespace lxs

@@ -6,8 +6,8 @@
 #include <utility>
 #include <vector>
 
-#include "arguments.h"
 #include "files_ahead.h"
+#include "lxs/language/arguments.h"
 #include "lxs/scene/registry.h"
 #include "unknown_names.h"
 

@@ -6,7 +6,7 @@
 #include <tuple>
 #include <vector>
 
-#include "arguments.h"
+#include "lxs/language/arguments.h"
 #include "lxs/scene/contents.h"
 #include "unknown_names.h"
 

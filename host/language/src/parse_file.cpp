@@ -1,7 +1,8 @@
 // Connects the grammar to the statement builder.
-#include "parse_file.h"
+#include "lxs/language/parse_file.h"
 
 #include "grammar.h"
+#include "statement_builder.h"
 
 namespace lxs {
 namespace {

@@ -2,7 +2,8 @@
 #include "scene_reader.h"
 
 #include "included_files.h"
-#include "parse_file.h"
+#include "lxs/language/parse_file.h"
+#include "no_messages.h"
 #include "waiting_statements.h"
 
 namespace lxs {
@@ -79,7 +80,7 @@ SceneReader::SceneReader(const std::string& directory, const Registry& registry,
 }
 
 void SceneReader::read(const std::shared_ptr<const SourceFile>& file) {
-    files_.sources.push_back(file);
+    opened(file);
     WaitingStatements waiting(
         [this](std::vector<Statement> them) { execute_all(std::move(them)); });
     try {
@@ -110,8 +111,12 @@ SceneContents SceneReader::finish() {
 }
 
 void SceneReader::execute(Statement& statement) {
+    guard([&] { interpret(statement); });
+}
+
+void SceneReader::guard(const std::function<void()>& action) {
     try {
-        interpret(statement);
+        action();
     } catch (const EndOfReading&) {
         throw;
     } catch (const IgnoredStatement& ignored) {
@@ -188,7 +193,7 @@ void SceneReader::close_world(const SourceLocation& where) {
 
 void SceneReader::include(Statement& statement) {
     const Name file = take_only_name(statement);
-    const auto source = open_include(file, finder_, included_, diagnostics_);
+    const auto source = open(file);
     // Messages show lines of scenes, but a scene may name any file of whoever renders it.
     const auto word = first_word(*source->text);
     if (word && !rules().contains(std::string(*word))) {
@@ -196,6 +201,19 @@ void SceneReader::include(Statement& statement) {
                                          " is no scene file: it does not begin with a statement");
     }
     read(source);
+}
+
+std::shared_ptr<const SourceFile> SceneReader::open(const Name& file) {
+    return open_include(file, finder_, included_, diagnostics_);
+}
+
+std::string SceneReader::find_quietly(const Name& file) {
+    NoMessages silent;
+    try {
+        return finder_.find(file.text, file.where, silent);
+    } catch (const InputError&) {
+        return {};
+    }
 }
 
 void SceneReader::search_path(Statement& statement) {

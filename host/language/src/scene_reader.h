@@ -1,6 +1,7 @@
 // Interprets the statements of a scene: what each means for the graphics state and the contents.
 #pragma once
 
+#include <functional>
 #include <map>
 #include <memory>
 #include <string>
@@ -9,13 +10,13 @@
 
 #include "included_files.h"
 #include "lxs/language/read_files.h"
+#include "lxs/language/statement.h"
 #include "lxs/scene/contents.h"
 #include "lxs/scene/registry.h"
 #include "named_assets.h"
 #include "object_library.h"
 #include "plugin_factory.h"
 #include "scope_stack.h"
-#include "statement.h"
 
 namespace lxs {
 
@@ -26,6 +27,17 @@ class SceneReader {
 
     /// Reads a file and what it includes. Throws InputError on bad syntax.
     void read(const std::shared_ptr<const SourceFile>& file);
+    /// Carries out these statements in order, when their files have been read ahead.
+    void execute_all(std::vector<Statement> statements);
+    /// Runs `action`, and reports its error; throws EndOfReading after very many.
+    void guard(const std::function<void()>& action);
+    /// The file that an Include names. Throws as open_include() does.
+    std::shared_ptr<const SourceFile> open(const Name& file);
+    void opened(const std::shared_ptr<const SourceFile>& file) { files_.sources.push_back(file); }
+    /// Path of a file that the scene names. Throws InputError.
+    std::string find(const Name& file) { return finder_.find(file.text, file.where, diagnostics_); }
+    /// The same without messages; empty if there is none.
+    std::string find_quietly(const Name& file);
     /// All files read so far; forgets them.
     ReadFiles take_files() { return std::exchange(files_, {}); }
     /// The scene, after the main file; that it has no world, or no end, is an error.
@@ -41,8 +53,6 @@ class SceneReader {
         bool in_motion = false;  ///< also between MotionBegin and MotionEnd
     };
     static const std::map<std::string, Rule>& rules();
-    /// Carries out these statements in order, when their files have been read ahead.
-    void execute_all(std::vector<Statement> statements);
     /// Reports errors and goes on behind the statement; throws EndOfReading after very many.
     void execute(Statement& statement);
     void interpret(Statement& statement);

@@ -1,15 +1,12 @@
 // Collects what the grammar matches into statements, and words the syntax errors.
 #pragma once
 
-#include <functional>
 #include <memory>
 #include <string_view>
 
-#include "statement.h"
+#include "lxs/language/parse_file.h"
 
 namespace lxs {
-
-using StatementHandler = std::function<void(Statement&)>;
 
 /// Follows one file from its first to its last character; hands out each complete statement.
 class StatementBuilder {

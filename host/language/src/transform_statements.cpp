@@ -3,8 +3,8 @@
 
 #include <fmt/format.h>
 
+#include "lxs/language/transforms.h"
 #include "scene_reader.h"
-#include "transforms.h"
 
 namespace lxs {
 namespace {

@@ -1,5 +1,5 @@
 // Matrices of the transform statements.
-#include "transforms.h"
+#include "lxs/language/transforms.h"
 
 #include <cmath>
 #include <limits>

@@ -7,7 +7,7 @@
 #include <variant>
 #include <vector>
 
-#include "statement.h"
+#include "lxs/language/statement.h"
 
 namespace lxs {
 

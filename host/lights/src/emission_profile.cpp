@@ -29,15 +29,18 @@ bool SphereProfile::coordinates(const Vec3& w, Vec2& u) const {
     return importance_.coordinates(latlong_coordinates(rotation_.to_local(w)), u);
 }
 
-ScreenProfile::ScreenProfile(const Frame& axes, LatLongMap image, float fov)
-    : axes_(axes), image_(std::move(image)) {
+ScreenProfile::ScreenProfile(const Frame& axes, LatLongMap image, float fov, bool plain)
+    : axes_(axes), image_(std::move(image)), plain_(plain) {
     const float aspect = static_cast<float>(image_.width()) / static_cast<float>(image_.height());
     const float half_side = std::tan(fov / 2);
     half_ = Vec2(std::max(aspect, 1.0f), std::max(1 / aspect, 1.0f)) * half_side;
     area_ = 4 * half_side * half_side / aspect;
-    const auto evenly = [](const Vec2&) { return 1.0; };
-    importance_ = image_.importance(evenly);
-    integral_ = image_.integral(evenly) * (4 * half_.x * half_.y / area_);
+    // What a pixel gets of the emission over its solid angle.
+    const auto weight = [&](const Vec2& st) {
+        return plain_ ? std::pow(double(local_direction(st).z), 3) : 1.0;
+    };
+    importance_ = image_.importance(weight);
+    integral_ = image_.integral(weight) * (4 * half_.x * half_.y / (plain_ ? 1 : area_));
 }
 
 Vec3 ScreenProfile::local_direction(const Vec2& st) const {
@@ -54,6 +57,7 @@ bool ScreenProfile::image_place(const Vec3& w, Vec2& st) const {
 Rgb ScreenProfile::at(const Vec3& w) const {
     Vec2 st;
     if (!image_place(w, st)) return Rgb(0.0f);
+    if (plain_) return image_.lookup(st);
     const float cosine = local_direction(st).z;
     return image_.lookup(st) / (area_ * cosine * cosine * cosine);
 }

@@ -45,8 +45,9 @@ class SphereProfile final : public EmissionProfile {
 class ScreenProfile final : public EmissionProfile {
   public:
     /// `axes`: n is the axis, s the direction of the image's rows, t that of its columns, from the
-    /// top row on; `fov` in radians.
-    ScreenProfile(const Frame& axes, LatLongMap image, float fov);
+    /// top row on; `fov` in radians. `plain`: the image's values are the emission itself, as in
+    /// pbrt.
+    ScreenProfile(const Frame& axes, LatLongMap image, float fov, bool plain);
     Rgb at(const Vec3& w) const override;
     float sample(const Vec2& u, Vec3& w) const override;
     bool coordinates(const Vec3& w, Vec2& u) const override;
@@ -61,6 +62,7 @@ class ScreenProfile final : public EmissionProfile {
     LatLongMap image_;
     Vec2 half_{1.0f};  ///< half the image's sides at distance 1
     float area_ = 1;   ///< LuxRender's, see above
+    bool plain_ = false;
     Piecewise2D importance_;
     Rgb integral_{0.0f};
 };

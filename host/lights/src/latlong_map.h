@@ -47,8 +47,10 @@ class LatLongMap {
     /// Integral of the map over all directions.
     Rgb fluence() const;
 
-  private:
+    /// Of a column within one width of the image, which wraps around; rows stop at the poles.
     const Rgb& pixel(std::ptrdiff_t x, std::ptrdiff_t y) const;
+
+  private:
     /// Mean luminance of the bilinear interpolant over one pixel.
     float mean_luminance(std::ptrdiff_t x, std::ptrdiff_t y) const;
 

@@ -10,6 +10,7 @@
 #include "environment_layout.h"
 #include "infinite_light.h"
 #include "light_statement.h"
+#include "lxs/scene/registry.h"
 #include "make_profile_lights.h"
 #include "make_sky_lights.h"
 #include "point_intensity.h"
@@ -33,7 +34,8 @@ void make_spot(const LightStatement& s, Lights& lights) {
     const double outer = s.reader.number("coneangle", 30);
     if (!(outer > 0)) s.reader.fail("coneangle", "a spot light needs a cone angle above 0");
     const double inner = std::max(0.0, outer - s.reader.number("conedeltaangle", 5));
-    const SpotCone cone{static_cast<float>(inner * kRadians), static_cast<float>(outer * kRadians)};
+    const SpotCone cone{static_cast<float>(inner * kRadians), static_cast<float>(outer * kRadians),
+                        s.reader.string("falloff", "fourthpower") == "smoothstep"};
     const Vec3 axis = s.from_to_direction();
     const Rgb color = s.color();
     // LuxRender 1.9 rates the cone's rim as half lit; its falloff passes a fifth.
@@ -70,12 +72,17 @@ void make_infinite(const LightStatement& s, Lights& lights) {
         return;
     }
     const SourceLocation& where = s.reader.where("mapname");
-    const LatLongMap map = as_latlong(LatLongMap::read(s.resolve(name, where), s.number("gamma", 1),
-                                                       where, s.reader.diagnostics()),
-                                      s.reader.string("mapping", "latlong"));
-    const Rgb gain = s.cleaned(Rgb(s.number("gain", 1)), "gain");
+    LatLongMap map = as_latlong(LatLongMap::read(s.resolve(name, where), s.number("gamma", 1),
+                                                 where, s.reader.diagnostics()),
+                                s.reader.string("mapping", "latlong"));
+    Rgb gain = s.cleaned(Rgb(s.number("gain", 1)), "gain");
+    if (s.reader.boolean("plaincolors", false)) {
+        gain *= s.color();
+    } else {
+        map = map.filtering(s.given_color());
+    }
     lights.push_back(std::make_unique<MappedEnvironment>(s.placement(), s.sphere, s.rotation(),
-                                                         map.filtering(s.given_color()), gain));
+                                                         std::move(map), gain));
 }
 
 void make_by_name(const LightStatement& s, Lights& lights) {

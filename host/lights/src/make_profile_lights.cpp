@@ -28,7 +28,8 @@ void make_goniometric(const LightStatement& s, Lights& lights) {
     // As LuxRender: the profile tells where light goes, L how much there is.
     const Rgb sum = profile->integral();
     const float mean = (sum.x + sum.y + sum.z) / 3;
-    const Rgb unit = mean > 0 ? s.color() * (4 * kPi / mean) : Rgb(0.0f);
+    const bool plain = s.reader.boolean("plainvalues", false);
+    const Rgb unit = plain ? s.color() : mean > 0 ? s.color() * (4 * kPi / mean) : Rgb(0.0f);
     add(s, "goniometric", unit, std::move(profile), lights);
 }
 
@@ -46,7 +47,9 @@ void make_projection(const LightStatement& s, Lights& lights) {
     axes.t = rotation.to_world(axis % rows);
     LatLongMap image = s.reader.string("mapname", "").empty() ? LatLongMap(1, 1, {Rgb(1.0f)})
                                                               : read_map(s.reader, s.resolve);
-    add(s, "projection", s.color(), std::make_unique<ScreenProfile>(axes, std::move(image), fov),
+    add(s, "projection", s.color(),
+        std::make_unique<ScreenProfile>(axes, std::move(image), fov,
+                                        s.reader.boolean("plainvalues", false)),
         lights);
 }
 

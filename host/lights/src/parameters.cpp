@@ -119,7 +119,24 @@ constexpr std::array kSkyCoefficients = {
                 "Factor on coefficient E of the sky's brightness and colours."),
 };
 
-constexpr std::array<std::string_view, 3> kMappings = {"latlong", "angular", "vcross"};
+constexpr std::array<std::string_view, 4> kMappings = {"latlong", "angular", "vcross", "equalarea"};
+
+constexpr std::array<std::string_view, 2> kFalloffs = {"fourthpower", "smoothstep"};
+
+constexpr std::array<std::string_view, 2> kProfileMappings = {"latlong", "equalarea"};
+constexpr ParameterDeclaration kProfileMapping{
+    .name = "mapping",
+    .type = Type::String,
+    .default_text = "latlong",
+    .doc =
+        "Layout of the image: latitude-longitude, or (not LuxRender's) pbrt's equal-area "
+        "octahedral square.",
+    .choices = kProfileMappings};
+constexpr ParameterDeclaration kPlainValues{
+    .name = "plainvalues",
+    .type = Type::Bool,
+    .default_text = "false",
+    .doc = "The intensity is L times the image's values as they are. Not LuxRender's."};
 
 using Declarations = std::vector<ParameterDeclaration>;
 
@@ -139,8 +156,14 @@ Declarations infinite_parameters() {
             {.name = "mapping",
              .type = Type::String,
              .default_text = "latlong",
-             .doc = "Layout of the image: latitude-longitude, angular map or vertical cross.",
+             .doc = "Layout of the image: latitude-longitude, angular map, vertical cross, or (not "
+                    "LuxRender's) pbrt's equal-area octahedral square.",
              .choices = kMappings},
+            {.name = "plaincolors",
+             .type = Type::Bool,
+             .default_text = "false",
+             .doc = "The image's colours shine as they are, where LuxRender turns saturated ones a "
+                    "little. Not LuxRender's."},
             kMapGamma,
             kMapResolution,
             kHidden,
@@ -182,13 +205,20 @@ Declarations spot_parameters() {
              .doc = "Width of the falloff at the cone's rim, degrees.",
              .minimum = 0,
              .maximum = 180},
+            {.name = "falloff",
+             .type = Type::String,
+             .default_text = "fourthpower",
+             .doc = "Law of the falloff by the cosine's share: LuxRender's, or (not LuxRender's) "
+                    "pbrt-v4's smoothstep.",
+             .choices = kFalloffs},
             kSamples,
             kImportance};
 }
 
 Declarations point_parameters() {
-    return {kColor,      kGain,     power("0"), efficacy("0"), kFrom,      kIes,
-            kProfileMap, kMapGamma, kFlip,      kSamples,      kImportance};
+    return {kColor, kGain,       power("0"),      efficacy("0"), kFrom,
+            kIes,   kProfileMap, kProfileMapping, kPlainValues,  kMapGamma,
+            kFlip,  kSamples,    kImportance};
 }
 
 Declarations distant_parameters() {
@@ -225,6 +255,7 @@ Declarations projection_parameters() {
              .type = Type::String,
              .default_text = "",
              .doc = "Projected image; without it a square of light."},
+            kPlainValues,
             kMapGamma,
             {.name = "fov",
              .default_text = "45",

@@ -57,40 +57,57 @@ SpotLight::SpotLight(const LightPlacement& placement, const Vec3& position, cons
     : PointLight(placement, position, intensity),
       frame_(axis),
       inner_(one_minus_cos(cone.inner)),
-      outer_(one_minus_cos(cone.outer)) {}
+      outer_(one_minus_cos(cone.outer)),
+      smooth_(cone.smooth) {}
+
+float SpotLight::fall(float share) const {
+    return smooth_ ? share * share * (3 - 2 * share) : (share * share) * (share * share);
+}
+
+float SpotLight::fallen(float share) const {
+    return smooth_ ? share * share * share * (2 - share) : std::pow(share, 5.0f);
+}
+
+float SpotLight::share_of(float fallen) const {
+    if (!smooth_) return std::pow(fallen, 0.2f);
+    double share = std::cbrt(fallen / 2);  // below the root, where Newton's steps rise to it
+    for (int i = 0; i < 6; ++i) {
+        const double slope = share * share * (6 - 4 * share);
+        if (!(slope > 0)) break;
+        share -= (share * share * share * (2 - share) - double(fallen)) / slope;
+    }
+    return static_cast<float>(std::clamp(share, 0.0, 1.0));
+}
 
 float SpotLight::falloff(const Vec3& w) const {
     const float x = (w - frame_.n).length2() / 2;  // 1 - cosine of unit vectors
     if (x >= outer_) return 0;
     if (x <= inner_) return 1;
-    const float share = (outer_ - x) / (outer_ - inner_);
-    return (share * share) * (share * share);
+    return fall((outer_ - x) / (outer_ - inner_));
 }
 
 float SpotLight::falloff_integral() const {
-    return 2 * kPi * (inner_ + (outer_ - inner_) / 5);
+    return 2 * kPi * (inner_ + fade());
 }
 
 Vec3 SpotLight::sample_direction(double u0, float u1) const {
-    const float fade = (outer_ - inner_) / 5;
-    const float target = static_cast<float>(u0) * (inner_ + fade);
+    const float target = static_cast<float>(u0) * (inner_ + fade());
     float x = target;
     if (target > inner_) {
-        const float rest = std::clamp(1.0f - (target - inner_) / fade, 0.0f, 1.0f);
-        x = outer_ - (outer_ - inner_) * std::pow(rest, 0.2f);
+        const float rest = std::clamp(1.0f - (target - inner_) / fade(), 0.0f, 1.0f);
+        x = outer_ - (outer_ - inner_) * share_of(rest);
     }
     return frame_.to_world(around_z(x, u1)).normalized();
 }
 
 Imath::V2d SpotLight::direction_coordinates(const Vec3& w) const {
     const Vec2 polar = from_around_z(frame_.to_local(w));
-    const float fade = (outer_ - inner_) / 5;
     float target = polar.x;
     if (target > inner_) {
         const float rest = std::clamp((outer_ - target) / (outer_ - inner_), 0.0f, 1.0f);
-        target = inner_ + fade * (1.0f - std::pow(rest, 5.0f));
+        target = inner_ + fade() * (1.0f - fallen(rest));
     }
-    return Imath::V2d(Vec2(clamp_to_unit(target / (inner_ + fade)), polar.y));
+    return Imath::V2d(Vec2(clamp_to_unit(target / (inner_ + fade())), polar.y));
 }
 
 }  // namespace lxs

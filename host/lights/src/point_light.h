@@ -45,10 +45,12 @@ class PointLight : public PlacedLight {
 struct SpotCone {
     float inner = 0;
     float outer = 0;
+    bool smooth = false;  ///< a smoothstep of the cosine in between (pbrt-v4), not a fourth power
 };
 
 /// Spot light: within the transition the intensity falls with the fourth power of the cosine's
-/// share (Pharr & Humphreys 2010, section 12.2.1, the law of LuxRender's spot).
+/// share (Pharr & Humphreys 2010, section 12.2.1, the law of LuxRender's spot), or as a smoothstep
+/// of it.
 class SpotLight final : public PointLight {
   public:
     SpotLight(const LightPlacement& placement, const Vec3& position, const Vec3& axis,
@@ -63,9 +65,18 @@ class SpotLight final : public PointLight {
     Imath::V2d direction_coordinates(const Vec3& w) const override;
     float falloff_integral() const override;
 
+    /// Within the transition, from the cosine's share in [0, 1]: the intensity; its integral from 0
+    /// on as a share of the whole one; the inverse of that.
+    float fall(float share) const;
+    float fallen(float share) const;
+    float share_of(float fallen) const;
+    /// The whole integral, over the transition's width in 1 - cosine.
+    float fade() const { return (outer_ - inner_) / (smooth_ ? 2 : 5); }
+
     Frame frame_;
     // 1 - cosine, which keeps narrow cones precise.
     float inner_ = 0, outer_ = 0;
+    bool smooth_ = false;
 };
 
 }  // namespace lxs

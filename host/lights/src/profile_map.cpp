@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <functional>
 
+#include "environment_layout.h"
 #include "photometric_file.h"
 
 namespace lxs {
@@ -25,10 +26,12 @@ OverDirections photometric_intensity(const ParameterReader& reader, const AssetR
 LatLongMap upright_map(const ParameterReader& reader, const AssetResolver& resolve) {
     constexpr std::size_t kWidth = 720, kHeight = 360;  // half a degree, finer than files measure
     const bool image = !reader.string("mapname", "").empty();
-    if (reader.string("iesname", "").empty()) return read_map(reader, resolve);
+    if (reader.string("iesname", "").empty())
+        return as_latlong(read_map(reader, resolve), reader.string("mapping", "latlong"));
     const OverDirections intensity = photometric_intensity(reader, resolve);
     if (!image) return LatLongMap::of(kWidth, kHeight, intensity);
-    const LatLongMap map = read_map(reader, resolve);
+    const LatLongMap map =
+        as_latlong(read_map(reader, resolve), reader.string("mapping", "latlong"));
     return LatLongMap::of(std::max(map.width(), kWidth), std::max(map.height(), kHeight),
                           [&](const Vec2& st) { return map.lookup(st) * intensity(st); });
 }

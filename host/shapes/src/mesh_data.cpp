@@ -219,7 +219,54 @@ void apply_gamma(std::vector<Rgb>& colors, float gamma) {
     }
 }
 
+namespace {
+
+/// Winds faces such that they look where the normals at their corners do.
+void wind_by_normals(TriangleMesh& mesh) {
+    if (mesh.normals.empty()) return;
+    for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3) {
+        const std::uint32_t a = mesh.indices[i], b = mesh.indices[i + 1], c = mesh.indices[i + 2];
+        const Vec3 face =
+            (mesh.positions[b] - mesh.positions[a]) % (mesh.positions[c] - mesh.positions[a]);
+        if (face.dot(mesh.normals[a] + mesh.normals[b] + mesh.normals[c]) < 0)
+            std::swap(mesh.indices[i + 1], mesh.indices[i + 2]);
+    }
+}
+
+/// Gives each face another one behind it, turned over; `share` of the mesh's extent away.
+void add_backs(TriangleMesh& mesh, float share) {
+    Imath::Box3f box;
+    for (const Vec3& p : mesh.positions)
+        box.extendBy(p);
+    const Vec3 size = mesh.positions.empty() ? Vec3(0.0f) : box.size();
+    const float distance = share * std::max({size.x, size.y, size.z});
+    const auto copy = [](auto& values, std::size_t from) {
+        if (!values.empty())
+            values.push_back(typename std::decay_t<decltype(values)>::value_type(values[from]));
+    };
+    const std::vector<std::uint32_t> fronts = mesh.indices;
+    for (std::size_t i = 0; i + 2 < fronts.size(); i += 3) {
+        const Vec3 &a = mesh.positions[fronts[i]], &b = mesh.positions[fronts[i + 1]],
+                   &c = mesh.positions[fronts[i + 2]];
+        const Vec3 away = ((b - a) % (c - a)).normalized() * distance;
+        for (const std::size_t corner : {i, i + 2, i + 1}) {
+            const std::size_t from = fronts[corner];
+            mesh.indices.push_back(static_cast<std::uint32_t>(mesh.positions.size()));
+            mesh.positions.push_back(mesh.positions[from] - away);
+            if (!mesh.normals.empty()) mesh.normals.push_back(-mesh.normals[from]);
+            copy(mesh.uvs, from);
+            copy(mesh.colors, from);
+            copy(mesh.alphas, from);
+        }
+    }
+}
+
+}  // namespace
+
 TriangleMesh finish_mesh(TriangleMesh mesh, const Matrix& to_world, const ParameterReader& reader) {
+    if (reader.boolean("facesbynormals", false)) wind_by_normals(mesh);
+    if (const double share = reader.number("backs", 0); share != 0)
+        add_backs(mesh, static_cast<float>(share));
     transform_positions(mesh, to_world, reader);
     drop_degenerate(mesh, reader);
     transform_normals(mesh, to_world);
@@ -237,6 +284,13 @@ std::vector<ParameterDeclaration> compatibility_parameters() {
     return {
         {"name", String, "", "Name of the shape in messages."},
         {"discardmeshnormals", Bool, "false", "The mesh's own normals are left out."},
+        {"facesbynormals", Bool, "false",
+         "Faces look where the normals at their corners do, and are flat where there are none. Not "
+         "LuxRender's."},
+        {"backs", Float, "0",
+         "Above 0: each face has another one behind it, turned over, so far away as a share of the "
+         "mesh's extent; below 0: in front of it. Not LuxRender's.",
+         -0.1, 0.1},
         past("generatetangents", Bool, "false", "Tangents for normal maps made from coordinates."),
         past("acceltype", String, "auto", "Acceleration structure; Embree's is used."),
         past("tritype", String, "auto", "Kind of triangle test; Embree's is used."),

@@ -1,5 +1,6 @@
 // Meshes in PLY and STL files.
 #include <fmt/format.h>
+#include <zlib.h>
 
 #include <algorithm>
 #include <any>
@@ -38,6 +39,38 @@ FileText whole_file(const std::string& path) {
     return text;
 }
 
+/// The same, unpacked if it is of gzip's format by its first bytes.
+FileText whole_file_unpacked(const std::string& path) {
+    FileText packed = whole_file(path);
+    const std::string_view bytes = packed.view();
+    if (!bytes.starts_with("\x1f\x8b")) return packed;
+    // A longer one is no mesh; it also bounds what a small file may ask for.
+    constexpr std::size_t kMostBytes = std::size_t{64} << 30;
+    const std::unique_ptr<gzFile_s, int (*)(gzFile)> file(gzopen(path.c_str(), "rb"), &gzclose);
+    if (!file) throw std::runtime_error("it can't be opened");
+    FileText text;
+    std::size_t room = std::min(4 * packed.size + 4096, kMostBytes);
+    text.bytes = std::make_unique_for_overwrite<char[]>(room);
+    for (;;) {
+        const auto block = static_cast<unsigned>(std::min<std::size_t>(room - text.size, 1 << 30));
+        const int read = gzread(file.get(), text.bytes.get() + text.size, block);
+        if (read < 0) throw std::runtime_error("its compressed data is damaged");
+        text.size += static_cast<std::size_t>(read);
+        if (static_cast<unsigned>(read) < block) break;
+        if (text.size < room) continue;
+        if (room == kMostBytes) throw std::runtime_error("it is longer than 64 GiB unpacked");
+        room = std::min(2 * room, kMostBytes);
+        auto more = std::make_unique_for_overwrite<char[]>(room);
+        std::copy_n(text.bytes.get(), text.size, more.get());
+        text.bytes = std::move(more);
+    }
+    int status = Z_OK;
+    gzerror(file.get(), &status);
+    if (status != Z_OK && status != Z_STREAM_END)
+        throw std::runtime_error("its compressed data is damaged");
+    return text;
+}
+
 using ReadMesh = TriangleMesh (*)(std::string_view file);
 
 /// A mesh that was read ahead; shared, as std::any wants copies.
@@ -46,7 +79,7 @@ using MeshAhead = std::shared_ptr<TriangleMesh>;
 /// For Factory::read_file.
 template <ReadMesh kRead>
 std::any read_ahead(const std::string& path) {
-    return std::make_shared<TriangleMesh>(kRead(whole_file(path).view()));
+    return std::make_shared<TriangleMesh>(kRead(whole_file_unpacked(path).view()));
 }
 
 constexpr std::string_view kFile = "filename";
@@ -69,7 +102,7 @@ TriangleMesh read_mesh(const ParameterReader& reader, const AssetContext& assets
         if (const auto* known = std::any_cast<MeshAhead>(&ahead)) {
             mesh = std::move(**known);
         } else {
-            mesh = read(whole_file(path).view());
+            mesh = read(whole_file_unpacked(path).view());
         }
     } catch (const std::bad_alloc&) {
         throw EndOfReading(reader.where(kFile),
@@ -96,7 +129,8 @@ Geometry create_ply(const ParameterReader& reader, const AssetContext& assets,
     apply_gamma(mesh.colors, static_cast<float>(reader.number("gamma", 1)));
     mesh = refine(std::move(mesh), reader, assets, to_world, "nsubdivlevels", 0);
     const bool refined = reader.integer("nsubdivlevels", 0) > 0 || reader.given("displacementmap");
-    if (!refined && (mesh.normals.empty() || reader.boolean("smooth", false)))
+    const bool flat = reader.boolean("facesbynormals", false);
+    if (!refined && ((mesh.normals.empty() && !flat) || reader.boolean("smooth", false)))
         mesh.normals = smooth_normals(mesh.positions, mesh.indices);
     return finish_mesh(std::move(mesh), to_world, reader);
 }
@@ -121,7 +155,8 @@ ShapeFactory make_ply_factory() {
     using enum ParameterType;
     return {
         file_parameters({{"filename", String, "",
-                          "PLY file, text or binary; faces may have any number of corners."},
+                          "PLY file, text or binary, also packed by gzip; faces may have any "
+                          "number of corners."},
                          {"smooth", Bool, "false",
                           "Make smooth normals in place of the file's; always so if it has none."},
                          {"usecolor", Bool, "true", "Use the file's vertex colours."},

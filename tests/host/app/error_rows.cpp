@@ -79,13 +79,21 @@ bool stands_before_world(const std::string& code) {
     return std::find(kStatements.begin(), kStatements.end(), word) != kStatements.end();
 }
 
+/// A scene of pbrt with a lamp and a ball.
+std::string small_pbrt_scene(const std::string& options, const std::string& world) {
+    return "Film \"rgb\" \"integer xresolution\" 4 \"integer yresolution\" 4\n" + options +
+           "WorldBegin\nLightSource \"infinite\"\nShape \"sphere\"\n" + world;
+}
+
 /// What a cause asks for.
 struct WrittenCause {
     std::string options, world, whole;
     std::vector<std::string> arguments;
+    bool pbrt = false;  ///< the scene is one of pbrt
 
     void add(const std::string& words, const std::string& code, const TemporaryFolder& folder) {
         constexpr std::string_view kAnd = "and ", kHolding = " holding ";
+        pbrt |= words.starts_with("pbrt");
         if (words.ends_with(kHolding)) {
             const auto begin = words.rfind(kAnd) + kAnd.size();
             folder.write(words.substr(begin, words.size() - kHolding.size() - begin),
@@ -95,7 +103,9 @@ struct WrittenCause {
         } else if (code.starts_with('-')) {
             std::istringstream text(code);
             arguments.insert(arguments.end(), std::istream_iterator<std::string>(text), {});
-        } else if (words == "before WorldBegin: " ||
+        } else if (words == "pbrt, the whole scene: ") {
+            whole = unescaped(code);
+        } else if (words == "before WorldBegin: " || words == "pbrt, before WorldBegin: " ||
                    (words != "after WorldBegin: " && stands_before_world(code))) {
             options += code + "\n";
         } else {
@@ -156,9 +166,11 @@ RunResult run_written_cause(const std::string& cause, const TemporaryFolder& fol
                     folder);
         at = end + 1;
     }
-    folder.write("scene.lxs", written.whole.empty() ? small_scene(written.options, written.world)
-                                                    : written.whole);
-    std::vector<std::string> arguments{"scene.lxs"};
+    const std::string name = written.pbrt ? "scene.pbrt" : "scene.lxs";
+    const auto usual = written.pbrt ? small_pbrt_scene : small_scene;
+    folder.write(name,
+                 written.whole.empty() ? usual(written.options, written.world) : written.whole);
+    std::vector<std::string> arguments{name};
     const auto& given = written.arguments;
     if (std::find(given.begin(), given.end(), "--time") == given.end() &&
         std::find(given.begin(), given.end(), "--passes") == given.end()) {

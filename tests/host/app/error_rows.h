@@ -27,7 +27,7 @@ RunResult run_forked(const TemporaryFolder& folder, std::vector<std::string> arg
 /// Does what lxsrender does with a cause in code: `CODE` is a part of the scene (before WorldBegin
 /// if it begins with a statement that stands there, or after the words "before WorldBegin:"), or
 /// options if it begins with '-'; after "and NAME holding" it is the content of a file, after "the
-/// whole scene is" all of the scene.
+/// whole scene is" all of the scene. Words that begin with "pbrt" speak of a scene of pbrt.
 RunResult run_written_cause(const std::string& cause, const TemporaryFolder& folder);
 
 /// A render whose image texture is cut short between two passes, before all of it has been read.

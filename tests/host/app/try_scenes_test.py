@@ -1,5 +1,5 @@
 """Protects scripts/try-scenes: one scene that loads, with a file missing; one that does not; one that
-is black. Arguments: the script, the build folder."""
+is black; one of pbrt. Arguments: the script, the build folder."""
 import pathlib
 import subprocess
 import sys
@@ -15,11 +15,14 @@ SCENES = {
                      'WorldEnd\n',
     'bad.lxs': FILM + 'WorldBegin\nLightSource "point"\nShapes "sphere"\nRotate 1 0 0 0\n' + BALL +
                'WorldEnd\n',
+    'other.pbrt': 'WorldBegin\nLightSource "infinite"\nShape "sphere" "float radios" 1\n',
+    'part.pbrt': 'Shape "sphere"\n',
     'dark.lxs': FILM + 'WorldBegin\nLightSource "point" "color L" [0 0 0]\n' + BALL + 'WorldEnd\n',
 }
 EXPECTED = {
     'bad.lxs': ['no', '', '-', '', '2'],
     'dark.lxs': ['yes', '', 'black', '1', ''],
+    'other.pbrt': ['yes', '', 'black', '2', ''],
     'good/ball.lxs': ['yes', '2', 'ok', '1', ''],
 }
 
@@ -39,7 +42,7 @@ def main():
         cells = [cell.strip() for cell in line.strip('|').split('|')]
         rows[cells[0]] = cells[1:-1]
     wrong = [name for name, cells in EXPECTED.items() if rows.get(name) != cells]
-    summary = '3 scenes: 2 loaded, 1 of them without some file; 1 black, 0 white; 1 not loaded'
+    summary = '4 scenes: 3 loaded, 1 of them without some file; 2 black, 0 white; 1 not loaded'
     if run.returncode == 1 and not wrong and summary in run.stdout:
         return
     print(run.stdout, run.stderr, f'rows that are not as expected: {wrong}', sep='\n')

@@ -30,14 +30,21 @@ class NoWarnings : public Diagnostics, public Log {
     void debug(std::string_view /*message*/) override {}
 };
 
-/// A scene with all that a render of it needs.
-class Render {
+/// What is told of the scene's own language matters to other tests.
+class NoErrors final : public NoWarnings {
   public:
-    Render(const std::string& text, const PathSettings& settings, std::uint64_t seed)
-        : integrator_(settings) {
-        Registry registry;
-        register_shapes(registry);
-        register_shading(registry);
+    void warning(const SourceLocation& /*where*/, const std::string& /*message*/) override {}
+    using NoWarnings::warning;
+    void fallback(const SourceLocation& /*where*/, const std::string& /*message*/,
+                  const std::string& /*instead*/) override {}
+    void error(const InputError& error) override { ADD_FAILURE() << error.what(); }
+};
+
+using ReadScene = std::function<SceneContents(const Registry&, Diagnostics&)>;
+
+/// Reads a scene of LuxRender whose film the test gives.
+ReadScene reader_of(const std::string& text) {
+    return [=](const Registry& registry, Diagnostics& messages) {
         const std::string film =
             "Film \"fleximage\" \"integer xresolution\" [8] \"integer yresolution\" [8]\n"
             // The scene's own colours.
@@ -45,13 +52,27 @@ class Render {
             "\"float colorspace_blue\" [0.15 0.06] "
             "\"float colorspace_white\" [0.313334 0.329235]\n"
             "PixelFilter \"box\" \"float xwidth\" [0.5] \"float ywidth\" [0.5]\n";
-        SceneContents contents = read_scene_text(film + text, "test", ".", registry, messages_);
-        film_ = make_film(contents, messages_);
-        camera_ = make_camera(contents, *film_, messages_);
-        sampler_ = make_sampler(contents, seed, messages_, true);
-        scene_ = make_trace_scene(std::move(contents), {}, messages_);
+        return read_scene_text(film + text, "test", ".", registry, messages);
+    };
+}
+
+/// A scene with all that a render of it needs.
+class Render {
+  public:
+    Render(const ReadScene& read, const PathSettings& settings, std::uint64_t seed,
+           std::unique_ptr<NoWarnings> messages = std::make_unique<NoWarnings>(),
+           const AssetResolver& resolve = {})
+        : messages_(std::move(messages)), integrator_(settings) {
+        Registry registry;
+        register_shapes(registry);
+        register_shading(registry);
+        SceneContents contents = read(registry, *messages_);
+        film_ = make_film(contents, *messages_);
+        camera_ = make_camera(contents, *film_, *messages_);
+        sampler_ = make_sampler(contents, seed, *messages_, true);
+        scene_ = make_trace_scene(std::move(contents), resolve, *messages_);
         camera_->set_media(scene_->camera_media());
-        integrator_.prepare({*scene_, *camera_, *sampler_, *film_, messages_, {0, seed}});
+        integrator_.prepare({*scene_, *camera_, *sampler_, *film_, *messages_, {0, seed}});
     }
 
     std::vector<Rgb> image(int passes) {
@@ -63,7 +84,7 @@ class Render {
     Statistics statistics() const { return integrator_.statistics(); }
 
   private:
-    NoWarnings messages_;
+    std::unique_ptr<NoWarnings> messages_;
     std::unique_ptr<FileFilm> film_;
     std::unique_ptr<SceneCamera> camera_;
     std::unique_ptr<Sampler> sampler_;
@@ -98,7 +119,7 @@ std::string square(double z, double half_side, bool down) {
 MeanRadiance render_mean(const std::string& text, const PathSettings& settings, int passes,
                          std::uint64_t seed) {
     constexpr int kBatches = 16;
-    Render render(text, settings, seed);
+    Render render(reader_of(text), settings, seed);
     std::vector<Rgb> batches;
     for (int i = 0; i < kBatches; ++i) {
         render.clear();
@@ -118,10 +139,18 @@ MeanRadiance render_mean(const std::string& text, const PathSettings& settings, 
 
 std::vector<Rgb> render_image(const std::string& text, const PathSettings& settings, int passes,
                               Statistics* statistics, std::uint64_t seed) {
-    Render render(text, settings, seed);
+    Render render(reader_of(text), settings, seed);
     std::vector<Rgb> image = render.image(passes);
     if (statistics != nullptr) *statistics = render.statistics();
     return image;
+}
+
+std::vector<Rgb> render_image(const ReadScene& read, const PathSettings& settings, int passes,
+                              const std::string& folder) {
+    const auto in_folder = [&](const std::string& name, const SourceLocation& /*where*/) {
+        return folder + "/" + name;
+    };
+    return Render(read, settings, 1, std::make_unique<NoErrors>(), in_folder).image(passes);
 }
 
 double z_score(const MeanRadiance& a, const MeanRadiance& b) {

@@ -1,9 +1,12 @@
 // Renders small scenes with `path`, for tests.
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
+#include "lxs/scene/contents.h"
+#include "lxs/scene/registry.h"
 #include "lxs/sdk/integrator.h"
 #include "path/path_settings.h"
 
@@ -30,6 +33,12 @@ MeanRadiance render_mean(const std::string& text, const PathSettings& settings =
 /// The whole image, row by row.
 std::vector<Rgb> render_image(const std::string& text, const PathSettings& settings, int passes,
                               Statistics* statistics = nullptr, std::uint64_t seed = 1);
+
+/// The whole image of a scene that is read otherwise, whose lights' files lie in `folder`; warnings
+/// do not fail the test.
+std::vector<Rgb> render_image(
+    const std::function<SceneContents(const Registry&, Diagnostics&)>& read,
+    const PathSettings& settings, int passes, const std::string& folder);
 
 /// |a - b| in units of their joint standard error, the largest over the channels.
 double z_score(const MeanRadiance& a, const MeanRadiance& b);

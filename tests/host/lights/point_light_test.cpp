@@ -83,6 +83,38 @@ TEST(SpotLight, PhotonsFollowTheFalloff) {
     EXPECT_NEAR(inside, share * kCount, 4 * std::sqrt(share * (1 - share) * kCount));
 }
 
+TEST(SpotLight, SmoothstepOfPbrt) {
+    const double outer = 40 * kPi / 180, inner = 10 * kPi / 180;
+    const auto light =
+        make_one("spot", {numbers("color", "L", {80, 80, 80}), numbers("float", "coneangle", {40}),
+                          numbers("float", "conedeltaangle", {30}), text("falloff", "smoothstep")});
+    const auto share = [&](double angle) {
+        return (std::cos(angle) - std::cos(outer)) / (std::cos(inner) - std::cos(outer));
+    };
+    for (const double degrees : {12.0, 20.0, 30.0, 38.0}) {
+        const double angle = degrees * kPi / 180, s = share(angle);
+        EXPECT_NEAR(direct(*light, Vec3(float(std::sin(angle)), 0, float(std::cos(angle)))).x,
+                    80 * s * s * (3 - 2 * s), 2e-3);
+    }
+    const double closed =
+        2 * kPi * 80 * ((1 - std::cos(inner)) + (std::cos(inner) - std::cos(outer)) / 2);
+    EXPECT_NEAR(light->power() / closed, 1, 1e-5);
+    // Photons have the same power each, and as many go within an angle as its share of the light.
+    Random random(37);
+    constexpr int kCount = 100000;
+    int within_25 = 0;
+    for (int i = 0; i < kCount; ++i) {
+        EmissionSample s;
+        ASSERT_TRUE(light->sample_emission({random(), random(), random(), random()}, s));
+        ASSERT_FLOAT_EQ(luminance(s.power), light->power());
+        if (s.ray.direction.z > std::cos(25 * kPi / 180)) ++within_25;
+    }
+    const double s = share(25 * kPi / 180), all = 0.5 * (std::cos(inner) - std::cos(outer));
+    const double beyond = all * s * s * s * (2 - s);
+    const double expected = 1 - beyond / (1 - std::cos(inner) + all);
+    EXPECT_NEAR(within_25, expected * kCount, 4 * std::sqrt(expected * (1 - expected) * kCount));
+}
+
 // LuxRender 1.9's image of a floor under a distant light with L = 2: 20840 lx facing it.
 TEST(DistantLight, LuxRendersScale) {
     const auto light =

@@ -185,9 +185,11 @@ TEST(EmissionProfile, DensitiesAndInverses) {
     RecordedDiagnostics diagnostics;
     LatLongMap image = LatLongMap::read(probe_image(), 1, {}, diagnostics);
     const SphereProfile sphere(Rotation(translation(0, 0, 0), {}), image);
-    const ScreenProfile screen(Frame(Vec3(0.6f, 0, 0.8f)), image, 1.2f);
+    const ScreenProfile screen(Frame(Vec3(0.6f, 0, 0.8f)), image, 1.2f, false);
+    const ScreenProfile plain(Frame(Vec3(0.6f, 0, 0.8f)), image, 1.2f, true);
     for (const EmissionProfile* profile : {static_cast<const EmissionProfile*>(&sphere),
-                                           static_cast<const EmissionProfile*>(&screen)}) {
+                                           static_cast<const EmissionProfile*>(&screen),
+                                           static_cast<const EmissionProfile*>(&plain)}) {
         Random random(7);
         double integral = 0;
         constexpr int kDraws = 100000;
@@ -215,6 +217,14 @@ LatLongMap directions_as(const std::string& mapping, std::size_t width, std::siz
             const float r = std::hypot(x, y), angle = kPi * r;
             if (r > 1) return Rgb(0.5f);
             w = Vec3(-std::cos(angle), -x / r * std::sin(angle), -y / r * std::sin(angle));
+        } else if (mapping == "equalarea") {
+            // Clarberg 2008, equations 7 and 8.
+            const float u = std::abs(x), v = std::abs(y), upper = 1 - (u + v);
+            const float r = 1 - std::abs(upper);
+            const float phi = (r > 0 ? (v - u) / r + 1 : 1) * kPi / 4;
+            const float sine = r * std::sqrt(std::max(0.0f, 2 - r * r));
+            w = Vec3(std::copysign(std::cos(phi) * sine, x), std::copysign(std::sin(phi) * sine, y),
+                     std::copysign(1 - r * r, upper));
         } else {
             const int column = std::min(int(st.x * 3), 2), row = std::min(int(st.y * 4), 3);
             const float a = 2 * (st.x * 3 - float(column)) - 1, b = 2 * (st.y * 4 - float(row)) - 1;
@@ -244,7 +254,7 @@ TEST_P(Layout, EveryDirectionIsFoundWhereTheLayoutShowsIt) {
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(Mappings, Layout, testing::Values("angular", "vcross"));
+INSTANTIATE_TEST_SUITE_P(Mappings, Layout, testing::Values("angular", "vcross", "equalarea"));
 
 }  // namespace
 }  // namespace lxs::test::profile_light_test

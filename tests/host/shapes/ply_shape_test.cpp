@@ -2,6 +2,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <array>
+
 #include <cmath>
 #include <cstring>
 #include <iterator>
@@ -34,6 +36,55 @@ class PlyShape : public testing::Test {
 
 const std::string kNormalsAndCoordinates =
     "property float nx\nproperty float ny\nproperty float nz\nproperty float s\nproperty float t\n";
+
+/// A triangle in the text format, packed by gzip.
+constexpr std::array<unsigned char, 129> kPackedTriangle{
+    31,  139, 8,   0,   0,   0,   0,   0,   2,   255, 93,  141, 225, 10,  195, 32,  12,  132, 255,
+    231, 41,  238, 9,   134, 174, 15,  84,  130, 70,  26,  176, 42,  234, 70,  221, 211, 207, 245,
+    71,  7,   229, 32,  119, 124, 9,   185, 18,  7,   133, 92,  119, 238, 224, 230, 84,  97,  31,
+    134, 36,  202, 46,  169, 227, 45,  181, 203, 129, 133, 74,  205, 101, 230, 129, 16,  243, 188,
+    60,  238, 96,  220, 193, 231, 250, 17,  216, 9,   236, 127, 31,  181, 117, 188, 220, 198, 21,
+    122, 85,  172, 154, 188, 58,  105, 36,  201, 175, 155, 176, 151, 74,  6,   83,  100, 207, 105,
+    48,  157, 22,  252, 252, 73,  95,  177, 116, 120, 249, 180, 0,   0,   0};
+
+TEST_F(PlyShape, PackedByGzip) {
+    const std::string packed(kPackedTriangle.begin(), kPackedTriangle.end());
+    const TriangleMesh mesh = make_mesh("plymesh", {text("filename", write(packed))});
+    EXPECT_THAT(mesh.positions, ElementsAre(Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(0, 1, 0)));
+    for (const std::size_t size : {packed.size() - 1, packed.size() / 2, std::size_t{11}}) {
+        EXPECT_THAT(error_of("plymesh", {text("filename", write(packed.substr(0, size)))}),
+                    HasSubstr("can't be read"));
+    }
+}
+
+TEST_F(PlyShape, FacesByNormals) {
+    // Against the normals, and without any.
+    const std::string against =
+        header("ascii", 3, "property float nx\nproperty float ny\nproperty float nz\n", 1) +
+        "0 0 0 0 0 -1\n1 0 0 0 0 -1\n0 1 0 0 0 -1\n3 0 1 2\n";
+    const std::string path = write(against);
+    const auto indices = [&](bool by_normals) {
+        return make_mesh("plymesh", {text("filename", path), flag("facesbynormals", by_normals)})
+            .indices;
+    };
+    EXPECT_THAT(indices(false), ElementsAre(0u, 1u, 2u));
+    EXPECT_THAT(indices(true), ElementsAre(0u, 2u, 1u));
+    write(header("ascii", 3, "", 1) + "0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n");
+    EXPECT_TRUE(make_mesh("plymesh", {text("filename", path), flag("facesbynormals", true)})
+                    .normals.empty());
+    EXPECT_FALSE(make_mesh("plymesh", {text("filename", path)}).normals.empty());
+}
+
+TEST_F(PlyShape, Backs) {
+    const std::string path = write(header("ascii", 3, "", 1) + "0 0 0\n2 0 0\n0 1 0\n3 0 1 2\n");
+    const TriangleMesh mesh =
+        make_mesh("plymesh", {text("filename", path), numbers("float", "backs", {0.01})});
+    ASSERT_EQ(mesh.indices.size(), 6u);
+    const Vec3 &a = mesh.positions[mesh.indices[3]], &b = mesh.positions[mesh.indices[4]],
+               &c = mesh.positions[mesh.indices[5]];
+    EXPECT_LT(((b - a) % (c - a)).z, 0) << "turned over";
+    EXPECT_NEAR(a.z, -0.02, 1e-6) << "behind the front, by a share of the extent";
+}
 
 TEST_F(PlyShape, BinaryAsLuxBlendWritesIt) {
     std::string content = header("binary_little_endian", 4, kNormalsAndCoordinates, 1);

@@ -7,7 +7,7 @@ bool MirrorBsdf::sample(const Vec3& wo, const Vec2&, float, Transport, LobeMask 
                         BsdfSample& sample) const {
     const Vec3 wi = reflect(wo, ns_);
     if (!(mask & kSpecular) || !same_side(wo, wi, ng_)) return false;
-    sample = {wi, reflectance_ * film_.filter(wo.dot(ns_)), 0, kSpecular, false, false};
+    sample = {wi, reflected(wo), 0, kSpecular, false, false};
     return true;
 }
 

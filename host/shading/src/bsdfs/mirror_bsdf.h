@@ -1,6 +1,9 @@
-// Ideal mirror.
+// Ideal mirror, or smooth metal.
 #pragma once
 
+#include <optional>
+
+#include "fresnel.h"
 #include "specular_bsdf.h"
 #include "thin_film.h"
 
@@ -8,17 +11,27 @@ namespace lxs::shading {
 
 class MirrorBsdf final : public SpecularBsdf {
   public:
-    MirrorBsdf(const Rgb& reflectance, const ThinFilm& film, const Vec3& ng, const Vec3& ns)
-        : reflectance_(reflectance), film_(film), ng_(ng), ns_(ns) {}
+    /// `metal`: what the reflectance is a factor on; none: it is all that there is.
+    MirrorBsdf(const Rgb& reflectance, const std::optional<FresnelValue>& metal,
+               const ThinFilm& film, const Vec3& ng, const Vec3& ns)
+        : reflectance_(reflectance), metal_(metal), film_(film), ng_(ng), ns_(ns) {}
 
     bool sample(const Vec3& wo, const Vec2& u, float u_lobe, Transport transport, LobeMask mask,
                 BsdfSample& sample) const override;
     Rgb albedo(const Vec3& wo, LobeMask mask) const override {
-        return mask & kSpecular ? reflectance_ * film_.filter(wo.dot(ns_)) : Rgb(0.0f);
+        return mask & kSpecular ? reflected(wo) : Rgb(0.0f);
     }
 
   private:
+    Rgb reflected(const Vec3& wo) const {
+        const float cosine = wo.dot(ns_);
+        const Rgb share = reflectance_ * film_.filter(cosine);
+        return metal_ ? share * fresnel_conductor(std::min(std::abs(cosine), 1.0f), *metal_)
+                      : share;
+    }
+
     Rgb reflectance_;
+    std::optional<FresnelValue> metal_;
     ThinFilm film_;
     Vec3 ng_, ns_;
 };

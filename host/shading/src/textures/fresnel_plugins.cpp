@@ -34,9 +34,17 @@ class FresnelColorTexture final : public FresnelTexture {
 
 FresnelTextureFactory fresnelcolor_plugin() {
     return {{{"Kr", ParameterType::ColorTexture, "0.5 0.5 0.5",
-              "reflectance at normal incidence, 0 to 1"}},
+              "reflectance at normal incidence, 0 to 1"},
+             {"n", ParameterType::Color, "",
+              "index of refraction for R, G and B, in place of Kr. Not LuxRender's."},
+             {"k", ParameterType::Color, "0 0 0", "extinction coefficient beside n"}},
             [](const ParameterReader& reader, const AssetContext& assets,
                const Matrix&) -> std::shared_ptr<const FresnelTexture> {
+                if (reader.given("n")) {
+                    const FresnelValue value{reader.color("n", Rgb(1.0f)),
+                                             reader.color("k", Rgb(0.0f)), true};
+                    return std::make_shared<ConstantTexture<FresnelValue>>(value);
+                }
                 auto reflectance = read_color_texture(reader, assets, "Kr", Rgb(0.5f));
                 return std::make_shared<FresnelColorTexture>(std::move(reflectance));
             }};

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "statement.h"
+#include "lxs/language/statement.h"
 
 namespace lxs {
 

@@ -11,7 +11,8 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 SETUP = ROOT / 'scripts/setup'
 IN_DEBIAN = ROOT / 'scripts/in-debian'
 # Numbers that belong to the name of what is packaged.
-NUMBERED = {'librandom123-dev', 'nlohmann-json3-dev', 'libcli11-dev', 'python3', 'python3-numpy', 'help2man'}
+NUMBERED = {'librandom123-dev', 'nlohmann-json3-dev', 'libcli11-dev', 'python3', 'python3-numpy', 'help2man',
+            'zlib1g-dev'}
 
 
 def groups():

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <fstream>
 #include <iterator>
 
@@ -209,6 +210,16 @@ void Translator::finish() {
 
 std::shared_ptr<const SourceFile> Translator::scene_file(Statement& statement) {
     const Name file = take_only_name(statement);
+    // Images and meshes are found by their last name too, as in LuxRender; but a part of a scene
+    // may be called as the scene is.
+    const auto named = std::filesystem::path(file.text).lexically_normal();
+    const std::filesystem::path found = executor_.find_quietly(file);
+    if (named.has_parent_path() && named.parent_path().filename() != ".." && !found.empty() &&
+        found.parent_path().filename() != named.parent_path().filename()) {
+        throw IgnoredStatement(file.where,
+                               fmt::format("no file {}, but {}, which lies elsewhere",
+                                           in_quotes(file.text), in_quotes(found.string())));
+    }
     const auto source = executor_.open(file);
     // Messages show lines of scenes, but a scene may name any file of whoever renders it.
     const auto word = first_word(*source->text);

@@ -158,6 +158,15 @@ TEST(PbrtDirectives, IncludeAndImport) {
         << "an import has a state of its own";
 }
 
+TEST(PbrtDirectives, IncludesOfOtherFoldersAreNotTheSceneItself) {
+    const files::TemporaryFolder folder;
+    folder.write("hair.pbrt", "Camera \"perspective\"");
+    EXPECT_THAT(
+        read("WorldBegin Include \"models/hair.pbrt\"", folder.path().string()).messages,
+        ElementsAre(AllOf(HasSubstr("test.pbrt:1:20: warning: no file \"models/hair.pbrt\", but"),
+                          HasSubstr("which lies elsewhere; it is ignored"))));
+}
+
 TEST(PbrtDirectives, IncludesGoOnWithParameters) {
     const files::TemporaryFolder folder;
     folder.write("radius.pbrt", "# a comment\n \"float radius\" 3 \"float zmin\" -1\n");

@@ -97,13 +97,14 @@ void PhotonSchedule::take(const PassPlan& plan) {
 PhotonLimits PhotonSchedule::limits() const {
     const double present = paths_ / double(turns_.every);
     if (!chooses()) return {present, present, turns_.every};
-    const std::uint32_t turns = may_take_turns_ ? kMostTurns : 1;
+    const std::uint32_t turns = pass_ < kPilotPasses || !may_take_turns_ ? 1 : kMostTurns;
     return {std::max(double(kFewestPerPass), present / kGreatestFall),
             std::min(double(kMostPerPass), present * kGreatestRise), turns, kMostPerPass};
 }
 
 bool PhotonSchedule::chooses() const {
-    return adapts_ && pass_ >= kPilotPasses;
+    // Without a guide half as many passes know as much.
+    return adapts_ && pass_ >= (learns_ ? kPilotPasses : kPilotPasses / 2);
 }
 
 void PhotonSchedule::state(StateArchive& archive) {

@@ -32,6 +32,16 @@ std::string_view kept(std::string text) {
     return texts.emplace_back(std::move(text));
 }
 
+/// All that a scene may write: the choices, then their aliases.
+std::span<const std::string_view> accepted(const SettingRow& row) {
+    if (row.aliases.empty()) return row.choices;
+    static std::deque<std::vector<std::string_view>> kept_lists;
+    std::vector<std::string_view>& all =
+        kept_lists.emplace_back(row.choices.begin(), row.choices.end());
+    all.insert(all.end(), row.aliases.begin(), row.aliases.end());
+    return all;
+}
+
 std::string_view heading_of(SettingGroup group) {
     switch (group) {
         case SettingGroup::First:
@@ -54,7 +64,7 @@ ParameterDeclaration declaration_of(const SettingRow& row, PluginKind kind) {
         d.minimum = row.minimum;
         d.maximum = row.maximum;
     }
-    d.choices = row.choices;
+    d.choices = accepted(row);
     return d;
 }
 

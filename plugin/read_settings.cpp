@@ -22,8 +22,10 @@ struct Read {
     requires std::is_enum_v<Enumeration>
     void operator()(Enumeration& value) const {
         const std::string choice = in.string(row.name, row.choices[std::size_t(value)]);
-        value =
-            static_cast<Enumeration>(std::ranges::find(row.choices, choice) - row.choices.begin());
+        auto number = std::ranges::find(row.choices, choice) - row.choices.begin();
+        if (number == std::ssize(row.choices))
+            number = std::ranges::find(row.aliases, choice) - row.aliases.begin();
+        value = static_cast<Enumeration>(number);
     }
 };
 
@@ -64,7 +66,7 @@ Settings defaults_of(PluginKind kind) {
     if (kind == PluginKind::Aips) return settings;
     settings.guide = GuideKind::None;
     settings.continue_eye_paths = false;
-    settings.guide_lamps = false;
+    settings.guide_emitters = false;
     settings.correct_edges = false;
     settings.photon_occlusion = false;
     settings.narrow_radii = false;

@@ -8,7 +8,7 @@ namespace aips::shim {
 
 void EngineIntegrator::prepare(const lxs::RenderContext& context) {
     settings_.seed = context.settings.seed;  // chosen by the host, from the parameter too
-    settings_.account = context.settings.account;
+    settings_.transport_statistics = context.settings.transport_statistics;
     shims_ = std::make_unique<Shims>(context);
     pixels_ = double(context.film.width()) * double(context.film.height());
     engine_ =
@@ -47,7 +47,7 @@ lxs::Statistics EngineIntegrator::statistics() const {
                         {"eye_rays", s.eye_rays},
                         {"photon_paths", s.photon_paths},
                         {"photon_rays", s.photon_rays},
-                        {"landings_stored", s.landings},
+                        {"photons_stored", s.photons},
                         {"photons_gathered", s.gathered},
                         {"bounces", s.bounces},
                         {"guided_bounces", s.guided_bounces},
@@ -67,11 +67,11 @@ lxs::Statistics EngineIntegrator::statistics() const {
         out.emplace_back("visible_paths", s.visible_paths);
         out.emplace_back("mutation_size", s.mutation_size);
     }
-    if (s.lamp_searches > 0) {
-        out.emplace_back("lamp_paths", s.lamp_paths);
-        out.emplace_back("lamp_searches", s.lamp_searches);
-        out.emplace_back("lamp_rays", s.lamp_rays);
-        out.emplace_back("lamp_images", s.lamp_images);
+    if (s.emitter_searches > 0) {
+        out.emplace_back("emitter_paths", s.emitter_paths);
+        out.emplace_back("emitter_searches", s.emitter_searches);
+        out.emplace_back("emitter_rays", s.emitter_rays);
+        out.emplace_back("emitter_images", s.emitter_images);
     }
     if (s.continued_paths > 0) {
         out.emplace_back("continued_paths", s.continued_paths);
@@ -90,35 +90,35 @@ lxs::Statistics EngineIntegrator::statistics() const {
     return out;
 }
 
-lxs::RefusalList EngineIntegrator::refusals() const {
-    lxs::RefusalList list;
+lxs::InvalidSampleList EngineIntegrator::invalid_samples() const {
+    lxs::InvalidSampleList list;
     if (!engine_) return list;
     for (const auto& [origin, count] : engine_->statistics().refused)
         list.push_back({origin, count});
     return list;
 }
 
-lxs::RenderAccount EngineIntegrator::account() const {
-    lxs::RenderAccount account;
-    if (!engine_) return account;
+lxs::TransportStatistics EngineIntegrator::transport_statistics() const {
+    lxs::TransportStatistics transport;
+    if (!engine_) return transport;
     const EngineStatistics s = engine_->statistics();
-    for (const LightTally& t : s.account.lights)
-        account.lights.push_back({t.paths, t.counted, t.seen, t.photons});
-    for (const MaterialTally& t : s.account.materials) {
-        account.materials.push_back(
-            {t.hits, t.stored, t.unseen, t.direct, t.smooth, t.black, t.cut, t.cut_smooth});
+    for (const LightStatistics& t : s.transport.lights)
+        transport.lights.push_back({t.paths, t.counted, t.seen, t.photons});
+    for (const MaterialStatistics& t : s.transport.materials) {
+        transport.materials.push_back(
+            {t.hits, t.stored, t.unseen, t.direct, t.specular, t.black, t.cut, t.cut_specular});
     }
-    account.eye_paths = s.account.eye_paths;
-    account.cut_eye_paths = s.account.cut_eye_paths;
-    account.radius = double(s.radius);
-    account.without_photons = settings_.store_glossy ? lxs::LobeMask{0} : lxs::kGlossy;
-    account.skipped = s.account.skipped;
-    account.seconds = {{"eye paths", s.eye_seconds},
-                       {"photon paths", s.photon_seconds},
-                       {"gathering photons", s.gather_seconds},
-                       {"guiding photons", s.guide_seconds},
-                       {"planning", s.plan_seconds}};
-    return account;
+    transport.eye_paths = s.transport.eye_paths;
+    transport.cut_eye_paths = s.transport.cut_eye_paths;
+    transport.radius = double(s.radius);
+    transport.without_photons = settings_.store_glossy ? lxs::LobeMask{0} : lxs::kGlossy;
+    transport.skipped = s.transport.skipped;
+    transport.seconds = {{"eye paths", s.eye_seconds},
+                         {"photon paths", s.photon_seconds},
+                         {"gathering photons", s.gather_seconds},
+                         {"guiding photons", s.guide_seconds},
+                         {"planning", s.plan_seconds}};
+    return transport;
 }
 
 }  // namespace aips::shim

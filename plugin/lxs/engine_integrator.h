@@ -20,8 +20,8 @@ class EngineIntegrator final : public lxs::Integrator {
     bool passes_stand_alone() const override { return settings_.mode == Mode::Progressive; }
     bool shares_passes() const override { return true; }
     lxs::Statistics statistics() const override;
-    lxs::RefusalList refusals() const override;
-    lxs::RenderAccount account() const override;
+    lxs::InvalidSampleList invalid_samples() const override;
+    lxs::TransportStatistics transport_statistics() const override;
     void state(lxs::StateArchive& archive) override;
     void learned(lxs::StateArchive& archive) override;
 

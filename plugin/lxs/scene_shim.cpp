@@ -168,10 +168,10 @@ bool SceneShim::intersect(const Ray& ray, SurfacePoint& point,
     return take(scene_.intersect(to(ray), hit, memory), hit, point, memory);
 }
 
-bool SceneShim::intersect_smooth(const Ray& ray, SurfacePoint& point,
-                                 std::pmr::memory_resource& memory) const {
+bool SceneShim::intersect_specular(const Ray& ray, SurfacePoint& point,
+                                   std::pmr::memory_resource& memory) const {
     lxs::SurfaceHit hit;
-    return take(scene_.intersect_smooth(to(ray), hit, memory), hit, point, memory);
+    return take(scene_.intersect_specular(to(ray), hit, memory), hit, point, memory);
 }
 
 bool SceneShim::intersect_shape(const Ray& ray, SurfacePoint& point,

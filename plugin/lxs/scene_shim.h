@@ -21,8 +21,8 @@ class SceneShim final : public Scene {
                    std::pmr::memory_resource& memory) const override;
     bool intersect_shape(const Ray& ray, SurfacePoint& point,
                          std::pmr::memory_resource& memory) const override;
-    bool intersect_smooth(const Ray& ray, SurfacePoint& point,
-                          std::pmr::memory_resource& memory) const override;
+    bool intersect_specular(const Ray& ray, SurfacePoint& point,
+                            std::pmr::memory_resource& memory) const override;
     Ray spawn(const SurfacePoint& point, Vec3 direction, float time) const override;
     Rgb visibility(const SurfacePoint& point, const DirectSample& light, float time) const override;
     bool blocked(Vec3 from, Vec3 to, float time) const override;

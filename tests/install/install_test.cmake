@@ -25,7 +25,7 @@ function(run_example program)
   file(REMOVE ${work_dir}/caustic.ppm)
   execute_process(COMMAND ${program} WORKING_DIRECTORY ${work_dir}
     RESULT_VARIABLE result OUTPUT_VARIABLE out ERROR_VARIABLE err)
-  # Warnings and findings of check_host() go to the error stream.
+  # Warnings and findings of validate_host() go to the error stream.
   if(NOT result EQUAL 0 OR NOT err STREQUAL "")
     message(FATAL_ERROR "${program} failed (${result}):\n${out}${err}")
   endif()

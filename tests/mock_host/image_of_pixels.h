@@ -1,8 +1,8 @@
 // An eye image for tests of what is kept for each pixel.
 #pragma once
 
+#include "contribution/pixel_luminance.h"
 #include "eye/eye_pass.h"
-#include "worth/pixel_luminance.h"
 
 namespace mock {
 

@@ -54,7 +54,7 @@ Settings small_settings(std::uint64_t seed, std::uint32_t photons) {
     Settings settings;
     settings.seed = seed;
     settings.guide = GuideKind::None;
-    settings.guide_scout = false;
+    settings.pilot_pass = false;
     settings.photons_per_pass = photons;
     settings.alpha = 1;
     return settings;

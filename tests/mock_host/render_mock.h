@@ -36,7 +36,7 @@ double mean_luminance(const std::vector<aips::Rgb>& image, std::uint32_t width, 
                       std::uint32_t y0, std::uint32_t x1, std::uint32_t y1);
 
 /// Settings for small test renders: unguided, progressive, a fixed radius (alpha 1) if asked for.
-/// A guide that is asked for guides: no first look leaves it out.
+/// A guide that is asked for guides: no pilot pass leaves it out.
 aips::Settings small_settings(std::uint64_t seed, std::uint32_t photons);
 
 /// A camera at `eye` looking along +y with z up, image plane half-width `half` at distance 1.

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "aips/adapter/check_host.h"
+#include "aips/adapter/host_validation.h"
 #include "aips/core/base/arena.h"
 #include "aips/core/sampling/sampling.h"
 #include "render_mock.h"
@@ -81,7 +81,7 @@ TEST(TriangleScene, IsASoundHost) {
     scene.add_point_light({0.7f, -0.7f, 0.5f}, {1, 1, 1});
     scene.finish();
     EXPECT_EQ(scene.light_groups(), 2u);
-    for (const HostFinding& finding : check_host(scene))
+    for (const HostFinding& finding : validate_host(scene))
         ADD_FAILURE() << to_string(finding);
 }
 
@@ -136,7 +136,7 @@ TEST(TriangleScene, IsASoundHostFarFromTheOrigin) {
     scene.add_room(at - Vec3{1, 1, 1}, at + Vec3{1, 1, 1}, wall);
     scene.add_quad(at + Vec3{-0.3f, -0.3f, 0.8f}, {0.1f, 0.6f, 0.13f}, {0.6f, -0.1f, 0.07f}, lamp);
     scene.finish();
-    for (const HostFinding& finding : check_host(scene))
+    for (const HostFinding& finding : validate_host(scene))
         ADD_FAILURE() << to_string(finding);
 }
 

@@ -1,12 +1,12 @@
-// The host's lights, materials and scenes keep the engine's contracts: check_host() finds nothing
-// in the scenes of scenes/.
+// The host's lights, materials and scenes keep the engine's contracts: validate_host() finds
+// nothing in the scenes of scenes/.
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <filesystem>
 #include <regex>
 
-#include "aips/adapter/check_host.h"
+#include "aips/adapter/host_validation.h"
 #include "lxs/language/asset_finder.h"
 #include "lxs/language/read_scene.h"
 #include "lxs/tracing/trace_scene.h"
@@ -49,10 +49,10 @@ TEST_P(CheckedScenes, AreSoundHosts) {
         },
         silent);
     const aips::shim::SceneShim shim(*scene);
-    aips::HostCheckSettings settings;
+    aips::HostValidationSettings settings;
     settings.samples = 2048;
     settings.places = 2;
-    for (const aips::HostFinding& finding : aips::check_host(shim, settings))
+    for (const aips::HostFinding& finding : aips::validate_host(shim, settings))
         ADD_FAILURE() << to_string(finding);
 }
 

@@ -72,7 +72,7 @@ TEST(Defaults, AreWhatIsDeclaredOfEachParameter) {
             Settings given = read(kind, {written(d, std::string(d.default_text))});
             // Who gives these wants a schedule of radii, even if it is the default's.
             if (d.name == "startradius" || d.name == "alpha") given.radius = read(kind, {}).radius;
-            // Who gives a depth wants smooth surfaces counted, even if it is the default's.
+            // Who gives a depth wants specular surfaces counted, even if it is the default's.
             if (d.name == "maxeyedepth") given.max_eye_depth = read(kind, {}).max_eye_depth;
             if (d.name == "maxphotondepth")
                 given.max_photon_depth = read(kind, {}).max_photon_depth;
@@ -95,6 +95,19 @@ TEST(Defaults, EachParameterHasItsPlaceInTheSettings) {
             }
             Settings without = read(kind, {values.begin() + 1, values.end()});
             EXPECT_NE(read(kind, values), without) << "plugin " << int(kind) << ": " << d.name;
+        }
+    }
+}
+
+TEST(Defaults, HaltonIsLuxRendersNameOfTheSobolSequence) {
+    for (const PluginKind kind : {PluginKind::Aips, PluginKind::Sppm, PluginKind::Ppm}) {
+        lxs::ParameterValue sampler;
+        sampler.name = "photonsampler";
+        sampler.type = "string";
+        for (const std::string name : {"halton", "sobol"}) {
+            sampler.values = std::vector{name};
+            EXPECT_EQ(read(kind, {sampler}), read(kind, {}))
+                << "plugin " << int(kind) << ": " << name;
         }
     }
 }

@@ -38,7 +38,7 @@ RENDERS = [
     *[('cornell-box', ['--integrator', method, '--set', f'{method}.photonperpass=20000'])
       for method in ('sppm', 'ppm', 'exphotonmap')],
     ('glass-ball', []),  # chains of glass
-    ('pool', []),        # lamp paths, caustics
+    ('pool', []),        # emitter paths, caustics
     ('prism', []),       # wavelengths
     ('hall', []),        # learned lights
     ('daylight', []),    # sun and sky

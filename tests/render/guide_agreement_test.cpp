@@ -25,8 +25,9 @@ struct Region {
 };
 
 /// Few passes, many seeds. The radius is wide, and the same for both: a caustic is blurred then,
-/// and calm, which leaves the means of both guides equal as before. Lamp paths, which guide=paper
-/// does not have, would find the lamp in the ball that no eye path of these seeds meets.
+/// and calm, which leaves the means of both guides equal as before. Emitter paths, which
+/// guide=paper does not have, would find the lamp in the ball that no eye path of these seeds
+/// meets.
 statistics::BlockMeans renders(const std::filesystem::path& scene, const std::string& guide,
                                const render::Folder& folder) {
     return render::seeded_block_means(

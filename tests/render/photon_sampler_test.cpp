@@ -13,7 +13,7 @@ namespace {
 constexpr int kWidth = 96, kHeight = 64;
 
 const std::string kChains = " --set aips.guide=none --set aips.photonsampler=amc";
-const std::string kSequence = " --set aips.guide=none --set aips.photonsampler=halton";
+const std::string kSequence = " --set aips.guide=none --set aips.photonsampler=sobol";
 
 statistics::BlockMeans renders(const std::filesystem::path& scene, const std::string& sampler,
                                unsigned first_seed, const render::Folder& folder) {

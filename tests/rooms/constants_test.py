@@ -181,7 +181,7 @@ def page_text(root):
 def planted():
     """Each deed on a copy of the engine, with a word of the fault that must be told."""
     source = 'core-adapter/adapter/src'
-    worth, eye = f'{source}/worth/constants.h', f'{source}/eye/constants.h'
+    contribution, eye = f'{source}/contribution/constants.h', f'{source}/eye/constants.h'
 
     def change(path, pattern, new, count=1):
         def deed(root):
@@ -193,19 +193,19 @@ def planted():
 
     last = r'\n\}  // namespace aips\n$'
     return {
-        **{f'has no "{label}: "': change(worth, f'{label}: ', '') for label in LABELS},
-        'does not say what it is': change(worth, r'/// (?!Unit)[^:]*?Unit: ', '/// Unit: '),
-        'which does not exist': change(worth, r'where-photons-are-split\.md', 'no-such-page.md'),
-        'neither a page of docs nor': change(worth, 'Chosen by: reasoning: ', 'Chosen by: '),
-        'no reasoning': change(worth, r'reasoning: [^.]*\.', 'reasoning: so.'),
-        'names no scene': change(worth, r'Supported by: [^.]*\.', 'Supported by: one scene only.'),
+        **{f'has no "{label}: "': change(contribution, f'{label}: ', '') for label in LABELS},
+        'does not say what it is': change(contribution, r'/// (?!Unit)[^:]*?Unit: ', '/// Unit: '),
+        'which does not exist': change(contribution, r'where-photons-are-split\.md', 'no-such-page.md'),
+        'neither a page of docs nor': change(contribution, 'Chosen by: reasoning: ', 'Chosen by: '),
+        'no reasoning': change(contribution, r'reasoning: [^.]*\.', 'reasoning: so.'),
+        'names no scene': change(contribution, r'Supported by: [^.]*\.', 'Supported by: one scene only.'),
         'as well': change(eye, last, '\ninline constexpr double kMostPhotons = 4;\n\\g<0>'),
-        'nothing uses it': change(worth, 'constexpr float kMostPhotons', 'constexpr float kUnused'),
-        'constants read': change(worth, last, '\nconstexpr int kLoose = 1;\n\\g<0>'),
+        'nothing uses it': change(contribution, 'constexpr float kMostPhotons', 'constexpr float kUnused'),
+        'constants read': change(contribution, last, '\nconstexpr int kLoose = 1;\n\\g<0>'),
         'neither in constants.h nor in': change(f'{source}/eye/eye_pass.cpp', r'namespace \{\n',
                                                 'namespace {\nconstexpr double kGuess = 0.3;\n'),
         'there is no such number': change(FACTS, 'kItemsPerJob', 'kOtherItems'),
-        'not the present constants': change(worth, r'kEmissionCost = [\d.]+',
+        'not the present constants': change(contribution, r'kEmissionCost = [\d.]+',
                                              'kEmissionCost = 0.6'),
     }
 

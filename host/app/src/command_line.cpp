@@ -267,7 +267,8 @@ void add_watching_options(CLI::App& app, CommandLine& command, Switches& switche
                                  "went.")
                         ->group(watching);
     app.add_flag("--no-advice", switches.no_advice,
-                 "Look for nothing that is wrong with the render, and keep no account of it.")
+                 "Look for nothing that is wrong with the render, and count nothing by light and "
+                 "material.")
         ->group(watching)
         ->excludes(explain);
     auto* quiet =

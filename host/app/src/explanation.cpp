@@ -1,4 +1,4 @@
-// The account of a render as text.
+// The transport statistics of a render as text.
 #include "lxs/host/explanation.h"
 
 #include <fmt/format.h>
@@ -23,7 +23,7 @@ std::string percent(double part, double whole) {
     return whole > 0 ? fmt::format("{:.1f} %", 100 * part / whole) : "-";
 }
 
-double energy_of(const LightAccount& light) {
+double energy_of(const LightStatistics& light) {
     return light.seen + light.photons;
 }
 
@@ -42,17 +42,17 @@ std::string rest_of(std::size_t rows, const char* things) {
     return fmt::format("  and {} more {}, each with less\n", rows - kMostRows, things);
 }
 
-std::string light_table(const RenderSession& session, const RenderAccount& account) {
+std::string light_table(const RenderSession& session, const TransportStatistics& transport) {
     const std::size_t count = session.scene->lights().size();
-    std::vector<LightAccount> lights(account.lights);
+    std::vector<LightStatistics> lights(transport.lights);
     lights.resize(std::max(count, lights.size()));
-    const double total = told_luminance(account);
+    const double total = told_luminance(transport);
     std::string text = "lights:\n";
     const auto order = by_weight(count, [&](std::size_t i) {
         return std::pair(energy_of(lights[i]), lights[i].photon_paths);
     });
     for (std::size_t row = 0; row < std::min(count, kMostRows); ++row) {
-        const LightAccount& light = lights[order[row]];
+        const LightStatistics& light = lights[order[row]];
         text += fmt::format("  {}: ", light_name(session, order[row]));
         if (light.photon_paths > 0) {
             const auto counted = static_cast<double>(light.counted_paths);
@@ -70,7 +70,7 @@ std::string light_table(const RenderSession& session, const RenderAccount& accou
 }
 
 /// What became of most photons that met a material, and of the others.
-std::string fates(const MaterialAccount& material) {
+std::string fates(const MaterialStatistics& material) {
     const auto all = static_cast<double>(material.hits);
     std::string text;
     const auto add = [&](std::uint64_t count, const char* what) {
@@ -90,14 +90,14 @@ std::string fates(const MaterialAccount& material) {
     return text;
 }
 
-std::string material_table(const RenderSession& session, const RenderAccount& account) {
+std::string material_table(const RenderSession& session, const TransportStatistics& transport) {
     const auto names = session.scene->material_names();
-    std::vector<MaterialAccount> materials(account.materials);
+    std::vector<MaterialStatistics> materials(transport.materials);
     materials.resize(names.size());
     std::string text = "materials:\n";
     const auto order = by_weight(names.size(), [&](std::size_t i) { return materials[i].hits; });
     for (std::size_t row = 0; row < std::min(names.size(), kMostRows); ++row) {
-        const MaterialAccount& material = materials[order[row]];
+        const MaterialStatistics& material = materials[order[row]];
         const std::string& name = names[order[row]];
         const bool implied = session.implied_material == order[row];
         // A lamp's own shape has it as a rule, and nobody asks what became of photons there.
@@ -121,14 +121,14 @@ std::string media_list(const RenderSession& session) {
     return text;
 }
 
-std::string times(const RenderSession& session, const RenderAccount& account) {
+std::string times(const RenderSession& session, const TransportStatistics& transport) {
     std::string text = "seconds:";
     for (const auto& [phase, seconds] : session.times)
         text += fmt::format(" {} {:.2f},", phase, seconds);
     text.back() = '\n';
-    if (account.seconds.empty()) return text;
+    if (transport.seconds.empty()) return text;
     text += "of the render:";
-    for (const auto& [stage, seconds] : account.seconds)
+    for (const auto& [stage, seconds] : transport.seconds)
         text += fmt::format(" {} {:.2f},", stage, seconds);
     text.back() = '\n';
     return text;
@@ -147,40 +147,40 @@ std::string light_name(const RenderSession& session, std::size_t light) {
     return name + ')';
 }
 
-double told_luminance(const RenderAccount& account) {
+double told_luminance(const TransportStatistics& transport) {
     double sum = 0;
-    for (const LightAccount& light : account.lights)
+    for (const LightStatistics& light : transport.lights)
         sum += energy_of(light);
     return sum;
 }
 
-std::uint64_t told_photon_paths(const RenderAccount& account) {
+std::uint64_t told_photon_paths(const TransportStatistics& transport) {
     std::uint64_t sum = 0;
-    for (const LightAccount& light : account.lights)
+    for (const LightStatistics& light : transport.lights)
         sum += light.photon_paths;
     return sum;
 }
 
-std::string explanation(const RenderSession& session, const RenderAccount& account) {
-    std::string text = light_table(session, account);
-    if (told_photon_paths(account) > 0) {
-        text += material_table(session, account);
+std::string explanation(const RenderSession& session, const TransportStatistics& transport) {
+    std::string text = light_table(session, transport);
+    if (told_photon_paths(transport) > 0) {
+        text += material_table(session, transport);
     } else {
         text += fmt::format("photons: \"{}\" shot none\n", session.integrator_name);
     }
     text += media_list(session);
-    for (const std::string& skipped : account.skipped)
+    for (const std::string& skipped : transport.skipped)
         text += fmt::format("left out {}\n", skipped);
-    return text + times(session, account);
+    return text + times(session, transport);
 }
 
-std::string account_line(const RenderAccount& account) {
-    const std::uint64_t shot = told_photon_paths(account);
-    const double total = told_luminance(account);
+std::string transport_line(const TransportStatistics& transport) {
+    const std::uint64_t shot = told_photon_paths(transport);
+    const double total = told_luminance(transport);
     if (shot == 0 || !(total > 0)) return {};
     double photons = 0;
     std::uint64_t counted = 0;
-    for (const LightAccount& light : account.lights) {
+    for (const LightStatistics& light : transport.lights) {
         photons += light.photons;
         counted += light.counted_paths;
     }

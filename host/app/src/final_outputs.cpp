@@ -41,16 +41,16 @@ bool write_text(const std::string& path, const std::string& text, ConsoleLog& lo
 RenderFigures render_figures(const CommandLine& command, const RenderSession& session,
                              ConsoleLog& log, bool& failed) {
     RenderFigures figures;
-    RefusalList contributions;
+    InvalidSampleList contributions;
     try {
-        contributions = session.integrator->refusals();
+        contributions = session.integrator->invalid_samples();
         if (!session.files.statistics.empty()) figures.own = session.integrator->statistics();
-        if (command.advice) figures.account = session.integrator->account();
+        if (command.advice) figures.transport = session.integrator->transport_statistics();
     } catch (const PluginFailure& failure) {
         failed = true;
         log.error(failure.what());
     }
-    figures.refused = refusals_by_kind(session, std::move(contributions));
+    figures.refused = invalid_samples_by_kind(session, std::move(contributions));
     return figures;
 }
 
@@ -62,16 +62,16 @@ void warn_of_empty_image(const ImageVerdict& image, ConsoleLog& log) {
 
 void look_for_advice(RenderSession& session, RenderFigures& figures) {
     const auto start = std::chrono::steady_clock::now();
-    figures.advice = advise(session, *figures.account, *figures.image);
+    figures.advice = advise(session, *figures.transport, *figures.image);
     session.times["advice"] = seconds_since(start);
 }
 
 void explain(const CommandLine& command, const RenderSession& session, const RenderFigures& figures,
              ConsoleLog& log) {
-    if (const std::string line = account_line(*figures.account); !line.empty()) log.info(line);
+    if (const std::string line = transport_line(*figures.transport); !line.empty()) log.info(line);
     for (const Advice& advice : figures.advice)
         log.info("advice: " + advice.text);
-    if (command.explain) log.verbatim(explanation(session, *figures.account));
+    if (command.explain) log.verbatim(explanation(session, *figures.transport));
 }
 
 }  // namespace
@@ -97,19 +97,19 @@ ExitCode write_final_outputs(const CommandLine& command, RenderSession& session,
     bool failed = false;
     RenderFigures figures = render_figures(command, session, log, failed);
     figures.image = judge_image(session);
-    if (figures.account) look_for_advice(session, figures);
+    if (figures.transport) look_for_advice(session, figures);
     if (!session.files.statistics.empty()) {
         const std::string text = statistics_json(command, session, totals, figures, interrupted);
         in_place = write_text(session.files.statistics, text, log) && in_place;
     }
-    warn_of_refusals(figures.refused, log);
+    warn_of_invalid_samples(figures.refused, log);
     warn_of_empty_image(*figures.image, log);
     if (const auto share = session.film->outliers_left_out())
         log.info(
             fmt::format("outlierrejection_k leaves {:.2g} % of the light out of what is "
                         "displayed; the EXR has all of it",
                         100 * *share));
-    if (figures.account) explain(command, session, figures, log);
+    if (figures.transport) explain(command, session, figures, log);
     if (const std::uint64_t bytes = peak_resident_bytes())
         log.debug(fmt::format("memory: at most {} MB were in use", bytes / 1'000'000));
     if (interrupted) log.warning("interrupted after " + counted(totals.passes, "pass", "passes"));
@@ -136,7 +136,7 @@ void save_finished_passes(const CommandLine& command, RenderSession& session,
     session.scene.reset();
     const bool in_place = write_images_timed(command, session, totals, log);
     if (!statistics.empty()) write_text(session.files.statistics, statistics, log);
-    warn_of_refusals(figures.refused, log);
+    warn_of_invalid_samples(figures.refused, log);
     if (in_place) {
         log.warning(fmt::format("the render ends early: {} finished passes are in {}",
                                 totals.passes, names_of_images(session.files)));

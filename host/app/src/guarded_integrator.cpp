@@ -32,11 +32,13 @@ class GuardedIntegrator final : public Integrator {
     Statistics statistics() const override {
         return call_module(file_, at("statistics"), [&] { return integrator_->statistics(); });
     }
-    RefusalList refusals() const override {
-        return call_module(file_, at("refusals"), [&] { return integrator_->refusals(); });
+    InvalidSampleList invalid_samples() const override {
+        return call_module(file_, at("invalid_samples"),
+                           [&] { return integrator_->invalid_samples(); });
     }
-    RenderAccount account() const override {
-        return call_module(file_, at("account"), [&] { return integrator_->account(); });
+    TransportStatistics transport_statistics() const override {
+        return call_module(file_, at("transport_statistics"),
+                           [&] { return integrator_->transport_statistics(); });
     }
     void state(StateArchive& archive) override {
         call_as_agreed("state", [&] { integrator_->state(archive); });

@@ -52,20 +52,21 @@ std::vector<std::size_t> first_rows(std::size_t count, const auto& weight) {
 }
 
 /// "light 3", and whose it is in words.
-LiveJson of_live_light(const RenderSession& session, const LightAccount& account, std::size_t i) {
+LiveJson of_live_light(const RenderSession& session, const LightStatistics& transport,
+                       std::size_t i) {
     LiveJson json;
     const std::string title = light_name(session, i);
     json["name"] = fmt::format("{} {}", i, session.scene->lights()[i]->kind());
     json["title"] = title;
-    json["photons"] = account.photon_paths;
-    json["counted"] = account.counted_paths;
-    json["luminance"] = account.seen + account.photons;
-    json["by photons"] = account.photons;
+    json["photons"] = transport.photon_paths;
+    json["counted"] = transport.counted_paths;
+    json["luminance"] = transport.seen + transport.photons;
+    json["by photons"] = transport.photons;
     return json;
 }
 
-LiveJson of_lights(const RenderSession& session, const RenderAccount& account) {
-    std::vector<LightAccount> lights(account.lights);
+LiveJson of_lights(const RenderSession& session, const TransportStatistics& transport) {
+    std::vector<LightStatistics> lights(transport.lights);
     lights.resize(session.scene->lights().size());
     const auto rows = first_rows(lights.size(), [&](std::size_t i) {
         return std::pair(lights[i].seen + lights[i].photons, lights[i].photon_paths);
@@ -74,18 +75,18 @@ LiveJson of_lights(const RenderSession& session, const RenderAccount& account) {
     for (const std::size_t i : rows)
         json["rows"].push_back(of_live_light(session, lights[i], i));
     json["more"] = lights.size() - rows.size();
-    json["luminance"] = told_luminance(account);
+    json["luminance"] = told_luminance(transport);
     return json;
 }
 
-LiveJson of_materials(const RenderSession& session, const RenderAccount& account) {
+LiveJson of_materials(const RenderSession& session, const TransportStatistics& transport) {
     const auto names = session.scene->material_names();
-    std::vector<MaterialAccount> materials(account.materials);
+    std::vector<MaterialStatistics> materials(transport.materials);
     materials.resize(names.size());
     const auto rows = first_rows(names.size(), [&](std::size_t i) { return materials[i].hits; });
     LiveJson json{{"rows", LiveJson::array()}};
     for (const std::size_t i : rows) {
-        const MaterialAccount& material = materials[i];
+        const MaterialStatistics& material = materials[i];
         json["rows"].push_back({{"name", names[i]},
                                 {"hits", material.hits},
                                 {"taken", material.taken},
@@ -152,10 +153,10 @@ std::string live_state_json(const CommandLine& command, const RenderSession& ses
     json["error"] = of_curve(state);
     json["layers"] = of_layers(state.layers);
     json["hint"] = hint(state.layers);
-    if (state.account) {
-        json["lights"] = of_lights(session, *state.account);
-        if (told_photon_paths(*state.account) > 0)
-            json["materials"] = of_materials(session, *state.account);
+    if (state.transport) {
+        json["lights"] = of_lights(session, *state.transport);
+        if (told_photon_paths(*state.transport) > 0)
+            json["materials"] = of_materials(session, *state.transport);
     }
     return json.dump(-1, ' ', false, LiveJson::error_handler_t::replace);
 }

@@ -40,7 +40,7 @@ struct LiveState {
     std::optional<double> target_error = {};
     const ErrorCurve& curve;
     const std::vector<std::string>& layers;
-    std::optional<RenderAccount> account = {};
+    std::optional<TransportStatistics> transport = {};
 };
 
 /// One JSON object.

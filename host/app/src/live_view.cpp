@@ -112,7 +112,7 @@ class LiveView::Show {
                                           .target_error = target_error_,
                                           .curve = curve_,
                                           .layers = layers_,
-                                          .account = account_}));
+                                          .transport = transport_}));
     }
 
     /// Layers keep their numbers when new ones come.
@@ -125,7 +125,8 @@ class LiveView::Show {
 
     void put_pictures(const RenderTotals& totals) {
         const auto start = std::chrono::steady_clock::now();
-        if (command_.advice && totals.passes > 0) account_ = session_.integrator->account();
+        if (command_.advice && totals.passes > 0)
+            transport_ = session_.integrator->transport_statistics();
         put_image(totals);
         put_layer(totals);
         put_state("rendering", totals);
@@ -170,7 +171,7 @@ class LiveView::Show {
     WriteSchedule images_{kBetweenImages, WriteCost::Bounded};
     ErrorCurve curve_;
     std::optional<double> target_error_;
-    std::optional<RenderAccount> account_;
+    std::optional<TransportStatistics> transport_;
     std::vector<std::string> layers_;
     std::string message_;
     std::uint32_t number_ = 0;        ///< of the last picture

@@ -66,11 +66,11 @@ Json counts(const RenderTotals& totals) {
 }
 
 /// By kind and origin; empty on a healthy scene.
-Json by_origin(const RefusalsByKind& refused) {
+Json by_origin(const InvalidSamplesByKind& refused) {
     Json json = Json::object();
     for (const auto& [kind, list] : refused) {
-        for (const Refusal& refusal : list)
-            json[kind][refusal.origin] = refusal.count;
+        for (const InvalidSamples& invalid : list)
+            json[kind][invalid.origin] = invalid.count;
     }
     return json;
 }
@@ -82,11 +82,12 @@ Json verdict(const ImageVerdict& image) {
     return json;
 }
 
-Json of_light(const RenderSession& session, const RenderAccount& account, std::size_t light) {
+Json of_light(const RenderSession& session, const TransportStatistics& transport,
+              std::size_t light) {
     Json json;
     json["name"] = light_name(session, light);
-    if (light >= account.lights.size()) return json;
-    const LightAccount& told = account.lights[light];
+    if (light >= transport.lights.size()) return json;
+    const LightStatistics& told = transport.lights[light];
     json["photon paths"] = told.photon_paths;
     json["counted photon paths"] = told.counted_paths;
     json["luminance seen"] = told.seen;
@@ -94,7 +95,7 @@ Json of_light(const RenderSession& session, const RenderAccount& account, std::s
     return json;
 }
 
-Json of_material(const MaterialAccount& material) {
+Json of_material(const MaterialStatistics& material) {
     Json json;
     json["hits"] = material.hits;
     json["taken"] = material.taken;
@@ -106,20 +107,20 @@ Json of_material(const MaterialAccount& material) {
     return json;
 }
 
-Json account_of(const RenderSession& session, const RenderAccount& account) {
+Json transport_of(const RenderSession& session, const TransportStatistics& transport) {
     Json json;
     Json& lights = json["lights"] = Json::array();
     for (std::size_t i = 0; i < session.scene->lights().size(); ++i)
-        lights.push_back(of_light(session, account, i));
+        lights.push_back(of_light(session, transport, i));
     Json& materials = json["materials"] = Json::object();
     const auto names = session.scene->material_names();
-    for (std::size_t i = 0; i < std::min(names.size(), account.materials.size()); ++i)
-        materials[names[i]] = of_material(account.materials[i]);
-    json["eye paths"] = account.eye_paths;
-    json["eye paths ended by depth"] = account.cut_eye_paths;
+    for (std::size_t i = 0; i < std::min(names.size(), transport.materials.size()); ++i)
+        materials[names[i]] = of_material(transport.materials[i]);
+    json["eye paths"] = transport.eye_paths;
+    json["eye paths ended by depth"] = transport.cut_eye_paths;
     json["media"] = session.scene->media_notes();
-    json["left out"] = account.skipped;
-    for (const auto& [stage, seconds] : account.seconds)
+    json["left out"] = transport.skipped;
+    for (const auto& [stage, seconds] : transport.seconds)
         json["seconds"][stage] = seconds;
     return json;
 }
@@ -165,8 +166,8 @@ std::string statistics_json(const CommandLine& command, const RenderSession& ses
     json["film memory bytes"] = session.film->memory_bytes();
     json["refused film samples"] = session.film->refused_samples();
     json["refused"] = by_origin(figures.refused);
-    if (figures.account) {
-        json["account"] = account_of(session, *figures.account);
+    if (figures.transport) {
+        json["account"] = transport_of(session, *figures.transport);
         json["advice"] = advice_of(figures.advice);
     }
     Json& own = json[session.integrator_name] = Json::object();

@@ -11,7 +11,7 @@ import threading
 
 from .reasons import Told
 
-LINES_KEPT = 1000      # the latest; errors and the account of --explain come at the end
+LINES_KEPT = 1000      # the latest; errors and the statistics of --explain come at the end
 WARNINGS_KEPT = 500    # the first; of the scene there are a hundred kinds at most
 # Of a line of progress: passes, and from the third the error in percent.
 PROGRESS = re.compile(r'pass (\d+)(?: of \d+)?, [\d:]+ gone(?:.*?, error ([\d.e+-]+) %)?')

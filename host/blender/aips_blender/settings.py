@@ -60,7 +60,7 @@ class AipsSceneSettings(bpy.types.PropertyGroup):
 
 
 def _depth(name, depth):
-    """Unless a depth is given, smooth surfaces do not count."""
+    """Unless a depth is given, specular surfaces do not count."""
     return () if depth == 16 else (parameter('integer', name, depth),)
 
 

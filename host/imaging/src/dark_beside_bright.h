@@ -3,7 +3,7 @@
 
 #include <span>
 
-#include "pixel_debts.h"
+#include "negative_lobes.h"
 
 namespace lxs {
 

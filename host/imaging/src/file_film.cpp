@@ -169,8 +169,8 @@ void FlexImage::set_layer(std::string_view name, std::span<const float> values) 
     }
 }
 
-RefusalList FlexImage::refusals() const {
-    RefusalList list;
+InvalidSampleList FlexImage::invalid_samples() const {
+    InvalidSampleList list;
     const auto add = [&](const std::string& origin, std::uint64_t count) {
         if (count > 0) list.push_back({origin, count});
     };
@@ -184,7 +184,7 @@ RefusalList FlexImage::refusals() const {
         add(fmt::format("layer \"{}\"", name), count);
     if (bias_) add(fmt::format("layer \"{}\"", kBiasLayer), bias_->refused_samples());
     if (asked_) {
-        const RefusalList asked = asked_->refusals();
+        const InvalidSampleList asked = asked_->invalid_samples();
         list.insert(list.end(), asked.begin(), asked.end());
     }
     return list;
@@ -192,8 +192,8 @@ RefusalList FlexImage::refusals() const {
 
 std::uint64_t FlexImage::refused_samples() const {
     std::uint64_t sum = 0;
-    for (const Refusal& refusal : refusals())
-        sum += refusal.count;
+    for (const InvalidSamples& invalid : invalid_samples())
+        sum += invalid.count;
     return sum;
 }
 

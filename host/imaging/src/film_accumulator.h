@@ -10,7 +10,7 @@
 #include "filter_integral.h"
 #include "lxs/sdk/film.h"
 #include "lxs/sdk/state_archive.h"
-#include "pixel_debts.h"
+#include "negative_lobes.h"
 #include "pixel_filter.h"
 #include "sample_cells.h"
 
@@ -59,7 +59,8 @@ class FilmAccumulator {
 
     /// Mean of one light group, or of the sum of all, per pixel; never negative or infinite. What
     /// negative lobes of the filter would draw below zero is settled with the pixels around (see
-    /// settle_debts), in each image by itself: sums over neighbourhoods are those of the samples.
+    /// redistribute_negative_lobes), in each image by itself: sums over neighbourhoods are those of
+    /// the samples.
     void resolve_group(std::uint32_t group, std::span<Rgb> image) const;
     void resolve_total(std::span<Rgb> image) const;
     PixelMeans means(std::size_t pixel) const;

@@ -20,8 +20,8 @@ Imath::V3d sum_over(const double* sums, LightGroups groups) {
 }
 
 /// What is below zero because RGB doesn't hold the colour of a spectrum, or because a film was
-/// restored from a forged file, is nobody's debt: it ends at zero. Negative lobes, where the filter
-/// has some, are told by a luminance below zero.
+/// restored from a forged file, is nobody's deficit: it ends at zero. Negative lobes, where the
+/// filter has some, are told by a luminance below zero.
 void cut_below_zero(std::span<Rgb> image, bool lobes) {
     for (Rgb& c : image) {
         if (lobes && luminance(c) < 0) continue;
@@ -97,7 +97,7 @@ void FilmAccumulator::resolve_groups(LightGroups groups, std::span<Rgb> image) c
 void FilmAccumulator::settle(std::span<Rgb> image) const {
     const bool lobes = filter_.has_negative_weights();
     if (to_rgb_ || !lobes) cut_below_zero(image, lobes);
-    if (lobes) settle_debts(filtered(image));
+    if (lobes) redistribute_negative_lobes(filtered(image));
 }
 
 FilteredImage FilmAccumulator::filtered(std::span<Rgb> image) const {

@@ -13,7 +13,7 @@ namespace lxs {
 inline constexpr std::string_view kBiasLayer = "bias";
 
 /// The bias of each pixel's mean over passes, and its square. Blur grows
-/// with the area of a search disc as long as light has the same curvature all over it: what the
+/// with the area of a gather disc as long as light has the same curvature all over it: what the
 /// whole disc brings less what the inner half of its area does is then half of the bias. Radii fall
 /// from pass to pass, so that the bias of the mean is the mean of the passes' biases. What both
 /// halves of the passes tell of it has noise of its own in each: their product has none in the

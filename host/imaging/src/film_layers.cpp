@@ -217,8 +217,8 @@ void FilmLayers::state(StateArchive& archive) {
         throw StateError("a depth of the film is no finite number");
 }
 
-RefusalList FilmLayers::refusals() const {
-    RefusalList list;
+InvalidSampleList FilmLayers::invalid_samples() const {
+    InvalidSampleList list;
     const auto add = [&](std::string_view name, std::uint64_t count) {
         if (count > 0) list.push_back({"layer \"" + std::string(name) + "\"", count});
     };

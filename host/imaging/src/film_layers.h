@@ -12,8 +12,8 @@
 #include "exr_encoder.h"
 #include "film_accumulator.h"
 #include "id_mattes.h"
+#include "lxs/sdk/invalid_samples.h"
 #include "lxs/sdk/layers.h"
-#include "lxs/sdk/refusal.h"
 #include "lxs/spectrum/wavelengths.h"
 
 namespace lxs {
@@ -59,7 +59,7 @@ class FilmLayers {
     std::vector<float> alpha() const;
 
     void state(StateArchive& archive);
-    RefusalList refusals() const;
+    InvalidSampleList invalid_samples() const;
     std::size_t memory_bytes() const;
 
   private:

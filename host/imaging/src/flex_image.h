@@ -73,7 +73,7 @@ class FlexImage final : public FileFilm {
     void end_pass() override;
     std::optional<ErrorEstimate> error() const override;
     std::uint64_t refused_samples() const override;
-    RefusalList refusals() const override;
+    InvalidSampleList invalid_samples() const override;
     std::size_t memory_bytes() const override;
 
     void state(StateArchive& archive) override;

@@ -1,4 +1,4 @@
-// Camera paths that are thrown away, in blocks that are joined in order.
+// Eye paths that are thrown away, in blocks that are joined in order.
 #include "path/lights_ahead.h"
 
 #include <tbb/parallel_for.h>
@@ -27,7 +27,7 @@ std::uint64_t learn_lights_ahead(const RenderContext& context, const PathSetting
     const std::uint32_t paths = aips::light_samples_ahead(pixels) / kToldRays;
     std::vector<Block> blocks((paths - 1) / kPathsPerBlock + 1);
     // What is thrown away is not refused either.
-    PathRefusals of_nothing_seen(context.scene);
+    PathSampleFilter of_nothing_seen(context.scene);
     const PathTracer tracer(context.scene, settings, of_nothing_seen);
     tbb::parallel_for(std::size_t{0}, blocks.size(), [&](std::size_t b) {
         PathTarget target(context, tracer, &blocks[b].told);

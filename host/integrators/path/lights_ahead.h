@@ -7,7 +7,7 @@
 
 namespace lxs {
 
-/// Traces camera paths of which nothing is kept but what their first shadow rays tell, and has
+/// Traces eye paths of which nothing is kept but what their first shadow rays tell, and has
 /// `lights` chosen by that: else the first pass would choose them by power. Does nothing where
 /// there is no choice, or something was learned before. Returns the rays traced. Neither they nor
 /// what is learned depend on the number of threads.

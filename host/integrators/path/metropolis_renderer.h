@@ -11,7 +11,7 @@
 
 namespace lxs {
 
-/// Runs a population of chains over camera paths, and hands what each pass gives to the film. The
+/// Runs a population of chains over eye paths, and hands what each pass gives to the film. The
 /// first pass also draws the plain samples that the chains start from.
 class MetropolisRenderer {
   public:

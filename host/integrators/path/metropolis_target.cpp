@@ -1,4 +1,4 @@
-// A camera path as a function of its point in primary sample space.
+// An eye path as a function of its point in primary sample space.
 #include "path/metropolis_target.h"
 
 #include <algorithm>

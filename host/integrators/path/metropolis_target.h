@@ -1,4 +1,4 @@
-// A camera path as a function of its point in primary sample space.
+// An eye path as a function of its point in primary sample space.
 #pragma once
 
 #include <cstddef>
@@ -12,7 +12,7 @@
 
 namespace lxs {
 
-/// Traces the camera path that starts anywhere on the film: dimensions 0 and 1 are the place on the
+/// Traces the eye path that starts anywhere on the film: dimensions 0 and 1 are the place on the
 /// film, 2 and 3 on the lens, 4 the time, the others as the path asks for them. Brightness is the
 /// luminance of all light groups. For use by one thread.
 class PathTarget final : public MetropolisTarget {

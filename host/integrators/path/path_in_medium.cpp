@@ -27,7 +27,7 @@ bool PathTracer::scatter_in_medium(State& state, const Medium& medium) const {
         medium.sample_phase(state.ray.direction, state.throughput, state.random.next_2d());
     state.left = {state.ray.origin, Vec3(0.0f), sample.pdf};
     state.throughput *= sample.weight;
-    if (!refusals_.accept_of_passage(valid(state.throughput))) return false;
+    if (!filter_.accept_of_passage(valid(state.throughput))) return false;
     state.ray.direction = sample.direction;
     state.ray.t_max = std::numeric_limits<float>::infinity();
     ++state.bounces;
@@ -55,7 +55,7 @@ Rgb PathTracer::direct_light_in_medium(State& state, const Medium& medium,
     ++state.result.rays;
     const Rgb passed =
         scene_.transmittance(shadow_ray_from_medium(ray.origin, sample, ray.time, ray.media));
-    if (is_black(passed) || !refusals_.accept_of_passage(valid(passed))) return Rgb(0.0f);
+    if (is_black(passed) || !filter_.accept_of_passage(valid(passed))) return Rgb(0.0f);
     const float cosine = ray.direction.dot(sample.wi);
     const float pdf = sample.pdf * choice.probability;
     const float weight =

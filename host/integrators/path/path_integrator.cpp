@@ -14,15 +14,15 @@ namespace lxs {
 
 void PathIntegrator::prepare(const RenderContext& context) {
     context_.emplace(context);
-    refusals_.emplace(context.scene);
+    filter_.emplace(context.scene);
     // A chain's target must stay what it is while the chain walks.
     if (context.sampler.metropolis() && settings_.lights == LightStrategy::Learned) {
         settings_.lights = LightStrategy::Power;
         context.log.debug("path: lights are chosen by power, as Markov chains learn no lights");
     }
     for (const Light* light : context.scene.lights())
-        refusals_->accept_of_light(valid_density(light->power()), *light);
-    tracer_.emplace(context.scene, settings_, *refusals_);
+        filter_->accept_of_light(valid_density(light->power()), *light);
+    tracer_.emplace(context.scene, settings_, *filter_);
     context.log.debug("path: " + settings_.text());
     if (const MetropolisSettings* metropolis = context.sampler.metropolis()) {
         metropolis_.emplace(context, *tracer_, *metropolis);
@@ -146,7 +146,7 @@ PathCounts PathIntegrator::render_row(std::uint64_t pass, std::uint32_t y,
 
 void PathIntegrator::state(StateArchive& archive) {
     total_.state(archive);
-    refusals_->state(archive);
+    filter_->state(archive);
     tracer_->lights().state(archive);
     if (metropolis_) metropolis_->state(archive);
 }
@@ -165,12 +165,12 @@ Statistics PathIntegrator::statistics() const {
         const Statistics of_chains = metropolis_->statistics();
         statistics.insert(statistics.end(), of_chains.begin(), of_chains.end());
     }
-    if (refusals_) statistics.emplace_back("refused contributions", refusals_->total());
+    if (filter_) statistics.emplace_back("refused contributions", filter_->total());
     return statistics;
 }
 
-RefusalList PathIntegrator::refusals() const {
-    return refusals_ ? refusals_->list() : RefusalList{};
+InvalidSampleList PathIntegrator::invalid_samples() const {
+    return filter_ ? filter_->list() : InvalidSampleList{};
 }
 
 }  // namespace lxs

@@ -22,7 +22,7 @@ class PathIntegrator : public Integrator {
     Statistics statistics() const override;
     void state(StateArchive& archive) override;
     void learned(StateArchive& archive) override;
-    RefusalList refusals() const override;
+    InvalidSampleList invalid_samples() const override;
 
   private:
     void resize_pixels();
@@ -35,7 +35,7 @@ class PathIntegrator : public Integrator {
 
     PathSettings settings_;
     std::optional<RenderContext> context_;
-    std::optional<PathRefusals> refusals_;
+    std::optional<PathSampleFilter> filter_;
     std::optional<PathTracer> tracer_;
     std::vector<Vec2> positions_;    ///< of this pass, row by row
     std::vector<Rgb> radiance_;      ///< [pixel * light groups + group]

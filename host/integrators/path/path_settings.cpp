@@ -10,7 +10,7 @@ namespace lxs {
 namespace {
 
 /// Without maxdepth: what light needs through thirty panes.
-constexpr std::uint32_t kUsualSmoothBounces = 64;
+constexpr std::uint32_t kUsualSpecularBounces = 64;
 
 /// A value and what the scene language calls it.
 template <class Value>
@@ -71,7 +71,7 @@ constexpr std::array kDeclarations = {
                          .default_text = "16",
                          .doc = "Most bounces of a path; passing straight through null materials "
                                 "or architectural glass is no bounce. Unless it is given, the "
-                                "first 64 at smooth surfaces do not count.",
+                                "first 64 at specular surfaces do not count.",
                          .minimum = 0,
                          .maximum = 1'000'000},
     ParameterDeclaration{.name = "rrstrategy",
@@ -123,7 +123,7 @@ PathSettings PathSettings::read(const ParameterReader& parameters) {
     settings.max_depth =
         static_cast<std::uint32_t>(parameters.integer("maxdepth", settings.max_depth));
     // Who gives a depth wants that one, even if it is the default's.
-    settings.smooth_bounces = parameters.given("maxdepth") ? 0 : kUsualSmoothBounces;
+    settings.specular_bounces = parameters.given("maxdepth") ? 0 : kUsualSpecularBounces;
     settings.roulette =
         value_of(kRouletteStrategies, parameters.string("rrstrategy", "efficiency"));
     settings.continue_probability =
@@ -137,12 +137,12 @@ PathSettings PathSettings::read(const ParameterReader& parameters) {
 }
 
 std::string PathSettings::text() const {
-    const std::string smooth =
-        smooth_bounces ? fmt::format(" beside {} at smooth surfaces", smooth_bounces) : "";
+    const std::string specular =
+        specular_bounces ? fmt::format(" beside {} at specular surfaces", specular_bounces) : "";
     return fmt::format(
         "maxdepth {} bounces{}, rrstrategy {}, rrcontinueprob {}, includeenvironment {}, "
         "directlightsampling {}, lightstrategy {}",
-        max_depth, smooth, name_of(kRouletteStrategies, roulette), continue_probability,
+        max_depth, specular, name_of(kRouletteStrategies, roulette), continue_probability,
         include_environment, direct_light_sampling, name_of(kLightStrategies, lights));
 }
 

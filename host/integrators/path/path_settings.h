@@ -28,7 +28,7 @@ enum class LightStrategy : std::uint8_t {
 struct PathSettings {
     std::uint32_t max_depth = 16;  ///< most bounces of a path; straight passage is no bounce
     /// Bounces from purely specular surfaces that do not count for max_depth.
-    std::uint32_t smooth_bounces = 0;
+    std::uint32_t specular_bounces = 0;
     RouletteStrategy roulette = RouletteStrategy::Efficiency;
     float continue_probability = 0.65f;  ///< of RouletteStrategy::Probability
     bool include_environment = true;     ///< the camera sees lights at infinity directly

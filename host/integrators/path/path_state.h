@@ -23,7 +23,7 @@ struct PathTracer::State {
     Vertex left;
     LightTable lights = nullptr;  ///< of the surface that the path is at
     std::uint32_t bounces = 0;
-    std::uint32_t smooth = 0;  ///< of these, that do not count for the depth
+    std::uint32_t specular = 0;  ///< of these, that do not count for the depth
     aips::EyeScatterings scatterings = {};
     std::uint32_t straight = 0;
     std::uint32_t told_rays = 0;

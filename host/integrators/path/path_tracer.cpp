@@ -33,11 +33,11 @@ void PathCounts::state(StateArchive& archive) {
         archive.value(*count);
 }
 
-PathTracer::PathTracer(const Scene& scene, const PathSettings& settings, PathRefusals& refusals)
+PathTracer::PathTracer(const Scene& scene, const PathSettings& settings, PathSampleFilter& filter)
     : scene_(scene),
       settings_(settings),
       lights_(scene.lights(), settings.lights, scene.bounds()),
-      refusals_(refusals),
+      filter_(filter),
       media_scatter_(scene.facts().has_scattering_media) {}
 
 void PathTracer::trace(const Ray& camera_ray, PrimarySample& random,
@@ -77,16 +77,15 @@ void PathTracer::trace(const Ray& camera_ray, PrimarySample& random,
 /// Where the ray meets a surface. What no surface can be absorbs, what no light can be is black.
 bool PathTracer::meet(State& state, SurfaceHit& hit, std::pmr::memory_resource& memory) const {
     const bool met = scene_.intersect(state.ray, hit, memory);
-    if (!refusals_.accept_of_passage(valid(hit.transmittance))) hit.transmittance = Rgb(0.0f);
+    if (!filter_.accept_of_passage(valid(hit.transmittance))) hit.transmittance = Rgb(0.0f);
     if (!met) return false;
     const bool is_place =
         finite(hit.p) && finite(hit.ng) && finite(hit.ns) && std::isfinite(hit.distance);
-    if (!refusals_.accept_of_material(is_place, hit.material)) {
+    if (!filter_.accept_of_material(is_place, hit.material)) {
         hit.bsdf = nullptr;
         hit.light = nullptr;
     }
-    if (hit.light && !refusals_.accept_of_light(valid(hit.emitted), *hit.light))
-        hit.light = nullptr;
+    if (hit.light && !filter_.accept_of_light(valid(hit.emitted), *hit.light)) hit.light = nullptr;
     return true;
 }
 
@@ -94,7 +93,7 @@ void PathTracer::add(State& state, const Rgb& contribution, const Light& light,
                      aips::ImagePart part) const {
     Rgb& sum = state.result.radiance[light.group()];
     const Rgb raised = sum + contribution;
-    if (!refusals_.accept_of_light(valid(contribution) && valid(raised), light)) return;
+    if (!filter_.accept_of_light(valid(contribution) && valid(raised), light)) return;
     sum = raised;
     if (!state.result.parts.empty())
         state.result.parts[static_cast<std::size_t>(part)] += contribution;
@@ -102,7 +101,7 @@ void PathTracer::add(State& state, const Rgb& contribution, const Light& light,
 
 bool PathTracer::accept_sample(const DirectSample& sample, const Light& light) const {
     const bool usable = valid(sample.radiance) && valid_density(sample.pdf) && finite(sample.wi);
-    return refusals_.accept_of_light(usable, light);
+    return filter_.accept_of_light(usable, light);
 }
 
 /// Share of a light met by a scattered ray that next-event estimation leaves to it.
@@ -133,7 +132,7 @@ void PathTracer::add_escaped(State& state) const {
     for (const Light* light : lights_.at_infinity()) {
         if (!sees(state, *light)) continue;
         const Rgb radiance = light->escaped(direction);
-        if (is_black(radiance) || !refusals_.accept_of_light(valid(radiance), *light)) continue;
+        if (is_black(radiance) || !filter_.accept_of_light(valid(radiance), *light)) continue;
         const float weight = light_weight(state, *light, Vec3(0.0f), Vec3(0.0f), 0);
         add(state, state.throughput * radiance * weight, *light, state.scatterings.met());
     }
@@ -170,13 +169,13 @@ Rgb PathTracer::direct_light(State& state, const SurfaceHit& hit, const LightCho
     }
     const Rgb f = hit.bsdf->evaluate(wo, sample.wi, Transport::Radiance, kAllLobes);
     if (is_black(f) || is_black(sample.radiance)) return Rgb(0.0f);
-    if (!refusals_.accept_of_material(valid(f), hit.material)) return Rgb(0.0f);
+    if (!filter_.accept_of_material(valid(f), hit.material)) return Rgb(0.0f);
     ++state.result.rays;
     const Rgb passed = scene_.transmittance(shadow_ray(hit, sample, state.ray.time));
-    if (is_black(passed) || !refusals_.accept_of_passage(valid(passed))) return Rgb(0.0f);
+    if (is_black(passed) || !filter_.accept_of_passage(valid(passed))) return Rgb(0.0f);
     const float pdf = sample.pdf * choice.probability;
     const float pdf_bounce = sample.delta ? 0.0f : hit.bsdf->pdf(wo, sample.wi, kAllLobes);
-    if (!refusals_.accept_of_material(valid_density(pdf_bounce), hit.material)) return Rgb(0.0f);
+    if (!filter_.accept_of_material(valid_density(pdf_bounce), hit.material)) return Rgb(0.0f);
     const float weight = power_heuristic(pdf, pdf_bounce);
     const float cosine = std::abs(hit.ns.dot(sample.wi));
     return f * sample.radiance * passed * (cosine * weight / pdf);
@@ -184,14 +183,15 @@ Rgb PathTracer::direct_light(State& state, const SurfaceHit& hit, const LightCho
 
 /// Whether the path has had all the bounces that count.
 bool PathTracer::is_spent(const State& state) const {
-    return state.bounces - state.smooth >= settings_.max_depth;
+    return state.bounces - state.specular >= settings_.max_depth;
 }
 
 /// Draws the next direction; false when the path ends here.
 bool PathTracer::scatter(State& state, const SurfaceHit& hit) const {
     // A path at its last bounce may still pass straight to a light, as its shadow rays may.
-    const bool smooth = hit.bsdf->lobes() == kSpecular && state.smooth < settings_.smooth_bounces;
-    const bool last = is_spent(state) && !smooth;
+    const bool specular =
+        hit.bsdf->lobes() == kSpecular && state.specular < settings_.specular_bounces;
+    const bool last = is_spent(state) && !specular;
     if (last && (hit.bsdf->lobes() & kSpecular) == 0) return false;
 
     const Vec2 u = state.random.next_2d();
@@ -203,13 +203,13 @@ bool PathTracer::scatter(State& state, const SurfaceHit& hit) const {
     if (!sample.straight && last) return false;
     state.throughput *= sample.weight;
     const bool usable = valid(state.throughput) && valid_density(sample.pdf) && finite(sample.wi);
-    if (!refusals_.accept_of_material(usable, hit.material) || is_black(state.throughput))
+    if (!filter_.accept_of_material(usable, hit.material) || is_black(state.throughput))
         return false;
     state.ray = continue_ray(hit, sample, state.ray);
     if (sample.straight) return ++state.straight < kMaxStraight;
 
     ++state.bounces;
-    if (smooth) ++state.smooth;
+    if (specular) ++state.specular;
     state.scatterings.add((sample.lobe & kSpecular) != 0);
     state.left = {hit.p, hit.ns, (sample.lobe & kSpecular) != 0 ? 0.0f : sample.pdf, state.lights};
     return survives_roulette(state);

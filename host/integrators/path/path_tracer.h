@@ -15,7 +15,7 @@
 #include "lxs/sdk/scene.h"
 #include "lxs/sdk/state_archive.h"
 #include "path/light_selector.h"
-#include "path/path_refusals.h"
+#include "path/path_sample_filter.h"
 #include "path/path_settings.h"
 #include "path/primary_sample.h"
 
@@ -53,8 +53,8 @@ struct PathCounts {
 /// is no bounce: the scattered ray keeps the density and position of the vertex it left.
 class PathTracer {
   public:
-    /// Contributions that are not finite or negative are told to `refusals`.
-    PathTracer(const Scene& scene, const PathSettings& settings, PathRefusals& refusals);
+    /// Contributions that are not finite or negative are told to `filter`.
+    PathTracer(const Scene& scene, const PathSettings& settings, PathSampleFilter& filter);
 
     void trace(const Ray& camera_ray, PrimarySample& random,
                std::pmr::monotonic_buffer_resource& memory, PathResult& result) const;
@@ -92,7 +92,7 @@ class PathTracer {
     const Scene& scene_;
     PathSettings settings_;
     LightSelector lights_;
-    PathRefusals& refusals_;
+    PathSampleFilter& filter_;
     bool media_scatter_;
 };
 

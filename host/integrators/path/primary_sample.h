@@ -1,4 +1,4 @@
-// The numbers that make a camera path: a point in primary sample space.
+// The numbers that make an eye path: a point in primary sample space.
 #pragma once
 
 #include <array>

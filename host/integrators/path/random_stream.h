@@ -1,4 +1,4 @@
-// Random numbers of one camera path.
+// Random numbers of one eye path.
 #pragma once
 
 #include <Random123/philox.h>

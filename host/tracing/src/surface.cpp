@@ -22,7 +22,7 @@ Surface describe(const Primitive& primitive, const MediaTable& media) {
     surface.transmits = facts.transmits || facts.straight;
     surface.index_of_media = facts.index_of_media;
     surface.own_index = facts.own_index;
-    surface.may_be_smooth = (facts.lobes & kSpecular) != 0;
+    surface.may_be_specular = (facts.lobes & kSpecular) != 0;
     surface.bends = facts.bends;
     surface.reads_dpdv = facts.bends || facts.reads_dpdv;
     surface.reads_uv = surface.reads_dpdv || facts.reads_uv || primitive.emission;

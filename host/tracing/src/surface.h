@@ -42,7 +42,7 @@ struct Surface {
     bool own_index = false;                       ///< MaterialFacts::own_index
     bool bends = false;                           ///< the material has a bump map
     bool reads_dpdv = false;                      ///< the material needs the tangent along v
-    bool may_be_smooth = false;                   ///< the material may have a specular lobe
+    bool may_be_specular = false;                 ///< the material may have a specular lobe
     bool reads_uv = true;  ///< material or emission need texture coordinates or a tangent
 
     bool declares_medium() const { return interior != kNoMedium || exterior != kNoMedium; }

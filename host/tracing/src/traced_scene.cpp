@@ -235,12 +235,12 @@ void TracedScene::add_transmittance(SurfaceHit& hit) const {
     hit.transmittance = crossed ? crossed->transmittance(hit.distance) : Rgb(1.0f);
 }
 
-bool TracedScene::intersect_smooth(const Ray& ray, SurfaceHit& hit,
-                                   std::pmr::memory_resource& memory) const {
+bool TracedScene::intersect_specular(const Ray& ray, SurfaceHit& hit,
+                                     std::pmr::memory_resource& memory) const {
     RawHit raw;
     if (!find(ray, raw, hit)) return false;
     const Surface& surface = placement_of(raw).surfaces[raw.geometry];
-    if (surface.may_be_smooth || surface.emissive_index != Surface::kNotEmissive)
+    if (surface.may_be_specular || surface.emissive_index != Surface::kNotEmissive)
         return complete(ray, raw, hit, memory);
     hit.bsdf = nullptr;
     hit.light = nullptr;
@@ -294,8 +294,8 @@ bool TracedScene::complete(const Ray& ray, const RawHit& raw, SurfaceHit& hit,
     return true;
 }
 
-RefusalList TracedScene::refused_values() const {
-    RefusalList list;
+InvalidSampleList TracedScene::refused_values() const {
+    InvalidSampleList list;
     const auto add = [&](const std::string& user, const RefusedValues& refused) {
         for (const auto& [texture, count] : refused.totals()) {
             list.push_back(

@@ -37,8 +37,8 @@ class TracedScene : public TraceScene {
         RawHit raw;
         return find(ray, raw, hit) && complete(ray, raw, hit, memory);
     }
-    bool intersect_smooth(const Ray& ray, SurfaceHit& hit,
-                          std::pmr::memory_resource& memory) const override;
+    bool intersect_specular(const Ray& ray, SurfaceHit& hit,
+                            std::pmr::memory_resource& memory) const override;
     bool intersect_shape(const Ray& ray, SurfaceHit& hit,
                          std::pmr::memory_resource& memory) const override;
     Rgb transmittance(const Ray& ray) const override;
@@ -51,7 +51,7 @@ class TracedScene : public TraceScene {
     void set_wavelengths(const Wavelengths& wavelengths) override;
     const SpectralNeed& spectral_need() const override { return spectral_need_; }
     WavelengthDensity wavelength_density() const override;
-    RefusalList refused_values() const override;
+    InvalidSampleList refused_values() const override;
     std::span<const SourceLocation> light_places() const override { return light_places_; }
     const EnteredMedia& camera_media() const override { return camera_media_; }
     std::vector<std::string> media_notes() const override;

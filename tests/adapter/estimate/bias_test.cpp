@@ -43,21 +43,21 @@ Moments bias_of(const Power& power, EdgeCorrection* edges = nullptr) {
     std::uniform_real_distribution<float> place(-0.2f, 0.2f);
     double sum = 0, squares = 0;
     for (int pass = 0; pass < kPasses; ++pass) {
-        std::vector<Landing> landings;
+        std::vector<Photon> photons;
         for (int i = 0; i < kPaths; ++i) {
-            Landing landing;
-            landing.position = {place(generator), place(generator), 0};
-            landing.direction = landing.normal = {0, 0, 1};
-            landing.power = kWhite * float(power(landing.position.x, landing.position.y));
-            landings.push_back(landing);
+            Photon photon;
+            photon.position = {place(generator), place(generator), 0};
+            photon.direction = photon.normal = {0, 0, 1};
+            photon.power = kWhite * float(power(photon.position.x, photon.position.y));
+            photons.push_back(photon);
         }
-        LandingGrid grid;
-        grid.build(landings, kRadius);
-        Refusals refusals;
+        PhotonGrid grid;
+        grid.build(photons, kRadius);
+        InvalidSampleFilter filter;
         PhotonFlux flux;
         flux.wants_inner = true;
         flux.reset(1, 1);
-        gather_photons(image, grid, kRadius, refusals, flux);
+        gather_photons(image, grid, kRadius, filter, flux);
         if (edges) edges->correct(std::uint64_t(pass), 0, image, kRadius, flux);
         DiscEstimates discs;
         estimate_discs(image, flux, kRadius, kPaths, discs);

@@ -1,4 +1,4 @@
-// Protects the correction of edges: photons count by the part of their search disc that is surface,
+// Protects the correction of edges: photons count by the part of their gather disc that is surface,
 // in the mean, and by nothing else where all of it is.
 #include "estimate/edge_correction.h"
 

@@ -1,5 +1,6 @@
-// Protects what is learned of direct light where an eye path's first ray shares it with shadow
-// rays: both ways of reckoning it have one expectation, and near large lights sharing is calmer.
+// Protects what is learned of direct light where an eye path's BSDF-sampled ray shares it with
+// shadow rays: both ways of reckoning it have one expectation, and near large lights sharing is
+// calmer.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -94,32 +95,32 @@ struct Moments {
 void expect_same_direct_light(std::uint32_t max_photon_depth) {
     SCOPED_TRACE(max_photon_depth);
     const Moments a(veiled_corner({}, max_photon_depth));
-    const Moments b(veiled_corner({.first_ray = true}, max_photon_depth));
+    const Moments b(veiled_corner({.bsdf_direct = true}, max_photon_depth));
     // Stratified numbers only make the means better than this.
     const double error = std::sqrt((a.variance + b.variance) / a.points);
     EXPECT_NEAR(a.mean, b.mean, kMostStandardErrors * error);
     EXPECT_GT(0.02 * a.mean, kMostStandardErrors * error)
         << "a planted error of 2 % would go unnoticed";
-    EXPECT_LT(b.variance, 0.8 * a.variance) << "first rays make nothing calmer";
+    EXPECT_LT(b.variance, 0.8 * a.variance) << "BSDF-sampled rays make nothing calmer";
 }
 
 /// A veil has two sides: with a depth of 1 or 2 photons would get through no more than one.
-TEST(SharedDirectLight, FirstRaysAloneKeepTheExpectation) {
+TEST(SharedDirectLight, BsdfSampledDirectLightKeepsTheExpectation) {
     for (const std::uint32_t max_photon_depth : {1u, 2u, 8u})
         expect_same_direct_light(max_photon_depth);
 }
 
-TEST(SharedDirectLight, FirstRaysBringNoOtherLight) {
-    const EyeImage image = veiled_corner({.first_ray = true}, 8);
-    std::size_t first_rays = 0;
+TEST(SharedDirectLight, BsdfSampledDirectLightBringsNoOther) {
+    const EyeImage image = veiled_corner({.bsdf_direct = true}, 8);
+    std::size_t bsdf_direct = 0;
     for (const VisiblePoint& point : image.visible_points) {
         if (point.continued) continue;  // one in four explores
-        ++first_rays;
+        ++bsdf_direct;
         ASSERT_LE(point.eye_rays, 3) << "to the veil, through it, and on to a wall";
         ASSERT_EQ(point.eye_share, 0);
         ASSERT_TRUE(is_black(image.continued[point.sample]));
     }
-    EXPECT_GT(double(first_rays), 0.7 * double(image.visible_points.size()));
+    EXPECT_GT(double(bsdf_direct), 0.7 * double(image.visible_points.size()));
 }
 
 TEST(SharedDirectLight, CalmerWhereLightIsNear) {

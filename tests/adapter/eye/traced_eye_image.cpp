@@ -8,10 +8,10 @@ aips::EyeImage traced_eye_image(const Scene& scene, const Camera& camera, std::u
                                 const aips::EyeShares* shares) {
     const Sampler sampler(settings.seed);
     const aips::DirectLight direct(scene, false);
-    aips::Refusals refusals(scene);
+    aips::InvalidSampleFilter filter(scene);
     aips::EyeImage image;
     trace_eye_pass({scene, camera, sampler, direct, settings, size, size, paths, true, shares}, 0,
-                   0, refusals, image);
+                   0, filter, image);
     return image;
 }
 

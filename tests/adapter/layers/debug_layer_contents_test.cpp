@@ -40,11 +40,11 @@ EyeImage eye_image(const std::vector<KnownPath>& paths) {
 /// Adds a pass in which these numbers of photons were accepted within these radii.
 void add_pass(DebugLayers& layers, const EyeImage& image, const std::vector<std::uint32_t>& photons,
               const std::vector<float>& radii, double weight,
-              const BounceTally* bounces = nullptr) {
+              const BounceStatistics* bounces = nullptr) {
     PhotonFlux flux;
     flux.reset(image.visible_points.size(), 1);
     flux.accepted = photons;
-    layers.add_pass(image, flux, radii.empty() ? SearchRadii() : SearchRadii(radii),
+    layers.add_pass(image, flux, radii.empty() ? GatherRadii() : GatherRadii(radii),
                     {.positions = image.positions, .eye = image.radiance, .photon_weight = weight},
                     bounces);
 }
@@ -112,7 +112,7 @@ class KnownNodes : public testing::Test {
 
     static constexpr double kBeyondFloat = 1e300;
     mock::FixedGuide guide_{{{0.5, 3.25, 0}, {0.125, kBeyondFloat, 0}, {2, 0.75, 0}}};
-    BounceTally bounces_;
+    BounceStatistics bounces_;
     mock::Film film_{4, 3};
 };
 

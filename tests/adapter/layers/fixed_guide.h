@@ -23,7 +23,7 @@ class FixedGuide final : public aips::Guide {
     bool guides(std::uint64_t) const override { return false; }
     bool learns_from_owned() const override { return false; }
     bool needs_scores() const override { return false; }
-    void update(std::span<const aips::Landing>, std::span<const double>) override {}
+    void update(std::span<const aips::Photon>, std::span<const double>) override {}
     void state(aips::StateArchive&) override {}
     const aips::GuidedDirections* directions(const aips::GuideVertex&,
                                              std::pmr::memory_resource&) const override {

@@ -29,20 +29,20 @@ Settings tiny_tree() {
     return settings;
 }
 
-std::vector<Landing> landings_on_floor(std::uint64_t seed) {
-    std::vector<Landing> landings;
+std::vector<Photon> photons_on_floor(std::uint64_t seed) {
+    std::vector<Photon> photons;
     RandomStream random(seed, 0, 0, RandomDomain::Photon);
     for (int i = 0; i < 40; ++i) {
         const Vec2 u = random.next2();
-        Landing landing;
-        landing.position = {u.x, u.y * u.y, 0};
-        landing.previous = {0.5f, 0.5f, 1};
-        landing.direction = normalize(landing.previous - landing.position);
+        Photon photon;
+        photon.position = {u.x, u.y * u.y, 0};
+        photon.previous = {0.5f, 0.5f, 1};
+        photon.direction = normalize(photon.previous - photon.position);
         const float power = 0.5f + random.next();
-        landing.power = {power, power, power};
-        landings.push_back(landing);
+        photon.power = {power, power, power};
+        photons.push_back(photon);
     }
-    return landings;
+    return photons;
 }
 
 /// One visible point in the middle of each pixel, on the floor [0,1]^2; none in the first pixel.
@@ -84,10 +84,10 @@ TEST(NodeLayers, ShowTheTreeAtTheVisiblePoints) {
     const EyeImage image = floor_from_above();
     std::vector<Vec3> eye;
     positions_of(image.visible_points, eye);
-    BounceTally bounces(guide, 6);
+    BounceStatistics bounces(guide, 6);
     guide.begin_pass(eye, image.positions.size());
     bounces.begin_pass();
-    guide.update(landings_on_floor(3), {});
+    guide.update(photons_on_floor(3), {});
     bounces.follow_splits();
     const NodeTree& tree = guide.tree();
     ASSERT_GE(tree.node_count(), 4u);
@@ -131,9 +131,9 @@ TEST(NodeEdges, AreBetweenNeighbours) {
     EXPECT_EQ(edges, (std::vector<float>{0, 0, 0, 0}));
 }
 
-TEST(BounceTally, ChildrenShareTheirParentsCounts) {
+TEST(BounceStatistics, ChildrenShareTheirParentsCounts) {
     PaperGuide guide(unit_box(), tiny_tree());
-    BounceTally bounces(guide, 6);
+    BounceStatistics bounces(guide, 6);
     const Vec3 corner{0.05f, 0.02f, 0};
     guide.begin_pass(std::vector<Vec3>{corner}, 1);
     bounces.begin_pass();
@@ -141,7 +141,7 @@ TEST(BounceTally, ChildrenShareTheirParentsCounts) {
     constexpr int kBounces = 256;  // can be halved by every split that this tree makes
     for (int i = 0; i < kBounces; ++i)
         bounces.count({0.9f, 0.9f, 0}, i % 4 == 0);
-    guide.update(landings_on_floor(3), {});
+    guide.update(photons_on_floor(3), {});
     bounces.follow_splits();
     const auto count = std::uint32_t(guide.statistics().nodes);
     ASSERT_GE(count, 4u);
@@ -156,7 +156,7 @@ TEST(BounceTally, ChildrenShareTheirParentsCounts) {
         EXPECT_TRUE(node == mine || bounces.guided_share(node) == 0.25f) << node;
     bounces.begin_pass();
     EXPECT_EQ(bounces.guided_share(mine), 0);
-    EXPECT_LE(bounces.memory_bytes(), BounceTally::memory_bound_bytes(6));
+    EXPECT_LE(bounces.memory_bytes(), BounceStatistics::memory_bound_bytes(6));
 }
 
 }  // namespace

@@ -65,8 +65,8 @@ std::pair<Moments, Moments> bias_and_light_of(const Power& power) {
             photon.medium = fog.medium();
             gather.waiting().push_back(photon);
         }
-        Refusals refusals;
-        gather.gather(fog.image, refusals);
+        InvalidSampleFilter filter;
+        gather.gather(fog.image, filter);
         DiscEstimates discs;
         discs.whole.resize(1);
         discs.half.resize(1);

@@ -27,7 +27,7 @@ constexpr std::uint32_t kPhotons = 400'000;
 Settings adaptive(std::uint64_t seed, bool chains) {
     Settings settings = mock::small_settings(seed, kPhotons);
     settings.guide = GuideKind::Adaptive;
-    settings.guide_scout = true;
+    settings.pilot_pass = true;
     settings.guide_chains = chains;
     settings.start_radius = 3;
     settings.direct_light_sampling = false;

@@ -116,7 +116,7 @@ TEST(PhotonChains, NothingVisibleEndsCleanly) {
     EXPECT_EQ(r.film.mean(), 0);
     EXPECT_EQ(r.statistics.photon_paths, 15000u);
     EXPECT_EQ(r.statistics.visible_paths, 0u);
-    EXPECT_EQ(r.statistics.landings, 0u);
+    EXPECT_EQ(r.statistics.photons, 0u);
     EXPECT_EQ(r.statistics.refused.size(), 0u);
 }
 

@@ -80,15 +80,15 @@ TEST(PhotonSequence, IsOneWhereNothingIsChosen) {
 
 // The guide learns from 500 000 paths, and finds that nothing is to be gained where all is seen.
 // What follows is one sequence, but not that of a render without a guide.
-TEST(PhotonSequence, BeginsAnewWhereAGuideComesToRest) {
+TEST(PhotonSequence, BeginsAnewWhereAGuideIsDisabled) {
     Settings settings = mock::small_settings(5, 0);
     const std::set<Point> unguided = TwoPasses(settings, 19).points();
     settings.guide = GuideKind::Adaptive;
     EXPECT_LT(cells(TwoPasses(settings, 17).points()), 50'000u) << "guided, in several sequences";
-    const std::set<Point> resting = TwoPasses(settings, 19).points();
-    EXPECT_EQ(cells(resting), 60'000u);
+    const std::set<Point> disabled = TwoPasses(settings, 19).points();
+    EXPECT_EQ(cells(disabled), 60'000u);
     std::size_t shared = 0;
-    for (const Point& u : resting)
+    for (const Point& u : disabled)
         shared += unguided.count(u);
     EXPECT_EQ(shared, 0u);
 }

@@ -210,7 +210,7 @@ TEST(Needs, NoSeedingFromTheEyeWhereNoLightAnswers) {
 }
 
 /// Direct photons are never stored under next-event estimation: with one bounce allowed, every
-/// landing is at depth two.
+/// photon is at depth two.
 TEST(Needs, DirectPhotonsAreDropped) {
     Settings settings = mock::small_settings(65, 5000);
     settings.max_photon_depth = 2;
@@ -218,7 +218,7 @@ TEST(Needs, DirectPhotonsAreDropped) {
     EXPECT_TRUE(logged(with_rays.log, "skipped direct photons"));
     settings.direct_light_sampling = false;
     const auto alone = render_box(settings);
-    EXPECT_GT(alone.statistics.landings, with_rays.statistics.landings);
+    EXPECT_GT(alone.statistics.photons, with_rays.statistics.photons);
 }
 
 TEST(Needs, UnguidedRunsHaveNoGuide) {
@@ -256,7 +256,7 @@ TEST(Needs, EdgesAreCorrectedWherePassesLookAnew) {
     EXPECT_TRUE(off("the mode's", [](Settings& s) { s.mode = Mode::Ppm; }));
 }
 
-/// Nothing else asks what the inner halves of search discs bring.
+/// Nothing else asks what the inner halves of gather discs bring.
 TEST(Needs, BlurNarrowsRadiiThatAdapt) {
     const mock::Scene scene = mock::lamp_box({}, {});
     const auto narrows = [&](RadiusKind radius, std::uint32_t photon_depth, bool asked) {
@@ -277,25 +277,25 @@ TEST(Needs, BlurNarrowsRadiiThatAdapt) {
     EXPECT_EQ(narrows(RadiusKind::Adaptive, 1, true), "no photons to gather");
 }
 
-TEST(Needs, LampPathsAreDrawnWhereSmoothSurfacesShowLamps) {
+TEST(Needs, EmitterPathsAreDrawnWhereSpecularSurfacesShowEmitters) {
     const mock::View room = mock::lamp_room(16);
     const auto off = [&](const mock::View& view, const std::string& reason, auto&& change) {
         Settings settings = mock::small_settings(68, 1000);
         change(settings);
         const auto r = mock::render(view.scene, view.camera, 16, 16, settings, 2);
-        EXPECT_EQ(r.statistics.lamp_searches, 0u);
-        return logged(r.log, "skipped lamp paths: " + reason);
+        EXPECT_EQ(r.statistics.emitter_searches, 0u);
+        return logged(r.log, "skipped emitter paths: " + reason);
     };
     const auto on =
         mock::render(room.scene, room.camera, 16, 16, mock::small_settings(68, 1000), 2);
-    EXPECT_GT(on.statistics.lamp_paths, 0u);
-    EXPECT_FALSE(off(room, "", [](Settings& s) { s.guide_lamps = false; })) << "as asked for";
+    EXPECT_GT(on.statistics.emitter_paths, 0u);
+    EXPECT_FALSE(off(room, "", [](Settings& s) { s.guide_emitters = false; })) << "as asked for";
     EXPECT_TRUE(off(room, "eye paths belong", [](Settings& s) { s.mode = Mode::PhotonMap; }));
     EXPECT_TRUE(off(room, "the paper's", [](Settings& s) { s.guide = GuideKind::Paper; }));
     EXPECT_TRUE(off(room, "eye paths end", [](Settings& s) { s.max_eye_depth = 1; }));
     EXPECT_TRUE(off(room, "passes do not have", [](Settings& s) { s.hit_points_per_pass = 300; }));
     mock::View matte{mock::lamp_box({}, {}), mock::camera_along_y({0, -0.9f, 0}, 1, 16, 16)};
-    EXPECT_TRUE(off(matte, "no surface is smooth", [](Settings&) {}));
+    EXPECT_TRUE(off(matte, "no surface is specular", [](Settings&) {}));
 }
 
 }  // namespace

@@ -84,7 +84,7 @@ TEST(PassPlan, PhotonsBecomeFewWhereEyePathsCarryTheLight) {
     EXPECT_NEAR(plan.photon_paths, kFree.fewest, 1);
 }
 
-/// Of light that smooth surfaces focus eye paths find nothing.
+/// Of light that specular surfaces focus eye paths find nothing.
 TEST(PassPlan, PhotonsStayForLightThatIsTheirsAlone) {
     const std::vector<ShareMoments> leaves{leaf(kPaths / 100, 5, 10 * kPaths)};
     const std::vector<EyeShare> shares(1);
@@ -134,16 +134,16 @@ TEST(PassPlan, ClusteredPhotonsAreTakenAsNoisyAsTheyAre) {
 }
 
 /// Near a large light shadow rays alone are noisier than the light that photons bring.
-TEST(PassPlan, AFirstRayIsSentForTheSakeOfDirectLight) {
+TEST(PassPlan, BsdfSampledDirectLightIsChosenWhereItPays) {
     std::vector<ShareMoments> leaves{leaf(kPaths / 1e5, 1), leaf(kPaths / 1e5, 1)};
     const std::vector<EyeShare> shares(2);
-    EXPECT_EQ(plan_passes(facts_of(leaves, shares, 20), kFixed).first_rays, 0);
+    EXPECT_EQ(plan_passes(facts_of(leaves, shares, 20), kFixed).bsdf_direct, 0);
     leaves[1].direct_saved = leaves[1].continued * 30;
     const PassPlan plan = plan_passes(facts_of(leaves, shares, 20), kFixed);
     EXPECT_EQ(plan.shares[0], EyeShare{});
-    EXPECT_EQ(plan.shares[1], EyeShare{.first_ray = true});
+    EXPECT_EQ(plan.shares[1], EyeShare{.bsdf_direct = true});
     EXPECT_EQ(plan.going_on, 0);
-    EXPECT_DOUBLE_EQ(plan.first_rays, 0.5);
+    EXPECT_DOUBLE_EQ(plan.bsdf_direct, 0.5);
     EXPECT_DOUBLE_EQ(plan.cost, 3000 + kPaths + kPoints / 2);
     // The choice is the same once they do, and the noise is gone.
     EXPECT_EQ(plan_passes(facts_of(leaves, plan.shares, 5), kFixed).shares, plan.shares);
@@ -156,7 +156,7 @@ TEST(PassPlan, AFirstRayIsSentForTheSakeOfDirectLight) {
 /// a fifteenth: what sharing has gained is no noise that passes have.
 TEST(PassPlan, WhatDirectLightHasGainedIsNotThereAnyMore) {
     std::vector<ShareMoments> leaves{leaf(kPaths, 30), leaf(kPaths, 30)};
-    const std::vector<EyeShare> shares(2, EyeShare{.first_ray = true});
+    const std::vector<EyeShare> shares(2, EyeShare{.bsdf_direct = true});
     const auto plan_with = [&](double gain) {
         leaves[0].direct_saved = leaves[0].continued * gain;
         leaves[1].direct_saved = leaves[1].continued * 30;
@@ -228,13 +228,13 @@ TEST(PassPlan, PathsOfOneRayGoOnForTheSakeOfDirectLight) {
               EyeShare{.share = float(kLeastEyeShare)});
 }
 
-TEST(PassPlan, WholePathsFollowAFirstRayWhereTheirLightPaysToo) {
+TEST(PassPlan, WholePathsFollowBsdfSampledDirectLightWhereTheirLightPaysToo) {
     std::vector<ShareMoments> leaves{leaf(3 * kPaths, 1)};
     leaves[0].direct_saved = leaves[0].continued * 30;
     const std::vector<EyeShare> shares(1);
     const PassPlan plan = plan_passes(facts_of(leaves, shares, 20), kFixed);
     EXPECT_NEAR(plan.shares[0].share, best_share(3, 1), 1e-6);
-    EXPECT_FALSE(plan.shares[0].first_ray);
+    EXPECT_FALSE(plan.shares[0].bsdf_direct);
     EXPECT_DOUBLE_EQ(plan.cost, 3000 + kPaths + kPoints * 4);
 }
 
@@ -244,9 +244,9 @@ TEST(PassPlan, NoiseOfWhatEyePathsBringIsNoRemainder) {
     leaves[0].direct_saved = leaves[0].continued * 30;
     const std::vector<EyeShare> shares(1);
     PlanFacts facts = facts_of(leaves, shares, 0);
-    EXPECT_EQ(plan_passes(facts, kFixed).first_rays, 0);
+    EXPECT_EQ(plan_passes(facts, kFixed).bsdf_direct, 0);
     facts.own_variance = 20;
-    EXPECT_EQ(plan_passes(facts, kFixed).first_rays, 1);
+    EXPECT_EQ(plan_passes(facts, kFixed).bsdf_direct, 1);
 }
 
 TEST(PassPlan, NothingKnownIsNothingShared) {
@@ -299,7 +299,7 @@ TEST(PassPlan, OnePassShootsForSeveralWherePhotonsBringLittle) {
 TEST(PassPlan, IsMadeAgainOfSavedFacts) {
     const std::vector<ShareMoments> leaves{leaf(3 * kPaths, 1), leaf(kPaths / 100, 1, 7, 2)};
     PlanFacts facts =
-        facts_of(leaves, {EyeShare{.share = 0.25f}, EyeShare{.first_ray = true}}, 0.1);
+        facts_of(leaves, {EyeShare{.share = 0.25f}, EyeShare{.bsdf_direct = true}}, 0.1);
     facts.passes = 3;
     facts.passes_until = 16;
     facts.counts_loss = true;

@@ -199,9 +199,9 @@ TEST(PhotonSchedule, PathsThatExploredCountAsLearnedFrom) {
     EXPECT_EQ(unguided.next().weight, before.weight);
 }
 
-// Of a render that was taught by another: whatever noise passes have, the first count for less, by
+// Of a warm start: whatever noise passes have, the first count for less, by
 // their number alone.
-TEST(PhotonSchedule, FirstPassesCountForLessWhereTheyWereTaught) {
+TEST(PhotonSchedule, FirstPassesCountForLessAfterAWarmStart) {
     mock::Saving saving;
     {
         Render teacher({}, kEyePaths, true);
@@ -214,13 +214,13 @@ TEST(PhotonSchedule, FirstPassesCountForLessWhereTheyWereTaught) {
     for (const double noise : {1.0, 1e9}) {
         mock::Restoring restoring(saving.saved());
         LearnedParts parts(restoring);
-        Render taught({}, kEyePaths, true);
-        taught.schedule().learned(parts);
+        Render warm_start({}, kEyePaths, true);
+        warm_start.schedule().learned(parts);
         for (int pass = 0; pass < 20; ++pass) {
-            const double known = std::min(1.0, (pass + 1) / double(kPilotPasses));
-            EXPECT_DOUBLE_EQ(taught.next().weight, known * known) << pass;
-            EXPECT_EQ(taught.next().counted, taught.next().paths);
-            taught.pass({1, noise, 1e5});
+            const double known = std::min(1.0, (pass + 1) / double(kWarmUpPasses));
+            EXPECT_DOUBLE_EQ(warm_start.next().weight, known * known) << pass;
+            EXPECT_EQ(warm_start.next().counted, warm_start.next().paths);
+            warm_start.pass({1, noise, 1e5});
         }
     }
 }

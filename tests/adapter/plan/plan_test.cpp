@@ -1,5 +1,5 @@
 // Protects the plan: one value says what runs, for every guide, mode and source of photons; it is
-// printed, and saved with what the first look decided.
+// printed, and saved with what the pilot pass decided.
 #include "plan/plan.h"
 
 #include <gmock/gmock.h>
@@ -25,7 +25,8 @@ Plan plan_of(const Settings& settings) {
 TEST(Plan, SaysWhatRuns) {
     Settings s;
     EXPECT_EQ(describe(plan_of(s)),
-              "new eye paths in each pass; photon paths guided by their worth, after a first look, "
+              "new eye paths in each pass; photon paths guided by their contribution, after a "
+              "pilot pass, "
               "as many a pass as their noise asks for; radii by noise and bias");
     s.guide = GuideKind::Paper;
     EXPECT_EQ(describe(plan_of(s)),
@@ -49,16 +50,16 @@ TEST(Plan, FitsToTheFilm) {
         bool takes_splats() const override { return false; }
     };
     Plan plan = plan_of({});
-    plan.needs.settings.guide_lamps = true;
+    plan.needs.settings.guide_emitters = true;
     plan.fit_to(mock::Film(4, 4, 1));
-    EXPECT_THAT(describe(plan), HasSubstr("new eye paths and lamp paths in each pass"));
+    EXPECT_THAT(describe(plan), HasSubstr("new eye paths and emitter paths in each pass"));
     Plan odd = plan;
     odd.needs.settings.hit_points_per_pass = 24;
     odd.fit_to(mock::Film(4, 4, 1));
-    EXPECT_THAT(odd.needs.skipped.back(), HasSubstr("lamp paths: passes do not have the same"));
+    EXPECT_THAT(odd.needs.skipped.back(), HasSubstr("emitter paths: passes do not have the same"));
     plan.fit_to(WithoutSplats(4, 4, 1));
     EXPECT_THAT(describe(plan), HasSubstr("new eye paths in each pass;"));
-    EXPECT_EQ(plan.needs.skipped.back(), "lamp paths: the film takes no splats");
+    EXPECT_EQ(plan.needs.skipped.back(), "emitter paths: the film takes no splats");
 }
 
 TEST(Plan, AGuideThatIsLeftOutDoesNotLearn) {
@@ -67,18 +68,18 @@ TEST(Plan, AGuideThatIsLeftOutDoesNotLearn) {
     plan.way = PhotonWay::Unguided;
     EXPECT_FALSE(plan.learns());
     EXPECT_TRUE(plan.measures_noise());
-    EXPECT_TRUE(plan.looks_first()) << "a way that another render took is judged anew";
+    EXPECT_TRUE(plan.has_pilot_pass()) << "a way that another render took is judged anew";
     EXPECT_EQ(plan.guide(), GuideKind::None);
 }
 
 TEST(Plan, LooksFirstOnlyWhereTheLookDecides) {
     Settings s;
-    EXPECT_TRUE(plan_of(s).looks_first());
-    s.guide_scout = false;
-    EXPECT_FALSE(plan_of(s).looks_first());
+    EXPECT_TRUE(plan_of(s).has_pilot_pass());
+    s.pilot_pass = false;
+    EXPECT_FALSE(plan_of(s).has_pilot_pass());
     s = {};
     s.guide = GuideKind::Paper;
-    EXPECT_FALSE(plan_of(s).looks_first());
+    EXPECT_FALSE(plan_of(s).has_pilot_pass());
 }
 
 Plan restored(PhotonWay saved, const Settings& settings) {

@@ -54,18 +54,18 @@ std::uint32_t log_one_of_next_pass(Learner& learner) {
 }
 
 /// What has met nothing that is worth anything has not been tried yet.
-TEST(RestingGuide, GoesOnWhileNothingIsKnown) {
+TEST(DisabledGuide, GoesOnWhileNothingIsKnown) {
     Settings settings = survival_alone();
     settings.guide_emission = true;
     Learner learner(settings);
     EXPECT_EQ(log_one_of_next_pass(learner), 4u);
     learner.learn_nothing(1'000'000, 4);
-    EXPECT_FALSE(learner.guide.resting());
+    EXPECT_FALSE(learner.guide.disabled());
     EXPECT_EQ(log_one_of_next_pass(learner), 16u);
 }
 
 /// With its parts switched off by the user it only measures, at the usual rate.
-TEST(RestingGuide, IsNotOneThatOnlyMeasures) {
+TEST(DisabledGuide, IsNotOneThatOnlyMeasures) {
     Settings settings = survival_alone();
     settings.guide_survival = false;
     Learner learner(settings);
@@ -74,7 +74,7 @@ TEST(RestingGuide, IsNotOneThatOnlyMeasures) {
 }
 
 /// In an evenly lit box there is nothing to gain.
-TEST(RestingGuide, LearnsNothingWhereNoPartPays) {
+TEST(DisabledGuide, LearnsNothingWhereNoPartPays) {
     Settings settings = mock::small_settings(4, 300'000);
     settings.guide = GuideKind::Adaptive;
     const auto r = mock::render(mock::lamp_box({}, {}),

@@ -91,13 +91,13 @@ TEST(SkippedVisiblePoints, ChangeNoBits) {
     const Settings settings = mock::small_settings(94, 1);
     const mock::Sampler sampler(settings.seed);
     const DirectLight direct(view.scene, false);
-    Refusals refusals(view.scene);
+    InvalidSampleFilter filter(view.scene);
     EyePassInput input{view.scene, view.camera, sampler, direct,
                        settings,   kWidth,      kHeight, 16 * kWidth * kHeight};
     EyeImage all, without;
-    trace_eye_pass(input, 0, 0, refusals, all);
+    trace_eye_pass(input, 0, 0, filter, all);
     input.keep_visible_points = false;
-    trace_eye_pass(input, 0, 0, refusals, without);
+    trace_eye_pass(input, 0, 0, filter, without);
     EXPECT_GT(all.visible_points.size(), 0.9 * input.paths);
     EXPECT_TRUE(without.visible_points.empty());
     EXPECT_EQ(without.radiance, all.radiance);

@@ -65,7 +65,7 @@ ProbeSums probe_of(double excess, int photons, double value) {
 }
 
 /// The same in all probes.
-PhotonFlux flux_with(const SearchRadii& radii, const ProbeSums& sums) {
+PhotonFlux flux_with(const GatherRadii& radii, const ProbeSums& sums) {
     PhotonFlux flux;
     flux.wants_inner = true;
     flux.reset(std::size_t{kSize} * kSize, 1, radii.probes.size());
@@ -87,7 +87,7 @@ TEST(AdaptiveRadius, FollowsTheScheduleUntilPhotonsAreSeen) {
     const Settings settings = settings_with(1000000);
     AdaptiveRadius adaptive = policy(settings);
     for (std::uint64_t pass = 0; pass < 4; ++pass) {
-        const SearchRadii radii = adaptive.before_pass(photons_of(settings, pass), image);
+        const GatherRadii radii = adaptive.before_pass(photons_of(settings, pass), image);
         for (std::size_t i = 0; i < image.visible_points.size(); ++i)
             EXPECT_FLOAT_EQ(radii.of(i), scheduled(settings, pass));
         adaptive.after_pass(flux_with(radii, ProbeSums{}));
@@ -100,7 +100,7 @@ TEST(AdaptiveRadius, ProbesEveryPixelOnceInSixteenPasses) {
     AdaptiveRadius adaptive = policy(settings);
     std::multiset<std::uint32_t> probed;
     for (std::uint64_t pass = 0; pass < 16; ++pass) {
-        const SearchRadii radii = adaptive.before_pass(photons_of(settings, pass), image);
+        const GatherRadii radii = adaptive.before_pass(photons_of(settings, pass), image);
         EXPECT_EQ(radii.probes.size(), kSize * kSize / 16);
         probed.insert(radii.probes.begin(), radii.probes.end());
         adaptive.after_pass(flux_with(radii, probe_of(0, 1, 1)));
@@ -120,7 +120,7 @@ TEST(AdaptiveRadius, StaysWithinBoundsOfTheSchedule) {
         const ProbeSums sums = probe_of(excess, 10000, 1e-3);
         float least = 1e30f, greatest = 0;
         for (std::uint64_t pass = 0; pass < 10000; ++pass) {
-            const SearchRadii radii = adaptive.before_pass(photons_of(settings, pass), image);
+            const GatherRadii radii = adaptive.before_pass(photons_of(settings, pass), image);
             const float ratio = radii.of(0) / scheduled(settings, pass);
             least = std::min(least, ratio);
             greatest = std::max(greatest, ratio);
@@ -151,21 +151,21 @@ TEST(AdaptiveRadius, IgnoresWhatIsNotANumber) {
     }
 }
 
-/// Landings on the plane with density (per unit area, per path) c (1 + k (x^2 + y^2)) on a square.
-std::vector<Landing> quadratic_landings(double k, double half, int count, std::uint64_t seed) {
-    std::vector<Landing> landings;
+/// Photons on the plane with density (per unit area, per path) c (1 + k (x^2 + y^2)) on a square.
+std::vector<Photon> quadratic_photons(double k, double half, int count, std::uint64_t seed) {
+    std::vector<Photon> photons;
     RandomStream random(seed, 0, 0, RandomDomain::Photon);
-    while (int(landings.size()) < count) {
+    while (int(photons.size()) < count) {
         const double x = half * (2 * double(random.next()) - 1);
         const double y = half * (2 * double(random.next()) - 1);
         if (double(random.next()) * (1 + 2 * k * half * half) > 1 + k * (x * x + y * y)) continue;
-        Landing landing;
-        landing.position = {float(x), float(y), 0};
-        landing.direction = landing.normal = {0, 0, 1};
-        landing.power = {2, 2, 2};
-        landings.push_back(landing);
+        Photon photon;
+        photon.position = {float(x), float(y), 0};
+        photon.direction = photon.normal = {0, 0, 1};
+        photon.power = {2, 2, 2};
+        photons.push_back(photon);
     }
-    return landings;
+    return photons;
 }
 
 /// Through the whole chain of grid, probes and map, in the middle of a bowl of light: the radius is
@@ -178,9 +178,9 @@ TEST(AdaptiveRadius, FindsTheOptimumOfAKnownDensity) {
     const Settings settings = settings_with(kPhotons);
     AdaptiveRadius adaptive = policy(settings);
     for (std::uint64_t pass = 0; pass < kPasses; ++pass) {
-        const SearchRadii radii = adaptive.before_pass(photons_of(settings, pass), image);
-        LandingGrid grid;
-        grid.build(quadratic_landings(kCurvature, kHalf, kPhotons, pass), radii.probe_radius);
+        const GatherRadii radii = adaptive.before_pass(photons_of(settings, pass), image);
+        PhotonGrid grid;
+        grid.build(quadratic_photons(kCurvature, kHalf, kPhotons, pass), radii.probe_radius);
         PhotonFlux flux;
         flux.wants_inner = true;
         flux.reset(image.visible_points.size(), 1, radii.probes.size());
@@ -198,12 +198,12 @@ TEST(AdaptiveRadius, FindsTheOptimumOfAKnownDensity) {
                 0.1);
 }
 
-/// Landings on the right half of a square alone, evenly.
-std::vector<Landing> edge_landings(double half, int count, std::uint64_t seed) {
-    std::vector<Landing> landings = quadratic_landings(0, half, count, seed);
-    for (Landing& landing : landings)
-        landing.position.x = std::abs(landing.position.x);
-    return landings;
+/// Photons on the right half of a square alone, evenly.
+std::vector<Photon> edge_photons(double half, int count, std::uint64_t seed) {
+    std::vector<Photon> photons = quadratic_photons(0, half, count, seed);
+    for (Photon& photon : photons)
+        photon.position.x = std::abs(photon.position.x);
+    return photons;
 }
 
 /// Radii of the pixels of a row across an edge of light, in pixels.
@@ -220,14 +220,14 @@ std::vector<RowOfRadii> radii_across_an_edge(std::size_t passes, int photons) {
     settings.narrow_radii = false;
     AdaptiveRadius plain = policy(settings);
     const auto run = [&](AdaptiveRadius& policy, std::uint64_t pass) {
-        const SearchRadii radii = policy.before_pass(photons_of(settings, pass), image);
-        LandingGrid grid;
-        grid.build(edge_landings(1.5, photons, pass), std::max(radii.probe_radius, radii.largest));
+        const GatherRadii radii = policy.before_pass(photons_of(settings, pass), image);
+        PhotonGrid grid;
+        grid.build(edge_photons(1.5, photons, pass), std::max(radii.probe_radius, radii.largest));
         PhotonFlux flux;
         flux.wants_inner = true;
         flux.reset(image.visible_points.size(), 1, radii.probes.size());
-        Refusals refusals;
-        gather_photons(image, grid, radii, refusals, flux);
+        InvalidSampleFilter filter;
+        gather_photons(image, grid, radii, filter, flux);
         gather_probes(image, grid, radii, nullptr, flux.probes);
         policy.after_pass(flux);
         std::vector<double> row;
@@ -260,15 +260,15 @@ TEST(AdaptiveRadius, ProbesTakeWhatTheGatherTakes) {
     const std::uint32_t only = 0;
     image.visible_points[0].position = {};
     image.visible_points[0].kd = {0, 1, 0};
-    Landing above, below, dark;
+    Photon above, below, dark;
     above.direction = above.normal = {0, 0, 1};
     above.power = {5, 1, 5};
     below = dark = above;
     below.direction = below.normal = {0, 0, -1};
     dark.power = {5, 0, 5};
-    LandingGrid grid;
-    grid.build(std::vector<Landing>{above, below, dark}, 0.5f);
-    SearchRadii radii(0.1f);
+    PhotonGrid grid;
+    grid.build(std::vector<Photon>{above, below, dark}, 0.5f);
+    GatherRadii radii(0.1f);
     radii.probes = {&only, 1};
     radii.probe_radius = 0.5f;
     std::vector<ProbeSums> sums(1);

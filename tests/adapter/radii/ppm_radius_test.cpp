@@ -50,7 +50,7 @@ PhotonFlux flux_of(const std::vector<std::uint32_t>& accepted) {
 TEST(PpmRadius, StartsAtTheSameRadiusEverywhere) {
     const EyeImage image = eye_image(3);
     PpmRadius ppm = policy();
-    const SearchRadii radii = ppm.before_pass({}, image);
+    const GatherRadii radii = ppm.before_pass({}, image);
     for (std::size_t i = 0; i < 3; ++i)
         EXPECT_FLOAT_EQ(radii.of(i), 3 * 2 * 0.1f);
     EXPECT_FLOAT_EQ(radii.mean, radii.largest);
@@ -64,7 +64,7 @@ TEST(PpmRadius, ShrinksByTheFormula) {
     ppm.after_pass(flux_of({10, 0, 1}));
     ppm.before_pass({}, image);
     ppm.after_pass(flux_of({5, 0, 0}));
-    const SearchRadii radii = ppm.before_pass({}, image);
+    const GatherRadii radii = ppm.before_pass({}, image);
     EXPECT_FLOAT_EQ(radii.of(0), start * float(std::sqrt(0.7 * (7 + 0.7 * 5) / (7 + 5))));
     EXPECT_EQ(radii.of(1), start);  // met no photon
     EXPECT_FLOAT_EQ(radii.of(2), start * float(std::sqrt(0.7)));
@@ -93,7 +93,7 @@ TEST(PpmRadius, MeanOverPassesIsThePapersEstimate) {
     constexpr int kPasses = 50;
     const EyeImage image = eye_image(1, 2);
     PpmRadius ppm = policy();
-    Refusals refusals;
+    InvalidSampleFilter filter;
     PaperPoint paper{double(ppm.before_pass({}, image).of(0))};
     RandomStream random(1, 0, 0, RandomDomain::Eye);
     double mean[2] = {0, 0};
@@ -106,7 +106,7 @@ TEST(PpmRadius, MeanOverPassesIsThePapersEstimate) {
             flux.flux[std::size_t(g)] = {value, value, value};
         }
         std::vector<Rgb> radiance;
-        estimate_pixels(image, flux, ppm.before_pass({}, image), kPaths, refusals, radiance);
+        estimate_pixels(image, flux, ppm.before_pass({}, image), kPaths, filter, radiance);
         ppm.after_pass(flux);
         for (const std::size_t g : {0u, 1u})
             mean[g] += double(radiance[g].g) / kPasses;

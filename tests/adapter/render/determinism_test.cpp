@@ -94,11 +94,11 @@ TEST(DeterminismOfScores, SameBitsForAnyNumberOfThreadsWithTheImagesError) {
 
 TEST(DeterminismOfSwitches, SameBitsForAnyNumberOfThreadsAndAnImageForEach) {
     const mock::View view = mock::half_mirror_view(40, 30);
-    const auto image = [&](unsigned threads, bool present_errors, bool first_landings) {
+    const auto image = [&](unsigned threads, bool present_errors, bool direct_photons) {
         Settings settings = mock::small_settings(17, 20000);
         settings.guide = GuideKind::Paper;
         settings.present_errors = present_errors;
-        settings.first_landings = first_landings;
+        settings.direct_photons = direct_photons;
         return concurrency::run_on(threads, [&] {
             return mock::render(view.scene, view.camera, 40, 30, settings, 2).film.image();
         });

@@ -39,7 +39,7 @@ struct Ledger {
 
 Settings settings_of(std::uint64_t scene) {
     Settings settings = mock::small_settings(900 + scene, kPaths);
-    settings.direct_light_sampling = false;  // all landings are stored
+    settings.direct_light_sampling = false;  // all photons are stored
     settings.max_photon_depth = 6;
     settings.iteration_photons = settings.initial_photons = kPaths;
     return settings;
@@ -56,19 +56,18 @@ class LeaningGuide final : public DirectionGuide {
     }
 };
 
-/// What a landing does not pass on: all of it where the path is cut off.
-double kept(const mock::Scene& scene, const Landing& landing, std::uint32_t max_depth,
-            Arena& arena) {
-    if (landing.depth == max_depth) return double(luminance(landing.power));
+/// What a photon does not pass on: all of it where the path is cut off.
+double kept(const mock::Scene& scene, const Photon& photon, std::uint32_t max_depth, Arena& arena) {
+    if (photon.depth == max_depth) return double(luminance(photon.power));
     arena.reset();
     SurfacePoint point;
-    const Vec3 before = landing.position + landing.direction * 0.01f;
-    if (!scene.intersect({before, -landing.direction}, point, arena)) {
+    const Vec3 before = photon.position + photon.direction * 0.01f;
+    if (!scene.intersect({before, -photon.direction}, point, arena)) {
         ADD_FAILURE() << "no surface where a photon landed";
         return 0;
     }
-    const Rgb albedo = point.bsdf->albedo(landing.direction, kAllLobes);
-    return double(luminance(landing.power * (kWhite - albedo)));
+    const Rgb albedo = point.bsdf->albedo(photon.direction, kAllLobes);
+    return double(luminance(photon.power * (kWhite - albedo)));
 }
 
 /// Traces photon paths of one view as the engine's photon pass does, and keeps the ledger.
@@ -87,7 +86,7 @@ class Balance {
             {view.scene, view.camera, sampler, direct, settings_, kSize, kSize, kSize * kSize}, 0,
             0, refusals_, image_);
         positions_of(image_.visible_points, positions_);
-        radii_ = SearchRadii(float(initial_radius(settings, image_, 1e-6)));
+        radii_ = GatherRadii(float(initial_radius(settings, image_, 1e-6)));
     }
 
     Ledger plain() {
@@ -103,7 +102,7 @@ class Balance {
             if (guide.guides(i)) input.guide = &guide;
             input.store_owned = guide.learns_from_owned();
             trace(input, i);
-            guide.update(store_.landings(), {});
+            guide.update(store_.photons(), {});
         }
         return ledger_;
     }
@@ -127,7 +126,7 @@ class Balance {
             if (input.emission) input.sequence_begin = std::uint64_t{i} * kPaths;
             input.survival = guide.survival();
             input.score_mix = guide.score_mix();
-            input.split_landings = split_landings(settings_);
+            input.split_limit = split_limit(settings_);
             input.log_one_of = guide.log_one_of();
             input.guide = guide.bounces();
             input.unguided_roulette = input.guide != nullptr;
@@ -148,9 +147,9 @@ class Balance {
         tracer_.trace(input, std::uint64_t{iteration} * kPaths, 0, kPaths, refusals_, store_,
                       &log_);
         std::vector<double> shares(kPaths);
-        for (const Landing& landing : store_.landings()) {
-            shares[landing.path] +=
-                kept(view_.scene, landing, settings_.max_photon_depth, arena_) / power_;
+        for (const Photon& photon : store_.photons()) {
+            shares[photon.path] +=
+                kept(view_.scene, photon, settings_.max_photon_depth, arena_) / power_;
         }
         for (const double share : shares)
             ledger_.add(share);
@@ -159,13 +158,13 @@ class Balance {
     const mock::View& view_;
     Settings settings_;
     DiscreteDistribution lights_;
-    Refusals refusals_;
+    InvalidSampleFilter refusals_;
     double power_ = 0;  // of all lights, watts
     EyeImage image_;
     std::vector<Vec3> positions_;
-    SearchRadii radii_;
+    GatherRadii radii_;
     PhotonTracer tracer_;
-    LandingStore store_;
+    PhotonStore store_;
     PathLog log_;
     Arena arena_;
     Ledger ledger_;

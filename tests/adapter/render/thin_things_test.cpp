@@ -1,4 +1,4 @@
-// Protects light on things that are thinner than the search radius: what photons lose there, eye
+// Protects light on things that are thinner than the gather radius: what photons lose there, eye
 // paths bring.
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // Protects: `maxdepth` bounds camera and photon path together, whoever joins the two: in a closed
 // box of constant albedo and emission the radiance is the sum over the bounces that it allows.
 //
-// And that smooth surfaces do not count where no depth was asked for.
+// And that specular surfaces do not count where no depth was asked for.
 #include <gtest/gtest.h>
 
 #include <functional>
@@ -87,7 +87,7 @@ TEST(WholeDepth, FurnaceOfMatteWalls) {
     expect_partial_sums({});
 }
 
-/// Camera paths have bounces of their own before their visible points.
+/// Eye paths have bounces of their own before their visible points.
 TEST(WholeDepth, FurnaceOfHalfMirrors) {
     expect_partial_sums(half_mirror_wall());
 }

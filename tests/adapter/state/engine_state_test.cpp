@@ -21,18 +21,18 @@ void expect_same_film(const mock::Film& film, const mock::Film& other) {
         EXPECT_EQ(layer.image(), other.color_layers().at(name).image()) << name;
 }
 
-void expect_same_account(const RenderAccount& a, const RenderAccount& b) {
-    const auto of_lights = [](const RenderAccount& account) {
-        std::vector<double> all{double(account.cut_eye_paths)};
-        for (const LightTally& t : account.lights)
+void expect_same_transport(const TransportStatistics& a, const TransportStatistics& b) {
+    const auto of_lights = [](const TransportStatistics& transport) {
+        std::vector<double> all{double(transport.cut_eye_paths)};
+        for (const LightStatistics& t : transport.lights)
             all.insert(all.end(), {double(t.paths), double(t.counted), t.seen, t.photons});
         return all;
     };
-    const auto of_materials = [](const RenderAccount& account) {
+    const auto of_materials = [](const TransportStatistics& transport) {
         std::vector<std::uint64_t> all;
-        for (const MaterialTally& t : account.materials)
-            all.insert(all.end(), {t.hits, t.stored, t.unseen, t.direct, t.smooth, t.black, t.cut,
-                                   t.cut_smooth});
+        for (const MaterialStatistics& t : transport.materials)
+            all.insert(all.end(), {t.hits, t.stored, t.unseen, t.direct, t.specular, t.black, t.cut,
+                                   t.cut_specular});
         return all;
     };
     EXPECT_EQ(of_lights(a), of_lights(b));
@@ -44,20 +44,20 @@ void expect_same_statistics(const EngineStatistics& a, const EngineStatistics& b
     const auto counts = [](const EngineStatistics& s) {
         return std::vector<std::uint64_t>{
             s.passes,           s.eye_paths,          s.eye_rays,
-            s.photon_paths,     s.photon_rays,        s.landings,
+            s.photon_paths,     s.photon_rays,        s.photons,
             s.split_off,        s.gathered,           s.bounces,
             s.guided_bounces,   s.measured_paths,     s.visible_paths,
             s.guide_nodes,      s.bounce_tables,      s.pruned_paths,
             s.photons_per_pass, s.memory_bound_bytes, s.continued_paths,
-            s.lamp_paths,       s.lamp_searches,      s.lamp_rays,
-            s.lamp_images};
+            s.emitter_paths,    s.emitter_searches,   s.emitter_rays,
+            s.emitter_images};
     };
     const auto values = [](const EngineStatistics& s) {
         return std::vector<double>{s.mutation_size,  s.emission_gain,    s.survival_gain,
                                    s.bounce_gain,    s.score_times_cost, s.pruned_emission,
                                    double(s.radius), s.eye_share};
     };
-    expect_same_account(a.account, b.account);
+    expect_same_transport(a.transport, b.transport);
     EXPECT_EQ(counts(a), counts(b));
     EXPECT_EQ(values(a), values(b));
     EXPECT_EQ(a.refused, b.refused);
@@ -153,12 +153,12 @@ TEST(ResumableCases, LearnBesideTracingWhereTheySaySo) {
     }
 }
 
-TEST(ResumableCases, DrawLampPathsWhereTheySaySo) {
+TEST(ResumableCases, DrawEmitterPathsWhereTheySaySo) {
     for (const ResumableCase& what : mock::resumable_cases()) {
         if (!what.lamps) continue;
         ResumableRender render(what);
         render.render_to(2);
-        EXPECT_GT(render.statistics().lamp_paths, 0u) << what.name;
+        EXPECT_GT(render.statistics().emitter_paths, 0u) << what.name;
     }
 }
 

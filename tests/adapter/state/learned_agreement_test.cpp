@@ -66,10 +66,10 @@ TEST_P(LearnedAgreement, WithTheRenderThatBeginsWithNothing) {
         alone.render_to(kPasses);
         add(cold, alone, what);
         what.settings.seed += 1;
-        ResumableRender taught(what);
-        taught.take_learned(learned);
-        taught.render_to(kPasses);
-        add(warm, taught, what);
+        ResumableRender warm_started(what);
+        warm_started.take_learned(learned);
+        warm_started.render_to(kPasses);
+        add(warm, warm_started, what);
     }
     for (std::size_t b = 0; b < cold.size(); ++b) {
         const double sigma = std::sqrt(cold[b].variance_of_mean() + warm[b].variance_of_mean());

@@ -66,7 +66,7 @@ std::vector<ResumableCase> shared_cases() {
     for (ResumableCase what : mock::resumable_cases()) {
         // One of each is enough where nothing is shared.
         if (by_itself(what) && what.settings.guide != GuideKind::Adaptive) continue;
-        what.settings.account = false;
+        what.settings.transport_statistics = false;
         what.passes = std::min(what.passes, kMostPasses);
         if (!by_itself(what)) {
             what.width *= 2;

@@ -37,7 +37,7 @@ Settings settings_of(GuideKind guide, Mode mode = Mode::Progressive) {
     settings.alpha = 0.7;
     settings.guide = guide;
     settings.mode = mode;
-    settings.account = true;
+    settings.transport_statistics = true;
     return settings;
 }
 
@@ -76,28 +76,28 @@ void add_parts(std::vector<ResumableCase>& cases) {
     plain.guide_survival = plain.guide_bounces = plain.guide_emission = false;
     cases.push_back({"measured", plain});
     Settings needless = settings_of(GuideKind::Adaptive);
-    needless.guide_scout = true;
+    needless.pilot_pass = true;
     needless.photons_per_pass = 0;
     cases.push_back({"needless_guide", needless, false, 8});
     Settings scored = settings_of(GuideKind::Paper);
     scored.error_criterion = CriterionKind::Image;
     cases.push_back({"scored_paper", scored});
     Settings landed = settings_of(GuideKind::Paper);
-    landed.present_errors = landed.first_landings = false;
+    landed.present_errors = landed.direct_photons = false;
     cases.push_back({"paper_as_landed", landed});
     // Shadow rays enough for tables of the lights.
     Settings lights = settings_of(GuideKind::None);
     lights.photons_per_pass = 1000;
     cases.push_back({"lights", lights, false, 8, 64, 48});
     // Images of a lamp in mirror and glass.
-    ResumableCase lamps{"lamp_paths", settings_of(GuideKind::None)};
+    ResumableCase lamps{"emitter_paths", settings_of(GuideKind::None)};
     lamps.settings.photons_per_pass = 1000;
     lamps.height = lamps.width;
     lamps.lamps = true;
     cases.push_back(lamps);
     // Next to nothing is seen.
     Settings explored = settings_of(GuideKind::Adaptive);
-    explored.guide_scout = true;
+    explored.pilot_pass = true;
     explored.photons_per_pass = 200'000;
     explored.direct_light_sampling = false;
     cases.push_back({"explored", explored, false, 4, 20, 15, true});

@@ -29,19 +29,19 @@ TEST(SharedWork, AllRanksHaveAllParts) {
         for (const std::uint32_t parts : {0u, 1u, 6u, 40u}) {
             mock::ThreadRanks job(count);
             job.run([&](Ranks& ranks) {
-                Refusals refusals;
+                InvalidSampleFilter filter;
                 std::vector<std::vector<std::uint32_t>> numbers(parts);
                 const auto work = [&](std::uint32_t part) {
                     numbers[part] = numbers_of(part);
-                    if (part % 3 == 0) refusals.count(kMaterial);
+                    if (part % 3 == 0) filter.count(kMaterial);
                 };
-                share_out(&ranks, parts, &refusals, work,
+                share_out(&ranks, parts, &filter, work,
                           [&](std::uint32_t part, StateArchive& archive) {
                               archive.values(numbers[part]);
                           });
                 for (std::uint32_t part = 0; part < parts; ++part)
                     EXPECT_EQ(numbers[part], numbers_of(part)) << part << " of " << parts;
-                EXPECT_EQ(refusals.counts()[kMaterial], (parts + 2) / 3);
+                EXPECT_EQ(filter.counts()[kMaterial], (parts + 2) / 3);
             });
         }
     }

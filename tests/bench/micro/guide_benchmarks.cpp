@@ -15,12 +15,12 @@ namespace {
 
 constexpr std::uint32_t kPathsPerUpdate = 1000;
 
-/// Visible points: enough landings to spread weights over the scene.
+/// Visible points: enough photons to spread weights over the scene.
 std::vector<Vec3> some_positions() {
     std::vector<Vec3> positions;
-    const std::vector<Landing>& landings = photon_workload().landings;
-    for (std::size_t i = 0; i < landings.size(); i += 16)
-        positions.push_back(landings[i].position);
+    const std::vector<Photon>& photons = photon_workload().photons;
+    for (std::size_t i = 0; i < photons.size(); i += 16)
+        positions.push_back(photons[i].position);
     return positions;
 }
 
@@ -31,7 +31,7 @@ PaperGuide trained_guide() {
     const std::vector<Vec3> eye = some_positions();
     guide.begin_pass(eye, eye.size());
     for (std::uint32_t first = 0; first < work.paths; first += kPathsPerUpdate)
-        guide.update(landings_of_paths(first, kPathsPerUpdate), {});
+        guide.update(photons_of_paths(first, kPathsPerUpdate), {});
     return guide;
 }
 
@@ -74,25 +74,25 @@ void node_lookup(benchmark::State& state) {
 }
 
 /// Normal on the side where the photon arrived.
-Vec3 arrival_normal(const Landing& landing) {
-    return dot(landing.normal, landing.direction) < 0 ? -landing.normal : landing.normal;
+Vec3 arrival_normal(const Photon& photon) {
+    return dot(photon.normal, photon.direction) < 0 ? -photon.normal : photon.normal;
 }
 
-/// What roulette by score adds to every bounce; landings stand for vertices, their power for a
+/// What roulette by score adds to every bounce; photons stand for vertices, their power for a
 /// score.
 void score_lookup(benchmark::State& state) {
     const PhotonWorkload& work = photon_workload();
     constexpr int kRounds = 12;
     ScoreCache cache(work.scene->bounds());
     for (int round = 0; round < kRounds; ++round) {
-        for (const Landing& landing : work.landings)
-            cache.add({landing.position, arrival_normal(landing), double(landing.power.g), 2});
+        for (const Photon& photon : work.photons)
+            cache.add({photon.position, arrival_normal(photon), double(photon.power.g), 2});
         cache.update(work.paths);
     }
     std::size_t i = 0;
     for ([[maybe_unused]] auto _ : state) {
-        const Landing& landing = work.landings[i++ % work.landings.size()];
-        benchmark::DoNotOptimize(cache.at(landing.position, arrival_normal(landing)));
+        const Photon& photon = work.photons[i++ % work.photons.size()];
+        benchmark::DoNotOptimize(cache.at(photon.position, arrival_normal(photon)));
     }
     state.SetItemsProcessed(state.iterations());
     state.counters["leaves"] = double(cache.leaf_count());
@@ -117,10 +117,10 @@ void table_sample(benchmark::State& state) {
 
 void table_pdf(benchmark::State& state) {
     const DirectionalTable table = filled_table(int(state.range(0)));
-    const std::vector<Landing>& landings = photon_workload().landings;
+    const std::vector<Photon>& photons = photon_workload().photons;
     std::size_t i = 0;
     for ([[maybe_unused]] auto _ : state)
-        benchmark::DoNotOptimize(direction_pdf(table, landings[i++ % landings.size()].direction));
+        benchmark::DoNotOptimize(direction_pdf(table, photons[i++ % photons.size()].direction));
     state.SetItemsProcessed(state.iterations());
 }
 
@@ -138,7 +138,7 @@ void table_build(benchmark::State& state) {
 }
 
 /// Learning from 1000 photon paths; passes begin anew when the workload is used up. The floor is
-/// reading the landings once.
+/// reading the photons once.
 void guide_update_1000_paths(benchmark::State& state) {
     const PhotonWorkload& work = photon_workload();
     const std::vector<Vec3> eye = some_positions();
@@ -151,11 +151,11 @@ void guide_update_1000_paths(benchmark::State& state) {
             first = 0;
             state.ResumeTiming();
         }
-        guide.update(landings_of_paths(first, kPathsPerUpdate), {});
+        guide.update(photons_of_paths(first, kPathsPerUpdate), {});
         first += kPathsPerUpdate;
     }
     state.SetItemsProcessed(state.iterations() * kPathsPerUpdate);
-    report_bytes(state, work.landings.size() * sizeof(Landing) * kPathsPerUpdate / work.paths);
+    report_bytes(state, work.photons.size() * sizeof(Photon) * kPathsPerUpdate / work.paths);
 }
 
 BENCHMARK(read_positions);

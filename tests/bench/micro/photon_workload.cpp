@@ -1,4 +1,4 @@
-// Records rays and landings of unguided photons.
+// Records rays and photons of unguided photons.
 #include "photon_workload.h"
 
 #include <tbb/task_arena.h>
@@ -73,12 +73,12 @@ PhotonWorkload recorded() {
     const RecordingScene scene(*work.scene, work.rays);
     const Settings settings;
     const DiscreteDistribution lights = light_choice(scene);
-    Refusals refusals(scene);
-    LandingStore store;
+    InvalidSampleFilter filter(scene);
+    PhotonStore store;
     tbb::task_arena(1).execute([&] {
-        PhotonTracer().trace({scene, settings, lights}, 0, 0, work.paths, refusals, store);
+        PhotonTracer().trace({scene, settings, lights}, 0, 0, work.paths, filter, store);
     });
-    work.landings.assign(store.landings().begin(), store.landings().end());
+    work.photons.assign(store.photons().begin(), store.photons().end());
     return work;
 }
 
@@ -89,11 +89,9 @@ const PhotonWorkload& photon_workload() {
     return work;
 }
 
-std::span<const Landing> landings_of_paths(std::uint32_t first, std::uint32_t count) {
-    const std::vector<Landing>& all = photon_workload().landings;
-    const auto before = [](const Landing& landing, std::uint32_t path) {
-        return landing.path < path;
-    };
+std::span<const Photon> photons_of_paths(std::uint32_t first, std::uint32_t count) {
+    const std::vector<Photon>& all = photon_workload().photons;
+    const auto before = [](const Photon& photon, std::uint32_t path) { return photon.path < path; };
     const auto begin = std::lower_bound(all.begin(), all.end(), first, before);
     return {begin, std::lower_bound(begin, all.end(), first + count, before)};
 }

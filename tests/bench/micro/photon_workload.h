@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "aips/adapter/scene.h"
-#include "aips/core/photon_map/landing.h"
+#include "aips/core/photon_map/photon.h"
 #include "lxs/scene/geometry.h"
 #include "lxs/sdk/scene.h"
 
@@ -15,16 +15,16 @@ namespace aips::bench {
 struct PhotonWorkload {
     std::vector<lxs::Geometry> geometry;  ///< of the whole scene, world space
     std::unique_ptr<lxs::Scene> host_scene;
-    std::unique_ptr<Scene> scene;   ///< the same as the engine sees it
-    std::uint32_t paths = 0;        ///< photon paths recorded
-    std::vector<Ray> rays;          ///< in the order in which one thread traced them
-    std::vector<Landing> landings;  ///< in the order of the paths
+    std::unique_ptr<Scene> scene;  ///< the same as the engine sees it
+    std::uint32_t paths = 0;       ///< photon paths recorded
+    std::vector<Ray> rays;         ///< in the order in which one thread traced them
+    std::vector<Photon> photons;   ///< in the order of the paths
 };
 
 /// Throws when the scene can't be read.
 const PhotonWorkload& photon_workload();
 
-/// Landings of paths [first, first + count).
-std::span<const Landing> landings_of_paths(std::uint32_t first, std::uint32_t count);
+/// Photons of paths [first, first + count).
+std::span<const Photon> photons_of_paths(std::uint32_t first, std::uint32_t count);
 
 }  // namespace aips::bench

@@ -15,7 +15,7 @@ namespace {
 
 constexpr double kPi = std::numbers::pi;
 
-/// Landings of paths that land once each, with density (1 + k (x^2 + y^2) + x / 2) / integral over
+/// Photons of paths that land once each, with density (1 + k (x^2 + y^2) + x / 2) / integral over
 /// the square [-1, 1]^2: curved, with a slope that must not matter.
 struct Quadratic {
     double k = 3;
@@ -23,11 +23,11 @@ struct Quadratic {
     double laplacian() const { return 4 * k / integral(); }
     double at_centre() const { return 1 / integral(); }
 
-    struct Landing {
+    struct Photon {
         double squared_distance, value;
     };
     /// Values are 1 or 3, each with probability 1/2: mean 2, mean square 5.
-    Landing sample(RandomStream& random) const {
+    Photon sample(RandomStream& random) const {
         const double greatest = 1.5 + 2 * k;
         for (;;) {
             const double x = 2 * double(random.next()) - 1, y = 2 * double(random.next()) - 1;
@@ -43,9 +43,9 @@ ProbeEstimate probe(const Quadratic& density, double radius, int paths, std::uin
     RandomStream random(seed, 0, 0, RandomDomain::Photon);
     ProbeSums sums;
     for (int i = 0; i < paths; ++i) {
-        const auto landing = density.sample(random);
-        const double share = landing.squared_distance / (radius * radius);
-        if (share <= 1) sums.add(landing.value, share);
+        const auto photon = density.sample(random);
+        const double share = photon.squared_distance / (radius * radius);
+        if (share <= 1) sums.add(photon.value, share);
     }
     return probe_estimate(sums, radius, paths);
 }
@@ -110,8 +110,8 @@ double measured_error(const Quadratic& density, double factor) {
                 factor * optimal_radius(q, laplacian * laplacian, double(kPaths) * pass);
             double sum = 0;
             for (int i = 0; i < kPaths; ++i) {
-                const auto landing = density.sample(random);
-                if (landing.squared_distance <= radius * radius) sum += landing.value;
+                const auto photon = density.sample(random);
+                if (photon.squared_distance <= radius * radius) sum += photon.value;
             }
             image += sum / (kPi * radius * radius * kPaths) / kPasses;
         }

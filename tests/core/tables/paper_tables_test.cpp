@@ -41,8 +41,8 @@ NodeTree slabs(const std::vector<double>& errors) {
     return tree;
 }
 
-Landing segment(Vec3 from, Vec3 to, std::uint16_t depth = 2) {
-    Landing l;
+Photon segment(Vec3 from, Vec3 to, std::uint16_t depth = 2) {
+    Photon l;
     l.position = to;
     l.previous = from;
     l.direction = normalize(from - to);
@@ -74,9 +74,9 @@ TEST(PaperTables, UniformBeforeAnythingIsKnown) {
 TEST(PaperTables, RelativeErrorIsEquation5) {
     const NodeTree tree = slabs({1, 5, 3, 7});
     PaperTables tables({.resolution = 4, .floor_share = 0.1f});
-    const std::vector<Landing> landings{segment(slab_center(1), slab_center(0)),
-                                        segment(slab_center(1), slab_center(2))};
-    tables.update(tree, landings);
+    const std::vector<Photon> photons{segment(slab_center(1), slab_center(0)),
+                                      segment(slab_center(1), slab_center(2))};
+    tables.update(tree, photons);
     const double floor = 0.1 * (1 + 3) / 2;
     const double mean = (1 + 3 + 14 * floor) / 16;
     EXPECT_NEAR(value_towards(tables, tree, slab_center(1), slab_center(0)), 1 / mean, 1e-5);
@@ -88,10 +88,10 @@ TEST(PaperTables, RelativeErrorIsEquation5) {
 // The earlier end of a segment learns of the later one; the other way round, or both, if asked for.
 TEST(PaperTables, EitherEndLearns) {
     const NodeTree tree = slabs({1, 5, 3, 7});
-    const std::vector<Landing> landings{segment(slab_center(1), slab_center(3))};
+    const std::vector<Photon> photons{segment(slab_center(1), slab_center(3))};
     const auto learned = [&](bool earlier, bool later) {
         PaperTables tables({.resolution = 4, .earlier_learns = earlier, .later_learns = later});
-        tables.update(tree, landings);
+        tables.update(tree, photons);
         return std::pair(value_towards(tables, tree, slab_center(1), slab_center(3)) > 1,
                          value_towards(tables, tree, slab_center(3), slab_center(1)) > 1);
     };
@@ -101,12 +101,12 @@ TEST(PaperTables, EitherEndLearns) {
 }
 
 /// Glass and mirrors have no nodes: what leaves them teaches nobody.
-TEST(PaperTables, SegmentsFromSmoothSurfacesAreIgnored) {
+TEST(PaperTables, SegmentsFromSpecularSurfacesAreIgnored) {
     const NodeTree tree = slabs({1, 5, 3, 7});
-    std::vector<Landing> landings{segment(slab_center(1), slab_center(3))};
-    landings[0].from_smooth = true;
+    std::vector<Photon> photons{segment(slab_center(1), slab_center(3))};
+    photons[0].from_specular = true;
     PaperTables tables({.resolution = 4, .later_learns = true});
-    tables.update(tree, landings);
+    tables.update(tree, photons);
     for (std::uint32_t i = 0; i < 4; ++i) {
         for (const float v : tables.relative_error(i))
             EXPECT_EQ(v, 1);
@@ -116,9 +116,9 @@ TEST(PaperTables, SegmentsFromSmoothSurfacesAreIgnored) {
 TEST(PaperTables, SeveralNeighboursInACellAreAveraged) {
     const NodeTree tree = slabs({1, 5, 3, 7});
     PaperTables tables({.resolution = 4, .floor_share = 0.5f});
-    const std::vector<Landing> landings{segment(slab_center(0), slab_center(1)),
-                                        segment(slab_center(0), slab_center(2))};
-    tables.update(tree, landings);
+    const std::vector<Photon> photons{segment(slab_center(0), slab_center(1)),
+                                      segment(slab_center(0), slab_center(2))};
+    tables.update(tree, photons);
     const double mean = (4 + 15 * 2.0) / 16;
     EXPECT_NEAR(value_towards(tables, tree, slab_center(0), slab_center(3)), 4 / mean, 1e-5);
 }
@@ -126,12 +126,12 @@ TEST(PaperTables, SeveralNeighboursInACellAreAveraged) {
 TEST(PaperTables, SegmentsFromTheLightAndBadOnesAreIgnored) {
     const NodeTree tree = slabs({1, 5, 3, 7});
     PaperTables tables({.resolution = 4});
-    std::vector<Landing> landings{segment(slab_center(1), slab_center(0), 1),
-                                  segment(slab_center(1), slab_center(0))};
-    landings[1].previous.x = std::numeric_limits<float>::quiet_NaN();
-    landings.push_back(segment(slab_center(1), slab_center(0)));
-    landings[2].direction.y = std::numeric_limits<float>::infinity();
-    tables.update(tree, landings);
+    std::vector<Photon> photons{segment(slab_center(1), slab_center(0), 1),
+                                segment(slab_center(1), slab_center(0))};
+    photons[1].previous.x = std::numeric_limits<float>::quiet_NaN();
+    photons.push_back(segment(slab_center(1), slab_center(0)));
+    photons[2].direction.y = std::numeric_limits<float>::infinity();
+    tables.update(tree, photons);
     for (std::uint32_t i = 0; i < 4; ++i) {
         for (const float v : tables.relative_error(i))
             EXPECT_EQ(v, 1);
@@ -141,7 +141,7 @@ TEST(PaperTables, SegmentsFromTheLightAndBadOnesAreIgnored) {
 TEST(PaperTables, ZeroErrorsAroundGiveAUniformTable) {
     const NodeTree tree = slabs({0, 0, 0, 0});
     PaperTables tables({.resolution = 4});
-    tables.update(tree, std::vector<Landing>{segment(slab_center(1), slab_center(0))});
+    tables.update(tree, std::vector<Photon>{segment(slab_center(1), slab_center(0))});
     for (const float v : tables.relative_error(1))
         EXPECT_EQ(v, 1);
 }
@@ -149,13 +149,13 @@ TEST(PaperTables, ZeroErrorsAroundGiveAUniformTable) {
 TEST(PaperTables, EnormousErrorsStayFiniteAndPositive) {
     const NodeTree tree = slabs({1e280, 1e-300, 1e200, 0});
     PaperTables tables({.resolution = 4});
-    std::vector<Landing> landings;
+    std::vector<Photon> photons;
     for (int a = 0; a < 4; ++a) {
         for (int b = 0; b < 4; ++b) {
-            if (a != b) landings.push_back(segment(slab_center(a), slab_center(b)));
+            if (a != b) photons.push_back(segment(slab_center(a), slab_center(b)));
         }
     }
-    tables.update(tree, landings);
+    tables.update(tree, photons);
     for (std::uint32_t i = 0; i < 4; ++i) {
         for (const float v : tables.relative_error(i))
             ASSERT_TRUE(std::isfinite(v) && v > 0);
@@ -166,14 +166,14 @@ TEST(PaperTables, EnormousErrorsStayFiniteAndPositive) {
 TEST(PaperTables, TakesTheErrorsThatNeighboursHaveNow) {
     NodeTree tree = slabs({1, 5, 3, 7});
     PaperTables now({.resolution = 4}), landed({.resolution = 4, .present_errors = false});
-    const std::vector<Landing> landings{segment(slab_center(1), slab_center(0)),
-                                        segment(slab_center(1), slab_center(2))};
+    const std::vector<Photon> photons{segment(slab_center(1), slab_center(0)),
+                                      segment(slab_center(1), slab_center(2))};
     const auto left_to_right = [&](const PaperTables& tables) {
         return value_towards(tables, tree, slab_center(1), slab_center(0)) /
                value_towards(tables, tree, slab_center(1), slab_center(2));
     };
     for (PaperTables* tables : {&now, &landed}) {
-        tables->update(tree, landings);
+        tables->update(tree, photons);
         EXPECT_NEAR(left_to_right(*tables), 1 / 3.0, 1e-5);
     }
     tree.update_errors(GivenErrors({8, 5, 2, 7}), false);
@@ -182,7 +182,7 @@ TEST(PaperTables, TakesTheErrorsThatNeighboursHaveNow) {
     EXPECT_NEAR(left_to_right(now), 4, 1e-5);
     EXPECT_NEAR(left_to_right(landed), 1 / 3.0, 1e-5);
     for (PaperTables* tables : {&now, &landed})
-        tables->update(tree, landings);
+        tables->update(tree, photons);
     EXPECT_NEAR(left_to_right(now), 4, 1e-5);
     EXPECT_NEAR(left_to_right(landed), (1 + 8) / (3.0 + 2), 1e-5) << "the mean of both times";
 }
@@ -197,8 +197,8 @@ TEST(PaperTables, FollowsNeighboursThatSplit) {
     tree.update_errors(GivenErrors({2, 2}), false);
     PaperTables tables({.resolution = 4, .floor_share = 0.01f});
     const Vec3 here{0.2f, 0.5f, 0.5f};
-    tables.update(tree, std::vector<Landing>{segment(here, {0.9f, 0.5f, 0.5f}),
-                                             segment(here, {0.2f, 0.5f, 0.9f})});
+    tables.update(tree, std::vector<Photon>{segment(here, {0.9f, 0.5f, 0.5f}),
+                                            segment(here, {0.2f, 0.5f, 0.9f})});
     tree.insert({0.95f, 0.5f, 0.5f}, 1);
     ASSERT_EQ(tree.node_count(), 3u);
     // By the middle of each node: the left one at 0.175, the new ones at 0.55 and 0.875.
@@ -212,11 +212,11 @@ TEST(PaperTables, FollowsNeighboursThatSplit) {
 TEST(PaperTables, RemembersTheLastFourNeighboursOfACell) {
     const NodeTree tree = slabs({1, 5, 3, 7});
     PaperTables tables({.resolution = 4, .floor_share = 0.01f});
-    std::vector<Landing> landings(6, segment(slab_center(0), slab_center(1)));
-    landings.push_back(segment(slab_center(0), {0.125f, 0.5f, 0.9f}));  // error 1, another cell
-    tables.update(tree, landings);
-    landings.assign(3, segment(slab_center(0), slab_center(3)));
-    tables.update(tree, landings);
+    std::vector<Photon> photons(6, segment(slab_center(0), slab_center(1)));
+    photons.push_back(segment(slab_center(0), {0.125f, 0.5f, 0.9f}));  // error 1, another cell
+    tables.update(tree, photons);
+    photons.assign(3, segment(slab_center(0), slab_center(3)));
+    tables.update(tree, photons);
     tables.end_pass();
     tables.update(tree, {});
     const float up = value_towards(tables, tree, slab_center(0), {0.125f, 0.5f, 0.9f});
@@ -224,16 +224,16 @@ TEST(PaperTables, RemembersTheLastFourNeighboursOfACell) {
                 1e-4);
 }
 
-TEST(PaperTables, OldNeighboursCountOnceAfterThePassWhereErrorsAreThoseOfLandings) {
+TEST(PaperTables, OldNeighboursCountOnceAfterThePassWhereErrorsAreThoseOfPhotons) {
     PaperTables tables({.resolution = 4, .floor_share = 0.01f, .present_errors = false});
     const NodeTree first = slabs({1, 1, 1, 1});
-    std::vector<Landing> landings(100, segment(slab_center(0), slab_center(1)));
-    tables.update(first, landings);
+    std::vector<Photon> photons(100, segment(slab_center(0), slab_center(1)));
+    tables.update(first, photons);
     tables.end_pass();
     const NodeTree later = slabs({1, 1, 1, 3});
-    landings = {segment(slab_center(0), slab_center(3))};
-    landings.push_back(segment(slab_center(0), {0.125f, 0.5f, 0.9f}));  // error 1, another cell
-    tables.update(later, landings);
+    photons = {segment(slab_center(0), slab_center(3))};
+    photons.push_back(segment(slab_center(0), {0.125f, 0.5f, 0.9f}));  // error 1, another cell
+    tables.update(later, photons);
     const float to_right = value_towards(tables, later, slab_center(0), slab_center(3));
     const float up = value_towards(tables, later, slab_center(0), {0.125f, 0.5f, 0.9f});
     EXPECT_NEAR(to_right / up, (1 + 3) / 2.0, 1e-4);
@@ -245,7 +245,7 @@ TEST(PaperTables, NewNodesCopyTheTableOfTheNodeTheySplitFrom) {
     tree.insert({0.2f, 0.5f, 0.5f}, 1);
     tree.update_errors(GivenErrors({2}), false);
     PaperTables tables({.resolution = 4});
-    tables.update(tree, std::vector<Landing>{segment({0.1f, 0.5f, 0.5f}, {0.2f, 0.5f, 0.5f})});
+    tables.update(tree, std::vector<Photon>{segment({0.1f, 0.5f, 0.5f}, {0.2f, 0.5f, 0.5f})});
     const auto root = tables.relative_error(0);
     const std::vector<float> before(root.begin(), root.end());
     tree.insert({0.9f, 0.5f, 0.5f}, 1);
@@ -262,15 +262,15 @@ TEST(PaperTables, MemoryStaysWithinItsBound) {
     PaperTables landed({.resolution = 8, .present_errors = false});
     RandomStream random(1, 0, 0, RandomDomain::Photon);
     for (int iteration = 0; iteration < 30; ++iteration) {
-        std::vector<Landing> landings;
+        std::vector<Photon> photons;
         for (int i = 0; i < 300; ++i) {
             const Vec3 a{random.next(), random.next(), random.next()};
-            landings.push_back(segment(a, {random.next(), random.next(), random.next()}));
-            tree.insert(landings.back().position, random.next());
+            photons.push_back(segment(a, {random.next(), random.next(), random.next()}));
+            tree.insert(photons.back().position, random.next());
         }
         tree.update_errors(PaperErrorCriterion(), true);
         for (PaperTables* either : {&tables, &landed}) {
-            either->update(tree, landings);
+            either->update(tree, photons);
             ASSERT_LE(either->memory_bytes(), PaperTables::memory_bound_bytes(200, 8));
         }
     }

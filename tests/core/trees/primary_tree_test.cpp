@@ -65,8 +65,8 @@ void learn(PrimaryTree& tree, const Integrand& f, int blocks, int paths, std::ui
         RandomStream random(seed, std::uint64_t(b), 0, RandomDomain::Guide);
         for (int i = 0; i < paths; ++i) {
             const PrimarySample s = tree.sample(random_point(random));
-            const double worth = f(s.point) / double(s.pdf);
-            tree.add(s.point, worth * worth);
+            const double contribution = f(s.point) / double(s.pdf);
+            tree.add(s.point, contribution * contribution);
         }
         tree.update(paths);
         tree.set_mixture(kGuided);
@@ -161,8 +161,8 @@ TEST(PrimaryTree, CostlyPhotonsAreShotLess) {
         RandomStream random(9, std::uint64_t(block), 0, RandomDomain::Guide);
         for (int i = 0; i < 5000; ++i) {
             const PrimarySample s = tree.sample(random_point(random));
-            const double worth = (s.point[2] < 0.25f ? 1.0 : 0.5) / double(s.pdf);
-            tree.add(s.point, worth * worth, s.point[2] < 0.5f ? 9 : 1);
+            const double contribution = (s.point[2] < 0.25f ? 1.0 : 0.5) / double(s.pdf);
+            tree.add(s.point, contribution * contribution, s.point[2] < 0.5f ? 9 : 1);
         }
         tree.update(5000);
         tree.set_mixture({.plain = 0.01, .seeds = 0});
@@ -330,8 +330,8 @@ TEST(PrimaryTree, UnderHeavyTailsTheFlatterDensityIsBetter) {
                 const bool seen = random.next() < float(kRare);
                 const double tail =
                     std::min(kLargest, std::pow(1 - double(random.next()), -1 / kTail));
-                const double worth = seen ? tail * f(s.point) / double(s.pdf) : 0;
-                tree.add(s.point, worth * worth);
+                const double contribution = seen ? tail * f(s.point) / double(s.pdf) : 0;
+                tree.add(s.point, contribution * contribution);
             }
             tree.update(20000);
             tree.set_mixture(kGuided);
@@ -362,8 +362,8 @@ TEST(PrimaryTree, FewScoresProveLittle) {
             RandomStream random(30, std::uint64_t(block), 0, RandomDomain::Guide);
             for (int i = 0; i < 10000; ++i) {
                 const PrimarySample s = tree.sample(random_point(random));
-                const double worth = random.next() < 0.01f ? 1 / double(s.pdf) : 0;
-                tree.add(s.point, worth * worth);
+                const double contribution = random.next() < 0.01f ? 1 / double(s.pdf) : 0;
+                tree.add(s.point, contribution * contribution);
             }
             tree.update(10000);
             tree.set_mixture(kGuided);

@@ -1,4 +1,4 @@
-"""Protects scripts/render-frames: frames in the order of their numbers, each taught by the one before;
+"""Protects scripts/render-frames: frames in the order of their numbers, each a warm start from the one before;
 a second call passes over what is done; the first frame that fails ends it. Arguments: the script,
 lxsrender."""
 import os

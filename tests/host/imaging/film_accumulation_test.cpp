@@ -166,7 +166,7 @@ TEST(FilmAccumulation, BadSamplesAreRefusedAndCounted) {
 }
 
 /// Refusals say which light group or layer brought them.
-TEST(FilmAccumulation, RefusalsAreCountedByGroupAndLayer) {
+TEST(FilmAccumulation, InvalidSamplesAreCountedByGroupAndLayer) {
     SceneContents contents = scene_of_size(2, 2);
     contents.light_groups = {"sun", "sky"};
     const auto film = make(contents);
@@ -178,8 +178,8 @@ TEST(FilmAccumulation, RefusalsAreCountedByGroupAndLayer) {
     film->add_layer_pass("noise", {layer.positions, layer.radiance, 1, 1});
     film->set_layer("nodes", std::vector<float>{1, nan, -1, 2});
     std::map<std::string, std::uint64_t> counts;
-    for (const Refusal& refusal : film->refusals())
-        counts[refusal.origin] = refusal.count;
+    for (const InvalidSamples& invalid : film->invalid_samples())
+        counts[invalid.origin] = invalid.count;
     const std::map<std::string, std::uint64_t> expected{{"light group \"sky\"", 2},
                                                         {"positions on the film", 1},
                                                         {"layer \"noise\"", 4},

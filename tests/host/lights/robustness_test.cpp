@@ -67,7 +67,7 @@ TEST(LightRobustness, CornersOfTheUnitCube) {
     }
 }
 
-// A photon landing on the lamp itself asks the lamp for its direct light.
+// A photon photon on the lamp itself asks the lamp for its direct light.
 TEST(LightRobustness, PointsOnTheLight) {
     for (const auto& light : all_lights()) {
         SCOPED_TRACE(light->kind());

@@ -6,7 +6,7 @@ import tempfile
 
 from mpi_job import Jobs, expect
 
-# With a lamp in glass, which lamp paths and eye paths share; and with a guide that learns.
+# With a lamp in glass, which emitter paths and eye paths share; and with a guide that learns.
 RENDERS = {
     'glass-ball': ('--integrator', 'aips', '--width', '64', '--passes', '5'),
     'ajar-door': ('--integrator', 'aips', '--width', '48', '--passes', '5', '--set',

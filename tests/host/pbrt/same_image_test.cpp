@@ -31,7 +31,7 @@ std::string options(const std::string& more = "", int depth = 5) {
 PathSettings settings(std::uint32_t depth = 5) {
     PathSettings settings;
     settings.max_depth = depth;
-    settings.smooth_bounces = 0;
+    settings.specular_bounces = 0;
     return settings;
 }
 

@@ -90,7 +90,7 @@ TEST(PartialHit, EmissionHasItsTextureCoordinates) {
 /// Meets the scene as paths do that look for lamps.
 bool hit_smooth(const Scene& scene, const Ray& ray, SurfaceHit& result) {
     std::pmr::monotonic_buffer_resource memory;
-    return scene.intersect_smooth(ray, result, memory);
+    return scene.intersect_specular(ray, result, memory);
 }
 
 TEST(PartialHit, SearchesForLampsLeaveOutWhatIsNeitherSmoothNorLamp) {

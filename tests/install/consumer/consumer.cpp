@@ -1,7 +1,7 @@
 // A host of the engine in one file. A point light shines into a ring of mirrors; the caustic on the
 // floor is rendered to caustic.ppm. docs/build-on/host-adapter.md walks through it.
-#include <aips/adapter/check_host.h>
 #include <aips/adapter/engine.h>
+#include <aips/adapter/host_validation.h>
 #include <aips/parts/image_film.h>
 #include <aips/parts/triangle_scene.h>
 #include <aips/parts/uniform_sampler.h>
@@ -80,7 +80,7 @@ void write_ppm(const char* path, const aips::ImageFilm& film) {
 int main() try {
     aips::TriangleScene scene;
     build(scene);
-    for (const aips::HostFinding& finding : aips::check_host(scene))
+    for (const aips::HostFinding& finding : aips::validate_host(scene))
         std::cerr << to_string(finding) << '\n';
 
     aips::Settings settings;

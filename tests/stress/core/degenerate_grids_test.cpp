@@ -14,14 +14,14 @@ namespace {
 using namespace aips;
 using namespace stress;
 
-std::vector<Landing> landings_at(const std::vector<Vec3>& points) {
-    std::vector<Landing> landings;
+std::vector<Photon> photons_at(const std::vector<Vec3>& points) {
+    std::vector<Photon> photons;
     for (const Vec3 p : points) {
-        Landing landing;
-        landing.position = p;
-        landings.push_back(landing);
+        Photon photon;
+        photon.position = p;
+        photons.push_back(photon);
     }
-    return landings;
+    return photons;
 }
 
 std::size_t count_within(const std::vector<Vec3>& points, Vec3 p, float radius) {
@@ -39,13 +39,13 @@ TEST(StressGrids, FindAllOfEveryCloudAndNothingElse) {
         for (const Cloud& cloud : all) {
             SCOPED_TRACE(cloud.name + ", " + placement.name());
             const std::vector<Vec3> points = placement.place(cloud.points);
-            const std::vector<Landing> landings = landings_at(points);
+            const std::vector<Photon> photons = photons_at(points);
             for (const float share : {1e-4f, 0.05f, 3.0f}) {
                 const float radius = share * placement.scale;
-                LandingGrid grid;
+                PhotonGrid grid;
                 PointGrid exact;
                 OccupancyGrid occupancy;
-                grid.build(landings, radius);
+                grid.build(photons, radius);
                 exact.build(points, radius);
                 occupancy.build(points, radius);
                 ASSERT_EQ(grid.size(), points.size());
@@ -72,9 +72,9 @@ TEST(StressGrids, LeaveOutWhatHasNoPlace) {
     points.push_back({0.5f, 0.5f, 0.5f});
     for (const float radius :
          {0.1f, 0.0f, -1.0f, std::nanf(""), 1e-45f, std::numeric_limits<float>::infinity()}) {
-        LandingGrid grid;
+        PhotonGrid grid;
         OccupancyGrid occupancy;
-        grid.build(landings_at(points), radius);
+        grid.build(photons_at(points), radius);
         occupancy.build(points, radius);
         EXPECT_EQ(grid.size(), 1u);
         std::size_t found = 0;
@@ -90,8 +90,8 @@ TEST(StressGrids, LeaveOutWhatHasNoPlace) {
 TEST(StressGrids, AreTheSameAtEveryScale) {
     const Cloud box = clouds(2000).back();
     const auto visited = [&](float scale) {
-        LandingGrid grid;
-        grid.build(landings_at(Placement{scale, 0}.place(box.points)), 0.1f * scale);
+        PhotonGrid grid;
+        grid.build(photons_at(Placement{scale, 0}.place(box.points)), 0.1f * scale);
         std::vector<std::uint32_t> order;
         for (int q = 0; q < 100; ++q) {
             grid.for_each_in_radius(

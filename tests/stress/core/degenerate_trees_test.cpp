@@ -199,7 +199,7 @@ TEST(StressTrees, RefuseWhatHasNoPlace) {
     ScoreCache scores(box);
     BounceTables bounces(box);
     PaperTables tables({});
-    std::vector<Landing> landings;
+    std::vector<Photon> photons;
     for (const Vec3 p : impossible_points()) {
         EXPECT_EQ(nodes.insert(p, 1), NodeTree::kNoNode);
         EXPECT_FALSE(scores.add({p, kUp, 1, 1}));
@@ -208,18 +208,18 @@ TEST(StressTrees, RefuseWhatHasNoPlace) {
         EXPECT_FALSE(bounces.add({{0, 0, 0}, kUp, p, 1, 1, 1, 1, 1}));
         EXPECT_LT(nodes.locate(p), nodes.node_count());
         EXPECT_FALSE(scores.at(p, kUp).known);
-        for (Vec3 Landing::*place : {&Landing::position, &Landing::previous, &Landing::direction}) {
-            Landing landing;
-            landing.depth = 2;
-            landing.direction = kUp;
-            landing.*place = p;
-            landings.push_back(landing);
+        for (Vec3 Photon::*place : {&Photon::position, &Photon::previous, &Photon::direction}) {
+            Photon photon;
+            photon.depth = 2;
+            photon.direction = kUp;
+            photon.*place = p;
+            photons.push_back(photon);
         }
     }
     nodes.add_eye_rays(impossible_points(), 10);
     EXPECT_EQ(nodes.node(0).weight, 0);
     EXPECT_EQ(nodes.node(0).values.count, 0u);
-    tables.update(nodes, landings);
+    tables.update(nodes, photons);
     for (const float e : tables.relative_error(0))
         EXPECT_EQ(e, 1);
     record("NaN and infinite positions, normals and directions", "refused by all four");

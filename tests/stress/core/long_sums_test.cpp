@@ -56,7 +56,7 @@ TEST(StressSums, PowersOfANode) {
 }
 
 /// Direction A has seen errors of 1, then of 3, direction B of 2: alike on average. A float's count
-/// of landings stops at 2^24.
+/// of photons stops at 2^24.
 TEST(StressSums, ErrorsThatThePapersTablesSee) {
     constexpr std::uint64_t kChunk = 1 << 15;
     const std::uint64_t chunks = 2 * sized<std::uint64_t>(320, 500'000'000 / kChunk);
@@ -66,12 +66,12 @@ TEST(StressSums, ErrorsThatThePapersTablesSee) {
     } criterion;
     NodeTree tree(kUnit, {.max_nodes = 1});
     PaperTables tables({.present_errors = false});  // else nothing is summed
-    Landing landing;
-    landing.depth = 2;
-    landing.direction = {0, 0, -1};
-    const std::vector<Landing> along_a(kChunk, landing);
-    landing.direction = {0, 0, 1};
-    const std::vector<Landing> along_b(1, landing);
+    Photon photon;
+    photon.depth = 2;
+    photon.direction = {0, 0, -1};
+    const std::vector<Photon> along_a(kChunk, photon);
+    photon.direction = {0, 0, 1};
+    const std::vector<Photon> along_b(1, photon);
     for (std::uint64_t chunk = 0; chunk < chunks; ++chunk) {
         criterion.value = 2 * chunk < chunks ? 1 : 3;
         tree.update_errors(criterion, false);

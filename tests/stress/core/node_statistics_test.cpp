@@ -73,12 +73,12 @@ TEST(StressNodeErrors, OddErrorsMakeUsableTables) {
             const bool usable = ours >= 0 && std::isfinite(ours);
             ASSERT_EQ(tree.node(1).error, usable ? ours : theirs);
             PaperTables tables({});
-            Landing landing;
-            landing.depth = 2;
-            landing.position = {0.9f, 0.5f, 0.5f};
-            landing.previous = {0.1f, 0.5f, 0.5f};
-            landing.direction = {-1, 0, 0};
-            tables.update(tree, std::vector(1000, landing));
+            Photon photon;
+            photon.depth = 2;
+            photon.position = {0.9f, 0.5f, 0.5f};
+            photon.previous = {0.1f, 0.5f, 0.5f};
+            photon.direction = {-1, 0, 0};
+            tables.update(tree, std::vector(1000, photon));
             double sum = 0;
             for (const float relative : tables.relative_error(0)) {
                 ASSERT_TRUE(relative > 0 && std::isfinite(relative));

@@ -38,12 +38,12 @@ TEST(StressRecovery, OfThePapersTables) {
     NodeTree tree(kUnit, {.max_nodes = 2, .node_photons = 2});
     for (const float x : {0.1f, 0.2f, 0.9f})
         tree.insert({x, 0.5f, 0.5f}, 1);
-    Landing right;  // the upper node as the lower one sees it; and the lower one itself
+    Photon right;  // the upper node as the lower one sees it; and the lower one itself
     right.depth = 2;
     right.previous = {0.1f, 0.5f, 0.5f};
     right.position = {0.9f, 0.5f, 0.5f};
     right.direction = {-1, 0, 0};
-    Landing left = right;
+    Photon left = right;
     left.position = {0.05f, 0.5f, 0.5f};
     left.direction = {1, 0, 0};
     PaperTables tables({});

@@ -28,7 +28,7 @@ void expect_sane(const mock::Rendering& r, const Settings& settings, const std::
     // A path may split into 17 photons; an adaptive guide walks from visible points as well.
     const DepthLimit depth = photon_depth(settings);
     EXPECT_LE(r.statistics.photon_rays, 17 * (r.statistics.photon_paths + r.statistics.eye_paths) *
-                                            (depth.surfaces + depth.smooth))
+                                            (depth.surfaces + depth.specular))
         << what;
     for (const Rgb& pixel : r.film.image()) {
         EXPECT_TRUE(std::isfinite(luminance(pixel)) && pixel.r >= 0 && pixel.g >= 0 && pixel.b >= 0)

@@ -1,7 +1,7 @@
 // Protects the bounds on light that leaks from lit surfaces to dark ones within the radius of
 // density estimation (docs/measured/stress.md): none through a wall, however thin; none to
 // a parallel surface more than half a radius off; none to a surface turned by more than 45 degrees;
-// and along the foot of an infinitely thin wall no more than the share of the search disc that lies
+// and along the foot of an infinitely thin wall no more than the share of the gather disc that lies
 // beyond, and none where photons are asked for what separates them (photonocclusion).
 #include <gtest/gtest.h>
 

@@ -7,7 +7,7 @@
 
 #include "eye/light_choice.h"
 #include "guides/adaptive/learning_weight.h"
-#include "guides/adaptive/part_rest.h"
+#include "guides/adaptive/part_switch.h"
 #include "photons/photon_iteration.h"
 #include "plan/constants.h"
 #include "plan/pass_planner.h"
@@ -26,25 +26,25 @@ constexpr std::uint32_t kMost = 0xFFFFFFFFu;
 
 /// Paths `first` and on of the pass that has `before` photon paths before it.
 PhotonCounts trace(const mock::Scene& scene, std::uint64_t before, std::uint64_t pass,
-                   std::uint32_t first, std::uint32_t count, LandingStore& store) {
+                   std::uint32_t first, std::uint32_t count, PhotonStore& store) {
     Settings settings = mock::small_settings(31, kMost);
     settings.direct_light_sampling = false;
     const DiscreteDistribution lights = light_choice(scene);
     PhotonInput input{scene, settings, lights};
     input.pass = pass;
-    Refusals refusals(scene);
-    return PhotonTracer().trace(input, before, first, count, refusals, store);
+    InvalidSampleFilter filter(scene);
+    return PhotonTracer().trace(input, before, first, count, filter, store);
 }
 
 TEST(StressCounters, ThePhotonsOfAPassAreAllTraced) {
     const mock::Scene scene = mock::lamp_box({}, {});
     for (const std::uint32_t count : {1u, 255u, 256u, 299u, 1000u}) {
-        LandingStore store;
+        PhotonStore store;
         const PhotonCounts counts = trace(scene, 0, 0, kMost - count, count, store);
         EXPECT_EQ(counts.paths, count);
-        ASSERT_FALSE(store.landings().empty());
-        EXPECT_GE(store.landings().front().path, kMost - count);
-        EXPECT_LT(store.landings().back().path, kMost);
+        ASSERT_FALSE(store.photons().empty());
+        EXPECT_GE(store.photons().front().path, kMost - count);
+        EXPECT_LT(store.photons().back().path, kMost);
     }
     record("the last 1 to 1000 of 2^32 - 1 photon paths in a pass", "all traced");
 }
@@ -56,11 +56,11 @@ TEST(StressCounters, NoPhotonComesTwice) {
     for (const std::uint64_t before :
          {kOne << 32, (kOne << 32) - 512, kOne << 53, kOne << 62, kOne - 1}) {
         for (const std::uint64_t pass : {kOne - 1, (kOne << 32) - 1, kOne << 32, kOne << 53}) {
-            LandingStore store;
+            PhotonStore store;
             paths += trace(scene, before, pass, 0, 256, store).paths;
             std::uint32_t last = kMost;
-            for (const Landing& l : store.landings()) {
-                // What the bounces' stream decides: the second landing of each path.
+            for (const Photon& l : store.photons()) {
+                // What the bounces' stream decides: the second photon of each path.
                 if (l.depth != 2 || l.path == last) continue;
                 last = l.path;
                 EXPECT_TRUE(starts.insert({l.position.x, l.position.y, l.position.z}).second)
@@ -71,7 +71,7 @@ TEST(StressCounters, NoPhotonComesTwice) {
     EXPECT_GT(starts.size(), paths / 4);
     record(
         std::to_string(paths) + " photon paths numbered about 0, 2^32, 2^53, 2^62 in passes as far",
-        std::to_string(starts.size()) + " second landings, all different");
+        std::to_string(starts.size()) + " second photons, all different");
 }
 
 TEST(StressCounters, OfTheSchedule) {
@@ -93,13 +93,13 @@ TEST(StressCounters, OfTheSchedule) {
     }
     EXPECT_EQ(learning_weight(kOne << 53), 1);
     EXPECT_EQ(learning_weight(~std::uint64_t{0}), 1);
-    PartRest rest;
+    PartSwitch rest;
     rest.update(kOne << 53, false);
-    EXPECT_FALSE(rest.awake());
+    EXPECT_FALSE(rest.enabled());
     rest.update((kOne << 54) - 1, true);
-    EXPECT_FALSE(rest.awake());
+    EXPECT_FALSE(rest.enabled());
     rest.update(kOne << 54, true);
-    EXPECT_TRUE(rest.awake());
+    EXPECT_TRUE(rest.enabled());
     record("passes of 2^32 - 1 photon paths, weights and rests past 2^53", "numbers exact");
 }
 

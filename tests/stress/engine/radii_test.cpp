@@ -41,7 +41,7 @@ double floor_radius() {
     return RadiusFloor(scene()).least();
 }
 
-void expect_usable(const SearchRadii& radii) {
+void expect_usable(const GatherRadii& radii) {
     for (std::size_t i = 0; i < kPixels; ++i) {
         ASSERT_TRUE(std::isnormal(radii.of(i)));
         ASSERT_GE(double(radii.of(i)), floor_radius() * (1 - 1e-6));
@@ -67,7 +67,7 @@ TEST(StressRadius, OfTheSchedule) {
                 PassPhotons photons{0, 0xFFFFFFFFu};
                 last = 1e30f;
                 for (int pass = 0; pass < kPasses; ++pass, photons.before += photons.paths) {
-                    const SearchRadii radii = policy.before_pass(photons, eye_image(footprint));
+                    const GatherRadii radii = policy.before_pass(photons, eye_image(footprint));
                     ASSERT_NO_FATAL_FAILURE(expect_usable(radii));
                     ASSERT_LE(radii.largest, last);
                     last = radii.largest;
@@ -88,7 +88,7 @@ TEST(StressRadius, OfPpmFollowsItsFormula) {
     std::vector<long double> kept(4, 0), squares(4, 0);
     double error = 0;
     for (int pass = 0; pass < kPasses; ++pass) {
-        const SearchRadii radii = policy.before_pass({}, image);
+        const GatherRadii radii = policy.before_pass({}, image);
         ASSERT_NO_FATAL_FAILURE(expect_usable(radii));
         PhotonFlux flux;
         flux.reset(kPixels, 1);
@@ -145,7 +145,7 @@ TEST(StressRadius, OfProbesStaysWithinBounds) {
         PassPhotons photons{0, 1000000};
         const int passes = kind == 0 ? kPasses : sized(64, kPasses);
         for (int pass = 0; pass < passes; ++pass, photons.before += photons.paths) {
-            const SearchRadii radii = policy.before_pass(photons, image);
+            const GatherRadii radii = policy.before_pass(photons, image);
             ASSERT_NO_FATAL_FAILURE(expect_usable(radii));
             const double schedule = double(
                 scheduled_radius(settings, 4 * kFootprint, double(photons.before), floor_radius()));
@@ -179,7 +179,7 @@ TEST(StressRadius, OfBlurStaysWithinBounds) {
         PassPhotons photons{0, 1000000};
         const int passes = sized(128, kPasses);
         for (int pass = 0; pass < passes; ++pass, photons.before += photons.paths) {
-            const SearchRadii radii = policy.before_pass(photons, image);
+            const GatherRadii radii = policy.before_pass(photons, image);
             ASSERT_NO_FATAL_FAILURE(expect_usable(radii));
             const double schedule = double(
                 scheduled_radius(settings, 4 * kFootprint, double(photons.before), floor_radius()));

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <sstream>
 
+#include "contribution/pass_noise.h"
+#include "contribution/pixel_importance.h"
 #include "estimate/gather.h"
 #include "estimate/group_sums.h"
 #include "image_of_pixels.h"
@@ -13,8 +15,6 @@
 #include "mock_scene.h"
 #include "radii/curvature_map.h"
 #include "stress_case.h"
-#include "worth/pass_noise.h"
-#include "worth/pixel_importance.h"
 
 namespace render_sums_test {
 namespace {
@@ -34,12 +34,12 @@ void record_error(std::string_view what, double terms, double error, double most
     EXPECT_LE(error, most);
 }
 
-/// Landings of power 0.3, 0.6, 0.9, all at the origin of a floor.
-std::vector<Landing> equal_landings(std::size_t count) {
-    Landing landing;
-    landing.direction = landing.normal = kUp;
-    landing.power = {kTerm, 2 * kTerm, 3 * kTerm};
-    return std::vector<Landing>(count, landing);
+/// Photons of power 0.3, 0.6, 0.9, all at the origin of a floor.
+std::vector<Photon> equal_photons(std::size_t count) {
+    Photon photon;
+    photon.direction = photon.normal = kUp;
+    photon.power = {kTerm, 2 * kTerm, 3 * kTerm};
+    return std::vector<Photon>(count, photon);
 }
 
 EyeImage point_on_floor() {
@@ -50,21 +50,21 @@ EyeImage point_on_floor() {
     return image;
 }
 
-/// A pass gathers whenever a million landings wait.
+/// A pass gathers whenever a million photons wait.
 TEST(StressSums, PhotonsAtAVisiblePoint) {
-    constexpr std::size_t kLandings = 1 << 20;
+    constexpr std::size_t kPhotons = 1 << 20;
     const int gathers = sized(4, 954);
-    LandingGrid grid;
-    grid.build(equal_landings(kLandings), 0.1f);
+    PhotonGrid grid;
+    grid.build(equal_photons(kPhotons), 0.1f);
     const EyeImage image = point_on_floor();
-    Refusals refusals;
+    InvalidSampleFilter filter;
     PhotonFlux flux;
     flux.reset(1, 1);
     for (int g = 0; g < gathers; ++g)
-        gather_photons(image, grid, 0.1f, refusals, flux);
-    const double terms = double(kLandings) * gathers;
-    const double square = double(luminance(equal_landings(1)[0].power)) *
-                          double(luminance(equal_landings(1)[0].power));
+        gather_photons(image, grid, 0.1f, filter, flux);
+    const double terms = double(kPhotons) * gathers;
+    const double square =
+        double(luminance(equal_photons(1)[0].power)) * double(luminance(equal_photons(1)[0].power));
     const double error = std::max(std::abs(double(flux.flux[0].r) / (terms * double(kTerm)) - 1),
                                   std::abs(double(flux.squares[0]) / (terms * square) - 1));
     EXPECT_EQ(flux.accepted[0], std::uint32_t(terms));
@@ -86,11 +86,11 @@ TEST(StressSums, PhotonsAlongABeam) {
         VolumeGather gather(scene, {});
         gather.begin_pass(0, {}, image);
         gather.waiting().assign(photons, {{0, 0, 0.5f}, kUp, {kTerm, kTerm, kTerm}, nullptr, 0});
-        Refusals refusals;
-        gather.gather(image, refusals);
+        InvalidSampleFilter filter;
+        gather.gather(image, filter);
         EXPECT_EQ(gather.gathered(), photons);
         std::vector<Rgb> radiance(1);
-        gather.add_to(image, 1, refusals, radiance, {});
+        gather.add_to(image, 1, filter, radiance, {});
         return double(radiance[0].r);
     };
     constexpr std::size_t kPhotons = 1'000'000;
@@ -99,13 +99,13 @@ TEST(StressSums, PhotonsAlongABeam) {
 }
 
 TEST(StressSums, CountsOfPhotonsDoNotWrap) {
-    LandingGrid grid;
-    grid.build(equal_landings(1000), 0.1f);
-    Refusals refusals;
+    PhotonGrid grid;
+    grid.build(equal_photons(1000), 0.1f);
+    InvalidSampleFilter filter;
     PhotonFlux flux;
     flux.reset(1, 1);
     flux.accepted[0] = 0xFFFFFFFFu - 500;
-    gather_photons(point_on_floor(), grid, 0.1f, refusals, flux);
+    gather_photons(point_on_floor(), grid, 0.1f, filter, flux);
     EXPECT_EQ(flux.accepted[0], 0xFFFFFFFFu);
     EXPECT_EQ(saturated_sum(0xFFFFFFFEu, 1), 0xFFFFFFFFu);
     EXPECT_EQ(saturated_sum(0xFFFFFFFFu, 0), 0xFFFFFFFFu);

@@ -184,21 +184,21 @@ TEST(StressFireflies, PhotonsCarryAtMostTheProductOfTheBounds) {
         input.emission = &emission;
         input.survival = &survival;
         input.score_mix = mix;
-        input.split_landings = 1u << 20;
+        input.split_limit = 1u << 20;
         input.unguided_roulette = true;
-        Refusals refusals(scene);
-        LandingStore store;
+        InvalidSampleFilter filter(scene);
+        PhotonStore store;
         const std::uint32_t paths = sized(2'000u, 100'000u);
-        PhotonTracer().trace(input, 0, 0, paths, refusals, store);
-        EXPECT_EQ(refusals.total(), 0u);
+        PhotonTracer().trace(input, 0, 0, paths, filter, store);
+        EXPECT_EQ(filter.total(), 0u);
         PhotonInput unguided{scene, settings, lights};
-        LandingStore plain;
-        PhotonTracer().trace(unguided, 0, 0, 1000, refusals, plain);
-        float emitted = 0;  // greatest power of an unguided photon's first landing
-        for (const Landing& l : plain.landings())
+        PhotonStore plain;
+        PhotonTracer().trace(unguided, 0, 0, 1000, filter, plain);
+        float emitted = 0;  // greatest power of an unguided photon's first photon
+        for (const Photon& l : plain.photons())
             emitted = std::max(emitted, l.depth == 1 ? max_component(l.power) : 0.0f);
         double greatest = 0;
-        for (const Landing& l : store.landings()) {
+        for (const Photon& l : store.photons()) {
             const double bound = double(emitted) / kPlainShare *
                                  std::pow(0.8 * kTableBound * kRouletteBound, l.depth - 1);
             const double share = double(max_component(l.power)) / bound;

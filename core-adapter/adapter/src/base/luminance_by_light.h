@@ -5,23 +5,21 @@
 #include <limits>
 #include <vector>
 
-#include "aips/adapter/account.h"
 #include "aips/adapter/scene.h"
+#include "aips/adapter/transport_statistics.h"
 #include "aips/core/base/state_archive.h"
-#include "base/growing_tally.h"
+#include "base/growing_sums.h"
 
 namespace aips {
 
-/// Index of a light among those that an account tells apart.
+/// Index of a light among those that transport statistics tell apart.
 inline std::uint32_t told_light(LightIndex light) {
     return std::min(light, kMostToldLights - 1);
 }
 
 class LuminanceByLight {
   public:
-    void add(LightIndex light, double luminance) {
-        tally_at(sums_, told_light(light)) += luminance;
-    }
+    void add(LightIndex light, double luminance) { sum_at(sums_, told_light(light)) += luminance; }
     void add(const LuminanceByLight& other, double factor = 1) {
         if (sums_.size() < other.sums_.size()) sums_.resize(other.sums_.size());
         for (std::size_t i = 0; i < other.sums_.size(); ++i)

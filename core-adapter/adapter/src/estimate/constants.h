@@ -6,7 +6,7 @@
 
 namespace aips {
 
-/// Least cosine between the normals of a landing's surface and a visible point's: photons of
+/// Least cosine between the normals of a photon's surface and a visible point's: photons of
 /// surfaces turned by more belong to another one. Unit: cosine.
 /// Balances: light that leaks around corners against photons lost on curved surfaces.
 /// Chosen by: reasoning: what is turned by more than 45 degrees is another surface.
@@ -20,7 +20,7 @@ inline constexpr float kMinNormalAgreement = 0.7071f;
 /// Supported by: no measurement.
 inline constexpr float kSlab = 0.5f;
 
-/// Trials for each place of a search disc that is no surface, which bounds the factor of an edge's
+/// Trials for each place of a gather disc that is no surface, which bounds the factor of an edge's
 /// photons at one more. Unit: trials.
 /// Balances: light lost in corners against single photons that blot thin or ragged things.
 /// Chosen by: docs/notebook/2026-11-26-edges.md.
@@ -39,7 +39,7 @@ inline constexpr std::uint32_t kEdgeGrid = 2;
 /// Supported by: no measurement.
 inline constexpr std::uint8_t kEdgePasses = 32;
 
-/// Chance that a place of a search disc passes for surface unasked, over the relative variance of
+/// Chance that a place of a gather disc passes for surface unasked, over the relative variance of
 /// what photons have brought. 1 would be best at a straight edge, if photons told their variance.
 /// Unit: ratio.
 /// Balances: noise that the correction multiplies against seams that it leaves.
@@ -60,7 +60,7 @@ inline constexpr std::uint32_t kNoiseCell = 8;
 /// Supported by: no measurement.
 inline constexpr std::uint32_t kOcclusionCell = 4;
 
-/// Photons that a visible point asks for in pilot passes. Unit: photons.
+/// Photons that a visible point asks for in warm-up passes. Unit: photons.
 /// Balances: rays of the first passes against light that leaks in them.
 /// Chosen by: reasoning: of light of which a share q is separated at most q (1 - q), a quarter of
 /// what is left, stays.

@@ -17,7 +17,7 @@
 namespace aips {
 namespace {
 
-/// Chance of a place in a search disc to be asked for likewise where no edge is known.
+/// Chance of a place in a gather disc to be asked for likewise where no edge is known.
 constexpr float kOcclusionAsked = 1.0f / float(kOcclusionAsksOneOf);
 
 /// Luminance that photons brought to visible points, and what they bring more by their factors.
@@ -73,7 +73,7 @@ bool EdgeCorrection::loses(const VisiblePoint& point, Vec2 film, float time, Ran
 }
 
 std::uint64_t EdgeCorrection::correct(std::uint64_t pass, float time, const EyeImage& image,
-                                      const SearchRadii& radii, PhotonFlux& flux) {
+                                      const GatherRadii& radii, PhotonFlux& flux) {
     std::atomic<std::uint64_t> rays{0};
     assign_all(factors_, image.visible_points.size(), 1.0f, image.positions.size());
     assign_all(met_walls_, walls_.empty() ? 0 : image.visible_points.size(), std::uint8_t{0},
@@ -125,7 +125,7 @@ void EdgeCorrection::apply(const EyeImage& image, PhotonFlux& flux) {
     const auto apply_to = [&](std::size_t first, std::size_t last) {
         Brightening sum;
         for (std::size_t i = first; i < last; ++i) {
-            if (settings_.account) {
+            if (settings_.transport_statistics) {
                 const VisiblePoint& point = image.visible_points[i];
                 const Rgb weight = point.throughput * left_out_f(point);
                 for (std::size_t g = 0; g < image.groups; ++g) {
@@ -149,7 +149,7 @@ float EdgeCorrection::believed(std::uint32_t pixel) const {
 }
 
 /// What this pass has found steers the next ones.
-void EdgeCorrection::remember(const EyeImage& image, const SearchRadii& radii) {
+void EdgeCorrection::remember(const EyeImage& image, const GatherRadii& radii) {
     in_chunks(factors_.size(), kItemsPerJob, tbb_for, [&](std::size_t first, std::size_t last) {
         for (std::size_t i = first; i < last; ++i) {
             if (factors_[i] == 1) continue;

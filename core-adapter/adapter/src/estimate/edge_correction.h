@@ -1,4 +1,4 @@
-// Density estimation at edges: where part of a search disc is no surface, no photon can land there.
+// Density estimation at edges: where part of a gather disc is no surface, no photon can land there.
 //
 // Divided by the area of a full disc the estimate would be half of the truth at a straight edge,
 // and dark seams as wide as the radius would run along all of them.
@@ -35,7 +35,7 @@ class EdgeCorrection final : public DiscGaps {
     /// corrected by rays of its own, at edges that are known, and changes nothing else. Bits do not
     /// depend on the number of threads.
     std::uint64_t correct(std::uint64_t pass, float time, const EyeImage& image,
-                          const SearchRadii& radii, PhotonFlux& flux);
+                          const GatherRadii& radii, PhotonFlux& flux);
 
     /// By how far its factors are bounded, and by the places that it believes.
     float lost_share(Vec2 film) const override;
@@ -71,7 +71,7 @@ class EdgeCorrection final : public DiscGaps {
     void learn_gaps(const EyeImage& image);
     float believed(std::uint32_t pixel) const;
     void apply(const EyeImage& image, PhotonFlux& flux);
-    void remember(const EyeImage& image, const SearchRadii& radii);
+    void remember(const EyeImage& image, const GatherRadii& radii);
     static void age(std::vector<std::uint8_t>& passes, std::vector<std::uint8_t>& found);
 
     const Scene& scene_;

@@ -14,20 +14,20 @@
 namespace aips {
 namespace {
 
-/// f * power of one landing, without the constant f of Lambertian points; black if rejected.
+/// f * power of one photon, without the constant f of Lambertian points; black if rejected.
 /// `in_front` tells whether the photon came from the side that the point's geometric normal shows,
 /// as the surface was where it landed: on a thin curved sheet, one that grazes the far side may lie
 /// on the near side of the point's tangent plane.
-Rgb reflected(const VisiblePoint& point, const GridPhoton& landing, bool in_front) {
+Rgb reflected(const VisiblePoint& point, const GridPhoton& photon, bool in_front) {
     if (!point.bsdf) {
         const bool same_side = in_front == (dot(point.wo, point.geometric_normal) > 0);
-        return same_side ? landing.power * normal_ratio(point, landing.direction) : Rgb{};
+        return same_side ? photon.power * normal_ratio(point, photon.direction) : Rgb{};
     }
     // The Bsdf would take it for light from the other side.
-    if (in_front != (dot(landing.direction, point.geometric_normal) > 0)) return {};
+    if (in_front != (dot(photon.direction, point.geometric_normal) > 0)) return {};
     // The photon's power already is flux; f alone remains, in the direction of radiance.
-    return landing.power * normal_ratio(point, landing.direction) *
-           point.bsdf->evaluate(point.wo, landing.direction, Transport::Radiance, point.receiving);
+    return photon.power * normal_ratio(point, photon.direction) *
+           point.bsdf->evaluate(point.wo, photon.direction, Transport::Radiance, point.receiving);
 }
 
 /// Calls scale(value) for all values, on all threads.
@@ -42,12 +42,12 @@ void scale_each(std::vector<T>& values, const Scale& scale) {
 /// Gathers visible points one after the other. Not for many threads at once.
 class PointGather {
   public:
-    PointGather(const EyeImage& image, const LandingGrid& grid, const SearchRadii& radii,
-                Refusals& refusals, PhotonFlux& result, PhotonOcclusion* occlusion)
+    PointGather(const EyeImage& image, const PhotonGrid& grid, const GatherRadii& radii,
+                InvalidSampleFilter& filter, PhotonFlux& result, PhotonOcclusion* occlusion)
         : image_(image),
           grid_(grid),
           radii_(radii),
-          refusals_(refusals),
+          filter_(filter),
           result_(result),
           occlusion_(occlusion),
           sums_(image.groups),
@@ -60,10 +60,10 @@ class PointGather {
         // Left out of the flux, but what it absorbs is no contribution.
         const Rgb f = point.bsdf ? kWhite : point.kd;
         const auto for_each_accepted = [&](const auto& take) {
-            grid_.for_each_in_radius(point.position, radius, [&](const GridPhoton& landing) {
-                const Rgb value = contribution(point, landing, radius);
-                if (is_black(value * f) || !refusals_.accept(value, point.material)) return;
-                take(landing, value);
+            grid_.for_each_in_radius(point.position, radius, [&](const GridPhoton& photon) {
+                const Rgb value = contribution(point, photon, radius);
+                if (is_black(value * f) || !filter_.accept(value, point.material)) return;
+                take(photon, value);
             });
         };
         count_ = 0;
@@ -72,18 +72,18 @@ class PointGather {
             occlusion_ ? occlusion_->test_of(point, i, image_.positions[point.sample])
                        : OcclusionTest::None;
         if (test == OcclusionTest::None) {
-            for_each_accepted([&](const GridPhoton& landing, const Rgb& value) {
-                add(point, landing, value, radius);
+            for_each_accepted([&](const GridPhoton& photon, const Rgb& value) {
+                add(point, photon, value, radius);
             });
         } else {
             candidates_.clear();
-            for_each_accepted([&](const GridPhoton& landing, const Rgb& value) {
-                candidates_.push_back({&landing, value, luminance(value)});
+            for_each_accepted([&](const GridPhoton& photon, const Rgb& value) {
+                candidates_.push_back({&photon, value, luminance(value)});
             });
             const bool all = test == OcclusionTest::All || finds_blocked(point, radius);
             if (all) drop_blocked(point, i, radius);
-            for (const Candidate& photon : candidates_)
-                add(point, *photon.landing, photon.value, radius);
+            for (const Candidate& candidate : candidates_)
+                add(point, *candidate.photon, candidate.value, radius);
         }
         move_to_result(i);
     }
@@ -93,21 +93,21 @@ class PointGather {
   private:
     /// A photon that the point accepts, unless something separates the two.
     struct Candidate {
-        const GridPhoton* landing;
+        const GridPhoton* photon;
         Rgb value;
         float luminance;
     };
 
-    bool blocks(const VisiblePoint& point, const GridPhoton& landing, float radius) {
+    bool blocks(const VisiblePoint& point, const GridPhoton& photon, float radius) {
         ++counts_.rays;
-        return occlusion_->blocks(point, landing, radius);
+        return occlusion_->blocks(point, photon, radius);
     }
 
     /// Asks for a few of the candidates, by what they bring.
     bool finds_blocked(const VisiblePoint& point, float radius) {
         double sum = 0;
-        for (const Candidate& photon : candidates_)
-            sum += double(photon.luminance);
+        for (const Candidate& candidate : candidates_)
+            sum += double(candidate.luminance);
         if (!(sum > 0)) return false;
         RandomStream random = occlusion_->numbers(point);
         const std::size_t asks = std::min<std::size_t>(occlusion_->some(), candidates_.size());
@@ -117,7 +117,7 @@ class PointGather {
             while (chosen + 1 < candidates_.size() &&
                    (left -= double(candidates_[chosen].luminance)) >= 0)
                 ++chosen;
-            if (blocks(point, *candidates_[chosen].landing, radius)) return true;
+            if (blocks(point, *candidates_[chosen].photon, radius)) return true;
         }
         return false;
     }
@@ -125,10 +125,10 @@ class PointGather {
     void drop_blocked(const VisiblePoint& point, std::size_t i, float radius) {
         double all = 0, reached = 0;
         const std::size_t before = candidates_.size();
-        std::erase_if(candidates_, [&](const Candidate& photon) {
-            const auto square = double(photon.luminance) * double(photon.luminance);
+        std::erase_if(candidates_, [&](const Candidate& candidate) {
+            const auto square = double(candidate.luminance) * double(candidate.luminance);
             all += square;
-            if (blocks(point, *photon.landing, radius)) return true;
+            if (blocks(point, *candidate.photon, radius)) return true;
             reached += square;
             return false;
         });
@@ -136,19 +136,19 @@ class PointGather {
         occlusion_->add_squares(i, all, reached);
     }
 
-    void add(const VisiblePoint& point, const GridPhoton& landing, const Rgb& value, float radius) {
-        sums_.add(landing.light_group, value);
+    void add(const VisiblePoint& point, const GridPhoton& photon, const Rgb& value, float radius) {
+        sums_.add(photon.light_group, value);
         if (result_.wants_parts) {
             const ImagePart part =
-                point.scatterings.scattered_in(static_cast<ImagePart>(landing.part));
+                point.scatterings.scattered_in(static_cast<ImagePart>(photon.part));
             if (part != ImagePart::Indirect) parts_.add(std::uint32_t(part), value);
         }
         if (result_.wants_inner &&
-            length_squared(landing.position - point.position) <= radius * radius / 2)
+            length_squared(photon.position - point.position) <= radius * radius / 2)
             inner_.add(0, value);
         const auto square = double(luminance(value) * luminance(value));
         squares_ += square;
-        if (result_.wants_shareable && landing.shareable) {
+        if (result_.wants_shareable && photon.shareable) {
             shareable_ += double(luminance(value));
             shareable_squares_ += square;
         }
@@ -169,9 +169,9 @@ class PointGather {
     }
 
     const EyeImage& image_;
-    const LandingGrid& grid_;
-    const SearchRadii& radii_;
-    Refusals& refusals_;
+    const PhotonGrid& grid_;
+    const GatherRadii& radii_;
+    InvalidSampleFilter& filter_;
     PhotonFlux& result_;
     PhotonOcclusion* occlusion_;
     GroupSums sums_, parts_, inner_;
@@ -200,22 +200,22 @@ bool on_same_surface(const VisiblePoint& point, Vec3 position, float agreement, 
            abs_dot(position - point.position, point.geometric_normal) <= kSlab * radius;
 }
 
-Rgb contribution(const VisiblePoint& point, const GridPhoton& landing, float radius) {
-    if (landing.bounces > point.photon_bounces) return {};
-    const float agreement = dot(landing.normal, point.geometric_normal);
-    if (!on_same_surface(point, landing.position, agreement, radius)) return {};
-    const Rgb value = reflected(point, landing, agreement > 0);
-    return landing.shareable && point.eye_share > 0 ? value * (1 - point.eye_share) : value;
+Rgb contribution(const VisiblePoint& point, const GridPhoton& photon, float radius) {
+    if (photon.bounces > point.photon_bounces) return {};
+    const float agreement = dot(photon.normal, point.geometric_normal);
+    if (!on_same_surface(point, photon.position, agreement, radius)) return {};
+    const Rgb value = reflected(point, photon, agreement > 0);
+    return photon.shareable && point.eye_share > 0 ? value * (1 - point.eye_share) : value;
 }
 
-void gather_photons(const EyeImage& image, const LandingGrid& grid, const SearchRadii& radii,
-                    Refusals& refusals, PhotonFlux& result, PhotonOcclusion* occlusion) {
+void gather_photons(const EyeImage& image, const PhotonGrid& grid, const GatherRadii& radii,
+                    InvalidSampleFilter& filter, PhotonFlux& result, PhotonOcclusion* occlusion) {
     std::atomic<std::uint64_t> photons{0}, rays{0};
     tbb::parallel_for(
         tbb::blocked_range<std::size_t>(image.owners.first(image.visible_points.size()),
                                         image.owners.last(image.visible_points.size()), 64),
         [&](const tbb::blocked_range<std::size_t>& range) {
-            PointGather point(image, grid, radii, refusals, result, occlusion);
+            PointGather point(image, grid, radii, filter, result, occlusion);
             for (std::size_t i = range.begin(); i < range.end(); ++i)
                 point.gather(i);
             photons.fetch_add(point.counts().photons, std::memory_order_relaxed);

@@ -8,11 +8,11 @@
 #include "aips/core/radii/optimal_radius.h"
 #include "aips/core/sampling/sampling.h"
 #include "base/assign_all.h"
+#include "estimate/gather_radii.h"
 #include "estimate/photon_occlusion.h"
-#include "estimate/search_radii.h"
 #include "eye/eye_pass.h"
 #include "ranks/shared_work.h"
-#include "refusal/refusals.h"
+#include "sample_filter/invalid_sample_filter.h"
 
 namespace aips {
 
@@ -46,7 +46,7 @@ struct PhotonFlux {
     /// [visible point]: of `flux`, over all light groups, what the inner half of the disc's area
     /// brought; empty if not wanted. Edges have a factor of their own there.
     std::vector<Rgb> inner;
-    std::vector<ProbeSums> probes;  ///< [number in SearchRadii::probes]
+    std::vector<ProbeSums> probes;  ///< [number in GatherRadii::probes]
     GatherCounts counts;
 
     std::size_t most_points = 0;   ///< visible points of any pass, if that is known
@@ -95,27 +95,28 @@ inline Rgb left_out_f(const VisiblePoint& point) {
     return point.bsdf ? kWhite : point.kd * kInvPi;
 }
 
-/// Adds the landings in `grid` within its radius of each visible point. Landings on a surface that
+/// Adds the photons in `grid` within its radius of each visible point. Photons on a surface that
 /// faces elsewhere, or on the other side of the visible point's, are left out. Every point sums
 /// its photons in the grid's order, so the result does not depend on the number of threads. Of the
 /// points of other ranks nothing is gathered here. `occlusion` says which photons are asked for
 /// whether something separates them from the point, and is told of those; null: none.
-void gather_photons(const EyeImage& image, const LandingGrid& grid, const SearchRadii& radii,
-                    Refusals& refusals, PhotonFlux& flux, PhotonOcclusion* occlusion = nullptr);
+void gather_photons(const EyeImage& image, const PhotonGrid& grid, const GatherRadii& radii,
+                    InvalidSampleFilter& filter, PhotonFlux& flux,
+                    PhotonOcclusion* occlusion = nullptr);
 
 /// After a gather: tells the other ranks what it brought to this one's points, and takes theirs.
 /// `before`: PhotonFlux::counts before it; `work` began then.
 void exchange_flux(const EyeImage& image, const GatherCounts& before, SharedWork& work,
                    PhotonFlux& flux, PhotonOcclusion* occlusion = nullptr);
 
-/// Whether a landing is on the visible point's own surface: similar normals, whose cosine is
+/// Whether a photon is on the visible point's own surface: similar normals, whose cosine is
 /// `agreement` up to its sign, and within a slab around the point's tangent plane, which keeps
 /// light from leaking across thin walls.
 bool on_same_surface(const VisiblePoint& point, Vec3 position, float agreement, float radius);
 
-/// f * power of one landing (watts per steradian) within `radius` of a visible point, without the
+/// f * power of one photon (watts per steradian) within `radius` of a visible point, without the
 /// constant f of Lambertian points, and without the eye's share of light that both may carry; black
 /// if the point rejects it: on another surface, on its other side, or absorbed.
-Rgb contribution(const VisiblePoint& point, const GridPhoton& landing, float radius);
+Rgb contribution(const VisiblePoint& point, const GridPhoton& photon, float radius);
 
 }  // namespace aips

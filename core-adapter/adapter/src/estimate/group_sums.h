@@ -3,7 +3,7 @@
 // Many photons of equal power are what single precision sums worst: a million of them are off by a
 // percent, and from 2^24 on they count for nothing. In double n photons are off by n 2^-53 at most,
 // relative to the sum. What a gather has found is added to single precision once: over a pass of G
-// gathers that leaves an error of G 2^-24, and a gather takes a million landings.
+// gathers that leaves an error of G 2^-24, and a gather takes a million photons.
 #pragma once
 
 #include <cmath>

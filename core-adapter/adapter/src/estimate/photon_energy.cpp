@@ -11,8 +11,8 @@
 
 namespace aips {
 
-void add_photon_energy(const EyeImage& image, const LandingGrid& grid,
-                       std::span<const Landing> landings, const SearchRadii& radii,
+void add_photon_energy(const EyeImage& image, const PhotonGrid& grid,
+                       std::span<const Photon> photons, const GatherRadii& radii,
                        const PhotonOcclusion* occlusion, LuminanceByLight& sums) {
     constexpr std::size_t kChunks = 256;  // a fixed number: their sums are joined in order
     std::array<LuminanceByLight, kChunks> chunks;
@@ -32,7 +32,7 @@ void add_photon_energy(const EyeImage& image, const LandingGrid& grid,
                 if (occlusion && occlusion->blocks_if_asked(point, image.positions[point.sample],
                                                             photon, radius))
                     return;
-                chunks[c].add(landings[photon.index].light, value);
+                chunks[c].add(photons[photon.index].light, value);
             });
         }
     });

@@ -78,7 +78,7 @@ void PhotonOcclusion::begin_pass(std::uint64_t pass, float time, const EyeImage&
 OcclusionTest PhotonOcclusion::test_of(const VisiblePoint& point, std::size_t number,
                                        Vec2 film_position) const {
     if (found_[number] || asks_all(film_position)) return OcclusionTest::All;
-    const bool asks = pass_ < kPilotPasses || (point.sample + pass_) % kOcclusionAsksOneOf == 0;
+    const bool asks = pass_ < kWarmUpPasses || (point.sample + pass_) % kOcclusionAsksOneOf == 0;
     return asks ? OcclusionTest::Some : OcclusionTest::None;
 }
 

@@ -3,7 +3,7 @@
 // Density estimation takes the photons around a point for light that arrives at the point. A wall
 // thinner than the radius makes that false: photons of the next room land on the same floor. So a
 // photon counts only if a short ray along the surface reaches it. The same ray decides how much of
-// the search disc is surface (edge_correction.h), so that the estimate stays unbiased as radii
+// the gather disc is surface (edge_correction.h), so that the estimate stays unbiased as radii
 // fall.
 //
 // Most discs have nothing in them that separates. Each pass asks for a few photons of some visible
@@ -29,7 +29,7 @@ namespace aips {
 /// rounding takes.
 float occlusion_clearance(Vec3 a, Vec3 b, float radius);
 
-/// Whether something stands between a visible point and a place in its search disc, on a surface
+/// Whether something stands between a visible point and a place in its gather disc, on a surface
 /// with the unit normal `normal` there, turned to the side that the light comes from. The ray runs
 /// just above both, and over the bulge of a surface that curves away; what is thinner than a
 /// thousandth of `radius` may be missed. Surfaces that let light pass straight do not separate.
@@ -54,7 +54,7 @@ class PhotonOcclusion {
     /// Whether all photons of this part of the image are asked for.
     bool asks_all(Vec2 film_position) const { return marks_[cell_of(film_position)] != 0; }
     /// Photons that OcclusionTest::Some asks for at most, and the numbers that choose them.
-    std::uint32_t some() const { return pass_ < kPilotPasses ? kFirstOcclusionAsks : 1; }
+    std::uint32_t some() const { return pass_ < kWarmUpPasses ? kFirstOcclusionAsks : 1; }
     RandomStream numbers(const VisiblePoint& point) const;
     /// Whether a photon is separated from the point.
     bool blocks(const VisiblePoint& point, const GridPhoton& photon, float radius) const {
@@ -80,7 +80,7 @@ class PhotonOcclusion {
     void end_pass(const EyeImage& image);
 
     /// Share of squared contributions that reaches the visible points of a part of the image, by
-    /// which the worth of landings there counts: what is behind a wall is worth nothing.
+    /// which contributions of photons there count: what is behind a wall brings nothing.
     float reached_share(Vec2 film_position) const;
 
     /// Saves what earlier passes have found, or restores it into a new one for the same film.

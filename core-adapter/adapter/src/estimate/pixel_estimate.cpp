@@ -37,8 +37,8 @@ void split(const Rgb& all, std::span<Rgb> parts) {
 
 }  // namespace
 
-void estimate_pixels(const EyeImage& image, const PhotonFlux& flux, const SearchRadii& radii,
-                     std::uint64_t photon_paths, Refusals& refusals,
+void estimate_pixels(const EyeImage& image, const PhotonFlux& flux, const GatherRadii& radii,
+                     std::uint64_t photon_paths, InvalidSampleFilter& filter,
                      std::vector<Rgb>& photon_radiance) {
     assign_all(photon_radiance, image.radiance.size(), Rgb{});
     const std::uint32_t groups = image.groups;
@@ -50,12 +50,12 @@ void estimate_pixels(const EyeImage& image, const PhotonFlux& flux, const Search
             const Rgb value = point.throughput * f * scaled(flux.flux[i * groups + g], scale);
             // Each eye path has one visible point at the most: no two iterations share an entry.
             Rgb& brought = photon_radiance[std::size_t(point.sample) * groups + g];
-            refusals.add(brought, value, point.material);
+            filter.add(brought, value, point.material);
         }
     });
 }
 
-void estimate_discs(const EyeImage& image, const PhotonFlux& flux, const SearchRadii& radii,
+void estimate_discs(const EyeImage& image, const PhotonFlux& flux, const GatherRadii& radii,
                     std::uint64_t photon_paths, DiscEstimates& discs) {
     assign_all(discs.whole, image.positions.size(), Rgb{});
     assign_all(discs.half, image.positions.size(), Rgb{});
@@ -75,7 +75,7 @@ void estimate_discs(const EyeImage& image, const PhotonFlux& flux, const SearchR
     });
 }
 
-void estimate_parts(const EyeImage& image, const PhotonFlux& flux, const SearchRadii& radii,
+void estimate_parts(const EyeImage& image, const PhotonFlux& flux, const GatherRadii& radii,
                     std::uint64_t photon_paths, std::span<const Rgb> of_media,
                     std::span<const Rgb> photon_radiance, std::vector<Rgb>& parts) {
     parts.assign(image.positions.size() * kImageParts, Rgb{});

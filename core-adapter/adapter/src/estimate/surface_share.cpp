@@ -1,4 +1,4 @@
-// Trials of places in a search disc.
+// Trials of places in a gather disc.
 //
 // The number of trials until one succeeds has the mean 1 / p: no density has to be known to divide
 // by it without bias (Qin et al. 2015, "Unbiased photon gathering for light transport simulation",
@@ -19,7 +19,7 @@ constexpr int kMostSurfaces = 4;
 
 }  // namespace
 
-/// The search disc of a visible point, on the eye's side.
+/// The gather disc of a visible point, on the eye's side.
 class SurfaceShare::Disc {
   public:
     Disc(const VisiblePoint& point, float radius)

@@ -1,4 +1,4 @@
-// How much of a search disc is surface, asked of the scene by rays.
+// How much of a gather disc is surface, asked of the scene by rays.
 #pragma once
 
 #include <cstdint>
@@ -9,14 +9,14 @@
 
 namespace aips {
 
-/// How a search disc is asked.
+/// How a gather disc is asked.
 struct SurfaceQuestion {
     std::uint32_t side = 1;  ///< one place in each cell of side x side is tried first
     float believed = 0;      ///< chance of a place to pass for surface unasked, below 1
     float occlusion = 0;     ///< chance of surface to be asked whether something separates it
 };
 
-/// Asks for places of search discs whether there is surface. Not for many threads at once.
+/// Asks for places of gather discs whether there is surface. Not for many threads at once.
 class SurfaceShare {
   public:
     /// `scene` and `arena` outlive it; rays travel at `time`. The arena is left as it was.

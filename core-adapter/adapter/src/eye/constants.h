@@ -14,8 +14,9 @@ namespace aips {
 /// Supported by: one scene only: a glass ball on a ground of 474 km.
 inline constexpr float kMostMedians = 8;
 
-/// Smooth surfaces of a path from which lamps are looked for along the other way. Unit: surfaces.
-/// Balances: noise of lamps seen in glass against rays for all other pixels.
+/// Specular surfaces of a path from which emitters are looked for along the other way. Unit:
+/// surfaces.
+/// Balances: noise of emitters seen in glass against rays for all other pixels.
 /// Chosen by: measurement.
 /// Supported by: glass-ball, room, chess, pool (1 and 4 in its place).
 inline constexpr std::uint32_t kMostBranches = 2;
@@ -34,7 +35,7 @@ inline constexpr std::uint32_t kFrozenPathsPerPixel = 4;
 /// Supported by: one scene only: summerhouse (1, 3 and 4 in its place).
 inline constexpr std::uint32_t kContinuedRouletteFrom = 2;
 
-/// After pilot passes one of so many eye paths goes on where it has no share, to learn what it
+/// After warm-up passes one of so many eye paths goes on where it has no share, to learn what it
 /// would bring. Unit: eye paths. Balances: rays that bring nothing against places whose light is
 /// met late. Chosen by: docs/notebook/2026-11-25-who-carries-what.md. Supported by: one scene only:
 /// hall.

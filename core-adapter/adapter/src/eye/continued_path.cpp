@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "eye/constants.h"
-#include "refusal/meet_surface.h"
+#include "sample_filter/meet_surface.h"
 
 namespace aips {
 namespace {
@@ -13,11 +13,11 @@ namespace {
 class ContinuedPath {
   public:
     ContinuedPath(const EyePassInput& input, const ContinuedStart& start, const EyeNumbers& numbers,
-                  Refusals& refusals, Arena& arena, const ContinuedOutput& output)
+                  InvalidSampleFilter& filter, Arena& arena, const ContinuedOutput& output)
         : in_(input),
           start_(start),
           numbers_(numbers),
-          refusals_(refusals),
+          filter_(filter),
           arena_(arena),
           output_(output),
           tip_(start.tip) {}
@@ -26,12 +26,12 @@ class ContinuedPath {
         const VertexNumbers first = numbers_.vertex(start_.depth);
         const float before = max_component(tip_.throughput);
         const BounceDraw draw{start_.receiving, start_.choice_pdf, first.direction(), first.lobe()};
-        if (!bounce(in_, start_.point, start_.wo, draw, refusals_, tip_)) return result_;
+        if (!bounce(in_, start_.point, start_.wo, draw, filter_, tip_)) return result_;
         for (std::uint32_t n = 1;; ++n) {
             const auto mark = arena_.mark();
             const VertexNumbers numbers = numbers_.vertex(start_.depth + n);
             const std::uint32_t scatterings = tip_.scatterings;
-            const bool goes_on = meet(numbers) && (!start_.first_ray || straight()) &&
+            const bool goes_on = meet(numbers) && (!start_.bsdf_direct || straight()) &&
                                  survives(n, before, numbers.end());
             arena_.rewind(mark);
             if (!goes_on || !may_meet_next(n, tip_.scatterings == scatterings)) break;
@@ -55,10 +55,10 @@ class ContinuedPath {
     bool meet(const VertexNumbers& numbers) {
         SurfacePoint point;
         ++result_.rays;
-        const bool met = meet_surface(in_.scene, tip_.ray, point, arena_, refusals_);
+        const bool met = meet_surface(in_.scene, tip_.ray, point, arena_, filter_);
         tip_.throughput *= point.transmittance;
         if (!met) {
-            for_each_escaped(in_, tip_, refusals_, [&](LightIndex light, const Rgb& seen) {
+            for_each_escaped(in_, tip_, filter_, [&](LightIndex light, const Rgb& seen) {
                 add_light(light, seen, nullptr);
             });
             return false;
@@ -68,21 +68,21 @@ class ContinuedPath {
         if (!point.bsdf) return false;
         const Vec3 wo = -tip_.ray.direction;
         const LobeMask lobes = point.bsdf->lobes();
-        if (lobes == kSpecular && smooth_ < limit_.smooth) {
-            ++smooth_;
+        if (lobes == kSpecular && specular_ < limit_.specular) {
+            ++specular_;
         } else {
             ++counted_;
         }
         if (is_spent(in_.settings, tip_))
-            return go_straight(in_, point, wo, numbers, refusals_, tip_);
-        const bool asks = photons_meet(counted_) && !start_.first_ray;
+            return go_straight(in_, point, wo, numbers, filter_, tip_);
+        const bool asks = photons_meet(counted_) && !start_.bsdf_direct;
         if (const LobeMask shared = asks ? lobes & kNonSpecular : 0) {
             DirectLightQuery query{point, wo, tip_.ray.time, tip_.throughput};
             query.shared = shared;
             query.bounce = lobes;
             query.continue_pdf = photons_meet(counted_ + 1) ? 1.0f : 0.0f;
             const DirectLightResult direct =
-                in_.direct_light.estimate(query, numbers, refusals_, {output_.continued});
+                in_.direct_light.estimate(query, numbers, filter_, {output_.continued});
             result_.rays += direct.rays;
             tell(output_.light, direct.sample.light, output_.share * direct.brought);
         }
@@ -90,7 +90,7 @@ class ContinuedPath {
     }
 
     bool go_on(const SurfacePoint& point, Vec3 wo, LobeMask lobes, const VertexNumbers& numbers) {
-        return bounce(in_, point, wo, {lobes, 1, numbers.direction(), numbers.lobe()}, refusals_,
+        return bounce(in_, point, wo, {lobes, 1, numbers.direction(), numbers.lobe()}, filter_,
                       tip_);
     }
 
@@ -104,8 +104,8 @@ class ContinuedPath {
         const LightTarget sums =
             straight() ? output_.direct.of(tip_.seen_by.met()) : LightTarget{output_.continued};
         const Rgb value = tip_.throughput * seen * emission_weight(in_, tip_, light, at);
-        const bool added = sums.add(in_.scene.lights()[light]->group(), value,
-                                    refusals_.of_light(light), refusals_);
+        const bool added =
+            sums.add(in_.scene.lights()[light]->group(), value, filter_.of_light(light), filter_);
         if (added) tell(output_.light, light, (straight() ? 1 : output_.share) * luminance(value));
         if (!straight()) return;
         result_.straight += luminance(value);
@@ -126,22 +126,22 @@ class ContinuedPath {
     const EyePassInput& in_;
     const ContinuedStart& start_;
     const EyeNumbers& numbers_;
-    Refusals& refusals_;
+    InvalidSampleFilter& filter_;
     Arena& arena_;
     const ContinuedOutput& output_;
     const DepthLimit limit_ = photon_depth(in_.settings);
     PathTip tip_;
-    std::uint32_t counted_ = 0;  // surfaces met that count for the depth
-    std::uint32_t smooth_ = 0;   // those that do not, being smooth
+    std::uint32_t counted_ = 0;   // surfaces met that count for the depth
+    std::uint32_t specular_ = 0;  // those that do not, being specular
     ContinuedResult result_;
 };
 
 }  // namespace
 
 ContinuedResult trace_continued_path(const EyePassInput& input, const ContinuedStart& start,
-                                     const EyeNumbers& numbers, Refusals& refusals, Arena& arena,
-                                     const ContinuedOutput& output) {
-    return ContinuedPath(input, start, numbers, refusals, arena, output).trace();
+                                     const EyeNumbers& numbers, InvalidSampleFilter& filter,
+                                     Arena& arena, const ContinuedOutput& output) {
+    return ContinuedPath(input, start, numbers, filter, arena, output).trace();
 }
 
 }  // namespace aips

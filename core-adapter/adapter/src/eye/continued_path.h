@@ -1,5 +1,5 @@
 // An eye path that goes on from its visible point, for light that photons could bring there too, or
-// sends a first ray alone, for direct light.
+// sends one BSDF-sampled ray alone, for direct light.
 #pragma once
 
 #include "aips/core/sampling/eye_numbers.h"
@@ -17,13 +17,13 @@ struct ContinuedStart {
     float choice_pdf = 1;     ///< probability that the path ended there, and did not bounce on
     PathTip tip;  ///< at the visible point, its throughput divided by all choices' probabilities
     LightIndex asked = kNoLight;  ///< by the shadow ray from there
-    bool first_ray = false;       ///< ends where it is turned away from its first direction
+    bool bsdf_direct = false;     ///< ends where it is turned away from its first direction
 };
 
 /// What a path did.
 struct ContinuedResult {
     std::uint32_t rays = 0;  ///< traced
-    float straight = 0;      ///< luminance of lights that its first ray met
+    float straight = 0;      ///< luminance of lights that its BSDF-sampled ray met
     float of_asked = 0;      ///< of ContinuedStart::asked among them
 };
 
@@ -36,12 +36,12 @@ struct ContinuedOutput {
 };
 
 /// Follows the path and adds to `continued` (one entry a light group) what photons could bring as
-/// well: light that reached the first surface it was turned away by straight from a lamp, and left
-/// it diffusely or glossily. Light that smooth surfaces focus on that surface is the photons'
-/// alone. The path goes as deep as photons do. Lights that its first ray meets are added to
-/// `direct`.
+/// well: light that reached the first surface it was turned away by straight from an emitter, and
+/// left it diffusely or glossily. Light that specular surfaces focus on that surface is the
+/// photons' alone. The path goes as deep as photons do. Lights that its BSDF-sampled ray meets are
+/// added to `direct`.
 ContinuedResult trace_continued_path(const EyePassInput& input, const ContinuedStart& start,
-                                     const EyeNumbers& numbers, Refusals& refusals, Arena& arena,
-                                     const ContinuedOutput& output);
+                                     const EyeNumbers& numbers, InvalidSampleFilter& filter,
+                                     Arena& arena, const ContinuedOutput& output);
 
 }  // namespace aips

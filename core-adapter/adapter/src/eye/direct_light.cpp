@@ -15,7 +15,8 @@ DirectLight::DirectLight(const Scene& scene, bool learns)
 }
 
 DirectLightResult DirectLight::estimate(const DirectLightQuery& query, const VertexNumbers& numbers,
-                                        Refusals& refusals, const LightTarget& radiance) const {
+                                        InvalidSampleFilter& filter,
+                                        const LightTarget& radiance) const {
     DirectLightResult result;
     if (choice_.empty()) return result;
     const auto chosen = choice_at(query.point).sample(numbers.light_choice());
@@ -24,7 +25,7 @@ DirectLightResult DirectLight::estimate(const DirectLightQuery& query, const Ver
     const Light& light = *scene_.lights()[index];
     DirectSample sample;
     if (!light.sample_direct(query.point, numbers.light(), sample)) return result;
-    if (!refusals.accept_sample(sample, index) || sample.pdf == 0) return result;
+    if (!filter.accept_sample(sample, index) || sample.pdf == 0) return result;
 
     const Bsdf& bsdf = *query.point.bsdf;
     const float pdf_light = sample.pdf * chosen.pdf;
@@ -34,7 +35,7 @@ DirectLightResult DirectLight::estimate(const DirectLightQuery& query, const Ver
     const auto shared = [&](const Rgb& value, LobeMask mask, float probability) {
         if (sample.delta || !(probability > 0)) return value;
         const float pdf_bounce = probability * bsdf.pdf(query.wo, sample.wi, mask);
-        refused |= !refusals.accept_density(pdf_bounce, query.point.material);
+        refused |= !filter.accept_density(pdf_bounce, query.point.material);
         return value * (pdf_light / (pdf_light + pdf_bounce));
     };
     if (query.shared) {
@@ -48,13 +49,13 @@ DirectLightResult DirectLight::estimate(const DirectLightQuery& query, const Ver
     }
     if (refused) return result;
     if (is_black(f) || is_black(sample.radiance)) return result;
-    if (!refusals.accept(f, query.point.material)) return result;
+    if (!filter.accept(f, query.point.material)) return result;
     const float cosine = abs_dot(sample.wi, query.point.shading_normal);
     const Rgb unoccluded = query.throughput * f * sample.radiance * (cosine / pdf_light);
-    if (!refusals.accept(unoccluded, query.point.material)) return result;
+    if (!filter.accept(unoccluded, query.point.material)) return result;
     const Rgb passed = scene_.visibility(query.point, sample, query.time);
     result.rays = 1;
-    radiance.add(light.group(), unoccluded * passed, kPassageOrigin, refusals);
+    radiance.add(light.group(), unoccluded * passed, kPassageOrigin, filter);
     result.brought = luminance(unoccluded * passed);
     result.alone =
         luminance(query.throughput * alone * sample.radiance * passed * (cosine / pdf_light));

@@ -9,7 +9,7 @@
 #include "aips/core/sampling/eye_numbers.h"
 #include "aips/core/tables/discrete_distribution.h"
 #include "aips/core/tables/learned_lights.h"
-#include "refusal/refusals.h"
+#include "sample_filter/invalid_sample_filter.h"
 #include "views/light_target.h"
 
 namespace aips {
@@ -45,7 +45,7 @@ class DirectLight {
 
     /// Adds the estimate to `radiance`.
     DirectLightResult estimate(const DirectLightQuery& query, const VertexNumbers& numbers,
-                               Refusals& refusals, const LightTarget& radiance) const;
+                               InvalidSampleFilter& filter, const LightTarget& radiance) const;
 
     /// Density per steradian with which `estimate` would have drawn the light met by the direction
     /// wi from `from`; `at` is the point met, null for lights at infinity.

@@ -1,4 +1,4 @@
-// Where photons lose light, as a search disc is not all surface: eye paths may bring it.
+// Where photons lose light, as a gather disc is not all surface: eye paths may bring it.
 #pragma once
 
 #include "aips/core/base/arena.h"
@@ -7,7 +7,7 @@
 
 namespace aips {
 
-/// What earlier passes told of search discs. Const while a pass is traced.
+/// What earlier passes told of gather discs. Const while a pass is traced.
 class DiscGaps {
   public:
     virtual ~DiscGaps() = default;

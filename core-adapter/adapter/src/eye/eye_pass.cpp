@@ -28,12 +28,12 @@ struct alignas(kCacheLine) EyeBlock {
     std::vector<VolumeBeam> beams;
     std::vector<float> footprints;
     std::vector<LightSample> light_samples;
-    std::vector<LampRest> lamp_rests;
-    std::vector<Rgb> lamps;  // [light group]: of one eye path
+    std::vector<EmitterRest> emitter_rests;
+    std::vector<Rgb> emitters;  // [light group]: of one eye path
     double beam_footprint_sum = 0;
     std::uint64_t rays = 0;
     LuminanceByLight light;
-    LuminanceByLight lamp_light;  // behind smooth surfaces: of one eye path
+    LuminanceByLight emitter_light;  // behind specular surfaces: of one eye path
     std::uint64_t telling_paths = 0, cut_paths = 0;
     bool has_bsdf = false;  // one of the visible points
 };
@@ -41,7 +41,7 @@ struct alignas(kCacheLine) EyeBlock {
 /// Whether an eye path's visible point tells lights apart. Chosen by a hash: no pattern of pixels
 /// is favoured.
 bool tells_lights(const Settings& settings, std::uint64_t serial) {
-    if (!settings.account) return false;
+    if (!settings.transport_statistics) return false;
     const auto key = std::uint32_t(serial) ^ hash_bits(std::uint32_t(serial >> 32) + 1);
     return hash_bits(key ^ 0x5BD1E995u) % kTellingOneOf == 0;
 }
@@ -55,9 +55,9 @@ EyePathOutput output_of(const EyePassInput& in, std::uint64_t pass, std::uint32_
     if (in.layers.parts)
         output.radiance.parts =
             std::span(image.parts).subspan(std::size_t(path) * kImageParts, kImageParts);
-    if (in.lamps) {
-        block.lamps.assign(image.groups, Rgb{});
-        output.lamps = block.lamps;
+    if (in.emitters) {
+        block.emitters.assign(image.groups, Rgb{});
+        output.emitters = block.emitters;
     }
     if (in.shares) {
         output.continued = std::span(image.continued).subspan(first, image.groups);
@@ -67,21 +67,22 @@ EyePathOutput output_of(const EyePassInput& in, std::uint64_t pass, std::uint32_
     return output;
 }
 
-/// Adds what the path met of lamps behind smooth surfaces, by its share beside lamp paths.
-void add_lamps(const LampImages& known, const EyeNumbers& numbers, std::uint32_t path,
-               const EyePathOutput& output, Refusals& refusals, EyeImage& image, EyeBlock& block) {
-    const float luminance = luminance_over_groups(output.lamps, 0, image.groups);
+/// Adds what the path met of emitters behind specular surfaces, by its share beside emitter paths.
+void add_emitters(const EmitterImages& known, const EyeNumbers& numbers, std::uint32_t path,
+                  const EyePathOutput& output, InvalidSampleFilter& filter, EyeImage& image,
+                  EyeBlock& block) {
+    const float luminance = luminance_over_groups(output.emitters, 0, image.groups);
     if (!(luminance > 0)) return;
     const auto share = float(known.eye_share(image.positions[path], numbers.choices()));
     for (std::size_t g = 0; g < image.groups; ++g)
         output.radiance.of(ImagePart::Direct)
-            .add(std::uint32_t(g), output.lamps[g] * share, kPassageOrigin, refusals);
-    if (output.lamp_light) block.light.add(*output.lamp_light, double(share));
-    if (share < 1) block.lamp_rests.push_back({path, (1 - share) * luminance});
+            .add(std::uint32_t(g), output.emitters[g] * share, kPassageOrigin, filter);
+    if (output.emitter_light) block.light.add(*output.emitter_light, double(share));
+    if (share < 1) block.emitter_rests.push_back({path, (1 - share) * luminance});
 }
 
 void trace_block(const EyePassInput& in, std::uint64_t pass, float time, std::uint32_t first,
-                 std::uint32_t last, Refusals& refusals, EyeImage& image, Arena& arena,
+                 std::uint32_t last, InvalidSampleFilter& filter, EyeImage& image, Arena& arena,
                  EyeBlock& block) {
     const std::uint64_t pixels = std::uint64_t(in.width) * in.height;
     const std::uint64_t before =
@@ -99,15 +100,15 @@ void trace_block(const EyePassInput& in, std::uint64_t pass, float time, std::ui
         image.positions[i] = sample.film;
         EyePathOutput output = output_of(in, pass, i, image, block);
         const bool tells = tells_lights(in.settings, serial);
-        if (in.settings.account) {
+        if (in.settings.transport_statistics) {
             output.light = &block.light;
-            block.lamp_light.clear();
-            output.lamp_light = in.lamps ? &block.lamp_light : &block.light;
+            block.emitter_light.clear();
+            output.emitter_light = in.emitters ? &block.emitter_light : &block.light;
         }
         block.telling_paths += tells;
         const EyePathResult result = trace_eye_path(in, in.camera.generate(sample, time), numbers,
-                                                    random, refusals, arena, output);
-        if (in.lamps) add_lamps(*in.lamps, numbers, i, output, refusals, image, block);
+                                                    random, filter, arena, output);
+        if (in.emitters) add_emitters(*in.emitters, numbers, i, output, filter, image, block);
         block.rays += result.rays;
         block.cut_paths += result.cut;
         if (result.light_sample.pdf > 0 && (i + pass) % stride == 0)
@@ -140,8 +141,8 @@ void state_of_block(StateArchive& archive, std::uint32_t first, std::uint32_t la
     paths(image.parts, kImageParts);
     paths(image.continued, image.groups);
     paths(image.surfaces, 1);
-    state_of(archive, block.visible_points, block.footprints, block.light_samples, block.lamp_rests,
-             block.rays, block.telling_paths, block.cut_paths, block.light);
+    state_of(archive, block.visible_points, block.footprints, block.light_samples,
+             block.emitter_rests, block.rays, block.telling_paths, block.cut_paths, block.light);
     archive.value(block.has_bsdf);
     if (!archive.restoring() || !block.has_bsdf) return;
     for (VisiblePoint& point : block.visible_points) {
@@ -188,7 +189,7 @@ void join_blocks(std::vector<EyeBlock>& blocks, EyeImage& image) {
     join(blocks, &EyeBlock::beams, paths, image.beams);
     join(blocks, &EyeBlock::footprints, paths, image.footprints);
     join(blocks, &EyeBlock::light_samples, paths, image.light_samples);
-    join(blocks, &EyeBlock::lamp_rests, paths, image.lamp_rests);
+    join(blocks, &EyeBlock::emitter_rests, paths, image.emitter_rests);
     image.beam_footprint_sum = 0;
     image.rays = image.telling_paths = image.cut_paths = 0;
     image.light.clear();
@@ -210,7 +211,7 @@ std::size_t EyeImage::memory_bytes() const {
         (radiance.capacity() + parts.capacity() + continued.capacity()) * sizeof(Rgb) +
         visible_points.capacity() * sizeof(VisiblePoint) + footprints.capacity() * sizeof(float) +
         surfaces.capacity() * sizeof(SeenSurface) + light_samples.capacity() * sizeof(LightSample) +
-        beams.capacity() * sizeof(VolumeBeam) + lamp_rests.capacity() * sizeof(LampRest);
+        beams.capacity() * sizeof(VolumeBeam) + emitter_rests.capacity() * sizeof(EmitterRest);
     for (const Arena& arena : arenas)
         bytes += arena.bytes_reserved();
     return bytes;
@@ -221,8 +222,8 @@ void positions_of(std::span<const VisiblePoint> points, std::vector<Vec3>& posit
     for_all(points.size(), [&](std::size_t i) { positions[i] = points[i].position; });
 }
 
-void trace_eye_pass(const EyePassInput& in, std::uint64_t pass, float time, Refusals& refusals,
-                    EyeImage& image) {
+void trace_eye_pass(const EyePassInput& in, std::uint64_t pass, float time,
+                    InvalidSampleFilter& filter, EyeImage& image) {
     const std::uint32_t block_count =
         in.paths / kEyePathsPerBlock + (in.paths % kEyePathsPerBlock ? 1 : 0);
     image.groups = in.scene.light_groups();
@@ -237,11 +238,11 @@ void trace_eye_pass(const EyePassInput& in, std::uint64_t pass, float time, Refu
     const auto last_of = [&](std::uint32_t first) {
         return first + std::min(kEyePathsPerBlock, in.paths - first);
     };
-    SharedWork work(in.ranks, block_count, &refusals);
+    SharedWork work(in.ranks, block_count, &filter);
     tbb::parallel_for(work.first(), work.last(), [&](std::uint32_t b) {
         image.arenas[b].reset();
         const std::uint32_t first = b * kEyePathsPerBlock;
-        trace_block(in, pass, time, first, last_of(first), refusals, image, image.arenas[b],
+        trace_block(in, pass, time, first, last_of(first), filter, image, image.arenas[b],
                     blocks[b]);
     });
     work.exchange([&](std::uint32_t b, StateArchive& archive) {

@@ -1,4 +1,4 @@
-// The eye pass: camera paths up to the first surface that takes photons.
+// The eye pass: eye paths up to the first surface that takes photons.
 #pragma once
 
 #include <cstdint>
@@ -7,18 +7,18 @@
 #include "aips/adapter/camera.h"
 #include "aips/adapter/settings.h"
 #include "aips/core/base/arena.h"
-#include "aips/core/photon_map/landing.h"
+#include "aips/core/photon_map/photon.h"
 #include "base/luminance_by_light.h"
+#include "emitter_images/emitter_images.h"
 #include "eye/direct_light.h"
 #include "eye/eye_shares.h"
 #include "eye/volume_beam.h"
-#include "lamps/lamp_images.h"
 #include "ranks/shared_work.h"
-#include "refusal/refusals.h"
+#include "sample_filter/invalid_sample_filter.h"
 
 namespace aips {
 
-/// A place in a search disc that was asked for.
+/// A place in a gather disc that was asked for.
 enum class DiscPlace : std::uint8_t { NotAsked, Surface, Gap };
 
 /// Where an eye path first met a surface that takes photons.
@@ -35,25 +35,25 @@ struct VisiblePoint {
     std::uint32_t material = 0;
     EyeScatterings scatterings;  ///< of the eye path before it
     /// Photons of more bounces do not count: Settings::max_bounces bounds the whole path.
-    std::uint16_t photon_bounces = kMostLandingBounces;
+    std::uint16_t photon_bounces = kMostPhotonBounces;
     /// Share of the light that both may carry which the eye path brings by going on, in [0, 1).
     float eye_share = 0;
-    DiscPlace place = DiscPlace::NotAsked;  ///< one in its search disc
+    DiscPlace place = DiscPlace::NotAsked;  ///< one in its gather disc
     /// Whether the path that goes on brings all of the light here, photons having lost it.
     bool fills = false;
     float eye_rays = 0;  ///< traced from there, to learn what that would bring too
-    /// Whether it went on, beyond a first ray, for no reason of this point alone: only such are
-    /// learned from.
+    /// Whether it went on, beyond BSDF-sampled direct light, for no reason of this point alone:
+    /// only such are learned from.
     bool continued = false;
     bool tells_lights = false;  ///< it is told which light's photons bring it what
-    SharedDirect direct;        ///< where a first ray left it
+    SharedDirect direct;        ///< where a BSDF-sampled ray left it
 
     /// Share of what a path that goes on brings that counts.
     float continued_share() const { return fills ? 1 : eye_share; }
 };
 
-/// Luminance of lamps behind smooth surfaces that an eye path met and left to lamp paths.
-struct LampRest {
+/// Luminance of emitters behind specular surfaces that an eye path met and left to emitter paths.
+struct EmitterRest {
     std::uint32_t sample = 0;  ///< index of the eye path in its pass
     float luminance = 0;       ///< over all light groups
 };
@@ -76,12 +76,12 @@ struct EyeImage {
     double footprint_sum = 0;       ///< of the pixel footprints' radii, as footprints.h sums them
     std::vector<float> footprints;  ///< those radii, in no order; one a visible point
     std::vector<LightSample> light_samples;  ///< of some shadow rays, if they are learned from
-    std::vector<LampRest> lamp_rests;        ///< one an eye path at most
+    std::vector<EmitterRest> emitter_rests;  ///< one an eye path at most
     std::uint64_t rays = 0;
     LuminanceByLight
         light;  ///< luminance that eye paths brought by themselves, if it is to be told
     std::uint64_t telling_paths = 0;  ///< whose visible points tell, those without one included
-    std::uint64_t cut_paths = 0;      ///< ended at a smooth surface by the depth limit
+    std::uint64_t cut_paths = 0;      ///< ended at a specular surface by the depth limit
 
     /// Mean radius of a pixel's footprint at the visible points, far ones bounded (footprints.h),
     /// scene units; 0 without points.
@@ -117,7 +117,7 @@ struct EyePassInput {
     std::uint32_t paths = 0;              ///< eye paths in this pass
     bool keep_visible_points = true;    ///< else they and the beams are left out, and Bsdfs dropped
     const EyeShares* shares = nullptr;  ///< null: no eye path goes on from its visible point
-    const LampImages* lamps = nullptr;  ///< null: eye paths alone meet lamps
+    const EmitterImages* emitters = nullptr;  ///< null: eye paths alone meet emitters
     LayersWanted layers = {};
     Ranks* ranks = nullptr;          ///< that share the eye paths; null: none do
     const DiscGaps* gaps = nullptr;  ///< null: none are known
@@ -130,7 +130,7 @@ inline LobeMask receiving_lobes(const Settings& settings) {
 
 /// Traces pass number `pass` at one time; `image` is refilled, its memory reused. The result does
 /// not depend on the number of threads, nor on that of ranks.
-void trace_eye_pass(const EyePassInput& input, std::uint64_t pass, float time, Refusals& refusals,
-                    EyeImage& image);
+void trace_eye_pass(const EyePassInput& input, std::uint64_t pass, float time,
+                    InvalidSampleFilter& filter, EyeImage& image);
 
 }  // namespace aips

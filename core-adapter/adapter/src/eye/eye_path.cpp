@@ -11,7 +11,7 @@
 #include "eye/surface_normals.h"
 #include "eye/two_ways.h"
 #include "eye/volume_light.h"
-#include "refusal/meet_surface.h"
+#include "sample_filter/meet_surface.h"
 #include "views/surface_view.h"
 
 namespace aips {
@@ -21,16 +21,17 @@ namespace {
 class EyePath {
   public:
     EyePath(const EyePassInput& input, const CameraRay& camera_ray, const EyeNumbers& numbers,
-            RandomStream& random, Refusals& refusals, Arena& arena, const EyePathOutput& output)
+            RandomStream& random, InvalidSampleFilter& filter, Arena& arena,
+            const EyePathOutput& output)
         : in_(input),
           camera_ray_(camera_ray),
           numbers_(numbers),
           random_(random),
-          refusals_(refusals),
+          filter_(filter),
           arena_(arena),
           output_(output),
           radiance_(output.radiance),
-          lamps_(output.lamps.empty() ? output.radiance : LightSums{output.lamps, {}}),
+          emitters_(output.emitters.empty() ? output.radiance : LightSums{output.emitters, {}}),
           seen_(output.surface) {
         tip_.ray = camera_ray.ray;
     }
@@ -41,9 +42,9 @@ class EyePath {
         return result_;
     }
 
-    /// Meets lamps through smooth surfaces alone; returns the rays traced.
-    std::uint32_t look_for_lamps() {
-        lamps_only_ = true;
+    /// Meets emitters through specular surfaces alone; returns the rays traced.
+    std::uint32_t look_for_emitters() {
+        emitters_only_ = true;
         follow(1);
         return result_.rays;
     }
@@ -51,13 +52,13 @@ class EyePath {
   private:
     /// From vertex number `depth` on.
     void follow(std::uint32_t depth) {
-        for (; may_meet(in_.settings, tip_, depth - smooth_); ++depth) {
+        for (; may_meet(in_.settings, tip_, depth - specular_); ++depth) {
             const auto mark = arena_.mark();
             SurfacePoint point;
             ++result_.rays;
-            const bool met = meet_surface(in_.scene, tip_.ray, point, arena_, refusals_,
-                                          lamps_only_ ? Sought::Smooth : Sought::All);
-            if (!lamps_only_) cross_medium(point.distance);
+            const bool met = meet_surface(in_.scene, tip_.ray, point, arena_, filter_,
+                                          emitters_only_ ? Sought::Specular : Sought::All);
+            if (!emitters_only_) cross_medium(point.distance);
             tip_.throughput *= point.transmittance;
             if (!met) {
                 add_escaped();
@@ -92,7 +93,7 @@ class EyePath {
                               .photon_bounces = photon_bounces(in_.settings, tip_)};
         if (in_.settings.direct_light_sampling)
             result_.rays += estimate_scattered_light(
-                in_.scene, in_.direct_light, beam, tip_.ray.time, random_, refusals_,
+                in_.scene, in_.direct_light, beam, tip_.ray.time, random_, filter_,
                 {radiance_.of(tip_.seen_by.scattered_in()), output_.light});
         if (in_.keep_visible_points) keep(beam);
     }
@@ -101,7 +102,7 @@ class EyePath {
     void keep(const VolumeBeam& beam) {
         const Rgb passed = transmittance(media_->extinction(beam.medium), beam.length);
         const float weight = luminance(beam.throughput * (kWhite - passed));
-        if (!(weight > 0) || !refusals_.accept(beam.throughput, kPassageOrigin)) return;
+        if (!(weight > 0) || !filter_.accept(beam.throughput, kPassageOrigin)) return;
         if (!beam_choice_.takes(weight, [&] { return random_.next(); })) return;
         result_.has_beam = true;
         result_.beam = beam;
@@ -110,25 +111,25 @@ class EyePath {
             camera_ray_.width + camera_ray_.spread * (travelled_ + 0.5f * beam.length);
     }
 
-    /// Of lamps that were met.
+    /// Of emitters that were met.
     void add(const Rgb& value, LightIndex light) {
-        if (lamps_only_ && !behind_smooth_) return;
-        const LightTarget sums = (behind_smooth_ ? lamps_ : radiance_).of(tip_.seen_by.met());
+        if (emitters_only_ && !behind_specular_) return;
+        const LightTarget sums = (behind_specular_ ? emitters_ : radiance_).of(tip_.seen_by.met());
         const std::uint32_t group = in_.scene.lights()[light]->group();
-        if (sums.add(group, value, refusals_.of_light(light), refusals_))
-            tell(behind_smooth_ ? lamp_light_ : output_.light, light, luminance(value));
+        if (sums.add(group, value, filter_.of_light(light), filter_))
+            tell(behind_specular_ ? emitter_light_ : output_.light, light, luminance(value));
     }
 
     void add_emitted(const SurfacePoint& point) {
         if (point.light == kNoLight || is_black(point.emitted)) return;
-        const float weight = lamp_share_ * emission_weight(in_, tip_, point.light, &point);
+        const float weight = emitter_share_ * emission_weight(in_, tip_, point.light, &point);
         add(tip_.throughput * point.emitted * weight, point.light);
     }
 
     void add_escaped() {
-        if (tip_.from_smooth && !in_.settings.include_environment) return;
-        for_each_escaped(in_, tip_, refusals_, [&](LightIndex light, const Rgb& seen) {
-            const float weight = lamp_share_ * emission_weight(in_, tip_, light, nullptr);
+        if (tip_.from_specular && !in_.settings.include_environment) return;
+        for_each_escaped(in_, tip_, filter_, [&](LightIndex light, const Rgb& seen) {
+            const float weight = emitter_share_ * emission_weight(in_, tip_, light, nullptr);
             add(tip_.throughput * seen * weight, light);
         });
     }
@@ -139,28 +140,28 @@ class EyePath {
         const VertexNumbers numbers = numbers_.vertex(depth);
         const Vec3 wo = -tip_.ray.direction;
         const LobeMask lobes = point.bsdf->lobes();
-        const std::uint32_t counted = depth - smooth_;
-        const bool passes_smooth = lobes == kSpecular && smooth_ < limit.smooth;
-        if (passes_smooth) ++smooth_;
+        const std::uint32_t counted = depth - specular_;
+        const bool passes_specular = lobes == kSpecular && specular_ < limit.specular;
+        if (passes_specular) ++specular_;
         if (is_spent(in_.settings, tip_))
-            return go_straight(in_, point, wo, numbers, refusals_, tip_);
-        const bool last = counted >= limit.surfaces && !passes_smooth;
+            return go_straight(in_, point, wo, numbers, filter_, tip_);
+        const bool last = counted >= limit.surfaces && !passes_specular;
         if (counted > limit.surfaces || (last && lobes == kSpecular)) {
-            const bool passes = pass_straight(in_, point, wo, numbers, refusals_, tip_);
+            const bool passes = pass_straight(in_, point, wo, numbers, filter_, tip_);
             result_.cut = !passes && lobes == kSpecular;
             return passes;
         }
         if (lobes == kSpecular) {
-            behind_smooth_ = true;
+            behind_specular_ = true;
             const Vec2 u = numbers.direction();
             const float u_lobe = choose_way(point, wo, numbers, depth);
-            return bounce(in_, point, wo, {kSpecular, 1, u, u_lobe}, refusals_, tip_);
+            return bounce(in_, point, wo, {kSpecular, 1, u, u_lobe}, filter_, tip_);
         }
-        if (lamps_only_) return false;
-        lamp_share_ = 1;
+        if (emitters_only_) return false;
+        emitter_share_ = 1;
         branches_ = kMostBranches;
-        lamps_ = radiance_;
-        lamp_light_ = output_.light;
+        emitters_ = radiance_;
+        emitter_light_ = output_.light;
         const LobeMask receiving = lobes & receiving_lobes(in_.settings);
         const LobeMask bouncing = lobes & ~receiving;
         LobeMask onward = bouncing;
@@ -169,7 +170,7 @@ class EyePath {
         const bool may = receiving && in_.shares && in_.keep_visible_points;
         EyeShare eye;
         if (may) eye = in_.shares->at(point.position, normal_towards(wo, point));
-        // The first ray from the visible point shares the lights with shadow rays.
+        // The BSDF-sampled ray from the visible point shares the lights with shadow rays.
         const DiscPlace place = may ? ask_disc(point, wo, receiving, eye) : DiscPlace::NotAsked;
         const bool fills =
             place == DiscPlace::Gap && in_.gaps->lost_share(output_.film) >= eye.fills_from;
@@ -197,12 +198,12 @@ class EyePath {
         }
         if (!onward) return false;
         tip_.throughput *= 1 / (1 - store_pdf);
-        if (last) return pass_straight(in_, point, wo, numbers, refusals_, tip_);
+        if (last) return pass_straight(in_, point, wo, numbers, filter_, tip_);
         const BounceDraw draw{bouncing, 1 - store_pdf, numbers.direction(), numbers.lobe()};
-        return bounce(in_, point, wo, draw, refusals_, tip_);
+        return bounce(in_, point, wo, draw, filter_, tip_);
     }
 
-    /// The number that decides between the ways that a smooth surface offers.
+    /// The number that decides between the ways that a specular surface offers.
     float choose_way(const SurfacePoint& point, Vec3 wo, const VertexNumbers& numbers,
                      std::uint32_t depth) {
         const float u_lobe = numbers.lobe();
@@ -210,28 +211,28 @@ class EyePath {
         if (!(first > 0 && first < 1)) return u_lobe;
         if (branches_ < kMostBranches && !media_) {
             look_the_other_way(point, wo, {first, u_lobe, numbers.direction()}, depth);
-        } else if (in_.lamps && choices_ < std::tuple_size_v<SmoothChoices>) {
+        } else if (in_.emitters && choices_ < std::tuple_size_v<SpecularChoices>) {
             return numbers_.choice(choices_++);
         }
         return u_lobe;
     }
 
-    /// Of the two ways that a smooth surface offers the path takes one. Lamps seen by smooth
+    /// Of the two ways that a specular surface offers the path takes one. Emitters seen by specular
     /// surfaces alone are looked for by the other way too, and count each way by its share: by
-    /// chance alone one path in 25 would meet the lamp that a glass reflects, with all its light.
-    /// Beside lamp paths both ways go on to look both ways: what is met is to depend on no number
-    /// but film position and choices.
+    /// chance alone one path in 25 would meet the emitter that a glass reflects, with all its
+    /// light. Beside emitter paths both ways go on to look both ways: what is met is to depend on
+    /// no number but film position and choices.
     void look_the_other_way(const SurfacePoint& point, Vec3 wo, const TwoWays& ways,
                             std::uint32_t depth) {
         ++branches_;
         EyePath other(*this);
-        other.lamps_only_ = true;
+        other.emitters_only_ = true;
         other.seen_ = {};
         other.result_ = {};
-        if (!in_.lamps) other.branches_ = kMostBranches;
-        other.lamp_share_ *= ways.other_share();
-        lamp_share_ *= ways.share();
-        if (bounce(in_, point, wo, {kSpecular, 1, ways.u, ways.other()}, refusals_, other.tip_))
+        if (!in_.emitters) other.branches_ = kMostBranches;
+        other.emitter_share_ *= ways.other_share();
+        emitter_share_ *= ways.share();
+        if (bounce(in_, point, wo, {kSpecular, 1, ways.u, ways.other()}, filter_, other.tip_))
             other.follow(depth + 1);
         result_.rays += other.result_.rays;
     }
@@ -239,7 +240,7 @@ class EyePath {
     DirectLightResult estimate_direct_light(const DirectLightQuery& query,
                                             const VertexNumbers& numbers) {
         const DirectLightResult direct = in_.direct_light.estimate(
-            query, numbers, refusals_, radiance_.of(tip_.seen_by.scattered_in()));
+            query, numbers, filter_, radiance_.of(tip_.seen_by.scattered_in()));
         result_.rays += direct.rays;
         tell(output_.light, direct.sample.light, direct.brought);
         if (in_.direct_light.learns() && result_.light_sample.pdf == 0)
@@ -247,15 +248,15 @@ class EyePath {
         return direct;
     }
 
-    /// The path goes on from its visible point, or its first ray alone does.
+    /// The path goes on from its visible point, or its BSDF-sampled ray alone does.
     void go_on_from(ContinuedStart start, const DirectLightResult& direct) {
         VisiblePoint& v = result_.visible_point;
         start.tip.throughput = v.throughput;
-        start.first_ray = !(v.eye_share > 0 || output_.explores || v.fills);
+        start.bsdf_direct = !(v.eye_share > 0 || output_.explores || v.fills);
         const bool asks = direct.sample.pdf > 0;
         if (asks) start.asked = direct.sample.light;
         const ContinuedResult went = trace_continued_path(
-            in_, start, numbers_, refusals_, arena_,
+            in_, start, numbers_, filter_, arena_,
             {radiance_, output_.continued, output_.light, v.continued_share()});
         v.continued = v.eye_share > 0 || output_.explores;
         v.eye_rays = float(went.rays);
@@ -264,7 +265,7 @@ class EyePath {
                     asks ? went.of_asked / direct.sample.pdf : 0, start.choice_pdf};
     }
 
-    /// A place in the search disc, where photons are known to lose light and it may be filled.
+    /// A place in the gather disc, where photons are known to lose light and it may be filled.
     DiscPlace ask_disc(const SurfacePoint& point, Vec3 wo, LobeMask receiving,
                        const EyeShare& eye) {
         if (!in_.gaps || !eye.may_fill() || in_.gaps->lost_share(output_.film) < 0)
@@ -280,30 +281,30 @@ class EyePath {
         v = visible_point(point, wo, receiving, tip_.throughput * (1 / store_pdf), tip_.seen_by);
         v.photon_bounces = photon_bounces(in_.settings, tip_);
         result_.footprint = camera_ray_.width + camera_ray_.spread * travelled_;
-        result_.has_visible_point = refusals_.accept(v.throughput, point.material) &&
-                                    refusals_.accept(v.kd, point.material);
+        result_.has_visible_point =
+            filter_.accept(v.throughput, point.material) && filter_.accept(v.kd, point.material);
     }
 
     const EyePassInput& in_;
     const CameraRay& camera_ray_;
     const EyeNumbers& numbers_;  // at surfaces
     RandomStream& random_;       // in media
-    Refusals& refusals_;
+    InvalidSampleFilter& filter_;
     Arena& arena_;
     const EyePathOutput& output_;
-    LightSums radiance_, lamps_;
-    LuminanceByLight* lamp_light_ = output_.lamp_light;  // null: not asked for
+    LightSums radiance_, emitters_;
+    LuminanceByLight* emitter_light_ = output_.emitter_light;  // null: not asked for
     SurfaceView seen_;
     const Media* media_ = in_.scene.media();  // null if no medium scatters
 
     PathTip tip_;
     float travelled_ = 0;
-    bool lamps_only_ = false;     // nothing else is collected
-    bool behind_smooth_ = false;  // some surface was smooth
-    float lamp_share_ = 1;        // of lamps met, as other ways from smooth surfaces tell too
-    std::uint32_t smooth_ = 0;    // surfaces met that do not count for the depth, being smooth
+    bool emitters_only_ = false;    // nothing else is collected
+    bool behind_specular_ = false;  // some surface was specular
+    float emitter_share_ = 1;     // of emitters met, as other ways from specular surfaces tell too
+    std::uint32_t specular_ = 0;  // surfaces met that do not count for the depth, being specular
     std::uint32_t branches_ = 0;  // vertices from which that was so
-    std::size_t choices_ = 0;     // used at smooth surfaces beyond these
+    std::size_t choices_ = 0;     // used at specular surfaces beyond these
     BeamChoice beam_choice_;
     EyePathResult result_;
 };
@@ -311,17 +312,19 @@ class EyePath {
 }  // namespace
 
 EyePathResult trace_eye_path(const EyePassInput& input, const CameraRay& camera_ray,
-                             const EyeNumbers& numbers, RandomStream& random, Refusals& refusals,
-                             Arena& arena, const EyePathOutput& output) {
-    return EyePath(input, camera_ray, numbers, random, refusals, arena, output).trace();
+                             const EyeNumbers& numbers, RandomStream& random,
+                             InvalidSampleFilter& filter, Arena& arena,
+                             const EyePathOutput& output) {
+    return EyePath(input, camera_ray, numbers, random, filter, arena, output).trace();
 }
 
-std::uint32_t trace_lamp_path(const EyePassInput& input, const CameraRay& camera_ray,
-                              const EyeNumbers& numbers, RandomStream& random, Refusals& refusals,
-                              Arena& arena, std::span<Rgb> lamps, LuminanceByLight* light) {
-    return EyePath(input, camera_ray, numbers, random, refusals, arena,
-                   {.lamps = lamps, .lamp_light = light})
-        .look_for_lamps();
+std::uint32_t trace_emitter_path(const EyePassInput& input, const CameraRay& camera_ray,
+                                 const EyeNumbers& numbers, RandomStream& random,
+                                 InvalidSampleFilter& filter, Arena& arena, std::span<Rgb> emitters,
+                                 LuminanceByLight* light) {
+    return EyePath(input, camera_ray, numbers, random, filter, arena,
+                   {.emitters = emitters, .emitter_light = light})
+        .look_for_emitters();
 }
 
 }  // namespace aips

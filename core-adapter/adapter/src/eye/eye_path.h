@@ -19,15 +19,16 @@ struct EyePathResult {
     float beam_footprint = 0;  ///< radius of the pixel's footprint at its middle
     LightSample light_sample;  ///< of the first shadow ray, if choices are learned; else pdf is 0
     std::uint32_t rays = 0;
-    bool cut = false;  ///< ended at a smooth surface by the depth limit
+    bool cut = false;  ///< ended at a specular surface by the depth limit
 };
 
 /// Where an eye path's light goes.
 struct EyePathOutput {
-    LightSums radiance = {};    ///< emission and direct light
-    std::span<Rgb> lamps = {};  ///< [light group]: lamps behind smooth surfaces; empty: in radiance
+    LightSums radiance = {};  ///< emission and direct light
+    /// [light group]: emitters behind specular surfaces; empty: in radiance.
+    std::span<Rgb> emitters = {};
     std::span<Rgb> continued = {};  ///< [light group]: EyeImage::continued; empty without shares
-    LuminanceByLight* lamp_light = nullptr;  ///< the same of `lamps`, or of all
+    LuminanceByLight* emitter_light = nullptr;  ///< the same of `emitters`, or of all
     /// Takes luminances by light, without shares; null: not asked for.
     LuminanceByLight* light = nullptr;
     Vec2 film = {};                  ///< where it comes from
@@ -39,15 +40,16 @@ struct EyePathOutput {
 /// finds to `output`. A Bsdf that the visible point needs
 /// stays in `arena`, everything else is taken back.
 EyePathResult trace_eye_path(const EyePassInput& input, const CameraRay& camera_ray,
-                             const EyeNumbers& numbers, RandomStream& random, Refusals& refusals,
-                             Arena& arena, const EyePathOutput& output);
+                             const EyeNumbers& numbers, RandomStream& random,
+                             InvalidSampleFilter& filter, Arena& arena,
+                             const EyePathOutput& output);
 
-/// Follows a camera ray through smooth surfaces alone and adds the lamps that they show to `lamps`,
-/// one entry a light group, and their luminances to `light` unless null. Returns the rays
-/// traced.
-std::uint32_t trace_lamp_path(const EyePassInput& input, const CameraRay& camera_ray,
-                              const EyeNumbers& numbers, RandomStream& random, Refusals& refusals,
-                              Arena& arena, std::span<Rgb> lamps,
-                              LuminanceByLight* light = nullptr);
+/// Follows a camera ray through specular surfaces alone and adds the emitters that they show to
+/// `emitters`, one entry a light group, and their luminances to `light` unless null. Returns the
+/// rays traced.
+std::uint32_t trace_emitter_path(const EyePassInput& input, const CameraRay& camera_ray,
+                                 const EyeNumbers& numbers, RandomStream& random,
+                                 InvalidSampleFilter& filter, Arena& arena, std::span<Rgb> emitters,
+                                 LuminanceByLight* light = nullptr);
 
 }  // namespace aips

@@ -15,9 +15,10 @@ struct EyeShares {
     explicit EyeShares(const Bounds& scene) : table(scene) {}
 
     /// Whether eye path `path` of pass `pass` goes on even where it has no share, to tell what it
-    /// would bring beside photons: in pilot passes as many as one pass has, together.
+    /// would bring beside photons: in warm-up passes as many as one pass has, together.
     bool explores(std::uint64_t pass, std::uint32_t path) const {
-        return shoots && is_one_of(pass < kPilotPasses ? kPilotPasses : kLateExplorers, pass, path);
+        return shoots &&
+               is_one_of(pass < kWarmUpPasses ? kWarmUpPasses : kLateExplorers, pass, path);
     }
     /// Whether it is one of so many eye paths of all passes, all of them in passes that shoot: one
     /// of fewer there. What is one of a multiple of `stride` is one of these too.
@@ -41,26 +42,28 @@ struct EyeShares {
     bool any = false;  ///< whether a ray leaves some place, or may
 };
 
-/// Direct light of a visible point that a first ray left: luminances. A shadow ray and the
-/// path's first ray share it, which is calmer than shadow rays alone.
+/// Direct light of a visible point that a BSDF-sampled ray left: luminances. A shadow ray and the
+/// path's BSDF-sampled ray share it, which is calmer than shadow rays alone.
 ///
 /// Let a shadow ray ask light l with probability p_l. G_l is what l brings, S_l the part that the
-/// shadow ray keeps, B_l = G_l - S_l that of the first ray. Over many passes the choice of l, which
-/// is stratified, comes evenly, and what is left is the variance for a given light. It falls by
+/// shadow ray keeps, B_l = G_l - S_l that of the BSDF-sampled ray. Over many passes the choice of
+/// l, which is stratified, comes evenly, and what is left is the variance for a given light. It
+/// falls by
 ///
 ///     E[X^2] - E[S^2] - E[B^2] - (sum over l of (G_l^2 - S_l^2) / p_l) + (sum of B_l)^2,
 ///
-/// X, S and B being samples: of the shadow ray alone, of what it keeps, and of the first ray. The
-/// first three terms are at least E[X (X - S)]. The others are products of expectations, and a
-/// shadow ray and a first ray from the same point are independent: B_l (G_l + S_l) / p_l is the
-/// mean of what the first ray brought of the light that was asked, times X + S, over p_l.
+/// X, S and B being samples: of the shadow ray alone, of what it keeps, and of the BSDF-sampled
+/// ray. The first three terms are at least E[X (X - S)]. The others are products of expectations,
+/// and a shadow ray and a BSDF-sampled ray from the same point are independent: B_l (G_l + S_l) /
+/// p_l is the mean of what the BSDF-sampled ray brought of the light that was asked, times X + S,
+/// over p_l.
 ///
 /// Whole variances, with the choice of lights in them, would hardly tell: under sun and sky nearly
 /// all of it is that choice, and sharing does not lessen it.
 struct SharedDirect {
     float alone = 0;   ///< of the shadow ray if it shared nothing (X)
     float shadow = 0;  ///< of the shadow ray (S)
-    float first = 0;   ///< of lights that the first ray met (B)
+    float first = 0;   ///< of lights that the BSDF-sampled ray met (B)
     /// Of the light among them that the shadow ray asked, over the probability of asking it.
     float asked_again = 0;
     float end_pdf = 1;  ///< probability that the path ended at the point: only then B is added

@@ -20,8 +20,8 @@ class RenewedEyePaths : public EyeSource {
   public:
     explicit RenewedEyePaths(const EyePassInput& input) : input_(input) {}
 
-    std::uint32_t look(std::uint64_t pass, Refusals& refusals, EyeImage& image) override {
-        trace_eye_pass(input_, pass, time(pass), refusals, image);
+    std::uint32_t look(std::uint64_t pass, InvalidSampleFilter& filter, EyeImage& image) override {
+        trace_eye_pass(input_, pass, time(pass), filter, image);
         return input_.paths;
     }
     const EyePassInput& input() const override { return input_; }
@@ -38,22 +38,23 @@ class FrozenEyePaths : public EyeSource {
   public:
     explicit FrozenEyePaths(const EyePassInput& input) : input_(input) {}
 
-    std::uint32_t look(std::uint64_t /*pass*/, Refusals& refusals, EyeImage& image) override {
+    std::uint32_t look(std::uint64_t /*pass*/, InvalidSampleFilter& filter,
+                       EyeImage& image) override {
         if (traced_) return 0;
-        trace(refusals, image);
+        trace(filter, image);
         return input_.paths;
     }
     const EyePassInput& input() const override { return input_; }
     float time(std::uint64_t /*pass*/) const override { return moment(input_, 0); }
     void restore(std::uint64_t passes, EyeImage& image) override {
         if (passes == 0) return;
-        Refusals counted_before(input_.scene);
+        InvalidSampleFilter counted_before(input_.scene);
         trace(counted_before, image);
     }
 
   private:
-    void trace(Refusals& refusals, EyeImage& image) {
-        trace_eye_pass(input_, 0, time(0), refusals, image);
+    void trace(InvalidSampleFilter& filter, EyeImage& image) {
+        trace_eye_pass(input_, 0, time(0), filter, image);
         traced_ = true;
     }
 

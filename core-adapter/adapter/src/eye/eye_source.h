@@ -14,7 +14,8 @@ class EyeSource {
     virtual ~EyeSource() = default;
     /// Makes `image` that of pass number `pass`; passes come in order. Returns the eye paths traced
     /// for it: 0 if they are those of an earlier pass.
-    virtual std::uint32_t look(std::uint64_t pass, Refusals& refusals, EyeImage& image) = 0;
+    virtual std::uint32_t look(std::uint64_t pass, InvalidSampleFilter& filter,
+                               EyeImage& image) = 0;
     /// What its eye paths are traced with.
     virtual const EyePassInput& input() const = 0;
     /// One moment of the shutter interval, for all rays of the pass.

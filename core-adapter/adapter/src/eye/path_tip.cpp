@@ -6,19 +6,19 @@
 namespace aips {
 
 bool bounce(const EyePassInput& in, const SurfacePoint& point, Vec3 wo, const BounceDraw& draw,
-            Refusals& refusals, PathTip& tip) {
+            InvalidSampleFilter& filter, PathTip& tip) {
     BsdfSample sample;
     if (!point.bsdf->sample(wo, draw.u, draw.u_lobe, Transport::Radiance, draw.mask, sample))
         return false;
     tip.throughput *= sample.weight;
-    if (!refusals.accept(tip.throughput, point.material) || is_black(tip.throughput)) return false;
-    if (!refusals.accept_density(sample.pdf, point.material) ||
-        !refusals.accept_direction(sample.wi, point.material)) {
+    if (!filter.accept(tip.throughput, point.material) || is_black(tip.throughput)) return false;
+    if (!filter.accept_density(sample.pdf, point.material) ||
+        !filter.accept_direction(sample.wi, point.material)) {
         return false;
     }
     if (!sample.straight) {
-        tip.from_smooth = sample.lobe == kSpecular;
-        tip.counts_in_full = tip.from_smooth || !in.settings.direct_light_sampling;
+        tip.from_specular = sample.lobe == kSpecular;
+        tip.counts_in_full = tip.from_specular || !in.settings.direct_light_sampling;
         tip.bounce_pdf = draw.choice_pdf * sample.pdf;
         if (!tip.counts_in_full) {
             tip.last_vertex = point;
@@ -32,16 +32,16 @@ bool bounce(const EyePassInput& in, const SurfacePoint& point, Vec3 wo, const Bo
 }
 
 bool pass_straight(const EyePassInput& in, const SurfacePoint& point, Vec3 wo,
-                   const VertexNumbers& numbers, Refusals& refusals, PathTip& tip) {
-    return !tip.counts_in_full && go_straight(in, point, wo, numbers, refusals, tip);
+                   const VertexNumbers& numbers, InvalidSampleFilter& filter, PathTip& tip) {
+    return !tip.counts_in_full && go_straight(in, point, wo, numbers, filter, tip);
 }
 
 bool go_straight(const EyePassInput& in, const SurfacePoint& point, Vec3 wo,
-                 const VertexNumbers& numbers, Refusals& refusals, PathTip& tip) {
+                 const VertexNumbers& numbers, InvalidSampleFilter& filter, PathTip& tip) {
     if (!(point.bsdf->lobes() & kSpecular)) return false;
     const std::uint32_t scatterings = tip.scatterings;
     const BounceDraw draw{kSpecular, 1, numbers.direction(), numbers.lobe()};
-    return bounce(in, point, wo, draw, refusals, tip) && tip.scatterings == scatterings;
+    return bounce(in, point, wo, draw, filter, tip) && tip.scatterings == scatterings;
 }
 
 VisiblePoint visible_point(const SurfacePoint& point, Vec3 wo, LobeMask receiving,

@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "aips/core/base/image_part.h"
-#include "aips/core/photon_map/landing.h"
+#include "aips/core/photon_map/photon.h"
 #include "eye/constants.h"
 #include "eye/eye_pass.h"
 
@@ -13,7 +13,7 @@ namespace aips {
 struct PathTip {
     Ray ray;
     Rgb throughput = kWhite;
-    bool from_smooth = true;        ///< it leaves the camera or a specular lobe
+    bool from_specular = true;      ///< it leaves the camera or a specular lobe
     bool counts_in_full = true;     ///< likewise, or no shadow rays are sent: lights count in full
     float bounce_pdf = 0;           ///< of the last scattering that was not straight
     SurfacePoint last_vertex;       ///< where that was; kept only if it was not specular
@@ -32,7 +32,7 @@ struct BounceDraw {
 
 /// Sends the path on from `point`, where it arrived from `wo`; false if it ends there.
 bool bounce(const EyePassInput& input, const SurfacePoint& point, Vec3 wo, const BounceDraw& draw,
-            Refusals& refusals, PathTip& tip);
+            InvalidSampleFilter& filter, PathTip& tip);
 
 /// Surfaces that a ray passes straight, at most, to bring what a shadow ray has left to it: as many
 /// as shadow rays of the host pass.
@@ -48,7 +48,7 @@ inline bool may_meet(const Settings& settings, const PathTip& tip, std::uint32_t
 /// At the last surface that counts, or beyond: the way straight on, for a ray that owes light to
 /// the shadow ray of its last surface; false if it ends there.
 bool pass_straight(const EyePassInput& input, const SurfacePoint& point, Vec3 wo,
-                   const VertexNumbers& numbers, Refusals& refusals, PathTip& tip);
+                   const VertexNumbers& numbers, InvalidSampleFilter& filter, PathTip& tip);
 
 /// Whether the path has had all its bounces: then it may go straight on, no more.
 inline bool is_spent(const Settings& settings, const PathTip& tip) {
@@ -57,7 +57,7 @@ inline bool is_spent(const Settings& settings, const PathTip& tip) {
 
 /// The way straight on for a path that is spent; false if it ends there.
 bool go_straight(const EyePassInput& input, const SurfacePoint& point, Vec3 wo,
-                 const VertexNumbers& numbers, Refusals& refusals, PathTip& tip);
+                 const VertexNumbers& numbers, InvalidSampleFilter& filter, PathTip& tip);
 
 /// Where a path ends: lobes `receiving` of `point` take photons, seen from `wo`. The rest of it is
 /// the eye path's to fill in.
@@ -67,7 +67,7 @@ VisiblePoint visible_point(const SurfacePoint& point, Vec3 wo, LobeMask receivin
 /// Most bounces of photons that may join the path where it is, by one scattering more.
 inline std::uint16_t photon_bounces(const Settings& settings, const PathTip& tip) {
     if (is_spent(settings, tip)) return 0;
-    return std::uint16_t(std::min(settings.max_bounces - tip.scatterings - 1, kMostLandingBounces));
+    return std::uint16_t(std::min(settings.max_bounces - tip.scatterings - 1, kMostPhotonBounces));
 }
 
 /// Share of the light met by the path's ray, at `at` or at infinity, that shadow rays from the last
@@ -78,12 +78,12 @@ float emission_weight(const EyePassInput& input, const PathTip& tip, LightIndex 
 
 /// Calls `add(light, radiance)` for each light at infinity that the path's ray sees.
 template <class Add>
-void for_each_escaped(const EyePassInput& input, const PathTip& tip, Refusals& refusals,
+void for_each_escaped(const EyePassInput& input, const PathTip& tip, InvalidSampleFilter& filter,
                       const Add& add) {
     const auto lights = input.scene.lights();
     for (const LightIndex i : input.direct_light.at_infinity()) {
         const Rgb seen = lights[i]->escaped(tip.ray.direction);
-        if (is_black(seen) || !refusals.accept(seen, refusals.of_light(i))) continue;
+        if (is_black(seen) || !filter.accept(seen, filter.of_light(i))) continue;
         add(i, seen);
     }
 }

@@ -14,7 +14,7 @@ Vec3 normal_towards(Vec3 wo, const Point& point) {
     return dot(wo, point.geometric_normal) > 0 ? point.geometric_normal : -point.geometric_normal;
 }
 
-/// Ratio of the cosine that a Bsdf wants (shading normal) to the one that the density of landings
+/// Ratio of the cosine that a Bsdf wants (shading normal) to the one that the density of photons
 /// has (geometric normal), of a photon that comes from `wi` to a SurfacePoint or VisiblePoint;
 /// 0 where the light comes along the surface.
 ///

@@ -1,4 +1,4 @@
-// The two ways that a smooth surface offers.
+// The two ways that a specular surface offers.
 #pragma once
 
 #include <algorithm>

@@ -5,7 +5,7 @@
 
 #include "aips/adapter/media.h"
 #include "aips/core/base/image_part.h"
-#include "aips/core/photon_map/landing.h"
+#include "aips/core/photon_map/photon.h"
 
 namespace aips {
 
@@ -16,9 +16,9 @@ struct VolumeBeam {
     float length = 0;
     const void* medium = nullptr;
     Rgb throughput;  ///< of the eye path at the origin, divided by its choices' probabilities
-    std::uint32_t sample = 0;                            ///< index of the eye path in its pass
-    EyeScatterings scatterings;                          ///< of the eye path before it
-    std::uint16_t photon_bounces = kMostLandingBounces;  ///< as VisiblePoint::photon_bounces
+    std::uint32_t sample = 0;                           ///< index of the eye path in its pass
+    EyeScatterings scatterings;                         ///< of the eye path before it
+    std::uint16_t photon_bounces = kMostPhotonBounces;  ///< as VisiblePoint::photon_bounces
 
     Vec3 at(float distance) const { return origin + direction * distance; }
 };

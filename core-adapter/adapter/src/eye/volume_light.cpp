@@ -76,7 +76,7 @@ Distance sample_distance(const VolumeBeam& beam, const SegmentExponential& by_tr
 
 unsigned estimate_scattered_light(const Scene& scene, const DirectLight& lights,
                                   const VolumeBeam& beam, float time, RandomStream& random,
-                                  Refusals& refusals, const ScatteredLightOutput& output) {
+                                  InvalidSampleFilter& filter, const ScatteredLightOutput& output) {
     if (lights.choice().empty() || !(beam.length > 0)) return 0;
     const Media& media = *scene.media();
     const Rgb extinction = media.extinction(beam.medium);
@@ -89,7 +89,7 @@ unsigned estimate_scattered_light(const Scene& scene, const DirectLight& lights,
     const Vec3 position = beam.at(distance.t);
     DirectSample sample;
     if (!light.sample_direct(point_in_medium(position), random.next2(), sample) ||
-        !refusals.accept_sample(sample, static_cast<LightIndex>(chosen.index)) || sample.pdf == 0 ||
+        !filter.accept_sample(sample, static_cast<LightIndex>(chosen.index)) || sample.pdf == 0 ||
         is_black(sample.radiance)) {
         return 0;
     }
@@ -97,9 +97,9 @@ unsigned estimate_scattered_light(const Scene& scene, const DirectLight& lights,
                           media.phase(beam.medium, dot(beam.direction, sample.wi));
     const Rgb unoccluded =
         scattered * sample.radiance * (1 / (distance.pdf * sample.pdf * chosen.pdf));
-    if (!refusals.accept(unoccluded, kPassageOrigin) || is_black(unoccluded)) return 0;
+    if (!filter.accept(unoccluded, kPassageOrigin) || is_black(unoccluded)) return 0;
     const Rgb passed = media.visibility(beam.medium, position, sample, time);
-    if (output.radiance.add(light.group(), unoccluded * passed, kPassageOrigin, refusals))
+    if (output.radiance.add(light.group(), unoccluded * passed, kPassageOrigin, filter))
         tell(output.light, LightIndex(chosen.index), luminance(unoccluded * passed));
     return 1;
 }

@@ -21,6 +21,6 @@ struct ScatteredLightOutput {
 /// 3), weighed by the balance heuristic. Returns shadow rays traced.
 unsigned estimate_scattered_light(const Scene& scene, const DirectLight& lights,
                                   const VolumeBeam& beam, float time, RandomStream& random,
-                                  Refusals& refusals, const ScatteredLightOutput& output);
+                                  InvalidSampleFilter& filter, const ScatteredLightOutput& output);
 
 }  // namespace aips

@@ -15,8 +15,8 @@ DebugLayers::DebugLayers(Film& film, const Guide* guide) : film_(film) {
     if (guide) node_layers_.emplace(film, *guide);
 }
 
-void DebugLayers::add_pass(const EyeImage& image, const PhotonFlux& flux, const SearchRadii& radii,
-                           const FilmPass& pass, const BounceTally* bounces) {
+void DebugLayers::add_pass(const EyeImage& image, const PhotonFlux& flux, const GatherRadii& radii,
+                           const FilmPass& pass, const BounceStatistics* bounces) {
     find_pixels(image.positions);
     add_photon_part(pass);
     add_photon_density(image, flux, radii, pass.photon_weight);
@@ -42,7 +42,7 @@ void DebugLayers::add_photon_part(const FilmPass& pass) {
 }
 
 void DebugLayers::add_photon_density(const EyeImage& image, const PhotonFlux& flux,
-                                     const SearchRadii& radii, double weight) {
+                                     const GatherRadii& radii, double weight) {
     for (const std::uint32_t pixel : pixel_of_path_)
         densities_[pixel].weight += weight;
     for (std::size_t i = 0; i < image.visible_points.size() && radii.largest > 0; ++i) {
@@ -80,7 +80,7 @@ std::size_t DebugLayers::memory_bound_bytes(std::size_t pixels, std::size_t eye_
     const std::size_t paths = eye_paths * (sizeof(std::uint32_t) + sizeof(Rgb));
     const std::size_t layers = pixels * (sizeof(WeightedSum) + sizeof(float));
     const std::size_t guide =
-        NodeLayers::memory_bound_bytes(pixels) + BounceTally::memory_bound_bytes(nodes);
+        NodeLayers::memory_bound_bytes(pixels) + BounceStatistics::memory_bound_bytes(nodes);
     return paths + layers + (nodes ? guide : TableLayers::memory_bound_bytes(pixels));
 }
 

@@ -22,8 +22,8 @@ class DebugLayers {
 
     /// Adds a pass that the film has. `flux` counts photons per visible point, found within `radii`
     /// (0: no photons were shot); `bounces` is not null with a guide.
-    void add_pass(const EyeImage& image, const PhotonFlux& flux, const SearchRadii& radii,
-                  const FilmPass& pass, const BounceTally* bounces);
+    void add_pass(const EyeImage& image, const PhotonFlux& flux, const GatherRadii& radii,
+                  const FilmPass& pass, const BounceStatistics* bounces);
 
     /// After add_pass(), with the tables of directions that guide=adaptive has in use.
     void add_tables(const EyeImage& image, const BounceTables& tables);
@@ -33,7 +33,7 @@ class DebugLayers {
     void state(StateArchive& archive);
 
     std::size_t memory_bytes() const;
-    /// Bound of memory_bytes() and of the bounce tally. `nodes`: most nodes of the guide, 0
+    /// Bound of memory_bytes() and of the bounce statistics. `nodes`: most nodes of the guide, 0
     /// without.
     static std::size_t memory_bound_bytes(std::size_t pixels, std::size_t eye_paths,
                                           std::uint32_t nodes);
@@ -41,7 +41,7 @@ class DebugLayers {
   private:
     void find_pixels(std::span<const Vec2> positions);
     void add_photon_part(const FilmPass& pass);
-    void add_photon_density(const EyeImage& image, const PhotonFlux& flux, const SearchRadii& radii,
+    void add_photon_density(const EyeImage& image, const PhotonFlux& flux, const GatherRadii& radii,
                             double weight);
 
     /// Of photon densities seen in a pixel, over all passes.

@@ -53,7 +53,7 @@ void NodeLayers::set_layer(std::string_view name, const Value& value) {
 }
 
 void NodeLayers::show(const EyeImage& image, std::span<const std::uint32_t> pixel_of_path,
-                      const BounceTally& bounces) {
+                      const BounceStatistics& bounces) {
     find_nodes(image, pixel_of_path);
     set_layer("nodeerror", [&](std::uint32_t node) { return guide_.node(node).error; });
     set_layer("nodeweight", [&](std::uint32_t node) { return guide_.node(node).weight; });

@@ -10,7 +10,7 @@
 #include "aips/adapter/camera.h"
 #include "aips/adapter/guide.h"
 #include "eye/eye_pass.h"
-#include "photons/bounce_tally.h"
+#include "photons/bounce_statistics.h"
 
 namespace aips {
 
@@ -31,7 +31,7 @@ class NodeLayers {
 
     /// Replaces the layers after a pass; `pixel_of_path` is the pixel of each of its eye paths.
     void show(const EyeImage& image, std::span<const std::uint32_t> pixel_of_path,
-              const BounceTally& bounces);
+              const BounceStatistics& bounces);
 
     /// Saves the pixels' latest visible points, or restores them.
     void state(StateArchive& archive);

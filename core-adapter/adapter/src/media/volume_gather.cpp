@@ -74,8 +74,8 @@ void VolumeGather::sort() {
         photons_[slot] = waiting_[cells_.order()[slot]];
 }
 
-std::uint64_t VolumeGather::gather_beam(const VolumeBeam& beam, Refusals& refusals, BeamSums& sums,
-                                        float& squares) const {
+std::uint64_t VolumeGather::gather_beam(const VolumeBeam& beam, InvalidSampleFilter& filter,
+                                        BeamSums& sums, float& squares) const {
     const Media& media = *scene_.media();
     const Rgb extinction = media.extinction(beam.medium);
     const float width = 2 * radius_;
@@ -94,7 +94,7 @@ std::uint64_t VolumeGather::gather_beam(const VolumeBeam& beam, Refusals& refusa
             const Rgb value = photon.power * transmittance(extinction, t) *
                               media.phase(beam.medium, dot(photon.direction, beam.direction)) *
                               piece.weight;
-            if (!refusals.accept(value, kPassageOrigin)) return;
+            if (!filter.accept(value, kPassageOrigin)) return;
             sums.by_group.add(photon.light_group, value);
             if (!inner_flux_.empty() && off_square <= radius_ * radius_ / 2)
                 sums.inner.add(0, value);
@@ -143,7 +143,7 @@ std::uint64_t VolumeGather::gather_beam(const VolumeBeam& beam, Refusals& refusa
     return gathered;
 }
 
-void VolumeGather::gather(const EyeImage& image, Refusals& refusals) {
+void VolumeGather::gather(const EyeImage& image, InvalidSampleFilter& filter) {
     if (waiting_.empty() || image.beams.empty()) return waiting_.clear();
     sort();
     std::atomic<std::uint64_t> gathered{0};
@@ -152,7 +152,7 @@ void VolumeGather::gather(const EyeImage& image, Refusals& refusals) {
                           std::uint64_t total = 0;
                           BeamSums sums(image.groups);
                           for (std::size_t i = range.begin(); i < range.end(); ++i) {
-                              total += gather_beam(image.beams[i], refusals, sums, squares_[i]);
+                              total += gather_beam(image.beams[i], filter, sums, squares_[i]);
                               sums.by_group.move_to(&flux_[i * image.groups]);
                               if (!part_flux_.empty())
                                   sums.parts.move_to(&part_flux_[i * kPhotonParts]);
@@ -184,8 +184,9 @@ Rgb VolumeGather::radiance_of(const VolumeBeam& beam, const Rgb& sum, double sca
     return beam.throughput * scene_.media()->scattering(beam.medium) * density;
 }
 
-void VolumeGather::add_to(const EyeImage& image, std::uint64_t photon_paths, Refusals& refusals,
-                          std::vector<Rgb>& radiance, std::span<float> variances) const {
+void VolumeGather::add_to(const EyeImage& image, std::uint64_t photon_paths,
+                          InvalidSampleFilter& filter, std::vector<Rgb>& radiance,
+                          std::span<float> variances) const {
     if (image.beams.empty()) return;
     const double scale = per_disc_and_path(photon_paths);
     for (std::size_t i = 0; i < image.beams.size(); ++i) {
@@ -194,7 +195,7 @@ void VolumeGather::add_to(const EyeImage& image, std::uint64_t photon_paths, Ref
         for (std::uint32_t g = 0; g < image.groups; ++g) {
             const Rgb value = radiance_of(beam, flux_[i * image.groups + g], scale);
             Rgb& sum_of_path = radiance[std::size_t(beam.sample) * image.groups + g];
-            if (refusals.add(sum_of_path, value, kPassageOrigin)) added += double(luminance(value));
+            if (filter.add(sum_of_path, value, kPassageOrigin)) added += double(luminance(value));
         }
         if (variances.empty()) continue;
         const double brought = double(luminance_over_groups(flux_, i, image.groups));

@@ -15,7 +15,7 @@
 #include "estimate/pass_photons.h"
 #include "estimate/pixel_estimate.h"
 #include "eye/eye_pass.h"
-#include "refusal/refusals.h"
+#include "sample_filter/invalid_sample_filter.h"
 
 namespace aips {
 
@@ -26,8 +26,8 @@ struct VolumePhoton {
     Rgb power;       ///< watts * transmittance / density of the collision, before it is scattered
     const void* medium = nullptr;
     std::uint32_t light_group = 0;
-    ImagePart part = ImagePart::Direct;  ///< as Landing::part
-    std::uint32_t bounces = 0;           ///< before it, as Landing::bounces
+    ImagePart part = ImagePart::Direct;  ///< as Photon::part
+    std::uint32_t bounces = 0;           ///< before it, as Photon::bounces
 };
 
 /// What is to be known of the flux beside its sum by light group.
@@ -49,12 +49,12 @@ class VolumeGather {
     /// Of all that wait from number `first` on.
     void scale_power(std::size_t first, float factor);
     /// Adds what waits to the beams' flux. Every beam sums its photons in a fixed order.
-    void gather(const EyeImage& image, Refusals& refusals);
+    void gather(const EyeImage& image, InvalidSampleFilter& filter);
     void scale_flux(float factor);
     /// Adds sum(flux) / (pi r^2 N) of each beam to what photons bring to its eye path, N being the
     /// photon paths of the pass, and the variance of its luminance to the path's in `variances`
     /// (one for each eye path, or empty: not asked for).
-    void add_to(const EyeImage& image, std::uint64_t photon_paths, Refusals& refusals,
+    void add_to(const EyeImage& image, std::uint64_t photon_paths, InvalidSampleFilter& filter,
                 std::vector<Rgb>& radiance, std::span<float> variances) const;
 
     /// Of that, direct light and caustics: [beam * kPhotonParts + ImagePart]; empty if not wanted.
@@ -78,7 +78,7 @@ class VolumeGather {
   private:
     struct BeamSums;
     void sort();
-    std::uint64_t gather_beam(const VolumeBeam& beam, Refusals& refusals, BeamSums& sums,
+    std::uint64_t gather_beam(const VolumeBeam& beam, InvalidSampleFilter& filter, BeamSums& sums,
                               float& squares) const;
     /// One over the area within the radius and the photon paths of the pass.
     double per_disc_and_path(std::uint64_t photon_paths) const;

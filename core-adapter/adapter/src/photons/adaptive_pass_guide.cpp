@@ -23,7 +23,7 @@ class AdaptivePassGuide : public PassGuide {
         input.emission = guide_.emission();
         input.survival = guide_.survival();
         input.score_mix = guide_.score_mix();
-        input.split_landings = split_landings(settings_);
+        input.split_limit = split_limit(settings_);
         input.log_one_of = guide_.log_one_of();
         input.guide = guide_.bounces();
         input.unguided_roulette = input.guide != nullptr;
@@ -37,7 +37,7 @@ class AdaptivePassGuide : public PassGuide {
     bool has_studies() const override { return !last_log_.paths.empty(); }
     void study() override { guide_.study(last_log_); }
     std::uint64_t learn(std::uint32_t paths, const OccupancyGrid& /*near*/,
-                        LandingStore& /*waiting*/) override {
+                        PhotonStore& /*waiting*/) override {
         if (guide_.learns_at_once()) {
             guide_.study(log_);
         } else {

@@ -6,7 +6,7 @@
 
 namespace aips {
 
-/// Photon paths of a round of chains, and of a first look. Unit: photon paths.
+/// Photon paths of a round of chains, and of a pilot pass. Unit: photon paths.
 /// Balances: work for all threads against memory, and against chains without a path for long.
 /// Chosen by: reasoning: none on record.
 /// Supported by: no measurement.
@@ -88,7 +88,7 @@ inline constexpr std::uint64_t kMutationLearningSteps = 1024;
 
 /// Most surfaces, of those that a photon passes straight next to its light, that do not count for
 /// its depth: shadow rays pass them without counting. Unit: surfaces.
-/// Balances: light through many panes at the end of short paths against memory for landings.
+/// Balances: light through many panes at the end of short paths against memory for photons.
 /// Chosen by: reasoning: four panes of two surfaces each.
 /// Supported by: no measurement.
 inline constexpr std::uint32_t kMostFreeSurfaces = 8;

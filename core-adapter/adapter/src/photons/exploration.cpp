@@ -89,14 +89,14 @@ class Explorer {
           settings_(settings),
           light_choice_(light_choice),
           image_(image),
-          refusals_(scene),
+          filter_(scene),
           guide_(scene.lights().size(), light_choice, guide_settings()),
           chains_(kJobs),
           input_{scene, settings, light_choice} {
         input_.pass = kFirstRound;
         std::vector<Vec3> positions;
         positions_of(image.visible_points, positions);
-        const float reach = PhotonChains::reach(SearchRadii(radius));
+        const float reach = PhotonChains::reach(GatherRadii(radius));
         occupancy_.build(positions, reach, tbb_for);
         // The false hits of hashed occupancy would outnumber the visible paths of a wide scene.
         reach_.build(positions, reach, tbb_for);
@@ -138,7 +138,7 @@ class Explorer {
     /// Memory of a thread, used again from path to path.
     struct Scratch {
         Arena arena;
-        std::vector<Landing> landings;
+        std::vector<Photon> photons;
         PhotonCounts counts;
     };
 
@@ -146,11 +146,11 @@ class Explorer {
     bool trace(PrimaryPath& path, std::uint64_t number, double& cost) {
         Scratch& scratch = scratch_.local();
         const std::uint64_t rays = scratch.counts.rays;
-        scratch.landings.clear();
-        trace_photon_path(input_, path, std::uint32_t(number), refusals_, scratch.arena,
-                          scratch.landings, scratch.counts);
+        scratch.photons.clear();
+        trace_photon_path(input_, path, std::uint32_t(number), filter_, scratch.arena,
+                          scratch.photons, scratch.counts);
         cost = double(scratch.counts.rays - rays);
-        return !scratch.landings.empty();
+        return !scratch.photons.empty();
     }
 
     /// Path number `number` of the round, the same whenever it is drawn.
@@ -304,7 +304,7 @@ class Explorer {
     const Settings& settings_;
     const DiscreteDistribution& light_choice_;
     const EyeImage& image_;
-    Refusals refusals_;  // of paths that bring nothing: told to nobody
+    InvalidSampleFilter filter_;  // of paths that bring nothing: told to nobody
     EmissionGuide guide_;
     SeedSearch seeds_;
     OccupancyGrid occupancy_;

@@ -15,7 +15,7 @@ namespace aips {
 
 /// Whether it may be.
 inline bool may_explore(const Settings& s) {
-    return s.guide == GuideKind::Adaptive && s.guide_scout && s.guide_chains;
+    return s.guide == GuideKind::Adaptive && s.pilot_pass && s.guide_chains;
 }
 
 /// Where visible paths start.

@@ -1,8 +1,8 @@
-// guide=paper in a photon pass: it learns from landings that no visible point is near to as well.
+// guide=paper in a photon pass: it learns from photons that no visible point is near to as well.
 #include <optional>
 
+#include "contribution/iteration_scores.h"
 #include "photons/pass_guide.h"
-#include "worth/iteration_scores.h"
 
 namespace aips {
 namespace {
@@ -32,17 +32,17 @@ class PaperPassGuide : public PassGuide {
                                   std::uint32_t /*unguided*/) const override {
         return guide_.iteration_paths(iteration);
     }
-    LandingStore& landings(LandingStore& /*waiting*/) override { return landings_; }
+    PhotonStore& photons(PhotonStore& /*waiting*/) override { return photons_; }
     std::uint64_t learn(std::uint32_t /*paths*/, const OccupancyGrid& near,
-                        LandingStore& waiting) override {
-        const std::span<const Landing> landings = landings_.landings();
-        guide_.update(landings, scores_ ? scores_->of(landings) : std::span<const double>());
+                        PhotonStore& waiting) override {
+        const std::span<const Photon> photons = photons_.photons();
+        guide_.update(photons, scores_ ? scores_->of(photons) : std::span<const double>());
         if (bounces_) bounces_->follow_splits();
-        for (const Landing& landing : landings) {
-            if (!landing.owned_by_shadow_rays && near.near_visible_point(landing.position))
-                waiting.append({&landing, 1});
+        for (const Photon& photon : photons) {
+            if (!photon.owned_by_shadow_rays && near.near_visible_point(photon.position))
+                waiting.append({&photon, 1});
         }
-        landings_.clear();
+        photons_.clear();
         return 0;
     }
     void state(StateArchive& archive) override { guide_.state(archive); }
@@ -51,16 +51,16 @@ class PaperPassGuide : public PassGuide {
         s.guide_bytes = guide_.statistics().memory_bytes;
     }
     std::size_t memory_bytes() const override {
-        return guide_.statistics().memory_bytes + landings_.memory_bytes() +
+        return guide_.statistics().memory_bytes + photons_.memory_bytes() +
                (bounces_ ? bounces_->memory_bytes() : 0) + (scores_ ? scores_->memory_bytes() : 0);
     }
-    const BounceTally* bounces() const override { return bounces_ ? &*bounces_ : nullptr; }
+    const BounceStatistics* bounces() const override { return bounces_ ? &*bounces_ : nullptr; }
 
   private:
     Guide& guide_;
-    LandingStore landings_;                  // of one iteration
-    std::optional<IterationScores> scores_;  // if the guide learns from them
-    std::optional<BounceTally> bounces_;     // for debug layers
+    PhotonStore photons_;                      // of one iteration
+    std::optional<IterationScores> scores_;    // if the guide learns from them
+    std::optional<BounceStatistics> bounces_;  // for debug layers
 };
 
 }  // namespace

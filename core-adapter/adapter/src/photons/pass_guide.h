@@ -7,9 +7,9 @@
 
 #include "aips/adapter/engine.h"
 #include "aips/core/base/learned_parts.h"
-#include "estimate/search_radii.h"
+#include "contribution/pixel_importance.h"
+#include "estimate/gather_radii.h"
 #include "photons/photon_iteration.h"
-#include "worth/pixel_importance.h"
 
 namespace aips {
 
@@ -22,7 +22,7 @@ struct GuidedPass {
     float time = 0;
     const EyeImage& image;
     std::span<const Vec3> positions;  ///< of the visible points
-    const SearchRadii& radii;
+    const GatherRadii& radii;
 };
 
 /// Without a guide: photons go by the lights' power and the materials.
@@ -43,8 +43,8 @@ class PassGuide {
                                           std::uint32_t unguided) const {
         return unguided;
     }
-    /// Where the landings of an iteration go; `waiting` are those to be gathered.
-    virtual LandingStore& landings(LandingStore& waiting) { return waiting; }
+    /// Where the photons of an iteration go; `waiting` are those to be gathered.
+    virtual PhotonStore& photons(PhotonStore& waiting) { return waiting; }
     /// Where the iteration's paths are recorded; null: nowhere.
     virtual PathLog* log() { return nullptr; }
     /// Whether study() has something to learn from.
@@ -54,11 +54,11 @@ class PassGuide {
     virtual void study() {}
     /// After an iteration of `paths` photon paths, before what they carried is weighted: what was
     /// studied while it was traced decides from here on, and what it recorded is studied next. A
-    /// guide that doesn't study learns from it here; those of its own landings that are near
-    /// visible points go on to `waiting`. Returns how many paths, vertices and landings it learned
+    /// guide that doesn't study learns from it here; those of its own photons that are near
+    /// visible points go on to `waiting`. Returns how many paths, vertices and photons it learned
     /// from, if that costs time of its own.
     virtual std::uint64_t learn(std::uint32_t /*paths*/, const OccupancyGrid& /*near*/,
-                                LandingStore& /*waiting*/) {
+                                PhotonStore& /*waiting*/) {
         return 0;
     }
     /// After the last iteration of a pass, when that has been studied: nothing is left to learn.
@@ -73,8 +73,8 @@ class PassGuide {
     virtual void add_to(EngineStatistics& /*statistics*/) const {}
     virtual std::size_t memory_bytes() const { return 0; }
     /// Bounces of the last pass by the guide's node, for debug layers; may be null.
-    virtual const BounceTally* bounces() const { return nullptr; }
-    /// For the log, which tells what of it rests; null for others.
+    virtual const BounceStatistics* bounces() const { return nullptr; }
+    /// For the log, which tells what of it is disabled; null for others.
     virtual const AdaptiveGuide* adaptive() const { return nullptr; }
 };
 

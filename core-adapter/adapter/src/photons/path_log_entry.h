@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "photons/photon.h"
+#include "photons/photon_state.h"
 #include "photons/scatter_photon.h"
 
 namespace aips {
@@ -13,10 +13,10 @@ namespace aips {
 class LogEntry {
   public:
     LogEntry(PathLog* log, bool vertices, const EmissionStart& start,
-             const std::vector<Landing>& landings, const PhotonCounts& counts)
+             const std::vector<Photon>& photons, const PhotonCounts& counts)
         : log_(log),
           vertices_(log && vertices),
-          landings_(landings),
+          photons_(photons),
           counts_(counts),
           rays_before_(counts.rays) {
         if (!log_) return;
@@ -25,21 +25,21 @@ class LogEntry {
         record.start = start.point;
         record.pdf = start.pdf;
         record.first_vertex = static_cast<std::uint32_t>(log_->vertices.size());
-        record.first_landing = static_cast<std::uint32_t>(landings.size());
+        record.first_photon = static_cast<std::uint32_t>(photons.size());
         log_->paths.push_back(record);
     }
     ~LogEntry() {
         if (!log_) return;
         PathRecord& record = log_->paths.back();
         record.vertices = static_cast<std::uint32_t>(log_->vertices.size()) - record.first_vertex;
-        record.landings = static_cast<std::uint32_t>(landings_.size()) - record.first_landing;
+        record.photons = static_cast<std::uint32_t>(photons_.size()) - record.first_photon;
         record.rays = rays();
     }
     LogEntry(const LogEntry&) = delete;
     LogEntry& operator=(const LogEntry&) = delete;
 
     bool has_vertices() const { return vertices_; }
-    void add_vertex(const SurfacePoint& point, const Photon& photon,
+    void add_vertex(const SurfacePoint& point, const PhotonState& photon,
                     const Survival& survived) const {
         if (!vertices_) return;
         PathVertex vertex;
@@ -71,7 +71,7 @@ class LogEntry {
 
     PathLog* log_;
     bool vertices_;
-    const std::vector<Landing>& landings_;
+    const std::vector<Photon>& photons_;
     const PhotonCounts& counts_;
     std::uint64_t rays_before_;
 };

@@ -11,18 +11,18 @@ namespace aips {
 namespace {
 
 struct alignas(kCacheLine) Round {
-    std::vector<Landing> landings;
+    std::vector<Photon> stored;
     PhotonCounts photons;
     ChainCounts chain;
 };
 
 }  // namespace
 
-void record_state(std::span<const Landing> state, std::uint32_t repeats,
-                  std::vector<Landing>& landings) {
-    for (Landing landing : state) {
-        landing.power = landing.power * float(repeats);
-        landings.push_back(landing);
+void record_state(std::span<const Photon> state, std::uint32_t repeats,
+                  std::vector<Photon>& photons) {
+    for (Photon photon : state) {
+        photon.power = photon.power * float(repeats);
+        photons.push_back(photon);
     }
 }
 
@@ -44,8 +44,8 @@ std::uint32_t PhotonChains::round_paths() const {
     return chains() * std::uint32_t(std::clamp<std::uint64_t>(traced / 4, 2, most));
 }
 
-PhotonCounts PhotonChains::trace(const PhotonInput& input, std::uint32_t count, Refusals& refusals,
-                                 LandingStore& store) {
+PhotonCounts PhotonChains::trace(const PhotonInput& input, std::uint32_t count,
+                                 InvalidSampleFilter& filter, PhotonStore& store) {
     std::vector<Round> rounds(chains());
     tbb::enumerable_thread_specific<Arena> arenas;
     PhotonInput exact = input;
@@ -57,14 +57,14 @@ PhotonCounts PhotonChains::trace(const PhotonInput& input, std::uint32_t count, 
         chains_[c].run(
             {input.settings.seed, input.pass, c, chains()}, chain_share(c, chains(), count),
             exponent,
-            [&](PrimaryPath& path, std::vector<Landing>& state, std::uint64_t number) {
+            [&](PrimaryPath& path, std::vector<Photon>& state, std::uint64_t number) {
                 state.clear();
-                trace_photon_path(exact, path, std::uint32_t(number), refusals, arena, state,
+                trace_photon_path(exact, path, std::uint32_t(number), filter, arena, state,
                                   round.photons);
                 return !state.empty();
             },
-            [&](const std::vector<Landing>& state, std::uint32_t repeats) {
-                record_state(state, repeats, round.landings);
+            [&](const std::vector<Photon>& state, std::uint32_t repeats) {
+                record_state(state, repeats, round.stored);
             },
             round.chain);
     });
@@ -72,13 +72,13 @@ PhotonCounts PhotonChains::trace(const PhotonInput& input, std::uint32_t count, 
     ChainCounts counts;
     std::vector<std::size_t> first{0};
     for (const Round& round : rounds) {
-        first.push_back(first.back() + round.landings.size());
+        first.push_back(first.back() + round.stored.size());
         photons += round.photons;
         counts += round.chain;
     }
-    const std::span<Landing> joined = store.grow(first.back());
+    const std::span<Photon> joined = store.grow(first.back());
     tbb::parallel_for(0u, chains(), [&](std::uint32_t c) {
-        std::ranges::copy(rounds[c].landings, joined.subspan(first[c]).begin());
+        std::ranges::copy(rounds[c].stored, joined.subspan(first[c]).begin());
     });
     pass_ += counts;
     not_learned_ += counts;
@@ -125,16 +125,16 @@ std::size_t PhotonChains::memory_bytes() const {
     std::size_t bytes = reach_.memory_bytes();
     for (const Chain& chain : chains_) {
         bytes += sizeof(Chain) + chain.coordinate_bytes() +
-                 (chain.current().capacity() + chain.proposed().capacity()) * sizeof(Landing);
+                 (chain.current().capacity() + chain.proposed().capacity()) * sizeof(Photon);
     }
     return bytes;
 }
 
 std::size_t PhotonChains::memory_bound_bytes(const Settings& settings, std::uint32_t eye_paths) {
     const std::size_t state = max_coordinates(most_surfaces(settings)) * sizeof(Coordinate) +
-                              most_landing_surfaces(settings) * sizeof(Landing);
+                              most_photons_per_path(settings) * sizeof(Photon);
     // A current and a proposed state; what lasts from the last round is recorded in this one too.
-    const std::size_t carried = 2 * sizeof(Landing) * most_landing_surfaces(settings);
+    const std::size_t carried = 2 * sizeof(Photon) * most_photons_per_path(settings);
     return PointGrid::memory_bound_bytes(eye_paths) +
            kMostChains * (sizeof(Chain) + kVectorGrowth * (2 * state + carried));
 }

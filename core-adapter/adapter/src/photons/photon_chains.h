@@ -5,7 +5,7 @@
 #include <bit>
 
 #include "aips/core/chains/visibility_chain.h"
-#include "estimate/search_radii.h"
+#include "estimate/gather_radii.h"
 #include "photons/constants.h"
 #include "photons/photon_iteration.h"
 
@@ -28,17 +28,17 @@ constexpr std::uint32_t chain_share(std::uint32_t c, std::uint32_t chains, std::
 }
 
 /// A chain's state that lasted several steps lands once, with the power of all of them.
-void record_state(std::span<const Landing> state, std::uint32_t repeats,
-                  std::vector<Landing>& landings);
+void record_state(std::span<const Photon> state, std::uint32_t repeats,
+                  std::vector<Photon>& photons);
 
 /// Chains that walk among the photon paths which reach visible points. Their number follows from
-/// that of the pass's paths, each is sequential, and their landings are joined in order: the result
+/// that of the pass's paths, each is sequential, and their photons are joined in order: the result
 /// does not depend on the number of threads. See docs/understand/chains.md for what is exact about
 /// them.
 class PhotonChains {
   public:
     /// How far from a visible point (scene units) photons count as visible.
-    static float reach(const SearchRadii& radii) {
+    static float reach(const GatherRadii& radii) {
         return std::max(kChainReach * radii.mean, radii.reach());
     }
     /// Where paths have to land to be visible, from the next pass until it is told anew.
@@ -53,12 +53,12 @@ class PhotonChains {
     std::uint32_t round_paths() const;
 
     /// Traces exactly `count` photon paths, independent and mutated ones together, and appends the
-    /// landings of the recorded states. A path is visible when it leaves a landing within reach of
+    /// photons of the recorded states. A path is visible when it leaves a photon within reach of
     /// a visible point; `input.occupancy` must be there and `input.guide` must not.
-    PhotonCounts trace(const PhotonInput& input, std::uint32_t count, Refusals& refusals,
-                       LandingStore& store);
+    PhotonCounts trace(const PhotonInput& input, std::uint32_t count, InvalidSampleFilter& filter,
+                       PhotonStore& store);
 
-    /// Ends the pass. Returns what this pass's landings, summed, must be multiplied with to stand
+    /// Ends the pass. Returns what this pass's photons, summed, must be multiplied with to stand
     /// for as many independent photon paths as the pass has: visible / measured * paths / recorded.
     /// 0 when no measured path was visible: then the pass says that they found nothing.
     double end_pass();
@@ -74,7 +74,7 @@ class PhotonChains {
     static std::size_t memory_bound_bytes(const Settings& settings, std::uint32_t eye_paths);
 
   private:
-    using Chain = VisibilityChain<std::vector<Landing>>;
+    using Chain = VisibilityChain<std::vector<Photon>>;
 
     /// From the mutations since it last learned; nothing before each chain had one.
     void learn_mutation_size();

@@ -22,17 +22,17 @@ bool logged(const PhotonInput& input, std::uint64_t serial) {
 }  // namespace
 
 PhotonCounts PhotonTracer::trace(const PhotonInput& input, std::uint64_t paths_before_pass,
-                                 std::uint32_t first, std::uint32_t count, Refusals& refusals,
-                                 LandingStore& store, PathLog* log,
+                                 std::uint32_t first, std::uint32_t count,
+                                 InvalidSampleFilter& filter, PhotonStore& store, PathLog* log,
                                  std::vector<VolumePhoton>* collisions) {
     // Nothing is added to `first` and `count` beyond their sum, which may be 2^32 - 1.
     const std::uint32_t block_count = count / kPathsPerBlock + (count % kPathsPerBlock ? 1 : 0);
     if (blocks_.size() < block_count) blocks_.resize(block_count);
-    SharedWork work(input.ranks, block_count, &refusals);
+    SharedWork work(input.ranks, block_count, &filter);
     tbb::parallel_for(work.first(), work.last(), [&](std::uint32_t b) {
         Arena& arena = arenas_.local();
         Block& block = blocks_[b];
-        block.landings.clear();
+        block.photons.clear();
         block.collisions.clear();
         block.log.clear();
         block.counts.clear();
@@ -41,7 +41,7 @@ PhotonCounts PhotonTracer::trace(const PhotonInput& input, std::uint64_t paths_b
         SequencePath numbers(input.settings.seed, input.pass, input.sequence_begin);
         for (std::uint32_t i = begin; i < end; ++i) {
             numbers.move_to(paths_before_pass + i, i);
-            trace_photon_path(input, numbers, i, refusals, arena, block.landings, block.counts,
+            trace_photon_path(input, numbers, i, filter, arena, block.photons, block.counts,
                               logged(input, paths_before_pass + i) ? &block.log : nullptr,
                               collisions ? &block.collisions : nullptr);
         }
@@ -50,7 +50,7 @@ PhotonCounts PhotonTracer::trace(const PhotonInput& input, std::uint64_t paths_b
     const std::span blocks = std::span(blocks_).first(block_count);
     PhotonCounts counts = join(blocks, store);
     const auto block_of_paths = [&](std::size_t b) {
-        return BlockOfPaths{blocks[b].log, blocks[b].landings};
+        return BlockOfPaths{blocks[b].log, blocks[b].photons};
     };
     if (log) append_logs(blocks.size(), block_of_paths, *log);
     for (const Block& block : blocks) {
@@ -61,47 +61,47 @@ PhotonCounts PhotonTracer::trace(const PhotonInput& input, std::uint64_t paths_b
     return counts;
 }
 
-std::span<Landing> LandingStore::grow(std::size_t landings) {
-    const std::size_t first = landings_.size(), count = first + landings;
-    if (landings_.capacity() < count) {
-        UnwrittenVector<Landing> wider;
-        wider.reserve(std::max(count, 2 * landings_.capacity()));
+std::span<Photon> PhotonStore::grow(std::size_t photons) {
+    const std::size_t first = photons_.size(), count = first + photons;
+    if (photons_.capacity() < count) {
+        UnwrittenVector<Photon> wider;
+        wider.reserve(std::max(count, 2 * photons_.capacity()));
         wider.resize(first);
         in_chunks(first, kItemsPerJob, tbb_for, [&](std::size_t begin, std::size_t end) {
-            std::copy_n(landings_.begin() + std::ptrdiff_t(begin), end - begin,
+            std::copy_n(photons_.begin() + std::ptrdiff_t(begin), end - begin,
                         wider.begin() + std::ptrdiff_t(begin));
         });
-        landings_.swap(wider);
+        photons_.swap(wider);
     }
-    landings_.resize(count);
-    return std::span(landings_).subspan(first, landings);
+    photons_.resize(count);
+    return std::span(photons_).subspan(first, photons);
 }
 
-void LandingStore::scale_power(std::size_t first, float factor) {
-    const std::span<Landing> scaled = std::span(landings_).subspan(first);
+void PhotonStore::scale_power(std::size_t first, float factor) {
+    const std::span<Photon> scaled = std::span(photons_).subspan(first);
     in_chunks(scaled.size(), kItemsPerJob, tbb_for, [&](std::size_t begin, std::size_t end) {
-        for (Landing& landing : scaled.subspan(begin, end - begin))
-            landing.power *= factor;
+        for (Photon& photon : scaled.subspan(begin, end - begin))
+            photon.power *= factor;
     });
 }
 
 /// Paths in media are traced by each rank itself: their marks of media are its own.
 void PhotonTracer::Block::state(StateArchive& archive) {
-    state_of(archive, landings, log.paths, log.vertices, counts);
+    state_of(archive, photons, log.paths, log.vertices, counts);
 }
 
 /// Counts are integers, whose sums do not depend on the order.
-PhotonCounts PhotonTracer::join(std::span<Block> blocks, LandingStore& store) const {
+PhotonCounts PhotonTracer::join(std::span<Block> blocks, PhotonStore& store) const {
     std::size_t count = 0;
     for (Block& block : blocks) {
         block.first = count;
-        count += block.landings.size();
+        count += block.photons.size();
     }
-    const std::span<Landing> joined = store.grow(count);
+    const std::span<Photon> joined = store.grow(count);
     std::vector<PhotonCounts> counts((blocks.size() + kBlocksPerJob - 1) / kBlocksPerJob);
     in_chunks(blocks.size(), kBlocksPerJob, tbb_for, [&](std::size_t begin, std::size_t end) {
         for (const Block& block : blocks.subspan(begin, end - begin)) {
-            std::ranges::copy(block.landings, joined.subspan(block.first).begin());
+            std::ranges::copy(block.photons, joined.subspan(block.first).begin());
             counts[begin / kBlocksPerJob] += block.counts;
         }
     });
@@ -114,7 +114,7 @@ PhotonCounts PhotonTracer::join(std::span<Block> blocks, LandingStore& store) co
 std::size_t PhotonTracer::memory_bytes() const {
     std::size_t bytes = blocks_.capacity() * sizeof(Block);
     for (const Block& block : blocks_)
-        bytes += block.landings.capacity() * sizeof(Landing) + block.log.memory_bytes() +
+        bytes += block.photons.capacity() * sizeof(Photon) + block.log.memory_bytes() +
                  block.collisions.capacity() * sizeof(VolumePhoton);
     return bytes;
 }

@@ -4,11 +4,11 @@
 #include "base/parallel_for.h"
 #include "base/side_by_side.h"
 #include "base/stopwatch.h"
+#include "contribution/pass_noise.h"
 #include "estimate/constants.h"
 #include "estimate/photon_energy.h"
 #include "estimate/pixel_estimate.h"
 #include "radii/curvature_probes.h"
-#include "worth/pass_noise.h"
 
 namespace aips {
 
@@ -24,7 +24,7 @@ PhotonPass::PhotonPass(const Scene& scene, const Settings& settings,
 }
 
 void PhotonPass::begin_pass(std::uint64_t pass, const PassPhotons& photons, float time,
-                            const EyeImage& image, const SearchRadii& radii, VolumeWants wants) {
+                            const EyeImage& image, const GatherRadii& radii, VolumeWants wants) {
     const float reach = source_->reach(radii);
     const bool reach_lasts = freezes_eye_pass(settings_.mode) && reach_ == reach;
     if (guide_->wants_points() || !reach_lasts) {
@@ -46,7 +46,7 @@ void PhotonPass::mark_reach(float radius) {
 }
 
 void PhotonPass::shoot(std::uint64_t pass, const PassPhotons& photons, float time,
-                       const EyeImage& image, const SearchRadii& radii, Refusals& refusals,
+                       const EyeImage& image, const GatherRadii& radii, InvalidSampleFilter& filter,
                        PhotonFlux& flux, PhotonOcclusion* occlusion) {
     flux.reset(image.visible_points.size(), image.groups, radii.probes.size());
     begin_pass(pass, photons, time, image, radii, {flux.wants_parts, flux.wants_bias});
@@ -57,13 +57,13 @@ void PhotonPass::shoot(std::uint64_t pass, const PassPhotons& photons, float tim
         const IterationPaths paths{photons, first, std::min(most, photons.paths - first)};
         PhotonInput input = input_of(pass, time, iteration);
         input.ranks = image.owners.ranks;
-        run_iteration(input, paths, refusals);
-        if (waiting_.landings().size() > kWaitingPhotons)
-            gather(image, radii, refusals, flux, occlusion);
-        if (volume_ && volume_->full()) gather_in_media(image, refusals);
+        run_iteration(input, paths, filter);
+        if (waiting_.photons().size() > kWaitingPhotons)
+            gather(image, radii, filter, flux, occlusion);
+        if (volume_ && volume_->full()) gather_in_media(image, filter);
         first += paths.count;
     }
-    end_iterations(image, radii, refusals, flux, occlusion);
+    end_iterations(image, radii, filter, flux, occlusion);
     const double factor = source_->end_pass();
     if (factor != 1) flux.scale(factor);
     flux_factor_ = factor * scale_to_counted(photons, flux);
@@ -71,9 +71,9 @@ void PhotonPass::shoot(std::uint64_t pass, const PassPhotons& photons, float tim
     totals_.counts.rays += flux.counts.rays;
 }
 
-void PhotonPass::account(const PassPhotons& photons, std::uint32_t passes, const EyeImage& image,
-                         double brightened) {
-    if (!settings_.account || image.telling_paths == 0) return;
+void PhotonPass::count_transport(const PassPhotons& photons, std::uint32_t passes,
+                                 const EyeImage& image, double brightened) {
+    if (!settings_.transport_statistics || image.telling_paths == 0) return;
     const double paths = double(photons.paths) * double(image.telling_paths);
     const double weight = photons.weight * passes;
     totals_.light.add(pass_light_, weight * flux_factor_ * brightened / paths);
@@ -90,17 +90,17 @@ PhotonInput PhotonPass::input_of(std::uint64_t pass, float time, std::uint64_t i
 }
 
 void PhotonPass::run_iteration(PhotonInput& input, const IterationPaths& paths,
-                               Refusals& refusals) {
+                               InvalidSampleFilter& filter) {
     const PassPhotons& photons = paths.photons;
-    const std::size_t landings = waiting_.landings().size();
+    const std::size_t stored = waiting_.photons().size();
     const std::size_t collisions = volume_ ? volume_->waiting().size() : 0;
     input.sequence_begin = sequence_begin(photons, paths.first, input.emission != nullptr);
     if (input.emission) unguided_from_ = photons.before + paths.first + paths.count;
     study_beside(input.ranks, [&] {
         const Stopwatch watch(totals_.photon_seconds);
-        const PathTraces traces{guide_->landings(waiting_), guide_->log(),
+        const PathTraces traces{guide_->photons(waiting_), guide_->log(),
                                 volume_ ? &volume_->waiting() : nullptr};
-        totals_.counts += source_->trace(input, paths, refusals, traces);
+        totals_.counts += source_->trace(input, paths, filter, traces);
     });
     {
         const Stopwatch watch(totals_.guide_seconds);
@@ -110,7 +110,7 @@ void PhotonPass::run_iteration(PhotonInput& input, const IterationPaths& paths,
     const auto weight =
         static_cast<float>(guide_->weight(photons.known + photons.before + paths.first));
     if (weight < 1) {
-        waiting_.scale_power(landings, weight);
+        waiting_.scale_power(stored, weight);
         if (volume_) volume_->scale_power(collisions, weight);
     }
 }
@@ -129,11 +129,12 @@ void PhotonPass::study_beside(Ranks* ranks, const Work& work) {
     work();
 }
 
-void PhotonPass::end_iterations(const EyeImage& image, const SearchRadii& radii, Refusals& refusals,
-                                PhotonFlux& flux, PhotonOcclusion* occlusion) {
+void PhotonPass::end_iterations(const EyeImage& image, const GatherRadii& radii,
+                                InvalidSampleFilter& filter, PhotonFlux& flux,
+                                PhotonOcclusion* occlusion) {
     study_beside(image.owners.ranks, [&] {
-        gather_in_media(image, refusals);
-        gather(image, radii, refusals, flux, occlusion);
+        gather_in_media(image, filter);
+        gather(image, radii, filter, flux, occlusion);
     });
     const Stopwatch watch(totals_.guide_seconds);
     totals_.learned += guide_->end_pass();
@@ -147,53 +148,53 @@ double PhotonPass::scale_to_counted(const PassPhotons& photons, PhotonFlux& flux
     return factor;
 }
 
-void PhotonPass::gather(const EyeImage& image, const SearchRadii& radii, Refusals& refusals,
-                        PhotonFlux& flux, PhotonOcclusion* occlusion) {
+void PhotonPass::gather(const EyeImage& image, const GatherRadii& radii,
+                        InvalidSampleFilter& filter, PhotonFlux& flux, PhotonOcclusion* occlusion) {
     const Stopwatch watch(totals_.gather_seconds);
-    grid_.build(waiting_.landings(), radii.largest, tbb_for, image.visible_points.size());
+    grid_.build(waiting_.photons(), radii.largest, tbb_for, image.visible_points.size());
     const GatherCounts before = flux.counts;
-    SharedWork work = work_on_points(image.owners, &refusals);
-    gather_photons(image, grid_, radii, refusals, flux, occlusion);
+    SharedWork work = work_on_points(image.owners, &filter);
+    gather_photons(image, grid_, radii, filter, flux, occlusion);
     exchange_flux(image, before, work, flux, occlusion);
-    if (settings_.account)
-        add_photon_energy(image, grid_, waiting_.landings(), radii, occlusion, pass_light_);
+    if (settings_.transport_statistics)
+        add_photon_energy(image, grid_, waiting_.photons(), radii, occlusion, pass_light_);
     if (!radii.probes.empty()) {
         // A grid of their own: one for radii so much wider would slow the gather.
-        grid_.build(waiting_.landings(), radii.probe_radius, tbb_for);
+        grid_.build(waiting_.photons(), radii.probe_radius, tbb_for);
         gather_probes(image, grid_, radii, occlusion, flux.probes);
     }
     waiting_.clear();
 }
 
-void PhotonPass::gather_in_media(const EyeImage& image, Refusals& refusals) {
+void PhotonPass::gather_in_media(const EyeImage& image, InvalidSampleFilter& filter) {
     if (!volume_) return;
     const Stopwatch watch(totals_.gather_seconds);
     const std::uint64_t before = volume_->gathered();
-    volume_->gather(image, refusals);
+    volume_->gather(image, filter);
     totals_.gathered += volume_->gathered() - before;
 }
 
-void PhotonPass::estimate(const EyeImage& image, const PhotonFlux& flux, const SearchRadii& radii,
-                          std::uint64_t photon_paths, Refusals& refusals,
+void PhotonPass::estimate(const EyeImage& image, const PhotonFlux& flux, const GatherRadii& radii,
+                          std::uint64_t photon_paths, InvalidSampleFilter& filter,
                           std::vector<Rgb>& radiance, std::vector<float>* variances) const {
-    estimate_pixels(image, flux, radii, photon_paths, refusals, radiance);
+    estimate_pixels(image, flux, radii, photon_paths, filter, radiance);
     // Of surfaces alone, as their flux is: what media bring is added to both.
     if (variances) photon_variances(image, radiance, flux, *variances);
     if (volume_) {
-        volume_->add_to(image, photon_paths, refusals, radiance,
+        volume_->add_to(image, photon_paths, filter, radiance,
                         variances ? std::span<float>(*variances) : std::span<float>());
     }
 }
 
 void PhotonPass::estimate_discs(const EyeImage& image, const PhotonFlux& flux,
-                                const SearchRadii& radii, std::uint64_t photon_paths,
+                                const GatherRadii& radii, std::uint64_t photon_paths,
                                 DiscEstimates& discs) const {
     aips::estimate_discs(image, flux, radii, photon_paths, discs);
     if (volume_ && photon_paths > 0) volume_->add_discs(image, photon_paths, discs);
 }
 
 void PhotonPass::estimate_parts(const EyeImage& image, const PhotonFlux& flux,
-                                const SearchRadii& radii, std::uint64_t photon_paths,
+                                const GatherRadii& radii, std::uint64_t photon_paths,
                                 std::span<const Rgb> radiance, std::vector<Rgb>& parts) const {
     const std::vector<Rgb> of_media =
         volume_ ? volume_->parts(image, photon_paths) : std::vector<Rgb>();
@@ -225,7 +226,7 @@ void PhotonPass::state_of_seconds(StateArchive& archive) {
 void PhotonPass::add_to(EngineStatistics& s) const {
     s.photon_paths += totals_.counts.paths;
     s.photon_rays += totals_.counts.rays;
-    s.landings += totals_.counts.landings;
+    s.photons += totals_.counts.photons;
     s.split_off += totals_.counts.split_off;
     s.bounces += totals_.counts.bounces;
     s.guided_bounces += totals_.counts.guided_bounces;
@@ -236,10 +237,10 @@ void PhotonPass::add_to(EngineStatistics& s) const {
     s.guide_seconds += totals_.guide_seconds;
     source_->add_to(s);
     guide_->add_to(s);
-    totals_.counts.tally.add_to(s.account);
+    totals_.counts.statistics.add_to(s.transport);
     const auto& light = totals_.light.sums();
     for (std::size_t i = 0; i < light.size(); ++i)
-        tally_at(s.account.lights, i).photons += light[i] / totals_.weights;
+        sum_at(s.transport.lights, i).photons += light[i] / totals_.weights;
 }
 
 std::size_t PhotonPass::memory_bytes() const {

@@ -1,5 +1,5 @@
 // The photon pass: iterations of photon paths, guide updates between them, gathers when the
-// landings fill their store.
+// photons fill their store.
 #pragma once
 
 #include <memory>
@@ -21,7 +21,7 @@ struct PhotonPassTotals {
     std::uint64_t gathered = 0;
     LuminanceByLight light;     ///< luminance that photons brought, by light: summed over passes
     double weights = 0;         ///< of these passes
-    std::uint64_t learned = 0;  ///< paths, vertices and landings that guide=adaptive learned from
+    std::uint64_t learned = 0;  ///< paths, vertices and photons that guide=adaptive learned from
     double photon_seconds = 0, gather_seconds = 0, guide_seconds = 0;
 };
 
@@ -42,27 +42,27 @@ class PhotonPass {
     /// the eye pass the visible points must be the same in each pass. `occlusion` as for
     /// gather_photons().
     void shoot(std::uint64_t pass, const PassPhotons& photons, float time, const EyeImage& image,
-               const SearchRadii& radii, Refusals& refusals, PhotonFlux& flux,
+               const GatherRadii& radii, InvalidSampleFilter& filter, PhotonFlux& flux,
                PhotonOcclusion* occlusion = nullptr);
 
     /// What the photons of the pass brought to the image by light, if the settings ask for it;
     /// they were shot for so many `passes`. `brightened`: by what factor its flux as a whole was
     /// corrected after shoot().
-    void account(const PassPhotons& photons, std::uint32_t passes, const EyeImage& image,
-                 double brightened);
+    void count_transport(const PassPhotons& photons, std::uint32_t passes, const EyeImage& image,
+                         double brightened);
 
     /// Fills `radiance` with what the photons of the pass brought to each eye path, by light group,
     /// on surfaces (`flux`) and in media, and `variances`, unless null, with those of its
     /// luminance.
-    void estimate(const EyeImage& image, const PhotonFlux& flux, const SearchRadii& radii,
-                  std::uint64_t photon_paths, Refusals& refusals, std::vector<Rgb>& radiance,
-                  std::vector<float>* variances) const;
-    /// Fills `discs` with what whole search discs and their inner halves brought, on surfaces and
+    void estimate(const EyeImage& image, const PhotonFlux& flux, const GatherRadii& radii,
+                  std::uint64_t photon_paths, InvalidSampleFilter& filter,
+                  std::vector<Rgb>& radiance, std::vector<float>* variances) const;
+    /// Fills `discs` with what whole gather discs and their inner halves brought, on surfaces and
     /// in media.
-    void estimate_discs(const EyeImage& image, const PhotonFlux& flux, const SearchRadii& radii,
+    void estimate_discs(const EyeImage& image, const PhotonFlux& flux, const GatherRadii& radii,
                         std::uint64_t photon_paths, DiscEstimates& discs) const;
     /// Fills `parts` with the parts of `radiance`, to which continued eye paths may have added.
-    void estimate_parts(const EyeImage& image, const PhotonFlux& flux, const SearchRadii& radii,
+    void estimate_parts(const EyeImage& image, const PhotonFlux& flux, const GatherRadii& radii,
                         std::uint64_t photon_paths, std::span<const Rgb> radiance,
                         std::vector<Rgb>& parts) const;
 
@@ -80,25 +80,26 @@ class PhotonPass {
 
   private:
     void begin_pass(std::uint64_t pass, const PassPhotons& photons, float time,
-                    const EyeImage& image, const SearchRadii& radii, VolumeWants wants);
+                    const EyeImage& image, const GatherRadii& radii, VolumeWants wants);
     PhotonInput input_of(std::uint64_t pass, float time, std::uint64_t iteration);
     /// Where the sequence begins that the emissions of an iteration belong to.
     std::uint64_t sequence_begin(const PassPhotons& photons, std::uint32_t first,
                                  bool guided) const {
-        // A guide follows what the iteration before brought, and it rests or not by that too.
+        // A guide follows what the iteration before brought, and it is disabled or not by that too.
         return guided ? photons.before + first : std::max(photons.chosen_at, unguided_from_);
     }
     void mark_reach(float radius);
     /// Traces an iteration while the guide learns from the one before, and weights what it carried.
-    void run_iteration(PhotonInput& input, const IterationPaths& paths, Refusals& refusals);
+    void run_iteration(PhotonInput& input, const IterationPaths& paths,
+                       InvalidSampleFilter& filter);
     /// Beside the guide's studies, of which there may be none.
     template <class Work>
     void study_beside(Ranks* ranks, const Work& work);
     /// The last gather, beside the guide's studies of the last iteration.
-    void end_iterations(const EyeImage& image, const SearchRadii& radii, Refusals& refusals,
-                        PhotonFlux& flux, PhotonOcclusion* occlusion);
-    void gather_in_media(const EyeImage& image, Refusals& refusals);
-    void gather(const EyeImage& image, const SearchRadii& radii, Refusals& refusals,
+    void end_iterations(const EyeImage& image, const GatherRadii& radii,
+                        InvalidSampleFilter& filter, PhotonFlux& flux, PhotonOcclusion* occlusion);
+    void gather_in_media(const EyeImage& image, InvalidSampleFilter& filter);
+    void gather(const EyeImage& image, const GatherRadii& radii, InvalidSampleFilter& filter,
                 PhotonFlux& flux, PhotonOcclusion* occlusion);
     /// What it shot stands for as many paths as it counts.
     /// Returns by what it scales the flux.
@@ -113,8 +114,8 @@ class PhotonPass {
     OccupancyGrid occupancy_;
     float reach_ = 0;  // radius that the visible points are marked for; 0 before the first pass
     std::uint64_t unguided_from_ = 0;  // number of the path after the last of guided emission
-    LandingStore waiting_;             // near visible points, not gathered yet
-    LandingGrid grid_;
+    PhotonStore waiting_;              // near visible points, not gathered yet
+    PhotonGrid grid_;
     double flux_factor_ = 1;              // of this pass's flux, beside that of single photons
     LuminanceByLight pass_light_;         // of this pass: luminance by light, times photon paths
     std::optional<VolumeGather> volume_;  // if some medium scatters

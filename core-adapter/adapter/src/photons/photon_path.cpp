@@ -9,7 +9,7 @@
 #include "photons/constants.h"
 #include "photons/path_log_entry.h"
 #include "photons/photon_roulette.h"
-#include "refusal/meet_surface.h"
+#include "sample_filter/meet_surface.h"
 
 namespace aips {
 namespace {
@@ -24,7 +24,8 @@ EmissionStart choose_start(const PhotonInput& in, Numbers& numbers) {
 }
 
 template <class Numbers>
-bool emit(const PhotonInput& in, Numbers& numbers, Refusals& refusals, Photon& photon) {
+bool emit(const PhotonInput& in, Numbers& numbers, InvalidSampleFilter& filter,
+          PhotonState& photon) {
     photon.start = choose_start(in, numbers);
     const Light& light = *in.scene.lights()[photon.start.light];
     Emission emission;
@@ -35,36 +36,36 @@ bool emit(const PhotonInput& in, Numbers& numbers, Refusals& refusals, Photon& p
     photon.previous = emission.ray.origin;
     photon.group = light.group();
     photon.emitted_power = max_component(photon.power);
-    const Origin origin = refusals.of_light(photon.start.light);
-    return refusals.accept(photon.power, origin) &&
-           refusals.accept_direction(photon.ray.origin, origin) &&
-           refusals.accept_direction(photon.ray.direction, origin) && !is_black(photon.power);
+    const Origin origin = filter.of_light(photon.start.light);
+    return filter.accept(photon.power, origin) &&
+           filter.accept_direction(photon.ray.origin, origin) &&
+           filter.accept_direction(photon.ray.direction, origin) && !is_black(photon.power);
 }
 
 /// The photons of one path: the one that the light emits, and those that it is split into.
 template <class Numbers>
 class PhotonTrace {
   public:
-    PhotonTrace(const PhotonInput& in, Numbers& numbers, std::uint32_t index, Refusals& refusals,
-                Arena& arena, std::vector<Landing>& landings, std::vector<VolumePhoton>* collisions,
-                PhotonCounts& counts)
+    PhotonTrace(const PhotonInput& in, Numbers& numbers, std::uint32_t index,
+                InvalidSampleFilter& filter, Arena& arena, std::vector<Photon>& photons,
+                std::vector<VolumePhoton>* collisions, PhotonCounts& counts)
         : in_(in),
           media_(collisions ? in.scene.media() : nullptr),
           numbers_(numbers),
           index_(index),
-          refusals_(refusals),
+          filter_(filter),
           arena_(arena),
-          landings_(landings),
+          photons_(photons),
           collisions_(collisions),
           counts_(counts),
           receiving_(receiving_lobes(in.settings)) {}
 
     /// Follows one photon to its end. `entry` may be null.
-    void follow(Photon photon, const LogEntry* entry) {
+    void follow(PhotonState photon, const LogEntry* entry) {
         SurfacePoint point;
         while (land(photon, point)) {
             auto& random = numbers_.bounce(photon.depth);
-            const bool split = splits_ < kMostSplits && landings_.size() < in_.split_landings;
+            const bool split = splits_ < kMostSplits && photons_.size() < in_.split_limit;
             const Survival survived =
                 decide_survival(in_, point, photon, entry && entry->has_vertices(), split);
             const std::uint32_t photons = draw_photons(survived, random);
@@ -74,7 +75,7 @@ class PhotonTrace {
             if (photons == 0) return;
             if (entry) entry->add_vertex(point, photon, survived);
             for (std::uint32_t i = 1; i < photons; ++i) {
-                Photon other = photon;
+                PhotonState other = photon;
                 if (leave(other, point, survived.photons, random, nullptr))
                     waiting_.push_back(other);
             }
@@ -87,7 +88,7 @@ class PhotonTrace {
     /// Follows those that wait.
     void follow_others() {
         while (!waiting_.empty()) {
-            const Photon photon = waiting_.back();
+            const PhotonState photon = waiting_.back();
             waiting_.pop_back();
             follow(photon, nullptr);
         }
@@ -95,13 +96,13 @@ class PhotonTrace {
 
   private:
     /// Where the photon meets a surface; false if it ends there, or meets none.
-    bool land(Photon& photon, SurfacePoint& point) {
+    bool land(PhotonState& photon, SurfacePoint& point) {
         bool met = false;
         do {
             arena_.reset();
             point = {};
             ++counts_.rays;
-            met = meet_surface(in_.scene, photon.ray, point, arena_, refusals_);
+            met = meet_surface(in_.scene, photon.ray, point, arena_, filter_);
         } while (media_ && media_->scatters(photon.ray.medium) && fly(photon, point));
         photon.power *= point.transmittance;
         if (!met) return false;
@@ -109,13 +110,13 @@ class PhotonTrace {
         const PhotonFate fate = lives ? take(point, photon) : PhotonFate::Black;
         const LobeMask lobes = lives ? point.bsdf->lobes() : LobeMask{};
         const bool cut = lives && photon.at_end(in_.settings, lobes, lobes & kSpecular);
-        if (in_.settings.account) counts_.tally.hit(point.material, fate, cut);
+        if (in_.settings.transport_statistics) counts_.statistics.hit(point.material, fate, cut);
         return lives && !cut && (!photon.is_spent(in_.settings) || lobes & kSpecular);
     }
 
-    /// Leaves a landing where the surface takes one.
-    PhotonFate take(const SurfacePoint& point, const Photon& photon) {
-        if (!(point.bsdf->lobes() & receiving_)) return PhotonFate::Smooth;
+    /// Leaves a photon where the surface takes one.
+    PhotonFate take(const SurfacePoint& point, const PhotonState& photon) {
+        if (!(point.bsdf->lobes() & receiving_)) return PhotonFate::Specular;
         const bool owned_by_shadow_rays = photon.straight && in_.settings.direct_light_sampling;
         if (owned_by_shadow_rays && !in_.store_owned) return PhotonFate::Direct;
         const bool stored = store(point, photon, owned_by_shadow_rays);
@@ -125,7 +126,7 @@ class PhotonTrace {
 
     /// Goes on through a medium that scatters; true if it was scattered there and goes elsewhere.
     /// Else it reaches `point`, or ends: then it has no power left.
-    bool fly(Photon& photon, SurfacePoint& point) {
+    bool fly(PhotonState& photon, SurfacePoint& point) {
         auto& random = numbers_.bounce(photon.depth);
         const Flight flight =
             media_->sample_flight(photon.ray.medium, point.distance, photon.power, random.next2());
@@ -140,14 +141,14 @@ class PhotonTrace {
 
     /// Stores a collision and draws what becomes of the photon; false if it ends.
     template <class Random>
-    bool scatter_in_medium(Photon& photon, float distance, Random& random) {
+    bool scatter_in_medium(PhotonState& photon, float distance, Random& random) {
         const void* const medium = photon.ray.medium;
         const Vec3 position = photon.ray.origin + photon.ray.direction * distance;
-        if (!refusals_.accept(photon.power, kPassageOrigin)) return false;
+        if (!filter_.accept(photon.power, kPassageOrigin)) return false;
         if (!photon.straight || !in_.settings.direct_light_sampling) {
             collisions_->push_back({position, -photon.ray.direction, photon.power,
                                     media_->alone(medium), photon.group, photon.part,
-                                    std::min(photon.bounces, kMostLandingBounces)});
+                                    std::min(photon.bounces, kMostPhotonBounces)});
         }
         if (photon.at_end(in_.settings, {}, false) || photon.is_spent(in_.settings)) return false;
         photon.power *= media_->scattering(medium);
@@ -156,10 +157,10 @@ class PhotonTrace {
         const PhaseSample sample =
             media_->sample_phase(medium, photon.ray.direction, photon.power, random.next2());
         photon.power = photon.power * sample.weight / survival;
-        if (!refusals_.accept(photon.power, kPassageOrigin)) return false;
+        if (!filter_.accept(photon.power, kPassageOrigin)) return false;
         photon.straight = false;
         photon.part = ImagePart::Indirect;
-        photon.from_smooth = false;
+        photon.from_specular = false;
         photon.previous = position;
         photon.ray = {position, sample.direction, in_.time, medium, photon.ray.component};
         ++photon.bounces;
@@ -168,26 +169,26 @@ class PhotonTrace {
     }
 
     /// False if nothing is seen near.
-    bool store(const SurfacePoint& point, const Photon& photon, bool owned_by_shadow_rays) {
+    bool store(const SurfacePoint& point, const PhotonState& photon, bool owned_by_shadow_rays) {
         if (in_.occupancy && !in_.occupancy->near_visible_point(point.position)) return false;
         if (in_.reach && !in_.reach->any_within_radius(point.position)) return false;
-        Landing landing;
-        landing.position = point.position;
-        landing.direction = -photon.ray.direction;
-        landing.power = photon.power;
-        landing.previous = photon.previous;
-        landing.normal = point.geometric_normal;
-        landing.depth = static_cast<std::uint16_t>(std::min(photon.depth, kDeepestLanding));
-        landing.light_group = static_cast<std::uint16_t>(photon.group);
-        landing.light = std::min<std::uint32_t>(photon.start.light, kLastLight);
-        landing.bounces = std::min(photon.bounces, kMostLandingBounces);
-        landing.path = index_;
-        landing.owned_by_shadow_rays = owned_by_shadow_rays;
-        landing.from_smooth = photon.from_smooth;
-        landing.shareable = photon.shareable;
-        landing.part = static_cast<std::uint16_t>(photon.part);
-        landings_.push_back(landing);
-        if (!owned_by_shadow_rays) ++counts_.landings;
+        Photon stored;
+        stored.position = point.position;
+        stored.direction = -photon.ray.direction;
+        stored.power = photon.power;
+        stored.previous = photon.previous;
+        stored.normal = point.geometric_normal;
+        stored.depth = static_cast<std::uint16_t>(std::min(photon.depth, kDeepestPhoton));
+        stored.light_group = static_cast<std::uint16_t>(photon.group);
+        stored.light = std::min<std::uint32_t>(photon.start.light, kLastLight);
+        stored.bounces = std::min(photon.bounces, kMostPhotonBounces);
+        stored.path = index_;
+        stored.owned_by_shadow_rays = owned_by_shadow_rays;
+        stored.from_specular = photon.from_specular;
+        stored.shareable = photon.shareable;
+        stored.part = static_cast<std::uint16_t>(photon.part);
+        photons_.push_back(stored);
+        if (!owned_by_shadow_rays) ++counts_.photons;
         return true;
     }
 
@@ -208,7 +209,7 @@ class PhotonTrace {
     /// Draws the way that the photon, one of `photons` on average, takes from the surface; false if
     /// it is absorbed.
     template <class Random>
-    bool leave(Photon& photon, const SurfacePoint& point, float photons, Random& random,
+    bool leave(PhotonState& photon, const SurfacePoint& point, float photons, Random& random,
                const LogEntry* entry) {
         const std::uint64_t bounces = counts_.bounces, guided_bounces = counts_.guided_bounces;
         const Vec3 wo = -photon.ray.direction;
@@ -229,15 +230,15 @@ class PhotonTrace {
                          std::numeric_limits<float>::min());
         }
         photon.power = photon.power * scattered.weight / photons;
-        if (!refusals_.accept(photon.power, point.material) || is_black(photon.power)) return false;
-        if (!refusals_.accept_direction(scattered.direction, point.material)) return false;
+        if (!filter_.accept(photon.power, point.material) || is_black(photon.power)) return false;
+        if (!filter_.accept_direction(scattered.direction, point.material)) return false;
         if (photon.straight && !scattered.straight) photon.shareable = scattered.lobe != kSpecular;
         photon.straight = photon.straight && scattered.straight;
         if (!scattered.straight) {
             photon.part = scattered_on(photon.part, scattered.lobe == kSpecular);
             ++photon.bounces;
         }
-        photon.from_smooth = scattered.lobe == kSpecular;
+        photon.from_specular = scattered.lobe == kSpecular;
         photon.previous = point.position;
         photon.ray =
             continue_ray(in_.scene, point, scattered.direction, scattered.component, photon.ray);
@@ -249,14 +250,14 @@ class PhotonTrace {
     const Media* media_;  // null if no medium scatters
     Numbers& numbers_;
     std::uint32_t index_;
-    Refusals& refusals_;
+    InvalidSampleFilter& filter_;
     Arena& arena_;
-    std::vector<Landing>& landings_;
+    std::vector<Photon>& photons_;
     std::vector<VolumePhoton>* collisions_;
     PhotonCounts& counts_;
     LobeMask receiving_;
-    std::vector<Photon> waiting_;  // split off, at their way's start
-    std::uint32_t splits_ = 0;     // photons split off so far
+    std::vector<PhotonState> waiting_;  // split off, at their way's start
+    std::uint32_t splits_ = 0;          // photons split off so far
 };
 
 }  // namespace
@@ -267,47 +268,47 @@ PhotonCounts& PhotonCounts::operator+=(const PhotonCounts& o) {
     rays += o.rays;
     bounces += o.bounces;
     guided_bounces += o.guided_bounces;
-    landings += o.landings;
+    photons += o.photons;
     split_off += o.split_off;
     pruned += o.pruned;
-    tally += o.tally;
+    statistics += o.statistics;
     return *this;
 }
 
 void PhotonCounts::state(StateArchive& archive) {
     for (std::uint64_t* count : {&paths, &guided_emissions, &rays, &bounces, &guided_bounces,
-                                 &landings, &split_off, &pruned})
+                                 &photons, &split_off, &pruned})
         archive.value(*count);
-    tally.state(archive);
+    statistics.state(archive);
 }
 
 template <class Numbers>
 void trace_photon_path(const PhotonInput& in, Numbers& numbers, std::uint32_t index,
-                       Refusals& refusals, Arena& arena, std::vector<Landing>& landings,
+                       InvalidSampleFilter& filter, Arena& arena, std::vector<Photon>& photons,
                        PhotonCounts& counts, PathLog* log, std::vector<VolumePhoton>* collisions) {
-    const std::uint64_t landings_before = counts.landings;
+    const std::uint64_t photons_before = counts.photons;
     const std::size_t collisions_before = collisions ? collisions->size() : 0;
     ++counts.paths;
     if (in.emission) ++counts.guided_emissions;
-    Photon photon;
-    const bool left_light = emit(in, numbers, refusals, photon);
-    PhotonTrace<Numbers> trace(in, numbers, index, refusals, arena, landings, collisions, counts);
+    PhotonState photon;
+    const bool left_light = emit(in, numbers, filter, photon);
+    PhotonTrace<Numbers> trace(in, numbers, index, filter, arena, photons, collisions, counts);
     {
-        const LogEntry entry(log, in.log_vertices, photon.start, landings, counts);
+        const LogEntry entry(log, in.log_vertices, photon.start, photons, counts);
         if (left_light) trace.follow(photon, log ? &entry : nullptr);
     }
     trace.follow_others();
-    if (!in.settings.account) return;
+    if (!in.settings.transport_statistics) return;
     const bool counted =
-        counts.landings > landings_before || (collisions && collisions->size() > collisions_before);
-    counts.tally.path(photon.start.light, counted);
+        counts.photons > photons_before || (collisions && collisions->size() > collisions_before);
+    counts.statistics.path(photon.start.light, counted);
 }
 
-template void trace_photon_path(const PhotonInput&, SequencePath&, std::uint32_t, Refusals&, Arena&,
-                                std::vector<Landing>&, PhotonCounts&, PathLog*,
-                                std::vector<VolumePhoton>*);
-template void trace_photon_path(const PhotonInput&, PrimaryPath&, std::uint32_t, Refusals&, Arena&,
-                                std::vector<Landing>&, PhotonCounts&, PathLog*,
-                                std::vector<VolumePhoton>*);
+template void trace_photon_path(const PhotonInput&, SequencePath&, std::uint32_t,
+                                InvalidSampleFilter&, Arena&, std::vector<Photon>&, PhotonCounts&,
+                                PathLog*, std::vector<VolumePhoton>*);
+template void trace_photon_path(const PhotonInput&, PrimaryPath&, std::uint32_t,
+                                InvalidSampleFilter&, Arena&, std::vector<Photon>&, PhotonCounts&,
+                                PathLog*, std::vector<VolumePhoton>*);
 
 }  // namespace aips

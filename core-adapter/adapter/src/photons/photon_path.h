@@ -11,19 +11,19 @@
 #include "aips/adapter/settings.h"
 #include "aips/core/base/arena.h"
 #include "aips/core/chains/primary_path.h"
-#include "aips/core/photon_map/landing.h"
 #include "aips/core/photon_map/occupancy.h"
+#include "aips/core/photon_map/photon.h"
 #include "aips/core/photon_map/point_grid.h"
 #include "aips/core/sampling/low_discrepancy.h"
 #include "aips/core/sampling/random.h"
 #include "aips/core/tables/discrete_distribution.h"
+#include "contribution/path_log.h"
 #include "guides/adaptive/emission_guide.h"
 #include "guides/adaptive/score_survival.h"
 #include "media/volume_gather.h"
-#include "photons/bounce_tally.h"
-#include "photons/photon_tally.h"
-#include "refusal/refusals.h"
-#include "worth/path_log.h"
+#include "photons/bounce_statistics.h"
+#include "photons/photon_statistics.h"
+#include "sample_filter/invalid_sample_filter.h"
 
 namespace aips {
 
@@ -34,17 +34,17 @@ struct PhotonCounts {
     std::uint64_t rays = 0;
     std::uint64_t bounces = 0;         ///< scatterings through non-specular lobes
     std::uint64_t guided_bounces = 0;  ///< of these, directions drawn from the guide
-    std::uint64_t landings = 0;        ///< stored, but for those that shadow rays own
+    std::uint64_t photons = 0;         ///< stored, but for those that shadow rays own
     std::uint64_t split_off = 0;       ///< photons that came from splitting others
     /// Paths that roulette by score ended where roulette by power would have let them go on.
     std::uint64_t pruned = 0;
-    PhotonTally tally;  ///< empty unless the settings ask for an account
+    PhotonStatistics statistics;  ///< empty unless the settings ask for transport statistics
 
     void clear() {
-        PhotonTally kept = std::move(tally);
+        PhotonStatistics kept = std::move(statistics);
         kept.clear();
         *this = {};
-        tally = std::move(kept);
+        statistics = std::move(kept);
     }
     PhotonCounts& operator+=(const PhotonCounts& other);
     /// Saves or restores the counts.
@@ -57,21 +57,21 @@ struct PhotonInput {
     const Settings& settings;
     const DiscreteDistribution& light_choice;
     const DirectionGuide* guide = nullptr;     ///< of directions; null: unguided
-    const OccupancyGrid* occupancy = nullptr;  ///< landings elsewhere are not stored; null: all are
+    const OccupancyGrid* occupancy = nullptr;  ///< photons elsewhere are not stored; null: all are
     std::uint64_t pass = 0;
     /// Number in the render of the path that the sequence of emissions begins at (SequencePath).
     std::uint64_t sequence_begin = 0;
     float time = 0;
-    Ranks* ranks = nullptr;            ///< that share the paths of an iteration; null: none do
-    BounceTally* bounces = nullptr;    ///< counts bounces by node, for debug layers; may be null
-    bool store_owned = false;          ///< landings that shadow rays own too, marked, for a guide
-    const PointGrid* reach = nullptr;  ///< with occupancy: the exact test; may be null
+    Ranks* ranks = nullptr;               ///< that share the paths of an iteration; null: none do
+    BounceStatistics* bounces = nullptr;  ///< counts bounces by node, for debug layers; may be null
+    bool store_owned = false;             ///< photons that shadow rays own too, marked, for a guide
+    const PointGrid* reach = nullptr;     ///< with occupancy: the exact test; may be null
     const EmissionGuide* emission = nullptr;  ///< null: lights by power, uniform coordinates
     const ScoreSurvival* survival = nullptr;  ///< what photons may still bring; null: not known
     ScoreMix score_mix = ScoreMix::None;      ///< how far it decides
-    std::size_t split_landings = 0;  ///< no photon is split while more landings are in the block
-    std::uint32_t log_one_of = 0;    ///< one of so many paths is logged; 0: none
-    bool log_vertices = false;       ///< with their vertices
+    std::size_t split_limit = 0;   ///< no photon is split while more photons are in the block
+    std::uint32_t log_one_of = 0;  ///< one of so many paths is logged; 0: none
+    bool log_vertices = false;     ///< with their vertices
     /// Roulette by the power left goes on as if directions had been drawn without a guide: else it
     /// ends the photons that the guide had multiplied.
     bool unguided_roulette = false;
@@ -121,13 +121,13 @@ class SequencePath {
 };
 
 /// Traces a path with the given numbers (SequencePath, or PrimaryPath of a Markov chain), `index`
-/// of its pass, and appends its landings. Landings that shadow rays own
+/// of its pass, and appends its photons. Photons that shadow rays own
 /// (docs/understand/who-carries-which-light.md) are dropped, or marked if input.store_owned. `log`
 /// (may be null) takes the path's record, `collisions` (may be null only if no medium scatters)
 /// what it leaves in media.
 template <class Numbers>
 void trace_photon_path(const PhotonInput& input, Numbers& numbers, std::uint32_t index,
-                       Refusals& refusals, Arena& arena, std::vector<Landing>& landings,
+                       InvalidSampleFilter& filter, Arena& arena, std::vector<Photon>& photons,
                        PhotonCounts& counts, PathLog* log = nullptr,
                        std::vector<VolumePhoton>* collisions = nullptr);
 

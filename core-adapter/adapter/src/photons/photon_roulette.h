@@ -1,14 +1,14 @@
 // How many photons go on from where one has landed: roulette and splitting.
 #pragma once
 
-#include "photons/photon.h"
+#include "photons/photon_state.h"
 #include "photons/scatter_photon.h"
 
 namespace aips {
 
 /// By the power that is expected to leave, against the power at emission, so that photons keep
 /// about equal power; before its limits.
-inline float plain_survival(const SurfacePoint& point, const Photon& photon) {
+inline float plain_survival(const SurfacePoint& point, const PhotonState& photon) {
     const Rgb albedo = point.bsdf->albedo(-photon.ray.direction, kAllLobes);
     const float survival = max_component(photon.power * albedo) / photon.emitted_power;
     // Only steers: where the albedo is no number, what the surface scatters is what shows it.
@@ -18,7 +18,7 @@ inline float plain_survival(const SurfacePoint& point, const Photon& photon) {
 /// Fixed before the direction is drawn. `logged`: the path is learned from, and wants to know of
 /// all ways to decide; `split`: more than one photon may go on.
 inline Survival decide_survival(const PhotonInput& in, const SurfacePoint& point,
-                                const Photon& photon, bool logged, bool split) {
+                                const PhotonState& photon, bool logged, bool split) {
     Survival s;
     s.plain = plain_survival(point, photon);
     const bool by_score = in.score_mix != ScoreMix::None;

@@ -8,14 +8,14 @@ namespace {
 
 class IndependentPaths : public PhotonSource {
   public:
-    float reach(const SearchRadii& radii) const override { return radii.reach(); }
+    float reach(const GatherRadii& radii) const override { return radii.reach(); }
     void mark_reach(std::span<const Vec3> /*visible_points*/, float /*radius*/) override {}
     void begin_pass(const PassPhotons& /*photons*/) override {}
     std::uint32_t iteration_paths() const override { return kPlainIterationPaths; }
-    PhotonCounts trace(const PhotonInput& input, const IterationPaths& paths, Refusals& refusals,
-                       const PathTraces& traces) override {
-        return tracer_.trace(input, paths.photons.before, paths.first, paths.count, refusals,
-                             traces.landings, traces.log, traces.collisions);
+    PhotonCounts trace(const PhotonInput& input, const IterationPaths& paths,
+                       InvalidSampleFilter& filter, const PathTraces& traces) override {
+        return tracer_.trace(input, paths.photons.before, paths.first, paths.count, filter,
+                             traces.photons, traces.log, traces.collisions);
     }
     double end_pass() override { return 1; }
     void state(StateArchive& /*archive*/) override {}
@@ -28,15 +28,15 @@ class IndependentPaths : public PhotonSource {
 
 class PathsOfChains : public PhotonSource {
   public:
-    float reach(const SearchRadii& radii) const override { return PhotonChains::reach(radii); }
+    float reach(const GatherRadii& radii) const override { return PhotonChains::reach(radii); }
     void mark_reach(std::span<const Vec3> visible_points, float radius) override {
         chains_.mark_reach(visible_points, radius);
     }
     void begin_pass(const PassPhotons& photons) override { chains_.begin_pass(photons.paths); }
     std::uint32_t iteration_paths() const override { return chains_.round_paths(); }
-    PhotonCounts trace(const PhotonInput& input, const IterationPaths& paths, Refusals& refusals,
-                       const PathTraces& traces) override {
-        return chains_.trace(input, paths.count, refusals, traces.landings);
+    PhotonCounts trace(const PhotonInput& input, const IterationPaths& paths,
+                       InvalidSampleFilter& filter, const PathTraces& traces) override {
+        return chains_.trace(input, paths.count, filter, traces.photons);
     }
     double end_pass() override { return chains_.end_pass(); }
     void state(StateArchive& archive) override { chains_.state(archive); }

@@ -5,8 +5,8 @@
 #include <span>
 
 #include "aips/adapter/engine.h"
+#include "estimate/gather_radii.h"
 #include "estimate/pass_photons.h"
-#include "estimate/search_radii.h"
 #include "photons/pass_guide.h"
 #include "photons/photon_iteration.h"
 
@@ -20,7 +20,7 @@ struct IterationPaths {
 
 /// Where photon paths leave what they leave.
 struct PathTraces {
-    LandingStore& landings;
+    PhotonStore& photons;
     PathLog* log = nullptr;                           ///< null: none are logged
     std::vector<VolumePhoton>* collisions = nullptr;  ///< null unless media scatter
 };
@@ -28,8 +28,8 @@ struct PathTraces {
 class PhotonSource {
   public:
     virtual ~PhotonSource() = default;
-    /// How far from a visible point landings are of use, scene units.
-    virtual float reach(const SearchRadii& radii) const = 0;
+    /// How far from a visible point photons are of use, scene units.
+    virtual float reach(const GatherRadii& radii) const = 0;
     /// Where paths have to land to be of use, from the next pass until it is told anew.
     virtual void mark_reach(std::span<const Vec3> visible_points, float radius) = 0;
     virtual void begin_pass(const PassPhotons& photons) = 0;
@@ -37,8 +37,8 @@ class PhotonSource {
     virtual std::uint32_t iteration_paths() const = 0;
     /// Traces exactly so many paths. The result does not depend on the number of threads.
     virtual PhotonCounts trace(const PhotonInput& input, const IterationPaths& paths,
-                               Refusals& refusals, const PathTraces& traces) = 0;
-    /// Ends the pass. Returns what its landings, summed, must be multiplied with to stand for as
+                               InvalidSampleFilter& filter, const PathTraces& traces) = 0;
+    /// Ends the pass. Returns what its photons, summed, must be multiplied with to stand for as
     /// many independent photon paths as the pass has.
     virtual double end_pass() = 0;
     /// Between passes: saves what later ones go on from, or restores it.

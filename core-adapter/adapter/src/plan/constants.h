@@ -73,7 +73,7 @@ inline constexpr double kGuidedEmissionWork = 0.8;
 /// ray. Chosen by: docs/notebook/2026-11-23-costs-of-a-pass.md. Supported by: 13 scenes.
 inline constexpr double kGuidedBounceWork = 1.8;
 
-/// Work of a path, vertex or landing that guide=adaptive learns from. Unit: about 0.3 us. Balances:
+/// Work of a path, vertex or photon that guide=adaptive learns from. Unit: about 0.3 us. Balances:
 /// as that of an eye ray. Chosen by: docs/notebook/2026-11-23-costs-of-a-pass.md. Supported by:
 /// nine scenes (0.58 to 0.97 in eight).
 inline constexpr double kLearnedWork = 0.65;

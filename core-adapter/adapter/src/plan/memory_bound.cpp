@@ -4,6 +4,11 @@
 #include <tbb/task_arena.h>
 
 #include "base/vector_growth.h"
+#include "contribution/iteration_scores.h"
+#include "contribution/own_light_noise.h"
+#include "contribution/pass_noise.h"
+#include "contribution/path_contribution.h"
+#include "contribution/photon_square.h"
 #include "estimate/constants.h"
 #include "estimate/edge_correction.h"
 #include "eye/eye_pass.h"
@@ -15,11 +20,6 @@
 #include "radii/adaptive_radius.h"
 #include "radii/ppm_radius.h"
 #include "radii/scheduled_radius.h"
-#include "worth/iteration_scores.h"
-#include "worth/own_light_noise.h"
-#include "worth/pass_noise.h"
-#include "worth/path_worth.h"
-#include "worth/photon_square.h"
 
 namespace aips {
 namespace {
@@ -27,9 +27,10 @@ namespace {
 /// What an eye pass leaves but for its visible points. Each block's arena holds a chunk, and a
 /// second one where a Bsdf did not fit.
 std::size_t eye_image_bytes(const Scene& scene, std::size_t paths) {
-    // Radiance, and what continued paths brought; what is left to lamp paths, twice while joined.
+    // Radiance, and what continued paths brought; what is left to emitter paths, twice while
+    // joined.
     const std::size_t image = sizeof(Vec2) + 2 * std::size_t{scene.light_groups()} * sizeof(Rgb) +
-                              2 * kVectorGrowth * sizeof(LampRest);
+                              2 * kVectorGrowth * sizeof(EmitterRest);
     const std::size_t arenas = Arena::kChunkBytes / 512;
     const std::size_t last_block = 2 * Arena::kChunkBytes + scene.facts().max_bsdf_bytes;
     return paths * (image + arenas) + last_block;
@@ -63,13 +64,13 @@ std::size_t visible_point_bytes(const Scene& scene, std::size_t paths) {
                     shareable + transient + footprints);
 }
 
-/// Most landings of an iteration: those of guides may be split, those without one are longer.
-std::size_t iteration_landings(const Settings& s) {
+/// Most photons of an iteration: those of guides may be split, those without one are longer.
+std::size_t iteration_photons(const Settings& s) {
     if (s.guide == GuideKind::Paper)
-        return most_landings(s, std::max(s.iteration_photons, s.initial_photons));
+        return most_photons(s, std::max(s.iteration_photons, s.initial_photons));
     const std::size_t guided =
-        s.guide == GuideKind::Adaptive ? most_landings(s, kSettledIterationPaths) : 0;
-    return std::max(guided, std::size_t{kPlainIterationPaths} * most_landing_surfaces(s));
+        s.guide == GuideKind::Adaptive ? most_photons(s, kSettledIterationPaths) : 0;
+    return std::max(guided, std::size_t{kPlainIterationPaths} * most_photons_per_path(s));
 }
 
 /// Of chains that photon paths come from, or that explore.
@@ -78,30 +79,30 @@ std::size_t chain_bytes(const Scene& scene, const Settings& s, std::uint32_t eye
     return may_use_chains(s) ? PhotonChains::memory_bound_bytes(s, eye_paths) : 0;
 }
 
-/// Landings of the store that waits, of one iteration in blocks, with guide=paper once more joined,
+/// Photons of the store that waits, of one iteration in blocks, with guide=paper once more joined,
 /// and the grid.
 std::size_t photon_bytes(const Scene& scene, const Settings& s, std::uint32_t eye_paths) {
-    const std::size_t iteration = iteration_landings(s);
+    const std::size_t iteration = iteration_photons(s);
     const std::size_t waiting = kWaitingPhotons + iteration;
     const std::size_t apart = s.guide == GuideKind::Paper ? 2 * iteration : iteration;
-    return (waiting + apart) * kVectorGrowth * sizeof(Landing) +
-           LandingGrid::memory_bound_bytes(waiting) + chain_bytes(scene, s, eye_paths);
+    return (waiting + apart) * kVectorGrowth * sizeof(Photon) +
+           PhotonGrid::memory_bound_bytes(waiting) + chain_bytes(scene, s, eye_paths);
 }
 
 /// Records of an iteration's paths in blocks, joined ones of it and of the one before, and scores
-/// of their landings. At most all paths are logged.
+/// of their photons. At most all paths are logged.
 std::size_t log_bytes(const Settings& s, std::size_t paths) {
     const std::size_t path = sizeof(PathRecord) + most_surfaces(s) * sizeof(PathVertex);
     // Of the first photon of each path.
-    const std::size_t landings = most_landing_surfaces(s) * (2 * sizeof(Landing) + sizeof(double));
-    return paths * kVectorGrowth * (3 * path + landings) +
-           PathWorths::memory_bound_bytes(paths, most_surfaces(s));
+    const std::size_t photons = most_photons_per_path(s) * (2 * sizeof(Photon) + sizeof(double));
+    return paths * kVectorGrowth * (3 * path + photons) +
+           PathContributions::memory_bound_bytes(paths, most_surfaces(s));
 }
 
 /// Beams, which exist twice while blocks are joined, and what photons bring to them.
 std::size_t volume_bytes(const Scene& scene, const Settings& s, std::size_t eye_paths) {
     if (!scene.media()) return 0;
-    const std::size_t iteration = iteration_landings(s);
+    const std::size_t iteration = iteration_photons(s);
     return eye_paths * 2 * kVectorGrowth * sizeof(VolumeBeam) +
            VolumeGather::memory_bound_bytes(scene, eye_paths, iteration);
 }
@@ -121,7 +122,7 @@ std::size_t photon_memory_bound(const Scene& scene, const Needs& needs, std::uin
     if (settings.guide == GuideKind::Paper) {
         guide = PaperGuide::memory_bound_bytes(settings);
         if (settings.error_criterion == CriterionKind::Image) {
-            guide += IterationScores::memory_bound_bytes(eye_paths, iteration_landings(settings));
+            guide += IterationScores::memory_bound_bytes(eye_paths, iteration_photons(settings));
         }
     }
     if (settings.guide == GuideKind::Adaptive) {

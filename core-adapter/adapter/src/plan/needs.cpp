@@ -124,25 +124,25 @@ void drop_narrowing(Needs& needs) {
          needs.photons ? "radii do not adapt" : "no photons to gather");
 }
 
-/// Lamp paths meet lamps behind smooth surfaces, in each pass anew.
-void drop_lamp_paths(Needs& needs, const SceneFacts& facts, bool any_light) {
+/// Emitter paths meet emitters behind specular surfaces, in each pass anew.
+void drop_emitter_paths(Needs& needs, const SceneFacts& facts, bool any_light) {
     Settings& s = needs.settings;
-    if (!s.guide_lamps) return;
+    if (!s.guide_emitters) return;
     std::string reason;
     if (!any_light) {
         reason = "no light emits";
     } else if (!(facts.lobes & kSpecular)) {
-        reason = "no surface is smooth";
+        reason = "no surface is specular";
     } else if (eye_depth(s).surfaces < 2) {
         reason = "eye paths end at the first surface";
     } else if (freezes_eye_pass(s.mode)) {
         reason = "eye paths belong to one pass";
     } else if (s.guide == GuideKind::Paper) {
-        reason = "the paper's eye paths meet lamps by themselves";
+        reason = "the paper's eye paths meet emitters by themselves";
     }
     if (reason.empty()) return;
-    s.guide_lamps = false;
-    skip(needs, "lamp paths", reason);
+    s.guide_emitters = false;
+    skip(needs, "emitter paths", reason);
 }
 
 void drop_guides(Needs& needs, const SceneFacts& facts) {
@@ -203,7 +203,7 @@ Needs analyse(const Scene& scene, const Settings& settings) {
     drop_edge_correction(needs);
     drop_occlusion(needs);
     drop_narrowing(needs);
-    drop_lamp_paths(needs, facts, dead < lights.size());
+    drop_emitter_paths(needs, facts, dead < lights.size());
     if (scene.media()) drop_parts_for_surfaces(needs, facts);
     drop_guides(needs, facts);
     if (!facts.has_media) {

@@ -17,7 +17,7 @@ constexpr double kLeastEyeVariance = 0.05;
 /// What is certain to be left of the measured variance by eye paths up to their visible points.
 constexpr double kLeastEyeNoise = 0.02;
 
-/// Most of the eye's variance that first rays are taken to save.
+/// Most of the eye's variance that BSDF-sampled rays are taken to save.
 constexpr double kMostSaved = 0.9;
 
 /// Steps of a root of two by which fewer photon paths a pass are tried.
@@ -35,9 +35,9 @@ struct LeafTerms {
     double lost = 0;     // squared, of light that photons lose, in as many passes as there will be
     double eye = 0;      // W
     double cost = 0;     // of its continued paths in a pass
-    double first_cost = 0;       // if their first rays alone are sent
-    double direct = 0;           // variance of direct light that goes with these
-    bool shares_direct = false;  // it is gone already
+    double bsdf_direct_cost = 0;  // if their BSDF-sampled rays alone are sent
+    double direct = 0;            // variance of direct light that goes with these
+    bool shares_direct = false;   // it is gone already
     std::size_t leaf = 0;
 };
 
@@ -154,8 +154,8 @@ class Search {
         return std::max(0.0, difference - kCertainlyMissing * std::sqrt(square / m.continued));
     }
 
-    /// Variance of a single photon path's worth of light that both carry, `eye` being that of eye
-    /// paths. What is seldom found at all is found together by a whole pass.
+    /// Variance of a single photon path's contribution of light that both carry, `eye` being that
+    /// of eye paths. What is seldom found at all is found together by a whole pass.
     double photon_variance(const ShareMoments& m, double eye) const {
         // No photon came: their variance is not known at all, and the eye is to carry all it may.
         if (!(m.squares > 0) && m.yy > 0)
@@ -216,7 +216,7 @@ class Search {
                                                      : 0,
                           .eye = weight * kStratifiedPaths * eye,
                           .cost = ray_cost * mean(m.rays, m.continued),
-                          .first_cost = ray_cost,
+                          .bsdf_direct_cost = ray_cost,
                           .direct = direct,
                           .shares_direct = now.any(),
                           .leaf = i});
@@ -226,17 +226,18 @@ class Search {
     struct Gain {
         double error = 0, cost = 0;
         const LeafTerms* terms = nullptr;
-        bool first_ray = false;
+        bool bsdf_direct = false;
     };
 
-    /// All at once, or the first ray and then the rest: where the rest saves less for its cost.
+    /// All at once, or BSDF-sampled direct light and then the rest: where the rest saves less for
+    /// its cost.
     static void add_gains(const LeafTerms& t, double photons, std::vector<Gain>& gains) {
         const double shared = photons - joined(photons, t.eye);
         const double gain = shared + t.direct;
         if (!(gain > 0 && t.cost > 0 && std::isfinite(gain))) return;
-        const double rest = t.cost - t.first_cost;
-        if (rest > 0 && shared * t.first_cost < t.direct * rest) {
-            gains.push_back({t.direct, t.first_cost, &t, true});
+        const double rest = t.cost - t.bsdf_direct_cost;
+        if (rest > 0 && shared * t.bsdf_direct_cost < t.direct * rest) {
+            gains.push_back({t.direct, t.bsdf_direct_cost, &t, true});
             if (shared > 0) gains.push_back({shared, rest, &t});
         } else {
             gains.push_back({gain, t.cost, &t});
@@ -256,7 +257,7 @@ class Search {
             plan.error += of_photons(t);
             add_gains(t, of_photons(t), gains);
         }
-        // Of a leaf the first ray comes first: it saves more for its cost.
+        // Of a leaf BSDF-sampled direct light comes first: it saves more for its cost.
         std::ranges::stable_sort(gains, [](const Gain& a, const Gain& b) {
             return a.error * b.cost > b.error * a.cost;
         });
@@ -265,8 +266,8 @@ class Search {
             plan.error -= g.error;
             plan.cost += g.cost;
             plan.shares[g.terms->leaf] =
-                g.first_ray ? EyeShare{.first_ray = true}
-                            : EyeShare{.share = share(of_photons(*g.terms), g.terms->eye)};
+                g.bsdf_direct ? EyeShare{.bsdf_direct = true}
+                              : EyeShare{.share = share(of_photons(*g.terms), g.terms->eye)};
         }
         return plan;
     }
@@ -298,7 +299,7 @@ void PlanFacts::state(StateArchive& archive) {
     shares.resize(leaves.size());
     for (EyeShare& eye : shares) {
         archive.value(eye.share);
-        archive.value(eye.first_ray);
+        archive.value(eye.bsdf_direct);
         archive.value(eye.fills_from);
     }
     for (double* fact :
@@ -320,12 +321,12 @@ PassPlan plan_passes(const PlanFacts& facts, const PhotonLimits& limits) {
         const double population = facts.leaves[i].population;
         all += population;
         if (plan.shares[i].share > 0) plan.going_on += population;
-        if (plan.shares[i].first_ray) plan.first_rays += population;
+        if (plan.shares[i].bsdf_direct) plan.bsdf_direct += population;
         sum += population * double(plan.shares[i].share);
     }
     plan.eye_share = mean(sum, plan.going_on);
     plan.going_on = mean(plan.going_on, all);
-    plan.first_rays = mean(plan.first_rays, all);
+    plan.bsdf_direct = mean(plan.bsdf_direct, all);
     return plan;
 }
 
@@ -333,9 +334,9 @@ std::string describe(const PassPlan& plan) {
     const auto percent = [](double share) { return std::to_string(std::lround(100 * share)); };
     const std::string photons =
         std::to_string(std::llround(plan.photon_paths)) + " photon paths a pass";
-    const std::string rays = plan.first_rays > 0 ? "; from " + percent(plan.first_rays) +
-                                                       " % a ray goes out for direct light alone"
-                                                 : "";
+    const std::string rays = plan.bsdf_direct > 0 ? "; from " + percent(plan.bsdf_direct) +
+                                                        " % a ray goes out for direct light alone"
+                                                  : "";
     if (!(plan.going_on > 0)) {
         return "photons carry all indirect light to surfaces that take them" + rays + "; " +
                photons;

@@ -6,12 +6,14 @@
 // where A is what eye paths leave up to their visible points, K the light that photons alone carry
 // (all that they carry, where eye paths do not go on), V and W what photons and continued eye paths
 // leave of the rest, B what photons lose of it by their radii, which is there in full after M
-// passes. A is less by what direct light gains where first rays share it with shadow rays. It costs
-//     C = eye + photons N + what the first rays or continued paths of the leaves cost.
-// The leaves whose eye paths send a first ray or go on, and N, are chosen so that E C is least: of
-// an image that is a mean over passes that is the error at a given time. If one of k passes shoots
-// for all of them, E is greater by (k - 1) S and C less by F (1 - 1 / k): S is the square of what
-// photons bring (an upper bound, as that evens out over k passes), F what shooting costs in itself.
+// passes. A is less by what direct light gains where BSDF-sampled rays share it with shadow rays.
+// It costs
+//     C = eye + photons N + what the BSDF-sampled rays or continued paths of the leaves cost.
+// The leaves whose eye paths send a BSDF-sampled ray or go on, and N, are chosen so that E C is
+// least: of an image that is a mean over passes that is the error at a given time. If one of k
+// passes shoots for all of them, E is greater by (k - 1) S and C less by F (1 - 1 / k): S is the
+// square of what photons bring (an upper bound, as that evens out over k passes), F what shooting
+// costs in itself.
 #pragma once
 
 #include <cstdint>
@@ -70,7 +72,7 @@ struct PassPlan {
     std::uint32_t turns = 1;       ///< passes of which one shoots for all
     double error = 0, cost = 0;    ///< E and C
     double going_on = 0;           ///< share of the visible points whose eye paths go on
-    double first_rays = 0;         ///< share of them that send a first ray alone
+    double bsdf_direct = 0;        ///< share of them that send a BSDF-sampled ray alone
     double eye_share = 0;          ///< mean over those of the eye's share
 };
 

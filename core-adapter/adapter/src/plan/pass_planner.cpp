@@ -38,7 +38,7 @@ PlanFacts PassPlanner::take(std::uint64_t pass) {
     facts.passes = sums.passes;
     facts.passes_until = 2.0 * double(pass);
     // Early ones count little in the end, and chains may just not have found what there is.
-    facts.counts_loss = pass >= kPilotPasses;
+    facts.counts_loss = pass >= kWarmUpPasses;
     facts.points = sums.points / sums.passes;
     facts.point_weight = 1 / (std::min(pixels_, eye_paths_) * per_pixel * per_pixel);
     facts.points_per_pixel = per_pixel;

@@ -1,9 +1,9 @@
 // What passes told of their costs and noise, gathered until the next plan, and when that comes.
 #pragma once
 
+#include "contribution/pass_noise.h"
 #include "plan/pass_plan.h"
 #include "plan/pass_work.h"
-#include "worth/pass_noise.h"
 
 namespace aips {
 

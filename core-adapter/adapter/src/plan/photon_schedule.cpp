@@ -19,7 +19,7 @@ constexpr double kRememberedLearning = 1.0;
 constexpr std::uint32_t kMostPerPass = 1u << 22;
 
 /// Least photon paths of a guide's first passes.
-constexpr auto kLearningPass = std::uint32_t(kLearningPaths / kPilotPasses);
+constexpr auto kLearningPass = std::uint32_t(kLearningPaths / kWarmUpPasses);
 
 /// Before anything is known: as many as eye paths, and at least what a guide has to learn from.
 std::uint32_t first_paths(const Settings& settings, std::uint32_t eye_paths, bool adapts,
@@ -35,17 +35,17 @@ double chosen_weight(std::uint32_t first_paths, bool learns) {
     return first_paths > kLearningPass ? kChosenWeightOfAGuide : kChosenWeightInSmallImages;
 }
 
-/// What a pass counts for, in (0, 1], of a render that was taught: what was learned may be wrong
+/// What a pass counts for, in (0, 1], of a warm start: what was learned may be wrong
 /// where things have moved, and the first radii are as blind as those of any render.
-double taught_weight(std::uint64_t pass) {
-    const double known = double(pass + 1) / double(kPilotPasses);
+double warm_start_weight(std::uint64_t pass) {
+    const double known = double(pass + 1) / double(kWarmUpPasses);
     return std::min(known * known, 1.0);
 }
 
 }  // namespace
 
 bool follows_noise(const Settings& settings) {
-    // Chains' landings come in clusters, whose noise their squares do not tell.
+    // Chains' photons come in clusters, whose noise their squares do not tell.
     return settings.photons_per_pass == 0 && settings.mode == Mode::Progressive &&
            settings.photon_sampler == PhotonSampler::Sequence;
 }
@@ -75,7 +75,7 @@ void PhotonSchedule::set_next() {
     }
     next_.weight = next_.counted;
     if (adapts_) next_.weight = next_.counted / paths_ * (chosen_ ? chosen_weight_ : 1);
-    if (taught_) next_.weight *= taught_weight(pass_);
+    if (warm_start_) next_.weight *= warm_start_weight(pass_);
 }
 
 void PhotonSchedule::end_pass() {
@@ -97,14 +97,14 @@ void PhotonSchedule::take(const PassPlan& plan) {
 PhotonLimits PhotonSchedule::limits() const {
     const double present = paths_ / double(turns_.every);
     if (!chooses()) return {present, present, turns_.every};
-    const std::uint32_t turns = pass_ < kPilotPasses || !may_take_turns_ ? 1 : kMostTurns;
+    const std::uint32_t turns = pass_ < kWarmUpPasses || !may_take_turns_ ? 1 : kMostTurns;
     return {std::max(double(kFewestPerPass), present / kGreatestFall),
             std::min(double(kMostPerPass), present * kGreatestRise), turns, kMostPerPass};
 }
 
 bool PhotonSchedule::chooses() const {
     // Without a guide half as many passes know as much.
-    return adapts_ && pass_ >= (learns_ ? kPilotPasses : kPilotPasses / 2);
+    return adapts_ && pass_ >= (learns_ ? kWarmUpPasses : kWarmUpPasses / 2);
 }
 
 void PhotonSchedule::state(StateArchive& archive) {
@@ -119,7 +119,7 @@ void PhotonSchedule::state(StateArchive& archive) {
                                               turns_.since % turns_.every == 0),
                         "passes without photons where all shoot");
     archive.value(chosen_);
-    archive.value(taught_);
+    archive.value(warm_start_);
     archive.value(next_.before);
     archive.value(next_.chosen_at);
     archive.value(next_.known);
@@ -146,7 +146,7 @@ void PhotonSchedule::learned(LearnedParts& parts) {
             chosen_ = true;
         }
     });
-    if (parts.restoring()) set_taught(!parts.taken().empty());
+    if (parts.restoring()) set_warm_start(!parts.taken().empty());
 }
 
 void PhotonSchedule::explored(std::uint64_t paths) {
@@ -155,20 +155,20 @@ void PhotonSchedule::explored(std::uint64_t paths) {
     if (adapts_ && !chosen_) {
         const double left = std::max(0.0, kLearningPaths - double(next_.known));
         paths_ =
-            std::clamp(eye_paths_, std::max(kFewestPerPass, std::uint32_t(left / kPilotPasses)),
+            std::clamp(eye_paths_, std::max(kFewestPerPass, std::uint32_t(left / kWarmUpPasses)),
                        kUsualPhotonsPerPass);
     }
     set_next();
 }
 
 void PhotonSchedule::begin_anew(const PhotonSchedule& fresh) {
-    const bool taught = taught_;
+    const bool warm_start = warm_start_;
     *this = fresh;
-    set_taught(taught);
+    set_warm_start(warm_start);
 }
 
-void PhotonSchedule::set_taught(bool taught) {
-    taught_ = (adapts_ || learns_) && taught;
+void PhotonSchedule::set_warm_start(bool warm_start) {
+    warm_start_ = (adapts_ || learns_) && warm_start;
     set_next();
 }
 

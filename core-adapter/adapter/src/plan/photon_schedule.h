@@ -46,16 +46,17 @@ class PhotonSchedule {
     void state(StateArchive& archive);
     /// Saves for another render with as many eye paths what this one would go on with, or takes it
     /// before the first pass: the number is chosen by then, and a guide has learned. Where
-    /// this or any part before it is taken, another render has taught, and first passes count less.
+    /// this or any part before it is taken, the render is a warm start, and first passes count
+    /// less.
     void learned(LearnedParts& parts);
     /// Before the first pass: so many photon paths have told the guide where to start. They count
     /// as shot, and the guide's first passes have fewer.
     void explored(std::uint64_t paths);
-    /// Takes the settings and state of a new schedule, but what another render has taught.
+    /// Takes the settings and state of a new schedule, but for a warm start.
     void begin_anew(const PhotonSchedule& fresh);
 
   private:
-    void set_taught(bool taught);
+    void set_warm_start(bool warm_start);
     void set_next();
     /// Whether enough is known for the next plan to change the number.
     bool chooses() const;
@@ -67,9 +68,9 @@ class PhotonSchedule {
     PhotonTurns turns_;
     double chosen_weight_;  // of passes after the first choice
     std::uint64_t pass_ = 0;
-    bool chosen_ = false;  // the number of photon paths
-    bool taught_ = false;  // by another render
-    PassPhotons next_;     // `known` of it is that of all passes
+    bool chosen_ = false;      // the number of photon paths
+    bool warm_start_ = false;  // by another render
+    PassPhotons next_;         // `known` of it is that of all passes
 };
 
 }  // namespace aips

@@ -10,8 +10,8 @@ namespace {
 
 std::string eye_paths_of(const Plan& plan) {
     if (freezes_eye_pass(plan.settings().mode)) return "eye paths of one pass, kept";
-    return plan.settings().guide_lamps ? "new eye paths and lamp paths in each pass"
-                                       : "new eye paths in each pass";
+    return plan.settings().guide_emitters ? "new eye paths and emitter paths in each pass"
+                                          : "new eye paths in each pass";
 }
 
 std::string photon_paths_of(const Plan& plan) {
@@ -23,8 +23,9 @@ std::string photon_paths_of(const Plan& plan) {
         case GuideKind::Paper:
             return "photon paths guided by errors (Liu and Zheng 2014)";
         case GuideKind::Adaptive:
-            return plan.looks_first() ? "photon paths guided by their worth, after a first look"
-                                      : "photon paths guided by their worth";
+            return plan.has_pilot_pass()
+                       ? "photon paths guided by their contribution, after a pilot pass"
+                       : "photon paths guided by their contribution";
     }
     return {};
 }
@@ -43,8 +44,8 @@ GuideKind Plan::guide() const {
     return left_out ? GuideKind::None : settings().guide;
 }
 
-bool Plan::looks_first() const {
-    return needs.photons && settings().guide == GuideKind::Adaptive && settings().guide_scout &&
+bool Plan::has_pilot_pass() const {
+    return needs.photons && settings().guide == GuideKind::Adaptive && settings().pilot_pass &&
            !media;
 }
 
@@ -53,18 +54,18 @@ bool Plan::measures_noise() const {
 }
 
 void Plan::fit_to(const Film& film) {
-    if (!settings().guide_lamps) return;
+    if (!settings().guide_emitters) return;
     const std::uint64_t pixels = std::uint64_t{film.width()} * film.height();
     std::string reason;
     if (!film.takes_splats()) {
         reason = "the film takes no splats";
     } else if (eye_paths_per_pass(settings(), pixels) % pixels != 0) {
-        // A pass that sees some pixels alone would weigh lamps by the paths of that pass.
+        // A pass that sees some pixels alone would weigh emitters by the paths of that pass.
         reason = "passes do not have the same number of eye paths in each pixel";
     }
     if (reason.empty()) return;
-    needs.settings.guide_lamps = false;
-    needs.skipped.push_back("lamp paths: " + reason);
+    needs.settings.guide_emitters = false;
+    needs.skipped.push_back("emitter paths: " + reason);
 }
 
 void Plan::state(StateArchive& archive) {
@@ -75,7 +76,7 @@ void Plan::state(StateArchive& archive) {
 
 bool Plan::allows(PhotonWay other) const {
     if (other == PhotonWay::Guided) return true;
-    return settings().guide == GuideKind::Adaptive && settings().guide_scout;
+    return settings().guide == GuideKind::Adaptive && settings().pilot_pass;
 }
 
 Plan make_plan(const Scene& scene, const Settings& settings) {

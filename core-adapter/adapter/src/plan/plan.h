@@ -1,26 +1,26 @@
 // What runs in a render, as one value: what the scene needs of what the settings ask for, and what
-// a first look at the photons made of it. Whoever builds a part of the engine asks here, and nobody
+// the pilot pass made of it. Whoever builds a part of the engine asks here, and nobody
 // else decides.
 #pragma once
 
 #include <string>
 
 #include "aips/adapter/camera.h"
-#include "plan/guide_scout.h"
 #include "plan/needs.h"
+#include "plan/pilot_pass.h"
 
 namespace aips {
 
 struct Plan {
     Needs needs;
-    /// What takes photons through the scene if the guide is the adaptive one; until the first look
+    /// What takes photons through the scene if the guide is the adaptive one; until the pilot pass
     /// Guided, or what another render that was learned from had taken.
     PhotonWay way = PhotonWay::Guided;
     bool media = false;  ///< some medium of the scene scatters
 
     /// As asked for, without what the scene does not need.
     const Settings& settings() const { return needs.settings; }
-    /// What guides photons: the settings' guide, unless the first look left it out.
+    /// What guides photons: the settings' guide, unless the pilot pass left it out.
     GuideKind guide() const;
     /// Whether photon paths come from Markov chains.
     bool chains() const { return settings().photon_sampler == PhotonSampler::AdaptiveChains; }
@@ -28,10 +28,11 @@ struct Plan {
     bool learns() const { return guide() == GuideKind::Adaptive; }
     /// Whether photons are looked at before the first pass shoots any. In media scores know
     /// surfaces alone, and so would the counts.
-    bool looks_first() const;
+    bool has_pilot_pass() const;
     /// Whether the photons per pass follow the noise that passes tell.
     bool measures_noise() const;
-    /// Leaves out lamp paths if they are not drawn onto this film, whatever the settings ask for.
+    /// Leaves out emitter paths if they are not drawn onto this film, whatever the settings ask
+    /// for.
     void fit_to(const Film& film);
     /// Settings of the radius policy.
     Settings radius_settings() const;

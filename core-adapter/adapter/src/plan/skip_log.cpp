@@ -84,9 +84,9 @@ void SkipLog::after_pass(const AdaptiveGuide* guide, const PhotonCounts& photons
         said_no_seeds_ = true;
         say("skipped eye seeding from here on: no walk found where a light emits to it");
     }
-    if (guide->resting() != resting_) {
-        resting_ = guide->resting();
-        if (resting_) say("skipped the guide's learning, but for trials: no part of it pays");
+    if (guide->disabled() != disabled_) {
+        disabled_ = guide->disabled();
+        if (disabled_) say("skipped the guide's learning, but for trials: no part of it pays");
     }
     if (photons.paths >= kPruningPaths && !said_pruned_) {
         said_pruned_ = true;
@@ -99,7 +99,7 @@ void SkipLog::after_pass(const AdaptiveGuide* guide, const PhotonCounts& photons
 
 void SkipLog::state(StateArchive& archive) {
     for (bool* said : {&said_no_points_, &said_no_seeds_, &said_pruned_, &emission_off_,
-                       &survival_off_, &resting_})
+                       &survival_off_, &disabled_})
         archive.value(*said);
     archive.value(said_eye_part_);
     StateArchive::check(said_eye_part_ >= 0 && said_eye_part_ <= 1,

@@ -9,9 +9,9 @@
 #include "guides/adaptive/adaptive_guide.h"
 #include "photons/exploration.h"
 #include "photons/photon_path.h"
-#include "plan/guide_scout.h"
 #include "plan/needs.h"
 #include "plan/pass_plan.h"
+#include "plan/pilot_pass.h"
 
 namespace aips {
 
@@ -49,7 +49,7 @@ class SkipLog {
     std::vector<std::string> said_;
     bool said_no_points_ = false, said_no_seeds_ = false, said_pruned_ = false;
     double said_eye_part_ = 0;  // of the light that both can carry
-    bool emission_off_ = false, survival_off_ = false, resting_ = false;
+    bool emission_off_ = false, survival_off_ = false, disabled_ = false;
 };
 
 }  // namespace aips

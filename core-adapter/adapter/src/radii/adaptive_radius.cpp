@@ -63,7 +63,7 @@ AdaptiveRadius::AdaptiveRadius(const Settings& settings, const Scene& scene, std
     if (settings.narrow_radii) blur_.emplace(of_one_path_.size());
 }
 
-SearchRadii AdaptiveRadius::before_pass(const PassPhotons& photons, const EyeImage& image) {
+GatherRadii AdaptiveRadius::before_pass(const PassPhotons& photons, const EyeImage& image) {
     if (!(initial_ > 0)) {
         initial_ = initial_radius(settings_, image, floor_.least());
         unit_ = kProbeRadius * initial_;
@@ -102,7 +102,7 @@ SearchRadii AdaptiveRadius::before_pass(const PassPhotons& photons, const EyeIma
             if (has_turn(pixels_[i])) probes_[next++] = std::uint32_t(i);
         }
     });
-    SearchRadii radii{std::span<const float>(radii_)};
+    GatherRadii radii{std::span<const float>(radii_)};
     radii.probes = probes_;
     radii.probe_radius = float(unit_ * std::pow(1 + shot / kReferencePaths, kProbePower));
     probe_radius_ = double(radii.probe_radius);
@@ -113,7 +113,7 @@ SearchRadii AdaptiveRadius::before_pass(const PassPhotons& photons, const EyeIma
 /// pass to pass.
 void AdaptiveRadius::renew() {
     const std::uint32_t width = map_.width();
-    const bool all = passes_ < kPilotPasses;
+    const bool all = passes_ < kWarmUpPasses;
     in_chunks(of_one_path_.size() / width, 1, tbb_for, [&](std::size_t first, std::size_t last) {
         for (std::size_t row = first; row < last; ++row) {
             if (!all && (row + passes_) % kRadiiRenewedIn != 0) continue;

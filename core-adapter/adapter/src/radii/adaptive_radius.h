@@ -16,7 +16,7 @@ class AdaptiveRadius final : public RadiusPolicy {
     AdaptiveRadius(const Settings& settings, const Scene& scene, std::uint32_t width,
                    std::uint32_t height);
 
-    SearchRadii before_pass(const PassPhotons& photons, const EyeImage& image) override;
+    GatherRadii before_pass(const PassPhotons& photons, const EyeImage& image) override;
     void after_pass(const PhotonFlux& flux) override;
     void state(StateArchive& archive, const EyeImage& image) override;
     std::size_t memory_bytes() const override;

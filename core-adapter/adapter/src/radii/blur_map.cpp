@@ -44,7 +44,7 @@ void BlurMap::Pixel::end_pass() {
 /// Variance of the sum of differences: what single photons tell, or a share of what passes tell by
 /// themselves, if that is more. Photons of one path come together, those of chains for long.
 double BlurMap::Pixel::noise(const Weights& weights) const {
-    if (passes < kPilotPasses) return variance;
+    if (passes < kWarmUpPasses) return variance;
     const double of_mean = weights.of_squares / (weights.sum * weights.sum);
     const double apart = (squares - of_mean * difference * difference) / (1 - of_mean);
     return std::max(variance, kBlurApart * apart);
@@ -90,7 +90,7 @@ void BlurMap::state(StateArchive& archive) {
         archive.value(p.passes);
         archive.value(p.narrowing);
         StateArchive::check(p.narrowing >= float(kLeastNarrowing) && p.narrowing <= 1,
-                            "a search disc narrowed by what none can be");
+                            "a gather disc narrowed by what none can be");
     }
 }
 

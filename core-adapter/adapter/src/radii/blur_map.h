@@ -1,4 +1,4 @@
-// Which pixels search discs blur more than noise disturbs them, and how much narrower that makes
+// Which pixels gather discs blur more than noise disturbs them, and how much narrower that makes
 // their discs.
 #pragma once
 
@@ -9,7 +9,7 @@
 
 namespace aips {
 
-/// What a search disc told of the light around a visible point in a pass, in any unit that is the
+/// What a gather disc told of the light around a visible point in a pass, in any unit that is the
 /// same for all of a pixel's.
 struct DiscDensities {
     double whole = 0;     ///< density of contributions in the disc

@@ -1,4 +1,4 @@
-// Tuned constants of search radii: each with its unit, what it balances, which experiment chose it,
+// Tuned constants of gather radii: each with its unit, what it balances, which experiment chose it,
 // and what supports it. docs/build-on/constants.md is made from these comments.
 #pragma once
 

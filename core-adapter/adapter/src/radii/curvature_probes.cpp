@@ -12,22 +12,22 @@ namespace aips {
 namespace {
 
 template <class Blocks>
-void gather_probe(const VisiblePoint& point, const LandingGrid& grid, float radius,
+void gather_probe(const VisiblePoint& point, const PhotonGrid& grid, float radius,
                   const Blocks& blocks, ProbeSums& sums) {
     const Rgb weight = point.throughput * left_out_f(point);
     const float inverse = 1 / (radius * radius);
-    grid.for_each_in_radius(point.position, radius, [&](const GridPhoton& landing) {
-        const Rgb brought = contribution(point, landing, radius);
+    grid.for_each_in_radius(point.position, radius, [&](const GridPhoton& photon) {
+        const Rgb brought = contribution(point, photon, radius);
         const auto value = double(luminance(weight * brought));
-        if (!(value > 0) || !std::isfinite(value) || blocks(landing)) return;
-        const float share = length_squared(landing.position - point.position) * inverse;
+        if (!(value > 0) || !std::isfinite(value) || blocks(photon)) return;
+        const float share = length_squared(photon.position - point.position) * inverse;
         sums.add(value, double(share));
     });
 }
 
 }  // namespace
 
-void gather_probes(const EyeImage& image, const LandingGrid& grid, const SearchRadii& radii,
+void gather_probes(const EyeImage& image, const PhotonGrid& grid, const GatherRadii& radii,
                    const PhotonOcclusion* occlusion, std::span<ProbeSums> sums) {
     const PointOwners& owners = image.owners;
     SharedWork work = work_on_points(owners, nullptr);

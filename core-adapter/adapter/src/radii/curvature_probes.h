@@ -1,4 +1,4 @@
-// Probes of the photon density around visible points: discs wider than the search radius.
+// Probes of the photon density around visible points: discs wider than the gather radius.
 #pragma once
 
 #include <span>
@@ -8,12 +8,12 @@
 
 namespace aips {
 
-/// Adds the landings in `grid` to the probes that `radii` asks for: sums[i] belongs to visible
-/// point radii.probes[i]. A landing contributes the luminance of what it brings to the eye path,
+/// Adds the photons in `grid` to the probes that `radii` asks for: sums[i] belongs to visible
+/// point radii.probes[i]. A photon contributes the luminance of what it brings to the eye path,
 /// before division by disc and paths; it is taken as gather_photons takes it with
 /// `occlusion`. Every probe sums its
 /// photons in the grid's order, so the result does not depend on the number of threads.
-void gather_probes(const EyeImage& image, const LandingGrid& grid, const SearchRadii& radii,
+void gather_probes(const EyeImage& image, const PhotonGrid& grid, const GatherRadii& radii,
                    const PhotonOcclusion* occlusion, std::span<ProbeSums> sums);
 
 }  // namespace aips

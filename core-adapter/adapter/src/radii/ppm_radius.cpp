@@ -10,7 +10,7 @@
 
 namespace aips {
 
-SearchRadii PpmRadius::before_pass(const PassPhotons& /*photons*/, const EyeImage& image) {
+GatherRadii PpmRadius::before_pass(const PassPhotons& /*photons*/, const EyeImage& image) {
     if (points_.empty()) {
         const double radius = initial_radius(settings_, image, floor_.least());
         points_.assign(image.visible_points.size(), {0, radius * radius});
@@ -20,7 +20,7 @@ SearchRadii PpmRadius::before_pass(const PassPhotons& /*photons*/, const EyeImag
         radii_[i] = std::max(float(std::sqrt(points_[i].squared_radius)),
                              floor_.at(image.visible_points[i].position));
     }
-    return SearchRadii(std::span<const float>(radii_));
+    return GatherRadii(std::span<const float>(radii_));
 }
 
 // The radii searched follow from their squares before each pass.
@@ -38,7 +38,7 @@ void PpmRadius::state(StateArchive& archive, const EyeImage& image) {
         archive.amount(point.photons);
         archive.amount(point.squared_radius);
         StateArchive::check(point.squared_radius <= initial * initial,
-                            "a search radius that has grown");
+                            "a gather radius that has grown");
     }
 }
 

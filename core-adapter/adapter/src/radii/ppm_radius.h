@@ -24,7 +24,7 @@ class PpmRadius final : public RadiusPolicy {
   public:
     PpmRadius(const Settings& settings, const Scene& scene) : settings_(settings), floor_(scene) {}
 
-    SearchRadii before_pass(const PassPhotons& photons, const EyeImage& image) override;
+    GatherRadii before_pass(const PassPhotons& photons, const EyeImage& image) override;
     void after_pass(const PhotonFlux& flux) override;
     void state(StateArchive& archive, const EyeImage& image) override;
     std::size_t memory_bytes() const override {

@@ -42,7 +42,7 @@ void state_of_initial_radius(StateArchive& archive, double& radius, double small
     archive.value(radius);
     StateArchive::check(
         radius == 0 || (radius >= std::max(smallest, double(Limits::min())) && radius <= kGreatest),
-        "a search radius that no pass can have begun with");
+        "a gather radius that no pass can have begun with");
 }
 
 double radius_of_footprint(const Settings& settings, double footprint, double smallest) {

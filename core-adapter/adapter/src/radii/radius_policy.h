@@ -19,7 +19,7 @@ class RadiusPolicy {
     virtual ~RadiusPolicy() = default;
     /// Radii for the next pass, which shoots `photons` onto the visible points of `image` (at
     /// least one); they hold until after_pass().
-    virtual SearchRadii before_pass(const PassPhotons& photons, const EyeImage& image) = 0;
+    virtual GatherRadii before_pass(const PassPhotons& photons, const EyeImage& image) = 0;
     /// Takes note of the photons that the pass has gathered with these radii.
     virtual void after_pass(const PhotonFlux& flux) = 0;
     /// Between passes: saves what later radii rest on, or restores it into a new policy for the

@@ -18,7 +18,7 @@ class ScheduledRadius final : public RadiusPolicy {
     ScheduledRadius(const Settings& settings, const Scene& scene)
         : settings_(settings), floor_(scene) {}
 
-    SearchRadii before_pass(const PassPhotons& photons, const EyeImage& image) override;
+    GatherRadii before_pass(const PassPhotons& photons, const EyeImage& image) override;
     void after_pass(const PhotonFlux& /*flux*/) override {}
     void state(StateArchive& archive, const EyeImage& /*image*/) override {
         state_of_initial_radius(archive, initial_, floor_.least());

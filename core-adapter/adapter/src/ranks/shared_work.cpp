@@ -12,9 +12,9 @@ namespace {
 constexpr const char* kOtherWork = "ranks do not have the same work";
 
 /// Refused light that is new since `before`, by origin; most often none.
-void save_refused(StateArchive& archive, const Refusals& refusals,
+void save_invalid(StateArchive& archive, const InvalidSampleFilter& filter,
                   const std::vector<std::uint64_t>& before) {
-    const std::vector<std::uint64_t> now = refusals.counts();
+    const std::vector<std::uint64_t> now = filter.counts();
     std::vector<std::uint64_t> raised;
     for (std::size_t i = 0; i < now.size(); ++i) {
         if (now[i] == before[i]) continue;
@@ -24,11 +24,11 @@ void save_refused(StateArchive& archive, const Refusals& refusals,
     archive.values(raised);
 }
 
-void add_refused(StateArchive& archive, Refusals& refusals) {
+void add_invalid(StateArchive& archive, InvalidSampleFilter& filter) {
     std::vector<std::uint64_t> raised;
     archive.values(raised);
     for (std::size_t i = 0; i + 1 < raised.size(); i += 2)
-        refusals.count(static_cast<Origin>(raised[i]), raised[i + 1]);
+        filter.count(static_cast<Origin>(raised[i]), raised[i + 1]);
 }
 
 /// Where the parts of a message begin, behind their sizes, and the end of the last.
@@ -41,9 +41,9 @@ std::vector<std::size_t> begins_of(const std::vector<std::size_t>& sizes) {
 
 }  // namespace
 
-SharedWork::SharedWork(Ranks* ranks, std::uint32_t count, Refusals* refusals)
-    : ranks_(ranks), count_(count), refusals_(refusals) {
-    if (ranks_ && refusals_) refused_before_ = refusals_->counts();
+SharedWork::SharedWork(Ranks* ranks, std::uint32_t count, InvalidSampleFilter* filter)
+    : ranks_(ranks), count_(count), filter_(filter) {
+    if (ranks_ && filter_) refused_before_ = filter_->counts();
 }
 
 std::span<const std::byte> SharedWork::pack(const PartState& state) {
@@ -55,7 +55,7 @@ std::span<const std::byte> SharedWork::pack(const PartState& state) {
         sizes[i] = measure.size();
     });
     RankMeasure refused;
-    if (refusals_) save_refused(refused, *refusals_, refused_before_);
+    if (filter_) save_invalid(refused, *filter_, refused_before_);
     sizes[parts] = refused.size();
     const std::vector<std::size_t> begins = begins_of(sizes);
     message_ = std::make_unique_for_overwrite<std::byte[]>(begins.back());
@@ -70,7 +70,7 @@ std::span<const std::byte> SharedWork::pack(const PartState& state) {
         StateArchive::check(writer.remaining() == 0, "a part shrank while it was told");
     });
     RankWriter writer = place(parts);
-    if (refusals_) save_refused(writer, *refusals_, refused_before_);
+    if (filter_) save_invalid(writer, *filter_, refused_before_);
     return message;
 }
 
@@ -91,7 +91,7 @@ void SharedWork::unpack(std::uint32_t other, std::span<const std::byte> message,
         StateArchive::check(reader.remaining() == 0, kOtherWork);
     });
     RankReader reader = place(parts);
-    if (refusals_) add_refused(reader, *refusals_);
+    if (filter_) add_invalid(reader, *filter_);
     StateArchive::check(reader.remaining() == 0, kOtherWork);
 }
 

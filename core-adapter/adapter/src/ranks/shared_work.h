@@ -12,7 +12,7 @@
 
 #include "aips/adapter/ranks.h"
 #include "ranks/rank_archive.h"
-#include "refusal/refusals.h"
+#include "sample_filter/invalid_sample_filter.h"
 
 namespace aips {
 
@@ -21,9 +21,9 @@ namespace aips {
 class SharedWork {
   public:
     /// Before the work begins, in `count` parts, the same on all ranks. `ranks`: null for a process
-    /// alone, which does all. `refusals` is what the work counts refused light in; null: nowhere.
+    /// alone, which does all. `filter` is what the work counts invalid samples in; null: nowhere.
     /// Both outlive it.
-    SharedWork(Ranks* ranks, std::uint32_t count, Refusals* refusals);
+    SharedWork(Ranks* ranks, std::uint32_t count, InvalidSampleFilter* filter);
 
     /// Parts of this rank: from first() to below last().
     std::uint32_t first() const { return first_of(rank()); }
@@ -48,7 +48,7 @@ class SharedWork {
 
     Ranks* ranks_;
     std::uint32_t count_;
-    Refusals* refusals_;
+    InvalidSampleFilter* filter_;
     std::vector<std::uint64_t> refused_before_;  // [origin]; empty for a process alone
     std::unique_ptr<std::byte[]> message_;       // of this rank, while it is told
 };
@@ -56,9 +56,9 @@ class SharedWork {
 /// Does the parts of this rank on all threads by work(part), and takes the others' from their
 /// ranks: `state` as SharedWork::exchange takes it.
 template <class Work, class State>
-void share_out(Ranks* ranks, std::uint32_t count, Refusals* refusals, const Work& work,
+void share_out(Ranks* ranks, std::uint32_t count, InvalidSampleFilter* filter, const Work& work,
                const State& state) {
-    SharedWork shared(ranks, count, refusals);
+    SharedWork shared(ranks, count, filter);
     tbb::parallel_for(shared.first(), shared.last(), work);
     shared.exchange(state);
 }
@@ -83,8 +83,8 @@ struct PointOwners {
 };
 
 /// Work on visible points, each of the rank that has it: one part a rank.
-inline SharedWork work_on_points(const PointOwners& owners, Refusals* refusals) {
-    return {owners.ranks, owners.ranks ? owners.ranks->count() : 1, refusals};
+inline SharedWork work_on_points(const PointOwners& owners, InvalidSampleFilter* filter) {
+    return {owners.ranks, owners.ranks ? owners.ranks->count() : 1, filter};
 }
 
 /// Of values in the points' order, `per_point` each: those of a rank's points.

@@ -24,8 +24,8 @@ class Engine::State {
     PassLoop& loop() { return loop_; }
     EngineStatistics statistics() const {
         EngineStatistics s = loop_.statistics();
-        s.account.skipped.insert(s.account.skipped.begin(), plan_.needs.skipped.begin(),
-                                 plan_.needs.skipped.end());
+        s.transport.skipped.insert(s.transport.skipped.begin(), plan_.needs.skipped.begin(),
+                                   plan_.needs.skipped.end());
         return s;
     }
 

@@ -17,7 +17,7 @@ struct Block {
 
 /// Of paths that are thrown away.
 struct Scratch {
-    Refusals& refusals;
+    InvalidSampleFilter& filter;
     Arena arena;
     std::vector<Rgb> radiance;
 };
@@ -35,7 +35,7 @@ void trace(const EyePassInput& in, float time, std::uint32_t path, std::uint32_t
     output.radiance.groups = scratch.radiance;
     const EyePathResult result =
         trace_eye_path(in, in.camera.generate({film, random.next2()}, time), numbers, random,
-                       scratch.refusals, scratch.arena, output);
+                       scratch.filter, scratch.arena, output);
     block.rays += result.rays;
     if (result.light_sample.pdf > 0) block.told.push_back(result.light_sample);
 }
@@ -55,7 +55,7 @@ std::uint64_t learn_lights_ahead(const EyePassInput& pass, float time, DirectLig
     // As many as a pass has, if lights are then chosen anew.
     const std::uint32_t paths = light_samples_ahead(pass.paths);
     std::vector<Block> blocks((paths - 1) / kPathsPerBlock + 1);
-    Refusals of_nothing_seen(pass.scene);
+    InvalidSampleFilter of_nothing_seen(pass.scene);
     share_out(
         pass.ranks, std::uint32_t(blocks.size()), nullptr,
         [&](std::uint32_t b) {

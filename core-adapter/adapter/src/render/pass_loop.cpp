@@ -37,7 +37,7 @@ Ranks* sharing_ranks(const Host& host, const Settings& settings) {
     // Marks of media are addresses. The others sum over visible points that they have to ask.
     if (host.scene.media()) reason = "media scatter light";
     if (settings.debug_layers) reason = "debug layers are asked for";
-    if (settings.account) reason = "an account is asked for";
+    if (settings.transport_statistics) reason = "transport statistics are asked for";
     if (!reason) return host.ranks;
     host.log.warning(std::string("each process traces all of each pass, as ") + reason);
     return nullptr;
@@ -58,11 +58,11 @@ PassLoop::PassLoop(const Host& host, const Settings& settings, std::uint32_t eye
       settings_(settings),
       eye_paths_(eye_paths),
       direct_light_(host.scene, settings.learn_lights),
-      refusals_(host.scene),
+      filter_(host.scene),
       eye_(make_eye_source({host_.scene, host_.camera, host_.sampler, direct_light_, settings_,
                             host.film.width(), host.film.height(), eye_paths, needs_points,
                             shared_by(strategies, &LightStrategy::eye_shares),
-                            shared_by(strategies, &LightStrategy::lamp_images),
+                            shared_by(strategies, &LightStrategy::emitter_images),
                             host.film.layers_wanted(), sharing_ranks(host, settings),
                             shared_by(strategies, &LightStrategy::disc_gaps)})),
       strategies_(std::move(strategies)) {
@@ -90,11 +90,11 @@ PassReport PassLoop::render_pass(std::uint64_t number) {
     if (number == 0) warn_of_lost_precision(image_, host_.log);
     if (report.eye_paths) {
         eye_rays += image_.rays;
-        account();
+        count_transport();
     }
     report.rays = eye_rays;
     const StrategyPass pass{number,           eye_->time(number), image_,
-                            report.eye_paths, eye_rays,           refusals_};
+                            report.eye_paths, eye_rays,           filter_};
     FilmPass film_pass{
         .positions = image_.positions, .groups = image_.groups, .eye = image_.radiance};
     FilmPass parts{.positions = image_.positions, .groups = kImageParts, .eye = image_.parts};
@@ -134,13 +134,13 @@ std::uint64_t PassLoop::begin_pass(std::uint64_t pass) {
     const Stopwatch watch(statistics_.eye_seconds);
     std::uint64_t rays = 0;
     for (const auto& strategy : strategies_)
-        rays += strategy->begin_pass({pass, eye_->time(pass), eye_->input(), refusals_});
+        rays += strategy->begin_pass({pass, eye_->time(pass), eye_->input(), filter_});
     return rays;
 }
 
 std::uint32_t PassLoop::trace_eye_paths(std::uint64_t pass) {
     const Stopwatch watch(statistics_.eye_seconds);
-    return eye_->look(pass, refusals_, image_);
+    return eye_->look(pass, filter_, image_);
 }
 
 void PassLoop::add_light(const CarriedLight& light, FilmPass& film_pass) {
@@ -162,12 +162,12 @@ void PassLoop::add_light(const CarriedLight& light, FilmPass& film_pass) {
 }
 
 /// Of eye paths that were traced for this pass.
-void PassLoop::account() {
+void PassLoop::count_transport() {
     seen_light_.add(image_.light);
-    statistics_.account.cut_eye_paths += image_.cut_paths;
+    statistics_.transport.cut_eye_paths += image_.cut_paths;
 }
 
-/// Lamps that splats show are met by smooth surfaces alone.
+/// Emitters that splats show are met by specular surfaces alone.
 void PassLoop::add_parts(const FilmPass& film_pass, FilmPass& parts) {
     parts.photon_weight = film_pass.photon_weight;
     if (film_pass.splats) {
@@ -193,19 +193,19 @@ void PassLoop::count(const PassReport& report, std::uint64_t eye_rays) {
 void PassLoop::refuse_powers() {
     const auto lights = host_.scene.lights();
     for (LightIndex i = 0; i < lights.size(); ++i)
-        refusals_.accept_density(lights[i]->power(), refusals_.of_light(i));
+        filter_.accept_density(lights[i]->power(), filter_.of_light(i));
 }
 
 EngineStatistics PassLoop::statistics() const {
     EngineStatistics s = statistics_;
     for (const auto& strategy : strategies_)
         strategy->add_to(s);
-    s.account.eye_paths = s.eye_paths;
+    s.transport.eye_paths = s.eye_paths;
     const auto& seen = seen_light_.sums();
     for (std::size_t i = 0; i < seen.size(); ++i)
-        tally_at(s.account.lights, i).seen += seen[i] / double(s.eye_paths);
+        sum_at(s.transport.lights, i).seen += seen[i] / double(s.eye_paths);
     s.memory_bytes = memory_bytes();
-    s.refused = refusals_.by_origin();
+    s.refused = filter_.by_origin();
     return s;
 }
 
@@ -225,8 +225,8 @@ void PassLoop::state(StateArchive& archive) {
         archive.value(*count);
     archive.amount(statistics_.radius);
     seen_light_.state(archive);
-    archive.value(statistics_.account.cut_eye_paths);
-    refusals_.state(archive);
+    archive.value(statistics_.transport.cut_eye_paths);
+    filter_.state(archive);
     direct_light_.state(archive);
     if (archive.restoring()) eye_->restore(statistics_.passes, image_);
     for (const auto& strategy : strategies_)

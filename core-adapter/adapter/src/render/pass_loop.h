@@ -10,7 +10,7 @@
 #include "eye/direct_light.h"
 #include "eye/eye_source.h"
 #include "layers/light_layers.h"
-#include "refusal/refusals.h"
+#include "sample_filter/invalid_sample_filter.h"
 #include "strategies/light_strategy.h"
 
 namespace aips {
@@ -34,7 +34,7 @@ class PassLoop {
     std::uint32_t trace_eye_paths(std::uint64_t pass);
     void add_light(const CarriedLight& light, FilmPass& film_pass);
     void learn(const StrategyPass& pass, const FilmPass& film_pass);
-    void account();
+    void count_transport();
     void add_parts(const FilmPass& film_pass, FilmPass& parts);
     void count(const PassReport& report, std::uint64_t eye_rays);
     void refuse_powers();
@@ -45,7 +45,7 @@ class PassLoop {
     std::uint32_t eye_paths_;
     DirectLight direct_light_;
     std::optional<LightLayers> light_layers_;  // if they are asked for and lights are learned
-    Refusals refusals_;
+    InvalidSampleFilter filter_;
     std::unique_ptr<EyeSource> eye_;
     LightStrategies strategies_;
     EyeImage image_;

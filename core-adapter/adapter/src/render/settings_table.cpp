@@ -14,7 +14,8 @@ constexpr std::array<std::string_view, 3> kGuides{"none", "paper", "adaptive"};
 constexpr std::array<std::string_view, 3> kRadii{"automatic", "schedule", "adaptive"};
 constexpr std::array<std::string_view, 2> kCriteria{"paper", "image"};
 constexpr std::array<std::string_view, 3> kNeighbours{"reached", "last", "both"};
-constexpr std::array<std::string_view, 2> kPhotonSamplers{"halton", "amc"};
+constexpr std::array<std::string_view, 2> kPhotonSamplers{"sobol", "amc"};
+constexpr std::array<std::string_view, 1> kLuxRendersSamplers{"halton"};
 
 constexpr std::string_view kUsualDepthText = "16";
 static_assert(kUsualDepth == 16);
@@ -36,9 +37,9 @@ bool guided_adaptively(const Settings& s) {
 bool guided_by_paper(const Settings& s) {
     return s.guide == GuideKind::Paper;
 }
-/// Landings that shadow rays own are all first landings, and only the paper's criterion learns from
-/// them: the other one goes by the image, to which they bring nothing.
-bool learns_from_first_landings(const Settings& s) {
+/// Photons that shadow rays own all come straight from a light, and only the paper's criterion
+/// learns from them: the other one goes by the image, to which they bring nothing.
+bool learns_from_direct_photons(const Settings& s) {
     return guided_by_paper(s) && s.direct_light_sampling &&
            s.error_criterion == CriterionKind::Paper;
 }
@@ -56,7 +57,7 @@ constexpr SettingRow kRows[] = {
      .member = &Settings::guide,
      .group = SettingGroup::First,
      .doc = "What decides where photons go: nothing; the adaptive tables of Liu and Zheng 2014; or "
-            "what photons are worth to the image (docs/understand/guides.md).",
+            "what photons contribute to the image (docs/understand/guides.md).",
      .choices = kGuides},
     {.name = "maxdepth",
      .member = &Settings::max_bounces,
@@ -70,8 +71,9 @@ constexpr SettingRow kRows[] = {
     {.name = "maxeyedepth",
      .member = &Settings::max_eye_depth,
      .group = SettingGroup::First,
-     .doc = "Most surfaces that an eye path meets. Unless it is given, the first 64 smooth ones do "
-            "not count.",
+     .doc =
+         "Most surfaces that an eye path meets. Unless it is given, the first 64 specular ones do "
+         "not count.",
      .minimum = 1,
      .maximum = 1024,
      .default_text = kUsualDepthText,
@@ -79,8 +81,9 @@ constexpr SettingRow kRows[] = {
     {.name = "maxphotondepth",
      .member = &Settings::max_photon_depth,
      .group = SettingGroup::First,
-     .doc = "Most surfaces that a photon path meets. Unless it is given, the first 64 smooth ones "
-            "do not count.",
+     .doc =
+         "Most surfaces that a photon path meets. Unless it is given, the first 64 specular ones "
+         "do not count.",
      .minimum = 1,
      .maximum = 1024,
      .default_text = kUsualDepthText,
@@ -137,11 +140,12 @@ constexpr SettingRow kRows[] = {
      .doc = "Glossy lobes take photons instead of bouncing the eye path."},
     {.name = "photonsampler",
      .member = &Settings::photon_sampler,
-     .doc =
-         "Where unguided photon paths come from: halton, a low-discrepancy sequence (scrambled "
-         "Sobol'); amc, adaptive Markov chains on the paths that reach visible points (Hachisuka "
-         "and Jensen 2011).",
+     .doc = "Where unguided photon paths come from: sobol, a low-discrepancy sequence (scrambled "
+            "Sobol'; LuxRender's halton is the same); amc, adaptive Markov chains on the paths "
+            "that reach visible points (Hachisuka "
+            "and Jensen 2011).",
      .choices = kPhotonSamplers,
+     .aliases = kLuxRendersSamplers,
      .matters = unguided},
     {.name = "debuglayers",
      .member = &Settings::debug_layers,
@@ -156,7 +160,7 @@ constexpr SettingRow kRows[] = {
     {.name = "correctedges",
      .member = &Settings::correct_edges,
      .group = SettingGroup::Study,
-     .doc = "In mode progressive: at edges photons count by the part of their search disc that is "
+     .doc = "In mode progressive: at edges photons count by the part of their gather disc that is "
             "surface (docs/understand/radius.md)."},
     {.name = "narrowradii",
      .member = &Settings::narrow_radii,
@@ -182,11 +186,11 @@ constexpr SettingRow kRows[] = {
      .doc = "Where eye paths go on and photons bring little, one of up to eight passes shoots for "
             "all (docs/understand/sharing-light.md)."},
     {.name = "guidelamps",
-     .member = &Settings::guide_lamps,
+     .member = &Settings::guide_emitters,
      .group = SettingGroup::Study,
-     .doc =
-         "In mode progressive: paths are drawn for lamps behind glass and in mirrors, beside eye "
-         "paths; not with guide paper (docs/understand/direct-light.md)."},
+     .doc = "In mode progressive: paths are drawn for emitters behind glass and in mirrors, beside "
+            "eye "
+            "paths; not with guide paper (docs/understand/direct-light.md)."},
     {.name = "guideemission",
      .member = &Settings::guide_emission,
      .group = SettingGroup::Study,
@@ -211,13 +215,13 @@ constexpr SettingRow kRows[] = {
      .member = &Settings::guide_chains,
      .group = SettingGroup::Study,
      .doc = "With guide adaptive: before the first pass Markov chains explore where photons start "
-            "that are seen, where the first look shows that next to none are.",
+            "that are seen, where the pilot pass shows that next to none are.",
      .matters = guided_adaptively},
     {.name = "guidescout",
-     .member = &Settings::guide_scout,
+     .member = &Settings::pilot_pass,
      .group = SettingGroup::Study,
      .doc =
-         "With guide adaptive: a first look decides whether it guides; it is left out where many "
+         "With guide adaptive: a pilot pass decides whether it guides; it is left out where many "
          "photon paths reach what is seen without it.",
      .matters = guided_adaptively},
 
@@ -277,7 +281,7 @@ constexpr SettingRow kRows[] = {
      .member = &Settings::error_criterion,
      .group = SettingGroup::Paper,
      .doc = "A node's error is noise and bias of its photons' density (eq. 2 to 4); or, beyond the "
-            "paper, what they are worth to the image (docs/understand/paper-guide.md).",
+            "paper, what they contribute to the image (docs/understand/paper-guide.md).",
      .choices = kCriteria,
      .matters = guided_by_paper},
     {.name = "neighbours",
@@ -296,11 +300,11 @@ constexpr SettingRow kRows[] = {
             "of those that they had when each photon landed.",
      .matters = guided_by_paper},
     {.name = "firstlandings",
-     .member = &Settings::first_landings,
+     .member = &Settings::direct_photons,
      .group = SettingGroup::Paper,
      .doc = "Nodes also hold the photons that come straight from a light where shadow rays bring "
             "that light to the image (directlightsampling); not with errorcriterion image.",
-     .matters = learns_from_first_landings},
+     .matters = learns_from_direct_photons},
 };
 
 std::string written(bool value, const SettingRow& /*row*/) {

@@ -26,7 +26,7 @@ inline constexpr double kShareMemory = 0.5;
 /// Supported by: no measurement.
 inline constexpr double kErrorOverVariance = 1.5;
 
-/// Searches for images of lamps before the first pass. Unit: pixels.
+/// Searches for images of emitters before the first pass. Unit: pixels.
 /// Balances: time before the first pass against images that are yet unknown.
 /// Chosen by: docs/notebook/2026-11-25-images-of-lamps.md.
 /// Supported by: one scene only: chess.

@@ -19,7 +19,7 @@ struct ComingPass {
     std::uint64_t number = 0;
     float time = 0;
     const EyePassInput& eye;  ///< what its eye paths will be traced with
-    Refusals& refusals;
+    InvalidSampleFilter& filter;
 };
 
 /// A pass whose eye paths are traced.
@@ -29,7 +29,7 @@ struct StrategyPass {
     const EyeImage& image;
     std::uint32_t eye_paths = 0;  ///< traced for this pass; 0 where earlier ones are kept
     std::uint64_t eye_rays = 0;   ///< of these, and those that strategies took before them
-    Refusals& refusals;
+    InvalidSampleFilter& filter;
 };
 
 /// Which of the film's two means over passes light belongs to.
@@ -60,8 +60,8 @@ class LightStrategy {
     virtual const EyeShares* eye_shares() const { return nullptr; }
     /// Where its photons lose light at the edges of surfaces; null: nowhere. As above.
     virtual const DiscGaps* disc_gaps() const { return nullptr; }
-    /// Images of lamps that the strategy draws paths through; null: none. As above.
-    virtual const LampImages* lamp_images() const { return nullptr; }
+    /// Images of emitters that the strategy draws paths through; null: none. As above.
+    virtual const EmitterImages* emitter_images() const { return nullptr; }
     /// Before the eye paths of each pass are traced; returns the rays that it took beside theirs.
     virtual std::uint64_t begin_pass(const ComingPass& /*pass*/) { return 0; }
     /// Carries the light of one pass; adds what it did to `report`.

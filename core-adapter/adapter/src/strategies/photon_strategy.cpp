@@ -66,12 +66,12 @@ std::optional<PixelImportance> PhotonStrategy::make_importance() const {
 }
 
 /// Before the first photon path.
-void PhotonStrategy::look_first(const StrategyPass& pass) {
-    if (!plan_.looks_first()) return;
+void PhotonStrategy::run_pilot_pass(const StrategyPass& pass) {
+    if (!plan_.has_pilot_pass()) return;
     const Stopwatch watch(plan_seconds_);
     const double radius = initial_radius(settings_, pass.image, smallest_radius(scene_));
     const SeenPaths seen =
-        scout_photons(scene_, settings_, pass.time, pass.image, static_cast<float>(radius));
+        trace_pilot_pass(scene_, settings_, pass.time, pass.image, static_cast<float>(radius));
     // What another render learned may have chosen a way already.
     const PhotonWay way = photon_way(seen);
     if (way != plan_.way) take_way(way);
@@ -110,7 +110,7 @@ std::unique_ptr<PhotonSource> PhotonStrategy::make_source() const {
 
 CarriedLight PhotonStrategy::carry(const StrategyPass& pass, PassReport& report) {
     const EyeImage& image = pass.image;
-    if (pass.number == 0 && !image.visible_points.empty()) look_first(pass);
+    if (pass.number == 0 && !image.visible_points.empty()) run_pilot_pass(pass);
     before_ = photon_pass_.totals();
     radii_ = {};
     shot_ = 0;
@@ -145,15 +145,16 @@ void PhotonStrategy::shoot(const StrategyPass& pass, const PassPhotons& photons,
         occlusion->begin_pass(pass.number, pass.time, image);
         if (importance_) importance_->set_occlusion(*occlusion);
     }
-    photon_pass_.shoot(pass.number, photons, pass.time, image, radii_, pass.refusals, flux_,
+    photon_pass_.shoot(pass.number, photons, pass.time, image, radii_, pass.filter, flux_,
                        occlusion);
     if (edges_ && any_points) {
         const Stopwatch watch(edge_seconds_);
         report.rays += edges_->correct(pass.number, pass.time, image, radii_, flux_);
     }
     if (occlusion) occlusion->end_pass(image);
-    photon_pass_.account(photons, schedule_.turns(), image, edges_ ? edges_->brightened() : 1);
-    photon_pass_.estimate(image, flux_, radii_, photons.paths, pass.refusals, radiance_,
+    photon_pass_.count_transport(photons, schedule_.turns(), image,
+                                 edges_ ? edges_->brightened() : 1);
+    photon_pass_.estimate(image, flux_, radii_, photons.paths, pass.filter, radiance_,
                           noise_ && !shared_ ? &variances_ : nullptr);
     if (any_points) radius_policy_->after_pass(flux_);
     if (shared_) join_eye_share(pass, photons);
@@ -243,7 +244,7 @@ PassNoise PhotonStrategy::learn_noise(const EyeImage& image) {
     const Stopwatch watch(plan_seconds_);
     pixel_luminances(image, radiance_, film_.width(), film_.height(), seen_);
     if (noise_) noise = noise_->add_pass(seen_, variances_, shot_, *importance_);
-    add_lamp_rests(image, seen_);
+    add_emitter_rests(image, seen_);
     importance_->add_pass(seen_);
     return noise;
 }
@@ -270,8 +271,8 @@ void PhotonStrategy::learned(LearnedParts& parts) {
     parts.part("way of photons", 0, [&](StateArchive& archive) {
         PhotonWay way = plan_.way;
         archive.value(way, PhotonWay::Unguided);
-        // A first look judges it anew; without one nothing would.
-        if (way != plan_.way && plan_.allows(way) && plan_.looks_first()) take_way(way);
+        // A pilot pass judges it anew; without one nothing would.
+        if (way != plan_.way && plan_.allows(way) && plan_.has_pilot_pass()) take_way(way);
     });
     schedule_.learned(parts);
     if (importance_) importance_->learned(parts);
@@ -291,8 +292,8 @@ void PhotonStrategy::add_to(EngineStatistics& s) const {
     s.photons_per_pass = schedule_.next().paths;
     s.plan_seconds += plan_seconds_;
     s.gather_seconds += edge_seconds_;
-    s.account.skipped.insert(s.account.skipped.end(), skip_log_.said().begin(),
-                             skip_log_.said().end());
+    s.transport.skipped.insert(s.transport.skipped.end(), skip_log_.said().begin(),
+                               skip_log_.said().end());
 }
 
 std::size_t PhotonStrategy::memory_bytes() const {

@@ -6,6 +6,9 @@
 #include <optional>
 #include <vector>
 
+#include "contribution/pass_noise.h"
+#include "contribution/pixel_importance.h"
+#include "contribution/pixel_luminance.h"
 #include "estimate/edge_correction.h"
 #include "estimate/pixel_estimate.h"
 #include "layers/debug_layers.h"
@@ -16,9 +19,6 @@
 #include "radii/radius_policy.h"
 #include "strategies/light_strategy.h"
 #include "strategies/shared_light.h"
-#include "worth/pass_noise.h"
-#include "worth/pixel_importance.h"
-#include "worth/pixel_luminance.h"
 
 namespace aips {
 
@@ -43,7 +43,7 @@ class PhotonStrategy : public LightStrategy {
     std::size_t memory_bound_bytes() const override;
 
   private:
-    void look_first(const StrategyPass& pass);
+    void run_pilot_pass(const StrategyPass& pass);
     void take_way(PhotonWay way);
     PhotonSchedule make_schedule() const;
     std::unique_ptr<RadiusPolicy> make_radii() const;
@@ -76,9 +76,9 @@ class PhotonStrategy : public LightStrategy {
     std::optional<SharedLight> shared_;  // if eye paths go on from visible points
     PhotonPass photon_pass_;
     std::unique_ptr<RadiusPolicy> radius_policy_;
-    std::optional<EdgeCorrection> edges_;       // if search discs are asked for edges
+    std::optional<EdgeCorrection> edges_;       // if gather discs are asked for edges
     std::optional<PhotonOcclusion> occlusion_;  // if photons are asked for what separates them
-    SearchRadii radii_;                         // of the last pass
+    GatherRadii radii_;                         // of the last pass
     std::uint32_t shot_ = 0;                    // photon paths in it
     bool in_turn_ = true;                       // whether it was one that shoots
     PhotonFlux flux_;

@@ -112,7 +112,7 @@ void SharedLight::learn(const ShotPass& pass, const EyeImage& image, const Photo
         into.clear();
         for (std::size_t i = first; i < last; ++i) {
             const VisiblePoint& point = image.visible_points[i];
-            if (pass.number >= kPilotPasses &&
+            if (pass.number >= kWarmUpPasses &&
                 !shares_.is_one_of(kSharePointsOneOf, pass.number, point.sample))
                 continue;
             const std::uint32_t pixel = film_pixel(image.positions[point.sample], width_, height_);

@@ -4,12 +4,12 @@
 
 #include <cstdint>
 
+#include "contribution/own_light_noise.h"
+#include "contribution/photon_square.h"
+#include "contribution/pixel_importance.h"
 #include "estimate/gather.h"
 #include "eye/eye_shares.h"
 #include "plan/pass_plan.h"
-#include "worth/own_light_noise.h"
-#include "worth/photon_square.h"
-#include "worth/pixel_importance.h"
 
 namespace aips {
 

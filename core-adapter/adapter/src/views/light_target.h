@@ -6,7 +6,7 @@
 
 #include "aips/core/base/image_part.h"
 #include "aips/core/base/rgb.h"
-#include "refusal/refusals.h"
+#include "sample_filter/invalid_sample_filter.h"
 
 namespace aips {
 
@@ -16,8 +16,9 @@ struct LightTarget {
     Rgb* part = nullptr;    ///< of all groups together; null: not wanted
 
     /// False, and counted, if the value is refused.
-    bool add(std::uint32_t group, const Rgb& value, Origin origin, Refusals& refusals) const {
-        if (!refusals.add(groups[group], value, origin)) return false;
+    bool add(std::uint32_t group, const Rgb& value, Origin origin,
+             InvalidSampleFilter& filter) const {
+        if (!filter.add(groups[group], value, origin)) return false;
         if (part) *part += value;
         return true;
     }

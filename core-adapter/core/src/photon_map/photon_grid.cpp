@@ -1,4 +1,4 @@
-// Copies of landings in the order of their cells.
+// Copies of photons in the order of their cells.
 #include "aips/core/photon_map/photon_grid.h"
 
 #include "photon_map/constants.h"
@@ -6,27 +6,27 @@
 namespace aips {
 namespace {
 
-/// Queries for each landing from which on the filter is asked first.
-constexpr std::size_t kQueriesOfFewLandings = 8;
+/// Queries for each photon from which on the filter is asked first.
+constexpr std::size_t kQueriesOfFewPhotons = 8;
 
 constexpr std::size_t kChunk = std::size_t(1) << 12;
 
 }  // namespace
 
-void LandingGrid::build(std::span<const Landing> landings, float radius,
-                        const ParallelFor& parallel, std::size_t queries) {
+void PhotonGrid::build(std::span<const Photon> photons, float radius, const ParallelFor& parallel,
+                       std::size_t queries) {
     // Nothing is kept of those before, which growing would move.
     positions_.clear();
     photons_.clear();
-    positions_.reserve(rounded_capacity(landings.size()));
-    photons_.reserve(rounded_capacity(landings.size()));
-    positions_.resize(landings.size());
-    in_chunks(landings.size(), kChunk, parallel, [&](std::size_t first, std::size_t last) {
+    positions_.reserve(rounded_capacity(photons.size()));
+    photons_.reserve(rounded_capacity(photons.size()));
+    positions_.resize(photons.size());
+    in_chunks(photons.size(), kChunk, parallel, [&](std::size_t first, std::size_t last) {
         for (std::size_t i = first; i < last; ++i)
-            positions_[i] = landings[i].position;
+            positions_[i] = photons[i].position;
     });
     cells_.build(positions_, radius, parallel);
-    if (landings.size() * kQueriesOfFewLandings < queries) {
+    if (photons.size() * kQueriesOfFewPhotons < queries) {
         filter_.build(positions_, radius, parallel);
     } else {
         filter_.clear();
@@ -35,20 +35,20 @@ void LandingGrid::build(std::span<const Landing> landings, float radius,
     in_chunks(cells_.size(), kChunk, parallel, [&](std::size_t first, std::size_t last) {
         for (std::size_t slot = first; slot < last; ++slot) {
             const std::uint32_t i = cells_.order()[slot];
-            photons_[slot] = grid_photon(landings[i], i);
+            photons_[slot] = grid_photon(photons[i], i);
         }
     });
 }
 
-std::size_t LandingGrid::memory_bytes() const {
+std::size_t PhotonGrid::memory_bytes() const {
     return cells_.memory_bytes() + filter_.memory_bytes() + positions_.capacity() * sizeof(Vec3) +
            photons_.capacity() * sizeof(GridPhoton);
 }
 
-std::size_t LandingGrid::memory_bound_bytes(std::size_t max_landings) {
-    return CellSort::memory_bound_bytes(max_landings) +
-           ReachFilter::memory_bound_bytes(max_landings) +
-           rounded_capacity(max_landings) * (sizeof(Vec3) + sizeof(GridPhoton));
+std::size_t PhotonGrid::memory_bound_bytes(std::size_t max_photons) {
+    return CellSort::memory_bound_bytes(max_photons) +
+           ReachFilter::memory_bound_bytes(max_photons) +
+           rounded_capacity(max_photons) * (sizeof(Vec3) + sizeof(GridPhoton));
 }
 
 }  // namespace aips

@@ -10,7 +10,7 @@
 namespace aips {
 namespace {
 
-/// Bits of the filter for each landing, where there are few.
+/// Bits of the filter for each photon, where there are few.
 constexpr std::size_t kFilterBitsPerPoint = 64;
 
 constexpr std::size_t kFilterChunkPoints = std::size_t(1) << 9;

@@ -90,7 +90,7 @@ void LightTables::add_leaves() {
 }
 
 // Of the mean over all places it is the shares of the lights that a place takes for its own: what
-// they bring where lamps are near is no measure for a place where all is dim.
+// they bring where emitters are near is no measure for a place where all is dim.
 void LightTables::make_choices() {
     const std::size_t lights = plain_.size();
     const double everywhere = sum(everywhere_.squares);

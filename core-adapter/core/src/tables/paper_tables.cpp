@@ -37,21 +37,21 @@ PaperTables::PaperTables(const PaperTableSettings& settings) : settings_(setting
     uniform_.assign(n * n, 1.0f);
 }
 
-void PaperTables::update(const NodeTree& tree, std::span<const Landing> landings,
+void PaperTables::update(const NodeTree& tree, std::span<const Photon> photons,
                          const ParallelFor& parallel) {
     add_nodes(tree);
     tree.region_errors(errors_);
-    for (const Landing& landing : landings) {
-        if (landing.depth < kFirstSegmentDepth || landing.from_smooth ||
-            !is_finite(landing.position) || !is_finite(landing.previous) ||
-            !is_finite(landing.direction)) {
+    for (const Photon& photon : photons) {
+        if (photon.depth < kFirstSegmentDepth || photon.from_specular ||
+            !is_finite(photon.position) || !is_finite(photon.previous) ||
+            !is_finite(photon.direction)) {
             continue;
         }
         if (settings_.earlier_learns) {
-            see(tree.locate(landing.previous), -landing.direction, tree.region(landing.position));
+            see(tree.locate(photon.previous), -photon.direction, tree.region(photon.position));
         }
         if (settings_.later_learns) {
-            see(tree.locate(landing.position), landing.direction, tree.region(landing.previous));
+            see(tree.locate(photon.position), photon.direction, tree.region(photon.previous));
         }
     }
     rebuild_all(parallel);

@@ -233,7 +233,7 @@ void ShareTable::state(StateArchive& archive) {
         leaf.state(archive);
     for (EyeShare& eye : shares_) {
         archive.value(eye.share);
-        archive.value(eye.first_ray);
+        archive.value(eye.bsdf_direct);
         archive.value(eye.fills_from);
         StateArchive::check(eye.share >= 0 && eye.share < 1 && eye.fills_from > 0,
                             "a share of light that is none");

@@ -1,4 +1,4 @@
-// Learning what photons are worth, and what they cost, where they scatter.
+// Learning what photons contribute, and what they cost, where they scatter.
 #include "aips/core/trees/score_cache.h"
 
 #include <algorithm>

@@ -31,13 +31,13 @@ constexpr Rule kRules[] = {
 
 }  // namespace
 
-std::vector<Advice> advise(const RenderSession& session, const RenderAccount& account,
+std::vector<Advice> advise(const RenderSession& session, const TransportStatistics& transport,
                            const ImageVerdict& image) {
     std::vector<Advice> advice;
     try {
         SceneProbe probe(session);
         const std::vector<std::uint8_t> picture = session.film->tone_mapped();
-        const AdviceFacts facts{session, account, image, picture, probe};
+        const AdviceFacts facts{session, transport, image, picture, probe};
         for (const Rule& rule : kRules) {
             if (auto text = rule.look(facts)) advice.push_back({rule.name, std::move(*text)});
         }

@@ -16,7 +16,7 @@ namespace lxs {
 /// What rules look at.
 struct AdviceFacts {
     const RenderSession& session;
-    const RenderAccount& account;
+    const TransportStatistics& transport;
     const ImageVerdict& image;
     std::span<const std::uint8_t> picture;  ///< FileFilm::tone_mapped()
     SceneProbe& probe;
@@ -25,7 +25,7 @@ struct AdviceFacts {
 /// What a rule has to say; nothing if all is well.
 using AdviceText = std::optional<std::string>;
 
-// account_rules.cpp: by what the integrator counted.
+// transport_rules.cpp: by what the integrator counted.
 AdviceText photon_depth_cuts_caustics(const AdviceFacts& facts);
 AdviceText eye_depth_cuts_glass(const AdviceFacts& facts);
 AdviceText light_takes_photons_for_nothing(const AdviceFacts& facts);

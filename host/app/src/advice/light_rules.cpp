@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::size_t kMostAskedLights = 8;
 constexpr int kSent = 256;               ///< rays from each
-constexpr std::size_t kMostPlaces = 48;  ///< on smooth surfaces in view that each is asked from
+constexpr std::size_t kMostPlaces = 48;  ///< on specular surfaces in view that each is asked from
 constexpr int kMostBends = 8;            ///< on each ray
 constexpr double kBentShare = 0.01;      ///< of a light's own light, from which on it is missed
 constexpr double kLobeShare = 0.1;       ///< of what is scattered, below which a lobe is left alone
@@ -32,7 +32,7 @@ constexpr const char* kGlossTakesPhotons =
 struct LandedLight {
     double all = 0;      ///< that is scattered towards the eye, in the lamp's own units
     double bent = 0;     ///< of this, by lobes that are asked for, come through glass or by mirrors
-    int from_view = 0;   ///< such ways by smooth surfaces that are in view
+    int from_view = 0;   ///< such ways by specular surfaces that are in view
     int ways = 0;        ///< those, and ways that the lamp's own rays took
     double chances = 0;  ///< over these, of a ray from where they land to meet the lamp
 
@@ -56,7 +56,7 @@ struct LightRay {
     bool bent = false;  ///< by glass or a mirror
 };
 
-/// Follows light through smooth surfaces to where the eye sees it land; false if it does nowhere.
+/// Follows light through specular surfaces to where the eye sees it land; false if it does nowhere.
 bool land(SceneProbe& probe, ProbeNumbers& numbers, LightRay& light) {
     for (int i = 0; i < kMostBends && light.met && light.met->hit.bsdf; ++i) {
         const MetSurface& met = *light.met;
@@ -99,18 +99,18 @@ void send_rays(SceneProbe& probe, const Light& light, LobeMask lobes, ProbeNumbe
     }
 }
 
-/// Where light goes on from the smooth surfaces in view: its own rays seldom meet small ones.
+/// Where light goes on from the specular surfaces in view: its own rays seldom meet small ones.
 void send_by_what_is_seen(SceneProbe& probe, const Light& light, LobeMask lobes,
                           ProbeNumbers& numbers, LandedLight& landed) {
-    const auto& smooth = probe.smooth();
-    for (std::size_t i = 0; i < smooth.size(); i += smooth.size() / kMostPlaces + 1) {
+    const auto& specular = probe.specular();
+    for (std::size_t i = 0; i < specular.size(); i += specular.size() / kMostPlaces + 1) {
         DirectSample sample;
-        const SurfaceHit& hit = smooth[i].hit;
+        const SurfaceHit& hit = specular[i].hit;
         if (!light.sample_direct(hit.p, hit.ng, numbers.next2(), sample) || !(sample.pdf > 0) ||
             is_black(sample.radiance) ||
             is_black(probe.scene().transmittance(shadow_ray(hit, sample, probe.time()))))
             continue;
-        LightRay ray{smooth[i]};
+        LightRay ray{specular[i]};
         ray.met->ray.direction = -sample.wi;
         if (!land(probe, numbers, ray) || !ray.bent) continue;
         const double all = towards_eye(probe, *ray.met, kDiffuse | kGlossy);
@@ -175,7 +175,7 @@ AdviceText path_misses_caustics(const AdviceFacts& facts) {
 }
 
 AdviceText gloss_misses_caustics(const AdviceFacts& facts) {
-    const LobeMask lobes = facts.account.without_photons;
+    const LobeMask lobes = facts.transport.without_photons;
     if (lobes == 0 || !facts.session.scene->facts().has_specular) return {};
     const auto lights = facts.probe.scene().lights();
     for (std::size_t i = 0; i < std::min(lights.size(), kMostAskedLights); ++i) {
@@ -193,7 +193,7 @@ AdviceText gloss_misses_caustics(const AdviceFacts& facts) {
 }
 
 AdviceText radius_is_wider_than_objects(const AdviceFacts& facts) {
-    const auto radius = static_cast<float>(facts.account.radius);
+    const auto radius = static_cast<float>(facts.transport.radius);
     if (!(radius > 0)) return {};
     int points = 0, wide = 0;
     constexpr std::size_t kEvery = 4;

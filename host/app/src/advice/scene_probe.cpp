@@ -10,9 +10,9 @@ namespace lxs {
 namespace {
 
 constexpr std::uint32_t kProbesPerAxis = 24;
-constexpr std::uint32_t kSmoothEvery = 2;  ///< of so many of these rays one passes through all
-constexpr int kMostPassed = 32;            ///< surfaces on one ray
-constexpr int kAround = 64;                ///< ways from a place
+constexpr std::uint32_t kSpecularEvery = 2;  ///< of so many of these rays one passes through all
+constexpr int kMostPassed = 32;              ///< surfaces on one ray
+constexpr int kAround = 64;                  ///< ways from a place
 
 }  // namespace
 
@@ -24,8 +24,8 @@ float ProbeNumbers::next() {
     return static_cast<float>((z ^ (z >> 31)) >> 40) * 0x1p-24f;
 }
 
-SmoothSurface smooth_surface(const MetSurface& met) {
-    SmoothSurface surface;
+SpecularSurface specular_surface(const MetSurface& met) {
+    SpecularSurface surface;
     if (!met.hit.bsdf || met.hit.bsdf->lobes() != kSpecular) return surface;
     constexpr int kDraws = 16;
     for (int i = 0; i < kDraws; ++i) {
@@ -61,11 +61,11 @@ SceneProbe::SceneProbe(const RenderSession& session)
     eye_ /= static_cast<float>(kProbesPerAxis * kProbesPerAxis);
     view_.normalize();
     if (!scene_.facts().has_specular) return;
-    for (std::size_t i = 0; i < seen_.size(); i += kSmoothEvery) {
+    for (std::size_t i = 0; i < seen_.size(); i += kSpecularEvery) {
         pass_through(seen_[i].ray, [&](const MetSurface& met) {
             if (!met.hit.bsdf || met.hit.bsdf->lobes() != kSpecular) return true;
             MetSurface again = met;
-            if (scene_.intersect(met.ray, again.hit, kept_)) smooth_.push_back(again);
+            if (scene_.intersect(met.ray, again.hit, kept_)) specular_.push_back(again);
             return true;
         });
     }

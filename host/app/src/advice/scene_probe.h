@@ -31,8 +31,8 @@ class ProbeNumbers {
     std::uint64_t state_;
 };
 
-/// What a smooth surface does with light: has no lobe that is not specular.
-struct SmoothSurface {
+/// What a specular surface does with light: has no lobe that is not specular.
+struct SpecularSurface {
     bool reflects = false;
     bool refracts = false;         ///< lets light through and bends it
     bool passes_straight = false;  ///< lets it through as it came: architectural glass, null
@@ -43,8 +43,8 @@ inline bool from_behind(const Ray& ray, const SurfaceHit& hit) {
     return ray.direction.dot(hit.ng) > 0;
 }
 
-/// By a few samples of its Bsdf; nothing for surfaces that are not smooth.
-SmoothSurface smooth_surface(const MetSurface& met);
+/// By a few samples of its Bsdf; nothing for surfaces that are not specular.
+SpecularSurface specular_surface(const MetSurface& met);
 
 /// Looks through the image once, on a grid of rays.
 class SceneProbe {
@@ -58,8 +58,8 @@ class SceneProbe {
     float time() const { return time_; }
     /// What the rays through the image met first.
     const std::vector<MetSurface>& seen() const { return seen_; }
-    /// Smooth surfaces on those rays, also behind others.
-    const std::vector<MetSurface>& smooth() const { return smooth_; }
+    /// Specular surfaces on those rays, also behind others.
+    const std::vector<MetSurface>& specular() const { return specular_; }
     const Vec3& eye() const { return eye_; }    ///< mean start of those rays
     const Vec3& view() const { return view_; }  ///< their mean direction, unit
 
@@ -79,7 +79,7 @@ class SceneProbe {
     const Scene& scene_;
     float time_;
     std::pmr::monotonic_buffer_resource kept_, passing_;
-    std::vector<MetSurface> seen_, smooth_;
+    std::vector<MetSurface> seen_, specular_;
     Vec3 eye_{0.0f}, view_{0.0f};
 };
 

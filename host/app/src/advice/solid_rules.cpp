@@ -101,7 +101,7 @@ void count_first(SceneProbe& probe, const Vec3& through, const Vec3& direction,
     int others = 0;
     probe.pass_through(ray, [&](const MetSurface& met) {
         if (met.hit.material != material) {
-            others += smooth_surface(met).refracts;
+            others += specular_surface(met).refracts;
             return true;
         }
         if (others % 2 == 0) ++(from_behind(met.ray, met.hit) ? meetings.back : meetings.front);
@@ -114,7 +114,7 @@ void count_first(SceneProbe& probe, const Vec3& through, const Vec3& direction,
 AdviceText camera_is_inside_glass(const AdviceFacts& facts) {
     const auto& seen = facts.probe.seen();
     const bool bent = !seen.empty() && std::all_of(seen.begin(), seen.end(), [](const auto& met) {
-        return from_behind(met.ray, met.hit) && smooth_surface(met).refracts;
+        return from_behind(met.ray, met.hit) && specular_surface(met).refracts;
     });
     if (!bent) return {};
     const auto solid = facts.probe.solid_around(facts.probe.eye());
@@ -146,12 +146,12 @@ AdviceText lamp_is_inside_a_solid(const AdviceFacts& facts) {
 
 AdviceText glass_is_inside_out(const AdviceFacts& facts) {
     std::map<std::uint32_t, FirstMeetings> by_material;
-    const auto& smooth = facts.probe.smooth();
-    const std::size_t step = smooth.size() / kMostLines + 1;
-    for (std::size_t i = 0; i < smooth.size(); i += step) {
-        if (!smooth_surface(smooth[i]).refracts) continue;
-        const std::uint32_t material = smooth[i].hit.material;
-        count_first(facts.probe, smooth[i].hit.p,
+    const auto& specular = facts.probe.specular();
+    const std::size_t step = specular.size() / kMostLines + 1;
+    for (std::size_t i = 0; i < specular.size(); i += step) {
+        if (!specular_surface(specular[i]).refracts) continue;
+        const std::uint32_t material = specular[i].hit.material;
+        count_first(facts.probe, specular[i].hit.p,
                     direction_on_sphere(static_cast<int>(i / step), static_cast<int>(kMostLines)),
                     material, by_material[material]);
     }
@@ -170,8 +170,8 @@ AdviceText glass_is_inside_out(const AdviceFacts& facts) {
 AdviceText architectural_glass_is_curved(const AdviceFacts& facts) {
     std::map<std::uint32_t, std::set<std::tuple<int, int, int>>> normals;
     std::map<std::uint32_t, const MetSurface*> example;
-    for (const MetSurface& met : facts.probe.smooth()) {
-        const SmoothSurface surface = smooth_surface(met);
+    for (const MetSurface& met : facts.probe.specular()) {
+        const SpecularSurface surface = specular_surface(met);
         if (!surface.passes_straight || !surface.reflects) continue;
         constexpr float kSteps = 8;
         const auto step = [](float x) { return static_cast<int>(std::lround(kSteps * x)); };

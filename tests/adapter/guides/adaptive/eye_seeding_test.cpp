@@ -48,7 +48,7 @@ mock::Camera view_beside_the_pillar() {
     return {{1.5f, 0, 4}, {0, 0, -1}, {0.25f, 0, 0}, {0, 0.25f, 0}, 64, 64};
 }
 
-/// Share of photons whose first landing is within 4 of the pillar.
+/// Share of photons whose first photon is within 4 of the pillar.
 double share_near_view(const mock::Scene& scene, const std::vector<PrimaryPoint>& starts) {
     int near = 0;
     Arena arena;

@@ -104,7 +104,7 @@ float photons_from(mock::Material::Kind kind, double worth, bool split) {
     point.position = kFloor;
     point.geometric_normal = point.shading_normal = kUp;
     point.bsdf = mock::make_bsdf(material, kUp, kUp, arena);
-    Photon photon;
+    PhotonState photon;
     photon.ray.direction = normalize(Vec3{0.3f, 0.1f, -1});
     photon.power = kWhite;
     photon.emitted_power = 1;

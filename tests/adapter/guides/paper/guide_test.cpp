@@ -19,14 +19,14 @@ constexpr std::uint32_t kWidth = 32, kHeight = 24;
 struct Switches {
     CriterionKind criterion = CriterionKind::Paper;
     bool present_errors = true;
-    bool first_landings = true;
+    bool direct_photons = true;
 };
 
 Settings switched(Settings settings, Switches to) {
     settings.guide = GuideKind::Paper;
     settings.error_criterion = to.criterion;
     settings.present_errors = to.present_errors;
-    settings.first_landings = to.first_landings;
+    settings.direct_photons = to.direct_photons;
     return settings;
 }
 
@@ -95,20 +95,20 @@ mock::Rendering black_box(Switches switches) {
 TEST(PaperGuide, LearnsFromPhotonsThatShadowRaysOwn) {
     const mock::Rendering learned = black_box({});
     EXPECT_GT(learned.statistics.guide_nodes, 100u);
-    EXPECT_EQ(learned.statistics.landings, 0u) << "none is for the image";
+    EXPECT_EQ(learned.statistics.photons, 0u) << "none is for the image";
     EXPECT_EQ(learned.statistics.gathered, 0u);
     EXPECT_LE(learned.statistics.memory_bytes, learned.statistics.memory_bound_bytes);
-    EXPECT_EQ(black_box({.first_landings = false}).statistics.guide_nodes, 1u);
+    EXPECT_EQ(black_box({.direct_photons = false}).statistics.guide_nodes, 1u);
     // They are worth nothing to the photons' image.
     EXPECT_EQ(black_box({CriterionKind::Image}).statistics.guide_nodes, 1u);
 }
 
 /// Without shadow rays there is nothing that they own.
-TEST(PaperGuide, FirstLandingsAreLandingsLikeOthersWithoutShadowRays) {
-    const auto image = [](bool first_landings) {
+TEST(PaperGuide, FirstPhotonsArePhotonsLikeOthersWithoutShadowRays) {
+    const auto image = [](bool direct_photons) {
         const auto [scene, camera] = mock::half_mirror_view(kWidth, kHeight);
         Settings settings =
-            switched(mock::small_settings(4, 8000), {.first_landings = first_landings});
+            switched(mock::small_settings(4, 8000), {.direct_photons = direct_photons});
         settings.direct_light_sampling = false;
         return mock::render(scene, camera, kWidth, kHeight, settings, 2).film.image();
     };
@@ -126,14 +126,14 @@ Settings guide_settings() {
     return settings;
 }
 
-Landing landing_at(Vec3 position, Vec3 previous, float power) {
-    Landing landing;
-    landing.position = position;
-    landing.previous = previous;
-    landing.direction = normalize(previous - position);
-    landing.power = {power, power, power};
-    landing.depth = 2;
-    return landing;
+Photon photon_at(Vec3 position, Vec3 previous, float power) {
+    Photon photon;
+    photon.position = position;
+    photon.previous = previous;
+    photon.direction = normalize(previous - position);
+    photon.power = {power, power, power};
+    photon.depth = 2;
+    return photon;
 }
 
 /// Directions at the middle of a matte ceiling; null if the guide knows none.
@@ -152,15 +152,15 @@ TEST(PaperGuide, ErrorsAndTablesFollowVisibleNoise) {
     }
     for (int pass = 0; pass < 3; ++pass) {
         guide.begin_pass(eye, eye.size());
-        std::vector<Landing> landings;
+        std::vector<Photon> photons;
         RandomStream random(5, std::uint64_t(pass), 0, RandomDomain::Photon);
         for (int i = 0; i < 400; ++i) {
             const Vec2 u = random.next2();
-            landings.push_back(landing_at({u.x, u.y, 0}, {0.5f, 0.5f, 1}, 0.5f + random.next()));
+            photons.push_back(photon_at({u.x, u.y, 0}, {0.5f, 0.5f, 1}, 0.5f + random.next()));
             // What the ceiling's middle sees of the floor.
-            landings.push_back(landing_at({0.5f, 0.5f, 1}, {u.x, u.y, 0}, 1));
+            photons.push_back(photon_at({0.5f, 0.5f, 1}, {u.x, u.y, 0}, 1));
         }
-        guide.update(landings, {});
+        guide.update(photons, {});
     }
     const NodeTree& tree = guide.tree();
     EXPECT_GT(tree.node_count(), 8u);
@@ -178,25 +178,25 @@ TEST(PaperGuide, ErrorsAndTablesFollowVisibleNoise) {
               2 * directions->pdf(normalize(Vec3{0.4f, 0.4f, -1})));
 }
 
-/// A node's error is what its photons are worth to the image, whatever their power, and the ceiling
-/// sends photons to where that is most.
+/// A node's error is what its photons contribute to the image, whatever their power, and the
+/// ceiling sends photons to where that is most.
 TEST(PaperGuide, ErrorsAndTablesFollowScores) {
     Settings settings = guide_settings();
     settings.error_criterion = CriterionKind::Image;
     PaperGuide guide(unit_box(), settings);
     ASSERT_TRUE(guide.needs_scores());
     guide.begin_pass(std::vector<Vec3>(100, Vec3{0.9f, 0.9f, 0}), 100);
-    std::vector<Landing> landings;
+    std::vector<Photon> photons;
     std::vector<double> scores;
     RandomStream random(6, 0, 0, RandomDomain::Photon);
     for (int i = 0; i < 400; ++i) {
         const Vec2 u = random.next2();
         const float power = 0.5f + random.next();
         const bool valuable = u.x < 0.5f && u.y < 0.5f;
-        landings.push_back(landing_at({u.x, u.y, 0}, {0.5f, 0.5f, 1}, power));
+        photons.push_back(photon_at({u.x, u.y, 0}, {0.5f, 0.5f, 1}, power));
         scores.push_back((valuable ? 9.0 : 1.0) * double(power) * double(power));
     }
-    guide.update(landings, scores);
+    guide.update(photons, scores);
     const NodeTree& tree = guide.tree();
     EXPECT_NEAR(tree.node(tree.locate({0.1f, 0.1f, 0})).error, 3, 1e-5);
     EXPECT_NEAR(tree.node(tree.locate({0.9f, 0.9f, 0})).error, 1, 1e-5);

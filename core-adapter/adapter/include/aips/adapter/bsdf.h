@@ -51,7 +51,7 @@ class Bsdf {
                         BsdfSample& sample) const = 0;
     /// Where `sample` has two specular lobes to choose from, and no other, the probability that it
     /// takes the first of them: it does where u_lobe is below, else it takes the second. 0: there
-    /// is no such choice. With it lamps are looked for both ways.
+    /// is no such choice. With it emitters are looked for both ways.
     virtual float first_specular(Vec3 /*wo*/) const { return 0; }
     /// Approximate albedo in [0, 1], for choices only, never as a value of the image.
     virtual Rgb albedo(Vec3 wo, LobeMask mask) const = 0;

@@ -84,8 +84,8 @@ class Film {
     virtual std::uint32_t width() const = 0;
     virtual std::uint32_t height() const = 0;
     virtual void add_pass(const FilmPass& pass) = 0;
-    /// Whether passes may bring splats. Without them lamps behind glass and in mirrors are met by
-    /// eye paths alone.
+    /// Whether passes may bring splats. Without them emitters behind glass and in mirrors are met
+    /// by eye paths alone.
     virtual bool takes_splats() const { return false; }
     /// Layers that it takes beside what the settings ask for; never change.
     virtual LayersWanted layers_wanted() const { return {}; }

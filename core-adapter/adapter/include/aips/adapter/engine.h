@@ -10,11 +10,11 @@
 #include <utility>
 #include <vector>
 
-#include "aips/adapter/account.h"
 #include "aips/adapter/camera.h"
 #include "aips/adapter/ranks.h"
 #include "aips/adapter/scene.h"
 #include "aips/adapter/settings.h"
+#include "aips/adapter/transport_statistics.h"
 #include "aips/core/base/state_archive.h"
 
 namespace aips {
@@ -45,19 +45,19 @@ struct PassReport {
 struct EngineStatistics {
     std::uint64_t passes = 0;
     std::uint64_t eye_paths = 0;
-    std::uint64_t eye_rays = 0;  ///< shadow rays and lamp_rays included
+    std::uint64_t eye_rays = 0;  ///< shadow rays and emitter_rays included
     /// Eye paths that went on from their visible points, for the image or to learn what that brings
     std::uint64_t continued_paths = 0;
     /// Share of the light that eye paths and photons both can carry to visible points which eye
     /// paths now do
     double eye_share = 0;
-    std::uint64_t lamp_paths = 0;     ///< drawn through images of lamps
-    std::uint64_t lamp_searches = 0;  ///< for such images
-    std::uint64_t lamp_rays = 0;      ///< of both
-    std::uint64_t lamp_images = 0;    ///< known now
+    std::uint64_t emitter_paths = 0;     ///< drawn through images of emitters
+    std::uint64_t emitter_searches = 0;  ///< for such images
+    std::uint64_t emitter_rays = 0;      ///< of both
+    std::uint64_t emitter_images = 0;    ///< known now
     std::uint64_t photon_paths = 0;
     std::uint64_t photon_rays = 0;
-    std::uint64_t landings = 0;   ///< stored, but for those that shadow rays own
+    std::uint64_t photons = 0;    ///< stored, but for those that shadow rays own
     std::uint64_t split_off = 0;  ///< guide=adaptive: photons that came from splitting others
     std::uint64_t gathered = 0;   ///< photon contributions to visible points
     std::uint64_t bounces = 0;
@@ -83,7 +83,7 @@ struct EngineStatistics {
     /// guide=adaptive: share of what the lights emit that now gets under a quarter of its photons
     double pruned_emission = 0;
     double eye_seconds = 0, photon_seconds = 0, gather_seconds = 0, guide_seconds = 0;
-    double plan_seconds = 0;             ///< first look at photons, noise, pixels' weights
+    double plan_seconds = 0;             ///< pilot pass, noise, pixels' weights
     float radius = 0;                    ///< of the last pass
     std::uint32_t photons_per_pass = 0;  ///< of the next pass that shoots
     std::size_t memory_bytes = 0;        ///< held by the engine now
@@ -91,7 +91,7 @@ struct EngineStatistics {
     /// Contributions refused because they were not finite or negative, by origin: 'material "red"',
     /// 'light 3 (area)', or what dims light on its way.
     std::vector<std::pair<std::string, std::uint64_t>> refused;
-    RenderAccount account;  ///< counts only if the settings ask for it
+    TransportStatistics transport;  ///< counts only if the settings ask for it
 };
 
 /// Renders one pass after another. The image is a pure function of (scene, settings, passes):

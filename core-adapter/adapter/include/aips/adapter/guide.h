@@ -7,7 +7,7 @@
 
 #include "aips/adapter/bsdf.h"
 #include "aips/core/base/state_archive.h"
-#include "aips/core/photon_map/landing.h"
+#include "aips/core/photon_map/photon.h"
 
 namespace aips {
 
@@ -70,13 +70,13 @@ class Guide : public DirectionGuide {
     virtual std::uint32_t iteration_paths(std::uint64_t iteration) const = 0;
     /// Whether that iteration follows the guide; the first of a pass does not.
     virtual bool guides(std::uint64_t iteration) const = 0;
-    /// Whether update() wants landings that shadow rays own too.
+    /// Whether update() wants photons that shadow rays own too.
     virtual bool learns_from_owned() const = 0;
-    /// Whether update() wants the landings' scores.
+    /// Whether update() wants the photons' scores.
     virtual bool needs_scores() const = 0;
-    /// Learns from an iteration's landings, in their order; `scores` (LandingScore), one for each,
+    /// Learns from an iteration's photons, in their order; `scores` (PhotonScore), one for each,
     /// are empty unless needs_scores().
-    virtual void update(std::span<const Landing> landings, std::span<const double> scores) = 0;
+    virtual void update(std::span<const Photon> photons, std::span<const double> scores) = 0;
     virtual GuideStatistics statistics() const = 0;
     /// Number of the node at a position, below statistics().nodes; nodes are numbered in the order
     /// in which they split off, and keep their numbers.

@@ -22,7 +22,7 @@ inline constexpr std::uint32_t kNoName = ~std::uint32_t{0};
 
 /// What an eye path saw of surfaces. Those that let everything pass straight and undimmed are none.
 struct SeenSurface {
-    /// Bsdf::albedo of the first surface that isn't smooth alone, times what mirrors and glass on
+    /// Bsdf::albedo of the first surface that isn't specular alone, times what mirrors and glass on
     /// the way there left of light; black where there is none.
     Rgb albedo;
     /// Shading normal of the first surface, on the side that was seen; zero where there is none.

@@ -116,10 +116,11 @@ class Scene {
     /// none, `distance` says how far the ray's medium goes, and `transmittance` what passes it.
     virtual bool intersect(const Ray& ray, SurfacePoint& point,
                            std::pmr::memory_resource& memory) const = 0;
-    /// The same for a path that looks for lamps through smooth surfaces: where it meets what is no
-    /// lamp and has no specular lobe, it may leave all but `distance` and `transmittance` as it is.
-    virtual bool intersect_smooth(const Ray& ray, SurfacePoint& point,
-                                  std::pmr::memory_resource& memory) const {
+    /// The same for a path that looks for emitters through specular surfaces: where it meets what
+    /// is no emitter and has no specular lobe, it may leave all but `distance` and `transmittance`
+    /// as it is.
+    virtual bool intersect_specular(const Ray& ray, SurfacePoint& point,
+                                    std::pmr::memory_resource& memory) const {
         return intersect(ray, point, memory);
     }
     /// The same for who asks where a surface is and how it faces: it may leave all but `position`,

@@ -18,7 +18,7 @@ constexpr bool freezes_eye_pass(Mode mode) {
     return mode != Mode::Progressive;
 }
 
-/// How the search radius goes on in mode=progressive.
+/// How the gather radius goes on in mode=progressive.
 enum class RadiusKind : std::uint8_t {
     Automatic,  ///< Adaptive, unless the settings ask for a schedule of their own: adapts_radius()
     Schedule,   ///< one for all visible points, by the photons shot (Knaus & Zwicker 2011)
@@ -28,13 +28,13 @@ enum class RadiusKind : std::uint8_t {
 enum class GuideKind : std::uint8_t {
     None,     ///< plain photon shooting
     Paper,    ///< Liu & Zheng 2014
-    Adaptive  ///< by what photons are worth to the image: docs/understand/guides.md
+    Adaptive  ///< by what photons contribute to the image: docs/understand/guides.md
 };
 
 /// What guide=paper takes for a node's error.
 enum class CriterionKind : std::uint8_t {
     Paper,  ///< noise and bias of the photons' density (eq. 2 to 4)
-    Image   ///< what its photons are worth to the image
+    Image   ///< what its photons contribute to the image
 };
 
 /// Which node guide=paper tells of the other, of two between which a photon flew.
@@ -55,14 +55,14 @@ enum class PhotonSampler : std::uint8_t {
 inline constexpr std::uint32_t kUsualPhotonsPerPass = 1'000'000;
 
 /// Surfaces that a path meets at most where no bound was asked for, and those beside them that
-/// count for nothing, being smooth: light goes through a dozen panes of glass.
+/// count for nothing, being specular: light goes through a dozen panes of glass.
 inline constexpr std::uint32_t kUsualDepth = 16;
-inline constexpr std::uint32_t kUsualSmoothSurfaces = 64;
+inline constexpr std::uint32_t kUsualSpecularSurfaces = 64;
 
 /// How far a path goes.
 struct DepthLimit {
-    std::uint32_t surfaces = 0;  ///< met at most, but for the smooth ones that do not count
-    std::uint32_t smooth = 0;    ///< the first so many surfaces whose lobes all are specular
+    std::uint32_t surfaces = 0;  ///< met at most, but for the specular ones that do not count
+    std::uint32_t specular = 0;  ///< the first so many surfaces whose lobes all are specular
 };
 
 /// Settings::max_bounces that bounds nothing.
@@ -91,9 +91,9 @@ struct Settings {
     bool continue_eye_paths = true;
     /// Where photons bring little, one of several passes shoots for all.
     bool photon_turns = true;
-    /// Paths are drawn for lamps that smooth surfaces show, beside eye paths.
-    bool guide_lamps = true;
-    /// Density estimates count the part of a search disc that is surface, not all of it.
+    /// Paths are drawn for emitters that specular surfaces show, beside eye paths.
+    bool guide_emitters = true;
+    /// Density estimates count the part of a gather disc that is surface, not all of it.
     bool correct_edges = true;
     /// Photons count only where nothing separates them from the visible point.
     bool photon_occlusion = true;
@@ -113,16 +113,17 @@ struct Settings {
     CriterionKind error_criterion = CriterionKind::Paper;
     NeighbourKind neighbours = NeighbourKind::Reached;  ///< guide=paper: section 5.2
     bool present_errors = true;  ///< guide=paper: eq. 5 takes neighbours' errors of now
-    bool first_landings = true;  ///< guide=paper learns from light that shadow rays own
+    bool direct_photons = true;  ///< guide=paper learns from light that shadow rays own
 
     bool guide_emission = true;  ///< guide=adaptive guides where photons start
     bool eye_seeding = true;    ///< guide=adaptive learns from the eye where photons ought to start
     bool guide_bounces = true;  ///< guide=adaptive guides where photons go on to
     bool guide_survival = true;  ///< guide=adaptive decides which photons go on
-    bool guide_scout = true;   ///< guide=adaptive is left out where a first look tells it can't pay
+    bool pilot_pass = true;    ///< guide=adaptive is left out where a pilot pass tells it can't pay
     bool guide_chains = true;  ///< then chains explore where next to nothing is seen
 
-    bool account = false;  ///< tells what each light and material did: EngineStatistics::account
+    /// Tells what each light and material did: EngineStatistics::transport.
+    bool transport_statistics = false;
 
     RadiusKind radius = RadiusKind::Automatic;  ///< mode=progressive; other modes have their own
 
@@ -130,7 +131,7 @@ struct Settings {
 };
 
 constexpr DepthLimit depth_limit(std::uint32_t asked) {
-    return asked ? DepthLimit{asked, 0} : DepthLimit{kUsualDepth, kUsualSmoothSurfaces};
+    return asked ? DepthLimit{asked, 0} : DepthLimit{kUsualDepth, kUsualSpecularSurfaces};
 }
 constexpr DepthLimit eye_depth(const Settings& settings) {
     return depth_limit(settings.max_eye_depth);

@@ -34,6 +34,7 @@ struct SettingRow {
     std::string_view doc;                            ///< one or two sentences, with the unit
     double minimum = 0, maximum = kMostCount;        ///< inclusive, of numbers a user may give
     std::span<const std::string_view> choices = {};  ///< by number of the enumeration
+    std::span<const std::string_view> aliases = {};  ///< other names of these, in their order
     /// What to write for the default where that is not its number: the usual depth, or -1.
     std::string_view default_text = {};
     std::string_view automatic = {};  ///< what a default is called that the engine decides

@@ -52,30 +52,30 @@ void AdaptiveGuide::begin_with(std::span<const EmissionSeed> starts) {
 }
 
 std::uint64_t AdaptiveGuide::begin_pass(std::uint64_t pass, float time, const EyeImage& image,
-                                        std::span<const Vec3> positions, const SearchRadii& radii) {
-    rest_or_wake();
-    if (!awake()) return 0;
+                                        std::span<const Vec3> positions, const GatherRadii& radii) {
+    update_switches();
+    if (!enabled()) return 0;
     mean_weight_ = scores_.begin_pass(image, positions, radii);
     if (!emission()) return 0;
     return seeds_.search(scene_, settings_, light_choice_, pass, time, image, paths_, emission_);
 }
 
-void AdaptiveGuide::rest_or_wake() {
+void AdaptiveGuide::update_switches() {
     // Before any path was worth something there is nothing to judge.
     const bool judged = visible_paths_ > 0;
-    emission_rest_.update(paths_, !emission_.switched_off());
-    survival_rest_.update(paths_, !judged || !survival_switched_off());
-    bounces_rest_.update(paths_, !judged || (bounces_ && bounces_->tables().tables_in_use() > 0));
+    emission_part_.update(paths_, !emission_.switched_off());
+    survival_part_.update(paths_, !judged || !survival_switched_off());
+    bounces_part_.update(paths_, !judged || (bounces_ && bounces_->tables().tables_in_use() > 0));
 }
 
 std::uint32_t AdaptiveGuide::log_one_of() const {
-    if (!awake()) return 0;
+    if (!enabled()) return 0;
     return paths_ < kEagerPaths ? kEagerOneOf : kLateOneOf;
 }
 
 void AdaptiveGuide::study(const PathLog& log) {
-    if (!awake() || log.paths.empty()) return;
-    worths_.measure(log, scores_.of(log.landings));
+    if (!enabled() || log.paths.empty()) return;
+    contributions_.measure(log, scores_.of(log.photons));
     // They know nothing of each other; each learns from the paths in their order.
     tbb_for(4, [&](std::uint32_t part) {
         if (part == 0 && survival()) learn_survival(log);
@@ -83,7 +83,7 @@ void AdaptiveGuide::study(const PathLog& log) {
         if (part == 2 && survival()) judge_survival(log);
         if (part == 3 && bounces()) learn_bounces(log);
     });
-    for (const Worth& path : worths_.paths()) {
+    for (const PathContribution& path : contributions_.paths()) {
         path_means_.add(path.score, path.cost);
         if (path.score > 0) ++visible_paths_;
     }
@@ -93,7 +93,7 @@ void AdaptiveGuide::study(const PathLog& log) {
 std::uint64_t AdaptiveGuide::update(std::uint32_t paths) {
     paths_ += paths;
     const PathLogSize studied = std::exchange(studied_, {});
-    if (!awake() || studied.paths == 0) return 0;
+    if (!enabled() || studied.paths == 0) return 0;
     const auto scored = double(studied.paths);
     // In paths that were scored: one in how many that is changes, and would change the scale.
     tbb_for(3, [&](std::uint32_t part) {
@@ -106,14 +106,14 @@ std::uint64_t AdaptiveGuide::update(std::uint32_t paths) {
         survival_->set_reference(path_means_.cost_over_score());
     }
     path_means_.update(scored);
-    return studied.paths + studied.vertices + studied.landings;
+    return studied.paths + studied.vertices + studied.photons;
 }
 
 void AdaptiveGuide::learn_emission(const PathLog& log) {
     for (std::size_t i = 0; i < log.paths.size(); ++i) {
         const PathRecord& path = log.paths[i];
-        const Worth& worth = worths_.paths()[i];
-        emission_.add({{path.light, path.start, path.pdf}, worth.score, worth.cost});
+        const PathContribution& contribution = contributions_.paths()[i];
+        emission_.add({{path.light, path.start, path.pdf}, contribution.score, contribution.cost});
     }
 }
 
@@ -121,21 +121,22 @@ template <class Visit>
 void AdaptiveGuide::for_each_vertex(const PathLog& log, const Visit& visit) const {
     for (const PathRecord& path : log.paths) {
         for (std::uint32_t v = path.first_vertex + path.vertices; v-- > path.first_vertex;) {
-            if (log.vertices[v].power > 0) visit(log.vertices[v], worths_.vertices()[v]);
+            if (log.vertices[v].power > 0) visit(log.vertices[v], contributions_.vertices()[v]);
         }
     }
 }
 
 void AdaptiveGuide::learn_survival(const PathLog& log) {
-    for_each_vertex(log, [&](const PathVertex& vertex, const Worth& worth) {
+    for_each_vertex(log, [&](const PathVertex& vertex, const PathContribution& contribution) {
         const double power = double(vertex.power);
-        cache_->add({vertex.position, vertex.normal, worth.score / (power * power), worth.cost});
+        cache_->add({vertex.position, vertex.normal, contribution.score / (power * power),
+                     contribution.cost});
     });
 }
 
 void AdaptiveGuide::learn_bounces(const PathLog& log) {
-    for_each_vertex(log, [&](const PathVertex& vertex, const Worth& worth) {
-        bounces_->add(vertex, worth.score, worth.cost);
+    for_each_vertex(log, [&](const PathVertex& vertex, const PathContribution& contribution) {
+        bounces_->add(vertex, contribution.score, contribution.cost);
     });
 }
 
@@ -146,16 +147,16 @@ void AdaptiveGuide::judge_survival(const PathLog& log) {
 
 // From the path's start to its end.
 SurvivalSwitch::Path AdaptiveGuide::judged_path(const PathLog& log, const PathRecord& path) const {
-    const std::span scores = worths_.scores(path);
-    const std::span landings = std::span(log.landings).subspan(path.first_landing, path.landings);
+    const std::span scores = contributions_.scores(path);
+    const std::span photons = std::span(log.photons).subspan(path.first_photon, path.photons);
     SurvivalSwitch::Path judged;
     std::uint32_t l = 0, rays = 0;
     const auto add_up_to = [&](std::uint32_t depth, std::uint32_t rays_so_far) {
         double score = 0;
         double cost = double(rays_so_far - rays);
-        for (; l < path.landings && landings[l].depth <= depth; ++l) {
+        for (; l < path.photons && photons[l].depth <= depth; ++l) {
             score += scores[l];
-            cost += kLandingCost;
+            cost += kPhotonCost;
         }
         rays = rays_so_far;
         judged.add(score, cost);
@@ -177,8 +178,8 @@ void AdaptiveGuide::state(StateArchive& archive) {
     survival_switch_.state(archive);
     if (bounces_) bounces_->state(archive);
     path_means_.state(archive);
-    for (PartRest* rest : {&emission_rest_, &survival_rest_, &bounces_rest_})
-        rest->state(archive);
+    for (PartSwitch* part : {&emission_part_, &survival_part_, &bounces_part_})
+        part->state(archive);
     seeds_.state(archive);
     archive.value(paths_);
     archive.value(visible_paths_);
@@ -216,12 +217,12 @@ void AdaptiveGuide::learned(LearnedParts& parts) {
 std::size_t AdaptiveGuide::memory_bytes() const {
     return scores_.memory_bytes() + emission_.memory_bytes() +
            (cache_ ? cache_->memory_bytes() : 0) + (bounces_ ? bounces_->memory_bytes() : 0) +
-           seeds_.memory_bytes() + worths_.memory_bytes();
+           seeds_.memory_bytes() + contributions_.memory_bytes();
 }
 
 std::size_t AdaptiveGuide::memory_bound_bytes(const Scene& scene, const Settings& settings,
                                               std::size_t eye_paths) {
-    // The scores themselves are counted with the log, and so are paths' worths.
+    // The scores themselves are counted with the log, and so are paths' contributions.
     return IterationScores::memory_bound_bytes(eye_paths, 0) +
            SeedSearch::memory_bound_bytes(eye_paths) +
            (settings.guide_survival ? ScoreCache::memory_bound_bytes(cache_settings()) : 0) +

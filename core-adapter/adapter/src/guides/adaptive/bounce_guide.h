@@ -6,7 +6,7 @@
 
 #include "aips/adapter/guide.h"
 #include "aips/core/tables/bounce_tables.h"
-#include "worth/path_log.h"
+#include "contribution/path_log.h"
 
 namespace aips {
 

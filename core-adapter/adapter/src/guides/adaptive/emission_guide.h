@@ -37,7 +37,7 @@ struct EmissionStart {
     double pdf = 1;  ///< over lights and coordinates
 };
 
-/// What a photon path was worth.
+/// What a photon path contributed.
 struct EmissionScore {
     EmissionStart start;
     double score = 0;  ///< square of its part in the image, at the power it carried

@@ -96,7 +96,7 @@ class SeedWalk {
             return false;
         }
         throughput_ *= hit.transmittance;
-        if (bent_ && hit.light != kNoLight) seed_lamp(hit);
+        if (bent_ && hit.light != kNoLight) seed_emitter(hit);
         if (!hit.bsdf) return false;
         const Vec3 wo = -ray_.direction;
         const Rgb reflected = throughput_ * hit.bsdf->albedo(wo, kAllLobes);
@@ -155,7 +155,7 @@ class SeedWalk {
         seed(light, point, sample, reflected * arriving * visible);
     }
 
-    void seed_lamp(const SurfacePoint& hit) {
+    void seed_emitter(const SurfacePoint& hit) {
         DirectSample sample;
         sample.wi = ray_.direction;
         sample.distance = length(hit.position - last_.position);

@@ -1,4 +1,4 @@
-// What photon paths are worth, and cost, as they are shot now.
+// What photon paths contribute, and cost, as they are shot now.
 //
 // A guide that learns divides the mean score of a path by thousands: its power is divided by the
 // density of its start, and a score is a square. Old paths are therefore forgotten far sooner here

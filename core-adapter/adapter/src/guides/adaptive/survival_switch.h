@@ -12,9 +12,9 @@
 #include <cstdint>
 
 #include "aips/core/tables/constants.h"
+#include "contribution/path_log.h"
 #include "guides/adaptive/constants.h"
 #include "guides/adaptive/second_moments.h"
-#include "worth/path_log.h"
 
 namespace aips {
 

@@ -51,7 +51,7 @@ PaperGuide::PaperGuide(const Bounds& scene, const Settings& s)
     : initial_photons_(s.initial_photons),
       iteration_photons_(s.iteration_photons),
       share_(float(s.guide_share)),
-      first_landings_(s.first_landings),
+      direct_photons_(s.direct_photons),
       criterion_(make_criterion(s)),
       tree_(scene, tree_settings(s)),
       tables_(table_settings(s)) {}
@@ -86,10 +86,10 @@ const GuidedDirections* PaperGuide::directions(const GuideVertex& vertex,
     return directions->empty() ? nullptr : directions;
 }
 
-void PaperGuide::update(std::span<const Landing> landings, std::span<const double> scores) {
-    for (std::size_t i = 0; i < landings.size(); ++i) {
+void PaperGuide::update(std::span<const Photon> photons, std::span<const double> scores) {
+    for (std::size_t i = 0; i < photons.size(); ++i) {
         const double score = scores.empty() ? 0.0 : scores[i];
-        tree_.insert(landings[i].position, criterion_->value(luminance(landings[i].power), score));
+        tree_.insert(photons[i].position, criterion_->value(luminance(photons[i].power), score));
     }
     if (!first_points_.empty()) {
         // Departure: in the first pass the eye rays end in a tree of one node, whose weight all
@@ -98,7 +98,7 @@ void PaperGuide::update(std::span<const Landing> landings, std::span<const doubl
         first_points_ = {};
     }
     tree_.update_errors(*criterion_, true);
-    tables_.update(tree_, landings, tbb_for);
+    tables_.update(tree_, photons, tbb_for);
     ++updates_;
 }
 

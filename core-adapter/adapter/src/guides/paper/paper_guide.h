@@ -25,9 +25,9 @@ class PaperGuide final : public Guide {
     const GuidedDirections* directions(const GuideVertex& vertex,
                                        std::pmr::memory_resource& memory) const override;
     /// Not of the image's error: what shadow rays own is worth nothing as photons.
-    bool learns_from_owned() const override { return first_landings_ && !needs_scores(); }
+    bool learns_from_owned() const override { return direct_photons_ && !needs_scores(); }
     bool needs_scores() const override { return criterion_->needs_scores(); }
-    void update(std::span<const Landing> landings, std::span<const double> scores) override;
+    void update(std::span<const Photon> photons, std::span<const double> scores) override;
     GuideStatistics statistics() const override;
     std::uint32_t node_at(Vec3 position) const override { return tree_.locate(position); }
     GuideNode node(std::uint32_t number) const override;
@@ -41,7 +41,7 @@ class PaperGuide final : public Guide {
   private:
     std::uint32_t initial_photons_, iteration_photons_;
     float share_;
-    bool first_landings_;
+    bool direct_photons_;
     std::unique_ptr<const ErrorCriterion> criterion_;  // never null
     NodeTree tree_;
     PaperTables tables_;

@@ -17,7 +17,7 @@ struct Advice {
 
 /// Asks every rule (src/advice/advice_rules.h). Takes some ten thousand rays at most, once. What
 /// the scene throws when asked ends the search: advice is never worth a render.
-std::vector<Advice> advise(const RenderSession& session, const RenderAccount& account,
+std::vector<Advice> advise(const RenderSession& session, const TransportStatistics& transport,
                            const ImageVerdict& image);
 
 }  // namespace lxs

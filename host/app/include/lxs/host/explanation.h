@@ -11,15 +11,15 @@ namespace lxs {
 std::string light_name(const RenderSession& session, std::size_t light);
 
 /// Tables of lights and materials, what was left out, where time went; several lines.
-std::string explanation(const RenderSession& session, const RenderAccount& account);
+std::string explanation(const RenderSession& session, const TransportStatistics& transport);
 
 /// Who brought the image its light, and how many photons counted; empty without photons.
-std::string account_line(const RenderAccount& account);
+std::string transport_line(const TransportStatistics& transport);
 
-/// Luminance of the image as far as an account tells it apart by light.
-double told_luminance(const RenderAccount& account);
+/// Luminance of the image as far as transport statistics tell it apart by light.
+double told_luminance(const TransportStatistics& transport);
 
 /// Photon paths shot, over all lights.
-std::uint64_t told_photon_paths(const RenderAccount& account);
+std::uint64_t told_photon_paths(const TransportStatistics& transport);
 
 }  // namespace lxs

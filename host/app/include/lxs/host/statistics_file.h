@@ -6,8 +6,8 @@
 
 #include "lxs/host/advice.h"
 #include "lxs/host/image_verdict.h"
+#include "lxs/host/invalid_sample_report.h"
 #include "lxs/host/progress.h"
-#include "lxs/host/refusal_report.h"
 #include "lxs/host/render_session.h"
 
 namespace lxs {
@@ -15,9 +15,9 @@ namespace lxs {
 /// What the parts of a render say of it.
 struct RenderFigures {
     Statistics own;  ///< the integrator's
-    RefusalsByKind refused;
-    std::optional<ImageVerdict> image;     ///< none: it was not looked at
-    std::optional<RenderAccount> account;  ///< none: not asked for
+    InvalidSamplesByKind refused;
+    std::optional<ImageVerdict> image;             ///< none: it was not looked at
+    std::optional<TransportStatistics> transport;  ///< none: not asked for
     std::vector<Advice> advice;
 };
 

@@ -15,8 +15,8 @@
 #include "lxs/scene/contents.h"
 #include "lxs/sdk/camera.h"
 #include "lxs/sdk/film.h"
+#include "lxs/sdk/invalid_samples.h"
 #include "lxs/sdk/parameters.h"
-#include "lxs/sdk/refusal.h"
 #include "lxs/sdk/scene.h"
 #include "lxs/sdk/state_archive.h"
 #include "lxs/spectrum/wavelengths.h"
@@ -57,7 +57,7 @@ class FileFilm : public Film {
     virtual std::optional<ErrorEstimate> error() const = 0;
     virtual std::uint64_t refused_samples() const = 0;  ///< over all layers
     /// The same by light group and layer.
-    virtual RefusalList refusals() const = 0;
+    virtual InvalidSampleList invalid_samples() const = 0;
     virtual std::size_t memory_bytes() const = 0;
 
     /// Saves or restores everything that passes have left in the film. Throws StateError if what is

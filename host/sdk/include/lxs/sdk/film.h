@@ -53,7 +53,7 @@ class Film {
     /// pixels / sum(samples) * sum(f * radiance) / F with f the filter and F its integral over the
     /// part of the film that it covers. In the mean a uniform density of splats thus gives a
     /// constant image up to the borders, and the image's sum is that of the splats. What add_pass
-    /// gives is kept apart and summed with it. Order and refusals as with add_pass.
+    /// gives is kept apart and summed with it. Order and invalid samples as with add_pass.
     virtual void add_splats(const PassSplats& splats) = 0;
     /// Adds one pass of the extra colour layer `name`, through the same filter and into the same
     /// kind of mean as the image; `samples` has one group.
@@ -68,7 +68,7 @@ class Film {
     virtual void add_surfaces(std::span<const Vec2> /*positions*/,
                               std::span<const SeenSurface> /*surfaces*/) {}
     /// Adds what blurs light in one pass, of an integrator that gathers photons; only if the film
-    /// wants the layer of bias. `radiance` is what the inner half of each search disc's area
+    /// wants the layer of bias. `radiance` is what the inner half of each gather disc's area
     /// brought the samples, `second_radiance` what the whole disc did, in one group and with one
     /// weight.
     virtual void add_bias(const PassSamples& /*samples*/) {}

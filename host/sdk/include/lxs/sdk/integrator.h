@@ -9,14 +9,14 @@
 #include <variant>
 #include <vector>
 
-#include "lxs/sdk/account.h"
 #include "lxs/sdk/camera.h"
 #include "lxs/sdk/film.h"
+#include "lxs/sdk/invalid_samples.h"
 #include "lxs/sdk/log.h"
 #include "lxs/sdk/ranks.h"
-#include "lxs/sdk/refusal.h"
 #include "lxs/sdk/scene.h"
 #include "lxs/sdk/state_archive.h"
+#include "lxs/sdk/transport_statistics.h"
 
 namespace lxs {
 
@@ -24,7 +24,8 @@ namespace lxs {
 struct RenderSettings {
     unsigned threads = 0;  ///< 0: all; the host has already limited oneTBB to it
     std::uint64_t seed = 0;
-    bool account = false;  ///< account() will be asked for: counts what it needs
+    /// transport_statistics() will be asked for: counts what it needs.
+    bool transport_statistics = false;
 };
 
 /// The parts of the host that an integrator works with; they outlive it.
@@ -67,10 +68,10 @@ class Integrator {
     virtual Statistics statistics() const { return {}; }
     /// Contributions left out of the image because they were not finite or negative, by the
     /// material, the light or whatever else they came from: reported at the end of the render.
-    virtual RefusalList refusals() const { return {}; }
+    virtual InvalidSampleList invalid_samples() const { return {}; }
     /// What became of light and photons so far; empty for an integrator that does not tell. The
     /// image is the same bit for bit whether it is asked for or not.
-    virtual RenderAccount account() const { return {}; }
+    virtual TransportStatistics transport_statistics() const { return {}; }
     /// Saves everything that one pass leaves for later ones, or restores it: after prepare() with
     /// the same scene, settings and seed, instead of the passes that led to it. Later passes then
     /// give the same bits as if there had been no interruption; statistics go on likewise. Throws

@@ -31,8 +31,8 @@ struct LayersWanted {
 /// Parts that the image is the sum of, by the scatterings of a light path that are diffuse, glossy
 /// or in a medium; what passes straight is none.
 enum class ImagePart : std::uint8_t {
-    Direct,    ///< none, or one that light has reached straight from a lamp
-    Caustics,  ///< one that light has reached from a lamp by way of smooth surfaces
+    Direct,    ///< none, or one that light has reached straight from an emitter
+    Caustics,  ///< one that light has reached from an emitter by way of specular surfaces
     Indirect,  ///< two or more
 };
 inline constexpr std::uint32_t kImageParts = 3;
@@ -43,7 +43,7 @@ inline constexpr std::uint32_t kNoName = ~std::uint32_t{0};
 /// What one camera sample saw of surfaces. Those that let everything pass straight and undimmed
 /// (null materials) are none.
 struct SeenSurface {
-    /// Reflectance of the first surface that isn't smooth alone, times what mirrors and glass on
+    /// Reflectance of the first surface that isn't specular alone, times what mirrors and glass on
     /// the way there left of light; black where there is none.
     Rgb albedo{0.0f};
     /// Shading normal of the first surface, unit, world space, on the side that the sample saw;

@@ -64,10 +64,11 @@ class Scene {
     /// `transmittance` what of light passes it.
     virtual bool intersect(const Ray& ray, SurfaceHit& hit,
                            std::pmr::memory_resource& memory) const = 0;
-    /// The same for a path that looks for lamps through smooth surfaces: where it meets what is no
-    /// lamp and has no specular lobe, all but `distance` and `transmittance` may be left out.
-    virtual bool intersect_smooth(const Ray& ray, SurfaceHit& hit,
-                                  std::pmr::memory_resource& memory) const {
+    /// The same for a path that looks for emitters through specular surfaces: where it meets what
+    /// is no emitter and has no specular lobe, all but `distance` and `transmittance` may be left
+    /// out.
+    virtual bool intersect_specular(const Ray& ray, SurfaceHit& hit,
+                                    std::pmr::memory_resource& memory) const {
         return intersect(ray, hit, memory);
     }
     /// The same for who asks where a surface is and how it faces: all but `p`, `ng` and `distance`

@@ -5,7 +5,7 @@
 
 #include "lxs/lights/lights.h"
 #include "lxs/scene/contents.h"
-#include "lxs/sdk/refusal.h"
+#include "lxs/sdk/invalid_samples.h"
 #include "lxs/sdk/scene.h"
 #include "lxs/sdk/state_archive.h"
 #include "lxs/spectrum/spectral_fidelity.h"
@@ -32,7 +32,7 @@ class TraceScene : public Scene {
     virtual WavelengthDensity wavelength_density() const = 0;
     /// Values of textures so far that were not finite, or negative colours, and were replaced: by
     /// the material or the light whose texture it is.
-    virtual RefusalList refused_values() const = 0;
+    virtual InvalidSampleList refused_values() const = 0;
     /// Where each light stands in the scene's text, by its index in lights().
     virtual std::span<const SourceLocation> light_places() const = 0;
     /// In what the camera stands: the Exterior at WorldEnd, and the bodies around it.

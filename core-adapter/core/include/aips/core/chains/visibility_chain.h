@@ -43,7 +43,7 @@ struct ChainAddress {
     std::uint32_t chains = 1;  ///< number of chains
 };
 
-/// One chain. `Payload` is what a visible path leaves (its landings); its memory is used again.
+/// One chain. `Payload` is what a visible path leaves (its photons); its memory is used again.
 ///
 /// Given where the independent paths were visible, each recorded state is distributed uniformly
 /// over the visible paths, from the first step on: it starts at an independent visible path, and

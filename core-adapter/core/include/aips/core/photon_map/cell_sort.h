@@ -18,7 +18,7 @@ constexpr std::size_t rounded_capacity(std::size_t count) {
     return (count / 4096 + 1) * 4096;
 }
 
-/// Points in hash buckets of cells twice as wide as the search radius. A point's slot is its place
+/// Points in hash buckets of cells twice as wide as the gather radius. A point's slot is its place
 /// in the sorted order; slots of a bucket are neighbours. Buffers are reused: building for no more
 /// points than before allocates nothing. Queries are const and may run on many threads.
 class CellSort {

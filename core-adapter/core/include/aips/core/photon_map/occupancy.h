@@ -11,7 +11,7 @@
 
 namespace aips {
 
-/// A hashed set of the grid cells within reach of a visible point, so that landings out of reach
+/// A hashed set of the grid cells within reach of a visible point, so that photons out of reach
 /// need not be stored. Conservative: hash collisions and corners of cells may say yes in vain.
 /// Queries are const and may run on many threads.
 class OccupancyGrid {

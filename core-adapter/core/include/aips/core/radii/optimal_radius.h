@@ -6,9 +6,9 @@
 // kernel, whose estimate over N photon paths with radius r has
 //
 //     bias      r^2 / 8 * Laplacian      (mean of squared offsets in a disc: r^2 / 4 a direction),
-//     variance  q / (pi r^2 N),          q: density of the squared contributions of landings,
+//     variance  q / (pi r^2 N),          q: density of the squared contributions of photons,
 //
-// the latter because the landings of many independent paths are nearly a Poisson process. The
+// the latter because the photons of many independent paths are nearly a Poisson process. The
 // paper's variance and density of photons, two estimates, are one here: q.
 #pragma once
 
@@ -30,7 +30,7 @@ namespace aips {
 /// density in the same unit of contribution, per scene unit to the fourth; both > 0.
 double optimal_radius(double second_moment, double squared_laplacian, double paths);
 
-/// Sums over the landings within the radius of a probe: a disc in which a density and its curvature
+/// Sums over the photons within the radius of a probe: a disc in which a density and its curvature
 /// are measured.
 struct ProbeSums {
     double squares = 0;  ///< of contributions
@@ -39,13 +39,13 @@ struct ProbeSums {
     /// [scale]: of the squares of those terms, which is the variance of `curvature`.
     std::array<double, kProbeScales> uncertainty{};
 
-    /// A landing that contributes `value`, at `share` of the squared radius from the centre.
+    /// A photon that contributes `value`, at `share` of the squared radius from the centre.
     void add(double value, double share);
     /// As if all values had been multiplied by `factor`.
     void scale(double factor);
 };
 
-/// What weighs a landing at `share` (0..1) of a disc's squared radius, so that the mean of weighted
+/// What weighs a photon at `share` (0..1) of a disc's squared radius, so that the mean of weighted
 /// contributions is the Laplacian times the squared radius: share is uniform over a disc, and
 /// g + Laplacian r^2 share / 4 is what a density looks like around the centre, other second-order
 /// terms cancelling. Of all weights that are exact for it this has the least variance where the

@@ -1,4 +1,4 @@
-// The search radius as a function of the photon paths shot.
+// The gather radius as a function of the photon paths shot.
 // Source: Knaus & Zwicker 2011, "Progressive photon mapping: a probabilistic approach", eq. 15.
 #pragma once
 

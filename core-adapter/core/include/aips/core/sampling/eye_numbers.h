@@ -37,9 +37,9 @@ class VertexNumbers {
     std::uint32_t epoch_seed_, index_;
 };
 
-/// Choices at the smooth surfaces that a path meets before any other, in [0, 1): the numbers that
-/// tell, beside its film position, which lamps such a path meets.
-using SmoothChoices = std::array<float, 4>;
+/// Choices at the specular surfaces that a path meets before any other, in [0, 1): the numbers that
+/// tell, beside its film position, which emitters such a path meets.
+using SpecularChoices = std::array<float, 4>;
 
 /// Numbers of one path.
 class EyeNumbers {
@@ -60,14 +60,14 @@ class EyeNumbers {
         return drawn_ ? (*drawn_)[i] : vertex((1u << 31) + std::uint32_t(i)).lobe();
     }
     /// All of them.
-    SmoothChoices choices() const {
-        SmoothChoices all;
+    SpecularChoices choices() const {
+        SpecularChoices all;
         for (std::size_t i = 0; i < all.size(); ++i)
             all[i] = choice(i);
         return all;
     }
     /// The same path with choices that were drawn elsewhere.
-    EyeNumbers with(const SmoothChoices& drawn) const {
+    EyeNumbers with(const SpecularChoices& drawn) const {
         EyeNumbers numbers(*this);
         numbers.drawn_ = drawn;
         return numbers;
@@ -88,7 +88,7 @@ class EyeNumbers {
 
     std::uint32_t seed_;
     std::uint64_t index_;
-    std::optional<SmoothChoices> drawn_;
+    std::optional<SpecularChoices> drawn_;
 };
 
 }  // namespace aips

@@ -7,8 +7,8 @@
 namespace aips {
 
 /// Coordinates from which a light emits a photon, in [0, 1)^4. Multiples of 2^-24, as single
-/// precision has them, lie 3 cm apart on the disc of a lamp at infinity around a scene of 500 km,
-/// and a view that is no wider sees dots that never converge.
+/// precision has them, lie 3 cm apart on the disc of an emitter at infinity around a scene of 500
+/// km, and a view that is no wider sees dots that never converge.
 using PrimaryPoint = std::array<double, 4>;
 
 /// The point whose coordinates begin with 32 bits each; the 16 bits that follow are a hash of all

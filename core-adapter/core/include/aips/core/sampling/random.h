@@ -18,14 +18,14 @@ enum class RandomDomain : std::uint8_t {
     Film = 2,           ///< film and lens positions of the ready sampler; index: the pixel
     Guide = 3,          ///< choices of a guide's training
     Time = 4,           ///< the moment of a pass; index 0
-    Lamp = 5,           ///< lamp paths: lens; index: the path
-    LampSearch = 6,     ///< searches for lamps; index: the search
+    Emitter = 5,        ///< emitter paths: lens; index: the path
+    EmitterSearch = 6,  ///< searches for emitters; index: the search
     UniformPath = 7,    ///< independent paths of Markov chains; index: step * chains + chain
     MutatedPath = 8,    ///< mutations of Markov chains; index: step * chains + chain
     EyeSeeding = 9,     ///< walks from visible points to lights; index: the group of visible points
     VolumePieces = 10,  ///< parts of eye paths in media; index: the eye path
     ChainStart = 11,    ///< which visible paths chains start from; index: the choice in the pass
-    Edge = 12,          ///< places of search discs; index: the eye path
+    Edge = 12,          ///< places of gather discs; index: the eye path
     PhotonTurn = 13,    ///< which pass of several shoots photons; index: of these several
     LightsAhead = 14,   ///< eye paths before the first pass; index: the path
     Occlusion = 15      ///< photons that a visible point asks for; index: the eye path

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "aips/core/base/parallel.h"
-#include "aips/core/photon_map/landing.h"
+#include "aips/core/photon_map/photon.h"
 #include "aips/core/sampling/sampling.h"
 #include "aips/core/tables/directional_table.h"
 #include "aips/core/trees/kd_tree.h"
@@ -38,9 +38,9 @@ class PaperTables {
     explicit PaperTables(const PaperTableSettings& settings);
 
     /// After an iteration: makes tables for new nodes (copies of those that they split from), takes
-    /// in the neighbours that the landings name, and rebuilds the tables of all nodes that know
-    /// neighbours (without present_errors: of those that landings name).
-    void update(const NodeTree& tree, std::span<const Landing> landings,
+    /// in the neighbours that the photons name, and rebuilds the tables of all nodes that know
+    /// neighbours (without present_errors: of those that photons name).
+    void update(const NodeTree& tree, std::span<const Photon> photons,
                 const ParallelFor& parallel = serial_for);
     /// At the end of a pass: without present_errors, what each direction has learned counts as one
     /// neighbour from now on.
@@ -71,7 +71,7 @@ class PaperTables {
     /// Errors seen in one direction.
     struct Seen {
         double sum = 0;
-        double count = 0;  // of landings: a float would stop at 2^24
+        double count = 0;  // of photons: a float would stop at 2^24
     };
 
     void resize(std::size_t nodes, std::size_t most);

@@ -29,15 +29,15 @@ struct ShareTableSettings {
 
 /// What eye paths do that end at a place.
 struct EyeShare {
-    float share = 0;         ///< of the light that both can carry, in [0, 1): above 0 they go on
-    bool first_ray = false;  ///< where it is 0: they send one ray, for direct light alone
-    /// Least share of their light that photons lose in a search disc which is not all surface, from
+    float share = 0;           ///< of the light that both can carry, in [0, 1): above 0 they go on
+    bool bsdf_direct = false;  ///< where it is 0: they send one ray, for direct light alone
+    /// Least share of their light that photons lose in a gather disc which is not all surface, from
     /// which on eye paths bring what is lost; above 0.
     float fills_from = std::numeric_limits<float>::infinity();
 
     bool operator==(const EyeShare&) const = default;
     /// Whether a ray leaves the place.
-    bool any() const { return share > 0 || first_ray; }
+    bool any() const { return share > 0 || bsdf_direct; }
     /// Whether eye paths bring what photons lose, where that is most of the light at least.
     bool may_fill() const { return fills_from < 1; }
 };
@@ -55,8 +55,8 @@ struct ShareSample {
     bool continued = false;   ///< whether an eye path went on: the rest is known only then
     double eye = 0;           ///< Y
     double rays = 0;          ///< traced for it
-    /// By how much less the variance of direct light is where its first ray shares it with shadow
-    /// rays: an estimate, of either sign.
+    /// By how much less the variance of direct light is where its BSDF-sampled ray shares it with
+    /// shadow rays: an estimate, of either sign.
     double direct_saved = 0;
 };
 

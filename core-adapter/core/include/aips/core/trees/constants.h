@@ -7,7 +7,8 @@
 
 namespace aips {
 
-/// Most leaves over which one thing is learned: the worth of places, or of starts over all lights.
+/// Most leaves over which one thing is learned: the contribution of places, or of starts over all
+/// lights.
 /// Unit: leaves.
 /// Balances: detail against memory, look-ups and photons to learn from.
 /// Chosen by: reasoning: none on record.

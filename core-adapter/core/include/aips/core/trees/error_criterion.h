@@ -14,8 +14,8 @@ class ErrorCriterion {
     virtual ~ErrorCriterion() = default;
     /// The node's new error; finite and >= 0. Only ratios between nodes matter.
     virtual double error(const NodeView& view) const = 0;
-    /// What a node remembers of a landing: of its power (luminance) or of its score (what it was
-    /// worth to the image, in squared units of power). Infinite at most if one of them is.
+    /// What a node remembers of a photon: of its power (luminance) or of its score (what it
+    /// contributed to the image, in squared units of power). Infinite at most if one of them is.
     virtual float value(float power, double /*score*/) const { return power; }
     /// Whether it asks for scores.
     virtual bool needs_scores() const { return false; }
@@ -47,9 +47,9 @@ class PaperErrorCriterion final : public ProgressiveCriterion {
 };
 
 /// Beyond the paper: the image's error. A node's error is the root of the mean score of its
-/// landings, each divided by its squared power: what a photon of unit power that lands there adds
+/// photons, each divided by its squared power: what a photon of unit power that lands there adds
 /// to the root of the image's squared error, and so the density that photons ought to have there if
-/// this landing were their last.
+/// this photon were their last.
 class ImageErrorCriterion final : public ProgressiveCriterion {
   public:
     explicit ImageErrorCriterion(double alpha = 0.4) : ProgressiveCriterion(alpha) {}

@@ -1,5 +1,5 @@
-// What a photon is worth to the image where it scatters, and what its continuation costs: learned
-// in the scene, for Russian roulette by score.
+// What a photon contributes to the image where it scatters, and what its continuation costs:
+// learned in the scene, for Russian roulette by score.
 //
 // Six kd-trees, one for each dominant direction of the normal, so that the two faces of a thin wall
 // never mix. A photon of throughput T that continues with probability s ~ T sqrt(q / c), q its

@@ -20,7 +20,7 @@ MOST_PAGES, MOST_WRITTEN, MOST_GENERATED = 70, 60000, 46200
 GENERATED = ('reference/parameters.md', 'reference/scene-language.md', 'reference/gallery.md',
              'build-on/rooms.md', 'build-on/constants.md', 'reference/errors/scene.md',
              'reference/errors/appearance.md', 'reference/errors/shapes.md',
-             'reference/errors/running.md')
+             'reference/errors/running.md', 'reference/errors/pbrt.md')
 HASH = re.compile(r'(?<![\w/.-])(?=[0-9a-f]*[a-f])(?=[0-9a-f]*[0-9])[0-9a-f]{7,40}(?![\w/-])')
 DIARY = re.compile(r'\b(?:before|after), at\b|\bearlier versions?\b|\bat revision\b|'
                    r'\bsuperseded (?:figures|version)|\bprevious versions?\b', re.IGNORECASE)

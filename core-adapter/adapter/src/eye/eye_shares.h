@@ -5,7 +5,6 @@
 #include <cstdint>
 
 #include "aips/core/tables/share_table.h"
-#include "base/constants.h"
 #include "eye/constants.h"
 
 namespace aips {
@@ -15,10 +14,12 @@ struct EyeShares {
     explicit EyeShares(const Bounds& scene) : table(scene) {}
 
     /// Whether eye path `path` of pass `pass` goes on even where it has no share, to tell what it
-    /// would bring beside photons: in warm-up passes as many as one pass has, together.
+    /// would bring beside photons.
     bool explores(std::uint64_t pass, std::uint32_t path) const {
-        return shoots &&
-               is_one_of(pass < kWarmUpPasses ? kWarmUpPasses : kLateExplorers, pass, path);
+        const std::uint64_t stride = pass < kFirstExploringPasses ? kFirstExplorers
+                                     : pass < kExploringPasses    ? kExplorers
+                                                                  : kLateExplorers;
+        return shoots && is_one_of(stride, pass, path);
     }
     /// Whether it is one of so many eye paths of all passes, all of them in passes that shoot: one
     /// of fewer there. What is one of a multiple of `stride` is one of these too.

@@ -22,9 +22,10 @@ namespace aips {
 
 struct ShareTableSettings {
     ScoreCacheSettings places{.max_leaves = kTableLeaves,
+                              .split_count = kShareSplitPoints,
                               .memory_paths = 1e15};  // nothing that is learned grows old
     double prior_count =
-        kPlacePrior;  ///< visible points that the mean over all leaves weighs in each, > 0
+        kSharePrior;  ///< visible points that the mean over all leaves weighs in each, > 0
 };
 
 /// What eye paths do that end at a place.

@@ -50,10 +50,10 @@ inline constexpr std::size_t kFocusPoints = 16;
 inline constexpr double kFocusNarrow = 0.25;
 
 /// Samples with a score that a leaf of places must have met since it came to be before it is split,
-/// be it scores, lights or shares that are learned there. Those without a score tell where
+/// be it scores or lights that are learned there. Those without a score tell where
 /// others are not, however uneven scores may be. Unit: scored samples.
 /// Balances: detail against halves that differ by chance.
-/// Chosen by: measurement: one number for all in place of 16, 64 and 256.
+/// Chosen by: measurement: one number for both in place of 16 and 64.
 /// Supported by: glass-ball, hall, ajar-door, pool, chess, summerhouse, daylight, car.
 inline constexpr std::uint32_t kPlaceSplitScores = 64;
 
@@ -68,7 +68,7 @@ inline constexpr double kSplitMass = 1.0 / 256;
 /// What the mean of the parent, or of all places, weighs in each place, whatever is learned there:
 /// below it what a leaf met is not trusted. Unit: scored samples.
 /// Balances: detail against what few samples say.
-/// Chosen by: measurement: one number for all in place of 4, 4, 8 and 64.
+/// Chosen by: measurement: one number for all in place of 4, 4 and 8.
 /// Supported by: glass-ball, hall, ajar-door, pool, chess, summerhouse, daylight, car.
 inline constexpr double kPlacePrior = 8;
 

@@ -7,7 +7,6 @@
 #include <numeric>
 
 #include "base/assign_all.h"
-#include "base/constants.h"
 #include "base/disjoint_ranges.h"
 #include "base/parallel_for.h"
 #include "base/vector_growth.h"
@@ -113,7 +112,7 @@ GatherRadii AdaptiveRadius::before_pass(const PassPhotons& photons, const EyeIma
 /// pass to pass.
 void AdaptiveRadius::renew() {
     const std::uint32_t width = map_.width();
-    const bool all = passes_ < kWarmUpPasses;
+    const bool all = passes_ < kRadiiRenewedUntil;
     in_chunks(of_one_path_.size() / width, 1, tbb_for, [&](std::size_t first, std::size_t last) {
         for (std::size_t row = first; row < last; ++row) {
             if (!all && (row + passes_) % kRadiiRenewedIn != 0) continue;

@@ -6,7 +6,6 @@
 #include <limits>
 #include <span>
 
-#include "base/constants.h"
 #include "base/parallel_for.h"
 #include "radii/constants.h"
 
@@ -44,7 +43,7 @@ void BlurMap::Pixel::end_pass() {
 /// Variance of the sum of differences: what single photons tell, or a share of what passes tell by
 /// themselves, if that is more. Photons of one path come together, those of chains for long.
 double BlurMap::Pixel::noise(const Weights& weights) const {
-    if (passes < kWarmUpPasses) return variance;
+    if (passes < kBlurComparedFrom) return variance;
     const double of_mean = weights.of_squares / (weights.sum * weights.sum);
     const double apart = (squares - of_mean * difference * difference) / (1 - of_mean);
     return std::max(variance, kBlurApart * apart);
@@ -59,11 +58,11 @@ void BlurMap::Pixel::judge(double now) {
     const double squared_bias = bias * bias * (square - of_noise);
     // Of the image so far, in which each pass counts once.
     const double of_image = of_noise / (weights.of_squares * double(passes));
-    if (square > kSureOfBlur * of_noise && squared_bias > of_image) {
+    if (square > kSureOfBlur * of_noise && squared_bias > kBlurTooLarge * of_image) {
         if (now * difference * weights.sum < kBlurStillSeen * square) return;
         narrowing = std::max(float(kLeastNarrowing), narrowing * float(kNarrowingStep));
-    } else if (squared_bias < of_image) {
-        narrowing = std::min(1.0f, narrowing / float(kNarrowingStep));
+    } else if (squared_bias < kBlurSmall * of_image) {
+        narrowing = std::min(1.0f, narrowing * float(kWideningStep));
     }
 }
 

@@ -22,6 +22,12 @@ inline constexpr double kAutomaticRadius = 2;
 /// Supported by: no measurement.
 inline constexpr double kReferencePaths = 1e6;
 
+/// Before this pass all radii follow at once what probes find. Unit: passes.
+/// Balances: time against radii that are late.
+/// Chosen by: reasoning: from then on a pass brings a sixteenth of what is known, or less.
+/// Supported by: no measurement.
+inline constexpr std::uint64_t kRadiiRenewedUntil = 16;
+
 /// Passes that shoot in which they all do later. Unit: passes.
 /// Balances: as that of the first.
 /// Chosen by: measurement.
@@ -42,6 +48,13 @@ inline constexpr double kLeastOfSchedule = 0.125;
 /// Supported by: prism, glass-ball, ring (0.02 in its place).
 inline constexpr double kBlurForgotten = 0.05;
 
+/// Passes that saw a pixel from which on they are compared with each other, to tell how noisy what
+/// they tell of its blur is. Unit: passes.
+/// Balances: radii that adapt soon against radii that shrink on noise alone.
+/// Chosen by: docs/notebook/2026-11-28-radii-that-blur-narrows.md.
+/// Supported by: no measurement.
+inline constexpr std::uint32_t kBlurComparedFrom = 4;
+
 /// Share of what passes differ by in a pixel that is taken for noise of its blur; eye paths have
 /// some of it, which go to other places each. Unit: share.
 /// Balances: blur against radii that shrink on photons that come together.
@@ -56,17 +69,36 @@ inline constexpr double kBlurApart = 0.5;
 /// Supported by: prism, glass-ball, hall, sun-window (16 in its place).
 inline constexpr double kSureOfBlur = 9;
 
+/// Blur narrows a pixel's radii where, squared, it is more than so many times the variance of the
+/// mean over passes; half as large is best for a bias as of a disc. Unit: ratio.
+/// Balances: blur against noise.
+/// Chosen by: docs/notebook/2026-11-28-radii-that-blur-narrows.md.
+/// Supported by: prism, glass-ball, ring (4 in its place).
+inline constexpr double kBlurTooLarge = 2;
+
 /// And where the pass itself shows more than this share of it. Unit: share.
 /// Balances: blur that noise hides in single passes against discs that narrow past its end.
 /// Chosen by: docs/notebook/2026-11-28-radii-that-blur-narrows.md.
 /// Supported by: prism, sun-window (0.25 in its place).
 inline constexpr double kBlurStillSeen = 0.5;
 
+/// And widens them again where it is less than so many times that variance. Unit: ratio.
+/// Balances: blur against noise.
+/// Chosen by: docs/notebook/2026-11-28-radii-that-blur-narrows.md.
+/// Supported by: no measurement.
+inline constexpr double kBlurSmall = 0.5;
+
 /// Factor of a pixel's radii for each pass whose blur is too large. Unit: factor.
 /// Balances: how soon blur goes against radii that are narrowed for nothing.
 /// Chosen by: docs/notebook/2026-11-28-radii-that-blur-narrows.md.
 /// Supported by: no measurement.
 inline constexpr double kNarrowingStep = 0.93;
+
+/// And where it is small. Unit: factor.
+/// Balances: as that of narrowing, more slowly, as noise comes and goes.
+/// Chosen by: docs/notebook/2026-11-28-radii-that-blur-narrows.md.
+/// Supported by: no measurement.
+inline constexpr double kWideningStep = 1.021;
 
 /// Least factor of a pixel's radii for its blur: within a constant factor of the schedule. Unit:
 /// factor.

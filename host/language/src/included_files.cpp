@@ -93,6 +93,13 @@ std::string read_text(const std::string& path) {
     return text;
 }
 
+std::shared_ptr<const SourceFile> source_of(std::string text, std::string name) {
+    auto file = std::make_shared<SourceFile>();
+    file->name = std::move(name);
+    file->text = std::make_shared<const std::string>(std::move(text));
+    return file;
+}
+
 std::shared_ptr<const SourceFile> open_include(const Name& file, AssetFinder& finder,
                                                IncludedSum& sum, Diagnostics& diagnostics) {
     std::string path;

@@ -11,11 +11,8 @@ namespace {
 
 SceneContents read_source(std::string text, const std::string& name, const std::string& directory,
                           const Registry& registry, Diagnostics& diagnostics, ReadFiles* files) {
-    auto file = std::make_shared<SourceFile>();
-    file->name = name;
-    file->text = std::make_shared<const std::string>(std::move(text));
     SceneReader reader(directory.empty() ? "." : directory, registry, diagnostics);
-    reader.read(file);
+    reader.read(source_of(std::move(text), name));
     if (files != nullptr) *files = reader.take_files();
     return reader.finish();
 }

@@ -25,10 +25,6 @@ void StatementExecutor::add(Statement statement) {
     parts_->waiting.add(std::move(statement));
 }
 
-void StatementExecutor::flush() {
-    parts_->waiting.release();
-}
-
 void StatementExecutor::guard(const std::function<void()>& translate) {
     parts_->reader.guard(translate);
 }
@@ -50,11 +46,12 @@ std::string StatementExecutor::find_quietly(const Name& file) {
 }
 
 ReadFiles StatementExecutor::take_files() {
+    parts_->waiting.release();
     return parts_->reader.take_files();
 }
 
 SceneContents StatementExecutor::finish() {
-    flush();
+    parts_->waiting.release();
     return parts_->reader.finish();
 }
 

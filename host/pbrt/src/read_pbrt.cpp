@@ -11,14 +11,10 @@ namespace {
 
 SceneContents read_source(std::string text, const std::string& name, const std::string& directory,
                           const Registry& registry, Diagnostics& diagnostics, ReadFiles* files) {
-    auto file = std::make_shared<SourceFile>();
-    file->name = name;
-    file->text = std::make_shared<const std::string>(std::move(text));
     StatementExecutor executor(directory, registry, diagnostics);
     pbrt::Translator translator(executor, diagnostics);
-    translator.read(file);
+    translator.read(source_of(std::move(text), name));
     translator.finish();
-    executor.flush();
     if (files != nullptr) *files = executor.take_files();
     return executor.finish();
 }

@@ -28,8 +28,6 @@ class StatementExecutor {
 
     /// Statements are carried out in order, but later: when many wait, or at finish().
     void add(Statement statement);
-    /// Carries out what waits.
-    void flush();
     /// Runs `translate`, and reports its error or what it says to ignore as a statement's own.
     /// Throws EndOfReading after very many errors.
     void guard(const std::function<void()>& translate);
@@ -43,7 +41,7 @@ class StatementExecutor {
     /// The same without messages; empty if there is none.
     std::string find_quietly(const Name& file);
 
-    /// All files read so far; forgets them.
+    /// All files read so far, after what waits is carried out; forgets them.
     ReadFiles take_files();
     /// The scene, after its WorldEnd.
     SceneContents finish();

@@ -188,4 +188,20 @@ std::string take_files(std::string_view text, std::span<const std::string_view> 
     return main;
 }
 
+void read_with_files(const std::uint8_t* data, std::size_t size,
+                     std::span<const std::string_view> names,
+                     const std::function<void(const std::string&, lxs::Diagnostics&)>& read) {
+    std::vector<std::string> written;
+    const std::string main =
+        take_files({reinterpret_cast<const char*>(data), data ? size : 0}, names, written);
+    SilentDiagnostics diagnostics;
+    try {
+        read(main, diagnostics);
+    } catch (const lxs::InputError& refusal) {
+        check_refusal(refusal);
+    }
+    for (const std::string& file : written)
+        std::filesystem::remove(file);
+}
+
 }  // namespace fuzz

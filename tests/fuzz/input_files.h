@@ -1,6 +1,7 @@
 // A folder of files that the inputs of fuzz targets name, and what else targets share of a host.
 #pragma once
 
+#include <functional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -32,6 +33,12 @@ const files::TemporaryFolder& folder();
 /// if the name is one of `names`, and its path added to `written`.
 std::string take_files(std::string_view text, std::span<const std::string_view> names,
                        std::vector<std::string>& written);
+
+/// Runs `read` on the main file of an input whose other files, of `names`, lie in folder()
+/// meanwhile; checks what it refuses.
+void read_with_files(const std::uint8_t* data, std::size_t size,
+                     std::span<const std::string_view> names,
+                     const std::function<void(const std::string&, lxs::Diagnostics&)>& read);
 
 /// Named textures and materials are constants, whatever their name; files are those of folder().
 class FuzzAssets final : public lxs::AssetContext {

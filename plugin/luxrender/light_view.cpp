@@ -33,6 +33,10 @@ bool SceneView::light_at_infinity(unsigned light) const {
     return scene_.lights[light]->IsEnvironmental();
 }
 
+bool SceneView::light_is_delta(unsigned light) const {
+    return scene_.lights[light]->IsDeltaLight();
+}
+
 bool SceneView::emit(unsigned light, const float place[3], const float direction[3],
                      ViewEmission& emission) const {
     LuxWorker& w = worker();

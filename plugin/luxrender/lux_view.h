@@ -106,6 +106,7 @@ class LuxView {
     virtual unsigned light_count() const = 0;
     virtual unsigned light_group(unsigned light) const = 0;
     virtual bool light_at_infinity(unsigned light) const = 0;
+    virtual bool light_is_delta(unsigned light) const = 0;
     /// Draws a photon from three numbers for the place and three for the direction.
     virtual bool emit(unsigned light, const float place[3], const float direction[3],
                       ViewEmission& emission) const = 0;

@@ -52,6 +52,7 @@ class LightShim final : public Light {
     std::uint32_t group() const override { return view_.light_group(index_); }
     float power() const override { return power_; }
     bool at_infinity() const override { return view_.light_at_infinity(index_); }
+    bool is_delta() const override { return view_.light_is_delta(index_); }
     bool emit(const PrimaryPoint& u, Emission& emission) const override {
         const EmissionNumbers numbers = emission_numbers(u, choice_bits_);
         ViewEmission e;

@@ -46,6 +46,7 @@ class SceneView final : public LuxView {
     unsigned light_count() const override;
     unsigned light_group(unsigned light) const override;
     bool light_at_infinity(unsigned light) const override;
+    bool light_is_delta(unsigned light) const override;
     bool emit(unsigned light, const float place[3], const float direction[3],
               ViewEmission& emission) const override;
     bool sample_direct(unsigned light, const Triple& from, const float u[3],

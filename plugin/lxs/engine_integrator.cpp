@@ -111,7 +111,8 @@ lxs::TransportStatistics EngineIntegrator::transport_statistics() const {
     transport.eye_paths = s.transport.eye_paths;
     transport.cut_eye_paths = s.transport.cut_eye_paths;
     transport.radius = double(s.radius);
-    transport.without_photons = settings_.store_glossy ? lxs::LobeMask{0} : lxs::kGlossy;
+    const bool gloss_takes_photons = settings_.store_glossy || s.transport.caustics_on_gloss;
+    transport.without_photons = gloss_takes_photons ? lxs::LobeMask{0} : lxs::kGlossy;
     transport.skipped = s.transport.skipped;
     transport.seconds = {{"eye paths", s.eye_seconds},
                          {"photon paths", s.photon_seconds},

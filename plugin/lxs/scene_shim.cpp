@@ -118,6 +118,7 @@ class LightShim final : public Light {
     float power() const override { return light_.power(); }
     bool at_infinity() const override { return light_.at_infinity(); }
     bool hidden_from_camera() const override { return light_.hidden_from_camera(); }
+    bool is_delta() const override { return light_.is_delta(); }
     bool emit(const PrimaryPoint& u, Emission& emission) const override {
         lxs::EmissionSample s;
         if (!light_.sample_emission(u, s)) return false;

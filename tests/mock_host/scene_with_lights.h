@@ -46,6 +46,7 @@ class LightLike : public aips::Light {
     float power() const override { return light_.power(); }
     bool at_infinity() const override { return light_.at_infinity(); }
     bool hidden_from_camera() const override { return light_.hidden_from_camera(); }
+    bool is_delta() const override { return light_.is_delta(); }
     bool emit(const aips::PrimaryPoint& u, aips::Emission& emission) const override {
         return light_.emit(u, emission);
     }

@@ -13,6 +13,7 @@ class ParallelLight final : public EnvironmentLight {
     ParallelLight(const LightPlacement& placement, const SceneSphere& sphere, const Vec3& wi,
                   const Rgb& irradiance);
     bool at_infinity() const override { return false; }
+    bool is_delta() const override { return true; }
 
   private:
     bool sample_direction(const Vec2& u, SkyDirection& direction) const override;

@@ -15,6 +15,7 @@ class PointLight : public PlacedLight {
 
     std::string_view kind() const override { return "point"; }
     float power() const override { return 4 * kPi * luminance(intensity_); }
+    bool is_delta() const override { return true; }
     bool sample_emission(const PrimaryPoint& u, EmissionSample& sample) const override;
     bool sample_direct(const Vec3& p, const Vec3& n, const Vec2& u,
                        DirectSample& sample) const override;

@@ -14,6 +14,7 @@ class ProfileLight final : public PlacedLight {
 
     std::string_view kind() const override { return kind_; }
     float power() const override { return power_; }
+    bool is_delta() const override { return true; }
     bool sample_emission(const PrimaryPoint& u, EmissionSample& sample) const override;
     bool sample_direct(const Vec3& p, const Vec3& n, const Vec2& u,
                        DirectSample& sample) const override;

@@ -23,6 +23,7 @@ class SpectralLight final : public Light {
     float power() const override { return light_.power(); }
     bool at_infinity() const override { return light_.at_infinity(); }
     bool hidden_from_camera() const override { return light_.hidden_from_camera(); }
+    bool is_delta() const override { return light_.is_delta(); }
     bool sample_emission(const PrimaryPoint& u, EmissionSample& sample) const override;
     bool sample_direct(const Vec3& p, const Vec3& n, const Vec2& u,
                        DirectSample& sample) const override;

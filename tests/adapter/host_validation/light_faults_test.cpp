@@ -22,6 +22,7 @@ enum class Fault {
     Coordinates,  // emission_coordinates() lead elsewhere
     NotFinite,    // photons carry NaN
     Escaped,      // rays that leave the scene see half
+    Delta,        // is_delta() of a lamp that rays meet
 };
 
 class FaultyLight final : public mock::LightLike {
@@ -34,6 +35,7 @@ class FaultyLight final : public mock::LightLike {
         if (fault_ == Fault::DeadPower) return 0;
         return light_.power() / (fault_ == Fault::Power ? 4 * kPi : 1);
     }
+    bool is_delta() const override { return fault_ == Fault::Delta; }
     bool emit(const PrimaryPoint& u, Emission& emission) const override {
         if (!light_.emit(u, emission)) return false;
         if (fault_ == Fault::Emission) emission.power *= 4 * kPi;
@@ -124,7 +126,8 @@ INSTANTIATE_TEST_SUITE_P(
                     Case{"Density", Fault::Density, false, "density of directions", ""},
                     Case{"Group", Fault::Group, false, "group", "9"},
                     Case{"Coordinates", Fault::Coordinates, false, "emission_coordinates", ""},
-                    Case{"NotFinite", Fault::NotFinite, false, "values", ""}),
+                    Case{"NotFinite", Fault::NotFinite, false, "values", ""},
+                    Case{"Delta", Fault::Delta, false, "is_delta", "delta false"}),
     [](const auto& each) { return std::string(each.param.name); });
 
 INSTANTIATE_TEST_SUITE_P(

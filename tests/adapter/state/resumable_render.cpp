@@ -21,8 +21,31 @@ View lit_view(const ResumableCase& what) {
     return view;
 }
 
+/// Caustics of a point light and of a lamp on a glossy floor.
+View glass_over_gloss(std::uint32_t width, std::uint32_t height) {
+    View view{{},
+              {{0, -1.5f, 2}, {0, 0.6f, -0.8f}, {0.5f, 0, 0}, {0, 0.3f, 0.225f}, width, height}};
+    Surface floor;
+    floor.shape = Quad{{-2, -2, 0}, {4, 0, 0}, {0, 4, 0}};
+    floor.material.kind = Material::Kind::Sheet;
+    floor.material.glossy = {0.4f, 0.4f, 0.4f};
+    view.scene.add(floor);
+    Surface glass;
+    glass.shape = Ball{{0, 0, 0.8f}, 0.5f, false};
+    glass.material.kind = Material::Kind::Glass;
+    view.scene.add(glass);
+    Surface lamp;
+    lamp.shape = Quad{{0.5f, -0.5f, 2}, {0, 0.5f, 0}, {0.5f, 0, 0}};
+    lamp.emitted = {3, 2, 1};
+    view.scene.add(lamp);
+    view.scene.add_point_light({-0.5f, 0.2f, 2}, {1, 1, 1});
+    view.scene.finish();
+    return view;
+}
+
 View view_of(const ResumableCase& what) {
     if (what.lamps) return lamp_room(what.width);
+    if (what.gloss) return glass_over_gloss(what.width, what.height);
     if (what.open) return random_view(15, {true}, what.width, what.height);
     return what.wide ? wide_view(40, what.width, what.height) : lit_view(what);
 }
@@ -95,6 +118,9 @@ void add_parts(std::vector<ResumableCase>& cases) {
     lamps.height = lamps.width;
     lamps.lamps = true;
     cases.push_back(lamps);
+    ResumableCase gloss{"caustics_on_gloss", settings_of(GuideKind::Adaptive), false, 9};
+    gloss.gloss = true;
+    cases.push_back(gloss);
     // Next to nothing is seen.
     Settings explored = settings_of(GuideKind::Adaptive);
     explored.pilot_pass = true;

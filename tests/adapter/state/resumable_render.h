@@ -20,7 +20,8 @@ struct ResumableCase {
     bool lamps = false;  ///< a room in which images of a lamp are seen
     float moved = 0;     ///< by so much lies one of the lamps elsewhere
     bool another_lamp = false;
-    bool open = false;  ///< a room open to the sky, of which photons bring little
+    bool open = false;   ///< a room open to the sky, of which photons bring little
+    bool gloss = false;  ///< a room with glass, gloss and a point light
 };
 
 /// For messages of tests.

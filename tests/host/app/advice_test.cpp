@@ -265,13 +265,12 @@ TEST_F(AdviceTest, PathFindsCausticsOfSmallLampsByChance) {
 const std::string kRoughMetal =
     "Material \"metal\" \"float uroughness\" [0.25] \"float vroughness\" [0.25]";
 
-TEST_F(AdviceTest, PathDoesNotSendGlossWherePhotonsMissIt) {
+TEST_F(AdviceTest, PathMissesCausticsOnGloss) {
     Scene scene;
     scene.light = kPoint;
     scene.floor = kRoughMetal;
     scene.world = kGlass + kGlassBall;
-    expect_advice(scene, "path misses caustics", "with \"bool storeglossy\" [\"true\"]",
-                  {"--integrator", "path"});
+    expect_advice(scene, "path misses caustics", "misses it altogether", {"--integrator", "path"});
 }
 
 // Light that nobody carries: photons do not land on gloss, and no ray meets a point.
@@ -280,12 +279,15 @@ TEST_F(AdviceTest, GlossMissesCausticsOfPoints) {
     scene.light = kPoint;
     scene.floor = kRoughMetal;
     scene.world = kGlass + kGlassBall;
-    expect_advice(scene, "gloss misses caustics", "is missing there");
-    expect_none(scene, {"--set", "aips.storeglossy=true"});
+    const std::vector<std::string> without = {"--set", "aips.causticsongloss=false"};
+    expect_none(scene);
+    expect_advice(scene, "gloss misses caustics", "is missing there", without);
+    expect_advice(scene, "gloss misses caustics", "is missing there", {"--integrator", "sppm"});
+    expect_none(scene, {"--set", "aips.causticsongloss=false", "--set", "aips.storeglossy=true"});
     scene.floor =
         "Material \"glossy\" \"color Kd\" [0.3 0.3 0.3] \"color Ks\" [0.3 0.3 0.3] "
         "\"float uroughness\" [0.25] \"float vroughness\" [0.25]";
-    expect_advice(scene, "gloss misses caustics", "is missing there");
+    expect_advice(scene, "gloss misses caustics", "is missing there", without);
 }
 
 TEST_F(AdviceTest, PathIsRightWhereNothingIsSmooth) {

@@ -85,6 +85,7 @@ class SphereView : public LuxView {
     unsigned light_count() const override { return 1; }
     unsigned light_group(unsigned) const override { return 0; }
     bool light_at_infinity(unsigned) const override { return false; }
+    bool light_is_delta(unsigned) const override { return false; }
     bool emit(unsigned, const float place[3], const float direction[3],
               ViewEmission& emission) const override {
         const Triple at = on_sphere(place[0], place[1]);

@@ -9,6 +9,7 @@
 #include "base/parallel_for.h"
 #include "estimate/constants.h"
 #include "estimate/group_sums.h"
+#include "eye/path_tip.h"
 #include "eye/surface_normals.h"
 
 namespace aips {
@@ -18,7 +19,8 @@ namespace {
 /// `in_front` tells whether the photon came from the side that the point's geometric normal shows,
 /// as the surface was where it landed: on a thin curved sheet, one that grazes the far side may lie
 /// on the near side of the point's tangent plane.
-Rgb reflected(const VisiblePoint& point, const GridPhoton& photon, bool in_front) {
+Rgb reflected(const VisiblePoint& point, const GridPhoton& photon, bool in_front,
+              GlossyPart& glossy) {
     if (!point.bsdf) {
         const bool same_side = in_front == (dot(point.wo, point.geometric_normal) > 0);
         return same_side ? photon.power * normal_ratio(point, photon.direction) : Rgb{};
@@ -26,8 +28,23 @@ Rgb reflected(const VisiblePoint& point, const GridPhoton& photon, bool in_front
     // The Bsdf would take it for light from the other side.
     if (in_front != (dot(photon.direction, point.geometric_normal) > 0)) return {};
     // The photon's power already is flux; f alone remains, in the direction of radiance.
-    return photon.power * normal_ratio(point, photon.direction) *
-           point.bsdf->evaluate(point.wo, photon.direction, Transport::Radiance, point.receiving);
+    const Rgb power = photon.power * normal_ratio(point, photon.direction);
+    const auto by = [&](LobeMask lobes) {
+        return lobes ? power * point.bsdf->evaluate(point.wo, photon.direction, Transport::Radiance,
+                                                    lobes)
+                     : Rgb{};
+    };
+    const PointGloss& gloss = point.gloss;
+    if (!gloss.bounce) return by(point.receiving);
+    if (photon.part == std::uint16_t(ImagePart::Caustics)) {
+        glossy.counted = by(kGlossy);
+        if (!photon.found_alone) {
+            glossy.shared = glossy.counted;
+            glossy.pdf = point.bsdf->pdf(point.wo, photon.direction, gloss.bounce);
+            glossy.counted *= gloss.by_photons ? 1 - caustic_share(glossy.pdf) : 0.0f;
+        }
+    }
+    return by(point.receiving & LobeMask(~kGlossy));
 }
 
 /// Calls scale(value) for all values, on all threads.
@@ -38,6 +55,55 @@ void scale_each(std::vector<T>& values, const Scale& scale) {
             scale(value);
     });
 }
+
+/// Photons on the glossy lobes of one visible point.
+class GlossyPhotons {
+  public:
+    void add(Vec3 direction, float luminance, float pdf) {
+        if (!(luminance > 0)) return;
+        const Vec2 at = uniform_sphere_to_square(direction);
+        const auto cell = [](float u) {
+            return std::min(std::uint32_t(u * float(kSide)), kSide - 1);
+        };
+        photons_.push_back({cell(at.y) * kSide + cell(at.x), double(luminance), double(pdf)});
+    }
+
+    /// A bounce that goes where photon i came from brings the radiance there over its density. With
+    /// the radiance of the cell's other photons, E[Y^2] is the sum over pairs of one cell of
+    /// c_i c_j / (p_i q cell), q being the probability to bounce at all, and E[Y]^2 that over all
+    /// pairs of c_i c_j. Lamps smaller than a cell or the gather disc say too little.
+    void move_to(float bounce_pdf, GlossyFlux& flux) {
+        std::ranges::stable_sort(photons_, {}, &Known::cell);
+        double second = 0, light = 0, squares = 0;
+        for (auto first = photons_.begin(); first != photons_.end();) {
+            double of_cell = 0;
+            auto last = first;
+            for (; last != photons_.end() && last->cell == first->cell; ++last)
+                of_cell += last->luminance;
+            light += of_cell;
+            for (; first != last; ++first) {
+                const double c = first->luminance;
+                squares += c * c;
+                if (first->pdf > 0) second += c * (of_cell - c) / (first->pdf * kCell);
+            }
+        }
+        flux.light += float(light);
+        flux.photons += float(squares);
+        const double squared_mean = light * light - squares;
+        flux.bounce += float(std::max(second / double(bounce_pdf) - squared_mean, 0.0));
+        photons_.clear();
+    }
+
+  private:
+    static constexpr std::uint32_t kSide = 32;  // cells along a side of the square of directions
+    static constexpr double kCell = 4 * double(kPi) / double(kSide * kSide);  // steradians
+    struct Known {
+        std::uint32_t cell;
+        double luminance, pdf;
+    };
+
+    std::vector<Known> photons_;
+};
 
 /// Gathers visible points one after the other. Not for many threads at once.
 class PointGather {
@@ -61,9 +127,11 @@ class PointGather {
         const Rgb f = point.bsdf ? kWhite : point.kd;
         const auto for_each_accepted = [&](const auto& take) {
             grid_.for_each_in_radius(point.position, radius, [&](const GridPhoton& photon) {
-                const Rgb value = contribution(point, photon, radius);
-                if (is_black(value * f) || !filter_.accept(value, point.material)) return;
-                take(photon, value);
+                GlossyPart glossy;
+                const Rgb value = contribution(point, photon, radius, &glossy);
+                const bool brings = !is_black(value * f) || !is_black(glossy.shared);
+                if (!brings || !filter_.accept(value, point.material)) return;
+                take(photon, value, glossy);
             });
         };
         count_ = 0;
@@ -72,18 +140,20 @@ class PointGather {
             occlusion_ ? occlusion_->test_of(point, i, image_.positions[point.sample])
                        : OcclusionTest::None;
         if (test == OcclusionTest::None) {
-            for_each_accepted([&](const GridPhoton& photon, const Rgb& value) {
-                add(point, photon, value, radius);
-            });
+            for_each_accepted(
+                [&](const GridPhoton& photon, const Rgb& value, const GlossyPart& glossy) {
+                    add(i, photon, value, glossy, radius);
+                });
         } else {
             candidates_.clear();
-            for_each_accepted([&](const GridPhoton& photon, const Rgb& value) {
-                candidates_.push_back({&photon, value, luminance(value)});
-            });
+            for_each_accepted(
+                [&](const GridPhoton& photon, const Rgb& value, const GlossyPart& glossy) {
+                    candidates_.push_back({&photon, value, glossy, luminance(value)});
+                });
             const bool all = test == OcclusionTest::All || finds_blocked(point, radius);
             if (all) drop_blocked(point, i, radius);
             for (const Candidate& candidate : candidates_)
-                add(point, *candidate.photon, candidate.value, radius);
+                add(i, *candidate.photon, candidate.value, candidate.glossy, radius);
         }
         move_to_result(i);
     }
@@ -95,6 +165,7 @@ class PointGather {
     struct Candidate {
         const GridPhoton* photon;
         Rgb value;
+        GlossyPart glossy;
         float luminance;
     };
 
@@ -136,7 +207,11 @@ class PointGather {
         occlusion_->add_squares(i, all, reached);
     }
 
-    void add(const VisiblePoint& point, const GridPhoton& photon, const Rgb& value, float radius) {
+    void add(std::size_t i, const GridPhoton& photon, const Rgb& value, const GlossyPart& glossy,
+             float radius) {
+        const VisiblePoint& point = image_.visible_points[i];
+        if (point.gloss.learns)
+            glossy_.add(photon.direction, luminance(point.throughput * glossy.shared), glossy.pdf);
         sums_.add(photon.light_group, value);
         if (result_.wants_parts) {
             const ImagePart part =
@@ -149,13 +224,17 @@ class PointGather {
         const auto square = double(luminance(value) * luminance(value));
         squares_ += square;
         if (result_.wants_shareable && photon.shareable) {
-            shareable_ += double(luminance(value));
-            shareable_squares_ += square;
+            const auto shareable = double(luminance(value - glossy.counted));
+            shareable_ += shareable;
+            shareable_squares_ += shareable * shareable;
         }
         ++count_;
     }
 
     void move_to_result(std::size_t i) {
+        if (image_.visible_points[i].gloss.learns) {
+            glossy_.move_to(image_.visible_points[i].gloss.bounce_pdf, result_.glossy[i]);
+        }
         sums_.move_to(&result_.flux[i * image_.groups]);
         result_.accepted[i] = saturated_sum(result_.accepted[i], count_);
         result_.squares[i] += float(squares_);
@@ -178,10 +257,17 @@ class PointGather {
     std::uint32_t count_ = 0;
     double squares_ = 0, shareable_ = 0, shareable_squares_ = 0;
     std::vector<Candidate> candidates_;
+    GlossyPhotons glossy_;
     GatherCounts counts_;
 };
 
 }  // namespace
+
+void GlossyFlux::scale(float factor) {
+    light *= factor;
+    photons *= factor * factor;
+    bounce *= factor * factor;
+}
 
 void PhotonFlux::scale(double factor) {
     const auto linear = float(factor), squared = float(factor * factor);
@@ -192,6 +278,7 @@ void PhotonFlux::scale(double factor) {
     scale_each(shareable, [&](ShareableFlux& part) {
         part = {float(part.sum * factor), float(part.squares * factor * factor)};
     });
+    scale_each(glossy, [&](GlossyFlux& sums) { sums.scale(linear); });
     scale_each(probes, [&](ProbeSums& sums) { sums.scale(factor); });
 }
 
@@ -200,12 +287,16 @@ bool on_same_surface(const VisiblePoint& point, Vec3 position, float agreement, 
            abs_dot(position - point.position, point.geometric_normal) <= kSlab * radius;
 }
 
-Rgb contribution(const VisiblePoint& point, const GridPhoton& photon, float radius) {
+Rgb contribution(const VisiblePoint& point, const GridPhoton& photon, float radius,
+                 GlossyPart* glossy) {
     if (photon.bounces > point.photon_bounces) return {};
     const float agreement = dot(photon.normal, point.geometric_normal);
     if (!on_same_surface(point, photon.position, agreement, radius)) return {};
-    const Rgb value = reflected(point, photon, agreement > 0);
-    return photon.shareable && point.eye_share > 0 ? value * (1 - point.eye_share) : value;
+    GlossyPart part;
+    const Rgb value = reflected(point, photon, agreement > 0, part);
+    if (glossy) *glossy = part;
+    return part.counted +
+           (photon.shareable && point.eye_share > 0 ? value * (1 - point.eye_share) : value);
 }
 
 void gather_photons(const EyeImage& image, const PhotonGrid& grid, const GatherRadii& radii,
@@ -233,6 +324,7 @@ void exchange_flux(const EyeImage& image, const GatherCounts& before, SharedWork
         plain_of_points(archive, image.owners, rank, flux.accepted);
         plain_of_points(archive, image.owners, rank, flux.squares);
         plain_of_points(archive, image.owners, rank, flux.shareable);
+        plain_of_points(archive, image.owners, rank, flux.glossy);
         plain_of_points(archive, image.owners, rank, flux.parts, kPhotonParts);
         plain_of_points(archive, image.owners, rank, flux.inner);
         if (occlusion) occlusion->exchange(rank, archive, image.owners);

@@ -23,6 +23,15 @@ struct ShareableFlux {
     float squares = 0;  ///< of single photons'
 };
 
+/// What photons told of caustics on a visible point's glossy lobes that bounce as well: luminances.
+struct GlossyFlux {
+    float light = 0;
+    float photons = 0;  ///< squares of what single photons brought
+    float bounce = 0;   ///< variance of a bounce that brings it all
+
+    void scale(float factor);
+};
+
 /// What gathers have done so far.
 struct GatherCounts {
     std::uint64_t photons = 0;  ///< accepted, over all visible points
@@ -40,6 +49,7 @@ struct PhotonFlux {
     /// [visible point]: sum over these photons of the squared luminance of what flux sums.
     std::vector<float> squares;
     std::vector<ShareableFlux> shareable;  ///< [visible point]; empty if nobody asks for it
+    std::vector<GlossyFlux> glossy;        ///< [visible point]: of those that learn; empty likewise
     /// [visible point * kPhotonParts + ImagePart]: what is direct light or caustics of `flux`, over
     /// all light groups; empty if not wanted.
     std::vector<Rgb> parts;
@@ -54,12 +64,14 @@ struct PhotonFlux {
     bool wants_inner = false;      ///< whether gathers fill `inner`
     bool wants_bias = false;       ///< and those in media the inner half of beams' sections
     bool wants_shareable = false;  ///< whether gathers fill `shareable`
+    bool wants_glossy = false;     ///< whether they fill `glossy`
 
     void reset(std::size_t visible_points, std::uint32_t groups, std::size_t probe_count = 0) {
         assign_all(flux, visible_points * groups, Rgb{}, most_points * groups);
         assign_all(accepted, visible_points, std::uint32_t{0}, most_points);
         assign_all(squares, visible_points, 0.0f, most_points);
         assign_all(shareable, wants_shareable ? visible_points : 0, ShareableFlux{}, most_points);
+        assign_all(glossy, wants_glossy ? visible_points : 0, GlossyFlux{}, most_points);
         assign_all(parts, wants_parts ? visible_points * kPhotonParts : 0, Rgb{},
                    most_points * kPhotonParts);
         assign_all(inner, wants_inner ? visible_points : 0, Rgb{}, most_points);
@@ -78,12 +90,14 @@ struct PhotonFlux {
             shareable[point].sum *= factor;
             shareable[point].squares *= factor * factor;
         }
+        if (!glossy.empty()) glossy[point].scale(factor);
         for (std::size_t part = 0; part < (parts.empty() ? 0 : kPhotonParts); ++part)
             parts[point * kPhotonParts + part] *= factor;
     }
     std::size_t memory_bytes() const {
         return flux.capacity() * sizeof(Rgb) + accepted.capacity() * sizeof(std::uint32_t) +
                squares.capacity() * sizeof(float) + shareable.capacity() * sizeof(ShareableFlux) +
+               glossy.capacity() * sizeof(GlossyFlux) +
                (parts.capacity() + inner.capacity()) * sizeof(Rgb) +
                probes.capacity() * sizeof(ProbeSums);
     }
@@ -114,9 +128,18 @@ void exchange_flux(const EyeImage& image, const GatherCounts& before, SharedWork
 /// light from leaking across thin walls.
 bool on_same_surface(const VisiblePoint& point, Vec3 position, float agreement, float radius);
 
+/// What glossy lobes that bounce as well reflect of one photon: of caustics.
+struct GlossyPart {
+    Rgb shared;     ///< f * power of these lobes, unless the bounce can't find the light
+    float pdf = 0;  ///< with which the bounce goes where the photon came from
+    Rgb counted;    ///< what is in the contribution
+};
+
 /// f * power of one photon (watts per steradian) within `radius` of a visible point, without the
 /// constant f of Lambertian points, and without the eye's share of light that both may carry; black
-/// if the point rejects it: on another surface, on its other side, or absorbed.
-Rgb contribution(const VisiblePoint& point, const GridPhoton& photon, float radius);
+/// if the point rejects it: on another surface, on its other side, or absorbed. Glossy lobes that
+/// bounce as well count by their share; `glossy`, unless null, takes what they do.
+Rgb contribution(const VisiblePoint& point, const GridPhoton& photon, float radius,
+                 GlossyPart* glossy = nullptr);
 
 }  // namespace aips

@@ -11,13 +11,26 @@
 namespace aips {
 namespace {
 
-/// In double: r^2 times the number of paths leaves the range of float in tiny scenes.
-double per_disk_and_path(float radius, std::uint64_t photon_paths) {
-    return 1 / (double(kPi) * double(radius) * double(radius) * double(photon_paths));
-}
-
 Rgb scaled(const Rgb& sum, double scale) {
     return {float(sum.r * scale), float(sum.g * scale), float(sum.b * scale)};
+}
+
+/// Radiance that photons bring by way of a visible point, from their `flux` there.
+Rgb brought(const VisiblePoint& point, const Rgb& flux, double scale) {
+    return point.throughput * left_out_f(point) * scaled(flux, scale);
+}
+
+/// Calls add(number of the visible point) for all, those of one eye path one after the other: they
+/// share an entry of the image.
+template <class Add>
+void for_each_path(const EyeImage& image, const Add& add) {
+    const auto& points = image.visible_points;
+    tbb::parallel_for(std::size_t{0}, points.size(), [&](std::size_t i) {
+        const std::uint32_t path = points[i].sample;
+        if (i > 0 && points[i - 1].sample == path) return;
+        for (; i < points.size() && points[i].sample == path; ++i)
+            add(i);
+    });
 }
 
 Rgb least(const Rgb& a, const Rgb& b) {
@@ -37,22 +50,33 @@ void split(const Rgb& all, std::span<Rgb> parts) {
 
 }  // namespace
 
+double per_disk_and_path(float radius, std::uint64_t photon_paths) {
+    return 1 / (double(kPi) * double(radius) * double(radius) * double(photon_paths));
+}
+
 void estimate_pixels(const EyeImage& image, const PhotonFlux& flux, const GatherRadii& radii,
                      std::uint64_t photon_paths, InvalidSampleFilter& filter,
                      std::vector<Rgb>& photon_radiance) {
     assign_all(photon_radiance, image.radiance.size(), Rgb{});
     const std::uint32_t groups = image.groups;
-    tbb::parallel_for(std::size_t{0}, image.visible_points.size(), [&](std::size_t i) {
+    for_each_path(image, [&](std::size_t i) {
         const VisiblePoint& point = image.visible_points[i];
         const double scale = per_disk_and_path(radii.of(i), photon_paths);
-        const Rgb f = left_out_f(point);
         for (std::uint32_t g = 0; g < groups; ++g) {
-            const Rgb value = point.throughput * f * scaled(flux.flux[i * groups + g], scale);
-            // Each eye path has one visible point at the most: no two iterations share an entry.
-            Rgb& brought = photon_radiance[std::size_t(point.sample) * groups + g];
-            filter.add(brought, value, point.material);
+            const Rgb value = brought(point, flux.flux[i * groups + g], scale);
+            filter.add(photon_radiance[std::size_t(point.sample) * groups + g], value,
+                       point.material);
         }
     });
+}
+
+double luminance_of_point(const EyeImage& image, const PhotonFlux& flux, std::size_t i,
+                          float radius, std::uint64_t photon_paths) {
+    const double scale = per_disk_and_path(radius, photon_paths);
+    float sum = 0;
+    for (std::size_t g = 0; g < image.groups; ++g)
+        sum += luminance(brought(image.visible_points[i], flux.flux[i * image.groups + g], scale));
+    return double(sum);
 }
 
 void estimate_discs(const EyeImage& image, const PhotonFlux& flux, const GatherRadii& radii,
@@ -60,7 +84,7 @@ void estimate_discs(const EyeImage& image, const PhotonFlux& flux, const GatherR
     assign_all(discs.whole, image.positions.size(), Rgb{});
     assign_all(discs.half, image.positions.size(), Rgb{});
     if (photon_paths == 0) return;
-    tbb::parallel_for(std::size_t{0}, image.visible_points.size(), [&](std::size_t i) {
+    for_each_path(image, [&](std::size_t i) {
         const VisiblePoint& point = image.visible_points[i];
         const double scale = per_disk_and_path(radii.of(i), photon_paths);
         const Rgb factor = point.throughput * left_out_f(point);
@@ -70,8 +94,8 @@ void estimate_discs(const EyeImage& image, const PhotonFlux& flux, const GatherR
         const Rgb whole = factor * scaled(sum, scale);
         const Rgb half = factor * scaled(flux.inner[i], 2 * scale);
         if (!std::isfinite(whole.r + whole.g + whole.b + half.r + half.g + half.b)) return;
-        discs.whole[point.sample] = whole;
-        discs.half[point.sample] = half;
+        discs.whole[point.sample] += whole;
+        discs.half[point.sample] += half;
     });
 }
 

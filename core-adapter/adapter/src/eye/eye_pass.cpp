@@ -62,6 +62,7 @@ EyePathOutput output_of(const EyePassInput& in, std::uint64_t pass, std::uint32_
     if (in.shares) {
         output.continued = std::span(image.continued).subspan(first, image.groups);
         output.explores = in.shares->explores(pass, path);
+        output.learns_gloss = in.shares->gloss && in.shares->learns_from(pass, path);
     }
     if (in.layers.surfaces) output.surface = &image.surfaces[path];
     return output;
@@ -118,13 +119,15 @@ void trace_block(const EyePassInput& in, std::uint64_t pass, float time, std::ui
             block.beams.back().sample = i;
             block.beam_footprint_sum += result.beam_footprint;
         }
-        if (result.has_visible_point) {
-            block.visible_points.push_back(result.visible_point);
+        const auto keep = [&](const VisiblePoint& point, float footprint) {
+            block.visible_points.push_back(point);
             block.visible_points.back().sample = i;
             block.visible_points.back().tells_lights = tells;
-            block.has_bsdf |= result.visible_point.bsdf != nullptr;
-            block.footprints.push_back(result.footprint);
-        }
+            block.has_bsdf |= point.bsdf != nullptr;
+            block.footprints.push_back(footprint);
+        };
+        if (result.has_gloss_point) keep(result.gloss_point, result.gloss_footprint);
+        if (result.has_visible_point) keep(result.visible_point, result.footprint);
     }
 }
 
@@ -183,11 +186,11 @@ void join(std::vector<EyeBlock>& blocks, std::vector<T> EyeBlock::*part, std::si
     });
 }
 
-void join_blocks(std::vector<EyeBlock>& blocks, EyeImage& image) {
+void join_blocks(std::vector<EyeBlock>& blocks, std::size_t most_points, EyeImage& image) {
     const std::size_t paths = image.positions.size();
-    join(blocks, &EyeBlock::visible_points, paths, image.visible_points);
+    join(blocks, &EyeBlock::visible_points, most_points, image.visible_points);
     join(blocks, &EyeBlock::beams, paths, image.beams);
-    join(blocks, &EyeBlock::footprints, paths, image.footprints);
+    join(blocks, &EyeBlock::footprints, most_points, image.footprints);
     join(blocks, &EyeBlock::light_samples, paths, image.light_samples);
     join(blocks, &EyeBlock::emitter_rests, paths, image.emitter_rests);
     image.beam_footprint_sum = 0;
@@ -222,6 +225,20 @@ void positions_of(std::span<const VisiblePoint> points, std::vector<Vec3>& posit
     for_all(points.size(), [&](std::size_t i) { positions[i] = points[i].position; });
 }
 
+std::vector<Vec3> positions_of_most_photons(std::span<const VisiblePoint> points,
+                                            Settings& settings) {
+    std::vector<Vec3> positions;
+    for (const VisiblePoint& point : points) {
+        if (!point.takes_caustics_alone()) positions.push_back(point.position);
+    }
+    if (positions.empty()) {
+        positions_of(points, positions);
+    } else {
+        settings.caustics_on_gloss = false;
+    }
+    return positions;
+}
+
 void trace_eye_pass(const EyePassInput& in, std::uint64_t pass, float time,
                     InvalidSampleFilter& filter, EyeImage& image) {
     const std::uint32_t block_count =
@@ -250,7 +267,7 @@ void trace_eye_pass(const EyePassInput& in, std::uint64_t pass, float time,
         state_of_block(archive, first, last_of(first), image, blocks[b]);
     });
     set_owners(in.ranks, work, blocks, image.owners);
-    join_blocks(blocks, image);
+    join_blocks(blocks, most_visible_points(in.settings, in.paths), image);
 }
 
 }  // namespace aips

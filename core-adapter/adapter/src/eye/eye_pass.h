@@ -18,6 +18,14 @@
 
 namespace aips {
 
+/// How a visible point's glossy lobes, which bounce the eye path on as well, take caustics.
+struct PointGloss {
+    LobeMask bounce = 0;      ///< what the bounce samples; 0: glossy lobes take all photons or none
+    bool by_photons = false;  ///< photons bring them; else only what the bounce can't find
+    bool learns = false;      ///< whether the point tells of caustics on these lobes
+    float bounce_pdf = 1;     ///< probability that the path bounces
+};
+
 /// A place in a gather disc that was asked for.
 enum class DiscPlace : std::uint8_t { NotAsked, Surface, Gap };
 
@@ -34,6 +42,8 @@ struct VisiblePoint {
     std::uint32_t sample = 0;    ///< index of the eye path in its pass
     std::uint32_t material = 0;
     EyeScatterings scatterings;  ///< of the eye path before it
+    PointGloss gloss;
+    bool bounced = false;  ///< the eye path bounced on from there
     /// Photons of more bounces do not count: Settings::max_bounces bounds the whole path.
     std::uint16_t photon_bounces = kMostPhotonBounces;
     /// Share of the light that both may carry which the eye path brings by going on, in [0, 1).
@@ -48,8 +58,10 @@ struct VisiblePoint {
     bool tells_lights = false;  ///< it is told which light's photons bring it what
     SharedDirect direct;        ///< where a BSDF-sampled ray left it
 
+    /// Whether it takes caustics alone.
+    bool takes_caustics_alone() const { return gloss.bounce && !(receiving & ~kGlossy); }
     /// Share of what a path that goes on brings that counts.
-    float continued_share() const { return fills ? 1 : eye_share; }
+    float continued_share() const { return bounced ? 0 : fills ? 1 : eye_share; }
 };
 
 /// Luminance of emitters behind specular surfaces that an eye path met and left to emitter paths.
@@ -94,6 +106,11 @@ struct EyeImage {
 /// Where visible points are, in their order; reuses the memory of `positions`.
 void positions_of(std::span<const VisiblePoint> points, std::vector<Vec3>& positions);
 
+/// Where those are that take photons of all kinds, if any is: then surfaces that take caustics
+/// alone are not looked at in `settings`. Else where all are.
+std::vector<Vec3> positions_of_most_photons(std::span<const VisiblePoint> points,
+                                            Settings& settings);
+
 /// Luminance of an eye path, or of a visible point, over its light groups in `values`:
 /// [path * groups + group].
 inline float luminance_over_groups(std::span<const Rgb> values, std::size_t path,
@@ -123,9 +140,20 @@ struct EyePassInput {
     const DiscGaps* gaps = nullptr;  ///< null: none are known
 };
 
-/// Lobes that take photons under these settings; the others bounce the eye path on.
+/// Lobes that take photons wherever they are; the others bounce the eye path on.
 inline LobeMask receiving_lobes(const Settings& settings) {
     return settings.store_glossy ? kNonSpecular : kDiffuse;
+}
+
+/// Whether eye paths that leave a specular surface may meet a light.
+inline bool eye_paths_meet(const Light& light, const Settings& settings) {
+    return !light.is_delta() && (settings.include_environment || !light.at_infinity());
+}
+
+/// Visible points of a pass, at most: where photons share the light on glossy lobes, one more of
+/// each eye path.
+inline std::size_t most_visible_points(const Settings& settings, std::size_t paths) {
+    return paths * (settings.caustics_on_gloss ? 2 : 1);
 }
 
 /// Traces pass number `pass` at one time; `image` is refilled, its memory reused. The result does

@@ -75,7 +75,8 @@ class EyePath {
                 if (!result_.visible_point.bsdf) arena_.rewind(mark);
                 break;
             }
-            arena_.rewind(mark);
+            if (!keeps_bsdf_) arena_.rewind(mark);
+            keeps_bsdf_ = false;
             if (!go_on) break;
         }
     }
@@ -116,8 +117,8 @@ class EyePath {
         if (emitters_only_ && !behind_specular_) return;
         const LightTarget sums = (behind_specular_ ? emitters_ : radiance_).of(tip_.seen_by.met());
         const std::uint32_t group = in_.scene.lights()[light]->group();
-        if (sums.add(group, value, filter_.of_light(light), filter_))
-            tell(behind_specular_ ? emitter_light_ : output_.light, light, luminance(value));
+        if (!sums.add(group, value, filter_.of_light(light), filter_)) return;
+        tell(behind_specular_ ? emitter_light_ : output_.light, light, luminance(value));
     }
 
     void add_emitted(const SurfacePoint& point) {
@@ -166,7 +167,13 @@ class EyePath {
         const LobeMask bouncing = lobes & ~receiving;
         LobeMask onward = bouncing;
         if (last) onward &= tip_.counts_in_full ? LobeMask{} : kSpecular;
-        const float store_pdf = store_probability(*point.bsdf, wo, receiving, onward);
+        const PointGloss gloss = last ? PointGloss{} : gloss_at(point, wo, bouncing);
+        const bool takes_gloss = gloss.bounce != 0;
+        // Once photons are gathered beside the bounce, whatever the path does; at later surfaces
+        // it chooses.
+        const bool beside = takes_gloss && !result_.has_gloss_point;
+        float store_pdf = store_probability(*point.bsdf, wo, receiving, onward);
+        if (takes_gloss && !beside && !receiving) store_pdf = kLaterGloss;
         const bool may = receiving && in_.shares && in_.keep_visible_points;
         EyeShare eye;
         if (may) eye = in_.shares->at(point.position, normal_towards(wo, point));
@@ -185,22 +192,47 @@ class EyePath {
             query.continue_pdf = last ? 0 : 1 - store_pdf;
             direct = estimate_direct_light(query, numbers);
         }
-        if (receiving && (store_pdf == 1 || numbers.end() < store_pdf)) {
+        const bool ends = store_pdf == 1 || (store_pdf > 0 && numbers.end() < store_pdf);
+        if (beside || ends) {
             if (!in_.keep_visible_points) return false;
-            store(point, wo, receiving, store_pdf);
-            result_.visible_point.place = place;
+            const LobeMask taking = takes_gloss ? LobeMask(receiving | kGlossy) : receiving;
+            VisiblePoint v = visible_point(
+                point, wo, taking, tip_.throughput * (beside ? 1 : 1 / store_pdf), tip_.seen_by);
+            v.photon_bounces = photon_bounces(in_.settings, tip_);
+            v.gloss = gloss;
+            v.gloss.bounce_pdf = 1 - store_pdf;
+            v.bounced = !ends;
+            v.place = place;
+            if (goes_on) v.eye_share = eye.share;
+            store(v, ends, point);
+        }
+        if (ends) {
             result_.visible_point.fills = fills;
-            if (result_.has_visible_point && goes_on) {
-                result_.visible_point.eye_share = eye.share;
+            if (result_.has_visible_point && goes_on)
                 go_on_from({point, wo, receiving, depth, store_pdf, tip_}, direct);
-            }
             return false;
         }
         if (!onward) return false;
         tip_.throughput *= 1 / (1 - store_pdf);
         if (last) return pass_straight(in_, point, wo, numbers, filter_, tip_);
-        const BounceDraw draw{bouncing, 1 - store_pdf, numbers.direction(), numbers.lobe()};
+        const BounceDraw draw{bouncing, 1 - store_pdf, numbers.direction(), numbers.lobe(),
+                              gloss.by_photons};
         return bounce(in_, point, wo, draw, filter_, tip_);
+    }
+
+    /// How glossy lobes among those that bounce take caustics.
+    PointGloss gloss_at(const SurfacePoint& point, Vec3 wo, LobeMask bouncing) const {
+        if (!(bouncing & kGlossy) || !in_.shares || !in_.shares->gloss || !in_.keep_visible_points)
+            return {};
+        const bool later = result_.has_gloss_point;
+        PointGloss gloss;
+        gloss.by_photons =
+            !later && in_.shares->gloss->at(point.position, normal_towards(wo, point));
+        gloss.learns = !later && output_.learns_gloss &&
+                       (gloss.by_photons || output_.explores || in_.shares->gloss_needs_photons);
+        if (gloss.by_photons || gloss.learns || in_.shares->gloss_needs_photons)
+            gloss.bounce = bouncing;
+        return gloss;
     }
 
     /// The number that decides between the ways that a specular surface offers.
@@ -251,7 +283,7 @@ class EyePath {
     /// The path goes on from its visible point, or its BSDF-sampled ray alone does.
     void go_on_from(ContinuedStart start, const DirectLightResult& direct) {
         VisiblePoint& v = result_.visible_point;
-        start.tip.throughput = v.throughput;
+        start.tip.throughput *= 1 / start.choice_pdf;
         start.bsdf_direct = !(v.eye_share > 0 || output_.explores || v.fills);
         const bool asks = direct.sample.pdf > 0;
         if (asks) start.asked = direct.sample.light;
@@ -276,13 +308,15 @@ class EyePath {
         return lost ? DiscPlace::Gap : DiscPlace::Surface;
     }
 
-    void store(const SurfacePoint& point, Vec3 wo, LobeMask receiving, float store_pdf) {
-        VisiblePoint& v = result_.visible_point;
-        v = visible_point(point, wo, receiving, tip_.throughput * (1 / store_pdf), tip_.seen_by);
-        v.photon_bounces = photon_bounces(in_.settings, tip_);
-        result_.footprint = camera_ray_.width + camera_ray_.spread * travelled_;
-        result_.has_visible_point =
+    /// Keeps where photons are gathered: where the path ends, or beside its bounce.
+    void store(const VisiblePoint& v, bool ends, const SurfacePoint& point) {
+        const bool usable =
             filter_.accept(v.throughput, point.material) && filter_.accept(v.kd, point.material);
+        (ends ? result_.visible_point : result_.gloss_point) = v;
+        (ends ? result_.footprint : result_.gloss_footprint) =
+            camera_ray_.width + camera_ray_.spread * travelled_;
+        (ends ? result_.has_visible_point : result_.has_gloss_point) = usable;
+        keeps_bsdf_ = usable;
     }
 
     const EyePassInput& in_;
@@ -304,6 +338,7 @@ class EyePath {
     float emitter_share_ = 1;     // of emitters met, as other ways from specular surfaces tell too
     std::uint32_t specular_ = 0;  // surfaces met that do not count for the depth, being specular
     std::uint32_t branches_ = 0;  // vertices from which that was so
+    bool keeps_bsdf_ = false;     // the surface just left is a visible point
     std::size_t choices_ = 0;     // used at specular surfaces beyond these
     BeamChoice beam_choice_;
     EyePathResult result_;

@@ -19,6 +19,9 @@ struct EyePathResult {
     float beam_footprint = 0;  ///< radius of the pixel's footprint at its middle
     LightSample light_sample;  ///< of the first shadow ray, if choices are learned; else pdf is 0
     std::uint32_t rays = 0;
+    bool has_gloss_point = false;  ///< before the visible point: the path bounced on from there
+    VisiblePoint gloss_point;
+    float gloss_footprint = 0;
     bool cut = false;  ///< ended at a specular surface by the depth limit
 };
 
@@ -33,6 +36,7 @@ struct EyePathOutput {
     LuminanceByLight* light = nullptr;
     Vec2 film = {};                  ///< where it comes from
     bool explores = false;           ///< goes on from its visible point even where it has no share
+    bool learns_gloss = false;       ///< tells how light on glossy lobes came
     SeenSurface* surface = nullptr;  ///< null: not wanted
 };
 

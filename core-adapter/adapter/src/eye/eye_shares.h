@@ -3,7 +3,9 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <optional>
 
+#include "aips/core/tables/gloss_table.h"
 #include "aips/core/tables/share_table.h"
 #include "eye/constants.h"
 
@@ -26,12 +28,21 @@ struct EyeShares {
     bool is_one_of(std::uint64_t stride, std::uint64_t pass, std::uint32_t path) const {
         return (pass / turns + path) % std::max<std::uint64_t>(1, stride / turns) == 0;
     }
+    /// Whether eye path `path` of pass `pass` is learned from: all early ones are, and all that
+    /// explore.
+    bool learns_from(std::uint64_t pass, std::uint32_t path) const {
+        return pass < kWarmUpPasses || is_one_of(kSharePointsOneOf, pass, path);
+    }
     /// At a place on the side that `normal` shows.
     EyeShare at(Vec3 position, Vec3 normal) const {
         return any ? table.at(position, normal) : EyeShare{};
     }
 
     ShareTable table;
+    std::optional<GlossTable> gloss;  ///< if photons may bring light to glossy lobes too
+    /// Whether there is light that photons alone bring to them: of a delta light, by way of
+    /// specular surfaces.
+    bool gloss_needs_photons = false;
     /// Passes before the present shares were set. Numbers that are stratified over passes start
     /// anew there: points that keep away from those that were learned from are not independent of
     /// what was learned.

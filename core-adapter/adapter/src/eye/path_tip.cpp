@@ -17,6 +17,8 @@ bool bounce(const EyePassInput& in, const SurfacePoint& point, Vec3 wo, const Bo
         return false;
     }
     if (!sample.straight) {
+        if (sample.lobe != kSpecular)
+            tip.caustic_share = draw.shares_caustics ? caustic_share(sample.pdf) : 1;
         tip.from_specular = sample.lobe == kSpecular;
         tip.counts_in_full = tip.from_specular || !in.settings.direct_light_sampling;
         tip.bounce_pdf = draw.choice_pdf * sample.pdf;
@@ -62,7 +64,7 @@ VisiblePoint visible_point(const SurfacePoint& point, Vec3 wo, LobeMask receivin
 float emission_weight(const EyePassInput& in, const PathTip& tip, LightIndex light,
                       const SurfacePoint* at) {
     if (tip.scatterings == 0 && in.scene.lights()[light]->hidden_from_camera()) return 0;
-    if (tip.counts_in_full) return 1;
+    if (tip.counts_in_full) return tip.caustic_share;
     const float pdf_light = in.direct_light.pdf(light, tip.last_vertex, tip.ray.direction, at);
     // No density: what it weighs is refused, and counted against the light.
     if (!(pdf_light >= 0)) return std::numeric_limits<float>::quiet_NaN();

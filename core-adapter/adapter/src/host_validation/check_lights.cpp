@@ -77,6 +77,9 @@ class LightCheck {
         any(direct.open, kRareAtLight, "visibility", "light, where nothing stops it");
         any(direct.shares, kRareAtLight, "visibility",
             "the share that surfaces and media let pass");
+        any(direct.deltas, 0, "is_delta",
+            light_.is_delta() ? "delta samples alone, as is_delta() says"
+                              : "no delta sample, as is_delta() says");
         any(direct.behind, kRareAtLight, "missing directions",
             "samples wherever the light is seen from");
         const bool missed =

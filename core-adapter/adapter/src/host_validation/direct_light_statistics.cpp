@@ -81,6 +81,9 @@ class Place {
         DirectSample s;
         if (!draw(s)) return 0;
         coordinates(s);
+        statistics_.deltas.look(s.delta == light_.is_delta(), [&] {
+            return std::string("a direct sample with delta ") + (s.delta ? "true" : "false");
+        });
         if (s.delta) return 0;
         SurfacePoint met;
         const bool hit = trace(s.wi, met);

@@ -8,7 +8,7 @@
 namespace aips {
 
 struct DirectLightStatistics {
-    CheckStatistics values, pdfs, radiances, missed, unasked, blocked, open, shares, behind,
+    CheckStatistics deltas, values, pdfs, radiances, missed, unasked, blocked, open, shares, behind,
         coordinates;
     /// Integrals of p q / (p + q) as in ask_bsdf.cpp: by samples, and by directions of density q.
     Estimate by_samples, by_density;

@@ -92,10 +92,10 @@ class Explorer {
           filter_(scene),
           guide_(scene.lights().size(), light_choice, guide_settings()),
           chains_(kJobs),
-          input_{scene, settings, light_choice} {
+          input_{scene, settings_, light_choice} {
         input_.pass = kFirstRound;
-        std::vector<Vec3> positions;
-        positions_of(image.visible_points, positions);
+        const std::vector<Vec3> positions =
+            positions_of_most_photons(image.visible_points, settings_);
         const float reach = PhotonChains::reach(GatherRadii(radius));
         occupancy_.build(positions, reach, tbb_for);
         // The false hits of hashed occupancy would outnumber the visible paths of a wide scene.
@@ -301,7 +301,7 @@ class Explorer {
     }
 
     const Scene& scene_;
-    const Settings& settings_;
+    Settings settings_;
     const DiscreteDistribution& light_choice_;
     const EyeImage& image_;
     InvalidSampleFilter filter_;  // of paths that bring nothing: told to nobody

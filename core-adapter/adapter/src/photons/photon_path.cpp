@@ -116,7 +116,10 @@ class PhotonTrace {
 
     /// Leaves a photon where the surface takes one.
     PhotonFate take(const SurfacePoint& point, const PhotonState& photon) {
-        if (!(point.bsdf->lobes() & receiving_)) return PhotonFate::Specular;
+        const LobeMask lobes = point.bsdf->lobes();
+        const bool caustic_on_gloss = in_.settings.caustics_on_gloss && (lobes & kGlossy) &&
+                                      photon.part == ImagePart::Caustics;
+        if (!(lobes & receiving_) && !caustic_on_gloss) return PhotonFate::Specular;
         const bool owned_by_shadow_rays = photon.straight && in_.settings.direct_light_sampling;
         if (owned_by_shadow_rays && !in_.store_owned) return PhotonFate::Direct;
         const bool stored = store(point, photon, owned_by_shadow_rays);
@@ -187,6 +190,8 @@ class PhotonTrace {
         stored.from_specular = photon.from_specular;
         stored.shareable = photon.shareable;
         stored.part = static_cast<std::uint16_t>(photon.part);
+        stored.found_alone = photon.part == ImagePart::Caustics &&
+                             !eye_paths_meet(*in_.scene.lights()[photon.start.light], in_.settings);
         photons_.push_back(stored);
         if (!owned_by_shadow_rays) ++counts_.photons;
         return true;

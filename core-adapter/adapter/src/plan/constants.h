@@ -90,12 +90,6 @@ inline constexpr double kMostEyeShare = 0.96875;
 /// by: no measurement.
 inline constexpr double kSeldomMet = 0.75;
 
-/// Standard errors by which it must be less. Unit: standard errors.
-/// Balances: as that of the share.
-/// Chosen by: reasoning: photons that come in clusters spread more than they tell.
-/// Supported by: no measurement.
-inline constexpr double kCertainlyMissing = 3;
-
 /// Continued paths that found light, in effect, from which a leaf is judged. Unit: eye paths.
 /// Balances: decisions soon against places whose light paths have not met at all.
 /// Chosen by: measurement; that there is such a

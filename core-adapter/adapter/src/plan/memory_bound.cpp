@@ -145,7 +145,8 @@ std::size_t photon_memory_bound(const Scene& scene, const Needs& needs, std::uin
         settings.correct_edges ? EdgeCorrection::memory_bound_bytes(pixels, eye_paths) : 0;
     const std::size_t occlusion =
         settings.photon_occlusion ? PhotonOcclusion::memory_bound_bytes(pixels, eye_paths) : 0;
-    return visible_point_bytes(scene, eye_paths) + plan + edges + occlusion +
+    const std::size_t gloss = settings.caustics_on_gloss ? GlossTable::memory_bound_bytes() : 0;
+    return visible_point_bytes(scene, eye_paths) + plan + edges + gloss + occlusion +
            OccupancyGrid::memory_bound_bytes(eye_paths) + photon_bytes(scene, settings, eye_paths) +
            thread_bytes(scene) + guide + radii +
            ShareTable::memory_bound_bytes(ShareTableSettings()) +

@@ -13,12 +13,33 @@ void skip(Needs& needs, std::string part, const std::string& reason) {
     needs.skipped.push_back(std::move(part) + ": " + reason);
 }
 
+/// Why no eye path goes on from a visible point, photons apart; empty if some may.
+std::string why_none_continue(const Settings& settings, const Scene& scene) {
+    if (!settings.direct_light_sampling) return "no shadow rays";
+    if (freezes_eye_pass(settings.mode)) return "eye paths belong to one pass";
+    if (settings.guide == GuideKind::Paper) return "the paper's photons carry all indirect light";
+    if (scene.media()) return "photons carry what media scatter";
+    return {};
+}
+
+/// Why photons bring no caustic to glossy lobes that bounce eye paths on; empty if they may.
+std::string why_no_caustics_on_gloss(const Settings& settings, const Scene& scene) {
+    const LobeMask lobes = scene.facts().lobes;
+    if (settings.store_glossy) return "glossy lobes take all photons";
+    if (!(lobes & kGlossy)) return "no surface is glossy";
+    if (!(lobes & kSpecular)) return "no specular surface casts them";
+    if (!settings.continue_eye_paths || !why_none_continue(settings, scene).empty())
+        return "eye paths share no light with photons";
+    return {};
+}
+
 /// Why no photon could bring light; empty if one could.
 std::string why_no_photons(const Settings& settings, const Scene& scene, bool any_light) {
     if (!any_light) return "no light emits";
-    if (!(scene.facts().lobes & receiving_lobes(settings)) && !scene.media()) {
-        return "no surface takes photons";
-    }
+    const bool any_takes =
+        (scene.facts().lobes & receiving_lobes(settings)) ||
+        (settings.caustics_on_gloss && why_no_caustics_on_gloss(settings, scene).empty());
+    if (!any_takes && !scene.media()) return "no surface takes photons";
     if (settings.direct_light_sampling && !photons_may_scatter(settings)) {
         return "shadow rays carry all light at this photon depth";
     }
@@ -76,21 +97,21 @@ void drop_learned_lights(Needs& needs, std::size_t living, const SceneFacts& fac
 void drop_continued_paths(Needs& needs, const Scene& scene) {
     Settings& s = needs.settings;
     if (!s.continue_eye_paths) return;
-    std::string reason;
-    if (!needs.photons) {
-        reason = "no light to share with photons";
-    } else if (!s.direct_light_sampling) {
-        reason = "no shadow rays";
-    } else if (freezes_eye_pass(s.mode)) {
-        reason = "eye paths belong to one pass";
-    } else if (s.guide == GuideKind::Paper) {
-        reason = "the paper's photons carry all indirect light";
-    } else if (scene.media()) {
-        reason = "photons carry what media scatter";
-    }
+    const std::string reason =
+        needs.photons ? why_none_continue(s, scene) : "no light to share with photons";
     if (reason.empty()) return;
     s.continue_eye_paths = false;
     skip(needs, "continued eye paths", reason);
+}
+
+/// Photons bring caustics to glossy lobes where they share light with eye paths at all.
+void drop_caustics_on_gloss(Needs& needs, const Scene& scene) {
+    Settings& s = needs.settings;
+    if (!s.caustics_on_gloss) return;
+    const std::string reason = why_no_caustics_on_gloss(s, scene);
+    if (reason.empty()) return;
+    s.caustics_on_gloss = false;
+    skip(needs, "caustics on gloss by photons", reason);
 }
 
 /// The modes with frozen eye passes are those of their papers.
@@ -200,6 +221,7 @@ Needs analyse(const Scene& scene, const Settings& settings) {
     }
     drop_learned_lights(needs, lights.size() - dead, facts);
     drop_continued_paths(needs, scene);
+    drop_caustics_on_gloss(needs, scene);
     drop_edge_correction(needs);
     drop_occlusion(needs);
     drop_narrowing(needs);

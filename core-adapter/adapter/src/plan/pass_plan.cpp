@@ -324,6 +324,8 @@ PassPlan plan_passes(const PlanFacts& facts, const PhotonLimits& limits) {
         if (plan.shares[i].bsdf_direct) plan.bsdf_direct += population;
         sum += population * double(plan.shares[i].share);
     }
+    plan.point_price =
+        mean(plan.error, plan.cost) * mean(facts.shooting_cost, facts.points) / facts.point_weight;
     plan.eye_share = mean(sum, plan.going_on);
     plan.going_on = mean(plan.going_on, all);
     plan.bsdf_direct = mean(plan.bsdf_direct, all);

@@ -74,6 +74,8 @@ struct PassPlan {
     double going_on = 0;           ///< share of the visible points whose eye paths go on
     double bsdf_direct = 0;        ///< share of them that send a BSDF-sampled ray alone
     double eye_share = 0;          ///< mean over those of the eye's share
+    /// Weighed variance that another visible point has to save to be worth gathering photons for.
+    double point_price = 0;
 };
 
 /// One sentence for the log: who carries what.

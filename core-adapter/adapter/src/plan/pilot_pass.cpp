@@ -20,16 +20,17 @@ constexpr std::uint64_t kFirstPath = std::uint64_t{1} << 62;
 
 SeenPaths trace_pilot_pass(const Scene& scene, const Settings& settings, float time,
                            const EyeImage& image, float radius) {
-    std::vector<Vec3> positions;
-    positions_of(image.visible_points, positions);
+    Settings of_pilot = settings;
+    const std::vector<Vec3> positions = positions_of_most_photons(image.visible_points, of_pilot);
     OccupancyGrid occupancy;
-    occupancy.build(positions, radius, tbb_for);
+    occupancy.build(positions, 2 * radius, tbb_for);
     // The false hits of hashed occupancy would outnumber what is seen of a wide scene.
-    PointGrid reach;
+    PointGrid near, reach;
+    near.build(positions, 2 * radius, tbb_for);
     reach.build(positions, radius, tbb_for);
 
     const DiscreteDistribution choice = light_choice(scene);
-    PhotonInput input{scene, settings, choice};
+    PhotonInput input{scene, of_pilot, choice};
     input.occupancy = &occupancy;
     input.pass = kNoPass;
     input.time = time;
@@ -44,9 +45,13 @@ SeenPaths trace_pilot_pass(const Scene& scene, const Settings& settings, float t
     counts.traced = kRoundPaths;
     for (const PathRecord& path : log.paths) {
         const auto landed = std::span(log.photons).subspan(path.first_photon, path.photons);
-        counts.near += !landed.empty();
-        counts.seen += std::ranges::any_of(
-            landed, [&](const Photon& photon) { return reach.any_within_radius(photon.position); });
+        const auto any_in = [&](const PointGrid& points) {
+            return std::ranges::any_of(landed, [&](const Photon& photon) {
+                return points.any_within_radius(photon.position);
+            });
+        };
+        counts.near += any_in(near);
+        counts.seen += any_in(reach);
     }
     return counts;
 }

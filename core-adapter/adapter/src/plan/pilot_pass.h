@@ -12,7 +12,7 @@ namespace aips {
 
 /// Of `traced` unguided photon paths (> 0), how many are seen.
 struct SeenPaths {
-    std::uint64_t near = 0;  ///< land within the radius of a visible point or a cell's width beyond
+    std::uint64_t near = 0;  ///< land within two radii of a visible point
     std::uint64_t seen = 0;  ///< within the radius
     std::uint64_t traced = 0;
 

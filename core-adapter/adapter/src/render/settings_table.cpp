@@ -180,6 +180,13 @@ constexpr SettingRow kRows[] = {
          "In mode progressive: eye paths go on from surfaces that take photons, where that brings "
          "more for its time than photons do; not with guide paper "
          "(docs/understand/who-carries-which-light.md)."},
+    {.name = "causticsongloss",
+     .member = &Settings::caustics_on_gloss,
+     .group = SettingGroup::Study,
+     .doc =
+         "With continueeyepaths: photons bring caustics to glossy lobes where that is better than "
+         "the eye path's bounce, which goes on for all other light "
+         "(docs/understand/sharing-light.md)."},
     {.name = "photonturns",
      .member = &Settings::photon_turns,
      .group = SettingGroup::Study,

@@ -6,12 +6,6 @@
 
 namespace aips {
 
-/// Of so many visible points one tells it later. Unit: visible points.
-/// Balances: time of learning against decisions by chance.
-/// Chosen by: reasoning: a multiple of it divides what explores.
-/// Supported by: no measurement.
-inline constexpr std::uint64_t kSharePointsOneOf = 16;
-
 /// What earlier passes told of shared light counts for this at each decision. Unit: share of 1.
 /// Balances: guides that have learned since against few samples.
 /// Chosen by: reasoning: passes double from one decision to the next.

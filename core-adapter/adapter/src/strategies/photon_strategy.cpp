@@ -35,9 +35,11 @@ PhotonStrategy::PhotonStrategy(const Host& host, Plan& plan, std::uint32_t eye_p
       planner_(pixels(), eye_paths),
       photon_pass_(host.scene, settings_, light_choice_, make_pass_guide(), make_source()),
       radius_policy_(make_radii()) {
-    if (settings_.continue_eye_paths) shared_.emplace(scene_, film_.width(), film_.height());
+    if (settings_.continue_eye_paths)
+        shared_.emplace(scene_, settings_, film_.width(), film_.height());
     flux_.most_points = eye_paths;
     flux_.wants_shareable = shared_.has_value();
+    flux_.wants_glossy = settings_.caustics_on_gloss;
     flux_.wants_parts = film_.layers_wanted().parts;
     flux_.wants_bias = film_.layers_wanted().bias && plan_.needs.photons;
     flux_.wants_inner = flux_.wants_bias || settings_.narrow_radii;
@@ -174,7 +176,7 @@ void PhotonStrategy::join_eye_share(const StrategyPass& pass, const PassPhotons&
         for_all(radiance_.size(),
                 [&](std::size_t i) { counted_[i] = radiance_[i] * float(turns - 1); });
     }
-    shared_->join({pass.number, photons.paths}, pass.image, flux_, *importance_, radiance_);
+    shared_->join({pass.number, photons.paths}, pass.image, flux_, radii_, *importance_, radiance_);
     if (turns > 1) for_all(radiance_.size(), [&](std::size_t i) { counted_[i] += radiance_[i]; });
 }
 

@@ -3,10 +3,12 @@
 
 #include <algorithm>
 
+#include "aips/core/sampling/sampling.h"
 #include "base/constants.h"
 #include "base/film_pixel.h"
 #include "base/ordered_sum.h"
 #include "base/parallel_for.h"
+#include "estimate/pixel_estimate.h"
 #include "eye/surface_normals.h"
 #include "plan/constants.h"
 #include "strategies/constants.h"
@@ -43,7 +45,8 @@ WentOn went_on(std::span<const VisiblePoint> points) {
 
 /// What point number `i` tells of a pass with `paths` photon paths.
 ShareSample sample_of(const EyeImage& image, const PhotonFlux& flux, std::size_t i, double weight,
-                      double paths, std::span<const Rgb> radiance) {
+                      float radius, std::uint64_t photon_paths) {
+    const auto paths = double(photon_paths);
     const VisiblePoint& point = image.visible_points[i];
     ShareSample sample;
     sample.position = point.position;
@@ -56,8 +59,7 @@ ShareSample sample_of(const EyeImage& image, const PhotonFlux& flux, std::size_t
     sample.direct_saved = double(point.direct.taken()) - double(point.direct.added());
     const auto brought = double(luminance_over_groups(flux.flux, i, image.groups));
     if (!(brought > 0)) return sample;
-    const double scale =
-        double(luminance_over_groups(radiance, point.sample, image.groups)) / brought;
+    const double scale = luminance_of_point(image, flux, i, radius, photon_paths) / brought;
     const double rest = 1 - double(point.eye_share);
     const ShareableFlux& part = flux.shareable[i];
     sample.photons = scale * double(part.sum) / rest;
@@ -73,15 +75,17 @@ ShareSample sample_of(const EyeImage& image, const PhotonFlux& flux, std::size_t
 }  // namespace
 
 void SharedLight::join(const ShotPass& pass, const EyeImage& image, const PhotonFlux& flux,
-                       const PixelImportance& importance, std::span<Rgb> radiance) {
+                       const GatherRadii& radii, const PixelImportance& importance,
+                       std::span<Rgb> radiance) {
     const WentOn counted = went_on(image.visible_points);
     rays_ = counted.rays;
     continued_ += counted.paths;
     own_noise_.add_pass(image, importance, pass.number > 0);
     photon_square_.add_pass(image, radiance);
     // Before the first pass all pixels weigh alike, in no unit.
-    if (pass.number > 0) learn(pass, image, flux, importance, radiance);
+    if (pass.number > 0) learn(pass, image, flux, radii, importance);
     add_eye_share(image, radiance);
+    if (pass.number > 0 && shares_.gloss) learn_gloss(pass, image, flux, radii, importance);
 }
 
 void SharedLight::go_on_alone(const EyeImage& image, std::span<Rgb> radiance) {
@@ -104,7 +108,7 @@ void SharedLight::add_eye_share(const EyeImage& image, std::span<Rgb> radiance) 
 }
 
 void SharedLight::learn(const ShotPass& pass, const EyeImage& image, const PhotonFlux& flux,
-                        const PixelImportance& importance, std::span<const Rgb> radiance) {
+                        const GatherRadii& radii, const PixelImportance& importance) {
     const std::size_t points = image.visible_points.size();
     std::vector<std::vector<ShareSample>> samples(
         std::min(kSharingJobs, (points + kPointsPerSharingJob - 1) / kPointsPerSharingJob));
@@ -112,12 +116,10 @@ void SharedLight::learn(const ShotPass& pass, const EyeImage& image, const Photo
         into.clear();
         for (std::size_t i = first; i < last; ++i) {
             const VisiblePoint& point = image.visible_points[i];
-            if (pass.number >= kWarmUpPasses &&
-                !shares_.is_one_of(kSharePointsOneOf, pass.number, point.sample))
-                continue;
+            if (!shares_.learns_from(pass.number, point.sample)) continue;
             const std::uint32_t pixel = film_pixel(image.positions[point.sample], width_, height_);
             const auto weight = double(importance.weight_of_sharing(pixel));
-            into.push_back(sample_of(image, flux, i, weight, double(pass.photon_paths), radiance));
+            into.push_back(sample_of(image, flux, i, weight, radii.of(i), pass.photon_paths));
         }
     };
     std::size_t learned = 0;
@@ -133,6 +135,26 @@ void SharedLight::learn(const ShotPass& pass, const EyeImage& image, const Photo
     shares_.table.update(learned);
 }
 
+void SharedLight::learn_gloss(const ShotPass& pass, const EyeImage& image, const PhotonFlux& flux,
+                              const GatherRadii& radii, const PixelImportance& importance) {
+    std::size_t learned = 0;
+    for (std::size_t i = 0; i < image.visible_points.size(); ++i) {
+        const VisiblePoint& point = image.visible_points[i];
+        if (!point.gloss.learns) continue;
+        const std::uint32_t pixel = film_pixel(image.positions[point.sample], width_, height_);
+        const double scale = per_disk_and_path(radii.of(i), pass.photon_paths);
+        const GlossyFlux& told = flux.glossy[i];
+        learned += shares_.gloss->add(
+            {.position = point.position,
+             .normal = normal_towards(point.wo, point),
+             .weight = double(importance.weight_of_sharing(pixel)),
+             .light = scale * double(told.light),
+             .photons = scale * scale * double(pass.photon_paths) * double(told.photons),
+             .bounce = scale * scale * double(told.bounce)});
+    }
+    shares_.gloss->update(learned);
+}
+
 void SharedLight::add_to(PlanFacts& facts, const PixelImportance& importance) {
     facts.leaves = shares_.table.moments();
     const auto shares = shares_.table.shares();
@@ -145,6 +167,7 @@ void SharedLight::take(const PassPlan& plan, std::uint64_t pass) {
     shares_.table.set_shares(plan.shares);
     set_any();
     shares_.table.forget(kShareMemory);
+    if (shares_.gloss) shares_.gloss->choose({plan.photon_paths, plan.point_price}, kShareMemory);
     eye_part_ = plan.going_on * plan.eye_share;
     shares_.passes_before = pass;
 }
@@ -157,10 +180,12 @@ void SharedLight::set_any() {
 void SharedLight::add_to(EngineStatistics& s) const {
     s.continued_paths += continued_;
     s.eye_share = eye_part_;
+    s.transport.caustics_on_gloss = shares_.gloss.has_value();
 }
 
 void SharedLight::state(StateArchive& archive) {
     shares_.table.state(archive);
+    if (shares_.gloss) shares_.gloss->state(archive);
     set_any();
     own_noise_.state(archive);
     photon_square_.state(archive);

@@ -2,6 +2,7 @@
 // what photons did, and both tell the planner how the next passes may share it.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 
 #include "contribution/own_light_noise.h"
@@ -22,19 +23,27 @@ struct ShotPass {
 class SharedLight {
   public:
     /// For a film of so many pixels.
-    SharedLight(const Scene& scene, std::uint32_t width, std::uint32_t height)
+    SharedLight(const Scene& scene, const Settings& settings, std::uint32_t width,
+                std::uint32_t height)
         : shares_(scene.bounds()),
           own_noise_(width, height),
           photon_square_(width, height),
           width_(width),
-          height_(height) {}
+          height_(height) {
+        if (!settings.caustics_on_gloss) return;
+        shares_.gloss.emplace(scene.bounds());
+        shares_.gloss_needs_photons = (scene.facts().lobes & kSpecular) &&
+                                      !std::ranges::all_of(scene.lights(), [&](const Light* light) {
+                                          return eye_paths_meet(*light, settings);
+                                      });
+    }
 
     const EyeShares& shares() const { return shares_; }
 
     /// Of a pass: `radiance` is what its photons brought to each eye path, made of `flux`, without
     /// the eye's share; that is added. Learns from both where something is known of the image.
     void join(const ShotPass& pass, const EyeImage& image, const PhotonFlux& flux,
-              const PixelImportance& importance, std::span<Rgb> radiance);
+              const GatherRadii& radii, const PixelImportance& importance, std::span<Rgb> radiance);
     /// Of a pass that shot no photons, in its turn: adds the eye's share.
     void go_on_alone(const EyeImage& image, std::span<Rgb> radiance);
 
@@ -59,14 +68,16 @@ class SharedLight {
     /// decision, what they rest on fades.
     void learned(LearnedParts& parts);
     std::size_t memory_bytes() const {
-        return shares_.table.memory_bytes() + own_noise_.memory_bytes() +
-               photon_square_.memory_bytes();
+        return shares_.table.memory_bytes() + (shares_.gloss ? shares_.gloss->memory_bytes() : 0) +
+               own_noise_.memory_bytes() + photon_square_.memory_bytes();
     }
 
   private:
     void add_eye_share(const EyeImage& image, std::span<Rgb> radiance) const;
     void learn(const ShotPass& pass, const EyeImage& image, const PhotonFlux& flux,
-               const PixelImportance& importance, std::span<const Rgb> radiance);
+               const GatherRadii& radii, const PixelImportance& importance);
+    void learn_gloss(const ShotPass& pass, const EyeImage& image, const PhotonFlux& flux,
+                     const GatherRadii& radii, const PixelImportance& importance);
     void set_any();
 
     EyeShares shares_;

@@ -24,9 +24,6 @@ constexpr int kLeastWays = 3;            ///< from places in view that count, fe
 constexpr double kLeastChance = 0.005;   ///< of a ray to meet the light, below which dots show
 constexpr double kLeastSupport = 0.5;
 constexpr int kSupports = 8;
-/// Added to the name of an integrator that shoots photons.
-constexpr const char* kGlossTakesPhotons =
-    " with \"bool storeglossy\" [\"true\"], so that glossy surfaces take photons";
 
 /// Of the light of one lamp that lands where the eye sees it.
 struct LandedLight {
@@ -165,11 +162,10 @@ AdviceText path_misses_caustics(const AdviceFacts& facts) {
         const LandedLight& landed = matte.is_found_by_chance() ? matte : glossy;
         return fmt::format(
             "light of {} comes through glass or by mirrors onto what is seen, where \"path\" {}. "
-            "Use SurfaceIntegrator \"aips\" (--integrator aips){}.",
+            "Use SurfaceIntegrator \"aips\" (--integrator aips).",
             light_name(facts.session, i),
             landed.chances == 0 ? "misses it altogether"
-                                : "finds it by chance alone, as bright dots",
-            glossy.is_found_by_chance() ? kGlossTakesPhotons : "");
+                                : "finds it by chance alone, as bright dots");
     }
     return {};
 }
@@ -185,9 +181,11 @@ AdviceText gloss_misses_caustics(const AdviceFacts& facts) {
         if (!landed.is_found_by_chance() || landed.chances > 0) continue;
         return fmt::format(
             "light of {} comes through glass or by mirrors onto glossy surfaces, which take no "
-            "photons, and is missing there, as no ray meets a lamp without extent. Take "
-            "SurfaceIntegrator \"{}\"{}; or give the lamp some extent.",
-            light_name(facts.session, i), facts.session.integrator_name, kGlossTakesPhotons);
+            "photons, and is missing there, as no ray meets a lamp without extent. Use "
+            "SurfaceIntegrator \"aips\" with its defaults, \"bool storeglossy\" [\"true\"], or a "
+            "lamp "
+            "with some extent.",
+            light_name(facts.session, i));
     }
     return {};
 }

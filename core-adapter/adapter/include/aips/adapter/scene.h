@@ -75,6 +75,9 @@ class Light {
     /// Whether the camera does not see it, neither straight nor through what passes light straight
     /// on. All else is as without.
     virtual bool hidden_from_camera() const { return false; }
+    /// Whether no ray ever meets it: a point, a spot, a parallel beam. All DirectSamples say so
+    /// too.
+    virtual bool is_delta() const { return false; }
     /// Draws a photon from primary coordinates in [0,1)^4; false if nothing leaves there. They are
     /// finer than single precision tells apart, and rounding to it may give 1: where a light is far
     /// wider than what is seen, places have to be worked out in double precision.

@@ -39,6 +39,7 @@ struct TransportStatistics {
     std::vector<MaterialStatistics> materials;  ///< [material]; may end earlier
     std::uint64_t eye_paths = 0;
     std::uint64_t cut_eye_paths = 0;   ///< ended at a specular surface by the depth limit
+    bool caustics_on_gloss = false;    ///< photons bring them to glossy lobes
     std::vector<std::string> skipped;  ///< parts that were left out, with the reason of each
 };
 

@@ -59,6 +59,7 @@ class PointLight final : public Light {
     std::uint32_t group() const override { return group_; }
     float power() const override;
     bool at_infinity() const override { return false; }
+    bool is_delta() const override { return true; }
     Rgb escaped(Vec3) const override { return {}; }
     bool emit(const PrimaryPoint& u, Emission& emission) const override;
     bool sample_direct(const SurfacePoint& from, Vec2 u, DirectSample& sample) const override;

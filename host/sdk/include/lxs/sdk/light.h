@@ -50,6 +50,8 @@ class Light {
     /// True where the camera does not see it, neither straight nor through what passes light
     /// straight on.
     virtual bool hidden_from_camera() const { return false; }
+    /// True where no ray ever meets it (point, spot, parallel beam): DirectSample::delta always is.
+    virtual bool is_delta() const { return false; }
 
     /// Draws a photon from primary coordinates: u[0..1] position, u[2..3] direction. False if these
     /// emit nothing. Positions on what may be far wider than a view (the disc beside the scene) are

@@ -29,8 +29,11 @@ struct Photon {
     /// ones.
     std::uint16_t part : 2 = 0;
     std::uint16_t light_group = 0;  ///< group of the light that emitted the path
+    /// Light that no eye path from a glossy surface finds: of a delta light, by way of specular
+    /// surfaces alone.
+    std::uint32_t found_alone : 1 = 0;
     /// Number of that light, for statistics alone; kLastLight stands for those beyond.
-    std::uint32_t light : 22 = 0;
+    std::uint32_t light : 21 = 0;
     /// Scatterings before it landed that were not straight; kMostPhotonBounces stands for more.
     std::uint32_t bounces : 10 = 0;
 };
@@ -38,7 +41,7 @@ struct Photon {
 static_assert(sizeof(Photon) == 72);
 
 inline constexpr std::uint32_t kDeepestPhoton = (1u << 11) - 1;
-inline constexpr std::uint32_t kLastLight = (1u << 22) - 1;
+inline constexpr std::uint32_t kLastLight = (1u << 21) - 1;
 inline constexpr std::uint32_t kMostPhotonBounces = (1u << 10) - 1;
 
 }  // namespace aips

@@ -20,17 +20,25 @@ struct GridPhoton {
     Rgb power;       ///< watts, not divided by the number of photon paths
     Vec3 normal;     ///< unit geometric normal of the surface, of the side the photon came from
     std::uint16_t light_group = 0;
-    std::uint16_t shareable : 1 = 0;  ///< Photon::shareable
-    std::uint16_t part : 2 = 0;       ///< Photon::part
-    std::uint16_t bounces : 10 = 0;   ///< Photon::bounces
-    std::uint32_t index = 0;          ///< number of the photon among those that were sorted
+    std::uint16_t shareable : 1 = 0;    ///< Photon::shareable
+    std::uint16_t part : 2 = 0;         ///< Photon::part
+    std::uint16_t bounces : 10 = 0;     ///< Photon::bounces
+    std::uint16_t found_alone : 1 = 0;  ///< Photon::found_alone
+    std::uint32_t index = 0;            ///< number of the photon among those that were sorted
 };
 
 /// The photon with number `index`, with its normal turned to the photon's side.
 inline GridPhoton grid_photon(const Photon& l, std::uint32_t index) {
     const Vec3 normal = dot(l.direction, l.normal) > 0 ? l.normal : -l.normal;
-    return {l.position,    l.direction, l.power, normal,
-            l.light_group, l.shareable, l.part,  std::uint16_t(l.bounces),
+    return {l.position,
+            l.direction,
+            l.power,
+            normal,
+            l.light_group,
+            l.shareable,
+            l.part,
+            std::uint16_t(l.bounces),
+            std::uint16_t(l.found_alone),
             index};
 }
 

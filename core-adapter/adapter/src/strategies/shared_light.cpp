@@ -3,11 +3,11 @@
 
 #include <algorithm>
 
-#include "aips/core/sampling/sampling.h"
 #include "base/constants.h"
 #include "base/film_pixel.h"
 #include "base/ordered_sum.h"
 #include "base/parallel_for.h"
+#include "contribution/pass_noise.h"
 #include "estimate/pixel_estimate.h"
 #include "eye/surface_normals.h"
 #include "plan/constants.h"

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cstdint>
 
+#include "aips/adapter/engine.h"
 #include "contribution/own_light_noise.h"
 #include "contribution/photon_square.h"
 #include "contribution/pixel_importance.h"

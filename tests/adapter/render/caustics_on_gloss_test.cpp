@@ -91,5 +91,15 @@ TEST(CausticsOnGloss, OfAPointAreFound) {
     }
 }
 
+/// Eye paths have two visible points each: one on the wall, one on the floor.
+TEST(CausticsOnGloss, MemoryStaysBelowTheBound) {
+    constexpr std::uint32_t kMany = 400;
+    const mock::Scene scene = floor_and_wall({.mixed = true});
+    mock::Camera camera{{0, -1, 0.6f}, {0, 1, -0.1f}, {0.2f, 0, 0}, {0, 0, 0.2f}, kMany, kMany};
+    const Settings settings = mock::small_settings(3, 4000);
+    const auto r = mock::render(scene, camera, kMany, kMany, settings, 10);
+    EXPECT_LE(r.statistics.memory_bytes, r.statistics.memory_bound_bytes);
+}
+
 }  // namespace
 }  // namespace aips::caustics_on_gloss_test

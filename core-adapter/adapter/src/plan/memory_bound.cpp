@@ -118,36 +118,39 @@ std::size_t photon_memory_bound(const Scene& scene, const Needs& needs, std::uin
                                 std::size_t pixels) {
     if (!needs.photons) return 0;
     const Settings& settings = needs.settings;
+    const auto points = std::uint32_t(most_visible_points(settings, eye_paths));
     std::size_t guide = 0;
     if (settings.guide == GuideKind::Paper) {
         guide = PaperGuide::memory_bound_bytes(settings);
         if (settings.error_criterion == CriterionKind::Image) {
-            guide += IterationScores::memory_bound_bytes(eye_paths, iteration_photons(settings));
+            guide += IterationScores::memory_bound_bytes(points, iteration_photons(settings));
         }
     }
     if (settings.guide == GuideKind::Adaptive) {
-        guide = AdaptiveGuide::memory_bound_bytes(scene, settings, eye_paths) +
+        guide = AdaptiveGuide::memory_bound_bytes(scene, settings, points) +
                 log_bytes(settings, kSettledIterationPaths);
     }
-    std::size_t radii = ScheduledRadius::memory_bound_bytes(eye_paths);
-    if (settings.mode == Mode::Ppm) radii = PpmRadius::memory_bound_bytes(eye_paths);
+    std::size_t radii = ScheduledRadius::memory_bound_bytes(points);
+    if (settings.mode == Mode::Ppm) radii = PpmRadius::memory_bound_bytes(points);
     if (adapts_radius(settings)) {
         // And the flux's probes and inner halves of discs.
         const std::size_t inner = settings.narrow_radii ? sizeof(Rgb) : 0;
-        radii = AdaptiveRadius::memory_bound_bytes(pixels, eye_paths, settings.narrow_radii) +
-                eye_paths * (sizeof(ProbeSums) + inner);
+        radii = AdaptiveRadius::memory_bound_bytes(pixels, points, settings.narrow_radii) +
+                points * (sizeof(ProbeSums) + inner);
     }
     // What the photons per pass and the adaptive guide go by.
     const std::size_t plan = PixelImportance::memory_bound_bytes(pixels) +
                              PassNoiseMeter::memory_bound_bytes(pixels) +
                              eye_paths * (sizeof(PixelLuminance) + sizeof(float));
     const std::size_t edges =
-        settings.correct_edges ? EdgeCorrection::memory_bound_bytes(pixels, eye_paths) : 0;
+        settings.correct_edges ? EdgeCorrection::memory_bound_bytes(pixels, points) : 0;
     const std::size_t occlusion =
-        settings.photon_occlusion ? PhotonOcclusion::memory_bound_bytes(pixels, eye_paths) : 0;
-    const std::size_t gloss = settings.caustics_on_gloss ? GlossTable::memory_bound_bytes() : 0;
-    return visible_point_bytes(scene, eye_paths) + plan + edges + gloss + occlusion +
-           OccupancyGrid::memory_bound_bytes(eye_paths) + photon_bytes(scene, settings, eye_paths) +
+        settings.photon_occlusion ? PhotonOcclusion::memory_bound_bytes(pixels, points) : 0;
+    const std::size_t gloss = settings.caustics_on_gloss
+                                  ? GlossTable::memory_bound_bytes() + points * sizeof(GlossyFlux)
+                                  : 0;
+    return visible_point_bytes(scene, points) + plan + edges + gloss + occlusion +
+           OccupancyGrid::memory_bound_bytes(points) + photon_bytes(scene, settings, points) +
            thread_bytes(scene) + guide + radii +
            ShareTable::memory_bound_bytes(ShareTableSettings()) +
            OwnLightNoise::memory_bound_bytes(pixels) + PhotonSquare::memory_bound_bytes(pixels) +

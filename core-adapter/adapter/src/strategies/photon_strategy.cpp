@@ -37,7 +37,7 @@ PhotonStrategy::PhotonStrategy(const Host& host, Plan& plan, std::uint32_t eye_p
       radius_policy_(make_radii()) {
     if (settings_.continue_eye_paths)
         shared_.emplace(scene_, settings_, film_.width(), film_.height());
-    flux_.most_points = eye_paths;
+    flux_.most_points = most_visible_points(settings_, eye_paths);
     flux_.wants_shareable = shared_.has_value();
     flux_.wants_glossy = settings_.caustics_on_gloss;
     flux_.wants_parts = film_.layers_wanted().parts;

@@ -150,7 +150,7 @@ inline bool eye_paths_meet(const Light& light, const Settings& settings) {
     return !light.is_delta() && (settings.include_environment || !light.at_infinity());
 }
 
-/// Visible points of a pass, at most: where photons share the light on glossy lobes, one more of
+/// Visible points of a pass, at most: where photons may bring caustics to glossy lobes, one more of
 /// each eye path.
 inline std::size_t most_visible_points(const Settings& settings, std::size_t paths) {
     return paths * (settings.caustics_on_gloss ? 2 : 1);

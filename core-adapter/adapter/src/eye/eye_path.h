@@ -36,7 +36,7 @@ struct EyePathOutput {
     LuminanceByLight* light = nullptr;
     Vec2 film = {};                  ///< where it comes from
     bool explores = false;           ///< goes on from its visible point even where it has no share
-    bool learns_gloss = false;       ///< tells how light on glossy lobes came
+    bool learns_gloss = false;       ///< its points tell of caustics on glossy lobes
     SeenSurface* surface = nullptr;  ///< null: not wanted
 };
 

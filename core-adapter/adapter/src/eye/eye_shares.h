@@ -39,7 +39,7 @@ struct EyeShares {
     }
 
     ShareTable table;
-    std::optional<GlossTable> gloss;  ///< if photons may bring light to glossy lobes too
+    std::optional<GlossTable> gloss;  ///< who brings caustics to glossy lobes, if photons may
     /// Whether there is light that photons alone bring to them: of a delta light, by way of
     /// specular surfaces.
     bool gloss_needs_photons = false;

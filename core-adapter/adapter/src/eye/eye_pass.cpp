@@ -119,15 +119,14 @@ void trace_block(const EyePassInput& in, std::uint64_t pass, float time, std::ui
             block.beams.back().sample = i;
             block.beam_footprint_sum += result.beam_footprint;
         }
-        const auto keep = [&](const VisiblePoint& point, float footprint) {
-            block.visible_points.push_back(point);
+        for (const PathPoint* at : {&result.before, &result.end}) {
+            if (!at->usable) continue;
+            block.visible_points.push_back(at->point);
             block.visible_points.back().sample = i;
             block.visible_points.back().tells_lights = tells;
-            block.has_bsdf |= point.bsdf != nullptr;
-            block.footprints.push_back(footprint);
-        };
-        if (result.has_gloss_point) keep(result.gloss_point, result.gloss_footprint);
-        if (result.has_visible_point) keep(result.visible_point, result.footprint);
+            block.has_bsdf |= at->point.bsdf != nullptr;
+            block.footprints.push_back(at->footprint);
+        }
     }
 }
 

@@ -71,8 +71,8 @@ class EyePath {
                            camera_ray_.depth_at(travelled_));
             const bool go_on = point.bsdf && scatter(point, depth);
             if (seen_.wanted() && go_on) seen_.leave(tip_.ray.direction, tip_.throughput);
-            if (result_.has_visible_point) {
-                if (!result_.visible_point.bsdf) arena_.rewind(mark);
+            if (result_.end.usable) {
+                if (!result_.end.point.bsdf) arena_.rewind(mark);
                 break;
             }
             if (!keeps_bsdf_) arena_.rewind(mark);
@@ -117,8 +117,8 @@ class EyePath {
         if (emitters_only_ && !behind_specular_) return;
         const LightTarget sums = (behind_specular_ ? emitters_ : radiance_).of(tip_.seen_by.met());
         const std::uint32_t group = in_.scene.lights()[light]->group();
-        if (!sums.add(group, value, filter_.of_light(light), filter_)) return;
-        tell(behind_specular_ ? emitter_light_ : output_.light, light, luminance(value));
+        if (sums.add(group, value, filter_.of_light(light), filter_))
+            tell(behind_specular_ ? emitter_light_ : output_.light, light, luminance(value));
     }
 
     void add_emitted(const SurfacePoint& point) {
@@ -171,7 +171,7 @@ class EyePath {
         const bool takes_gloss = gloss.bounce != 0;
         // Once photons are gathered beside the bounce, whatever the path does; at later surfaces
         // it chooses.
-        const bool beside = takes_gloss && !result_.has_gloss_point;
+        const bool beside = takes_gloss && !result_.before.usable;
         float store_pdf = store_probability(*point.bsdf, wo, receiving, onward);
         if (takes_gloss && !beside && !receiving) store_pdf = kLaterGloss;
         const bool may = receiving && in_.shares && in_.keep_visible_points;
@@ -196,19 +196,18 @@ class EyePath {
         if (beside || ends) {
             if (!in_.keep_visible_points) return false;
             const LobeMask taking = takes_gloss ? LobeMask(receiving | kGlossy) : receiving;
-            VisiblePoint v = visible_point(
-                point, wo, taking, tip_.throughput * (beside ? 1 : 1 / store_pdf), tip_.seen_by);
-            v.photon_bounces = photon_bounces(in_.settings, tip_);
+            PathPoint& at = ends ? result_.end : result_.before;
+            store(point, wo, taking, beside ? 1 : store_pdf, at);
+            VisiblePoint& v = at.point;
             v.gloss = gloss;
             v.gloss.bounce_pdf = 1 - store_pdf;
             v.bounced = !ends;
             v.place = place;
             if (goes_on) v.eye_share = eye.share;
-            store(v, ends, point);
         }
         if (ends) {
-            result_.visible_point.fills = fills;
-            if (result_.has_visible_point && goes_on)
+            result_.end.point.fills = fills;
+            if (result_.end.usable && goes_on)
                 go_on_from({point, wo, receiving, depth, store_pdf, tip_}, direct);
             return false;
         }
@@ -224,7 +223,7 @@ class EyePath {
     PointGloss gloss_at(const SurfacePoint& point, Vec3 wo, LobeMask bouncing) const {
         if (!(bouncing & kGlossy) || !in_.shares || !in_.shares->gloss || !in_.keep_visible_points)
             return {};
-        const bool later = result_.has_gloss_point;
+        const bool later = result_.before.usable;
         PointGloss gloss;
         gloss.by_photons =
             !later && in_.shares->gloss->at(point.position, normal_towards(wo, point));
@@ -282,7 +281,7 @@ class EyePath {
 
     /// The path goes on from its visible point, or its BSDF-sampled ray alone does.
     void go_on_from(ContinuedStart start, const DirectLightResult& direct) {
-        VisiblePoint& v = result_.visible_point;
+        VisiblePoint& v = result_.end.point;
         start.tip.throughput *= 1 / start.choice_pdf;
         start.bsdf_direct = !(v.eye_share > 0 || output_.explores || v.fills);
         const bool asks = direct.sample.pdf > 0;
@@ -308,15 +307,16 @@ class EyePath {
         return lost ? DiscPlace::Gap : DiscPlace::Surface;
     }
 
-    /// Keeps where photons are gathered: where the path ends, or beside its bounce.
-    void store(const VisiblePoint& v, bool ends, const SurfacePoint& point) {
-        const bool usable =
+    /// Photons are gathered for lobes `receiving`, by a choice of this probability.
+    void store(const SurfacePoint& point, Vec3 wo, LobeMask receiving, float choice_pdf,
+               PathPoint& at) {
+        VisiblePoint& v = at.point;
+        v = visible_point(point, wo, receiving, tip_.throughput * (1 / choice_pdf), tip_.seen_by);
+        v.photon_bounces = photon_bounces(in_.settings, tip_);
+        at.footprint = camera_ray_.width + camera_ray_.spread * travelled_;
+        at.usable =
             filter_.accept(v.throughput, point.material) && filter_.accept(v.kd, point.material);
-        (ends ? result_.visible_point : result_.gloss_point) = v;
-        (ends ? result_.footprint : result_.gloss_footprint) =
-            camera_ray_.width + camera_ray_.spread * travelled_;
-        (ends ? result_.has_visible_point : result_.has_gloss_point) = usable;
-        keeps_bsdf_ = usable;
+        keeps_bsdf_ = at.usable;
     }
 
     const EyePassInput& in_;

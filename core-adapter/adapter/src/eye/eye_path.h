@@ -9,19 +9,22 @@
 
 namespace aips {
 
+/// Where an eye path has photons gathered.
+struct PathPoint {
+    bool usable = false;  ///< else there is none
+    VisiblePoint point;
+    float footprint = 0;  ///< radius of the pixel's footprint there
+};
+
 /// What one eye path found besides radiance.
 struct EyePathResult {
-    bool has_visible_point = false;
-    VisiblePoint visible_point;
-    float footprint = 0;  ///< radius of the pixel's footprint at the visible point
+    PathPoint before;  ///< from which it bounced on, beside that
+    PathPoint end;     ///< where it ended
     bool has_beam = false;
     VolumeBeam beam;           ///< of one part of the path within a medium that scatters
     float beam_footprint = 0;  ///< radius of the pixel's footprint at its middle
     LightSample light_sample;  ///< of the first shadow ray, if choices are learned; else pdf is 0
     std::uint32_t rays = 0;
-    bool has_gloss_point = false;  ///< before the visible point: the path bounced on from there
-    VisiblePoint gloss_point;
-    float gloss_footprint = 0;
     bool cut = false;  ///< ended at a specular surface by the depth limit
 };
 

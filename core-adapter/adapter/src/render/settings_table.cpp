@@ -186,7 +186,7 @@ constexpr SettingRow kRows[] = {
      .doc =
          "With continueeyepaths: photons bring caustics to glossy lobes where that is better than "
          "the eye path's bounce, which goes on for all other light "
-         "(docs/understand/sharing-light.md)."},
+         "(docs/understand/who-carries-which-light.md)."},
     {.name = "photonturns",
      .member = &Settings::photon_turns,
      .group = SettingGroup::Study,

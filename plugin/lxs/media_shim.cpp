@@ -31,6 +31,12 @@ class MediaShim final : public Media {
     Rgb phase(const void* medium, float cosine) const override {
         return from(medium_of(medium).phase(cosine));
     }
+    void phases(const void* medium, std::span<const float> cosines,
+                std::span<Rgb> values) const override {
+        const lxs::Medium& turned_by = medium_of(medium);
+        for (std::size_t i = 0; i < cosines.size(); ++i)
+            values[i] = from(turned_by.phase(cosines[i]));
+    }
     PhaseSample sample_phase(const void* medium, Vec3 direction, Rgb carried,
                              Vec2 u) const override {
         const auto s = medium_of(medium).sample_phase(to(direction), to(carried), to(u));

@@ -67,6 +67,8 @@ Flight Medium::sample_flight(float segment, const Rgb& carried, const Vec2& u) c
 }
 
 Rgb Medium::phase(float cosine) const {
+    // Most media turn all colours alike.
+    if (asymmetry_ == Rgb(asymmetry_.x)) return Rgb(henyey_greenstein(asymmetry_.x, cosine));
     return {henyey_greenstein(asymmetry_.x, cosine), henyey_greenstein(asymmetry_.y, cosine),
             henyey_greenstein(asymmetry_.z, cosine)};
 }

@@ -33,10 +33,10 @@ EyeImage eye_image() {
     return mock::image_of_pixels(kWidth, kHeight, {});
 }
 
-std::vector<float> variances(const EyeImage& image, const std::vector<Rgb>& photons,
-                             const PhotonFlux& flux) {
-    std::vector<float> result;
-    photon_variances(image, photons, flux, result);
+PhotonVariances variances(const EyeImage& image, const std::vector<Rgb>& photons,
+                          const PhotonFlux& flux) {
+    PhotonVariances result;
+    photon_variances(image, photons, flux, result.surfaces);
     return result;
 }
 
@@ -136,9 +136,11 @@ TEST(PassNoise, WhatEyePathsSeeThemselvesIsTheEyes) {
 struct PhotonParts {
     double variance = 0, expected = 0;  ///< of the passes; as each pass tells
     double light = 0, of_surfaces = 0;  ///< luminance, and without media
+    std::vector<double> by_pass;        ///< luminance
 };
 
-PhotonParts photon_parts(const mock::Scene& scene, const Settings& settings, std::uint64_t passes) {
+PhotonParts photon_parts(const mock::Scene& scene, const Settings& settings, std::uint64_t passes,
+                         std::uint32_t thinning = 1) {
     constexpr std::uint32_t kSize = 16;
     const auto camera = mock::camera_along_y({0, -0.9f, 0}, 0.5f, kSize, kSize);
     const EyeImage image = mock::traced_eye_image(scene, camera, kSize, kSize * kSize, settings);
@@ -149,7 +151,7 @@ PhotonParts photon_parts(const mock::Scene& scene, const Settings& settings, std
     InvalidSampleFilter filter(scene);
     PhotonFlux flux;
     std::vector<Rgb> radiance;
-    std::vector<float> variances;
+    PhotonVariances variances;
     std::vector<double> sums(image.positions.size()), squares(sums.size());
     PhotonParts parts;
     for (std::uint64_t pass = 0; pass < passes; ++pass) {
@@ -157,19 +159,22 @@ PhotonParts photon_parts(const mock::Scene& scene, const Settings& settings, std
         photons.before = pass * settings.photons_per_pass;
         photons.paths = settings.photons_per_pass;
         photons.counted = photons.paths;
+        photons.thinning = thinning;
         const GatherRadii radii = radius_policy->before_pass(photons, image);
         photon_pass.shoot(pass, photons, 0, image, radii, filter, flux);
         estimate_pixels(image, flux, radii, photons.paths, filter, radiance);
         for (const Rgb& surface : radiance)
             parts.of_surfaces += double(luminance(surface));
         photon_pass.estimate(image, flux, radii, photons.paths, filter, radiance, &variances);
+        const double before = parts.light;
         for (std::size_t i = 0; i < sums.size(); ++i) {
             const double light = double(luminance(radiance[i]));
             sums[i] += light;
             squares[i] += light * light;
             parts.light += light;
-            parts.expected += double(variances[i]);
+            parts.expected += double(variances.surfaces[i] + variances.beams[i]);
         }
+        parts.by_pass.push_back(parts.light - before);
     }
     const auto n = double(passes);
     for (std::size_t i = 0; i < sums.size(); ++i)
@@ -192,10 +197,9 @@ TEST(PassNoise, PhotonsInFogTellTheirNoise) {
     EXPECT_NEAR(parts.expected / parts.variance, 1, 0.25);
 }
 
-// Of beams with more pieces than are searched, thick fog draws the near ones several times: with an
-// extinction of 0.3 in a piece's width the first four times of sixteen. A photon there brings all
-// of that at once, and its square is four times as large as those of four that bring a quarter.
-TEST(PassNoise, PiecesDrawnSeveralTimesTellTheirNoise) {
+// Where beams take one of eight photons, each counts eight times: the light is the same, and its
+// noise is that of the photons that are left.
+TEST(PassNoise, PhotonsThatBeamsLeaveOutTellTheirNoise) {
     mock::Material black;
     black.reflectance = {0, 0, 0};
     mock::Scene scene = mock::lamp_box(black, black);
@@ -203,10 +207,23 @@ TEST(PassNoise, PiecesDrawnSeveralTimesTellTheirNoise) {
     Settings settings = mock::small_settings(4, 8000);
     settings.direct_light_sampling = false;
     settings.start_radius = kThickFogRadius;
-    const PhotonParts parts = photon_parts(scene, settings, 100);
-    EXPECT_EQ(parts.of_surfaces, 0);
-    std::cout << "foretold over found: " << parts.expected / parts.variance << "\n";
-    EXPECT_NEAR(parts.expected / parts.variance, 1, 0.15);
+    const PhotonParts all = photon_parts(scene, settings, 100);
+    const PhotonParts some = photon_parts(scene, settings, 100, 8);
+    for (const PhotonParts& parts : {all, some}) {
+        EXPECT_EQ(parts.of_surfaces, 0);
+        std::cout << "foretold over found: " << parts.expected / parts.variance << "\n";
+        EXPECT_NEAR(parts.expected / parts.variance, 1, 0.15);
+    }
+    EXPECT_GT(some.variance, 3 * all.variance);
+    // The same photons in both: what they differ by is chance of what was left out alone.
+    double sum = 0, squares = 0;
+    for (std::size_t i = 0; i < all.by_pass.size(); ++i) {
+        const double difference = some.by_pass[i] - all.by_pass[i];
+        sum += difference;
+        squares += difference * difference;
+    }
+    EXPECT_LT(std::abs(sum), 3.3 * std::sqrt(squares));
+    EXPECT_LT(std::sqrt(squares), 0.03 * all.light);
 }
 
 TEST(PassNoise, LightThatIsRefusedHasNoVariance) {
@@ -261,7 +278,7 @@ TEST(PassNoise, MemoryIsBounded) {
     EXPECT_GT(meter.memory_bytes(), 0u);
     for (int pass = 0; pass < 3; ++pass) {
         meter.add_pass(mock::seen_pixels(image, image.radiance, kWidth, kHeight),
-                       std::vector<float>(paths), 1000, importance);
+                       PhotonVariances{std::vector<float>(paths), {}}, 1000, importance);
     }
     EXPECT_GE(meter.memory_bytes(), paths * sizeof(float));
     EXPECT_LE(meter.memory_bytes(), PassNoiseMeter::memory_bound_bytes(paths));

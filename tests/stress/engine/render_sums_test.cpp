@@ -148,7 +148,7 @@ TEST(StressSums, EyePathsOfOnePass) {
     image.radiance.resize(image.positions.size());
     PassNoiseMeter meter(1, 1);
     const PixelImportance importance(1, 1);  // weighs 1 before its first pass
-    const std::vector<float> none(paths);
+    const PhotonVariances none{std::vector<float>(paths), {}};
     PassNoise noise;
     for (const float value : {kTerm, kTerm * 1.01f}) {
         const std::vector<Rgb> photons(paths, {value, value, value});

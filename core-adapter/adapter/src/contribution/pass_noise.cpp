@@ -30,7 +30,7 @@ PassNoiseMeter::PassNoiseMeter(std::uint32_t width, std::uint32_t height)
     : pixels_(std::size_t{width} * height), last_(std::size_t{width} * height) {}
 
 PassNoise PassNoiseMeter::add_pass(std::span<const PixelLuminance> seen,
-                                   std::span<const float> variances, std::uint64_t photon_paths,
+                                   const PhotonVariances& variances, std::uint64_t photon_paths,
                                    const PixelImportance& importance) {
     std::swap(pixels_, last_);
     sum_pixels(seen, variances);
@@ -40,7 +40,7 @@ PassNoise PassNoiseMeter::add_pass(std::span<const PixelLuminance> seen,
         });
     last_paths_ = photon_paths;
     if (!(sums.pixels > 0)) return {};
-    return {sums.all / sums.pixels, sums.photon_path / sums.pixels};
+    return {sums.all / sums.pixels, sums.photon_path / sums.pixels, sums.beam_path / sums.pixels};
 }
 
 PassNoiseMeter::Differences PassNoiseMeter::compare(std::size_t first, std::size_t last,
@@ -53,20 +53,22 @@ PassNoiseMeter::Differences PassNoiseMeter::compare(std::size_t first, std::size
         const auto weight = double(importance.weight_of_sharing(i));
         const double paths = now.paths, paths_before = before.paths;
         const double difference = now.sum / paths - before.sum / paths_before;
-        const double of_before = double(before.variance) / (paths_before * paths_before);
-        const double of_now = double(now.variance) / (paths * paths);
+        // Of a single photon path, from what all of both passes brought.
+        const auto of_a_path = [&](float of_before, float of_now) {
+            const double a = trimmed(double(of_before) / (paths_before * paths_before), weight);
+            const double b = trimmed(double(of_now) / (paths * paths), weight);
+            return weight * (a * double(last_paths_) + b * double(photon_paths)) / 2;
+        };
         sums.all += weight * trimmed(difference * difference / 2, weight);
-        sums.photon_path += weight *
-                            (trimmed(of_before, weight) * double(last_paths_) +
-                             trimmed(of_now, weight) * double(photon_paths)) /
-                            2;
+        sums.photon_path += of_a_path(before.variance, now.variance);
+        sums.beam_path += of_a_path(before.of_beam, now.of_beam);
         sums.pixels += 1;
     }
     return sums;
 }
 
 void PassNoiseMeter::sum_pixels(std::span<const PixelLuminance> seen,
-                                std::span<const float> variances) {
+                                const PhotonVariances& variances) {
     assign_all(pixels_, pixels_.size(), Pixel{});
     in_disjoint_ranges(
         seen.size(), [&](std::size_t i) { return seen[i].pixel; },
@@ -74,7 +76,9 @@ void PassNoiseMeter::sum_pixels(std::span<const PixelLuminance> seen,
             for (std::size_t i = first; i < last; ++i) {
                 Pixel& pixel = pixels_[seen[i].pixel];
                 pixel.sum += seen[i].luminance;
-                if (!variances.empty()) pixel.variance += variances[i];
+                if (!variances.surfaces.empty()) pixel.variance += variances.surfaces[i];
+                if (!variances.beams.empty())
+                    pixel.of_beam += variances.beams[i] / float(variances.thinning);
                 ++pixel.paths;
             }
         });
@@ -85,6 +89,7 @@ void PassNoiseMeter::state(StateArchive& archive) {
     for (Pixel& pixel : pixels_) {
         archive.value(pixel.sum);
         archive.value(pixel.variance);
+        archive.value(pixel.of_beam);
         archive.value(pixel.paths);
     }
     archive.value(last_paths_);

@@ -19,6 +19,8 @@ struct PassPhotons {
     std::uint64_t chosen_at = 0;
     /// Photon paths of earlier renders whose knowledge a guide began with: as if they were of this.
     std::uint64_t known = 0;
+    /// Of so many photons in media each beam takes one, which counts for all; a power of two.
+    std::uint32_t thinning = 1;
 };
 
 }  // namespace aips

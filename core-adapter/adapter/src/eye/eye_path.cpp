@@ -58,7 +58,7 @@ class EyePath {
             ++result_.rays;
             const bool met = meet_surface(in_.scene, tip_.ray, point, arena_, filter_,
                                           emitters_only_ ? Sought::Specular : Sought::All);
-            if (!emitters_only_) cross_medium(point.distance);
+            if (!emitters_only_) cross_medium(point.distance, depth);
             tip_.throughput *= point.transmittance;
             if (!met) {
                 add_escaped();
@@ -82,7 +82,7 @@ class EyePath {
     }
 
     /// Light that the medium scatters into the ray: of lights by a shadow ray, else by photons.
-    void cross_medium(float length) {
+    void cross_medium(float length, std::uint32_t depth) {
         if (!media_ || !media_->scatters(tip_.ray.medium) || !(length > 0)) return;
         if (is_spent(in_.settings, tip_)) return;
         const VolumeBeam beam{.origin = tip_.ray.origin,
@@ -94,7 +94,7 @@ class EyePath {
                               .photon_bounces = photon_bounces(in_.settings, tip_)};
         if (in_.settings.direct_light_sampling)
             result_.rays += estimate_scattered_light(
-                in_.scene, in_.direct_light, beam, tip_.ray.time, random_, filter_,
+                in_.scene, in_.direct_light, beam, tip_.ray.time, numbers_.segment(depth), filter_,
                 {radiance_.of(tip_.seen_by.scattered_in()), output_.light});
         if (in_.keep_visible_points) keep(beam);
     }

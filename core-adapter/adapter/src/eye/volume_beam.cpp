@@ -26,8 +26,4 @@ float SegmentExponential::pdf(float t) const {
     return rate_ * std::exp(-rate_ * t) / mass_;
 }
 
-float SegmentExponential::probability(float from, float to) const {
-    return std::exp(-rate_ * from) * -std::expm1(-rate_ * (to - from)) / mass_;
-}
-
 }  // namespace aips

@@ -58,8 +58,6 @@ class SegmentExponential {
 
     float sample(float u) const;
     float pdf(float t) const;
-    /// Probability of a distance in [from, to].
-    float probability(float from, float to) const;
 
   private:
     float rate_, length_;

@@ -60,14 +60,13 @@ struct Distance {
 };
 
 Distance sample_distance(const VolumeBeam& beam, const SegmentExponential& by_transmittance,
-                         const std::optional<Vec3>& pivot, RandomStream& random) {
-    const float u_choice = random.next(), u = random.next();
+                         const std::optional<Vec3>& pivot, float u) {
     if (!pivot) {
         const float t = by_transmittance.sample(u);
         return {t, by_transmittance.pdf(t)};
     }
     const Equiangular by_angle(beam, *pivot);
-    const float drawn = u_choice < 0.5f ? by_angle.sample(u) : by_transmittance.sample(u);
+    const float drawn = u < 0.5f ? by_angle.sample(2 * u) : by_transmittance.sample(2 * u - 1);
     const float t = std::clamp(drawn, 0.0f, beam.length);
     return {t, 0.5f * (by_angle.pdf(t) + by_transmittance.pdf(t))};
 }
@@ -75,20 +74,22 @@ Distance sample_distance(const VolumeBeam& beam, const SegmentExponential& by_tr
 }  // namespace
 
 unsigned estimate_scattered_light(const Scene& scene, const DirectLight& lights,
-                                  const VolumeBeam& beam, float time, RandomStream& random,
+                                  const VolumeBeam& beam, float time, const SegmentNumbers& u,
                                   InvalidSampleFilter& filter, const ScatteredLightOutput& output) {
     if (lights.choice().empty() || !(beam.length > 0)) return 0;
     const Media& media = *scene.media();
     const Rgb extinction = media.extinction(beam.medium);
     const Rgb scattering = media.scattering(beam.medium);
-    const DiscreteSample chosen = lights.choice().sample(random.next());
+    const DiscreteSample chosen = lights.choice().sample(u.light_choice());
     const Light& light = *scene.lights()[chosen.index];
-    const auto pivot = pivot_of(light, beam, random.next2());
+    // The place on the light that the distance is drawn for is the one that is then asked: for each
+    // such place the estimate is right.
+    const auto pivot = pivot_of(light, beam, u.light());
     const Distance distance = sample_distance(
-        beam, SegmentExponential(extinction, scattering, beam.length), pivot, random);
+        beam, SegmentExponential(extinction, scattering, beam.length), pivot, u.distance());
     const Vec3 position = beam.at(distance.t);
     DirectSample sample;
-    if (!light.sample_direct(point_in_medium(position), random.next2(), sample) ||
+    if (!light.sample_direct(point_in_medium(position), u.light(), sample) ||
         !filter.accept_sample(sample, static_cast<LightIndex>(chosen.index)) || sample.pdf == 0 ||
         is_black(sample.radiance)) {
         return 0;

@@ -1,7 +1,7 @@
 // Single scattering in a medium: what a light sends straight onto an eye path's segment there.
 #pragma once
 
-#include "aips/core/sampling/random.h"
+#include "aips/core/sampling/eye_numbers.h"
 #include "base/luminance_by_light.h"
 #include "eye/direct_light.h"
 #include "eye/volume_beam.h"
@@ -20,7 +20,7 @@ struct ScatteredLightOutput {
 /// Fajardo 2012, "Importance sampling techniques for path tracing in participating media", section
 /// 3), weighed by the balance heuristic. Returns shadow rays traced.
 unsigned estimate_scattered_light(const Scene& scene, const DirectLight& lights,
-                                  const VolumeBeam& beam, float time, RandomStream& random,
+                                  const VolumeBeam& beam, float time, const SegmentNumbers& u,
                                   InvalidSampleFilter& filter, const ScatteredLightOutput& output);
 
 }  // namespace aips

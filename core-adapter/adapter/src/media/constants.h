@@ -2,15 +2,7 @@
 // it, and what supports it. docs/build-on/constants.md is made from these comments.
 #pragma once
 
-#include <cstdint>
-
 namespace aips {
-
-/// Pieces of a beam that are searched in one gather at most. Unit: pieces.
-/// Balances: time of long beams against the noise of drawing pieces.
-/// Chosen by: reasoning: none on record.
-/// Supported by: no measurement.
-inline constexpr std::uint32_t kMostPieces = 16;
 
 /// Automatic radius of beams: photons in media are sparser than on surfaces, and their light is
 /// smoother. Unit: radii of the surfaces' estimate.

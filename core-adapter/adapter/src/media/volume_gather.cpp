@@ -1,6 +1,5 @@
-// The beam radiance estimate. A beam is cut into pieces as long as they are wide, and each of them,
-// or a random choice where a beam has many, takes the photons of its cylinder out of a ball: every
-// photon near the beam belongs to exactly one piece.
+// The beam radiance estimate. A beam finds the photons beside it in the runs of a grid, and then
+// asks the medium about all of them at once.
 #include "media/volume_gather.h"
 
 #include <tbb/blocked_range.h>
@@ -9,7 +8,6 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
-#include <numbers>
 
 #include "aips/core/sampling/sampling.h"
 #include "base/parallel_for.h"
@@ -19,20 +17,25 @@
 #include "radii/scheduled_radius.h"
 
 namespace aips {
-namespace {
-
-/// Part of a beam, and what its photons count for.
-struct Piece {
-    float from = 0, to = 0;
-    float weight = 1;
-};
-
-}  // namespace
-
 /// Of one beam.
 struct VolumeGather::BeamSums {
     explicit BeamSums(std::uint32_t groups) : by_group(groups), parts(kPhotonParts), inner(1) {}
     GroupSums by_group, parts, inner;
+    std::uint64_t photons = 0;
+};
+
+/// Photons beside a beam: where along it, and what the medium says of them.
+struct VolumeGather::Found {
+    std::vector<std::uint32_t> slots;
+    std::vector<float> distances, cosines;
+    std::vector<Rgb> phases;
+    std::size_t count = 0;
+
+    void make_room(std::size_t more) {
+        if (count + more <= slots.size()) return;
+        slots.resize(2 * (count + more));
+        distances.resize(slots.size());
+    }
 };
 
 VolumeGather::VolumeGather(const Scene& scene, const Settings& settings)
@@ -41,6 +44,7 @@ VolumeGather::VolumeGather(const Scene& scene, const Settings& settings)
 void VolumeGather::begin_pass(std::uint64_t pass, const PassPhotons& photons, const EyeImage& image,
                               VolumeWants wants) {
     pass_ = pass;
+    thinning_ = photons.thinning;
     waiting_.clear();
     flux_.assign(image.beams.size() * image.groups, Rgb{});
     part_flux_.assign(wants.parts ? image.beams.size() * kPhotonParts : 0, Rgb{});
@@ -67,80 +71,84 @@ void VolumeGather::sort() {
     positions_.resize(waiting_.size());
     for (std::size_t i = 0; i < waiting_.size(); ++i)
         positions_[i] = waiting_[i].position;
-    // The ball around a piece, half of which is as long as it is wide.
-    cells_.build(positions_, radius_ * std::numbers::sqrt2_v<float>, tbb_for);
-    photons_.resize(cells_.size());
-    for (std::size_t slot = 0; slot < cells_.size(); ++slot)
-        photons_[slot] = waiting_[cells_.order()[slot]];
+    grid_.build(positions_, radius_, thinning_, tbb_for);
+    photons_.resize(grid_.size());
+    for_all(grid_.size(),
+            [&](std::size_t slot) { photons_[slot] = waiting_[grid_.order()[slot]]; });
 }
 
-std::uint64_t VolumeGather::gather_beam(const VolumeBeam& beam, InvalidSampleFilter& filter,
-                                        BeamSums& sums, float& squares) const {
+// Which of the candidates lie within the radius is as good as random, so they are picked out
+// without a branch.
+void VolumeGather::find(const VolumeBeam& beam, Found& found) const {
+    found.count = 0;
+    // Which of the slots, whose order has nothing to do with what their photons bring.
+    std::uint32_t chosen = 0;
+    if (thinning_ > 1) {
+        RandomStream random(settings_.seed, pass_, beam.sample, RandomDomain::BeamPhotons);
+        chosen = std::min(std::uint32_t(random.next() * float(thinning_)), thinning_ - 1);
+    }
+    const float radius_squared = radius_ * radius_;
+    const Vec3 origin = beam.origin, direction = beam.direction;
+    const float length = beam.length;
+    const Vec3* const positions = grid_.positions().data();
+    grid_.for_each_run({origin, direction, length}, [&](std::uint32_t first, std::uint32_t last) {
+        found.make_room(last - first);
+        std::uint32_t* const slots = found.slots.data();
+        float* const distances = found.distances.data();
+        std::size_t count = found.count;
+        for (std::uint32_t slot = first + ((chosen - first) & (thinning_ - 1)); slot < last;
+             slot += thinning_) {
+            const Vec3 to_photon = positions[slot] - origin;
+            const float t = dot(to_photon, direction);
+            const float off_square = length_squared(to_photon - direction * t);
+            slots[count] = slot;
+            distances[count] = t;
+            count += std::size_t(off_square <= radius_squared) & std::size_t(t >= 0) &
+                     std::size_t(t < length);
+        }
+        found.count = count;
+    });
+    found.cosines.resize(found.count);
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < found.count; ++i) {
+        const VolumePhoton& photon = photons_[found.slots[i]];
+        if (photon.medium != beam.medium || photon.bounces > beam.photon_bounces) continue;
+        found.slots[count] = found.slots[i];
+        found.distances[count] = found.distances[i];
+        found.cosines[count++] = dot(photon.direction, direction);
+    }
+    found.count = count;
+    found.cosines.resize(count);
+}
+
+void VolumeGather::gather_beam(const VolumeBeam& beam, InvalidSampleFilter& filter, Found& found,
+                               BeamSums& sums, float& squares) const {
+    find(beam, found);
+    const std::size_t count = found.count;
+    if (count == 0) return;
     const Media& media = *scene_.media();
     const Rgb extinction = media.extinction(beam.medium);
-    const float width = 2 * radius_;
-    std::uint64_t gathered = 0;
+    found.phases.resize(count);
+    media.phases(beam.medium, found.cosines, found.phases);
+    const auto inner_square = double(radius_) * radius_ / 2;
     double square_sum = 0;
-    const auto gather_piece = [&](const Piece& piece) {
-        const Vec3 middle = beam.at(0.5f * (piece.from + piece.to));
-        cells_.for_each_in_radius(middle, cells_.radius(), [&](std::uint32_t slot) {
-            const VolumePhoton& photon = photons_[slot];
-            const Vec3 to_photon = photon.position - beam.origin;
-            const float t = dot(to_photon, beam.direction);
-            if (photon.bounces > beam.photon_bounces) return;
-            if (photon.medium != beam.medium || !(t >= piece.from && t < piece.to)) return;
-            const float off_square = length_squared(to_photon - beam.direction * t);
-            if (off_square > radius_ * radius_) return;
-            const Rgb value = photon.power * transmittance(extinction, t) *
-                              media.phase(beam.medium, dot(photon.direction, beam.direction)) *
-                              piece.weight;
-            if (!filter.accept(value, kPassageOrigin)) return;
-            sums.by_group.add(photon.light_group, value);
-            if (!inner_flux_.empty() && off_square <= radius_ * radius_ / 2)
-                sums.inner.add(0, value);
-            if (!part_flux_.empty()) {
-                const ImagePart part = beam.scatterings.scattered_in(photon.part);
-                if (part != ImagePart::Indirect) sums.parts.add(std::uint32_t(part), value);
-            }
-            square_sum += double(luminance(value)) * double(luminance(value));
-            ++gathered;
-        });
-    };
-    const auto piece_at = [&](std::uint32_t i) {
-        return Piece{float(i) * width, std::min(float(i + 1) * width, beam.length), 1};
-    };
-    const double count = std::ceil(double(beam.length) / width);
-    if (count <= kMostPieces) {
-        for (std::uint32_t i = 0; i < std::uint32_t(count); ++i)
-            gather_piece(piece_at(i));
-        squares += float(square_sum);
-        return gathered;
-    }
-    const SegmentExponential distances(extinction, media.scattering(beam.medium), beam.length);
-    const auto gather_drawn = [&](std::uint32_t number, std::uint32_t times) {
-        Piece piece = piece_at(number);
-        piece.weight = float(times) / (kMostPieces * distances.probability(piece.from, piece.to));
-        if (times > 0 && piece.to > piece.from) gather_piece(piece);
-    };
-    RandomStream random(settings_.seed, pass_, beam.sample, RandomDomain::VolumePieces);
-    // Strata come in order, so that draws of one piece are neighbours. It is gathered once for all
-    // of them: what a photon brings is then one value, whose square is its noise.
-    std::uint32_t drawn = 0, times = 0;
-    for (std::uint32_t i = 0; i < kMostPieces; ++i) {
-        // The sum of a stratum and u may round up to the next stratum's begin, at last to 1.
-        const float t =
-            distances.sample(std::min((float(i) + random.next()) / kMostPieces, kBelowOne));
-        const auto number = std::uint32_t(std::min(double(t / width), count - 1));
-        if (number != drawn) {
-            gather_drawn(drawn, times);
-            drawn = number;
-            times = 0;
+    for (std::size_t i = 0; i < count; ++i) {
+        const VolumePhoton& photon = photons_[found.slots[i]];
+        const Rgb value = photon.power * transmittance(extinction, found.distances[i]) *
+                          found.phases[i] * float(thinning_);
+        if (!filter.accept(value, kPassageOrigin)) continue;
+        sums.by_group.add(photon.light_group, value);
+        if (!inner_flux_.empty() &&
+            length_squared(photon.position - beam.at(found.distances[i])) <= inner_square)
+            sums.inner.add(0, value);
+        if (!part_flux_.empty()) {
+            const ImagePart part = beam.scatterings.scattered_in(photon.part);
+            if (part != ImagePart::Indirect) sums.parts.add(std::uint32_t(part), value);
         }
-        ++times;
+        square_sum += double(luminance(value)) * double(luminance(value));
+        ++sums.photons;
     }
-    gather_drawn(drawn, times);
     squares += float(square_sum);
-    return gathered;
 }
 
 void VolumeGather::gather(const EyeImage& image, InvalidSampleFilter& filter) {
@@ -149,16 +157,16 @@ void VolumeGather::gather(const EyeImage& image, InvalidSampleFilter& filter) {
     std::atomic<std::uint64_t> gathered{0};
     tbb::parallel_for(tbb::blocked_range<std::size_t>(0, image.beams.size(), 256),
                       [&](const tbb::blocked_range<std::size_t>& range) {
-                          std::uint64_t total = 0;
+                          Found found;
                           BeamSums sums(image.groups);
                           for (std::size_t i = range.begin(); i < range.end(); ++i) {
-                              total += gather_beam(image.beams[i], filter, sums, squares_[i]);
+                              gather_beam(image.beams[i], filter, found, sums, squares_[i]);
                               sums.by_group.move_to(&flux_[i * image.groups]);
                               if (!part_flux_.empty())
                                   sums.parts.move_to(&part_flux_[i * kPhotonParts]);
                               if (!inner_flux_.empty()) sums.inner.move_to(&inner_flux_[i]);
                           }
-                          gathered.fetch_add(total, std::memory_order_relaxed);
+                          gathered.fetch_add(sums.photons, std::memory_order_relaxed);
                       });
     gathered_ += gathered.load();
     waiting_.clear();
@@ -234,7 +242,7 @@ void VolumeGather::state(StateArchive& archive) {
 
 std::size_t VolumeGather::memory_bytes() const {
     return (waiting_.capacity() + photons_.capacity()) * sizeof(VolumePhoton) +
-           positions_.capacity() * sizeof(Vec3) + cells_.memory_bytes() +
+           positions_.capacity() * sizeof(Vec3) + grid_.memory_bytes() +
            (flux_.capacity() + part_flux_.capacity() + inner_flux_.capacity()) * sizeof(Rgb) +
            squares_.capacity() * sizeof(float);
 }
@@ -243,7 +251,7 @@ std::size_t VolumeGather::memory_bound_bytes(const Scene& scene, std::size_t eye
                                              std::size_t iteration) {
     const std::size_t photons = kWaitingPhotons + iteration;
     return kVectorGrowth * (2 * photons + iteration) * sizeof(VolumePhoton) +
-           kVectorGrowth * photons * sizeof(Vec3) + CellSort::memory_bound_bytes(photons) +
+           kVectorGrowth * photons * sizeof(Vec3) + SegmentGrid::memory_bound_bytes(photons) +
            eye_paths * (scene.light_groups() * sizeof(Rgb) + sizeof(float));
 }
 

@@ -9,7 +9,7 @@
 #include <span>
 #include <vector>
 
-#include "aips/core/photon_map/cell_sort.h"
+#include "aips/core/photon_map/segment_grid.h"
 #include "estimate/constants.h"
 #include "estimate/group_sums.h"
 #include "estimate/pass_photons.h"
@@ -77,9 +77,12 @@ class VolumeGather {
 
   private:
     struct BeamSums;
+    struct Found;
     void sort();
-    std::uint64_t gather_beam(const VolumeBeam& beam, InvalidSampleFilter& filter, BeamSums& sums,
-                              float& squares) const;
+    /// Photons within the radius of a beam, or one of thinning_.
+    void find(const VolumeBeam& beam, Found& found) const;
+    void gather_beam(const VolumeBeam& beam, InvalidSampleFilter& filter, Found& found,
+                     BeamSums& sums, float& squares) const;
     /// One over the area within the radius and the photon paths of the pass.
     double per_disc_and_path(std::uint64_t photon_paths) const;
     /// Radiance of a beam that photons of `sum` bring it.
@@ -90,10 +93,11 @@ class VolumeGather {
     double initial_radius_ = 0;  // from the first beams' pixel footprints
     float radius_ = 0;
     std::uint64_t pass_ = 0;
+    std::uint32_t thinning_ = 1;  // PassPhotons::thinning
     std::vector<VolumePhoton> waiting_;
-    CellSort cells_;
+    SegmentGrid grid_;
     std::vector<Vec3> positions_;        // of waiting_, for the sort
-    std::vector<VolumePhoton> photons_;  // [slot of cells_]
+    std::vector<VolumePhoton> photons_;  // [slot of grid_]
     std::vector<Rgb> flux_;              // [beam * groups + group]
     std::vector<Rgb> part_flux_;         // [beam * kPhotonParts + part]; empty if not wanted
     std::vector<Rgb> inner_flux_;        // [beam]; empty if not wanted

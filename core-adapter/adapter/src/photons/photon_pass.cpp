@@ -1,6 +1,7 @@
 // The photon pass.
 #include "photons/photon_pass.h"
 
+#include "base/assign_all.h"
 #include "base/parallel_for.h"
 #include "base/side_by_side.h"
 #include "base/stopwatch.h"
@@ -171,19 +172,19 @@ void PhotonPass::gather_in_media(const EyeImage& image, InvalidSampleFilter& fil
     const Stopwatch watch(totals_.gather_seconds);
     const std::uint64_t before = volume_->gathered();
     volume_->gather(image, filter);
-    totals_.gathered += volume_->gathered() - before;
+    totals_.gathered_in_media += volume_->gathered() - before;
 }
 
 void PhotonPass::estimate(const EyeImage& image, const PhotonFlux& flux, const GatherRadii& radii,
                           std::uint64_t photon_paths, InvalidSampleFilter& filter,
-                          std::vector<Rgb>& radiance, std::vector<float>* variances) const {
+                          std::vector<Rgb>& radiance, PhotonVariances* variances) const {
     estimate_pixels(image, flux, radii, photon_paths, filter, radiance);
-    // Of surfaces alone, as their flux is: what media bring is added to both.
-    if (variances) photon_variances(image, radiance, flux, *variances);
-    if (volume_) {
-        volume_->add_to(image, photon_paths, filter, radiance,
-                        variances ? std::span<float>(*variances) : std::span<float>());
-    }
+    // Of surfaces alone, as their flux is.
+    if (variances) photon_variances(image, radiance, flux, variances->surfaces);
+    if (!volume_) return;
+    if (variances) assign_all(variances->beams, image.positions.size(), 0.0f);
+    volume_->add_to(image, photon_paths, filter, radiance,
+                    variances ? std::span<float>(variances->beams) : std::span<float>());
 }
 
 void PhotonPass::estimate_discs(const EyeImage& image, const PhotonFlux& flux,
@@ -205,6 +206,7 @@ void PhotonPass::estimate_parts(const EyeImage& image, const PhotonFlux& flux,
 void PhotonPass::state(StateArchive& archive) {
     totals_.counts.state(archive);
     archive.value(totals_.gathered);
+    archive.value(totals_.gathered_in_media);
     totals_.light.state(archive);
     archive.amount(totals_.weights);
     archive.value(unguided_from_);
@@ -231,7 +233,7 @@ void PhotonPass::add_to(EngineStatistics& s) const {
     s.bounces += totals_.counts.bounces;
     s.guided_bounces += totals_.counts.guided_bounces;
     s.pruned_paths += totals_.counts.pruned;
-    s.gathered += totals_.gathered;
+    s.gathered += totals_.gathered + totals_.gathered_in_media;
     s.photon_seconds += totals_.photon_seconds;
     s.gather_seconds += totals_.gather_seconds;
     s.guide_seconds += totals_.guide_seconds;

@@ -7,6 +7,7 @@
 
 #include "aips/adapter/engine.h"
 #include "base/luminance_by_light.h"
+#include "contribution/pass_noise.h"
 #include "estimate/gather.h"
 #include "estimate/pass_photons.h"
 #include "media/volume_gather.h"
@@ -18,7 +19,7 @@ namespace aips {
 /// Seconds and counts of photon passes so far.
 struct PhotonPassTotals {
     PhotonCounts counts;
-    std::uint64_t gathered = 0;
+    std::uint64_t gathered = 0, gathered_in_media = 0;
     LuminanceByLight light;     ///< luminance that photons brought, by light: summed over passes
     double weights = 0;         ///< of these passes
     std::uint64_t learned = 0;  ///< paths, vertices and photons that guide=adaptive learned from
@@ -56,7 +57,7 @@ class PhotonPass {
     /// luminance.
     void estimate(const EyeImage& image, const PhotonFlux& flux, const GatherRadii& radii,
                   std::uint64_t photon_paths, InvalidSampleFilter& filter,
-                  std::vector<Rgb>& radiance, std::vector<float>* variances) const;
+                  std::vector<Rgb>& radiance, PhotonVariances* variances) const;
     /// Fills `discs` with what whole gather discs and their inner halves brought, on surfaces and
     /// in media.
     void estimate_discs(const EyeImage& image, const PhotonFlux& flux, const GatherRadii& radii,

@@ -141,7 +141,7 @@ std::size_t photon_memory_bound(const Scene& scene, const Needs& needs, std::uin
     // What the photons per pass and the adaptive guide go by.
     const std::size_t plan = PixelImportance::memory_bound_bytes(pixels) +
                              PassNoiseMeter::memory_bound_bytes(pixels) +
-                             eye_paths * (sizeof(PixelLuminance) + sizeof(float));
+                             eye_paths * (sizeof(PixelLuminance) + 2 * sizeof(float));
     const std::size_t edges =
         settings.correct_edges ? EdgeCorrection::memory_bound_bytes(pixels, points) : 0;
     const std::size_t occlusion =

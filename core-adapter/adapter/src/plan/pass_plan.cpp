@@ -26,6 +26,10 @@ constexpr int kStepsOfFewerPhotons = 10;
 /// The same for more (steps).
 constexpr int kStepsOfMorePhotons = 4;
 
+/// Of so many photons in media a beam takes one at most: with fewer a render's first passes know
+/// too little of bright ones.
+constexpr std::uint32_t kMostThinning = 64;
+
 /// Photons of chains that come together at most, in what is foretold.
 constexpr double kMostClusteredPhotons = 64;
 
@@ -81,7 +85,8 @@ class Search {
             clusters_ = std::clamp(spread / squares, 1.0, kMostClusteredPhotons);
         lost_ = lost_light();
         own_ = facts.photon_path_variance * facts.squared_error;
-        if (facts.photon_paths > 0) present_ = facts.photon_path_variance / facts.photon_paths;
+        if (facts.photon_paths > 0)
+            present_ = (facts.photon_path_variance + facts.thinned_variance) / facts.photon_paths;
         for (std::size_t i = 0; i < facts.leaves.size(); ++i) {
             if (population > 0) add_leaf(i, facts.leaves[i].population / population);
         }
@@ -94,6 +99,7 @@ class Search {
     PassPlan best(const PhotonLimits& limits) const {
         const double present = facts_.photon_paths / facts_.turns;
         PassPlan best = with(std::clamp(present, limits.fewest, limits.most));
+        thin(best);
         double least = std::numeric_limits<double>::infinity();
         for (int step = -kStepsOfFewerPhotons; step <= kStepsOfMorePhotons; ++step) {
             const double paths =
@@ -102,6 +108,7 @@ class Search {
                 continue;
             PassPlan plan = with(paths);
             take_turns(plan, limits);
+            thin(plan);
             if (plan.error * plan.cost < least) {
                 least = plan.error * plan.cost;
                 best = plan;
@@ -178,6 +185,24 @@ class Search {
             plan.turns = turns;
             plan.error = e;
             plan.cost = c;
+        }
+    }
+
+    /// How many photons in media a beam leaves out: each doubling is worth it as long as E C falls.
+    void thin(PassPlan& plan) const {
+        const double variance = facts_.beam_path_variance / plan.photon_paths;
+        double gathering = facts_.beam_path_cost * plan.photon_paths;
+        plan.error += variance;
+        plan.cost += gathering;
+        if (!(gathering > 0)) return;
+        while (plan.thinning < kMostThinning) {
+            const double e = plan.error + variance * plan.thinning;
+            const double c = plan.cost - gathering / 2;
+            if (e * c >= plan.error * plan.cost) return;
+            plan.error = e;
+            plan.cost = c;
+            plan.thinning *= 2;
+            gathering /= 2;
         }
     }
 
@@ -304,8 +329,9 @@ void PlanFacts::state(StateArchive& archive) {
     }
     for (double* fact :
          {&passes, &passes_until, &points, &point_weight, &points_per_pixel, &variance,
-          &own_variance, &photon_path_variance, &photon_paths, &eye_cost, &shooting_cost,
-          &photon_square, &photon_path_cost, &ray_cost, &squared_error})
+          &own_variance, &photon_path_variance, &beam_path_variance, &thinned_variance,
+          &photon_paths, &eye_cost, &shooting_cost, &photon_square, &photon_path_cost,
+          &beam_path_cost, &ray_cost, &squared_error})
         archive.value(*fact);
     for (bool* fact : {&counts_loss, &independent})
         archive.value(*fact);

@@ -13,7 +13,9 @@
 // least: of an image that is a mean over passes that is the error at a given time. If one of k
 // passes shoots for all of them, E is greater by (k - 1) S and C less by F (1 - 1 / k): S is the
 // square of what photons bring (an upper bound, as that evens out over k passes), F what shooting
-// costs in itself.
+// costs in itself. If beams in media take one of m photons, E is greater by (m - 1) B / N and C
+// less by G N (1 - 1 / m): B is the variance of what a photon path brings to them, G what it costs
+// to gather it there.
 #pragma once
 
 #include <cstdint>
@@ -51,13 +53,17 @@ struct PlanFacts {
     double own_variance = 0;
     /// The same of a single photon path, of light that no leaf knows.
     double photon_path_variance = 0;
+    /// The same of what it brings to beams in media, if they took all photons there, and as they
+    /// took them.
+    double beam_path_variance = 0, thinned_variance = 0;
     double photon_paths = 0;   ///< in a pass that shoots
     std::uint32_t turns = 1;   ///< passes of which one does
     double eye_cost = 0;       ///< of a pass, without continued paths
     double shooting_cost = 0;  ///< part of it that passes without photons do not have
     /// Mean over pixels of the squared relative share of the image that photons brought.
     double photon_square = 0;
-    double photon_path_cost = 0;  ///< of one
+    double photon_path_cost = 0;  ///< of one, but for media
+    double beam_path_cost = 0;    ///< of gathering all that one leaves in media
     double ray_cost = 0;          ///< of a continued path's ray
     bool independent = true;      ///< squares of single photons tell their variance
     double squared_error = 1;     ///< of photons, their bias included, over their variance
@@ -70,6 +76,7 @@ struct PassPlan {
     std::vector<EyeShare> shares;  ///< [leaf]
     double photon_paths = 0;       ///< of a pass, as a mean over those that shoot and others
     std::uint32_t turns = 1;       ///< passes of which one shoots for all
+    std::uint32_t thinning = 1;    ///< of so many photons in media a beam takes one
     double error = 0, cost = 0;    ///< E and C
     double going_on = 0;           ///< share of the visible points whose eye paths go on
     double bsdf_direct = 0;        ///< share of them that send a BSDF-sampled ray alone

@@ -18,10 +18,13 @@ void PassPlanner::add(const EndedPass& pass) {
     sums_.points += pass.points;
     sums_.eye_cost += std::max(0.0, pass.work.eye - eye_ray_work(pass.continued_rays));
     sums_.photon_cost += pass.work.photons;
+    sums_.beam_cost += pass.work.beams * pass.thinning;
     sums_.photon_paths += double(pass.photon_paths);
     if (!(pass.noise.all > 0)) return;
     sums_.variance += pass.noise.all;
     sums_.photon_path_variance += pass.noise.photon_path;
+    sums_.beam_path_variance += pass.noise.beam_path;
+    sums_.thinned_variance += pass.thinning * pass.noise.beam_path;
     sums_.noisy_passes += 1;
 }
 
@@ -44,10 +47,13 @@ PlanFacts PassPlanner::take(std::uint64_t pass) {
     facts.points_per_pixel = per_pixel;
     facts.variance = sums.variance / noisy;
     facts.photon_path_variance = sums.photon_path_variance / noisy;
+    facts.beam_path_variance = sums.beam_path_variance / noisy;
+    facts.thinned_variance = sums.thinned_variance / noisy;
     facts.photon_paths = sums.photon_paths / sums.passes;
     facts.eye_cost = sums.eye_cost / sums.passes;
     facts.shooting_cost = std::min(shooting_work(facts.points), facts.eye_cost / 2);
     facts.photon_path_cost = sums.photon_cost / std::max(1.0, sums.photon_paths);
+    facts.beam_path_cost = sums.beam_cost / std::max(1.0, sums.photon_paths);
     facts.ray_cost = eye_ray_work(1);
     return facts;
 }
@@ -55,7 +61,8 @@ PlanFacts PassPlanner::take(std::uint64_t pass) {
 void PassPlanner::state(StateArchive& archive) {
     for (double* sum :
          {&sums_.passes, &sums_.points, &sums_.eye_cost, &sums_.photon_cost, &sums_.photon_paths,
-          &sums_.variance, &sums_.photon_path_variance, &sums_.noisy_passes})
+          &sums_.beam_cost, &sums_.variance, &sums_.photon_path_variance, &sums_.beam_path_variance,
+          &sums_.thinned_variance, &sums_.noisy_passes})
         archive.amount(*sum);
 }
 

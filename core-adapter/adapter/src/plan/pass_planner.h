@@ -14,6 +14,7 @@ struct EndedPass {
     double continued_rays = 0;
     double points = 0;  ///< visible points
     std::uint64_t photon_paths = 0;
+    std::uint32_t thinning = 1;  ///< PassPhotons::thinning
     PassNoise noise;
 };
 
@@ -38,7 +39,9 @@ class PassPlanner {
     struct Sums {
         double passes = 0, points = 0;
         double eye_cost = 0, photon_cost = 0, photon_paths = 0;
-        double variance = 0, photon_path_variance = 0, noisy_passes = 0;
+        double beam_cost = 0;  // if beams had taken all photons
+        double variance = 0, photon_path_variance = 0, beam_path_variance = 0, noisy_passes = 0;
+        double thinned_variance = 0;  // beams' photons as they were taken
     };
 
     double pixels_, eye_paths_;

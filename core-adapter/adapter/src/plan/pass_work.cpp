@@ -25,7 +25,8 @@ PassWork pass_work(std::uint64_t eye_paths, std::uint64_t eye_rays, const Photon
                 kGuidedEmissionWork * difference(first.guided_emissions, last.guided_emissions) +
                 kGuidedBounceWork * difference(first.guided_bounces, last.guided_bounces) +
                 kGatheredWork * difference(before.gathered, after.gathered) +
-                kLearnedWork * difference(before.learned, after.learned)};
+                kLearnedWork * difference(before.learned, after.learned),
+            kGatheredInMediaWork * difference(before.gathered_in_media, after.gathered_in_media)};
 }
 
 }  // namespace aips

@@ -12,6 +12,7 @@ struct PassWork {
     double eye = 0;  ///< independent of the number of photons
     /// Proportional to it; what a guide learns from, a part of it, becomes less with time.
     double photons = 0;
+    double beams = 0;  ///< the same of gathering photons in media
 };
 
 /// Work of a pass with so many eye paths, which traced `eye_rays`, and with the photons counted

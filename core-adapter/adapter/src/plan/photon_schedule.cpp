@@ -2,6 +2,7 @@
 #include "plan/photon_schedule.h"
 
 #include <algorithm>
+#include <bit>
 
 #include "base/constants.h"
 #include "guides/adaptive/learning_weight.h"
@@ -90,6 +91,7 @@ void PhotonSchedule::take(const PassPlan& plan) {
     turns_ = {.every = std::clamp(plan.turns, 1u, bounds.turns), .since = pass_};
     const double shot = std::clamp(plan.photon_paths, bounds.fewest, bounds.most) * turns_.every;
     paths_ = static_cast<std::uint32_t>(shot);
+    if (adapts_) next_.thinning = plan.thinning;
     chosen_ = chosen_ || chooses();
     set_next();
 }
@@ -123,6 +125,8 @@ void PhotonSchedule::state(StateArchive& archive) {
     archive.value(next_.before);
     archive.value(next_.chosen_at);
     archive.value(next_.known);
+    archive.value(next_.thinning);
+    StateArchive::check(std::has_single_bit(next_.thinning), "photons left out as no plan does");
     StateArchive::check(next_.chosen_at <= next_.before,
                         "a choice of photons that is still to come");
     if (archive.restoring()) set_next();

@@ -141,6 +141,7 @@ void PhotonStrategy::shoot(const StrategyPass& pass, const PassPhotons& photons,
     const EyeImage& image = pass.image;
     const bool any_points = !image.visible_points.empty();
     shot_ = photons.paths;
+    variances_.thinning = photons.thinning;
     if (any_points) radii_ = radius_policy_->before_pass(photons, image);
     PhotonOcclusion* const occlusion = occlusion_ ? &*occlusion_ : nullptr;
     if (occlusion) {
@@ -204,6 +205,7 @@ void PhotonStrategy::end_pass(const StrategyPass& pass, const FilmPass& film_pas
                       .continued_rays = shared_ && shot_ > 0 ? shared_->continued_rays() : 0,
                       .points = double(pass.image.visible_points.size()),
                       .photon_paths = shot_,
+                      .thinning = variances_.thinning,
                       .noise = noise});
     }
     schedule_.end_pass();
@@ -303,7 +305,7 @@ std::size_t PhotonStrategy::memory_bytes() const {
            (radiance_.capacity() + counted_.capacity() + parts_.capacity() +
             discs_.whole.capacity() + discs_.half.capacity()) *
                sizeof(Rgb) +
-           variances_.capacity() * sizeof(float) + seen_.capacity() * sizeof(PixelLuminance) +
+           variances_.memory_bytes() + seen_.capacity() * sizeof(PixelLuminance) +
            photon_pass_.memory_bytes() + radius_policy_->memory_bytes() +
            (edges_ ? edges_->memory_bytes() : 0) + (occlusion_ ? occlusion_->memory_bytes() : 0) +
            (importance_ ? importance_->memory_bytes() : 0) + (noise_ ? noise_->memory_bytes() : 0) +

@@ -82,12 +82,12 @@ class PhotonStrategy : public LightStrategy {
     std::uint32_t shot_ = 0;                    // photon paths in it
     bool in_turn_ = true;                       // whether it was one that shoots
     PhotonFlux flux_;
-    PhotonPassTotals before_;       // the last pass
-    std::vector<Rgb> radiance_;     // [eye path * groups + group]; empty if none is needed
-    std::vector<Rgb> counted_;      // that with photons as they count; where some passes have none
-    std::vector<Rgb> parts_;        // [eye path * kImageParts + part]; empty if not wanted
-    DiscEstimates discs_;           // if the film wants their bias
-    std::vector<float> variances_;  // [eye path]: of the luminance of that, if they are asked for
+    PhotonPassTotals before_;    // the last pass
+    std::vector<Rgb> radiance_;  // [eye path * groups + group]; empty if none is needed
+    std::vector<Rgb> counted_;   // that with photons as they count; where some passes have none
+    std::vector<Rgb> parts_;     // [eye path * kImageParts + part]; empty if not wanted
+    DiscEstimates discs_;        // if the film wants their bias
+    PhotonVariances variances_;  // of the luminance of that, if they are asked for
     std::vector<PixelLuminance> seen_;  // in the last pass that something steers by
     std::optional<DebugLayers> layers_;
     double plan_seconds_ = 0, edge_seconds_ = 0;

@@ -2,7 +2,11 @@
 // chose it, and what supports it. docs/build-on/constants.md is made from these comments.
 #pragma once
 
-#include <cstddef>
-#include <cstdint>
+namespace aips {
 
-namespace aips {}  // namespace aips
+/// Points in a row of cells that a segment crosses: with fewer, finding the ends of the rows takes
+/// the time. Unit: points. Balances: points looked at in vain against rows. Chosen by: measurement
+/// (4, 12, 24). Supported by: five scenes with media (4 up to 15 % slower; 24 within 4 %).
+inline constexpr double kPointsOfARow = 12;
+
+}  // namespace aips

@@ -4,7 +4,6 @@
 #include <atomic>
 #include <bit>
 
-#include "photon_map/constants.h"
 
 namespace aips {
 namespace {

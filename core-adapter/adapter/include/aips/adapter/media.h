@@ -2,6 +2,8 @@
 // (Ray::medium); coefficients are per unit of distance and channel, the same all over a medium.
 #pragma once
 
+#include <span>
+
 #include "aips/adapter/scene.h"
 
 namespace aips {
@@ -37,6 +39,12 @@ class Media {
     virtual Flight sample_flight(const void* medium, float segment, Rgb carried, Vec2 u) const = 0;
     /// Phase function per steradian for light turned by an angle of this cosine; integrates to 1.
     virtual Rgb phase(const void* medium, float cosine) const = 0;
+    /// phase() of each cosine. Overridden where many at once cost less.
+    virtual void phases(const void* medium, std::span<const float> cosines,
+                        std::span<Rgb> values) const {
+        for (std::size_t i = 0; i < cosines.size(); ++i)
+            values[i] = phase(medium, cosines[i]);
+    }
     /// Draws the way that light which came along `direction` takes.
     virtual PhaseSample sample_phase(const void* medium, Vec3 direction, Rgb carried,
                                      Vec2 u) const = 0;

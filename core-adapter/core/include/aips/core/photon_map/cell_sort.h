@@ -5,18 +5,12 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
-#include <vector>
 
 #include "aips/core/base/parallel.h"
-#include "aips/core/base/unwritten.h"
+#include "aips/core/photon_map/bucket_sort.h"
 #include "aips/core/photon_map/cell_hash.h"
 
 namespace aips {
-
-/// Room for `count` entries in steps of 4096: growth is rare, and bounded by the largest count.
-constexpr std::size_t rounded_capacity(std::size_t count) {
-    return (count / 4096 + 1) * 4096;
-}
 
 /// Points in hash buckets of cells twice as wide as the gather radius. A point's slot is its place
 /// in the sorted order; slots of a bucket are neighbours. Buffers are reused: building for no more
@@ -33,15 +27,15 @@ class CellSort {
     /// radius() is cut to it.
     template <class F>
     bool until_in_radius(Vec3 p, float radius, F&& visit) const {
-        if (positions_.empty() || !is_finite(p) || !(radius >= 0)) return false;
+        if (sort_.size() == 0 || !is_finite(p) || !(radius >= 0)) return false;
         radius = std::min(radius, cells_.radius());
         const float radius_squared = radius * radius;
         Buckets buckets;
         const unsigned count = buckets_of_ball(p, radius, buckets);
         for (unsigned i = 0; i < count; ++i) {
-            const std::uint32_t end = start_[buckets[i] + 1];
-            for (std::uint32_t slot = start_[buckets[i]]; slot < end; ++slot) {
-                if (length_squared(positions_[slot] - p) <= radius_squared && visit(slot)) {
+            const std::uint32_t end = sort_.first_slot(buckets[i] + 1);
+            for (std::uint32_t slot = sort_.first_slot(buckets[i]); slot < end; ++slot) {
+                if (length_squared(positions()[slot] - p) <= radius_squared && visit(slot)) {
                     return true;
                 }
             }
@@ -54,7 +48,7 @@ class CellSort {
     /// good as random, so they are picked out without a branch before any is visited.
     template <class F>
     void for_each_in_radius(Vec3 p, float radius, F&& visit) const {
-        if (positions_.empty() || !is_finite(p) || !(radius >= 0)) return;
+        if (sort_.size() == 0 || !is_finite(p) || !(radius >= 0)) return;
         radius = std::min(radius, cells_.radius());
         const float radius_squared = radius * radius;
         Buckets buckets;
@@ -62,10 +56,10 @@ class CellSort {
         std::array<std::uint32_t, kCandidates> inside;
         unsigned found = 0;
         for (unsigned i = 0; i < count; ++i) {
-            const std::uint32_t end = start_[buckets[i] + 1];
-            for (std::uint32_t slot = start_[buckets[i]]; slot < end; ++slot) {
+            const std::uint32_t end = sort_.first_slot(buckets[i] + 1);
+            for (std::uint32_t slot = sort_.first_slot(buckets[i]); slot < end; ++slot) {
                 inside[found] = slot;
-                found += length_squared(positions_[slot] - p) <= radius_squared ? 1 : 0;
+                found += length_squared(positions()[slot] - p) <= radius_squared ? 1 : 0;
                 if (found < kCandidates) continue;
                 for (const std::uint32_t hit : inside)
                     visit(hit);
@@ -77,45 +71,43 @@ class CellSort {
     }
 
     /// Points that queries can find.
-    std::size_t size() const { return positions_.size(); }
+    std::size_t size() const { return sort_.size(); }
     /// [slot]: number of the point among those that were sorted.
-    std::span<const std::uint32_t> order() const { return order_; }
+    std::span<const std::uint32_t> order() const { return sort_.order(); }
     /// [slot]
-    std::span<const Vec3> positions() const { return positions_; }
+    std::span<const Vec3> positions() const { return sort_.positions(); }
     /// Greatest radius of a query.
     float radius() const { return cells_.radius(); }
-    std::size_t memory_bytes() const;
+    std::size_t memory_bytes() const { return sort_.memory_bytes(); }
     /// Upper bound of memory_bytes() when no build ever has more than `max_points`.
-    static std::size_t memory_bound_bytes(std::size_t max_points);
+    static std::size_t memory_bound_bytes(std::size_t max_points) {
+        return BucketSort::memory_bound_bytes(max_points);
+    }
 
   private:
     static constexpr unsigned kMaxBuckets = 27;
     static constexpr unsigned kCandidates = 64;
     using Buckets = std::array<std::uint32_t, kMaxBuckets>;
 
-    /// A point on its way to its bucket.
-    struct Key {
-        std::uint32_t bucket, index;
-    };
-
     // Blocks of 4 x 4 x 4 cells are hashed, not cells: what lies side by side in the scene does so
     // in memory. Within its block a cell's place is turned by further bits of the hash, so that
     // flat surfaces in blocks that share a place don't all use the same part of it.
-    std::uint32_t bucket(Cell c) const {
+    static std::uint32_t bucket(Cell c, std::uint32_t mask) {
         const std::uint64_t hash = hash_cell({c.x >> 2, c.y >> 2, c.z >> 2});
         const auto within = std::uint64_t((c.x & 3) | (c.y & 3) << 2 | (c.z & 3) << 4);
-        return std::uint32_t(hash << 6 | (within ^ hash >> 58)) & mask_;
+        return std::uint32_t(hash << 6 | (within ^ hash >> 58)) & mask;
     }
 
     /// Distinct buckets of the cells that the ball touches. Two cells may share one, and visiting
     /// it twice would count its points twice.
     unsigned buckets_of_ball(Vec3 p, float radius, Buckets& buckets) const {
         const CellRange range = cells_.cells_of_ball(p, radius);
+        const auto mask = std::uint32_t(sort_.buckets() - 1);
         unsigned count = 0;
         for (std::int64_t z = range.lower.z; z <= range.upper.z; ++z) {
             for (std::int64_t y = range.lower.y; y <= range.upper.y; ++y) {
                 for (std::int64_t x = range.lower.x; x <= range.upper.x; ++x) {
-                    const std::uint32_t b = bucket({x, y, z});
+                    const std::uint32_t b = bucket({x, y, z}, mask);
                     unsigned i = 0;
                     while (i < count && buckets[i] != b)
                         ++i;
@@ -126,23 +118,8 @@ class CellSort {
         return count;
     }
 
-    void reserve(std::size_t points);
-    std::uint32_t partition_count() const;
-    void count_partitions(std::span<const Vec3> points, const ParallelFor& parallel);
-    void scan_partitions();
-    void scatter_keys(const ParallelFor& parallel);
-    void sort_partition(std::span<const Vec3> points, std::uint32_t partition);
-
     CellGrid cells_;
-    std::uint32_t mask_ = 0;                      // buckets less one
-    unsigned partition_shift_ = 0;                // bucket >> shift is its partition
-    UnwrittenVector<std::uint32_t> start_;        // [bucket]: first slot; one more at the end
-    UnwrittenVector<std::uint32_t> bucket_;       // [point]: its bucket, kNoBucket if left out
-    std::vector<std::uint32_t> cursor_;           // [chunk][partition]: where its next key goes
-    std::vector<std::uint32_t> partition_start_;  // [partition]: first key; one more at the end
-    UnwrittenVector<Key> keys_;                   // by partition, then in the points' order
-    UnwrittenVector<Vec3> positions_;             // by bucket, then in the points' order
-    UnwrittenVector<std::uint32_t> order_;        // as positions_
+    BucketSort sort_;
 };
 
 }  // namespace aips

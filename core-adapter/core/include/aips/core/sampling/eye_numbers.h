@@ -37,6 +37,24 @@ class VertexNumbers {
     std::uint32_t epoch_seed_, index_;
 };
 
+/// Numbers in [0, 1) for the way to a vertex, where it leads through a medium.
+class SegmentNumbers {
+  public:
+    SegmentNumbers(std::uint32_t seed, std::uint64_t index)
+        : epoch_seed_(sobol_epoch_seed(index, seed)), index_(std::uint32_t(index)) {}
+
+    float distance() const { return at(0); }
+    Vec2 light() const { return {at(1), at(2)}; }
+    float light_choice() const { return at(3); }
+
+  private:
+    float at(unsigned dimension) const {
+        return sobol_owen_in_epoch(index_, dimension, epoch_seed_);
+    }
+
+    std::uint32_t epoch_seed_, index_;
+};
+
 /// Choices at the specular surfaces that a path meets before any other, in [0, 1): the numbers that
 /// tell, beside its film position, which emitters such a path meets.
 using SpecularChoices = std::array<float, 4>;
@@ -49,15 +67,15 @@ class EyeNumbers {
         : seed_(mixed(mixed(mixed(0x6579u, seed), sequence), pixel)), index_(index) {}
 
     /// `depth`: the vertex's number along the path.
-    VertexNumbers vertex(std::uint32_t depth) const {
-        const std::uint32_t seed = hash_bits(seed_ + depth * 0x9E3779B9u);
-        return {hash_bits(seed), shuffled(index_, seed)};
+    VertexNumbers vertex(std::uint32_t depth) const { return at<VertexNumbers>(depth); }
+    /// Of the way to vertex number `depth`.
+    SegmentNumbers segment(std::uint32_t depth) const {
+        return at<SegmentNumbers>(kSegments + depth);
     }
 
     /// Choice number `i`, uniform over seeds as all others.
     float choice(std::size_t i) const {
-        // Beyond all vertices that a path may have.
-        return drawn_ ? (*drawn_)[i] : vertex((1u << 31) + std::uint32_t(i)).lobe();
+        return drawn_ ? (*drawn_)[i] : vertex(kChoices + std::uint32_t(i)).lobe();
     }
     /// All of them.
     SpecularChoices choices() const {
@@ -74,6 +92,15 @@ class EyeNumbers {
     }
 
   private:
+    // Beyond all vertices that a path may have.
+    static constexpr std::uint32_t kSegments = 1u << 30, kChoices = 1u << 31;
+
+    template <class Numbers>
+    Numbers at(std::uint32_t place) const {
+        const std::uint32_t seed = hash_bits(seed_ + place * 0x9E3779B9u);
+        return {hash_bits(seed), shuffled(index_, seed)};
+    }
+
     /// A permutation of each 2^16 indices that maps aligned blocks of 2^k to such blocks, so that
     /// what is stratified in one order is so in any: the low bits as a nested uniform scramble.
     static constexpr std::uint64_t shuffled(std::uint64_t index, std::uint32_t seed) {

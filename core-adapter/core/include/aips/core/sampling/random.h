@@ -23,7 +23,7 @@ enum class RandomDomain : std::uint8_t {
     UniformPath = 7,    ///< independent paths of Markov chains; index: step * chains + chain
     MutatedPath = 8,    ///< mutations of Markov chains; index: step * chains + chain
     EyeSeeding = 9,     ///< walks from visible points to lights; index: the group of visible points
-    VolumePieces = 10,  ///< parts of eye paths in media; index: the eye path
+    BeamPhotons = 10,   ///< parts of eye paths in media; index: the eye path
     ChainStart = 11,    ///< which visible paths chains start from; index: the choice in the pass
     Edge = 12,          ///< places of gather discs; index: the eye path
     PhotonTurn = 13,    ///< which pass of several shoots photons; index: of these several

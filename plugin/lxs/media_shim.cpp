@@ -1,6 +1,10 @@
 // The host's media in the engine's terms.
 #include "media_shim.h"
 
+#include <algorithm>
+#include <iterator>
+#include <vector>
+
 #include "convert.h"
 #include "lxs/sdk/medium.h"
 #include "lxs/sdk/rays.h"
@@ -24,9 +28,28 @@ class MediaShim final : public Media {
     Rgb scattering(const void* medium) const override {
         return from(medium_of(medium).scattering());
     }
-    Flight sample_flight(const void* medium, float segment, Rgb carried, Vec2 u) const override {
-        const lxs::Flight f = medium_of(medium).sample_flight(segment, to(carried), to(u));
+    Rgb scattering_at(const void* medium, Vec3 position) const override {
+        return from(medium_of(medium).scattering_at(to(position)));
+    }
+    Flight sample_flight(const void* medium, const Ray& ray, float segment, Rgb carried,
+                         Vec2 u) const override {
+        const lxs::Flight f = medium_of(medium).sample_flight(to(ray.origin), to(ray.direction),
+                                                              segment, to(carried), to(u));
         return {f.distance, f.collides, from(f.weight)};
+    }
+    void transmittances(const void* medium, const Ray& ray, std::span<const float> distances,
+                        float u, std::span<Rgb> shares) const override {
+        const lxs::Medium& crossed = medium_of(medium);
+        if (!crossed.varies()) return Media::transmittances(medium, ray, distances, u, shares);
+        if (distances.empty()) return;
+        std::vector<lxs::TransmittanceStep> steps;
+        crossed.transmittance_steps(to(ray.origin), to(ray.direction),
+                                    *std::ranges::max_element(distances), u, steps);
+        for (std::size_t i = 0; i < distances.size(); ++i) {
+            const auto beyond =
+                std::ranges::upper_bound(steps, distances[i], {}, &lxs::TransmittanceStep::from);
+            shares[i] = from(std::prev(beyond)->passed);
+        }
     }
     Rgb phase(const void* medium, float cosine) const override {
         return from(medium_of(medium).phase(cosine));

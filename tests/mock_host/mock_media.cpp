@@ -21,8 +21,8 @@ aips::Rgb Fog::transmittance(float distance) const {
     return {std::exp(-e.r * distance), std::exp(-e.g * distance), std::exp(-e.b * distance)};
 }
 
-aips::Flight Media::sample_flight(const void*, float segment, aips::Rgb /*carried*/,
-                                  aips::Vec2 u) const {
+aips::Flight Media::sample_flight(const void*, const aips::Ray&, float segment,
+                                  aips::Rgb /*carried*/, aips::Vec2 u) const {
     const aips::Rgb extinction = fog_.extinction();
     const float rates[] = {extinction.r, extinction.g, extinction.b};
     const float rate = rates[std::min(int(u.x * 3), 2)];

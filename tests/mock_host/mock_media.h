@@ -24,7 +24,7 @@ class Media final : public aips::Media {
     bool scatters(const void*) const override { return !is_black(fog_.scattering); }
     aips::Rgb extinction(const void*) const override { return fog_.extinction(); }
     aips::Rgb scattering(const void*) const override { return fog_.scattering; }
-    aips::Flight sample_flight(const void*, float segment, aips::Rgb carried,
+    aips::Flight sample_flight(const void*, const aips::Ray&, float segment, aips::Rgb carried,
                                aips::Vec2 u) const override;
     aips::Rgb phase(const void*, float cosine) const override;
     aips::PhaseSample sample_phase(const void*, aips::Vec3 direction, aips::Rgb carried,

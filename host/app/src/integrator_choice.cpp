@@ -79,7 +79,7 @@ void check_statements_by_name(const SceneContents& contents, Diagnostics& diagno
         diagnostics.error(*wrong);
     warn_of_parameters(contents, "Renderer", "the integrator decides", diagnostics);
     if (const auto wrong = wrong_name(contents, "VolumeIntegrator")) diagnostics.error(*wrong);
-    warn_of_parameters(contents, "VolumeIntegrator", "media are uniform and need no steps",
+    warn_of_parameters(contents, "VolumeIntegrator", "flights through media need no steps",
                        diagnostics);
     if (const auto wrong = wrong_name(contents, "Accelerator"))
         diagnostics.fallback(wrong->where(), wrong->message(), "Embree traces all the same");

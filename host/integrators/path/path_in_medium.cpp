@@ -11,11 +11,12 @@ namespace lxs {
 bool PathTracer::fly(State& state, const Medium& medium, float segment) const {
     const float u_channel = state.random.next();
     const Flight flight =
-        medium.sample_flight(segment, state.throughput, Vec2(u_channel, state.random.next()));
+        medium.sample_flight(state.ray.origin, state.ray.direction, segment, state.throughput,
+                             Vec2(u_channel, state.random.next()));
     state.throughput *= flight.weight;
     if (!flight.collides) return false;
-    state.throughput *= medium.scattering();
     state.ray.origin += state.ray.direction * flight.distance;
+    state.throughput *= medium.scattering_at(state.ray.origin);
     return true;
 }
 

@@ -78,15 +78,8 @@ std::shared_ptr<const Material> PluginFactory::material(const ParameterSet& set,
 
 std::optional<SceneMedium> PluginFactory::medium(const ParameterSet& set,
                                                  const Matrix& to_world) const {
-    Kind kind{"volume", "MakeNamedVolume", "there is none of this name"};
-    if (set.plugin != "heterogeneous" || registry_.media.contains(set.plugin))
-        return make(registry_.media, kind, set, to_world);
-    kind.instead = "a clear one with its index is used instead";
-    report_missing(kind, set, {});
-    ParameterSet clear = set;
-    clear.plugin = "clear";
-    std::erase_if(clear.values, [](const ParameterValue& v) { return v.name != "fresnel"; });
-    return make(registry_.media, kind, clear, to_world);
+    const Kind kind{"volume", "MakeNamedVolume", "there is none of this name"};
+    return make(registry_.media, kind, set, to_world);
 }
 
 template <class Texture>

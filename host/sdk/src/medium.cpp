@@ -1,9 +1,11 @@
-// Attenuation, free flights and phase function of a homogeneous medium.
+// Attenuation, free flights and phase function.
 #include "lxs/sdk/medium.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 
+#include "field_flight.h"
 #include "lxs/sdk/frame.h"
 #include "lxs/sdk/warp.h"
 
@@ -41,7 +43,80 @@ float sample_cosine(float g, float u) {
     return std::clamp((1 + g * g - s * s) / (2 * g), -1.0f, 1.0f);
 }
 
+/// 64 bits that two numbers draw.
+std::uint64_t seed_of(float a, float b) {
+    return std::uint64_t{std::bit_cast<std::uint32_t>(a)} << 32 | std::bit_cast<std::uint32_t>(b);
+}
+
+/// A ray is met once: its own bits draw what it meets.
+std::uint64_t seed_of(const Vec3& origin, const Vec3& direction) {
+    return seed_of(origin.x, direction.x) * 0x9E3779B97F4A7C15u ^
+           seed_of(origin.y, direction.y) * 0xC2B2AE3D27D4EB4Fu ^
+           seed_of(origin.z, direction.z) * 0x165667B19E3779F9u;
+}
+
 }  // namespace
+
+void Medium::bound(const Bounds& bounds, const FieldJobs& jobs) {
+    bounded_.emplace(field_, bounds, jobs);
+    MediumCoefficients mean = bounded_->mean();
+    mean.asymmetry = asymmetry_;
+    const bool scattered = scatters();
+    set_coefficients(mean);
+    // What is too little to be met by a sample still may be there.
+    if (scattered && !scatters()) scattering_ = Rgb(std::numeric_limits<float>::min());
+}
+
+Rgb Medium::transmittance(const Vec3& origin, const Vec3& direction, float distance) const {
+    if (!bounded_) return transmittance(distance);
+    Rgb passed(1.0f);
+    bounded_->fly(origin, direction, distance, seed_of(origin, direction),
+                  [&](float, const MediumCoefficients& here, float majorant) {
+                      passed *= Rgb(1.0f) - (here.absorption + here.scattering) / majorant;
+                      return is_black(passed);
+                  });
+    return passed;
+}
+
+void Medium::transmittance_steps(const Vec3& origin, const Vec3& direction, float length, float u,
+                                 std::vector<TransmittanceStep>& steps) const {
+    steps.assign(1, {});
+    if (!bounded_) return;
+    bounded_->fly(origin, direction, length, seed_of(origin, direction) + seed_of(u, u),
+                  [&](float distance, const MediumCoefficients& here, float majorant) {
+                      const Rgb share = Rgb(1.0f) - (here.absorption + here.scattering) / majorant;
+                      steps.push_back({distance, steps.back().passed * share});
+                      return is_black(steps.back().passed);
+                  });
+}
+
+// Where light may collide it does with a probability p of what it carries and meets; weights of the
+// channels are Kutz et al.'s, eq. 12 to 14.
+Flight Medium::sample_flight(const Vec3& origin, const Vec3& direction, float segment,
+                             const Rgb& carried, const Vec2& u) const {
+    if (!bounded_) return sample_flight(segment, carried, u);
+    const Rgb share = shares(carried);
+    Flight flight;
+    flight.distance = segment;
+    FlightNumbers numbers(~seed_of(u.x, u.y));
+    flight.collides = bounded_->fly(
+        origin, direction, segment, seed_of(u.x, u.y),
+        [&](float distance, const MediumCoefficients& here, float majorant) {
+            const Rgb extinction = here.absorption + here.scattering;
+            const Rgb weighed = share * flight.weight;
+            const float all = weighed.x + weighed.y + weighed.z;
+            const float p =
+                all > 0 ? std::clamp(weighed.dot(extinction) / (all * majorant), 0.0f, 1.0f) : 1;
+            if (numbers.next() < p) {
+                flight.weight *= Rgb(1.0f) / (majorant * p);
+                flight.distance = distance;
+                return true;
+            }
+            flight.weight *= (Rgb(1.0f) - extinction / majorant) / (1 - p);
+            return false;
+        });
+    return flight;
+}
 
 Rgb Medium::transmittance(float distance) const {
     // A channel without absorption stays clear over an infinite distance, where 0 * inf is NaN.

@@ -76,11 +76,13 @@ std::string describe_text(std::span<const ParameterDeclaration> declarations) {
         const auto [name, type, fallback, allowed, doc] = columns(declaration);
         if (declaration.group != group) {
             group = declaration.group;
-            text += (text.empty() ? "" : "\n") + std::string(group) + ":\n";
+            if (!text.empty()) text += '\n';
+            text += group;
+            text += ":\n";
         }
-        text += "  " + padded(name, name_width) + padded(type, type_width) +
-                padded(fallback, default_width) + doc;
-        if (!allowed.empty()) text += " (" + allowed + ")";
+        text.append("  ").append(padded(name, name_width)).append(padded(type, type_width));
+        text.append(padded(fallback, default_width)).append(doc);
+        if (!allowed.empty()) text.append(" (").append(allowed).append(")");
         text += '\n';
     }
     return text;

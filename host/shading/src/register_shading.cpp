@@ -78,6 +78,7 @@ void register_shading(Registry& registry) {
         factory = shading::with_bump_map(std::move(factory));
     registry.media["clear"] = shading::clear_plugin();
     registry.media["homogeneous"] = shading::homogeneous_plugin();
+    registry.media["heterogeneous"] = shading::heterogeneous_plugin();
 }
 
 }  // namespace lxs

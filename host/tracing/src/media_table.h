@@ -19,6 +19,7 @@ class MediaTable {
     MediumNumber number_of(const Medium* medium) const {
         return medium ? numbers_.at(medium) : kNoMedium;
     }
+    bool contains(const Medium* medium) const { return numbers_.count(medium) != 0; }
     /// Null for kNoMedium.
     const Medium* medium(MediumNumber number) const { return media_[number]; }
     /// As the scene calls it.

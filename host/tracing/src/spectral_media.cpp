@@ -19,6 +19,10 @@ SpectralMedia::SpectralMedia(const std::vector<SceneMedium>& media) {
 void SpectralMedia::set_wavelengths(const Wavelengths& wavelengths) {
     for (const Coloured& coloured : media_) {
         const auto& [medium, spectra, name] = coloured.scene;
+        if (medium->varies()) {
+            medium->set_wavelengths(&wavelengths);
+            continue;
+        }
         const MediumCoefficients& rgb = coloured.rgb;
         medium->set_coefficients({at(wavelengths, spectra.absorption, rgb.absorption),
                                   at(wavelengths, spectra.scattering, rgb.scattering),

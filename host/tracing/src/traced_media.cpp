@@ -1,5 +1,6 @@
 // In which media the traced scene's camera and lights stand, and what is wrong with its media.
 #include <fmt/format.h>
+#include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <span>
@@ -46,7 +47,45 @@ void append_points(const Surface& surface, const Matrix& to_world, std::vector<V
     }
 }
 
+/// A surface of the world.
+Bounds bounds_of(const Surface& surface) {
+    if (surface.quadric) return surface.quadric->bounds();
+    Bounds bounds;
+    for (const Vec3& p : std::get<TriangleMesh>(surface.primitive->geometry).positions)
+        bounds.extendBy(p);
+    return bounds;
+}
+
 }  // namespace
+
+void TracedScene::bound_media() {
+    const FieldJobs jobs = [](int count, const std::function<void(int)>& job) {
+        tbb::parallel_for(0, count, job);
+    };
+    for (const SceneMedium& medium : contents_.media) {
+        if (!medium.medium->varies() || !media_.contains(medium.medium.get())) continue;
+        const MediumNumber number = media_.number_of(medium.medium.get());
+        Bounds bounds;
+        bool endless = contents_.camera_medium == medium.medium;
+        const auto add = [&](const Surface& surface, const Bounds& around) {
+            if (surface.interior == number) bounds.extendBy(around);
+            endless |= surface.exterior == number;
+        };
+        for (const Surface& surface : world_surfaces_.surfaces)
+            add(surface, bounds_of(surface));
+        for (const SurfaceGroup& object : object_surfaces_) {
+            for (const Surface& surface : object.surfaces)
+                add(surface, bounds_);
+        }
+        for (const MediumNumber declared : declared_media_)
+            endless |= declared == number;
+        if (endless) {
+            const Vec3 half(sphere_.radius);
+            bounds = Bounds(sphere_.center - half, sphere_.center + half);
+        }
+        if (!bounds.isEmpty()) medium.medium->bound(bounds, jobs);
+    }
+}
 
 void TracedScene::find_boundaries() {
     std::vector<Vec3> points;

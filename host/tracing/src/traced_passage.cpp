@@ -25,7 +25,8 @@ Rgb TracedScene::medium_transmittance(const Ray& ray, const Medium* medium, floa
                                       float to) const {
     if (!medium) return Rgb(1.0f);
     if (!std::isfinite(to)) to = distance_to_end(sphere_, ray);
-    return medium->transmittance(std::max(to - from, 0.0f));
+    return medium->transmittance(ray.origin + ray.direction * from, ray.direction,
+                                 std::max(to - from, 0.0f));
 }
 
 // Goes from surface to surface on the same ray, whose start moves past each hit by one rounding

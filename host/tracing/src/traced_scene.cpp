@@ -53,6 +53,7 @@ TracedScene::TracedScene(SceneContents contents, const AssetResolver& resolve,
     std::vector<Instance>().swap(contents_.instances);
     world_scene_.commit();
     make_other_lights(resolve, diagnostics);
+    bound_media();
     for (const auto& light : lights_)
         light_pointers_.push_back(light.get());
     if (media_.empty()) return;
@@ -223,16 +224,17 @@ bool TracedScene::find(const Ray& ray, RawHit& raw, SurfaceHit& hit) const {
         const Medium* const endless = medium(ray.media);
         if (!endless) return false;
         hit.distance = std::min(ray.t_max, distance_to_end(sphere_, ray));
-        hit.transmittance = endless->transmittance(hit.distance);
+        hit.transmittance = endless->transmittance(ray.origin, ray.direction, hit.distance);
         return false;
     }
     hit.distance = raw.distance;
     return true;
 }
 
-void TracedScene::add_transmittance(SurfaceHit& hit) const {
+void TracedScene::add_transmittance(const Ray& ray, SurfaceHit& hit) const {
     const Medium* const crossed = medium(hit.crossed);
-    hit.transmittance = crossed ? crossed->transmittance(hit.distance) : Rgb(1.0f);
+    hit.transmittance =
+        crossed ? crossed->transmittance(ray.origin, ray.direction, hit.distance) : Rgb(1.0f);
 }
 
 bool TracedScene::intersect_specular(const Ray& ray, SurfaceHit& hit,
@@ -249,7 +251,7 @@ bool TracedScene::intersect_specular(const Ray& ray, SurfaceHit& hit,
         ShadingPoint point;
         locate_hit(ray, raw, hit, point);
     }
-    add_transmittance(hit);
+    add_transmittance(ray, hit);
     return true;
 }
 
@@ -266,7 +268,7 @@ bool TracedScene::complete(const Ray& ray, const RawHit& raw, SurfaceHit& hit,
                            std::pmr::memory_resource& memory) const {
     ShadingPoint point;
     const Surface& surface = locate_hit(ray, raw, hit, point);
-    add_transmittance(hit);
+    add_transmittance(ray, hit);
     hit.primitive = raw.primitive;
     hit.material = surface.material_index;
     const std::uint32_t outer = placement_of(raw).object;

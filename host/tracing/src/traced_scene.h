@@ -86,6 +86,8 @@ class TracedScene : public TraceScene {
     void make_area_lights(Diagnostics& diagnostics);
     /// Points of surfaces that bound media or are of glass.
     void find_boundaries();
+    /// Finds where media that vary in space are, and what is the most of them.
+    void bound_media();
     /// In which media the camera stands, and what no surface bounds.
     void find_camera_media(Diagnostics& diagnostics);
     void make_other_lights(const AssetResolver& resolve, Diagnostics& diagnostics);
@@ -110,7 +112,7 @@ class TracedScene : public TraceScene {
     const Surface& locate_hit(const Ray& ray, RawHit raw, SurfaceHit& hit,
                               ShadingPoint& point) const;
     /// Of what was crossed over the distance, which both stand in `hit`.
-    void add_transmittance(SurfaceHit& hit) const;
+    void add_transmittance(const Ray& ray, SurfaceHit& hit) const;
     Rgb walk_transmittance(const Ray& ray) const;
     Rgb medium_transmittance(const Ray& ray, const Medium* medium, float from, float to) const;
 

@@ -16,6 +16,7 @@ constexpr int kPaths = 200;       // photon paths of a pass, each with one colli
 constexpr float kLength = 0.5f;   // of the beam
 constexpr float kRadius = 0.15f;  // three times that of surfaces
 constexpr float kHalf = 0.3f;     // photons come no further from the beam
+constexpr double kScattering = 0.01;
 
 struct Moments {
     double mean = 0, error = 0;
@@ -26,7 +27,7 @@ struct FoggyBeam {
     FoggyBeam() {
         scene.add_box({-1, -1, -1}, {1, 1, 1}, {});
         scene.finish();
-        scene.fill({{}, {0.01f, 0.01f, 0.01f}, 0});
+        scene.fill({{}, kWhite * float(kScattering), 0});
         VolumeBeam beam;
         beam.direction = {0, 1, 0};
         beam.length = kLength;
@@ -56,12 +57,13 @@ std::pair<Moments, Moments> bias_and_light_of(const Power& power) {
     std::uniform_real_distribution<float> across(-kHalf, kHalf), along(0, kLength);
     double sums[2] = {}, squares[2] = {};
     for (int pass = 0; pass < kPasses; ++pass) {
-        gather.begin_pass(std::uint64_t(pass), {.paths = kPaths}, fog.image, {.inner = true});
+        gather.begin_pass(std::uint64_t(pass), 0, {.paths = kPaths}, fog.image, {.inner = true});
         for (int i = 0; i < kPaths; ++i) {
             VolumePhoton photon;
             photon.position = {across(generator), along(generator), across(generator)};
             photon.direction = {1, 0, 0};
-            photon.power = kWhite * float(power(photon.position.x, photon.position.z));
+            photon.power =
+                kWhite * float(kScattering * power(photon.position.x, photon.position.z));
             photon.medium = fog.medium();
             gather.waiting().push_back(photon);
         }
@@ -86,7 +88,7 @@ std::pair<Moments, Moments> bias_and_light_of(const Power& power) {
 }
 
 /// Radiance for a power of one: density of collisions across the beam, times what scatters back.
-constexpr double kPerPower = 0.01 / (4 * std::numbers::pi) / (4.0 * 0.3 * 0.3);
+constexpr double kPerPower = kScattering / (4 * std::numbers::pi) / (4.0 * 0.3 * 0.3);
 
 // Significance of each: 1e-4, 4 standard errors; half a percent for what the fog dims.
 TEST(MediaBias, EvenLightHasNone) {
@@ -109,7 +111,7 @@ TEST(MediaBias, OfLightWithAKnownLaplacian) {
 TEST(MediaBias, NothingThatIsNotAskedFor) {
     FoggyBeam fog;
     VolumeGather gather(fog.scene, fog.settings);
-    gather.begin_pass(0, {.paths = kPaths}, fog.image);
+    gather.begin_pass(0, 0, {.paths = kPaths}, fog.image);
     DiscEstimates discs;
     discs.whole.resize(1);
     discs.half.resize(1);

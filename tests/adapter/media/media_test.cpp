@@ -136,8 +136,7 @@ TEST(Media, SingleScatteringBelongsToOneStrategy) {
     expect_same(plain(), photons);
 }
 
-/// Narrow beams are cut into more pieces than are searched: a choice of them stands for all.
-TEST(Media, PiecesOfABeamStandForAll) {
+TEST(Media, NarrowBeamsKeepTheExpectation) {
     Settings narrow = fog_settings(0);
     narrow.start_radius = 0.15;
     narrow.photons_per_pass = 60000;

@@ -59,18 +59,6 @@ TEST(PluginNames, VolumeRegionsAreLeftOut) {
                  "test.lxs:2:8: error: unknown volume region \"clout\"; did you mean \"cloud\"?");
 }
 
-TEST(PluginNames, AClearVolumeStandsInForAHeterogeneousOne) {
-    CollectingDiagnostics diagnostics;
-    const SceneContents contents = read_world(
-        "MakeNamedVolume \"fog\" \"heterogeneous\" \"float fresnel\" [1.2] \"color sigma_s\" [1 1 "
-        "1]\nInterior \"fog\" Shape \"sphere\"",
-        diagnostics);
-    EXPECT_FLOAT_EQ(contents.primitives.at(0).interior->index(), 1.2f);
-    EXPECT_EQ(diagnostics.messages,
-              (Messages{"test.lxs:2:23: warning: volume \"heterogeneous\" is not rendered yet: a "
-                        "clear one with its index is used instead"}));
-}
-
 TEST(PluginNames, ATextureThatIsNotRenderedIsNotThere) {
     CollectingDiagnostics diagnostics;
     const SceneContents contents = read_world(

@@ -84,7 +84,7 @@ TEST(StressSums, PhotonsAlongABeam) {
     image.beam_footprint_sum = 0.05;
     const auto radiance_of = [&](std::size_t photons) {
         VolumeGather gather(scene, {});
-        gather.begin_pass(0, {}, image);
+        gather.begin_pass(0, 0, {}, image);
         gather.waiting().assign(photons, {{0, 0, 0.5f}, kUp, {kTerm, kTerm, kTerm}, nullptr, 0});
         InvalidSampleFilter filter;
         gather.gather(image, filter);

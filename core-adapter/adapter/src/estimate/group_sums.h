@@ -26,6 +26,10 @@ class GroupSums {
         sum[1] += double(value.g);
         sum[2] += double(value.b);
     }
+    void scale(double factor) {
+        for (double& sum : sums_)
+            sum *= factor;
+    }
     /// Adds what was summed to `flux`, group by group, and starts anew.
     void move_to(Rgb* flux) {
         for (std::size_t i = 0; i < sums_.size(); i += 3) {

@@ -1,8 +1,6 @@
 // The part of an eye path that crosses a medium which scatters.
 #pragma once
 
-#include <cmath>
-
 #include "aips/adapter/media.h"
 #include "aips/core/base/image_part.h"
 #include "aips/core/photon_map/photon.h"
@@ -21,6 +19,7 @@ struct VolumeBeam {
     std::uint16_t photon_bounces = kMostPhotonBounces;  ///< as VisiblePoint::photon_bounces
 
     Vec3 at(float distance) const { return origin + direction * distance; }
+    Ray ray() const { return {.origin = origin, .direction = direction, .medium = medium}; }
 };
 
 /// Chooses one of a path's beams, each in proportion to its weight (reservoir sampling).
@@ -42,12 +41,6 @@ class BeamChoice {
     float weights_ = 0;  // of all
     float weight_ = 0;   // of the one that is kept
 };
-
-/// Share of light that goes `distance` without a collision (Beer-Lambert).
-inline Rgb transmittance(Rgb extinction, float distance) {
-    return {std::exp(-extinction.r * distance), std::exp(-extinction.g * distance),
-            std::exp(-extinction.b * distance)};
-}
 
 /// The density k exp(-k t) / (1 - exp(-k L)) of distances t on a segment of length L.
 class SegmentExponential {

@@ -94,7 +94,9 @@ unsigned estimate_scattered_light(const Scene& scene, const DirectLight& lights,
         is_black(sample.radiance)) {
         return 0;
     }
-    const Rgb scattered = beam.throughput * transmittance(extinction, distance.t) * scattering *
+    Rgb reached;
+    media.transmittances(beam.medium, beam.ray(), {&distance.t, 1}, u.collisions(), {&reached, 1});
+    const Rgb scattered = beam.throughput * reached * media.scattering_at(beam.medium, position) *
                           media.phase(beam.medium, dot(beam.direction, sample.wi));
     const Rgb unoccluded =
         scattered * sample.radiance * (1 / (distance.pdf * sample.pdf * chosen.pdf));

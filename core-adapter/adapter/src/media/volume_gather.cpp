@@ -21,14 +21,22 @@ namespace aips {
 struct VolumeGather::BeamSums {
     explicit BeamSums(std::uint32_t groups) : by_group(groups), parts(kPhotonParts), inner(1) {}
     GroupSums by_group, parts, inner;
-    std::uint64_t photons = 0;
+    double luminance = 0, squares = 0;    // of one beam: of its photons
+    std::uint64_t photons = 0, rays = 0;  // of all beams
+
+    void scale(double factor) {
+        for (GroupSums* sums : {&by_group, &parts, &inner})
+            sums->scale(factor);
+        squares *= factor * factor;
+    }
 };
 
 /// Photons beside a beam: where along it, and what the medium says of them.
 struct VolumeGather::Found {
     std::vector<std::uint32_t> slots;
     std::vector<float> distances, cosines;
-    std::vector<Rgb> phases;
+    std::vector<Rgb> passed, phases;
+    std::vector<double> brought;  // luminance of the photons up to each
     std::size_t count = 0;
 
     void make_room(std::size_t more) {
@@ -39,10 +47,13 @@ struct VolumeGather::Found {
 };
 
 VolumeGather::VolumeGather(const Scene& scene, const Settings& settings)
-    : scene_(scene), settings_(settings) {}
+    : scene_(scene), settings_(settings) {
+    // Only both together make an estimate that is right on the whole.
+    if (settings.photon_occlusion && settings.correct_edges) boundary_.emplace(scene);
+}
 
-void VolumeGather::begin_pass(std::uint64_t pass, const PassPhotons& photons, const EyeImage& image,
-                              VolumeWants wants) {
+void VolumeGather::begin_pass(std::uint64_t pass, float time, const PassPhotons& photons,
+                              const EyeImage& image, VolumeWants wants) {
     pass_ = pass;
     thinning_ = photons.thinning;
     waiting_.clear();
@@ -50,6 +61,7 @@ void VolumeGather::begin_pass(std::uint64_t pass, const PassPhotons& photons, co
     part_flux_.assign(wants.parts ? image.beams.size() * kPhotonParts : 0, Rgb{});
     inner_flux_.assign(wants.inner ? image.beams.size() : 0, Rgb{});
     squares_.assign(image.beams.size(), 0.0f);
+    if (boundary_) boundary_->begin_pass(pass, time, image.beams.size());
     const double smallest = smallest_radius(scene_);
     if (!(initial_radius_ > 0) && !image.beams.empty()) {
         initial_radius_ =
@@ -122,20 +134,25 @@ void VolumeGather::find(const VolumeBeam& beam, Found& found) const {
 }
 
 void VolumeGather::gather_beam(const VolumeBeam& beam, InvalidSampleFilter& filter, Found& found,
-                               BeamSums& sums, float& squares) const {
+                               BeamSums& sums) const {
+    sums.luminance = sums.squares = 0;
     find(beam, found);
     const std::size_t count = found.count;
     if (count == 0) return;
     const Media& media = *scene_.media();
-    const Rgb extinction = media.extinction(beam.medium);
+    found.passed.resize(count);
+    RandomStream random(settings_.seed, pass_, beam.sample, RandomDomain::BeamPhotons);
+    random.next2();  // find() and boundary_factor() have these
+    media.transmittances(beam.medium, beam.ray(), {found.distances.data(), count}, random.next(),
+                         found.passed);
     found.phases.resize(count);
     media.phases(beam.medium, found.cosines, found.phases);
     const auto inner_square = double(radius_) * radius_ / 2;
-    double square_sum = 0;
+    found.brought.resize(count);
     for (std::size_t i = 0; i < count; ++i) {
         const VolumePhoton& photon = photons_[found.slots[i]];
-        const Rgb value = photon.power * transmittance(extinction, found.distances[i]) *
-                          found.phases[i] * float(thinning_);
+        const Rgb value = photon.power * found.passed[i] * found.phases[i] * float(thinning_);
+        found.brought[i] = sums.luminance;
         if (!filter.accept(value, kPassageOrigin)) continue;
         sums.by_group.add(photon.light_group, value);
         if (!inner_flux_.empty() &&
@@ -145,30 +162,63 @@ void VolumeGather::gather_beam(const VolumeBeam& beam, InvalidSampleFilter& filt
             const ImagePart part = beam.scatterings.scattered_in(photon.part);
             if (part != ImagePart::Indirect) sums.parts.add(std::uint32_t(part), value);
         }
-        square_sum += double(luminance(value)) * double(luminance(value));
+        const auto light = double(luminance(value));
+        found.brought[i] = sums.luminance += light;
+        sums.squares += light * light;
         ++sums.photons;
     }
-    squares += float(square_sum);
+}
+
+float VolumeGather::boundary_factor(const EyeImage& image, std::size_t number, const Found& found,
+                                    BeamSums& sums) {
+    const VolumeBeam& beam = image.beams[number];
+    if (!(sums.luminance > 0) || !std::isfinite(sums.luminance)) return 1;
+    const Vec2 film = image.positions[beam.sample];
+    const std::uint32_t asks = boundary_->asks(beam, number, film);
+    if (asks == 0) return 1;
+    RandomStream random(settings_.seed, pass_, beam.sample, RandomDomain::BeamPhotons);
+    random.next();  // find() has it
+    const float u = random.next();
+    float sum = 0;
+    for (std::uint32_t i = 0; i < asks; ++i) {
+        const double at = (i + double(u)) / asks * sums.luminance;
+        const auto drawn = std::upper_bound(found.brought.begin(), found.brought.end(), at);
+        const auto last = std::ptrdiff_t(found.count) - 1;
+        const auto k = std::size_t(std::min(drawn - found.brought.begin(), last));
+        sum += boundary_->factor(beam, number, found.distances[k],
+                                 photons_[found.slots[k]].position, radius_);
+    }
+    sums.rays += 2 * std::uint64_t{asks};
+    return sum / float(asks);
+}
+
+void VolumeGather::end_pass(const EyeImage& image) {
+    if (boundary_) boundary_->end_pass(image.beams, image.positions);
 }
 
 void VolumeGather::gather(const EyeImage& image, InvalidSampleFilter& filter) {
     if (waiting_.empty() || image.beams.empty()) return waiting_.clear();
     sort();
-    std::atomic<std::uint64_t> gathered{0};
+    std::atomic<std::uint64_t> gathered{0}, rays{0};
     tbb::parallel_for(tbb::blocked_range<std::size_t>(0, image.beams.size(), 256),
                       [&](const tbb::blocked_range<std::size_t>& range) {
                           Found found;
                           BeamSums sums(image.groups);
                           for (std::size_t i = range.begin(); i < range.end(); ++i) {
-                              gather_beam(image.beams[i], filter, found, sums, squares_[i]);
+                              gather_beam(image.beams[i], filter, found, sums);
+                              if (boundary_)
+                                  sums.scale(double(boundary_factor(image, i, found, sums)));
+                              squares_[i] += float(sums.squares);
                               sums.by_group.move_to(&flux_[i * image.groups]);
                               if (!part_flux_.empty())
                                   sums.parts.move_to(&part_flux_[i * kPhotonParts]);
                               if (!inner_flux_.empty()) sums.inner.move_to(&inner_flux_[i]);
                           }
                           gathered.fetch_add(sums.photons, std::memory_order_relaxed);
+                          rays.fetch_add(sums.rays, std::memory_order_relaxed);
                       });
     gathered_ += gathered.load();
+    rays_ += rays.load();
     waiting_.clear();
 }
 
@@ -189,7 +239,7 @@ double VolumeGather::per_disc_and_path(std::uint64_t photon_paths) const {
 
 Rgb VolumeGather::radiance_of(const VolumeBeam& beam, const Rgb& sum, double scale) const {
     const Rgb density{float(sum.r * scale), float(sum.g * scale), float(sum.b * scale)};
-    return beam.throughput * scene_.media()->scattering(beam.medium) * density;
+    return beam.throughput * density;
 }
 
 void VolumeGather::add_to(const EyeImage& image, std::uint64_t photon_paths,
@@ -238,13 +288,14 @@ void VolumeGather::add_discs(const EyeImage& image, std::uint64_t photon_paths,
 
 void VolumeGather::state(StateArchive& archive) {
     state_of_initial_radius(archive, initial_radius_, kSurfaceRadii * smallest_radius(scene_));
+    if (boundary_) boundary_->state(archive);
 }
 
 std::size_t VolumeGather::memory_bytes() const {
     return (waiting_.capacity() + photons_.capacity()) * sizeof(VolumePhoton) +
            positions_.capacity() * sizeof(Vec3) + grid_.memory_bytes() +
            (flux_.capacity() + part_flux_.capacity() + inner_flux_.capacity()) * sizeof(Rgb) +
-           squares_.capacity() * sizeof(float);
+           squares_.capacity() * sizeof(float) + (boundary_ ? boundary_->memory_bytes() : 0);
 }
 
 std::size_t VolumeGather::memory_bound_bytes(const Scene& scene, std::size_t eye_paths,
@@ -252,7 +303,8 @@ std::size_t VolumeGather::memory_bound_bytes(const Scene& scene, std::size_t eye
     const std::size_t photons = kWaitingPhotons + iteration;
     return kVectorGrowth * (2 * photons + iteration) * sizeof(VolumePhoton) +
            kVectorGrowth * photons * sizeof(Vec3) + SegmentGrid::memory_bound_bytes(photons) +
-           eye_paths * (scene.light_groups() * sizeof(Rgb) + sizeof(float));
+           eye_paths * (scene.light_groups() * sizeof(Rgb) + sizeof(float)) +
+           BeamBoundary::memory_bound_bytes(eye_paths);
 }
 
 }  // namespace aips

@@ -6,6 +6,7 @@
 // radius).
 #pragma once
 
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -15,6 +16,7 @@
 #include "estimate/pass_photons.h"
 #include "estimate/pixel_estimate.h"
 #include "eye/eye_pass.h"
+#include "media/beam_boundary.h"
 #include "sample_filter/invalid_sample_filter.h"
 
 namespace aips {
@@ -23,7 +25,7 @@ namespace aips {
 struct VolumePhoton {
     Vec3 position;
     Vec3 direction;  ///< unit, back to where the photon came from
-    Rgb power;       ///< watts * transmittance / density of the collision, before it is scattered
+    Rgb power;       ///< watts * transmittance / density of the collision * scattering there
     const void* medium = nullptr;
     std::uint32_t light_group = 0;
     ImagePart part = ImagePart::Direct;  ///< as Photon::part
@@ -41,8 +43,8 @@ class VolumeGather {
     VolumeGather(const Scene& scene, const Settings& settings);
 
     /// A pass whose eye paths left these beams starts.
-    void begin_pass(std::uint64_t pass, const PassPhotons& photons, const EyeImage& image,
-                    VolumeWants wants = {});
+    void begin_pass(std::uint64_t pass, float time, const PassPhotons& photons,
+                    const EyeImage& image, VolumeWants wants = {});
     /// Photons are appended here.
     std::vector<VolumePhoton>& waiting() { return waiting_; }
     bool full() const { return waiting_.size() > kWaitingPhotons; }
@@ -50,6 +52,8 @@ class VolumeGather {
     void scale_power(std::size_t first, float factor);
     /// Adds what waits to the beams' flux. Every beam sums its photons in a fixed order.
     void gather(const EyeImage& image, InvalidSampleFilter& filter);
+    /// After the last gather of a pass.
+    void end_pass(const EyeImage& image);
     void scale_flux(float factor);
     /// Adds sum(flux) / (pi r^2 N) of each beam to what photons bring to its eye path, N being the
     /// photon paths of the pass, and the variance of its luminance to the path's in `variances`
@@ -64,12 +68,14 @@ class VolumeGather {
     /// the inner half of its area; nothing if that is not wanted.
     void add_discs(const EyeImage& image, std::uint64_t photon_paths, DiscEstimates& discs) const;
 
-    /// Between passes: saves the radius that the first pass began with, or restores it; all else is
-    /// of one pass.
+    /// Between passes: saves the radius that the first pass began with and where media end, or
+    /// restores it; all else is of one pass.
     void state(StateArchive& archive);
 
     float radius() const { return radius_; }
     std::uint64_t gathered() const { return gathered_; }
+    /// Traced to see where media end.
+    std::uint64_t rays() const { return rays_; }
     std::size_t memory_bytes() const;
     /// With up to `iteration` collisions in an iteration.
     static std::size_t memory_bound_bytes(const Scene& scene, std::size_t eye_paths,
@@ -82,7 +88,10 @@ class VolumeGather {
     /// Photons within the radius of a beam, or one of thinning_.
     void find(const VolumeBeam& beam, Found& found) const;
     void gather_beam(const VolumeBeam& beam, InvalidSampleFilter& filter, Found& found,
-                     BeamSums& sums, float& squares) const;
+                     BeamSums& sums) const;
+    /// By what all counts that a beam gathered, as photons of it count that are asked for.
+    float boundary_factor(const EyeImage& image, std::size_t number, const Found& found,
+                          BeamSums& sums);
     /// One over the area within the radius and the photon paths of the pass.
     double per_disc_and_path(std::uint64_t photon_paths) const;
     /// Radiance of a beam that photons of `sum` bring it.
@@ -102,7 +111,8 @@ class VolumeGather {
     std::vector<Rgb> part_flux_;         // [beam * kPhotonParts + part]; empty if not wanted
     std::vector<Rgb> inner_flux_;        // [beam]; empty if not wanted
     std::vector<float> squares_;         // [beam]: of the luminances that flux_ sums
-    std::uint64_t gathered_ = 0;
+    std::uint64_t gathered_ = 0, rays_ = 0;
+    std::optional<BeamBoundary> boundary_;  // if photons are asked for what separates them
 };
 
 }  // namespace aips

@@ -37,7 +37,7 @@ void PhotonPass::begin_pass(std::uint64_t pass, const PassPhotons& photons, floa
     }
     source_->begin_pass(photons);
     waiting_.clear();
-    if (volume_) volume_->begin_pass(pass, photons, image, wants);
+    if (volume_) volume_->begin_pass(pass, time, photons, image, wants);
 }
 
 void PhotonPass::mark_reach(float radius) {
@@ -137,6 +137,7 @@ void PhotonPass::end_iterations(const EyeImage& image, const GatherRadii& radii,
         gather_in_media(image, filter);
         gather(image, radii, filter, flux, occlusion);
     });
+    if (volume_) volume_->end_pass(image);
     const Stopwatch watch(totals_.guide_seconds);
     totals_.learned += guide_->end_pass();
 }
@@ -170,8 +171,9 @@ void PhotonPass::gather(const EyeImage& image, const GatherRadii& radii,
 void PhotonPass::gather_in_media(const EyeImage& image, InvalidSampleFilter& filter) {
     if (!volume_) return;
     const Stopwatch watch(totals_.gather_seconds);
-    const std::uint64_t before = volume_->gathered();
+    const std::uint64_t before = volume_->gathered(), rays_before = volume_->rays();
     volume_->gather(image, filter);
+    totals_.beam_rays += volume_->rays() - rays_before;
     totals_.gathered_in_media += volume_->gathered() - before;
 }
 
@@ -207,6 +209,7 @@ void PhotonPass::state(StateArchive& archive) {
     totals_.counts.state(archive);
     archive.value(totals_.gathered);
     archive.value(totals_.gathered_in_media);
+    archive.value(totals_.beam_rays);
     totals_.light.state(archive);
     archive.amount(totals_.weights);
     archive.value(unguided_from_);
@@ -227,7 +230,7 @@ void PhotonPass::state_of_seconds(StateArchive& archive) {
 
 void PhotonPass::add_to(EngineStatistics& s) const {
     s.photon_paths += totals_.counts.paths;
-    s.photon_rays += totals_.counts.rays;
+    s.photon_rays += totals_.counts.rays + totals_.beam_rays;
     s.photons += totals_.counts.photons;
     s.split_off += totals_.counts.split_off;
     s.bounces += totals_.counts.bounces;

@@ -20,9 +20,10 @@ namespace aips {
 struct PhotonPassTotals {
     PhotonCounts counts;
     std::uint64_t gathered = 0, gathered_in_media = 0;
-    LuminanceByLight light;     ///< luminance that photons brought, by light: summed over passes
-    double weights = 0;         ///< of these passes
-    std::uint64_t learned = 0;  ///< paths, vertices and photons that guide=adaptive learned from
+    std::uint64_t beam_rays = 0;  ///< traced across beams
+    LuminanceByLight light;       ///< luminance that photons brought, by light: summed over passes
+    double weights = 0;           ///< of these passes
+    std::uint64_t learned = 0;    ///< paths, vertices and photons that guide=adaptive learned from
     double photon_seconds = 0, gather_seconds = 0, guide_seconds = 0;
 };
 

@@ -131,8 +131,8 @@ class PhotonTrace {
     /// Else it reaches `point`, or ends: then it has no power left.
     bool fly(PhotonState& photon, SurfacePoint& point) {
         auto& random = numbers_.bounce(photon.depth);
-        const Flight flight =
-            media_->sample_flight(photon.ray.medium, point.distance, photon.power, random.next2());
+        const Flight flight = media_->sample_flight(photon.ray.medium, photon.ray, point.distance,
+                                                    photon.power, random.next2());
         photon.power *= flight.weight;
         // Of both, one: the flight's weight stands for the transmittance.
         point.transmittance = kWhite;
@@ -147,6 +147,7 @@ class PhotonTrace {
     bool scatter_in_medium(PhotonState& photon, float distance, Random& random) {
         const void* const medium = photon.ray.medium;
         const Vec3 position = photon.ray.origin + photon.ray.direction * distance;
+        photon.power *= media_->scattering_at(medium, position);
         if (!filter_.accept(photon.power, kPassageOrigin)) return false;
         if (!photon.straight || !in_.settings.direct_light_sampling) {
             collisions_->push_back({position, -photon.ray.direction, photon.power,
@@ -154,7 +155,6 @@ class PhotonTrace {
                                     std::min(photon.bounces, kMostPhotonBounces)});
         }
         if (photon.at_end(in_.settings, {}, false) || photon.is_spent(in_.settings)) return false;
-        photon.power *= media_->scattering(medium);
         const float survival = std::min(1.0f, max_component(photon.power) / photon.emitted_power);
         if (!(random.next() < survival)) return false;
         const PhaseSample sample =

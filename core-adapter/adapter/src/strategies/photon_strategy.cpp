@@ -166,7 +166,8 @@ void PhotonStrategy::shoot(const StrategyPass& pass, const PassPhotons& photons,
                                     counted(), parts_);
     report.radius = radii_.mean;
     report.photon_paths += shot_;
-    report.rays += photon_pass_.totals().counts.rays - before_.counts.rays;
+    const PhotonPassTotals& after = photon_pass_.totals();
+    report.rays += after.counts.rays - before_.counts.rays + after.beam_rays - before_.beam_rays;
 }
 
 /// Later passes are steered by photons as they came; in the image they count for several passes.

@@ -4,7 +4,6 @@
 #include <atomic>
 #include <bit>
 
-
 namespace aips {
 namespace {
 

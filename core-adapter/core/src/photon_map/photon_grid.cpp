@@ -1,7 +1,6 @@
 // Copies of photons in the order of their cells.
 #include "aips/core/photon_map/photon_grid.h"
 
-
 namespace aips {
 namespace {
 

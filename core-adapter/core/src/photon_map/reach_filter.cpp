@@ -5,7 +5,6 @@
 #include <atomic>
 #include <bit>
 
-
 namespace aips {
 namespace {
 

@@ -1,4 +1,5 @@
-// Media "clear" (absorbing) and "homogeneous" (absorbing and scattering).
+// Media "clear" (absorbing), "homogeneous" (absorbing and scattering) and "heterogeneous"
+// (likewise, and varying in space).
 #include "media_plugins.h"
 
 #include <fmt/format.h>
@@ -71,6 +72,45 @@ ParameterDeclaration fresnel_parameter() {
     return fresnel;
 }
 
+/// Coefficients by textures in world space.
+class TexturedField final : public MediumField {
+  public:
+    using Colour = std::shared_ptr<const ColorTexture>;
+    TexturedField(Colour absorption, Colour scattering)
+        : absorption_(std::move(absorption)), scattering_(std::move(scattering)) {}
+
+    MediumCoefficients at(const Vec3& position, const Wavelengths* wavelengths) const override {
+        TexturePoint point;
+        point.p = position;
+        point.wavelengths = wavelengths;
+        return {of(*absorption_, point), of(*scattering_, point), Rgb(0.0f)};
+    }
+    bool scatters() const override {
+        const std::optional<Rgb> everywhere = scattering_->constant();
+        return !everywhere || max_component(*everywhere) > 0;
+    }
+
+  private:
+    static Rgb of(const ColorTexture& texture, const TexturePoint& point) {
+        const Rgb value = texture.evaluate(point);
+        const auto valid = [](float x) { return x > 0 && std::isfinite(x) ? x : 0.0f; };
+        return {valid(value.x), valid(value.y), valid(value.z)};
+    }
+
+    Colour absorption_, scattering_;
+};
+
+std::vector<ParameterDeclaration> scattering_parameters() {
+    using enum ParameterType;
+    return {fresnel_parameter(),
+            {"sigma_a", ColorTexture, "0 0 0", "absorption per unit of distance"},
+            {"sigma_s", ColorTexture, "0 0 0",
+             "scattering per unit of distance; rendered with VolumeIntegrator \"multi\""},
+            {"g", ColorTexture, "0 0 0",
+             "mean cosine of the angle of scattering (Henyey and Greenstein's phase function), -1 "
+             "to 1: backwards to forwards"}};
+}
+
 }  // namespace
 
 MediumFactory clear_plugin() {
@@ -86,15 +126,8 @@ MediumFactory clear_plugin() {
 }
 
 MediumFactory homogeneous_plugin() {
-    using enum ParameterType;
     return {
-        {fresnel_parameter(),
-         {"sigma_a", ColorTexture, "0 0 0", "absorption per unit of distance"},
-         {"sigma_s", ColorTexture, "0 0 0",
-          "scattering per unit of distance; rendered with VolumeIntegrator \"multi\""},
-         {"g", ColorTexture, "0 0 0",
-          "mean cosine of the angle of scattering (Henyey and Greenstein's phase function), -1 to "
-          "1: backwards to forwards"}},
+        scattering_parameters(),
         [](const ParameterReader& reader, const AssetContext& assets, const Matrix&) {
             const auto absorption = read_coefficient(reader, assets, "sigma_a", 0, kNoLimit);
             const auto scattering = read_coefficient(reader, assets, "sigma_s", 0, kNoLimit);
@@ -104,6 +137,24 @@ MediumFactory homogeneous_plugin() {
                                    read_index(reader, assets)),
                                {absorption.spectrum, scattering.spectrum});
         }};
+}
+
+MediumFactory heterogeneous_plugin() {
+    std::vector<ParameterDeclaration> parameters = scattering_parameters();
+    ParameterDeclaration steps{"stepsize", ParameterType::Float, "1",
+                               "length of LuxRender's steps"};
+    steps.no_effect = true;
+    parameters.push_back(steps);
+    return {std::move(parameters),
+            [](const ParameterReader& reader, const AssetContext& assets, const Matrix&) {
+                const auto absorption = read_color_texture(reader, assets, "sigma_a", Rgb(0.0f));
+                const auto scattering = read_color_texture(reader, assets, "sigma_s", Rgb(0.0f));
+                const auto g =
+                    read_coefficient(reader, assets, "g", -kMostAsymmetry, kMostAsymmetry);
+                const auto field = std::make_shared<TexturedField>(absorption, scattering);
+                return SceneMedium(
+                    std::make_shared<Medium>(field, g.value, read_index(reader, assets)));
+            }};
 }
 
 }  // namespace lxs::shading

@@ -7,5 +7,6 @@ namespace lxs::shading {
 
 MediumFactory clear_plugin();
 MediumFactory homogeneous_plugin();
+MediumFactory heterogeneous_plugin();
 
 }  // namespace lxs::shading

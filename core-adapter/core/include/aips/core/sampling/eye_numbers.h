@@ -46,6 +46,7 @@ class SegmentNumbers {
     float distance() const { return at(0); }
     Vec2 light() const { return {at(1), at(2)}; }
     float light_choice() const { return at(3); }
+    float collisions() const { return at(4); }
 
   private:
     float at(unsigned dimension) const {

@@ -1,7 +1,9 @@
 // Directives of media.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <numeric>
+#include <utility>
 
 #include "translator.h"
 
@@ -25,39 +27,87 @@ void Translator::make_named_medium(Statement& statement) {
     Rgb absorption = kDefaultAbsorption, scattering = kDefaultScattering;
     if (p.given("preset"))
         p.leave_out("preset", "pbrt's default coefficients, of a medium like skin, are used");
-    const bool grid = type != "homogeneous";
-    absorption = spectra_.colour(p, "sigma_a", ColourOf::Surface, grid ? Rgb(1.0f) : absorption);
-    scattering = spectra_.colour(p, "sigma_s", ColourOf::Surface, grid ? Rgb(1.0f) : scattering);
-    double density = 1;
-    if (grid) {
-        const Numbers values = p.numbers(type == "rgbgrid" ? "sigma_s" : "density");
-        for (const char* known : {"nx", "ny", "nz", "p0", "p1", "filename", "density", "wispiness",
-                                  "frequency", "temperature", "temperatureoffset",
-                                  "temperaturescale", "temperaturecutoff", "Lescale", "LeScale"})
-            p.ignore(known);
-        if (!values.empty())
-            density = std::accumulate(values.begin(), values.end(), 0.0) /
-                      static_cast<double>(values.size());
-        else
-            density = type == "cloud" ? 0.5 : 0;
-        if (type == "rgbgrid") scattering = absorption = Rgb(1.0f);
-        warn(p.where("type"),
-             fmt::format("medium \"{}\" is not rendered with its shape: a homogeneous one with "
-                         "its mean density is used",
-                         type));
-    }
+    const bool shaped = type != "homogeneous";
+    absorption = spectra_.colour(p, "sigma_a", ColourOf::Surface, shaped ? Rgb(1.0f) : absorption);
+    scattering = spectra_.colour(p, "sigma_s", ColourOf::Surface, shaped ? Rgb(1.0f) : scattering);
     p.leave_out("Le", "media do not shine here");
-    p.ignore("Lescale");
+    for (const char* known : {"Lescale", "LeScale"})
+        p.ignore(known);
     const double g = std::clamp(p.number("g", 0), -1.0, 1.0);
-    const float factor = scale * static_cast<float>(std::max(density, 0.0));
-    add(NewStatement("MakeNamedVolume", statement.where)
-            .name(name.text)
-            .name("homogeneous")
-            .set("float fresnel", 1)
+    NewStatement made("MakeNamedVolume", statement.where);
+    made.name(name.text);
+    if (const bool grid = type == "uniformgrid" || type == "heterogeneous"; grid) {
+        const Density density = density_grid(p, name.text);
+        made.name("heterogeneous");
+        for (const auto& [head, colour] :
+             {std::pair("sigma_a", absorption), {"sigma_s", scattering}}) {
+            const std::string texture = fresh(name.text + "/" + head);
+            add(NewStatement("Texture", statement.where)
+                    .name(texture)
+                    .name("color")
+                    .name("mix")
+                    .set("texture amount", density.texture)
+                    .set("color tex1", Rgb(0.0f))
+                    .set("color tex2", colour * (scale * density.most)));
+            made.set(fmt::format("texture {}", head).c_str(), texture);
+        }
+    } else {
+        const float factor = scale * (shaped ? mean_density(p, type) : 1.0f);
+        if (type == "rgbgrid") scattering = absorption = Rgb(1.0f);
+        made.name("homogeneous")
             .set("color sigma_a", absorption * factor)
-            .set("color sigma_s", scattering * factor)
-            .set("color g", Numbers{g, g, g}));
+            .set("color sigma_s", scattering * factor);
+    }
+    add(std::move(made.set("float fresnel", 1).set("color g", Numbers{g, g, g})));
     p.report_unused("medium");
+}
+
+/// Of a medium that is rendered without its shape.
+float Translator::mean_density(Parameters& p, const std::string& type) {
+    const Numbers values = p.numbers(type == "rgbgrid" ? "sigma_s" : "density");
+    for (const char* known :
+         {"nx", "ny", "nz", "p0", "p1", "filename", "density", "wispiness", "frequency",
+          "temperature", "temperatureoffset", "temperaturescale", "temperaturecutoff"})
+        p.ignore(known);
+    warn(p.where("type"),
+         fmt::format("medium \"{}\" is not rendered with its shape: a homogeneous one with its "
+                     "mean density is used",
+                     type));
+    if (values.empty()) return type == "cloud" ? 0.5f : 0.0f;
+    const double sum = std::accumulate(values.begin(), values.end(), 0.0);
+    return static_cast<float>(std::max(sum / static_cast<double>(values.size()), 0.0));
+}
+
+/// Writes a medium's grid as a texture of densities up to 1.
+Translator::Density Translator::density_grid(Parameters& p, const std::string& medium) {
+    Numbers values = p.numbers("density");
+    if (values.empty()) p.fail("density", "a grid needs \"density\"");
+    const SourceLocation& at = p.where("density");
+    const double most = std::max(*std::ranges::max_element(values), 0.0);
+    for (double& value : values)
+        value = most > 0 ? std::max(value, 0.0) / most : 0;
+    const Vec3 low = p.point("p0").value_or(Vec3(0.0f));
+    const Vec3 high = p.point("p1").value_or(Vec3(1.0f));
+    for (const char* known :
+         {"temperature", "temperatureoffset", "temperaturescale", "temperaturecutoff"})
+        p.ignore(known);
+    const std::string texture = fresh(medium + "/density");
+    add("TransformBegin", at);
+    place(at, false, "medium");
+    const Vec3 size = high - low;
+    add(NewStatement("ConcatTransform", at)
+            .list({size.x, 0, 0, 0, 0, size.y, 0, 0, 0, 0, size.z, 0, low.x, low.y, low.z, 1}));
+    add(NewStatement("Texture", at)
+            .name(texture)
+            .name("float")
+            .name("densitygrid")
+            .set("integer nx", static_cast<int>(p.number("nx", 1)))
+            .set("integer ny", static_cast<int>(p.number("ny", 1)))
+            .set("integer nz", static_cast<int>(p.number("nz", 1)))
+            .set("float density", std::move(values), &at)
+            .set("string wrap", "black"));
+    add("TransformEnd", at);
+    return {texture, static_cast<float>(most)};
 }
 
 void Translator::medium_interface(Statement& statement) {

@@ -206,6 +206,13 @@ class Translator {
 
     // medium_directives.cpp
     void make_named_medium(Statement& statement);
+    /// A texture that is 1 where the density is `most`.
+    struct Density {
+        std::string texture;
+        float most = 0;
+    };
+    Density density_grid(Parameters& p, const std::string& medium);
+    float mean_density(Parameters& p, const std::string& type);
     void medium_interface(Statement& statement);
 
     void add(Statement statement) {

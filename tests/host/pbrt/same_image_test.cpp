@@ -518,6 +518,34 @@ TEST(PbrtImage, InstancesAndScopes) {
                   "Rotate 90 0 0 1 ObjectInstance \"ball\"\n"));
 }
 
+/// A grid fills the box between p0 and p1 in the medium's space, and is nothing outside of it.
+TEST(PbrtImage, GridOfDensities) {
+    const std::string ball = "Shape \"sphere\" \"float radius\" [1.5]\n";
+    const auto smoke = pbrt_image(
+        options() + kLamp +
+        "AttributeBegin\nTranslate 0.2 0 0\nMakeNamedMedium \"smoke\" \"string type\" "
+        "\"uniformgrid\" \"integer nx\" 2 \"integer ny\" 1 \"integer nz\" 1 \"float density\" "
+        "[4 1] \"float scale\" 0.5 \"rgb sigma_a\" [0.1 0.2 0.3] \"rgb sigma_s\" [0.3 0.2 0.1] "
+        "\"point3 p0\" [-1 -1 -1] \"point3 p1\" [1 1 1]\nAttributeEnd\n"
+        "MediumInterface \"smoke\" \"\"\nMaterial \"interface\"\n" +
+        ball);
+    const auto ours = our_image(
+        kOurLamp +
+            "AttributeBegin\nTranslate 0.2 0 0\nTranslate -1 -1 -1\nScale 2 2 2\n"
+            "Texture \"grid\" \"float\" \"densitygrid\" \"integer nx\" [2] \"float density\" "
+            "[1 0.25] \"string wrap\" [\"black\"]\nAttributeEnd\n"
+            "Texture \"a\" \"color\" \"mix\" \"texture amount\" [\"grid\"] \"color tex1\" "
+            "[0 0 0] \"color tex2\" [0.2 0.4 0.6]\n"
+            "Texture \"s\" \"color\" \"mix\" \"texture amount\" [\"grid\"] \"color tex1\" "
+            "[0 0 0] \"color tex2\" [0.6 0.4 0.2]\n"
+            "MakeNamedVolume \"smoke\" \"heterogeneous\" \"texture sigma_a\" [\"a\"] \"texture "
+            "sigma_s\" [\"s\"]\nInterior \"smoke\"\nMaterial \"null\"\n" +
+            ball,
+        "VolumeIntegrator \"multi\"\nScale -1 1 1\nLookAt 0 0 4  0 0 0  0 1 0\nCamera "
+        "\"perspective\" \"float fov\" [60]\n");
+    expect_same(smoke, ours);
+}
+
 TEST(PbrtImage, MediaBetweenInterfaces) {
     const std::string fog =
         "MakeNamedMedium \"fog\" \"string type\" \"homogeneous\" \"rgb sigma_a\" [0.1 0.2 0.3] "

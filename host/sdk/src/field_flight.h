@@ -92,14 +92,10 @@ bool BoundedField::fly(const Vec3& origin, const Vec3& direction, float length, 
         while (depth < majorant * (cells.to() - at)) {
             at += depth / majorant;
             const auto distance = float(at);
-            MediumCoefficients here = this->at(origin + direction * distance);
-            const Rgb extinction = here.absorption + here.scattering;
-            const float most = max_component(extinction);
-            if (most > cells.majorant()) {
-                here.absorption *= cells.majorant() / most;
-                here.scattering *= cells.majorant() / most;
-            }
-            if (collide(distance, here, cells.majorant())) return true;
+            const MediumCoefficients here = this->at(origin + direction * distance);
+            // By rounding the place may be the next cell's, whose most is greater.
+            const float most = std::max(cells.majorant(), max_component(here.extinction()));
+            if (collide(distance, here, most)) return true;
             depth = -std::log1p(-double(numbers.next()));
         }
         depth -= majorant * (cells.to() - at);

@@ -72,7 +72,7 @@ Rgb Medium::transmittance(const Vec3& origin, const Vec3& direction, float dista
     Rgb passed(1.0f);
     bounded_->fly(origin, direction, distance, seed_of(origin, direction),
                   [&](float, const MediumCoefficients& here, float majorant) {
-                      passed *= Rgb(1.0f) - (here.absorption + here.scattering) / majorant;
+                      passed *= Rgb(1.0f) - here.extinction() / majorant;
                       return is_black(passed);
                   });
     return passed;
@@ -102,7 +102,7 @@ Flight Medium::sample_flight(const Vec3& origin, const Vec3& direction, float se
     flight.collides = bounded_->fly(
         origin, direction, segment, seed_of(u.x, u.y),
         [&](float distance, const MediumCoefficients& here, float majorant) {
-            const Rgb extinction = here.absorption + here.scattering;
+            const Rgb extinction = here.extinction();
             const Rgb weighed = share * flight.weight;
             const float all = weighed.x + weighed.y + weighed.z;
             const float p =

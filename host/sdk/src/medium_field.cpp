@@ -15,6 +15,10 @@ constexpr int kSamplesOfACell = 4;
 /// Most that spectra are above the colours that they are made of.
 constexpr float kAboveColours = 1.25f;
 
+/// Greatest optical depth of a cell. Nothing is seen through it, and flights may collide as often
+/// in vain where a part of the cell is empty.
+constexpr float kDensestCell = 1e4f;
+
 }  // namespace
 
 BoundedField::BoundedField(std::shared_ptr<const MediumField> field, const Bounds& bounds,
@@ -29,6 +33,7 @@ BoundedField::BoundedField(std::shared_ptr<const MediumField> field, const Bound
         samples[axis] = cells_[axis] * kSamplesOfACell + 1;
         width_[int(axis)] = std::max(size[int(axis)], 1e-6f * longest) / float(cells_[axis]);
     }
+    const float densest = kDensestCell / std::min({width_.x, width_.y, width_.z});
     const auto layer = std::size_t(samples[0]) * std::size_t(samples[1]);
     std::vector<float> extinctions(layer * std::size_t(samples[2]));
     std::vector<Imath::V3d> absorption(std::size_t(samples[2]), Imath::V3d(0.0));
@@ -39,9 +44,11 @@ BoundedField::BoundedField(std::shared_ptr<const MediumField> field, const Bound
             for (int x = 0; x < samples[0]; ++x) {
                 const Vec3 place = Vec3(float(x), float(y), float(z)) / float(kSamplesOfACell);
                 const MediumCoefficients here = field_->at(bounds_.min + place * width_, nullptr);
-                *next++ = max_component(here.absorption + here.scattering);
-                absorption[std::size_t(z)] += Imath::V3d(here.absorption);
-                scattering[std::size_t(z)] += Imath::V3d(here.scattering);
+                const float most = max_component(here.extinction());
+                const float share = most > densest ? densest / most : 1;
+                absorption[std::size_t(z)] += Imath::V3d(here.absorption * share);
+                scattering[std::size_t(z)] += Imath::V3d(here.scattering * share);
+                *next++ = most * share;
             }
         }
     });
@@ -73,7 +80,7 @@ BoundedField::BoundedField(std::shared_ptr<const MediumField> field, const Bound
                         most = std::max(most, *std::max_element(row + x0, row + x1 + 1));
                     }
                 }
-                majorants_[index({x, y, z})] = most * kAboveColours;
+                majorants_[index({x, y, z})] = std::min(most * kAboveColours, densest);
             }
         }
     });
@@ -81,7 +88,19 @@ BoundedField::BoundedField(std::shared_ptr<const MediumField> field, const Bound
 
 MediumCoefficients BoundedField::at(const Vec3& position) const {
     if (!bounds_.intersects(position)) return {};
-    return field_->at(position, wavelengths_);
+    MediumCoefficients here = field_->at(position, wavelengths_);
+    std::array<int, 3> cell{};
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        const int i = int(axis);
+        cell[axis] =
+            std::clamp(int((position[i] - bounds_.min[i]) / width_[i]), 0, cells_[axis] - 1);
+    }
+    const float limit = majorants_[index(cell)], most = max_component(here.extinction());
+    if (most > limit) {
+        here.absorption *= limit / most;
+        here.scattering *= limit / most;
+    }
+    return here;
 }
 
 }  // namespace lxs

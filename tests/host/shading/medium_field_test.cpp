@@ -168,6 +168,31 @@ TEST(MediumField, TransmittanceFromCollisionsIsThatOfTheIntegral) {
     difference.expect(Imath::V3d(0.0), "difference");
 }
 
+/// So dense in one place, and nothing beside it, that flights would collide in vain for ever.
+class Needle final : public MediumField {
+  public:
+    MediumCoefficients at(const Vec3& p, const Wavelengths*) const override {
+        return {Rgb(p.length() < 0.02f ? 1e30f : 0.0f), Rgb(0.1f), Rgb(0.0f)};
+    }
+    bool scatters() const override { return true; }
+};
+
+TEST(MediumField, FlightsEndHoweverDenseACellIs) {
+    Medium medium(std::make_shared<Needle>(), Rgb(0.0f), IndexCurve{});
+    medium.bound(Bounds(Vec3(-1), Vec3(1)), run_serially);
+    UniformSource random(5);
+    Means beside;
+    for (int i = 0; i < 1000; ++i) {
+        const Vec3 origin(0.022f + 1e-4f * random.pair().x, 0, -1);
+        EXPECT_EQ(medium.transmittance(Vec3(0, 0, -1), Vec3(0, 0, 1), 2), Rgb(0.0f));
+        beside.add(Imath::V3d(medium.transmittance(origin, Vec3(0, 0, 1), 2)));
+        const Flight flight =
+            medium.sample_flight(origin, Vec3(0, 0, 1), 2, Rgb(1.0f), random.pair());
+        EXPECT_NEAR(flight.weight.x, flight.collides ? 10 : 1, 1e-2f);
+    }
+    beside.expect(Imath::V3d(std::exp(-0.2)), "beside");
+}
+
 TEST(MediumField, IsNothingBeyondItsBounds) {
     const Medium medium = layered_medium();
     EXPECT_EQ(medium.transmittance(Vec3(5, 0, 0), Vec3(0, 0, 1), 100), Rgb(1.0f));

@@ -72,6 +72,9 @@ ParameterDeclaration fresnel_parameter() {
     return fresnel;
 }
 
+/// Greatest coefficient: sums of two stay finite.
+constexpr float kDensest = 1e30f;
+
 /// Coefficients by textures in world space.
 class TexturedField final : public MediumField {
   public:
@@ -93,7 +96,7 @@ class TexturedField final : public MediumField {
   private:
     static Rgb of(const ColorTexture& texture, const TexturePoint& point) {
         const Rgb value = texture.evaluate(point);
-        const auto valid = [](float x) { return x > 0 && std::isfinite(x) ? x : 0.0f; };
+        const auto valid = [](float x) { return x > 0 ? std::min(x, kDensest) : 0.0f; };
         return {valid(value.x), valid(value.y), valid(value.z)};
     }
 

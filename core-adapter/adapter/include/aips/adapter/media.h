@@ -3,6 +3,7 @@
 // host whose media are the same everywhere leaves the members that name a place as they are.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <span>
 
@@ -66,8 +67,8 @@ class Media {
     /// phase() of each cosine. Overridden where many at once cost less.
     virtual void phases(const void* medium, std::span<const float> cosines,
                         std::span<Rgb> values) const {
-        for (std::size_t i = 0; i < cosines.size(); ++i)
-            values[i] = phase(medium, cosines[i]);
+        std::ranges::transform(cosines, values.begin(),
+                               [&](float cosine) { return phase(medium, cosine); });
     }
     /// Draws the way that light which came along `direction` takes.
     virtual PhaseSample sample_phase(const void* medium, Vec3 direction, Rgb carried,

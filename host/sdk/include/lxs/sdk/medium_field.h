@@ -21,6 +21,8 @@ struct Wavelengths;  // lxs/spectrum
 struct MediumCoefficients {
     Rgb absorption{0.0f}, scattering{0.0f};
     Rgb asymmetry{0.0f};  ///< mean cosine of the angle of scattering, in (-1, 1)
+
+    Rgb extinction() const { return absorption + scattering; }
 };
 
 /// Absorption and scattering by place; asymmetry is the same everywhere, and left out.
@@ -38,7 +40,8 @@ using FieldJobs = std::function<void(int count, const std::function<void(int)>& 
 
 /// A field within bounds, outside of which there is nothing, with the most that it is in each of
 /// its cells: what tracking flies by. Both are found at samples, 128 along the longest side; where
-/// the field is more between samples than around them, it is cut to that.
+/// the field is more between samples than around them, or a cell so dense that nothing is seen
+/// through it, it is cut to that.
 class BoundedField {
   public:
     BoundedField(std::shared_ptr<const MediumField> field, const Bounds& bounds,

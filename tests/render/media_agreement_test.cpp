@@ -6,6 +6,7 @@
 #include <cmath>
 #include <string>
 
+#include "room.h"
 #include "seeded_renders.h"
 #include "test_form.h"
 
@@ -29,20 +30,8 @@ Film "fleximage" "integer xresolution" [32] "integer yresolution" [32]
 WorldBegin
 MakeNamedVolume "fog" "homogeneous" "color sigma_a" [0.05 0.1 0.2] "color sigma_s" [0.5 0.4 0.3] "color g" [0.4 0.4 0.4]
 Exterior "fog"
-AttributeBegin
-AreaLightSource "area" "color L" [10 10 10]
-Material "matte" "color Kd" [0 0 0]
-Shape "trianglemesh" "integer triindices" [0 2 1 0 3 2] "point P" [-0.4 -0.4 0.9  0.4 -0.4 0.9  0.4 0.4 0.9  -0.4 0.4 0.9]
-AttributeEnd
-Material "matte" "color Kd" [0.6 0.5 0.4]
-Shape "trianglemesh" "integer triindices" [0 1 2 0 2 3] "point P" [-1 -1 -1  1 -1 -1  1 1 -1  -1 1 -1]
-Shape "trianglemesh" "integer triindices" [0 1 2 0 2 3] "point P" [-1 -1 1  -1 1 1  1 1 1  1 -1 1]
-Shape "trianglemesh" "integer triindices" [0 1 2 0 2 3] "point P" [-1 1 -1  1 1 -1  1 1 1  -1 1 1]
-Shape "trianglemesh" "integer triindices" [0 1 2 0 2 3] "point P" [-1 -1 -1  -1 -1 1  1 -1 1  1 -1 -1]
-Shape "trianglemesh" "integer triindices" [0 1 2 0 2 3] "point P" [-1 -1 -1  -1 1 -1  -1 1 1  -1 -1 1]
-Shape "trianglemesh" "integer triindices" [0 1 2 0 2 3] "point P" [1 -1 -1  1 -1 1  1 1 1  1 1 -1]
-WorldEnd
-)");
+)" + std::string(render::kRoomLamp) + render::kRoomWalls +
+                                           "WorldEnd\n");
 }
 
 TEST(MediaAgreement, LampInABoxOfFog) {
@@ -182,26 +171,15 @@ TransformEnd
 Texture "puffs" "color" "mix" "texture amount" ["grid"] "color tex1" [0 0 0] "color tex2" [6 6 6]
 MakeNamedVolume "puffs" "heterogeneous" "texture sigma_s" ["puffs"]
 Exterior "haze"
-AttributeBegin
-AreaLightSource "area" "color L" [10 10 10]
-Material "matte" "color Kd" [0 0 0]
-Shape "trianglemesh" "integer triindices" [0 2 1 0 3 2] "point P" [-0.4 -0.4 0.9  0.4 -0.4 0.9  0.4 0.4 0.9  -0.4 0.4 0.9]
-AttributeEnd
-AttributeBegin
+)" + render::kRoomLamp +
+           R"(AttributeBegin
 Interior "puffs"
 Material "null"
 Translate 0 0.3 0
 Shape "sphere" "float radius" [0.5]
 AttributeEnd
-Material "matte" "color Kd" [0.6 0.5 0.4]
-Shape "trianglemesh" "integer triindices" [0 1 2 0 2 3] "point P" [-1 -1 -1  1 -1 -1  1 1 -1  -1 1 -1]
-Shape "trianglemesh" "integer triindices" [0 1 2 0 2 3] "point P" [-1 -1 1  -1 1 1  1 1 1  1 -1 1]
-Shape "trianglemesh" "integer triindices" [0 1 2 0 2 3] "point P" [-1 1 -1  1 1 -1  1 1 1  -1 1 1]
-Shape "trianglemesh" "integer triindices" [0 1 2 0 2 3] "point P" [-1 -1 -1  -1 -1 1  1 -1 1  1 -1 -1]
-Shape "trianglemesh" "integer triindices" [0 1 2 0 2 3] "point P" [-1 -1 -1  -1 1 -1  -1 1 1  -1 -1 1]
-Shape "trianglemesh" "integer triindices" [0 1 2 0 2 3] "point P" [1 -1 -1  1 -1 1  1 1 1  1 1 -1]
-WorldEnd
-)";
+)" + render::kRoomWalls +
+           "WorldEnd\n";
 }
 
 TEST(MediaAgreement, FogThatVaries) {

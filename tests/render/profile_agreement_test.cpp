@@ -5,6 +5,7 @@
 
 #include <string>
 
+#include "room.h"
 #include "seeded_renders.h"
 #include "test_form.h"
 
@@ -46,15 +47,7 @@ Material "matte" "color Kd" [0 0 0]
 Translate -0.6 -0.5 -0.2
 Shape "sphere" "float radius" [0.2]
 AttributeEnd
-Material "matte" "color Kd" [0.6 0.5 0.4]
-Shape "trianglemesh" "integer triindices" [0 1 2 0 2 3] "point P" [-1 -1 -1  1 -1 -1  1 1 -1  -1 1 -1]
-Shape "trianglemesh" "integer triindices" [0 1 2 0 2 3] "point P" [-1 -1 1  -1 1 1  1 1 1  1 -1 1]
-Shape "trianglemesh" "integer triindices" [0 1 2 0 2 3] "point P" [-1 1 -1  1 1 -1  1 1 1  -1 1 1]
-Shape "trianglemesh" "integer triindices" [0 1 2 0 2 3] "point P" [-1 -1 -1  -1 -1 1  1 -1 1  1 -1 -1]
-Shape "trianglemesh" "integer triindices" [0 1 2 0 2 3] "point P" [-1 -1 -1  -1 1 -1  -1 1 1  -1 -1 1]
-Shape "trianglemesh" "integer triindices" [0 1 2 0 2 3] "point P" [1 -1 -1  1 -1 1  1 1 1  1 1 -1]
-WorldEnd
-)");
+)" + std::string(render::kRoomWalls) + "WorldEnd\n");
 }
 
 // In the corners the radius costs up to 2.4 % of a block, half of that at half the radius.

@@ -38,6 +38,7 @@ struct VolumeGather::Found {
     std::vector<Rgb> passed, phases;
     std::vector<double> brought;  // luminance of the photons up to each
     std::size_t count = 0;
+    float thinning = 0, boundary = 0, collisions = 0;  // numbers in [0, 1) that draw for the beam
 
     void make_room(std::size_t more) {
         if (count + more <= slots.size()) return;
@@ -93,12 +94,13 @@ void VolumeGather::sort() {
 // without a branch.
 void VolumeGather::find(const VolumeBeam& beam, Found& found) const {
     found.count = 0;
+    RandomStream random(settings_.seed, pass_, beam.sample, RandomDomain::BeamPhotons);
+    found.thinning = random.next();
+    found.boundary = random.next();
+    found.collisions = random.next();
     // Which of the slots, whose order has nothing to do with what their photons bring.
-    std::uint32_t chosen = 0;
-    if (thinning_ > 1) {
-        RandomStream random(settings_.seed, pass_, beam.sample, RandomDomain::BeamPhotons);
-        chosen = std::min(std::uint32_t(random.next() * float(thinning_)), thinning_ - 1);
-    }
+    const std::uint32_t chosen =
+        std::min(std::uint32_t(found.thinning * float(thinning_)), thinning_ - 1);
     const float radius_squared = radius_ * radius_;
     const Vec3 origin = beam.origin, direction = beam.direction;
     const float length = beam.length;
@@ -141,9 +143,7 @@ void VolumeGather::gather_beam(const VolumeBeam& beam, InvalidSampleFilter& filt
     if (count == 0) return;
     const Media& media = *scene_.media();
     found.passed.resize(count);
-    RandomStream random(settings_.seed, pass_, beam.sample, RandomDomain::BeamPhotons);
-    random.next2();  // find() and boundary_factor() have these
-    media.transmittances(beam.medium, beam.ray(), {found.distances.data(), count}, random.next(),
+    media.transmittances(beam.medium, beam.ray(), {found.distances.data(), count}, found.collisions,
                          found.passed);
     found.phases.resize(count);
     media.phases(beam.medium, found.cosines, found.phases);
@@ -176,12 +176,9 @@ float VolumeGather::boundary_factor(const EyeImage& image, std::size_t number, c
     const Vec2 film = image.positions[beam.sample];
     const std::uint32_t asks = boundary_->asks(beam, number, film);
     if (asks == 0) return 1;
-    RandomStream random(settings_.seed, pass_, beam.sample, RandomDomain::BeamPhotons);
-    random.next();  // find() has it
-    const float u = random.next();
     float sum = 0;
     for (std::uint32_t i = 0; i < asks; ++i) {
-        const double at = (i + double(u)) / asks * sums.luminance;
+        const double at = (i + double(found.boundary)) / asks * sums.luminance;
         const auto drawn = std::upper_bound(found.brought.begin(), found.brought.end(), at);
         const auto last = std::ptrdiff_t(found.count) - 1;
         const auto k = std::size_t(std::min(drawn - found.brought.begin(), last));

@@ -17,43 +17,42 @@
 
 namespace aips {
 
-/// Numbers in [0, 1) for one vertex of an eye path, uniform over seeds.
-class VertexNumbers {
+/// Coordinates in [0, 1) of one scrambled point, uniform over seeds.
+class PointNumbers {
   public:
-    VertexNumbers(std::uint32_t seed, std::uint64_t index)
+    PointNumbers(std::uint32_t seed, std::uint64_t index)
         : epoch_seed_(sobol_epoch_seed(index, seed)), index_(std::uint32_t(index)) {}
+
+  protected:
+    float at(unsigned dimension) const {
+        return sobol_owen_in_epoch(index_, dimension, epoch_seed_);
+    }
+
+  private:
+    std::uint32_t epoch_seed_, index_;
+};
+
+/// For one vertex of an eye path.
+class VertexNumbers : public PointNumbers {
+  public:
+    using PointNumbers::PointNumbers;
 
     Vec2 light() const { return {at(0), at(1)}; }
     float light_choice() const { return at(2); }
     float lobe() const { return at(3); }
     Vec2 direction() const { return {at(4), at(5)}; }
     float end() const { return at(6); }
-
-  private:
-    float at(unsigned dimension) const {
-        return sobol_owen_in_epoch(index_, dimension, epoch_seed_);
-    }
-
-    std::uint32_t epoch_seed_, index_;
 };
 
-/// Numbers in [0, 1) for the way to a vertex, where it leads through a medium.
-class SegmentNumbers {
+/// For the way to a vertex, where it leads through a medium.
+class SegmentNumbers : public PointNumbers {
   public:
-    SegmentNumbers(std::uint32_t seed, std::uint64_t index)
-        : epoch_seed_(sobol_epoch_seed(index, seed)), index_(std::uint32_t(index)) {}
+    using PointNumbers::PointNumbers;
 
     float distance() const { return at(0); }
     Vec2 light() const { return {at(1), at(2)}; }
     float light_choice() const { return at(3); }
     float collisions() const { return at(4); }
-
-  private:
-    float at(unsigned dimension) const {
-        return sobol_owen_in_epoch(index_, dimension, epoch_seed_);
-    }
-
-    std::uint32_t epoch_seed_, index_;
 };
 
 /// Choices at the specular surfaces that a path meets before any other, in [0, 1): the numbers that

@@ -205,8 +205,8 @@ def planted():
         'neither in constants.h nor in': change(f'{source}/eye/eye_pass.cpp', r'namespace \{\n',
                                                 'namespace {\nconstexpr double kGuess = 0.3;\n'),
         'there is no such number': change(FACTS, 'kItemsPerJob', 'kOtherItems'),
-        'not the present constants': change(contribution, r'kEmissionCost = [\d.]+',
-                                             'kEmissionCost = 0.6'),
+        'not the present constants': change(contribution, r'kPhotonCost = [\d.]+',
+                                             'kPhotonCost = 0.6'),
     }
 
 

@@ -51,7 +51,7 @@ TEST_F(PathContributionsTest, IsOfWhatCameAfter) {
     measure();
     expect_contribution(contributions_.vertices()[0], 2 + 4, 2, 2);
     expect_contribution(contributions_.vertices()[1], 4, 1, 1);
-    expect_contribution(contributions_.paths()[0], 1 + 2 + 4, kEmissionCost + 3, 3);
+    expect_contribution(contributions_.paths()[0], 1 + 2 + 4, kPhotonCost + 3, 3);
 }
 
 // The first of the photons stands for all: before the split, what came after counts for each.
@@ -60,15 +60,15 @@ TEST_F(PathContributionsTest, OfSplitPhotonsCountsForEach) {
     measure();
     expect_contribution(contributions_.vertices()[1], 4, 1, 1);
     expect_contribution(contributions_.vertices()[0], 2 + 3 * 4, 1 + 3, 1 + 3);
-    expect_contribution(contributions_.paths()[0], 1 + 2 + 3 * 4, kEmissionCost + 2 + 3, 2 + 3);
+    expect_contribution(contributions_.paths()[0], 1 + 2 + 3 * 4, kPhotonCost + 2 + 3, 2 + 3);
 }
 
 TEST_F(PathContributionsTest, OfEachPathByItself) {
     add_path({});
     add_path({1});
     measure();
-    expect_contribution(contributions_.paths()[0], 1, kEmissionCost + 1, 1);
-    expect_contribution(contributions_.paths()[1], 2 + 4, kEmissionCost + 2, 2);
+    expect_contribution(contributions_.paths()[0], 1, kPhotonCost + 1, 1);
+    expect_contribution(contributions_.paths()[1], 2 + 4, kPhotonCost + 2, 2);
     ASSERT_EQ(contributions_.scores(log_.paths[1]).size(), 2u);
     EXPECT_EQ(contributions_.scores(log_.paths[1])[0], 2);
     // A later iteration's take their place.
@@ -89,7 +89,7 @@ TEST_F(PathContributionsTest, OfManyPathsInLittleMemory) {
     measure();
     ASSERT_EQ(contributions_.paths().size(), kPaths);
     for (std::size_t i = 0; i < kPaths; ++i) {
-        expect_contribution(contributions_.paths()[i], 255, kEmissionCost + 8, 8);
+        expect_contribution(contributions_.paths()[i], 255, kPhotonCost + 8, 8);
         expect_contribution(contributions_.vertices()[i * kDepth], 254, 7, 7);
         expect_contribution(contributions_.vertices()[i * kDepth + 6], 128, 1, 1);
     }

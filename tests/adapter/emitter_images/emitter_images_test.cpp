@@ -37,7 +37,7 @@ std::vector<EmitterImage> some_images() {
 
 EmitterImages known_images(const std::vector<EmitterImage>& images) {
     EmitterImages known(kWidth, kHeight, 1);
-    known.add(images, 0);
+    known.add(images);
     known.begin_pass(3);
     return known;
 }
@@ -115,32 +115,14 @@ TEST(EmitterImages, TakesEachImageOnceAndNoneThatAPixelCannotHold) {
     far.axes = {9, 0, 0, 0.001f};
     outside.centre.x = -0.01f;
     flat.axes[3] = 0;
-    known.add(std::vector{image, image, shifted}, 0);
+    known.add(std::vector{image, image, shifted});
     EXPECT_EQ(known.all().size(), 1u) << "the same again";
-    known.add(std::vector{larger}, 0);
+    known.add(std::vector{larger});
     EXPECT_EQ(known.all().size(), 2u) << "another at the same place";
-    known.add(std::vector{far, outside, flat, image_at({1, 1}, {1, 0, 0, 1})}, 0);
+    known.add(std::vector{far, outside, flat, image_at({1, 1}, {1, 0, 0, 1})});
     EXPECT_EQ(known.all().size(), 2u);
-    known.add(std::vector{image_at({std::nanf(""), 1}, {0.1f, 0, 0, 0.1f})}, 0);
+    known.add(std::vector{image_at({std::nanf(""), 1}, {0.1f, 0, 0, 0.1f})});
     EXPECT_EQ(known.all().size(), 2u);
-}
-
-TEST(EmitterImages, WorthFindingIsWhatEyePathsSeldomMeet) {
-    EmitterImage tiny = image_at({1.5f, 1.5f}, {0.01f, 0, 0, 0.01f});
-    EmitterImage large = image_at({2.5f, 1.5f}, {0.3f, 0, 0, 0.3f}), dim = tiny;
-    tiny.luminance = large.luminance = 1e6f;
-    dim.centre.x = 3.5f;
-    dim.luminance = 1;
-    const auto worth = [](const EmitterImage& image, double mean_luminance) {
-        EmitterImages known(kWidth, kHeight, 1);
-        const double first = known.add(std::vector{image}, mean_luminance);
-        EXPECT_EQ(known.add(std::vector{image}, mean_luminance), 0) << "it was known";
-        return first;
-    };
-    EXPECT_EQ(worth(tiny, 1), 1);
-    EXPECT_LT(worth(large, 1), 0.1) << "every third path meets it";
-    EXPECT_LT(worth(dim, 1), 0.1) << "it is a thousandth of its pixel's light";
-    EXPECT_EQ(worth(dim, 0), 1) << "nothing is known of the light";
 }
 
 TEST(EmitterImages, WithoutAnyNoPathIsDrawnAndEyePathsCountInFull) {
@@ -159,7 +141,7 @@ TEST(EmitterImages, MemoryStaysBelowItsBoundHoweverManyAreFound) {
         images.push_back(image_at({kSize * random.next(), kSize * random.next()},
                                   {0.7f * random.next(), 0, 0, 0.002f}));
     }
-    known.add(images, 0);
+    known.add(images);
     known.begin_pass(1);
     EXPECT_GT(known.all().size(), kMostImages / 2);
     EXPECT_LE(known.all().size(), kMostImages);

@@ -53,7 +53,7 @@ TEST(EmitterSearch, FindsWhatEyePathsMeet) {
         EXPECT_GT(image.luminance, 0);
         EXPECT_LT(image.area(), 0.5);
     }
-    room.known.add(images, 0);
+    room.known.add(images);
     room.known.begin_pass(1);
     EXPECT_GE(room.known.all().size(), 2u) << "one in the mirror, one in the glass";
     EXPECT_LT(room.known.all().size(), images.size() / 2) << "most were found again and again";
@@ -63,7 +63,7 @@ TEST(EmitterSearch, ImagesAreAsLargeAsTheyAreSeen) {
     Room room;
     auto images = room.search(4000);
     ASSERT_FALSE(images.empty());
-    room.known.add(images, 0);
+    room.known.add(images);
     room.known.begin_pass(1);
     const auto largest = std::ranges::max_element(images, {}, &EmitterImage::area);
     // By chance, in a square that is far wider.

@@ -199,7 +199,7 @@ TEST(PassPlan, ALeafThatLosesLightIsToldFromOthers) {
     const PassPlan plan = plan_passes(facts, kFixed);
     // As much as its own samples are sure of: three standard errors of 1000 pairs.
     const double square = (leaves[0].xx + leaves[0].yy - 2 * leaves[0].xy) / 1000;
-    const double sure = 0.4 - kCertainlyMissing * std::sqrt(square / 1000);
+    const double sure = 0.4 - kSureErrors * std::sqrt(square / 1000);
     EXPECT_NEAR(plan.shares[0].share, best_share(1 + 64 * sure * sure, 1.4), 1e-6);
     EXPECT_NEAR(plan.shares[1].share, best_share(1, 1), 1e-6);
 }

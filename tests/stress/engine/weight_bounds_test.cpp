@@ -224,10 +224,10 @@ TEST(StressFireflies, LearningWeightsFavourNoPhotonMuch) {
     for (const std::uint64_t per_pass : {125'000u, 200'000u, 1'000'000u, 4'000'000u}) {
         double sum = 0;
         for (std::uint64_t pass = 0; pass < kMostPaths; pass += per_pass) {
-            for (std::uint64_t first = 0; first < per_pass; first += kLearningIterationPaths) {
+            for (std::uint64_t first = 0; first < per_pass; first += kIterationPaths) {
                 const double weight = learning_weight(pass + first);
                 const std::uint64_t count =
-                    std::min<std::uint64_t>(kLearningIterationPaths, per_pass - first);
+                    std::min<std::uint64_t>(kIterationPaths, per_pass - first);
                 // The image may be stopped after any pass; here after any block's first photon.
                 greatest = std::max(greatest, weight * double(pass + first + 1) / (sum + weight));
                 sum += weight * double(count);

@@ -21,26 +21,12 @@ inline constexpr float kMostPhotons = 4;
 /// Supported by: no measurement.
 inline constexpr float kMinSurvival = 0.05f;
 
-/// Cost of an emission: a little less than a bounce's. Unit: rays.
-/// Balances: paths that end at once against long ones.
-/// Chosen by: reasoning: no ray is cast.
-/// Supported by: no measurement.
-inline constexpr double kEmissionCost = 0.5;
-
-/// Cost of storing and gathering a photon: gather and grid take about a third of what tracing
-/// takes where photons are many. Unit: rays.
-/// Balances: paths that land often against those that do not.
+/// Cost of storing and gathering a photon, and of emitting it: gather and grid take about a third
+/// of what tracing takes where photons are many, and an emission casts no ray. Unit: rays.
+/// Balances: paths that land often, or end at once, against others.
 /// Chosen by: measurement.
 /// Supported by: LuxRender's Cornell box, cornell-box, glass-ball.
 inline constexpr double kPhotonCost = 0.3;
-
-/// The darkest that a pixel is taken for, eps: brighter pixels weigh by their relative error,
-/// darker ones nearly alike. With a fiftieth the few photons that the darkest get decide most of
-/// the scores, and the guide follows their noise for long. Unit: mean luminances of the image.
-/// Balances: relative error of dark pixels against scores that few photons decide.
-/// Chosen by: docs/notebook/2026-11-24-where-photons-are-split.md.
-/// Supported by: ajar-door, glass-ball, hall, sun-window, chess, ring, pool, prism.
-inline constexpr double kDarkestShare = 0.5;
 
 /// Weight of a pixel where nothing is known of the image: below the mean of 1, since those scores
 /// are for no pixel in particular, and the next ones shall soon outweigh them. Unit: mean weights.

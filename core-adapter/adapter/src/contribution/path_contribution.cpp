@@ -50,7 +50,7 @@ void PathContributions::measure_path(const PathLog& log, std::size_t number) {
     }
     take_photons_after(0);
     rays += last_rays;
-    paths_[number] = {score, kEmissionCost + rays + kPhotonCost * landed};
+    paths_[number] = {score, kPhotonCost + rays + kPhotonCost * landed};
 }
 
 std::size_t PathContributions::memory_bytes() const {

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "aips/core/base/learned_parts.h"
+#include "base/constants.h"
 #include "contribution/constants.h"
 #include "contribution/pixel_luminance.h"
 #include "estimate/photon_occlusion.h"

@@ -6,6 +6,7 @@
 
 #include "aips/core/sampling/low_discrepancy.h"
 #include "aips/core/sampling/sampling.h"
+#include "base/constants.h"
 #include "base/film_pixel.h"
 #include "base/vector_growth.h"
 #include "emitter_images/constants.h"
@@ -81,33 +82,23 @@ void EmitterImages::file(std::uint32_t image) {
 double EmitterImages::part_of_pixel(const EmitterImage& image, double mean_luminance) {
     if (!(mean_luminance > 0)) return 1;
     const double light = double(image.luminance) * image.area();
-    return light / (light + kDarkestEmitterPixel * mean_luminance);
+    return light / (light + kDarkestShare * mean_luminance);
 }
 
-/// Met by chance it would leave its pixel c (1 - c) L^2, c being its area and c L its light.
-double EmitterImages::worth_finding(const EmitterImage& image, double mean_luminance) {
-    const double part = part_of_pixel(image, mean_luminance);
-    return std::min(1.0, part * part * (1 / image.area() - 1) / kNoisyImage);
-}
-
-double EmitterImages::add(std::span<const EmitterImage> found, double mean_luminance) {
-    double worth = 0;
+void EmitterImages::add(std::span<const EmitterImage> found) {
     for (const EmitterImage& image : found) {
         if (images_.size() >= kMostImages || entries_.size() >= kMostEntries) break;
         if (!suits(image) || known(image)) continue;
         images_.push_back(image);
         file(std::uint32_t(images_.size() - 1));
-        worth += worth_finding(image, mean_luminance);
     }
-    return worth;
 }
 
 void EmitterImages::begin_pass(double mean_luminance) {
     const double parts = set_choice(mean_luminance);
     const double eye_paths = per_pixel_ * double(pixel_count());
-    const double spare = std::min(kMostPathsPerImage * parts, kSpareEmitterPaths * eye_paths);
-    const double wanted = std::ceil(std::max(kPathsPerImage * parts, spare));
-    paths_ = std::uint32_t(std::min(wanted, kEmitterPathShare * eye_paths));
+    paths_ =
+        std::uint32_t(std::min(std::ceil(kPathsPerImage * parts), kEmitterPathShare * eye_paths));
 }
 
 /// By the part of its pixel's light that an image is: what matters is the relative error. Returns

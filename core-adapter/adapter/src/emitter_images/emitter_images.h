@@ -36,10 +36,8 @@ class EmitterImages {
 
     /// Whether an image of this shape and place is one that paths of its own pay for.
     bool suits(const EmitterImage& image) const;
-    /// Adds images that are not known yet, as far as there is room; returns what they were worth
-    /// finding: 1 for each without which its pixel is noisy, less for others. `mean_luminance` as
-    /// that of begin_pass().
-    double add(std::span<const EmitterImage> found, double mean_luminance);
+    /// Keeps those among `found` that are new, suitable and within what memory holds.
+    void add(std::span<const EmitterImage> found);
     /// Before each pass: how many paths are drawn, and through which images. The image's mean
     /// luminance: 0 if it is not known.
     void begin_pass(double mean_luminance);
@@ -66,7 +64,6 @@ class EmitterImages {
     void file(std::uint32_t image);
     double set_choice(double mean_luminance);
     static double part_of_pixel(const EmitterImage& image, double mean_luminance);
-    static double worth_finding(const EmitterImage& image, double mean_luminance);
     template <class Use>
     void for_each_pixel(const EmitterImage& image, const Use& use) const;
     std::size_t pixel_count() const { return std::size_t{width_} * height_; }

@@ -47,31 +47,12 @@ inline constexpr std::uint8_t kEdgePasses = 32;
 /// Supported by: room, hall, summerhouse, daylight, magic-lamp (1 and 16 in its place).
 inline constexpr double kBeliefOfNoise = 4;
 
-/// Side of the cells of the film for which the photons' noise is known. Unit: pixels.
-/// Balances: rare bright photons, which few pixels have met, against places that differ.
-/// Chosen by: reasoning: 64 pixels meet what one of them meets once in so many passes.
-/// Supported by: no measurement.
-inline constexpr std::uint32_t kNoiseCell = 8;
-
-/// Side of the parts of the image in which all photons are asked for, once one was separated from a
-/// visible point. Unit: pixels.
-/// Balances: rays where nothing separates against passes until a wall is known everywhere.
-/// Chosen by: reasoning: 16 visible points of a pass find what separates a twentieth of the light.
-/// Supported by: no measurement.
-inline constexpr std::uint32_t kOcclusionCell = 4;
-
 /// Photons that a visible point asks for in warm-up passes. Unit: photons.
 /// Balances: rays of the first passes against light that leaks in them.
 /// Chosen by: reasoning: of light of which a share q is separated at most q (1 - q), a quarter of
 /// what is left, stays.
 /// Supported by: no measurement.
 inline constexpr std::uint32_t kFirstOcclusionAsks = 2;
-
-/// In later passes one of so many visible points asks for a photon. Unit: visible points.
-/// Balances: rays against passes until something that moves or comes into reach is found.
-/// Chosen by: reasoning: no more than a few rays in a hundred.
-/// Supported by: no measurement.
-inline constexpr std::uint64_t kOcclusionAsksOneOf = 16;
 
 /// Weight of earlier passes in the share of photons that reach a part of the image. Unit: ratio.
 /// Balances: noise of the share against passes until it follows the radius.

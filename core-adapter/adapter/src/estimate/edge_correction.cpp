@@ -8,6 +8,7 @@
 #include <atomic>
 #include <numbers>
 
+#include "aips/core/base/constants.h"
 #include "aips/core/sampling/sampling.h"
 #include "base/assign_all.h"
 #include "base/film_pixel.h"
@@ -18,7 +19,7 @@ namespace aips {
 namespace {
 
 /// Chance of a place in a gather disc to be asked for likewise where no edge is known.
-constexpr float kOcclusionAsked = 1.0f / float(kOcclusionAsksOneOf);
+constexpr float kOcclusionAsked = 1.0f / float(kLateOneOf);
 
 /// Luminance that photons brought to visible points, and what they bring more by their factors.
 struct Brightening {

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "base/constants.h"
 #include "base/disjoint_ranges.h"
 #include "base/film_pixel.h"
 
@@ -11,7 +12,7 @@ namespace aips {
 namespace {
 
 constexpr std::uint32_t cells_along(std::uint32_t pixels) {
-    return (pixels + kNoiseCell - 1) / kNoiseCell;
+    return (pixels + kFilmCell - 1) / kFilmCell;
 }
 
 }  // namespace
@@ -23,7 +24,7 @@ PhotonNoise::PhotonNoise(std::uint32_t width, std::uint32_t height)
 
 std::size_t PhotonNoise::cell_of(std::uint32_t pixel) const {
     const std::uint32_t column = pixel % width_, row = pixel / width_;
-    return std::size_t{row / kNoiseCell} * cells_along(width_) + column / kNoiseCell;
+    return std::size_t{row / kFilmCell} * cells_along(width_) + column / kFilmCell;
 }
 
 void PhotonNoise::add_pass(const EyeImage& image, const PhotonFlux& flux) {
@@ -52,7 +53,7 @@ void PhotonNoise::add_pass(const EyeImage& image, const PhotonFlux& flux) {
 double PhotonNoise::relative_variance(std::uint32_t pixel) const {
     const Cell& cell = cells_[cell_of(pixel)];
     if (!(cell.sum > 0)) return std::numeric_limits<double>::infinity();
-    return double(kNoiseCell * kNoiseCell) * cell.squares / (cell.sum * cell.sum);
+    return double(kFilmCell * kFilmCell) * cell.squares / (cell.sum * cell.sum);
 }
 
 void PhotonNoise::state(StateArchive& archive) {

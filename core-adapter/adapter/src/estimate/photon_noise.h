@@ -5,12 +5,13 @@
 #include <vector>
 
 #include "aips/core/base/state_archive.h"
+#include "base/constants.h"
 #include "estimate/constants.h"
 #include "estimate/gather.h"
 
 namespace aips {
 
-/// Relative variances of the photons' mean over passes, for cells of kNoiseCell x kNoiseCell
+/// Relative variances of the photons' mean over passes, for cells of kFilmCell x kFilmCell
 /// pixels: one pixel alone would not know of rare bright photons that only its neighbours got.
 class PhotonNoise {
   public:
@@ -29,7 +30,7 @@ class PhotonNoise {
     std::size_t memory_bytes() const { return cells_.capacity() * sizeof(Cell); }
     /// Films one pixel wide have the most cells.
     static std::size_t memory_bound_bytes(std::size_t pixels) {
-        return (pixels + kNoiseCell - 1) / kNoiseCell * sizeof(Cell);
+        return (pixels + kFilmCell - 1) / kFilmCell * sizeof(Cell);
     }
 
   private:

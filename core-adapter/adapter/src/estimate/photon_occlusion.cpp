@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "aips/core/base/constants.h"
 #include "base/assign_all.h"
 #include "base/constants.h"
 #include "base/film_pixel.h"
@@ -55,8 +56,8 @@ PhotonOcclusion::PhotonOcclusion(const Scene& scene, std::uint64_t seed, std::ui
       seed_(seed),
       width_(width),
       height_(height),
-      columns_((width + kOcclusionCell - 1) / kOcclusionCell),
-      rows_((height + kOcclusionCell - 1) / kOcclusionCell) {
+      columns_((width + kFilmCell - 1) / kFilmCell),
+      rows_((height + kFilmCell - 1) / kFilmCell) {
     marks_.resize(std::size_t{columns_} * rows_);
     all_.resize(marks_.size());
     reached_.resize(marks_.size());
@@ -64,8 +65,7 @@ PhotonOcclusion::PhotonOcclusion(const Scene& scene, std::uint64_t seed, std::ui
 
 std::size_t PhotonOcclusion::cell_of(Vec2 film_position) const {
     const std::uint32_t pixel = film_pixel(film_position, width_, height_);
-    return std::size_t{pixel / width_ / kOcclusionCell} * columns_ +
-           pixel % width_ / kOcclusionCell;
+    return std::size_t{pixel / width_ / kFilmCell} * columns_ + pixel % width_ / kFilmCell;
 }
 
 void PhotonOcclusion::begin_pass(std::uint64_t pass, float time, const EyeImage& image) {
@@ -78,7 +78,7 @@ void PhotonOcclusion::begin_pass(std::uint64_t pass, float time, const EyeImage&
 OcclusionTest PhotonOcclusion::test_of(const VisiblePoint& point, std::size_t number,
                                        Vec2 film_position) const {
     if (found_[number] || asks_all(film_position)) return OcclusionTest::All;
-    const bool asks = pass_ < kWarmUpPasses || (point.sample + pass_) % kOcclusionAsksOneOf == 0;
+    const bool asks = pass_ < kWarmUpPasses || (point.sample + pass_) % kLateOneOf == 0;
     return asks ? OcclusionTest::Some : OcclusionTest::None;
 }
 

@@ -35,41 +35,11 @@ inline constexpr std::uint32_t kFrozenPathsPerPixel = 4;
 /// Supported by: one scene only: summerhouse (1, 3 and 4 in its place).
 inline constexpr std::uint32_t kContinuedRouletteFrom = 2;
 
-/// Passes in which one eye path of kFirstExplorers goes on where it has no share, to learn what it
-/// would bring. Unit: passes.
-/// Balances: rays that bring nothing to the image against decisions by chance.
-/// Chosen by: reasoning: together as many as one pass has eye paths.
-/// Supported by: no measurement.
-inline constexpr std::uint64_t kFirstExploringPasses = 4;
-
-/// Of so many one then. Unit: eye paths.
-/// Balances: as that of those passes.
-/// Chosen by: reasoning: as that of those passes.
-/// Supported by: no measurement.
-inline constexpr std::uint64_t kFirstExplorers = 4;
-
-/// Passes in which one eye path of kExplorers does. Unit: passes.
-/// Balances: as that of those passes.
-/// Chosen by: docs/notebook/2026-11-25-who-carries-what.md.
-/// Supported by: one scene only: hall (1/32 in all passes took 9 % of the time).
-inline constexpr std::uint64_t kExploringPasses = 16;
-
-/// Of so many one then. Unit: eye paths.
-/// Balances: as that of those passes.
-/// Chosen by: reasoning: half of a pass's eye paths together.
-/// Supported by: no measurement.
-inline constexpr std::uint64_t kExplorers = 32;
-
 /// Of so many one in all later passes. Unit: eye paths.
 /// Balances: rays that bring nothing against places whose light is met late.
 /// Chosen by: docs/notebook/2026-11-25-who-carries-what.md.
 /// Supported by: one scene only: hall.
 inline constexpr std::uint64_t kLateExplorers = 256;
-
-/// Of so many visible points one tells how light is shared, after the warm-up. Unit: visible
-/// points. Balances: time of learning against decisions by chance. Chosen by: reasoning: a multiple
-/// of it divides what explores. Supported by: no measurement.
-inline constexpr std::uint64_t kSharePointsOneOf = 16;
 
 /// Chance of a path to end at a second glossy surface, for light that photons alone bring there.
 /// Unit: share of 1. Balances: noise of that light against noise of all other.

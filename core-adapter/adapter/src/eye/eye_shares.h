@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <optional>
 
+#include "aips/core/base/constants.h"
 #include "aips/core/tables/gloss_table.h"
 #include "aips/core/tables/share_table.h"
 #include "eye/constants.h"
@@ -18,9 +19,10 @@ struct EyeShares {
     /// Whether eye path `path` of pass `pass` goes on even where it has no share, to tell what it
     /// would bring beside photons.
     bool explores(std::uint64_t pass, std::uint32_t path) const {
-        const std::uint64_t stride = pass < kFirstExploringPasses ? kFirstExplorers
-                                     : pass < kExploringPasses    ? kExplorers
-                                                                  : kLateExplorers;
+        // At first together as many as one pass has eye paths.
+        const std::uint64_t stride = pass < kEarlyOneOf     ? kEarlyOneOf
+                                     : pass < kWarmUpPasses ? kLateOneOf
+                                                            : kLateExplorers;
         return shoots && is_one_of(stride, pass, path);
     }
     /// Whether it is one of so many eye paths of all passes, all of them in passes that shoot: one
@@ -31,7 +33,7 @@ struct EyeShares {
     /// Whether eye path `path` of pass `pass` is learned from: all early ones are, and all that
     /// explore.
     bool learns_from(std::uint64_t pass, std::uint32_t path) const {
-        return pass < kWarmUpPasses || is_one_of(kSharePointsOneOf, pass, path);
+        return pass < kWarmUpPasses || is_one_of(kLateOneOf, pass, path);
     }
     /// At a place on the side that `normal` shows.
     EyeShare at(Vec3 position, Vec3 normal) const {

@@ -5,6 +5,7 @@
 #include <memory_resource>
 
 #include "aips/adapter/scene.h"
+#include "aips/core/base/constants.h"
 #include "base/assign_all.h"
 #include "base/constants.h"
 #include "estimate/constants.h"
@@ -22,7 +23,7 @@ constexpr float kMostFactor = 16;
 /// Mark of the part of the image that a film position is in, `columns` and `rows` beside it.
 std::size_t mark_of(Vec2 film, int columns, int rows) {
     const auto cell = [](float x, int beside) {
-        return std::uint32_t(std::clamp(x, 0.0f, 1e9f)) / kOcclusionCell + std::uint32_t(beside);
+        return std::uint32_t(std::clamp(x, 0.0f, 1e9f)) / kFilmCell + std::uint32_t(beside);
     };
     return (cell(film.x, columns) * 0x9E3779B9u ^ cell(film.y, rows) * 0x85EBCA6Bu) >> 7 &
            (kMarks - 1);
@@ -40,7 +41,7 @@ void BeamBoundary::begin_pass(std::uint64_t pass, float time, std::size_t beams)
 
 std::uint32_t BeamBoundary::asks(const VolumeBeam& beam, std::size_t number, Vec2 film) const {
     if (found_[number] != 0 || marks_[mark_of(film, 0, 0)] != 0) return kAsksAtBoundary;
-    const bool one = pass_ < kWarmUpPasses || (beam.sample + pass_) % kOcclusionAsksOneOf == 0;
+    const bool one = pass_ < kWarmUpPasses || (beam.sample + pass_) % kLateOneOf == 0;
     return one ? 1 : 0;
 }
 

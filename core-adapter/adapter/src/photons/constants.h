@@ -64,13 +64,6 @@ inline constexpr std::uint32_t kMostExploringRounds = 16;
 ///   times time after 32 passes of 120 pixels 1.4, 1.4, 1.1, 1.0 and 0.65 times as much).
 inline constexpr std::uint32_t kRoundsWithFinds = 8;
 
-/// Share of the independent paths that explore which start by the plain density. Unit: share of 1.
-/// Balances: what a path weighs that starts where none was found before, up to the inverse, against
-///   paths that are not visible.
-/// Chosen by: measurement.
-/// Supported by: car, daylight, summerhouse (0.15 and 0.5 in its place).
-inline constexpr double kPlainExplorers = 0.25;
-
 /// How far from a visible point photons count as visible to a chain. Discs that just touch, or do
 /// not, are islands to a chain, which stays on one for long. Unit: mean radii.
 /// Balances: islands against paths that nothing gathers.

@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "aips/core/base/cache_line.h"
+#include "aips/core/base/constants.h"
 #include "aips/core/chains/mutation.h"
 #include "aips/core/chains/primary_path.h"
 #include "base/parallel_for.h"
@@ -37,7 +38,7 @@ constexpr std::uint64_t kFirstRound = std::numeric_limits<std::uint64_t>::max() 
 
 EmissionGuideSettings guide_settings() {
     EmissionGuideSettings settings;
-    settings.plain_share = kPlainExplorers;
+    settings.plain_share = kPlainShare;
     // Paths that are found are few, and tell nothing of whether it pays to follow them.
     settings.trial_paths = std::numeric_limits<double>::infinity();
     return settings;

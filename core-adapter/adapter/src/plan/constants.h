@@ -19,47 +19,26 @@ inline constexpr double kNearWithoutGuide = 1.0 / 3;
 /// Supported by: no measurement.
 inline constexpr std::uint32_t kFewestPerPass = 1u << 12;
 
-/// What a pass after the first choice counts for, those before, of few photons, for 1. Unit: ratio.
-/// Balances: noise of the first passes against the photons that they bring.
-/// Chosen by: measurement.
-/// Supported by: glass-ball, hall, summerhouse (2 and 64 in its place).
+/// What a pass without a guide counts for after the first choice, those before, of few photons, for
+/// 1; a guide shoots more at first, and what it shoots while it learns counts for less anyway.
+/// Unit: ratio. Balances: noise of the first passes against the photons that they bring. Chosen by:
+/// measurement. Supported by: glass-ball, hall, summerhouse (2 and 64 in its place).
 inline constexpr double kChosenWeight = 8;
-
-/// The same of a guide in large images, whose passes it begins with as many photons as eye paths:
-/// it is given more at first, and what it shoots while it learns counts for less anyway. Unit:
-/// ratio.
-/// Balances: noise of the first passes against the photons that they bring.
-/// Chosen by: measurement.
-/// Supported by: hall, glass-ball (1 and 8 in its place).
-inline constexpr double kChosenWeightOfAGuide = 2;
-
-/// The same of a guide in small images. Unit: ratio.
-/// Balances: noise of the first passes against the photons that they bring.
-/// Chosen by: measurement.
-/// Supported by: hall, sun-window, glass-ball, prism, ajar-door (2 in its place).
-inline constexpr double kChosenWeightInSmallImages = 1;
 
 /// Greatest cost of photons over the eye's: beyond it no more than a tenth could be gained. Unit:
 /// ratio. Balances: the eye's noise against that of photons. Chosen by: reasoning: what is left to
 /// gain beyond it. Supported by: no measurement.
 inline constexpr double kGreatestRatio = 10;
 
-/// Work of an eye ray. Unit: about 0.3 us. Balances: the choice of the photons per pass: time of
-/// the eye against that of photons. Chosen by: docs/notebook/2026-11-23-costs-of-a-pass.md.
-/// Supported by: 13 scenes.
+/// Work of an eye ray, and of what else an eye path takes: shading, film, search. Unit: about 0.3
+/// us. Balances: the choice of the photons per pass: time of the eye against that of photons.
+/// Chosen by: docs/notebook/2026-11-23-costs-of-a-pass.md. Supported by: 13 scenes.
 inline constexpr double kEyeRayWork = 1.1;
 
-/// Work of an eye path: shading, film, search. Unit: about 0.3 us. Balances: as that of an eye ray.
-/// Chosen by: docs/notebook/2026-11-23-costs-of-a-pass.md. Supported by: 13 scenes.
-inline constexpr double kEyePathWork = 1.2;
-
-/// Work of a photon's ray. Unit: about 0.3 us. Balances: as that of an eye ray. Chosen by:
+/// Work of a photon's ray, of its bounce, of a guided emission, and of a path, vertex or photon
+/// that is learned from. Unit: about 0.3 us. Balances: as that of an eye ray. Chosen by:
 /// docs/notebook/2026-11-23-costs-of-a-pass.md. Supported by: 13 scenes.
 inline constexpr double kRayWork = 0.8;
-
-/// Work of a photon's bounce. Unit: about 0.3 us. Balances: as that of an eye ray. Chosen by:
-/// docs/notebook/2026-11-23-costs-of-a-pass.md. Supported by: 13 scenes.
-inline constexpr double kBounceWork = 0.8;
 
 /// Work of a photon gathered. Unit: about 0.3 us. Balances: as that of an eye ray. Chosen by:
 /// docs/notebook/2026-11-23-costs-of-a-pass.md. Supported by: 13 scenes.
@@ -70,18 +49,9 @@ inline constexpr double kGatheredWork = 0.6;
 /// with fog, dust, water and milk (0.07 to 0.25).
 inline constexpr double kGatheredInMediaWork = 0.15;
 
-/// Work of a guided emission. Unit: about 0.3 us. Balances: as that of an eye ray. Chosen by:
-/// docs/notebook/2026-11-23-costs-of-a-pass.md. Supported by: 13 scenes.
-inline constexpr double kGuidedEmissionWork = 0.8;
-
 /// Work of a bounce whose direction a guide drew. Unit: about 0.3 us. Balances: as that of an eye
 /// ray. Chosen by: docs/notebook/2026-11-23-costs-of-a-pass.md. Supported by: 13 scenes.
 inline constexpr double kGuidedBounceWork = 1.8;
-
-/// Work of a path, vertex or photon that guide=adaptive learns from. Unit: about 0.3 us. Balances:
-/// as that of an eye ray. Chosen by: docs/notebook/2026-11-23-costs-of-a-pass.md. Supported by:
-/// nine scenes (0.58 to 0.97 in eight).
-inline constexpr double kLearnedWork = 0.65;
 
 /// Greatest share of the eye in light that both carry: what photons bring of it still tells what
 /// they would. Unit: share of 1. Balances: a share that is best against knowing when it no longer

@@ -69,7 +69,7 @@ std::size_t iteration_photons(const Settings& s) {
     if (s.guide == GuideKind::Paper)
         return most_photons(s, std::max(s.iteration_photons, s.initial_photons));
     const std::size_t guided =
-        s.guide == GuideKind::Adaptive ? most_photons(s, kSettledIterationPaths) : 0;
+        s.guide == GuideKind::Adaptive ? most_photons(s, kIterationPaths) : 0;
     return std::max(guided, std::size_t{kPlainIterationPaths} * most_photons_per_path(s));
 }
 
@@ -128,7 +128,7 @@ std::size_t photon_memory_bound(const Scene& scene, const Needs& needs, std::uin
     }
     if (settings.guide == GuideKind::Adaptive) {
         guide = AdaptiveGuide::memory_bound_bytes(scene, settings, points) +
-                log_bytes(settings, kSettledIterationPaths);
+                log_bytes(settings, kIterationPaths);
     }
     std::size_t radii = ScheduledRadius::memory_bound_bytes(points);
     if (settings.mode == Mode::Ppm) radii = PpmRadius::memory_bound_bytes(points);

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "aips/core/base/constants.h"
 #include "plan/constants.h"
 
 namespace aips {
@@ -52,7 +53,7 @@ double mean(double sum, double count) {
 /// How much of what one of both brought the other missed, with certainty: light that it seldom
 /// meets, so that its own squares do not tell how seldom. A luminance times the root of a weight.
 double missing(double found, double met, const ShareMoments& m) {
-    const double chance = kCertainlyMissing * std::sqrt(m.xx + m.yy);
+    const double chance = kSureErrors * std::sqrt(m.xx + m.yy);
     return mean(std::max(0.0, kSeldomMet * found - met - chance), m.continued);
 }
 
@@ -148,7 +149,7 @@ class Search {
             variance += sq(m.population) * std::max(0.0, square) / m.continued;
         }
         const double lost = eye - photons;
-        return lost > kCertainlyMissing * std::sqrt(variance) ? lost / eye : 0;
+        return lost > kSureErrors * std::sqrt(variance) ? lost / eye : 0;
     }
 
     /// How much of the light of one leaf photons miss, beyond chance: where surfaces are smaller
@@ -158,7 +159,7 @@ class Search {
         if (!(m.continued > 0)) return 0;
         const double square = std::max(0.0, mean(m.xx + m.yy - 2 * m.xy, m.continued));
         const double difference = (m.y - m.x) / m.continued;
-        return std::max(0.0, difference - kCertainlyMissing * std::sqrt(square / m.continued));
+        return std::max(0.0, difference - kSureErrors * std::sqrt(square / m.continued));
     }
 
     /// Variance of a single photon path's contribution of light that both carry, `eye` being that

@@ -19,14 +19,14 @@ PassWork pass_work(std::uint64_t eye_paths, std::uint64_t eye_rays, const Photon
                    const PhotonPassTotals& after) {
     const auto difference = [](std::uint64_t from, std::uint64_t to) { return double(to - from); };
     const PhotonCounts &first = before.counts, &last = after.counts;
-    return {kEyeRayWork * double(eye_rays) + kEyePathWork * double(eye_paths) +
+    return {kEyeRayWork * double(eye_rays + eye_paths) +
                 kRayWork * difference(before.beam_rays, after.beam_rays),
             kRayWork * difference(first.rays, last.rays) +
-                kBounceWork * difference(first.bounces, last.bounces) +
-                kGuidedEmissionWork * difference(first.guided_emissions, last.guided_emissions) +
+                kRayWork * difference(first.bounces, last.bounces) +
+                kRayWork * difference(first.guided_emissions, last.guided_emissions) +
                 kGuidedBounceWork * difference(first.guided_bounces, last.guided_bounces) +
                 kGatheredWork * difference(before.gathered, after.gathered) +
-                kLearnedWork * difference(before.learned, after.learned),
+                kRayWork * difference(before.learned, after.learned),
             kGatheredInMediaWork * difference(before.gathered_in_media, after.gathered_in_media)};
 }
 

@@ -7,6 +7,7 @@
 #include <numeric>
 
 #include "base/assign_all.h"
+#include "base/constants.h"
 #include "base/disjoint_ranges.h"
 #include "base/parallel_for.h"
 #include "base/vector_growth.h"
@@ -16,7 +17,7 @@
 namespace aips {
 namespace {
 
-constexpr std::uint32_t kProbeTurns = kProbeStep * kProbeStep;
+constexpr std::uint32_t kProbeTurns = kFilmCell * kFilmCell;
 
 /// The estimate if all contributions were multiplied by `factor`.
 ProbeEstimate scaled(ProbeEstimate estimate, double factor) {
@@ -44,7 +45,7 @@ class ProbeTurn {
         : width_(width), turn_(std::uint32_t(pass % kProbeTurns * 7 % kProbeTurns)) {}
     bool operator()(std::uint32_t pixel) const {
         const std::uint32_t column = pixel % width_, row = pixel / width_;
-        return row % kProbeStep * kProbeStep + column % kProbeStep == turn_;
+        return row % kFilmCell * kFilmCell + column % kFilmCell == turn_;
     }
 
   private:
@@ -108,19 +109,12 @@ GatherRadii AdaptiveRadius::before_pass(const PassPhotons& photons, const EyeIma
     return radii;
 }
 
-/// Of all pixels at first, then of a part of the rows in turn: what is known changes little from
-/// pass to pass.
 void AdaptiveRadius::renew() {
-    const std::uint32_t width = map_.width();
-    const bool all = passes_ < kRadiiRenewedUntil;
-    in_chunks(of_one_path_.size() / width, 1, tbb_for, [&](std::size_t first, std::size_t last) {
-        for (std::size_t row = first; row < last; ++row) {
-            if (!all && (row + passes_) % kRadiiRenewedIn != 0) continue;
-            for (std::size_t pixel = row * width; pixel < (row + 1) * width; ++pixel) {
-                const ProbeEstimate known = map_.mean(std::uint32_t(pixel));
-                of_one_path_[pixel] = float(
-                    optimal_radius(known.second_moment, expected_squared_laplacian(known), 1));
-            }
+    in_chunks(of_one_path_.size(), kItemsPerJob, tbb_for, [&](std::size_t first, std::size_t last) {
+        for (std::size_t pixel = first; pixel < last; ++pixel) {
+            const ProbeEstimate known = map_.mean(std::uint32_t(pixel));
+            of_one_path_[pixel] =
+                float(optimal_radius(known.second_moment, expected_squared_laplacian(known), 1));
         }
     });
 }

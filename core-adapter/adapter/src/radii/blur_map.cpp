@@ -6,6 +6,7 @@
 #include <limits>
 #include <span>
 
+#include "aips/core/base/constants.h"
 #include "base/parallel_for.h"
 #include "radii/constants.h"
 
@@ -58,7 +59,7 @@ void BlurMap::Pixel::judge(double now) {
     const double squared_bias = bias * bias * (square - of_noise);
     // Of the image so far, in which each pass counts once.
     const double of_image = of_noise / (weights.of_squares * double(passes));
-    if (square > kSureOfBlur * of_noise && squared_bias > kBlurTooLarge * of_image) {
+    if (square > kSureErrors * kSureErrors * of_noise && squared_bias > kBlurTooLarge * of_image) {
         if (now * difference * weights.sum < kBlurStillSeen * square) return;
         narrowing = std::max(float(kLeastNarrowing), narrowing * float(kNarrowingStep));
     } else if (squared_bias < kBlurSmall * of_image) {

@@ -22,18 +22,6 @@ inline constexpr double kAutomaticRadius = 2;
 /// Supported by: no measurement.
 inline constexpr double kReferencePaths = 1e6;
 
-/// Before this pass all radii follow at once what probes find. Unit: passes.
-/// Balances: time against radii that are late.
-/// Chosen by: reasoning: from then on a pass brings a sixteenth of what is known, or less.
-/// Supported by: no measurement.
-inline constexpr std::uint64_t kRadiiRenewedUntil = 16;
-
-/// Passes that shoot in which they all do later. Unit: passes.
-/// Balances: as that of the first.
-/// Chosen by: measurement.
-/// Supported by: summerhouse, car, chess, glass-ball.
-inline constexpr std::uint64_t kRadiiRenewedIn = 4;
-
 /// Least radius that adapts. The schedule lets both bias and noise vanish with the photons shot, so
 /// radii within a constant factor do, whatever probes say. Unit: scheduled radii.
 /// Balances: edges of caustics against probes that err.
@@ -61,13 +49,6 @@ inline constexpr std::uint32_t kBlurComparedFrom = 4;
 /// Chosen by: docs/notebook/2026-11-28-radii-that-blur-narrows.md.
 /// Supported by: prism, glass-ball, sun-window, hall (0 and 1 in its place).
 inline constexpr double kBlurApart = 0.5;
-
-/// Blur narrows a pixel's radii only where it is sure: squared, it is more than so many times its
-/// variance. Unit: ratio.
-/// Balances: blur against radii that shrink on noise alone.
-/// Chosen by: docs/notebook/2026-11-28-radii-that-blur-narrows.md.
-/// Supported by: prism, glass-ball, hall, sun-window (16 in its place).
-inline constexpr double kSureOfBlur = 9;
 
 /// Blur narrows a pixel's radii where, squared, it is more than so many times the variance of the
 /// mean over passes; half as large is best for a bias as of a disc. Unit: ratio.
@@ -128,11 +109,5 @@ inline constexpr double kProbeRadius = 4;
 /// Chosen by: reasoning: the best power for a second derivative of a density in the plane.
 /// Supported by: no measurement.
 inline constexpr double kProbePower = -0.1;
-
-/// One pixel of each square of so many by so many is probed in a pass. Unit: pixels.
-/// Balances: time of probing against how soon curvature is known.
-/// Chosen by: reasoning: none on record.
-/// Supported by: no measurement.
-inline constexpr std::uint32_t kProbeStep = 4;
 
 }  // namespace aips

@@ -26,36 +26,12 @@ inline constexpr double kErrorOverVariance = 1.5;
 /// Supported by: one scene only: chess.
 inline constexpr double kFirstSearches = 1;
 
-/// Rounds of these: searches go on around what was found before. Unit: rounds.
-/// Balances: images close to others against searches anywhere.
-/// Chosen by: reasoning: none on record.
-/// Supported by: no measurement.
-inline constexpr unsigned kFirstRounds = 4;
-
-/// Share of the rays of eye paths that searches take in later passes while images are easy to find.
-/// Unit: share of 1.
+/// Share of the rays of eye paths that searches take in later passes. Unit: share of 1.
 /// Balances: images found early against rays for all else.
-/// Chosen by: docs/notebook/2026-11-25-images-of-lamps.md.
-/// Supported by: one scene only: chess.
-inline constexpr double kMostSearching = 0.15;
-
-/// Least part of that. Unit: share of 1.
-/// Balances: rays that find nothing against images found late.
-/// Chosen by: reasoning: one ray in a hundred.
-/// Supported by: no measurement.
-inline constexpr double kLeastSearching = 0.07;
-
-/// Rays for each new image up to which they are easy to find. Unit: rays.
-/// Balances: as that of the share.
-/// Chosen by: docs/notebook/2026-11-25-images-of-lamps.md.
-/// Supported by: one scene only: chess.
-inline constexpr double kEasyImage = 4000;
-
-/// What searches count one round later, where it is told how easy images are to find. Unit: share
-/// of 1.
-/// Balances: knowing it now against knowing it well.
-/// Chosen by: reasoning: some ten passes.
-/// Supported by: no measurement.
-inline constexpr double kSearchMemory = 0.9;
+/// Chosen by: measurement.
+/// Supported by: daylight, chess, car, hall, glass-ball, summerhouse, sun-window, bathroom,
+/// jewellery, pool, room,
+///   ajar-door, magic-lamp (others in its place: docs/build-on/constants.md).
+inline constexpr double kSearching = 0.1;
 
 }  // namespace aips

@@ -63,38 +63,28 @@ std::uint64_t EmitterStrategy::begin_pass(const ComingPass& pass) {
     return pass_rays_;
 }
 
-/// Many times before the first pass, and on and on, as emitters that are seen in few places may
-/// take long to be found.
+/// Before the first pass, and on and on, as emitters that are seen in few places may take long to
+/// be found.
 void EmitterStrategy::search(const ComingPass& pass) {
-    if (pass.number > 0) {
-        search(pass, kFirstRounds - 1 + pass.number, later_searches());
-        return;
-    }
-    const auto count = std::uint32_t(std::ceil(kFirstSearches / kFirstRounds * double(pixels_)));
-    for (unsigned round = 0; round < kFirstRounds; ++round)
-        search(pass, round, count);
-    const std::size_t found = images_.all().size();
-    log_.info("lamps seen in glass and mirrors: " + std::to_string(found) +
-              (found == 1 ? " small image" : " small images") + " found before the first pass");
-}
-
-void EmitterStrategy::search(const ComingPass& pass, std::uint64_t round, std::uint32_t count) {
-    const EmitterFindings found = search_emitters(pass.eye, round, count, pass.time, pass.filter);
+    const bool first = pass.number == 0;
+    const auto count =
+        first ? std::uint32_t(std::ceil(kFirstSearches * double(pixels_))) : later_searches();
+    const EmitterFindings found =
+        search_emitters(pass.eye, pass.number, count, pass.time, pass.filter);
     searches_ += count;
+    search_rays_ += found.rays;
     pass_rays_ += found.rays;
-    for (double* sum : {&lately_.count, &lately_.rays, &lately_.images})
-        *sum *= kSearchMemory;
-    lately_.count += count;
-    lately_.rays += double(found.rays);
-    lately_.images += images_.add(found.images, mean_luminance_);
+    images_.add(found.images);
+    if (!first) return;
+    const std::size_t images = images_.all().size();
+    log_.info("lamps seen in glass and mirrors: " + std::to_string(images) +
+              (images == 1 ? " small image" : " small images") + " found before the first pass");
 }
 
-/// So many that they take a share of the rays, less where images become hard to find.
+/// So many that they take a share of the rays.
 std::uint32_t EmitterStrategy::later_searches() const {
-    const double easy = lately_.images * kEasyImage / std::max(1.0, lately_.rays);
-    const double share = kMostSearching * std::clamp(easy, kLeastSearching, 1.0);
-    const double rays_of_one = std::max(1.0, lately_.rays / std::max(1.0, lately_.count));
-    return std::uint32_t(std::ceil(share * eye_rays_ / rays_of_one));
+    const double rays_of_one = std::max(1.0, double(search_rays_) / double(searches_));
+    return std::uint32_t(std::ceil(kSearching * eye_rays_ / rays_of_one));
 }
 
 CarriedLight EmitterStrategy::carry(const StrategyPass& /*pass*/, PassReport& /*report*/) {
@@ -112,10 +102,9 @@ void EmitterStrategy::end_pass(const StrategyPass& pass, const FilmPass& film_pa
 
 void EmitterStrategy::state(StateArchive& archive, const EyeImage& /*image*/) {
     images_.state(archive);
-    for (double* sum :
-         {&mean_luminance_, &eye_rays_, &lately_.count, &lately_.rays, &lately_.images})
+    for (double* sum : {&mean_luminance_, &eye_rays_})
         archive.amount(*sum);
-    for (std::uint64_t* count : {&passes_, &paths_, &searches_, &rays_})
+    for (std::uint64_t* count : {&passes_, &paths_, &searches_, &search_rays_, &rays_})
         archive.value(*count);
     light_.state(archive);
 }

@@ -24,7 +24,6 @@ class EmitterStrategy : public LightStrategy {
 
   private:
     void search(const ComingPass& pass);
-    void search(const ComingPass& pass, std::uint64_t round, std::uint32_t count);
     std::uint32_t later_searches() const;
 
     Log& log_;
@@ -35,12 +34,9 @@ class EmitterStrategy : public LightStrategy {
     double mean_luminance_ = 0;  // of the image; 0: not known
     LuminanceByLight light_;     // mean luminance of emitter paths by light, summed over passes
     std::uint64_t passes_ = 0;   // so many
-    std::uint64_t paths_ = 0, searches_ = 0, rays_ = 0;
+    std::uint64_t paths_ = 0, searches_ = 0, search_rays_ = 0, rays_ = 0;
     std::uint64_t pass_rays_ = 0;
     double eye_rays_ = 0;  // of the last pass, without those
-    struct Searches {
-        double count = 0, rays = 0, images = 0;
-    } lately_;  // older ones count less
 };
 
 }  // namespace aips

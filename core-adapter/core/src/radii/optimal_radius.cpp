@@ -1,6 +1,8 @@
 // Optimal radius and probes.
 #include "aips/core/radii/optimal_radius.h"
 
+#include "aips/core/base/constants.h"
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>

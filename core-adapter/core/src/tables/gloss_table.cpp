@@ -1,6 +1,8 @@
 // Learning who carries caustics on glossy lobes.
 #include "aips/core/tables/gloss_table.h"
 
+#include "aips/core/base/constants.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -44,8 +46,7 @@ void GlossTable::Sums::state(StateArchive& archive) {
 
 // Single photons may be far brighter than all that were met.
 bool GlossTable::Sums::photons_pay(const GlossCosts& costs) const {
-    const double of_photons =
-        (photons + kCertainlyMissing * std::sqrt(spread)) / costs.photon_paths;
+    const double of_photons = (photons + kSureErrors * std::sqrt(spread)) / costs.photon_paths;
     return of_photons + costs.price * points < bounce;
 }
 

@@ -6,6 +6,7 @@
 #include <limits>
 #include <stdexcept>
 
+#include "aips/core/base/constants.h"
 #include "trees/split_order.h"
 #include "trees/usable_bounds.h"
 
@@ -125,7 +126,7 @@ bool ScoreCache::Probe::shares_differ(int axis) const {
         difference += (upper ? 1 : -1) * sums.scored / sums.count;
         variance += share * (1 - share) / sums.count;
     }
-    return difference * difference > kSignificance * kSignificance * variance;
+    return difference * difference > kSureErrors * kSureErrors * variance;
 }
 
 bool ScoreCache::Probe::halves_differ(int axis) const {
@@ -138,7 +139,7 @@ bool ScoreCache::Probe::halves_differ(int axis) const {
         difference += upper ? mean : -mean;
         variance += std::max(0.0, sums.score / sums.count - mean * mean) / (sums.count - 1);
     }
-    return difference * difference > kSignificance * kSignificance * variance;
+    return difference * difference > kSureErrors * kSureErrors * variance;
 }
 
 ScoreCache::ScoreCache(const Bounds& scene, const ScoreCacheSettings& settings)

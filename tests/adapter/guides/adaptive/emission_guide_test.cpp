@@ -186,7 +186,7 @@ TEST(EmissionGuide, GoesToWhatIsWorthMoreAndTellsWhatItGains) {
     double gained = second_moment(EmissionGuide(2, plain)) / second_moment(guide);
     EXPECT_GT(gained, 3);
     // Per cost, of densities while it learned.
-    gained /= 1 + kEmissionLookUpCost;
+    gained /= 1 + kLookUpCost;
     EXPECT_NEAR(guide.gain(), gained, 0.3 * gained);
 }
 

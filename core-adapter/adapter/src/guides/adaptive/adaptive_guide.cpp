@@ -5,6 +5,7 @@
 #include <limits>
 #include <utility>
 
+#include "aips/core/base/constants.h"
 #include "base/parallel_for.h"
 #include "base/vector_growth.h"
 #include "eye/light_choice.h"
@@ -70,7 +71,7 @@ void AdaptiveGuide::update_switches() {
 
 std::uint32_t AdaptiveGuide::log_one_of() const {
     if (!enabled()) return 0;
-    return paths_ < kEagerPaths ? kEagerOneOf : kLateOneOf;
+    return paths_ < kLearningPaths ? kEarlyOneOf : kLateOneOf;
 }
 
 void AdaptiveGuide::study(const PathLog& log) {
@@ -161,7 +162,7 @@ SurvivalSwitch::Path AdaptiveGuide::judged_path(const PathLog& log, const PathRe
         rays = rays_so_far;
         judged.add(score, cost);
     };
-    judged.add(0, kEmissionCost);
+    judged.add(0, kPhotonCost);
     for (std::uint32_t v = 0; v < path.vertices; ++v) {
         const PathVertex& vertex = log.vertices[path.first_vertex + v];
         add_up_to(vertex.depth, vertex.rays);

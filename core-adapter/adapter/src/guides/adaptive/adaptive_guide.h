@@ -44,12 +44,11 @@ class AdaptiveGuide {
     /// Photon paths of the next iteration, where an unguided one has so many: few as long as much
     /// is learned, or photons count for less by their number (learning_weight.h).
     std::uint32_t iteration_paths(std::uint32_t unguided) const {
-        if (learns_at_once()) return kLearningIterationPaths;
-        return enabled() ? kSettledIterationPaths : unguided;
+        return learns_at_once() || enabled() ? kIterationPaths : unguided;
     }
     /// Whether iterations are learned from before the next is traced: while what is known grows
     /// fast, photons that follow older knowledge make fireflies.
-    bool learns_at_once() const { return paths_ < kEagerPaths; }
+    bool learns_at_once() const { return paths_ < kLearningPaths; }
     const EmissionGuide* emission() const {
         return emission_part_.enabled() && settings_.guide_emission ? &emission_ : nullptr;
     }

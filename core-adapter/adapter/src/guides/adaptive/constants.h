@@ -31,12 +31,6 @@ inline constexpr std::uint64_t kSeedTrialWalks = 4096;
 /// Supported by: no measurement.
 inline constexpr std::uint64_t kSeededPaths = 2'000'000;
 
-/// Share of the photons that start by the plain density. Unit: share of 1.
-/// Balances: the greatest weight of a start, its inverse, against photons that nobody sees.
-/// Chosen by: docs/notebook/2026-11-23-one-scale-for-scores.md.
-/// Supported by: one scene only: sun-window (0.25 in its place).
-inline constexpr double kPlainStarts = 0.15;
-
 /// Share of the photons that start by the density of seeds, until enough was learned. Unit: share
 /// of 1.
 /// Balances: finding the picture against following seeds that name it roughly.
@@ -56,44 +50,20 @@ inline constexpr double kLearnedSeedStarts = 0.05;
 /// Supported by: no measurement.
 inline constexpr std::uint32_t kLearnedScores = 256;
 
-/// Photon paths after which photons count in full, and of the first trial of a part. Unit: photon
-/// paths.
+/// Photon paths after which photons count in full, of the first trial of a part, and until which
+/// many are scored, each iteration before the next. Unit: photon paths.
 /// Balances: fireflies of a guide that knows little against the photons that count for less.
 /// Chosen by: reasoning: none on record.
 /// Supported by: no measurement.
 inline constexpr double kLearningPaths = 5e5;
 
-/// Photon paths until which many are scored, each iteration before the next. Unit: photon paths.
-/// Balances: time of learning against how soon much is known.
-/// Chosen by: docs/notebook/2026-11-23-one-scale-for-scores.md.
-/// Supported by: sun-window, hall (two and a half million).
-inline constexpr std::uint64_t kEagerPaths = 1'000'000;
-
-/// Photon paths of an iteration until then; photon_schedule.h weighs the first photons by as many.
+/// Photon paths of an iteration; photon_schedule.h weighs the first photons by as many.
 /// Unit: photon paths.
 /// Balances: work for all threads and little time between iterations against a guide that lags
 ///   behind.
 /// Chosen by: measurement.
 /// Supported by: cornell-box, glass-ball, chess (longer ones).
-inline constexpr std::uint32_t kLearningIterationPaths = 1u << 14;
-
-/// Photon paths of an iteration afterwards. Unit: photon paths.
-/// Balances: as before, for a guide that changes little; and memory.
-/// Chosen by: docs/notebook/2026-11-26-lagging-guide.md.
-/// Supported by: one scene only: sun-window (16384 in its place, 43 seeds).
-inline constexpr std::uint32_t kSettledIterationPaths = 1u << 15;
-
-/// Of so many paths one is scored until then. Unit: photon paths.
-/// Balances: time of learning against how soon much is known.
-/// Chosen by: docs/notebook/2026-11-21-directions-at-bounces.md.
-/// Supported by: ajar-door, hall, chess (all in place of one in four).
-inline constexpr std::uint32_t kEagerOneOf = 4;
-
-/// Of so many paths one is scored afterwards. Unit: photon paths.
-/// Balances: time of learning against following what changes.
-/// Chosen by: reasoning: none on record.
-/// Supported by: no measurement.
-inline constexpr std::uint32_t kLateOneOf = 16;
+inline constexpr std::uint32_t kIterationPaths = 1u << 14;
 
 /// Groups that paths are dealt out to, an odd number; the median of what they say is taken. Unit:
 /// groups.
@@ -101,25 +71,5 @@ inline constexpr std::uint32_t kLateOneOf = 16;
 /// Chosen by: measurement.
 /// Supported by: one scene only: a corridor with fog.
 inline constexpr std::size_t kMomentGroups = 5;
-
-/// Gain from which on starts are guided: stratified plain starts do better than their moments tell.
-/// Unit: ratio.
-/// Balances: gains that are missed against stratification that is lost.
-/// Chosen by: measurement: what stratified starts bring, 1.05 to 1.23.
-/// Supported by: cornell-box, glass-ball, chess; glass-ball, hall, ajar-door, pool, chess,
-///   summerhouse, daylight, car (1.4 in its place: the same bits).
-inline constexpr double kEmissionGain = 1.25;
-
-/// Cost of the way through a light's tree. Unit: rays.
-/// Balances: guided starts against the rays that their time would buy.
-/// Chosen by: measurement.
-/// Supported by: one scene only: cornell-box.
-inline constexpr double kEmissionLookUpCost = 0.5;
-
-/// Cost of looking up what a photon may still bring. Unit: rays.
-/// Balances: survival by score against the rays that its time would buy.
-/// Chosen by: measurement.
-/// Supported by: one scene only: cornell-box.
-inline constexpr double kScoreLookUpCost = 0.2;
 
 }  // namespace aips

@@ -1,6 +1,8 @@
 // Mixture of the plain, the seeds' and the learned density of emission.
 #include "guides/adaptive/emission_guide.h"
 
+#include "aips/core/base/constants.h"
+
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -61,7 +63,7 @@ void EmissionGuide::add(const EmissionScore& s) {
     if (!(s.start.pdf > 0) || s.start.light >= trees_.size()) return;
     if (!(s.score >= 0 && s.cost > 0) || !std::isfinite(s.score) || !std::isfinite(s.cost)) return;
     if (learned_) {
-        moments_.add(s.score, s.cost, kEmissionLookUpCost, s.start.pdf, plain_pdf(s.start.light),
+        moments_.add(s.score, s.cost, kLookUpCost, s.start.pdf, plain_pdf(s.start.light),
                      guided_pdf(s.start));
     }
     if (s.score > 0) ++scored_;
@@ -152,7 +154,7 @@ void EmissionGuide::set_densities() {
 void EmissionGuide::judge() {
     const bool tried =
         moments_.paths() >= settings_.trial_paths && scored_ >= settings_.learned_scores;
-    on_ = !tried || moments_.gain() > kEmissionGain;
+    on_ = !tried || moments_.gain() > kLeastGain;
 }
 
 // Densities are made from what was learned; lights that emit nothing have learned nothing.

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "aips/adapter/scene.h"
+#include "aips/core/base/constants.h"
 #include "aips/core/tables/constants.h"
 #include "aips/core/tables/discrete_distribution.h"
 #include "aips/core/trees/primary_tree.h"
@@ -19,7 +20,7 @@
 namespace aips {
 
 struct EmissionGuideSettings {
-    double plain_share = kPlainStarts;  ///< defensive: see EmissionGuide
+    double plain_share = kPlainShare;  ///< defensive: see EmissionGuide
     /// Of densities found from the eye, until enough was learned.
     double seed_share = kSeedStarts;
     double learned_seed_share = kLearnedSeedStarts;  ///< after that

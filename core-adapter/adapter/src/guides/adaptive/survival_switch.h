@@ -69,7 +69,7 @@ inline void SurvivalSwitch::Path::survive(const Survival& s) {
     for (std::size_t mix = 0; mix < ways_.size(); ++mix) {
         Way& way = ways_[mix];
         // Those that do not survive look up scores, too.
-        if (mix > 0) way.work.cost += kScoreLookUpCost * photons_ / (way.power * double(s.photons));
+        if (mix > 0) way.work.cost += kLookUpCost * photons_ / (way.power * double(s.photons));
         way.power *= double(s.photons) /
                      double(photons_going_on(s, static_cast<ScoreMix>(mix), float(way.power)));
     }

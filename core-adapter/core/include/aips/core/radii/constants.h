@@ -13,10 +13,4 @@ namespace aips {
 /// Supported by: glass-ball, room, chess.
 inline constexpr std::size_t kProbeScales = 3;
 
-/// Standard errors of its Laplacian from which on a narrow disc is believed. Unit: standard errors.
-/// Balances: blur of small light against radii that shrink on noise.
-/// Chosen by: measurement.
-/// Supported by: glass-ball, room.
-inline constexpr double kSureErrors = 2;
-
 }  // namespace aips

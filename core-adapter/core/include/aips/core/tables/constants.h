@@ -9,18 +9,6 @@
 
 namespace aips {
 
-/// Share of the choices of lights that is made without tables. Unit: share of 1.
-/// Balances: the greatest weight, its inverse, against noise where tables are right.
-/// Chosen by: reasoning: no light weighs more than eight times what it does without tables
-///   (docs/understand/direct-light.md).
-/// Supported by: no measurement (tables were measured in five scenes, this share was not varied).
-inline constexpr double kPlainLights = 0.125;
-
-/// Of so many shadow rays one tells what it found, while lights are learned from. Unit: shadow
-/// rays. Balances: time of learning against how soon lights are known. Chosen by: reasoning: none
-/// on record. Supported by: no measurement.
-inline constexpr std::uint32_t kLightSampleOneOf = 4;
-
 /// Least number of new samples from which tables of lights are made anew; otherwise half of those
 /// before. Unit: shadow rays that were to tell.
 /// Balances: lights known early against sequences of eye paths that begin anew.
@@ -68,24 +56,14 @@ inline constexpr std::uint32_t kTableSplitScores = 192;
 ///   was not varied).
 inline constexpr double kShortMemoryPaths = 1e5;
 
-/// Least gain, second moment times cost without a table over that with one, at which a table comes
-/// into use; in use it stays as long as it gains anything. Unit: ratio.
-/// Balances: tables in use against the noise of the verdict.
-/// Chosen by: reasoning: it has to pay for the noise of the verdict (docs/understand/guides.md).
-/// Supported by: no measurement.
-inline constexpr double kTableGain = 1.15;
-
-/// What all places together weigh in the choice of the share of a table. Unit: effective samples.
-/// Balances: places that differ against chance.
-/// Chosen by: docs/notebook/2026-11-21-directions-at-bounces.md.
-/// Supported by: one scene only: ajar-door (2 against 32).
-inline constexpr double kTableSharePrior = 16;
-
-/// Cost of drawing from a table and asking for its density. Unit: rays.
-/// Balances: tables against the rays that their time would buy.
+/// Cost of looking something up that was learned: of drawing from a table and asking for its
+/// density, of the way through a light's tree, of what a photon may still bring. Unit: rays.
+/// Balances: guides against the rays that their time would buy.
 /// Chosen by: measurement.
-/// Supported by: no measurement (the price stands beside times of whole phases).
-inline constexpr double kTableLookUpCost = 0.3;
+/// Supported by: daylight, chess, car, hall, glass-ball, summerhouse, sun-window, bathroom,
+/// jewellery, pool, room,
+///   ajar-door, magic-lamp (others in its place: docs/build-on/constants.md).
+inline constexpr double kLookUpCost = 0.3;
 
 /// Shares of a table that are compared; the first is no table at all. What the greatest leaves to
 /// the density without a table bounds weights: 1 / (1 - 3/4) of theirs. Unit: share of 1.
@@ -119,12 +97,5 @@ inline constexpr std::uint32_t kShareSplitPoints = 256;
 /// Chosen by: reasoning: a quarter of what a leaf has before it is split.
 /// Supported by: no measurement.
 inline constexpr double kSharePrior = 64;
-
-/// Standard errors by which a difference must stand out, or that single photons may add, before
-/// shares of light follow. Unit: standard errors.
-/// Balances: decisions soon against decisions by chance.
-/// Chosen by: reasoning: photons that come in clusters spread more than they tell.
-/// Supported by: no measurement.
-inline constexpr double kCertainlyMissing = 3;
 
 }  // namespace aips

@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "aips/core/base/constants.h"
 #include "aips/core/base/learned_parts.h"
 #include "aips/core/tables/constants.h"
 #include "aips/core/tables/light_tables.h"
@@ -14,10 +15,10 @@
 namespace aips {
 
 /// Of so many of a pass's `paths` one tells what its shadow rays found, `rays` of them at most,
-/// while lights are learned from: so that a pass has one in kLightSampleOneOf of paths times rays,
+/// while lights are learned from: so that a pass has one in kEarlyOneOf of paths times rays,
 /// or about kMostNewRays.
 constexpr std::uint32_t paths_per_light_sample(std::uint32_t paths, std::uint32_t rays = 1) {
-    return rays * std::max(kLightSampleOneOf, std::uint32_t(paths / kMostNewRays));
+    return rays * std::max(kEarlyOneOf, std::uint32_t(paths / kMostNewRays));
 }
 
 /// How many shadow rays of a pass are to tell, at most.

@@ -11,6 +11,7 @@
 #include <span>
 #include <vector>
 
+#include "aips/core/base/constants.h"
 #include "aips/core/tables/constants.h"
 #include "aips/core/tables/discrete_distribution.h"
 #include "aips/core/trees/score_cache.h"
@@ -20,7 +21,7 @@ namespace aips {
 struct LightTableSettings {
     ScoreCacheSettings places{.max_leaves = kTableLeaves,
                               .memory_paths = 1e15};  // nothing that is learned grows old
-    double plain_share = kPlainLights;                ///< of choices made without tables, in (0, 1]
+    double plain_share = kPlainShare;                 ///< of choices made without tables, in (0, 1]
     /// Shadow rays that the lights' shares over all leaves weigh in each, > 0.
     double prior_count = kPlacePrior;
 };

@@ -10,8 +10,10 @@
 #include <array>
 #include <cstddef>
 
+#include "aips/core/base/constants.h"
 #include "aips/core/base/state_archive.h"
 #include "aips/core/tables/constants.h"
+#include "aips/core/trees/constants.h"
 
 namespace aips {
 
@@ -56,11 +58,11 @@ class MixtureMoments {
 struct ShareSettings {
     /// Least gain, second moment times cost without a table over that with one, at which a table
     /// comes into use; in use it stays as long as it gains anything.
-    double gain = kTableGain;
+    double gain = kLeastGain;
     /// Effective samples that the prior weighs: what all places together say.
-    double prior_count = kTableSharePrior;
+    double prior_count = kPlacePrior;
     /// Of drawing from a table and asking for its density, in rays.
-    double table_cost = kTableLookUpCost;
+    double table_cost = kLookUpCost;
 };
 
 /// Number of the share in kTableShares with the least second moment times cost at a place whose

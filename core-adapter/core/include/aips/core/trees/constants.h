@@ -72,11 +72,4 @@ inline constexpr double kSplitMass = 1.0 / 256;
 /// Supported by: glass-ball, hall, ajar-door, pool, chess, summerhouse, daylight, car.
 inline constexpr double kPlacePrior = 8;
 
-/// Standard errors by which the mean root scores of two halves must differ. Roots, because their
-/// tails are lighter, and because the roulette takes the root. Unit: standard errors.
-/// Balances: detail against halves that differ by chance.
-/// Chosen by: reasoning: none on record.
-/// Supported by: no measurement.
-inline constexpr double kSignificance = 3;
-
 }  // namespace aips

@@ -116,7 +116,7 @@ statistics::BlockMeans blocks(const mock::View& view, stress::Way way, std::uint
 /// The largest detectable difference of the mean, over the guides.
 double expect_same_light(const mock::View& a, const mock::View& b) {
     double detectable = 0;
-    const unsigned seeds = stress::sized(9u, 32u);
+    const unsigned seeds = stress::sized(11u, 32u);
     for (const stress::Way& way : stress::ways(0, 3000, false)) {
         const auto c = statistics::compare(blocks(a, way, 1000, seeds), blocks(b, way, 2000, seeds),
                                            kSignificance / 3);

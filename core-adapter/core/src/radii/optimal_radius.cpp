@@ -1,8 +1,6 @@
 // Optimal radius and probes.
 #include "aips/core/radii/optimal_radius.h"
 
-#include "aips/core/base/constants.h"
-
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -49,7 +47,7 @@ double expected_squared_laplacian(const ProbeEstimate& estimate) {
     double squared = laplacian[0].value * laplacian[0].value + laplacian[0].error2;
     for (std::size_t scale = 1; scale < kProbeScales; ++scale) {
         const double sure = laplacian[scale].value * laplacian[scale].value -
-                            kSureErrors * kSureErrors * laplacian[scale].error2;
+                            kSureOfCurvature * kSureOfCurvature * laplacian[scale].error2;
         squared = std::max(squared, sure);
     }
     return squared;

@@ -7,7 +7,7 @@
 namespace aips {
 
 /// Standard errors by which something must stand out before it is believed: a difference between
-/// halves of a place, light that photons or eye paths miss, curvature, blur. Unit: standard errors.
+/// halves of a place, light that photons or eye paths miss, blur. Unit: standard errors.
 /// Balances: decisions soon against decisions by chance.
 /// Chosen by: reasoning: one in 700 is chance.
 /// Supported by: daylight, chess, car, hall, glass-ball, summerhouse, sun-window, bathroom,

@@ -77,8 +77,8 @@ class Channels {
 
 }  // namespace
 
-std::vector<std::byte> encode_exr(const FilmFrame& frame, const FileLayers& layers) {
-    Channels channels(frame, layers.metadata);
+std::vector<std::byte> encode_exr(const FileLayers& layers) {
+    Channels channels(layers.frame, layers.metadata);
     for (const ColorLayer& layer : layers.colors) {
         const std::string prefix = layer.name.empty() ? "" : layer.name + ".";
         const float* first = &layer.values.front().x;

@@ -255,9 +255,10 @@ std::vector<Rgb> FlexImage::denoised() const {
     return values;
 }
 
-void FlexImage::write_exr(const std::string& path, const ImageMetadata& metadata,
-                          std::span<const Rgb> denoised) const {
-    FileLayers layers{.colors = {{"", image()}}, .floats = {}, .values = {}, .metadata = metadata};
+FileLayers FlexImage::file_layers(const ImageMetadata& metadata,
+                                  std::span<const Rgb> denoised) const {
+    FileLayers layers{
+        .frame = settings_.frame, .colors = {{"", image()}}, .floats = {}, .metadata = metadata};
     std::vector<ColorLayer>& colors = layers.colors;
     for (std::uint32_t g = 0; light_groups() > 1 && g < light_groups(); ++g) {
         colors.push_back({group_names_[g], film_colors([&](std::span<Rgb> values) {
@@ -283,8 +284,7 @@ void FlexImage::write_exr(const std::string& path, const ImageMetadata& metadata
         layers.floats.push_back({name, values});
     }
     if (asked_) asked_->append_to(layers, [this](std::span<Rgb> c) { to_film_colors(c); });
-    write_file_atomically(path,
-                          encode_for(path, [&] { return encode_exr(settings_.frame, layers); }));
+    return layers;
 }
 
 /// The film's colours are none below zero: too bright and too dark are converted apart.
@@ -315,6 +315,15 @@ void FlexImage::write_png(const std::string& path, std::span<const Rgb> denoised
                               return encode_png(width(), height(), settings_.tone_map.gamma, rgb,
                                                 alpha);
                           }));
+}
+
+void write_exr(const std::string& path, const FileLayers& layers) {
+    write_file_atomically(path, encode_for(path, [&] { return encode_exr(layers); }));
+}
+
+void FileFilm::write_exr(const std::string& path, const ImageMetadata& metadata,
+                         std::span<const Rgb> denoised) const {
+    lxs::write_exr(path, file_layers(metadata, denoised));
 }
 
 std::unique_ptr<FileFilm> make_film(const SceneContents& contents, Diagnostics& diagnostics,

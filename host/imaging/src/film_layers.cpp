@@ -181,18 +181,14 @@ void FilmLayers::append_to(FileLayers& layers,
     }
     if (normal_) colors.push_back({std::string(kNormal), mean_normals(), {'X', 'Y', 'Z'}});
     if (!depth_.empty()) layers.floats.push_back({std::string(kDepth), depth_, 'Z'});
-    if (alpha_) {
-        layers.values.push_back(alpha());
-        layers.floats.push_back({"", layers.values.back(), 'A'});
-    }
+    if (alpha_) layers.floats.push_back({"", alpha(), 'A'});
     const auto append = [&](const std::string& layer, const std::optional<Mattes>& masks) {
         if (!masks) return;
         for (std::size_t rank = 0; rank < kMatteRanks; ++rank) {
             const std::string name = layer + "0" + std::to_string(rank / 2);
             for (const bool coverage : {false, true}) {
-                layers.values.push_back(masks->mattes.plane(rank, coverage));
-                layers.floats.push_back(
-                    {name, layers.values.back(), "RGBA"[2 * (rank % 2) + (coverage ? 1 : 0)]});
+                layers.floats.push_back({name, masks->mattes.plane(rank, coverage),
+                                         "RGBA"[2 * (rank % 2) + (coverage ? 1 : 0)]});
             }
         }
         add_cryptomatte_header(layer, masks->names, layers.metadata);

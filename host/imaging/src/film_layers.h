@@ -9,9 +9,9 @@
 #include <string>
 #include <vector>
 
-#include "exr_encoder.h"
 #include "film_accumulator.h"
 #include "id_mattes.h"
+#include "lxs/imaging/file_layers.h"
 #include "lxs/sdk/invalid_samples.h"
 #include "lxs/sdk/layers.h"
 #include "lxs/spectrum/wavelengths.h"
@@ -45,7 +45,7 @@ class FilmLayers {
     /// As FileFilm::set_names.
     void set_names(std::span<const std::string> objects, std::span<const std::string> materials);
 
-    /// Adds the layers to those of a file, which must not outlive this and begin with the image.
+    /// Adds the layers to those of a file, which begin with the image.
     /// `to_film` takes colours of the scene to those of the film.
     void append_to(FileLayers& layers, const std::function<void(std::span<Rgb>)>& to_film) const;
 

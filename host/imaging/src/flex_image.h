@@ -94,8 +94,8 @@ class FlexImage final : public FileFilm {
         return tone_map(shown(), settings_.tone_map);
     }
     std::string_view tone_map_kernel() const override { return name(settings_.tone_map.kernel); }
-    void write_exr(const std::string& path, const ImageMetadata& metadata,
-                   std::span<const Rgb> denoised) const override;
+    FileLayers file_layers(const ImageMetadata& metadata,
+                           std::span<const Rgb> denoised) const override;
     void write_png(const std::string& path, std::span<const Rgb> denoised) const override;
 
   private:

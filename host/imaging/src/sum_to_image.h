@@ -3,7 +3,7 @@
 
 #include <span>
 
-#include "exr_encoder.h"
+#include "lxs/imaging/file_layers.h"
 
 namespace lxs {
 

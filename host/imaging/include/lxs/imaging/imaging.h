@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "lxs/imaging/error_estimate.h"
-#include "lxs/imaging/exr_image.h"
+#include "lxs/imaging/file_layers.h"
 #include "lxs/scene/contents.h"
 #include "lxs/sdk/camera.h"
 #include "lxs/sdk/film.h"
@@ -93,11 +93,13 @@ class FileFilm : public Film {
     /// One of these as the EXR has it, groups before they are fitted to the image's rounding; no
     /// values if there is none of this name.
     virtual HeldLayer held_layer(std::string_view name) const = 0;
-    /// Writes linear 32-bit float radiance; each light group (if more than one) and each extra
-    /// layer as a named layer, and `denoised` if there is such an image. Written beside and
-    /// renamed; throws std::runtime_error with the path and the cause, leaving an older file whole.
-    virtual void write_exr(const std::string& path, const ImageMetadata& metadata,
-                           std::span<const Rgb> denoised = {}) const = 0;
+    /// What its EXR holds: linear radiance; each light group (if more than one) and each extra
+    /// layer as a named layer, and `denoised` if there is such an image.
+    virtual FileLayers file_layers(const ImageMetadata& metadata,
+                                   std::span<const Rgb> denoised = {}) const = 0;
+    /// Writes that (see file_layers.h).
+    void write_exr(const std::string& path, const ImageMetadata& metadata,
+                   std::span<const Rgb> denoised = {}) const;
     /// Writes the tonemapped 8-bit sRGB image of what is shown, or of `denoised` if there is one,
     /// likewise without rings; written beside and renamed likewise.
     virtual void write_png(const std::string& path, std::span<const Rgb> denoised = {}) const = 0;

@@ -4,12 +4,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <boost/dll/runtime_symbol_info.hpp>
 #include <system_error>
 
 #include "guarded_integrator.h"
 #include "lxs/host/plugin_check.h"
 #include "lxs/modules/load_module.h"
+#include "lxs/modules/module_file.h"
 #include "plugin_call.h"
 
 namespace lxs {
@@ -110,12 +110,14 @@ std::vector<std::string> PluginLibrary::names() const {
 }
 
 fs::path own_plugin_folder() {
-    const fs::path bin = boost::dll::program_location().parent_path();
-    for (const char* relative : {LXS_INSTALLED_PLUGINS, LXS_BUILT_PLUGINS}) {
-        fs::path folder = (bin / relative).lexically_normal();
-        if (fs::is_directory(folder)) return folder;
-    }
-    return {};
+    return beside_program({LXS_INSTALLED_PLUGINS, LXS_BUILT_PLUGINS});
+}
+
+void load_plugins(std::span<const std::string> folders, PluginLibrary& plugins) {
+    for (const std::string& folder : folders)
+        plugins.load_folder(folder);
+    const fs::path own = own_plugin_folder();
+    if (!own.empty()) plugins.load_folder(own);
 }
 
 std::unique_ptr<Integrator> create_integrator(const LoadedIntegrator& loaded,

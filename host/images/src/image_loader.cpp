@@ -36,7 +36,7 @@ class LoadedLibrary {
 }  // namespace
 
 fs::path image_library_file() {
-    return module_file({LXS_INSTALLED_IMAGES, LXS_BUILT_IMAGES}, LXS_IMAGES_MODULE);
+    return beside_program({LXS_INSTALLED_IMAGES, LXS_BUILT_IMAGES});
 }
 
 const ImageLibrary& image_library() {

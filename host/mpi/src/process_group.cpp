@@ -10,7 +10,7 @@ namespace lxs {
 namespace {
 
 std::filesystem::path mpi_module() {
-    return module_file({LXS_INSTALLED_MPI, LXS_BUILT_MPI}, LXS_MPI_MODULE);
+    return beside_program({LXS_INSTALLED_MPI, LXS_BUILT_MPI});
 }
 
 }  // namespace

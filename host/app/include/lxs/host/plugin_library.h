@@ -49,6 +49,9 @@ class PluginLibrary {
 /// build tree plugins. Empty if there is neither.
 std::filesystem::path own_plugin_folder();
 
+/// Loads the modules of these folders, and those of this executable. Throws PluginFailure.
+void load_plugins(std::span<const std::string> folders, PluginLibrary& plugins);
+
 /// Makes the integrator; a failure that is no InputError becomes a PluginFailure.
 std::unique_ptr<Integrator> create_integrator(const LoadedIntegrator& loaded,
                                               const ParameterReader& parameters);

@@ -1,24 +1,19 @@
-// Where a module lies that a program loads when it needs it.
+// Where what a program loads when it needs it lies: beside it.
 #pragma once
 
-#include <boost/dll/runtime_symbol_info.hpp>
 #include <filesystem>
 #include <initializer_list>
-#include <system_error>
+#include <vector>
 
 namespace lxs {
 
-/// The file `name` in the first of `folders` that has one; empty if none has. Folders are relative
-/// to that of the program: as it is installed, and as it is built.
-inline std::filesystem::path module_file(std::initializer_list<const char*> folders,
-                                         const char* name) {
-    const std::filesystem::path bin = boost::dll::program_location().parent_path();
-    for (const char* folder : folders) {
-        std::filesystem::path file = bin / folder / name;
-        std::error_code unknown;
-        if (std::filesystem::exists(file, unknown)) return file;
-    }
-    return {};
-}
+/// The folders that paths to modules are relative to: that of the program, or, where this code is
+/// part of the module of Python, those that a program beside it would lie in, as it is installed
+/// and as it is built.
+std::vector<std::filesystem::path> program_folders();
+
+/// The first of `paths` that there is, relative to a program's folder: as it is installed, and as
+/// it is built. Empty if there is none.
+std::filesystem::path beside_program(std::initializer_list<std::filesystem::path> paths);
 
 }  // namespace lxs

@@ -1,4 +1,4 @@
-// Messages on standard error, and one live line below them on a terminal.
+// Messages on standard error, and one live line below them on a terminal; or handed on.
 #include "lxs/host/console_log.h"
 
 #include <spdlog/logger.h>
@@ -24,6 +24,27 @@ spdlog::level::level_enum least_level(Verbosity verbosity) {
     return spdlog::level::debug;
 }
 
+spdlog::level::level_enum level_of(MessageKind kind) {
+    switch (kind) {
+        case MessageKind::Debug:
+            return spdlog::level::debug;
+        case MessageKind::Info:
+            return spdlog::level::info;
+        case MessageKind::Warning:
+            return spdlog::level::warn;
+        case MessageKind::Verbatim:
+        case MessageKind::VerbatimError:
+        case MessageKind::Error:
+            break;
+    }
+    return spdlog::level::err;
+}
+
+std::string prefix_of(MessageKind kind) {
+    if (kind == MessageKind::Warning) return "warning: ";
+    return kind == MessageKind::Error ? "error: " : "";
+}
+
 }  // namespace
 
 ConsoleLog::ConsoleLog(Verbosity verbosity)
@@ -34,38 +55,48 @@ ConsoleLog::ConsoleLog(Verbosity verbosity)
     logger_->set_level(least_level(verbosity));
 }
 
+ConsoleLog::ConsoleLog(MessageSink sink) : sink_(std::move(sink)), live_(false) {}
+
 ConsoleLog::~ConsoleLog() {
     clear_live();
 }
 
 void ConsoleLog::info(std::string_view message) {
-    print(spdlog::level::info, message);
+    take(MessageKind::Info, message);
 }
 
 void ConsoleLog::warning(std::string_view message) {
-    print(spdlog::level::warn, "warning: " + std::string(message));
+    take(MessageKind::Warning, message);
 }
 
 void ConsoleLog::debug(std::string_view message) {
-    print(spdlog::level::debug, message);
+    take(MessageKind::Debug, message);
 }
 
 void ConsoleLog::error(std::string_view message) {
-    print(spdlog::level::err, "error: " + std::string(message));
+    take(MessageKind::Error, message);
 }
 
-void ConsoleLog::verbatim(std::string_view message) {
-    print(spdlog::level::err, message);
+void ConsoleLog::verbatim(std::string_view message, bool error) {
+    take(error ? MessageKind::VerbatimError : MessageKind::Verbatim, message);
 }
 
-void ConsoleLog::print(int level, std::string_view message) {
-    const auto spdlog_level = static_cast<spdlog::level::level_enum>(level);
-    if (!logger_->should_log(spdlog_level)) return;
+void ConsoleLog::take(MessageKind kind, std::string_view message) {
     while (!message.empty() && message.back() == '\n')
         message.remove_suffix(1);
+    if (sink_) {
+        sink_(kind, printable(message));
+    } else {
+        print(kind, message);
+    }
+}
+
+void ConsoleLog::print(MessageKind kind, std::string_view message) {
+    const auto level = level_of(kind);
+    if (!logger_->should_log(level)) return;
     const std::lock_guard lock(mutex_);
     erase_live();
-    logger_->log(spdlog_level, "{}", printable(message));
+    logger_->log(level, "{}{}", prefix_of(kind), printable(message));
     if (!line_.empty()) std::fputs(line_.c_str(), stderr);
 }
 

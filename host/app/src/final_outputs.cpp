@@ -7,11 +7,9 @@
 #include <filesystem>
 #include <span>
 
-#include "lxs/host/advice.h"
 #include "lxs/host/counted.h"
-#include "lxs/host/explanation.h"
-#include "lxs/host/failure.h"
 #include "lxs/host/process_usage.h"
+#include "lxs/host/render_figures.h"
 #include "lxs/host/rescue.h"
 #include "lxs/host/seconds_since.h"
 #include "lxs/host/statistics_file.h"
@@ -37,43 +35,6 @@ bool write_text(const std::string& path, const std::string& text, ConsoleLog& lo
     return write_or_rescue(path, write, log);
 }
 
-/// What the integrator says of the render; nothing, and `failed`, if it can't.
-RenderFigures render_figures(const CommandLine& command, const RenderSession& session,
-                             ConsoleLog& log, bool& failed) {
-    RenderFigures figures;
-    InvalidSampleList contributions;
-    try {
-        contributions = session.integrator->invalid_samples();
-        if (!session.files.statistics.empty()) figures.own = session.integrator->statistics();
-        if (command.advice) figures.transport = session.integrator->transport_statistics();
-    } catch (const PluginFailure& failure) {
-        failed = true;
-        log.error(failure.what());
-    }
-    figures.refused = invalid_samples_by_kind(session, std::move(contributions));
-    return figures;
-}
-
-void warn_of_empty_image(const ImageVerdict& image, ConsoleLog& log) {
-    if (image.reason.empty()) return;
-    log.warning(
-        fmt::format("the image is all {}; the likely reason: {}", image.name(), image.reason));
-}
-
-void look_for_advice(RenderSession& session, RenderFigures& figures) {
-    const auto start = std::chrono::steady_clock::now();
-    figures.advice = advise(session, *figures.transport, *figures.image);
-    session.times["advice"] = seconds_since(start);
-}
-
-void explain(const CommandLine& command, const RenderSession& session, const RenderFigures& figures,
-             ConsoleLog& log) {
-    if (const std::string line = transport_line(*figures.transport); !line.empty()) log.info(line);
-    for (const Advice& advice : figures.advice)
-        log.info("advice: " + advice.text);
-    if (command.explain) log.verbatim(explanation(session, *figures.transport));
-}
-
 }  // namespace
 
 ImageMetadata image_metadata(const CommandLine& command, const RenderSession& session,
@@ -94,27 +55,19 @@ ExitCode write_final_outputs(const CommandLine& command, RenderSession& session,
                              const RenderTotals& totals, bool interrupted, ConsoleLog& log) {
     bool in_place = write_images_timed(command, session, totals, log);
     if (in_place) log.info("wrote " + names_of_images(session.files));
-    bool failed = false;
-    RenderFigures figures = render_figures(command, session, log, failed);
-    figures.image = judge_image(session);
-    if (figures.transport) look_for_advice(session, figures);
+    RenderFigures figures =
+        ask_integrator(command, session, !session.files.statistics.empty(), log);
+    look_at_image(session, figures);
     if (!session.files.statistics.empty()) {
         const std::string text = statistics_json(command, session, totals, figures, interrupted);
         in_place = write_text(session.files.statistics, text, log) && in_place;
     }
-    warn_of_invalid_samples(figures.refused, log);
-    warn_of_empty_image(*figures.image, log);
-    if (const auto share = session.film->outliers_left_out())
-        log.info(
-            fmt::format("outlierrejection_k leaves {:.2g} % of the light out of what is "
-                        "displayed; the EXR has all of it",
-                        100 * *share));
-    if (figures.transport) explain(command, session, figures, log);
+    log_figures(command, session, figures, log);
     if (const std::uint64_t bytes = peak_resident_bytes())
         log.debug(fmt::format("memory: at most {} MB were in use", bytes / 1'000'000));
     if (interrupted) log.warning("interrupted after " + counted(totals.passes, "pass", "passes"));
     if (!in_place) return ExitCode::OutputFailure;
-    if (failed) return ExitCode::PluginFailure;
+    if (figures.failed) return ExitCode::PluginFailure;
     return interrupted ? ExitCode::Interrupted : ExitCode::Success;
 }
 
@@ -124,8 +77,7 @@ void save_finished_passes(const CommandLine& command, RenderSession& session,
     std::string statistics;
     RenderFigures figures;
     try {
-        bool failed = false;
-        figures = render_figures(command, session, log, failed);
+        figures = ask_integrator(command, session, !session.files.statistics.empty(), log);
         if (!session.files.statistics.empty()) {
             statistics = statistics_json(command, session, totals, figures, true);
         }

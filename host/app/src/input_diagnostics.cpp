@@ -91,7 +91,12 @@ void InputDiagnostics::add(const std::string& severity, const SourceLocation& wh
         // At once, since texts of large files are given up before all is told.
         const std::string told = format_message(where, severity, kMessage);
         const std::size_t at = told.find(kMessage);
-        kinds_.push_back({told.substr(0, at), told.substr(at + kMessage.size()), message, 1, {}});
+        kinds_.push_back({told.substr(0, at),
+                          told.substr(at + kMessage.size()),
+                          message,
+                          severity == "error",
+                          1,
+                          {}});
         return;
     }
     Kind& kind = kinds_[known->second];
@@ -114,7 +119,7 @@ std::string InputDiagnostics::text(const Kind& kind) {
 
 void InputDiagnostics::report() {
     for (const Kind& kind : kinds_)
-        log_.verbatim(kind.before + printable(text(kind)) + kind.behind);
+        log_.verbatim(kind.before + printable(text(kind)) + kind.behind, kind.error);
     if (untold_ > 0) {
         log_.warning(
             fmt::format("more than {} kinds of messages about the scene: {} of further "

@@ -51,7 +51,8 @@ void install(Installed& state) {
 
 }  // namespace
 
-Interruption::Interruption() {
+Interruption::Interruption(bool signals) : signals_(signals) {
+    if (!signals_) return;
     Installed& state = installed();
     const std::lock_guard lock(state.mutex);
     if (state.users++ > 0) return;
@@ -60,6 +61,7 @@ Interruption::Interruption() {
 }
 
 Interruption::~Interruption() {
+    if (!signals_) return;
     Installed& state = installed();
     const std::lock_guard lock(state.mutex);
     if (--state.users > 0) return;
@@ -67,8 +69,12 @@ Interruption::~Interruption() {
         ::sigaction(kSignals[i], &state.before[i], nullptr);
 }
 
+bool Interruption::signalled() const {
+    return signals_ && signal_seen;
+}
+
 bool Interruption::requested() const {
-    return signal_seen || !asked_by_.empty();
+    return signalled() || !asked_by_.empty();
 }
 
 void Interruption::request(std::string_view who) {
@@ -76,7 +82,7 @@ void Interruption::request(std::string_view who) {
 }
 
 std::string Interruption::reason() const {
-    if (signal_seen) return "stopped by Ctrl-C or a signal";
+    if (signalled()) return "stopped by Ctrl-C or a signal";
     return asked_by_.empty() ? std::string() : "stopped by " + std::string(asked_by_);
 }
 

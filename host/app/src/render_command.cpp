@@ -10,9 +10,9 @@
 #include <new>
 #include <system_error>
 
+#include "lxs/host/begin_session.h"
 #include "lxs/host/catalogue.h"
 #include "lxs/host/checkpoint.h"
-#include "lxs/host/counted.h"
 #include "lxs/host/failure.h"
 #include "lxs/host/final_outputs.h"
 #include "lxs/host/learned_file.h"
@@ -28,72 +28,6 @@
 
 namespace lxs {
 namespace {
-
-void load_plugins(const CommandLine& command, PluginLibrary& plugins) {
-    for (const std::string& folder : command.plugin_paths)
-        plugins.load_folder(folder);
-    const auto own = own_plugin_folder();
-    if (!own.empty()) plugins.load_folder(own);
-}
-
-/// How wavelengths are named among what is skipped; empty if they are not.
-std::string skipped_wavelengths(const RenderSession& session) {
-    const SpectralNeed& need = session.scene->spectral_need();
-    if (session.scene->facts().disperses || need.misrepresented()) return {};
-    if (!need.given) return "wavelengths (nothing disperses)";
-    return fmt::format(
-        "wavelengths (nothing disperses; RGB represents spectra to {:.1f} %, worst {})",
-        100 * need.worst.difference, need.worst.pair);
-}
-
-/// "12 triangles and 3 round shapes", what there is of them.
-std::string shapes_in(const SceneFacts& facts) {
-    std::vector<std::string> kinds;
-    if (facts.triangles > 0) kinds.push_back(counted(facts.triangles, "triangle", "triangles"));
-    if (facts.quadrics > 0)
-        kinds.push_back(counted(facts.quadrics, "round shape", "round shapes") +
-                        " (spheres, disks, ...)");
-    return kinds.empty() ? "no shapes" : fmt::format("{}", fmt::join(kinds, " and "));
-}
-
-void log_scene(const RenderSession& session, ConsoleLog& log) {
-    const SceneFacts facts = session.scene->facts();
-    log.info(fmt::format("scene: {}, {}, {}; the image has {} x {} pixels", shapes_in(facts),
-                         counted(session.scene->lights().size(), "light", "lights"),
-                         counted(session.scene->material_names().size(), "material", "materials"),
-                         session.film->width(), session.film->height()));
-    std::vector<std::string_view> skipped;
-    if (!facts.has_image_textures) skipped.emplace_back("image textures (no texture system)");
-    if (!facts.has_media) skipped.emplace_back("media");
-    if (!facts.has_motion) skipped.emplace_back("motion");
-    const std::string wavelengths = skipped_wavelengths(session);
-    if (!wavelengths.empty()) skipped.emplace_back(wavelengths);
-    if (!skipped.empty()) {
-        log.debug(fmt::format("skipped, as the scene has none: {}", fmt::join(skipped, ", ")));
-    }
-    log.debug(
-        fmt::format("film before its first pass: {} MB", session.film->memory_bytes() / 1'000'000));
-}
-
-void prepare_integrator(RenderSession& session, const CommandLine& command, ConsoleLog& log) {
-    const RenderContext context{*session.scene,
-                                *session.camera,
-                                *session.sampler,
-                                session.no_film ? *session.no_film : *session.film,
-                                log,
-                                {command.threads, session.seed, command.advice},
-                                session.job};
-    try {
-        session.integrator->prepare(context);
-    } catch (const InputError&) {
-        throw;
-    } catch (const PluginFailure&) {
-        throw;
-    } catch (const std::runtime_error& error) {
-        throw SceneFailure(fmt::format("{}: \"{}\" can't render it: {}", command.scene,
-                                       session.integrator_name, error.what()));
-    }
-}
 
 /// Prepares the integrator and brings it to where the render begins; returns what was done before.
 RenderTotals begin(const CommandLine& command, RenderSession& session,
@@ -209,7 +143,7 @@ ExitCode describe(const CommandLine& command, const PluginLibrary& plugins, Cons
 }
 
 ExitCode run(const CommandLine& command, PluginLibrary& plugins, ConsoleLog& log, RankJob* job) {
-    load_plugins(command, plugins);
+    load_plugins(command.plugin_paths, plugins);
     if (command.list_plugins) {
         print(list_plugins(plugins));
         return ExitCode::Success;
@@ -238,7 +172,7 @@ ExitCode carry_out(const CommandLine& command, ConsoleLog& log, RankJob* job) {
     } catch (const RefusedInput&) {
         return ExitCode::BadInput;
     } catch (const InputError& error) {
-        log.verbatim(error.what());
+        log.verbatim(error.what(), true);
         return ExitCode::BadInput;
     } catch (const SceneFailure& error) {
         log.error(error.what());

@@ -265,7 +265,7 @@ RenderSession prepare(const CommandLine& command, const PluginLibrary& plugins,
     std::optional<WrittenFiles> written;
     const IntegratorChoice choice =
         make_from_options(session, command, contents, files, plugins, diagnostics, log);
-    if (diagnostics.errors() == 0) {  // before the scene takes its time to build
+    if (diagnostics.errors() == 0 && command.writes) {  // before the scene takes its time to build
         session.files = choose_output_files(command, *session.film, log);
         if (!command.helps) {
             written = check_outputs(command, session.files, sources, *choice.integrator, log);

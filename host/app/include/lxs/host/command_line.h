@@ -60,6 +60,7 @@ struct CommandLine {
     MpiSplit mpi_split = MpiSplit::Photons;
     std::uint32_t seeds_above = 0;  ///< added to the seed
     bool helps = false;             ///< as one of those after the first: it writes nothing
+    bool writes = true;             ///< files; not where a program takes the image from memory
     std::optional<std::string> merged_output;  ///< that its image is merged into at the end
     Verbosity verbosity = Verbosity::Normal;
 

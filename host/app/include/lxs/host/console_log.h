@@ -1,6 +1,8 @@
-// Messages on standard error, and one live line below them on a terminal.
+// Messages on standard error, and one live line below them on a terminal; or handed to a program
+// that has a log of its own.
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <mutex>
 #include <string>
@@ -15,18 +17,27 @@ class logger;
 
 namespace lxs {
 
+/// The verbatim ones say themselves what they are.
+enum class MessageKind : std::uint8_t { Debug, Info, Verbatim, Warning, VerbatimError, Error };
+
+/// Takes messages of all kinds; may be called from many threads at once.
+using MessageSink = std::function<void(MessageKind, std::string_view)>;
+
 /// May be called from many threads at once.
 class ConsoleLog : public Log {
   public:
     explicit ConsoleLog(Verbosity verbosity);
+    /// Nothing is printed: `sink` gets the messages.
+    explicit ConsoleLog(MessageSink sink);
     ~ConsoleLog() override;
 
     void info(std::string_view message) override;
     void warning(std::string_view message) override;
     void debug(std::string_view message) override;
     void error(std::string_view message);
-    /// A message that says itself what it is: printed as it stands, even with --quiet.
-    void verbatim(std::string_view message);
+    /// A message that says itself what it is: printed as it stands, even with --quiet. `error`:
+    /// that it is one.
+    void verbatim(std::string_view message, bool error = false);
 
     /// True if a live line is shown: standard error is a terminal, and --quiet is not given.
     bool live() const { return live_; }
@@ -36,10 +47,12 @@ class ConsoleLog : public Log {
     void clear_live();
 
   private:
-    void print(int level, std::string_view message);
+    void take(MessageKind kind, std::string_view message);
+    void print(MessageKind kind, std::string_view message);
     void erase_live();
 
-    std::shared_ptr<spdlog::logger> logger_;
+    MessageSink sink_;
+    std::shared_ptr<spdlog::logger> logger_;  ///< null with a sink
     std::mutex mutex_;
     bool live_;
     std::string line_;

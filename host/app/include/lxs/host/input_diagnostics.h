@@ -43,6 +43,7 @@ class InputDiagnostics : public Diagnostics {
     struct Kind {
         std::string before, behind;  ///< of the first: its place, and the line there
         std::string message;         ///< of the first
+        bool error;
         std::uint64_t count = 0;
         std::vector<std::string> others;  ///< names in other messages, a few, in order
     };

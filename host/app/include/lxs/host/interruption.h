@@ -11,7 +11,8 @@ namespace lxs {
 /// the same time may each have one: a signal stops them all.
 class Interruption {
   public:
-    Interruption();
+    /// `signals` false: they are left to the program, and request() alone ends the render.
+    explicit Interruption(bool signals = true);
     ~Interruption();
     Interruption(const Interruption&) = delete;
     Interruption& operator=(const Interruption&) = delete;
@@ -24,6 +25,9 @@ class Interruption {
     std::string reason() const;
 
   private:
+    bool signalled() const;
+
+    bool signals_;
     std::string_view asked_by_;  ///< empty: nobody but signals
 };
 

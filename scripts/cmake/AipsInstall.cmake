@@ -1,6 +1,7 @@
 # What `cmake --install` puts in place, by component:
 # - renderer: lxsrender and lxsmerge with their modules, man pages and completion of bash, scenes;
 # - mpi: the module of --mpi;
+# - python: the package `lxs`, which finds the modules of the component renderer;
 # - dev: libraries and headers for host adapters (CMake package `aips` and aips.pc), the plugin SDK
 #   (lxs::sdk), the manual, and the example of a host that it walks through;
 # - blender: the add-on, as Blender installs it.
@@ -49,6 +50,11 @@ if(AIPS_BUILD STREQUAL all)
       LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}/aips/mpi COMPONENT mpi)
   endif()
   install(TARGETS lxsrender lxsmerge COMPONENT renderer)
+  if(TARGET lxs_python)
+    install(TARGETS lxs_python LIBRARY DESTINATION ${LXS_PYTHON_DIR}/lxs COMPONENT python)
+    install(DIRECTORY ${PROJECT_SOURCE_DIR}/host/python/lxs DESTINATION ${LXS_PYTHON_DIR}
+      COMPONENT python PATTERN __pycache__ EXCLUDE)
+  endif()
   install(PROGRAMS ${PROJECT_SOURCE_DIR}/scripts/render-frames
     DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT renderer)
   install(DIRECTORY ${PROJECT_SOURCE_DIR}/scenes DESTINATION ${CMAKE_INSTALL_DATADIR}/aips
@@ -58,12 +64,12 @@ if(AIPS_BUILD STREQUAL all)
   install(FILES ${PROJECT_SOURCE_DIR}/host/app/completion/lxsrender RENAME lxsmerge
     DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions COMPONENT renderer)
   include(ManPages)
-  find_program(AIPS_PYTHON python3)
-  if(AIPS_PYTHON)
+  find_program(AIPS_PYTHON_PROGRAM python3)
+  if(AIPS_PYTHON_PROGRAM)
     set(addon ${PROJECT_BINARY_DIR}/aips_blender.zip)
     file(GLOB_RECURSE addon_sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/host/blender/*)
     add_custom_command(OUTPUT ${addon}
-      COMMAND ${AIPS_PYTHON} -B ${PROJECT_SOURCE_DIR}/scripts/blender-addon -o ${addon}
+      COMMAND ${AIPS_PYTHON_PROGRAM} -B ${PROJECT_SOURCE_DIR}/scripts/blender-addon -o ${addon}
       DEPENDS ${addon_sources} ${PROJECT_SOURCE_DIR}/scripts/blender-addon
       COMMENT "Add-on for Blender"
       VERBATIM)

@@ -12,7 +12,7 @@ SETUP = ROOT / 'scripts/setup'
 IN_DEBIAN = ROOT / 'scripts/in-debian'
 # Numbers that belong to the name of what is packaged.
 NUMBERED = {'librandom123-dev', 'nlohmann-json3-dev', 'libcli11-dev', 'python3', 'python3-numpy', 'help2man',
-            'zlib1g-dev'}
+            'zlib1g-dev', 'pybind11-dev', 'python3-dev'}
 
 
 def groups():
@@ -58,7 +58,7 @@ class Packages(unittest.TestCase):
     def test_unknown_group(self):
         result = subprocess.run([SETUP, 'nothing'], capture_output=True, text=True)
         self.assertEqual(result.returncode, 2)
-        self.assertIn('unknown group nothing; there are render test', result.stderr)
+        self.assertIn('unknown group nothing; there are render python', result.stderr)
 
 
 class InDebian(unittest.TestCase):

@@ -40,6 +40,21 @@ if(AIPS_MPI)
   set(CPACK_DEBIAN_MPI_PACKAGE_DEPENDS "lxsrender (= ${PROJECT_VERSION})")
 endif()
 
+if(TARGET lxs_python)
+  add_package(python python3-lxs python
+    "Renderer of LuxRender scenes with guided photons - module of Python"
+    "The module lxs, which renders scenes of LuxRender and pbrt within a program of\nPython and gives images, layers and statistics as numpy arrays and dicts.")
+  # Modules are compiled for one version of Python.
+  get_target_property(minor lxs_python LXS_PYTHON_MINOR)
+  math(EXPR next "${minor} + 1")
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS
+    "lxsrender (= ${PROJECT_VERSION}), python3 (>= 3.${minor}), python3 (<< 3.${next}), python3-numpy")
+  # They compile its sources, and take that away again.
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_CONTROL_EXTRA
+    ${CMAKE_CURRENT_LIST_DIR}/debian/postinst ${CMAKE_CURRENT_LIST_DIR}/debian/prerm)
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_CONTROL_STRICT_PERMISSION ON)
+endif()
+
 add_package(dev libaips-dev libdevel
   "Engine of guided photons, and what plugins of lxsrender compile against"
   "Static libraries, headers, CMake and pkg-config files for renderers that link\nthe engine of adaptive importance photon shooting by its adapter, the SDK of\nlxsrender's plugins, and the manual.")

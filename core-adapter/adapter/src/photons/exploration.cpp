@@ -29,8 +29,8 @@ namespace {
 /// Jobs of a round, each a chain where chains walk: a fixed number, so that nothing depends on that
 /// of threads.
 constexpr std::uint32_t kJobs = kChainCount;
-constexpr std::uint32_t kPathsPerJob = kRoundPaths / kJobs;
-static_assert(kRoundPaths % kJobs == 0 && kPathsPerJob % kShortestSegment == 0);
+constexpr std::uint32_t kExploringPathsPerJob = kRoundPaths / kJobs;
+static_assert(kRoundPaths % kJobs == 0 && kExploringPathsPerJob % kShortestSegment == 0);
 
 /// Numbers of rounds count down from here: no pass that brings light has them, nor has the first
 /// look.
@@ -192,8 +192,9 @@ class Explorer {
         std::vector<std::vector<Drawn>> jobs(kJobs);
         const auto work = [&](std::uint32_t job) {
             std::vector<Coordinate> coordinates;
-            for (std::uint32_t i = 0; i < kPathsPerJob; ++i)
-                jobs[job].push_back(draw(std::uint64_t{job} * kPathsPerJob + i, coordinates));
+            for (std::uint32_t i = 0; i < kExploringPathsPerJob; ++i)
+                jobs[job].push_back(
+                    draw(std::uint64_t{job} * kExploringPathsPerJob + i, coordinates));
         };
         share_out(input_.ranks, kJobs, nullptr, work,
                   [&](std::uint32_t job, StateArchive& archive) { state_of(archive, jobs[job]); });
@@ -229,10 +230,10 @@ class Explorer {
         const auto starts = std::uint32_t(std::min<std::size_t>(pool_.size(), kRoundPaths));
         const std::uint32_t segment =
             std::clamp<std::uint32_t>(kRoundPaths / starts / kShortestSegment * kShortestSegment,
-                                      kShortestSegment, kPathsPerJob);
+                                      kShortestSegment, kExploringPathsPerJob);
         std::vector<Visited> visited;
         // The size of mutations is learned from one part of the round to the next.
-        for (std::uint32_t step = 0; step < kPathsPerJob; step += kShortestSegment) {
+        for (std::uint32_t step = 0; step < kExploringPathsPerJob; step += kShortestSegment) {
             std::vector<Walked> walks(kJobs);
             const auto work = [&](std::uint32_t c) { walk(c, step, segment, walks[c]); };
             share_out(input_.ranks, kJobs, nullptr, work,
@@ -258,7 +259,7 @@ class Explorer {
         for (std::uint32_t i = 0; i < kShortestSegment; ++i, ++step) {
             const std::uint64_t number = std::uint64_t{step} * kJobs + c;
             if (step % segment == 0) {
-                const std::uint32_t segments = kPathsPerJob / segment * kJobs;
+                const std::uint32_t segments = kExploringPathsPerJob / segment * kJobs;
                 chain.steps = 0;
                 chain.cost =
                     draw(start_number(step / segment * kJobs + c, segments), chain.at).cost;

@@ -72,9 +72,11 @@ TEST(LightTables, AskTheLightsThatLightAPlace) {
     constexpr std::uint32_t kLights = 20;
     LightTables tables = equal_lights(kLights);
     learn_halves(tables, kLights, 100);
+    // Of what is not drawn as without tables.
+    const double most = 0.92 * (1 - light_table_settings(kLights).plain_share);
     for (const float y : {0.1f, 0.5f, 0.9f}) {
-        EXPECT_GT(tables.at({0.2f, y, 0}, kUp).pdf(0), 0.8);
-        EXPECT_GT(tables.at({0.8f, y, 0}, kUp).pdf(kLights - 1), 0.8);
+        EXPECT_GT(tables.at({0.2f, y, 0}, kUp).pdf(0), most);
+        EXPECT_GT(tables.at({0.8f, y, 0}, kUp).pdf(kLights - 1), most);
     }
     EXPECT_GT(tables.leaf_count(), 6u);
 }

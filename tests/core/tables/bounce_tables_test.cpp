@@ -132,6 +132,7 @@ TEST(BounceTables, DirectionsFollowTheirDensity) {
 TEST(BounceTables, LearnsAKnownDensity) {
     BounceTableSettings settings;
     settings.places.max_leaves = 6;
+    settings.shares.gain = 1;  // a ramp gains a third at most
     BounceTables tables(kScene, settings);
     constexpr int kSide = BounceTables::kResolution;
     const Frame frame = Frame::world_aligned(kUp);

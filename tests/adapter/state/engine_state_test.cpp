@@ -149,8 +149,7 @@ TEST(ResumableCases, LearnBesideTracingWhereTheySaySo) {
         if (what.name != "lagging_guide") continue;
         ResumableRender render(what);
         render.render_to(what.passes);
-        EXPECT_GT(render.statistics().photon_paths,
-                  kLearningPaths + what.settings.photons_per_pass);
+        EXPECT_GT(render.statistics().photon_paths, kEagerPaths + what.settings.photons_per_pass);
     }
 }
 

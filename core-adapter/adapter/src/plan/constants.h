@@ -19,11 +19,21 @@ inline constexpr double kNearWithoutGuide = 1.0 / 3;
 /// Supported by: no measurement.
 inline constexpr std::uint32_t kFewestPerPass = 1u << 12;
 
-/// What a pass without a guide counts for after the first choice, those before, of few photons, for
-/// 1; a guide shoots more at first, and what it shoots while it learns counts for less anyway.
-/// Unit: ratio. Balances: noise of the first passes against the photons that they bring. Chosen by:
-/// measurement. Supported by: glass-ball, hall, summerhouse (2 and 64 in its place).
+/// What a pass after the first choice counts for, those before, of few photons, for 1; 1 too with a
+/// guide in small images, which shoots more at first. Unit: ratio.
+/// Balances: noise of the first passes against the photons that they bring.
+/// Chosen by: measurement.
+/// Supported by: glass-ball, hall, summerhouse (2 and 64 in its place); hall, sun-window,
+///   glass-ball, prism, ajar-door (2 with a guide in small images).
 inline constexpr double kChosenWeight = 8;
+
+/// The same of a guide in large images, whose passes it begins with as many photons as eye paths:
+/// it is given more at first, and what it shoots while it learns counts for less anyway. Unit:
+/// ratio.
+/// Balances: noise of the first passes against the photons that they bring.
+/// Chosen by: measurement.
+/// Supported by: hall, glass-ball (1 and 8 in its place).
+inline constexpr double kChosenWeightOfAGuide = 2;
 
 /// Greatest cost of photons over the eye's: beyond it no more than a tenth could be gained. Unit:
 /// ratio. Balances: the eye's noise against that of photons. Chosen by: reasoning: what is left to

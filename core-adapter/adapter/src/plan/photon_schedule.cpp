@@ -31,6 +31,11 @@ std::uint32_t first_paths(const Settings& settings, std::uint32_t eye_paths, boo
     return std::clamp(eye_paths, fewest, kUsualPhotonsPerPass);
 }
 
+double chosen_weight(std::uint32_t first_paths, bool learns) {
+    if (!learns) return kChosenWeight;
+    return first_paths > kLearningPass ? kChosenWeightOfAGuide : 1;
+}
+
 /// What a pass counts for, in (0, 1], of a warm start: what was learned may be wrong
 /// where things have moved, and the first radii are as blind as those of any render.
 double warm_start_weight(std::uint64_t pass) {
@@ -54,7 +59,7 @@ PhotonSchedule::PhotonSchedule(const Settings& settings, std::uint32_t eye_paths
       may_take_turns_(may_take_turns),
       eye_paths_(eye_paths),
       paths_(first_paths(settings, eye_paths, adapts_, learns)),
-      chosen_weight_(learns ? 1 : kChosenWeight) {
+      chosen_weight_(chosen_weight(paths_, learns)) {
     set_next();
 }
 

@@ -71,7 +71,7 @@ void AdaptiveGuide::update_switches() {
 
 std::uint32_t AdaptiveGuide::log_one_of() const {
     if (!enabled()) return 0;
-    return paths_ < kLearningPaths ? kEarlyOneOf : kLateOneOf;
+    return paths_ < kEagerPaths ? kEarlyOneOf : kLateOneOf;
 }
 
 void AdaptiveGuide::study(const PathLog& log) {

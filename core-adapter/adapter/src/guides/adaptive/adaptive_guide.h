@@ -48,7 +48,7 @@ class AdaptiveGuide {
     }
     /// Whether iterations are learned from before the next is traced: while what is known grows
     /// fast, photons that follow older knowledge make fireflies.
-    bool learns_at_once() const { return paths_ < kLearningPaths; }
+    bool learns_at_once() const { return paths_ < kEagerPaths; }
     const EmissionGuide* emission() const {
         return emission_part_.enabled() && settings_.guide_emission ? &emission_ : nullptr;
     }

@@ -50,12 +50,19 @@ inline constexpr double kLearnedSeedStarts = 0.05;
 /// Supported by: no measurement.
 inline constexpr std::uint32_t kLearnedScores = 256;
 
-/// Photon paths after which photons count in full, of the first trial of a part, and until which
-/// many are scored, each iteration before the next. Unit: photon paths.
+/// Photon paths after which photons count in full, and of the first trial of a part. Unit: photon
+/// paths.
 /// Balances: fireflies of a guide that knows little against the photons that count for less.
 /// Chosen by: reasoning: none on record.
 /// Supported by: no measurement.
 inline constexpr double kLearningPaths = 5e5;
+
+/// Photon paths until which many are scored, each iteration before the next. Unit: photon paths.
+/// Balances: time of learning against how soon much is known: with half as many places went on to
+/// be halved, and memory to grow, for long.
+/// Chosen by: docs/notebook/2026-11-23-one-scale-for-scores.md.
+/// Supported by: sun-window, hall (two and a half million).
+inline constexpr std::uint64_t kEagerPaths = 1'000'000;
 
 /// Photon paths of an iteration; photon_schedule.h weighs the first photons by as many.
 /// Unit: photon paths.

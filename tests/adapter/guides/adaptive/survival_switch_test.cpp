@@ -83,7 +83,7 @@ TEST(SurvivalSwitch, WhereNothingIsKnownAllWaysAreThePlainOne) {
     path.add(1, 2);
     for (std::size_t i = 0; i < SecondMoments::kGroups; ++i)
         judge.add(path);
-    // Two rays for each of the vertices that are looked up, in vain.
+    // A look-up for each of two rays, in vain.
     EXPECT_NEAR(judge.gain(), 1 / (1 + kLookUpCost / 2), 1e-6);
 }
 

@@ -28,8 +28,8 @@ inline constexpr double kDarkestShare = 0.5;
 /// Balances: places that differ against passes until something is known.
 /// Chosen by: reasoning: 16 visible points of a pass find what separates a twentieth of the light.
 /// Supported by: daylight, chess, car, hall, glass-ball, summerhouse, sun-window, bathroom,
-/// jewellery, pool, room,
-///   ajar-door, magic-lamp (others in its place: docs/build-on/constants.md).
+///   jewellery, pool, room, ajar-door, magic-lamp (others in its place:
+///   docs/build-on/constants.md).
 inline constexpr std::uint32_t kFilmCell = 4;
 
 }  // namespace aips

@@ -10,8 +10,7 @@ namespace aips {
 /// Balances: noise of emitters behind glass and in mirrors against that of all else.
 /// Chosen by: measurement.
 /// Supported by: chess, jewellery, car, summerhouse, bathroom, glass-ball, sun-window, room (0.15
-/// in
-///   its place).
+///   in its place).
 inline constexpr double kEmitterPathShare = 0.1;
 
 /// Emitter paths of a pass through an image that is all of its pixel's light; others have their

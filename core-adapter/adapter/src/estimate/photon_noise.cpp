@@ -9,30 +9,18 @@
 #include "base/film_pixel.h"
 
 namespace aips {
-namespace {
-
-constexpr std::uint32_t cells_along(std::uint32_t pixels) {
-    return (pixels + kFilmCell - 1) / kFilmCell;
-}
-
-}  // namespace
 
 PhotonNoise::PhotonNoise(std::uint32_t width, std::uint32_t height)
     : width_(width),
       height_(height),
-      cells_(std::size_t{cells_along(width)} * cells_along(height)) {}
-
-std::size_t PhotonNoise::cell_of(std::uint32_t pixel) const {
-    const std::uint32_t column = pixel % width_, row = pixel / width_;
-    return std::size_t{row / kFilmCell} * cells_along(width_) + column / kFilmCell;
-}
+      cells_(std::size_t{film_cells_along(width)} * film_cells_along(height)) {}
 
 void PhotonNoise::add_pass(const EyeImage& image, const PhotonFlux& flux) {
     const auto cell_at = [&](std::size_t i) {
         const Vec2 film = image.positions[image.visible_points[i].sample];
-        return cell_of(film_pixel(film, width_, height_));
+        return film_cell(film_pixel(film, width_, height_), width_);
     };
-    const std::uint32_t columns = cells_along(width_);
+    const std::uint32_t columns = film_cells_along(width_);
     in_disjoint_ranges(
         image.visible_points.size(),
         [&](std::size_t i) { return std::uint32_t(cell_at(i) / columns); },
@@ -51,7 +39,7 @@ void PhotonNoise::add_pass(const EyeImage& image, const PhotonFlux& flux) {
 }
 
 double PhotonNoise::relative_variance(std::uint32_t pixel) const {
-    const Cell& cell = cells_[cell_of(pixel)];
+    const Cell& cell = cells_[film_cell(pixel, width_)];
     if (!(cell.sum > 0)) return std::numeric_limits<double>::infinity();
     return double(kFilmCell * kFilmCell) * cell.squares / (cell.sum * cell.sum);
 }

@@ -39,7 +39,6 @@ class PhotonNoise {
     struct Cell {
         double sum = 0, squares = 0;  // of luminances, of those of single photons
     };
-    std::size_t cell_of(std::uint32_t pixel) const;
 
     std::uint32_t width_, height_;
     std::vector<Cell> cells_;

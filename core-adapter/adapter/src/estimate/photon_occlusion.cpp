@@ -56,16 +56,15 @@ PhotonOcclusion::PhotonOcclusion(const Scene& scene, std::uint64_t seed, std::ui
       seed_(seed),
       width_(width),
       height_(height),
-      columns_((width + kFilmCell - 1) / kFilmCell),
-      rows_((height + kFilmCell - 1) / kFilmCell) {
+      columns_(film_cells_along(width)),
+      rows_(film_cells_along(height)) {
     marks_.resize(std::size_t{columns_} * rows_);
     all_.resize(marks_.size());
     reached_.resize(marks_.size());
 }
 
 std::size_t PhotonOcclusion::cell_of(Vec2 film_position) const {
-    const std::uint32_t pixel = film_pixel(film_position, width_, height_);
-    return std::size_t{pixel / width_ / kFilmCell} * columns_ + pixel % width_ / kFilmCell;
+    return film_cell(film_pixel(film_position, width_, height_), width_);
 }
 
 void PhotonOcclusion::begin_pass(std::uint64_t pass, float time, const EyeImage& image) {

@@ -30,8 +30,8 @@ inline constexpr double kFirstSearches = 1;
 /// Balances: images found early against rays for all else.
 /// Chosen by: measurement.
 /// Supported by: daylight, chess, car, hall, glass-ball, summerhouse, sun-window, bathroom,
-/// jewellery, pool, room,
-///   ajar-door, magic-lamp (others in its place: docs/build-on/constants.md).
+///   jewellery, pool, room, ajar-door, magic-lamp (others in its place:
+///   docs/build-on/constants.md).
 inline constexpr double kSearching = 0.1;
 
 }  // namespace aips

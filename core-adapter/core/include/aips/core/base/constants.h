@@ -11,8 +11,8 @@ namespace aips {
 /// Balances: decisions soon against decisions by chance.
 /// Chosen by: reasoning: one in 700 is chance.
 /// Supported by: daylight, chess, car, hall, glass-ball, summerhouse, sun-window, bathroom,
-/// jewellery, pool, room,
-///   ajar-door, magic-lamp (others in its place: docs/build-on/constants.md).
+///   jewellery, pool, room, ajar-door, magic-lamp (others in its place:
+///   docs/build-on/constants.md).
 inline constexpr double kSureErrors = 3;
 
 /// Share of what a guide draws that is drawn as without it: a defensive mixture (Owen and Zhou
@@ -20,8 +20,8 @@ inline constexpr double kSureErrors = 3;
 /// Balances: the greatest weight, 1 / 0.15, against noise where the guide is right.
 /// Chosen by: measurement.
 /// Supported by: daylight, chess, car, hall, glass-ball, summerhouse, sun-window, bathroom,
-/// jewellery, pool, room,
-///   ajar-door, magic-lamp (others in its place: docs/build-on/constants.md).
+///   jewellery, pool, room, ajar-door, magic-lamp (others in its place:
+///   docs/build-on/constants.md).
 inline constexpr double kPlainShare = 0.15;
 
 /// Least gain, second moment times cost without a guide over that with one, at which one comes into
@@ -29,8 +29,8 @@ inline constexpr double kPlainShare = 0.15;
 /// Balances: guides in use against the noise of the verdict.
 /// Chosen by: measurement: what stratified starts bring, 1.05 to 1.23.
 /// Supported by: daylight, chess, car, hall, glass-ball, summerhouse, sun-window, bathroom,
-/// jewellery, pool, room,
-///   ajar-door, magic-lamp (others in its place: docs/build-on/constants.md).
+///   jewellery, pool, room, ajar-door, magic-lamp (others in its place:
+///   docs/build-on/constants.md).
 inline constexpr double kLeastGain = 1.25;
 
 /// While little is known, one of so many is learned from: photon paths that are scored, shadow
@@ -44,8 +44,8 @@ inline constexpr std::uint32_t kEarlyOneOf = 4;
 /// Balances: time of learning against following what changes.
 /// Chosen by: reasoning: learning takes no more than a few rays in a hundred.
 /// Supported by: daylight, chess, car, hall, glass-ball, summerhouse, sun-window, bathroom,
-/// jewellery, pool, room,
-///   ajar-door, magic-lamp (others in its place: docs/build-on/constants.md).
+///   jewellery, pool, room, ajar-door, magic-lamp (others in its place:
+///   docs/build-on/constants.md).
 inline constexpr std::uint32_t kLateOneOf = 16;
 
 }  // namespace aips

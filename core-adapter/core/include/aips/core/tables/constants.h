@@ -61,8 +61,8 @@ inline constexpr double kShortMemoryPaths = 1e5;
 /// Balances: guides against the rays that their time would buy.
 /// Chosen by: measurement.
 /// Supported by: daylight, chess, car, hall, glass-ball, summerhouse, sun-window, bathroom,
-/// jewellery, pool, room,
-///   ajar-door, magic-lamp (others in its place: docs/build-on/constants.md).
+///   jewellery, pool, room, ajar-door, magic-lamp (others in its place:
+///   docs/build-on/constants.md).
 inline constexpr double kLookUpCost = 0.3;
 
 /// Shares of a table that are compared; the first is no table at all. What the greatest leaves to

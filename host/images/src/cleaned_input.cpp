@@ -6,16 +6,19 @@
 #include <vector>
 
 #include "checked_input.h"
+#include "lxs/spectrum/srgb_curve.h"
 
 namespace lxs {
 namespace {
 
 constexpr const char* kPathAttribute = "lxs:path";
+constexpr const char* kDecodedAttribute = "lxs:decoded";
 
 }  // namespace
 
-OIIO::ImageSpec CleanedInput::configuration(const std::string& path) {
+OIIO::ImageSpec CleanedInput::configuration(const std::string& path, bool decoded) {
     OIIO::ImageSpec configuration;
+    configuration.attribute(kDecodedAttribute, decoded ? 1 : 0);
     configuration.attribute(kPathAttribute, path);
     return configuration;
 }
@@ -36,6 +39,7 @@ bool CleanedInput::open(const std::string& /*name*/, OIIO::ImageSpec& spec,
         errorfmt("{}", error.what());
         return false;
     }
+    decoded_ = configuration.get_int_attribute(kDecodedAttribute) != 0;
     m_spec = file_->spec();
     m_spec.set_format(OIIO::TypeDesc::FLOAT);
     m_spec.channelformats.clear();
@@ -63,6 +67,13 @@ void CleanedInput::clean(float* values, std::size_t pixels) {
         values[i] = 0;
         ++refused_;
     }
+    if (decoded_) decode(values, pixels);
+}
+
+void CleanedInput::decode(float* values, std::size_t pixels) const {
+    for (std::size_t i = 0; i < pixels; ++i)
+        for (int c = 0; c < m_spec.nchannels; ++c, ++values)
+            if (c != m_spec.alpha_channel) *values = linear_of_srgb(*values);
 }
 
 bool CleanedInput::read_native_scanline(int /*subimage*/, int /*miplevel*/, int y, int z,

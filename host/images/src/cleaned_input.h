@@ -14,8 +14,8 @@ namespace lxs {
 /// only.
 class CleanedInput final : public OIIO::ImageInput {
   public:
-    /// Configuration for open().
-    static OIIO::ImageSpec configuration(const std::string& path);
+    /// Configuration for open(). `decoded`: stored values become linear by sRGB's curve.
+    static OIIO::ImageSpec configuration(const std::string& path, bool decoded);
     /// What the image cache calls to make readers.
     static OIIO::ImageInput* create() { return new CleanedInput; }
 
@@ -37,11 +37,13 @@ class CleanedInput final : public OIIO::ImageInput {
 
   private:
     void clean(float* values, std::size_t pixels);
+    void decode(float* values, std::size_t pixels) const;
     bool forward_error();
 
     std::unique_ptr<OIIO::ImageInput> file_;
     std::string failure_;  ///< why reading failed; empty if it did not
     std::uint64_t refused_ = 0;
+    bool decoded_ = false;
 };
 
 }  // namespace lxs

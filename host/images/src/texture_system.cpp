@@ -33,17 +33,20 @@ OIIO::TextureOpt::Wrap wrap_of(TexelLookup::Outside outside) {
 
 class SystemImage final : public CachedImage {
   public:
-    SystemImage(OIIO::TextureSystem* system, OIIO::TextureSystem::TextureHandle* handle,
-                const CleanedInput& input)
-        : system_(system),
-          handle_(handle),
-          channels_(input.spec().nchannels),
-          alpha_channel_(input.spec().alpha_channel),
-          refused_(input.refused()) {}
+    struct Facts {
+        int channels, alpha_channel;
+        std::uint64_t refused;
+    };
 
-    int channels() const override { return channels_; }
-    int alpha_channel() const override { return alpha_channel_; }
-    std::uint64_t refused() const override { return refused_; }
+    SystemImage(TextureSystemImages& images, std::string path, const Facts& facts, bool decoded)
+        : images_(images),
+          handle_(images.handle_of(path, decoded)),
+          path_(std::move(path)),
+          facts_(facts) {}
+
+    int channels() const override { return facts_.channels; }
+    int alpha_channel() const override { return facts_.alpha_channel; }
+    std::uint64_t refused() const override { return facts_.refused; }
     void look_up(float s, float t, int first, const TexelLookup& how,
                  std::span<float> values) const override {
         OIIO::TextureOpt options;
@@ -52,16 +55,20 @@ class SystemImage final : public CachedImage {
         options.interpmode =
             how.interpolated ? OIIO::TextureOpt::InterpBilinear : OIIO::TextureOpt::InterpClosest;
         options.firstchannel = first;
-        const bool read = system_->texture(handle_, nullptr, options, s, t, 0, 0, 0, 0,
-                                           static_cast<int>(values.size()), values.data());
-        if (!read) fail(system_->has_error() ? system_->geterror() : "");
+        OIIO::TextureSystem& system = images_.system();
+        const bool read = system.texture(handle_, nullptr, options, s, t, 0, 0, 0, 0,
+                                         static_cast<int>(values.size()), values.data());
+        if (!read) fail(system.has_error() ? system.geterror() : "");
+    }
+    std::unique_ptr<const CachedImage> decoded() const override {
+        return std::make_unique<SystemImage>(images_, path_, facts_, true);
     }
 
   private:
-    OIIO::TextureSystem* system_;
+    TextureSystemImages& images_;
     OIIO::TextureSystem::TextureHandle* handle_;
-    int channels_, alpha_channel_;
-    std::uint64_t refused_;
+    std::string path_;
+    Facts facts_;
 };
 
 }  // namespace
@@ -83,25 +90,34 @@ TextureSystemImages::~TextureSystemImages() {
     OIIO::TextureSystem::destroy(system_);
 }
 
-std::string TextureSystemImages::own_name(const std::string& path) const {
-    return fmt::format("{}?cleaned-{}", path, fmt::ptr(this));
+std::string TextureSystemImages::own_name(const std::string& path, bool decoded) const {
+    return fmt::format("{}?cleaned-{}{}", path, fmt::ptr(this), decoded ? "-decoded" : "");
 }
 
-std::unique_ptr<const CachedImage> TextureSystemImages::open(const std::string& path) {
-    CleanedInput input;
-    OIIO::ImageSpec spec;
-    const OIIO::ImageSpec configuration = CleanedInput::configuration(path);
-    const bool good =
-        with_reasons([&] { return input.open(path, spec, configuration) && input.read_through(); });
-    if (!good) fail(input.geterror());
+OIIO::TextureSystem::TextureHandle* TextureSystemImages::handle_of(const std::string& path,
+                                                                   bool decoded) {
+    const OIIO::ImageSpec configuration = CleanedInput::configuration(path, decoded);
     const std::lock_guard lock(mutex_);
-    const OIIO::ustring name(own_name(path));
+    const OIIO::ustring name(own_name(path, decoded));
     system_->imagecache()->add_file(name, &CleanedInput::create, &configuration);
     system_->invalidate(name, true);  // another scene may have read an older version of the file
     names_.push_back(name);
     auto* handle = system_->get_texture_handle(name);
     if (!handle || !system_->good(handle)) fail(system_->geterror());
-    return std::make_unique<SystemImage>(&*system_, handle, input);
+    return handle;
+}
+
+std::unique_ptr<const CachedImage> TextureSystemImages::open(const std::string& path) {
+    CleanedInput input;
+    OIIO::ImageSpec spec;
+    const OIIO::ImageSpec configuration = CleanedInput::configuration(path, false);
+    const bool good =
+        with_reasons([&] { return input.open(path, spec, configuration) && input.read_through(); });
+    if (!good) fail(input.geterror());
+    return std::make_unique<SystemImage>(
+        *this, path,
+        SystemImage::Facts{input.spec().nchannels, input.spec().alpha_channel, input.refused()},
+        false);
 }
 
 }  // namespace lxs

@@ -14,6 +14,7 @@
 #include "lxs/images/image_library.h"
 #include "lxs/scene/registry.h"
 #include "lxs/spectrum/rgb_spectra.h"
+#include "lxs/spectrum/srgb_curve.h"
 
 namespace lxs {
 
@@ -23,8 +24,13 @@ LatLongMap::LatLongMap(std::size_t width, std::size_t height, std::vector<Rgb> p
         c = non_negative(c);
 }
 
-LatLongMap LatLongMap::read(const std::string& path, float gamma, const SourceLocation& where,
-                            Diagnostics& diagnostics) {
+float MapCurve::linear(float stored) const {
+    if (srgb) return linear_of_srgb(stored);
+    return gamma == 1 ? stored : std::pow(stored, gamma);
+}
+
+LatLongMap LatLongMap::read(const std::string& path, const MapCurve& curve,
+                            const SourceLocation& where, Diagnostics& diagnostics) {
     const ImageLibrary& library = image_library();
     FloatImage file;
     std::vector<Rgb> pixels;
@@ -43,9 +49,8 @@ LatLongMap LatLongMap::read(const std::string& path, float gamma, const SourceLo
         const Rgb stored = grey ? Rgb(v[0]) : Rgb(v[0], v[1], v[2]);
         pixels[i] = non_negative(stored);
         if (!(pixels[i] == stored)) ++refused;
-        if (gamma == 1) continue;
         for (int k = 0; k < 3; ++k)
-            pixels[i][k] = std::pow(pixels[i][k], gamma);
+            pixels[i][k] = curve.linear(pixels[i][k]);
     }
     if (refused > 0) {
         diagnostics.warning(where, fmt::format("image \"{}\" has {} pixels that are not finite or "

@@ -11,15 +11,22 @@
 
 namespace lxs {
 
+/// How stored values become linear.
+struct MapCurve {
+    float gamma = 1;    ///< each is raised to it
+    bool srgb = false;  ///< by sRGB's curve instead
+
+    float linear(float stored) const;
+};
+
 class LatLongMap {
   public:
     /// Pixels row by row, top row first.
     LatLongMap(std::size_t width, std::size_t height, std::vector<Rgb> pixels);
-    /// Reads an image file; each value is raised to `gamma` (1: used as stored). Throws InputError
-    /// at `where` if the file can't be read; values that are not finite or negative are taken for
-    /// 0, with a warning there.
-    static LatLongMap read(const std::string& path, float gamma, const SourceLocation& where,
-                           Diagnostics& diagnostics);
+    /// Reads an image file. Throws InputError at `where` if the file can't be read; values that are
+    /// not finite or negative are taken for 0, with a warning there.
+    static LatLongMap read(const std::string& path, const MapCurve& curve,
+                           const SourceLocation& where, Diagnostics& diagnostics);
 
     /// The image of a function of st, each pixel the mean of 2 x 2 values.
     static LatLongMap of(std::size_t width, std::size_t height,

@@ -72,8 +72,8 @@ void make_infinite(const LightStatement& s, Lights& lights) {
         return;
     }
     const SourceLocation& where = s.reader.where("mapname");
-    LatLongMap map = as_latlong(LatLongMap::read(s.resolve(name, where), s.number("gamma", 1),
-                                                 where, s.reader.diagnostics()),
+    LatLongMap map = as_latlong(LatLongMap::read(s.resolve(name, where), map_curve(s.reader), where,
+                                                 s.reader.diagnostics()),
                                 s.reader.string("mapping", "latlong"));
     Rgb gain = s.cleaned(Rgb(s.number("gain", 1)), "gain");
     if (s.reader.boolean("plaincolors", false)) {

@@ -97,6 +97,13 @@ constexpr ParameterDeclaration kMapGamma{.name = "gamma",
                                              "images.",
                                          .minimum = 0.01,
                                          .maximum = 10};
+constexpr std::array<std::string_view, 2> kCurves = {"gamma", "srgb"};
+constexpr ParameterDeclaration kMapCurve{
+    .name = "colorspace",
+    .type = Type::String,
+    .default_text = "gamma",
+    .doc = "How the image's values become linear: by gamma, or by sRGB's curve. Not LuxRender's.",
+    .choices = kCurves};
 constexpr ParameterDeclaration kFlip{.name = "flipz",
                                      .type = Type::Bool,
                                      .default_text = "false",
@@ -165,6 +172,7 @@ Declarations infinite_parameters() {
              .doc = "The image's colours shine as they are, where LuxRender turns saturated ones a "
                     "little. Not LuxRender's."},
             kMapGamma,
+            kMapCurve,
             kMapResolution,
             kHidden,
             kSamples,
@@ -216,9 +224,8 @@ Declarations spot_parameters() {
 }
 
 Declarations point_parameters() {
-    return {kColor, kGain,       power("0"),      efficacy("0"), kFrom,
-            kIes,   kProfileMap, kProfileMapping, kPlainValues,  kMapGamma,
-            kFlip,  kSamples,    kImportance};
+    return {kColor,          kGain,        power("0"), efficacy("0"), kFrom, kIes,     kProfileMap,
+            kProfileMapping, kPlainValues, kMapGamma,  kMapCurve,     kFlip, kSamples, kImportance};
 }
 
 Declarations distant_parameters() {
@@ -257,6 +264,7 @@ Declarations projection_parameters() {
              .doc = "Projected image; without it a square of light."},
             kPlainValues,
             kMapGamma,
+            kMapCurve,
             {.name = "fov",
              .default_text = "45",
              .doc = "Angle of the projected image along its shorter side, degrees.",
@@ -313,6 +321,7 @@ std::span<const ParameterDeclaration> area_light_parameters() {
                              .doc = "Image of the intensity by direction, latitude-longitude, its "
                                     "top row along the normal; one-sided."},
         kMapGamma,
+        kMapCurve,
         kFlip,
         kHidden,
         kSamples,

@@ -42,12 +42,16 @@ bool names_profile(const ParameterReader& reader) {
     return !reader.string("mapname", "").empty() || !reader.string("iesname", "").empty();
 }
 
+MapCurve map_curve(const ParameterReader& reader) {
+    return {static_cast<float>(reader.number("gamma", 1)),
+            reader.string("colorspace", "gamma") == "srgb"};
+}
+
 LatLongMap read_map(const ParameterReader& reader, const AssetResolver& resolve) {
     const SourceLocation& where = reader.where("mapname");
-    return LatLongMap::read(resolve(reader.string("mapname", ""), where),
-                            static_cast<float>(reader.number("gamma", 1)), where,
-                            reader.diagnostics())
-        .filtering(Rgb(1.0f));
+    LatLongMap map = LatLongMap::read(resolve(reader.string("mapname", ""), where),
+                                      map_curve(reader), where, reader.diagnostics());
+    return reader.boolean("plainvalues", false) ? map : map.filtering(Rgb(1.0f));
 }
 
 LatLongMap sphere_map(const ParameterReader& reader, const AssetResolver& resolve) {

@@ -9,7 +9,10 @@ namespace lxs {
 /// True if the statement names an image or a photometric file.
 bool names_profile(const ParameterReader& reader);
 
-/// The image at mapname, its values raised to gamma.
+/// What "gamma" and "colorspace" say of an image.
+MapCurve map_curve(const ParameterReader& reader);
+/// The image at mapname, linear by map_curve(); its colours are those of a filter before white
+/// light, unless plainvalues takes them as they are.
 LatLongMap read_map(const ParameterReader& reader, const AssetResolver& resolve);
 
 /// Emission over all directions, +z in the top row: the image at mapname, the intensities at

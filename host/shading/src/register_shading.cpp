@@ -64,6 +64,7 @@ void register_materials(Registry& registry) {
     registry.materials["layered"] = shading::layered_plugin();
     registry.materials["mix"] = shading::mix_plugin();
     registry.materials["null"] = shading::null_plugin();
+    registry.materials["coateddiffuse"] = shading::coateddiffuse_plugin();
     registry.materials["doubleside"] = shading::doubleside_plugin();
     registry.materials["scatter"] = shading::scatter_plugin();
     registry.materials["velvet"] = shading::velvet_plugin();

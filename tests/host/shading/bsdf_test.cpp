@@ -35,6 +35,7 @@ std::vector<ParameterValue> with(std::vector<ParameterValue> a,
     return a;
 }
 
+const ParameterValue kSmith = text("distribution", "ggx");
 const Rgb kWhite(1.0f), kTinted(0.7f, 0.4f, 0.1f), kDull(0.05f, 0.06f, 0.07f);
 
 std::vector<Case> cases() {
@@ -53,6 +54,7 @@ std::vector<Case> cases() {
         {"glass", {}, "glass"},
         {"glass_tinted", {color("Kt", kTinted), number("index", 2.4)}, "glass"},
         {"glass_architectural", {flag("architectural", true)}, "glass"},
+        {"glass_pane", {flag("architectural", true), flag("pane", true)}, "glass"},
         {"roughglass", roughness(0.5, 0.5), "roughglass"},
         {"roughglass_tinted",
          with(roughness(0.3, 0.6), {color("Kt", kTinted), number("index", 2.4)}), "roughglass"},
@@ -69,6 +71,19 @@ std::vector<Case> cases() {
         {"metal2_ideal", with(roughness(0.4, 0.4), {number("fresnel", 4e3)}), "metal2"},
         {"metal2_ideal_smooth", with(roughness(0.12, 0.12), {number("fresnel", 4e3)}), "metal2"},
         {"metal2_ideal_grain", with(roughness(0.2, 0.5), {number("fresnel", 4e3)}), "metal2", true},
+        {"metal2_smith", with(roughness(0.4, 0.4), {number("fresnel", 4e3), kSmith}), "metal2"},
+        {"metal2_smith_grain", with(roughness(0.1, 0.5), {number("fresnel", 4e3), kSmith}),
+         "metal2"},
+        {"roughglass_smith", with(roughness(0.3, 0.6), {kSmith}), "roughglass"},
+        {"roughglass_smith_bubble", with(roughness(0.8, 0.8), {number("index", 0.7), kSmith}),
+         "roughglass"},
+        {"coateddiffuse", with(roughness(0.3, 0.3), {color("Kd", kTinted)}), "coateddiffuse"},
+        {"coateddiffuse_white",
+         with(roughness(0.2, 0.6),
+              {color("Kd", kWhite), number("thickness", 0), integer("maxdepth", 1000)}),
+         "coateddiffuse"},
+        {"coateddiffuse_black", with(roughness(0.5, 0.5), {color("Kd", Rgb(0.0f))}),
+         "coateddiffuse"},
         {"shinymetal_full", roughness(0.2, 0.2), "shinymetal"},
         {"shinymetal", with(roughness(0.25, 0.25), {color("Kr", Rgb(0.3f)), color("Ks", kTinted)}),
          "shinymetal"},

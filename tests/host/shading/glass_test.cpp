@@ -88,27 +88,45 @@ TEST_F(GlassTest, ReflectsTotallyBeyondTheCriticalAngle) {
 
 TEST_F(GlassTest, ArchitecturalGlassPassesStraightAndShadowRaysAgree) {
     const Rgb tint(0.9f, 0.5f, 0.2f);
-    const auto glass =
-        scene_.make_material("glass", {flag("architectural", true), color("Kt", tint)});
-    ASSERT_TRUE(glass->facts().straight);
-    const ShadingPoint point = shading_point();
-    const Bsdf& bsdf = *memory_.scatter(*glass, point);
-    UniformSource u(3);
-    for (int i = 0; i < 200; ++i) {
-        const Vec3 wo = u.direction();
-        Rgb sum(0.0f);
-        const int samples = 2000;
-        for (int k = 0; k < samples; ++k) {
-            BsdfSample sample;
-            const float choice = (static_cast<float>(k) + 0.5f) / samples;
-            if (!bsdf.sample(wo, {0, 0}, choice, Transport::Radiance, kAllLobes, sample)) continue;
-            if (!sample.straight) continue;
-            ASSERT_EQ(sample.wi, -wo);
-            sum += sample.weight / samples;
+    for (const bool pane : {false, true}) {
+        const auto glass = scene_.make_material(
+            "glass", {flag("architectural", true), flag("pane", pane), color("Kt", tint)});
+        ASSERT_TRUE(glass->facts().straight);
+        const ShadingPoint point = shading_point();
+        const Bsdf& bsdf = *memory_.scatter(*glass, point);
+        UniformSource u(3);
+        for (int i = 0; i < 200; ++i) {
+            const Vec3 wo = u.direction();
+            Rgb sum(0.0f);
+            const int samples = 2000;
+            for (int k = 0; k < samples; ++k) {
+                BsdfSample sample;
+                const float choice = (static_cast<float>(k) + 0.5f) / samples;
+                if (!bsdf.sample(wo, {0, 0}, choice, Transport::Radiance, kAllLobes, sample))
+                    continue;
+                if (!sample.straight) continue;
+                ASSERT_EQ(sample.wi, -wo);
+                sum += sample.weight / samples;
+            }
+            const Rgb straight = glass->straight_transmittance(point, -wo);
+            for (int c = 0; c < 3; ++c)
+                ASSERT_NEAR(sum[c], straight[c], 2e-3f);
         }
-        const Rgb straight = glass->straight_transmittance(point, -wo);
-        for (int c = 0; c < 3; ++c)
-            ASSERT_NEAR(sum[c], straight[c], 2e-3f);
+    }
+}
+
+// Both faces reflect F, and what goes to and fro between them comes out (a series of F squared).
+TEST_F(GlassTest, APaneHasTwoFaces) {
+    const auto pane =
+        scene_.make_material("glass", {flag("architectural", true), flag("pane", true)});
+    const Bsdf& bsdf = *memory_.scatter(*pane, shading_point());
+    const double face = 0.04;
+    for (const float side : {1.0f, -1.0f}) {
+        const MeanWeight all =
+            mean_weight(bsdf, Vec3(0, 0, side), Transport::Radiance, 20000, side > 0 ? 1 : 2);
+        EXPECT_NEAR(all.mean.x, 1, 1e-4);
+        EXPECT_NEAR(pane->straight_transmittance(shading_point(), {0, 0, side}).x,
+                    (1 - face) / (1 + face), 1e-5);
     }
 }
 

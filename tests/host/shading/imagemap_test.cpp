@@ -102,6 +102,24 @@ TEST_F(ImagemapTest, StoredAsSrgb) {
         InputError);
 }
 
+// Between two texels lies the mean of what they are, not of how they are stored; alpha is linear.
+TEST_F(ImagemapTest, SrgbTexelsAreLinearBeforeTheyAreInterpolated) {
+    const std::string path = write("texels.png", 2, 1, 4, {0, 0, 0, 0.25f, 1, 1, 1, 0.75f});
+    const std::vector<ParameterValue> map{text("filename", path),
+                                          text("colorspace", "srgb_texels")};
+    expect_near(look(*scene_.make_color("imagemap", map), 0.5f, 0.5f), Rgb(0.5f));
+    expect_near(look(*scene_.make_color("imagemap", map), 0.75f, 0.5f), Rgb(1.0f));
+    std::vector<ParameterValue> alpha = map;
+    alpha.push_back(text("channel", "alpha"));
+    TexturePoint middle;
+    middle.uv = Vec2(0.5f, 0.5f);
+    EXPECT_NEAR(scene_.make_float("imagemap", alpha)->evaluate(middle), 0.5f, 1e-2f);
+    // Both readings of one file live side by side.
+    const auto stored =
+        scene_.make_color("imagemap", {text("filename", path), text("colorspace", "srgb")});
+    expect_near(look(*stored, 0.5f, 0.5f), Rgb(0.2140f));
+}
+
 TEST_F(ImagemapTest, PlainColorsAreSeenAsTheyAre) {
     const std::string path = write("red.exr", 1, 1, 3, {0.7f, 0.2f, 0.1f});
     for (const bool plain : {false, true}) {

@@ -1,4 +1,4 @@
-// Reflection by a surface of Schlick microfacets.
+// Reflection by a surface of microfacets.
 #include "microfacet_lobe.h"
 
 #include <algorithm>
@@ -44,23 +44,37 @@ bool MicrofacetLobe::half_vector(const Vec3& wo, const Vec3& wi, HalfVector& hal
     return reflecting_half_vector(frame_, ng_, wo, wi, half);
 }
 
-float MicrofacetLobe::shadowing(float cos_o, float cos_i) const {
-    const float schlick =
-        distribution_.shadowing_over_cosine(cos_o) * distribution_.shadowing_over_cosine(cos_i);
+namespace {
+
+float shadowing_of(const SchlickDistribution& facets, const Vec3& wo, const Vec3& wi) {
+    const float cos_o = std::abs(wo.z), cos_i = std::abs(wi.z);
+    const float schlick = facets.shadowing_over_cosine(cos_o) * facets.shadowing_over_cosine(cos_i);
     // Dividing by the larger of both bounds keeps f reciprocal and its albedo at most 1.
-    const float bound =
-        std::max(distribution_.reflected_bound(cos_o), distribution_.reflected_bound(cos_i));
+    const float bound = std::max(facets.reflected_bound(cos_o), facets.reflected_bound(cos_i));
     return schlick / std::max(1.0f, bound);
 }
 
+float shadowing_of(const TrowbridgeReitz& facets, const Vec3& wo, const Vec3& wi) {
+    return facets.shadowing_over_cosines(wo, wi);
+}
+
+}  // namespace
+
+float MicrofacetLobe::shadowing(const Vec3& wo, const Vec3& wi) const {
+    return std::visit([&](const auto& facets) { return shadowing_of(facets, wo, wi); },
+                      distribution_);
+}
+
 float MicrofacetLobe::value(const HalfVector& half) const {
-    return 0.25f * distribution_.density(half.h) * shadowing(half.wo.z, half.wi.z);
+    return 0.25f * density(half.h) * shadowing(half.wo, half.wi);
 }
 
 float MicrofacetLobe::facet_pdf(const Vec3& wo, const Vec3& h, float cosine) const {
+    if (const auto* smith = std::get_if<TrowbridgeReitz>(&distribution_))
+        return smith->visible_density(wo, h);
     // Visible facets of V-cavities: D min(1, 2 h.z cos_o / (wo.h)) / cos_o.
     const float masking_over_cosine = std::min(1 / wo.z, 2 * h.z / cosine);
-    return distribution_.density(h) * masking_over_cosine;
+    return density(h) * masking_over_cosine;
 }
 
 float MicrofacetLobe::pdf(const HalfVector& half) const {
@@ -68,7 +82,9 @@ float MicrofacetLobe::pdf(const HalfVector& half) const {
 }
 
 Vec3 MicrofacetLobe::sample_facet(const Vec3& wo, const Vec2& u, float& u_choice) const {
-    return visible_wall(wo, distribution_.sample(u), u_choice);
+    if (const auto* schlick = std::get_if<SchlickDistribution>(&distribution_))
+        return visible_wall(wo, schlick->sample(u), u_choice);
+    return std::get<TrowbridgeReitz>(distribution_).sample_visible(wo, u);
 }
 
 bool MicrofacetLobe::sample(const Vec3& wo, const Vec2& u, float u_choice, Vec3& wi,

@@ -1,9 +1,12 @@
-// Reflection by a surface of Schlick microfacets, Fresnel term left out.
+// Reflection by a surface of microfacets, Fresnel term left out.
 // Sources: Schlick 1994; Heitz & d'Eon 2014, "Importance Sampling Microfacet-Based BSDFs using the
-// Distribution of Visible Normals" (V-cavities, for sampling only).
+// Distribution of Visible Normals" (V-cavities, for sampling Schlick's facets only).
 #pragma once
 
+#include <variant>
+
 #include "schlick_distribution.h"
+#include "trowbridge_reitz.h"
 
 namespace lxs::shading {
 
@@ -26,22 +29,31 @@ bool reflecting_half_vector(const Frame& frame, const Vec3& ng, const Vec3& wo, 
 /// direction `wo` sees of it; uses up a part of `u_choice` (Heitz & d'Eon 2014, algorithm 2).
 Vec3 visible_wall(const Vec3& wo, const Vec3& h, float& u_choice);
 
-/// f = D G / (4 cos_o cos_i) with Schlick's product of shadowing terms for G, as LuxRender has it,
-/// but scaled down at grazing angles, where that would send back more light than arrives.
+/// Facets of LuxRender, or of most other renderers.
+using FacetDistribution = std::variant<SchlickDistribution, TrowbridgeReitz>;
+
+/// f = D G / (4 cos_o cos_i). Of Schlick's facets G is his product of shadowing terms, as LuxRender
+/// has it, but scaled down at grazing angles, where that would send back more light than arrives.
 class MicrofacetLobe {
   public:
-    MicrofacetLobe(const SchlickDistribution& distribution, const Frame& frame, const Vec3& ng)
+    MicrofacetLobe(const FacetDistribution& distribution, const Frame& frame, const Vec3& ng)
         : distribution_(distribution), frame_(frame), ng_(ng) {}
 
     const Vec3& ng() const { return ng_; }
     const Vec3& ns() const { return frame_.n; }
     const Frame& frame() const { return frame_; }
-    float roughness() const { return distribution_.roughness(); }
-    bool grained() const { return distribution_.grained(); }
+    float roughness() const {
+        return std::visit([](const auto& facets) { return facets.roughness(); }, distribution_);
+    }
+    bool grained() const {
+        return std::visit([](const auto& facets) { return facets.grained(); }, distribution_);
+    }
     /// D(h) of the facets.
-    float density(const Vec3& h) const { return distribution_.density(h); }
-    /// G / (cos_o cos_i) of two positive cosines.
-    float shadowing(float cos_o, float cos_i) const;
+    float density(const Vec3& h) const {
+        return std::visit([&](const auto& facets) { return facets.density(h); }, distribution_);
+    }
+    /// G / |cos_o cos_i| of two local directions, on either side.
+    float shadowing(const Vec3& wo, const Vec3& wi) const;
     /// Draws a facet visible from the local direction `wo`, wo.z > 0; uses up a part of
     /// `u_choice`.
     Vec3 sample_facet(const Vec3& wo, const Vec2& u, float& u_choice) const;
@@ -58,7 +70,7 @@ class MicrofacetLobe {
     bool sample(const Vec3& wo, const Vec2& u, float u_choice, Vec3& wi, HalfVector& half) const;
 
   private:
-    SchlickDistribution distribution_;
+    FacetDistribution distribution_;
     Frame frame_;
     Vec3 ng_;
 };

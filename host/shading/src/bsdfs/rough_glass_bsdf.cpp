@@ -44,7 +44,7 @@ float RoughGlassBsdf::p_reflect(float fresnel) const {
 }
 
 Rgb RoughGlassBsdf::value(const Crossing& c, Transport transport) const {
-    const float facets = facets_.density(c.h) * facets_.shadowing(c.wo.z, std::abs(c.wi.z));
+    const float facets = facets_.density(c.h) * facets_.shadowing(c.wo, c.wi);
     if (!c.refracts()) return kr_ * (0.25f * facets * c.fresnel);
     // Walter et al., equation 21.
     const float scale = transport == Transport::Radiance ? 1.0f : c.eta * c.eta;

@@ -7,7 +7,7 @@
 
 namespace lxs::shading {
 
-/// Facets of Schlick's distribution, each of which reflects F and refracts 1 - F of what it gets.
+/// Facets, each of which reflects F and refracts 1 - F of what it gets.
 class RoughGlassBsdf final : public Bsdf {
   public:
     /// `eta`: index behind the surface / index before it, not 1. `kr` and `kt` tint what is

@@ -6,8 +6,7 @@
 namespace lxs::shading {
 namespace {
 
-/// Below these LuxRender's roughness makes no visible difference, but numbers would overflow.
-constexpr float kMinRoughness = 6e-3f;
+/// Below it a grain makes no visible difference, but numbers would overflow.
 constexpr float kMinIsotropy = 1e-4f;
 
 }  // namespace

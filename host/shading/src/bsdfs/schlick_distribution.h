@@ -18,7 +18,10 @@ namespace lxs::shading {
 /// is 1, so that no light is lost.
 class SchlickDistribution {
   public:
-    /// Roughness along local x and y; LuxRender's parameters, limited to [0.006, 1].
+    /// Below it LuxRender's roughness makes no visible difference, but numbers would overflow.
+    static constexpr float kMinRoughness = 6e-3f;
+
+    /// Roughness along local x and y; LuxRender's parameters, limited to [kMinRoughness, 1].
     SchlickDistribution(float u_roughness, float v_roughness);
 
     float roughness() const { return roughness_; }

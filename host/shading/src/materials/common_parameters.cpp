@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <array>
+
 #include "bumped_material.h"
 #include "ignored_parameter.h"
 #include "textures/texture_parameters.h"
@@ -68,6 +70,21 @@ std::vector<ParameterDeclaration> roughness_parameters(std::string_view default_
                            "roughness along v, 0.006 to 1", 0};
     u.older_name = v.older_name = "roughness";
     return {u, v};
+}
+
+std::vector<ParameterDeclaration> facet_parameters(std::string_view default_roughness) {
+    static constexpr std::array<std::string_view, 2> kDistributions{"schlick", "ggx"};
+    return declarations(
+        {roughness_parameters(default_roughness),
+         {choice("distribution", "schlick",
+                 "microfacets: LuxRender's, or those of Trowbridge and Reitz (GGX) with Smith's "
+                 "shadowing, as pbrt and Cycles have them",
+                 kDistributions)}});
+}
+
+RoughSurface::Facets read_facets(const ParameterReader& reader) {
+    return reader.string("distribution", "schlick") == "ggx" ? RoughSurface::Facets::Smith
+                                                             : RoughSurface::Facets::Schlick;
 }
 
 }  // namespace lxs::shading

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "lxs/scene/registry.h"
+#include "rough_surface.h"
 
 namespace lxs::shading {
 
@@ -21,5 +22,10 @@ std::shared_ptr<const Material> read_named_material(const ParameterReader& reade
 
 /// Roughness along u and v with LuxRender's names and default.
 std::vector<ParameterDeclaration> roughness_parameters(std::string_view default_text);
+
+/// The same, and the choice of microfacets.
+std::vector<ParameterDeclaration> facet_parameters(std::string_view default_roughness);
+/// What it chooses.
+RoughSurface::Facets read_facets(const ParameterReader& reader);
 
 }  // namespace lxs::shading

@@ -16,13 +16,14 @@ constexpr float kMinIndex = 0.05f, kMaxIndex = 20;
 class GlassMaterial final : public Material {
   public:
     GlassMaterial(PreparedColor kr, PreparedColor kt, PreparedFloat index, PreparedFloat cauchy_b,
-                  SurfaceFilm film, bool architectural)
+                  SurfaceFilm film, bool architectural, bool pane)
         : kr_(std::move(kr)),
           kt_(std::move(kt)),
           index_(std::move(index)),
           cauchy_b_(std::move(cauchy_b)),
           film_(std::move(film)),
-          architectural_(architectural) {}
+          architectural_(architectural),
+          pane_(pane) {}
 
     const Bsdf* scatter(const ShadingPoint& point,
                         std::pmr::memory_resource& memory) const override {
@@ -41,7 +42,7 @@ class GlassMaterial final : public Material {
     Rgb straight_transmittance(const ShadingPoint& point, const Vec3& direction) const override {
         if (!architectural_) return Rgb(0.0f);
         const GlassPoint glass = glass_at(point.texture);
-        return thin_glass_transmission(glass.kt, glass.eta, direction.dot(point.ns));
+        return thin_glass_transmission(glass.kt, glass.eta, direction.dot(point.ns), pane_);
     }
 
   private:
@@ -49,6 +50,7 @@ class GlassMaterial final : public Material {
         const IndexCurve index{index_.at(point), cauchy_b_.at(point), 0};
         const auto at = [&](double nm) { return limited(index.at(nm), kMinIndex, kMaxIndex); };
         GlassPoint glass{kr_.at(point), kt_.at(point), at(kMiddleNm), film_.at(point)};
+        glass.pane = pane_;
         if (const Wavelengths* w = point.wavelengths; w && index.varies()) {
             glass.etas = Rgb(at(w->nm[0]), at(w->nm[1]), at(w->nm[2]));
         }
@@ -58,7 +60,7 @@ class GlassMaterial final : public Material {
     PreparedColor kr_, kt_;
     PreparedFloat index_, cauchy_b_;
     SurfaceFilm film_;
-    bool architectural_;
+    bool architectural_, pane_;
 };
 
 std::shared_ptr<const Material> create_glass(const ParameterReader& reader,
@@ -69,7 +71,7 @@ std::shared_ptr<const Material> create_glass(const ParameterReader& reader,
         read_reflectance(reader, assets, "Kt", Rgb(1.0f)),
         read_limited(reader, assets, "index", 1.5f, kMinIndex, kMaxIndex),
         read_limited(reader, assets, "cauchyb", 0, 0, 1), SurfaceFilm(reader, assets),
-        reader.boolean("architectural", false));
+        reader.boolean("architectural", false), reader.boolean("pane", false));
 }
 
 }  // namespace
@@ -83,7 +85,9 @@ MaterialFactory glass_plugin() {
               {"cauchyb", ParameterType::FloatTexture, "0",
                "Cauchy's B, square micrometres: the index is index + cauchyb / wavelength^2", 0},
               {"architectural", ParameterType::Bool, "false",
-               "let light through undeviated, shadow rays too"}},
+               "let light through undeviated, shadow rays too"},
+              {"pane", ParameterType::Bool, "false",
+               "architectural: a whole pane, both of whose faces reflect. Not LuxRender's."}},
              film_parameters()})),
         &create_glass};
 }

@@ -14,8 +14,8 @@ const Bsdf* scatter_glass(const GlassPoint& glass, bool architectural, const Sha
                           std::pmr::memory_resource& memory) {
     if (is_black(glass.kr) && is_black(glass.kt)) return nullptr;
     if (architectural)
-        return place_bsdf<ThinGlassBsdf>(memory, glass.kr, glass.kt, glass.eta, glass.film,
-                                         point.ng, point.ns);
+        return place_bsdf<ThinGlassBsdf>(memory, glass.kr, glass.kt, glass.eta, glass.pane,
+                                         glass.film, point.ng, point.ns);
     if (glass.etas) {
         return place_bsdf<DispersiveGlassBsdf>(memory, glass.kr, glass.kt, *glass.etas, glass.film,
                                                point.component, point.ng, point.ns);

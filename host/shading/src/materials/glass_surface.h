@@ -15,6 +15,7 @@ struct GlassPoint {
     ThinFilm film{};   ///< colours what is reflected
     /// `eta` by component where each wavelength is bent its own way.
     std::optional<Rgb> etas = {};
+    bool pane = false;  ///< architectural: a whole pane, not one of its faces
 };
 
 /// Bsdf of a solid or architectural glass surface.

@@ -7,6 +7,7 @@ namespace lxs::shading {
 
 MaterialFactory carpaint_plugin();
 MaterialFactory cloth_plugin();
+MaterialFactory coateddiffuse_plugin();
 MaterialFactory doubleside_plugin();
 MaterialFactory matte_plugin();
 MaterialFactory mattetranslucent_plugin();

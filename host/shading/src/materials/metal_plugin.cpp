@@ -8,11 +8,14 @@
 namespace lxs::shading {
 namespace {
 
+constexpr float kRoughness = 0.1f;
+
 std::shared_ptr<const Material> create_metal(const ParameterReader& reader,
                                              const AssetContext& assets, const Matrix&) {
     warn_of_common_parameters(reader);
-    return std::make_shared<ConductorMaterial>(PreparedFresnel(read_metal_preset(reader, assets)),
-                                               RoughSurface(reader, assets));
+    return std::make_shared<ConductorMaterial>(
+        PreparedFresnel(read_metal_preset(reader, assets)),
+        RoughSurface(reader, assets, kRoughness, "", read_facets(reader)));
 }
 
 std::shared_ptr<const Material> create_metal2(const ParameterReader& reader,
@@ -20,22 +23,22 @@ std::shared_ptr<const Material> create_metal2(const ParameterReader& reader,
     warn_of_common_parameters(reader);
     return std::make_shared<ConductorMaterial>(
         PreparedFresnel(read_fresnel_texture(reader, assets, "fresnel", 5)),
-        RoughSurface(reader, assets));
+        RoughSurface(reader, assets, kRoughness, "", read_facets(reader)));
 }
 
 }  // namespace
 
 MaterialFactory metal_plugin() {
-    return {with_common_parameters(
-                declarations({metal_preset_parameters(), roughness_parameters("0.1")})),
-            &create_metal};
+    return {
+        with_common_parameters(declarations({metal_preset_parameters(), facet_parameters("0.1")})),
+        &create_metal};
 }
 
 MaterialFactory metal2_plugin() {
     ParameterDeclaration fresnel{"fresnel", ParameterType::FresnelTexture, "5",
                                  "index of refraction or texture of optical constants"};
     fresnel.minimum = 1e-3;
-    return {with_common_parameters(declarations({{fresnel}, roughness_parameters("0.1")})),
+    return {with_common_parameters(declarations({{fresnel}, facet_parameters("0.1")})),
             &create_metal2};
 }
 

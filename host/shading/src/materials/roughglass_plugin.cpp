@@ -12,7 +12,7 @@
 namespace lxs::shading {
 namespace {
 
-constexpr float kMinIndex = 0.05f, kMaxIndex = 20;
+constexpr float kMinRoughIndex = 0.05f, kMaxRoughIndex = 20;
 /// LuxRender's default.
 constexpr float kDefaultRoughness = 0.001f;
 
@@ -29,9 +29,9 @@ class RoughGlassMaterial final : public Material {
     RoughGlassMaterial(const ParameterReader& reader, const AssetContext& assets)
         : kr_(read_reflectance(reader, assets, "Kr", Rgb(1.0f))),
           kt_(read_reflectance(reader, assets, "Kt", Rgb(1.0f))),
-          index_(read_limited(reader, assets, "index", 1.5f, kMinIndex, kMaxIndex)),
+          index_(read_limited(reader, assets, "index", 1.5f, kMinRoughIndex, kMaxRoughIndex)),
           cauchy_b_(read_limited(reader, assets, "cauchyb", 0, 0, 1)),
-          surface_(reader, assets, kDefaultRoughness),
+          surface_(reader, assets, kDefaultRoughness, "", read_facets(reader)),
           disperses_(reader.boolean("dispersion", false) && !cauchy_b_.is(0)) {}
 
     const Bsdf* scatter(const ShadingPoint& point,
@@ -51,7 +51,7 @@ const Bsdf* RoughGlassMaterial::scatter(const ShadingPoint& point,
     if (is_black(kr) && is_black(kt)) return nullptr;
     const IndexCurve index{index_.at(point.texture), cauchy_b_.at(point.texture), 0};
     const auto at = [&](double nm) {
-        return bending_index(limited(index.at(nm), kMinIndex, kMaxIndex));
+        return bending_index(limited(index.at(nm), kMinRoughIndex, kMaxRoughIndex));
     };
     const Wavelengths* const w = point.texture.wavelengths;
     if (disperses_ && w && index.varies()) {
@@ -93,7 +93,7 @@ MaterialFactory roughglass_plugin() {
          "Cauchy's B, square micrometres: the index is index + cauchyb / wavelength^2", 0},
         {"dispersion", Bool, "false",
          "bend each wavelength by its own index; else all by that of 550 nm"}};
-    return {with_common_parameters(declarations({own, roughness_parameters("0.001")})),
+    return {with_common_parameters(declarations({own, facet_parameters("0.001")})),
             &create_roughglass};
 }
 

@@ -14,14 +14,15 @@ CachedImages& ImageCache::images() {
     return *images_;
 }
 
-ImageCache::Image ImageCache::open(const std::string& path, const ParameterReader& reader,
-                                   const AssetContext& assets) {
+ImageCache::Image ImageCache::open(const std::string& path, bool decoded,
+                                   const ParameterReader& reader, const AssetContext& assets) {
     CachedImages& cache = images();
     Texels texels;
     try {
         const std::any ahead = assets.take_ahead(std::string(reader.plugin()), path);
         const auto* known = std::any_cast<Texels>(&ahead);
         texels = known ? *known : Texels(cache.open(path));
+        if (decoded) texels = texels->decoded();
     } catch (const std::bad_alloc&) {
         throw EndOfReading(reader.where("filename"),
                            fmt::format("not enough memory for the image in \"{}\"", path));

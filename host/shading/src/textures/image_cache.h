@@ -21,10 +21,12 @@ class ImageCache {
         SourceLocation where;  ///< of the parameter that names it
     };
 
-    /// Opens the file `path` and reads it once, unless that was done ahead; values that are not
+    /// Opens the file `path`, `decoded` or as it is stored, and reads it once, unless that was done
+    /// ahead; values that are not
     /// finite or negative are reported in one warning. Throws InputError at `reader`'s filename
     /// when it can't be read.
-    Image open(const std::string& path, const ParameterReader& reader, const AssetContext& assets);
+    Image open(const std::string& path, bool decoded, const ParameterReader& reader,
+               const AssetContext& assets);
     /// The same without a message, for Factory::read_file.
     std::any open_ahead(const std::string& path) { return Texels(images().open(path)); }
 

@@ -8,6 +8,7 @@
 #include "image_cache.h"
 #include "lxs/scene/constant_texture.h"
 #include "lxs/spectrum/reflectance_colour.h"
+#include "lxs/spectrum/srgb_curve.h"
 #include "texture_parameters.h"
 #include "texture_plugins.h"
 #include "uv_mapping.h"
@@ -18,7 +19,7 @@ namespace {
 
 constexpr std::array<std::string_view, 4> kFilters{"bilinear", "nearest", "mipmap_trilinear",
                                                    "mipmap_ewa"};
-constexpr std::array<std::string_view, 2> kColorSpaces{"gamma", "srgb"};
+constexpr std::array<std::string_view, 3> kColorSpaces{"gamma", "srgb", "srgb_texels"};
 constexpr std::array<std::string_view, 6> kChannels{"mean", "red",   "green",
                                                     "blue", "alpha", "colored_mean"};
 
@@ -60,10 +61,12 @@ ImageLookup::ImageLookup(const ParameterReader& reader, const AssetContext& asse
     if (!reader.given("filename")) reader.fail("filename", "imagemap: \"filename\" is missing");
     const std::string path =
         assets.resolve(reader.string("filename", ""), reader.where("filename"));
-    image_ = cache_->open(path, reader, assets);
+    const std::string space = reader.string("colorspace", "gamma");
+    image_ = cache_->open(path, space == "srgb_texels", reader, assets);
     gamma_ = static_cast<float>(reader.number("gamma", 2.2));
     gain_ = static_cast<float>(reader.number("gain", 1));
-    srgb_ = reader.string("colorspace", "gamma") == "srgb";
+    srgb_ = space == "srgb";
+    if (space == "srgb_texels") gamma_ = 1;
     plain_colors_ = reader.boolean("plaincolors", false);
     times_alpha_ = reader.boolean("timesalpha", false) && image_.texels->alpha_channel() == 3;
     const Wrap wrap = read_wrap(reader);
@@ -104,9 +107,7 @@ void ImageLookup::read(const TexturePoint& point, int first, int count, float* v
 }
 
 float ImageLookup::linear(float stored) const {
-    if (!srgb_) return std::pow(stored, gamma_);
-    // IEC 61966-2-1.
-    return stored <= 0.04045f ? stored / 12.92f : std::pow((stored + 0.055f) / 1.055f, 2.4f);
+    return srgb_ ? linear_of_srgb(stored) : std::pow(stored, gamma_);
 }
 
 Rgb ImageLookup::color(const TexturePoint& point) const {
@@ -196,7 +197,8 @@ std::vector<ParameterDeclaration> imagemap_parameters() {
         {"gamma", ParameterType::Float, "2.2", "values are raised to this power", 1e-3},
         {"gain", ParameterType::Float, "1", "factor on the linear values", 0},
         choice("colorspace", "gamma",
-               "how stored values become linear: by gamma, or by sRGB's curve. Not LuxRender's.",
+               "how stored values become linear: by gamma, or by sRGB's curve, after texels are "
+               "interpolated or (srgb_texels) before. Not LuxRender's.",
                kColorSpaces),
         {"timesalpha", ParameterType::Bool, "false",
          "stored colours are multiplied by the image's alpha. Not LuxRender's."},

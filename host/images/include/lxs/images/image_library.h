@@ -40,6 +40,9 @@ class CachedImage {
     /// std::runtime_error with the reason if the file can't be read any more.
     virtual void look_up(float s, float t, int first, const TexelLookup& how,
                          std::span<float> values) const = 0;
+    /// The same image, whose texels are linear before they are interpolated: decoded by sRGB's
+    /// curve, but for alpha.
+    virtual std::unique_ptr<const CachedImage> decoded() const = 0;
 };
 
 /// Images that share memory. For any thread.

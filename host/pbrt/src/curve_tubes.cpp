@@ -8,7 +8,24 @@
 namespace lxs::pbrt {
 namespace {
 
-constexpr std::size_t kSides = 3;  // of a tube with smooth normals: hair is thinner than a pixel
+/// How finely a curve becomes a tube with smooth normals. Hair is thinner than a pixel, and there
+/// is much of it; of what is thicker than a fiftieth of its length the shape is seen.
+struct Fineness {
+    std::size_t steps, sides;
+};
+constexpr double kThick = 0.02;
+
+const Imath::V3d kX(1, 0, 0), kY(0, 1, 0);
+
+Fineness fineness_of(const Curve& curve) {
+    double length = 0;
+    for (std::size_t i = 1; i < curve.points.size(); ++i) {
+        const auto &a = curve.points[i - 1], &b = curve.points[i];
+        length += std::hypot(b[0] - a[0], b[1] - a[1], b[2] - a[2]);
+    }
+    if (std::max(curve.width0, curve.width1) > kThick * length) return {16, 16};
+    return {curve.segments() > 3 ? 2u : 4u, 3};
+}
 
 using Point = std::array<double, 3>;
 
@@ -45,12 +62,15 @@ std::size_t Curve::segments() const {
     return (points.size() - 1) % n == 0 ? (points.size() - 1) / n : 0;
 }
 
-void CurveTubes::add_ring(const Imath::V3d& centre, const Imath::V3d& along, double radius,
-                          double v) {
-    const Imath::V3d helper = std::abs(along.x) < 0.7 ? Imath::V3d(1, 0, 0) : Imath::V3d(0, 1, 0);
-    const Imath::V3d side = (along % helper).normalized(), up = side % along;
-    for (std::size_t k = 0; k < kSides; ++k) {
-        const double u = static_cast<double>(k) / kSides, angle = 2 * std::numbers::pi * u;
+void CurveTubes::add_ring(const Imath::V3d& centre, const Imath::V3d& along, const Imath::V3d& side,
+                          double radius, std::size_t sides, double v) {
+    // A polygon of the circle's perimeter has its width, in the mean over directions.
+    const double part = std::numbers::pi / static_cast<double>(sides);
+    radius *= part / std::sin(part);
+    const Imath::V3d up = side % along;
+    for (std::size_t k = 0; k < sides; ++k) {
+        const double u = static_cast<double>(k) / static_cast<double>(sides),
+                     angle = 2 * std::numbers::pi * u;
         const Imath::V3d out = side * std::cos(angle) + up * std::sin(angle);
         const Imath::V3d at = centre + out * radius;
         points_.insert(points_.end(), {at.x, at.y, at.z});
@@ -60,7 +80,8 @@ void CurveTubes::add_ring(const Imath::V3d& centre, const Imath::V3d& along, dou
 }
 
 void CurveTubes::add(const Curve& curve) {
-    const std::size_t segments = curve.segments(), steps = segments > 3 ? 2 : 4;
+    const std::size_t segments = curve.segments();
+    const auto [steps, sides] = fineness_of(curve);
     const auto degree = static_cast<std::size_t>(curve.degree);
     const auto on_curve = curve.spline ? on_spline : on_bezier;
     std::vector<Imath::V3d> places;
@@ -69,17 +90,24 @@ void CurveTubes::add(const Curve& curve) {
         for (std::size_t k = s == 0 ? 0 : 1; k <= steps; ++k)
             places.push_back(on_curve(first, degree, static_cast<double>(k) / double(steps)));
     }
+    Imath::V3d side(0.0);
     for (std::size_t i = 0; i < places.size(); ++i) {
         Imath::V3d along = places[std::min(i + 1, places.size() - 1)] - places[i == 0 ? 0 : i - 1];
         along = along.length() > 0 ? along.normalized() : Imath::V3d(0, 0, 1);
+        // Carried on from ring to ring, so that the tube does not twist.
+        side -= along * (side ^ along);
+        if (!(side.length() > 1e-6)) side = along % (std::abs(along.x) < 0.7 ? kX : kY);
+        side.normalize();
         const double v = static_cast<double>(i) / static_cast<double>(places.size() - 1);
         const std::size_t ring = points_.size() / 3;
-        add_ring(places[i], along, (curve.width0 + (curve.width1 - curve.width0) * v) / 2, v);
+        add_ring(places[i], along, side, (curve.width0 + (curve.width1 - curve.width0) * v) / 2,
+                 sides, v);
         if (i + 1 == places.size()) continue;
-        for (std::size_t k = 0; k < kSides; ++k) {
+        for (std::size_t k = 0; k < sides; ++k) {
             const auto a = static_cast<double>(ring + k);
-            const auto b = static_cast<double>(ring + (k + 1) % kSides);
-            triangles_.insert(triangles_.end(), {a, b, b + kSides, a, b + kSides, a + kSides});
+            const auto b = static_cast<double>(ring + (k + 1) % sides);
+            const auto next = static_cast<double>(sides);
+            triangles_.insert(triangles_.end(), {a, b, b + next, a, b + next, a + next});
         }
     }
 }

@@ -29,7 +29,9 @@ class CurveTubes {
     void move_to(NewStatement& mesh);
 
   private:
-    void add_ring(const Imath::V3d& centre, const Imath::V3d& along, double radius, double v);
+    /// `side`: a unit vector across the unit vector `along`, where the ring begins.
+    void add_ring(const Imath::V3d& centre, const Imath::V3d& along, const Imath::V3d& side,
+                  double radius, std::size_t sides, double v);
 
     Numbers points_, normals_, uv_, triangles_;
 };

@@ -71,7 +71,8 @@ void Translator::light_source(Statement& statement) {
             if (power > 0) p.leave_out("power", "the image's values count");
             made.set("string mapname", file, &p.where("filename"));
             made.set("string mapping", latlong ? "latlong" : "equalarea");
-            made.set("bool plainvalues", "true").set("float gamma", is_eight_bit(file) ? 2.2 : 1);
+            made.set("bool plainvalues", "true");
+            if (is_eight_bit(file)) made.set("string colorspace", "srgb");
         } else if (power > 0) {
             set_emission(made, p, "I", scale * power / (4 * kPi));
         }
@@ -83,7 +84,8 @@ void Translator::light_source(Statement& statement) {
         set_emission(made, p, "I", scale);
         const std::string file = p.text("filename", "");
         made.set("string mapname", file, &p.where("filename"));
-        made.set("bool plainvalues", "true").set("float gamma", is_eight_bit(file) ? 2.2 : 1);
+        made.set("bool plainvalues", "true");
+        if (is_eight_bit(file)) made.set("string colorspace", "srgb");
         made.set("float fov", p.number("fov", version_3_ ? 45 : 90), &p.where("fov"));
     } else {
         throw InputError(p.where(), unknown_name_message("light", type,
@@ -138,8 +140,7 @@ void Translator::infinite_light(NewStatement& made, Parameters& p, double scale,
     }
     made.set("string mapname", file, &p.where("filename"));
     made.set("bool plaincolors", "true");
-    const bool eight_bit = is_eight_bit(file);
-    made.set("float gamma", eight_bit ? 2.2 : 1);
+    if (is_eight_bit(file)) made.set("string colorspace", "srgb");
 }
 
 void Translator::area_light_source(Statement& statement) {
@@ -153,8 +154,8 @@ void Translator::area_light_source(Statement& statement) {
 }
 
 Translator::Emission Translator::area_emission(const SourceLocation& where) {
-    static const ParameterValues kNone;
-    Parameters p(*state_.area_light, kNone, *state_.space, diagnostics_);
+    static const ParameterValues none;
+    Parameters p(*state_.area_light, none, *state_.space, diagnostics_);
     for (const char* known : {"samples", "nsamples"})
         p.ignore(known);
     Emission emission{NewStatement("AreaLightSource", where), p.flag("twosided", false)};
@@ -174,7 +175,7 @@ Translator::Emission Translator::area_emission(const SourceLocation& where) {
             .name("imagemap")
             .set("string filename", file, &p.where("filename"));
         if (eight_bit)
-            image.set("string colorspace", "srgb");
+            image.set("string colorspace", "srgb_texels");
         else
             image.set("float gamma", 1);
         add(std::move(image.set("bool plaincolors", "true")

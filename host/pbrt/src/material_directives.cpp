@@ -29,30 +29,6 @@ double remapped(double roughness, bool version_3) {
     return 1.62142 + x * (0.819955 + x * (0.1734 + x * (0.0171201 + x * 0.000640711)));
 }
 
-/// Cosine-weighted mean of a dielectric's Fresnel reflectance, from outside.
-double mean_reflectance(double eta) {
-    constexpr int kSteps = 2000;
-    double sum = 0;
-    for (int i = 0; i < kSteps; ++i) {
-        const double c = (i + 0.5) / kSteps,
-                     t = std::sqrt(std::max(0.0, 1 - (1 - c * c) / (eta * eta)));
-        const double s = (c - eta * t) / (c + eta * t), p = (eta * c - t) / (eta * c + t);
-        sum += 2 * c * 0.5 * (s * s + p * p) / kSteps;
-    }
-    return sum;
-}
-
-/// Share of diffuse light below a coat of index `eta` that its underside throws back.
-double inner_reflectance(double eta) {
-    return eta > 1 ? 1 - (1 - mean_reflectance(eta)) / (eta * eta) : 0;
-}
-
-/// What a diffuse base under a coat has to reflect, so that light that goes to and fro between them
-/// counts: `f` is thrown back by the coat's underside.
-double under_coat(double k, double f) {
-    return k * (1 - f) / (1 - f * std::clamp(k, 0.0, 1.0));
-}
-
 /// Diffuse reflectance of a medium under a dielectric, by Jensen et al. 2001, equation 15.
 double diffusion_albedo(double absorption, double reduced_scattering, double eta) {
     const double extinction = absorption + reduced_scattering;
@@ -173,6 +149,11 @@ void Translator::set_roughness(NewStatement& made, const Roughness& r, double le
     set("float vroughness", "texture vroughness", r.v, r.v_texture);
 }
 
+void Translator::set_facets(NewStatement& made, const Roughness& rough) const {
+    set_roughness(made, rough, kLeastRoughness);
+    made.set("string distribution", "ggx");
+}
+
 void Translator::set_look(NewStatement& made, const char* target, const Parameters& p,
                           std::string_view name, const Rgb& fallback, double factor) {
     if (const auto texture = p.texture(name)) {
@@ -220,37 +201,29 @@ double Translator::index_of(const Parameters& p, std::string_view name) {
 }
 
 NewStatement Translator::coated_diffuse(const std::string& name, Parameters& p) {
-    const double eta = std::max(index_of(p, "eta"), 1.0);
     const Roughness rough = roughness(p, "", version_3_words_ ? 0.1 : 0);
-    const double f = inner_reflectance(eta);
-    for (const char* known : {"thickness", "maxdepth", "nsamples", "g", "albedo"})
-        p.ignore(known);
-    // Before the statement itself: it may take textures of its own.
-    std::string texture;
-    if (const auto named = p.texture("reflectance")) {
-        texture = fresh(named->text + "/under coat");
-        const SourceLocation& at = p.where("reflectance");
-        add(NewStatement("Texture", at)
-                .name(texture)
-                .name("color")
-                .name("nodes")
-                .set_list("string program",
-                          {"texture 1", fmt::format("vector multiply r0 {} 0 1", 1 - f),
-                           fmt::format("vector multiply r0 {} 0 1", -f), "vector add r2 1 0 1",
-                           "vector divide r1 r3 0 1"})
-                .set("texture tex1", named->text));
-    }
-    NewStatement made = begun(name, "glossy", p.where());
-    if (!texture.empty()) {
-        made.set("texture Kd", texture, &p.where("reflectance"));
+    NewStatement made = begun(name, "coateddiffuse", p.where());
+    set_look(made, "Kd", p, "reflectance", Rgb(0.5f));
+    made.set("float index", std::max(index_of(p, "eta"), 1.0), &p.where("eta"));
+    double thickness = 0.01;
+    if (const auto texture = p.texture("thickness")) {
+        const auto constant = float_constants_.find(texture->text);
+        if (constant == float_constants_.end())
+            p.leave_out("thickness", "0.01 is used");
+        else
+            thickness = constant->second;
     } else {
-        Rgb k = spectra_.colour(p, "reflectance", ColourOf::Surface, Rgb(0.5f));
-        for (int c = 0; c < 3; ++c)
-            k[c] = static_cast<float>(under_coat(k[c], f));
-        made.set("color Kd", reflectance_of_colour(k), &p.where("reflectance"));
+        thickness = p.number("thickness", thickness);
     }
-    made.set("color Ks", Rgb(1.0f)).set("float index", eta);
-    made.set("bool conserving", "true").set("string fresnel", "dielectric");
+    made.set("float thickness", std::max(thickness, 0.0), &p.where("thickness"));
+    made.set("integer maxdepth", std::max(p.integer("maxdepth", 10), 2), &p.where("maxdepth"));
+    if (p.given("albedo") &&
+        (p.texture("albedo") ||
+         !is_black(spectra_.colour(p, "albedo", ColourOf::Surface, Rgb(0.0f)))))
+        p.leave_out("albedo", "the coat is clear");
+    p.ignore("albedo");
+    for (const char* known : {"nsamples", "g"})
+        p.ignore(known);
     set_roughness(made, rough, kLeastRoughness);
     return made;
 }
@@ -298,7 +271,7 @@ NewStatement Translator::conductor(const std::string& name, Parameters& p,
     add(std::move(constants));
     NewStatement made = begun(name, rough.smooth() ? "mirror" : "metal2", p.where());
     made.set("texture fresnel", fresnel);
-    if (!rough.smooth()) set_roughness(made, rough, kLeastRoughness);
+    if (!rough.smooth()) set_facets(made, rough);
     return made;
 }
 
@@ -318,7 +291,7 @@ NewStatement Translator::dielectric(const std::string& name, Parameters& p) {
     }
     if (p.given("Kr")) set_look(made, "Kr", p, "Kr", Rgb(1.0f));
     if (p.given("Kt")) set_look(made, "Kt", p, "Kt", Rgb(1.0f));
-    if (!rough.smooth()) set_roughness(made, rough, kLeastRoughness);
+    if (!rough.smooth()) set_facets(made, rough);
     return made;
 }
 
@@ -407,7 +380,7 @@ NewStatement Translator::subsurface(const std::string& name, Parameters& p) {
 }
 
 void Translator::upgrade_material(Parameters& p, std::string& type) {
-    static const std::map<std::string, std::string> kNames{
+    static const std::map<std::string, std::string> new_names{
         {"disney", "diffuse"},          {"fourier", "measured"},
         {"glass", "dielectric"},        {"kdsubsurface", "subsurface"},
         {"matte", "diffuse"},           {"metal", "conductor"},
@@ -415,9 +388,9 @@ void Translator::upgrade_material(Parameters& p, std::string& type) {
         {"substrate", "coateddiffuse"}, {"translucent", "diffusetransmission"},
         {"uber", "coateddiffuse"},      {"", "interface"}};
     p.rename("bumpmap", "displacement");
-    const auto found = kNames.find(type);
-    version_3_words_ = found != kNames.end() && !type.empty();
-    if (found == kNames.end()) return;
+    const auto found = new_names.find(type);
+    version_3_words_ = found != new_names.end() && !type.empty();
+    if (found == new_names.end()) return;
     if (type == "disney") p.rename("color", "reflectance");
     if (type == "matte" || type == "plastic" || type == "substrate" || type == "uber" ||
         type == "kdsubsurface")
@@ -502,7 +475,8 @@ MaterialUse Translator::write_material(const std::string& name, Parameters& p) {
     } else if (type == "thindielectric") {
         made = begun(name, "glass", p.where());
         made.set("float index", index_of(p, "eta"), &p.where("eta"))
-            .set("bool architectural", "true");
+            .set("bool architectural", "true")
+            .set("bool pane", "true");
         for (const char* ignored : {"roughness", "remaproughness"})
             p.ignore(ignored);
     } else if (type == "diffusetransmission") {

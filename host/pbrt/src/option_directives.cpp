@@ -47,13 +47,13 @@ void Translator::keep_option(Statement& statement) {
 Parameters Translator::option_parameters(const char* directive, const char* plugin,
                                          const SourceLocation& where) {
     const auto found = options_.find(directive);
-    static const ParameterValues kNone;
+    static const ParameterValues none;
     if (found != options_.end())
-        return Parameters(take_plugin(found->second), kNone, *state_.space, diagnostics_);
+        return Parameters(take_plugin(found->second), none, *state_.space, diagnostics_);
     ParameterSet set;
     set.plugin = plugin;
     set.where = where;
-    return Parameters(std::move(set), kNone, *state_.space, diagnostics_);
+    return Parameters(std::move(set), none, *state_.space, diagnostics_);
 }
 
 void Translator::write_options(const SourceLocation& where) {
@@ -72,9 +72,9 @@ void Translator::write_options(const SourceLocation& where) {
 
 void Translator::write_film(Options& options) {
     Parameters& film = options.film;
-    static const std::vector<std::string> kKnown{"rgb", "gbuffer", "spectral", "image"};
-    if (std::find(kKnown.begin(), kKnown.end(), film.plugin()) == kKnown.end())
-        throw InputError(film.where(), unknown_name_message("film", film.plugin(), kKnown));
+    static const std::vector<std::string> known_names{"rgb", "gbuffer", "spectral", "image"};
+    if (std::find(known_names.begin(), known_names.end(), film.plugin()) == known_names.end())
+        throw InputError(film.where(), unknown_name_message("film", film.plugin(), known_names));
     if (film.plugin() == "gbuffer" || film.plugin() == "spectral") {
         warn(film.where(), fmt::format("Film \"{}\" is written as \"rgb\"; --set film.layers=all "
                                        "adds albedo, normals and more",
@@ -149,17 +149,23 @@ void Translator::write_film(Options& options) {
 void Translator::write_camera(Options& options) {
     Parameters& camera = options.camera;
     const SourceLocation& at = camera.where();
-    static const std::vector<std::string> kKnown{"perspective", "orthographic", "spherical",
-                                                 "environment", "realistic"};
+    static const std::vector<std::string> known_names{"perspective", "orthographic", "spherical",
+                                                      "environment", "realistic"};
     const std::string& type = camera.plugin();
-    if (std::find(kKnown.begin(), kKnown.end(), type) == kKnown.end())
-        throw InputError(at, unknown_name_message("camera", type, kKnown));
+    if (std::find(known_names.begin(), known_names.end(), type) == known_names.end())
+        throw InputError(at, unknown_name_message("camera", type, known_names));
+    const bool round = type == "spherical" || type == "environment";
+    if (round) {
+        // Our panorama has its middle, pbrt's a quarter along z, and goes the other way around.
+        const Matrix turned(0, 0, -1, 0, 0, 1, 0, 0, -1, 0, 0, 0, 0, 0, 0, 1);
+        for (Matrix& transform : camera_transforms_)
+            transform = transform * turned;
+    }
     std::swap(state_.transforms, camera_transforms_);
     add("TransformBegin", at);
     place(at, true, "camera");
     std::swap(state_.transforms, camera_transforms_);
     NewStatement made("Camera", at);
-    const bool round = type == "spherical" || type == "environment";
     made.name(round ? "environment" : type == "realistic" ? "perspective" : type);
     made.set("float shutteropen", camera.number("shutteropen", 0));
     made.set("float shutterclose", camera.number("shutterclose", 1));
@@ -208,9 +214,10 @@ void Translator::write_filter(Parameters& filter) {
     const std::string type = !filter.plugin().empty() ? filter.plugin()
                              : version_3_             ? "box"
                                                       : "gaussian";
-    static const std::vector<std::string> kKnown{"box", "gaussian", "mitchell", "sinc", "triangle"};
-    if (std::find(kKnown.begin(), kKnown.end(), type) == kKnown.end())
-        throw InputError(filter.where(), unknown_name_message("filter", type, kKnown));
+    static const std::vector<std::string> known_names{"box", "gaussian", "mitchell", "sinc",
+                                                      "triangle"};
+    if (std::find(known_names.begin(), known_names.end(), type) == known_names.end())
+        throw InputError(filter.where(), unknown_name_message("filter", type, known_names));
     filter.rename("xwidth", "xradius");
     filter.rename("ywidth", "yradius");
     const double radius = type == "box"        ? 0.5
@@ -237,15 +244,16 @@ void Translator::write_filter(Parameters& filter) {
 void Translator::write_integrator(Parameters& integrator) {
     const std::string& type = integrator.plugin();
     const SourceLocation& at = integrator.where();
-    static const std::vector<std::string> kOurs{"path", "aips", "sppm", "ppm", "exphotonmap"};
-    static const std::vector<std::string> kByPath{
+    static const std::vector<std::string> ours{"path", "aips", "sppm", "ppm", "exphotonmap"};
+    static const std::vector<std::string> paths_instead{
         "ambientocclusion", "ao",     "bdpt",       "directlighting", "function",
         "lightpath",        "mlt",    "randomwalk", "simplepath",     "simplevolpath",
         "volpath",          "whitted"};
-    const bool by_path = std::find(kByPath.begin(), kByPath.end(), type) != kByPath.end();
-    if (!by_path && std::find(kOurs.begin(), kOurs.end(), type) == kOurs.end()) {
-        std::vector<std::string> known = kOurs;
-        known.insert(known.end(), kByPath.begin(), kByPath.end());
+    const bool by_path =
+        std::find(paths_instead.begin(), paths_instead.end(), type) != paths_instead.end();
+    if (!by_path && std::find(ours.begin(), ours.end(), type) == ours.end()) {
+        std::vector<std::string> known = ours;
+        known.insert(known.end(), paths_instead.begin(), paths_instead.end());
         throw InputError(at, unknown_name_message("integrator", type, known));
     }
     const std::string used = by_path ? "path" : type;

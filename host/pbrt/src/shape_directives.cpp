@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 
 #include "translator.h"
 
@@ -11,17 +12,80 @@ namespace {
 /// How far behind its front the back of a lamp that shines on both sides lies, of its extent.
 constexpr double kBack = 1e-4;
 
-constexpr const char* kTubes = "curves are tubes of three sides, with smooth normals";
+constexpr const char* kTubes = "curves are tubes with smooth normals, hair of three sides";
 
-/// A mesh of quadrilaterals as two triangles each; pbrt's corners go 00, 10, 01, 11.
-Numbers triangles_of_patches(const Numbers& patches) {
-    Numbers triangles;
-    triangles.reserve(patches.size() / 4 * 6);
-    for (std::size_t i = 0; i + 3 < patches.size(); i += 4)
-        for (const std::size_t corner : {0, 1, 3, 0, 3, 2})
-            triangles.push_back(patches[i + corner]);
-    return triangles;
+/// Of a patch that is bent: sides of squares, which are two triangles each.
+constexpr int kSquares = 8;
+/// Where its fourth corner lies off the parallelogram of the others, of its extent.
+constexpr double kBent = 1e-3;
+
+/// Four values at the corners 00, 10, 01, 11.
+template <class T>
+T bilinear(const std::array<T, 4>& corners, double u, double v) {
+    return (corners[0] * (1 - u) + corners[1] * u) * (1 - v) +
+           (corners[2] * (1 - u) + corners[3] * u) * v;
 }
+
+/// Bilinear patches as triangles, with the normals that they have.
+class PatchMesh {
+  public:
+    /// Lists as pbrt has them; `normals` and `uv` may be empty.
+    PatchMesh(const Numbers& points, const Numbers& normals, const Numbers& uv)
+        : given_points_(points), given_normals_(normals), given_uv_(uv) {}
+
+    void add(const std::array<std::size_t, 4>& corners) {
+        std::array<Imath::V3d, 4> p;
+        for (int i = 0; i < 4; ++i)
+            p[i] = at(given_points_, corners[i]);
+        const double extent = std::max((p[3] - p[0]).length(), (p[2] - p[1]).length());
+        const bool bent = (p[0] - p[1] - p[2] + p[3]).length() > kBent * extent;
+        const int n = bent ? kSquares : 1;
+        const std::size_t first = points_.size() / 3;
+        for (int row = 0; row <= n; ++row)
+            for (int column = 0; column <= n; ++column)
+                add_point(p, corners, double(column) / n, double(row) / n);
+        for (int row = 0; row < n; ++row)
+            for (int column = 0; column < n; ++column)
+                for (const int corner : {0, 1, n + 2, 0, n + 2, n + 1})
+                    triangles_.push_back(static_cast<double>(first) + row * (n + 1) + column +
+                                         corner);
+    }
+    void move_to(NewStatement& mesh, const SourceLocation& points_at) {
+        mesh.set("integer triindices", std::move(triangles_), &points_at);
+        mesh.set("point P", std::move(points_), &points_at);
+        mesh.set("normal N", std::move(normals_), &points_at);
+        mesh.set("float uv", std::move(uv_), &points_at);
+    }
+
+  private:
+    static Imath::V3d at(const Numbers& list, std::size_t i) {
+        return {list[3 * i], list[3 * i + 1], list[3 * i + 2]};
+    }
+    static void append(Numbers& list, const Imath::V3d& v) {
+        list.insert(list.end(), {v.x, v.y, v.z});
+    }
+    void add_point(const std::array<Imath::V3d, 4>& p, const std::array<std::size_t, 4>& corners,
+                   double u, double v) {
+        append(points_, bilinear(p, u, v));
+        const auto along_u = (p[1] - p[0]) * (1 - v) + (p[3] - p[2]) * v;
+        const auto along_v = (p[2] - p[0]) * (1 - u) + (p[3] - p[1]) * u;
+        Imath::V3d normal = along_u % along_v;
+        std::array<Imath::V2d, 4> st{{{0, 0}, {1, 0}, {0, 1}, {1, 1}}};
+        std::array<Imath::V3d, 4> normals;
+        for (int i = 0; i < 4; ++i) {
+            if (!given_normals_.empty()) normals[i] = at(given_normals_, corners[i]);
+            if (!given_uv_.empty())
+                st[i] = {given_uv_[2 * corners[i]], given_uv_[2 * corners[i] + 1]};
+        }
+        if (!given_normals_.empty()) normal = bilinear(normals, u, v);
+        append(normals_, normal.normalized());
+        const Imath::V2d place = bilinear(st, u, v);
+        uv_.insert(uv_.end(), {place.x, place.y});
+    }
+
+    const Numbers &given_points_, &given_normals_, &given_uv_;
+    Numbers triangles_, points_, normals_, uv_;
+};
 
 Numbers counted(std::size_t count) {
     Numbers numbers(count);
@@ -213,22 +277,35 @@ void Translator::bilinear_mesh(NewStatement& made, Parameters& p) {
     is_mesh_ = true;
     made.name("trianglemesh");
     const SourceLocation points_at = p.where("P");
-    Numbers points = p.numbers("P");
+    const Numbers points = p.numbers("P");
     if (points.empty()) p.fail("P", "bilinearmesh needs the list \"P\"");
     Numbers patches = p.numbers("indices");
     if (patches.empty()) patches = counted(points.size() == 12 ? 4 : 0);
     if (patches.size() % 4 != 0 || patches.empty())
         p.fail("indices", "bilinearmesh takes four indices a patch");
-    Numbers uv = p.numbers("uv");
-    if (uv.empty() && patches.size() == 4 && points.size() == 12) uv = {0, 0, 1, 0, 0, 1, 1, 1};
-    made.set("integer triindices", triangles_of_patches(patches), &p.where("indices"));
-    made.set("point P", std::move(points), &points_at);
-    if (p.given("N")) made.set("normal N", p.numbers("N"), &p.where("N"));
-    if (!uv.empty()) made.set("float uv", std::move(uv), &p.where("uv"));
+    const std::size_t count = points.size() / 3;
+    for (const double index : patches)
+        if (!(index >= 0 && index < double(count)))
+            p.fail("indices", fmt::format("there is no point {:g}, only {}", index, count));
+    const auto fitting = [&](const char* name, std::size_t each) {
+        Numbers list = p.numbers(name);
+        if (list.size() == each * count) return list;
+        if (!list.empty())
+            p.leave_out(name, fmt::format("it has {} numbers for {} points", list.size(), count));
+        return Numbers();
+    };
+    const Numbers normals = fitting("N", 3), uv = fitting("uv", 2);
+    PatchMesh mesh(points, normals, uv);
+    for (std::size_t i = 0; i + 3 < patches.size(); i += 4) {
+        std::array<std::size_t, 4> corners;
+        for (std::size_t k = 0; k < 4; ++k)
+            corners[k] = static_cast<std::size_t>(patches[i + k]);
+        mesh.add(corners);
+    }
+    mesh.move_to(made, points_at);
     p.leave_out("emissionfilename", "the light's own colour counts");
     p.ignore("faceIndices");
     made.set("bool facesbynormals", "true");
-    tell_once(p.where(), "patches of \"bilinearmesh\" are two triangles each");
 }
 
 void Translator::loop_subdivision(NewStatement& made, Parameters& p) {

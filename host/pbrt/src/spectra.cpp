@@ -130,6 +130,16 @@ Spectrum spectrum_of_pairs(const Numbers& pairs, const SourceLocation& where) {
         nm.push_back(at);
         values.push_back(value);
     }
+    // What lies beyond the pairs is as the last of them, as in pbrt.
+    constexpr double kLeast = 300, kMost = 900;
+    if (nm.front() > kLeast) {
+        nm.insert(nm.begin(), kLeast);
+        values.insert(values.begin(), values.front());
+    }
+    if (nm.back() < kMost) {
+        nm.push_back(kMost);
+        values.push_back(values.back());
+    }
     return sampled_spectrum(std::move(nm), std::move(values));
 }
 

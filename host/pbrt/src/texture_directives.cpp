@@ -84,9 +84,10 @@ std::string Translator::float_texture(const std::string& name) {
 
 void Translator::set_mapping(NewStatement& made, Parameters& p, bool of_image) {
     const std::string mapping = p.text("mapping", "uv");
-    static const std::vector<std::string> kKnown{"uv", "spherical", "cylindrical", "planar"};
-    if (std::find(kKnown.begin(), kKnown.end(), mapping) == kKnown.end())
-        p.fail("mapping", unknown_name_message("mapping", mapping, kKnown));
+    static const std::vector<std::string> known_mappings{"uv", "spherical", "cylindrical",
+                                                         "planar"};
+    if (std::find(known_mappings.begin(), known_mappings.end(), mapping) == known_mappings.end())
+        p.fail("mapping", unknown_name_message("mapping", mapping, known_mappings));
     const double su = p.number("uscale", 1), sv = p.number("vscale", 1);
     const double du = p.number("udelta", 0), dv = p.number("vdelta", 0);
     made.set("string mapping", mapping, &p.where("mapping"));
@@ -134,7 +135,7 @@ void Translator::image_texture(NewStatement& made, Parameters& p, bool is_float)
         encoding = p.flag("gamma", true) ? "sRGB" : "linear";
     double gamma = 1;
     if (encoding == "sRGB") {
-        made.set("string colorspace", "srgb");
+        made.set("string colorspace", "srgb_texels");
     } else {
         if (encoding.starts_with("gamma "))
             gamma = std::atof(encoding.c_str() + 6);
@@ -170,7 +171,7 @@ void Translator::write_texture(const Name& name, bool is_float, Parameters& p) {
     };
     // A pattern of numbers in our language; colours come from a mix by it.
     const auto pattern = [&](const char* plugin) {
-        const std::string of = is_float ? name.text : fresh(name.text + "/pattern");
+        std::string of = is_float ? name.text : fresh(name.text + "/pattern");
         begin(of, true, plugin);
         return of;
     };
@@ -195,10 +196,11 @@ void Translator::write_texture(const Name& name, bool is_float, Parameters& p) {
         begin(upright, is_float, "imagemap");
         image_texture(made, p, is_float);
         add(std::move(made));
-        begin(name.text, is_float, "subtract");
-        made.set(is_float ? "float tex1" : "color tex1", is_float ? Numbers{1} : Numbers{1, 1, 1});
-        made.set("texture tex2", upright);
-        add(std::move(made));
+        NewStatement inverted("Texture", at);
+        inverted.name(name.text).name(type_of(is_float)).name("subtract");
+        inverted.set(is_float ? "float tex1" : "color tex1",
+                     is_float ? Numbers{1} : Numbers{1, 1, 1});
+        add(std::move(inverted.set("texture tex2", upright)));
     } else if (type == "constant") {
         begin(name.text, is_float, "constant");
         if (is_float) {
@@ -256,12 +258,14 @@ void Translator::write_texture(const Name& name, bool is_float, Parameters& p) {
     } else if (type == "dots") {
         const std::string of = pattern("dots");
         set_mapping(made, p, false);
-        if (is_float) {  // LuxRender's names are the other way round
-            set_term(made, "outside", p, "inside", true, 1);
-            set_term(made, "inside", p, "outside", true, 0);
+        // Dots show "outside" in pbrt, whose constructor takes both the other way round; as ours
+        // do.
+        if (is_float) {
+            set_term(made, "outside", p, "outside", true, 0);
+            set_term(made, "inside", p, "inside", true, 1);
             add(std::move(made));
         } else {
-            add(std::move(made.set("float outside", 1).set("float inside", 0)));
+            add(std::move(made.set("float outside", 0).set("float inside", 1)));
             mix_by(of, "outside", 0, "inside", 1);
         }
     } else if (type == "fbm" || type == "wrinkled" || type == "windy") {

@@ -135,6 +135,8 @@ class Translator {
     };
     Roughness roughness(Parameters& parameters, const std::string& prefix, double fallback);
     void set_roughness(NewStatement& made, const Roughness& roughness, double least) const;
+    /// The same for facets as pbrt has them.
+    void set_facets(NewStatement& made, const Roughness& roughness) const;
     /// Writes `target` ("Kd") as the colour or texture that `name` gives.
     void set_look(NewStatement& made, const char* target, const Parameters& parameters,
                   std::string_view name, const Rgb& fallback, double factor = 1);

@@ -10,6 +10,7 @@
 #include <map>
 #include <set>
 
+#include "block_test.h"
 #include "rendered_image.h"
 
 namespace pbrt_probe_test {
@@ -24,15 +25,17 @@ constexpr int kPasses = 256;
 // spectra there.
 constexpr double kMedian = 0.015, kMost = 0.04;
 
-/// Means of blocks of each channel.
+/// Means of blocks, one channel after the other.
 std::vector<double> block_means(const render::Image& image) {
-    const std::size_t columns = image.width / kBlock, rows = image.height / kBlock;
-    std::vector<double> means(columns * rows * 3);
-    for (std::size_t y = 0; y < rows * kBlock; ++y)
-        for (std::size_t x = 0; x < columns * kBlock; ++x)
-            for (std::size_t c = 0; c < 3; ++c)
-                means[(y / kBlock * columns + x / kBlock) * 3 + c] +=
-                    double(image.rgb[(y * image.width + x) * 3 + c]) / (kBlock * kBlock);
+    std::vector<double> means;
+    for (std::size_t c = 0; c < 3; ++c) {
+        std::vector<double> channel;
+        for (std::size_t i = c; i < image.rgb.size(); i += 3)
+            channel.push_back(double(image.rgb[i]));
+        const std::vector<double> blocks =
+            statistics::block_means(channel, image.width, image.height, kBlock);
+        means.insert(means.end(), blocks.begin(), blocks.end());
+    }
     return means;
 }
 

@@ -36,12 +36,15 @@ Rgb reflected(const VisiblePoint& point, const GridPhoton& photon, bool in_front
     };
     const PointGloss& gloss = point.gloss;
     if (!gloss.bounce) return by(point.receiving);
-    if (photon.part == std::uint16_t(ImagePart::Caustics)) {
+    const auto part = static_cast<ImagePart>(photon.part);
+    const bool learns = gloss.learns && part == ImagePart::Caustics;
+    const float density = gloss.photons.of(part);
+    if (density > 0 || learns || photon.found_alone) {
         glossy.counted = by(kGlossy);
         if (!photon.found_alone) {
-            glossy.shared = glossy.counted;
             glossy.pdf = point.bsdf->pdf(point.wo, photon.direction, gloss.bounce);
-            glossy.counted *= gloss.by_photons ? 1 - caustic_share(glossy.pdf) : 0.0f;
+            if (learns) glossy.shared = glossy.counted;
+            glossy.counted *= 1 - bounce_share(glossy.pdf, density);
         }
     }
     return by(point.receiving & LobeMask(~kGlossy));

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 
+#include "aips/core/sampling/sampling.h"
 #include "base/constants.h"
 
 namespace aips {
@@ -55,6 +56,14 @@ inline constexpr float kLaterGloss = 0.25f;
 /// Supported by: one scene only: a glass ball under a small lamp over metal of roughness 0.25 (0.25
 ///   to 4096).
 inline constexpr float kCausticDensity = 4096;
+
+/// The same for indirect light: as if photons came evenly from all directions of a hemisphere, so
+/// that they carry what lies where the lobe hardly points. Unit: 1 / steradian.
+/// Balances: dots of bounces that meet a bright place beside the lobe against noise of photons.
+/// Chosen by: reasoning: 1 / (2 pi). More helps some scenes and hurts others.
+/// Supported by: glass-of-water, veach-ajar, lamp, bathroom2, staircase2, jewellery, car, bathroom,
+///   kitchen (0.25 to 4096; docs/build-on/constants.md).
+inline constexpr float kIndirectDensity = 0.5f * kInvPi;
 
 /// Most of the quotient of cosines, to the shading and to the geometric normal, that multiplies a
 /// photon's power. Unit: ratio.

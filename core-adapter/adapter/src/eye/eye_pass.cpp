@@ -228,7 +228,7 @@ std::vector<Vec3> positions_of_most_photons(std::span<const VisiblePoint> points
                                             Settings& settings) {
     std::vector<Vec3> positions;
     for (const VisiblePoint& point : points) {
-        if (!point.takes_caustics_alone()) positions.push_back(point.position);
+        if (!point.takes_gloss_alone()) positions.push_back(point.position);
     }
     if (positions.empty()) {
         positions_of(points, positions);

@@ -12,19 +12,12 @@
 #include "emitter_images/emitter_images.h"
 #include "eye/direct_light.h"
 #include "eye/eye_shares.h"
+#include "eye/point_gloss.h"
 #include "eye/volume_beam.h"
 #include "ranks/shared_work.h"
 #include "sample_filter/invalid_sample_filter.h"
 
 namespace aips {
-
-/// How a visible point's glossy lobes, which bounce the eye path on as well, take caustics.
-struct PointGloss {
-    LobeMask bounce = 0;      ///< what the bounce samples; 0: glossy lobes take all photons or none
-    bool by_photons = false;  ///< photons bring them; else only what the bounce can't find
-    bool learns = false;      ///< whether the point tells of caustics on these lobes
-    float bounce_pdf = 1;     ///< probability that the path bounces
-};
 
 /// A place in a gather disc that was asked for.
 enum class DiscPlace : std::uint8_t { NotAsked, Surface, Gap };
@@ -58,8 +51,8 @@ struct VisiblePoint {
     bool tells_lights = false;  ///< it is told which light's photons bring it what
     SharedDirect direct;        ///< where a BSDF-sampled ray left it
 
-    /// Whether it takes caustics alone.
-    bool takes_caustics_alone() const { return gloss.bounce && !(receiving & ~kGlossy); }
+    /// Whether it takes what glossy lobes take beside their bounce alone.
+    bool takes_gloss_alone() const { return gloss.bounce && !(receiving & ~kGlossy); }
     /// Share of what a path that goes on brings that counts.
     float continued_share() const { return bounced ? 0 : fills ? 1 : eye_share; }
 };

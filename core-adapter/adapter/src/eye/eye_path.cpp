@@ -170,8 +170,9 @@ class EyePath {
         const PointGloss gloss = last ? PointGloss{} : gloss_at(point, wo, bouncing);
         const bool takes_gloss = gloss.bounce != 0;
         // Once photons are gathered beside the bounce, whatever the path does; at later surfaces
-        // it chooses.
-        const bool beside = takes_gloss && !result_.before.usable;
+        // it chooses, and so for indirect light alone where it may end anyway.
+        const bool beside =
+            takes_gloss && !result_.before.usable && (!receiving || asks_for_caustics(gloss));
         float store_pdf = store_probability(*point.bsdf, wo, receiving, onward);
         if (takes_gloss && !beside && !receiving) store_pdf = kLaterGloss;
         const bool may = receiving && in_.shares && in_.keep_visible_points;
@@ -184,7 +185,7 @@ class EyePath {
         const bool goes_on = may && (eye.any() || output_.explores || fills);
         DirectLightResult direct;
         if (in_.settings.direct_light_sampling && (lobes & kNonSpecular)) {
-            DirectLightQuery query{point, wo, tip_.ray.time, tip_.throughput};
+            DirectLightQuery query{point, wo, tip_.ray.time, tip_.scattered_throughput()};
             query.owned = receiving;
             query.owned_pdf = goes_on ? store_pdf : 0;
             query.bounce = bouncing;
@@ -215,23 +216,27 @@ class EyePath {
         tip_.throughput *= 1 / (1 - store_pdf);
         if (last) return pass_straight(in_, point, wo, numbers, filter_, tip_);
         const BounceDraw draw{bouncing, 1 - store_pdf, numbers.direction(), numbers.lobe(),
-                              gloss.by_photons};
+                              gloss.photons};
         return bounce(in_, point, wo, draw, filter_, tip_);
     }
 
-    /// How glossy lobes among those that bounce take caustics.
+    /// How glossy lobes among those that bounce take photons.
     PointGloss gloss_at(const SurfacePoint& point, Vec3 wo, LobeMask bouncing) const {
-        if (!(bouncing & kGlossy) || !in_.shares || !in_.shares->gloss || !in_.keep_visible_points)
+        if (!(bouncing & kGlossy) || !in_.shares || !in_.shares->photons_on_gloss ||
+            !in_.keep_visible_points)
             return {};
         const bool later = result_.before.usable;
         PointGloss gloss;
-        gloss.by_photons =
-            !later && in_.shares->gloss->at(point.position, normal_towards(wo, point));
-        gloss.learns = !later && output_.learns_gloss &&
-                       (gloss.by_photons || output_.explores || in_.shares->gloss_needs_photons);
-        if (gloss.by_photons || gloss.learns || in_.shares->gloss_needs_photons)
-            gloss.bounce = bouncing;
+        if (!later) gloss.photons = in_.shares->gloss_at(point.position, normal_towards(wo, point));
+        gloss.learns = !later && output_.learns_gloss && asks_for_caustics(gloss);
+        if (gloss.photons.any() || asks_for_caustics(gloss)) gloss.bounce = bouncing;
         return gloss;
+    }
+
+    /// Whether photons bring caustics to a glossy lobe, or are to tell whether they should.
+    bool asks_for_caustics(const PointGloss& gloss) const {
+        const bool tells = output_.learns_gloss && output_.explores && !result_.before.usable;
+        return gloss.photons.caustics > 0 || tells || in_.shares->gloss_needs_photons;
     }
 
     /// The number that decides between the ways that a specular surface offers.
@@ -311,7 +316,8 @@ class EyePath {
     void store(const SurfacePoint& point, Vec3 wo, LobeMask receiving, float choice_pdf,
                PathPoint& at) {
         VisiblePoint& v = at.point;
-        v = visible_point(point, wo, receiving, tip_.throughput * (1 / choice_pdf), tip_.seen_by);
+        v = visible_point(point, wo, receiving, tip_.scattered_throughput() * (1 / choice_pdf),
+                          tip_.seen_by);
         v.photon_bounces = photon_bounces(in_.settings, tip_);
         at.footprint = camera_ray_.width + camera_ray_.spread * travelled_;
         at.usable =

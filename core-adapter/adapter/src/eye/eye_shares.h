@@ -9,6 +9,7 @@
 #include "aips/core/tables/gloss_table.h"
 #include "aips/core/tables/share_table.h"
 #include "eye/constants.h"
+#include "eye/point_gloss.h"
 
 namespace aips {
 
@@ -40,8 +41,15 @@ struct EyeShares {
         return any ? table.at(position, normal) : EyeShare{};
     }
 
+    /// The same for photons on glossy lobes that bounce as well.
+    GlossDensities gloss_at(Vec3 position, Vec3 normal) const {
+        return {gloss && gloss->at(position, normal) ? kCausticDensity : 0, kIndirectDensity};
+    }
+
     ShareTable table;
-    std::optional<GlossTable> gloss;  ///< who brings caustics to glossy lobes, if photons may
+    /// Whether photons bring light to glossy lobes that bounce as well.
+    bool photons_on_gloss = false;
+    std::optional<GlossTable> gloss;  ///< who brings caustics to them, if any are cast
     /// Whether there is light that photons alone bring to them: of a delta light, by way of
     /// specular surfaces.
     bool gloss_needs_photons = false;

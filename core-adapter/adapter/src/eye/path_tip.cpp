@@ -10,15 +10,18 @@ bool bounce(const EyePassInput& in, const SurfacePoint& point, Vec3 wo, const Bo
     BsdfSample sample;
     if (!point.bsdf->sample(wo, draw.u, draw.u_lobe, Transport::Radiance, draw.mask, sample))
         return false;
-    tip.throughput *= sample.weight;
+    const bool scatters = !sample.straight && sample.lobe != kSpecular;
+    tip.throughput = (scatters ? tip.scattered_throughput() : tip.throughput) * sample.weight;
     if (!filter.accept(tip.throughput, point.material) || is_black(tip.throughput)) return false;
     if (!filter.accept_density(sample.pdf, point.material) ||
         !filter.accept_direction(sample.wi, point.material)) {
         return false;
     }
     if (!sample.straight) {
-        if (sample.lobe != kSpecular)
-            tip.caustic_share = draw.shares_caustics ? caustic_share(sample.pdf) : 1;
+        if (scatters) {
+            tip.caustic_share = bounce_share(sample.pdf, draw.photons.caustics);
+            tip.indirect_share = bounce_share(sample.pdf, draw.photons.indirect);
+        }
         tip.from_specular = sample.lobe == kSpecular;
         tip.counts_in_full = tip.from_specular || !in.settings.direct_light_sampling;
         tip.bounce_pdf = draw.choice_pdf * sample.pdf;

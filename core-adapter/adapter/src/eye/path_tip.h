@@ -12,25 +12,20 @@ namespace aips {
 
 struct PathTip {
     Ray ray;
-    Rgb throughput = kWhite;
+    Rgb throughput = kWhite;  ///< of emitters that its ray meets
     /// What photons on the glossy lobe that sent it on leave of emitters that it meets by way of
-    /// specular surfaces.
-    float caustic_share = 1;
+    /// specular surfaces, and of light that the next lobe which is not specular scatters.
+    float caustic_share = 1, indirect_share = 1;
     bool from_specular = true;      ///< it leaves the camera or a specular lobe
     bool counts_in_full = true;     ///< likewise, or no shadow rays are sent: lights count in full
     float bounce_pdf = 0;           ///< of the last scattering that was not straight
     SurfacePoint last_vertex;       ///< where that was; kept only if it was not specular
     std::uint32_t scatterings = 0;  ///< that were not straight
     EyeScatterings seen_by;         ///< the same, by kind
-};
 
-/// Of a caustic on a glossy lobe that photons bring, the share that is left to the bounce, p being
-/// its density: on lobes so narrow that hardly a photon comes their way all. The balance heuristic
-/// (Veach 1995) with a fixed density of photons, so that nothing has to be known of how likely they
-/// were.
-inline float caustic_share(float pdf) {
-    return pdf / (pdf + kCausticDensity);
-}
+    /// Of light that a lobe which is not specular scatters into the ray.
+    Rgb scattered_throughput() const { return throughput * indirect_share; }
+};
 
 /// A direction to be drawn from the lobes in `mask`, which are chosen with probability
 /// `choice_pdf`.
@@ -39,7 +34,7 @@ struct BounceDraw {
     float choice_pdf = 1;
     Vec2 u;
     float u_lobe = 0;
-    bool shares_caustics = false;  ///< photons bring them to glossy lobes, by caustic_share()
+    GlossDensities photons = {};  ///< that bring light to glossy lobes beside it
 };
 
 /// Sends the path on from `point`, where it arrived from `wo`; false if it ends there.

@@ -22,12 +22,11 @@ std::string why_none_continue(const Settings& settings, const Scene& scene) {
     return {};
 }
 
-/// Why photons bring no caustic to glossy lobes that bounce eye paths on; empty if they may.
-std::string why_no_caustics_on_gloss(const Settings& settings, const Scene& scene) {
+/// Why photons bring nothing to glossy lobes that bounce eye paths on; empty if they may.
+std::string why_no_photons_on_gloss(const Settings& settings, const Scene& scene) {
     const LobeMask lobes = scene.facts().lobes;
     if (settings.store_glossy) return "glossy lobes take all photons";
     if (!(lobes & kGlossy)) return "no surface is glossy";
-    if (!(lobes & kSpecular)) return "no specular surface casts them";
     if (!settings.continue_eye_paths || !why_none_continue(settings, scene).empty())
         return "eye paths share no light with photons";
     return {};
@@ -36,9 +35,9 @@ std::string why_no_caustics_on_gloss(const Settings& settings, const Scene& scen
 /// Why no photon could bring light; empty if one could.
 std::string why_no_photons(const Settings& settings, const Scene& scene, bool any_light) {
     if (!any_light) return "no light emits";
-    const bool any_takes =
-        (scene.facts().lobes & receiving_lobes(settings)) ||
-        (settings.caustics_on_gloss && why_no_caustics_on_gloss(settings, scene).empty());
+    const bool any_takes = (scene.facts().lobes & receiving_lobes(settings)) ||
+                           (settings.caustics_on_gloss && (scene.facts().lobes & kSpecular) &&
+                            why_no_photons_on_gloss(settings, scene).empty());
     if (!any_takes && !scene.media()) return "no surface takes photons";
     if (settings.direct_light_sampling && !photons_may_scatter(settings)) {
         return "shadow rays carry all light at this photon depth";
@@ -104,14 +103,14 @@ void drop_continued_paths(Needs& needs, const Scene& scene) {
     skip(needs, "continued eye paths", reason);
 }
 
-/// Photons bring caustics to glossy lobes where they share light with eye paths at all.
-void drop_caustics_on_gloss(Needs& needs, const Scene& scene) {
+/// Photons bring light to glossy lobes where they share it with eye paths at all.
+void drop_photons_on_gloss(Needs& needs, const Scene& scene) {
     Settings& s = needs.settings;
     if (!s.caustics_on_gloss) return;
-    const std::string reason = why_no_caustics_on_gloss(s, scene);
+    const std::string reason = why_no_photons_on_gloss(s, scene);
     if (reason.empty()) return;
     s.caustics_on_gloss = false;
-    skip(needs, "caustics on gloss by photons", reason);
+    skip(needs, "photons on gloss beside bounces", reason);
 }
 
 /// The modes with frozen eye passes are those of their papers.
@@ -221,7 +220,7 @@ Needs analyse(const Scene& scene, const Settings& settings) {
     }
     drop_learned_lights(needs, lights.size() - dead, facts);
     drop_continued_paths(needs, scene);
-    drop_caustics_on_gloss(needs, scene);
+    drop_photons_on_gloss(needs, scene);
     drop_edge_correction(needs);
     drop_occlusion(needs);
     drop_narrowing(needs);

@@ -7,7 +7,7 @@ namespace aips {
 namespace {
 
 /// To be raised whenever the content of states changes.
-constexpr std::uint32_t kStateVersion = 27;
+constexpr std::uint32_t kStateVersion = 28;
 
 void state_of_settings(StateArchive& archive, const Settings& settings) {
     const auto same = [&](const auto& value, const char* name) {

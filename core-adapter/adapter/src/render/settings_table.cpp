@@ -184,8 +184,8 @@ constexpr SettingRow kRows[] = {
      .member = &Settings::caustics_on_gloss,
      .group = SettingGroup::Study,
      .doc =
-         "With continueeyepaths: photons bring caustics to glossy lobes where that is better than "
-         "the eye path's bounce, which goes on for all other light "
+         "With continueeyepaths: photons bring light to glossy lobes beside the eye path's bounce: "
+         "caustics where that is better, other light from where the bounce seldom goes "
          "(docs/understand/who-carries-which-light.md)."},
     {.name = "photonturns",
      .member = &Settings::photon_turns,

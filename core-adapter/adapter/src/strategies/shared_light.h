@@ -32,11 +32,11 @@ class SharedLight {
           width_(width),
           height_(height) {
         if (!settings.caustics_on_gloss) return;
+        shares_.photons_on_gloss = true;
+        if (!(scene.facts().lobes & kSpecular)) return;
         shares_.gloss.emplace(scene.bounds());
-        shares_.gloss_needs_photons = (scene.facts().lobes & kSpecular) &&
-                                      !std::ranges::all_of(scene.lights(), [&](const Light* light) {
-                                          return eye_paths_meet(*light, settings);
-                                      });
+        shares_.gloss_needs_photons = !std::ranges::all_of(
+            scene.lights(), [&](const Light* light) { return eye_paths_meet(*light, settings); });
     }
 
     const EyeShares& shares() const { return shares_; }

@@ -99,7 +99,8 @@ struct Settings {
     bool photon_occlusion = true;
     /// Where radii adapt: those of pixels that are surely blurred are narrower.
     bool narrow_radii = true;
-    /// Photons bring caustics to glossy lobes, where that is better than the bounce.
+    /// Photons bring light to glossy lobes beside the bounce: caustics where that is better, and
+    /// what bounces seldom meet.
     bool caustics_on_gloss = true;
     bool store_glossy = false;  ///< glossy lobes receive photons instead of bouncing
     bool debug_layers = false;  ///< extra layers of the film: docs/reference/layers.md

@@ -214,7 +214,7 @@ void walk_block(const SeedInput& in, std::uint32_t first_group, std::uint32_t la
         const std::size_t count = std::min<std::size_t>(kSeedGroup, points.size() - first);
         const auto chosen = static_cast<std::size_t>(random.next() * static_cast<float>(count));
         if (first + chosen < own_first || first + chosen >= own_last) continue;
-        if (!points[first + chosen].takes_caustics_alone())
+        if (!points[first + chosen].takes_gloss_alone())
             SeedWalk(in, random, arena, block).run(points[first + chosen]);
     }
 }

@@ -230,7 +230,7 @@ class Cameras(unittest.TestCase):
         scenes.clear()  # what Blender has now is not looked at
         place = [[1, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, 3], [0, 0, 0, 1]]
         view = View('orthographic', (-2, 2, -1, 1), near=0.1, far=100)
-        result.look(Film(16, 8, passes=1), (view, place))
+        result.look(Film(16, 8, passes=1), view, (place,))
         after = lines_of(path)
         self.assertRegex(' '.join(after[-2:]), 'Exterior "volume [12]" WorldEnd')
         self.assertEqual([line for line in before if line not in after and 'Film' not in line],

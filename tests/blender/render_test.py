@@ -123,6 +123,51 @@ class Renders(unittest.TestCase):
         self.assertIn('second.Combined.R', exr.read(render('two.exr')).channels)
 
 
+class Films(unittest.TestCase):
+    def test_transparent_backgrounds_have_alpha(self):
+        """Also beside the sky, which is seen in a mirror all the same."""
+        scene = small_scene(8)
+        wall = bpy.data.objects['wall']
+        bpy.data.objects.remove(wall)
+        scenes.ball('mirror', 0.6, scenes.material('mirror', 'ShaderNodeBsdfGlossy', Roughness=0),
+                    (0.9, 0, 0.6))
+        scene.render.film_transparent = True
+        scene.render.image_settings.color_mode = 'RGBA'
+        image = exr.read(render('transparent.exr', 'OPEN_EXR'))
+        alpha = image.channels['A']
+        self.assertEqual((alpha[0].max(), alpha[-1].min()), (0, 1))
+        self.assertEqual(image.stack('RGB')[0].max(), 0)
+        self.assertGreater(image.channels['G'][16, 31], 0.3)  # the sky in the mirror
+
+    @unittest.skipUnless(hasattr(bpy.types.Scene, 'cycles'), 'Cycles is not there')
+    def test_exposure_multiplies_the_image(self):
+        scene = small_scene(32)
+        shines = scenes.material('sheet', 'ShaderNodeEmission', Strength=2)
+        scenes.plane('sheet', 1, shines, (0.9, 0.2, 1.6), (1.2, 0.3, 0))
+        once, twice = [], []
+        for found in (once, twice):
+            found.append(exr.read(render('exposed.exr', 'OPEN_EXR')).stack('RGB').mean((0, 1)))
+            scene.cycles.film_exposure = 2
+        np.testing.assert_allclose(twice[0], 2 * once[0], rtol=0.02)
+
+    def test_both_eyes_see(self):
+        """The right one stands to the right, so that near things are farther to the left."""
+        scene = small_scene(8)
+        stereo = scene.camera.data.stereo
+        stereo.interocular_distance, stereo.convergence_distance = 1, 6.7
+        scene.render.use_multiview = True
+        for mode in ('PARALLEL', 'OFFAXIS'):
+            stereo.convergence_mode = mode
+            path = render('eyes.exr', 'OPEN_EXR').replace('.exr', '')
+            images = [exr.read(f'{path}_{eye}.exr').channels for eye in 'LR']
+            boxes = [np.argwhere(image['R'] - 2 * image['B'] > 0.05)[:, 1] for image in images]
+            self.assertGreater(min(map(len, boxes)), 20)
+            moved = boxes[0].mean() - boxes[1].mean()
+            print(f'[{mode}: {moved:.2f}] ', end='')
+            # Of 48 pixels an image at the distance of the box, 6.6, is 5.9 wide.
+            self.assertAlmostEqual(moved, {'PARALLEL': 8.1, 'OFFAXIS': 0}[mode], delta=0.7)
+
+
 class Fails(unittest.TestCase):
     def fails(self, words):
         with self.assertRaisesRegex(RuntimeError, words):
@@ -177,7 +222,7 @@ class Asked:
     def update_progress(self, share):
         assert 0 <= share <= 1
 
-    def begin_result(self, *_size, layer):
+    def begin_result(self, *_size, layer, view):
         return Result()
 
     def end_result(self, _result):

@@ -8,6 +8,7 @@ import time
 import bpy
 
 from . import command, exr, passes, preferences, process, settings, status, viewport
+from .export.camera import of_eye
 from .export.kept import Kept
 from .export.scene import ExportError, export
 from .export.versions import set_pixels
@@ -91,8 +92,7 @@ class Render:
         self._engine = engine
         self._depsgraph = depsgraph
         self._folder = folder
-        self._image = os.path.join(folder, 'image.exr')
-        self._seen, self._header, self._said = 0, {}, ''
+        self._said = ''
         self._options = depsgraph.scene.aips
         self._program = process.find(preferences.of(bpy.context).program)
 
@@ -103,17 +103,43 @@ class Render:
         exported = export(os.path.join(self._folder, 'scene.lxs'), self._depsgraph, self._film,
                           self._engine.frame_set, kept=kept_between_renders())
         tell_left_out(self._engine, exported.left_out)
-        self._result = _begin_result(self._engine, scene.render, view_layer)
-        try:
-            self._follow(process.Process(self._arguments(exported.path), self._folder))
-        finally:
-            self._engine.end_result(self._result)
+        for eye in _eyes(scene.render):
+            if eye:
+                self._look_by(eye, exported)
+            self._render(exported.path, eye)
         # The whole result holds them, of which the one that has just ended became a part.
         told = passes.mask_texts(self._header, view_layer.name)
         if told:
             whole = self._engine.get_result()
             for key, text in told.items():
                 whole.stamp_data_add_field(key, text)
+
+    def _look_by(self, eye, exported):
+        """Lets the scene's file have the camera of one of the views of a stereoscopic render."""
+        self._engine.active_view_set(eye)
+        camera = self._depsgraph.scene_eval.camera.evaluated_get(self._depsgraph)
+        shown, matrices = exported.camera
+        if shown.kind == 'environment':
+            self._engine.report({'WARNING'}, 'aips: both eyes of a panorama see the same')
+            return
+        film = self._film
+        render = self._depsgraph.scene.render
+        fit = camera.data.sensor_fit
+        wide = fit == 'HORIZONTAL' or fit == 'AUTO' and \
+            film.width * render.pixel_aspect_x >= film.height * render.pixel_aspect_y
+        exported.look(film, *of_eye(camera, shown, matrices,
+                                    self._engine.camera_model_matrix(camera),
+                                    self._engine.camera_shift_x(camera), wide))
+
+    def _render(self, path, eye):
+        self._image = os.path.join(self._folder, f'image{eye}.exr')
+        self._seen, self._header = 0, {}
+        self._result = _begin_result(self._engine, self._depsgraph.scene.render,
+                                     self._depsgraph.view_layer, eye)
+        try:
+            self._follow(process.Process(self._arguments(path), self._folder))
+        finally:
+            self._engine.end_result(self._result)
 
     def _arguments(self, path):
         every = command.write_every(self._film.width * self._film.height,
@@ -183,9 +209,17 @@ def _options(text):
         raise ExportError(f'"More options" cannot be read: {error}') from error
 
 
-def _begin_result(engine, render, view_layer):
+def _eyes(render):
+    """Names of the views of a stereoscopic render, or one that is empty."""
+    if not render.use_multiview:
+        return ['']
+    return [view.name for view in render.views if view.use and
+            (render.views_format == 'MULTIVIEW' or view.name in ('left', 'right'))]
+
+
+def _begin_result(engine, render, view_layer, eye):
     x0, x1, y0, y1 = settings.border(render)
-    return engine.begin_result(0, 0, x1 - x0, y1 - y0, layer=view_layer.name)
+    return engine.begin_result(0, 0, x1 - x0, y1 - y0, layer=view_layer.name, view=eye)
 
 
 def _fill(result, image, found):

@@ -68,6 +68,18 @@ class AIPS_PT_motion_blur(_Panel):
         layout.prop(render, 'motion_blur_shutter')
 
 
+class AIPS_PT_film(_Panel):
+    bl_label = 'Film'
+    bl_options = {'DEFAULT_CLOSED'}
+
+    def fill(self, layout, _settings, context):
+        layout.prop(context.scene.render, 'film_transparent', text='Transparent')
+        cycles = getattr(context.scene, 'cycles', None)  # none where its add-on is off
+        if cycles is not None:
+            layout.prop(cycles, 'film_exposure', text='Exposure')
+            layout.prop(cycles, 'filter_width', text='Width of the filter')
+
+
 class AIPS_PT_passes(_Panel):
     bl_label = 'Passes of aips'
     bl_context = 'view_layer'
@@ -136,8 +148,8 @@ class AIPS_PT_world_light_group(_Panel):
                            text='Light group')
 
 
-PANELS = (AIPS_PT_quality, AIPS_PT_denoise, AIPS_PT_motion_blur, AIPS_PT_expert,
-          AIPS_PT_passes, AIPS_PT_masks, AIPS_PT_light_groups,
+PANELS = (AIPS_PT_quality, AIPS_PT_denoise, AIPS_PT_motion_blur, AIPS_PT_film,
+          AIPS_PT_expert, AIPS_PT_passes, AIPS_PT_masks, AIPS_PT_light_groups,
           AIPS_PT_object_light_group, AIPS_PT_light_visibility, AIPS_PT_world_light_group)
 
 

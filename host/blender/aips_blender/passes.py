@@ -82,5 +82,6 @@ def pixels(image, wanted):
     denoised = wanted is COMBINED and DENOISED[0] in image.channels
     values = image.stack(DENOISED if denoised else wanted.channels)
     if wanted.letters == 'RGBA':
-        values = np.concatenate([values, np.ones_like(values[:, :, :1])], axis=2)
+        alpha = image.channels.get('A', np.ones_like(values[:, :, 0]))
+        values = np.dstack([values, alpha])
     return np.ascontiguousarray(values[::-1], np.float32).reshape(-1, len(wanted.letters))

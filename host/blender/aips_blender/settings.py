@@ -127,7 +127,8 @@ def film_of(scene, view_layer):
                 {'TIME': settings.seconds, 'ERROR': settings.longest}.get(by, 0),
                 settings.target_error if by == 'ERROR' else 0.0,
                 settings.integrator, integrator_options(settings), setting(
-                    CYCLES_FILTER, (scene, 'cycles.filter_width')))
+                    CYCLES_FILTER, (scene, 'cycles.filter_width')),
+                transparent=scene.render.film_transparent)
 
 
 def light_groups(view_layer):

@@ -48,7 +48,7 @@ class Preview:
         self._changed = time.monotonic()
 
     def draw(self, engine, context, depsgraph):
-        wanted = film_of(context, depsgraph.scene.aips), seen_by(context)
+        wanted = film_of(context, depsgraph.scene), seen_by(context)
         if wanted != self._wanted:
             self._wanted = wanted
             self._end_soon()
@@ -59,7 +59,9 @@ class Preview:
         self._look()
         if self._texture is not None:
             engine.bind_display_space_shader(depsgraph.scene)
+            gpu.state.blend_set('ALPHA_PREMULT')
             draw_texture_2d(self._texture, (0, 0), context.region.width, context.region.height)
+            gpu.state.blend_set('NONE')
             engine.unbind_display_space_shader()
         self._tell(engine)
 
@@ -82,7 +84,7 @@ class Preview:
         """Meshes and images are written where the scene has changed, not for another view."""
         film, view = self._wanted
         if self._exported is not None:
-            self._exported.look(film, view)
+            self._exported.look(film, view[0], (view[1],))
             return
         path = os.path.join(self._state.new_folder('scene'), 'scene.lxs')
         self._exported = export(path, depsgraph, film, view=view, kept=self._state.kept)
@@ -151,13 +153,13 @@ def _texture(image):
     return gpu.types.GPUTexture((columns, rows), format='RGBA16F', data=buffer)
 
 
-def film_of(context, scene_settings):
-    """The preview's film; `scene_settings` choose its integrator."""
+def film_of(context, scene):
+    """The preview's film; the scene's settings choose its integrator."""
     width, height = context.region.width, context.region.height
     scale = min(1.0, LONGEST_SIDE / max(width, height))
     return Film(max(int(width * scale), 1), max(int(height * scale), 1), seconds=SECONDS,
-                integrator=scene_settings.integrator,
-                options=settings.integrator_options(scene_settings))
+                integrator=scene.aips.integrator, options=settings.integrator_options(scene.aips),
+                transparent=scene.render.film_transparent)
 
 
 def seen_by(context):

@@ -51,6 +51,19 @@ def view_of(camera_object, depsgraph, width, height, aspect, left_out):
     return view
 
 
+def of_eye(camera_object, shown, matrices, eye, shift, horizontal):
+    """What one eye sees of a stereoscopic image: View and matrices.
+
+    `eye` is its matrix as the camera stands now, `shift` its shift, and `horizontal` tells whether
+    shifts go by the image's width, in place of its height.
+    """
+    aside = camera_object.matrix_world.inverted() @ eye
+    x0, x1, y0, y1 = shown.window
+    move = (shift - camera_object.data.shift_x) * (x1 - x0 if horizontal else y1 - y0)
+    return (dataclasses.replace(shown, window=(x0 + move, x1 + move, y0, y1)),
+            tuple(matrix @ aside for matrix in matrices))
+
+
 def window_of(matrix, orthographic):
     """What part of its screen a projection shows: where it maps to -1 and 1."""
     if orthographic:

@@ -25,6 +25,7 @@ class Film:
     options: tuple = ()                  # parameters of the integrator, as text
     filter_radius: float = CYCLES_FILTER  # pixels
     tone_map: str = 'reinhard'
+    transparent: bool = False            # an alpha channel, and no sight of what is far away
 
 
 def write(text, film, name):
@@ -39,6 +40,8 @@ def write(text, film, name):
     for key, value in (('haltspp', film.passes), ('halttime', film.seconds)):
         if value:
             parameters.append(parameter('integer', key, value))
+    if film.transparent:
+        parameters.append(parameter('bool', 'premultiplyalpha', True))
     if film.error:
         parameters.append(factor('haltthreshold', film.error))
     text.statement('Film', 'fleximage', parameters=parameters)

@@ -22,7 +22,10 @@ SPOT_ROWS = 4096         # of a spot's map, over the half turn
 
 
 class Lights:
-    def __init__(self, text, folder, textures, left_out):
+    """`exposure` multiplies what shines."""
+
+    def __init__(self, text, folder, textures, left_out, exposure):
+        self._exposure = exposure
         self._text = text
         self._folder = folder
         self._textures = textures
@@ -34,7 +37,7 @@ class Lights:
                 'AREA': self._area}[light.type]
         if not versions.setting(True, (light, 'normalize')):
             self._left_out.add('lights with Normalize off are taken as if it were on', name)
-        rgb = light_color([c * f * s for c, f, s in zip(
+        rgb = light_color([c * f * s * self._exposure for c, f, s in zip(
             light.color, self._node_factor(light), versions.light_scale(light))])
         if group:
             self._text.statement('LightGroup', group)

@@ -6,7 +6,7 @@ import os
 import bpy
 
 from ..reasons import Told
-from . import camera
+from . import camera, versions
 from .images import Images
 from .left_out import LeftOut
 from .lights import Lights
@@ -32,14 +32,11 @@ class ExportError(Told):
 class Exported:
     path: str
     left_out: list  # lines of text
+    camera: tuple   # View, and its matrices while the shutter is open
     _text: SceneText
 
-    def look(self, film, view):
-        """Writes `path` anew for another film and (View, matrix); the rest of its files stays."""
-        shown, matrix = view
-        self._write(film, shown, (matrix,))
-
-    def _write(self, film, shown, matrices):
+    def look(self, film, shown, matrices):
+        """Writes `path` anew for another film and View; the rest of its files stays."""
         name = os.path.splitext(os.path.basename(self.path))[0]
         with _told_by_path(self.path), open(self.path, 'w', encoding='utf-8') as file:
             file.write(self._text.of(film, name, shown, matrices))
@@ -61,8 +58,8 @@ def export(path, depsgraph, film, frame_set=None, view=None, kept=None):
         export_.collect(Motion(depsgraph, frame_set))
         shown, matrices = export_.view(film) if view is None else (view[0], (view[1],))
         text = export_.text('objects' in film.layers)
-    exported = Exported(path, export_.left_out.lines(), text)
-    exported._write(film, shown, matrices)
+    exported = Exported(path, export_.left_out.lines(), (shown, matrices), text)
+    exported.look(film, shown, matrices)
     return exported
 
 
@@ -86,7 +83,8 @@ class _SceneExport:
         self._text = LxsText(base)
         images = Images(kept.folder if kept else folder, self.left_out)
         self._textures = Textures(self._text, images, self.left_out)
-        self._lights = Lights(self._text, folder, self._textures, self.left_out)
+        self._exposure = versions.film_exposure(depsgraph.scene)
+        self._lights = Lights(self._text, folder, self._textures, self.left_out, self._exposure)
         self._objects = Objects(depsgraph.view_layer, self.left_out)
         self._meshes = MeshFiles(folder, Materials(
             self._text, self._textures, self.left_out, layer.material_override), self.left_out, kept)
@@ -127,14 +125,11 @@ class _SceneExport:
 
     def text(self, names_apart):
         """The world's statements; all materials are written by now."""
-        scene = self._depsgraph.scene_eval
-        world = World(self._text, self._folder, self._textures, self.left_out)
+        world = World(self._text, self._folder, self._textures, self.left_out, self._exposure)
         spaces = self._spaces(world.medium(self._world))
         materials = self._text.taken()
         media = Media(self._text)
         self._write_things(world, media, spaces, names_apart)
-        if scene.render.film_transparent:
-            self.left_out.add('transparent backgrounds are left out', scene.name)
         return SceneText(self._text, materials, self._text.taken(), media, spaces)
 
     def _spaces(self, world_medium):
@@ -166,7 +161,7 @@ class _SceneExport:
             media.sides(around, around)
             self._lights.write(name, light, matrix, seen, group)
             self._text.statement('AttributeEnd')
-        Shapes(self._text, media, spaces, self.left_out, names_apart).write(
+        Shapes(self._text, media, spaces, self.left_out, names_apart, self._exposure).write(
             self._meshes.known, self._placed)
 
     def view(self, film):

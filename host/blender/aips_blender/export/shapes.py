@@ -30,9 +30,11 @@ class Mesh:
 
 
 class Shapes:
-    """`names_apart`: whether instances of one mesh by several objects have the objects' names."""
+    """`names_apart`: whether instances of one mesh by several objects have the objects' names;
+    `exposure` multiplies what shines."""
 
-    def __init__(self, text, media, spaces, left_out, names_apart):
+    def __init__(self, text, media, spaces, left_out, names_apart, exposure):
+        self._exposure = exposure
         self._text = text
         self._media = media
         self._spaces = spaces
@@ -105,7 +107,8 @@ class Shapes:
         if isinstance(light, tuple):
             light = light_color(light)
         self._text.statement('AreaLightSource', 'area', parameters=[
-            color('L', light), factor('power', 0.0), factor('efficacy', 0.0)])
+            color('L', light), factor('gain', self._exposure), factor('power', 0.0),
+            factor('efficacy', 0.0)])
 
     def _plymesh(self, path, name):
         self._text.statement('Shape', 'plymesh', parameters=[

@@ -31,6 +31,11 @@ def casts_shadow(light):
     return setting(True, (light, 'cycles.cast_shadow'), (light, 'use_shadow'))
 
 
+def film_exposure(scene):
+    """What Cycles multiplies the whole image by."""
+    return float(setting(1.0, (scene, 'cycles.film_exposure')))
+
+
 def light_scale(light):
     """What 4.5 multiplies a light's colour by, beside its power: exposure and temperature."""
     scale = 2.0 ** setting(0.0, (light, 'exposure'))

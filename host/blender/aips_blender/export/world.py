@@ -19,7 +19,10 @@ SUN_DEGREES = 0.545  # width of the sun's disk that a relsize of 1 stands for
 
 
 class World:
-    def __init__(self, text, folder, textures, left_out):
+    """`exposure` multiplies what shines."""
+
+    def __init__(self, text, folder, textures, left_out, exposure):
+        self._exposure = exposure
         self._text = text
         self._folder = folder
         self._textures = textures
@@ -85,8 +88,9 @@ class World:
 
     def _background(self, world, found):
         if found is None:
-            return self._constant(tuple(world.color), 1.0)
-        strength = self._textures.constant_number(found.input('Strength'), 'strengths of the world')
+            return self._constant(tuple(world.color), self._exposure)
+        strength = self._exposure * self._textures.constant_number(
+            found.input('Strength'), 'strengths of the world')
         by = graph.source(found.input('Color'))
         seen = by and graph.first_before(by, ('TEX_ENVIRONMENT', 'TEX_SKY'))
         if seen:

@@ -17,7 +17,7 @@ from fixture import FOLDER, exported
 def load_tests(loader, tests, _pattern):
     """Those of the other modules about exports, too."""
     tests.addTests(loader.loadTestsFromNames(['export_volumes_test', 'export_materials_test',
-                                             'kept_test']))
+                                             'hair_test', 'kept_test']))
     return tests
 
 
@@ -178,15 +178,11 @@ class LeftOut(unittest.TestCase):
         lamps[0].visible_glossy = False
         scenes.move_to_collection(scenes.box('cut out', 1, None, (3, 0, 0)), holdout=True)
         scenes.move_to_collection(scenes.box('mirrored', 1, None, (3, 0, 2)), indirect_only=True)
-        ball = scenes.ball('furry', 0.3, scenes.grey(), (0, 0, 0))
-        ball.modifiers.new('hair', 'PARTICLE_SYSTEM').particle_system.settings.type = 'HAIR'
-        scenes.add('curls', bpy.data.hair_curves.new('curls'))
         lens = bpy.context.scene.camera.data
         lens.type, lens.dof.use_dof, lens.dof.aperture_blades = 'ORTHO', True, 6
         text, lines = exported('left out')
         self.assertNotIn('blades', text)
         for line in ('blades of orthographic cameras are left out: Camera',
-                     'hair is left out: furry, curls',
                      'what is hidden from some rays is seen by all: mirrored, box',
                      'holdouts and shadow catchers are shown as objects: cut out, wall',
                      'lights hidden from some rays shine on all: AREA'):

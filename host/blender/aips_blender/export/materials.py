@@ -36,6 +36,8 @@ class Materials:
             'BSDF_TRANSLUCENT': self._shaders.translucent, 'BSDF_VELVET': self._shaders.velvet,
             'BSDF_SHEEN': self._shaders.velvet, 'BSDF_METALLIC': self._shaders.metallic,
             'SUBSURFACE_SCATTERING': self._shaders.scattering, 'EMISSION': self._shaders.emission,
+            'BSDF_HAIR': self._shaders.fibre,
+            'BSDF_HAIR_PRINCIPLED': self._shaders.hair,
             'BSDF_PRINCIPLED': lambda found, name: principled(self._shaders, found, name),
             'MIX_SHADER': self._mix, 'ADD_SHADER': self._add,
         }

@@ -1,7 +1,7 @@
 """Keeps the meshes of an export: each with its materials is written once."""
 import dataclasses
 
-from . import kept, meshes
+from . import kept, meshes, strands
 from .images import safe_name
 from .media import CLEAR
 from .shapes import Mesh
@@ -30,6 +30,34 @@ class MeshFiles:
         if key not in self.known:
             self.known[key] = self._written(thing)
         return key if self.known[key] else None
+
+    def hair(self, thing, system, number, for_render):
+        """Key of one of an object's systems of hair; or None."""
+        settings = system.settings
+        return self._tubes(thing, ('hair', thing.original.as_pointer(), number),
+                           settings.material - 1,
+                           lambda: strands.of_particles(thing, system, for_render))
+
+    def curves(self, thing):
+        """Key of an object of hair curves; or None."""
+        return self._tubes(thing, ('curves', thing.data.as_pointer()), 0,
+                           lambda: strands.of_curves(thing.data))
+
+    def _tubes(self, thing, key, slot, read):
+        """`read()` gives Strands, or None."""
+        if key not in self.known:
+            found = read()
+            made = strands.tubes(found) if found else None
+            self.known[key] = made and self._of_tubes(thing, slot, *made)
+        return key if self.known[key] else None
+
+    def _of_tubes(self, thing, slot, rows, faces):
+        materials = [s.material for s in thing.material_slots] or [None]
+        slot = min(max(slot, 0), len(materials) - 1)
+        shader = self._materials.shader(materials[slot])
+        parts = meshes.write_tubes(rows, faces, self._folder,
+                                   f'{len(self.known)}-{safe_name(thing.name)}', slot, shader)
+        return Mesh(thing.name, parts, {slot: dataclasses.replace(shader, medium=CLEAR)})
 
     def _written(self, thing):
         materials = [s.material for s in thing.material_slots] or [None]

@@ -73,15 +73,28 @@ def write_parts(mesh, folder, stem, shader, tell):
     for slot, made in used.items():
         chosen, has_uv, has_color = corners.rows(slot, made.layers, tell)
         rows, faces = ply.welded(chosen)
-        parts.files[slot] = os.path.join(folder, f'{stem}-{slot}.ply')
-        _write(parts.files[slot], rows, faces, has_uv, has_color)
+        _add(parts, slot, os.path.join(folder, f'{stem}-{slot}'), made,
+             (rows, faces, has_uv, has_color))
         if made.medium != CLEAR:
             parts.triangles = positions.reshape(-1, 3, 3).astype(float)
-        if made.emission is not None:
-            parts.backs[slot] = os.path.join(folder, f'{stem}-{slot}-back.ply')
-            _write(parts.backs[slot], _turned(rows), faces[:, ::-1], has_uv, has_color)
     parts.shines_outwards = parts.closed and _shines_outwards(mesh, used.values(), positions)
     return parts
+
+
+def write_tubes(rows, faces, folder, stem, slot, made):
+    """MeshParts of hair, which is of one material, a Shader."""
+    parts = MeshParts((rows[:, :3].min(axis=0), rows[:, :3].max(axis=0)), False)
+    _add(parts, slot, os.path.join(folder, stem), made, (rows, faces, rows.shape[1] > 6, False))
+    return parts
+
+
+def _add(parts, slot, stem, made, part):
+    """Writes one part's file or files; `part` is what _write takes."""
+    parts.files[slot] = f'{stem}.ply'
+    _write(parts.files[slot], *part)
+    if made.emission is not None:
+        parts.backs[slot] = f'{stem}-back.ply'
+        _write(parts.backs[slot], _turned(part[0]), part[1][:, ::-1], *part[2:])
 
 
 def _turned(rows):

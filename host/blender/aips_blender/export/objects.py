@@ -1,7 +1,7 @@
 """Tells what of Blender's objects, beside their shapes and materials, is not carried over."""
 from . import versions
 
-GEOMETRY = {'MESH', 'CURVE', 'SURFACE', 'FONT', 'META'}
+GEOMETRY = {'MESH', 'CURVE', 'CURVES', 'SURFACE', 'FONT', 'META'}
 # Modifiers that mostly change a mesh from frame to frame.
 DEFORMS = {'ARMATURE', 'CLOTH', 'HOOK', 'MESH_CACHE', 'MESH_SEQUENCE_CACHE', 'OCEAN', 'SOFT_BODY',
            'WAVE'}
@@ -17,21 +17,14 @@ class Objects:
     def tell(self, instance, blurs):
         """`blurs`: whether the shutter is open for a time."""
         thing = instance.object
-        self._tell_hair(thing)
         if blurs and any(m.type in DEFORMS for m in thing.modifiers):
             self._left_out.add("deformation within the shutter's time is left out", thing.name)
         if thing.type in GEOMETRY:
             self._tell_geometry(thing, instance.parent if instance.is_instance else thing)
         elif thing.type == 'LIGHT':
             self._tell_light(thing)
-        elif thing.type not in NOTHING | {'CURVES'}:
+        elif thing.type not in NOTHING:
             self._left_out.add(f'objects of type {thing.type.lower()} are left out', thing.name)
-
-    def _tell_hair(self, thing):
-        if thing.type == 'CURVES' or any(
-                s.settings.type == 'HAIR' and s.settings.render_type == 'PATH'
-                for s in thing.particle_systems):
-            self._left_out.add('hair is left out', thing.name)
 
     def _tell_geometry(self, thing, parent):
         """Of collections and of what places an object too."""

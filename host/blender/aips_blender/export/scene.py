@@ -94,20 +94,24 @@ class _SceneExport:
     def collect(self, motion):
         """Writes meshes and materials, and notes what is placed where."""
         for instance in self._depsgraph.object_instances:
-            if instance.show_self or instance.is_instance:
-                self._collect_instance(instance, motion)
+            matrices = motion.of(instance_key(instance), instance.matrix_world.copy())
+            if instance.show_self:
+                self._collect_instance(instance, matrices, motion.blurs)
+            if instance.show_particles:
+                self._collect_hair(instance.object, matrices)
         scene_camera = self._depsgraph.scene_eval.camera
         if scene_camera is not None:
             self._camera = scene_camera.evaluated_get(self._depsgraph)
             self._camera_matrices = motion.of(None, self._camera.matrix_world.copy())
 
-    def _collect_instance(self, instance, motion):
+    def _collect_instance(self, instance, matrices, blurs):
         thing = instance.object
-        self._objects.tell(instance, motion.blurs)
-        matrices = motion.of(instance_key(instance), instance.matrix_world.copy())
+        self._objects.tell(instance, blurs)
         # Curves, texts and metaballs come as themselves too, beside an instance of their mesh.
         if isinstance(thing.data, bpy.types.Mesh):
-            self._place(thing, matrices)
+            self._place(thing, self._meshes.of, matrices)
+        elif thing.type == 'CURVES':
+            self._place(thing, self._meshes.curves, matrices)
         elif thing.type == 'LIGHT':
             if len(matrices) > 1:
                 self.left_out.add('motion of what shines is left out', thing.name)
@@ -115,8 +119,16 @@ class _SceneExport:
             self._lamps.append((thing.name, thing.data, matrices[0], thing.visible_camera,
                                 thing.original.lightgroup))
 
-    def _place(self, thing, matrices):
-        key = self._meshes.of(thing) if any(map(is_seen, matrices)) else None
+    def _collect_hair(self, thing, matrices):
+        for number, system in enumerate(thing.particle_systems):
+            settings = system.settings
+            if settings.type == 'HAIR' and settings.render_type == 'PATH':
+                self._place(thing, lambda emitter: self._meshes.hair(
+                    emitter, system, number, self._depsgraph.mode == 'RENDER'), matrices)
+
+    def _place(self, thing, key_of, matrices):
+        """`key_of(thing)` writes it where it is new."""
+        key = key_of(thing) if any(map(is_seen, matrices)) else None
         if key is not None:
             least, most = self._meshes.known[key].parts.bounds
             self._placed.append(Placed(

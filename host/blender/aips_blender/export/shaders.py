@@ -4,6 +4,7 @@ Cycles' GGX width is roughness squared; the scene language's `uroughness` has th
 Schlick's distribution of facets with r = u v is GGX's with alpha^2 = r.
 """
 import dataclasses
+import math
 
 from . import graph
 from .colours import surface_color
@@ -13,6 +14,12 @@ from .media import CLEAR, Medium
 
 SMOOTH = 1e-4      # GGX width below which a surface is taken for smooth
 BLACK, WHITE = (0.0, 0.0, 0.0), (1.0, 1.0, 1.0)
+REFLECTANCE_OF_HAIR = 0.046  # of an index of 1.55 at normal incidence
+WIDTH_OF_HAIR = 0.3          # of its highlight along the fibre, about
+# Absorption of the pigments, and what of it darkens hair in the mass by its roughness (Chiang and
+# others 2016), as Cycles has them.
+EUMELANIN, PHEOMELANIN = (0.506, 0.841, 1.653), (0.343, 0.733, 1.924)
+ALBEDO_BY_ROUGHNESS = (5.969, -0.215, 2.532, -10.73, 5.574, 0.245)
 
 
 def color(name, value):
@@ -99,7 +106,7 @@ class Shaders:
         if rough:
             self.left_out.add("roughness of diffuse is approximated by LuxRender's sigma", name)
         # Both are Oren and Nayar's, whose deviation LuxRender has in degrees.
-        sigma = rough * 180 / 3.14159265
+        sigma = math.degrees(rough)
         return Shader(self.named(name, 'matte', [
             color('Kd', self.textures.color(found.input('Color'))), factor('sigma', sigma),
             *self.bump(found)]))
@@ -191,6 +198,41 @@ class Shaders:
         self.left_out.add('scattering below the surface is replaced by diffuse', name)
         return Shader(self.named(name, 'matte',
                                  [color('Kd', self.textures.color(found.input('Color')))]))
+
+    def hair(self, found, name):
+        """Glossy fibres that let half of their light through, of the hair's colour in the mass."""
+        self.left_out.add('Principled Hair is approximated by glossy fibres that let half of their '
+                          'light through', name)
+        tint = self.textures.product(self._hair_color(found), 0.5)
+        return Shader(self.named(name, 'glossytranslucent', [
+            color('Kd', tint), color('Kt', tint), color('Ks', (REFLECTANCE_OF_HAIR,) * 3),
+            *self.roughness(WIDTH_OF_HAIR)]), opaque=False)
+
+    def _hair_color(self, found):
+        if found.node.parametrization == 'COLOR':
+            return self.textures.color(found.input('Color'))
+        if found.node.parametrization == 'ABSORPTION':
+            absorbed = graph.constant(found.input('Absorption Coefficient'))
+        else:
+            melanin, red = (self.textures.constant_number(found.input(what), 'melanin')
+                            for what in ('Melanin', 'Melanin Redness'))
+            amount = -math.log(max(1 - melanin, 1e-4))
+            absorbed = tuple(amount * ((1 - red) * dark + red * light)
+                             for dark, light in zip(EUMELANIN, PHEOMELANIN))
+        around = self.textures.constant_number(found.input('Radial Roughness'), 'roughness of hair')
+        scale = sum(c * around ** i for i, c in enumerate(ALBEDO_BY_ROUGHNESS))
+        return tuple(math.exp(-scale * max(a, 0.0) ** 0.5) for a in absorbed)
+
+    def fibre(self, found, name):
+        """Node Hair BSDF, one of its two parts."""
+        self.left_out.add('Hair BSDF is approximated by glossy or translucent surfaces', name)
+        if found.node.component == 'Transmission':
+            return Shader(self.named(name, 'mattetranslucent', [
+                color('Kr', BLACK), color('Kt', self.textures.color(found.input('Color')))]),
+                opaque=False)
+        rough = self.textures.constant_number(found.input('RoughnessU'), 'roughness of hair')
+        return Shader(self.metal(name, self.textures.color(found.input('Color')), rough * rough,
+                                 []))
 
     def emission(self, found, name):
         strength = self.textures.constant_number(found.input('Strength'), 'strengths of emission')

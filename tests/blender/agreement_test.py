@@ -16,6 +16,7 @@ FACETS = 0.04    # LuxRender's facets shadow each other by another formula than 
 TOUCH = 0.04     # photons below what lets light through and touches the floor
 DISC = 0.04      # Cycles' balls of light are discs turned to what they light
 FOG = 0.04       # leaves room for noise, which fades slowly there
+MEAN = 0.04      # a mix by angle has its mean: a sheet that is seen slantingly differs
 STEEP = 0.04     # bumps so steep that normals turn away from eye or light, by other rules
 
 
@@ -132,18 +133,25 @@ class Materials(Agreement):
 
     def test_glossy_over_diffuse_by_fresnel(self):
         scene = scenes.lit_stage()
-        made = scenes.material('varnish', 'ShaderNodeMixShader')
-        tree = made.node_tree
-        mix = tree.nodes['Mix Shader']
-        for i, kind, inputs in ((0, 'Fresnel', {'IOR': 1.6}),
-                                (1, 'BsdfDiffuse', {'Color': (0.5, 0.3, 0.1, 1)}),
-                                (2, 'BsdfGlossy', {'Roughness': 0.3})):
-            node = tree.nodes.new(f'ShaderNode{kind}')
-            for key, value in inputs.items():
-                node.inputs[key].default_value = value
-            tree.links.new(node.outputs[0], mix.inputs[i])
+        made = scenes.gloss_by_fresnel('varnish', 1.6, 0.3, 'BsdfDiffuse',
+                                       Color=(0.5, 0.3, 0.1, 1))
         scenes.ball('ball', 0.7, made, (0.8, 0.2, 0.7))
         self.agrees('varnish', scene, FACETS)
+
+    def test_glass_by_fresnel(self):
+        scene = scenes.lit_stage()
+        made = scenes.gloss_by_fresnel('glass', 1.5, 0, 'BsdfRefraction', Roughness=0, IOR=1.5)
+        scenes.ball('ball', 0.7, made, (0.8, 0.2, 0.7))
+        self.agrees('glass by fresnel', scene)
+
+    def test_mix_by_angle(self):
+        scene = scenes.lit_stage()
+        made = scenes.half_transparent(0.5, 'ShaderNodeBsdfDiffuse', Color=(0.6, 0.1, 0.1, 1))
+        tree = made.node_tree
+        tree.links.new(tree.nodes.new('ShaderNodeLayerWeight').outputs['Facing'],
+                       tree.nodes['Mix Shader'].inputs[0])
+        scenes.plane('sheet', 1.4, made, (0.8, -0.2, 0.7), (0.9, 0, 0.8))
+        self.agrees('facing', scene, MEAN)
 
     def test_principled_with_a_second_coat(self):
         self.ball('coat', 'ShaderNodeBsdfPrincipled', FACETS, Base_Color=(0.5, 0.1, 0.1, 1),

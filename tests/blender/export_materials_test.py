@@ -102,7 +102,7 @@ class Materials(unittest.TestCase):
         feed(odd, mapping.name, 'Rotation', 'ShaderNodeCombineXYZ')
         feed(odd, mapping.name, 'Scale', 'ShaderNodeValue').from_node.outputs[0].default_value = 3
         color = feed(odd, shader, 'Color', 'ShaderNodeAttribute').from_node
-        color.attribute_type, color.attribute_name = 'OBJECT', 'color'
+        color.attribute_type, color.attribute_name = 'VIEW_LAYER', 'color'
         scenes.box('odd', 1, odd, (2, 0, 0))
         scenes.preetham_sky(bpy.context.scene, (0, 0, 1), 3, 1)
         world = bpy.context.scene.world
@@ -115,6 +115,78 @@ class Materials(unittest.TestCase):
             'nodes Attribute are replaced by grey: odd',
             'normals that a node Bump is given are left out: odd',
             "the world's coordinates by nodes are left out: World"])
+
+
+class ByAngle(unittest.TestCase):
+    def test_gloss_by_fresnel_over_what_is_transparent_is_a_pane(self):
+        scenes.stage()
+        scenes.box('pane', 1, scenes.gloss_by_fresnel('pane', 1.5, 0, 'BsdfTransparent'), (2, 0, 0))
+        text, left_out = exported('pane')
+        self.assertEqual(left_out, [])
+        self.assertRegex(text, '"pane" "string type" ..glass.. .*"float index" .1.5. '
+                               '"bool architectural" ..true..')
+
+    def test_other_mixes_have_their_mean(self):
+        """By the light of all directions: of Facing as it is set a third."""
+        for node, output, share in (('Fresnel', 0, 0.0918), ('LayerWeight', 'Facing', 1 / 3)):
+            scenes.stage()
+            made = scenes.half_transparent(0.5)
+            by = made.node_tree.nodes.new(f'ShaderNode{node}')
+            by.inputs[0].default_value = {'Fresnel': 1.5}.get(node, 0.5)
+            made.node_tree.links.new(by.outputs[output],
+                                     made.node_tree.nodes['Mix Shader'].inputs[0])
+            scenes.box('box', 1, made, (2, 0, 0))
+            text, left_out = exported('angle')
+            self.assertEqual(left_out, [f'what differs by angle has its mean: {made.name}'])
+            found = re.search(r'\["mix"\].*"float amount" \[(.*?)\]', text)
+            self.assertAlmostEqual(float(found.group(1)), share, places=3)
+
+
+class ByRay(unittest.TestCase):
+    """Mixes by node Light Path: what the camera sees, unless it is what shines."""
+
+    def mixed(self, output, first, second):
+        """Text and what is left out of a box that mixes two nodes by an output; the box's name is
+        that of its material."""
+        scenes.stage()
+        made = scenes.material('mixed', 'ShaderNodeMixShader')
+        tree = made.node_tree
+        mix = tree.nodes['Mix Shader']
+        by = tree.nodes.new('ShaderNodeLightPath')
+        tree.links.new(by.outputs[output], mix.inputs[0])
+        for i, kind in enumerate((first, second), 1):
+            if kind:
+                tree.links.new(tree.nodes.new(f'ShaderNode{kind}').outputs[0], mix.inputs[i])
+        scenes.box('mixed', 1, made, (2, 0, 0))
+        text, left_out = exported('mixed')
+        return text, [line for line in left_out if 'Light Path' in line]
+
+    def test_lights_that_the_camera_does_not_see(self):
+        for seen in ('BsdfTransparent', None):
+            text, left_out = self.mixed('Is Camera Ray', 'Emission', seen)
+            self.assertEqual(left_out, [])
+            self.assertRegex(text, '"mixed: unseen" "string type" ..null..')
+            self.assertRegex(text, 'NamedMaterial "mixed: unseen"\n'
+                                   'AreaLightSource .* "bool hidden" ..true..')
+
+    def test_surfaces_are_those_that_the_camera_sees(self):
+        for output, kinds in (('Is Camera Ray', ('BsdfTransparent', 'BsdfTranslucent')),
+                              ('Is Shadow Ray', ('BsdfTranslucent', 'BsdfTransparent')),
+                              ('Is Diffuse Ray', ('BsdfTranslucent', 'Emission'))):
+            text, left_out = self.mixed(output, *kinds)
+            self.assertIn('MakeNamedMaterial "mixed" "string type" ["mattetranslucent"]', text)
+            self.assertEqual(left_out, ['what differs by kind of ray (Light Path) is left out, '
+                                        'all rays see what the camera does: mixed'])
+
+    def test_strengths_are_those_that_light(self):
+        scenes.stage()
+        made = scenes.material('lamp', 'ShaderNodeEmission')
+        by = feed(made, 'Emission', 'Strength', 'ShaderNodeMath').from_node
+        feed(made, by.name, 0, 'ShaderNodeLightPath')
+        by.operation, by.inputs[1].default_value, by.inputs[2].default_value = \
+            'MULTIPLY_ADD', -3, 4
+        scenes.box('lamp', 1, made, (2, 0, 0))
+        self.assertRegex(exported('lamp')[0], r'AreaLightSource "area" "color L" \[4 4 4\]')
 
 
 class Shining(unittest.TestCase):

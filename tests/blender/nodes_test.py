@@ -3,6 +3,7 @@
 What is compared is light that shines, alike in all directions: no noise, no light from elsewhere.
 """
 import os
+import re
 import unittest
 
 import bpy
@@ -14,7 +15,7 @@ from aips_blender.export.film import Film
 from aips_blender.export.scene import export
 from cycles_agreement import HEIGHT, WIDTH, blocks, cycles_image
 from exported_files import render
-from fixture import FOLDER
+from fixture import FOLDER, exported
 
 WITHIN = 0.01   # of the brightest block
 PASSES = 64
@@ -283,8 +284,40 @@ class Nodes(unittest.TestCase):
         self.assertAlmostEqual(float(exr.read(os.path.join(FOLDER, 'constant.exr'))
                                      .channels['R'].max()), 6, delta=0.01)
 
+    def test_what_nodes_tell_of_objects(self):
+        """Each object, two of one mesh and instances of a collection, has values of its own."""
+        mesh = bpy.data.objects['ball'].data
+        self.tree.nodes['Emission'].inputs['Strength'].default_value = 1
+        for i in range(3):
+            other = scenes.add(f'other {i}', mesh, (1.3 * i - 1.3, -0.7, 1.6))
+            other.scale, other.pass_index, other.color = (0.4,) * 3, i, (0.2 * i, 0.5, 0.3, 0.4)
+            other['shade'] = 0.25 * i
+        self.made.pass_index = 2
+        placed = [scenes.ball(f'placed {i}', 0.3, self.made, (0, -1.2, i - 1.6)) for i in (0, 1)]
+        scenes.instances(placed, -1.2, 1.2)
+        info = self.node('ShaderNodeObjectInfo')
+        shade = self.node('ShaderNodeAttribute', settings={'attribute_type': 'OBJECT',
+                                                           'attribute_name': 'shade'})
+        place = self.node('ShaderNodeVectorMath', {0: info.outputs['Location']},
+                          {'operation': 'FRACTION'})
+        halved = self.node('ShaderNodeMath', {0: info.outputs['Object Index'],
+                                              1: info.outputs['Material Index']},
+                           {'operation': 'DIVIDE'})
+        self.agrees(self.mean([info.outputs['Random'], info.outputs['Color'], shade.outputs['Fac'],
+                               place.outputs[0], halved.outputs[0]]))
+
+    def test_instances_that_differ_are_bounded(self):
+        scenes.instances([bpy.data.objects['ball']], *range(100))
+        self.tree.links.new(self.node('ShaderNodeObjectInfo').outputs['Random'],
+                            self.tree.nodes['Emission'].inputs['Color'])
+        text, left_out = exported('many')
+        self.assertEqual(left_out, ['of instances of a mesh that differ 64 have values of their '
+                                    'own: ball'])
+        self.assertEqual(len(set(re.findall('MakeNamedMaterial "(.*?)"', text))), 65)
+        self.assertEqual(len(set(re.findall(r'"string filename" \["(.*?-ball-.*?)"', text))), 1)
+
     def test_what_has_no_counterpart_is_told(self):
-        random = self.node('ShaderNodeObjectInfo').outputs['Random']
+        random = self.node('ShaderNodeParticleInfo').outputs['Random']
         occluded = self.node('ShaderNodeAmbientOcclusion', Color=(0.5, 0.2, 0.1, 1))
         mixed = self.node('ShaderNodeMixRGB', {'Fac': random, 'Color1': occluded.outputs['Color']})
         self.tree.links.new(mixed.outputs[0], self.tree.nodes['Emission'].inputs['Color'])
@@ -292,4 +325,4 @@ class Nodes(unittest.TestCase):
                        bpy.context.evaluated_depsgraph_get(), Film(8, 8, passes=1))
         self.assertEqual(found.left_out, [
             'nodes Ambient Occlusion are replaced by their input Color: shown',
-            'what node Object Info tells is taken to be the same everywhere: shown'])
+            'what node Particle Info tells is taken to be the same everywhere: shown'])

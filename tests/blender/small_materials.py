@@ -128,6 +128,19 @@ def mapping(tree, texture, coordinates):
     return before
 
 
+def gloss_by_fresnel(name, index, roughness, below, **inputs):
+    """Glossy over another shader, whose inputs these are, by node Fresnel."""
+    made = material(name, 'ShaderNodeMixShader')
+    tree = made.node_tree
+    for i, kind, values in ((0, 'Fresnel', {'IOR': index}), (1, below, inputs),
+                            (2, 'BsdfGlossy', {'Roughness': roughness})):
+        node = tree.nodes.new(f'ShaderNode{kind}')
+        for key, value in values.items():
+            node.inputs[key].default_value = value
+        tree.links.new(node.outputs[0], tree.nodes['Mix Shader'].inputs[i])
+    return made
+
+
 def half_transparent(share, node_type='ShaderNodeBsdfDiffuse', **inputs):
     """A mix of a shader, diffuse unless told otherwise, and, by the share, transparent."""
     made = material('mix', 'ShaderNodeMixShader', Fac=share)

@@ -17,13 +17,14 @@ class Read:
     def __init__(self):
         self.uv, self.colors = set(), set()
         self.generated = False  # whether it depends on the mesh's box
+        self.of_object = set()  # what of the object it depends on: names of ObjectInfo's values
 
     def taken(self):
         """The Layers so far, to begin anew."""
         found = Layers(frozenset(self.uv), frozenset(self.colors))
         self.uv.clear()
         self.colors.clear()
-        self.generated = False
+        self.generated, self.of_object = False, set()
         return found
 
 

@@ -3,6 +3,7 @@ import dataclasses
 
 from . import graph, versions
 from .media import MediumNodes
+from .object_info import values_of
 from .principled import mix, principled
 from .shaders import Shader, Shaders, color
 
@@ -27,8 +28,8 @@ class Materials:
         self._textures = textures
         self._media = MediumNodes(textures, left_out)
         self._left_out = left_out
-        self._known = {}   # Shaders by material
-        self._by_box = {}  # of those that differ by mesh
+        self._known = {}  # Shaders by material, and by what they depend on
+        self._reads = {}  # of a material: whether it depends on the mesh's box, and on what of objects
         self._leaves = {
             'BSDF_DIFFUSE': self._shaders.diffuse, 'BSDF_GLOSSY': self._shaders.glossy,
             'BSDF_ANISOTROPIC': self._shaders.glossy, 'BSDF_GLASS': self._shaders.glass,
@@ -42,25 +43,35 @@ class Materials:
             'MIX_SHADER': self._mix, 'ADD_SHADER': self._add,
         }
 
-    def shader(self, material, box=None):
-        """The Shader of a material, which may be None, on a mesh of this box: its least corner and
-        size, by which generated coordinates go."""
+    def shader(self, material, box=None, info=None):
+        """The Shader of a material, which may be None, on a mesh of this box, by which generated
+        coordinates go: its least corner and size; and on an object of this ObjectInfo."""
         material = self._override or material
-        key = material.name_full if material else None
-        if key in self._known:
-            return self._known[key]
-        if (key, box) not in self._by_box:
-            self._left_out.reading = material.name if material else ''
-            self._textures.box = box
-            made = self._made(material)
-            if isinstance(made.emission, str) and self._textures.read.colors:
-                self._left_out.add('what shines has white in place of colours of vertices')
-            self._textures.box = None
-            known, own = (self._by_box, (key, box)) if self._textures.read.generated else \
-                (self._known, key)
-            known[own] = dataclasses.replace(made, layers=self._textures.read.taken())
-            return known[own]
-        return self._by_box[key, box]
+        name = material.name_full if material else None
+        key = self._key(name, box, info)
+        if key not in self._known:
+            made = self._read(material, box, info)
+            key = self._key(name, box, info)  # more of it may be known
+            self._known[key] = dataclasses.replace(made, of_object=self._reads[name][1])
+        return self._known[key]
+
+    def _key(self, name, box, info):
+        by_box, of_object = self._reads.get(name, (False, frozenset()))
+        return name, box if by_box else None, info and values_of(info, of_object)
+
+    def _read(self, material, box, info):
+        textures, name = self._textures, material.name_full if material else None
+        self._left_out.reading = material.name if material else ''
+        textures.box, textures.info = box, info
+        textures.material_index = material.pass_index if material else 0
+        made = self._made(material)
+        if isinstance(made.emission, str) and textures.read.colors:
+            self._left_out.add('what shines has white in place of colours of vertices')
+        textures.box = textures.info = None
+        by_box, of_object = self._reads.get(name, (False, frozenset()))
+        self._reads[name] = (by_box or textures.read.generated,
+                             of_object | textures.read.of_object)
+        return dataclasses.replace(made, layers=textures.read.taken())
 
     def _made(self, material):
         if material is None:
@@ -100,10 +111,10 @@ class Materials:
     def _mix(self, found, name):
         first, second = self._inputs(found)
         by, over = graph.source(found.input('Fac')), graph.source(second)
+        if by and by.node.type == 'LIGHT_PATH':
+            return self._by_ray(by.output.name, first, second, name)
         if over and over.node.type in GLOSSY and by and is_fresnel(by):
-            base = self._of(first, f'{name}: base')
-            coat = self._shaders.coat(over, name, base.name, self._normal_incidence(by))
-            return dataclasses.replace(base, name=coat)
+            return self._by_fresnel(by, first, over, name)
         share = self._share(found, name)
         if share == 0.0:
             return self._of(first, name)
@@ -115,25 +126,43 @@ class Materials:
                       opaque=a.opaque and b.opaque)
 
     def _share(self, found, name):
-        place = found.input('Fac')
-        by = graph.source(place)
-        if by and by.node.type == 'LIGHT_PATH':
-            self._left_out.add('what differs by kind of ray (Light Path) is left out', name)
-            return 0.0
-        if by and by.node.type in ('FRESNEL', 'LAYER_WEIGHT'):
-            self._left_out.add('mixes by angle have their share at normal incidence', name)
-            return self._normal_incidence(by)
-        share = self._textures.number(place)
+        share = self._textures.number(found.input('Fac'))
         return share if isinstance(share, str) else min(max(share, 0.0), 1.0)
 
-    def _normal_incidence(self, by):
-        if by.node.type == 'FRESNEL':
-            index = self._textures.constant_number(by.input('IOR'), 'index of refraction')
-        elif by.output.name == 'Fresnel':
-            index = 1 / max(1 - self._textures.constant_number(by.input('Blend'), 'blends'), 1e-5)
-        else:
-            return 0.0
-        return ((index - 1) / (index + 1)) ** 2
+    def _by_fresnel(self, by, first, over, name):
+        """Gloss by a dielectric's share over what lies below, which makes glass of what it lets
+        through."""
+        below = graph.source(first)
+        index = self._textures.index_by_angle(by)
+        if below and below.node.type == 'BSDF_REFRACTION':
+            return self._shaders.glass_of(over, below, name)
+        if below and below.node.type == 'BSDF_TRANSPARENT' and self._shaders.is_smooth(over):
+            return self._shaders.pane(over, below, index, name)
+        base = self._of(first, f'{name}: base')
+        reflects = ((index - 1) / (index + 1)) ** 2
+        return dataclasses.replace(base, name=self._shaders.coat(over, name, base.name, reflects))
+
+    def _by_ray(self, what, first, second, name):
+        """A mix by an output of node Light Path: what the camera sees, unless it is what shines."""
+        camera = what == 'Is Camera Ray'
+        seen, other = (second, first) if camera else (first, second)
+        if camera and self._kind(other) == 'EMISSION':
+            made = self._of(other, name)
+            if self._kind(seen) in (None, 'BSDF_TRANSPARENT'):  # a light that is not seen
+                return dataclasses.replace(made, name=self._shaders.null(f'{name}: unseen'),
+                                           opaque=False, hidden=True)
+            self._tell_ray('what the camera sees is what lights the scene', name)
+            return made
+        self._tell_ray('all rays see what the camera does', name)
+        return self._of(seen, name)
+
+    def _tell_ray(self, instead, name):
+        self._left_out.add(f'what differs by kind of ray (Light Path) is left out, {instead}', name)
+
+    @staticmethod
+    def _kind(place):
+        found = graph.source(place)
+        return found.node.type if found else None
 
     def _part(self, shader, share, first):
         """Emission of one side of a mix, times its share."""

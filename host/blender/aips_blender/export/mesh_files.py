@@ -4,13 +4,22 @@ import dataclasses
 from . import kept, meshes, strands
 from .images import safe_name
 from .media import CLEAR
+from .object_info import values_of
 from .shapes import Mesh
+
+
+MOST_VARIANTS = 64  # of a mesh, whose triangles each has for itself
 
 
 def box_of(mesh):
     """Least corner and size of the box that generated coordinates span."""
     place, half = mesh.texspace_location, mesh.texspace_size
     return tuple(p - h for p, h in zip(place, half)), tuple(2 * h or 1.0 for h in half)
+
+
+def _needs(shader):
+    """What of a shader decides which files a mesh has."""
+    return shader.layers, shader.emission is not None, shader.opaque, shader.medium != CLEAR
 
 
 class MeshFiles:
@@ -22,50 +31,76 @@ class MeshFiles:
         self._materials = materials
         self._left_out = left_out
         self.known = {}  # Mesh by key; None where there is no triangle
+        self._variants = {}  # of a key the keys of its mesh for all objects, by their values
 
-    def of(self, thing):
-        """Key of an object's mesh with its materials, written where it is new; or None."""
+    def of(self, thing, info):
+        """Key of an object's mesh with its materials, written where it is new; or None. `info` is
+        the object's ObjectInfo."""
         slots = tuple(s.material.name_full if s.material else '' for s in thing.material_slots)
         key = (thing.data.as_pointer(), slots)
         if key not in self.known:
-            self.known[key] = self._written(thing)
-        return key if self.known[key] else None
+            self.known[key] = self._written(thing, info)
+            if self.known[key]:
+                self._variants[key] = {self._values(key, info): key}
+        if not self.known[key]:
+            return None
+        variants, own = self._variants[key], self._values(key, info)
+        if own not in variants and len(variants) == MOST_VARIANTS:
+            self._left_out.add(f'of instances of a mesh that differ {MOST_VARIANTS} have values of '
+                               'their own', thing.name)
+            own = list(variants)[hash(own) % MOST_VARIANTS]
+        if own not in variants:
+            variants[own] = (*key, own)
+            self.known[variants[own]] = self._variant(thing, info, self.known[key])
+        return variants[own]
 
-    def hair(self, thing, system, number, for_render):
+    def _values(self, key, info):
+        """What tells one object with a mesh and materials from another one."""
+        names = frozenset().union(*(s.of_object for s in self.known[key].shaders.values()))
+        return values_of(info, names)
+
+    def _variant(self, thing, info, mesh):
+        """The same mesh with materials for another object."""
+        made = {slot: self._shader(thing, slot, info) for slot in mesh.parts.files}
+        if any(_needs(made[slot]) != _needs(s) for slot, s in mesh.shaders.items()):
+            return self._written(thing, info)
+        return dataclasses.replace(mesh, shaders=made)
+
+    def _shader(self, thing, slot, info):
+        materials = [s.material for s in thing.material_slots] or [None]
+        box = box_of(thing.data) if hasattr(thing.data, 'texspace_size') else None
+        return self._materials.shader(materials[min(slot, len(materials) - 1)], box, info)
+
+    def hair(self, thing, info, system, number, for_render):
         """Key of one of an object's systems of hair; or None."""
         settings = system.settings
-        return self._tubes(thing, ('hair', thing.original.as_pointer(), number),
+        return self._tubes(thing, info, ('hair', thing.original.as_pointer(), number),
                            settings.material - 1,
                            lambda: strands.of_particles(thing, system, for_render))
 
-    def curves(self, thing):
+    def curves(self, thing, info):
         """Key of an object of hair curves; or None."""
-        return self._tubes(thing, ('curves', thing.data.as_pointer()), 0,
+        return self._tubes(thing, info, ('curves', thing.data.as_pointer()), 0,
                            lambda: strands.of_curves(thing.data))
 
-    def _tubes(self, thing, key, slot, read):
+    def _tubes(self, thing, info, key, slot, read):
         """`read()` gives Strands, or None."""
         if key not in self.known:
             found = read()
             made = strands.tubes(found) if found else None
-            self.known[key] = made and self._of_tubes(thing, slot, *made)
+            self.known[key] = made and self._of_tubes(thing, info, slot, *made)
         return key if self.known[key] else None
 
-    def _of_tubes(self, thing, slot, rows, faces):
-        materials = [s.material for s in thing.material_slots] or [None]
-        slot = min(max(slot, 0), len(materials) - 1)
-        shader = self._materials.shader(materials[slot])
+    def _of_tubes(self, thing, info, slot, rows, faces):
+        slot = max(min(slot, len(thing.material_slots) - 1), 0)
+        shader = self._shader(thing, slot, info)
         parts = meshes.write_tubes(rows, faces, self._folder,
                                    f'{len(self.known)}-{safe_name(thing.name)}', slot, shader)
         return Mesh(thing.name, parts, {slot: dataclasses.replace(shader, medium=CLEAR)})
 
-    def _written(self, thing):
-        materials = [s.material for s in thing.material_slots] or [None]
-
-        box = box_of(thing.data)
-
+    def _written(self, thing, info):
         def shader(slot):
-            return self._materials.shader(materials[min(slot, len(materials) - 1)], box)
+            return self._shader(thing, slot, info)
 
         def tell(what):
             self._left_out.add(what, thing.name)
@@ -89,8 +124,7 @@ class MeshFiles:
         if not content:
             return meshes.write_parts(mesh, self._folder, f'{len(self.known)}-{name}', shader, tell)
         made = [(slot, shader(slot)) for slot in kept.used_slots(mesh)]
-        key = (content, tuple((slot, s.layers, s.emission is not None, s.opaque, s.medium != CLEAR)
-                              for slot, s in made))
+        key = (content, tuple((slot, *_needs(s)) for slot, s in made))
         known = self._kept.of(key)
         if known is None:
             told = []

@@ -16,9 +16,8 @@ MOST_TEXTURES = 32  # likewise
 CURVE_POINTS = 33   # as many as fit a string of the scene language
 RAMP_POINTS = 32
 KIND_OF_SOCKET = {'RGBA': 'color', 'VECTOR': 'vector'}  # others are floats
-NOT_BY_POINT = {'FRESNEL', 'LAYER_WEIGHT', 'LIGHT_PATH', 'CAMERA', 'OBJECT_INFO', 'HAIR_INFO',
-                'PARTICLE_INFO'}
-CONSTANTS = {'Random': 0.5, 'Color': 1.0, 'Alpha': 1.0, 'Is Camera Ray': 0.0, 'Facing': 0.0,
+NOT_BY_POINT = {'LIGHT_PATH', 'CAMERA', 'OBJECT_INFO', 'HAIR_INFO', 'PARTICLE_INFO'}
+CONSTANTS = {'Random': 0.5, 'Color': 1.0, 'Alpha': 1.0, 'Ray Length': 1.0,
              'View Distance': 1.0, 'View Z Depth': 1.0}
 
 
@@ -39,6 +38,7 @@ class Program:
         self._textures = textures
         self._left_out = left_out
         self._known = {}
+        self.material_index = textures.material_index
 
     def emit(self, *words):
         line = ' '.join(words)
@@ -98,7 +98,8 @@ class Program:
         label, name = found.node.bl_label, found.output.name
         if found.node.type in NOT_BY_POINT:
             self._left_out.add(f'what node {label} tells is taken to be the same everywhere')
-            return text(CONSTANTS.get(name, 0.0))
+            seen = self._textures.camera_ray if name == 'Is Camera Ray' else 0.0
+            return text(CONSTANTS.get(name, seen))
         for socket in found.node.inputs:
             if socket.type == found.output.type and socket.enabled:
                 self._left_out.add(f'nodes {label} are replaced by their input {socket.name}')
@@ -165,6 +166,18 @@ class Program:
         return self.emit('textureat', self._number_of(name), self.of(found.input('Vector'),
                                                                      'vector'))
 
+    def of_object(self, name):
+        """A value of the object's; None where there is none."""
+        value = self._textures.of_object(name)
+        if value is None:
+            return None
+        return text(value[0]) if len(value) == 1 else self.value(*value)
+
+    def mean_by_angle(self, found):
+        """Of a node Fresnel or Layer Weight."""
+        self._left_out.add('what differs by angle has its mean')
+        return text(self._textures.mean_by_angle(found))
+
     def blackbody(self, found):
         return self.value(*self._textures.blackbody(found))
 
@@ -216,6 +229,9 @@ def _geometry(program, found):
 
 def _attribute(program, found):
     node = found.node
+    if node.type == 'ATTRIBUTE' and node.attribute_type in ('OBJECT', 'INSTANCER'):
+        value = program.of_object('.' + node.attribute_name)
+        return value if found.output.name in ('Color', 'Vector', 'Fac') else None
     if node.type == 'ATTRIBUTE' and node.attribute_type != 'GEOMETRY':
         return None
     name = node.attribute_name if node.type == 'ATTRIBUTE' else node.layer_name
@@ -226,6 +242,12 @@ def _attribute(program, found):
         return '0'
     color = program.vertex_color(name)
     return program.emit('average', color) if found.output.type == 'VALUE' else color
+
+
+def _object_info(program, found):
+    if found.output.name == 'Material Index':
+        return text(program.material_index)
+    return program.of_object(found.output.name)
 
 
 def turned(angles):
@@ -497,7 +519,8 @@ def _musgrave(program, found):
 NODES = {
     'TEX_IMAGE': Program.image, 'TEX_COORD': _coordinates, 'NEW_GEOMETRY': _geometry,
     'UVMAP': lambda program, found: program.uv(found.node.uv_map),
-    'ATTRIBUTE': _attribute, 'VERTEX_COLOR': _attribute,
+    'ATTRIBUTE': _attribute, 'VERTEX_COLOR': _attribute, 'OBJECT_INFO': _object_info,
+    'FRESNEL': Program.mean_by_angle, 'LAYER_WEIGHT': Program.mean_by_angle,
     'RGB': lambda program, found: program.value(*found.output.default_value[:3]),
     'VALUE': lambda program, found: text(found.output.default_value),
     'BLACKBODY': Program.blackbody,

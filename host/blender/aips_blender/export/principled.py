@@ -155,8 +155,10 @@ def _coated(shaders, found, name, base, width, bump):
 def _emission(shaders, found, alpha):
     """What is partly there shines as much less."""
     textures = shaders.textures
-    strength = textures.constant_number(found.input('Emission Strength'), 'strengths of emission')
-    light = textures.product(textures.color(found.input(*EMISSION)), strength)
+    with textures.lighting():
+        strength = textures.constant_number(found.input('Emission Strength'),
+                                            'strengths of emission')
+        light = textures.product(textures.color(found.input(*EMISSION)), strength)
     if BLACK in (light, (alpha,) * 3):
         return None
     return textures.product(light, alpha)

@@ -1,6 +1,7 @@
 """Exports a scene of Blender: one .lxs file, and its meshes and images in a folder beside it."""
 import contextlib
 import dataclasses
+import functools
 import os
 
 import bpy
@@ -15,6 +16,7 @@ from .materials import Materials
 from .media import CLEAR, Media
 from .mesh_files import MeshFiles
 from .motion import Motion, instance_key
+from .object_info import ObjectInfo
 from .objects import Objects
 from .scene_text import SceneText
 from .shapes import Placed, Shapes
@@ -95,23 +97,24 @@ class _SceneExport:
         """Writes meshes and materials, and notes what is placed where."""
         for instance in self._depsgraph.object_instances:
             matrices = motion.of(instance_key(instance), instance.matrix_world.copy())
+            info = ObjectInfo(instance)
             if instance.show_self:
-                self._collect_instance(instance, matrices, motion.blurs)
+                self._collect_instance(instance, info, matrices, motion.blurs)
             if instance.show_particles:
-                self._collect_hair(instance.object, matrices)
+                self._collect_hair(instance.object, info, matrices)
         scene_camera = self._depsgraph.scene_eval.camera
         if scene_camera is not None:
             self._camera = scene_camera.evaluated_get(self._depsgraph)
             self._camera_matrices = motion.of(None, self._camera.matrix_world.copy())
 
-    def _collect_instance(self, instance, matrices, blurs):
+    def _collect_instance(self, instance, info, matrices, blurs):
         thing = instance.object
         self._objects.tell(instance, blurs)
         # Curves, texts and metaballs come as themselves too, beside an instance of their mesh.
         if isinstance(thing.data, bpy.types.Mesh):
-            self._place(thing, self._meshes.of, matrices)
+            self._place(thing, info, self._meshes.of, matrices)
         elif thing.type == 'CURVES':
-            self._place(thing, self._meshes.curves, matrices)
+            self._place(thing, info, self._meshes.curves, matrices)
         elif thing.type == 'LIGHT':
             if len(matrices) > 1:
                 self.left_out.add('motion of what shines is left out', thing.name)
@@ -119,16 +122,17 @@ class _SceneExport:
             self._lamps.append((thing.name, thing.data, matrices[0], thing.visible_camera,
                                 thing.original.lightgroup))
 
-    def _collect_hair(self, thing, matrices):
+    def _collect_hair(self, thing, info, matrices):
         for number, system in enumerate(thing.particle_systems):
             settings = system.settings
             if settings.type == 'HAIR' and settings.render_type == 'PATH':
-                self._place(thing, lambda emitter: self._meshes.hair(
-                    emitter, system, number, self._depsgraph.mode == 'RENDER'), matrices)
+                key_of = functools.partial(self._meshes.hair, system=system, number=number,
+                                           for_render=self._depsgraph.mode == 'RENDER')
+                self._place(thing, info, key_of, matrices)
 
-    def _place(self, thing, key_of, matrices):
-        """`key_of(thing)` writes it where it is new."""
-        key = key_of(thing) if any(map(is_seen, matrices)) else None
+    def _place(self, thing, info, key_of, matrices):
+        """`key_of(thing, info)` writes it where it is new."""
+        key = key_of(thing, info) if any(map(is_seen, matrices)) else None
         if key is not None:
             least, most = self._meshes.known[key].parts.bounds
             self._placed.append(Placed(

@@ -35,6 +35,8 @@ class Shader:
     medium: Medium = CLEAR    # fills meshes that have it all over
     opaque: bool = True       # no light comes through
     layers: Layers = Layers()
+    of_object: frozenset = frozenset()  # names of values of ObjectInfo that it depends on
+    hidden: bool = False      # the camera does not see it shine
 
 
 class Shaders:
@@ -125,6 +127,25 @@ class Shaders:
         return self.named(name, 'glossycoating', [
             parameter('string', 'basematerial', base), color('Ks', tint),
             *self.roughness(self.width(found)), *self.bump(found)])
+
+    def is_smooth(self, found):
+        width = 0.0 if found.node.distribution == 'SHARP' else self.width(found)
+        return not isinstance(width, str) and width < SMOOTH
+
+    def glass_of(self, gloss, refraction, name):
+        """The two nodes of which glass is put together."""
+        width = 0.0 if refraction.node.distribution == 'SHARP' else self.width(refraction)
+        return Shader(self.dielectric(
+            name, self.textures.color(gloss.input('Color')),
+            self.textures.color(refraction.input('Color')), self._index(refraction), width,
+            self.bump(refraction)), opaque=False)
+
+    def pane(self, gloss, transparent, index, name):
+        """Gloss over what lets light straight through."""
+        return Shader(self.named(name, 'glass', [
+            color('Kr', self.textures.color(gloss.input('Color'))),
+            color('Kt', self.textures.color(transparent.input('Color'))), factor('index', index),
+            parameter('bool', 'architectural', True)]), opaque=False)
 
     def metal(self, name, tint, width, bump):
         """A mirror where it is smooth, else facets that reflect tint at normal incidence."""
@@ -235,8 +256,10 @@ class Shaders:
                                  []))
 
     def emission(self, found, name):
-        strength = self.textures.constant_number(found.input('Strength'), 'strengths of emission')
-        light = self.textures.product(self.textures.color(found.input('Color')), strength)
+        with self.textures.lighting():
+            strength = self.textures.constant_number(found.input('Strength'),
+                                                     'strengths of emission')
+            light = self.textures.product(self.textures.color(found.input('Color')), strength)
         return Shader(self.black(name), None if light == BLACK else light)
 
     def black(self, name):

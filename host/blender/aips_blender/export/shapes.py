@@ -4,6 +4,7 @@ import dataclasses
 import numpy as np
 
 from .colours import light_color
+from .lights import hidden
 from .lxs_text import color, factor, parameter
 from .media import both
 from .spaces import LEAST_OVERLAP, box_of, corners_of, transformed
@@ -90,7 +91,7 @@ class Shapes:
             within = both(shader.medium, around)
             self._media.sides(within, around)
             if shader.emission is not None:
-                self._emission(shader.emission)
+                self._emission(shader)
             self._plymesh(path, placed.name)
             if shader.emission is not None and both_sides:
                 self._back(mesh.parts.backs[slot], placed.name, within)
@@ -103,12 +104,13 @@ class Shapes:
         self._media.sides(within, within)
         self._plymesh(path, name)
 
-    def _emission(self, light):
+    def _emission(self, shader):
+        light = shader.emission
         if isinstance(light, tuple):
             light = light_color(light)
         self._text.statement('AreaLightSource', 'area', parameters=[
             color('L', light), factor('gain', self._exposure), factor('power', 0.0),
-            factor('efficacy', 0.0)])
+            factor('efficacy', 0.0), *hidden(shader.hidden)])
 
     def _plymesh(self, path, name):
         self._text.statement('Shape', 'plymesh', parameters=[

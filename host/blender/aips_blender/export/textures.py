@@ -3,9 +3,10 @@
 A value is a tuple of three numbers or a number where it is constant, and a texture's name where
 it is not. Nodes without a counterpart give their mean guess, and are told as left out.
 """
+import contextlib
 import math
 
-from . import graph
+from . import angles, graph
 from .blackbody import blackbody
 from .colours import surface_color
 from .coordinates import Coordinates, uv_parameters
@@ -37,6 +38,36 @@ class Textures:
         self.coordinates = Coordinates(self.read, left_out)
         self._known = {}
         self.box = None  # least corner and size of the mesh whose generated coordinates are meant
+        self.material_index = 0
+        self.info = None  # the ObjectInfo of what is meant, or None
+        self.camera_ray = 1.0  # whether what the camera sees is meant
+
+    @contextlib.contextmanager
+    def lighting(self):
+        """Within it values are those that light other surfaces, in place of those seen."""
+        self.camera_ray = 0.0
+        try:
+            yield
+        finally:
+            self.camera_ray = 1.0
+
+    def index_by_angle(self, by):
+        """Index of refraction of a node Fresnel, or of that output of a node Layer Weight."""
+        if by.node.type == 'FRESNEL':
+            return self.constant_number(by.input('IOR'), 'index of refraction')
+        return angles.index_of_blend(self.constant_number(by.input('Blend'), 'blends'))
+
+    def mean_by_angle(self, by):
+        if by.node.type == 'LAYER_WEIGHT' and by.output.name == 'Facing':
+            return angles.mean_facing(self.constant_number(by.input('Blend'), 'blends'))
+        return angles.mean_fresnel(self.index_by_angle(by))
+
+    def of_object(self, name):
+        """A value of ObjectInfo; told, and None, where there is no object."""
+        if self.info is None:
+            return None
+        self.read.of_object.add(name)
+        return self.info.value(name)
 
     def image_file(self, node):
         """The ImageFile of a node's image, or None."""
@@ -69,7 +100,7 @@ class Textures:
     def _once(self, found, kind):
         # Nodes are wrapped anew at each access; their addresses tell them apart.
         key = (found.node.as_pointer(), found.output.identifier, kind,
-               tuple(g.as_pointer() for g in found.groups), self.box)
+               tuple(g.as_pointer() for g in found.groups), self.box, self.info, self.camera_ray)
         if key not in self._known:
             self._known[key] = self._value(found, kind)
         return self._known[key]

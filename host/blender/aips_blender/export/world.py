@@ -64,7 +64,8 @@ class World:
         if group:
             self._text.statement('LightGroup', group)
         media.sides(medium, medium)
-        self._background(world, found)
+        with self._textures.lighting():
+            self._background(world, found)
         self._text.statement('AttributeEnd')
 
     def _lit_by(self, place, world):

@@ -181,6 +181,28 @@ class Materials(Agreement):
         bpy.data.objects['wall'].data.materials[0] = picture
         self.agrees('image', scene)
 
+    def test_two_uv_maps(self):
+        """Of each a picture, one of them mapped and by way of other nodes."""
+        scene = scenes.lit_stage()
+        wall = bpy.data.objects['wall']
+        wall.data.uv_layers.new(name='second').data.foreach_set(
+            'uv', np.array([(-0.3, 0.2), (1.4, 0.1), (1.1, 1.7), (0.1, 0.9)], np.float32).ravel())
+        values = np.full((8, 16, 4), 0.5, np.float32)
+        values[:4, :, 0], values[:, :6, 1], values[6:, 10:, 2] = 0.9, 0.7, 0.9
+        made = scenes.image_material(values, scale=(2, 1.5, 1), shift=(0.2, 0.1, 0))
+        tree = made.node_tree
+        product = tree.nodes.new('ShaderNodeMixRGB')
+        product.blend_type, product.inputs[0].default_value = 'MULTIPLY', 1
+        other, by = tree.nodes.new('ShaderNodeTexImage'), tree.nodes.new('ShaderNodeUVMap')
+        other.image, by.uv_map = tree.nodes['Image Texture'].image, 'second'
+        for output, place in ((by.outputs[0], other.inputs[0]),
+                              (tree.nodes['Image Texture'].outputs[0], product.inputs[1]),
+                              (other.outputs[0], product.inputs[2]),
+                              (product.outputs[0], tree.nodes['Diffuse BSDF'].inputs['Color'])):
+            tree.links.new(output, place)
+        wall.data.materials[0] = made
+        self.agrees('two uv maps', scene)
+
     def test_checker(self):
         scene = scenes.lit_stage()
         bpy.data.objects['wall'].data.materials[0] = scenes.checker_material()

@@ -275,8 +275,18 @@ class Layers(unittest.TestCase):
         bump = self.reads('Normal', 'ShaderNodeNormalMap', uv_map='second')
         normals = feed(self.box.data.materials[0], bump.name, 'Color', 'ShaderNodeTexImage')
         normals.from_node.image = picture.image
-        told = 'of the uv maps that a material reads one is taken: box'
-        self.assertEqual(set(self.mesh('both', told)['s']), {0.25})
+        told = ['normal maps by another uv map than the first are by that one: grey',
+                'of the uv maps and colours that a material reads two are taken: grey']
+        both = self.mesh('both', *told)
+        self.assertEqual((both['s'].max(), set(both['red']), set(both['blue'])), (0.875, {0.25}, {0}))
+
+    def test_a_uv_map_that_is_not_there(self):
+        picture = self.reads('Color', 'ShaderNodeTexImage',
+                             image=bpy.data.images.new('picture', 4, 4))
+        feed(self.box.data.materials[0], picture.name, 'Vector', 'ShaderNodeUVMap') \
+            .from_node.uv_map = 'third'
+        told = 'uv maps that are not there are replaced by the one for renders: box'
+        self.assertEqual(set(self.mesh('third', told)['s']), {0.25})
 
     def test_colours(self):
         self.assertNotIn('red', self.mesh('unread'))

@@ -30,14 +30,34 @@ class Coordinates:
     def uv(self, found):
         """Scale and shift of the uv that a texture node is looked up by, if these are all."""
         scale, shift = (1.0, 1.0), (0.0, 0.0)
-        place = found.input('Vector')
-        before = graph.source(place) if place else None
+        before = self._before(found)
         if before and before.node.type == 'MAPPING':
             scale, shift = self._mapped(before)
-            before = graph.source(before.input('Vector'))
-        named = before and before.node.type == 'UVMAP'
-        self._read.uv.add(before.node.uv_map if named else RENDERED)
+        self.place_of(self._map_of(found))
         return scale, shift
+
+    def are_of_first(self, found):
+        """Whether those of a texture node that are plain are of the file's first uv map."""
+        return self.place_of(self._map_of(found)) == 0
+
+    def place_of(self, name):
+        """Number of a uv map's place in the mesh's file."""
+        place = self._read.place_of_uv(name)
+        if place is None:
+            self._left_out.add('of the uv maps and colours that a material reads two are taken')
+        return place or 0
+
+    @staticmethod
+    def _before(found):
+        place = found.input('Vector')
+        return graph.source(place) if place else None
+
+    def _map_of(self, found):
+        """Name of the uv map that a texture node reads, by a node Mapping or not."""
+        before = self._before(found)
+        if before and before.node.type == 'MAPPING':
+            before = graph.source(before.input('Vector'))
+        return before.node.uv_map if before and before.node.type == 'UVMAP' else RENDERED
 
     def _mapped(self, before):
         """Scale and shift of a node Mapping."""

@@ -1,7 +1,7 @@
 """Reads what a mesh has at the corners of its triangles: place, normal, uv and colour."""
 import numpy as np
 
-from .layers import chosen
+from .layers import RENDERED, chosen
 
 
 def array(collection, attribute, kind, width):
@@ -36,21 +36,22 @@ class Corners:
         are; and whether these hold uv and colours."""
         there = np.repeat(self.slots == slot, 3)
         columns = [self.positions[there], self._normals[there]]
-        uv = self._uv(layers.uv, tell)
-        if uv is not None:
-            columns.append(uv_of(uv)[self._loops[there]])
+        first, *others = [self._uv(name, tell) for name in layers.uv or (RENDERED,)]
+        if first is not None:
+            columns.append(uv_of(first)[self._loops[there]])
         colors = self._colors(layers.colors, there, tell) if layers.colors else None
+        if others and first is not None:
+            second = uv_of(others[0])[self._loops[there]]
+            colors = np.hstack([second, np.zeros((len(second), 1), np.float32)])
         if colors is not None:
             columns.append(colors)
-        return np.hstack(columns), uv is not None, colors is not None
+        return np.hstack(columns), first is not None, colors is not None
 
-    def _uv(self, read, tell):
+    def _uv(self, name, tell):
         maps = self._mesh.uv_layers
-        rendered = next((m.name for m in maps if m.active_render), '')
-        name, others = chosen(read, rendered)
-        if others or name not in maps and name != rendered:
-            tell('of the uv maps that a material reads one is taken')
-        return maps.get(name) or maps.get(rendered)
+        if name and name not in maps:
+            tell('uv maps that are not there are replaced by the one for renders')
+        return maps.get(name) or next((m for m in maps if m.active_render), None)
 
     def _colors(self, read, there, tell):
         layers = self._mesh.color_attributes

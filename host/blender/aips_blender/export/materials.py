@@ -65,8 +65,9 @@ class Materials:
         textures.box, textures.info = box, info
         textures.material_index = material.pass_index if material else 0
         made = self._made(material)
-        if isinstance(made.emission, str) and textures.read.colors:
-            self._left_out.add('what shines has white in place of colours of vertices')
+        if isinstance(made.emission, str) and (textures.read.colors or len(textures.read.uv) > 1):
+            self._left_out.add('what shines has white in place of colours of vertices and of '
+                               'second uv maps')
         textures.box = textures.info = None
         by_box, of_object = self._reads.get(name, (False, frozenset()))
         self._reads[name] = (by_box or textures.read.generated,

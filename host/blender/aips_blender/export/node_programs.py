@@ -151,20 +151,19 @@ class Program:
         return self.emit('affine', operand, *(text(x) for row in rows for x in list(row)[:4]))
 
     def uv(self, name):
-        self._textures.read.uv.add(name)
-        return self.emit('uv')
+        return self.emit(('uv', 'color')[self._textures.coordinates.place_of(name)])
 
     def vertex_color(self, name):
-        self._textures.read.colors.add(name)
-        return self.emit('color')
+        return self.emit('color') if self._textures.reads_color(name) else '1'
 
     def image(self, found):
         """Of node Image Texture; its colours as they are."""
         name = self._textures.plain(found)
         if self._textures.is_placed_by_uv(found) or not isinstance(name, str):
             return self.texture(name)
-        return self.emit('textureat', self._number_of(name), self.of(found.input('Vector'),
-                                                                     'vector'))
+        place = found.input('Vector')
+        at = self.of(place, 'vector') if graph.source(place) else self.uv(RENDERED)
+        return self.emit('textureat', self._number_of(name), at)
 
     def of_object(self, name):
         """A value of the object's; None where there is none."""

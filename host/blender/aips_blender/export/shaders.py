@@ -97,7 +97,10 @@ class Shaders:
             return []
         if self.textures.number(before.input('Strength')) != 1.0:
             self.left_out.add('strengths of normal maps are taken for 1')
-        self.textures.read.uv.add(before.node.uv_map)  # along which its tangents lie
+        # Its tangents lie along the file's first.
+        if self.textures.coordinates.place_of(before.node.uv_map) or \
+                not self.textures.is_placed_by_uv(found):
+            self.left_out.add('normal maps by another uv map than the first are by that one')
         name = self.text.free_name('normal map')
         self.text.statement('Texture', name, 'float', 'normalmap', parameters=[
             self.text.file(file.path), file.color_space(), *self.textures.mapping(found)])

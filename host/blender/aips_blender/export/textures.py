@@ -69,6 +69,14 @@ class Textures:
         self.read.of_object.add(name)
         return self.info.value(name)
 
+    def reads_color(self, name):
+        """Whether a material may read a layer of colours, which it does from here on."""
+        if not self.read.has_place_for_colors():
+            self._left_out.add('of the uv maps and colours that a material reads two are taken')
+            return False
+        self.read.colors.add(name)
+        return True
+
     def image_file(self, node):
         """The ImageFile of a node's image, or None."""
         return self._images.file(node.image, node.image_user)
@@ -169,7 +177,8 @@ class Textures:
         if found.output.name == 'Alpha':
             self._left_out.add('alpha of colours is taken for 1')
             return 1.0
-        self.read.colors.add(name)
+        if not self.reads_color(name):
+            return (1.0, 1.0, 1.0)
         return self._texture('vertex color', kind,
                              'hitpointcolor' if kind == 'color' else 'hitpointgrey', [])
 
@@ -208,8 +217,8 @@ class Textures:
             *self.mapping(found)])
 
     def is_placed_by_uv(self, found):
-        """Whether an image is looked up by uv, at most scaled and shifted."""
-        return self.coordinates.are_plain(found)
+        """Whether an image is looked up by the first uv map, at most scaled and shifted."""
+        return self.coordinates.are_plain(found) and self.coordinates.are_of_first(found)
 
     def mapping(self, found):
         """Parameters of an image's uv mapping, that of a node Mapping before `found`; none where
